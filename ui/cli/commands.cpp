@@ -1,0 +1,7 @@
+#include "ui/cli/commands.h"
+
+namespace penpose::cli {
+
+std::vector<AddCommand> all_commands() { return {}; }
+
+}  // namespace penpose::cli

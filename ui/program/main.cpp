@@ -1,0 +1,3 @@
+#include "ui/cli/command_line.h"
+
+int main(int argc, char** argv) { return penpose::cli::run(argc, argv); }
