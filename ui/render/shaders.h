@@ -208,8 +208,8 @@ void main() {
     }
   }
   float open = sum / weights;
-  // A little of the surface's own colour is kept in the dark: light that bounces is warm.
-  result = vec4(mix(vec3(0.16, 0.10, 0.09), vec3(1.0), open), 1.0);
+  // Light that bounces out of a crease is warm, and never quite gone.
+  result = vec4(mix(vec3(0.14, 0.07, 0.06), vec3(1.0), vec3(pow(open, 0.82), open, open)), 1.0);
 }
 )";
 
