@@ -19,10 +19,9 @@ int distance(std::string_view a, std::string_view b) {
         cost[i][j] = static_cast<int>(i + j) * 10;
         continue;
       }
-      cost[i][j] = std::min({cost[i - 1][j] + 10, cost[i][j - 1] + 10,
-                             cost[i - 1][j - 1] + letter_cost(a[i - 1], b[j - 1])});
-      const bool swapped =
-          i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
+      cost[i][j] =
+          std::min({cost[i - 1][j] + 10, cost[i][j - 1] + 10, cost[i - 1][j - 1] + letter_cost(a[i - 1], b[j - 1])});
+      const bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
       if (swapped) cost[i][j] = std::min(cost[i][j], cost[i - 2][j - 2] + 10);
     }
   }

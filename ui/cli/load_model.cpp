@@ -14,7 +14,8 @@ base::Result<document::Model> load_model(const std::string& path) {
   const auto bytes = read_file(path);
   if (!bytes) return bytes.error();
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  return model_io::read_model(*bytes, path, [&](const std::string& name) { return read_file((folder / name).string()); });
+  return model_io::read_model(*bytes, path,
+                              [&](const std::string& name) { return read_file((folder / name).string()); });
 }
 
 base::Status set_parameter(document::Model& model, const std::string& assignment) {
@@ -37,9 +38,9 @@ base::Status set_parameter(document::Model& model, const std::string& assignment
   }
   const rig::Parameter& parameter = parameters[*found];
   if (!(*value >= parameter.minimum && *value <= parameter.maximum)) {
-    return base::Error{"the value is out of range", place,
-                       "use " + base::format_double(parameter.minimum) + " to " +
-                           base::format_double(parameter.maximum)};
+    return base::Error{
+        "the value is out of range", place,
+        "use " + base::format_double(parameter.minimum) + " to " + base::format_double(parameter.maximum)};
   }
   model.pose[*found] = *value;
   return base::Done{};

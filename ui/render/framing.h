@@ -18,9 +18,9 @@ struct Viewpoint {
 /// "front", "side" (the subject's left), "three-quarter", "back" or "top"; nothing for another name.
 [[nodiscard]] std::optional<Viewpoint> find_viewpoint(std::string_view name);
 
-/// A camera that shows all points with a margin of a twelfth of the picture on the two tight sides, whatever their units
-/// and size. It fits the points themselves, which fills the picture better than their box does. No points: a unit box
-/// around the origin.
+/// A camera that shows all points with a margin of a twelfth of the picture on the two tight sides, whatever their
+/// units and size. It fits the points themselves, which fills the picture better than their box does. No points: a unit
+/// box around the origin.
 [[nodiscard]] geometry::Camera frame_points(std::span<const glm::vec3> points, geometry::Viewport viewport,
                                             const Viewpoint& from = {}, double vertical_fov_degrees = 24);
 

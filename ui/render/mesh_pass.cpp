@@ -157,7 +157,7 @@ void MeshPass::upload_shape(const Scene& scene) {
     const Surface& surface = surface_of(v);
     finish[v] = {pack(surface.base_color), Bytes4{to_byte(surface.roughness), to_byte(surface.metallic),
                                                   to_byte(look.gaze.empty() ? 1.0F : look.gaze[v]),
-                        to_byte(look.opacity.empty() ? 1.0F : look.opacity[v])}};
+                                                  to_byte(look.opacity.empty() ? 1.0F : look.opacity[v])}};
   }
   fill(GL_ARRAY_BUFFER, finish_, finish, GL_STATIC_DRAW);
   // Opaque triangles, then translucent ones, then (when asked for) the edges of the opaque ones.
