@@ -25,7 +25,7 @@ Surface from_material(const document::Material& material) {
 Surface from_kind(PartKind kind) {
   switch (kind) {
     case PartKind::eyeball:
-      return {{0.72F, 0.70F, 0.67F, 1}, 0.2F, 0};
+      return {{0.86F, 0.84F, 0.81F, 1}, 0.2F, 0};
     case PartKind::eye_cover:
       return {{0.30F, 0.24F, 0.22F, 0.03F}, 0.15F, 0};
     case PartKind::lash:
