@@ -106,7 +106,7 @@ void main() {
   float alpha = max(roughness * roughness, 0.01);
   vec3 f0 = mix(vec3(0.035), base, surface.y);
   vec3 diffuse = base * (1.0 - surface.y);
-  float occlude = mix(1.0, 0.35, inside);
+  float occlude = mix(1.0, 0.22, inside);
   vec3 ambient = mix(vec3(0.085, 0.072, 0.064), vec3(0.20, 0.215, 0.24), n.y * 0.5 + 0.5);
   vec3 color = ambient * (diffuse + f0 * (1.0 - 0.7 * roughness));
   color += lit(n, v, normalize(vec3(-0.50, 0.62, 0.72)), vec3(0.86, 0.81, 0.75), diffuse, f0, alpha, 0.18);
@@ -133,7 +133,7 @@ in vec4 albedo;
 in vec3 surface;
 out vec4 result;
 void main() {
-  result = vec4(0.04, 0.05, 0.07, 0.55);
+  result = vec4(0.04, 0.05, 0.07, 0.32);
 }
 )";
 
