@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "ui/render/normals.h"
+#include "core/rig/surface_poser.h"
 
 namespace penpose::render {
 namespace {
@@ -133,10 +133,11 @@ Appearance make_appearance(const document::Model& model, const AppearanceOptions
 }
 
 PosedMesh posed_mesh(const document::Model& model) {
-  PosedMesh posed;
-  posed.positions = to_float(document::posed_positions(model));
-  posed.normals = smooth_normals(*model.mesh, posed.positions);
-  return posed;
+  rig::SurfacePoser poser(model.rig);
+  poser.update(model.pose);
+  const auto positions = poser.positions();
+  const auto normals = poser.normals();
+  return {{positions.begin(), positions.end()}, {normals.begin(), normals.end()}};
 }
 
 }  // namespace penpose::render

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/document/model.h"
+#include "ui/render/appearance.h"
 #include "ui/render/framing.h"
 #include "ui/render/image.h"
-#include "ui/render/normals.h"
 #include "ui/render/renderer.h"
 
 namespace penpose::render {
@@ -73,11 +73,16 @@ inline document::Model sphere_model(double radius, geometry::ModelPoint middle =
   return model_of(std::move(source));
 }
 
+inline std::vector<glm::vec3> to_float(const std::vector<geometry::ModelPoint>& points) {
+  return {points.begin(), points.end()};
+}
+
 /// A model with everything that a scene of it needs.
 struct Shown {
   explicit Shown(document::Model shown) : model(std::move(shown)) {
-    positions = to_float(document::posed_positions(model));
-    normals = smooth_normals(*model.mesh, positions);
+    PosedMesh posed = posed_mesh(model);
+    positions = std::move(posed.positions);
+    normals = std::move(posed.normals);
   }
   [[nodiscard]] Scene scene() const {
     Scene made;
