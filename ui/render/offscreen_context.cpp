@@ -9,7 +9,7 @@ namespace {
 
 base::Error no_gl(const std::string& why) {
   return {"pictures need OpenGL 3.1 or OpenGL ES 3.0, which could not be started (" + why + ")", "",
-          "install the packages libegl1 and libgl1-mesa-dri"};
+          "install the packages libegl1, libgl1 and libgl1-mesa-dri"};
 }
 
 std::string sdl_error() {
