@@ -1,5 +1,7 @@
 #include "ui/cli/commands.h"
 
+#include "ui/cli/convert_command.h"
+#include "ui/cli/info_command.h"
 #include "ui/cli/pose_command.h"
 #include "ui/cli/render_command.h"
 
@@ -7,8 +9,10 @@ namespace penpose::cli {
 
 std::vector<AddCommand> all_commands() {
   return {
+      add_info_command,
       add_pose_command,
       add_render_command,
+      add_convert_command,
   };
 }
 
