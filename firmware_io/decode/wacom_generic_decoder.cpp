@@ -20,8 +20,8 @@ bool WacomGenericDecoder::waits_for_serial(const PenReport& report, base::Bytes 
   if (serial_ != 0 || !layout_.has_serial || waited_ >= k_longest_wait) return false;
   bool unknown = false;
   for (const PenControl& control : report.controls) {
-    const bool identifies = control.role == PenRole::serial || control.role == PenRole::serial_high ||
-                            control.role == PenRole::tool_type;
+    const bool identifies =
+        control.role == PenRole::serial || control.role == PenRole::serial_high || control.role == PenRole::tool_type;
     if (!identifies && control.role != PenRole::in_range) continue;
     const bool on = control.value(raw) != 0;
     if (control.role == PenRole::in_range ? !on : on) return false;
