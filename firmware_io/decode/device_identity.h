@@ -11,8 +11,9 @@ namespace penpose::decode {
 inline constexpr std::uint16_t k_bus_usb = 3;
 inline constexpr std::uint16_t k_bus_bluetooth = 5;
 
-/// What is known of one interface of a device before its first report. A trace knows bus, ids, name and report descriptor; live
-/// hardware may know the rest too. Absent means unknown, never "none": an unknown value contradicts no condition.
+/// What is known of one interface of a device before its first report. A trace knows bus, ids, name and report
+/// descriptor; live hardware may know the rest too. Absent means unknown, never "none": an unknown value contradicts no
+/// condition.
 struct DeviceIdentity {
   std::uint16_t bus = k_bus_usb;
   std::uint16_t vendor = 0;

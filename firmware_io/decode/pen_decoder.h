@@ -16,13 +16,15 @@ enum class ReportKind : std::uint8_t {
 
 /// The state of the keys and wheels on the tablet itself.
 struct PadState {
-  std::uint64_t keys = 0;         ///< bit i: key i is down
-  std::int32_t wheel_delta = 0;   ///< steps since the report before, clockwise positive
-  std::int32_t wheel_position = -1;  ///< absolute position of a touch ring or strip, -1 while not touched
+  std::uint64_t keys = 0;               ///< bit i: key i is down
+  std::int32_t wheel_delta = 0;         ///< steps since the report before, clockwise positive
+  std::int32_t second_wheel_delta = 0;  ///< the same of a second dial
+  std::int32_t wheel_position = -1;     ///< absolute position of a touch ring or strip, -1 while not touched
+  std::uint32_t wheel_buttons = 0;      ///< bit i: the button in wheel i is down
 };
 
-/// Turns the raw input reports of one interface into pen samples. Stateful: feed every report of the interface in order.
-/// A decoder never allocates in `decode`, never reads outside the report, and takes any bytes whatever.
+/// Turns the raw input reports of one interface into pen samples. Stateful: feed every report of the interface in
+/// order. A decoder never allocates in `decode`, never reads outside the report, and takes any bytes whatever.
 class PenDecoder {
  public:
   virtual ~PenDecoder() = default;
