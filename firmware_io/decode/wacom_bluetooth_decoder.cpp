@@ -29,6 +29,7 @@ WacomBluetoothDecoder::WacomBluetoothDecoder(const WacomModel& model)
 
 void WacomBluetoothDecoder::reset() {
   sample_ = {};
+  frames_.clear();
   tool_ = WacomTool::none;
   tool_number_ = 0;
   serial_ = 0;
@@ -41,12 +42,12 @@ ReportKind WacomBluetoothDecoder::decode(base::Bytes report) {
   tool_number_ = static_cast<std::uint32_t>(le16(report, layout.tool_at));
   // Electromagnetic pens keep the part of the tool number that does not fit its own field in the serial's upper half.
   if (serial_ >> 52 == 1) tool_number_ |= static_cast<std::uint32_t>(serial_ >> 32) & 0xfffff;
-  const bool was_in_range = sample_.in_range;
+  frames_.clear();
   for (std::size_t i = 0; i < layout.count; ++i) {
     const base::Bytes frame = report.subspan(1 + i * layout.size, layout.size);
     if (bit(frame, 0, 0x80) && !decode_frame(frame)) break;
   }
-  return sample_.in_range || was_in_range ? ReportKind::pen : ReportKind::ignored;
+  return frames_.empty() ? ReportKind::ignored : ReportKind::pen;
 }
 
 bool WacomBluetoothDecoder::decode_frame(base::Bytes frame) {
@@ -54,7 +55,10 @@ bool WacomBluetoothDecoder::decode_frame(base::Bytes frame) {
   const bool has_position = bit(frame, 0, 0x20);
   const bool turned = bit(frame, 0, 0x10);
   if (!near) {
-    reset();
+    const bool was_in_range = sample_.in_range;
+    sample_ = {};
+    tool_ = WacomTool::none;
+    if (was_in_range) frames_.add(sample_);
     return false;
   }
   if (has_position) {
@@ -81,6 +85,7 @@ bool WacomBluetoothDecoder::decode_frame(base::Bytes frame) {
   sample_.tool = tool_of(tool_);
   sample_.tool_id = wacom_tool_id(tool_number_);
   sample_.serial = serial_;
+  frames_.add(sample_);
   return true;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware_io/decode/frame_list.h"
 #include "firmware_io/decode/pen_decoder.h"
 #include "firmware_io/decode/wacom_models.h"
 #include "firmware_io/decode/wacom_tools.h"
@@ -15,12 +16,14 @@ class WacomBluetoothDecoder final : public PenDecoder {
   ReportKind decode(base::Bytes report) override;
   void reset() override;
   [[nodiscard]] const PenAxes& axes() const override { return axes_; }
+  [[nodiscard]] std::span<const PenSample> frames() const override { return frames_.all(); }
 
  private:
   /// False when the frame says that the pen left, after which the report holds nothing more.
   bool decode_frame(base::Bytes frame);
 
   PenAxes axes_;
+  FrameList frames_;
   bool is_pro_;
   std::int32_t max_distance_;
   WacomTool tool_ = WacomTool::none;

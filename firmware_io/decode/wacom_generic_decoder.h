@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware_io/decode/frame_list.h"
 #include "firmware_io/decode/pen_decoder.h"
 #include "firmware_io/decode/pen_layout.h"
 #include "firmware_io/decode/wacom_tools.h"
@@ -20,6 +21,7 @@ class WacomGenericDecoder final : public PenDecoder {
   ReportKind decode(base::Bytes report) override;
   void reset() override;
   [[nodiscard]] const PenAxes& axes() const override { return layout_.axes; }
+  [[nodiscard]] std::span<const PenSample> frames() const override { return frames_.all(); }
 
  private:
   /// Frames held back while the pen is near but has not said yet which one it is.
@@ -44,7 +46,7 @@ class WacomGenericDecoder final : public PenDecoder {
   bool barrel3_ = false;
   bool invalid_frame_ = false;
   bool was_sensed_ = false;
-  bool changed_ = false;  ///< a frame of this report set the sample
+  FrameList frames_;
 };
 
 }  // namespace penpose::decode

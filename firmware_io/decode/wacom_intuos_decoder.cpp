@@ -56,9 +56,11 @@ ReportKind WacomIntuosDecoder::decode_bluetooth(base::Bytes report) {
   if (report.empty() || (report[0] != 0x03 && report[0] != 0x04)) return ReportKind::ignored;
   const std::size_t count = report[0] == 0x04 ? 3 : 2;
   if (report.size() < 1 + count * k_report_size) return ReportKind::ignored;
+  frames_.clear();
   ReportKind kind = ReportKind::ignored;
   for (std::size_t i = 0; i < count; ++i) {
     const ReportKind one = decode_one(report.subspan(1 + i * k_report_size, k_report_size));
+    if (one == ReportKind::pen) frames_.add(sample_);
     if (one == ReportKind::pen || kind == ReportKind::ignored) kind = one;
   }
   return kind;

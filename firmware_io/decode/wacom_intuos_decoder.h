@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "firmware_io/decode/frame_list.h"
 #include "firmware_io/decode/pen_decoder.h"
 #include "firmware_io/decode/wacom_models.h"
 #include "firmware_io/decode/wacom_tools.h"
@@ -20,6 +21,9 @@ class WacomIntuosDecoder final : public PenDecoder {
   ReportKind decode(base::Bytes report) override;
   void reset() override;
   [[nodiscard]] const PenAxes& axes() const override { return axes_; }
+  [[nodiscard]] std::span<const PenSample> frames() const override {
+    return bluetooth_ ? frames_.all() : PenDecoder::frames();
+  }
 
  private:
   struct ToolState {
@@ -42,6 +46,7 @@ class WacomIntuosDecoder final : public PenDecoder {
 
   WacomModel model_;
   PenAxes axes_;
+  FrameList frames_;  ///< of the Bluetooth model
   std::array<ToolState, 2> tools_;
   bool reporting_ = false;
 
