@@ -27,8 +27,8 @@ bool has_touch_interface(F family) {
   return family == F::bamboo || family == F::intuos_2015 || family == F::intuos5 || family == F::intuos5_large;
 }
 
-/// Whether this is the interface of a Wacom tablet that carries its pen. The descriptors of these models tell only which
-/// collections there are, not what their bytes mean; one that tells nothing is taken for the pen's.
+/// Whether this is the interface of a Wacom tablet that carries its pen. The descriptors of these models tell only
+/// which collections there are, not what their bytes mean; one that tells nothing is taken for the pen's.
 bool carries_wacom_pen(const WacomModel& model, const hid::ReportDescriptor& descriptor) {
   if (model.family == F::touch_only) return false;
   bool touch = false;

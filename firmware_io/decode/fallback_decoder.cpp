@@ -4,10 +4,7 @@ namespace penpose::decode {
 
 FallbackDecoder::FallbackDecoder(PenLayout layout, std::unique_ptr<PenDecoder> described,
                                  std::unique_ptr<PenDecoder> vendor)
-    : layout_(std::move(layout)),
-      described_(std::move(described)),
-      vendor_(std::move(vendor)),
-      used_(vendor_.get()) {}
+    : layout_(std::move(layout)), described_(std::move(described)), vendor_(std::move(vendor)), used_(vendor_.get()) {}
 
 void FallbackDecoder::reset() {
   sample_ = {};

@@ -5,8 +5,8 @@
 
 namespace penpose::decode {
 
-/// A tablet that describes a pen but may have been switched to its vendor's reports, which no descriptor mentions: each report
-/// that a pen is described for, with just that length, goes to the first decoder, every other to the second.
+/// A tablet that describes a pen but may have been switched to its vendor's reports, which no descriptor mentions: each
+/// report that a pen is described for, with just that length, goes to the first decoder, every other to the second.
 class FallbackDecoder final : public PenDecoder {
  public:
   FallbackDecoder(PenLayout layout, std::unique_ptr<PenDecoder> described, std::unique_ptr<PenDecoder> vendor);

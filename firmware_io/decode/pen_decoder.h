@@ -43,8 +43,8 @@ class PenDecoder {
   [[nodiscard]] const PenSample& sample() const { return sample_; }
   [[nodiscard]] const PadState& pad() const { return pad_; }
 
-  /// All states that the last report of kind `pen` went through, oldest first: the last one is `sample()`. More than one
-  /// only where a device puts several frames into a report (over Bluetooth). Valid until the next call of `decode`.
+  /// All states that the last report of kind `pen` went through, oldest first: the last one is `sample()`. More than
+  /// one only where a device puts several frames into a report (over Bluetooth). Valid until the next call of `decode`.
   [[nodiscard]] virtual std::span<const PenSample> frames() const { return {&sample_, 1}; }
 
  protected:

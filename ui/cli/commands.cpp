@@ -1,7 +1,9 @@
 #include "ui/cli/commands.h"
 
+#include "ui/cli/decode_command.h"
+
 namespace penpose::cli {
 
-std::vector<AddCommand> all_commands() { return {}; }
+std::vector<AddCommand> all_commands() { return {add_decode_command}; }
 
 }  // namespace penpose::cli
