@@ -30,15 +30,18 @@ void PenEvents::leave(const PenSample& sample, std::int64_t time_us, std::vector
 }
 
 void PenEvents::add(const PenSample& sample, std::int64_t time_us, std::vector<PenEvent>& out) {
-  const bool another = sample.tool != tool_ || sample.serial != serial_;
+  const Tool tool = sample.tool == Tool::none ? Tool::pen : sample.tool;
+  // Some pens say who they are only after a while, which makes them no other pen.
+  const bool another = tool != tool_ || (sample.serial != serial_ && sample.serial != 0 && serial_ != 0);
   // The last sample in range is what an ending event shows: after leaving, devices send zeros.
   if (!sample.in_range || another) leave(last_, time_us, out);
   if (!sample.in_range) return;
   if (tool_ == Tool::none) {
-    tool_ = sample.tool;
+    tool_ = tool;
     serial_ = sample.serial;
     out.push_back({PenEventKind::near, tool_, 0, time_us, sample});
   }
+  if (sample.serial != 0) serial_ = sample.serial;
   const bool contact = touches(sample);
   if (in_stroke_ && !contact) {
     out.push_back({PenEventKind::stroke_end, tool_, 0, time_us, last_});
