@@ -1,7 +1,13 @@
 #include "ui/cli/commands.h"
 
+#include "ui/cli/devices_command.h"
+
 namespace penpose::cli {
 
-std::vector<AddCommand> all_commands() { return {}; }
+std::vector<AddCommand> all_commands() {
+  return {
+      add_devices_command,
+  };
+}
 
 }  // namespace penpose::cli
