@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "core/base/byte_reader.h"
 #include "firmware_io/decode/pen_sample.h"
@@ -41,6 +42,10 @@ class PenDecoder {
   /// The full state after the last report of kind `pen`.
   [[nodiscard]] const PenSample& sample() const { return sample_; }
   [[nodiscard]] const PadState& pad() const { return pad_; }
+
+  /// All states that the last report of kind `pen` went through, oldest first: the last one is `sample()`. More than
+  /// one only where a device puts several frames into a report (over Bluetooth). Valid until the next call of `decode`.
+  [[nodiscard]] virtual std::span<const PenSample> frames() const { return {&sample_, 1}; }
 
  protected:
   PenSample sample_;

@@ -13,15 +13,16 @@ void WacomGenericDecoder::reset() {
   serial_ = 0;
   waited_ = 0;
   in_range_ = sensed_ = turned_ = tip_ = barrel_ = barrel2_ = barrel3_ = false;
-  invalid_frame_ = was_sensed_ = changed_ = false;
+  invalid_frame_ = was_sensed_ = false;
+  frames_.clear();
 }
 
 bool WacomGenericDecoder::waits_for_serial(const PenReport& report, base::Bytes raw) {
   if (serial_ != 0 || !layout_.has_serial || waited_ >= k_longest_wait) return false;
   bool unknown = false;
   for (const PenControl& control : report.controls) {
-    const bool identifies = control.role == PenRole::serial || control.role == PenRole::serial_high ||
-                            control.role == PenRole::tool_type;
+    const bool identifies =
+        control.role == PenRole::serial || control.role == PenRole::serial_high || control.role == PenRole::tool_type;
     if (!identifies && control.role != PenRole::in_range) continue;
     const bool on = control.value(raw) != 0;
     if (control.role == PenRole::in_range ? !on : on) return false;
@@ -34,7 +35,7 @@ bool WacomGenericDecoder::waits_for_serial(const PenReport& report, base::Bytes 
 ReportKind WacomGenericDecoder::decode(base::Bytes raw) {
   const PenReport* const report = layout_.find(raw);
   if (report == nullptr || waits_for_serial(*report, raw)) return ReportKind::ignored;
-  changed_ = false;
+  frames_.clear();
   invalid_frame_ = false;
   std::int32_t collection = report->controls.front().collection;
   for (const PenControl& control : report->controls) {
@@ -44,7 +45,7 @@ ReportKind WacomGenericDecoder::decode(base::Bytes raw) {
     if (value >= control.minimum && value <= control.maximum) apply(control, value);
   }
   end_frame();
-  return changed_ ? ReportKind::pen : ReportKind::ignored;
+  return frames_.empty() ? ReportKind::ignored : ReportKind::pen;
 }
 
 void WacomGenericDecoder::set_axis(std::int32_t& axis, std::int64_t value) {
@@ -149,7 +150,7 @@ void WacomGenericDecoder::end_frame() {
     sample_.tool_id = sensed_ ? (serial_ >> 52 == 1 ? wacom_tool_id(tool_number_) : tool_number_) : 0;
     tip_ = false;
     turned_ = false;
-    changed_ = true;
+    frames_.add(sample_);
   }
   if (!sensed_) {
     tool_ = WacomTool::none;

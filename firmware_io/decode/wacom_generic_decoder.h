@@ -1,17 +1,19 @@
 #pragma once
 
+#include "firmware_io/decode/frame_list.h"
 #include "firmware_io/decode/pen_decoder.h"
 #include "firmware_io/decode/pen_layout.h"
 #include "firmware_io/decode/wacom_tools.h"
 
 namespace penpose::decode {
 
-/// Wacom tablets that describe their reports, with the Digitizer page or with Wacom's mirror of it: Intuos Pro (2017), Intuos
-/// (2018), MobileStudio, One, Cintiq Pro, and the sensors built into notebooks.
+/// Wacom tablets that describe their reports, with the Digitizer page or with Wacom's mirror of it: Intuos Pro (2017),
+/// Intuos (2018), MobileStudio, One, Cintiq Pro, and the sensors built into notebooks.
 ///
-/// Differs from the standard reading in what the device means: axes count only while the pen is in range, Sense keeps a pen
-/// that is too far for a position, the tool is settled once on entering (by Invert or by its number), both barrel switches at
-/// once are the third button, values outside of the logical range are no values, and a report may hold several frames.
+/// Differs from the standard reading in what the device means: axes count only while the pen is in range, Sense keeps a
+/// pen that is too far for a position, the tool is settled once on entering (by Invert or by its number), both barrel
+/// switches at once are the third button, values outside of the logical range are no values, and a report may hold
+/// several frames.
 class WacomGenericDecoder final : public PenDecoder {
  public:
   explicit WacomGenericDecoder(PenLayout layout);
@@ -19,6 +21,7 @@ class WacomGenericDecoder final : public PenDecoder {
   ReportKind decode(base::Bytes report) override;
   void reset() override;
   [[nodiscard]] const PenAxes& axes() const override { return layout_.axes; }
+  [[nodiscard]] std::span<const PenSample> frames() const override { return frames_.all(); }
 
  private:
   /// Frames held back while the pen is near but has not said yet which one it is.
@@ -43,7 +46,7 @@ class WacomGenericDecoder final : public PenDecoder {
   bool barrel3_ = false;
   bool invalid_frame_ = false;
   bool was_sensed_ = false;
-  bool changed_ = false;  ///< a frame of this report set the sample
+  FrameList frames_;
 };
 
 }  // namespace penpose::decode

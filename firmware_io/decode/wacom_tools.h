@@ -9,8 +9,8 @@ namespace penpose::decode {
 /// The kinds of tool that Wacom's tool numbers tell apart and that differ in what they report.
 enum class WacomTool : std::uint8_t { none, pen, eraser, airbrush, mouse, lens };
 
-/// The kind of a tool number as the device sends it (20 bits, the upper ones in bits 12 to 19). Mice, lenses and airbrushes
-/// are known by number; of all others bit 3 marks the eraser end.
+/// The kind of a tool number as the device sends it (20 bits, the upper ones in bits 12 to 19). Mice, lenses and
+/// airbrushes are known by number; of all others bit 3 marks the eraser end.
 [[nodiscard]] WacomTool wacom_tool(std::uint32_t number);
 
 /// The tool of a sample: art pens and airbrushes are pens, lens cursors are mice.

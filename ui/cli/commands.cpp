@@ -1,5 +1,6 @@
 #include "ui/cli/commands.h"
 
+#include "ui/cli/decode_command.h"
 #include "ui/cli/devices_command.h"
 
 namespace penpose::cli {
@@ -7,6 +8,7 @@ namespace penpose::cli {
 std::vector<AddCommand> all_commands() {
   return {
       add_devices_command,
+      add_decode_command,
   };
 }
 
