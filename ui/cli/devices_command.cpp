@@ -9,9 +9,10 @@
 #include <string>
 
 #include "core/base/numbers.h"
-#include "firmware_io/decode/tablet_reader.h"
+#include "firmware_io/decode/tablet_table.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/files.h"
+#include "ui/cli/own_tablets.h"
 
 namespace penpose::cli {
 namespace {
@@ -73,17 +74,11 @@ void print(const decode::Tablet& tablet) {
 }
 
 int list_known(const Options& options) {
-  decode::TabletTable own;
-  if (!options.tablets.empty()) {
-    const auto bytes = read_file(options.tablets);
-    if (!bytes) return report(bytes.error(), options.tablets);
-    auto table = decode::read_tablet_file(base::as_text(*bytes));
-    if (!table) return report(table.error(), options.tablets);
-    own = std::move(table).value();
-  }
+  const auto own = read_own_tablets(options.tablets);
+  if (!own) return report(own.error(), options.tablets);
   Json list = Json::array();
   std::size_t count = 0;
-  for (const auto& tablets : {own.tablets(), decode::known_tablets().tablets()}) {
+  for (const auto& tablets : {own->tablets(), decode::known_tablets().tablets()}) {
     for (const auto& tablet : tablets) {
       ++count;
       if (options.json) {
@@ -109,8 +104,7 @@ void add_devices_command(CLI::App& app, int& status) {
   auto* command = app.add_subcommand("devices", "Lists the tablets that can be read.");
   command->add_flag("--known", options->known, "All tablets of the table, plugged in or not")->required();
   command->add_flag("--json", options->json, "Print one JSON object");
-  command->add_option("--tablets", options->tablets,
-                      "A file of your own tablets, or a configuration of OpenTabletDriver, listed first");
+  command->add_option(k_tablets_option, options->tablets, k_tablets_help);
   command->callback([options, &status] { status = list_known(*options); });
 }
 
