@@ -37,7 +37,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
   bool parse_error(std::size_t at, const std::string&, const nlohmann::detail::exception&) override {
-    position = at;
+    position = at > 0 ? at - 1 : 0;
     message = "is no JSON";
     return false;
   }

@@ -225,6 +225,7 @@ ProtocolMap read_protocols(const JsonPlace& file) {
   constexpr std::size_t k_most_protocols = 1000;
   Shared shared;
   for (const auto& [name, place] : file.at("layouts").members()) {
+    if (const auto when = place.at("when"); when.present()) when.fail("belongs to a rule", "write it beside `use`");
     shared.layouts[name] = std::make_shared<const Layout>(read_layout(place));
   }
   for (const auto& [name, place] : file.at("rule_lists").members()) {

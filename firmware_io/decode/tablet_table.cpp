@@ -7,12 +7,17 @@
 namespace penpose::decode {
 namespace {
 
-/// How well an identifier fits: `met` conditions hold, `open` ones could not be looked at. Nothing: something
-/// contradicts.
+/// How well an identifier fits. The score weighs conditions that hold, strings most, against those that could not be
+/// looked at, so that a tablet which asks for nothing goes before one that asks for something unknown.
 struct Fit {
-  int met = 0;
-  int open = 0;
+  int score = 0;
+  int open = 0;  ///< conditions that could not be looked at
 };
+constexpr int k_met = 2;
+constexpr int k_met_exactly = 1;
+constexpr int k_met_string = 4;
+constexpr int k_met_in_name = 3;
+constexpr int k_open = -2;
 
 class Matcher {
  public:
@@ -20,16 +25,17 @@ class Matcher {
   void condition(const std::optional<Wanted>& wanted, const std::optional<Known>& known, const Same& same) {
     if (!wanted) return;
     if (!known) {
-      ++fit_.open;
+      leave_open();
     } else if (same(*wanted, *known)) {
-      fit_.met += 2;
+      add(k_met);
     } else {
       contradicted_ = true;
     }
   }
-  void add(int met, int open) {
-    fit_.met += met;
-    fit_.open += open;
+  void add(int score) { fit_.score += score; }
+  void leave_open() {
+    fit_.score += k_open;
+    ++fit_.open;
   }
   void contradict() { contradicted_ = true; }
   [[nodiscard]] std::optional<Fit> fit() const { return contradicted_ ? std::nullopt : std::optional<Fit>(fit_); }
@@ -49,14 +55,16 @@ std::optional<Fit> fit(const TabletIdentifier& identifier, const DeviceIdentity&
   match.condition(identifier.output_report_length, device.output_report_length, equal_length);
   match.condition(identifier.feature_report_length, device.feature_report_length, equal_length);
   match.condition(identifier.interface_number, device.interface_number, equal);
-  if (identifier.input_report_length && device.input_report_length == identifier.input_report_length) match.add(1, 0);
+  if (identifier.input_report_length && device.input_report_length == identifier.input_report_length)
+    match.add(k_met_exactly);
   for (const auto& check : identifier.strings) {
     const auto known = device.strings.find(check.index);
     if (known == device.strings.end()) {
-      // The name of a device is made of its strings, so a hit in it counts a little and a miss nothing.
-      match.add(check.pattern.found_in(device.name) ? 1 : 0, 1);
+      // The name of a device is made of its strings, so a hit in it counts and a miss says nothing.
+      match.leave_open();
+      if (!device.name.empty() && check.pattern.found_in(device.name)) match.add(k_met_in_name);
     } else if (check.pattern.found_in(known->second)) {
-      match.add(2, 0);
+      match.add(k_met_string);
     } else {
       match.contradict();
     }
@@ -82,9 +90,8 @@ std::optional<TabletMatch> TabletTable::find(const DeviceIdentity& device) const
   const auto look = [&](const Tablet& tablet, const TabletIdentifier& identifier, bool is_pad) {
     const auto found = fit(identifier, device);
     if (!found) return;
-    const bool as_good = best && found->met == best_fit.met && found->open == best_fit.open;
-    if (best && (found->met < best_fit.met || (found->met == best_fit.met && found->open >= best_fit.open))) {
-      contested = contested || (as_good && best->tablet != &tablet);
+    if (best && found->score <= best_fit.score) {
+      contested = contested || (found->score == best_fit.score && best->tablet != &tablet);
       return;
     }
     best = TabletMatch{&tablet, &identifier, is_pad, false};

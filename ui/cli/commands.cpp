@@ -1,9 +1,15 @@
 #include "ui/cli/commands.h"
 
 #include "ui/cli/decode_command.h"
+#include "ui/cli/devices_command.h"
 
 namespace penpose::cli {
 
-std::vector<AddCommand> all_commands() { return {add_decode_command}; }
+std::vector<AddCommand> all_commands() {
+  return {
+      add_devices_command,
+      add_decode_command,
+  };
+}
 
 }  // namespace penpose::cli

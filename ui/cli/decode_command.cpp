@@ -16,6 +16,7 @@
 #include "replay/trace_source.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/files.h"
+#include "ui/cli/own_tablets.h"
 #include "ui/cli/sample_printer.h"
 
 namespace penpose::cli {
@@ -237,7 +238,9 @@ int decode_trace(const DecodeOptions& options) {
     return report({"no protocol is named \"" + options.protocol + "\"", "",
                    "`penpose devices --known` lists them with their tablets"});
   }
-  return DecodeRun(options, nullptr).run();
+  const auto own = read_own_tablets(options.tablets);
+  if (!own) return report(own.error(), options.tablets);
+  return DecodeRun(options, &*own).run();
 }
 
 }  // namespace
@@ -250,6 +253,7 @@ void add_decode_command(CLI::App& app, int& status) {
   command->add_flag("--json", options->json, "One JSON object")->excludes(csv);
   command->add_option("--protocol", options->protocol,
                       "Read every report with this protocol, whatever the trace's device is");
+  command->add_option(k_tablets_option, options->tablets, k_tablets_help);
   command->callback([options, &status] { status = decode_trace(*options); });
 }
 
