@@ -2,6 +2,7 @@
 
 #include "ui/cli/decode_command.h"
 #include "ui/cli/devices_command.h"
+#include "ui/cli/pose_command.h"
 #include "ui/cli/render_command.h"
 
 namespace penpose::cli {
@@ -10,6 +11,7 @@ std::vector<AddCommand> all_commands() {
   return {
       add_devices_command,
       add_decode_command,
+      add_pose_command,
       add_render_command,
   };
 }
