@@ -7,6 +7,13 @@
 
 namespace penpose::replay {
 
+namespace {
+
+/// Enough for nearly every line; it grows for the long ones.
+constexpr std::size_t k_first_buffer = std::size_t{1} << 14;
+
+}  // namespace
+
 ReadBytes read_from(base::Bytes bytes) {
   return [bytes](std::span<std::uint8_t> into) mutable -> base::Result<std::size_t> {
     const std::size_t count = std::min(bytes.size(), into.size());
@@ -16,7 +23,7 @@ ReadBytes read_from(base::Bytes bytes) {
   };
 }
 
-TraceReader::TraceReader(ReadBytes read) : read_(std::move(read)), buffer_(2 * k_longest_line) {}
+TraceReader::TraceReader(ReadBytes read) : read_(std::move(read)), buffer_(k_first_buffer) {}
 
 base::Status TraceReader::fill() {
   if (begin_ > 0) {
@@ -24,6 +31,7 @@ base::Status TraceReader::fill() {
     end_ -= begin_;
     begin_ = 0;
   }
+  if (end_ == buffer_.size() && buffer_.size() < 2 * k_longest_line) buffer_.resize(2 * buffer_.size());
   while (!at_end_ && end_ < buffer_.size()) {
     const auto got = read_(std::span(buffer_).subspan(end_));
     if (!got) return got.error();
@@ -40,7 +48,7 @@ base::Result<std::optional<TraceLine>> TraceReader::next() {
     return static_cast<const std::uint8_t*>(std::memchr(buffer_.data() + begin_, '\n', searched));
   };
   const std::uint8_t* found = find_break();
-  if (found == nullptr && !at_end_) {
+  while (found == nullptr && !at_end_ && end_ - begin_ < k_longest_line + 2) {
     if (const auto filled = fill(); !filled) return filled.error();
     found = find_break();
   }
