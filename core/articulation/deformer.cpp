@@ -115,7 +115,7 @@ base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch& sketc
   if (!target_camera) return at("target_camera", target_camera.error());
   auto surface = KeptSurface::make(sketch.surface, canvas);
   if (!surface) return surface.error();
-  const auto region = general_region(canvas, *camera, sketch.general);
+  const auto region = general_region(canvas, *camera, sketch.general, *surface);
   if (!region) return at("general", region.error());
   const auto weights = specific_region(*region, sketch.specific);
   if (!weights) return at("specific", weights.error());

@@ -47,16 +47,16 @@ base::Result<KeptSurface> KeptSurface::make(const Surface& surface, const Canvas
   const auto weld = canvas.mesh().weld();
   std::vector<mesh::Triangle> triangles;
   geometry::Box box;
-  bool found = false;
+  std::vector<std::array<std::uint32_t, 2>> vertices;
   for (const mesh::Part& part : canvas.mesh().parts()) {
     if (part.name != wanted->part) continue;
-    found = true;
+    vertices.push_back({part.first_vertex, part.first_vertex + part.vertex_count});
     for (const mesh::Triangle& t : canvas.mesh().triangles().subspan(part.first_triangle, part.triangle_count)) {
       triangles.push_back({weld[t[0]], weld[t[1]], weld[t[2]]});
       for (const std::uint32_t v : t) box.add(canvas.positions()[v]);
     }
   }
-  if (!found) {
+  if (vertices.empty()) {
     std::string names;
     for (const mesh::Part& part : canvas.mesh().parts()) names += (names.empty() ? "" : ", ") + part.name;
     return base::Error{"the model has no part '" + wanted->part + "'", "surface/mesh", "its parts are: " + names};
@@ -64,9 +64,21 @@ base::Result<KeptSurface> KeptSurface::make(const Surface& surface, const Canvas
   if (triangles.empty()) {
     return base::Error{"the part '" + wanted->part + "' has no triangles", "surface/mesh", "name another part"};
   }
-  kept.surface_ =
-      std::make_shared<const Part>(Part{geometry::ClosestPointTree(canvas.positions(), triangles), box.diagonal()});
+  kept.surface_ = std::make_shared<const Part>(
+      Part{geometry::ClosestPointTree(canvas.positions(), triangles), box.diagonal(), std::move(vertices)});
   return kept;
+}
+
+bool KeptSurface::consists_of(std::uint32_t vertex, const ModelPoint& rest) const {
+  if (const auto* ball = std::get_if<Sphere>(&surface_)) {
+    return geometry::distance(rest, ball->center) <= ball->radius * 1.001;
+  }
+  if (const auto* part = std::get_if<std::shared_ptr<const Part>>(&surface_)) {
+    for (const auto& [first, end] : (*part)->vertices) {
+      if (vertex >= first && vertex < end) return true;
+    }
+  }
+  return false;
 }
 
 double KeptSurface::level(const ModelPoint& rest) const {

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "core/articulation/canvas.h"
 #include "core/articulation/sketch.h"
@@ -18,6 +21,9 @@ class KeptSurface {
   static base::Result<KeptSurface> make(const Surface& surface, const Canvas& canvas);
 
   [[nodiscard]] bool exists() const { return surface_.index() != 0; }
+  /// True for a vertex of the surface itself: of the part, or on or inside the ball (within a thousandth of its
+  /// radius).
+  [[nodiscard]] bool consists_of(std::uint32_t vertex, const ModelPoint& rest) const;
   /// The distance to keep of a point at rest: from the centre of a ball; signed, from any other surface.
   [[nodiscard]] double level(const ModelPoint& rest) const;
   /// The point moved to a level: along the ray from the centre of a ball; along the surface normal of the closest point
@@ -35,6 +41,7 @@ class KeptSurface {
   struct Part {
     geometry::ClosestPointTree tree;
     double size;
+    std::vector<std::array<std::uint32_t, 2>> vertices;  ///< runs [first, end) of the mesh
   };
   std::variant<std::monostate, Sphere, std::shared_ptr<const Part>> surface_;
 };

@@ -42,7 +42,7 @@ struct Component {
 }  // namespace
 
 base::Result<Region> general_region(const Canvas& canvas, const geometry::Camera& camera,
-                                    std::span<const PxPoint> lasso_px) {
+                                    std::span<const PxPoint> lasso_px, const KeptSurface& surface) {
   const auto lasso = geometry::Lasso::make(lasso_px);
   if (!lasso) return lasso.error();
   const auto positions = canvas.positions();
@@ -53,7 +53,7 @@ base::Result<Region> general_region(const Canvas& canvas, const geometry::Camera
     const auto px = camera.project(positions[v]);
     if (!px) continue;
     seen[v] = *px;
-    inside[v] = lasso->contains(*px) ? 1 : 0;
+    inside[v] = lasso->contains(*px) && !surface.consists_of(v, positions[v]) ? 1 : 0;
   }
   Joined joined(positions.size());
   for (const mesh::Triangle& triangle : canvas.mesh().triangles()) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/articulation/canvas.h"
+#include "core/articulation/kept_surface.h"
 #include "core/base/result.h"
 #include "core/geometry/camera.h"
 
@@ -20,10 +21,11 @@ struct Region {
 };
 
 /// Of the connected components, within the lasso, of all vertices inside it (hidden ones too), with more than 10
-/// vertices, the one with the vertex closest to the camera. Vertices of a seam count as connected. Errors: those of the
-/// lasso; nothing inside; only scraps inside.
+/// vertices, the one with the vertex closest to the camera. Vertices of a seam count as connected. Vertices of the
+/// surface that the deformer slides over are never meant, though an eyeball bulges nearer to the camera than its lid.
+/// Errors: those of the lasso; nothing inside; only scraps inside.
 [[nodiscard]] base::Result<Region> general_region(const Canvas& canvas, const geometry::Camera& camera,
-                                                  std::span<const PxPoint> lasso);
+                                                  std::span<const PxPoint> lasso, const KeptSurface& surface = {});
 
 /// A region of specific interest within a general one (step 2).
 struct Weights {
