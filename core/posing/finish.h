@@ -8,12 +8,13 @@
 namespace penpose::posing {
 
 struct FinishOptions {
-  std::size_t max_iterations = 40;
+  std::size_t max_iterations = 24;
   double gain_tolerance = 2e-5;  ///< stop when an iteration lowers the value by less than this share of it
 };
 
 struct FinishWorkspace {
   std::vector<double> image, trial, step_image, shares, scaled, hessian, gradient, step;
+  std::vector<std::size_t> active;
 };
 
 struct FinishResult {
