@@ -151,6 +151,10 @@ base::Result<RootExtras> read_root_extras(const Json& document) {
   extras.present = true;
   if (auto error = read_list(*own, "shapes", pointer, read_shape, extras.shapes)) return *error;
   if (auto error = read_list(*own, "curves", pointer, read_curve, extras.curves)) return *error;
+  const Json* deformers = find(*own, "deformers");
+  if (deformers != nullptr && deformers->size() > k_most_deformers) {
+    return wrong("a model has at most 1,000 deformers", child(pointer, "deformers"));
+  }
   const auto read_deformer = [](const Json& value, const std::string& at, articulation::Sketch& out) {
     return read_sketch(value, at, std::nullopt, out);
   };

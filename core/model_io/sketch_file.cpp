@@ -27,6 +27,9 @@ base::Result<SketchFile> read_sketch_file(base::Bytes bytes) {
   const Json* deformers = find(*json, "deformers");
   if (deformers == nullptr) return base::Error{"the key \"deformers\" is missing", "/", k_see_format};
   if (!deformers->is_array()) return base::Error{"a list was expected", "/deformers", k_see_format};
+  if (deformers->size() > k_most_deformers) {
+    return base::Error{"a model has at most 1,000 deformers", "/deformers", "split the file"};
+  }
   std::set<std::string> names;
   for (std::size_t i = 0; i < deformers->size(); ++i) {
     const std::string pointer = child("/deformers", i);

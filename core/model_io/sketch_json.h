@@ -9,6 +9,9 @@
 
 namespace penpose::model_io {
 
+/// No rig needs more; the bound keeps what a small file can ask for small.
+inline constexpr std::size_t k_most_deformers = 1000;
+
 /// Reads one deformer of a sketch file into `out`; the error, or nothing. `viewport` is that of the file; a member
 /// "viewport" of the deformer counts before it. Errors (place: JSON pointer): a key that is missing or of another type,
 /// and those of articulation::check_sketch.
