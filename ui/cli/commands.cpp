@@ -4,6 +4,7 @@
 #include "ui/cli/decode_command.h"
 #include "ui/cli/devices_command.h"
 #include "ui/cli/info_command.h"
+#include "ui/cli/articulate_command.h"
 #include "ui/cli/pose_command.h"
 #include "ui/cli/render_command.h"
 
@@ -13,6 +14,9 @@ std::vector<AddCommand> all_commands() {
   return {
       add_info_command, add_devices_command, add_decode_command,
       add_pose_command, add_render_command,  add_convert_command,
+      add_articulate_command,
+      add_pose_command,
+      add_render_command,
   };
 }
 
