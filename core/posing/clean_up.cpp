@@ -6,33 +6,25 @@
 
 namespace penpose::posing {
 
-std::size_t clean_up(const std::function<double(std::span<const double>)>& energy, std::span<const double> before,
-                     double limit, std::span<double> after) {
+std::size_t clean_up(Revertible& solution, double limit) {
   struct Candidate {
     double energy;
     std::size_t index;
   };
   std::vector<Candidate> candidates;
-  for (std::size_t i = 0; i < after.size(); ++i) {
-    if (after[i] == before[i]) continue;
-    const double kept = after[i];
-    after[i] = before[i];
-    candidates.push_back({energy(after), i});
-    after[i] = kept;
+  for (std::size_t i = 0; i < solution.count(); ++i) {
+    if (!solution.changed(i)) continue;
+    const double energy = solution.energy_without(i);
+    if (energy <= limit) candidates.push_back({energy, i});
   }
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return std::tie(a.energy, a.index) < std::tie(b.energy, b.index);
   });
   std::size_t put_back = 0;
   for (const Candidate& candidate : candidates) {
-    if (candidate.energy > limit) break;
-    const double kept = after[candidate.index];
-    after[candidate.index] = before[candidate.index];
-    if (energy(after) <= limit) {
-      ++put_back;
-    } else {
-      after[candidate.index] = kept;
-    }
+    if (put_back > 0 && solution.energy_without(candidate.index) > limit) continue;
+    solution.put_back(candidate.index);
+    ++put_back;
   }
   return put_back;
 }

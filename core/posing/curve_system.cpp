@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/posing/vector_math.h"
-
 namespace penpose::posing {
 
 CurveSystem::CurveSystem(const rig::Rig& rig, const PoseProblem& problem) : rig_(rig) {
@@ -19,8 +17,7 @@ CurveSystem::CurveSystem(const rig::Rig& rig, const PoseProblem& problem) : rig_
     targets_.insert(targets_.end(), constraint.positions.begin(), constraint.positions.end());
     weights_.resize(points.size(), 1.0);
   }
-  stride_ = (points.size() + 3) / 4 * 4;
-  weights_.resize(stride_, 0.0);
+  weights_.resize((points.size() + k_block_points - 1) / k_block_points * k_block_points, 0.0);
 
   std::vector<std::uint32_t> vertices;
   for (const CurvePoint& point : points) vertices.insert(vertices.end(), point.vertex.begin(), point.vertex.end());
@@ -57,42 +54,42 @@ void CurveSystem::residuals(std::span<const double> pose, std::span<double> out)
     const auto& share = shares_[i];
     const ModelPoint r = vertex_positions_[slot[0]] * share[0] + vertex_positions_[slot[1]] * share[1] +
                          vertex_positions_[slot[2]] * share[2] - targets_[i];
-    out[i] = r.x;
-    out[stride_ + i] = r.y;
-    out[2 * stride_ + i] = r.z;
+    for (std::size_t axis = 0; axis < 3; ++axis) out[residual_index(i, axis)] = r[static_cast<int>(axis)];
   }
 }
 
 double CurveSystem::energy(std::span<const double> residuals) const {
-  return weighted_lengths(residuals.data(), weights_.data(), stride_);
+  return weighted_lengths(residuals.data(), weights_);
 }
 
 double CurveSystem::longest(std::span<const double> residuals) const {
   double longest = 0;
   for (std::size_t i = 0; i < point_count(); ++i) {
     if (weights_[i] <= 0.0) continue;
-    longest = std::max(longest, geometry::length({residuals[i], residuals[stride_ + i], residuals[2 * stride_ + i]}));
+    longest = std::max(longest, geometry::length({residuals[residual_index(i, 0)], residuals[residual_index(i, 1)],
+                                                  residuals[residual_index(i, 2)]}));
   }
   return longest;
 }
 
-std::optional<std::vector<Residuals>> CurveSystem::columns(std::span<const double> pose,
-                                                           std::span<const std::size_t> free) {
+std::optional<std::vector<Column>> CurveSystem::columns(std::span<const double> pose,
+                                                        std::span<const std::size_t> free) {
   const auto form = bound_->linearize(pose, free);
   if (!form) return std::nullopt;
   const std::size_t n = vertex_positions_.size();
-  std::vector<Residuals> columns(free.size(), Residuals(3 * stride_, 0.0));
+  std::vector<Column> columns;
+  columns.reserve(free.size());
   for (std::size_t j = 0; j < free.size(); ++j) {
     const auto column = std::span(form->columns).subspan(j * n, n);
+    Residuals values(residual_count(), 0.0);
     for (std::size_t i = 0; i < slots_.size(); ++i) {
       const auto& slot = slots_[i];
       const auto& share = shares_[i];
       const geometry::ModelVector c =
           column[slot[0]] * share[0] + column[slot[1]] * share[1] + column[slot[2]] * share[2];
-      columns[j][i] = c.x;
-      columns[j][stride_ + i] = c.y;
-      columns[j][2 * stride_ + i] = c.z;
+      for (std::size_t axis = 0; axis < 3; ++axis) values[residual_index(i, axis)] = c[static_cast<int>(axis)];
     }
+    columns.emplace_back(std::move(values));
   }
   return columns;
 }

@@ -6,13 +6,10 @@
 #include <vector>
 
 #include "core/posing/problem.h"
+#include "core/posing/vector_math.h"
 #include "core/rig/rig.h"
 
 namespace penpose::posing {
-
-/// Residuals r_i - t_i of all curve points, one axis after the other: x of every point, then y, then z. Each axis is
-/// padded with zeros to a multiple of four points (`stride`), so that they are read four at a time.
-using Residuals = std::vector<double>;
 
 /// The curve points of a problem, all pairs then all constraints, bound to the vertices under them. An evaluation
 /// touches those vertices only, never the whole mesh. Holds scratch memory: one object for each thread. The rig must
@@ -23,13 +20,18 @@ class CurveSystem {
   CurveSystem(const rig::Rig& rig, const PoseProblem& problem);
 
   [[nodiscard]] std::size_t point_count() const { return targets_.size(); }
-  [[nodiscard]] std::size_t stride() const { return stride_; }
-  /// w_i of every point, padded with zeros to `stride`.
+  /// Size of Residuals for these points.
+  [[nodiscard]] std::size_t residual_count() const { return 3 * weights_.size(); }
+  /// w_i of every point, padded with zeros to whole blocks.
   [[nodiscard]] std::span<const double> weights() const { return weights_; }
+  /// Another target or weight for one point, for a target that is still being drawn. Precondition: the point exists;
+  /// weight >= 0.
+  void set_target(std::size_t point, const ModelPoint& target) { targets_[point] = target; }
+  void set_weight(std::size_t point, double weight) { weights_[point] = weight; }
   [[nodiscard]] const rig::Rig& rig() const { return rig_; }
   [[nodiscard]] bool moves(std::size_t parameter) const { return bound_->moves(parameter); }
 
-  /// The residuals at a pose, from the rig itself. Precondition: 3 stride() places.
+  /// The residuals r_i - t_i at a pose, from the rig itself. Precondition: residual_count() places.
   void residuals(std::span<const double> pose, std::span<double> out);
   /// Where every curve point is at a pose.
   void positions(std::span<const double> pose, std::span<ModelPoint> out);
@@ -38,10 +40,10 @@ class CurveSystem {
   /// Length of the longest residual of a point with weight.
   [[nodiscard]] double longest(std::span<const double> residuals) const;
 
-  /// One column a free parameter, laid out as residuals: how they change when the parameter moves by one. Nothing when
-  /// the rig is not linear in one of the free parameters.
-  [[nodiscard]] std::optional<std::vector<Residuals>> columns(std::span<const double> pose,
-                                                              std::span<const std::size_t> free);
+  /// One column a free parameter: how the residuals change when the parameter moves by one. Nothing when the rig is not
+  /// linear in one of the free parameters.
+  [[nodiscard]] std::optional<std::vector<Column>> columns(std::span<const double> pose,
+                                                           std::span<const std::size_t> free);
 
  private:
   const rig::Rig& rig_;
@@ -51,7 +53,6 @@ class CurveSystem {
   std::vector<ModelPoint> targets_;
   std::vector<double> weights_;
   std::vector<ModelPoint> vertex_positions_;
-  std::size_t stride_ = 0;
 };
 
 }  // namespace penpose::posing

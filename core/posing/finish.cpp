@@ -1,6 +1,7 @@
 #include "core/posing/finish.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/posing/vector_math.h"
@@ -11,7 +12,7 @@ namespace {
 class Finisher {
  public:
   Finisher(const LinearModel& model, std::span<double> u, FinishWorkspace& work)
-      : model_(model), u_(u), w_(work), d_(model.variables.count()), m_(3 * model.stride) {
+      : model_(model), u_(u), w_(work), d_(model.variables.count()), m_(model.at_zero.size()) {
     w_.image.resize(m_);
     w_.trial.resize(m_);
     w_.step_image.resize(m_);
@@ -42,13 +43,12 @@ class Finisher {
   void reweight() {
     const double mean = value_ / std::max(total_weight(), 1e-300);
     const double shortest = std::max(1e-4 * mean, 1e-300);
-    const std::size_t n = model_.stride;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double x = w_.image[i];
-      const double y = w_.image[n + i];
-      const double z = w_.image[2 * n + i];
-      const double share = model_.weights[i] / std::max(std::sqrt(x * x + y * y + z * z), shortest);
-      w_.shares[i] = w_.shares[n + i] = w_.shares[2 * n + i] = share;
+    for (std::size_t i = 0; i < model_.weights.size(); ++i) {
+      const std::array<std::size_t, 3> at{residual_index(i, 0), residual_index(i, 1), residual_index(i, 2)};
+      const double squared =
+          w_.image[at[0]] * w_.image[at[0]] + w_.image[at[1]] * w_.image[at[1]] + w_.image[at[2]] * w_.image[at[2]];
+      const double share = model_.weights[i] / std::max(std::sqrt(squared), shortest);
+      for (const std::size_t axis : at) w_.shares[axis] = share;
     }
   }
 
@@ -58,35 +58,50 @@ class Finisher {
     return sum;
   }
 
+  /// The gradient of every variable; the curvature only among those that can move: a variable that stands at an end of
+  /// its range and is pushed against it waits for the next iteration.
   void build_quadratic() {
     const double pull = 2.0 * model_.near_weight;
+    multiply(w_.image.data(), w_.shares.data(), w_.scaled.data(), m_);
+    w_.active.clear();
     for (std::size_t j = 0; j < d_; ++j) {
-      multiply(model_.columns[j].data(), w_.shares.data(), w_.scaled.data(), m_);
-      for (std::size_t k = j; k < d_; ++k) {
-        w_.hessian[j * d_ + k] = w_.hessian[k * d_ + j] = dot(w_.scaled.data(), model_.columns[k].data(), m_);
+      const double slope = model_.columns[j].dot(w_.scaled.data()) + pull * (u_[j] - model_.variables.start[j]);
+      const bool held = (u_[j] <= 0.0 && slope >= 0.0) || (u_[j] >= 1.0 && slope <= 0.0);
+      if (held) continue;
+      w_.gradient[w_.active.size()] = slope;
+      w_.active.push_back(j);
+    }
+    const std::size_t a = w_.active.size();
+    for (std::size_t i = 0; i < a; ++i) {
+      const Column& column = model_.columns[w_.active[i]];
+      column.multiply(w_.shares.data(), w_.scaled.data());
+      for (std::size_t k = i; k < a; ++k) {
+        w_.hessian[i * a + k] = w_.hessian[k * a + i] =
+            column.dot_within(w_.scaled.data(), model_.columns[w_.active[k]].values().data());
       }
-      w_.hessian[j * d_ + j] += pull;
-      w_.gradient[j] = dot(w_.scaled.data(), w_.image.data(), m_) + pull * (u_[j] - model_.variables.start[j]);
+      w_.hessian[i * a + i] += pull;
     }
   }
 
   /// Minimises 1/2 s'Hs + g's over u + s within 0..1; leaves s in step.
   void descend() {
     std::fill(w_.step.begin(), w_.step.end(), 0.0);
+    const std::size_t a = w_.active.size();
     constexpr int k_max_sweeps = 60;
     for (int sweep = 0; sweep < k_max_sweeps; ++sweep) {
       double largest = 0;
-      for (std::size_t j = 0; j < d_; ++j) {
-        const double curvature = w_.hessian[j * d_ + j];
+      for (std::size_t i = 0; i < a; ++i) {
+        const double curvature = w_.hessian[i * a + i];
         if (!(curvature > 0.0)) continue;
-        const double to = std::clamp(u_[j] + w_.step[j] - w_.gradient[j] / curvature, 0.0, 1.0) - u_[j];
+        const std::size_t j = w_.active[i];
+        const double to = std::clamp(u_[j] + w_.step[j] - w_.gradient[i] / curvature, 0.0, 1.0) - u_[j];
         const double change = to - w_.step[j];
         if (change == 0.0) continue;
         w_.step[j] = to;
-        add_scaled(change, w_.hessian.data() + j * d_, w_.gradient.data(), d_);
+        add_scaled(change, w_.hessian.data() + i * a, w_.gradient.data(), a);
         largest = std::max(largest, std::abs(change));
       }
-      if (largest < 1e-5) break;
+      if (largest < 1e-4) break;
     }
   }
 
@@ -98,7 +113,7 @@ class Finisher {
       const double d = u_[j] + t * w_.step[j] - model_.variables.start[j];
       near += d * d;
     }
-    return weighted_lengths(w_.trial.data(), model_.weights.data(), model_.stride) + model_.near_weight * near;
+    return weighted_lengths(w_.trial.data(), model_.weights) + model_.near_weight * near;
   }
 
   /// The energy along the step is convex: doubles the reach while that gains, then narrows by golden sections.
@@ -107,7 +122,7 @@ class Finisher {
     double limit = 8.0;
     for (std::size_t j = 0; j < d_; ++j) {
       if (w_.step[j] == 0.0) continue;
-      add_scaled(w_.step[j], model_.columns[j].data(), w_.step_image.data(), m_);
+      model_.columns[j].add_to(w_.step[j], w_.step_image.data());
       limit = std::min(limit, (w_.step[j] > 0.0 ? 1.0 - u_[j] : -u_[j]) / w_.step[j]);
     }
     limit = std::max(limit, 1.0);

@@ -14,6 +14,7 @@ struct FinishOptions {
 
 struct FinishWorkspace {
   std::vector<double> image, trial, step_image, shares, scaled, hessian, gradient, step;
+  std::vector<std::size_t> active;
 };
 
 struct FinishResult {

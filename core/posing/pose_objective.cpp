@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/posing/vector_math.h"
-
 namespace penpose::posing {
 namespace {
 
@@ -27,16 +25,16 @@ class LinearObjective final : public PoseObjective {
     at_.assign(at.begin(), at.end());
   }
   [[nodiscard]] std::size_t dimension() const override { return subset_.size(); }
-  [[nodiscard]] std::size_t image_size() const override { return 3 * model_.stride; }
+  [[nodiscard]] std::size_t image_size() const override { return model_.at_zero.size(); }
   void make_image(std::span<const double> u, std::span<double> image) override {
     for (std::size_t i = 0; i < subset_.size(); ++i) at_[subset_[i]] = u[i];
     model_.residuals(at_, image);
   }
   void shift_image(std::size_t i, double delta, std::span<double> image) override {
-    add_scaled(delta, model_.columns[subset_[i]].data(), image.data(), image.size());
+    model_.columns[subset_[i]].add_to(delta, image.data());
   }
   double value(std::span<const double> u, std::span<const double> image) override {
-    const double fit = weighted_lengths(image.data(), model_.weights.data(), model_.stride);
+    const double fit = weighted_lengths(image.data(), model_.weights);
     return model_.near_weight > 0.0 ? fit + near_term(model_.variables, subset_, u, model_.near_weight) : fit;
   }
 
@@ -52,7 +50,7 @@ class GeneralObjective final : public PoseObjective {
       : system_(system),
         variables_(variables),
         pose_(pose.begin(), pose.end()),
-        residuals_(3 * system.stride()),
+        residuals_(system.residual_count()),
         near_weight_(near_weight) {}
 
   void select(std::span<const std::size_t> subset, std::span<const double> at) override {
@@ -94,10 +92,27 @@ Variables make_variables(const rig::Rig& rig, std::span<const std::size_t> param
   return variables;
 }
 
+LinearModel make_linear_model(CurveSystem& system, std::span<const double> pose, Variables variables,
+                              std::vector<Column> columns, double near_weight) {
+  LinearModel model;
+  model.weights.assign(system.weights().begin(), system.weights().end());
+  model.near_weight = near_weight;
+  rig::Pose zero(pose.begin(), pose.end());
+  for (std::size_t j = 0; j < variables.count(); ++j) {
+    zero[variables.parameter[j]] = variables.minimum[j];
+    columns[j].scale(variables.range[j]);
+  }
+  model.at_zero.resize(system.residual_count());
+  system.residuals(zero, model.at_zero);
+  model.columns = std::move(columns);
+  model.variables = std::move(variables);
+  return model;
+}
+
 void LinearModel::residuals(std::span<const double> u, std::span<double> out) const {
   std::copy(at_zero.begin(), at_zero.end(), out.begin());
   for (std::size_t j = 0; j < columns.size(); ++j) {
-    if (u[j] != 0.0) add_scaled(u[j], columns[j].data(), out.data(), out.size());
+    if (u[j] != 0.0) columns[j].add_to(u[j], out.data());
   }
 }
 

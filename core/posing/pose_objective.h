@@ -33,14 +33,17 @@ class PoseObjective : public Objective {
 /// costs O(points) whatever the number of variables.
 struct LinearModel {
   Variables variables;
-  std::vector<Residuals> columns;  ///< one a variable, change of the residuals when u goes from 0 to 1
-  Residuals at_zero;               ///< residuals at u = 0
-  std::vector<double> weights;     ///< of the points, padded
-  std::size_t stride = 0;
+  std::vector<Column> columns;  ///< one a variable, change of the residuals when u goes from 0 to 1
+  Residuals at_zero;            ///< residuals at u = 0
+  std::vector<double> weights;  ///< of the points, padded
   double near_weight = 0;
 
   void residuals(std::span<const double> u, std::span<double> out) const;
 };
+/// `columns` are those of CurveSystem for the variables' parameters; the other parameters stay at `pose`.
+[[nodiscard]] LinearModel make_linear_model(CurveSystem& system, std::span<const double> pose, Variables variables,
+                                            std::vector<Column> columns, double near_weight);
+/// The model must outlive it.
 [[nodiscard]] std::unique_ptr<PoseObjective> make_linear_objective(const LinearModel& model);
 
 /// The objective of any rig, a black box. Both references must outlive it.

@@ -34,10 +34,11 @@ Effect sampled_effect(CurveSystem& system, std::span<const double> pose, std::si
   return effect;
 }
 
-Effect column_effect(const Residuals& column, std::size_t stride, std::size_t points, double range) {
+Effect column_effect(const Residuals& column, std::size_t points, double range) {
   Effect effect;
   for (std::size_t i = 0; i < points; ++i) {
-    const double d = range * geometry::length({column[i], column[stride + i], column[2 * stride + i]});
+    const double d = range * geometry::length({column[residual_index(i, 0)], column[residual_index(i, 1)],
+                                               column[residual_index(i, 2)]});
     effect.largest = std::max(effect.largest, d);
     effect.sum += d;
   }
@@ -52,16 +53,18 @@ Relevance relevant_parameters(CurveSystem& system, std::span<const double> pose,
   for (const std::size_t p : free) {
     if (system.moves(p)) candidates.push_back(p);
   }
-  const auto columns = system.columns(pose, candidates);
+  auto columns = system.columns(pose, candidates);
   Relevance relevance;
+  if (columns) relevance.columns.emplace();
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const rig::Parameter& parameter = system.rig().parameters()[candidates[i]];
-    const Effect effect = columns ? column_effect((*columns)[i], system.stride(), system.point_count(),
-                                                  parameter.maximum - parameter.minimum)
-                                  : sampled_effect(system, pose, candidates[i]);
+    const Effect effect =
+        columns ? column_effect((*columns)[i].values(), system.point_count(), parameter.maximum - parameter.minimum)
+                : sampled_effect(system, pose, candidates[i]);
     if (effect.largest <= threshold) continue;
     relevance.parameters.push_back(candidates[i]);
     relevance.effects.push_back(effect.sum);
+    if (columns) relevance.columns->push_back(std::move((*columns)[i]));
   }
   return relevance;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,8 @@ namespace penpose::posing {
 struct Relevance {
   std::vector<std::size_t> parameters;  ///< ascending
   std::vector<double> effects;          ///< sum over the points of how far the parameter moves them within its range
+  /// Columns of the parameters (see CurveSystem::columns) where the rig is linear in all of them.
+  std::optional<std::vector<Column>> columns;
 };
 
 /// Drops every free parameter that moves no curve point by more than `threshold` (model units) anywhere in its range,

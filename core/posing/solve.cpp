@@ -7,6 +7,7 @@
 #include "core/posing/finish.h"
 #include "core/posing/pose_objective.h"
 #include "core/posing/relevance.h"
+#include "core/posing/solution_state.h"
 #include "core/posing/staged_simplex.h"
 
 namespace penpose::posing {
@@ -36,24 +37,6 @@ double size_of(CurveSystem& system, const PoseProblem& problem) {
   return box.diagonal();
 }
 
-LinearModel make_linear_model(CurveSystem& system, std::span<const double> pose, Variables variables,
-                              std::vector<Residuals> columns, double near_weight) {
-  LinearModel model;
-  model.stride = system.stride();
-  model.weights.assign(system.weights().begin(), system.weights().end());
-  model.near_weight = near_weight;
-  rig::Pose zero(pose.begin(), pose.end());
-  for (std::size_t j = 0; j < variables.count(); ++j) {
-    zero[variables.parameter[j]] = variables.minimum[j];
-    for (double& entry : columns[j]) entry *= variables.range[j];
-  }
-  model.at_zero.resize(3 * system.stride());
-  system.residuals(zero, model.at_zero);
-  model.columns = std::move(columns);
-  model.variables = std::move(variables);
-  return model;
-}
-
 }  // namespace
 
 base::Result<Solution> solve(const rig::Rig& rig, const PoseProblem& problem, const SolveOptions& options,
@@ -62,7 +45,7 @@ base::Result<Solution> solve(const rig::Rig& rig, const PoseProblem& problem, co
   auto& buffers = work.buffers();
   CurveSystem system(rig, problem);
   Residuals& residuals = buffers.residuals;
-  residuals.resize(3 * system.stride());
+  residuals.resize(system.residual_count());
   system.residuals(problem.start, residuals);
 
   Solution solution;
@@ -78,12 +61,11 @@ base::Result<Solution> solve(const rig::Rig& rig, const PoseProblem& problem, co
 
   const double near_weight =
       options.paper ? 0.0 : options.near_weight * solution.energy_start / static_cast<double>(variables.count());
-  auto columns = system.columns(problem.start, relevance.parameters);
-  solution.linear = columns.has_value();
+  solution.linear = relevance.columns.has_value();
   LinearModel linear;
   std::unique_ptr<PoseObjective> objective;
-  if (columns) {
-    linear = make_linear_model(system, problem.start, variables, std::move(*columns), near_weight);
+  if (relevance.columns) {
+    linear = make_linear_model(system, problem.start, variables, std::move(*relevance.columns), near_weight);
     objective = make_linear_objective(linear);
   } else {
     objective = make_general_objective(system, variables, problem.start, near_weight);
@@ -105,7 +87,8 @@ base::Result<Solution> solve(const rig::Rig& rig, const PoseProblem& problem, co
     StageOptions stages;
     stages.max_evaluations = options.max_evaluations;
     if (solution.linear && options.finish) {
-      stages.gain_tolerance = 0.01;  // the finishing takes it from there
+      stages.gain_tolerance = 0.05;  // the finishing takes it from there
+      stages.max_sweeps = 1;
     }
     solution.evaluations += run_stages(*objective, relevance.effects, stages, u, buffers.stages).evaluations;
     if (solution.linear && options.finish) {
@@ -113,24 +96,20 @@ base::Result<Solution> solve(const rig::Rig& rig, const PoseProblem& problem, co
     }
   }
 
-  // From here on the plain energy counts, evaluated in one way for both kinds of rig.
-  rig::Pose pose = problem.start;
-  Residuals image(3 * system.stride());
-  const auto energy_at = [&](std::span<const double> at) {
-    ++solution.evaluations;
-    if (solution.linear) {
-      linear.residuals(at, image);
-    } else {
-      for (std::size_t i = 0; i < at.size(); ++i)
-        pose[variables.parameter[i]] =
-            at[i] == variables.start[i] ? problem.start[variables.parameter[i]] : variables.value(i, at[i]);
-      system.residuals(pose, image);
-    }
-    return system.energy(image);
+  const auto limit = [&](double found) {
+    return found + options.clean_up * std::max(0.0, solution.energy_start - found);
   };
-  const double found = energy_at(u);
-  clean_up(energy_at, variables.start, found + options.clean_up * std::max(0.0, solution.energy_start - found), u);
+  if (solution.linear) {
+    LinearSolution state(linear, u);
+    clean_up(state, limit(state.energy()));
+    solution.evaluations += state.evaluations();
+  } else {
+    GeneralSolution state(system, variables, problem.start, u);
+    clean_up(state, limit(state.energy()));
+    solution.evaluations += state.evaluations();
+  }
 
+  rig::Pose pose = problem.start;
   for (std::size_t i = 0; i < u.size(); ++i) {
     const std::size_t p = variables.parameter[i];
     pose[p] = u[i] == variables.start[i]

@@ -1,6 +1,8 @@
 #include "core/posing/vector_math.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/geometry/simd.h"
 
@@ -40,17 +42,57 @@ void add_scaled(double factor, const double* a, double* out, std::size_t count) 
   for (; i < count; ++i) out[i] += factor * a[i];
 }
 
-double weighted_lengths(const double* residuals, const double* weights, std::size_t stride) {
-  const double* x = residuals;
-  const double* y = residuals + stride;
-  const double* z = residuals + 2 * stride;
+double weighted_lengths(const double* residuals, std::span<const double> weights) {
   Double4 sum = geometry::splat(0.0);
-  for (std::size_t i = 0; i < stride; i += 4) {
-    const Double4 squared = at(x + i) * at(x + i) + at(y + i) * at(y + i) + at(z + i) * at(z + i);
+  const double* block = residuals;
+  for (std::size_t i = 0; i < weights.size(); i += k_block_points, block += k_block_numbers) {
+    const Double4 squared = at(block) * at(block) + at(block + 4) * at(block + 4) + at(block + 8) * at(block + 8);
     const Double4 length = {std::sqrt(squared[0]), std::sqrt(squared[1]), std::sqrt(squared[2]), std::sqrt(squared[3])};
-    sum += at(weights + i) * length;
+    sum += at(weights.data() + i) * length;
   }
   return sum_of(sum);
+}
+
+Column::Column(Residuals values) : values_(std::move(values)) {
+  for (std::uint32_t begin = 0; begin < values_.size(); begin += k_block_numbers) {
+    const auto block = std::span(values_).subspan(begin, k_block_numbers);
+    if (std::all_of(block.begin(), block.end(), [](double v) { return v == 0.0; })) continue;
+    const auto end = static_cast<std::uint32_t>(begin + k_block_numbers);
+    if (!runs_.empty() && runs_.back().end == begin) {
+      runs_.back().end = end;
+    } else {
+      runs_.push_back({begin, end});
+    }
+  }
+}
+
+void Column::scale(double factor) {
+  for (double& value : values_) value *= factor;
+}
+
+double Column::dot(const double* b) const { return dot_within(values_.data(), b); }
+
+double Column::dot_within(const double* a, const double* b) const {
+  Double4 sum = geometry::splat(0.0);
+  Double4 other = geometry::splat(0.0);
+  Double4 third = geometry::splat(0.0);
+  for (const Run& run : runs_) {
+    for (std::size_t i = run.begin; i < run.end; i += k_block_numbers) {
+      sum += at(a + i) * at(b + i);
+      other += at(a + i + 4) * at(b + i + 4);
+      third += at(a + i + 8) * at(b + i + 8);
+    }
+  }
+  return sum_of(sum + other + third);
+}
+
+void Column::multiply(const double* b, double* out) const {
+  for (const Run& run : runs_)
+    posing::multiply(values_.data() + run.begin, b + run.begin, out + run.begin, run.end - run.begin);
+}
+
+void Column::add_to(double factor, double* out) const {
+  for (const Run& run : runs_) add_scaled(factor, values_.data() + run.begin, out + run.begin, run.end - run.begin);
 }
 
 }  // namespace penpose::posing

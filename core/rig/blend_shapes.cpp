@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace penpose::rig {
 namespace {
@@ -33,16 +34,17 @@ std::optional<base::Error> check(const BlendShape& shape, std::size_t index, std
 /// Deltas of a few vertices, one sparse run a shape.
 class BoundBlendShapes final : public BoundLayer {
  public:
-  BoundBlendShapes(std::span<const BlendShape> shapes, std::span<const std::uint32_t> vertices) {
-    first_.push_back(0);
-    for (const BlendShape& shape : shapes) {
-      for (std::uint32_t place = 0; place < vertices.size(); ++place) {
-        const auto found = std::lower_bound(shape.vertices.begin(), shape.vertices.end(), vertices[place]);
-        if (found == shape.vertices.end() || *found != vertices[place]) continue;
-        const ModelVector delta(shape.deltas[static_cast<std::size_t>(found - shape.vertices.begin())]);
-        if (delta != ModelVector{0}) entries_.push_back({place, delta});
-      }
-      first_.push_back(entries_.size());
+  BoundBlendShapes(const BlendShapes& shapes, std::span<const std::uint32_t> vertices)
+      : first_(shapes.shapes().size() + 1, 0) {
+    for (const std::uint32_t v : vertices) {
+      for (const auto& entry : shapes.entries_of(v)) ++first_[entry.shape + 1];
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    entries_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::uint32_t place = 0; place < vertices.size(); ++place) {
+      for (const auto& entry : shapes.entries_of(vertices[place]))
+        entries_[next[entry.shape]++] = {place, ModelVector(entry.delta)};
     }
   }
 
@@ -80,6 +82,17 @@ base::Result<std::shared_ptr<const BlendShapes>> BlendShapes::make(std::vector<B
     if (auto error = check(shapes[i], i, vertex_count)) return *error;
     made->parameters_.push_back(shapes[i].parameter);
   }
+  made->first_entry_.assign(vertex_count + 1, 0);
+  for (const BlendShape& shape : shapes) {
+    for (const std::uint32_t v : shape.vertices) ++made->first_entry_[v + 1];
+  }
+  std::partial_sum(made->first_entry_.begin(), made->first_entry_.end(), made->first_entry_.begin());
+  made->entries_.resize(made->first_entry_.back());
+  std::vector<std::uint32_t> next(made->first_entry_.begin(), made->first_entry_.end() - 1);
+  for (std::uint32_t s = 0; s < shapes.size(); ++s) {
+    for (std::size_t k = 0; k < shapes[s].vertices.size(); ++k)
+      made->entries_[next[shapes[s].vertices[k]]++] = {s, shapes[s].deltas[k]};
+  }
   made->shapes_ = std::move(shapes);
   return std::shared_ptr<const BlendShapes>(std::move(made));
 }
@@ -95,7 +108,7 @@ void BlendShapes::add(std::span<const double> values, std::span<ModelVector> dis
 }
 
 std::unique_ptr<BoundLayer> BlendShapes::bind(std::span<const std::uint32_t> vertices) const {
-  return std::make_unique<BoundBlendShapes>(shapes_, vertices);
+  return std::make_unique<BoundBlendShapes>(*this, vertices);
 }
 
 }  // namespace penpose::rig

@@ -28,7 +28,17 @@ class BlendShapes final : public DisplacementLayer {
   static base::Result<std::shared_ptr<const BlendShapes>> make(std::vector<BlendShape> shapes,
                                                                std::size_t vertex_count);
 
+  /// One vertex's share of one shape.
+  struct Entry {
+    std::uint32_t shape;
+    glm::vec3 delta;
+  };
+
   [[nodiscard]] std::span<const BlendShape> shapes() const { return shapes_; }
+  /// The shapes that move a vertex, ascending.
+  [[nodiscard]] std::span<const Entry> entries_of(std::uint32_t vertex) const {
+    return std::span(entries_).subspan(first_entry_[vertex], first_entry_[vertex + 1] - first_entry_[vertex]);
+  }
   [[nodiscard]] std::span<const Parameter> parameters() const override { return parameters_; }
   void add(std::span<const double> values, std::span<ModelVector> displacements) const override;
   [[nodiscard]] std::unique_ptr<BoundLayer> bind(std::span<const std::uint32_t> vertices) const override;
@@ -36,6 +46,8 @@ class BlendShapes final : public DisplacementLayer {
  private:
   std::vector<BlendShape> shapes_;
   std::vector<Parameter> parameters_;
+  std::vector<std::uint32_t> first_entry_;  ///< one a vertex and one past the end
+  std::vector<Entry> entries_;
 };
 
 }  // namespace penpose::rig
