@@ -1,0 +1,40 @@
+#include "core/head/parts.h"
+
+#include "core/base/math.h"
+
+namespace penpose::head {
+
+Surface make_eye_cap(double radius, double from_degrees, double to_degrees, int rings, int segments) {
+  Surface cap;
+  const ModelPoint center{k_eye_center[0], k_eye_center[1], k_eye_center[2]};
+  const bool front_pole = from_degrees == 0;
+  const bool back_pole = to_degrees == 180;
+  std::vector<std::vector<std::uint32_t>> loops;
+  for (int i = 0; i <= rings; ++i) {
+    const double polar = base::radians(from_degrees + (to_degrees - from_degrees) * i / rings);
+    const bool pole = (i == 0 && front_pole) || (i == rings && back_pole);
+    std::vector<std::uint32_t>& loop = loops.emplace_back();
+    for (int j = 0; j < segments; ++j) {
+      if (pole && j > 0) {
+        loop.push_back(loop[0]);
+        continue;
+      }
+      const double around = 2 * base::k_pi * j / segments;
+      const double sine = pole ? 0 : base::sin(polar);
+      loop.push_back(static_cast<std::uint32_t>(cap.points.size()));
+      cap.points.push_back(center + ModelVector{sine * base::cos(around), sine * base::sin(around), base::cos(polar)} *
+                                        (k_eye_radius * radius));
+    }
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rings); ++i) {
+    for (std::size_t j = 0; j < static_cast<std::size_t>(segments); ++j) {
+      const std::size_t k = (j + 1) % static_cast<std::size_t>(segments);
+      const std::array<std::uint32_t, 4> q{loops[i][j], loops[i + 1][j], loops[i + 1][k], loops[i][k]};
+      if (q[0] != q[3]) cap.triangles.push_back({q[0], q[2], q[3]});
+      if (q[1] != q[2]) cap.triangles.push_back({q[0], q[1], q[2]});
+    }
+  }
+  return cap;
+}
+
+}  // namespace penpose::head

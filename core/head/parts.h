@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/head/skin.h"
+
+namespace penpose::head {
+
+/// A part of the sphere around the +x eye's centre, in centimetres: `radius` times the eye's, from the gaze axis outwards
+/// to `degrees` (180: all of it).
+[[nodiscard]] Surface make_eye_cap(double radius, double from_degrees, double to_degrees, int rings, int segments);
+
+}  // namespace penpose::head

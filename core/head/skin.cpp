@@ -1,0 +1,178 @@
+#include "core/head/skin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/head/sculpt.h"
+
+namespace penpose::head {
+namespace {
+
+constexpr std::uint32_t k_none = 0xffffffffU;
+
+struct Pair {
+  mesh::QuadMesh shape;
+  mesh::QuadMesh marks;
+};
+
+/// Both halves of the cage, so that subdivision knows both sides of the mirror plane.
+Pair whole(const Cage& cage) {
+  Pair pair;
+  std::vector<std::uint32_t> other(cage.points.size());
+  pair.shape.positions = cage.points;
+  pair.marks.positions = cage.marks;
+  for (std::uint32_t v = 0; v < cage.points.size(); ++v) {
+    other[v] = v;
+    if (cage.points[v].x == 0) continue;
+    other[v] = static_cast<std::uint32_t>(pair.shape.positions.size());
+    pair.shape.positions.emplace_back(-cage.points[v].x, cage.points[v].y, cage.points[v].z);
+    pair.marks.positions.push_back(cage.marks[v]);
+  }
+  pair.shape.quads = cage.quads;
+  for (const mesh::Quad& q : cage.quads) pair.shape.quads.push_back({other[q[3]], other[q[2]], other[q[1]], other[q[0]]});
+  pair.marks.quads = pair.shape.quads;
+  return pair;
+}
+
+void lift_off_eye(Half& half) {
+  const ModelPoint center{k_eye_center[0], k_eye_center[1], k_eye_center[2]};
+  for (std::size_t v = 0; v < half.points.size(); ++v) {
+    const double loop = half.marks[v].x;
+    if (loop > 4.5) continue;
+    const ModelVector away = half.points[v] - center;
+    const double distance = geometry::length(away);
+    // Lids slide on a film of 1.5 % of the radius; further out the skin has its thickness.
+    const double least = k_eye_radius * (1.018 + 0.1 * ramp(0.0, 1.0, loop) + 0.03 * ramp(0, -1, loop));
+    if (distance < least) half.points[v] = center + away * (least / distance);
+  }
+}
+
+}  // namespace
+
+base::Result<Half> make_half() {
+  const Cage cage = make_cage();
+  Pair pair = whole(cage);
+  std::vector<std::uint32_t> cage_quad;
+  std::vector<std::uint32_t> coarser;
+  for (int level = 0; level < 2; ++level) {
+    auto shape = mesh::catmull_clark(pair.shape);
+    if (!shape) return shape.error();
+    auto marks = mesh::catmull_clark(pair.marks);
+    if (!marks) return marks.error();
+    pair.shape = std::move(shape).value();
+    pair.marks = std::move(marks).value();
+    if (level == 0) {
+      cage_quad = pair.shape.parents;
+    } else {
+      coarser = pair.shape.parents;
+    }
+  }
+  Half half;
+  std::vector<std::uint32_t> number(pair.shape.positions.size(), k_none);
+  for (std::size_t q = 0; q < pair.shape.quads.size(); ++q) {
+    const std::uint32_t of_cage = cage_quad[coarser[q]];
+    if (of_cage >= cage.quads.size()) continue;
+    mesh::Quad quad = pair.shape.quads[q];
+    for (std::uint32_t& v : quad) {
+      if (number[v] == k_none) {
+        number[v] = static_cast<std::uint32_t>(half.points.size());
+        ModelPoint p = pair.shape.positions[v];
+        if (std::abs(p.x) < 1e-9) p.x = 0;
+        half.points.push_back(p);
+        half.marks.push_back(pair.marks.positions[v]);
+      }
+      v = number[v];
+    }
+    half.quads.push_back(quad);
+    half.coarser.push_back(coarser[q]);
+    half.coarse.push_back(cage.coarse[of_cage]);
+  }
+  for (std::size_t v = 0; v < half.points.size(); ++v) {
+    const bool center = half.points[v].x == 0;
+    half.points[v] = sculpted(half.points[v], half.marks[v]);
+    if (center) half.points[v].x = 0;
+  }
+  lift_off_eye(half);
+  return half;
+}
+
+Surface mirrored(const std::vector<ModelPoint>& points, const std::vector<mesh::Triangle>& triangles) {
+  Surface surface{points, triangles};
+  std::vector<std::uint32_t> other(points.size());
+  for (std::uint32_t v = 0; v < points.size(); ++v) {
+    other[v] = v;
+    if (points[v].x == 0) continue;
+    other[v] = static_cast<std::uint32_t>(surface.points.size());
+    surface.points.emplace_back(-points[v].x, points[v].y, points[v].z);
+  }
+  for (const mesh::Triangle& t : triangles) surface.triangles.push_back({other[t[0]], other[t[2]], other[t[1]]});
+  return surface;
+}
+
+Surface make_skin(const Half& half) {
+  // Four quads of a coarse one become one polygon: its corners, and those middles of its edges that a finer neighbour
+  // needs. An edge point belongs to quads of two coarser ones; corner 1 and 3 of a quad are edge points.
+  std::vector<bool> needed(half.points.size(), false);
+  for (std::size_t q = 0; q < half.quads.size(); ++q) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (!half.coarse[q]) needed[half.quads[q][i]] = true;
+    }
+    if (half.coarse[q]) needed[half.quads[q][2]] = true;
+  }
+  std::vector<mesh::Triangle> triangles;
+  std::vector<std::vector<std::size_t>> groups;
+  {
+    std::vector<std::pair<std::uint32_t, std::size_t>> order;
+    for (std::size_t q = 0; q < half.quads.size(); ++q) order.emplace_back(half.coarser[q], q);
+    std::sort(order.begin(), order.end());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (i == 0 || order[i].first != order[i - 1].first) groups.emplace_back();
+      groups.back().push_back(order[i].second);
+    }
+  }
+  const auto split = [&](const mesh::Quad& q) {
+    triangles.push_back({q[0], q[1], q[2]});
+    triangles.push_back({q[0], q[2], q[3]});
+  };
+  for (const auto& group : groups) {
+    if (!half.coarse[group[0]]) {
+      for (const std::size_t q : group) split(half.quads[q]);
+      continue;
+    }
+    // Around the middle: every quad of the group runs middle, edge point, corner, edge point.
+    std::vector<std::uint32_t> around;
+    std::size_t at = group[0];
+    for (std::size_t turn = 0; turn < group.size(); ++turn) {
+      const mesh::Quad& q = half.quads[at];
+      if (needed[q[1]]) around.push_back(q[1]);
+      around.push_back(q[2]);
+      for (const std::size_t next : group) {
+        if (half.quads[next][1] == q[3]) {
+          at = next;
+          break;
+        }
+      }
+    }
+    if (around.size() == 4) {
+      split({around[0], around[1], around[2], around[3]});
+    } else {
+      const std::uint32_t middle = half.quads[group[0]][0];
+      for (std::size_t i = 0; i < around.size(); ++i) triangles.push_back({middle, around[i], around[(i + 1) % around.size()]});
+    }
+  }
+  std::vector<std::uint32_t> number(half.points.size(), k_none);
+  std::vector<ModelPoint> points;
+  for (mesh::Triangle& t : triangles) {
+    for (std::uint32_t& v : t) {
+      if (number[v] == k_none) {
+        number[v] = static_cast<std::uint32_t>(points.size());
+        points.push_back(half.points[v]);
+      }
+      v = number[v];
+    }
+  }
+  return mirrored(points, triangles);
+}
+
+}  // namespace penpose::head
