@@ -240,12 +240,19 @@ void TriangleBvh::test_block(const Block& block, Query& q) {
   const Double4 u = x[2] * y[1] - y[2] * x[1];
   const Double4 v = x[0] * y[2] - y[0] * x[2];
   const Double4 w = x[1] * y[0] - y[1] * x[0];
+  // The sign bits tell inside from outside: no corner function may differ in sign from another. Most blocks end here.
+  const Double4 least = lower(lower(u, v), w);
+  const Double4 most = upper(upper(u, v), w);
+  std::array<double, 4> low;
+  std::array<double, 4> high;
+  std::memcpy(low.data(), &least, sizeof least);
+  std::memcpy(high.data(), &most, sizeof most);
+  const auto inside = [&](std::size_t lane) { return !(low[lane] < 0.0) | !(high[lane] > 0.0); };
+  if (!(inside(0) | inside(1) | inside(2) | inside(3))) return;
   const Double4 det = u + v + w;
   const Double4 t = (u * z[0] + v * z[1] + w * z[2]) * q.shear_z;
   for (int lane = 0; lane < 4; ++lane) {
-    const bool inside =
-        (u[lane] >= 0.0 && v[lane] >= 0.0 && w[lane] >= 0.0) || (u[lane] <= 0.0 && v[lane] <= 0.0 && w[lane] <= 0.0);
-    if (!inside || det[lane] == 0.0) continue;
+    if (!inside(static_cast<std::size_t>(lane)) || det[lane] == 0.0) continue;
     const double distance = t[lane] / det[lane];
     const std::uint32_t triangle = block.triangle[static_cast<std::size_t>(lane)];
     if (!(distance > 0.0) || distance > q.nearest || (distance == q.nearest && triangle >= q.triangle)) continue;
@@ -321,7 +328,8 @@ void TriangleBvh::refit(std::span<const glm::vec3> positions) {
 std::optional<RayHit> TriangleBvh::nearest_hit(const Ray& ray, std::uint32_t hint) const {
   if (nodes_.empty()) return std::nullopt;
   Query query(ray);
-  if (hint < slot_of_.size()) test_block(blocks_[slot_of_[hint]], query);
+  const std::uint32_t tested = hint < slot_of_.size() ? slot_of_[hint] : k_empty;
+  if (tested != k_empty) test_block(blocks_[tested], query);
 
   // Box tests run in float on boxes grown by more than the rounding of the subtraction and the product.
   const double reach =
@@ -345,6 +353,7 @@ std::optional<RayHit> TriangleBvh::nearest_hit(const Ray& ray, std::uint32_t hin
     std::uint32_t child;
     float distance;
   };
+  const bool sorted = query.triangle == k_no_hint;
   std::array<Entry, 256> stack;  // three more a level; k_deepest_costed_level + 31 halvings is the deepest tree
   std::size_t depth = 0;
   stack[depth++] = {0, 0.0F};
@@ -352,7 +361,8 @@ std::optional<RayHit> TriangleBvh::nearest_hit(const Ray& ray, std::uint32_t hin
     const Entry entry = stack[--depth];
     if (static_cast<double>(entry.distance) > query.nearest) continue;
     if ((entry.child & k_leaf) != 0) {
-      test_block(blocks_[entry.child & ~k_leaf], query);
+      const std::uint32_t block = entry.child & ~k_leaf;
+      if (block != tested) test_block(blocks_[block], query);
       continue;
     }
     const Node& node = nodes_[entry.child];
@@ -365,18 +375,23 @@ std::optional<RayHit> TriangleBvh::nearest_hit(const Ray& ray, std::uint32_t hin
       enter = upper(enter, (low - near_origin[axis]) * inverse[axis]);
       leave = lower(leave, (high - far_origin[axis]) * inverse[axis]);
     }
+    std::array<std::int32_t, 4> overlaps;
+    std::array<float, 4> distance;
     const Int4 overlap = enter * 0.999999F <= leave * 1.000001F;
-    std::size_t first = depth;
-    for (int lane = 0; lane < 4; ++lane) {
-      if (overlap[lane] == 0 || node.child[static_cast<std::size_t>(lane)] == k_empty) continue;
-      // Far children first, so that the nearest is taken next.
-      const Entry next{node.child[static_cast<std::size_t>(lane)], enter[lane] * 0.999999F};
+    const Float4 nearest = enter * 0.999999F;
+    std::memcpy(overlaps.data(), &overlap, sizeof overlap);
+    std::memcpy(distance.data(), &nearest, sizeof nearest);
+    const std::size_t first = depth;
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      if (overlaps[lane] == 0) continue;  // an empty lane's box overlaps nothing
+      // Far children first, so that the nearest is taken next. Once the hint was hit, little is left to find and any
+      // order does.
       std::size_t place = depth++;
-      while (place > first && stack[place - 1].distance < next.distance) {
+      while (sorted && place > first && stack[place - 1].distance < distance[lane]) {
         stack[place] = stack[place - 1];
         --place;
       }
-      stack[place] = next;
+      stack[place] = {node.child[lane], distance[lane]};
     }
   }
   if (query.triangle == k_no_hint) return std::nullopt;

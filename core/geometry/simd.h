@@ -14,6 +14,8 @@ inline Float4 splat(float value) { return Float4{value, value, value, value}; }
 inline Double4 splat(double value) { return Double4{value, value, value, value}; }
 inline Float4 lower(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 upper(Float4 a, Float4 b) { return a > b ? a : b; }
+inline Double4 lower(Double4 a, Double4 b) { return a < b ? a : b; }
+inline Double4 upper(Double4 a, Double4 b) { return a > b ? a : b; }
 inline Double4 widen(Float4 a) { return __builtin_convertvector(a, Double4); }
 
 }  // namespace penpose::geometry

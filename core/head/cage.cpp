@@ -39,9 +39,11 @@ struct Placed {
   int r, c;
   double x, y;
 };
-constexpr std::array<Placed, 21> k_placed{{
-    {3, 2, 1.5, 1.65},   {3, 3, 2.3, 2.15},  {3, 4, 3.35, 2.3},   {3, 5, 4.45, 2.1},  {3, 6, 5.3, 1.45},
-    {4, 2, 1.15, -0.2},  {4, 6, 5.55, -0.1}, {5, 2, 1.5, -1.85},  {5, 3, 2.3, -2.3},  {5, 4, 3.3, -2.45},
+constexpr std::array<Placed, 28> k_placed{{
+    {2, 1, 0.8, 3.2},    {2, 2, 1.5, 3.4},    {2, 3, 2.4, 3.7},    {2, 4, 3.4, 3.8},   {2, 5, 4.45, 3.4},
+    {2, 6, 5.5, 2.3},    {3, 1, 0.8, 2.45},
+    {3, 2, 1.5, 2.55},   {3, 3, 2.4, 2.95},  {3, 4, 3.4, 3.15},   {3, 5, 4.4, 2.85},  {3, 6, 5.4, 1.95},
+    {4, 2, 1.0, -0.2},   {4, 6, 5.6, -0.1},  {5, 2, 1.4, -2.0},  {5, 3, 2.3, -2.4},  {5, 4, 3.3, -2.55},
     {5, 5, 4.3, -2.25},  {5, 6, 5.15, -1.65}, {8, 1, 0.75, -4.9}, {8, 2, 1.5, -4.85}, {8, 3, 2.4, -4.9},
     {8, 4, 3.3, -5.3},   {9, 4, 3.7, -6.5},  {10, 1, 0.75, -8.3}, {10, 2, 1.5, -8.2}, {10, 3, 2.25, -8.0},
     {10, 4, 3.05, -7.6},
@@ -61,7 +63,10 @@ ModelPoint grid_point(int r, int c) {
 
 std::uint32_t at(const Grid& grid, int r, int c) { return grid[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)]; }
 
-bool is_coarse(int r, int c) { return c >= 9 || r >= 13 || (c >= 7 && r >= 11); }
+QuadKind kind_of(int r, int c) {
+  if (r == 2 && c >= 1 && c <= 5) return QuadKind::brow;
+  return c >= 10 || r >= 14 ? QuadKind::coarse_skin : QuadKind::skin;
+}
 
 Grid add_grid(Cage& cage) {
   Grid grid{};
@@ -74,7 +79,7 @@ Grid add_grid(Cage& cage) {
   for (int r = 0; r + 1 < k_rows; ++r) {
     for (int c = 0; c + 1 < k_columns; ++c) {
       if (k_eye_hole.holds_quad(r, c) || k_ear_hole.holds_quad(r, c) || k_mouth_hole.holds_quad(r, c)) continue;
-      cage.add_quad(at(grid, r + 1, c), at(grid, r + 1, c + 1), at(grid, r, c + 1), at(grid, r, c), is_coarse(r, c));
+      cage.add_quad(at(grid, r + 1, c), at(grid, r + 1, c + 1), at(grid, r, c + 1), at(grid, r, c), kind_of(r, c));
     }
   }
   return grid;
@@ -113,7 +118,7 @@ void add_crown(Cage& cage, const Grid& grid) {
   }
   for (std::size_t i = 0; i < k_out; ++i) {
     for (std::size_t j = 0; j < k_back; ++j) {
-      cage.add_quad(patch[i][j], patch[i + 1][j], patch[i + 1][j + 1], patch[i][j + 1], j > 0);
+      cage.add_quad(patch[i][j], patch[i + 1][j], patch[i + 1][j + 1], patch[i][j + 1], j > 0 ? QuadKind::coarse_skin : QuadKind::skin);
     }
   }
 }
@@ -126,17 +131,17 @@ std::uint32_t Cage::add(const ModelPoint& point, const LoopMark& mark) {
   return static_cast<std::uint32_t>(points.size() - 1);
 }
 
-void Cage::add_quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, bool is_coarse_quad) {
+void Cage::add_quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, QuadKind kind) {
   quads.push_back({a, b, c, d});
-  coarse.push_back(is_coarse_quad);
+  kinds.push_back(kind);
 }
 
 void Cage::add_strip(const std::vector<std::uint32_t>& outer, const std::vector<std::uint32_t>& inner, bool closed,
-                     bool is_coarse_strip) {
+                     QuadKind kind) {
   const std::size_t n = outer.size();
   for (std::size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
     const std::size_t next = (i + 1) % n;
-    add_quad(outer[i], outer[next], inner[next], inner[i], is_coarse_strip);
+    add_quad(outer[i], outer[next], inner[next], inner[i], kind);
   }
 }
 

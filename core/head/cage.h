@@ -10,8 +10,8 @@
 namespace penpose::head {
 
 /// The eyeball of the +x side, in centimetres: centre and radius.
-inline constexpr std::array<double, 3> k_eye_center{3.2, 0.0, 6.0};
-inline constexpr double k_eye_radius = 1.55;
+inline constexpr std::array<double, 3> k_eye_center{3.15, 0.0, 5.85};
+inline constexpr double k_eye_radius = 1.75;
 /// Where upper and lower lip meet in the middle of the face, in centimetres.
 inline constexpr double k_mouth_y = -6.5;
 
@@ -21,19 +21,22 @@ inline constexpr double k_mouth_y = -6.5;
 /// the red, 3 around it, 4 muzzle, 5 elsewhere). z: +1 upper lip, -1 lower lip, 0 elsewhere; ears have 3.
 using LoopMark = glm::dvec3;
 
+/// What a quad of the cage becomes: how fine, and in which material.
+enum class QuadKind : std::uint8_t { skin, coarse_skin, lip, brow };
+
 /// The control cage of the half with x >= 0. Vertices with x = 0 are on the mirror plane.
 struct Cage {
   std::vector<ModelPoint> points;
   std::vector<LoopMark> marks;
   std::vector<mesh::Quad> quads;
-  std::vector<bool> coarse;  ///< one a quad: needs one level of subdivision less
+  std::vector<QuadKind> kinds;  ///< one a quad
 
   std::uint32_t add(const ModelPoint& point, const LoopMark& mark = {5, 5, 0});
-  void add_quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, bool is_coarse = false);
+  void add_quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, QuadKind kind = QuadKind::skin);
   /// Quads between two loops of equal length; `inner` lies inside when `outer` runs counter-clockwise as seen from
   /// outside.
   void add_strip(const std::vector<std::uint32_t>& outer, const std::vector<std::uint32_t>& inner, bool closed,
-                 bool is_coarse = false);
+                 QuadKind kind = QuadKind::skin);
 };
 
 /// The whole half: face grid, skull, neck, and the loops of eye, mouth and ear in its holes.

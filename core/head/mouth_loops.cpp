@@ -35,6 +35,8 @@ constexpr Loop k_cavity{{{0, -7.5, -2.0}, {0.5, -7.5, -2.0}, {1.1, -7.45, -2.0},
 void add_mouth(Cage& cage, const std::vector<std::uint32_t>& border) {
   for (const std::uint32_t v : border) cage.marks[v].y = 4;
   const std::array<const Loop*, 6> shapes{&k_around, &k_border, &k_full, &k_meet, &k_behind, &k_cavity};
+  constexpr std::array<QuadKind, 6> kinds{QuadKind::skin, QuadKind::skin, QuadKind::lip,
+                                          QuadKind::lip,  QuadKind::lip,  QuadKind::coarse_skin};
   std::vector<std::uint32_t> outer = border;
   const auto lip = [](std::size_t i) { return i == 5 ? 0.0 : i < 5 ? -1.0 : 1.0; };
   for (std::size_t loop = 0; loop < shapes.size(); ++loop) {
@@ -43,7 +45,7 @@ void add_mouth(Cage& cage, const std::vector<std::uint32_t>& border) {
       const Spot& s = (*shapes[loop])[i];
       inner.push_back(cage.add({s.x, s.y, bare_depth(s.x, s.y) + s.lift}, {5, 3 - static_cast<double>(loop), lip(i)}));
     }
-    cage.add_strip(outer, inner, false, loop >= 5);
+    cage.add_strip(outer, inner, false, kinds[loop]);
     outer = inner;
   }
   // The back of the cavity: the last loop as a rectangle of 4 x 2 quads.
@@ -54,8 +56,8 @@ void add_mouth(Cage& cage, const std::vector<std::uint32_t>& border) {
   }
   middle[4] = outer[5];
   for (std::size_t i = 0; i < 4; ++i) {
-    cage.add_quad(outer[i], outer[i + 1], middle[i + 1], middle[i], true);
-    cage.add_quad(middle[i], middle[i + 1], outer[9 - i], outer[10 - i], true);
+    cage.add_quad(outer[i], outer[i + 1], middle[i + 1], middle[i], QuadKind::coarse_skin);
+    cage.add_quad(middle[i], middle[i + 1], outer[9 - i], outer[10 - i], QuadKind::coarse_skin);
   }
 }
 

@@ -29,11 +29,11 @@ Surface from_kind(PartKind kind) {
     case PartKind::eye_cover:
       return {{0.30F, 0.24F, 0.22F, 0.03F}, 0.15F, 0};
     case PartKind::lash:
-      return {{0.025F, 0.018F, 0.014F, 1}, 0.6F, 0};
+      return {{0.025F, 0.018F, 0.014F, 0.6F}, 1.0F, 0};
     case PartKind::tooth:
       return {{0.72F, 0.66F, 0.54F, 1}, 0.25F, 0};
     case PartKind::gum:
-      return {{0.48F, 0.17F, 0.15F, 1}, 0.35F, 0};
+      return {{0.36F, 0.12F, 0.105F, 1}, 0.35F, 0};
     case PartKind::surface:
       break;
   }
@@ -41,6 +41,36 @@ Surface from_kind(PartKind kind) {
 }
 
 constexpr std::size_t k_kinds = 6;
+
+/// Lashes are modelled as sheets; drawn dark at the lid and fading to nothing at the tips, a sheet looks like hair.
+void fade_lashes(const mesh::TriangleMesh& mesh, std::span<const geometry::ModelPoint> rest, const FaceParts& face,
+                 std::vector<float>& opacity) {
+  struct Range {
+    double nearest = 1e300;
+    double farthest = 0;
+  };
+  const auto away = [&](std::size_t v) {
+    double least = 1e300;
+    for (const Eye& eye : face.eyes) least = std::min(least, geometry::distance(rest[v], eye.center));
+    return least;
+  };
+  const auto is_lash = [&](std::size_t v) { return face.kind_of_component[mesh.components()[v]] == PartKind::lash; };
+  std::vector<Range> ranges(mesh.component_count());
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    if (!is_lash(v)) continue;
+    Range& range = ranges[mesh.components()[v]];
+    range.nearest = std::min(range.nearest, away(v));
+    range.farthest = std::max(range.farthest, away(v));
+  }
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    if (!is_lash(v)) continue;
+    opacity.resize(rest.size(), 1.0F);
+    const Range& range = ranges[mesh.components()[v]];
+    const double share = (away(v) - range.nearest) / std::max(range.farthest - range.nearest, 1e-300);
+    const double left = std::max(0.0, 1.0 - 1.6 * share);
+    opacity[v] = static_cast<float>(left * left);
+  }
+}
 
 /// The component with the most vertices: the body, whose colour says what "no colour of its own" is.
 std::uint32_t largest_component(const mesh::TriangleMesh& mesh) {
@@ -87,6 +117,7 @@ Appearance make_appearance(const document::Model& model, const AppearanceOptions
       look.surface_of_vertex[v] = static_cast<std::uint16_t>(first_kind + static_cast<std::size_t>(kind));
     }
   }
+  if (!face.eyes.empty()) fade_lashes(mesh, rest, face, look.opacity);
   for (const Eye& eye : face.eyes) {
     if (face.kind_of_component[eye.component] != PartKind::eyeball || eye.gaze == geometry::ModelVector{0}) continue;
     look.gaze.resize(mesh.vertex_count(), 1.0F);

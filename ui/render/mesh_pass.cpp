@@ -147,7 +147,7 @@ MeshPass::~MeshPass() {
 }
 
 void MeshPass::upload_shape(const Scene& scene) {
-  const Appearance plain{{Surface{}}, {}, {}};
+  const Appearance plain{{Surface{}}, {}, {}, {}};
   const Appearance& look = scene.appearance != nullptr ? *scene.appearance : plain;
   const auto surface_of = [&](std::size_t v) -> const Surface& {
     return look.surfaces[look.surface_of_vertex.empty() ? 0 : look.surface_of_vertex[v]];
@@ -156,7 +156,8 @@ void MeshPass::upload_shape(const Scene& scene) {
   for (std::size_t v = 0; v < vertex_count_; ++v) {
     const Surface& surface = surface_of(v);
     finish[v] = {pack(surface.base_color), Bytes4{to_byte(surface.roughness), to_byte(surface.metallic),
-                                                  to_byte(look.gaze.empty() ? 1.0F : look.gaze[v]), 0}};
+                                                  to_byte(look.gaze.empty() ? 1.0F : look.gaze[v]),
+                                                  to_byte(look.opacity.empty() ? 1.0F : look.opacity[v])}};
   }
   fill(GL_ARRAY_BUFFER, finish_, finish, GL_STATIC_DRAW);
   // Opaque triangles, then translucent ones, then (when asked for) the edges of the opaque ones.
@@ -201,6 +202,7 @@ base::Status MeshPass::upload(const Scene& scene) {
       const bool fits = !look->surfaces.empty() &&
                         (look->surface_of_vertex.empty() || look->surface_of_vertex.size() == count) &&
                         (look->gaze.empty() || look->gaze.size() == count) &&
+                        (look->opacity.empty() || look->opacity.size() == count) &&
                         std::all_of(look->surface_of_vertex.begin(), look->surface_of_vertex.end(), known);
       if (!fits) return base::Error{"the appearance does not fit the vertices", "scene", "make it from this mesh"};
     }

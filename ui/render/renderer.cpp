@@ -14,7 +14,7 @@ namespace penpose::render {
 namespace {
 
 /// How far occlusion looks, as a share of the model's diagonal (which a view scales to one).
-constexpr float k_occlusion_radius = 0.045F;
+constexpr float k_occlusion_radius = 0.06F;
 
 }  // namespace
 

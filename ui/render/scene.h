@@ -26,6 +26,7 @@ struct Appearance {
   /// One a vertex or empty: distance from the gaze axis in eyeball radii (0 the middle of the pupil); 1 and above: no
   /// eye. The renderer paints iris and pupil there.
   std::vector<float> gaze;
+  std::vector<float> opacity;  ///< one a vertex or empty: multiplies the alpha of a translucent surface
 };
 
 /// The three curves of a sketch and their colours: reference green, target blue, constraint red.

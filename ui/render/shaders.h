@@ -50,7 +50,7 @@ void main() {
   vec4 p = to_view * vec4((position - middle) * scale, 1.0);
   view_position = p.xyz;
   view_normal = mat3(to_view) * normal;
-  albedo = vec4(mix(base_color.rgb, overlay.rgb, overlay.a), base_color.a);
+  albedo = vec4(mix(base_color.rgb, overlay.rgb, overlay.a), base_color.a * finish.w);
   surface = vec3(finish.x, finish.y, overlay.a > 0.5 ? 1.0 : finish.z);
   gl_Position = to_clip * p;
 }
@@ -107,10 +107,10 @@ void main() {
   vec3 f0 = mix(vec3(0.035), base, surface.y);
   vec3 diffuse = base * (1.0 - surface.y);
   float occlude = mix(1.0, 0.35, inside);
-  vec3 ambient = mix(vec3(0.16, 0.145, 0.13), vec3(0.34, 0.36, 0.40), n.y * 0.5 + 0.5);
+  vec3 ambient = mix(vec3(0.11, 0.095, 0.085), vec3(0.25, 0.27, 0.30), n.y * 0.5 + 0.5);
   vec3 color = ambient * (diffuse + f0 * (1.0 - 0.7 * roughness));
-  color += lit(n, v, normalize(vec3(-0.50, 0.62, 0.72)), vec3(0.86, 0.82, 0.76), diffuse, f0, alpha, 0.18);
-  color += lit(n, v, normalize(vec3(0.85, 0.10, 0.50)), vec3(0.17, 0.19, 0.23), diffuse, f0, max(alpha, 0.2), 0.3);
+  color += lit(n, v, normalize(vec3(-0.50, 0.62, 0.72)), vec3(0.74, 0.70, 0.64), diffuse, f0, alpha, 0.18);
+  color += lit(n, v, normalize(vec3(0.85, 0.10, 0.50)), vec3(0.13, 0.15, 0.18), diffuse, f0, max(alpha, 0.2), 0.3);
   color += lit(n, v, normalize(vec3(0.45, 0.55, -0.75)), vec3(0.40, 0.44, 0.50), diffuse, f0, max(alpha, 0.25), 0.0);
   color *= occlude;
   float opacity = 1.0;
@@ -180,7 +180,7 @@ void main() {
     float near = max(1.0 - dd / (radius * radius), 0.0);
     sum += near * max(dot(d, n) - 0.012 * radius, 0.0) / (dd + 0.0004 * radius * radius) * radius;
   }
-  float open = clamp(1.0 - 0.55 * sum / float(count), 0.0, 1.0);
+  float open = clamp(1.0 - 0.75 * sum / float(count), 0.0, 1.0);
   result = vec4(vec3(open), 1.0);
 }
 )";
@@ -208,8 +208,8 @@ void main() {
     }
   }
   float open = sum / weights;
-  // A little of the surface's own colour is kept in the dark: light that bounces is warm.
-  result = vec4(mix(vec3(0.16, 0.10, 0.09), vec3(1.0), open), 1.0);
+  // Light that bounces out of a crease is warm, and never quite gone.
+  result = vec4(mix(vec3(0.14, 0.07, 0.06), vec3(1.0), vec3(pow(open, 0.82), open, open)), 1.0);
 }
 )";
 

@@ -23,9 +23,14 @@ Model small_model() {
   mesh::MeshSource source;
   source.positions = {{1, 0, 0}, {0, 1, 0}, {0, 0, 0}};
   source.triangles = {{0, 1, 2}};
-  rig::BlendShape up{{"up", 0, 0, 1}, {0}, {{0, 0, 1}}, {}};
-  rig::BlendShape side{{"side", 0, 0, 1}, {1}, {{1, 0, 0}}, {}};
-  auto shapes = rig::BlendShapes::make({up, side}, 3);
+  std::vector<rig::BlendShape> targets(2);
+  targets[0].parameter.name = "up";
+  targets[0].vertices = {0};
+  targets[0].deltas = {{0, 0, 1}};
+  targets[1].parameter.name = "side";
+  targets[1].vertices = {1};
+  targets[1].deltas = {{1, 0, 0}};
+  auto shapes = rig::BlendShapes::make(targets, 3);
   rig::Joint root;
   root.name = "root";
   auto skeleton = rig::Skeleton::make({root}, {0, 1, 2, 3}, {{0, 1.0}, {0, 1.0}, {0, 1.0}});
