@@ -89,7 +89,7 @@ Grid add_grid(Cage& cage) {
 void add_crown(Cage& cage, const Grid& grid) {
   constexpr int k_out = 3;
   constexpr int k_back = 6;
-  constexpr double k_top = 12.3;
+  constexpr double k_top = 13.2;
   std::array<std::array<std::uint32_t, k_back + 1>, k_out + 1> patch{};
   for (int i = 0; i <= k_out; ++i) {
     for (int j = 0; j <= k_back; ++j) {
@@ -109,8 +109,8 @@ void add_crown(Cage& cage, const Grid& grid) {
         ModelPoint p = front + (back - front) * t;
         const double edge = cage.points[at(grid, 0, k_out)].x * (1 - t) + cage.points[at(grid, 0, k_out + k_back)].x * t;
         p.x = s * (edge + (side.x - edge) * (i == 0 ? 0.0 : 1.0));
-        const double across = p.x / 6.6;
-        const double along = (p.z + 0.9) / (p.z > -0.9 ? 8.4 : 7.6);
+        const double across = p.x / 6.9;
+        const double along = (p.z + 0.9) / (p.z > -0.9 ? 8.3 : 7.6);
         p.y += (k_top - p.y) * std::sqrt(std::max(1 - across * across - along * along, 0.0));
         slot = cage.add(p);
       }

@@ -14,6 +14,8 @@ inline constexpr std::array<double, 3> k_eye_center{3.15, 0.0, 5.85};
 inline constexpr double k_eye_radius = 1.75;
 /// Where upper and lower lip meet in the middle of the face, in centimetres.
 inline constexpr double k_mouth_y = -6.5;
+/// Height of the line between the lips at x.
+[[nodiscard]] double mouth_line(double x);
 
 /// Where a vertex stands in the loops around eye and mouth; subdivision carries these numbers along, so that later steps
 /// can tell a lid from a socket. x: eye loop (-3 behind the eyeball, 0 inner and 1 outer edge of the lid's rim, 2 lid,

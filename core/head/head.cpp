@@ -50,11 +50,14 @@ document::Model make_head() {
   const auto half = make_half();
   if (!half) std::abort();
   Assembly head;
-  head.add("skin", make_skin(*half), material(0.62, 0.40, 0.29, 0.55));
+  const Skin skin = make_skin(*half);
+  head.add("skin", skin.bare, material(0.62, 0.40, 0.29, 0.55));
+  head.add("lips", skin.lips, material(0.55, 0.25, 0.21, 0.4));
+  head.add("brows", skin.brows, material(0.09, 0.045, 0.025, 0.7));
   const Surface white = make_eye_cap(1, 0, 180, 24, 36);
-  const Surface rim = make_eye_cap(1.006, 25, 29, 2, 36);
-  const Surface iris = make_eye_cap(1.006, 11, 25, 3, 36);
-  const Surface pupil = make_eye_cap(1.006, 0, 11, 3, 36);
+  const Surface rim = make_eye_cap(1.006, 26, 30, 2, 36);
+  const Surface iris = make_eye_cap(1.006, 12.5, 26, 3, 36);
+  const Surface pupil = make_eye_cap(1.006, 0, 12.5, 3, 36);
   for (const bool right : {false, true}) {
     const std::string side = right ? "_R" : "_L";
     head.add("eye" + side, white, material(0.82, 0.80, 0.77, 0.15), right);

@@ -13,50 +13,49 @@ double blob(const ModelPoint& p, double x, double y, double radius_x, double rad
 }
 
 ModelVector nose(const ModelPoint& p) {
-  ModelVector move{0};
-  const double height = profile({{-5.0, 0}, {-4.7, 0.2}, {-4.35, 0.95}, {-4.0, 2.0}, {-3.6, 2.62}, {-3.1, 2.68}, {-2.3, 2.15}, {-1.2, 1.45},
-                                 {0, 0.8}, {1.2, 0.3}, {2.4, 0.1}, {3.2, 0}}, p.y);
-  const double width = profile({{-4.6, 1.5}, {-3.4, 1.6}, {-2.4, 1.5}, {-1, 1.35}, {0.4, 1.3}, {2.2, 1.9}}, p.y);
+  const double height = profile({{-5.0, 0}, {-4.7, 0.12}, {-4.4, 0.6}, {-4.1, 1.4}, {-3.7, 2.0}, {-3.2, 2.15}, {-2.4, 1.8},
+                                 {-1.2, 1.2}, {0, 0.72}, {1.2, 0.35}, {2.4, 0.15}, {3.4, 0}},
+                                p.y);
+  const double width =
+      profile({{-4.6, 1.35}, {-3.4, 1.5}, {-2.4, 1.5}, {-1, 1.4}, {0.4, 1.35}, {1.6, 1.7}, {2.6, 2.6}}, p.y);
   const double across = square(p.x / width);
-  move.z += height * bump(across * (0.65 + 0.35 * across));
+  ModelVector move{0, 0, height * bump(across * (0.55 + 0.45 * across))};
+  // Tip, a ball that lifts a little.
+  move += ModelVector{0, 0.1, 0.45} * blob(p, 0, -3.35, 1.0, 1.0);
   // Wings.
-  const double wing = blob(p, 1.1, -3.75, 0.8, 0.75);
-  move += ModelVector{0.22, 0.0, 0.75} * wing;
-  // Tip.
-  move.z += 0.25 * blob(p, 0, -3.3, 0.85, 0.8);
+  move += ModelVector{0.2, 0.0, 0.65} * blob(p, 1.1, -3.8, 0.75, 0.75);
   // Nostrils.
-  move += ModelVector{0, 0.28, -0.35} * blob(p, 0.58, -4.25, 0.42, 0.38);
+  move += ModelVector{0, 0.2, -0.3} * blob(p, 0.6, -4.3, 0.5, 0.4);
   return move;
 }
 
 ModelVector brow(const ModelPoint& p) {
+  const double line = profile({{0.8, 2.82}, {1.5, 2.97}, {2.4, 3.32}, {3.4, 3.47}, {4.45, 3.12}, {5.45, 2.12}}, p.x);
+  const double thick = profile({{0.6, 0.5}, {1.5, 0.55}, {3.4, 0.45}, {5.4, 0.25}}, p.x);
   ModelVector move{0};
-  const double line = profile({{0.6, 2.3}, {1.6, 2.75}, {3.2, 3.25}, {4.4, 3.1}, {5.6, 2.45}}, p.x);
-  const double thick = profile({{0.4, 0.2}, {0.9, 0.62}, {2.4, 0.68}, {4.2, 0.5}, {5.7, 0.2}}, p.x);
-  const double ends = ramp(0.35, 0.95, p.x) * ramp(6.0, 5.0, p.x);
-  move.z += 0.42 * ends * bump(square((p.y - line) / thick) * 0.8);
+  move.z += 0.3 * ramp(0.5, 1.2, p.x) * ramp(5.9, 5.2, p.x) * bump(square((p.y - line) / thick) * 0.7);
   // The ridge beneath, broad and low.
-  move.z += 0.35 * ramp(0.0, 1.2, p.x) * ramp(6.4, 4.0, p.x) * bump(square((p.y - line + 0.3) / 1.9));
+  move.z += 0.35 * ramp(0.0, 1.4, p.x) * ramp(6.6, 4.0, p.x) * bump(square((p.y - line + 0.3) / 2.0));
   return move;
 }
 
 ModelVector face(const ModelPoint& p) {
   ModelVector move{0};
   // Sockets, nose side.
-  move.z -= 0.5 * blob(p, 1.75, 0.3, 1.1, 1.9);
+  move.z -= 0.35 * blob(p, 1.75, 0.6, 1.2, 1.9);
   // Cheeks.
-  move += ModelVector{0.18, 0.05, 0.55} * blob(p, 4.0, -3.3, 2.3, 2.3);
+  move += ModelVector{0.2, 0.05, 0.6} * blob(p, 4.0, -3.4, 2.4, 2.3);
   // Beside the nose and mouth, the fold to the cheek.
-  move.z -= 0.18 * blob(p, 2.6, -4.9, 0.9, 1.6);
+  move.z -= 0.12 * blob(p, 2.6, -5.0, 1.1, 1.8);
   // Muzzle.
-  move.z += 0.42 * blob(p, 0, -6.2, 3.6, 2.9);
+  move.z += 0.5 * blob(p, 0, -6.3, 3.8, 3.0);
   // Philtrum.
-  move.z -= 0.14 * blob(p, 0, -5.05, 0.36, 0.75);
+  move.z -= 0.12 * blob(p, 0, -5.05, 0.4, 0.85);
   // Fold under the lower lip, and the chin.
-  move.z -= 0.42 * blob(p, 0, -8.15, 2.0, 0.85);
-  move += ModelVector{0, 0, 0.75} * blob(p, 0, -9.6, 2.3, 1.6);
+  move.z -= 0.25 * blob(p, 0, -8.15, 2.0, 0.9);
+  move += ModelVector{0, -0.1, 0.85} * blob(p, 0, -9.7, 2.5, 1.9);
   // Hollow below the cheekbones, temples.
-  move -= ModelVector{0.28, 0, 0.15} * blob(p, 5.6, -5.6, 2.0, 2.6);
+  move -= ModelVector{0.2, 0, 0.1} * blob(p, 5.4, -5.6, 2.0, 2.6);
   move.x -= 0.25 * bump(square((p.y - 2.4) / 2.6) + square((p.z - 4.2) / 3.0)) * ramp(4.5, 6.0, p.x);
   return move;
 }
@@ -64,14 +63,12 @@ ModelVector face(const ModelPoint& p) {
 }  // namespace
 
 ModelPoint sculpted(const ModelPoint& bare, const LoopMark& mark) {
+  if (mark.z > 1) return bare;
   const double front = ramp(0.5, 4.0, bare.z);
   const double off_eye = ramp(2.2, 4.0, mark.x);
-  const double in_mouth = ramp(0.0, -2.0, mark.y);
-  const double ear = ramp(0.5, 1.5, mark.z);
-  ModelVector move = nose(bare) * (1 - in_mouth) + brow(bare) + face(bare);
-  move *= front * off_eye * (1 - ear);
-  if (mark.z > 1) move = {0, 0, 0};
-  return bare + move;
+  const double outside_mouth = ramp(-2.0, 0.0, mark.y);
+  const ModelVector move = nose(bare) * outside_mouth + brow(bare) + face(bare);
+  return bare + move * (front * off_eye);
 }
 
 }  // namespace penpose::head

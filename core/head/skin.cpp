@@ -10,6 +10,7 @@ namespace penpose::head {
 namespace {
 
 constexpr std::uint32_t k_none = 0xffffffffU;
+constexpr double k_lip_gap = 0.006;
 
 struct Pair {
   mesh::QuadMesh shape;
@@ -46,6 +47,39 @@ void lift_off_eye(Half& half) {
     const double least = k_eye_radius * (1.018 + 0.1 * ramp(0.0, 1.0, loop) + 0.03 * ramp(0, -1, loop));
     if (distance < least) half.points[v] = center + away * (least / distance);
   }
+}
+
+/// Both lips meet in a flat seam: whatever reaches over their line is pressed back to it.
+void close_lips(Half& half) {
+  for (std::size_t v = 0; v < half.points.size(); ++v) {
+    const LoopMark& mark = half.marks[v];
+    if (mark.y < -1.5 || mark.y > 2) continue;
+    ModelPoint& p = half.points[v];
+    const double line = mouth_line(p.x);
+    if (mark.z > 1e-6) {
+      p.y = std::max(p.y, line + k_lip_gap / 2);
+    } else if (mark.z < -1e-6) {
+      p.y = std::min(p.y, line - k_lip_gap / 2);
+    } else if (mark.y > -0.5 && mark.y < 0.5) {
+      p.y = line;
+    }
+  }
+}
+
+/// The vertices that triangles of the half use, and their mirror images.
+Surface mirrored_part(const Half& half, std::vector<mesh::Triangle> triangles) {
+  std::vector<std::uint32_t> number(half.points.size(), k_none);
+  std::vector<ModelPoint> points;
+  for (mesh::Triangle& t : triangles) {
+    for (std::uint32_t& v : t) {
+      if (number[v] == k_none) {
+        number[v] = static_cast<std::uint32_t>(points.size());
+        points.push_back(half.points[v]);
+      }
+      v = number[v];
+    }
+  }
+  return mirrored(points, triangles);
 }
 
 }  // namespace
@@ -86,7 +120,7 @@ base::Result<Half> make_half() {
     }
     half.quads.push_back(quad);
     half.coarser.push_back(coarser[q]);
-    half.coarse.push_back(cage.coarse[of_cage]);
+    half.kinds.push_back(cage.kinds[of_cage]);
   }
   for (std::size_t v = 0; v < half.points.size(); ++v) {
     const bool center = half.points[v].x == 0;
@@ -94,6 +128,7 @@ base::Result<Half> make_half() {
     if (center) half.points[v].x = 0;
   }
   lift_off_eye(half);
+  close_lips(half);
   return half;
 }
 
@@ -110,17 +145,19 @@ Surface mirrored(const std::vector<ModelPoint>& points, const std::vector<mesh::
   return surface;
 }
 
-Surface make_skin(const Half& half) {
+Skin make_skin(const Half& half) {
   // Four quads of a coarse one become one polygon: its corners, and those middles of its edges that a finer neighbour
   // needs. An edge point belongs to quads of two coarser ones; corner 1 and 3 of a quad are edge points.
   std::vector<bool> needed(half.points.size(), false);
   for (std::size_t q = 0; q < half.quads.size(); ++q) {
     for (std::size_t i = 0; i < 4; ++i) {
-      if (!half.coarse[q]) needed[half.quads[q][i]] = true;
+      if (half.kinds[q] != QuadKind::coarse_skin) needed[half.quads[q][i]] = true;
     }
-    if (half.coarse[q]) needed[half.quads[q][2]] = true;
+    if (half.kinds[q] == QuadKind::coarse_skin) needed[half.quads[q][2]] = true;
   }
-  std::vector<mesh::Triangle> triangles;
+  std::vector<mesh::Triangle> bare;
+  std::vector<mesh::Triangle> lips;
+  std::vector<mesh::Triangle> brows;
   std::vector<std::vector<std::size_t>> groups;
   {
     std::vector<std::pair<std::uint32_t, std::size_t>> order;
@@ -131,13 +168,16 @@ Surface make_skin(const Half& half) {
       groups.back().push_back(order[i].second);
     }
   }
-  const auto split = [&](const mesh::Quad& q) {
+  const auto split = [](std::vector<mesh::Triangle>& triangles, const mesh::Quad& q) {
     triangles.push_back({q[0], q[1], q[2]});
     triangles.push_back({q[0], q[2], q[3]});
   };
   for (const auto& group : groups) {
-    if (!half.coarse[group[0]]) {
-      for (const std::size_t q : group) split(half.quads[q]);
+    if (half.kinds[group[0]] != QuadKind::coarse_skin) {
+      const QuadKind kind = half.kinds[group[0]];
+      for (const std::size_t q : group) {
+        split(kind == QuadKind::lip ? lips : kind == QuadKind::brow ? brows : bare, half.quads[q]);
+      }
       continue;
     }
     // Around the middle: every quad of the group runs middle, edge point, corner, edge point.
@@ -155,24 +195,13 @@ Surface make_skin(const Half& half) {
       }
     }
     if (around.size() == 4) {
-      split({around[0], around[1], around[2], around[3]});
+      split(bare, {around[0], around[1], around[2], around[3]});
     } else {
       const std::uint32_t middle = half.quads[group[0]][0];
-      for (std::size_t i = 0; i < around.size(); ++i) triangles.push_back({middle, around[i], around[(i + 1) % around.size()]});
+      for (std::size_t i = 0; i < around.size(); ++i) bare.push_back({middle, around[i], around[(i + 1) % around.size()]});
     }
   }
-  std::vector<std::uint32_t> number(half.points.size(), k_none);
-  std::vector<ModelPoint> points;
-  for (mesh::Triangle& t : triangles) {
-    for (std::uint32_t& v : t) {
-      if (number[v] == k_none) {
-        number[v] = static_cast<std::uint32_t>(points.size());
-        points.push_back(half.points[v]);
-      }
-      v = number[v];
-    }
-  }
-  return mirrored(points, triangles);
+  return {mirrored_part(half, bare), mirrored_part(half, lips), mirrored_part(half, brows)};
 }
 
 }  // namespace penpose::head

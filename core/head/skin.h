@@ -14,7 +14,7 @@ struct Half {
   std::vector<LoopMark> marks;
   std::vector<mesh::Quad> quads;  ///< counter-clockwise from outside; corner 0 is the middle of a coarser quad
   std::vector<std::uint32_t> coarser;  ///< one a quad: the number of that coarser quad
-  std::vector<bool> coarse;            ///< one a quad: the coarser quad is fine enough here
+  std::vector<QuadKind> kinds;         ///< one a quad
 };
 
 /// Cage, two levels of subdivision, sculpting, lids on the eyeball and lips that meet.
@@ -25,8 +25,14 @@ struct Surface {
   std::vector<ModelPoint> points;
   std::vector<mesh::Triangle> triangles;
 };
-/// The skin: triangles of the half (coarse where that is enough) and their exact mirror images.
-[[nodiscard]] Surface make_skin(const Half& half);
+/// The skin in three materials that share their borders exactly.
+struct Skin {
+  Surface bare;
+  Surface lips;
+  Surface brows;
+};
+/// Triangles of the half (coarse where that is enough) and their exact mirror images.
+[[nodiscard]] Skin make_skin(const Half& half);
 
 /// Adds the mirror image of a half surface; vertices with x = 0 are shared.
 [[nodiscard]] Surface mirrored(const std::vector<ModelPoint>& points, const std::vector<mesh::Triangle>& triangles);
