@@ -40,9 +40,9 @@ struct Placed {
   double x, y;
 };
 constexpr std::array<Placed, 28> k_placed{{
-    {2, 1, 0.8, 3.2},    {2, 2, 1.5, 3.4},    {2, 3, 2.4, 3.7},    {2, 4, 3.4, 3.8},   {2, 5, 4.45, 3.4},
-    {2, 6, 5.5, 2.3},    {3, 1, 0.8, 2.45},
-    {3, 2, 1.5, 2.55},   {3, 3, 2.4, 2.95},  {3, 4, 3.4, 3.15},   {3, 5, 4.4, 2.85},  {3, 6, 5.4, 1.95},
+    {2, 1, 0.9, 3.05},   {2, 2, 1.6, 3.2},    {2, 3, 2.5, 3.4},    {2, 4, 3.5, 3.5},   {2, 5, 4.55, 3.25},
+    {2, 6, 5.6, 2.6},    {3, 1, 0.85, 2.4},
+    {3, 2, 1.5, 2.5},    {3, 3, 2.4, 2.7},   {3, 4, 3.4, 2.8},    {3, 5, 4.4, 2.55},  {3, 6, 5.4, 1.85},
     {4, 2, 1.0, -0.2},   {4, 6, 5.6, -0.1},  {5, 2, 1.4, -2.0},  {5, 3, 2.3, -2.4},  {5, 4, 3.3, -2.55},
     {5, 5, 4.3, -2.25},  {5, 6, 5.15, -1.65}, {8, 1, 0.75, -4.9}, {8, 2, 1.5, -4.85}, {8, 3, 2.4, -4.9},
     {8, 4, 3.3, -5.3},   {9, 4, 3.7, -6.5},  {10, 1, 0.75, -8.3}, {10, 2, 1.5, -8.2}, {10, 3, 2.25, -8.0},
@@ -89,7 +89,8 @@ Grid add_grid(Cage& cage) {
 void add_crown(Cage& cage, const Grid& grid) {
   constexpr int k_out = 3;
   constexpr int k_back = 6;
-  constexpr double k_top = 13.2;
+  constexpr double k_middle = 3.8;  // of the ellipsoid that the skull follows
+  constexpr double k_height = 8.6;
   std::array<std::array<std::uint32_t, k_back + 1>, k_out + 1> patch{};
   for (int i = 0; i <= k_out; ++i) {
     for (int j = 0; j <= k_back; ++j) {
@@ -109,9 +110,9 @@ void add_crown(Cage& cage, const Grid& grid) {
         ModelPoint p = front + (back - front) * t;
         const double edge = cage.points[at(grid, 0, k_out)].x * (1 - t) + cage.points[at(grid, 0, k_out + k_back)].x * t;
         p.x = s * (edge + (side.x - edge) * (i == 0 ? 0.0 : 1.0));
-        const double across = p.x / 6.9;
-        const double along = (p.z + 0.9) / (p.z > -0.9 ? 8.3 : 7.6);
-        p.y += (k_top - p.y) * std::sqrt(std::max(1 - across * across - along * along, 0.0));
+        const double across = p.x / 8.0;
+        const double along = (p.z + 0.9) / (p.z > -0.9 ? 9.2 : 8.8);
+        p.y = k_middle + k_height * std::sqrt(std::max(1 - across * across - along * along, 0.0));
         slot = cage.add(p);
       }
     }

@@ -24,7 +24,7 @@ inline constexpr double k_mouth_y = -6.5;
 using LoopMark = glm::dvec3;
 
 /// What a quad of the cage becomes: how fine, and in which material.
-enum class QuadKind : std::uint8_t { skin, coarse_skin, lip, brow };
+enum class QuadKind : std::uint8_t { skin, coarse_skin, lip, brow, lash };
 
 /// The control cage of the half with x >= 0. Vertices with x = 0 are on the mirror plane.
 struct Cage {

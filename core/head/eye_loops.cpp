@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/head/cage.h"
@@ -12,8 +13,8 @@ struct Offset {
 using Loop = std::array<Offset, k_count>;
 
 // Loops relative to the eye's centre as seen from the front, counter-clockwise from the outer corner; in eye radii.
-constexpr Loop k_rim{{{0.860, 0.060}, {0.700, 0.330}, {0.420, 0.520}, {0.030, 0.580}, {-0.360, 0.500}, {-0.680, 0.250}, {-0.900, -0.150}, {-0.680, -0.320}, {-0.360, -0.430}, {0.010, -0.480}, {0.390, -0.420}, {0.700, -0.220}}};
-constexpr Loop k_lid{{{0.970, 0.050}, {0.800, 0.460}, {0.480, 0.700}, {0.030, 0.770}, {-0.410, 0.660}, {-0.760, 0.360}, {-1.010, -0.170}, {-0.750, -0.420}, {-0.400, -0.560}, {0.010, -0.620}, {0.440, -0.550}, {0.810, -0.300}}};
+constexpr Loop k_rim{{{0.880, 0.040}, {0.720, 0.280}, {0.430, 0.450}, {0.030, 0.510}, {-0.360, 0.450}, {-0.680, 0.220}, {-0.920, -0.170}, {-0.680, -0.330}, {-0.360, -0.430}, {0.010, -0.470}, {0.390, -0.410}, {0.710, -0.220}}};
+constexpr Loop k_lid{{{0.980, 0.040}, {0.820, 0.420}, {0.490, 0.650}, {0.030, 0.720}, {-0.410, 0.620}, {-0.770, 0.340}, {-1.020, -0.180}, {-0.760, -0.430}, {-0.400, -0.560}, {0.010, -0.610}, {0.440, -0.540}, {0.810, -0.300}}};
 constexpr Loop k_crease{{{1.170, 0.040}, {0.930, 0.640}, {0.540, 0.900}, {0.030, 0.980}, {-0.470, 0.860}, {-0.870, 0.500}, {-1.100, -0.190}, {-0.880, -0.620}, {-0.460, -0.820}, {0.000, -0.900}, {0.510, -0.810}, {0.970, -0.480}}};
 constexpr std::array<double, k_count> k_crease_depth{0.30, 0.64, 0.80, 0.84, 0.86, 0.82, 0.74, 0.86, 0.92, 0.88, 0.72, 0.42};
 constexpr double k_rim_thickness = 0.1;
@@ -45,7 +46,12 @@ void add_eye(Cage& cage, const std::vector<std::uint32_t>& border) {
     loops[5].push_back(cage.add(center() + outward * (pocket * 0.8) + ModelVector{0, 0, -pocket * 0.75}, {-2, 5, 0}));
   }
   cage.add_strip(border, loops[0], true);
-  for (std::size_t i = 0; i + 1 < loops.size(); ++i) cage.add_strip(loops[i], loops[i + 1], true, i >= 3 ? QuadKind::coarse_skin : QuadKind::skin);
+  for (std::size_t i = 0; i + 1 < loops.size(); ++i) {
+    const std::size_t first = cage.quads.size();
+    cage.add_strip(loops[i], loops[i + 1], true, i >= 3 ? QuadKind::coarse_skin : QuadKind::skin);
+    // The edge of the upper lid.
+    if (i == 2) std::fill_n(cage.kinds.begin() + static_cast<std::ptrdiff_t>(first), k_count / 2, QuadKind::lash);
+  }
   // The back of the socket: the last loop as a rectangle of 4 x 2 quads.
   const auto& last = loops.back();
   std::array<std::uint32_t, 3> middle{};

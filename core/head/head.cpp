@@ -54,10 +54,11 @@ document::Model make_head() {
   head.add("skin", skin.bare, material(0.62, 0.40, 0.29, 0.55));
   head.add("lips", skin.lips, material(0.55, 0.25, 0.21, 0.4));
   head.add("brows", skin.brows, material(0.09, 0.045, 0.025, 0.7));
+  head.add("lashes", skin.lashes, material(0.05, 0.028, 0.02, 0.6));
   const Surface white = make_eye_cap(1, 0, 180, 24, 36);
-  const Surface rim = make_eye_cap(1.006, 26, 30, 2, 36);
-  const Surface iris = make_eye_cap(1.006, 12.5, 26, 3, 36);
-  const Surface pupil = make_eye_cap(1.006, 0, 12.5, 3, 36);
+  const Surface rim = make_eye_cap(1.006, 28, 32, 2, 36);
+  const Surface iris = make_eye_cap(1.006, 13.5, 28, 3, 36);
+  const Surface pupil = make_eye_cap(1.006, 0, 13.5, 3, 36);
   for (const bool right : {false, true}) {
     const std::string side = right ? "_R" : "_L";
     head.add("eye" + side, white, material(0.82, 0.80, 0.77, 0.15), right);
@@ -65,6 +66,7 @@ document::Model make_head() {
     head.add("iris" + side, iris, material(0.07, 0.16, 0.19, 0.15), right);
     head.add("pupil" + side, pupil, material(0.006, 0.006, 0.007, 0.1), right);
   }
+  head.add("hair", make_hair(*half), material(0.10, 0.05, 0.028, 0.5));
   auto built = mesh::TriangleMesh::build(std::move(head.source));
   if (!built) std::abort();
   auto model = document::make_model(std::move(built).value(), nullptr, nullptr);

@@ -8,4 +8,7 @@ namespace penpose::head {
 /// to `degrees` (180: all of it).
 [[nodiscard]] Surface make_eye_cap(double radius, double from_degrees, double to_degrees, int rings, int segments);
 
+/// A cap of hair, swept to one side: it follows the skin, sinks into it along the hair line, and is not symmetric.
+[[nodiscard]] Surface make_hair(const Half& half);
+
 }  // namespace penpose::head

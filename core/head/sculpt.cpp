@@ -30,9 +30,12 @@ ModelVector nose(const ModelPoint& p) {
 }
 
 ModelVector brow(const ModelPoint& p) {
-  const double line = profile({{0.8, 2.82}, {1.5, 2.97}, {2.4, 3.32}, {3.4, 3.47}, {4.45, 3.12}, {5.45, 2.12}}, p.x);
+  const double line = profile({{0.8, 2.72}, {1.5, 2.85}, {2.4, 3.05}, {3.4, 3.15}, {4.45, 2.9}, {5.5, 2.2}}, p.x);
   const double thick = profile({{0.6, 0.5}, {1.5, 0.55}, {3.4, 0.45}, {5.4, 0.25}}, p.x);
   ModelVector move{0};
+  // Thinner than the control rows, with a pointed tail.
+  const double pinch = profile({{0.7, 0.5}, {1.1, 0.28}, {2.0, 0.22}, {3.8, 0.35}, {5.0, 0.7}, {5.7, 0.93}, {6.4, 0.4}, {7.2, 0}}, p.x);
+  move.y -= (p.y - line) * pinch * ramp(1.5, 0.4, std::abs(p.y - line));
   move.z += 0.3 * ramp(0.5, 1.2, p.x) * ramp(5.9, 5.2, p.x) * bump(square((p.y - line) / thick) * 0.7);
   // The ridge beneath, broad and low.
   move.z += 0.35 * ramp(0.0, 1.4, p.x) * ramp(6.6, 4.0, p.x) * bump(square((p.y - line + 0.3) / 2.0));
@@ -44,7 +47,7 @@ ModelVector face(const ModelPoint& p) {
   // Sockets, nose side.
   move.z -= 0.35 * blob(p, 1.75, 0.6, 1.2, 1.9);
   // Cheeks.
-  move += ModelVector{0.2, 0.05, 0.6} * blob(p, 4.0, -3.4, 2.4, 2.3);
+  move += ModelVector{0.15, 0.05, 0.5} * blob(p, 3.8, -3.5, 3.2, 3.0);
   // Beside the nose and mouth, the fold to the cheek.
   move.z -= 0.12 * blob(p, 2.6, -5.0, 1.1, 1.8);
   // Muzzle.
@@ -55,7 +58,7 @@ ModelVector face(const ModelPoint& p) {
   move.z -= 0.25 * blob(p, 0, -8.15, 2.0, 0.9);
   move += ModelVector{0, -0.1, 0.85} * blob(p, 0, -9.7, 2.5, 1.9);
   // Hollow below the cheekbones, temples.
-  move -= ModelVector{0.2, 0, 0.1} * blob(p, 5.4, -5.6, 2.0, 2.6);
+  move -= ModelVector{0.1, 0, 0.0} * blob(p, 5.4, -5.6, 2.0, 2.6);
   move.x -= 0.25 * bump(square((p.y - 2.4) / 2.6) + square((p.z - 4.2) / 3.0)) * ramp(4.5, 6.0, p.x);
   return move;
 }

@@ -155,9 +155,12 @@ Skin make_skin(const Half& half) {
     }
     if (half.kinds[q] == QuadKind::coarse_skin) needed[half.quads[q][2]] = true;
   }
+  std::vector<bool> edge_point(half.points.size(), false);
+  for (const mesh::Quad& q : half.quads) edge_point[q[1]] = edge_point[q[3]] = true;
   std::vector<mesh::Triangle> bare;
   std::vector<mesh::Triangle> lips;
   std::vector<mesh::Triangle> brows;
+  std::vector<mesh::Triangle> lashes;
   std::vector<std::vector<std::size_t>> groups;
   {
     std::vector<std::pair<std::uint32_t, std::size_t>> order;
@@ -176,7 +179,7 @@ Skin make_skin(const Half& half) {
     if (half.kinds[group[0]] != QuadKind::coarse_skin) {
       const QuadKind kind = half.kinds[group[0]];
       for (const std::size_t q : group) {
-        split(kind == QuadKind::lip ? lips : kind == QuadKind::brow ? brows : bare, half.quads[q]);
+        split(kind == QuadKind::lip ? lips : kind == QuadKind::brow ? brows : kind == QuadKind::lash ? lashes : bare, half.quads[q]);
       }
       continue;
     }
@@ -197,11 +200,13 @@ Skin make_skin(const Half& half) {
     if (around.size() == 4) {
       split(bare, {around[0], around[1], around[2], around[3]});
     } else {
-      const std::uint32_t middle = half.quads[group[0]][0];
-      for (std::size_t i = 0; i < around.size(); ++i) bare.push_back({middle, around[i], around[(i + 1) % around.size()]});
+      // From a point that a finer neighbour needs: no vertex stands out of the coarse surface.
+      const auto first = std::find_if(around.begin(), around.end(), [&](std::uint32_t v) { return edge_point[v]; });
+      std::rotate(around.begin(), first, around.end());
+      for (std::size_t i = 1; i + 1 < around.size(); ++i) bare.push_back({around[0], around[i], around[i + 1]});
     }
   }
-  return {mirrored_part(half, bare), mirrored_part(half, lips), mirrored_part(half, brows)};
+  return {mirrored_part(half, bare), mirrored_part(half, lips), mirrored_part(half, brows), mirrored_part(half, lashes)};
 }
 
 }  // namespace penpose::head

@@ -30,6 +30,7 @@ struct Skin {
   Surface bare;
   Surface lips;
   Surface brows;
+  Surface lashes;  ///< the edges of the upper lids
 };
 /// Triangles of the half (coarse where that is enough) and their exact mirror images.
 [[nodiscard]] Skin make_skin(const Half& half);
