@@ -65,7 +65,7 @@ std::uint32_t at(const Grid& grid, int r, int c) { return grid[static_cast<std::
 
 QuadKind kind_of(int r, int c) {
   if (r == 2 && c >= 1 && c <= 5) return QuadKind::brow;
-  return c >= 10 || r >= 14 ? QuadKind::coarse_skin : QuadKind::skin;
+  return c >= 10 && r < 8 ? QuadKind::coarse_skin : QuadKind::skin;
 }
 
 Grid add_grid(Cage& cage) {

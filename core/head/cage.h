@@ -10,8 +10,8 @@
 namespace penpose::head {
 
 /// The eyeball of the +x side, in centimetres: centre and radius.
-inline constexpr std::array<double, 3> k_eye_center{3.15, 0.0, 5.85};
-inline constexpr double k_eye_radius = 1.75;
+inline constexpr std::array<double, 3> k_eye_center{3.18, 0.0, 5.8};
+inline constexpr double k_eye_radius = 1.84;
 /// Where upper and lower lip meet in the middle of the face, in centimetres.
 inline constexpr double k_mouth_y = -6.5;
 /// Height of the line between the lips at x.

@@ -7,6 +7,7 @@ namespace penpose::head {
 namespace {
 
 constexpr std::uint32_t k_none = 0xffffffffU;
+constexpr double k_degree = 0.13;  // length of a degree around the head
 
 /// Height of the hair line, by the angle around the head (0 front, 180 back).
 double hair_line(double degrees) {
@@ -17,7 +18,7 @@ double hair_line(double degrees) {
 
 ModelPoint grown(const ModelPoint& p, double above_line) {
   const ModelVector out = geometry::normalized(p - ModelPoint{0, 3.2, -0.9});
-  double thick = profile({{-0.6, -0.25}, {0, -0.1}, {0.35, 0.3}, {1.2, 0.65}, {4, 1.0}, {8, 1.1}}, above_line);
+  double thick = profile({{-0.7, -0.3}, {-0.15, -0.2}, {0, -0.02}, {0.4, 0.35}, {1.2, 0.65}, {4, 1.0}, {8, 1.1}}, above_line);
   const double body = ramp(0.2, 1.5, above_line);
   // The parting on the +x side, the swept front on the other.
   const double x = p.x - 2.4;
@@ -27,8 +28,8 @@ ModelPoint grown(const ModelPoint& p, double above_line) {
   const double fz = (p.z - 5.2) / 5.0;
   const double front = body * bump(fx * fx + fz * fz) * top;
   // Strands.
-  const double phase = base::atan2(p.x - 2.4, p.y - 2.0) * 9.0 + 0.22 * p.z;
-  thick += 0.13 * body * base::sin(phase);
+  const double phase = base::atan2(p.x - 2.4, p.y - 2.0) * 6.5 + 0.2 * p.z;
+  thick += 0.15 * body * base::sin(phase);
   return p + out * thick + ModelVector{-0.3, 1.3, 0.7} * front;
 }
 
@@ -41,11 +42,14 @@ Surface make_hair(const Half& half) {
   for (std::size_t v = 0; v < points.size(); ++v) {
     const ModelPoint& p = points[v];
     const double degrees = base::degrees(base::atan2(p.x, p.z + 0.9));
-    above[v] = half.marks[v].z > 0.2 && half.marks[v].y > 4.5 ? -9 : p.y - hair_line(degrees);
+    // Distance to the line rather than height above it: where the line is steep, it is a side burn.
+    const double slope = (hair_line(degrees + 1) - hair_line(degrees - 1)) / (2 * k_degree);
+    const bool ear = half.marks[v].z > 1.2 && half.marks[v].y > 4.5;
+    above[v] = ear ? -9 : (p.y - hair_line(degrees)) / std::sqrt(1 + slope * slope);
   }
   for (const mesh::Quad& q : half.quads) {
     bool all = true;
-    for (const std::uint32_t v : q) all = all && above[v] > -0.6;
+    for (const std::uint32_t v : q) all = all && above[v] > -1.0;
     if (!all) continue;
     triangles.push_back({q[0], q[1], q[2]});
     triangles.push_back({q[0], q[2], q[3]});

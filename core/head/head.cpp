@@ -52,7 +52,7 @@ document::Model make_head() {
   Assembly head;
   const Skin skin = make_skin(*half);
   head.add("skin", skin.bare, material(0.62, 0.40, 0.29, 0.55));
-  head.add("lips", skin.lips, material(0.55, 0.25, 0.21, 0.4));
+  head.add("lips", skin.lips, material(0.54, 0.27, 0.21, 0.42));
   head.add("brows", skin.brows, material(0.09, 0.045, 0.025, 0.7));
   head.add("lashes", skin.lashes, material(0.05, 0.028, 0.02, 0.6));
   const Surface white = make_eye_cap(1, 0, 180, 24, 36);

@@ -13,30 +13,31 @@ double blob(const ModelPoint& p, double x, double y, double radius_x, double rad
 }
 
 ModelVector nose(const ModelPoint& p) {
-  const double height = profile({{-5.0, 0}, {-4.7, 0.12}, {-4.4, 0.6}, {-4.1, 1.4}, {-3.7, 2.0}, {-3.2, 2.15}, {-2.4, 1.8},
-                                 {-1.2, 1.2}, {0, 0.72}, {1.2, 0.35}, {2.4, 0.15}, {3.4, 0}},
+  const double height = profile({{-5.0, 0}, {-4.75, 0.1}, {-4.45, 0.5}, {-4.15, 1.5}, {-3.8, 2.2}, {-3.3, 2.4}, {-2.6, 2.1},
+                                 {-1.2, 1.25}, {0, 0.72}, {1.2, 0.35}, {2.4, 0.15}, {3.4, 0}},
                                 p.y);
   const double width =
       profile({{-4.6, 1.35}, {-3.4, 1.5}, {-2.4, 1.5}, {-1, 1.4}, {0.4, 1.35}, {1.6, 1.7}, {2.6, 2.6}}, p.y);
   const double across = square(p.x / width);
   ModelVector move{0, 0, height * bump(across * (0.55 + 0.45 * across))};
   // Tip, a ball that lifts a little.
-  move += ModelVector{0, 0.1, 0.45} * blob(p, 0, -3.35, 1.0, 1.0);
+  move += ModelVector{0, 0.15, 0.6} * blob(p, 0, -3.45, 1.15, 1.1);
   // Wings.
-  move += ModelVector{0.2, 0.0, 0.65} * blob(p, 1.1, -3.8, 0.75, 0.75);
+  move += ModelVector{0.25, 0.05, 0.85} * blob(p, 1.12, -3.8, 0.8, 0.8);
   // Nostrils.
-  move += ModelVector{0, 0.2, -0.3} * blob(p, 0.6, -4.3, 0.5, 0.4);
+  move += ModelVector{0, 0.45, -0.6} * blob(p, 0.62, -4.3, 0.55, 0.5);
   return move;
 }
 
 ModelVector brow(const ModelPoint& p) {
-  const double line = profile({{0.8, 2.72}, {1.5, 2.85}, {2.4, 3.05}, {3.4, 3.15}, {4.45, 2.9}, {5.5, 2.2}}, p.x);
-  const double thick = profile({{0.6, 0.5}, {1.5, 0.55}, {3.4, 0.45}, {5.4, 0.25}}, p.x);
+  const double line = profile({{0.8, 2.83}, {1.6, 2.9}, {2.4, 3.14}, {3.4, 3.24}, {4.4, 3.04}, {5.0, 2.8}, {5.6, 2.45}}, p.x);
   ModelVector move{0};
   // Thinner than the control rows, with a pointed tail.
-  const double pinch = profile({{0.7, 0.5}, {1.1, 0.28}, {2.0, 0.22}, {3.8, 0.35}, {5.0, 0.7}, {5.7, 0.93}, {6.4, 0.4}, {7.2, 0}}, p.x);
-  move.y -= (p.y - line) * pinch * ramp(1.5, 0.4, std::abs(p.y - line));
-  move.z += 0.3 * ramp(0.5, 1.2, p.x) * ramp(5.9, 5.2, p.x) * bump(square((p.y - line) / thick) * 0.7);
+  const double pinch =
+      profile({{0.6, 0.6}, {1.0, 0.5}, {2.0, 0.4}, {3.4, 0.42}, {4.6, 0.65}, {5.3, 0.9}, {5.7, 0.96}, {6.4, 0.5}, {7.2, 0}}, p.x);
+  const double off = p.y - line;
+  move.y -= off * pinch * (off > 0 ? ramp(3.2, 0.75, off) : ramp(1.7, 0.7, -off));
+  move.z += 0.28 * ramp(0.5, 1.2, p.x) * ramp(5.9, 5.2, p.x) * bump(square(off / 0.75));
   // The ridge beneath, broad and low.
   move.z += 0.35 * ramp(0.0, 1.4, p.x) * ramp(6.6, 4.0, p.x) * bump(square((p.y - line + 0.3) / 2.0));
   return move;
@@ -71,7 +72,8 @@ ModelPoint sculpted(const ModelPoint& bare, const LoopMark& mark) {
   const double off_eye = ramp(2.2, 4.0, mark.x);
   const double outside_mouth = ramp(-2.0, 0.0, mark.y);
   const ModelVector move = nose(bare) * outside_mouth + brow(bare) + face(bare);
-  return bare + move * (front * off_eye);
+  const double off_plane = bare.x == 0 ? 0 : 1;
+  return bare + move * ModelVector{off_plane, 1, 1} * (front * off_eye);
 }
 
 }  // namespace penpose::head

@@ -98,6 +98,13 @@ base::Result<Half> make_half() {
     pair.marks = std::move(marks).value();
     if (level == 0) {
       cage_quad = pair.shape.parents;
+      // Features are carved here, and rounded by the last level.
+      for (std::size_t v = 0; v < pair.shape.positions.size(); ++v) {
+        ModelPoint& p = pair.shape.positions[v];
+        const double side = p.x < 0 ? -1 : 1;
+        p = sculpted({std::abs(p.x) < 1e-9 ? 0 : std::abs(p.x), p.y, p.z}, pair.marks.positions[v]);
+        p.x *= side;
+      }
     } else {
       coarser = pair.shape.parents;
     }
@@ -121,11 +128,6 @@ base::Result<Half> make_half() {
     half.quads.push_back(quad);
     half.coarser.push_back(coarser[q]);
     half.kinds.push_back(cage.kinds[of_cage]);
-  }
-  for (std::size_t v = 0; v < half.points.size(); ++v) {
-    const bool center = half.points[v].x == 0;
-    half.points[v] = sculpted(half.points[v], half.marks[v]);
-    if (center) half.points[v].x = 0;
   }
   lift_off_eye(half);
   close_lips(half);
