@@ -20,6 +20,7 @@ struct Hole {
   [[nodiscard]] bool holds_vertex(int r, int c) const { return r > top && r < bottom && c > left && c < right; }
 };
 constexpr Hole k_eye_hole{3, 5, 2, 6};
+constexpr Hole k_nostril_hole{7, 8, 1, 2};
 constexpr Hole k_ear_hole{4, 7, 8, 9};
 /// One column further to the left, because its left border is the mirror plane.
 constexpr Hole k_mouth_hole{8, 10, -1, 4};
@@ -34,24 +35,59 @@ constexpr std::array<std::array<double, k_first_angle_column>, k_rows> k_x{{
 }};
 constexpr std::array<double, k_columns - k_first_angle_column> k_degrees{65, 82, 104, 128, 154, 180};
 
-/// Vertices around the holes that leave the level rows: row, column, x, y.
+/// Vertices that leave the level rows: brows, the borders of the holes, and the nose, which stands out by `lift`.
 struct Placed {
   int r, c;
   double x, y;
+  double lift = 0;
 };
-constexpr std::array<Placed, 28> k_placed{{
-    {2, 1, 0.9, 3.05},   {2, 2, 1.6, 3.2},    {2, 3, 2.5, 3.4},    {2, 4, 3.5, 3.5},   {2, 5, 4.55, 3.25},
-    {2, 6, 5.6, 2.6},    {3, 1, 0.85, 2.4},
-    {3, 2, 1.5, 2.5},    {3, 3, 2.4, 2.7},   {3, 4, 3.4, 2.8},    {3, 5, 4.4, 2.55},  {3, 6, 5.4, 1.85},
-    {4, 2, 1.0, -0.2},   {4, 6, 5.6, -0.1},  {5, 2, 1.4, -2.0},  {5, 3, 2.3, -2.4},  {5, 4, 3.3, -2.55},
-    {5, 5, 4.3, -2.25},  {5, 6, 5.15, -1.65}, {8, 1, 0.75, -4.9}, {8, 2, 1.5, -4.85}, {8, 3, 2.4, -4.9},
-    {8, 4, 3.3, -5.3},   {9, 4, 3.7, -6.5},  {10, 1, 0.75, -8.3}, {10, 2, 1.5, -8.2}, {10, 3, 2.25, -8.0},
+constexpr std::array<Placed, 41> k_placed{{
+    {2, 1, 0.9, 3.05},
+    {2, 2, 1.6, 3.2},
+    {2, 3, 2.5, 3.4},
+    {2, 4, 3.5, 3.5},
+    {2, 5, 4.55, 3.25},
+    {2, 6, 5.6, 2.6},
+    {3, 1, 0.85, 2.4},
+    {3, 2, 1.5, 2.5},
+    {3, 3, 2.4, 2.7},
+    {3, 4, 3.4, 2.8},
+    {3, 5, 4.4, 2.55},
+    {3, 6, 5.4, 1.85},
+    {4, 0, 0, 0, 0.8},
+    {4, 1, 0.55, 0, 0.5},
+    {4, 2, 1, -0.2},
+    {4, 6, 5.6, -0.1},
+    {5, 0, 0, -2, 1.9},
+    {5, 1, 0.65, -2, 1.4},
+    {5, 2, 1.4, -2.1, 0.1},
+    {5, 3, 2.3, -2.4},
+    {5, 4, 3.3, -2.55},
+    {5, 5, 4.3, -2.25},
+    {5, 6, 5.15, -1.65},
+    {6, 0, 0, -3.2, 2.9},
+    {6, 1, 0.8, -3.25, 2.3},
+    {6, 2, 1.6, -3.4, 0.95},
+    {6, 3, 2.05, -3.3, -0.05},
+    {7, 0, 0, -4.2, 1.9},
+    {7, 1, 0.36, -4.15, 1.75},
+    {7, 2, 1.5, -4.15, 0.9},
+    {7, 3, 2.1, -4.15, -0.05},
+    {8, 0, 0, -4.7, 0.55},
+    {8, 1, 0.5, -4.65, 0.5},
+    {8, 2, 1.5, -4.68, 0.2},
+    {8, 3, 2.3, -4.85},
+    {8, 4, 3.3, -5.3},
+    {9, 4, 3.7, -6.5},
+    {10, 1, 0.75, -8.3},
+    {10, 2, 1.5, -8.2},
+    {10, 3, 2.25, -8},
     {10, 4, 3.05, -7.6},
 }};
 
 ModelPoint grid_point(int r, int c) {
   for (const Placed& p : k_placed) {
-    if (p.r == r && p.c == c) return {p.x, p.y, bare_depth(p.x, p.y)};
+    if (p.r == r && p.c == c) return {p.x, p.y, bare_depth(p.x, p.y) + p.lift};
   }
   if (c < k_first_angle_column) {
     return point_at_x(row(r), k_x[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)]);
@@ -78,11 +114,35 @@ Grid add_grid(Cage& cage) {
   }
   for (int r = 0; r + 1 < k_rows; ++r) {
     for (int c = 0; c + 1 < k_columns; ++c) {
-      if (k_eye_hole.holds_quad(r, c) || k_ear_hole.holds_quad(r, c) || k_mouth_hole.holds_quad(r, c)) continue;
+      if (k_eye_hole.holds_quad(r, c) || k_ear_hole.holds_quad(r, c) || k_mouth_hole.holds_quad(r, c) ||
+          k_nostril_hole.holds_quad(r, c)) {
+        continue;
+      }
       cage.add_quad(at(grid, r + 1, c), at(grid, r + 1, c + 1), at(grid, r, c + 1), at(grid, r, c), kind_of(r, c));
     }
   }
   return grid;
+}
+
+/// A nostril: two loops inside a quad under the nose, and a floor.
+void add_nostril(Cage& cage, const Grid& grid) {
+  std::vector<std::uint32_t> outer{at(grid, 8, 1), at(grid, 8, 2), at(grid, 7, 2), at(grid, 7, 1)};
+  const std::vector<std::uint32_t> border = outer;
+  ModelPoint middle{0};
+  for (const std::uint32_t v : border) middle += cage.points[v] * 0.25;
+  struct Inset {
+    double scale;
+    ModelVector move;
+  };
+  for (const Inset& inset : {Inset{0.66, {0, 0.03, 0}}, Inset{0.5, {-0.02, 0.7, -0.1}}}) {
+    std::vector<std::uint32_t> inner;
+    for (const std::uint32_t v : border) {
+      inner.push_back(cage.add(middle + (cage.points[v] - middle) * inset.scale + inset.move));
+    }
+    cage.add_strip(outer, inner, true);
+    outer = inner;
+  }
+  cage.add_quad(outer[0], outer[1], outer[2], outer[3]);
 }
 
 /// The top of the skull: a patch of 3 x 6 quads whose three outer sides are the uppermost row.
@@ -150,6 +210,7 @@ Cage make_cage() {
   Cage cage;
   const Grid grid = add_grid(cage);
   add_crown(cage, grid);
+  add_nostril(cage, grid);
   add_eye(cage, {at(grid, 4, 6), at(grid, 3, 6), at(grid, 3, 5), at(grid, 3, 4), at(grid, 3, 3), at(grid, 3, 2),
                  at(grid, 4, 2), at(grid, 5, 2), at(grid, 5, 3), at(grid, 5, 4), at(grid, 5, 5), at(grid, 5, 6)});
   add_mouth(cage, {at(grid, 10, 0), at(grid, 10, 1), at(grid, 10, 2), at(grid, 10, 3), at(grid, 10, 4), at(grid, 9, 4),

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/math.h"
@@ -8,6 +9,8 @@ namespace {
 
 constexpr std::uint32_t k_none = 0xffffffffU;
 constexpr double k_degree = 0.13;  // length of a degree around the head
+constexpr double k_axis_z = -0.9;
+constexpr double k_edge = 0.25;
 
 /// Height of the hair line, by the angle around the head (0 front, 180 back).
 double hair_line(double degrees) {
@@ -16,9 +19,42 @@ double hair_line(double degrees) {
                  degrees);
 }
 
+/// Where a point is around the head, and how far inside the hair line.
+struct Place {
+  double degrees = 0;
+  double slope = 0;  ///< of the line
+  double above = 0;  ///< distance to the line, not height: where the line is steep, it is a side burn
+};
+Place distance_to_line(const ModelPoint& p) {
+  Place place;
+  place.degrees = base::degrees(base::atan2(p.x, p.z - k_axis_z));
+  const double line = hair_line(place.degrees);
+  place.slope = (hair_line(place.degrees + 1) - hair_line(place.degrees - 1)) / (2 * k_degree);
+  place.above = (p.y - line) / std::sqrt(1 + place.slope * place.slope);
+  return place;
+}
+
+/// Slides a point outside the line along the head until it is k_edge outside, so that the cap ends parallel to the line.
+ModelPoint drawn_to_line(ModelPoint p) {
+  for (int i = 0; i < 3; ++i) {
+    const Place place = distance_to_line(p);
+    const double step = -k_edge - place.above;
+    if (step <= 0) break;
+    const double size = std::sqrt(1 + place.slope * place.slope);
+    const double degrees = place.degrees - step * place.slope / size / k_degree;
+    if (p.x > 0) {
+      const double radius = std::sqrt(p.x * p.x + (p.z - k_axis_z) * (p.z - k_axis_z));
+      p.x = radius * base::sin(base::radians(degrees));
+      p.z = k_axis_z + radius * base::cos(base::radians(degrees));
+    }
+    p.y += step / size;
+  }
+  return p;
+}
+
 ModelPoint grown(const ModelPoint& p, double above_line) {
   const ModelVector out = geometry::normalized(p - ModelPoint{0, 3.2, -0.9});
-  double thick = profile({{-0.7, -0.3}, {-0.15, -0.2}, {0, -0.02}, {0.4, 0.35}, {1.2, 0.65}, {4, 1.0}, {8, 1.1}}, above_line);
+  double thick = profile({{-0.25, -0.3}, {-0.1, -0.2}, {0, -0.02}, {0.4, 0.35}, {1.2, 0.65}, {4, 1.0}, {8, 1.1}}, above_line);
   const double body = ramp(0.2, 1.5, above_line);
   // The parting on the +x side, the swept front on the other.
   const double x = p.x - 2.4;
@@ -40,12 +76,8 @@ Surface make_hair(const Half& half) {
   std::vector<mesh::Triangle> triangles;
   std::vector<double> above(points.size());
   for (std::size_t v = 0; v < points.size(); ++v) {
-    const ModelPoint& p = points[v];
-    const double degrees = base::degrees(base::atan2(p.x, p.z + 0.9));
-    // Distance to the line rather than height above it: where the line is steep, it is a side burn.
-    const double slope = (hair_line(degrees + 1) - hair_line(degrees - 1)) / (2 * k_degree);
     const bool ear = half.marks[v].z > 1.2 && half.marks[v].y > 4.5;
-    above[v] = ear ? -9 : (p.y - hair_line(degrees)) / std::sqrt(1 + slope * slope);
+    above[v] = ear ? -9 : distance_to_line(points[v]).above;
   }
   for (const mesh::Quad& q : half.quads) {
     bool all = true;
@@ -61,8 +93,8 @@ Surface make_hair(const Half& half) {
     for (std::uint32_t& v : t) {
       if (number[v] == k_none) {
         number[v] = static_cast<std::uint32_t>(used.size());
-        used.push_back(points[v]);
-        used_above.push_back(above[v]);
+        used.push_back(drawn_to_line(points[v]));
+        used_above.push_back(std::max(above[v], -k_edge));
       }
       v = number[v];
     }

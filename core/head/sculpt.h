@@ -4,8 +4,10 @@
 
 namespace penpose::head {
 
-/// Gives the bare, subdivided half its features: brow ridge, sockets, nose, cheeks, lips, chin. A point moves by a sum
-/// of smooth fields, each of which looks at the bare position and its loops only.
-[[nodiscard]] ModelPoint sculpted(const ModelPoint& bare, const LoopMark& mark);
+/// Gives the bare half its forms: brow ridge, sockets, cheeks, muzzle, chin. A point moves by a sum of smooth fields,
+/// each of which looks at the bare position and its loops only.
+[[nodiscard]] ModelPoint carved(const ModelPoint& bare, const LoopMark& mark);
+/// Draws the brow: vertices around it slide together until it is slim and pointed, and its own rise a little.
+[[nodiscard]] ModelPoint with_brow(const ModelPoint& carved, const LoopMark& mark);
 
 }  // namespace penpose::head

@@ -102,7 +102,7 @@ base::Result<Half> make_half() {
       for (std::size_t v = 0; v < pair.shape.positions.size(); ++v) {
         ModelPoint& p = pair.shape.positions[v];
         const double side = p.x < 0 ? -1 : 1;
-        p = sculpted({std::abs(p.x) < 1e-9 ? 0 : std::abs(p.x), p.y, p.z}, pair.marks.positions[v]);
+        p = carved({std::abs(p.x) < 1e-9 ? 0 : std::abs(p.x), p.y, p.z}, pair.marks.positions[v]);
         p.x *= side;
       }
     } else {
@@ -129,6 +129,7 @@ base::Result<Half> make_half() {
     half.coarser.push_back(coarser[q]);
     half.kinds.push_back(cage.kinds[of_cage]);
   }
+  for (std::size_t v = 0; v < half.points.size(); ++v) half.points[v] = with_brow(half.points[v], half.marks[v]);
   lift_off_eye(half);
   close_lips(half);
   return half;
