@@ -24,7 +24,12 @@ inline constexpr double k_mouth_y = -6.5;
 using LoopMark = glm::dvec3;
 
 /// What a quad of the cage becomes: how fine, and in which material.
-enum class QuadKind : std::uint8_t { skin, coarse_skin, lip, brow, lash };
+enum class QuadKind : std::uint8_t { skin, coarse_skin, lip, brow, lash, mouth_lining };
+
+/// One level of subdivision less is enough.
+[[nodiscard]] constexpr bool is_coarse(QuadKind kind) {
+  return kind == QuadKind::coarse_skin || kind == QuadKind::mouth_lining;
+}
 
 /// The control cage of the half with x >= 0. Vertices with x = 0 are on the mirror plane.
 struct Cage {

@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t k_none = 0xffffffffU;
 constexpr double k_degree = 0.13;  // length of a degree around the head
 constexpr double k_axis_z = -0.9;
-constexpr double k_edge = 0.25;
+constexpr double k_edge = 0.08;
 
 /// Height of the hair line, by the angle around the head (0 front, 180 back).
 double hair_line(double degrees) {
@@ -54,7 +54,7 @@ ModelPoint drawn_to_line(ModelPoint p) {
 
 ModelPoint grown(const ModelPoint& p, double above_line) {
   const ModelVector out = geometry::normalized(p - ModelPoint{0, 3.2, -0.9});
-  double thick = profile({{-0.25, -0.3}, {-0.1, -0.2}, {0, -0.02}, {0.4, 0.35}, {1.2, 0.65}, {4, 1.0}, {8, 1.1}}, above_line);
+  double thick = profile({{-0.08, -0.07}, {0, -0.01}, {0.35, 0.32}, {1.2, 0.65}, {4, 1.0}, {8, 1.1}}, above_line);
   const double body = ramp(0.2, 1.5, above_line);
   // The parting on the +x side, the swept front on the other.
   const double x = p.x - 2.4;

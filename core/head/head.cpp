@@ -54,6 +54,7 @@ document::Model make_head() {
   head.add("skin", skin.bare, material(0.62, 0.40, 0.29, 0.55));
   head.add("lips", skin.lips, material(0.54, 0.27, 0.21, 0.42));
   head.add("brows", skin.brows, material(0.09, 0.045, 0.025, 0.7));
+  head.add("mouth", skin.mouth, material(0.16, 0.035, 0.03, 0.5));
   head.add("lashes", skin.lashes, material(0.05, 0.028, 0.02, 0.6));
   const Surface white = make_eye_cap(1, 0, 180, 24, 36);
   const Surface rim = make_eye_cap(1.006, 28, 32, 2, 36);
@@ -66,6 +67,7 @@ document::Model make_head() {
     head.add("iris" + side, iris, material(0.07, 0.16, 0.19, 0.15), right);
     head.add("pupil" + side, pupil, material(0.006, 0.006, 0.007, 0.1), right);
   }
+  head.add("teeth", make_teeth(), material(0.78, 0.74, 0.66, 0.25));
   head.add("hair", make_hair(*half), material(0.10, 0.05, 0.028, 0.5));
   auto built = mesh::TriangleMesh::build(std::move(head.source));
   if (!built) std::abort();

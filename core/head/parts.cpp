@@ -1,5 +1,8 @@
 #include "core/head/parts.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/base/math.h"
 
 namespace penpose::head {
@@ -35,6 +38,36 @@ Surface make_eye_cap(double radius, double from_degrees, double to_degrees, int 
     }
   }
   return cap;
+}
+
+Surface make_teeth() {
+  constexpr std::size_t k_along = 33;
+  constexpr std::size_t k_around = 12;
+  Surface teeth;
+  for (std::size_t i = 0; i < k_along; ++i) {
+    const double t = (static_cast<double>(i) - 16.0) / 16.0;
+    const double angle = base::radians(78) * t;
+    // The arch of the jaw, an ellipse; the band closes at its ends.
+    const double end = std::sqrt(std::max(1 - t * t * t * t * t * t, 1e-4));
+    const ModelPoint middle{2.05 * base::sin(angle), k_mouth_y + 0.28, 5.35 + 2.45 * base::cos(angle)};
+    const ModelVector out = geometry::normalized({base::sin(angle) * 2.45, 0, base::cos(angle) * 2.05});
+    for (std::size_t j = 0; j < k_around; ++j) {
+      const double turn = 2 * base::k_pi * static_cast<double>(j) / k_around;
+      teeth.points.push_back(middle + (out * (0.2 * base::cos(turn)) + ModelVector{0, 0.5 * base::sin(turn), 0}) * end);
+    }
+  }
+  const auto at = [](std::size_t i, std::size_t j) { return static_cast<std::uint32_t>(i * k_around + j % k_around); };
+  for (std::size_t i = 0; i + 1 < k_along; ++i) {
+    for (std::size_t j = 0; j < k_around; ++j) {
+      teeth.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      teeth.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  for (std::size_t j = 1; j + 1 < k_around; ++j) {
+    teeth.triangles.push_back({at(0, 0), at(0, j), at(0, j + 1)});
+    teeth.triangles.push_back({at(k_along - 1, 0), at(k_along - 1, j + 1), at(k_along - 1, j)});
+  }
+  return teeth;
 }
 
 }  // namespace penpose::head

@@ -8,6 +8,9 @@ namespace penpose::head {
 /// to `degrees` (180: all of it).
 [[nodiscard]] Surface make_eye_cap(double radius, double from_degrees, double to_degrees, int rings, int segments);
 
+/// The upper row of teeth, as one rounded band behind the lips, in centimetres.
+[[nodiscard]] Surface make_teeth();
+
 /// A cap of hair, swept to one side: it follows the skin, sinks into it along the hair line, and is not symmetric.
 [[nodiscard]] Surface make_hair(const Half& half);
 

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <span>
+#include <utility>
 
 #include "core/head/sculpt.h"
 
@@ -10,6 +11,7 @@ namespace penpose::head {
 namespace {
 
 constexpr std::uint32_t k_none = 0xffffffffU;
+constexpr std::size_t k_kinds = 6;
 constexpr double k_lip_gap = 0.006;
 
 struct Pair {
@@ -64,6 +66,23 @@ void close_lips(Half& half) {
       p.y = line;
     }
   }
+}
+
+/// The quads of the half, those of one coarser quad together.
+std::vector<std::vector<std::size_t>> quads_by_coarser(const Half& half) {
+  std::vector<std::pair<std::uint32_t, std::size_t>> order;
+  for (std::size_t q = 0; q < half.quads.size(); ++q) order.emplace_back(half.coarser[q], q);
+  std::sort(order.begin(), order.end());
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i == 0 || order[i].first != order[i - 1].first) groups.emplace_back();
+    groups.back().push_back(order[i].second);
+  }
+  return groups;
+}
+
+void add_fan(std::vector<mesh::Triangle>& triangles, std::span<const std::uint32_t> polygon) {
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i) triangles.push_back({polygon[0], polygon[i], polygon[i + 1]});
 }
 
 /// The vertices that triangles of the half use, and their mirror images.
@@ -150,40 +169,19 @@ Surface mirrored(const std::vector<ModelPoint>& points, const std::vector<mesh::
 
 Skin make_skin(const Half& half) {
   // Four quads of a coarse one become one polygon: its corners, and those middles of its edges that a finer neighbour
-  // needs. An edge point belongs to quads of two coarser ones; corner 1 and 3 of a quad are edge points.
+  // needs. Corners 1 and 3 of a quad are such middles, corner 2 is the corner of the coarse quad.
+  std::vector<bool> edge_point(half.points.size(), false);
   std::vector<bool> needed(half.points.size(), false);
   for (std::size_t q = 0; q < half.quads.size(); ++q) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (half.kinds[q] != QuadKind::coarse_skin) needed[half.quads[q][i]] = true;
-    }
-    if (half.kinds[q] == QuadKind::coarse_skin) needed[half.quads[q][2]] = true;
+    edge_point[half.quads[q][1]] = edge_point[half.quads[q][3]] = true;
+    if (is_coarse(half.kinds[q])) continue;
+    for (const std::uint32_t v : half.quads[q]) needed[v] = true;
   }
-  std::vector<bool> edge_point(half.points.size(), false);
-  for (const mesh::Quad& q : half.quads) edge_point[q[1]] = edge_point[q[3]] = true;
-  std::vector<mesh::Triangle> bare;
-  std::vector<mesh::Triangle> lips;
-  std::vector<mesh::Triangle> brows;
-  std::vector<mesh::Triangle> lashes;
-  std::vector<std::vector<std::size_t>> groups;
-  {
-    std::vector<std::pair<std::uint32_t, std::size_t>> order;
-    for (std::size_t q = 0; q < half.quads.size(); ++q) order.emplace_back(half.coarser[q], q);
-    std::sort(order.begin(), order.end());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      if (i == 0 || order[i].first != order[i - 1].first) groups.emplace_back();
-      groups.back().push_back(order[i].second);
-    }
-  }
-  const auto split = [](std::vector<mesh::Triangle>& triangles, const mesh::Quad& q) {
-    triangles.push_back({q[0], q[1], q[2]});
-    triangles.push_back({q[0], q[2], q[3]});
-  };
-  for (const auto& group : groups) {
-    if (half.kinds[group[0]] != QuadKind::coarse_skin) {
-      const QuadKind kind = half.kinds[group[0]];
-      for (const std::size_t q : group) {
-        split(kind == QuadKind::lip ? lips : kind == QuadKind::brow ? brows : kind == QuadKind::lash ? lashes : bare, half.quads[q]);
-      }
+  std::array<std::vector<mesh::Triangle>, k_kinds> triangles;
+  for (const auto& group : quads_by_coarser(half)) {
+    auto& mine = triangles[static_cast<std::size_t>(half.kinds[group[0]])];
+    if (!is_coarse(half.kinds[group[0]])) {
+      for (const std::size_t q : group) add_fan(mine, half.quads[q]);
       continue;
     }
     // Around the middle: every quad of the group runs middle, edge point, corner, edge point.
@@ -193,23 +191,20 @@ Skin make_skin(const Half& half) {
       const mesh::Quad& q = half.quads[at];
       if (needed[q[1]]) around.push_back(q[1]);
       around.push_back(q[2]);
-      for (const std::size_t next : group) {
-        if (half.quads[next][1] == q[3]) {
-          at = next;
-          break;
-        }
-      }
+      const auto next = std::find_if(group.begin(), group.end(), [&](std::size_t g) { return half.quads[g][1] == q[3]; });
+      if (next != group.end()) at = *next;
     }
-    if (around.size() == 4) {
-      split(bare, {around[0], around[1], around[2], around[3]});
-    } else {
-      // From a point that a finer neighbour needs: no vertex stands out of the coarse surface.
-      const auto first = std::find_if(around.begin(), around.end(), [&](std::uint32_t v) { return edge_point[v]; });
-      std::rotate(around.begin(), first, around.end());
-      for (std::size_t i = 1; i + 1 < around.size(); ++i) bare.push_back({around[0], around[i], around[i + 1]});
-    }
+    // From a point that a finer neighbour needs: no vertex stands out of the coarse surface.
+    std::rotate(around.begin(), std::find_if(around.begin(), around.end(), [&](std::uint32_t v) { return edge_point[v]; }),
+                around.end());
+    add_fan(mine, around);
   }
-  return {mirrored_part(half, bare), mirrored_part(half, lips), mirrored_part(half, brows), mirrored_part(half, lashes)};
+  const auto of = [&](QuadKind kind) { return triangles[static_cast<std::size_t>(kind)]; };
+  auto bare = of(QuadKind::skin);
+  const auto coarse = of(QuadKind::coarse_skin);
+  bare.insert(bare.end(), coarse.begin(), coarse.end());
+  return {mirrored_part(half, bare), mirrored_part(half, of(QuadKind::lip)), mirrored_part(half, of(QuadKind::brow)),
+          mirrored_part(half, of(QuadKind::mouth_lining)), mirrored_part(half, of(QuadKind::lash))};
 }
 
 }  // namespace penpose::head
