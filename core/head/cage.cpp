@@ -67,12 +67,12 @@ constexpr std::array<Placed, 41> k_placed{{
     {5, 6, 5.15, -1.65},
     {6, 0, 0, -3.2, 2.9},
     {6, 1, 0.8, -3.25, 2.3},
-    {6, 2, 1.62, -3.55, 1.2},
-    {6, 3, 1.95, -3.4, -0.2},
+    {6, 2, 1.66, -3.6, 1.35},
+    {6, 3, 1.92, -3.45, -0.35},
     {7, 0, 0, -4.2, 1.9},
     {7, 1, 0.36, -4.3, 1.75},
-    {7, 2, 1.6, -4.25, 1.1},
-    {7, 3, 2.05, -4.2, -0.15},
+    {7, 2, 1.66, -4.3, 1.15},
+    {7, 3, 2.0, -4.3, -0.3},
     {8, 0, 0, -4.7, 0.55},
     {8, 1, 0.5, -4.55, 0.5},
     {8, 2, 1.5, -4.55, 0.2},
@@ -134,7 +134,7 @@ void add_nostril(Cage& cage, const Grid& grid) {
     double scale;
     ModelVector move;
   };
-  for (const Inset& inset : {Inset{0.62, {0, 0.06, 0}}, Inset{0.42, {-0.02, 1.3, 0}}}) {
+  for (const Inset& inset : {Inset{0.55, {-0.03, 0.1, 0}}, Inset{0.42, {-0.02, 1.3, 0}}}) {
     std::vector<std::uint32_t> inner;
     for (const std::uint32_t v : border) {
       inner.push_back(cage.add(middle + (cage.points[v] - middle) * inset.scale + inset.move));

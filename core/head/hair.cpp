@@ -1,112 +1,90 @@
-#include <algorithm>
 #include <cmath>
 
 #include "core/base/math.h"
+#include "core/geometry/bvh.h"
 #include "core/head/parts.h"
 
 namespace penpose::head {
 namespace {
 
-constexpr std::uint32_t k_none = 0xffffffffU;
-constexpr double k_degree = 0.13;  // length of a degree around the head
-constexpr double k_axis_z = -0.9;
-constexpr double k_edge = 0.08;
+constexpr std::size_t k_around = 112;
+constexpr std::size_t k_rings = 26;
+/// The middle from which hair grows outwards, and far enough away to be outside.
+const ModelPoint k_middle{0, 3.2, -0.9};
+constexpr double k_outside = 40;
 
 /// Height of the hair line, by the angle around the head (0 front, 180 back).
 double hair_line(double degrees) {
-  return profile({{0, 7.6}, {15, 7.7}, {30, 7.4}, {42, 6.4}, {50, 5.0}, {57, 3.6}, {63, 1.6}, {67, 0.0}, {73, -0.2},
-                  {79, 1.4}, {86, 2.7}, {100, 2.7}, {110, 1.2}, {120, -2.0}, {135, -4.4}, {180, -5.2}},
+  return profile({{0, 7.45},   {14, 7.6},   {26, 7.35}, {36, 6.6}, {44, 5.3},  {50, 4.0},   {56, 2.6},    {61, 1.0},
+                  {65, -0.4},  {70, -0.9},  {75, -0.2}, {80, 1.5}, {86, 2.6},  {100, 2.6},  {110, 1.3},   {118, -1.2},
+                  {128, -3.6}, {140, -4.7}, {180, -5.1}},
                  degrees);
 }
 
-/// Where a point is around the head, and how far inside the hair line.
-struct Place {
-  double degrees = 0;
-  double slope = 0;  ///< of the line
-  double above = 0;  ///< distance to the line, not height: where the line is steep, it is a side burn
-};
-Place distance_to_line(const ModelPoint& p) {
-  Place place;
-  place.degrees = base::degrees(base::atan2(p.x, p.z - k_axis_z));
-  const double line = hair_line(place.degrees);
-  place.slope = (hair_line(place.degrees + 1) - hair_line(place.degrees - 1)) / (2 * k_degree);
-  place.above = (p.y - line) / std::sqrt(1 + place.slope * place.slope);
-  return place;
-}
-
-/// Slides a point outside the line along the head until it is k_edge outside, so that the cap ends parallel to the line.
-ModelPoint drawn_to_line(ModelPoint p) {
-  for (int i = 0; i < 3; ++i) {
-    const Place place = distance_to_line(p);
-    const double step = -k_edge - place.above;
-    if (step <= 0) break;
-    const double size = std::sqrt(1 + place.slope * place.slope);
-    const double degrees = place.degrees - step * place.slope / size / k_degree;
-    if (p.x > 0) {
-      const double radius = std::sqrt(p.x * p.x + (p.z - k_axis_z) * (p.z - k_axis_z));
-      p.x = radius * base::sin(base::radians(degrees));
-      p.z = k_axis_z + radius * base::cos(base::radians(degrees));
-    }
-    p.y += step / size;
+/// Rays against the skin from outside.
+class Scalp {
+ public:
+  explicit Scalp(const Surface& skin) : bvh_(floats(skin), skin.triangles) {}
+  /// The outermost point of the skin on the way to `target`; the target itself where there is none.
+  [[nodiscard]] ModelPoint towards(const ModelPoint& target, const ModelVector& outward) const {
+    const auto hit = bvh_.nearest_hit({target + outward * k_outside, -outward});
+    return hit ? target + outward * (k_outside - hit->distance) : target;
   }
-  return p;
-}
 
-ModelPoint grown(const ModelPoint& p, double above_line) {
-  const ModelVector out = geometry::normalized(p - ModelPoint{0, 3.2, -0.9});
-  double thick = profile({{-0.08, -0.07}, {0, -0.01}, {0.35, 0.32}, {1.2, 0.65}, {4, 1.0}, {8, 1.1}}, above_line);
-  const double body = ramp(0.2, 1.5, above_line);
-  // The parting on the +x side, the swept front on the other.
-  const double x = p.x - 2.4;
-  const double top = ramp(4.0, 8.0, p.y);
-  thick -= 0.55 * body * bump(x * x * 1.6) * top * ramp(-4, 0, p.z);
-  const double fx = (p.x + 1.2) / 5.5;
-  const double fz = (p.z - 5.2) / 5.0;
-  const double front = body * bump(fx * fx + fz * fz) * top;
-  // Strands.
-  const double phase = base::atan2(p.x - 2.4, p.y - 2.0) * 6.5 + 0.2 * p.z;
-  thick += 0.15 * body * base::sin(phase);
-  return p + out * thick + ModelVector{-0.3, 1.3, 0.7} * front;
+ private:
+  static std::vector<glm::vec3> floats(const Surface& skin) { return {skin.points.begin(), skin.points.end()}; }
+
+  geometry::TriangleBvh bvh_;
+};
+
+/// Where hair stands over a point of the scalp; `inside`: way from the hair line, cm.
+ModelPoint grown(const ModelPoint& p, double inside) {
+  const ModelVector out = geometry::normalized(p - k_middle);
+  double thick = profile({{0, -0.08}, {0.15, 0.16}, {0.5, 0.42}, {1.4, 0.7}, {4, 1.0}, {8, 1.1}}, inside);
+  const double body = ramp(0, 2.0, inside);
+  const double top = ramp(3.5, 8.5, p.y);
+  // The parting on the +x side, and the front that is swept up from it.
+  const double parting = p.x - 2.6 + 0.1 * p.z;
+  thick -= 0.5 * body * bump(parting * parting * 2.2) * top * ramp(-4.5, -1, p.z);
+  const double across = (p.x + 0.8) / 5.6;
+  const double along = (p.z - 5.4) / 5.4;
+  const double front = ramp(-0.1, 1.6, inside) * bump(across * across + along * along) * top;
+  // Strands fan out from the parting.
+  const double fan = base::atan2(p.x - 2.6 + 0.1 * p.z, p.y + 0.5);
+  thick += body * (0.13 * base::sin(fan * 15 + 0.25 * p.z) + 0.06 * base::sin(fan * 31 - 0.4 * p.z));
+  return p + out * thick + ModelVector{-0.35, 1.5, 0.9} * front;
 }
 
 }  // namespace
 
-Surface make_hair(const Half& half) {
-  std::vector<ModelPoint> points = half.points;
-  std::vector<mesh::Triangle> triangles;
-  std::vector<double> above(points.size());
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    const bool ear = half.marks[v].z > 1.2 && half.marks[v].y > 4.5;
-    above[v] = ear ? -9 : distance_to_line(points[v]).above;
-  }
-  for (const mesh::Quad& q : half.quads) {
-    bool all = true;
-    for (const std::uint32_t v : q) all = all && above[v] > -1.0;
-    if (!all) continue;
-    triangles.push_back({q[0], q[1], q[2]});
-    triangles.push_back({q[0], q[2], q[3]});
-  }
-  std::vector<std::uint32_t> number(points.size(), k_none);
-  std::vector<ModelPoint> used;
-  std::vector<double> used_above;
-  for (mesh::Triangle& t : triangles) {
-    for (std::uint32_t& v : t) {
-      if (number[v] == k_none) {
-        number[v] = static_cast<std::uint32_t>(used.size());
-        used.push_back(drawn_to_line(points[v]));
-        used_above.push_back(std::max(above[v], -k_edge));
-      }
-      v = number[v];
+Surface make_hair(const Surface& skin) {
+  const Scalp scalp(skin);
+  Surface hair;
+  for (std::size_t j = 0; j < k_around; ++j) {
+    const double turn = 360.0 * static_cast<double>(j) / k_around;
+    const double around = base::radians(turn);
+    const ModelVector level{base::sin(around), 0, base::cos(around)};
+    const ModelPoint line =
+        scalp.towards({0, hair_line(turn > 180 ? 360 - turn : turn), k_middle.z}, level);
+    const ModelVector start = line - k_middle;
+    const double lowest = base::atan2(start.y, std::sqrt(start.x * start.x + start.z * start.z));
+    for (std::size_t i = 0; i < k_rings; ++i) {
+      const double t = static_cast<double>(i) / k_rings;
+      const double rise = lowest + (base::k_pi / 2 - lowest) * t * (0.35 + 0.65 * t);
+      const ModelPoint p = scalp.towards(k_middle, level * base::cos(rise) + ModelVector{0, base::sin(rise), 0});
+      hair.points.push_back(grown(p, geometry::distance(p, line)));
     }
   }
-  Surface hair = mirrored(used, triangles);
-  std::size_t mirror = 0;
-  for (std::size_t v = 0; v < hair.points.size(); ++v) {
-    if (v >= used.size()) {
-      while (used[mirror].x == 0) ++mirror;
+  const auto crown = static_cast<std::uint32_t>(hair.points.size());
+  const ModelPoint top = scalp.towards(k_middle, {0, 1, 0});
+  hair.points.push_back(grown(top, 8));
+  const auto at = [](std::size_t j, std::size_t i) { return static_cast<std::uint32_t>(j % k_around * k_rings + i); };
+  for (std::size_t j = 0; j < k_around; ++j) {
+    for (std::size_t i = 0; i + 1 < k_rings; ++i) {
+      hair.triangles.push_back({at(j, i), at(j + 1, i), at(j + 1, i + 1)});
+      hair.triangles.push_back({at(j, i), at(j + 1, i + 1), at(j, i + 1)});
     }
-    const double height = v < used.size() ? used_above[v] : used_above[mirror++];
-    hair.points[v] = grown(hair.points[v], height);
+    hair.triangles.push_back({at(j, k_rings - 1), at(j + 1, k_rings - 1), crown});
   }
   return hair;
 }

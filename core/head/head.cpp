@@ -68,7 +68,7 @@ document::Model make_head() {
     head.add("pupil" + side, pupil, material(0.006, 0.006, 0.007, 0.1), right);
   }
   head.add("teeth", make_teeth(), material(0.78, 0.74, 0.66, 0.25));
-  head.add("hair", make_hair(*half), material(0.10, 0.05, 0.028, 0.5));
+  head.add("hair", make_hair(skin.bare), material(0.10, 0.05, 0.028, 0.5));
   auto built = mesh::TriangleMesh::build(std::move(head.source));
   if (!built) std::abort();
   auto model = document::make_model(std::move(built).value(), nullptr, nullptr);

@@ -11,7 +11,7 @@ namespace penpose::head {
 /// The upper row of teeth, as one rounded band behind the lips, in centimetres.
 [[nodiscard]] Surface make_teeth();
 
-/// A cap of hair, swept to one side: it follows the skin, sinks into it along the hair line, and is not symmetric.
-[[nodiscard]] Surface make_hair(const Half& half);
+/// A cap of hair, swept to one side: it follows `skin`, sinks into it along the hair line, and is not symmetric.
+[[nodiscard]] Surface make_hair(const Surface& skin);
 
 }  // namespace penpose::head
