@@ -139,10 +139,10 @@ void add_nostril(Cage& cage, const Grid& grid) {
     for (const std::uint32_t v : border) {
       inner.push_back(cage.add(middle + (cage.points[v] - middle) * inset.scale + inset.move));
     }
-    cage.add_strip(outer, inner, true);
+    cage.add_strip(outer, inner, true, outer == border ? QuadKind::skin : QuadKind::lining);
     outer = inner;
   }
-  cage.add_quad(outer[0], outer[1], outer[2], outer[3]);
+  cage.add_quad(outer[0], outer[1], outer[2], outer[3], QuadKind::lining);
 }
 
 /// The top of the skull: a patch of 3 x 6 quads whose three outer sides are the uppermost row.

@@ -24,11 +24,11 @@ inline constexpr double k_mouth_y = -6.5;
 using LoopMark = glm::dvec3;
 
 /// What a quad of the cage becomes: how fine, and in which material.
-enum class QuadKind : std::uint8_t { skin, coarse_skin, lip, brow, lash, mouth_lining };
+enum class QuadKind : std::uint8_t { skin, coarse_skin, lip, brow, lash, lining };
 
 /// One level of subdivision less is enough.
 [[nodiscard]] constexpr bool is_coarse(QuadKind kind) {
-  return kind == QuadKind::coarse_skin || kind == QuadKind::mouth_lining;
+  return kind == QuadKind::coarse_skin || kind == QuadKind::lining;
 }
 
 /// The control cage of the half with x >= 0. Vertices with x = 0 are on the mirror plane.

@@ -46,12 +46,12 @@ ModelPoint grown(const ModelPoint& p, double inside) {
   // The parting on the +x side, and the front that is swept up from it.
   const double parting = p.x - 2.6 + 0.1 * p.z;
   thick -= 0.5 * body * bump(parting * parting * 2.2) * top * ramp(-4.5, -1, p.z);
-  const double across = (p.x + 0.8) / 5.6;
+  const double across = (p.x + 0.6) / 6.4;
   const double along = (p.z - 5.4) / 5.4;
   const double front = ramp(-0.1, 1.6, inside) * bump(across * across + along * along) * top;
   // Strands fan out from the parting.
   const double fan = base::atan2(p.x - 2.6 + 0.1 * p.z, p.y + 0.5);
-  thick += body * (0.13 * base::sin(fan * 15 + 0.25 * p.z) + 0.06 * base::sin(fan * 31 - 0.4 * p.z));
+  thick += body * (0.08 * base::sin(fan * 15 + 0.25 * p.z) + 0.045 * base::sin(fan * 31 - 0.4 * p.z));
   return p + out * thick + ModelVector{-0.35, 1.5, 0.9} * front;
 }
 

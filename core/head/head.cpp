@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "core/head/curves.h"
 #include "core/head/parts.h"
 #include "core/head/skin.h"
 
@@ -54,8 +55,9 @@ document::Model make_head() {
   head.add("skin", skin.bare, material(0.62, 0.40, 0.29, 0.55));
   head.add("lips", skin.lips, material(0.54, 0.27, 0.21, 0.42));
   head.add("brows", skin.brows, material(0.09, 0.045, 0.025, 0.7));
-  head.add("mouth", skin.mouth, material(0.16, 0.035, 0.03, 0.5));
+  head.add("lining", skin.lining, material(0.16, 0.035, 0.03, 0.5));
   head.add("lashes", skin.lashes, material(0.05, 0.028, 0.02, 0.6));
+  const auto skin_triangles = static_cast<std::uint32_t>(head.source.triangles.size());
   const Surface white = make_eye_cap(1, 0, 180, 24, 36);
   const Surface rim = make_eye_cap(1.006, 28, 32, 2, 36);
   const Surface iris = make_eye_cap(1.006, 13.5, 28, 3, 36);
@@ -74,6 +76,7 @@ document::Model make_head() {
   auto model = document::make_model(std::move(built).value(), nullptr, nullptr);
   if (!model) std::abort();
   model->materials = std::move(head.materials);
+  model->curves = make_curves(*half, *model->mesh, skin_triangles, k_metre);
   return std::move(model).value();
 }
 

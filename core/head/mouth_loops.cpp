@@ -27,7 +27,7 @@ void add_mouth(Cage& cage, const std::vector<std::uint32_t>& border) {
   for (const std::uint32_t v : border) cage.marks[v].y = 4;
   const std::array<const Loop*, 6> shapes{&k_around, &k_border, &k_full, &k_meet, &k_behind, &k_cavity};
   constexpr std::array<QuadKind, 6> kinds{QuadKind::skin, QuadKind::skin, QuadKind::lip,
-                                          QuadKind::lip,  QuadKind::lip,  QuadKind::mouth_lining};
+                                          QuadKind::lip,  QuadKind::lip,  QuadKind::lining};
   std::vector<std::uint32_t> outer = border;
   const auto lip = [](std::size_t i) { return i == 5 ? 0.0 : i < 5 ? -1.0 : 1.0; };
   for (std::size_t loop = 0; loop < shapes.size(); ++loop) {
@@ -48,8 +48,8 @@ void add_mouth(Cage& cage, const std::vector<std::uint32_t>& border) {
   }
   middle[4] = outer[5];
   for (std::size_t i = 0; i < 4; ++i) {
-    cage.add_quad(outer[i], outer[i + 1], middle[i + 1], middle[i], QuadKind::mouth_lining);
-    cage.add_quad(middle[i], middle[i + 1], outer[9 - i], outer[10 - i], QuadKind::mouth_lining);
+    cage.add_quad(outer[i], outer[i + 1], middle[i + 1], middle[i], QuadKind::lining);
+    cage.add_quad(middle[i], middle[i + 1], outer[9 - i], outer[10 - i], QuadKind::lining);
   }
 }
 

@@ -12,10 +12,6 @@ double blob(const ModelPoint& p, double x, double y, double radius_x, double rad
   return bump(square((p.x - x) / radius_x) + square((p.y - y) / radius_y));
 }
 
-double brow_line(double x) {
-  return profile({{0.8, 2.83}, {1.6, 2.9}, {2.4, 3.14}, {3.4, 3.24}, {4.4, 3.04}, {5.0, 2.8}, {5.6, 2.45}}, x);
-}
-
 ModelVector face(const ModelPoint& p) {
   ModelVector move{0};
   // Sockets, nose side.
@@ -45,6 +41,10 @@ double in_face(const ModelPoint& p, const LoopMark& mark) {
 }
 
 }  // namespace
+
+double brow_line(double x) {
+  return profile({{0.8, 2.83}, {1.6, 2.9}, {2.4, 3.14}, {3.4, 3.24}, {4.4, 3.04}, {5.0, 2.8}, {5.6, 2.45}}, x);
+}
 
 ModelPoint carved(const ModelPoint& bare, const LoopMark& mark) {
   const double off_plane = bare.x == 0 ? 0 : 1;

@@ -10,4 +10,7 @@ namespace penpose::head {
 /// Draws the brow: vertices around it slide together until it is slim and pointed, and its own rise a little.
 [[nodiscard]] ModelPoint with_brow(const ModelPoint& carved, const LoopMark& mark);
 
+/// Height of the middle of the brow at x.
+[[nodiscard]] double brow_line(double x);
+
 }  // namespace penpose::head

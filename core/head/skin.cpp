@@ -204,7 +204,7 @@ Skin make_skin(const Half& half) {
   const auto coarse = of(QuadKind::coarse_skin);
   bare.insert(bare.end(), coarse.begin(), coarse.end());
   return {mirrored_part(half, bare), mirrored_part(half, of(QuadKind::lip)), mirrored_part(half, of(QuadKind::brow)),
-          mirrored_part(half, of(QuadKind::mouth_lining)), mirrored_part(half, of(QuadKind::lash))};
+          mirrored_part(half, of(QuadKind::lining)), mirrored_part(half, of(QuadKind::lash))};
 }
 
 }  // namespace penpose::head

@@ -30,7 +30,7 @@ struct Skin {
   Surface bare;
   Surface lips;
   Surface brows;
-  Surface mouth;   ///< the lining of the cavity behind the lips
+  Surface lining;  ///< of mouth and nostrils
   Surface lashes;  ///< the edges of the upper lids
 };
 /// Triangles of the half (coarse where that is enough) and their exact mirror images.
