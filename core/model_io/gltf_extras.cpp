@@ -87,10 +87,12 @@ std::optional<base::Error> read_node(const Json& object, const std::string& poin
   std::optional<bool> joint;
   std::optional<bool> carried;
   std::optional<bool> still;
+  std::optional<bool> group;
   std::optional<glm::dvec3> values;
   if (auto error = read_flag(object, "joint", pointer, joint)) return error;
   if (auto error = read_flag(object, "carried_by_parent", pointer, carried)) return error;
   if (auto error = read_flag(object, "still", pointer, still)) return error;
+  if (auto error = read_flag(object, "group", pointer, group)) return error;
   if (auto error = read_flag(object, "posable", pointer, out.posable)) return error;
   if (auto error = read_vector(object, "minimum", pointer, out.minimum)) return error;
   if (auto error = read_vector(object, "maximum", pointer, out.maximum)) return error;
@@ -98,7 +100,16 @@ std::optional<base::Error> read_node(const Json& object, const std::string& poin
   out.joint = joint.value_or(false);
   out.carried_by_parent = carried.value_or(false);
   out.still = still.value_or(false);
+  out.group = group.value_or(false);
   out.values = values.value_or(glm::dvec3(0));
+  if (const Json* bind = find(object, "inverse_bind")) {
+    const auto m = read_numbers(*bind, 16);
+    if (!m) return wrong("a matrix of 16 numbers was expected", child(pointer, "inverse_bind"));
+    out.inverse_bind.emplace(1);
+    for (int c = 0; c < 4; ++c) {
+      for (int r = 0; r < 3; ++r) (*out.inverse_bind)[c][r] = (*m)[static_cast<std::size_t>(4 * c + r)];
+    }
+  }
   if (const Json* rotation = find(object, "rest_rotation")) {
     const auto q = read_numbers(*rotation, 4);
     if (q) out.rest_rotation = glm::dquat((*q)[3], (*q)[0], (*q)[1], (*q)[2]);

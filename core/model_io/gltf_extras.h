@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
@@ -26,15 +27,18 @@ struct RootExtras {
 };
 
 /// Node: {"joint": true, "posable": true, "rest_rotation": [x, y, z, w], "minimum": [x, y, z], "maximum": [x, y, z],
-/// "values": [rx, ry, rz]} or {"carried_by_parent": true} or {"still": true}.
+/// "values": [rx, ry, rz]} or {"carried_by_parent": true} or {"still": true} or
+/// {"group": true}. A joint whose inverse bind matrix needs doubles also has "inverse_bind": 16 numbers by columns.
 struct NodeExtras {
   bool joint = false;              ///< the node is a joint, whether it moves anything or not
   bool carried_by_parent = false;  ///< the node is no joint: its mesh belongs to the node above
   bool still = false;              ///< vertices that follow this joint follow nothing
+  bool group = false;              ///< the node only gathers joints below one root
   std::optional<bool> posable;
   std::optional<glm::dquat> rest_rotation;  ///< the node's own rotation holds the pose
   std::optional<glm::dvec3> minimum;        ///< radians
   std::optional<glm::dvec3> maximum;
+  std::optional<glm::dmat4> inverse_bind;
   glm::dvec3 values{0};
 };
 

@@ -254,6 +254,7 @@ class SkeletonReader {
             bind[c][r] = value;
           }
         }
+        bind = extras_[node].inverse_bind.value_or(bind);
         joints_of_skin_[s].push_back(extras_[node].still ? k_still : joint_with_bind(node, bind));
       }
       if (skin.joints.empty())

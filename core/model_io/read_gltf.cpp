@@ -35,7 +35,10 @@ base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& r
   if (!root) return root.error();
   const auto node_extras = read_node_extras(document.json, *root);
   if (!node_extras) return node_extras.error();
-  const NodeTree tree = make_node_tree(document);
+  NodeTree tree = make_node_tree(document);
+  for (std::int32_t& parent : tree.parent) {
+    if (parent >= 0 && (*node_extras)[static_cast<std::size_t>(parent)].group) parent = -1;
+  }
   auto meshes = read_meshes(document, tree);
   if (!meshes) return meshes.error();
   auto shapes = read_shapes(document, *meshes, *root);

@@ -9,7 +9,8 @@ namespace penpose::cli {
 namespace {
 
 base::Result<std::vector<geometry::ModelPoint>> drawn_target(std::span<const geometry::ModelPoint> reference,
-                                                             std::span<const geometry::ModelPoint> target, const geometry::Camera& camera) {
+                                                             std::span<const geometry::ModelPoint> target,
+                                                             const geometry::Camera& camera) {
   std::vector<geometry::PxPoint> line;
   for (const auto& p : target) {
     const auto px = camera.project(p);
@@ -27,8 +28,8 @@ geometry::Camera case_camera(const document::Model& model, const model_io::PoseC
   return geometry::frame_box(document::rest_world_box(model), {1000, 1000}, pose_case.view_yaw_degrees);
 }
 
-base::Result<posing::PoseProblem> problem_of_case(const document::Model& model, const model_io::PoseCase& pose_case, FreeSet free,
-                                                  model_io::TargetForm form) {
+base::Result<posing::PoseProblem> problem_of_case(const document::Model& model, const model_io::PoseCase& pose_case,
+                                                  FreeSet free, model_io::TargetForm form) {
   posing::PoseProblem problem;
   problem.start = rig::rest_pose(*model.rig);
   std::vector<geometry::ModelPoint> rest(model.mesh->vertex_count());
@@ -68,7 +69,8 @@ base::Result<posing::PoseProblem> problem_of_case(const document::Model& model, 
     problem.free.resize(problem.start.size());
     std::iota(problem.free.begin(), problem.free.end(), std::size_t{0});
   } else {
-    for (const std::string& name : pose_case.free) problem.free.push_back(rig::find_parameter(model.rig->parameters(), name).value());
+    for (const std::string& name : pose_case.free)
+      problem.free.push_back(rig::find_parameter(model.rig->parameters(), name).value());
     std::sort(problem.free.begin(), problem.free.end());
     problem.free.erase(std::unique(problem.free.begin(), problem.free.end()), problem.free.end());
   }

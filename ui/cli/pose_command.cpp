@@ -17,6 +17,7 @@
 #include "ui/cli/files.h"
 #include "ui/cli/load_model.h"
 #include "ui/cli/progress.h"
+#include "ui/cli/save_model.h"
 
 namespace penpose::cli {
 namespace {
@@ -41,8 +42,8 @@ struct SolvedCase {
 };
 
 /// The median of eleven solves alone, no loading.
-base::Result<SolvedCase> solve_case(const document::Model& model, const model_io::PoseCase& pose_case, const PoseArguments& arguments,
-                                    posing::SolveWorkspace& work) {
+base::Result<SolvedCase> solve_case(const document::Model& model, const model_io::PoseCase& pose_case,
+                                    const PoseArguments& arguments, posing::SolveWorkspace& work) {
   auto problem = problem_of_case(model, pose_case, arguments.free, arguments.form);
   if (!problem) return problem.error();
   posing::SolveOptions options;
@@ -85,12 +86,14 @@ Json to_json(const SolvedCase& solved, document::Model& model) {
 
 void print_row(const SolvedCase& solved, const document::Model& model) {
   const posing::Solution& s = solved.solution;
-  std::cout << std::left << std::setw(28) << solved.name << std::right << "  energy " << std::setw(10) << base::format_fixed(s.energy_start, 4)
-            << " -> " << std::setw(10) << base::format_fixed(s.energy, 4) << "  farthest " << base::format_fixed(s.max_distance, 4) << "  "
-            << s.variables << " variables, " << s.evaluations << " evaluations, " << base::format_fixed(solved.solve_us / 1000.0, 2) << " ms\n";
+  std::cout << std::left << std::setw(28) << solved.name << std::right << "  energy " << std::setw(10)
+            << base::format_fixed(s.energy_start, 4) << " -> " << std::setw(10) << base::format_fixed(s.energy, 4)
+            << "  farthest " << base::format_fixed(s.max_distance, 4) << "  " << s.variables << " variables, "
+            << s.evaluations << " evaluations, " << base::format_fixed(solved.solve_us / 1000.0, 2) << " ms\n";
   const auto parameters = model.rig->parameters();
   for (std::size_t i = 0; i < s.pose.size(); ++i) {
-    if (s.pose[i] != parameters[i].rest) std::cout << "    " << parameters[i].name << " = " << base::format_fixed(s.pose[i], 4) << '\n';
+    if (s.pose[i] != parameters[i].rest)
+      std::cout << "    " << parameters[i].name << " = " << base::format_fixed(s.pose[i], 4) << '\n';
   }
 }
 
@@ -101,14 +104,16 @@ int pose(const PoseArguments& arguments) {
   if (!bytes) return report(bytes.error(), arguments.cases);
   const auto file = model_io::read_cases(*bytes);
   if (!file) return report(file.error(), arguments.cases);
-  if (auto fits = model_io::check_cases(*file, *model, arguments.form); !fits) return report(fits.error(), arguments.cases);
+  if (auto fits = model_io::check_cases(*file, *model, arguments.form); !fits)
+    return report(fits.error(), arguments.cases);
 
   std::vector<const model_io::PoseCase*> chosen;
   for (const auto& pose_case : file->cases) {
     if (arguments.name.empty() || pose_case.name == arguments.name) chosen.push_back(&pose_case);
   }
   if (chosen.empty()) {
-    const std::string what = arguments.name.empty() ? "there is no case" : "there is no case of the name " + arguments.name;
+    const std::string what =
+        arguments.name.empty() ? "there is no case" : "there is no case of the name " + arguments.name;
     return report({what, "/cases", "choose one of the file's cases"}, arguments.cases);
   }
   if (!arguments.out.empty() && chosen.size() > 1) {
@@ -130,7 +135,8 @@ int pose(const PoseArguments& arguments) {
     Json cases = Json::array();
     for (const SolvedCase& one : solved) cases.push_back(to_json(one, *model));
     model->pose = solved.back().solution.pose;
-    const Json result = {{"model", arguments.model}, {"cases", std::move(cases)}, {"state", document::state_hash(*model).hex()}};
+    const Json result = {
+        {"model", arguments.model}, {"cases", std::move(cases)}, {"state", document::state_hash(*model).hex()}};
     std::cout << result.dump() << '\n';
   } else {
     for (const SolvedCase& one : solved) print_row(one, *model);
@@ -144,17 +150,19 @@ int pose(const PoseArguments& arguments) {
 
 }  // namespace
 
-void add_pose(CLI::App& app, int& status) {
+void add_pose_command(CLI::App& app, int& status) {
   auto arguments = std::make_shared<PoseArguments>();
-  CLI::App* command = app.add_subcommand("pose", "Solves posing cases: brings curves of a model to where they should be");
+  CLI::App* command =
+      app.add_subcommand("pose", "Solves posing cases: brings curves of a model to where they should be");
   command->add_option("MODEL", arguments->model, "Model with blend shapes or joints")->required();
   command->add_option("--cases", arguments->cases, "JSON file of posing cases")->required();
   command->add_option("--case", arguments->name, "Only the case of this name");
   command->add_option("--free", arguments->free, "Parameters that may move: those of the case, or all (default)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, FreeSet>{{"all", FreeSet::all}, {"case", FreeSet::of_case}}));
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, FreeSet>{{"all", FreeSet::all}, {"case", FreeSet::of_case}}));
   command->add_option("--form", arguments->form, "Targets as points, one a vertex (default), or as a drawn line")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, model_io::TargetForm>{{"points", model_io::TargetForm::points}, {"drawn", model_io::TargetForm::drawn}}));
+      ->transform(CLI::CheckedTransformer(std::map<std::string, model_io::TargetForm>{
+          {"points", model_io::TargetForm::points}, {"drawn", model_io::TargetForm::drawn}}));
   command->add_option("--preset", "Solver: default, or the paper's own")
       ->check(CLI::IsMember({"default", "paper"}))
       ->each([arguments](const std::string& preset) { arguments->paper = preset == "paper"; });

@@ -7,6 +7,6 @@ class App;
 namespace penpose::cli {
 
 /// `penpose pose MODEL --cases CASES.json ...`: solves posing cases.
-void add_pose(CLI::App& app, int& status);
+void add_pose_command(CLI::App& app, int& status);
 
 }  // namespace penpose::cli

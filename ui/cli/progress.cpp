@@ -1,13 +1,13 @@
 #include "ui/cli/progress.h"
 
-#include <unistd.h>
-
 #include <iostream>
+#include <unistd.h>
 #include <utility>
 
 namespace penpose::cli {
 
-Progress::Progress(std::string what, std::size_t total) : what_(std::move(what)), total_(total), visible_(::isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(std::string what, std::size_t total)
+    : what_(std::move(what)), total_(total), visible_(::isatty(STDERR_FILENO) == 1) {}
 
 void Progress::advance(std::size_t steps) {
   done_ += steps;
