@@ -34,7 +34,7 @@ void label(render::Image& image, const SheetCell& cell) {
 
 }  // namespace
 
-geometry::CameraPose sheet_camera() { return {{0.13, 0.0, 0.80}, {0.0, -0.012, 0.02}, {0, 1, 0}, 19}; }
+geometry::CameraPose sheet_camera() { return {{0.13, 0.005, 0.80}, {0.003, -0.006, 0.02}, {0, 1, 0}, 19.5}; }
 
 base::Result<render::Image> draw_contact_sheet(const document::Model& model, std::span<const SheetCell> cells) {
   auto renderer = render::Renderer::make_offscreen();
