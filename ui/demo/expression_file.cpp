@@ -90,6 +90,7 @@ Expression read_expression(Reader& reader, const Json& value, const std::string&
     DrawnPair& drawn = expression.curves.emplace_back();
     drawn.reference = reader.stroke(pair, place, "reference");
     drawn.target = reader.stroke(pair, place, "target");
+    if (pair.is_object() && pair.contains("camera")) drawn.camera = reader.camera(pair, place);
   }
   if (expression.curves.empty()) reader.fail(pointer + "/curves", "there is no curve");
   return expression;

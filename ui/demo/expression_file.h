@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,10 +11,11 @@
 
 namespace penpose::demo {
 
-/// Two strokes on one view: a line on the face at rest, and where that line should go. px of the viewport.
+/// Two strokes in one view: a line on the face at rest, and where that line should go. px of the viewport.
 struct DrawnPair {
   std::vector<curve::PxPoint> reference;
   std::vector<curve::PxPoint> target;
+  std::optional<geometry::CameraPose> camera;  ///< set when the camera moved before both were drawn
 };
 
 /// An expression as it was drawn. No values of parameters: those are what the solver finds.
@@ -29,8 +31,8 @@ struct ExpressionFile {
 };
 
 /// Reads {"viewport": [w, h], "expressions": [{"name", "camera", "curves": [{"reference": [[x, y], ...], "target": [[x,
-/// y], ...]}]}]}; a camera is that of a sketch file. Other keys are skipped. Errors (place: JSON pointer): no JSON, a
-/// key that is missing or of another type, an empty name or one that is there twice.
+/// y], ...], "camera" (if moved)}]}]}; a camera is that of a sketch file. Other keys are skipped. Errors (place: JSON
+/// pointer): no JSON, a key that is missing or of another type, an empty name or one that is there twice.
 [[nodiscard]] base::Result<ExpressionFile> read_expressions(std::string_view text);
 
 }  // namespace penpose::demo

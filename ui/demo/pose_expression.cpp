@@ -12,10 +12,13 @@ namespace penpose::demo {
 namespace {
 
 base::Result<posing::CurvePair> pair_of(const document::Model& model, const geometry::TriangleBvh& surface,
-                                        const DrawnPair& drawn, const geometry::Camera& camera) {
-  const auto reference = curve::surface_curve(drawn.reference, k_expression_points, camera, surface);
+                                        const DrawnPair& drawn, const geometry::CameraPose& seen_from,
+                                        geometry::Viewport viewport) {
+  const auto camera = geometry::Camera::make(seen_from, viewport);
+  if (!camera) return camera.error();
+  const auto reference = curve::surface_curve(drawn.reference, k_expression_points, *camera, surface);
   if (!reference) return reference.error();
-  auto target = curve::pair_target(reference->positions, drawn.target, camera);
+  auto target = curve::pair_target(reference->positions, drawn.target, *camera);
   if (!target) return target.error();
   posing::CurvePair pair;
   for (const mesh::MeshPoint& point : reference->points) {
@@ -37,18 +40,13 @@ geometry::TriangleBvh rest_surface(const document::Model& model) {
 base::Result<posing::PoseProblem> problem_of_expression(const document::Model& model,
                                                         const geometry::TriangleBvh& surface,
                                                         const Expression& expression, geometry::Viewport viewport) {
-  const auto camera = geometry::Camera::make(expression.camera, viewport);
   posing::PoseProblem problem;
-  if (!camera) {
-    base::Error error = camera.error();
-    error.place = expression.name + ", camera";
-    return error;
-  }
   problem.start = rig::rest_pose(*model.rig);
   problem.free.resize(problem.start.size());
   std::iota(problem.free.begin(), problem.free.end(), std::size_t{0});
   for (std::size_t i = 0; i < expression.curves.size(); ++i) {
-    auto pair = pair_of(model, surface, expression.curves[i], *camera);
+    const DrawnPair& drawn = expression.curves[i];
+    auto pair = pair_of(model, surface, drawn, drawn.camera.value_or(expression.camera), viewport);
     if (!pair) {
       base::Error error = pair.error();
       error.place = expression.name + ", curve " + std::to_string(i);
