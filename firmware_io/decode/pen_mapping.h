@@ -19,11 +19,11 @@ struct TabletArea {
 struct PenMappingOptions {
   double width_px = 0;  ///< of the picture that the tablet stands for; both above 0
   double height_px = 0;
-  bool keep_aspect = false;        ///< use only as much of the area as has the picture's shape, around its middle
-  int quarter_turns = 0;           ///< how far the tablet itself is turned clockwise on the desk
-  bool left_handed = false;        ///< turned by half a turn, keys on the right; adds to `quarter_turns`
-  std::optional<TabletArea> area;  ///< the user's part of the tablet, before any turn
-  PressureCurve pressure;
+  bool keep_aspect = false;  ///< use only as much of the area as has the picture's shape, around its middle
+  int quarter_turns = 0;     ///< how far the tablet itself is turned clockwise on the desk
+  bool left_handed = false;  ///< turned by half a turn, keys on the right; adds to `quarter_turns`
+  std::optional<TabletArea> area = std::nullopt;  ///< the user's part of the tablet, before any turn
+  PressureCurve pressure = {};
 };
 
 /// A sample as an application wants it. Position and pressure are exact functions of the raw sample; nothing is

@@ -135,7 +135,7 @@ TEST(DescriptorParser, ArraysFeaturesAndOutputs) {
 TEST(DescriptorParser, HugeUsageRangesCostNothing) {
   Bytes bytes{0x06, 0x00, 0xff, 0x75, 0x01, 0x95, 0x01};
   while (bytes.size() + 8 <= 65536) {
-    for (const std::uint8_t byte : {0x1a, 0x00, 0x00, 0x2a, 0xff, 0xff, 0x81, 0x02}) bytes.push_back(byte);
+    bytes.insert(bytes.end(), {0x1a, 0x00, 0x00, 0x2a, 0xff, 0xff, 0x81, 0x02});
   }
   const auto found = parsed(bytes);
   EXPECT_EQ(found.fields.size(), (65536u - 7) / 8);
