@@ -23,7 +23,10 @@ std::string example_of(std::string_view pattern) {
       }
       continue;
     }
-    if (pattern.substr(i).starts_with("(?:")) i += 2;
+    if (pattern.substr(i).starts_with("(?:")) {
+      i += 2;
+      continue;
+    }
     const char letter = pattern[i];
     if (letter == '(') continue;
     if (letter == '|') {
