@@ -39,7 +39,8 @@ class ByteReader {
     const auto piece = take(sizeof(T));
     if (!piece) return std::nullopt;
     T value = 0;
-    for (std::size_t i = 0; i < sizeof(T); ++i) value = static_cast<T>(value | (static_cast<T>((*piece)[i]) << (8 * i)));
+    for (std::size_t i = 0; i < sizeof(T); ++i)
+      value = static_cast<T>(value | (static_cast<T>((*piece)[i]) << (8 * i)));
     return value;
   }
   std::optional<float> read_f32() {

@@ -87,17 +87,19 @@ double sin_of_quadrant(const Reduced& r, std::int64_t quadrant) {
   return (quadrant & 2) != 0 ? -magnitude : magnitude;
 }
 
-// atan(x) = atan(c) + atan((x - c) / (1 + x c)); with c = i/8 the reduced argument is at most 1/16 and the series is short.
-constexpr std::array<double, 9> k_atan_of_eighths_high = {0.0,
-                                                          0.12435499454676143503,
-                                                          0.24497866312686415417,
-                                                          0.35877067027057222040,
-                                                          0.46364760900080611621,
-                                                          0.55859931534356243597,
-                                                          0.64350110879328438680,
-                                                          0.71883000062162453672,
-                                                          0.78539816339744830962};
-constexpr std::array<double, 8> k_atan_series = {-1.0 / 3, 1.0 / 5, -1.0 / 7, 1.0 / 9, -1.0 / 11, 1.0 / 13, -1.0 / 15, 1.0 / 17};
+// atan(x) = atan(c) + atan((x - c) / (1 + x c)); with c = i/8 the reduced argument is at most 1/16 and the series is
+// short.
+constexpr std::array<double, 9> k_atan_of_eighths = {0.0,
+                                                     0.12435499454676143503,
+                                                     0.24497866312686415417,
+                                                     0.35877067027057222040,
+                                                     0.46364760900080611621,
+                                                     0.55859931534356243597,
+                                                     0.64350110879328438680,
+                                                     0.71882999962162450542,
+                                                     0.78539816339744830962};
+constexpr std::array<double, 8> k_atan_series = {-1.0 / 3,  1.0 / 5,  -1.0 / 7,  1.0 / 9,
+                                                 -1.0 / 11, 1.0 / 13, -1.0 / 15, 1.0 / 17};
 
 /// atan of 0..1.
 double atan_unit(double x) {
@@ -105,7 +107,7 @@ double atan_unit(double x) {
   const double c = eighths * 0.125;
   const double r = (x - c) / (1.0 + x * c);
   const double t = r * r;
-  return k_atan_of_eighths_high[static_cast<std::size_t>(eighths)] + (r + r * t * polynomial(k_atan_series, t));
+  return k_atan_of_eighths[static_cast<std::size_t>(eighths)] + (r + r * t * polynomial(k_atan_series, t));
 }
 
 }  // namespace

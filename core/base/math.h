@@ -2,9 +2,9 @@
 
 namespace penpose::base {
 
-// The platform's libm gives other last bits on other machines; these functions give the same bits everywhere, because they
-// are made of IEEE additions, multiplications, divisions and square roots in a written order. Errors are at most 2 units in
-// the last place in the ranges stated (measured by the tests against long double references).
+// The platform's libm gives other last bits on other machines; these functions give the same bits everywhere, because
+// they are made of IEEE additions, multiplications, divisions and square roots in a written order. Errors are at most 2
+// units in the last place in the ranges stated (measured by the tests against long double references).
 
 inline constexpr double k_pi = 3.14159265358979323846;
 
@@ -23,7 +23,8 @@ inline constexpr double k_pi = 3.14159265358979323846;
 [[nodiscard]] double exp(double x);
 /// Natural logarithm: -infinity at 0, NaN below.
 [[nodiscard]] double log(double x);
-/// x to the y for x >= 0 (NaN for negative x); pow(x, 0) is 1. Relative error up to 1e-13 for results within 1e-100..1e100.
+/// x to the y for x >= 0 (NaN for negative x); pow(x, 0) is 1. Relative error up to 1e-13 for results within
+/// 1e-100..1e100.
 [[nodiscard]] double pow(double x, double y);
 
 }  // namespace penpose::base

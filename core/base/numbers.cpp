@@ -30,7 +30,9 @@ std::string format(T value, Options... options) {
 
 std::optional<double> parse_double(std::string_view text) { return parse_whole<double>(text); }
 std::optional<std::int64_t> parse_int(std::string_view text, int base) { return parse_whole<std::int64_t>(text, base); }
-std::optional<std::uint64_t> parse_uint(std::string_view text, int base) { return parse_whole<std::uint64_t>(text, base); }
+std::optional<std::uint64_t> parse_uint(std::string_view text, int base) {
+  return parse_whole<std::uint64_t>(text, base);
+}
 
 std::string format_double(double value) { return format(value); }
 std::string format_float(float value) { return format(value); }

@@ -7,7 +7,8 @@
 
 namespace penpose::base {
 
-// Text to number and back without any locale: "1.5" is one and a half on every machine. The whole text must be the number.
+// Text to number and back without any locale: "1.5" is one and a half on every machine. The whole text must be the
+// number.
 
 /// A finite or non-finite decimal number; a leading '+' is taken. Nothing when the text is anything else.
 [[nodiscard]] std::optional<double> parse_double(std::string_view text);

@@ -8,8 +8,9 @@
 
 namespace penpose::base {
 
-/// Why an operation failed, for a person: what is wrong, where in the input (line, byte offset or JSON pointer; may be empty)
-/// and what the user can do about it (may be empty). Bytes carry no name, so the file is added by whoever opened it.
+/// Why an operation failed, for a person: what is wrong, where in the input (line, byte offset or JSON pointer; may be
+/// empty) and what the user can do about it (may be empty). Bytes carry no name, so the file is added by whoever opened
+/// it.
 struct Error {
   std::string what;
   std::string place;
@@ -25,7 +26,7 @@ class [[nodiscard]] Result {
  public:
   using Value = T;
 
-  Result(T value) : state_(std::move(value)) {}      // NOLINT(google-explicit-constructor): `return value;` is the point
+  Result(T value) : state_(std::move(value)) {}  // NOLINT(google-explicit-constructor): `return value;` is the point
   Result(Error error) : state_(std::move(error)) {}  // NOLINT(google-explicit-constructor)
 
   [[nodiscard]] bool ok() const { return std::holds_alternative<T>(state_); }

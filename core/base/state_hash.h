@@ -20,8 +20,8 @@ struct Hash128 {
   [[nodiscard]] std::string hex() const;
 };
 
-/// Hashes a canonical byte stream (XXH3, 128 bits). Every add writes the same bytes on every machine: integers and doubles
-/// little-endian, text with its length in front, -0 as +0 and every NaN as one NaN.
+/// Hashes a canonical byte stream (XXH3, 128 bits). Every add writes the same bytes on every machine: integers and
+/// doubles little-endian, text with its length in front, -0 as +0 and every NaN as one NaN.
 class StateHash {
  public:
   StateHash();

@@ -168,23 +168,30 @@ int read_count(const JsonPlace& place, int most) {
   return count.present() ? static_cast<int>(count.integer(0, most)) : 0;
 }
 
+/// Releases differ in how they tell rings from dials: by `IsRelative`, or by which of two step counts there is.
 TabletWheel read_wheel(const JsonPlace& place) {
   TabletWheel wheel;
-  if (const auto relative = place.at("IsRelative"); relative.present()) wheel.is_ring = !relative.boolean();
-  if (const auto steps = place.at("StepCount"); steps.present()) wheel.steps = steps.number(0, 1e6);
+  const auto relative = place.at("IsRelative");
+  wheel.is_ring = relative.present() ? !relative.boolean() : place.at("AbsoluteWheelMax").present();
+  for (const auto* const name : {"StepCount", "RelativeWheelSteps", "AbsoluteWheelMax"}) {
+    if (const auto steps = place.at(name); steps.present()) wheel.steps = steps.number(0, 1e6);
+  }
   if (const auto zero = place.at("AngleOfZeroReading"); zero.present()) wheel.zero_degrees = zero.number(-360, 360);
   wheel.buttons = read_count(place, 32);
   return wheel;
 }
 
-void read_specifications(const JsonPlace& specifications, Tablet& tablet) {
-  const auto area = specifications.at("Digitizer");
+void read_ranges(const JsonPlace& area, const JsonPlace& pen, Tablet& tablet) {
   tablet.width_mm = area.at("Width").number(0, 10000);
   tablet.height_mm = area.at("Height").number(0, 10000);
   tablet.max_x = static_cast<std::int32_t>(area.at("MaxX").number(0, 0x7fffffff));
   tablet.max_y = static_cast<std::int32_t>(area.at("MaxY").number(0, 0x7fffffff));
-  const auto pen = specifications.at("Pen");
   tablet.max_pressure = static_cast<std::int32_t>(pen.at("MaxPressure").number(0, 0x7fffffff));
+}
+
+void read_specifications(const JsonPlace& specifications, Tablet& tablet) {
+  const auto pen = specifications.at("Pen");
+  read_ranges(specifications.at("Digitizer"), pen, tablet);
   tablet.pen_buttons = read_count(pen, 32);
   tablet.pad_keys = read_count(specifications.at("AuxiliaryButtons"), 64);
   tablet.mouse_buttons = read_count(specifications.at("MouseButtons"), 32);
@@ -208,12 +215,17 @@ Tablet read_open_tablet_driver(const JsonPlace& file) {
   const auto blank = name.find(' ');
   tablet.vendor = name.substr(0, blank);
   tablet.name = blank == std::string::npos ? name : name.substr(blank + 1);
-  read_specifications(file.at("Specifications"), tablet);
+  const auto specifications = file.at("Specifications");
+  const auto identifiers = file.at("DigitizerIdentifiers").items();
+  // Before version 0.6 each identifier stated the ranges.
+  if (!specifications.present() && !identifiers.empty() && identifiers.front().at("Width").present()) {
+    read_ranges(identifiers.front(), identifiers.front(), tablet);
+  } else {
+    read_specifications(specifications, tablet);
+  }
   tablet.hide_from_desktop = read_attribute(file, "libinputoverride", 1).value_or(0) == 1;
   tablet.feature_delay_ms = read_attribute(file, "FeatureInitDelayMs", 60000).value_or(0);
-  for (const auto& item : file.at("DigitizerIdentifiers").items()) {
-    tablet.identifiers.push_back(read_identifier(item, file));
-  }
+  for (const auto& item : identifiers) tablet.identifiers.push_back(read_identifier(item, file));
   if (tablet.identifiers.empty()) file.at("DigitizerIdentifiers").fail("lists no identifier", "add one");
   // Some releases spell the member with a letter missing.
   for (const auto* const spelling : {"AuxiliaryDeviceIdentifiers", "AuxilaryDeviceIdentifiers"}) {

@@ -57,11 +57,10 @@ struct Tablet {
   int pad_keys = 0;
   int mouse_buttons = 0;
   std::vector<TabletWheel> wheels;
-  bool hide_from_desktop = false;  ///< the system's own device would move the pointer too
-  int feature_delay_ms = 0;        ///< wait before each feature report
-  std::vector<TabletIdentifier>
-      identifiers;                     ///< of the pen interface: alternatives, all from the table's point of view equal
-  std::vector<TabletIdentifier> pads;  ///< further interfaces of the same tablet that carry keys or touch
+  bool hide_from_desktop = false;             ///< the system's own device would move the pointer too
+  int feature_delay_ms = 0;                   ///< wait before each feature report
+  std::vector<TabletIdentifier> identifiers;  ///< how the pen interface may show itself
+  std::vector<TabletIdentifier> pads;         ///< further interfaces of the same tablet that carry keys or touch
 };
 
 /// What `find` found. Both pointers live as long as the table.

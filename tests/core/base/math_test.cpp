@@ -1,8 +1,7 @@
 #include "core/base/math.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <random>
 
 namespace penpose::base {
@@ -10,7 +9,8 @@ namespace {
 
 /// Distance from the long double reference in units of the last place of the double result.
 double ulps(double got, long double want) {
-  const double spacing = std::nextafter(std::abs(static_cast<double>(want)), INFINITY) - std::abs(static_cast<double>(want));
+  const double spacing =
+      std::nextafter(std::abs(static_cast<double>(want)), INFINITY) - std::abs(static_cast<double>(want));
   return static_cast<double>(std::abs(static_cast<long double>(got) - want) / static_cast<long double>(spacing));
 }
 
@@ -32,10 +32,14 @@ TEST(Math, StaysWithinTwoUnitsInTheLastPlace) {
   EXPECT_LT(worst(-700, 700, exp, [](long double x) { return std::exp(x); }), 2);
   EXPECT_LT(worst(1e-3, 50, log, [](long double x) { return std::log(x); }), 2);
   EXPECT_LT(worst(0, 1e300, log, [](long double x) { return std::log(x); }), 2);
-  EXPECT_LT(worst(-3, 3, [](double x) { return atan2(x, 0.7); },
-                  [](long double x) { return std::atan2(x, static_cast<long double>(0.7)); }), 2);
-  EXPECT_LT(worst(-3, 3, [](double x) { return atan2(0.3, x); },
-                  [](long double x) { return std::atan2(static_cast<long double>(0.3), x); }), 2);
+  EXPECT_LT(worst(
+                -3, 3, [](double x) { return atan2(x, 0.7); },
+                [](long double x) { return std::atan2(x, static_cast<long double>(0.7)); }),
+            2);
+  EXPECT_LT(worst(
+                -3, 3, [](double x) { return atan2(0.3, x); },
+                [](long double x) { return std::atan2(static_cast<long double>(0.3), x); }),
+            2);
   EXPECT_LT(worst(-1, 1, acos, [](long double x) { return std::acos(x); }), 3);
 }
 

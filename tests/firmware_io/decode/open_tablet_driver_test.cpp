@@ -1,6 +1,8 @@
 #include "firmware_io/decode/open_tablet_driver.h"
 
 #include <gtest/gtest.h>
+#include <string>
+#include <vector>
 
 #include "firmware_io/decode/protocol.h"
 #include "firmware_io/decode/tablet_reader.h"
@@ -67,6 +69,37 @@ TEST(OpenTabletDriver, OlderButtonCountAndMissingParts) {
   EXPECT_EQ(table->tablets()[0].pen_buttons, 3);
   EXPECT_EQ(table->tablets()[0].vendor, "Single");
   EXPECT_EQ(table->tablets()[0].identifiers[0].protocol->name, "generic");
+}
+
+TEST(OpenTabletDriver, RangesInTheIdentifierAsBeforeVersion06) {
+  const auto table = read_tablet_file(R"({"Name": "Maker Old", "DigitizerIdentifiers": [{"Width": 128.0, "Height": 98,
+    "MaxX": 5104.0, "MaxY": 3712.0, "MaxPressure": 512, "VendorID": 1, "ProductID": 2, "InputReportLength": 8,
+    "ReportParser": null, "FeatureInitReport": "AgI="}]})");
+  ASSERT_TRUE(table.ok()) << table.error().line();
+  EXPECT_EQ(table->tablets()[0].max_y, 3712);
+  EXPECT_EQ(table->tablets()[0].max_pressure, 512);
+  EXPECT_EQ(table->tablets()[0].identifiers[0].send_features.at(0), (std::vector<std::uint8_t>{2, 2}));
+}
+
+TEST(OpenTabletDriver, WheelsOfEveryRelease) {
+  const auto wheels = [](const std::string& text) {
+    const auto table = read_tablet_file(R"({"Name": "A B", "Specifications": {"Digitizer": {"Width": 1, "Height": 1,
+      "MaxX": 1, "MaxY": 1}, "Pen": {"MaxPressure": 1}, )" +
+                                        text + R"(}, "DigitizerIdentifiers": [{"VendorID": 1, "ProductID": 2}]})");
+    EXPECT_TRUE(table.ok()) << table.error().line();
+    return table.ok() ? table->tablets()[0].wheels : std::vector<TabletWheel>{};
+  };
+  auto found = wheels(R"("Wheel": {"StepCount": 24, "IsRelative": true, "ButtonCount": 1})");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_FALSE(found[0].is_ring);
+  EXPECT_EQ(found[0].steps, 24);
+  EXPECT_EQ(found[0].buttons, 1);
+  found = wheels(R"("Wheels": [{"RelativeWheelSteps": 24}, {"AbsoluteWheelMax": 71, "AngleOfZeroReading": 90}])");
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_FALSE(found[0].is_ring);
+  EXPECT_TRUE(found[1].is_ring);
+  EXPECT_EQ(found[1].steps, 71);
+  EXPECT_EQ(found[1].zero_degrees, 90);
 }
 
 TEST(OpenTabletDriver, ErrorsPointAtThePlace) {

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/state_hash.h"
+#include "core/mesh/mesh_point.h"
+#include "core/mesh/triangle_mesh.h"
+#include "core/rig/blend_shapes.h"
+#include "core/rig/character_rig.h"
+#include "core/rig/skeleton.h"
+
+namespace penpose::document {
+
+/// How the surface of a part looks. Colour is linear RGBA, 0..1.
+struct Material {
+  std::string name;
+  std::array<double, 4> base_color{0.8, 0.8, 0.8, 1.0};
+  double metallic = 0;
+  double roughness = 0.6;
+};
+
+/// A curve of the model that has a name: points glued to the surface.
+struct NamedCurve {
+  std::string name;
+  std::vector<mesh::MeshPoint> points;
+};
+
+enum class Interpolation : std::uint8_t { step, linear, cubic_spline };
+
+/// What one channel of an animation drives.
+enum class ChannelTarget : std::uint8_t { weights, translation, rotation, scale };
+
+/// One animated property, as glTF keeps it. For weights, `values` holds one run of all blend shapes a key; for a joint,
+/// 3 or 4 numbers a key (rotation x y z w). Cubic splines hold in-tangent, value, out-tangent for each key.
+struct Channel {
+  ChannelTarget target = ChannelTarget::weights;
+  std::uint32_t joint = 0;  ///< for translation, rotation, scale: joint of the skeleton
+  Interpolation interpolation = Interpolation::linear;
+  std::vector<double> times_s;  ///< ascending
+  std::vector<double> values;
+};
+
+struct Animation {
+  std::string name;
+  std::vector<Channel> channels;
+};
+
+/// A character as a file holds it: what can be posed and where it stands.
+struct Model {
+  std::shared_ptr<const mesh::TriangleMesh> mesh;
+  std::vector<Material> materials;                 ///< one a part, in the order of the parts
+  std::shared_ptr<const rig::BlendShapes> shapes;  ///< null: none
+  std::shared_ptr<const rig::Skeleton> skeleton;   ///< null: none
+  std::shared_ptr<const rig::CharacterRig> rig;    ///< the sum of both
+  rig::Pose pose;                                  ///< one value a parameter of the rig
+  std::vector<NamedCurve> curves;
+  std::vector<Animation> animations;
+  std::vector<std::string> notes;  ///< what a reader had to leave out, one line each
+};
+
+/// Puts the pieces together: makes the rig and starts at its rest pose. Errors of the rig.
+[[nodiscard]] base::Result<Model> make_model(std::shared_ptr<const mesh::TriangleMesh> mesh,
+                                             std::shared_ptr<const rig::BlendShapes> shapes,
+                                             std::shared_ptr<const rig::Skeleton> skeleton);
+
+/// World positions of all vertices at the model's pose.
+[[nodiscard]] std::vector<geometry::ModelPoint> posed_positions(const Model& model);
+/// The box around the world positions at rest, which frames pictures and scales tolerances.
+[[nodiscard]] geometry::Box rest_world_box(const Model& model);
+
+/// Adds meshes, rig, curves and pose in a canonical order (method, section 5).
+[[nodiscard]] base::Hash128 state_hash(const Model& model);
+
+}  // namespace penpose::document

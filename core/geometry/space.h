@@ -1,0 +1,48 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace penpose::geometry {
+
+/// A point of the viewport in px: origin top left, x to the right, y down. No other 2D space uses this type.
+struct PxPoint {
+  double x = 0;
+  double y = 0;
+  friend bool operator==(const PxPoint&, const PxPoint&) = default;
+};
+
+inline PxPoint operator+(PxPoint a, PxPoint b) { return {a.x + b.x, a.y + b.y}; }
+inline PxPoint operator-(PxPoint a, PxPoint b) { return {a.x - b.x, a.y - b.y}; }
+inline PxPoint operator*(PxPoint a, double s) { return {a.x * s, a.y * s}; }
+
+/// A point or a vector of model space: right-handed, y up, the model's own unit of length (glTF says metres).
+using ModelPoint = glm::dvec3;
+using ModelVector = glm::dvec3;
+
+/// Distances with an exact square root, so that they are the same on every machine.
+[[nodiscard]] double distance(PxPoint a, PxPoint b);
+[[nodiscard]] double distance(const ModelPoint& a, const ModelPoint& b);
+[[nodiscard]] double length(const ModelVector& v);
+/// v / |v|, or `fallback` for a vector too short to have a direction.
+[[nodiscard]] ModelVector normalized(const ModelVector& v, const ModelVector& fallback = {0, 0, 1});
+
+/// A half line: origin + t direction, t >= 0. The direction has length one unless its maker says otherwise.
+struct Ray {
+  ModelPoint origin;
+  ModelVector direction;
+};
+
+/// An axis-aligned box. Empty (minimum above maximum) until something is added.
+struct Box {
+  ModelPoint minimum{1e300};
+  ModelPoint maximum{-1e300};
+
+  void add(const ModelPoint& p);
+  [[nodiscard]] bool empty() const { return minimum.x > maximum.x; }
+  [[nodiscard]] ModelPoint center() const { return (minimum + maximum) * 0.5; }
+  /// Length of the diagonal; 0 for an empty box.
+  [[nodiscard]] double diagonal() const;
+};
+
+}  // namespace penpose::geometry

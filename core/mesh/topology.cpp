@@ -1,0 +1,146 @@
+#include "core/mesh/topology.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+namespace penpose::mesh {
+namespace {
+
+std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t v) {
+  while (parent[v] != v) {
+    parent[v] = parent[parent[v]];
+    v = parent[v];
+  }
+  return v;
+}
+
+/// Joins two sets; the lower root wins, so that a set is named by its lowest vertex.
+void join(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint32_t b) {
+  a = find_root(parent, a);
+  b = find_root(parent, b);
+  if (a < b) parent[b] = a;
+  if (b < a) parent[a] = b;
+}
+
+}  // namespace
+
+std::vector<EdgeUse> sorted_edges(std::span<const Triangle> triangles, std::size_t vertex_count) {
+  // A counting sort by the lower vertex, then small sorts within: edges of one vertex are few.
+  std::vector<std::uint32_t> start(vertex_count + 1, 0);
+  const auto each_edge = [&](const auto& use) {
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax(triangles[t][k], triangles[t][(k + 1) % 3]);
+        use(EdgeUse{low, high, t});
+      }
+    }
+  };
+  each_edge([&](const EdgeUse& edge) { ++start[edge.low + 1]; });
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<EdgeUse> edges(triangles.size() * 3);
+  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+  each_edge([&](const EdgeUse& edge) { edges[next[edge.low]++] = edge; });
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    std::sort(edges.begin() + start[v], edges.begin() + start[v + 1], [](const EdgeUse& a, const EdgeUse& b) {
+      return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle);
+    });
+  }
+  return edges;
+}
+
+std::optional<std::uint32_t> first_non_manifold_triangle(std::span<const Triangle> triangles,
+                                                         std::size_t vertex_count) {
+  const auto edges = sorted_edges(triangles, vertex_count);
+  std::optional<std::uint32_t> first;
+  for (std::size_t i = 2; i < edges.size(); ++i) {
+    const bool third = edges[i].low == edges[i - 2].low && edges[i].high == edges[i - 2].high;
+    if (third && (!first || edges[i].triangle < *first)) first = edges[i].triangle;
+  }
+  return first;
+}
+
+std::vector<std::uint32_t> weld_coincident(const MeshSource& source) {
+  std::vector<std::uint32_t> weld(source.positions.size());
+  std::iota(weld.begin(), weld.end(), 0U);
+  const auto before = [&](std::uint32_t a, std::uint32_t b) {
+    const ModelPoint& p = source.positions[a];
+    const ModelPoint& q = source.positions[b];
+    return std::tie(p.x, p.y, p.z, a) < std::tie(q.x, q.y, q.z, b);
+  };
+  std::vector<std::uint32_t> order;
+  std::vector<Triangle> welded;
+  for (const Part& part : source.parts) {
+    order.resize(part.vertex_count);
+    std::iota(order.begin(), order.end(), part.first_vertex);
+    std::sort(order.begin(), order.end(), before);
+    bool any = false;
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      if (source.positions[order[i]] == source.positions[order[i - 1]]) {
+        weld[order[i]] = weld[order[i - 1]];
+        any = true;
+      }
+    }
+    if (!any) continue;
+    welded.assign(source.triangles.begin() + part.first_triangle,
+                  source.triangles.begin() + part.first_triangle + part.triangle_count);
+    bool collapsed = false;
+    for (Triangle& t : welded) {
+      for (std::uint32_t& v : t) v = weld[v];
+      collapsed |= t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+    }
+    if (collapsed || first_non_manifold_triangle(welded, source.positions.size())) {
+      std::iota(weld.begin() + part.first_vertex, weld.begin() + part.first_vertex + part.vertex_count,
+                part.first_vertex);
+    }
+  }
+  return weld;
+}
+
+std::vector<std::uint32_t> smoothing_groups(const MeshSource& source, std::span<const std::uint32_t> weld) {
+  std::vector<std::uint32_t> group(weld.begin(), weld.end());
+  if (source.normals.empty()) return group;
+  // Vertices of one weld are compared with the first of each smoothing group of that weld; such groups are few.
+  std::vector<std::vector<std::uint32_t>> firsts;
+  std::vector<std::uint32_t> slot(weld.size(), 0);
+  for (std::uint32_t v = 0; v < weld.size(); ++v) {
+    if (weld[v] == v) continue;
+    std::uint32_t& index = slot[weld[v]];
+    if (index == 0) {
+      firsts.push_back({weld[v]});
+      index = static_cast<std::uint32_t>(firsts.size());
+    }
+    auto& leaders = firsts[index - 1];
+    const auto same = std::find_if(leaders.begin(), leaders.end(), [&](std::uint32_t leader) {
+      const glm::vec3 d = source.normals[v] - source.normals[leader];
+      return d.x * d.x + d.y * d.y + d.z * d.z < 1e-6F;
+    });
+    if (same != leaders.end()) {
+      group[v] = *same;
+    } else {
+      group[v] = v;
+      leaders.push_back(v);
+    }
+  }
+  return group;
+}
+
+Components label_components(std::span<const Triangle> triangles, std::span<const std::uint32_t> weld) {
+  std::vector<std::uint32_t> parent(weld.begin(), weld.end());
+  for (const Triangle& t : triangles) {
+    join(parent, t[0], t[1]);
+    join(parent, t[1], t[2]);
+  }
+  Components result;
+  result.component.resize(parent.size());
+  std::vector<std::uint32_t> number(parent.size(), 0);
+  for (std::uint32_t v = 0; v < parent.size(); ++v) {
+    const std::uint32_t root = find_root(parent, v);
+    if (root == v) number[v] = static_cast<std::uint32_t>(result.count++);
+    result.component[v] = number[root];
+  }
+  return result;
+}
+
+}  // namespace penpose::mesh

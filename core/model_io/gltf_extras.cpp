@@ -1,0 +1,204 @@
+#include "core/model_io/gltf_extras.h"
+
+#include <cmath>
+
+namespace penpose::model_io {
+namespace {
+
+constexpr const char* k_export_again = "remove the extras or write the file again";
+
+base::Error wrong(std::string what, std::string pointer, std::string remedy = k_export_again) {
+  return {std::move(what), std::move(pointer), std::move(remedy)};
+}
+
+const Json* own_extras(const Json& object) {
+  const Json* extras = find(object, "extras");
+  return extras == nullptr ? nullptr : find(*extras, k_extras_key);
+}
+
+/// `count` moderate numbers, or nothing.
+std::optional<std::vector<double>> read_numbers(const Json& value, std::size_t count) {
+  if (!value.is_array() || value.size() != count) return std::nullopt;
+  std::vector<double> numbers;
+  for (const Json& item : value) {
+    const auto n = number(item);
+    if (!n || std::abs(*n) > 1e15) return std::nullopt;
+    numbers.push_back(*n);
+  }
+  return numbers;
+}
+
+std::optional<base::Error> read_shape(const Json& value, const std::string& pointer, rig::Parameter& out) {
+  const Json* name = find(value, "name");
+  if (name == nullptr || !name->is_string()) return wrong("a name was expected", pointer);
+  out.name = name->get<std::string>();
+  const auto member = [&](const char* key) {
+    const Json* found = find(value, key);
+    return found == nullptr ? std::nullopt : number(*found);
+  };
+  const auto rest = member("rest");
+  const auto minimum = member("minimum");
+  const auto maximum = member("maximum");
+  if (!rest || !minimum || !maximum || !(*minimum < *maximum) || !(*minimum <= *rest && *rest <= *maximum)) {
+    return wrong("numbers minimum <= rest <= maximum were expected", pointer);
+  }
+  out.rest = *rest;
+  out.minimum = *minimum;
+  out.maximum = *maximum;
+  return std::nullopt;
+}
+
+std::optional<base::Error> read_curve(const Json& value, const std::string& pointer, document::NamedCurve& out) {
+  const Json* name = find(value, "name");
+  const Json* points = find(value, "points");
+  if (name == nullptr || !name->is_string()) return wrong("a name was expected", pointer);
+  if (points == nullptr || !points->is_array()) return wrong("a list of points was expected", pointer);
+  out.name = name->get<std::string>();
+  for (std::size_t i = 0; i < points->size(); ++i) {
+    const auto numbers = read_numbers((*points)[i], 4);
+    const auto triangle = numbers ? whole_number((*points)[i][0], 0, 0xffffffffLL) : std::nullopt;
+    if (!triangle) return wrong("a point [triangle, b0, b1, b2] was expected", child(child(pointer, "points"), i));
+    out.points.push_back({static_cast<std::uint32_t>(*triangle), {(*numbers)[1], (*numbers)[2], (*numbers)[3]}});
+  }
+  return std::nullopt;
+}
+
+std::optional<base::Error> read_flag(const Json& object, const char* name, const std::string& pointer,
+                                     std::optional<bool>& out) {
+  const Json* value = find(object, name);
+  if (value == nullptr) return std::nullopt;
+  if (!value->is_boolean()) return wrong("true or false was expected", child(pointer, name));
+  out = value->get<bool>();
+  return std::nullopt;
+}
+
+std::optional<base::Error> read_vector(const Json& object, const char* name, const std::string& pointer,
+                                       std::optional<glm::dvec3>& out) {
+  const Json* value = find(object, name);
+  if (value == nullptr) return std::nullopt;
+  const auto numbers = read_numbers(*value, 3);
+  if (!numbers) return wrong("three numbers were expected", child(pointer, name));
+  out = glm::dvec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+  return std::nullopt;
+}
+
+std::optional<base::Error> read_node(const Json& object, const std::string& pointer, NodeExtras& out) {
+  if (!object.is_object()) return wrong("an object was expected", pointer);
+  std::optional<bool> joint;
+  std::optional<bool> carried;
+  std::optional<bool> still;
+  std::optional<bool> group;
+  std::optional<glm::dvec3> values;
+  if (auto error = read_flag(object, "joint", pointer, joint)) return error;
+  if (auto error = read_flag(object, "carried_by_parent", pointer, carried)) return error;
+  if (auto error = read_flag(object, "still", pointer, still)) return error;
+  if (auto error = read_flag(object, "group", pointer, group)) return error;
+  if (auto error = read_flag(object, "posable", pointer, out.posable)) return error;
+  if (auto error = read_vector(object, "minimum", pointer, out.minimum)) return error;
+  if (auto error = read_vector(object, "maximum", pointer, out.maximum)) return error;
+  if (auto error = read_vector(object, "values", pointer, values)) return error;
+  out.joint = joint.value_or(false);
+  out.carried_by_parent = carried.value_or(false);
+  out.still = still.value_or(false);
+  out.group = group.value_or(false);
+  out.values = values.value_or(glm::dvec3(0));
+  if (const Json* bind = find(object, "inverse_bind")) {
+    const auto m = read_numbers(*bind, 16);
+    if (!m) return wrong("a matrix of 16 numbers was expected", child(pointer, "inverse_bind"));
+    out.inverse_bind.emplace(1);
+    for (int c = 0; c < 4; ++c) {
+      for (int r = 0; r < 3; ++r) (*out.inverse_bind)[c][r] = (*m)[static_cast<std::size_t>(4 * c + r)];
+    }
+  }
+  if (const Json* rotation = find(object, "rest_rotation")) {
+    const auto q = read_numbers(*rotation, 4);
+    if (q) out.rest_rotation = glm::dquat((*q)[3], (*q)[0], (*q)[1], (*q)[2]);
+    if (!q || !(glm::dot(*out.rest_rotation, *out.rest_rotation) > 1e-12)) {
+      return wrong("a rotation [x, y, z, w] was expected", child(pointer, "rest_rotation"));
+    }
+  }
+  return std::nullopt;
+}
+
+/// Calls `read` for every item of the list of that name; a list that is missing is empty.
+template <typename Item, typename Read>
+std::optional<base::Error> read_list(const Json& object, const char* name, const std::string& pointer, Read read,
+                                     std::vector<Item>& out) {
+  const Json* list = find(object, name);
+  if (list == nullptr) return std::nullopt;
+  const std::string here = child(pointer, name);
+  if (!list->is_array()) return wrong("a list was expected", here);
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    if (auto error = read((*list)[i], child(here, i), out.emplace_back())) return error;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+base::Result<RootExtras> read_root_extras(const Json& document) {
+  RootExtras extras;
+  const Json* own = own_extras(document);
+  if (own == nullptr) return extras;
+  const std::string pointer = child("/extras", k_extras_key);
+  const Json* version = find(*own, "version");
+  if (version == nullptr || !whole_number(*version, k_extras_version, k_extras_version)) {
+    return wrong("a version of the extras that is not known", child(pointer, "version"),
+                 "open the file with a newer penpose, or remove the extras");
+  }
+  extras.present = true;
+  if (auto error = read_list(*own, "shapes", pointer, read_shape, extras.shapes)) return *error;
+  if (auto error = read_list(*own, "curves", pointer, read_curve, extras.curves)) return *error;
+  return extras;
+}
+
+base::Result<std::vector<NodeExtras>> read_node_extras(const Json& document, const RootExtras& root) {
+  const Json* nodes = find(document, "nodes");
+  std::vector<NodeExtras> extras(nodes == nullptr ? 0 : nodes->size());
+  if (!root.present) return extras;
+  for (std::size_t i = 0; i < extras.size(); ++i) {
+    const Json* own = own_extras((*nodes)[i]);
+    if (own == nullptr) continue;
+    const std::string pointer = child(child("/nodes", i), "extras");
+    if (auto error = read_node(*own, child(pointer, k_extras_key), extras[i])) return *error;
+  }
+  return extras;
+}
+
+base::Status check_curves(const RootExtras& root, std::size_t triangle_count) {
+  for (std::size_t c = 0; c < root.curves.size(); ++c) {
+    for (std::size_t i = 0; i < root.curves[c].points.size(); ++i) {
+      const mesh::MeshPoint& point = root.curves[c].points[i];
+      const double sum = point.barycentric[0] + point.barycentric[1] + point.barycentric[2];
+      if (point.triangle < triangle_count && std::abs(sum - 1.0) < 1e-6) continue;
+      const std::string curve = child(child(child("/extras", k_extras_key), "curves"), c);
+      return wrong("the point is not on the mesh", child(child(curve, "points"), i));
+    }
+  }
+  return base::Done{};
+}
+
+Json write_root_extras(const document::Model& model) {
+  Json own = {{"version", k_extras_version}};
+  if (model.shapes) {
+    Json shapes = Json::array();
+    for (const rig::Parameter& p : model.shapes->parameters()) {
+      shapes.push_back({{"name", p.name}, {"rest", p.rest}, {"minimum", p.minimum}, {"maximum", p.maximum}});
+    }
+    own["shapes"] = std::move(shapes);
+  }
+  if (!model.curves.empty()) {
+    Json curves = Json::array();
+    for (const document::NamedCurve& curve : model.curves) {
+      Json points = Json::array();
+      for (const mesh::MeshPoint& p : curve.points) {
+        points.push_back({p.triangle, p.barycentric[0], p.barycentric[1], p.barycentric[2]});
+      }
+      curves.push_back({{"name", curve.name}, {"points", std::move(points)}});
+    }
+    own["curves"] = std::move(curves);
+  }
+  return {{k_extras_key, std::move(own)}};
+}
+
+}  // namespace penpose::model_io

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/document/model.h"
+#include "core/model_io/json.h"
+
+namespace penpose::model_io {
+
+/// What glTF has no place for is kept in members "extras": {"penpose": {...}} (glTF 2.0, section 3.3.3): at the root of
+/// the document with the version, and at nodes.
+inline constexpr const char* k_extras_key = "penpose";
+inline constexpr std::int64_t k_extras_version = 1;
+
+/// Root: {"version": 1, "shapes": [{"name", "rest", "minimum", "maximum"}], "curves": [{"name", "points": [[triangle,
+/// b0, b1, b2], ...]}]}.
+struct RootExtras {
+  bool present = false;
+  std::vector<rig::Parameter> shapes;  ///< in the order of the rig
+  std::vector<document::NamedCurve> curves;
+};
+
+/// Node: {"joint": true, "posable": true, "rest_rotation": [x, y, z, w], "minimum": [x, y, z], "maximum": [x, y, z],
+/// "values": [rx, ry, rz]} or {"carried_by_parent": true} or {"still": true} or
+/// {"group": true}. A joint whose inverse bind matrix needs doubles also has "inverse_bind": 16 numbers by columns.
+struct NodeExtras {
+  bool joint = false;              ///< the node is a joint, whether it moves anything or not
+  bool carried_by_parent = false;  ///< the node is no joint: its mesh belongs to the node above
+  bool still = false;              ///< vertices that follow this joint follow nothing
+  bool group = false;              ///< the node only gathers joints below one root
+  std::optional<bool> posable;
+  std::optional<glm::dquat> rest_rotation;  ///< the node's own rotation holds the pose
+  std::optional<glm::dvec3> minimum;        ///< radians
+  std::optional<glm::dvec3> maximum;
+  std::optional<glm::dmat4> inverse_bind;
+  glm::dvec3 values{0};
+};
+
+/// Errors (place: JSON pointer): a version that is not known, a member of another type, a range without room.
+[[nodiscard]] base::Result<RootExtras> read_root_extras(const Json& document);
+/// One entry a node; all empty when `root` is not present.
+[[nodiscard]] base::Result<std::vector<NodeExtras>> read_node_extras(const Json& document, const RootExtras& root);
+/// Errors: a curve point on a triangle that does not exist, or with coordinates that do not sum to one.
+[[nodiscard]] base::Status check_curves(const RootExtras& root, std::size_t triangle_count);
+
+[[nodiscard]] Json write_root_extras(const document::Model& model);
+
+}  // namespace penpose::model_io

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/model_io/gltf_document.h"
+#include "core/model_io/gltf_extras.h"
+#include "core/model_io/gltf_meshes.h"
+#include "core/rig/blend_shapes.h"
+
+namespace penpose::model_io {
+
+struct GltfShapes {
+  std::vector<rig::BlendShape> shapes;
+  std::vector<double> values;                       ///< the pose, one a shape
+  std::vector<std::vector<std::size_t>> of_target;  ///< for every part and target of it, the shape
+};
+
+/// Reads the morph targets of all parts. Targets of one name are one shape across parts. Names: extras.targetNames of
+/// the mesh, else PART.targetN. Values: weights of the node, else of the mesh. Errors: place is a JSON pointer.
+[[nodiscard]] base::Result<GltfShapes> read_shapes(GltfDocument& document, const GltfMeshes& meshes,
+                                                   const RootExtras& extras);
+
+}  // namespace penpose::model_io

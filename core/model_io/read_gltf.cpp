@@ -1,0 +1,83 @@
+#include "core/model_io/read_gltf.h"
+
+#include <cmath>
+
+#include "core/model_io/gltf_animations.h"
+#include "core/model_io/gltf_document.h"
+#include "core/model_io/gltf_extras.h"
+#include "core/model_io/gltf_meshes.h"
+#include "core/model_io/gltf_nodes.h"
+#include "core/model_io/gltf_shapes.h"
+#include "core/model_io/gltf_skins.h"
+
+namespace penpose::model_io {
+namespace {
+
+/// Moderate transforms one below the other may still multiply to something that cannot be shown.
+base::Status check_positions(const document::Model& model) {
+  if (!model.skeleton) return base::Done{};
+  const auto positions = document::posed_positions(model);
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    if (std::abs(positions[v].x) < 1e30 && std::abs(positions[v].y) < 1e30 && std::abs(positions[v].z) < 1e30) continue;
+    return base::Error{"the transforms of the nodes move vertex " + std::to_string(v) + " too far away", "/nodes",
+                       "export the file again with valid transforms"};
+  }
+  return base::Done{};
+}
+
+}  // namespace
+
+base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& resolve) {
+  auto opened = open_gltf(bytes, resolve);
+  if (!opened) return opened.error();
+  GltfDocument& document = *opened;
+  const auto root = read_root_extras(document.json);
+  if (!root) return root.error();
+  const auto node_extras = read_node_extras(document.json, *root);
+  if (!node_extras) return node_extras.error();
+  NodeTree tree = make_node_tree(document);
+  for (std::int32_t& parent : tree.parent) {
+    if (parent >= 0 && (*node_extras)[static_cast<std::size_t>(parent)].group) parent = -1;
+  }
+  auto meshes = read_meshes(document, tree);
+  if (!meshes) return meshes.error();
+  auto shapes = read_shapes(document, *meshes, *root);
+  if (!shapes) return shapes.error();
+  auto joints = read_skeleton(document, tree, *meshes, *node_extras);
+  if (!joints) return joints.error();
+  auto animations = read_animations(document, *meshes, *shapes, joints->joint_of_node);
+  if (!animations) return animations.error();
+
+  const std::size_t vertices = meshes->source.positions.size();
+  auto mesh = mesh::TriangleMesh::build(std::move(meshes->source));
+  if (!mesh) return mesh.error();
+  if (const auto status = check_curves(*root, (*mesh)->triangle_count()); !status) return status.error();
+  std::shared_ptr<const rig::BlendShapes> blend_shapes;
+  if (!shapes->shapes.empty()) {
+    auto made = rig::BlendShapes::make(std::move(shapes->shapes), vertices);
+    if (!made) return made.error();
+    blend_shapes = std::move(made).value();
+  }
+  std::shared_ptr<const rig::Skeleton> skeleton;
+  if (!joints->joints.empty()) {
+    auto made = rig::Skeleton::make(std::move(joints->joints), std::move(joints->first_influence),
+                                    std::move(joints->influences));
+    if (!made) return made.error();
+    skeleton = std::move(made).value();
+  }
+  auto model = document::make_model(*mesh, std::move(blend_shapes), std::move(skeleton));
+  if (!model) return model.error();
+  model->materials = std::move(meshes->materials);
+  model->pose = std::move(shapes->values);
+  model->pose.insert(model->pose.end(), joints->values.begin(), joints->values.end());
+  model->curves = root->curves;
+  model->animations = std::move(animations).value();
+  model->notes = std::move(document.notes);
+  if ((*mesh)->dropped_triangles() > 0) {
+    model->notes.push_back(std::to_string((*mesh)->dropped_triangles()) + " triangles without area were left out");
+  }
+  if (const auto status = check_positions(*model); !status) return status.error();
+  return model;
+}
+
+}  // namespace penpose::model_io

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/base/byte_reader.h"
+#include "core/base/result.h"
+#include "core/document/model.h"
+#include "core/model_io/read_model.h"
+
+namespace penpose::model_io {
+
+/// Reads binary or text glTF 2.0 (Khronos). Errors as of read_model.
+[[nodiscard]] base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& resolve = {});
+
+}  // namespace penpose::model_io

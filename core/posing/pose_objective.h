@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/posing/curve_system.h"
+#include "core/posing/objective.h"
+
+namespace penpose::posing {
+
+/// The variables of a solve: some parameters of the rig, each scaled so that its range is 0..1.
+struct Variables {
+  std::vector<std::size_t> parameter;
+  std::vector<double> minimum;
+  std::vector<double> range;
+  std::vector<double> start;  ///< u at the start of the solve, which the staying-near term pulls to
+
+  [[nodiscard]] std::size_t count() const { return parameter.size(); }
+  [[nodiscard]] double value(std::size_t i, double u) const { return minimum[i] + u * range[i]; }
+};
+[[nodiscard]] Variables make_variables(const rig::Rig& rig, std::span<const std::size_t> parameters,
+                                       std::span<const double> pose);
+
+/// E(x) + near_weight * sum (u_i - start_i)^2 over a chosen subset of the variables, the others standing at `at`.
+class PoseObjective : public Objective {
+ public:
+  /// Chooses the subset that the next simplex moves. `at` holds all variables.
+  virtual void select(std::span<const std::size_t> subset, std::span<const double> at) = 0;
+};
+
+/// The objective of a rig that is linear in all variables: its image are the residuals themselves, so that a value
+/// costs O(points) whatever the number of variables.
+struct LinearModel {
+  Variables variables;
+  std::vector<Column> columns;  ///< one a variable, change of the residuals when u goes from 0 to 1
+  Residuals at_zero;            ///< residuals at u = 0
+  std::vector<double> weights;  ///< of the points, padded
+  double near_weight = 0;
+
+  void residuals(std::span<const double> u, std::span<double> out) const;
+};
+/// `columns` are those of CurveSystem for the variables' parameters; the other parameters stay at `pose`.
+[[nodiscard]] LinearModel make_linear_model(CurveSystem& system, std::span<const double> pose, Variables variables,
+                                            std::vector<Column> columns, double near_weight);
+/// The model must outlive it.
+[[nodiscard]] std::unique_ptr<PoseObjective> make_linear_objective(const LinearModel& model);
+
+/// The objective of any rig, a black box. Both references must outlive it.
+[[nodiscard]] std::unique_ptr<PoseObjective> make_general_objective(CurveSystem& system, const Variables& variables,
+                                                                    std::span<const double> pose, double near_weight);
+
+}  // namespace penpose::posing

@@ -1,0 +1,98 @@
+#include "core/posing/vector_math.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/geometry/simd.h"
+
+namespace penpose::posing {
+namespace {
+
+using geometry::Double4;
+
+/// Four doubles at any address; the type tells the compiler that they need no alignment and may alias plain doubles.
+using Loose4 = double __attribute__((vector_size(32), aligned(8), may_alias));
+const Loose4& at(const double* p) { return *reinterpret_cast<const Loose4*>(p); }
+Loose4& at(double* p) { return *reinterpret_cast<Loose4*>(p); }
+
+double sum_of(const Double4& lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
+
+}  // namespace
+
+double dot(const double* a, const double* b, std::size_t count) {
+  Double4 sum = geometry::splat(0.0);
+  std::size_t i = 0;
+  for (; i + 4 <= count; i += 4) sum += at(a + i) * at(b + i);
+  double total = sum_of(sum);
+  for (; i < count; ++i) total += a[i] * b[i];
+  return total;
+}
+
+void multiply(const double* a, const double* b, double* out, std::size_t count) {
+  std::size_t i = 0;
+  for (; i + 4 <= count; i += 4) at(out + i) = at(a + i) * at(b + i);
+  for (; i < count; ++i) out[i] = a[i] * b[i];
+}
+
+void add_scaled(double factor, const double* a, double* out, std::size_t count) {
+  const Double4 f = geometry::splat(factor);
+  std::size_t i = 0;
+  for (; i + 4 <= count; i += 4) at(out + i) += f * at(a + i);
+  for (; i < count; ++i) out[i] += factor * a[i];
+}
+
+double weighted_lengths(const double* residuals, std::span<const double> weights) {
+  Double4 sum = geometry::splat(0.0);
+  const double* block = residuals;
+  for (std::size_t i = 0; i < weights.size(); i += k_block_points, block += k_block_numbers) {
+    const Double4 squared = at(block) * at(block) + at(block + 4) * at(block + 4) + at(block + 8) * at(block + 8);
+    const Double4 length = {std::sqrt(squared[0]), std::sqrt(squared[1]), std::sqrt(squared[2]), std::sqrt(squared[3])};
+    sum += at(weights.data() + i) * length;
+  }
+  return sum_of(sum);
+}
+
+Column::Column(Residuals values) : values_(std::move(values)) {
+  for (std::uint32_t begin = 0; begin < values_.size(); begin += k_block_numbers) {
+    const auto block = std::span(values_).subspan(begin, k_block_numbers);
+    if (std::all_of(block.begin(), block.end(), [](double v) { return v == 0.0; })) continue;
+    const auto end = static_cast<std::uint32_t>(begin + k_block_numbers);
+    if (!runs_.empty() && runs_.back().end == begin) {
+      runs_.back().end = end;
+    } else {
+      runs_.push_back({begin, end});
+    }
+  }
+}
+
+void Column::scale(double factor) {
+  for (double& value : values_) value *= factor;
+}
+
+double Column::dot(const double* b) const { return dot_within(values_.data(), b); }
+
+double Column::dot_within(const double* a, const double* b) const {
+  Double4 sum = geometry::splat(0.0);
+  Double4 other = geometry::splat(0.0);
+  Double4 third = geometry::splat(0.0);
+  for (const Run& run : runs_) {
+    for (std::size_t i = run.begin; i < run.end; i += k_block_numbers) {
+      sum += at(a + i) * at(b + i);
+      other += at(a + i + 4) * at(b + i + 4);
+      third += at(a + i + 8) * at(b + i + 8);
+    }
+  }
+  return sum_of(sum + other + third);
+}
+
+void Column::multiply(const double* b, double* out) const {
+  for (const Run& run : runs_)
+    posing::multiply(values_.data() + run.begin, b + run.begin, out + run.begin, run.end - run.begin);
+}
+
+void Column::add_to(double factor, double* out) const {
+  for (const Run& run : runs_) add_scaled(factor, values_.data() + run.begin, out + run.begin, run.end - run.begin);
+}
+
+}  // namespace penpose::posing

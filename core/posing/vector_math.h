@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace penpose::posing {
+
+// Loops over arrays of doubles. Sums run in four lanes that are added in a fixed order, so that a compiler may use
+// whatever vector registers there are without changing a bit. Arrays do not overlap unless they are the same.
+
+/// Sum of a_i b_i.
+[[nodiscard]] double dot(const double* a, const double* b, std::size_t count);
+/// out_i = a_i b_i.
+void multiply(const double* a, const double* b, double* out, std::size_t count);
+/// out_i += factor a_i.
+void add_scaled(double factor, const double* a, double* out, std::size_t count);
+
+/// Vectors of curve points, four points to a block: x of the four, y of the four, z of the four. Padded with zeros to
+/// whole blocks.
+using Residuals = std::vector<double>;
+inline constexpr std::size_t k_block_points = 4;
+inline constexpr std::size_t k_block_numbers = 12;
+/// Place of a point's coordinate (axis 0..2) in Residuals.
+[[nodiscard]] constexpr std::size_t residual_index(std::size_t point, std::size_t axis) {
+  return point / k_block_points * k_block_numbers + axis * k_block_points + point % k_block_points;
+}
+
+/// Sum over the points of w_i times the length of (x_i, y_i, z_i). Precondition: one weight a point, padding included.
+[[nodiscard]] double weighted_lengths(const double* residuals, std::span<const double> weights);
+
+/// How residuals change with one variable: most variables move few of the points, so the blocks that are not all zero
+/// are listed.
+class Column {
+ public:
+  Column() = default;
+  explicit Column(Residuals values);
+  [[nodiscard]] const Residuals& values() const { return values_; }
+  void scale(double factor);
+  /// Sum of value_i b_i over all places.
+  [[nodiscard]] double dot(const double* b) const;
+  /// out_i = value_i b_i where the column is not zero; other places of out keep what they hold.
+  void multiply(const double* b, double* out) const;
+  /// Sum of a_i b_i over the places where this column is not zero.
+  [[nodiscard]] double dot_within(const double* a, const double* b) const;
+  /// out_i += factor value_i.
+  void add_to(double factor, double* out) const;
+
+ private:
+  struct Run {
+    std::uint32_t begin;
+    std::uint32_t end;
+  };
+  Residuals values_;
+  std::vector<Run> runs_;
+};
+
+}  // namespace penpose::posing

@@ -1,0 +1,150 @@
+#include "core/rig/character_rig.h"
+
+#include <algorithm>
+#include <set>
+
+namespace penpose::rig {
+namespace {
+
+ModelPoint transform(const glm::dmat4& matrix, const ModelPoint& p) { return ModelPoint(matrix * glm::dvec4(p, 1.0)); }
+
+class BoundCharacter final : public BoundVertices {
+ public:
+  BoundCharacter(const CharacterRig& rig, std::span<const std::uint32_t> vertices)
+      : rig_(rig), vertices_(vertices.begin(), vertices.end()), displacements_(vertices.size()) {
+    for (const std::uint32_t v : vertices_) rest_.push_back(rig.mesh().positions()[v]);
+    for (const auto& layer : rig.layers()) layers_.push_back(layer->bind(vertices_));
+    if (rig.skeleton() != nullptr) {
+      matrices_.resize(rig.skeleton()->joints().size());
+      mark_carrying_joints();
+    }
+  }
+
+  [[nodiscard]] std::size_t vertex_count() const override { return vertices_.size(); }
+
+  void evaluate(std::span<const double> pose, std::span<ModelPoint> positions) override {
+    std::fill(displacements_.begin(), displacements_.end(), ModelVector{0});
+    for (std::size_t i = 0; i < layers_.size(); ++i) layers_[i]->add(layer_values(pose, i), displacements_);
+    for (std::size_t k = 0; k < vertices_.size(); ++k) positions[k] = rest_[k] + displacements_[k];
+    if (rig_.skeleton() == nullptr) return;
+    rig_.skeleton()->joint_matrices(layer_values(pose, layers_.size()), matrices_);
+    for (std::size_t k = 0; k < vertices_.size(); ++k) {
+      positions[k] = transform(rig_.skeleton()->vertex_matrix(vertices_[k], matrices_), positions[k]);
+    }
+  }
+
+  [[nodiscard]] bool moves(std::size_t parameter) const override {
+    const std::size_t layer = layer_of(parameter);
+    if (layer < layers_.size()) return layers_[layer]->moves(parameter - rig_.first_parameter(layer));
+    return carries_[rig_.skeleton()->joint_of(parameter - rig_.first_parameter(layer))];
+  }
+
+  [[nodiscard]] std::optional<LinearForm> linearize(std::span<const double> pose,
+                                                    std::span<const std::size_t> free) override {
+    const std::size_t n = vertices_.size();
+    LinearForm form;
+    Pose fixed(pose.begin(), pose.end());
+    form.columns.resize(free.size() * n);
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      const std::size_t layer = layer_of(free[i]);
+      const std::span column = std::span(form.columns).subspan(i * n, n);
+      if (layer == layers_.size()) {
+        if (moves(free[i])) return std::nullopt;
+        continue;
+      }
+      if (!layers_[layer]->column(free[i] - rig_.first_parameter(layer), column)) return std::nullopt;
+      fixed[free[i]] = 0.0;
+    }
+    form.constant.resize(n);
+    evaluate(fixed, form.constant);
+    if (rig_.skeleton() != nullptr) {
+      // evaluate() left the joints' matrices at this pose: a displaced vertex is turned by the linear part of its
+      // matrix.
+      for (std::size_t k = 0; k < n; ++k) {
+        const glm::dmat3 turn(rig_.skeleton()->vertex_matrix(vertices_[k], matrices_));
+        for (std::size_t i = 0; i < free.size(); ++i) form.columns[i * n + k] = turn * form.columns[i * n + k];
+      }
+    }
+    return form;
+  }
+
+ private:
+  [[nodiscard]] std::size_t layer_of(std::size_t parameter) const {
+    std::size_t layer = 0;
+    while (layer < layers_.size() && parameter >= rig_.first_parameter(layer + 1)) ++layer;
+    return layer;
+  }
+  [[nodiscard]] std::span<const double> layer_values(std::span<const double> pose, std::size_t layer) const {
+    return pose.subspan(rig_.first_parameter(layer), rig_.first_parameter(layer + 1) - rig_.first_parameter(layer));
+  }
+  /// A joint carries the bound vertices when it or a joint below it has a share in one of them.
+  void mark_carrying_joints() {
+    const auto joints = rig_.skeleton()->joints();
+    carries_.assign(joints.size(), false);
+    for (const std::uint32_t v : vertices_) {
+      for (const Influence& influence : rig_.skeleton()->influences_of(v)) {
+        if (influence.weight > 0.0) carries_[influence.joint] = true;
+      }
+    }
+    for (std::size_t i = joints.size(); i-- > 0;) {
+      if (carries_[i] && joints[i].parent >= 0) carries_[static_cast<std::size_t>(joints[i].parent)] = true;
+    }
+  }
+
+  const CharacterRig& rig_;
+  std::vector<std::uint32_t> vertices_;
+  std::vector<ModelPoint> rest_;
+  std::vector<std::unique_ptr<BoundLayer>> layers_;
+  std::vector<ModelVector> displacements_;
+  std::vector<glm::dmat4> matrices_;
+  std::vector<bool> carries_;
+};
+
+}  // namespace
+
+base::Result<std::shared_ptr<const CharacterRig>> CharacterRig::make(
+    std::shared_ptr<const mesh::TriangleMesh> mesh, std::vector<std::shared_ptr<const DisplacementLayer>> layers,
+    std::shared_ptr<const Skeleton> skeleton) {
+  if (skeleton && skeleton->vertex_count() != mesh->vertex_count()) {
+    return base::Error{"the skeleton is for another number of vertices", "", "bind the skeleton to this mesh"};
+  }
+  auto made = std::make_shared<CharacterRig>();
+  const auto append = [&](std::span<const Parameter> parameters) {
+    made->first_parameter_.push_back(made->parameters_.size());
+    made->parameters_.insert(made->parameters_.end(), parameters.begin(), parameters.end());
+  };
+  for (const auto& layer : layers) append(layer->parameters());
+  append(skeleton ? skeleton->parameters() : std::span<const Parameter>{});
+  made->first_parameter_.push_back(made->parameters_.size());
+  std::set<std::string_view> names;
+  for (const Parameter& parameter : made->parameters_) {
+    if (!names.insert(parameter.name).second) {
+      return base::Error{"two parameters have this name", "parameter " + parameter.name, "rename one of them"};
+    }
+  }
+  made->mesh_ = std::move(mesh);
+  made->layers_ = std::move(layers);
+  made->skeleton_ = std::move(skeleton);
+  return std::shared_ptr<const CharacterRig>(std::move(made));
+}
+
+void CharacterRig::evaluate(std::span<const double> pose, std::span<ModelPoint> positions) const {
+  std::fill(positions.begin(), positions.end(), ModelVector{0});
+  for (std::size_t i = 0; i < layers_.size(); ++i) {
+    layers_[i]->add(pose.subspan(first_parameter_[i], first_parameter_[i + 1] - first_parameter_[i]), positions);
+  }
+  const auto rest = mesh_->positions();
+  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = rest[v] + positions[v];
+  if (!skeleton_) return;
+  std::vector<glm::dmat4> matrices(skeleton_->joints().size());
+  skeleton_->joint_matrices(pose.subspan(first_parameter_[layers_.size()]), matrices);
+  for (std::uint32_t v = 0; v < positions.size(); ++v) {
+    positions[v] = transform(skeleton_->vertex_matrix(v, matrices), positions[v]);
+  }
+}
+
+std::unique_ptr<BoundVertices> CharacterRig::bind(std::span<const std::uint32_t> vertices) const {
+  return std::make_unique<BoundCharacter>(*this, vertices);
+}
+
+}  // namespace penpose::rig

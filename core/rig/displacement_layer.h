@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/rig/rig.h"
+
+namespace penpose::rig {
+
+/// A layer evaluated at a few vertices only.
+class BoundLayer {
+ public:
+  virtual ~BoundLayer() = default;
+  BoundLayer() = default;
+  BoundLayer(const BoundLayer&) = delete;
+  BoundLayer& operator=(const BoundLayer&) = delete;
+
+  /// Adds the layer's displacements at its parameter values (one for each parameter of the layer). Never allocates.
+  virtual void add(std::span<const double> values, std::span<ModelVector> displacements) = 0;
+  /// False when no value of the layer's parameter moves any bound vertex.
+  [[nodiscard]] virtual bool moves(std::size_t parameter) const = 0;
+  /// Writes the displacement for one unit of the parameter and returns true when the layer is linear in it; false
+  /// otherwise.
+  virtual bool column(std::size_t parameter, std::span<ModelVector> displacements) const = 0;
+};
+
+/// A set of parameters that each displace rest vertices. The displacements of all layers add up; joints act after the
+/// sum.
+class DisplacementLayer {
+ public:
+  virtual ~DisplacementLayer() = default;
+  DisplacementLayer() = default;
+  DisplacementLayer(const DisplacementLayer&) = delete;
+  DisplacementLayer& operator=(const DisplacementLayer&) = delete;
+
+  [[nodiscard]] virtual std::span<const Parameter> parameters() const = 0;
+  /// Adds to all vertices.
+  virtual void add(std::span<const double> values, std::span<ModelVector> displacements) const = 0;
+  [[nodiscard]] virtual std::unique_ptr<BoundLayer> bind(std::span<const std::uint32_t> vertices) const = 0;
+};
+
+}  // namespace penpose::rig

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/geometry/camera.h"
+#include "core/model_io/case_file.h"
+#include "core/posing/problem.h"
+
+namespace penpose::cli {
+
+/// Which parameters a case leaves to the solver.
+enum class FreeSet : std::uint8_t { all, of_case };
+
+/// The camera through which a case's targets were drawn: the whole model at rest, 1000 by 1000 px.
+[[nodiscard]] geometry::Camera case_camera(const document::Model& model, const model_io::PoseCase& pose_case);
+
+/// The problem that a case states, starting at rest, with its constraints where they are at rest. In the drawn form the
+/// target is a line seen through case_camera: ordered, reparameterised and lifted as a stroke would be. Precondition:
+/// model_io::check_cases passed for this form. Errors (place: case and reference) of pairing.
+[[nodiscard]] base::Result<posing::PoseProblem> problem_of_case(const document::Model& model,
+                                                                const model_io::PoseCase& pose_case, FreeSet free,
+                                                                model_io::TargetForm form);
+
+}  // namespace penpose::cli

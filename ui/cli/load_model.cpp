@@ -1,0 +1,49 @@
+#include "ui/cli/load_model.h"
+
+#include <filesystem>
+#include <vector>
+
+#include "core/base/numbers.h"
+#include "core/model_io/read_model.h"
+#include "ui/cli/closest_name.h"
+#include "ui/cli/files.h"
+
+namespace penpose::cli {
+
+base::Result<document::Model> load_model(const std::string& path) {
+  const auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  return model_io::read_model(*bytes, path,
+                              [&](const std::string& name) { return read_file((folder / name).string()); });
+}
+
+base::Status set_parameter(document::Model& model, const std::string& assignment) {
+  const std::size_t equals = assignment.rfind('=');
+  const std::string place = "--set " + assignment;
+  if (equals == std::string::npos) return base::Error{"has no '='", place, "write NAME=VALUE"};
+  const std::string name = assignment.substr(0, equals);
+  const auto value = base::parse_double(base::trim(std::string_view(assignment).substr(equals + 1)));
+  if (!value) return base::Error{"the value is not a number", place, "write NAME=VALUE"};
+  const auto parameters = model.rig->parameters();
+  const auto found = rig::find_parameter(parameters, name);
+  if (!found) {
+    std::vector<std::string> names;
+    for (const rig::Parameter& parameter : parameters) names.push_back(parameter.name);
+    const auto close = closest_name(name, names);
+    const std::string remedy = names.empty() ? "this model has nothing to set"
+                               : close       ? "did you mean " + *close + "?"
+                                             : "`penpose info` lists the " + std::to_string(names.size()) + " names";
+    return base::Error{"the model has no parameter \"" + name + "\"", place, remedy};
+  }
+  const rig::Parameter& parameter = parameters[*found];
+  if (!(*value >= parameter.minimum && *value <= parameter.maximum)) {
+    return base::Error{
+        "the value is out of range", place,
+        "use " + base::format_double(parameter.minimum) + " to " + base::format_double(parameter.maximum)};
+  }
+  model.pose[*found] = *value;
+  return base::Done{};
+}
+
+}  // namespace penpose::cli

@@ -1,0 +1,174 @@
+#include "ui/cli/pose_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/base/numbers.h"
+#include "core/model_io/case_file.h"
+#include "core/posing/solve.h"
+#include "ui/cli/case_problem.h"
+#include "ui/cli/commands.h"
+#include "ui/cli/files.h"
+#include "ui/cli/load_model.h"
+#include "ui/cli/progress.h"
+#include "ui/cli/save_model.h"
+
+namespace penpose::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct PoseArguments {
+  std::string model;
+  std::string cases;
+  std::string name;
+  std::string out;
+  FreeSet free = FreeSet::all;
+  model_io::TargetForm form = model_io::TargetForm::points;
+  bool paper = false;
+  bool json = false;
+};
+
+struct SolvedCase {
+  std::string name;
+  posing::Solution solution;
+  double solve_us = 0;
+};
+
+/// The median of eleven solves alone, no loading.
+base::Result<SolvedCase> solve_case(const document::Model& model, const model_io::PoseCase& pose_case,
+                                    const PoseArguments& arguments, posing::SolveWorkspace& work) {
+  auto problem = problem_of_case(model, pose_case, arguments.free, arguments.form);
+  if (!problem) return problem.error();
+  posing::SolveOptions options;
+  options.paper = arguments.paper;
+  SolvedCase solved{pose_case.name, {}, 0};
+  std::vector<double> times;
+  constexpr int k_solves = 11;
+  for (int i = 0; i < k_solves; ++i) {
+    const auto before = std::chrono::steady_clock::now();
+    auto solution = posing::solve(*model.rig, *problem, options, work);
+    times.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - before).count());
+    if (!solution) {
+      base::Error error = solution.error();
+      error.place = "case " + pose_case.name + (error.place.empty() ? "" : ", " + error.place);
+      return error;
+    }
+    solved.solution = std::move(solution).value();
+  }
+  std::sort(times.begin(), times.end());
+  solved.solve_us = times[times.size() / 2];
+  return solved;
+}
+
+Json to_json(const SolvedCase& solved, document::Model& model) {
+  const posing::Solution& s = solved.solution;
+  model.pose = s.pose;
+  Json parameters = Json::object();
+  for (std::size_t i = 0; i < s.pose.size(); ++i) parameters[model.rig->parameters()[i].name] = s.pose[i];
+  return {{"name", solved.name},
+          {"variables", s.variables},
+          {"energy_start", s.energy_start},
+          {"energy", s.energy},
+          {"max_distance", s.max_distance},
+          {"parameters", std::move(parameters)},
+          {"evaluations", s.evaluations},
+          {"put_back", s.put_back},
+          {"solve_us", solved.solve_us},
+          {"state", document::state_hash(model).hex()}};
+}
+
+void print_row(const SolvedCase& solved, const document::Model& model) {
+  const posing::Solution& s = solved.solution;
+  std::cout << std::left << std::setw(28) << solved.name << std::right << "  energy " << std::setw(10)
+            << base::format_fixed(s.energy_start, 4) << " -> " << std::setw(10) << base::format_fixed(s.energy, 4)
+            << "  farthest " << base::format_fixed(s.max_distance, 4) << "  " << s.variables << " variables, "
+            << s.evaluations << " evaluations, " << base::format_fixed(solved.solve_us / 1000.0, 2) << " ms\n";
+  const auto parameters = model.rig->parameters();
+  for (std::size_t i = 0; i < s.pose.size(); ++i) {
+    if (s.pose[i] != parameters[i].rest)
+      std::cout << "    " << parameters[i].name << " = " << base::format_fixed(s.pose[i], 4) << '\n';
+  }
+}
+
+int pose(const PoseArguments& arguments) {
+  auto model = load_model(arguments.model);
+  if (!model) return report(model.error(), arguments.model);
+  const auto bytes = read_file(arguments.cases);
+  if (!bytes) return report(bytes.error(), arguments.cases);
+  const auto file = model_io::read_cases(*bytes);
+  if (!file) return report(file.error(), arguments.cases);
+  if (auto fits = model_io::check_cases(*file, *model, arguments.form); !fits)
+    return report(fits.error(), arguments.cases);
+
+  std::vector<const model_io::PoseCase*> chosen;
+  for (const auto& pose_case : file->cases) {
+    if (arguments.name.empty() || pose_case.name == arguments.name) chosen.push_back(&pose_case);
+  }
+  if (chosen.empty()) {
+    const std::string what =
+        arguments.name.empty() ? "there is no case" : "there is no case of the name " + arguments.name;
+    return report({what, "/cases", "choose one of the file's cases"}, arguments.cases);
+  }
+  if (!arguments.out.empty() && chosen.size() > 1) {
+    return report({"one file holds one pose", "", "choose the case with --case NAME"}, arguments.out);
+  }
+
+  posing::SolveWorkspace work;
+  std::vector<SolvedCase> solved;
+  Progress progress("posing", chosen.size());
+  for (const model_io::PoseCase* pose_case : chosen) {
+    auto result = solve_case(*model, *pose_case, arguments, work);
+    if (!result) return report(result.error(), arguments.cases);
+    solved.push_back(std::move(result).value());
+    progress.advance();
+  }
+  progress.finish();
+
+  if (arguments.json) {
+    Json cases = Json::array();
+    for (const SolvedCase& one : solved) cases.push_back(to_json(one, *model));
+    model->pose = solved.back().solution.pose;
+    const Json result = {
+        {"model", arguments.model}, {"cases", std::move(cases)}, {"state", document::state_hash(*model).hex()}};
+    std::cout << result.dump() << '\n';
+  } else {
+    for (const SolvedCase& one : solved) print_row(one, *model);
+  }
+  if (!arguments.out.empty()) {
+    model->pose = solved.back().solution.pose;
+    if (auto saved = save_model(*model, arguments.out); !saved) return report(saved.error(), arguments.out);
+  }
+  return k_success;
+}
+
+}  // namespace
+
+void add_pose_command(CLI::App& app, int& status) {
+  auto arguments = std::make_shared<PoseArguments>();
+  CLI::App* command =
+      app.add_subcommand("pose", "Solves posing cases: brings curves of a model to where they should be");
+  command->add_option("MODEL", arguments->model, "Model with blend shapes or joints")->required();
+  command->add_option("--cases", arguments->cases, "JSON file of posing cases")->required();
+  command->add_option("--case", arguments->name, "Only the case of this name");
+  command->add_option("--free", arguments->free, "Parameters that may move: those of the case, or all (default)")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, FreeSet>{{"all", FreeSet::all}, {"case", FreeSet::of_case}}));
+  command->add_option("--form", arguments->form, "Targets as points, one a vertex (default), or as a drawn line")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, model_io::TargetForm>{
+          {"points", model_io::TargetForm::points}, {"drawn", model_io::TargetForm::drawn}}));
+  command->add_option("--preset", "Solver: default, or the paper's own")
+      ->check(CLI::IsMember({"default", "paper"}))
+      ->each([arguments](const std::string& preset) { arguments->paper = preset == "paper"; });
+  command->add_option("-o", arguments->out, "Write the posed model, .glb or .obj (with one case)");
+  command->add_flag("--json", arguments->json, "Print one JSON object");
+  command->callback([arguments, &status] { status = pose(*arguments); });
+}
+
+}  // namespace penpose::cli

@@ -1,0 +1,192 @@
+#include "ui/cli/render_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/numbers.h"
+#include "core/document/animation_sampling.h"
+#include "core/model_io/case_file.h"
+#include "ui/cli/camera_file.h"
+#include "ui/cli/closest_name.h"
+#include "ui/cli/files.h"
+#include "ui/cli/load_model.h"
+#include "ui/render/appearance.h"
+#include "ui/render/framing.h"
+#include "ui/render/renderer.h"
+
+namespace penpose::cli {
+namespace {
+
+constexpr int k_largest_side_px = 8192;
+constexpr int k_most_px = 4096 * 4096;
+
+struct Options {
+  std::string model;
+  std::vector<std::string> assignments;
+  std::optional<double> time_s;
+  std::string size = "1024x1024";
+  std::string camera;
+  std::string view = "three-quarter";
+  std::string output;
+  bool wireframe = false;
+  bool plain = false;
+  bool curves = false;
+  std::string cases;
+  std::string case_name;
+};
+
+std::optional<geometry::Viewport> parse_size(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos) return std::nullopt;
+  const auto width = base::parse_int(std::string_view(text).substr(0, cross));
+  const auto height = base::parse_int(std::string_view(text).substr(cross + 1));
+  if (!width || !height || *width < 1 || *height < 1) return std::nullopt;
+  if (*width > k_largest_side_px || *height > k_largest_side_px || *width * *height > k_most_px) return std::nullopt;
+  return geometry::Viewport{static_cast<int>(*width), static_cast<int>(*height)};
+}
+
+std::string check_size(const std::string& text) {
+  if (parse_size(text)) return {};
+  return "write WIDTHxHEIGHT in px, at most 8192 a side and 4096x4096 in all, not \"" + text + "\"";
+}
+
+std::vector<render::CurveDrawing> named_curves(const document::Model& model,
+                                               std::span<const geometry::ModelPoint> positions) {
+  std::vector<render::CurveDrawing> drawings;
+  for (const document::NamedCurve& curve : model.curves) {
+    render::CurveDrawing drawing;
+    for (const mesh::MeshPoint& point : curve.points) {
+      drawing.points.push_back(mesh::position_of(point, model.mesh->triangles(), positions));
+    }
+    drawings.push_back(std::move(drawing));
+  }
+  return drawings;
+}
+
+/// The curves of one case as they lie on the posed model, and where the references should be.
+base::Result<std::vector<render::CurveDrawing>> case_curves(const Options& options, const document::Model& model,
+                                                            std::span<const geometry::ModelPoint> positions) {
+  const auto bytes = read_file(options.cases);
+  if (!bytes) return bytes.error();
+  const auto file = model_io::read_cases(*bytes);
+  if (!file) return file.error();
+  if (auto fits = model_io::check_cases(*file, model, model_io::TargetForm::drawn); !fits) return fits.error();
+  const auto found = std::find_if(file->cases.begin(), file->cases.end(),
+                                  [&](const auto& one) { return one.name == options.case_name; });
+  if (found == file->cases.end()) {
+    std::vector<std::string> names;
+    for (const auto& one : file->cases) names.push_back(one.name);
+    const auto close = closest_name(options.case_name, names);
+    return base::Error{"there is no case \"" + options.case_name + "\"", "--case",
+                       close ? "did you mean " + *close + "?" : "name one of the file"};
+  }
+  std::vector<render::CurveDrawing> drawings;
+  const auto on_surface = [&](std::span<const std::uint32_t> vertices, render::CurveKind kind) {
+    render::CurveDrawing& drawing = drawings.emplace_back();
+    drawing.kind = kind;
+    for (const std::uint32_t v : vertices) drawing.points.push_back(positions[v]);
+  };
+  for (const auto& constraint : found->constraints) on_surface(constraint.vertices, render::CurveKind::constraint);
+  for (const auto& reference : found->references) on_surface(reference.vertices, render::CurveKind::reference);
+  for (const auto& reference : found->references) {
+    render::CurveDrawing& drawing = drawings.emplace_back();
+    drawing.kind = render::CurveKind::target;
+    drawing.points = reference.target;
+  }
+  return drawings;
+}
+
+/// Where the camera stands: the file's, or one that shows the whole model at rest, so that poses of one model can be
+/// compared picture by picture.
+base::Result<geometry::Camera> make_camera(const Options& options, const document::Model& model) {
+  const geometry::Viewport viewport = *parse_size(options.size);
+  if (options.camera.empty()) {
+    document::Model rest = model;
+    if (!options.time_s) rest.pose = rig::rest_pose(*model.rig);
+    return render::frame_points(render::posed_mesh(rest).positions, viewport, *render::find_viewpoint(options.view));
+  }
+  const auto bytes = read_file(options.camera);
+  if (!bytes) return bytes.error();
+  const auto pose = read_camera(*bytes);
+  if (!pose) return pose.error();
+  return geometry::Camera::make(*pose, viewport);
+}
+
+int run_render(const Options& options) {
+  auto model = load_model(options.model);
+  if (!model) return report(model.error(), options.model);
+  if (options.time_s) {
+    if (model->animations.empty()) {
+      return report({"the model has no animation", "--time", "leave --time out"}, options.model);
+    }
+    auto moment = document::model_at(*model, document::sample(*model, model->animations.front(), *options.time_s));
+    if (!moment) return report(moment.error(), options.model);
+    model = std::move(moment);
+  }
+  for (const std::string& assignment : options.assignments) {
+    if (auto set = set_parameter(*model, assignment); !set) return report(set.error(), options.model);
+  }
+  const auto camera = make_camera(options, *model);
+  if (!camera) return report(camera.error(), options.camera);
+  auto renderer = render::Renderer::make_offscreen();
+  if (!renderer) return report(renderer.error());
+  render::AppearanceOptions look;
+  look.recognise = !options.plain;
+  const render::Appearance appearance = render::make_appearance(*model, look);
+  const render::PosedMesh posed = render::posed_mesh(*model);
+  std::vector<render::CurveDrawing> curves;
+  if (options.curves) curves = named_curves(*model, document::posed_positions(*model));
+  if (!options.cases.empty()) {
+    const auto drawings = case_curves(options, *model, document::posed_positions(*model));
+    if (!drawings) return report(drawings.error(), options.cases);
+    curves.insert(curves.end(), drawings->begin(), drawings->end());
+  }
+  render::Scene scene;
+  scene.positions = posed.positions;
+  scene.normals = posed.normals;
+  scene.triangles = model->mesh->triangles();
+  scene.appearance = &appearance;
+  scene.curves = curves;
+  scene.wireframe = options.wireframe;
+  const auto image = (*renderer)->render(scene, *camera);
+  if (!image) return report(image.error(), options.model);
+  const auto png = render::encode_png(*image);
+  if (!png) return report(png.error(), options.output);
+  if (auto written = write_file(options.output, *png); !written) return report(written.error(), options.output);
+  return k_success;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("render", "Draws a picture of a model");
+  command->add_option("MODEL", options->model, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
+  command->add_option("--set", options->assignments, "NAME=VALUE: a parameter of the pose; may be given many times")
+      ->allow_extra_args(false);
+  command->add_option("--time", options->time_s, "second of the model's first animation")->check(CLI::Number);
+  command->add_option("--size", options->size, "WIDTHxHEIGHT of the picture in px")
+      ->check(CLI::Validator(check_size, "WxH"))
+      ->capture_default_str();
+  auto* camera = command->add_option("--camera", options->camera,
+                                     R"(JSON file: {"eye", "look_at", "up", "vertical_fov_degrees"})");
+  command->add_option("--view", options->view, "where to look from")
+      ->check(CLI::IsMember({"front", "side", "three-quarter", "back", "top"}))
+      ->capture_default_str()
+      ->excludes(camera);
+  command->add_flag("--wireframe", options->wireframe, "draw the edges too");
+  command->add_flag("--plain", options->plain, "the file's materials only: do not tell eyes and teeth apart by shape");
+  command->add_flag("--curves", options->curves, "draw the curves that the model carries");
+  auto* cases = command->add_option("--cases", options->cases, "file of posing cases; draws the curves of one");
+  auto* case_name = command->add_option("--case", options->case_name, "which case of the file");
+  cases->needs(case_name);
+  case_name->needs(cases);
+  command->add_option("-o,--output", options->output, "PNG file to write")->required();
+  command->callback([options, &status] { status = run_render(*options); });
+}
+
+}  // namespace penpose::cli

@@ -1,0 +1,143 @@
+#include "ui/render/appearance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/rig/surface_poser.h"
+
+namespace penpose::render {
+namespace {
+
+Surface from_material(const document::Material& material) {
+  const auto channel = [&](std::size_t i) {
+    const double v = material.base_color[i];
+    return static_cast<float>(std::isfinite(v) ? std::clamp(v, 0.0, 1.0) : 0.8);
+  };
+  Surface surface;
+  surface.base_color = {channel(0), channel(1), channel(2), channel(3)};
+  surface.roughness = static_cast<float>(std::clamp(material.roughness, 0.05, 1.0));
+  surface.metallic = static_cast<float>(std::clamp(material.metallic, 0.0, 1.0)) * 0.5F;
+  return surface;
+}
+
+/// Colours of the parts of a head, linear.
+Surface from_kind(PartKind kind) {
+  switch (kind) {
+    case PartKind::eyeball:
+      return {{0.86F, 0.84F, 0.81F, 1}, 0.2F, 0};
+    case PartKind::eye_cover:
+      return {{0.30F, 0.24F, 0.22F, 0.03F}, 0.15F, 0};
+    case PartKind::lash:
+      return {{0.025F, 0.018F, 0.014F, 0.6F}, 1.0F, 0};
+    case PartKind::tooth:
+      return {{0.72F, 0.66F, 0.54F, 1}, 0.25F, 0};
+    case PartKind::gum:
+      return {{0.36F, 0.12F, 0.105F, 1}, 0.35F, 0};
+    case PartKind::surface:
+      break;
+  }
+  return {};
+}
+
+constexpr std::size_t k_kinds = 6;
+
+/// Lashes are modelled as sheets; drawn dark at the lid and fading to nothing at the tips, a sheet looks like hair.
+void fade_lashes(const mesh::TriangleMesh& mesh, std::span<const geometry::ModelPoint> rest, const FaceParts& face,
+                 std::vector<float>& opacity) {
+  struct Range {
+    double nearest = 1e300;
+    double farthest = 0;
+  };
+  const auto away = [&](std::size_t v) {
+    double least = 1e300;
+    for (const Eye& eye : face.eyes) least = std::min(least, geometry::distance(rest[v], eye.center));
+    return least;
+  };
+  const auto is_lash = [&](std::size_t v) { return face.kind_of_component[mesh.components()[v]] == PartKind::lash; };
+  std::vector<Range> ranges(mesh.component_count());
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    if (!is_lash(v)) continue;
+    Range& range = ranges[mesh.components()[v]];
+    range.nearest = std::min(range.nearest, away(v));
+    range.farthest = std::max(range.farthest, away(v));
+  }
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    if (!is_lash(v)) continue;
+    opacity.resize(rest.size(), 1.0F);
+    const Range& range = ranges[mesh.components()[v]];
+    const double share = (away(v) - range.nearest) / std::max(range.farthest - range.nearest, 1e-300);
+    const double left = std::max(0.0, 1.0 - 1.6 * share);
+    opacity[v] = static_cast<float>(left * left);
+  }
+}
+
+/// The component with the most vertices: the body, whose colour says what "no colour of its own" is.
+std::uint32_t largest_component(const mesh::TriangleMesh& mesh) {
+  std::vector<std::size_t> sizes(mesh.component_count(), 0);
+  for (const std::uint32_t c : mesh.components()) ++sizes[c];
+  return static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+}
+
+}  // namespace
+
+Appearance make_appearance(const document::Model& model, const AppearanceOptions& options) {
+  const mesh::TriangleMesh& mesh = *model.mesh;
+  Appearance look;
+  const std::size_t parts = mesh.parts().size();
+  for (std::size_t p = 0; p < parts && p < 60000; ++p) {
+    look.surfaces.push_back(p < model.materials.size() ? from_material(model.materials[p]) : Surface{});
+  }
+  const std::size_t first_kind = look.surfaces.size();
+  for (std::size_t k = 0; k < k_kinds; ++k) look.surfaces.push_back(from_kind(static_cast<PartKind>(k)));
+
+  std::vector<geometry::ModelPoint> rest(mesh.vertex_count());
+  model.rig->evaluate(rig::rest_pose(*model.rig), rest);
+  FaceParts face;
+  if (options.recognise) face = recognise_face_parts(mesh, rest);
+  face.kind_of_component.resize(mesh.component_count(), PartKind::surface);
+  for (const auto& [component, kind] : options.kinds) {
+    if (component < face.kind_of_component.size()) face.kind_of_component[component] = kind;
+  }
+
+  look.surface_of_vertex.resize(mesh.vertex_count());
+  for (std::size_t p = 0; p < parts; ++p) {
+    const mesh::Part& part = mesh.parts()[p];
+    const auto surface = static_cast<std::uint16_t>(std::min(p, first_kind - 1));
+    std::fill_n(look.surface_of_vertex.begin() + part.first_vertex, part.vertex_count, surface);
+  }
+  const std::uint32_t body = largest_component(mesh);
+  const auto body_vertex = static_cast<std::size_t>(
+      std::find(mesh.components().begin(), mesh.components().end(), body) - mesh.components().begin());
+  const Color skin = look.surfaces[look.surface_of_vertex[body_vertex]].base_color;
+  for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+    const PartKind kind = face.kind_of_component[mesh.components()[v]];
+    const bool plain = look.surfaces[look.surface_of_vertex[v]].base_color == skin;
+    if (kind != PartKind::surface && plain) {
+      look.surface_of_vertex[v] = static_cast<std::uint16_t>(first_kind + static_cast<std::size_t>(kind));
+    }
+  }
+  if (!face.eyes.empty()) fade_lashes(mesh, rest, face, look.opacity);
+  for (const Eye& eye : face.eyes) {
+    if (face.kind_of_component[eye.component] != PartKind::eyeball || eye.gaze == geometry::ModelVector{0}) continue;
+    look.gaze.resize(mesh.vertex_count(), 1.0F);
+    for (std::size_t v = 0; v < mesh.vertex_count(); ++v) {
+      if (mesh.components()[v] != eye.component) continue;
+      const geometry::ModelVector d = rest[v] - eye.center;
+      const double along = glm::dot(d, eye.gaze);
+      const double away = geometry::length(d - eye.gaze * along) / eye.radius;
+      look.gaze[v] = along > 0 ? static_cast<float>(std::min(away, 1.0)) : 1.0F;
+    }
+  }
+  return look;
+}
+
+PosedMesh posed_mesh(const document::Model& model) {
+  rig::SurfacePoser poser(model.rig);
+  poser.update(model.pose);
+  const auto positions = poser.positions();
+  const auto normals = poser.normals();
+  return {{positions.begin(), positions.end()}, {normals.begin(), normals.end()}};
+}
+
+}  // namespace penpose::render

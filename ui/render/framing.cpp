@@ -1,0 +1,87 @@
+#include "ui/render/framing.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "core/base/math.h"
+
+namespace penpose::render {
+namespace {
+
+using geometry::ModelPoint;
+using geometry::ModelVector;
+
+/// The smallest wedge along one axis: where the eye has to stand, sideways and back, so that all points fit between two
+/// planes through it that open by `tangent` to either side.
+struct Wedge {
+  double lowest = 1e300;    ///< of side - tangent * near, which bounds the eye from one side
+  double highest = -1e300;  ///< of side + tangent * near, from the other
+
+  void add(double side, double near, double tangent) {
+    lowest = std::min(lowest, side - tangent * near);
+    highest = std::max(highest, side + tangent * near);
+  }
+  [[nodiscard]] double middle() const { return 0.5 * (lowest + highest); }
+  [[nodiscard]] double away(double tangent) const { return 0.5 * (highest - lowest) / tangent; }
+};
+
+}  // namespace
+
+std::optional<Viewpoint> find_viewpoint(std::string_view name) {
+  if (name == "front") return Viewpoint{0, 0};
+  if (name == "side") return Viewpoint{90, 0};
+  if (name == "three-quarter") return Viewpoint{};
+  if (name == "back") return Viewpoint{180, 0};
+  if (name == "top") return Viewpoint{0, 85};
+  return std::nullopt;
+}
+
+geometry::Camera frame_points(std::span<const glm::vec3> points, geometry::Viewport viewport, const Viewpoint& from,
+                              double vertical_fov_degrees) {
+  viewport = {std::max(1, viewport.width), std::max(1, viewport.height)};
+  geometry::Box box;
+  for (const glm::vec3& p : points) box.add(ModelPoint(p));
+  const double size = box.diagonal();
+  if (points.empty() || !(size > 0)) {
+    return geometry::frame_box(box, viewport, from.yaw_degrees, from.pitch_degrees, vertical_fov_degrees);
+  }
+  const double yaw = base::radians(from.yaw_degrees);
+  const double pitch = base::radians(std::clamp(from.pitch_degrees, -89.0, 89.0));
+  const ModelVector back{base::sin(yaw) * base::cos(pitch), base::sin(pitch), base::cos(yaw) * base::cos(pitch)};
+  const ModelVector right = geometry::normalized(glm::cross(ModelVector{0, 1, 0}, back));
+  const ModelVector up = glm::cross(back, right);
+  constexpr double k_fill = 10.0 / 12.0;
+  const double tan_y = base::tan(base::radians(std::clamp(vertical_fov_degrees, 1.0, 179.0)) * 0.5) * k_fill;
+  const double tan_x = tan_y * viewport.width / viewport.height;
+  Wedge across;
+  Wedge upright;
+  double nearest = -1e300;
+  for (const glm::vec3& p : points) {
+    const ModelVector d = (ModelPoint(p) - box.center()) / size;
+    const double near = glm::dot(d, back);
+    across.add(glm::dot(d, right), near, tan_x);
+    upright.add(glm::dot(d, up), near, tan_y);
+    nearest = std::max(nearest, near);
+  }
+  const double away = std::max({across.away(tan_x), upright.away(tan_y), nearest + 0.05});
+  // On the loose side the wedge's middle is not the picture's: a few steps bring the outermost points to equal margins.
+  double x = across.middle();
+  double y = upright.middle();
+  for (int step = 0; step < 6; ++step) {
+    geometry::Box seen;
+    for (const glm::vec3& p : points) {
+      const ModelVector d = (ModelPoint(p) - box.center()) / size;
+      const double depth = away - glm::dot(d, back);
+      seen.add({(glm::dot(d, right) - x) / depth, (glm::dot(d, up) - y) / depth, 0});
+    }
+    x += seen.center().x * away;
+    y += seen.center().y * away;
+  }
+  const ModelPoint target = box.center() + (right * x + up * y) * size;
+  const geometry::CameraPose pose{target + back * (away * size), target, {0, 1, 0}, vertical_fov_degrees};
+  auto camera = geometry::Camera::make(pose, viewport);
+  if (camera) return *camera;
+  return geometry::frame_box(box, viewport, from.yaw_degrees, from.pitch_degrees);
+}
+
+}  // namespace penpose::render

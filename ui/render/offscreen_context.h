@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+
+#include "core/base/result.h"
+
+namespace penpose::render {
+
+/// An OpenGL context that belongs to no window: SDL's offscreen driver (EGL; Mesa's software renderer where there is no
+/// graphics card). Needs no display. Current on the thread that made it, until it is destroyed.
+class OffscreenContext {
+ public:
+  /// Errors: SDL video is in use with another driver (a window is open), or there is no EGL or no OpenGL 3.1 / ES 3.0.
+  static base::Result<std::unique_ptr<OffscreenContext>> make();
+  ~OffscreenContext();
+  OffscreenContext(const OffscreenContext&) = delete;
+  OffscreenContext& operator=(const OffscreenContext&) = delete;
+
+  /// Makes it the thread's current context again.
+  void make_current();
+
+ private:
+  OffscreenContext() = default;
+
+  void* window_ = nullptr;
+  void* context_ = nullptr;
+  bool video_ = false;
+};
+
+}  // namespace penpose::render

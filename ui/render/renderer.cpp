@@ -1,0 +1,167 @@
+#include "ui/render/renderer.h"
+
+#include <epoxy/gl.h>
+#include <utility>
+
+#include "ui/render/curve_pass.h"
+#include "ui/render/framebuffers.h"
+#include "ui/render/gl_program.h"
+#include "ui/render/mesh_pass.h"
+#include "ui/render/offscreen_context.h"
+#include "ui/render/shaders.h"
+
+namespace penpose::render {
+namespace {
+
+/// How far occlusion looks, as a share of the model's diagonal (which a view scales to one).
+constexpr float k_occlusion_radius = 0.06F;
+
+}  // namespace
+
+struct Renderer::State {
+  std::unique_ptr<OffscreenContext> context;  // first: it has to outlive what lives in it
+  GlProgram background;
+  GlProgram occlusion;
+  GlProgram occlusion_blur;
+  MeshPass mesh;
+  CurvePass curves;
+  Framebuffers targets;
+  unsigned empty_array = 0;
+  bool occlude = true;
+
+  State(std::unique_ptr<OffscreenContext> owned, MeshPass mesh_pass, CurvePass curve_pass)
+      : context(std::move(owned)), mesh(std::move(mesh_pass)), curves(std::move(curve_pass)) {
+    glGenVertexArrays(1, &empty_array);
+  }
+  ~State() { glDeleteVertexArrays(1, &empty_array); }
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+
+  static base::Result<std::unique_ptr<State>> make(std::unique_ptr<OffscreenContext> owned);
+
+  void fill_screen() const {
+    glBindVertexArray(empty_array);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+  }
+  void draw_background(const Background& colors) const;
+  void draw_occlusion(const View& view, geometry::Viewport viewport) const;
+};
+
+base::Result<std::unique_ptr<Renderer::State>> Renderer::State::make(std::unique_ptr<OffscreenContext> owned) {
+  if (!context_is_enough()) {
+    return base::Error{"the driver offers only " + context_name(), "", "OpenGL 3.1 or OpenGL ES 3.0 is needed"};
+  }
+  auto mesh = MeshPass::make();
+  if (!mesh) return mesh.error();
+  auto curves = CurvePass::make();
+  if (!curves) return curves.error();
+  auto background = GlProgram::make(k_screen_vertex, k_background_fragment, {});
+  if (!background) return background.error();
+  auto occlusion = GlProgram::make(k_screen_vertex, k_occlusion_fragment, {});
+  if (!occlusion) return occlusion.error();
+  auto blur = GlProgram::make(k_screen_vertex, k_occlusion_blur_fragment, {});
+  if (!blur) return blur.error();
+  auto state = std::make_unique<State>(std::move(owned), std::move(*mesh), std::move(*curves));
+  state->background = std::move(*background);
+  state->occlusion = std::move(*occlusion);
+  state->occlusion_blur = std::move(*blur);
+  return state;
+}
+
+void Renderer::State::draw_background(const Background& colors) const {
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  background.use();
+  background.set("top", encode_srgb(colors.top.r), encode_srgb(colors.top.g), encode_srgb(colors.top.b));
+  background.set("bottom", encode_srgb(colors.bottom.r), encode_srgb(colors.bottom.g), encode_srgb(colors.bottom.b));
+  fill_screen();
+}
+
+void Renderer::State::draw_occlusion(const View& view, geometry::Viewport viewport) const {
+  const auto set_common = [&](const GlProgram& program) {
+    program.use();
+    program.set("depths", 0);
+    program.set("depth_to_z", view.depth_to_z.x, view.depth_to_z.y);
+    program.set("size_px", static_cast<float>(viewport.width), static_cast<float>(viewport.height));
+    program.set("radius", k_occlusion_radius);
+  };
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, targets.depth_texture());
+  targets.begin_occlusion();
+  set_common(occlusion);
+  occlusion.set("image_plane", view.image_plane.x, view.image_plane.y);
+  fill_screen();
+  targets.begin_picture_without_depth();
+  glActiveTexture(GL_TEXTURE1);
+  glBindTexture(GL_TEXTURE_2D, targets.occlusion_texture());
+  set_common(occlusion_blur);
+  occlusion_blur.set("occlusion", 1);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_DST_COLOR, GL_ZERO);
+  fill_screen();
+  glDisable(GL_BLEND);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+Renderer::~Renderer() {
+  if (state_->context) state_->context->make_current();
+}
+
+base::Result<std::unique_ptr<Renderer>> Renderer::make_offscreen() {
+  auto context = OffscreenContext::make();
+  if (!context) return context.error();
+  auto state = State::make(std::move(*context));
+  if (!state) return state.error();
+  return std::unique_ptr<Renderer>(new Renderer(std::move(*state)));
+}
+
+base::Result<std::unique_ptr<Renderer>> Renderer::make_in_current_context() {
+  auto state = State::make(nullptr);
+  if (!state) return state.error();
+  return std::unique_ptr<Renderer>(new Renderer(std::move(*state)));
+}
+
+base::Status Renderer::draw_picture(const Scene& scene, const geometry::Camera& camera) {
+  State& s = *state_;
+  if (s.context) s.context->make_current();
+  if (auto sized = s.targets.resize(camera.viewport().width, camera.viewport().height); !sized) return sized.error();
+  if (auto sent = s.mesh.upload(scene); !sent) return sent.error();
+  const View view = make_view(scene.positions, camera);
+  glDisable(GL_SCISSOR_TEST);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+  if (epoxy_is_desktop_gl()) glEnable(GL_MULTISAMPLE);
+  s.targets.begin_surfaces();
+  glClear(GL_DEPTH_BUFFER_BIT);
+  s.draw_background(scene.background);
+  s.mesh.draw_opaque(view, scene.wireframe);
+  s.mesh.draw_translucent(view);
+  s.targets.resolve();
+  if (s.occlude && !scene.triangles.empty()) s.draw_occlusion(view, camera.viewport());
+  s.targets.begin_picture();
+  s.curves.draw(scene.curves, camera);
+  return base::Done{};
+}
+
+base::Result<Image> Renderer::render(const Scene& scene, const geometry::Camera& camera) {
+  if (auto drawn = draw_picture(scene, camera); !drawn) return drawn.error();
+  return state_->targets.read();
+}
+
+base::Status Renderer::draw(const Scene& scene, const geometry::Camera& camera, unsigned framebuffer, int x, int y) {
+  if (auto drawn = draw_picture(scene, camera); !drawn) return drawn.error();
+  state_->targets.copy_to(framebuffer, x, y);
+  return base::Done{};
+}
+
+void Renderer::set_occlusion(bool on) { state_->occlude = on; }
+std::string Renderer::driver() const { return context_name(); }
+
+}  // namespace penpose::render

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/geometry/camera.h"
+#include "ui/render/image.h"
+#include "ui/render/scene.h"
+
+namespace penpose::render {
+
+/// Draws scenes with OpenGL 3.1 or OpenGL ES 3.0. One thread only: the one that made it.
+class Renderer {
+ public:
+  /// A renderer without a window, a display or a graphics card. Errors: there is no OpenGL at all.
+  static base::Result<std::unique_ptr<Renderer>> make_offscreen();
+  /// A renderer in the context that is current now and stays so. Errors: older than OpenGL 3.1 / ES 3.0.
+  static base::Result<std::unique_ptr<Renderer>> make_in_current_context();
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// The picture that the camera's viewport shows. Works for models of any size and unit. Errors: arrays that do not
+  /// fit each other, or a picture larger than the driver can draw.
+  base::Result<Image> render(const Scene& scene, const geometry::Camera& camera);
+  /// The same into a framebuffer of the current context (0: the window), its lower left corner at x, y px. Leaves the
+  /// bound program, arrays, viewport, depth test and blending changed.
+  base::Status draw(const Scene& scene, const geometry::Camera& camera, unsigned framebuffer = 0, int x = 0, int y = 0);
+
+  /// Darkening of creases; costs the most of a picture on a weak graphics card.
+  void set_occlusion(bool on);
+  /// Name and version of the driver, for messages.
+  [[nodiscard]] std::string driver() const;
+
+ private:
+  struct State;
+  explicit Renderer(std::unique_ptr<State> state);
+  base::Status draw_picture(const Scene& scene, const geometry::Camera& camera);
+
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace penpose::render

@@ -1,0 +1,271 @@
+#pragma once
+
+#include <string_view>
+
+// Written in what GLSL 1.40 and GLSL ES 3.00 share; GlProgram adds the version line.
+namespace penpose::render {
+
+/// One triangle that covers the viewport; needs no buffer.
+inline constexpr std::string_view k_screen_vertex = R"(
+out vec2 place;
+void main() {
+  vec2 corner = vec2(float((gl_VertexID & 1) * 4) - 1.0, float((gl_VertexID & 2) * 2) - 1.0);
+  place = corner * 0.5 + 0.5;
+  gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+
+/// A soft gradient, a little brighter behind the middle. Noise of half a step hides the bands of 8 bits.
+inline constexpr std::string_view k_background_fragment = R"(
+in vec2 place;
+uniform vec3 top;
+uniform vec3 bottom;
+out vec4 result;
+void main() {
+  vec3 color = mix(bottom, top, smoothstep(0.0, 1.0, place.y));
+  vec2 d = place - vec2(0.5, 0.55);
+  color *= 1.12 - 0.5 * dot(d, d);
+  float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  result = vec4(color + (noise - 0.5) / 255.0, 1.0);
+}
+)";
+
+/// Positions are moved to the middle of the model and scaled to about one before any arithmetic, so that units, size
+/// and distance from the origin do not matter.
+inline constexpr std::string_view k_mesh_vertex = R"(
+in vec3 position;
+in vec3 normal;
+in vec4 base_color;
+in vec4 finish;
+in vec4 overlay;
+uniform vec3 middle;
+uniform float scale;
+uniform mat4 to_view;
+uniform mat4 to_clip;
+out vec3 view_position;
+out vec3 view_normal;
+out vec4 albedo;
+out vec3 surface;
+void main() {
+  vec4 p = to_view * vec4((position - middle) * scale, 1.0);
+  view_position = p.xyz;
+  view_normal = mat3(to_view) * normal;
+  albedo = vec4(mix(base_color.rgb, overlay.rgb, overlay.a), base_color.a * finish.w);
+  surface = vec3(finish.x, finish.y, overlay.a > 0.5 ? 1.0 : finish.z);
+  gl_Position = to_clip * p;
+}
+)";
+
+/// Three lights that move with the camera (key from the upper left, cool fill from the right, rim from behind above), a
+/// sky-and-ground ambient and a GGX highlight (Walter et al. 2007; visibility after Hammon 2017). Sums are made in
+/// linear light. What is seen from its back is the inside of something: it is drawn dim.
+inline constexpr std::string_view k_mesh_fragment = R"(
+in vec3 view_position;
+in vec3 view_normal;
+in vec4 albedo;
+in vec3 surface;
+uniform float opaque_pass;
+out vec4 result;
+
+vec3 lit(vec3 n, vec3 v, vec3 l, vec3 light, vec3 diffuse, vec3 f0, float alpha, float wrap) {
+  float raw = dot(n, l);
+  float soft = max((raw + wrap) / (1.0 + wrap), 0.0);
+  float nl = max(raw, 0.0);
+  float nv = max(dot(n, v), 0.02);
+  vec3 h = normalize(l + v);
+  float nh = max(dot(n, h), 0.0);
+  float a2 = alpha * alpha;
+  float d = nh * nh * (a2 - 1.0) + 1.0;
+  float spread = a2 / (3.14159265 * d * d);
+  float visible = 0.5 / mix(2.0 * nl * nv, nl + nv, alpha);
+  vec3 fresnel = f0 + (1.0 - f0) * pow(1.0 - max(dot(v, h), 0.0), 5.0);
+  return light * (diffuse * soft + fresnel * min(spread * visible, 8.0) * nl);
+}
+
+vec3 to_display(vec3 c) {
+  c = clamp(c, 0.0, 1.0);
+  return mix(c * 12.92, 1.055 * pow(max(c, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055, step(vec3(0.0031308), c));
+}
+
+void main() {
+  vec3 n = normalize(view_normal);
+  vec3 v = normalize(-view_position);
+  float inside = gl_FrontFacing ? 0.0 : 1.0;
+  if (inside > 0.5) n = -n;
+  vec3 base = albedo.rgb * albedo.rgb;  // stored as square roots: finer steps in the dark
+  float roughness = surface.x;
+  if (surface.z < 0.999) {
+    // Eye: pupil, iris with a dark rim and a lighter ring, then the white with a hint of pink far out.
+    float d = surface.z;
+    float w = max(fwidth(d), 0.004);
+    vec3 iris = mix(vec3(0.17, 0.10, 0.045), vec3(0.05, 0.032, 0.02), smoothstep(0.30, 0.46, d));
+    vec3 color = mix(base, iris, 1.0 - smoothstep(0.46 - w - 0.015, 0.46 + w + 0.015, d));
+    base = mix(color, vec3(0.006), 1.0 - smoothstep(0.19 - w, 0.19 + w, d));
+    roughness = 0.12;
+  }
+  float alpha = max(roughness * roughness, 0.01);
+  vec3 f0 = mix(vec3(0.035), base, surface.y);
+  vec3 diffuse = base * (1.0 - surface.y);
+  float occlude = mix(1.0, 0.22, inside);
+  vec3 ambient = mix(vec3(0.085, 0.072, 0.064), vec3(0.20, 0.215, 0.24), n.y * 0.5 + 0.5);
+  vec3 color = ambient * (diffuse + f0 * (1.0 - 0.7 * roughness));
+  color += lit(n, v, normalize(vec3(-0.50, 0.62, 0.72)), vec3(0.86, 0.81, 0.75), diffuse, f0, alpha, 0.18);
+  color += lit(n, v, normalize(vec3(0.85, 0.10, 0.50)), vec3(0.11, 0.125, 0.15), diffuse, f0, max(alpha, 0.2), 0.3);
+  color += lit(n, v, normalize(vec3(0.45, 0.55, -0.75)), vec3(0.40, 0.44, 0.50), diffuse, f0, max(alpha, 0.25), 0.0);
+  color *= occlude;
+  // A soft shoulder: white things keep their shading.
+  color = color * (1.0 + color * 0.35) / (1.0 + color * 0.62);
+  float opacity = 1.0;
+  if (opaque_pass < 0.5) {
+    // A clear film hides little of what is behind it, but its highlight is as bright as on anything else.
+    float shine = max(color.r - dot(diffuse, vec3(0.4)), 0.0);
+    opacity = clamp(albedo.a + shine * 0.5, 0.0, 1.0);
+  }
+  result = vec4(to_display(color), opacity);
+}
+)";
+
+/// The edges of the triangles.
+inline constexpr std::string_view k_wire_fragment = R"(
+in vec3 view_position;
+in vec3 view_normal;
+in vec4 albedo;
+in vec3 surface;
+out vec4 result;
+void main() {
+  result = vec4(0.04, 0.05, 0.07, 0.32);
+}
+)";
+
+/// How much of the sky each visible point sees, from the depth buffer: creases, nostrils and open mouths go dark. The
+/// result multiplies the picture. After the horizon-free estimator of McGuire et al., "The Alchemy screen-space ambient
+/// obscurance algorithm" (2011).
+inline constexpr std::string_view k_occlusion_fragment = R"(
+in vec2 place;
+uniform sampler2D depths;
+uniform vec2 depth_to_z;   // z = 1 / (x * depth + y)
+uniform vec2 image_plane;  // half width and half height at distance 1
+uniform vec2 size_px;
+uniform float radius;
+out vec4 result;
+
+vec3 point(vec2 at, float depth) {
+  float z = 1.0 / (depth_to_z.x * depth + depth_to_z.y);
+  return vec3((at * 2.0 - 1.0) * image_plane * z, -z);
+}
+
+void main() {
+  float depth = texture(depths, place).r;
+  if (depth >= 1.0) { result = vec4(1.0); return; }
+  vec3 p = point(place, depth);
+  vec2 px = 1.0 / size_px;
+  vec3 right = point(place + vec2(px.x, 0.0), texture(depths, place + vec2(px.x, 0.0)).r) - p;
+  vec3 left = p - point(place - vec2(px.x, 0.0), texture(depths, place - vec2(px.x, 0.0)).r);
+  vec3 up = point(place + vec2(0.0, px.y), texture(depths, place + vec2(0.0, px.y)).r) - p;
+  vec3 down = p - point(place - vec2(0.0, px.y), texture(depths, place - vec2(0.0, px.y)).r);
+  vec3 dx = abs(right.z) < abs(left.z) ? right : left;
+  vec3 dy = abs(up.z) < abs(down.z) ? up : down;
+  vec3 n = normalize(cross(dx, dy));
+  float reach = radius / (-p.z * image_plane.y) * 0.5;
+  float turn = 6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  float sum = 0.0;
+  const int count = 20;
+  for (int i = 0; i < count; ++i) {
+    float t = (float(i) + 0.5) / float(count);
+    float angle = turn + t * 6.2831853 * 7.0;
+    vec2 at = place + vec2(cos(angle) * size_px.y / size_px.x, sin(angle)) * reach * t;
+    if (at.x < 0.0 || at.y < 0.0 || at.x > 1.0 || at.y > 1.0) continue;
+    float other = texture(depths, at).r;
+    if (other >= 1.0) continue;
+    vec3 d = point(at, other) - p;
+    float dd = dot(d, d);
+    float near = max(1.0 - dd / (radius * radius), 0.0);
+    sum += near * max(dot(d, n) - 0.012 * radius, 0.0) / (dd + 0.0004 * radius * radius) * radius;
+  }
+  float open = clamp(1.0 - 0.75 * sum / float(count), 0.0, 1.0);
+  result = vec4(vec3(open), 1.0);
+}
+)";
+
+/// Averages the occlusion over 4 x 4 px, which is what its noise was made for, without crossing edges of depth.
+inline constexpr std::string_view k_occlusion_blur_fragment = R"(
+in vec2 place;
+uniform sampler2D depths;
+uniform sampler2D occlusion;
+uniform vec2 depth_to_z;
+uniform vec2 size_px;
+uniform float radius;
+out vec4 result;
+float z_at(vec2 at) { return 1.0 / (depth_to_z.x * texture(depths, at).r + depth_to_z.y); }
+void main() {
+  float z = z_at(place);
+  float sum = 0.0;
+  float weights = 0.0;
+  for (int y = -2; y <= 2; ++y) {
+    for (int x = -2; x <= 2; ++x) {
+      vec2 at = place + vec2(float(x), float(y)) / size_px;
+      float w = max(1.0 - abs(z_at(at) - z) / (0.25 * radius), 0.0) + 0.0001;
+      sum += w * texture(occlusion, at).r;
+      weights += w;
+    }
+  }
+  float open = sum / weights;
+  // Light that bounces out of a crease is warm, and never quite gone.
+  result = vec4(mix(vec3(0.14, 0.07, 0.06), vec3(1.0), vec3(pow(open, 0.82), open, open)), 1.0);
+}
+)";
+
+/// Curves are unions of round cones; each quad carries one. Depth is the signed distance, so that of overlapping quads
+/// the nearest to the middle of the curve wins and nothing is blended twice.
+inline constexpr std::string_view k_curve_vertex = R"(
+in vec2 corner;
+in vec4 ends;
+in vec2 radii;
+in vec4 color;
+in float order;
+uniform vec2 size_px;
+out vec2 at;
+flat out vec4 segment;
+flat out vec2 radius;
+flat out float layer;
+out vec4 ink;
+void main() {
+  at = corner;
+  segment = ends;
+  radius = radii;
+  layer = order;
+  ink = color;
+  gl_Position = vec4(corner.x / size_px.x * 2.0 - 1.0, 1.0 - corner.y / size_px.y * 2.0, 0.0, 1.0);
+}
+)";
+
+inline constexpr std::string_view k_curve_fragment = R"(
+in vec2 at;
+flat in vec4 segment;
+flat in vec2 radius;
+flat in float layer;
+in vec4 ink;
+uniform float outline_px;
+uniform float halo_px;
+uniform float slice;
+uniform float first_depth;
+out vec4 result;
+void main() {
+  vec2 along = segment.zw - segment.xy;
+  float t = clamp(dot(at - segment.xy, along) / max(dot(along, along), 1e-6), 0.0, 1.0);
+  float d = length(at - segment.xy - along * t) - mix(radius.x, radius.y, t);
+  float edge = outline_px + halo_px;
+  float cover = clamp(0.5 + edge - d, 0.0, 1.0);
+  if (cover <= 0.0) discard;
+  float rank = clamp((d + 64.0) / 128.0, 0.0, 1.0);
+  gl_FragDepth = first_depth - slice * (1.0 - rank) + layer;
+  vec3 dark = ink.rgb * 0.10 + 0.01;
+  vec3 color = mix(ink.rgb, dark, clamp(0.5 + d, 0.0, 1.0));
+  if (halo_px > 0.0) color = mix(color, vec3(1.0, 0.93, 0.62), clamp(0.5 + d - outline_px, 0.0, 1.0));
+  float strength = halo_px > 0.0 ? mix(1.0, 0.75, clamp(0.5 + d - outline_px, 0.0, 1.0)) : 1.0;
+  strength *= d > -0.5 && halo_px <= 0.0 ? mix(1.0, 0.8, clamp(0.5 + d, 0.0, 1.0)) : 1.0;
+  result = vec4(color, ink.a * cover * strength);
+}
+)";
+
+}  // namespace penpose::render
