@@ -8,7 +8,7 @@
 namespace penpose::posing {
 
 struct FinishOptions {
-  std::size_t max_iterations = 40;
+  std::size_t max_iterations = 24;
   double gain_tolerance = 2e-5;  ///< stop when an iteration lowers the value by less than this share of it
 };
 
