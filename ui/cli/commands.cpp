@@ -1,5 +1,9 @@
 #include "ui/cli/commands.h"
 
+#include "ui/cli/convert_command.h"
+#include "ui/cli/decode_command.h"
+#include "ui/cli/devices_command.h"
+#include "ui/cli/info_command.h"
 #include "ui/cli/pose_command.h"
 #include "ui/cli/render_command.h"
 
@@ -7,8 +11,12 @@ namespace penpose::cli {
 
 std::vector<AddCommand> all_commands() {
   return {
-      add_pose_command,
-      add_render_command,
+      add_info_command,        //
+      add_devices_command,     //
+      add_decode_command,      //
+      add_pose_command,        //
+      add_render_command,      //
+      add_convert_command,     //
   };
 }
 

@@ -97,14 +97,14 @@ TEST(Finish, StaysInTheBox) {
 }
 
 TEST(Finish, HeedsThePullToTheStart) {
-  // Two variables that do the same: the pull splits the work between them.
-  auto model = model_of({{-0.6, 0, 0}}, {{{1, 0, 0}}, {{1, 0, 0}}});
-  model.near_weight = 1e-3;
-  std::vector<double> u{0.6, 0};
+  // Between two points any place has the same sum of distances: the pull chooses the one nearest the start, 0.
+  auto model = model_of({{-0.2, 0, 0}, {-0.8, 0, 0}}, {std::vector<ModelPoint>(2, {1, 0, 0})});
+  model.near_weight = 0.05;
+  std::vector<double> u{0.7};
   FinishWorkspace work;
-  finish_linear(model, long_run(), u, work);
-  EXPECT_NEAR(u[0], 0.3, 1e-2);
-  EXPECT_NEAR(u[1], 0.3, 1e-2);
+  const auto result = finish_linear(model, long_run(), u, work);
+  EXPECT_NEAR(u[0], 0.2, 1e-3);
+  EXPECT_NEAR(result.value, 0.6 + 0.05 * 0.04, 1e-4);
 }
 
 TEST(Finish, NeverGetsWorseFromAnyStart) {
