@@ -8,7 +8,7 @@
 
 #include "core/model_io/read_gltf.h"
 
-namespace penpose::model_io {
+namespace penpose::tests {
 
 /// A glTF document that a test makes and then bends.
 struct GltfSample {
@@ -29,14 +29,17 @@ struct GltfSample {
     return add("bufferViews", {{"buffer", 0}, {"byteOffset", start}, {"byteLength", end - start}});
   }
   template <typename T>
-  std::size_t add_accessor(const std::vector<T>& numbers, const char* type, std::size_t components, int component_type) {
+  std::size_t add_accessor(const std::vector<T>& numbers, const char* type, std::size_t components,
+                           int component_type) {
     return add("accessors", {{"bufferView", add_view(numbers)},
                              {"componentType", component_type},
                              {"count", numbers.size() / components},
                              {"type", type}});
   }
   std::size_t add_vec3(const std::vector<float>& numbers) { return add_accessor(numbers, "VEC3", 3, 5126); }
-  std::size_t add_corners(const std::vector<std::uint16_t>& corners) { return add_accessor(corners, "SCALAR", 1, 5123); }
+  std::size_t add_corners(const std::vector<std::uint16_t>& corners) {
+    return add_accessor(corners, "SCALAR", 1, 5123);
+  }
 
   void set_buffer() { json["buffers"] = {{{"byteLength", binary.size()}}}; }
 
@@ -62,7 +65,7 @@ struct GltfSample {
     bytes.insert(bytes.end(), data.begin(), data.end());
     return bytes;
   }
-  [[nodiscard]] base::Result<document::Model> read() { return read_gltf(glb()); }
+  [[nodiscard]] base::Result<document::Model> read() { return model_io::read_gltf(glb()); }
   [[nodiscard]] base::Error error() {
     auto model = read();
     return model ? base::Error{"(no error)", "", ""} : model.error();
@@ -109,8 +112,8 @@ inline GltfSample skin_sample() {
   binds[12] = -2;
   binds[16 + 12] = -3;
   auto& attributes = sample.json["meshes"][0]["primitives"][0]["attributes"];
-  attributes["JOINTS_0"] = sample.add_accessor(
-      std::vector<std::uint8_t>{0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}, "VEC4", 4, 5121);
+  attributes["JOINTS_0"] =
+      sample.add_accessor(std::vector<std::uint8_t>{0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0}, "VEC4", 4, 5121);
   attributes["WEIGHTS_0"] = sample.add_accessor(
       std::vector<float>{1, 0, 0, 0, 0.5F, 0.5F, 0, 0, 0.5F, 0.5F, 0, 0, 1, 0, 0, 0}, "VEC4", 4, 5126);
   const auto matrices = sample.add_accessor(binds, "MAT4", 16, 5126);
@@ -123,4 +126,4 @@ inline GltfSample skin_sample() {
   return sample;
 }
 
-}  // namespace penpose::model_io
+}  // namespace penpose::tests

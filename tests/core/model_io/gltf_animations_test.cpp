@@ -1,0 +1,83 @@
+#include "core/model_io/gltf_animations.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/gltf_sample.h"
+
+namespace penpose::model_io {
+namespace {
+
+/// The morph sample with an animation of one sampler.
+tests::GltfSample animated(const std::vector<float>& times, const std::vector<float>& values, const char* type,
+                           std::size_t components, const char* path, const char* interpolation = "LINEAR") {
+  tests::GltfSample sample = tests::morph_sample();
+  const auto input = sample.add_accessor(times, "SCALAR", 1, 5126);
+  const auto output = sample.add_accessor(values, type, components, 5126);
+  sample.add("animations", {{"name", "move"},
+                            {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", path}}}}}},
+                            {"samplers", {{{"input", input}, {"output", output}, {"interpolation", interpolation}}}}});
+  return sample;
+}
+
+TEST(GltfAnimations, WeightsOfShapes) {
+  const auto model = animated({0, 1}, {0, 1}, "SCALAR", 1, "weights").read();
+  ASSERT_TRUE(model.ok()) << model.error().line();
+  ASSERT_EQ(model->animations.size(), 1U);
+  const auto& channel = model->animations[0].channels[0];
+  EXPECT_EQ(channel.target, document::ChannelTarget::weights);
+  EXPECT_EQ(channel.times_s, (std::vector<double>{0, 1}));
+  EXPECT_EQ(channel.values, (std::vector<double>{0, 1}));
+}
+
+TEST(GltfAnimations, WeightsOfSeveralMeshesJoin) {
+  tests::GltfSample sample = animated({0, 1}, {0, 1}, "SCALAR", 1, "weights");
+  nlohmann::json second = sample.json["meshes"][0];
+  second["name"] = "second";
+  second["extras"]["targetNames"] = {"other"};
+  second["weights"] = {0.5};
+  sample.add("meshes", second);
+  sample.add("nodes", {{"mesh", 1}});
+  sample.json["scenes"][0]["nodes"] = {0, 1};
+  auto model = sample.read();
+  ASSERT_TRUE(model.ok()) << model.error().line();
+  EXPECT_EQ(model->animations[0].channels[0].values, (std::vector<double>{0, 0.5, 1, 0.5}));
+  sample.json["animations"][0]["channels"].push_back({{"sampler", 0}, {"target", {{"node", 1}, {"path", "weights"}}}});
+  model = sample.read();
+  ASSERT_TRUE(model.ok()) << model.error().line();
+  ASSERT_EQ(model->animations[0].channels.size(), 1U);
+  EXPECT_EQ(model->animations[0].channels[0].values, (std::vector<double>{0, 0, 1, 1}));
+}
+
+TEST(GltfAnimations, AnAnimatedNodeCarriesItsMesh) {
+  const auto model = animated({0, 1}, {0, 0, 0, 5, 0, 0}, "VEC3", 3, "translation", "STEP").read();
+  ASSERT_TRUE(model.ok()) << model.error().line();
+  ASSERT_TRUE(model->skeleton);
+  const auto& channel = model->animations[0].channels[0];
+  EXPECT_EQ(channel.interpolation, document::Interpolation::step);
+  EXPECT_EQ(channel.joint, 0U);
+  EXPECT_EQ(model->skeleton->influences_of(0).size(), 1U);
+}
+
+TEST(GltfAnimations, FaultsAreNamed) {
+  EXPECT_EQ(animated({0, 0}, {0, 1}, "SCALAR", 1, "weights").error().place, "/accessors/3");
+  EXPECT_EQ(animated({1, 0}, {0, 1}, "SCALAR", 1, "weights").error().place, "/accessors/3");
+  EXPECT_EQ(animated({-1, 0}, {0, 1}, "SCALAR", 1, "weights").error().place, "/accessors/3");
+  EXPECT_EQ(animated({0, 1}, {0, 1, 2}, "SCALAR", 1, "weights").error().place, "/accessors/4/count");
+  EXPECT_EQ(animated({0, 1}, {0, 1}, "SCALAR", 1, "weights", "CUBICSPLINE").error().place, "/accessors/4/count");
+  EXPECT_EQ(animated({0, 1}, {0, 1}, "SCALAR", 1, "weights", "BEZIER").error().place, "/animations/0/channels/0");
+  EXPECT_EQ(animated({0, 1}, {0, 1}, "SCALAR", 1, "colour").error().place, "/animations/0/channels/0");
+  EXPECT_EQ(animated({0, 1}, {0, 1}, "SCALAR", 1, "rotation").error().place, "/accessors/4/type");
+}
+
+TEST(GltfAnimations, NodesThatCarryNothingAreNoted) {
+  tests::GltfSample sample = animated({0, 1}, {0, 0, 0, 5, 0, 0}, "VEC3", 3, "scale");
+  sample.add("nodes", {{"name", "light"}});
+  sample.json["animations"][0]["channels"][0]["target"]["node"] = 1;
+  const auto model = sample.read();
+  ASSERT_TRUE(model.ok()) << model.error().line();
+  EXPECT_TRUE(model->animations.empty());
+  EXPECT_EQ(model->notes.size(), 1U);
+}
+
+}  // namespace
+}  // namespace penpose::model_io

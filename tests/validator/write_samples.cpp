@@ -1,0 +1,54 @@
+// write_samples FOLDER: writes the files that the validator is to see.
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "core/model_io/read_model.h"
+#include "core/model_io/write_model.h"
+#include "tests/support/gltf_sample.h"
+#include "tests/support/model_samples.h"
+#include "tests/support/shared_data.h"
+
+namespace {
+
+using namespace penpose;
+
+bool write(const std::filesystem::path& path, const document::Model& model) {
+  const auto bytes = model_io::write_glb(model);
+  if (!bytes) {
+    std::fprintf(stderr, "%s\n", bytes.error().line(path.string()).c_str());
+    return false;
+  }
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(bytes->data()), static_cast<std::streamsize>(bytes->size()));
+  return file.good();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  const std::filesystem::path folder = argv[1];
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  bool good = write(folder / "full.glb", tests::full_model());
+  good = write(folder / "empty_part.glb", tests::model_with_empty_part()) && good;
+  good = write(folder / "morph.glb", tests::morph_sample().read().value()) && good;
+  good = write(folder / "skin.glb", tests::skin_sample().read().value()) && good;
+  if (!tests::has_shared()) return good ? 0 : 1;
+  for (const auto& entry : std::filesystem::directory_iterator(tests::shared_dir() / "meshes")) {
+    const std::string name = entry.path().filename().string();
+    if (!name.ends_with(".glb") && !name.ends_with(".obj")) continue;
+    auto model = model_io::read_model(tests::read_file(entry.path()), name);
+    if (!model) {
+      std::fprintf(stderr, "%s\n", model.error().line(name).c_str());
+      return 1;
+    }
+    // A pose that is not the rest pose, so that weights and rotations are checked too.
+    for (std::size_t i = 0; i < model->pose.size(); i += 3) model->pose[i] = 0.25 * model->rig->parameters()[i].maximum;
+    good = write(folder / (name + ".glb"), *model) && good;
+  }
+  return good ? 0 : 1;
+}
