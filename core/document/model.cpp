@@ -53,6 +53,9 @@ void add_skeleton(base::StateHash& hash, const rig::Skeleton& skeleton) {
 base::Result<Model> make_model(std::shared_ptr<const mesh::TriangleMesh> mesh,
                                std::shared_ptr<const rig::BlendShapes> shapes,
                                std::shared_ptr<const rig::Skeleton> skeleton) {
+  if (shapes && shapes->vertex_count() != mesh->vertex_count()) {
+    return base::Error{"the blend shapes are for another number of vertices", "", "make them for this mesh"};
+  }
   std::vector<std::shared_ptr<const rig::DisplacementLayer>> layers;
   if (shapes) layers.push_back(shapes);
   auto rig = rig::CharacterRig::make(mesh, std::move(layers), skeleton);

@@ -13,10 +13,17 @@ base::Error at(std::string what, const char* kind, std::size_t index, std::strin
   return {std::move(what), std::string(kind) + " " + std::to_string(index), std::move(remedy)};
 }
 
+/// GCC 12 takes two neighbouring conversions to float and back for nothing at all (-O2, superword vectorizer); a
+/// volatile number is really stored.
+double rounded_to_float(double value) {
+  const volatile float rounded = static_cast<float>(value);
+  return static_cast<double>(rounded);
+}
+
 std::optional<base::Error> check_positions(MeshSource& source) {
   for (std::size_t v = 0; v < source.positions.size(); ++v) {
     ModelPoint& p = source.positions[v];
-    p = ModelPoint(glm::vec3(p));
+    p = {rounded_to_float(p.x), rounded_to_float(p.y), rounded_to_float(p.z)};
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
       return at("the position is not a finite number", "vertex", v,
                 "export the model again without NaN or infinite positions");
