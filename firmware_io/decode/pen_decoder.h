@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "core/base/byte_reader.h"
 #include "firmware_io/decode/pen_sample.h"
@@ -16,13 +17,15 @@ enum class ReportKind : std::uint8_t {
 
 /// The state of the keys and wheels on the tablet itself.
 struct PadState {
-  std::uint64_t keys = 0;         ///< bit i: key i is down
-  std::int32_t wheel_delta = 0;   ///< steps since the report before, clockwise positive
-  std::int32_t wheel_position = -1;  ///< absolute position of a touch ring or strip, -1 while not touched
+  std::uint64_t keys = 0;               ///< bit i: key i is down
+  std::int32_t wheel_delta = 0;         ///< steps since the report before, clockwise positive
+  std::int32_t second_wheel_delta = 0;  ///< the same of a second dial
+  std::int32_t wheel_position = -1;     ///< absolute position of a touch ring or strip, -1 while not touched
+  std::uint32_t wheel_buttons = 0;      ///< bit i: the button in wheel i is down
 };
 
-/// Turns the raw input reports of one interface into pen samples. Stateful: feed every report of the interface in order.
-/// A decoder never allocates in `decode`, never reads outside the report, and takes any bytes whatever.
+/// Turns the raw input reports of one interface into pen samples. Stateful: feed every report of the interface in
+/// order. A decoder never allocates in `decode`, never reads outside the report, and takes any bytes whatever.
 class PenDecoder {
  public:
   virtual ~PenDecoder() = default;
@@ -39,6 +42,10 @@ class PenDecoder {
   /// The full state after the last report of kind `pen`.
   [[nodiscard]] const PenSample& sample() const { return sample_; }
   [[nodiscard]] const PadState& pad() const { return pad_; }
+
+  /// All states that the last report of kind `pen` went through, oldest first: the last one is `sample()`. More than
+  /// one only where a device puts several frames into a report (over Bluetooth). Valid until the next call of `decode`.
+  [[nodiscard]] virtual std::span<const PenSample> frames() const { return {&sample_, 1}; }
 
  protected:
   PenSample sample_;

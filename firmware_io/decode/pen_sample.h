@@ -6,8 +6,8 @@ namespace penpose::decode {
 
 enum class Tool : std::uint8_t { none, pen, eraser, mouse };
 
-/// What a pen says in one report, in the device's own units: nothing scaled, nothing filtered. A field that the device does not
-/// have is left at zero and its bit in `AxisSet` (see PenAxes) is clear.
+/// What a pen says in one report, in the device's own units: nothing scaled, nothing filtered. A field that the device
+/// does not have is left at zero and its bit in `AxisSet` (see PenAxes) is clear.
 struct PenSample {
   std::int32_t x = 0;
   std::int32_t y = 0;
@@ -27,7 +27,8 @@ struct PenSample {
   friend bool operator==(const PenSample&, const PenSample&) = default;
 };
 
-/// The range of one axis as the device declares it. `units_per_mm` is 0 where it is unknown (for tilt: units per degree).
+/// The range of one axis as the device declares it. `units_per_mm` is 0 where it is unknown (for tilt: units per
+/// degree).
 struct Axis {
   std::int32_t minimum = 0;
   std::int32_t maximum = 0;

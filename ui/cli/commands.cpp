@@ -1,6 +1,10 @@
 #include "ui/cli/commands.h"
 
 #include "ui/cli/articulate_command.h"
+#include "ui/cli/convert_command.h"
+#include "ui/cli/decode_command.h"
+#include "ui/cli/devices_command.h"
+#include "ui/cli/info_command.h"
 #include "ui/cli/pose_command.h"
 #include "ui/cli/render_command.h"
 
@@ -11,6 +15,8 @@ std::vector<AddCommand> all_commands() {
       add_articulate_command,
       add_pose_command,
       add_render_command,
+      add_info_command, add_devices_command, add_decode_command,
+      add_pose_command, add_render_command,  add_convert_command,
   };
 }
 

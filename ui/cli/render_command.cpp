@@ -1,6 +1,7 @@
 #include "ui/cli/render_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,7 +9,9 @@
 
 #include "core/base/numbers.h"
 #include "core/document/animation_sampling.h"
+#include "core/model_io/case_file.h"
 #include "ui/cli/camera_file.h"
+#include "ui/cli/closest_name.h"
 #include "ui/cli/files.h"
 #include "ui/cli/load_model.h"
 #include "ui/render/appearance.h"
@@ -32,6 +35,8 @@ struct Options {
   bool wireframe = false;
   bool plain = false;
   bool curves = false;
+  std::string cases;
+  std::string case_name;
 };
 
 std::optional<geometry::Viewport> parse_size(const std::string& text) {
@@ -46,7 +51,7 @@ std::optional<geometry::Viewport> parse_size(const std::string& text) {
 
 std::string check_size(const std::string& text) {
   if (parse_size(text)) return {};
-  return "--size: write WIDTHxHEIGHT in px, at most 8192 a side and 4096x4096 in all, not \"" + text + "\"";
+  return "write WIDTHxHEIGHT in px, at most 8192 a side and 4096x4096 in all, not \"" + text + "\"";
 }
 
 std::vector<render::CurveDrawing> named_curves(const document::Model& model,
@@ -58,6 +63,39 @@ std::vector<render::CurveDrawing> named_curves(const document::Model& model,
       drawing.points.push_back(mesh::position_of(point, model.mesh->triangles(), positions));
     }
     drawings.push_back(std::move(drawing));
+  }
+  return drawings;
+}
+
+/// The curves of one case as they lie on the posed model, and where the references should be.
+base::Result<std::vector<render::CurveDrawing>> case_curves(const Options& options, const document::Model& model,
+                                                            std::span<const geometry::ModelPoint> positions) {
+  const auto bytes = read_file(options.cases);
+  if (!bytes) return bytes.error();
+  const auto file = model_io::read_cases(*bytes);
+  if (!file) return file.error();
+  if (auto fits = model_io::check_cases(*file, model, model_io::TargetForm::drawn); !fits) return fits.error();
+  const auto found = std::find_if(file->cases.begin(), file->cases.end(),
+                                  [&](const auto& one) { return one.name == options.case_name; });
+  if (found == file->cases.end()) {
+    std::vector<std::string> names;
+    for (const auto& one : file->cases) names.push_back(one.name);
+    const auto close = closest_name(options.case_name, names);
+    return base::Error{"there is no case \"" + options.case_name + "\"", "--case",
+                       close ? "did you mean " + *close + "?" : "name one of the file"};
+  }
+  std::vector<render::CurveDrawing> drawings;
+  const auto on_surface = [&](std::span<const std::uint32_t> vertices, render::CurveKind kind) {
+    render::CurveDrawing& drawing = drawings.emplace_back();
+    drawing.kind = kind;
+    for (const std::uint32_t v : vertices) drawing.points.push_back(positions[v]);
+  };
+  for (const auto& constraint : found->constraints) on_surface(constraint.vertices, render::CurveKind::constraint);
+  for (const auto& reference : found->references) on_surface(reference.vertices, render::CurveKind::reference);
+  for (const auto& reference : found->references) {
+    render::CurveDrawing& drawing = drawings.emplace_back();
+    drawing.kind = render::CurveKind::target;
+    drawing.points = reference.target;
   }
   return drawings;
 }
@@ -102,6 +140,11 @@ int run_render(const Options& options) {
   const render::PosedMesh posed = render::posed_mesh(*model);
   std::vector<render::CurveDrawing> curves;
   if (options.curves) curves = named_curves(*model, document::posed_positions(*model));
+  if (!options.cases.empty()) {
+    const auto drawings = case_curves(options, *model, document::posed_positions(*model));
+    if (!drawings) return report(drawings.error(), options.cases);
+    curves.insert(curves.end(), drawings->begin(), drawings->end());
+  }
   render::Scene scene;
   scene.positions = posed.positions;
   scene.normals = posed.normals;
@@ -138,6 +181,10 @@ void add_render_command(CLI::App& app, int& status) {
   command->add_flag("--wireframe", options->wireframe, "draw the edges too");
   command->add_flag("--plain", options->plain, "the file's materials only: do not tell eyes and teeth apart by shape");
   command->add_flag("--curves", options->curves, "draw the curves that the model carries");
+  auto* cases = command->add_option("--cases", options->cases, "file of posing cases; draws the curves of one");
+  auto* case_name = command->add_option("--case", options->case_name, "which case of the file");
+  cases->needs(case_name);
+  case_name->needs(cases);
   command->add_option("-o,--output", options->output, "PNG file to write")->required();
   command->callback([options, &status] { status = run_render(*options); });
 }

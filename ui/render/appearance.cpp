@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "ui/render/normals.h"
+#include "core/rig/surface_poser.h"
 
 namespace penpose::render {
 namespace {
@@ -25,7 +25,7 @@ Surface from_material(const document::Material& material) {
 Surface from_kind(PartKind kind) {
   switch (kind) {
     case PartKind::eyeball:
-      return {{0.72F, 0.70F, 0.67F, 1}, 0.2F, 0};
+      return {{0.86F, 0.84F, 0.81F, 1}, 0.2F, 0};
     case PartKind::eye_cover:
       return {{0.30F, 0.24F, 0.22F, 0.03F}, 0.15F, 0};
     case PartKind::lash:
@@ -133,10 +133,11 @@ Appearance make_appearance(const document::Model& model, const AppearanceOptions
 }
 
 PosedMesh posed_mesh(const document::Model& model) {
-  PosedMesh posed;
-  posed.positions = to_float(document::posed_positions(model));
-  posed.normals = smooth_normals(*model.mesh, posed.positions);
-  return posed;
+  rig::SurfacePoser poser(model.rig);
+  poser.update(model.pose);
+  const auto positions = poser.positions();
+  const auto normals = poser.normals();
+  return {{positions.begin(), positions.end()}, {normals.begin(), normals.end()}};
 }
 
 }  // namespace penpose::render

@@ -23,7 +23,8 @@ struct AppearanceOptions {
 /// mirror.
 [[nodiscard]] Appearance make_appearance(const document::Model& model, const AppearanceOptions& options = {});
 
-/// Positions and normals of the model at its pose, ready for a scene.
+/// Positions and normals of the model at its pose, ready for one scene. For a pose that changes keep a
+/// rig::SurfacePoser instead; its revision is a scene's pose number.
 struct PosedMesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec3> normals;

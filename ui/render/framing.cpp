@@ -64,7 +64,20 @@ geometry::Camera frame_points(std::span<const glm::vec3> points, geometry::Viewp
     nearest = std::max(nearest, near);
   }
   const double away = std::max({across.away(tan_x), upright.away(tan_y), nearest + 0.05});
-  const ModelPoint target = box.center() + (right * across.middle() + up * upright.middle()) * size;
+  // On the loose side the wedge's middle is not the picture's: a few steps bring the outermost points to equal margins.
+  double x = across.middle();
+  double y = upright.middle();
+  for (int step = 0; step < 6; ++step) {
+    geometry::Box seen;
+    for (const glm::vec3& p : points) {
+      const ModelVector d = (ModelPoint(p) - box.center()) / size;
+      const double depth = away - glm::dot(d, back);
+      seen.add({(glm::dot(d, right) - x) / depth, (glm::dot(d, up) - y) / depth, 0});
+    }
+    x += seen.center().x * away;
+    y += seen.center().y * away;
+  }
+  const ModelPoint target = box.center() + (right * x + up * y) * size;
   const geometry::CameraPose pose{target + back * (away * size), target, {0, 1, 0}, vertical_fov_degrees};
   auto camera = geometry::Camera::make(pose, viewport);
   if (camera) return *camera;

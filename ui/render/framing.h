@@ -12,7 +12,7 @@ namespace penpose::render {
 /// A direction to look from: turned about +Y from the front (0: from +Z, 90: from +X), raised by the pitch.
 struct Viewpoint {
   double yaw_degrees = 25;
-  double pitch_degrees = 4;
+  double pitch_degrees = 6;
 };
 
 /// "front", "side" (the subject's left), "three-quarter", "back" or "top"; nothing for another name.

@@ -1,6 +1,7 @@
 #include "ui/render/offscreen_context.h"
 
 #include <SDL2/SDL.h>
+#include <cstdlib>
 #include <string>
 
 namespace penpose::render {
@@ -8,7 +9,7 @@ namespace {
 
 base::Error no_gl(const std::string& why) {
   return {"pictures need OpenGL 3.1 or OpenGL ES 3.0, which could not be started (" + why + ")", "",
-          "install the packages libegl1 and libgl1-mesa-dri"};
+          "install the packages libegl1, libgl1 and libgl1-mesa-dri"};
 }
 
 std::string sdl_error() {
@@ -30,6 +31,8 @@ base::Result<std::unique_ptr<OffscreenContext>> OffscreenContext::make() {
     const char* driver = SDL_GetCurrentVideoDriver();
     if (driver == nullptr || std::string(driver) != "offscreen") return no_gl("a window is open in this program");
   }
+  // Mesa would print its search for drivers before the one line that says what to do.
+  ::setenv("EGL_LOG_LEVEL", "fatal", 0);
   // The environment's own choice of a driver is for windows; this one never has any.
   SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, "offscreen", SDL_HINT_OVERRIDE);
   const int started = SDL_InitSubSystem(SDL_INIT_VIDEO);

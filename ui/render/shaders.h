@@ -106,13 +106,15 @@ void main() {
   float alpha = max(roughness * roughness, 0.01);
   vec3 f0 = mix(vec3(0.035), base, surface.y);
   vec3 diffuse = base * (1.0 - surface.y);
-  float occlude = mix(1.0, 0.35, inside);
-  vec3 ambient = mix(vec3(0.11, 0.095, 0.085), vec3(0.25, 0.27, 0.30), n.y * 0.5 + 0.5);
+  float occlude = mix(1.0, 0.22, inside);
+  vec3 ambient = mix(vec3(0.085, 0.072, 0.064), vec3(0.20, 0.215, 0.24), n.y * 0.5 + 0.5);
   vec3 color = ambient * (diffuse + f0 * (1.0 - 0.7 * roughness));
-  color += lit(n, v, normalize(vec3(-0.50, 0.62, 0.72)), vec3(0.74, 0.70, 0.64), diffuse, f0, alpha, 0.18);
-  color += lit(n, v, normalize(vec3(0.85, 0.10, 0.50)), vec3(0.13, 0.15, 0.18), diffuse, f0, max(alpha, 0.2), 0.3);
+  color += lit(n, v, normalize(vec3(-0.50, 0.62, 0.72)), vec3(0.86, 0.81, 0.75), diffuse, f0, alpha, 0.18);
+  color += lit(n, v, normalize(vec3(0.85, 0.10, 0.50)), vec3(0.11, 0.125, 0.15), diffuse, f0, max(alpha, 0.2), 0.3);
   color += lit(n, v, normalize(vec3(0.45, 0.55, -0.75)), vec3(0.40, 0.44, 0.50), diffuse, f0, max(alpha, 0.25), 0.0);
   color *= occlude;
+  // A soft shoulder: white things keep their shading.
+  color = color * (1.0 + color * 0.35) / (1.0 + color * 0.62);
   float opacity = 1.0;
   if (opaque_pass < 0.5) {
     // A clear film hides little of what is behind it, but its highlight is as bright as on anything else.
@@ -131,7 +133,7 @@ in vec4 albedo;
 in vec3 surface;
 out vec4 result;
 void main() {
-  result = vec4(0.04, 0.05, 0.07, 0.55);
+  result = vec4(0.04, 0.05, 0.07, 0.32);
 }
 )";
 

@@ -1,9 +1,8 @@
 #include "core/posing/simplex.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <functional>
+#include <gtest/gtest.h>
 
 namespace penpose::posing {
 namespace {
@@ -102,7 +101,8 @@ TEST(Simplex, NeverEndsAboveItsStartAndKeepsItsBudget) {
   for (const std::size_t budget : {5U, 17U, 60U}) {
     Plain bumps(4, [](std::span<const double> u) {
       double sum = 0;
-      for (std::size_t i = 0; i < u.size(); ++i) sum += std::sin(40 * u[i] + static_cast<double>(i)) + (u[i] - 0.3) * (u[i] - 0.3);
+      for (std::size_t i = 0; i < u.size(); ++i)
+        sum += std::sin(40 * u[i] + static_cast<double>(i)) + (u[i] - 0.3) * (u[i] - 0.3);
       return sum;
     });
     std::vector<double> u{0.9, 0.1, 0.4, 0.7};

@@ -1,9 +1,8 @@
 #include "core/posing/solve.h"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numeric>
 
 #include "tests/support/test_rigs.h"
@@ -28,11 +27,13 @@ std::vector<CurvePoint> row_curve(std::uint32_t row, std::uint32_t from = 0, std
   return points;
 }
 
-std::vector<ModelPoint> positions_at(const rig::Rig& rig, const std::vector<CurvePoint>& points, const rig::Pose& pose) {
+std::vector<ModelPoint> positions_at(const rig::Rig& rig, const std::vector<CurvePoint>& points,
+                                     const rig::Pose& pose) {
   std::vector<ModelPoint> all(rig.vertex_count());
   rig.evaluate(pose, all);
   std::vector<ModelPoint> at;
-  for (const CurvePoint& p : points) at.push_back(all[p.vertex[0]] * p.weight[0] + all[p.vertex[1]] * p.weight[1] + all[p.vertex[2]] * p.weight[2]);
+  for (const CurvePoint& p : points)
+    at.push_back(all[p.vertex[0]] * p.weight[0] + all[p.vertex[1]] * p.weight[1] + all[p.vertex[2]] * p.weight[2]);
   return at;
 }
 
@@ -59,7 +60,8 @@ double energy_by_hand(const rig::Rig& rig, const PoseProblem& problem, const rig
   double sum = 0;
   const auto add = [&](const auto& points, const auto& targets, const std::vector<double>& weights) {
     const auto at = positions_at(rig, points, pose);
-    for (std::size_t i = 0; i < at.size(); ++i) sum += (weights.empty() ? 1.0 : weights[i]) * geometry::distance(at[i], targets[i]);
+    for (std::size_t i = 0; i < at.size(); ++i)
+      sum += (weights.empty() ? 1.0 : weights[i]) * geometry::distance(at[i], targets[i]);
   };
   for (const auto& pair : problem.pairs) add(pair.reference, pair.target, pair.weights);
   for (const auto& constraint : problem.constraints) add(constraint.points, constraint.positions, {});
@@ -195,7 +197,8 @@ TEST(Solve, OfManyFittingPosesItTakesTheOneNearTheStart) {
       shapes[s].deltas.emplace_back(0, 0, 1);
     }
   }
-  const auto rig = rig::CharacterRig::make(mesh, {rig::BlendShapes::make(shapes, mesh->vertex_count()).value()}, nullptr).value();
+  const auto rig =
+      rig::CharacterRig::make(mesh, {rig::BlendShapes::make(shapes, mesh->vertex_count()).value()}, nullptr).value();
   PoseProblem problem;
   CurvePair pair;
   for (std::uint32_t v = 0; v < 11; ++v) {

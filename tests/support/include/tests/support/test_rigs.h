@@ -13,10 +13,12 @@
 namespace penpose::tests {
 
 /// A flat grid of (columns + 1) x (rows + 1) vertices over 0..width x 0..height at z = 0, facing +z.
-inline std::shared_ptr<const mesh::TriangleMesh> grid_mesh(std::uint32_t columns, std::uint32_t rows, double width = 1, double height = 1) {
+inline std::shared_ptr<const mesh::TriangleMesh> grid_mesh(std::uint32_t columns, std::uint32_t rows, double width = 1,
+                                                           double height = 1) {
   mesh::MeshSource source;
   for (std::uint32_t r = 0; r <= rows; ++r) {
-    for (std::uint32_t c = 0; c <= columns; ++c) source.positions.emplace_back(width * c / columns, height * r / rows, 0.0);
+    for (std::uint32_t c = 0; c <= columns; ++c)
+      source.positions.emplace_back(width * c / columns, height * r / rows, 0.0);
   }
   for (std::uint32_t r = 0; r < rows; ++r) {
     for (std::uint32_t c = 0; c < columns; ++c) {
@@ -29,8 +31,9 @@ inline std::shared_ptr<const mesh::TriangleMesh> grid_mesh(std::uint32_t columns
 }
 
 /// Smooth random bumps: shape i moves the vertices around a random centre in a random direction.
-inline std::shared_ptr<const rig::BlendShapes> random_shapes(const mesh::TriangleMesh& mesh, std::size_t count, std::uint64_t seed,
-                                                             double reach = 0.3, double size = 0.2) {
+inline std::shared_ptr<const rig::BlendShapes> random_shapes(const mesh::TriangleMesh& mesh, std::size_t count,
+                                                             std::uint64_t seed, double reach = 0.3,
+                                                             double size = 0.2) {
   std::mt19937_64 random(seed);
   const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
   std::vector<rig::BlendShape> shapes;

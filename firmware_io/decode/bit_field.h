@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/base/byte_reader.h"
+#include "core/base/result.h"
+
+namespace penpose::decode {
+
+/// A test of report bytes, written as blank-separated parts that must all hold:
+///   `1.5` bit 5 of byte 1 is set (bit 0 is the lowest)    `!1.5` it is clear
+///   `0=02` byte 0 is 02h    `0=02/10` it is 02h or 10h    `0!=02` it is not 02h
+///   `1&fc=c0` byte 1 masked with FCh is C0h               `length>=12` the report has at least 12 bytes
+/// Bytes and bits count in decimal, values are hexadecimal. A test of a byte that the report does not have fails. No
+/// part: true.
+class BitTest {
+ public:
+  [[nodiscard]] static base::Result<BitTest> parse(std::string_view text);
+
+  [[nodiscard]] bool holds(base::Bytes report) const {
+    if (report.size() < shortest_) return false;
+    for (const auto& part : parts_) {
+      if (!part.holds(report[part.byte])) return false;
+    }
+    return true;
+  }
+  /// Bytes that a report needs so that every part can be looked at.
+  [[nodiscard]] std::size_t reach() const { return shortest_; }
+  /// The largest `length>=` part, 0 without one.
+  [[nodiscard]] std::size_t stated_length() const { return stated_length_; }
+
+ private:
+  struct Part {
+    std::uint16_t byte = 0;
+    std::uint8_t mask = 0xff;
+    bool wanted = true;
+    std::uint8_t count = 0;
+    std::uint8_t values[4] = {};
+
+    [[nodiscard]] bool holds(std::uint8_t raw) const {
+      bool found = false;
+      for (std::uint8_t i = 0; i < count; ++i) found = found || (raw & mask) == values[i];
+      return found == wanted;
+    }
+  };
+  [[nodiscard]] static base::Result<Part> parse_part(std::string_view text);
+
+  std::vector<Part> parts_;
+  std::size_t shortest_ = 0;
+  std::size_t stated_length_ = 0;
+};
+
+/// A number in a report, written as the runs of bits that make it up, lowest first and separated by blanks:
+///   `2 3` bytes 2 and 3, little-endian    `9.1 3 2` bit 1 of byte 9, above it byte 3, above that byte 2
+///   `7.4-7` bits 4 to 7 of byte 7         `!7.6` bit 6 of byte 7 inverted      `_4` four zero bits
+///   `3=01/02` one bit that tells whether the test holds (any part of a BitTest with `=`)
+///   `... | ...` two such lists OR-ed
+/// followed by any of, in this order: `signed` (two's complement of the width), `negated`, `plus N` or `minus N`, and
+/// `if TEST` (the number is absent unless the BitTest holds).
+class BitNumber {
+ public:
+  [[nodiscard]] static base::Result<BitNumber> parse(std::string_view text);
+
+  /// Precondition: the report has at least reach() bytes and is_there() says yes.
+  [[nodiscard]] std::int64_t read(base::Bytes report) const {
+    std::uint64_t bits = 0;
+    for (const auto& run : runs_) {
+      const std::uint64_t piece = static_cast<std::uint8_t>((report[run.byte] ^ run.flip) & run.mask);
+      bits |= (piece >> run.down) << run.up;
+    }
+    for (const auto& flag : flags_) bits |= std::uint64_t{flag.test.holds(report)} << flag.up;
+    std::int64_t value = static_cast<std::int64_t>(bits);
+    if (sign_bit_ != 0 && (bits & sign_bit_) != 0) value -= static_cast<std::int64_t>(sign_bit_ << 1);
+    return (negated_ ? -value : value) + offset_;
+  }
+  /// Whether the `if` part, where there is one, holds.
+  [[nodiscard]] bool is_there(base::Bytes report) const { return !gated_ || gate_.holds(report); }
+  /// As read, or `otherwise` where the number is absent.
+  [[nodiscard]] std::int64_t read_or(base::Bytes report, std::int64_t otherwise) const {
+    return is_there(report) ? read(report) : otherwise;
+  }
+  /// Bytes that a report needs so that read_or() may be called; 0 where an `if length>=N` sees to that itself.
+  [[nodiscard]] std::size_t reach() const { return reach_; }
+  /// Bits that the runs fill, at most 32.
+  [[nodiscard]] int width() const { return width_; }
+
+ private:
+  struct Run {
+    std::uint16_t byte = 0;
+    std::uint8_t mask = 0;
+    std::uint8_t flip = 0;
+    std::uint8_t down = 0;
+    std::uint8_t up = 0;
+  };
+  struct Flag {
+    BitTest test;
+    std::uint8_t up = 0;
+  };
+  base::Status add_run(std::string_view word, int& position);
+
+  std::vector<Run> runs_;
+  std::vector<Flag> flags_;
+  BitTest gate_;
+  std::uint64_t sign_bit_ = 0;
+  std::int64_t offset_ = 0;
+  std::size_t reach_ = 0;
+  int width_ = 0;
+  bool negated_ = false;
+  bool gated_ = false;
+};
+
+}  // namespace penpose::decode

@@ -1,0 +1,152 @@
+#include "firmware_io/decode/decoder_factory.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "firmware_io/decode/descriptor_decoder.h"
+#include "firmware_io/decode/fallback_decoder.h"
+#include "firmware_io/decode/wacom_axes.h"
+#include "firmware_io/decode/wacom_bamboo_decoder.h"
+#include "firmware_io/decode/wacom_bluetooth_decoder.h"
+#include "firmware_io/decode/wacom_display_decoder.h"
+#include "firmware_io/decode/wacom_generic_decoder.h"
+#include "firmware_io/decode/wacom_graphire_decoder.h"
+#include "firmware_io/decode/wacom_intuos_decoder.h"
+#include "firmware_io/decode/wacom_models.h"
+
+namespace penpose::decode {
+namespace {
+
+using F = WacomFamily;
+
+/// Reports of these lengths carry touch on the Bamboos and later Intuos, whatever else the descriptor leaves out.
+constexpr std::uint32_t k_touch_length = 20;
+constexpr std::uint32_t k_many_touches_length = 64;
+
+bool has_touch_interface(F family) {
+  return family == F::bamboo || family == F::intuos_2015 || family == F::intuos5 || family == F::intuos5_large;
+}
+
+/// Whether this is the interface of a Wacom tablet that carries its pen. The descriptors of these models tell only
+/// which collections there are, not what their bytes mean; one that tells nothing is taken for the pen's.
+bool carries_wacom_pen(const WacomModel& model, const hid::ReportDescriptor& descriptor) {
+  if (model.family == F::touch_only) return false;
+  bool touch = false;
+  for (const hid::Field& field : descriptor.fields) {
+    if (field.type != hid::ReportType::input) continue;
+    if (is_wacom_pen_field(descriptor, field)) return true;
+    touch = touch || is_wacom_touch_field(descriptor, field);
+  }
+  const std::uint32_t length = descriptor.longest_report(hid::ReportType::input);
+  const bool touch_length = length == k_touch_length || length == k_many_touches_length;
+  return !touch && !(has_touch_interface(model.family) && touch_length);
+}
+
+/// Takes over ranges that the interface's descriptor states itself.
+void adopt_described_ranges(WacomModel& model, const hid::ReportDescriptor& descriptor) {
+  const auto pens = find_pens(descriptor, Dialect::wacom);
+  if (!pens) return;
+  if (pens->axes.pressure.present) model.max_pressure = pens->axes.pressure.maximum;
+  if (pens->axes.x.present) model.max_x = pens->axes.x.maximum;
+  if (pens->axes.y.present) model.max_y = pens->axes.y.maximum;
+}
+
+std::unique_ptr<PenDecoder> make_wacom_decoder(const WacomModel& model) {
+  switch (model.family) {
+    case F::penpartner:
+      return std::make_unique<WacomPenPartnerDecoder>(model);
+    case F::graphire:
+    case F::graphire4:
+    case F::graphire_bluetooth:
+    case F::bamboo_first:
+      return std::make_unique<WacomGraphireDecoder>(model);
+    case F::bamboo:
+      return std::make_unique<WacomBambooDecoder>(model);
+    case F::intuos_pro_bluetooth:
+    case F::intuos_2018_bluetooth:
+      return std::make_unique<WacomBluetoothDecoder>(model);
+    case F::pl:
+    case F::ptu:
+    case F::dtu:
+    case F::dtus:
+    case F::tablet_pc:
+      return std::make_unique<WacomDisplayDecoder>(model);
+    case F::touch_only:
+      return nullptr;
+    default:
+      return std::make_unique<WacomIntuosDecoder>(model);
+  }
+}
+
+base::Error unreadable(const DeviceIdentity& device, const std::optional<base::Error>& descriptor_error) {
+  base::Error error{"no pen that is known: neither its descriptor nor the table of tablets says how to read it",
+                    device.name, "name a protocol, or add the tablet with a file of your own"};
+  if (descriptor_error) {
+    error.what += " (" + descriptor_error->what + " at " + descriptor_error->place + ")";
+  }
+  return error;
+}
+
+}  // namespace
+
+void complete_identity(DeviceIdentity& device) {
+  if (device.report_descriptor.empty()) return;
+  const auto parsed = hid::parse_report_descriptor(device.report_descriptor, hid::Strictness::tolerant);
+  if (!parsed) return;
+  const auto fill = [&](std::optional<std::uint16_t>& length, hid::ReportType type) {
+    if (!length) length = static_cast<std::uint16_t>(std::min(parsed->longest_report(type), 65535u));
+  };
+  fill(device.input_report_length, hid::ReportType::input);
+  fill(device.output_report_length, hid::ReportType::output);
+  fill(device.feature_report_length, hid::ReportType::feature);
+}
+
+base::Result<Recognition> make_decoder(const DeviceIdentity& device, const TabletTable* own) {
+  hid::ReportDescriptor descriptor;
+  std::optional<base::Error> descriptor_error;
+  if (!device.report_descriptor.empty()) {
+    auto parsed = hid::parse_report_descriptor(device.report_descriptor, hid::Strictness::tolerant);
+    if (parsed) {
+      descriptor = std::move(parsed).value();
+    } else {
+      descriptor_error = parsed.error();
+    }
+  }
+  DeviceIdentity completed = device;
+  complete_identity(completed);
+
+  if (own != nullptr) {
+    if (const auto match = own->find(completed)) {
+      return Recognition{make_tablet_decoder(*match), "protocol " + match->identifier->protocol->name, match->is_pad};
+    }
+  }
+
+  if (const WacomModel* known = find_wacom_model(device.bus, device.vendor, device.product)) {
+    if (!carries_wacom_pen(*known, descriptor)) return unreadable(device, descriptor_error);
+    WacomModel model = *known;
+    adopt_described_ranges(model, descriptor);
+    return Recognition{make_wacom_decoder(model), "wacom " + std::string(model.name), false};
+  }
+
+  const bool wacom = device.vendor == k_vendor_wacom;
+  auto pens = find_pens(descriptor, wacom ? Dialect::wacom : Dialect::standard);
+  std::unique_ptr<PenDecoder> described;
+  if (pens && wacom) {
+    described = std::make_unique<WacomGenericDecoder>(*pens);
+  } else if (pens) {
+    described = std::make_unique<DescriptorDecoder>(*pens);
+  }
+  // Wacom's own descriptors are complete; the table is for those that have none.
+  const auto match = wacom && described ? std::nullopt : known_tablets().find(completed);
+  if (!match) {
+    if (!described) return unreadable(device, descriptor_error);
+    return Recognition{std::move(described), "descriptor", false};
+  }
+  auto vendor = make_tablet_decoder(*match);
+  const std::string method = "protocol " + match->identifier->protocol->name;
+  if (!described) return Recognition{std::move(vendor), method, match->is_pad};
+  return Recognition{std::make_unique<FallbackDecoder>(std::move(*pens), std::move(described), std::move(vendor)),
+                     "descriptor, " + method, false};
+}
+
+}  // namespace penpose::decode

@@ -1,0 +1,103 @@
+// Decoding must not allocate: it runs between two reports of a device that sends a thousand a second.
+
+#include <atomic>
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <new>
+
+#include "firmware_io/decode/decoder_factory.h"
+#include "firmware_io/decode/protocol.h"
+#include "firmware_io/decode/wacom_models.h"
+#include "tests/support/pen_reports.h"
+
+namespace {
+
+std::atomic<std::size_t> allocations{0};
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace penpose::decode {
+namespace {
+
+std::size_t allocations_of(PenDecoder& decoder, const std::vector<tests::Report>& reports) {
+  const std::size_t before = allocations;
+  for (const tests::Report& report : reports) decoder.decode(report);
+  return allocations - before;
+}
+
+std::vector<tests::Report> reports_of_all_kinds() {
+  std::vector<tests::Report> reports;
+  PenSample sample;
+  sample.in_range = sample.tip = true;
+  sample.tool = Tool::pen;
+  sample.pressure = 100;
+  reports.push_back(tests::intuos_enter(0x10802, 7));
+  reports.push_back(tests::intuos_pen(sample));
+  reports.push_back(tests::bamboo_pen(sample));
+  reports.push_back(tests::graphire_pen(sample));
+  reports.push_back(tests::dtus_pen(sample));
+  reports.push_back(tests::tablet_pc_pen(sample));
+  reports.push_back(tests::ink_pen(sample));
+  for (const std::size_t size : {1u, 7u, 10u, 12u, 14u, 64u, 361u}) {
+    for (int first = 0; first < 256; ++first) {
+      tests::Report report(size, static_cast<std::uint8_t>(first * 7));
+      report[0] = static_cast<std::uint8_t>(first);
+      reports.push_back(report);
+    }
+  }
+  return reports;
+}
+
+TEST(Allocation, CountingWorks) {
+  const std::size_t before = allocations;
+  const auto* memory = new int(5);
+  EXPECT_EQ(allocations, before + 1);
+  delete memory;
+}
+
+TEST(Allocation, NoWacomDecoderAllocates) {
+  const auto reports = reports_of_all_kinds();
+  for (const WacomModel& model : wacom_models()) {
+    for (const std::uint16_t bus : {k_bus_usb, k_bus_bluetooth}) {
+      DeviceIdentity device;
+      device.bus = bus;
+      device.vendor = k_vendor_wacom;
+      device.product = model.product;
+      auto made = make_decoder(device);
+      if (!made) continue;
+      EXPECT_EQ(allocations_of(*made->decoder, reports), 0u) << model.name;
+    }
+  }
+}
+
+TEST(Allocation, NoDescriptorDecoderAllocates) {
+  const auto reports = reports_of_all_kinds();
+  for (const std::uint16_t vendor : {std::uint16_t{0x1b96}, k_vendor_wacom}) {
+    DeviceIdentity device;
+    device.vendor = vendor;
+    device.product = 0xffff;
+    device.report_descriptor = tests::ink_descriptor();
+    auto made = make_decoder(device);
+    ASSERT_TRUE(made);
+    EXPECT_EQ(allocations_of(*made->decoder, reports), 0u);
+  }
+}
+
+TEST(Allocation, NoProtocolDecoderAllocates) {
+  const auto reports = reports_of_all_kinds();
+  for (const std::string& name : protocol_names()) {
+    const auto decoder = make_protocol_decoder(name);
+    EXPECT_EQ(allocations_of(*decoder, reports), 0u) << name;
+  }
+}
+
+}  // namespace
+}  // namespace penpose::decode

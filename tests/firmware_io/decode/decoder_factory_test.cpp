@@ -1,0 +1,106 @@
+#include "firmware_io/decode/decoder_factory.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/pen_reports.h"
+
+namespace penpose::decode {
+namespace {
+
+DeviceIdentity device(std::uint16_t vendor, std::uint16_t product, tests::Report descriptor = {}) {
+  DeviceIdentity identity;
+  identity.vendor = vendor;
+  identity.product = product;
+  identity.report_descriptor = std::move(descriptor);
+  return identity;
+}
+
+TEST(DecoderFactory, APenThatDescribesItselfNeedsNoTable) {
+  const auto made = make_decoder(device(0x1b96, 0x1234, tests::ink_descriptor()));
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->method, "descriptor");
+  PenSample sample;
+  sample.in_range = true;
+  sample.tool = Tool::pen;
+  sample.x = 77;
+  EXPECT_EQ(made->decoder->decode(tests::ink_pen(sample)), ReportKind::pen);
+  EXPECT_EQ(made->decoder->sample().x, 77);
+}
+
+TEST(DecoderFactory, WacomModelsGoByTheirProductId) {
+  const auto made = make_decoder(device(0x056a, 0x00b9));
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->method, "wacom Intuos4 6x9");
+}
+
+TEST(DecoderFactory, EveryModelOfTheTableIsMadeOrIsForTouchOnly) {
+  for (const std::uint16_t bus : {k_bus_usb, k_bus_bluetooth}) {
+    for (std::uint32_t product = 0; product < 0x10000; ++product) {
+      DeviceIdentity identity = device(0x056a, static_cast<std::uint16_t>(product));
+      identity.bus = bus;
+      const auto made = make_decoder(identity);
+      if (!made) continue;
+      EXPECT_NE(made->decoder, nullptr) << product;
+    }
+  }
+}
+
+TEST(DecoderFactory, TheTouchInterfaceOfAPenTabletIsNoPen) {
+  // Vendor-defined reports of 64 bytes, as on Intuos5 and Intuos Pro.
+  const tests::Report opaque{0x06, 0x00, 0xff, 0x09, 0x80, 0xa1, 0x01, 0x85, 0x02, 0x09, 0x01, 0x15,
+                             0x00, 0x26, 0xff, 0x00, 0x75, 0x08, 0x95, 0x3f, 0x81, 0x02, 0xc0};
+  EXPECT_FALSE(make_decoder(device(0x056a, 0x0026, opaque)));
+  EXPECT_TRUE(make_decoder(device(0x056a, 0x00b9, opaque)));
+}
+
+TEST(DecoderFactory, UnknownWacomModelsAreReadByTheirDescriptor) {
+  const auto made = make_decoder(device(0x056a, 0x0391, tests::ink_descriptor()));
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->method, "descriptor");
+}
+
+TEST(DecoderFactory, AMouseIsRefusedWithWhatToDo) {
+  const tests::Report mouse{0x05, 0x01, 0x09, 0x02, 0xa1, 0x01, 0x09, 0x30, 0x09, 0x31, 0x15,
+                            0x81, 0x25, 0x7f, 0x75, 0x08, 0x95, 0x02, 0x81, 0x06, 0xc0};
+  const auto made = make_decoder(device(0x0458, 0x0138, mouse));
+  ASSERT_FALSE(made);
+  EXPECT_FALSE(made.error().remedy.empty());
+}
+
+TEST(DecoderFactory, AnIllegalDescriptorIsNamedInTheError) {
+  const auto made = make_decoder(device(0x1b96, 0x1234, {0x05, 0x0d, 0xc0}));
+  ASSERT_FALSE(made);
+  EXPECT_NE(made.error().what.find("byte 2"), std::string::npos);
+}
+
+TEST(DecoderFactory, ATabletOfTheTableIsReadInBothItsModes) {
+  // A described pen on report 7; the vendor's own reports come once the tablet was switched to them.
+  DeviceIdentity identity = device(0x28bd, 0x0914, tests::ink_descriptor());
+  identity.input_report_length = 14;
+  identity.output_report_length = 14;
+  const auto made = make_decoder(identity);
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->method, "descriptor, protocol xp_pen");
+  EXPECT_EQ(made->decoder->decode(tests::Report{0x02, 0xa1, 0x10, 0x27, 0x20, 0x4e, 0xe8, 0x03, 0, 0, 0, 0}),
+            ReportKind::pen);
+  EXPECT_EQ(made->decoder->sample().x, 10000);
+  EXPECT_EQ(made->decoder->sample().pressure, 1000);
+  PenSample sample;
+  sample.in_range = true;
+  sample.tool = Tool::pen;
+  sample.x = 77;
+  EXPECT_EQ(made->decoder->decode(tests::ink_pen(sample)), ReportKind::pen);
+  EXPECT_EQ(made->decoder->sample().x, 77);
+}
+
+TEST(CompleteIdentity, TakesLengthsFromTheDescriptor) {
+  DeviceIdentity identity = device(1, 2, tests::ink_descriptor());
+  identity.output_report_length = 9;
+  complete_identity(identity);
+  EXPECT_EQ(identity.input_report_length, 12);
+  EXPECT_EQ(identity.output_report_length, 9);
+  EXPECT_EQ(identity.feature_report_length, 0);
+}
+
+}  // namespace
+}  // namespace penpose::decode

@@ -1,0 +1,47 @@
+#include "firmware_io/decode/fallback_decoder.h"
+
+#include <gtest/gtest.h>
+
+#include "firmware_io/decode/descriptor_decoder.h"
+#include "firmware_io/decode/protocol.h"
+#include "tests/support/pen_reports.h"
+
+namespace penpose::decode {
+namespace {
+
+std::unique_ptr<FallbackDecoder> make() {
+  const auto parsed = hid::parse_report_descriptor(tests::ink_descriptor());
+  PenLayout pens = *find_pens(*parsed, Dialect::standard);
+  return std::make_unique<FallbackDecoder>(pens, std::make_unique<DescriptorDecoder>(pens),
+                                           make_protocol_decoder("xp_pen"));
+}
+
+TEST(FallbackDecoder, SendsEachReportToTheOneThatKnowsIt) {
+  const auto decoder = make();
+  PenSample sample;
+  sample.in_range = true;
+  sample.tool = Tool::eraser;
+  sample.x = 5;
+  ASSERT_EQ(decoder->decode(tests::ink_pen(sample)), ReportKind::pen);
+  EXPECT_EQ(decoder->sample().tool, Tool::eraser);
+  EXPECT_EQ(decoder->axes().pressure.maximum, 4095);
+  EXPECT_EQ(decoder->frames().back(), decoder->sample());
+  // The same id with another length is not what the descriptor describes.
+  tests::Report vendor = tests::ink_pen(sample);
+  vendor[1] = 0xa0;
+  vendor.resize(10);
+  ASSERT_EQ(decoder->decode(vendor), ReportKind::pen);
+  EXPECT_EQ(decoder->sample().tool, Tool::pen);
+}
+
+TEST(FallbackDecoder, ResetForgetsBoth) {
+  const auto decoder = make();
+  PenSample sample;
+  sample.in_range = true;
+  decoder->decode(tests::ink_pen(sample));
+  decoder->reset();
+  EXPECT_EQ(decoder->sample(), PenSample{});
+}
+
+}  // namespace
+}  // namespace penpose::decode

@@ -1,0 +1,9 @@
+#include "ui/cli/camera_file.h"
+
+#include <cstddef>
+#include <cstdint>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  (void)penpose::cli::read_camera({data, size}).ok();
+  return 0;
+}

@@ -1,0 +1,54 @@
+#include "ui/render/framing.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/render_shapes.h"
+
+namespace penpose::render {
+namespace {
+
+TEST(Framing, ShowsAllPointsWithAMarginOnTheTightSides) {
+  for (const double radius : {1e-6, 1.0, 1e6}) {
+    mesh::MeshSource source;
+    add_box(source, {3 * radius, -radius, 0}, geometry::ModelVector{0.3, 1, 0.5} * radius);
+    const auto points = to_float(source.positions);
+    for (const double yaw : {0.0, 25.0, 90.0, 200.0}) {
+      const auto camera = frame_points(points, {600, 400}, {yaw, 10});
+      double top = 1e9;
+      double bottom = -1e9;
+      double left = 1e9;
+      double right = -1e9;
+      for (const auto& point : points) {
+        const auto px = camera.project(geometry::ModelPoint(point));
+        ASSERT_TRUE(px.has_value());
+        top = std::min(top, px->y);
+        bottom = std::max(bottom, px->y);
+        left = std::min(left, px->x);
+        right = std::max(right, px->x);
+      }
+      EXPECT_NEAR(top, 400.0 / 12, 0.01 * 400) << radius << " " << yaw;
+      EXPECT_NEAR(bottom, 400.0 * 11 / 12, 0.01 * 400);
+      EXPECT_GT(left, 600.0 / 12 - 1);
+      EXPECT_LT(right, 600.0 * 11 / 12 + 1);
+      EXPECT_NEAR(left + right, 600, 2);
+    }
+  }
+}
+
+TEST(Framing, SurvivesNothingAndOnePoint) {
+  EXPECT_TRUE(frame_points({}, {100, 100}).project({0, 0, 0}).has_value());
+  const std::vector<glm::vec3> one{{5, 5, 5}};
+  const auto px = frame_points(one, {100, 100}).project({5, 5, 5});
+  ASSERT_TRUE(px.has_value());
+  EXPECT_NEAR(px->x, 50, 1);
+}
+
+TEST(Framing, KnowsItsViews) {
+  EXPECT_EQ(find_viewpoint("front")->yaw_degrees, 0);
+  EXPECT_EQ(find_viewpoint("side")->yaw_degrees, 90);
+  EXPECT_TRUE(find_viewpoint("three-quarter").has_value());
+  EXPECT_FALSE(find_viewpoint("behind").has_value());
+}
+
+}  // namespace
+}  // namespace penpose::render

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace penpose::cli {
+
+/// `penpose decode TRACE [--csv | --json] [--protocol NAME]`.
+void add_decode_command(CLI::App& app, int& status);
+
+}  // namespace penpose::cli

@@ -1,0 +1,111 @@
+#include "ui/cli/devices_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "core/base/numbers.h"
+#include "firmware_io/decode/tablet_table.h"
+#include "ui/cli/commands.h"
+#include "ui/cli/files.h"
+#include "ui/cli/own_tablets.h"
+
+namespace penpose::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  bool known = false;
+  bool json = false;
+  std::string tablets;
+};
+
+std::string device_id(const decode::TabletIdentifier& identifier) {
+  char text[10] = {};
+  std::snprintf(text, sizeof text, "%04x:%04x", identifier.vendor, identifier.product);
+  return text;
+}
+
+Json to_json(const decode::TabletIdentifier& identifier) {
+  Json out{{"id", device_id(identifier)}, {"protocol", identifier.protocol->name}};
+  if (identifier.input_report_length) out["input"] = *identifier.input_report_length;
+  if (identifier.output_report_length) out["output"] = *identifier.output_report_length;
+  if (identifier.feature_report_length) out["feature"] = *identifier.feature_report_length;
+  if (identifier.interface_number) out["interface"] = *identifier.interface_number;
+  for (const auto& check : identifier.strings) out["strings"][std::to_string(check.index)] = check.pattern.text();
+  return out;
+}
+
+Json to_json(const decode::Tablet& tablet) {
+  Json out{{"vendor", tablet.vendor},
+           {"name", tablet.name},
+           {"size_mm", {tablet.width_mm, tablet.height_mm}},
+           {"max", {tablet.max_x, tablet.max_y}},
+           {"max_pressure", tablet.max_pressure},
+           {"pen_buttons", tablet.pen_buttons},
+           {"pad_keys", tablet.pad_keys},
+           {"mouse_buttons", tablet.mouse_buttons},
+           {"wheels", tablet.wheels.size()},
+           {"identifiers", Json::array()},
+           {"pads", Json::array()}};
+  for (const auto& identifier : tablet.identifiers) out["identifiers"].push_back(to_json(identifier));
+  for (const auto& pad : tablet.pads) out["pads"].push_back(to_json(pad));
+  return out;
+}
+
+void print(const decode::Tablet& tablet) {
+  std::set<std::string> ids;
+  std::set<std::string> protocols;
+  for (const auto& identifier : tablet.identifiers) {
+    ids.insert(device_id(identifier));
+    protocols.insert(identifier.protocol->name);
+  }
+  std::cout << tablet.vendor << ' ' << tablet.name << ": " << base::format_double(tablet.width_mm) << " x "
+            << base::format_double(tablet.height_mm) << " mm, pressure 0.." << tablet.max_pressure << ',';
+  for (const auto& id : ids) std::cout << ' ' << id;
+  std::cout << ',';
+  for (const auto& protocol : protocols) std::cout << ' ' << protocol;
+  std::cout << '\n';
+}
+
+int list_known(const Options& options) {
+  const auto own = read_own_tablets(options.tablets);
+  if (!own) return report(own.error(), options.tablets);
+  Json list = Json::array();
+  std::size_t count = 0;
+  for (const auto& tablets : {own->tablets(), decode::known_tablets().tablets()}) {
+    for (const auto& tablet : tablets) {
+      ++count;
+      if (options.json) {
+        list.push_back(to_json(tablet));
+      } else {
+        print(tablet);
+      }
+    }
+  }
+  if (options.json) {
+    const Json out{{"count", count}, {"tablets", std::move(list)}};
+    std::cout << out.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+  } else {
+    std::cout << count << " tablets\n";
+  }
+  return k_success;
+}
+
+}  // namespace
+
+void add_devices_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand("devices", "Lists the tablets that can be read.");
+  command->add_flag("--known", options->known, "All tablets of the table, plugged in or not")->required();
+  command->add_flag("--json", options->json, "Print one JSON object");
+  command->add_option(k_tablets_option, options->tablets, k_tablets_help);
+  command->callback([options, &status] { status = list_known(*options); });
+}
+
+}  // namespace penpose::cli

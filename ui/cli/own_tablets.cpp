@@ -1,0 +1,15 @@
+#include "ui/cli/own_tablets.h"
+
+#include "firmware_io/decode/tablet_reader.h"
+#include "ui/cli/files.h"
+
+namespace penpose::cli {
+
+base::Result<decode::TabletTable> read_own_tablets(const std::string& path) {
+  if (path.empty()) return decode::TabletTable{};
+  const auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  return decode::read_tablet_file(base::as_text(*bytes));
+}
+
+}  // namespace penpose::cli

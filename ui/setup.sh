@@ -1,0 +1,27 @@
+# Sourced by ui/run and tests/run: installs Debian packages that are missing, and nothing twice.
+
+# install_packages LIST...: the packages named in the first column of the files LIST.
+install_packages() {
+  local missing=() package
+  while read -r package _; do
+    case "$package" in ''|'#'*) continue ;; esac
+    # Node.js may have been installed in another way than by Debian; a program that runs is enough.
+    case "$package" in
+      nodejs) command -v node >/dev/null 2>&1 && continue ;;
+      npm) command -v npm >/dev/null 2>&1 && continue ;;
+    esac
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+  done < <(cat "$@")
+  [ ${#missing[@]} -eq 0 ] && return 0
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    if ! command -v sudo >/dev/null 2>&1; then
+      printf 'these packages are missing: %s; install them as root with: apt-get install %s\n' "${missing[*]}" "${missing[*]}" >&2
+      return 1
+    fi
+    as_root=(sudo)
+  fi
+  printf 'installing: %s\n' "${missing[*]}"
+  "${as_root[@]}" apt-get update -qq || printf 'the package lists could not be renewed; going on with the old ones\n' >&2
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+}
