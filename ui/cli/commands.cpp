@@ -12,11 +12,8 @@ namespace penpose::cli {
 
 std::vector<AddCommand> all_commands() {
   return {
-      add_articulate_command,
-      add_pose_command,
-      add_render_command,
-      add_info_command, add_devices_command, add_decode_command,
-      add_pose_command, add_render_command,  add_convert_command,
+      add_info_command,   add_devices_command,    add_decode_command,  add_pose_command,
+      add_render_command, add_articulate_command, add_convert_command,
   };
 }
 
