@@ -55,16 +55,12 @@ void add_skeleton(base::StateHash& hash, const rig::Skeleton& skeleton) {
 
 base::Result<Model> make_model(std::shared_ptr<const mesh::TriangleMesh> mesh,
                                std::shared_ptr<const rig::BlendShapes> shapes,
-<<<<<<< HEAD
-                               std::shared_ptr<const rig::Skeleton> skeleton) {
+                               std::shared_ptr<const rig::Skeleton> skeleton,
+                               std::shared_ptr<const articulation::SketchedDeformers> deformers) {
   if (shapes && shapes->vertex_count() != mesh->vertex_count()) {
     return base::Error{"the blend shapes are for another number of vertices", "", "make them for this mesh"};
   }
-=======
-                               std::shared_ptr<const rig::Skeleton> skeleton,
-                               std::shared_ptr<const articulation::SketchedDeformers> deformers) {
   if (deformers && deformers->size() == 0) deformers.reset();
->>>>>>> art
   std::vector<std::shared_ptr<const rig::DisplacementLayer>> layers;
   if (shapes) layers.push_back(shapes);
   if (deformers) layers.push_back(deformers);

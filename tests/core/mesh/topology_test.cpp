@@ -1,60 +1,13 @@
 #include "core/mesh/topology.h"
 
-<<<<<<< HEAD
-#include <gtest/gtest.h>
-=======
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <numeric>
 #include <tuple>
->>>>>>> unit-tests
 
 namespace penpose::mesh {
 namespace {
 
-<<<<<<< HEAD
-/// Two triangles in two parts, with the edge from (0, 0, 0) to (0, 1, 0) in common.
-MeshSource two_parts(bool same_direction) {
-  MeshSource source;
-  source.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
-  source.triangles = {{0, 1, 2}, {3, 4, 5}};
-  if (same_direction) source.triangles[1] = {4, 3, 5};
-  source.parts = {{"a", 0, 3, 0, 1}, {"b", 3, 3, 1, 1}};
-  return source;
-}
-
-TEST(Topology, PartsThatShareABorderAreOneSurface) {
-  const auto weld = weld_coincident(two_parts(false));
-  EXPECT_EQ(weld, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 5}));
-  const auto mesh = TriangleMesh::build(two_parts(false));
-  ASSERT_TRUE(mesh);
-  EXPECT_EQ((*mesh)->component_count(), 1U);
-}
-
-TEST(Topology, BordersInTheSameDirectionStayApart) {
-  const auto weld = weld_coincident(two_parts(true));
-  EXPECT_EQ(weld, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5}));
-}
-
-TEST(Topology, ABorderOnTheMiddleOfAnotherPartStaysApart) {
-  MeshSource source = two_parts(false);
-  source.positions.emplace_back(-1, 1, 0);
-  source.positions.insert(source.positions.begin() + 3, ModelPoint{-0.5, 0.5, 0});
-  // Part a now continues over the common edge, so that there is no border for part b to join.
-  source.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}};
-  source.parts = {{"a", 0, 4, 0, 2}, {"b", 4, 4, 2, 1}};
-  const auto weld = weld_coincident(source);
-  for (std::uint32_t v = 0; v < weld.size(); ++v) EXPECT_EQ(weld[v], v);
-}
-
-TEST(Topology, ThreePartsAtOneEdgeStayApart) {
-  MeshSource source = two_parts(false);
-  source.positions.insert(source.positions.end(), {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}});
-  source.triangles.push_back({6, 7, 8});
-  source.parts.push_back({"c", 6, 3, 2, 1});
-  const auto weld = weld_coincident(source);
-  for (std::uint32_t v = 0; v < weld.size(); ++v) EXPECT_EQ(weld[v], v);
-=======
 using Numbers = std::vector<std::uint32_t>;
 
 MeshSource source_of(std::vector<ModelPoint> positions, std::vector<Triangle> triangles) {
@@ -152,7 +105,6 @@ TEST(Topology, NumbersComponentsByTheirLowestVertex) {
   const Components joined = label_components(triangles, weld);
   EXPECT_EQ(joined.count, 3U);
   EXPECT_EQ(joined.component, (Numbers{0, 1, 1, 2, 1, 1, 1, 1}));
->>>>>>> unit-tests
 }
 
 }  // namespace

@@ -1,28 +1,11 @@
 #include "core/mesh/triangle_mesh.h"
 
-<<<<<<< HEAD
-=======
 #include <cmath>
->>>>>>> unit-tests
 #include <gtest/gtest.h>
 
 namespace penpose::mesh {
 namespace {
 
-<<<<<<< HEAD
-TEST(TriangleMesh, PositionsAreFloats) {
-  MeshSource source;
-  source.positions = {{0.1, 0.2, 0.3}, {1.1, 0.2, 0.3}, {0.1, 1.2, 0.7}};
-  source.triangles = {{0, 1, 2}};
-  const auto mesh = TriangleMesh::build(source);
-  ASSERT_TRUE(mesh);
-  for (std::size_t v = 0; v < 3; ++v) {
-    for (int k = 0; k < 3; ++k) {
-      const volatile float rounded = static_cast<float>(source.positions[v][k]);
-      EXPECT_EQ((*mesh)->positions()[v][k], static_cast<double>(rounded));
-    }
-  }
-=======
 /// Two triangles that form a square.
 MeshSource square() {
   MeshSource source;
@@ -142,7 +125,6 @@ TEST(TriangleMesh, WeldsCoincidentVerticesWithinAPartOnly) {
   EXPECT_EQ(weld, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 5, 6, 7, 8}));
   EXPECT_EQ(mesh->component_count(), 2U);
   EXPECT_EQ(mesh->vertex_count(), 9U) << "vertex numbers of the file stay";
->>>>>>> unit-tests
 }
 
 }  // namespace
