@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/articulation/canvas.h"
+#include "core/articulation/sketched_deformers.h"
 #include "core/base/result.h"
 #include "core/base/state_hash.h"
 #include "core/mesh/mesh_point.h"
@@ -34,8 +36,9 @@ enum class Interpolation : std::uint8_t { step, linear, cubic_spline };
 /// What one channel of an animation drives.
 enum class ChannelTarget : std::uint8_t { weights, translation, rotation, scale };
 
-/// One animated property, as glTF keeps it. For weights, `values` holds one run of all blend shapes a key; for a joint,
-/// 3 or 4 numbers a key (rotation x y z w). Cubic splines hold in-tangent, value, out-tangent for each key.
+/// One animated property, as glTF keeps it. For weights, `values` holds one run of all blend shapes and then all
+/// sketched deformers a key; for a joint, 3 or 4 numbers a key (rotation x y z w). Cubic splines hold in-tangent,
+/// value, out-tangent for each key.
 struct Channel {
   ChannelTarget target = ChannelTarget::weights;
   std::uint32_t joint = 0;  ///< for translation, rotation, scale: joint of the skeleton
@@ -52,11 +55,12 @@ struct Animation {
 /// A character as a file holds it: what can be posed and where it stands.
 struct Model {
   std::shared_ptr<const mesh::TriangleMesh> mesh;
-  std::vector<Material> materials;                 ///< one a part, in the order of the parts
-  std::shared_ptr<const rig::BlendShapes> shapes;  ///< null: none
-  std::shared_ptr<const rig::Skeleton> skeleton;   ///< null: none
-  std::shared_ptr<const rig::CharacterRig> rig;    ///< the sum of both
-  rig::Pose pose;                                  ///< one value a parameter of the rig
+  std::vector<Material> materials;                                   ///< one a part, in the order of the parts
+  std::shared_ptr<const rig::BlendShapes> shapes;                    ///< null: none
+  std::shared_ptr<const articulation::SketchedDeformers> deformers;  ///< null: none
+  std::shared_ptr<const rig::Skeleton> skeleton;                     ///< null: none
+  std::shared_ptr<const rig::CharacterRig> rig;                      ///< the sum of all, parameters in this order
+  rig::Pose pose;                                                    ///< one value a parameter of the rig
   std::vector<NamedCurve> curves;
   std::vector<Animation> animations;
   std::vector<std::string> notes;  ///< what a reader had to leave out, one line each
@@ -66,7 +70,17 @@ struct Model {
 /// vertices, and those of the rig.
 [[nodiscard]] base::Result<Model> make_model(std::shared_ptr<const mesh::TriangleMesh> mesh,
                                              std::shared_ptr<const rig::BlendShapes> shapes,
-                                             std::shared_ptr<const rig::Skeleton> skeleton);
+                                             std::shared_ptr<const rig::Skeleton> skeleton,
+                                             std::shared_ptr<const articulation::SketchedDeformers> deformers = {});
+
+/// The model with other sketched deformers (null: none). Pose and animations are kept by the names of the parameters;
+/// new ones are at rest. Errors of the rig: a name that a blend shape or a joint has.
+[[nodiscard]] base::Result<Model> with_deformers(Model model,
+                                                 std::shared_ptr<const articulation::SketchedDeformers> deformers);
+/// What strokes are drawn on.
+[[nodiscard]] base::Result<std::shared_ptr<const articulation::Canvas>> make_canvas(const Model& model);
+/// Number of parameters that are weights in an animation: blend shapes and deformers.
+[[nodiscard]] std::size_t weight_count(const Model& model);
 
 /// World positions of all vertices at the model's pose.
 [[nodiscard]] std::vector<geometry::ModelPoint> posed_positions(const Model& model);

@@ -24,6 +24,81 @@ void join(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint32_t b) 
   if (b < a) parent[a] = b;
 }
 
+/// A border edge of a part, from the corner with the lower position to the other.
+struct Rim {
+  ModelPoint low;
+  ModelPoint high;
+  std::uint32_t low_vertex = 0;
+  std::uint32_t high_vertex = 0;
+  std::uint32_t part = 0;
+  bool forward = true;  ///< the triangle runs from low to high
+};
+
+auto place_of(const Rim& r) { return std::tie(r.low.x, r.low.y, r.low.z, r.high.x, r.high.y, r.high.z); }
+
+std::vector<Rim> border_edges(const MeshSource& source, std::span<const std::uint32_t> weld) {
+  std::vector<Triangle> welded = source.triangles;
+  for (Triangle& t : welded) {
+    for (std::uint32_t& v : t) v = weld[v];
+  }
+  std::vector<Rim> rims;
+  const auto edges = sorted_edges(welded, source.positions.size());
+  for (std::size_t i = 0, next = 0; i < edges.size(); i = next) {
+    for (next = i + 1; next < edges.size() && edges[next].low == edges[i].low && edges[next].high == edges[i].high;) {
+      ++next;
+    }
+    if (next != i + 1 || edges[i].low == edges[i].high) continue;
+    const Triangle& t = welded[edges[i].triangle];
+    std::size_t k = 0;
+    while (std::minmax(t[k], t[(k + 1) % 3]) != std::minmax(edges[i].low, edges[i].high)) ++k;
+    const auto part =
+        std::upper_bound(source.parts.begin(), source.parts.end(), edges[i].triangle,
+                         [](std::uint32_t triangle, const Part& p) { return triangle < p.first_triangle; });
+    Rim rim{source.positions[t[k]],
+            source.positions[t[(k + 1) % 3]],
+            t[k],
+            t[(k + 1) % 3],
+            static_cast<std::uint32_t>(part - source.parts.begin()),
+            true};
+    if (std::tie(rim.high.x, rim.high.y, rim.high.z) < std::tie(rim.low.x, rim.low.y, rim.low.z)) {
+      std::swap(rim.low, rim.high);
+      std::swap(rim.low_vertex, rim.high_vertex);
+      rim.forward = false;
+    }
+    rims.push_back(rim);
+  }
+  return rims;
+}
+
+/// One surface in two materials comes as two parts whose borders run along each other: exactly the same edge, the other
+/// way round. Such borders become one; a border that merely touches another surface does not.
+void weld_seams(const MeshSource& source, std::vector<std::uint32_t>& weld) {
+  if (source.parts.size() < 2) return;
+  std::vector<Rim> rims = border_edges(source, weld);
+  std::sort(rims.begin(), rims.end(), [](const Rim& a, const Rim& b) {
+    if (place_of(a) != place_of(b)) return place_of(a) < place_of(b);
+    return std::tie(a.part, a.low_vertex, a.high_vertex) < std::tie(b.part, b.low_vertex, b.high_vertex);
+  });
+  std::vector<std::uint32_t> joined = weld;
+  bool any = false;
+  for (std::size_t i = 0, next = 0; i < rims.size(); i = next) {
+    for (next = i + 1; next < rims.size() && place_of(rims[next]) == place_of(rims[i]);) ++next;
+    const bool seam = next == i + 2 && rims[i].part != rims[i + 1].part && rims[i].forward != rims[i + 1].forward;
+    if (!seam) continue;
+    join(joined, rims[i].low_vertex, rims[i + 1].low_vertex);
+    join(joined, rims[i].high_vertex, rims[i + 1].high_vertex);
+    any = true;
+  }
+  if (!any) return;
+  std::vector<Triangle> welded = source.triangles;
+  for (Triangle& t : welded) {
+    for (std::uint32_t& v : t) v = find_root(joined, v);
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return;
+  }
+  if (first_non_manifold_triangle(welded, source.positions.size())) return;
+  for (std::uint32_t v = 0; v < weld.size(); ++v) weld[v] = find_root(joined, v);
+}
+
 }  // namespace
 
 std::vector<EdgeUse> sorted_edges(std::span<const Triangle> triangles, std::size_t vertex_count) {
@@ -95,6 +170,7 @@ std::vector<std::uint32_t> weld_coincident(const MeshSource& source) {
                 part.first_vertex);
     }
   }
+  weld_seams(source, weld);
   return weld;
 }
 

@@ -26,6 +26,8 @@ struct EdgeUse {
 /// For every vertex the lowest-numbered vertex it is one with. Vertices of one part at exactly the same position are
 /// welded where the welded part stays manifold (no edge with three triangles, no triangle that collapses); a part that
 /// would not stays unwelded, because there the touching surfaces are separate things (lashes on a lid).
+/// Two parts are welded along border edges that they share exactly, in opposite directions, if all of that leaves the
+/// mesh manifold: one surface in two materials.
 [[nodiscard]] std::vector<std::uint32_t> weld_coincident(const MeshSource& source);
 
 /// For every vertex the lowest-numbered one that it is welded to and whose file normal points the same way (within

@@ -53,7 +53,7 @@ class TriangleMesh {
   [[nodiscard]] const geometry::Box& rest_box() const { return rest_box_; }
 
   /// For every vertex the lowest-numbered vertex that it is one with: coincident vertices of a part are welded where
-  /// that leaves the part manifold, else every vertex stands for itself.
+  /// that leaves the part manifold, and parts along borders that they share; else every vertex stands for itself.
   [[nodiscard]] std::span<const std::uint32_t> weld() const { return weld_; }
   /// For every vertex the number of its connected component (after welding), 0.. in order of their lowest vertex.
   [[nodiscard]] std::span<const std::uint32_t> components() const { return components_; }

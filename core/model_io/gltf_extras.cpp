@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/model_io/sketch_json.h"
+
 namespace penpose::model_io {
 namespace {
 
@@ -149,6 +151,14 @@ base::Result<RootExtras> read_root_extras(const Json& document) {
   extras.present = true;
   if (auto error = read_list(*own, "shapes", pointer, read_shape, extras.shapes)) return *error;
   if (auto error = read_list(*own, "curves", pointer, read_curve, extras.curves)) return *error;
+  const Json* deformers = find(*own, "deformers");
+  if (deformers != nullptr && deformers->size() > k_most_deformers) {
+    return wrong("a model has at most 1,000 deformers", child(pointer, "deformers"));
+  }
+  const auto read_deformer = [](const Json& value, const std::string& at, articulation::Sketch& out) {
+    return read_sketch(value, at, std::nullopt, out);
+  };
+  if (auto error = read_list(*own, "deformers", pointer, read_deformer, extras.deformers)) return *error;
   return extras;
 }
 
@@ -186,6 +196,13 @@ Json write_root_extras(const document::Model& model) {
       shapes.push_back({{"name", p.name}, {"rest", p.rest}, {"minimum", p.minimum}, {"maximum", p.maximum}});
     }
     own["shapes"] = std::move(shapes);
+  }
+  if (model.deformers) {
+    Json deformers = Json::array();
+    for (const auto& deformer : model.deformers->deformers()) {
+      deformers.push_back(to_json(deformer->sketch(), Viewports::each));
+    }
+    own["deformers"] = std::move(deformers);
   }
   if (!model.curves.empty()) {
     Json curves = Json::array();

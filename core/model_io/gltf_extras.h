@@ -19,11 +19,13 @@ inline constexpr const char* k_extras_key = "penpose";
 inline constexpr std::int64_t k_extras_version = 1;
 
 /// Root: {"version": 1, "shapes": [{"name", "rest", "minimum", "maximum"}], "curves": [{"name", "points": [[triangle,
-/// b0, b1, b2], ...]}]}.
+/// b0, b1, b2], ...]}], "deformers": [a deformer as sketch files have it, with its own "viewport", ...]}. Deformers are
+/// also morph targets of their names, sampled at amount 1, after those of the shapes.
 struct RootExtras {
   bool present = false;
   std::vector<rig::Parameter> shapes;  ///< in the order of the rig
   std::vector<document::NamedCurve> curves;
+  std::vector<articulation::Sketch> deformers;
 };
 
 /// Node: {"joint": true, "posable": true, "rest_rotation": [x, y, z, w], "minimum": [x, y, z], "maximum": [x, y, z],

@@ -102,6 +102,9 @@ class ShapeCollector {
  public:
   ShapeCollector(GltfDocument& document, const RootExtras& extras) : document_(document) {
     for (const rig::Parameter& parameter : extras.shapes) known_.emplace(parameter.name, parameter);
+    for (const articulation::Sketch& sketch : extras.deformers) {
+      known_.emplace(sketch.name, rig::Parameter{sketch.name, 0.0, sketch.minimum, sketch.maximum});
+    }
   }
 
   /// The number of the shape of that name, made when it is new.
@@ -132,31 +135,6 @@ class ShapeCollector {
   std::map<std::string, std::size_t> index_;
   bool differs_ = false;
 };
-
-/// Puts the shapes in the order in which the extras list them; others follow as they came.
-void reorder(GltfShapes& shapes, const RootExtras& extras) {
-  std::map<std::string_view, std::size_t> rank;
-  for (std::size_t i = 0; i < extras.shapes.size(); ++i) rank.emplace(extras.shapes[i].name, i);
-  const auto rank_of = [&](std::size_t shape) {
-    const auto found = rank.find(shapes.shapes[shape].parameter.name);
-    return found == rank.end() ? rank.size() : found->second;
-  };
-  std::vector<std::size_t> order(shapes.shapes.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank_of(a) < rank_of(b); });
-  GltfShapes sorted;
-  std::vector<std::size_t> place(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    place[order[i]] = i;
-    sorted.values.push_back(shapes.values[order[i]]);
-  }
-  for (const std::size_t i : order) sorted.shapes.push_back(std::move(shapes.shapes[i]));
-  sorted.of_target = std::move(shapes.of_target);
-  for (auto& targets : sorted.of_target) {
-    for (std::size_t& shape : targets) shape = place[shape];
-  }
-  shapes = std::move(sorted);
-}
 
 }  // namespace
 
@@ -196,8 +174,40 @@ base::Result<GltfShapes> read_shapes(GltfDocument& document, const GltfMeshes& m
     shape.deltas.shrink_to_fit();
     shape.normal_deltas.shrink_to_fit();
   }
-  if (extras.present) reorder(collector.result, extras);
   return std::move(collector.result);
+}
+
+std::size_t order_shapes(GltfShapes& shapes, const RootExtras& extras, const std::vector<std::string>& deformers) {
+  for (const std::string& name : deformers) {
+    const bool there = std::any_of(shapes.shapes.begin(), shapes.shapes.end(),
+                                   [&](const rig::BlendShape& shape) { return shape.parameter.name == name; });
+    if (there) continue;
+    shapes.shapes.emplace_back().parameter.name = name;
+    shapes.values.push_back(0.0);
+  }
+  std::map<std::string_view, std::size_t> rank;
+  for (std::size_t i = 0; i < deformers.size(); ++i) rank.emplace(deformers[i], extras.shapes.size() + 1 + i);
+  for (std::size_t i = 0; i < extras.shapes.size(); ++i) rank.emplace(extras.shapes[i].name, i);
+  const auto rank_of = [&](std::size_t shape) {
+    const auto found = rank.find(shapes.shapes[shape].parameter.name);
+    return found == rank.end() ? extras.shapes.size() : found->second;
+  };
+  std::vector<std::size_t> order(shapes.shapes.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank_of(a) < rank_of(b); });
+  GltfShapes sorted;
+  std::vector<std::size_t> place(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    place[order[i]] = i;
+    sorted.values.push_back(shapes.values[order[i]]);
+  }
+  for (const std::size_t i : order) sorted.shapes.push_back(std::move(shapes.shapes[i]));
+  sorted.of_target = std::move(shapes.of_target);
+  for (auto& targets : sorted.of_target) {
+    for (std::size_t& shape : targets) shape = place[shape];
+  }
+  shapes = std::move(sorted);
+  return shapes.shapes.size() - deformers.size();
 }
 
 }  // namespace penpose::model_io

@@ -1,8 +1,10 @@
 #include "core/model_io/read_gltf.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/model_io/gltf_animations.h"
+#include "core/model_io/gltf_deformers.h"
 #include "core/model_io/gltf_document.h"
 #include "core/model_io/gltf_extras.h"
 #include "core/model_io/gltf_meshes.h"
@@ -45,19 +47,11 @@ base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& r
   if (!shapes) return shapes.error();
   auto joints = read_skeleton(document, tree, *meshes, *node_extras);
   if (!joints) return joints.error();
-  auto animations = read_animations(document, *meshes, *shapes, joints->joint_of_node);
-  if (!animations) return animations.error();
-
   const std::size_t vertices = meshes->source.positions.size();
   auto mesh = mesh::TriangleMesh::build(std::move(meshes->source));
   if (!mesh) return mesh.error();
+  meshes->source.parts.assign((*mesh)->parts().begin(), (*mesh)->parts().end());
   if (const auto status = check_curves(*root, (*mesh)->triangle_count()); !status) return status.error();
-  std::shared_ptr<const rig::BlendShapes> blend_shapes;
-  if (!shapes->shapes.empty()) {
-    auto made = rig::BlendShapes::make(std::move(shapes->shapes), vertices);
-    if (!made) return made.error();
-    blend_shapes = std::move(made).value();
-  }
   std::shared_ptr<const rig::Skeleton> skeleton;
   if (!joints->joints.empty()) {
     auto made = rig::Skeleton::make(std::move(joints->joints), std::move(joints->first_influence),
@@ -65,7 +59,27 @@ base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& r
     if (!made) return made.error();
     skeleton = std::move(made).value();
   }
-  auto model = document::make_model(*mesh, std::move(blend_shapes), std::move(skeleton));
+  const auto deformers = read_deformers(*mesh, skeleton.get(), *root, *shapes, document.notes);
+  std::vector<std::string> deformer_names;
+  for (std::size_t i = 0; deformers && i < deformers->size(); ++i) {
+    deformer_names.push_back(deformers->parameters()[i].name);
+  }
+  const std::size_t shape_count = order_shapes(*shapes, *root, deformer_names);
+  auto animations = read_animations(document, *meshes, *shapes, joints->joint_of_node);
+  if (!animations) return animations.error();
+  shapes->shapes.resize(shape_count);  // deformers say themselves what their samples say
+  for (std::size_t i = 0; i < deformer_names.size(); ++i) {
+    const rig::Parameter& range = deformers->parameters()[i];
+    double& value = shapes->values[shape_count + i];
+    value = std::clamp(value, range.minimum, range.maximum);
+  }
+  std::shared_ptr<const rig::BlendShapes> blend_shapes;
+  if (!shapes->shapes.empty()) {
+    auto made = rig::BlendShapes::make(std::move(shapes->shapes), vertices);
+    if (!made) return made.error();
+    blend_shapes = std::move(made).value();
+  }
+  auto model = document::make_model(*mesh, std::move(blend_shapes), std::move(skeleton), deformers);
   if (!model) return model.error();
   model->materials = std::move(meshes->materials);
   model->pose = std::move(shapes->values);

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "core/geometry/rotation.h"
+#include "core/model_io/deformer_sample.h"
 #include "core/model_io/gltf_builder.h"
 #include "core/model_io/gltf_extras.h"
 #include "core/model_io/normals.h"
@@ -37,6 +38,7 @@ class GlbWriter {
   base::Result<std::vector<std::uint8_t>> write() {
     builder_.root["asset"] = {{"version", "2.0"}, {"generator", "penpose"}};
     builder_.root["extras"] = write_root_extras(model_);
+    gather_targets();
     find_carriage();
     write_joints();
     write_skin();
@@ -51,6 +53,19 @@ class GlbWriter {
   }
 
  private:
+  /// Blend shapes, then deformers sampled at amount 1, in the order of the model's pose.
+  void gather_targets() {
+    if (model_.shapes) {
+      for (const rig::BlendShape& shape : model_.shapes->shapes()) targets_.push_back(&shape);
+    }
+    if (!model_.deformers) return;
+    samples_.reserve(model_.deformers->size());
+    for (const auto& deformer : model_.deformers->deformers()) {
+      samples_.push_back(sample_deformer(*deformer));
+      targets_.push_back(&samples_.back());
+    }
+  }
+
   [[nodiscard]] std::span<const rig::Joint> joints() const {
     return model_.skeleton ? model_.skeleton->joints() : std::span<const rig::Joint>();
   }
@@ -85,7 +100,7 @@ class GlbWriter {
 
   /// Joints are the first nodes, in their order, so that they come back in it.
   void write_joints() {
-    std::size_t parameter = model_.shapes ? model_.shapes->parameters().size() : 0;
+    std::size_t parameter = document::weight_count(model_);
     for (const rig::Joint& joint : joints()) {
       Json own = {{"joint", true}, {"posable", joint.posable}};
       glm::dvec3 angles(0);
@@ -259,24 +274,23 @@ class GlbWriter {
   }
 
   void write_targets(std::size_t index, Json& primitive, Json& mesh) {
-    if (!model_.shapes) return;
     const mesh::Part& part = model_.mesh->parts()[index];
-    const auto shapes = model_.shapes->shapes();
     bool normals = false;
-    for (std::size_t s = 0; s < shapes.size(); ++s) {
-      const auto [first, last] = entries_in(shapes[s], part);
+    for (std::size_t s = 0; s < targets_.size(); ++s) {
+      const rig::BlendShape& shape = *targets_[s];
+      const auto [first, last] = entries_in(shape, part);
       // A shape that moves nothing is kept by the first part.
-      if (first == last && !(index == 0 && shapes[s].vertices.empty())) continue;
+      if (first == last && !(index == 0 && shape.vertices.empty())) continue;
       shapes_of_part_[index].push_back(s);
-      for (std::size_t i = first; i < last && !shapes[s].normal_deltas.empty(); ++i) {
-        normals = normals || shapes[s].normal_deltas[i] != glm::vec3(0);
+      for (std::size_t i = first; i < last && !shape.normal_deltas.empty(); ++i) {
+        normals = normals || shape.normal_deltas[i] != glm::vec3(0);
       }
     }
     if (shapes_of_part_[index].empty()) return;
     Json names = Json::array();
     Json weights = Json::array();
     for (const std::size_t s : shapes_of_part_[index]) {
-      const rig::BlendShape& shape = shapes[s];
+      const rig::BlendShape& shape = *targets_[s];
       const auto [first, last] = entries_in(shape, part);
       std::vector<std::uint32_t> elements;
       for (std::size_t i = first; i < last; ++i) elements.push_back(shape.vertices[i] - part.first_vertex);
@@ -349,7 +363,7 @@ class GlbWriter {
           values, rotation ? "VEC4" : "VEC3");
       return;
     }
-    const std::size_t all = model_.shapes ? model_.shapes->shapes().size() : 0;
+    const std::size_t all = targets_.size();
     if (all == 0) return;
     for (std::size_t i = 0; i < shapes_of_part_.size(); ++i) {
       if (shapes_of_part_[i].empty()) continue;
@@ -363,6 +377,8 @@ class GlbWriter {
   }
 
   const document::Model& model_;
+  std::vector<rig::BlendShape> samples_;  ///< of the deformers
+  std::vector<const rig::BlendShape*> targets_;
   GltfBuilder builder_;
   std::vector<Json> nodes_;
   Json scene_ = Json::array();  ///< nodes at the root

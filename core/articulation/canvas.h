@@ -1,0 +1,42 @@
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/geometry/space.h"
+#include "core/mesh/triangle_mesh.h"
+#include "core/rig/skeleton.h"
+
+namespace penpose::articulation {
+
+using geometry::ModelPoint;
+using geometry::ModelVector;
+
+/// The model at rest as it is seen: what strokes are drawn on. Joints (and the nodes of rigid parts) carry rest
+/// vertices to where they are seen; a deformer moves what is seen and hands its displacements back through the inverse,
+/// because displacements act before joints.
+class Canvas {
+ public:
+  /// Errors: a skeleton for another number of vertices.
+  static base::Result<std::shared_ptr<const Canvas>> make(std::shared_ptr<const mesh::TriangleMesh> mesh,
+                                                          const rig::Skeleton* skeleton);
+
+  [[nodiscard]] const mesh::TriangleMesh& mesh() const { return *mesh_; }
+  /// World positions of all vertices at rest.
+  [[nodiscard]] std::span<const ModelPoint> positions() const { return positions_; }
+  /// True when the vertices are carried by anything.
+  [[nodiscard]] bool carried() const { return !carriers_.empty(); }
+  /// From a displacement of what is seen to one of the rest vertex. Error (place "vertex N"): the vertex's joints
+  /// flatten it.
+  [[nodiscard]] base::Result<glm::dmat3> to_rest(std::uint32_t vertex) const;
+
+ private:
+  std::shared_ptr<const mesh::TriangleMesh> mesh_;
+  std::vector<ModelPoint> positions_;
+  std::vector<glm::dmat3> carriers_;  ///< one a vertex, or empty
+};
+
+}  // namespace penpose::articulation

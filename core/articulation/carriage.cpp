@@ -1,0 +1,112 @@
+#include "core/articulation/carriage.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "core/base/sine_cosine.h"
+
+namespace penpose::articulation {
+namespace {
+
+ModelVector mix(const ModelVector& a, const ModelVector& b, double t) { return a * (1.0 - t) + b * t; }
+
+template <typename T>
+std::vector<T> chosen(const std::vector<T>& all, std::span<const std::uint32_t> places) {
+  std::vector<T> some;
+  if (all.empty()) return some;
+  some.reserve(places.size());
+  for (const std::uint32_t place : places) some.push_back(all[place]);
+  return some;
+}
+
+}  // namespace
+
+Carriage::Carriage(std::shared_ptr<const CurveMotion> motion, KeptSurface surface, std::span<const Rider> riders,
+                   bool carried)
+    : motion_(std::move(motion)), surface_(std::move(surface)) {
+  const auto reference = motion_->reference();
+  const auto target = motion_->target();
+  for (const Rider& rider : riders) {
+    const std::uint32_t k = rider.segment;
+    rests_.push_back(rider.rest);
+    if (surface_.exists()) levels_.push_back(surface_.level(rider.rest));
+    if (carried) to_rest_.push_back(rider.to_rest);
+    if (!turning()) {
+      const ModelVector move = mix(target[k] - reference[k], target[k + 1] - reference[k + 1], rider.fraction);
+      const ModelVector column = move * rider.weight;
+      columns_.push_back(carried && linear() ? rider.to_rest * column : column);
+      continue;
+    }
+    const ModelVector axis = motion_->axis(k);
+    const ModelVector offset = rider.rest - mix(reference[k], reference[k + 1], rider.fraction);
+    const ModelVector along = axis * glm::dot(axis, offset);
+    segments_.push_back(k);
+    fractions_.push_back(rider.fraction);
+    weights_.push_back(rider.weight);
+    turns_.push_back(rider.fraction * motion_->angle(k));
+    offsets_.push_back({along, offset - along, glm::cross(axis, offset)});
+  }
+  mark_segments();
+}
+
+void Carriage::mark_segments() {
+  for (const std::uint32_t k : segments_) {
+    if (k >= wanted_.size()) wanted_.resize(k + 1, 0);
+    wanted_[k] = 1;
+  }
+}
+
+Carriage Carriage::subset(std::span<const std::uint32_t> riders) const {
+  Carriage some;
+  some.motion_ = motion_;
+  some.surface_ = surface_;
+  some.rests_ = chosen(rests_, riders);
+  some.levels_ = chosen(levels_, riders);
+  some.columns_ = chosen(columns_, riders);
+  some.segments_ = chosen(segments_, riders);
+  some.fractions_ = chosen(fractions_, riders);
+  some.weights_ = chosen(weights_, riders);
+  some.turns_ = chosen(turns_, riders);
+  some.offsets_ = chosen(offsets_, riders);
+  some.to_rest_ = chosen(to_rest_, riders);
+  some.mark_segments();
+  return some;
+}
+
+void Carriage::turned(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const {
+  motion_->frames(amount, wanted_, work.motion);
+  const std::size_t n = rests_.size();
+  work.angles.resize(n);
+  work.sines.resize(n);
+  work.cosines.resize(n);
+  for (std::size_t i = 0; i < n; ++i) work.angles[i] = amount * turns_[i];
+  base::sine_cosine(work.angles, work.sines, work.cosines);
+  for (std::size_t i = 0; i < n; ++i) {
+    const SegmentFrame& frame = work.motion.frames[segments_[i]];
+    const Offset& offset = offsets_[i];
+    const ModelVector local =
+        offset.along + offset.level * work.cosines[i] + offset.ahead * work.sines[i] + frame.step * fractions_[i];
+    out[i] = (frame.turn * local + (frame.start - rests_[i])) * weights_[i];
+  }
+}
+
+void Carriage::displacements(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const {
+  if (amount == 0.0) {
+    std::fill(out.begin(), out.end(), ModelVector{0});
+    return;
+  }
+  if (turning()) {
+    turned(amount, work, out);
+  } else {
+    for (std::size_t i = 0; i < rests_.size(); ++i) out[i] = columns_[i] * amount;
+    if (!surface_.exists()) return;
+  }
+  if (surface_.exists()) {
+    for (std::size_t i = 0; i < rests_.size(); ++i) {
+      out[i] = surface_.keep(rests_[i] + out[i], rests_[i], levels_[i]) - rests_[i];
+    }
+  }
+  for (std::size_t i = 0; i < to_rest_.size(); ++i) out[i] = to_rest_[i] * out[i];
+}
+
+}  // namespace penpose::articulation

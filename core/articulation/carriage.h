@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/articulation/curve_motion.h"
+#include "core/articulation/kept_surface.h"
+
+namespace penpose::articulation {
+
+/// A vertex that a moving curve carries along.
+struct Rider {
+  std::uint32_t segment = 0;  ///< of the reference, closest on the image plane
+  double fraction = 0;        ///< 0..1 of that segment
+  double weight = 1;          ///< articulation weight
+  ModelPoint rest{0};         ///< world position at rest
+  glm::dmat3 to_rest{1};      ///< from a world displacement to one of the rest vertex
+};
+
+/// Scratch memory of evaluations; one for each thread.
+struct CarriageWorkspace {
+  MotionWorkspace motion;
+  std::vector<double> angles, sines, cosines;
+};
+
+/// Vertices carried by the motion of a curve: the deformation of one deformer (method, section 3, "Vertex
+/// deformation"), prepared for being evaluated many times.
+///
+/// With r the reference at a vertex's segment k and fraction u, t the interpolated curve there: `translate` moves it by
+/// w (t - r), which is linear in the amount; `rotate` by w (t + Phi (v - r) - v), Phi = (turns before k) (u times the
+/// turn of k). A surface then holds the blended vertex at its level: blending first and constraining second, so that
+/// vertices with a weight between 0 and 1 keep their distance too and do not cut through the ball on the chord.
+class Carriage {
+ public:
+  Carriage() = default;
+  /// Precondition: segments exist, and `carried` tells whether any rider's to_rest is not the identity.
+  Carriage(std::shared_ptr<const CurveMotion> motion, KeptSurface surface, std::span<const Rider> riders, bool carried);
+
+  [[nodiscard]] std::size_t size() const { return rests_.size(); }
+  /// The same motion for some of the riders, in the order asked for.
+  [[nodiscard]] Carriage subset(std::span<const std::uint32_t> riders) const;
+  [[nodiscard]] const CurveMotion& motion() const { return *motion_; }
+
+  /// True when displacements are the amount times `columns()`: mode translate without a surface.
+  [[nodiscard]] bool linear() const { return !turning() && !surface_.exists(); }
+  /// Displacements at amount 1. Precondition: linear().
+  [[nodiscard]] std::span<const ModelVector> columns() const { return columns_; }
+
+  /// Displacement of every rider, in the space of the rest vertices; exactly zero at amount 0. Allocates only the first
+  /// time.
+  void displacements(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const;
+
+ private:
+  /// v - r in the frame of its segment, split by the axis of the segment's turn: along it, in the plane at angle 0, and
+  /// a quarter turn ahead.
+  struct Offset {
+    ModelVector along{0};
+    ModelVector level{0};
+    ModelVector ahead{0};
+  };
+
+  [[nodiscard]] bool turning() const { return motion_ && motion_->mode() == Mode::rotate; }
+  void turned(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const;
+  void mark_segments();
+
+  std::shared_ptr<const CurveMotion> motion_;
+  KeptSurface surface_;
+  std::vector<ModelPoint> rests_;
+  std::vector<double> levels_;           ///< with a surface
+  std::vector<ModelVector> columns_;     ///< of mode translate, weights included
+  std::vector<std::uint32_t> segments_;  ///< of mode rotate, as the next four
+  std::vector<double> fractions_;
+  std::vector<double> weights_;
+  std::vector<double> turns_;  ///< u times the angle of the segment
+  std::vector<Offset> offsets_;
+  std::vector<std::uint8_t> wanted_;  ///< segments that carry anything, up to the last one that does
+  std::vector<glm::dmat3> to_rest_;   ///< empty when nothing carries the vertices
+};
+
+}  // namespace penpose::articulation

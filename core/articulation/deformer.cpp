@@ -1,0 +1,165 @@
+#include "core/articulation/deformer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/articulation/reference_curve.h"
+#include "core/articulation/region.h"
+#include "core/curve/pairing.h"
+
+namespace penpose::articulation {
+namespace {
+
+using Curve = std::vector<ModelPoint>;
+
+/// Puts the key of the sketch in front of an error's place.
+base::Error at(const char* key, base::Error error) {
+  error.place = error.place.empty() ? key : std::string(key) + "/" + error.place;
+  return error;
+}
+
+base::Result<geometry::Camera> camera_of(const Sketch& sketch, const std::optional<geometry::CameraPose>& own) {
+  return geometry::Camera::make(own ? *own : sketch.camera, sketch.viewport);
+}
+
+base::Result<Curve> reference_of(const Sketch& sketch, const Canvas& canvas, const Region& region,
+                                 const Weights& weights, std::size_t points) {
+  if (sketch.reference.empty()) {
+    auto inferred = infer_reference(canvas, region, weights.specific, points);
+    if (!inferred) return at("specific", inferred.error());
+    return inferred;
+  }
+  const auto camera = camera_of(sketch, sketch.reference_camera);
+  if (!camera) return at("reference_camera", camera.error());
+  auto drawn = drawn_reference(canvas, *camera, sketch.reference, points);
+  if (!drawn) return at("reference", drawn.error());
+  return drawn;
+}
+
+/// Lifts every point of the target onto the level of its reference point.
+void lift_onto_surface(const geometry::Camera& camera, const KeptSurface& surface, const Curve& reference,
+                       Curve& target) {
+  if (!surface.exists()) return;
+  for (std::size_t i = 0; i < target.size(); ++i) {
+    const double near = geometry::distance(target[i], camera.eye());
+    const geometry::Ray ray{camera.eye(), geometry::normalized(target[i] - camera.eye(), camera.forward())};
+    target[i] = ray.origin + ray.direction * surface.lift(ray, near, surface.level(reference[i]));
+  }
+}
+
+/// The automatic choice: translate when both ends stay (method, section 3).
+Mode choose_mode(const Sketch& sketch, const geometry::Camera& camera, const Curve& reference, const Curve& target) {
+  if (sketch.mode != Mode::automatic) return sketch.mode;
+  const double near = curve::pairing_distance_px(camera.viewport());
+  const auto stays = [&](const ModelPoint& r, const ModelPoint& t) {
+    const auto a = camera.project(r);
+    const auto b = camera.project(t);
+    return a && b && geometry::distance(*a, *b) <= near;
+  };
+  return stays(reference.front(), target.front()) && stays(reference.back(), target.back()) ? Mode::translate
+                                                                                            : Mode::rotate;
+}
+
+bool all_finite(const Curve& curve) {
+  return std::all_of(curve.begin(), curve.end(), [](const ModelPoint& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+  });
+}
+
+struct Place {
+  std::uint32_t segment = 0;
+  double fraction = 0;
+};
+
+/// The closest point of the reference on the image plane; of equally close ones the first.
+Place closest_place(PxPoint p, std::span<const PxPoint> line) {
+  Place best;
+  double nearest = 0;
+  for (std::uint32_t k = 0; k + 1 < line.size(); ++k) {
+    const PxPoint along = line[k + 1] - line[k];
+    const PxPoint to = p - line[k];
+    const double length = along.x * along.x + along.y * along.y;
+    const double u = length > 0.0 ? std::clamp((to.x * along.x + to.y * along.y) / length, 0.0, 1.0) : 0.0;
+    const PxPoint off = to - along * u;
+    const double squared = off.x * off.x + off.y * off.y;
+    if (k > 0 && squared >= nearest) continue;
+    nearest = squared;
+    best = {k, u};
+  }
+  return best;
+}
+
+}  // namespace
+
+base::Result<std::shared_ptr<const Deformer>> Deformer::renamed(std::string name) const {
+  auto other = std::make_shared<Deformer>(*this);
+  other->sketch_.name = std::move(name);
+  if (auto checked = check_sketch(other->sketch_); !checked) return checked.error();
+  return std::shared_ptr<const Deformer>(std::move(other));
+}
+
+base::Result<std::shared_ptr<const Deformer>> Deformer::with_range(double minimum, double maximum) const {
+  auto other = std::make_shared<Deformer>(*this);
+  other->sketch_.minimum = minimum;
+  other->sketch_.maximum = maximum;
+  if (auto checked = check_sketch(other->sketch_); !checked) return checked.error();
+  return std::shared_ptr<const Deformer>(std::move(other));
+}
+
+base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch& sketch, const Canvas& canvas,
+                                                             std::size_t points) {
+  if (auto checked = check_sketch(sketch); !checked) return checked.error();
+  const auto camera = camera_of(sketch, std::nullopt);
+  if (!camera) return at("camera", camera.error());
+  const auto target_camera = camera_of(sketch, sketch.target_camera);
+  if (!target_camera) return at("target_camera", target_camera.error());
+  auto surface = KeptSurface::make(sketch.surface, canvas);
+  if (!surface) return surface.error();
+  const auto region = general_region(canvas, *camera, sketch.general, *surface);
+  if (!region) return at("general", region.error());
+  const auto weights = specific_region(*region, sketch.specific);
+  if (!weights) return at("specific", weights.error());
+  auto reference = reference_of(sketch, canvas, *region, *weights, points);
+  if (!reference) return reference.error();
+  auto paired = curve::pair_target(*reference, sketch.target, *target_camera);
+  if (!paired) return at("target", paired.error());
+  Curve target = std::move(paired->points);
+  lift_onto_surface(*target_camera, *surface, *reference, target);
+  if (!all_finite(*reference) || !all_finite(target)) {
+    return base::Error{"the target lies too far away for numbers", "target", "draw it nearer to the model"};
+  }
+  const Mode mode = choose_mode(sketch, *target_camera, *reference, target);
+  if (sketch.reference.empty() && mode == Mode::rotate &&
+      geometry::distance(reference->back(), target.back()) < geometry::distance(reference->front(), target.front())) {
+    std::reverse(reference->begin(), reference->end());
+    std::reverse(target.begin(), target.end());
+  }
+
+  std::vector<PxPoint> seen;
+  for (const ModelPoint& p : *reference) {
+    const auto px = camera->project(p);
+    if (!px) {
+      return base::Error{"the reference curve lies behind the camera of the regions", "reference",
+                         "draw it nearer to the region"};
+    }
+    seen.push_back(*px);
+  }
+  auto deformer = std::make_shared<Deformer>();
+  std::vector<Rider> riders;
+  for (std::size_t i = 0; i < region->vertices.size(); ++i) {
+    if (!(weights->weights[i] > 0.0)) continue;
+    const std::uint32_t v = region->vertices[i];
+    const Place place = closest_place(region->seen[i], seen);
+    auto to_rest = canvas.to_rest(v);
+    if (!to_rest) return at("general", to_rest.error());
+    riders.push_back({place.segment, place.fraction, weights->weights[i], canvas.positions()[v], *to_rest});
+    deformer->vertices_.push_back(v);
+    deformer->weights_.push_back(weights->weights[i]);
+  }
+  deformer->sketch_ = sketch;
+  deformer->carriage_ = Carriage(std::make_shared<const CurveMotion>(std::move(*reference), std::move(target), mode),
+                                 std::move(*surface), riders, canvas.carried());
+  return std::shared_ptr<const Deformer>(std::move(deformer));
+}
+
+}  // namespace penpose::articulation

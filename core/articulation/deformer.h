@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/articulation/canvas.h"
+#include "core/articulation/carriage.h"
+#include "core/articulation/sketch.h"
+#include "core/base/result.h"
+#include "core/rig/rig.h"
+
+namespace penpose::articulation {
+
+/// One sketched control of a mesh: a parameter that brings the vertices of a region along from a reference curve to a
+/// target curve (method, section 3). Immutable; made by build_deformer.
+class Deformer {
+ public:
+  [[nodiscard]] const Sketch& sketch() const { return sketch_; }
+  [[nodiscard]] rig::Parameter parameter() const { return {sketch_.name, 0.0, sketch_.minimum, sketch_.maximum}; }
+  /// What `Mode::automatic` came to; translate or rotate.
+  [[nodiscard]] Mode mode() const { return carriage_.motion().mode(); }
+  /// True when the reference was inferred.
+  [[nodiscard]] bool inferred() const { return sketch_.reference.empty(); }
+
+  /// The curves in world space at rest, equally many points.
+  [[nodiscard]] std::span<const ModelPoint> reference() const { return carriage_.motion().reference(); }
+  [[nodiscard]] std::span<const ModelPoint> target() const { return carriage_.motion().target(); }
+  /// The curve at an amount: the reference at 0, the target at 1. Without the surface.
+  [[nodiscard]] std::vector<ModelPoint> curve_at(double amount) const { return carriage_.motion().points(amount); }
+
+  /// The vertices that it moves (weight above 0), ascending, and their weights.
+  [[nodiscard]] std::span<const std::uint32_t> vertices() const { return vertices_; }
+  [[nodiscard]] std::span<const double> weights() const { return weights_; }
+  /// Their displacements.
+  [[nodiscard]] const Carriage& carriage() const { return carriage_; }
+
+  /// The same deformer under another name or range.
+  [[nodiscard]] base::Result<std::shared_ptr<const Deformer>> renamed(std::string name) const;
+  [[nodiscard]] base::Result<std::shared_ptr<const Deformer>> with_range(double minimum, double maximum) const;
+
+ private:
+  friend base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch&, const Canvas&, std::size_t);
+
+  Sketch sketch_;
+  Carriage carriage_;
+  std::vector<std::uint32_t> vertices_;
+  std::vector<double> weights_;
+};
+
+/// Points of a deformer's two curves.
+inline constexpr std::size_t k_curve_points = 32;
+
+/// Builds a deformer from what was drawn on the model at rest. `points` is the number of points of its curves, at least
+/// two. An inferred reference starts at the end that the target moves less, so that a trunk bends from its root
+/// whichever way its vertices were ordered; a drawn one starts where its line starts. Errors carry the key of the
+/// sketch at fault as their place: those of check_sketch, of the cameras, of the regions, of the curves and of the
+/// surface, and "general" for a vertex whose joints flatten it.
+[[nodiscard]] base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch& sketch, const Canvas& canvas,
+                                                                           std::size_t points = k_curve_points);
+
+}  // namespace penpose::articulation

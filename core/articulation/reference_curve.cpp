@@ -1,0 +1,94 @@
+#include "core/articulation/reference_curve.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/curve/polyline.h"
+#include "core/curve/projection.h"
+#include "core/geometry/bvh.h"
+
+namespace penpose::articulation {
+namespace {
+
+/// A drawn line is cast onto the mesh at this many places, whatever the pen's rate was: what is light smoothing then
+/// does not depend on the tablet, and a line given by a few corners follows the surface between them.
+constexpr std::size_t k_drawn_samples = 128;
+
+struct PxBox {
+  PxPoint minimum{1e300, 1e300};
+  PxPoint maximum{-1e300, -1e300};
+
+  void add(PxPoint p) {
+    minimum = {std::min(minimum.x, p.x), std::min(minimum.y, p.y)};
+    maximum = {std::max(maximum.x, p.x), std::max(maximum.y, p.y)};
+  }
+  [[nodiscard]] bool touches(const PxBox& other) const {
+    return minimum.x <= other.maximum.x && maximum.x >= other.minimum.x && minimum.y <= other.maximum.y &&
+           maximum.y >= other.minimum.y;
+  }
+};
+
+/// The triangles that the stroke could hit, so that a tree is built over a few instead of all.
+std::vector<mesh::Triangle> triangles_under(const Canvas& canvas, const geometry::Camera& camera,
+                                            std::span<const PxPoint> stroke) {
+  PxBox drawn;
+  for (const PxPoint& p : stroke) drawn.add(p);
+  drawn.add(drawn.minimum - PxPoint{1, 1});
+  drawn.add(drawn.maximum + PxPoint{1, 1});
+  std::vector<std::optional<PxPoint>> seen;
+  seen.reserve(canvas.positions().size());
+  for (const ModelPoint& p : canvas.positions()) seen.push_back(camera.project(p));
+  std::vector<mesh::Triangle> under;
+  for (const mesh::Triangle& triangle : canvas.mesh().triangles()) {
+    PxBox box;
+    bool whole = true;  // a triangle that reaches behind the eye may appear anywhere
+    for (const std::uint32_t v : triangle) {
+      if (seen[v]) {
+        box.add(*seen[v]);
+      } else {
+        whole = false;
+      }
+    }
+    if (!whole || box.touches(drawn)) under.push_back(triangle);
+  }
+  return under;
+}
+
+}  // namespace
+
+base::Result<std::vector<ModelPoint>> infer_reference(const Canvas& canvas, const Region& region,
+                                                      std::span<const std::uint32_t> specific, std::size_t count) {
+  PxBox box;
+  for (const std::uint32_t i : specific) box.add(region.seen[i]);
+  const bool upright = box.maximum.y - box.minimum.y > box.maximum.x - box.minimum.x;
+  std::vector<std::uint32_t> order(specific.begin(), specific.end());
+  const auto key = [&](std::uint32_t i) { return upright ? region.seen[i].y : region.seen[i].x; };
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+  std::vector<ModelPoint> points;
+  for (const std::uint32_t i : order) points.push_back(canvas.positions()[region.vertices[i]]);
+  points = curve::triangle_filter<ModelPoint>(points, std::max<std::size_t>(points.size() / 3, 3), curve::Ends::moving);
+  points = curve::triangle_filter<ModelPoint>(points, k_light_kernel, curve::Ends::moving);
+  auto even = curve::resample<ModelPoint>(points, count);
+  if (even) return even;
+  return base::Error{"no reference curve can be inferred from so few vertices", "",
+                     "draw a larger specific region, or draw the reference curve"};
+}
+
+base::Result<std::vector<ModelPoint>> drawn_reference(const Canvas& canvas, const geometry::Camera& camera,
+                                                      std::span<const PxPoint> stroke, std::size_t count) {
+  const auto dense = curve::resample<PxPoint>(stroke, k_drawn_samples);
+  if (!dense) return dense.error();
+  const auto triangles = triangles_under(canvas, camera, *dense);
+  if (triangles.empty()) return base::Error{"the line does not touch the mesh", "", "draw it over the model"};
+  std::vector<glm::vec3> positions;
+  positions.reserve(canvas.positions().size());
+  for (const ModelPoint& p : canvas.positions()) positions.emplace_back(p);
+  const geometry::TriangleBvh surface(positions, triangles);
+  const auto projected = curve::project_stroke(*dense, camera, surface);
+  if (!projected) return projected.error();
+  const auto smooth = curve::triangle_filter<ModelPoint>(projected->positions, k_light_kernel, curve::Ends::fixed);
+  return curve::resample<ModelPoint>(smooth, count);
+}
+
+}  // namespace penpose::articulation

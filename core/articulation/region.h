@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/articulation/canvas.h"
+#include "core/articulation/kept_surface.h"
+#include "core/base/result.h"
+#include "core/geometry/camera.h"
+
+namespace penpose::articulation {
+
+using geometry::PxPoint;
+
+/// The region of general interest (method, section 3, step 1): V_g with what the next steps need of each vertex.
+struct Region {
+  std::vector<std::uint32_t> vertices;  ///< ascending
+  std::vector<PxPoint> seen;            ///< one a vertex: where the camera sees it
+  std::vector<double> border_px;        ///< one a vertex: g_i, distance to the lasso
+};
+
+/// Of the connected components, within the lasso, of all vertices inside it (hidden ones too), with more than 10
+/// vertices, the one with the vertex closest to the camera. Vertices of a seam count as connected. Vertices of the
+/// surface that the deformer slides over are never meant, though an eyeball bulges nearer to the camera than its lid.
+/// Errors: those of the lasso; nothing inside; only scraps inside.
+[[nodiscard]] base::Result<Region> general_region(const Canvas& canvas, const geometry::Camera& camera,
+                                                  std::span<const PxPoint> lasso, const KeptSurface& surface = {});
+
+/// A region of specific interest within a general one (step 2).
+struct Weights {
+  std::vector<double> weights;          ///< one a vertex of the region: 1 inside, else g/(g + c), 0 at the border
+  std::vector<std::uint32_t> specific;  ///< places in Region::vertices of V_s, ascending
+};
+
+/// Errors: those of the lasso; no vertex of the region inside.
+[[nodiscard]] base::Result<Weights> specific_region(const Region& region, std::span<const PxPoint> lasso);
+
+}  // namespace penpose::articulation

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/state_hash.h"
+#include "core/geometry/camera.h"
+
+namespace penpose::articulation {
+
+using geometry::ModelPoint;
+using geometry::ModelVector;
+using geometry::PxPoint;
+
+/// How a deformer goes from its reference curve to its target (method, section 3).
+enum class Mode : std::uint8_t { automatic, translate, rotate };
+
+/// A ball that vertices keep their distance from, in world space at rest.
+struct Sphere {
+  ModelPoint center{0};
+  double radius = 1;  ///< > 0; what is drawn of the ball, the kept distance is that of each vertex from the centre
+  friend bool operator==(const Sphere&, const Sphere&) = default;
+};
+
+/// A part of the model that vertices keep their distance from, by its name.
+struct PartSurface {
+  std::string part;
+  friend bool operator==(const PartSurface&, const PartSurface&) = default;
+};
+
+/// What a deformer slides over; nothing for most.
+using Surface = std::variant<std::monostate, Sphere, PartSurface>;
+
+/// The widest range that a deformer's parameter may have.
+inline constexpr double k_widest_amount = 10;
+/// The most points that a curve may have.
+inline constexpr std::size_t k_most_points = 100000;
+
+/// What was drawn to make one deformer: all that is needed to build it again, and what a user can draw anew. Curves are
+/// px of the viewport. Strokes are drawn on the model at rest.
+struct Sketch {
+  std::string name;
+  geometry::Viewport viewport;
+  geometry::CameraPose camera;     ///< of the two regions, and of the reference curve unless it has its own
+  std::vector<PxPoint> general;    ///< lasso of the region of general interest
+  std::vector<PxPoint> specific;   ///< lasso of the region of specific interest
+  std::vector<PxPoint> reference;  ///< empty: inferred from the region of specific interest
+  std::vector<PxPoint> target;
+  std::optional<geometry::CameraPose> reference_camera;  ///< set when the camera moved before the reference was drawn
+  std::optional<geometry::CameraPose> target_camera;     ///< set when the camera moved before the target was drawn
+  Mode mode = Mode::automatic;
+  Surface surface;
+  double minimum = 0;  ///< range of the parameter, <= 0
+  double maximum = 1;  ///< > 0
+  friend bool operator==(const Sketch&, const Sketch&) = default;
+};
+
+/// Checks what can be checked without a model. Errors carry the key of the sketch file as their place ("target",
+/// "target/3", "surface/sphere/radius"): no name, a missing curve, too many points, coordinates that are not finite or
+/// beyond a million px, a ball without radius, a range without 0.
+[[nodiscard]] base::Status check_sketch(const Sketch& sketch);
+
+/// Adds everything that was drawn to a canonical hash.
+void add_to_hash(base::StateHash& hash, const Sketch& sketch);
+
+}  // namespace penpose::articulation

@@ -1,0 +1,56 @@
+#include "core/model_io/sketch_file.h"
+
+#include <set>
+
+#include "core/model_io/json.h"
+#include "core/model_io/sketch_json.h"
+
+namespace penpose::model_io {
+namespace {
+
+constexpr const char* k_see_format = "see the format of sketch files in the manual";
+
+}  // namespace
+
+base::Result<SketchFile> read_sketch_file(base::Bytes bytes) {
+  const auto json = parse_json(bytes);
+  if (!json) return json.error();
+  if (!json->is_object()) return base::Error{"an object was expected", "/", k_see_format};
+  SketchFile file;
+  if (const Json* model = find(*json, "model")) {
+    if (!model->is_string()) return base::Error{"a text was expected", "/model", k_see_format};
+    file.model = model->get<std::string>();
+  }
+  std::optional<geometry::Viewport> viewport;
+  if (auto problem = read_viewport(*json, "", viewport)) return *problem;
+  if (viewport) file.viewport = *viewport;
+  const Json* deformers = find(*json, "deformers");
+  if (deformers == nullptr) return base::Error{"the key \"deformers\" is missing", "/", k_see_format};
+  if (!deformers->is_array()) return base::Error{"a list was expected", "/deformers", k_see_format};
+  if (deformers->size() > k_most_deformers) {
+    return base::Error{"a model has at most 1,000 deformers", "/deformers", "split the file"};
+  }
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < deformers->size(); ++i) {
+    const std::string pointer = child("/deformers", i);
+    if (auto problem = read_sketch((*deformers)[i], pointer, viewport, file.sketches.emplace_back())) return *problem;
+    if (!names.insert(file.sketches.back().name).second) {
+      return base::Error{"another deformer is called '" + file.sketches.back().name + "' too", pointer + "/name",
+                         "rename one of them"};
+    }
+  }
+  return file;
+}
+
+std::string write_sketch_file(const SketchFile& file) {
+  std::string text = "{\"model\": " + Json(file.model).dump(-1, ' ', false, Json::error_handler_t::replace) +
+                     ", \"viewport\": " + to_json(file.viewport).dump() + ", \"deformers\": [";
+  for (std::size_t i = 0; i < file.sketches.size(); ++i) {
+    const Viewports viewports = file.sketches[i].viewport == file.viewport ? Viewports::shared : Viewports::each;
+    text += i == 0 ? "\n" : ",\n";
+    text += to_json(file.sketches[i], viewports).dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+  return text + "\n]}\n";
+}
+
+}  // namespace penpose::model_io

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/articulation/sketch.h"
+#include "core/base/result.h"
+#include "core/model_io/json.h"
+
+namespace penpose::model_io {
+
+/// No rig needs more; the bound keeps what a small file can ask for small.
+inline constexpr std::size_t k_most_deformers = 1000;
+
+/// Reads one deformer of a sketch file into `out`; the error, or nothing. `viewport` is that of the file; a member
+/// "viewport" of the deformer counts before it. Errors (place: JSON pointer): a key that is missing or of another type,
+/// and those of articulation::check_sketch.
+[[nodiscard]] std::optional<base::Error> read_sketch(const Json& value, const std::string& pointer,
+                                                     std::optional<geometry::Viewport> viewport,
+                                                     articulation::Sketch& out);
+[[nodiscard]] std::optional<base::Error> read_viewport(const Json& object, const std::string& pointer,
+                                                       std::optional<geometry::Viewport>& out);
+
+/// Whether deformers carry their viewport or leave it to the file.
+enum class Viewports : std::uint8_t { shared, each };
+[[nodiscard]] Json to_json(const articulation::Sketch& sketch, Viewports viewports);
+[[nodiscard]] Json to_json(const geometry::Viewport& viewport);
+
+}  // namespace penpose::model_io

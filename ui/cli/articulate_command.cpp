@@ -1,0 +1,137 @@
+#include "ui/cli/articulate_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "core/articulation/edit.h"
+#include "core/base/numbers.h"
+#include "core/model_io/sketch_file.h"
+#include "ui/cli/commands.h"
+#include "ui/cli/files.h"
+#include "ui/cli/load_model.h"
+#include "ui/cli/progress.h"
+#include "ui/cli/save_model.h"
+
+namespace penpose::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using articulation::Deformer;
+using articulation::SketchedDeformers;
+
+struct ArticulateArguments {
+  std::string model;
+  std::string sketch;
+  std::string out;
+  bool json = false;
+};
+
+struct Built {
+  std::shared_ptr<const Deformer> deformer;
+  double build_us = 0;
+};
+
+/// Builds all deformers of the file. Errors: their place is a JSON pointer in it.
+base::Result<std::vector<Built>> build_all(const document::Model& model, const model_io::SketchFile& file) {
+  const auto canvas = document::make_canvas(model);
+  if (!canvas) return canvas.error();
+  std::vector<Built> all;
+  Progress progress("articulating", file.sketches.size());
+  for (std::size_t i = 0; i < file.sketches.size(); ++i) {
+    const auto before = std::chrono::steady_clock::now();
+    auto deformer = articulation::build_deformer(file.sketches[i], **canvas);
+    const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - before;
+    if (!deformer) {
+      base::Error error = deformer.error();
+      error.place = "/deformers/" + std::to_string(i) + "/" + error.place;
+      return error;
+    }
+    if (rig::find_parameter(model.rig->parameters(), file.sketches[i].name)) {
+      return base::Error{"the model has a control '" + file.sketches[i].name + "' already",
+                         "/deformers/" + std::to_string(i) + "/name", "choose another name"};
+    }
+    all.push_back({std::move(deformer).value(), took.count()});
+    progress.advance();
+  }
+  progress.finish();
+  return all;
+}
+
+/// The deformers that the model has, then the new ones.
+base::Result<document::Model> articulated(document::Model model, const std::vector<Built>& built) {
+  std::vector<std::shared_ptr<const Deformer>> deformers;
+  if (model.deformers) deformers.assign(model.deformers->deformers().begin(), model.deformers->deformers().end());
+  for (const Built& one : built) deformers.push_back(one.deformer);
+  auto set = SketchedDeformers::make(std::move(deformers));
+  if (!set) return set.error();
+  return document::with_deformers(std::move(model), std::move(set).value());
+}
+
+const char* mode_name(const Deformer& deformer) {
+  return deformer.mode() == articulation::Mode::translate ? "translate" : "rotate";
+}
+
+int articulate(const ArticulateArguments& arguments) {
+  if (!arguments.out.ends_with(".glb")) {
+    return report({"deformers are kept in .glb files only", "", "name the output .glb"}, arguments.out);
+  }
+  auto model = load_model(arguments.model);
+  if (!model) return report(model.error(), arguments.model);
+  const auto bytes = read_file(arguments.sketch);
+  if (!bytes) return report(bytes.error(), arguments.sketch);
+  const auto file = model_io::read_sketch_file(*bytes);
+  if (!file) return report(file.error(), arguments.sketch);
+  if (file->sketches.empty()) {
+    return report({"there is no deformer in the file", "/deformers", "draw one"}, arguments.sketch);
+  }
+  const auto built = build_all(*model, *file);
+  if (!built) return report(built.error(), arguments.sketch);
+  const auto result = articulated(std::move(model).value(), *built);
+  if (!result) return report(result.error(), arguments.model);
+  if (auto saved = save_model(*result, arguments.out); !saved) return report(saved.error(), arguments.out);
+
+  Json rows = Json::array();
+  for (const Built& one : *built) {
+    const Deformer& deformer = *one.deformer;
+    const auto full = std::count(deformer.weights().begin(), deformer.weights().end(), 1.0);
+    rows.push_back({{"name", deformer.sketch().name},
+                    {"mode", mode_name(deformer)},
+                    {"reference", deformer.inferred() ? "inferred" : "drawn"},
+                    {"vertices", deformer.vertices().size()},
+                    {"vertices_at_full_weight", full},
+                    {"minimum", deformer.parameter().minimum},
+                    {"maximum", deformer.parameter().maximum},
+                    {"build_us", one.build_us}});
+    if (arguments.json) continue;
+    std::cout << deformer.sketch().name << ": " << mode_name(deformer) << ", " << deformer.vertices().size()
+              << " vertices (" << full << " at full weight), "
+              << (deformer.inferred() ? "reference inferred, " : "reference drawn, ")
+              << base::format_fixed(one.build_us / 1000.0, 2) << " ms\n";
+  }
+  if (arguments.json) {
+    const Json object = {{"model", arguments.model},
+                         {"out", arguments.out},
+                         {"deformers", std::move(rows)},
+                         {"state", document::state_hash(*result).hex()}};
+    std::cout << object.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+  }
+  return k_success;
+}
+
+}  // namespace
+
+void add_articulate_command(CLI::App& app, int& status) {
+  auto arguments = std::make_shared<ArticulateArguments>();
+  CLI::App* command = app.add_subcommand("articulate", "Gives a model controls from the strokes of a sketch file");
+  command->add_option("MODEL", arguments->model, "Model to articulate")->required();
+  command->add_option("--sketch", arguments->sketch, "JSON file of strokes")->required();
+  command->add_option("-o", arguments->out, "Write the articulated model, .glb")->required();
+  command->add_flag("--json", arguments->json, "Print one JSON object");
+  command->callback([arguments, &status] { status = articulate(*arguments); });
+}
+
+}  // namespace penpose::cli
