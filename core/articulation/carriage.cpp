@@ -46,6 +46,14 @@ Carriage::Carriage(std::shared_ptr<const CurveMotion> motion, KeptSurface surfac
     turns_.push_back(rider.fraction * motion_->angle(k));
     offsets_.push_back({along, offset - along, glm::cross(axis, offset)});
   }
+  mark_segments();
+}
+
+void Carriage::mark_segments() {
+  for (const std::uint32_t k : segments_) {
+    if (k >= wanted_.size()) wanted_.resize(k + 1, 0);
+    wanted_[k] = 1;
+  }
 }
 
 Carriage Carriage::subset(std::span<const std::uint32_t> riders) const {
@@ -61,11 +69,12 @@ Carriage Carriage::subset(std::span<const std::uint32_t> riders) const {
   some.turns_ = chosen(turns_, riders);
   some.offsets_ = chosen(offsets_, riders);
   some.to_rest_ = chosen(to_rest_, riders);
+  some.mark_segments();
   return some;
 }
 
 void Carriage::turned(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const {
-  motion_->frames(amount, work.motion);
+  motion_->frames(amount, wanted_, work.motion);
   const std::size_t n = rests_.size();
   work.angles.resize(n);
   work.sines.resize(n);

@@ -65,6 +65,7 @@ class Carriage {
 
   [[nodiscard]] bool turning() const { return motion_ && motion_->mode() == Mode::rotate; }
   void turned(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const;
+  void mark_segments();
 
   std::shared_ptr<const CurveMotion> motion_;
   KeptSurface surface_;
@@ -76,7 +77,8 @@ class Carriage {
   std::vector<double> weights_;
   std::vector<double> turns_;  ///< u times the angle of the segment
   std::vector<Offset> offsets_;
-  std::vector<glm::dmat3> to_rest_;  ///< empty when nothing carries the vertices
+  std::vector<std::uint8_t> wanted_;  ///< segments that carry anything, up to the last one that does
+  std::vector<glm::dmat3> to_rest_;   ///< empty when nothing carries the vertices
 };
 
 }  // namespace penpose::articulation

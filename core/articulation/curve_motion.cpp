@@ -38,6 +38,15 @@ glm::dmat3 matrix_of(const Spin& q) {
   return {1 - (yy + zz), xy + wz, xz - wy, xy - wz, 1 - (xx + zz), yz + wx, xz + wy, yz - wx, 1 - (xx + yy)};
 }
 
+/// v turned by q.
+ModelVector turned(const Spin& q, const ModelVector& v) {
+  const double tx = 2.0 * (q.v.y * v.z - q.v.z * v.y);
+  const double ty = 2.0 * (q.v.z * v.x - q.v.x * v.z);
+  const double tz = 2.0 * (q.v.x * v.y - q.v.y * v.x);
+  return {v.x + q.w * tx + (q.v.y * tz - q.v.z * ty), v.y + q.w * ty + (q.v.z * tx - q.v.x * tz),
+          v.z + q.w * tz + (q.v.x * ty - q.v.y * tx)};
+}
+
 /// Segments shorter than this share of the curve have no direction to turn from.
 constexpr double k_shortest = 1e-9;
 
@@ -55,6 +64,7 @@ CurveMotion::CurveMotion(std::vector<ModelPoint> reference, std::vector<ModelPoi
     const ModelVector to = glm::transpose(matrix_of(before)) * (target_[j + 1] - target_[j]);
     const double from_length = geometry::length(from);
     if (!(from_length > k_shortest * length)) {
+      segment.empty = true;
       segment.appears = to;
       continue;
     }
@@ -72,8 +82,8 @@ CurveMotion::CurveMotion(std::vector<ModelPoint> reference, std::vector<ModelPoi
   }
 }
 
-void CurveMotion::frames(double amount, MotionWorkspace& work) const {
-  const std::size_t n = segments_.size();
+void CurveMotion::frames(double amount, std::span<const std::uint8_t> wanted, MotionWorkspace& work) const {
+  const std::size_t n = wanted.size();
   work.angles.resize(n);
   work.sines.resize(n);
   work.cosines.resize(n);
@@ -86,14 +96,19 @@ void CurveMotion::frames(double amount, MotionWorkspace& work) const {
     const Segment& segment = segments_[j];
     const double s = work.sines[j];
     const double c = work.cosines[j];
-    SegmentFrame& frame = work.frames[j];
-    frame.turn = matrix_of(before);
-    frame.start = start;
     // The whole angle by the half: cos = 1 - 2 s^2, sin = 2 s c.
-    frame.step =
-        (segment.along * (1.0 - 2.0 * s * s) + segment.across * (2.0 * s * c)) * (1.0 + amount * segment.growth) +
-        segment.appears * amount;
-    start = start + frame.turn * frame.step;
+    const double grown = 1.0 + amount * segment.growth;
+    const double level = (1.0 - 2.0 * s * s) * grown;
+    const double ahead = 2.0 * s * c * grown;
+    ModelVector step = segment.along * level + segment.across * ahead;
+    if (segment.empty) step = segment.appears * amount;
+    if (wanted[j] != 0) {
+      SegmentFrame& frame = work.frames[j];
+      frame.turn = matrix_of(before);
+      frame.start = start;
+      frame.step = step;
+    }
+    start = start + turned(before, step);
     before = before * Spin{c, segment.axis * s};
   }
 }
@@ -107,7 +122,7 @@ std::vector<ModelPoint> CurveMotion::points(double amount) const {
     return points;
   }
   MotionWorkspace work;
-  frames(amount, work);
+  frames(amount, std::vector<std::uint8_t>(segments_.size(), 1), work);
   for (const SegmentFrame& frame : work.frames) points.push_back(frame.start);
   points.push_back(work.frames.back().start + work.frames.back().turn * work.frames.back().step);
   return points;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <span>
 #include <vector>
@@ -42,19 +43,21 @@ class CurveMotion {
   [[nodiscard]] const ModelVector& axis(std::size_t segment) const { return segments_[segment].axis; }
   [[nodiscard]] double angle(std::size_t segment) const { return segments_[segment].angle; }
 
-  /// The frames of all segments at an amount, for mode rotate, left in work.frames. Allocates only the first time.
-  void frames(double amount, MotionWorkspace& work) const;
+  /// The frames of segments at an amount, for mode rotate, left in work.frames. Only those with a nonzero flag are
+  /// made, segments beyond the flags are not even passed through. Allocates only the first time.
+  void frames(double amount, std::span<const std::uint8_t> wanted, MotionWorkspace& work) const;
   /// All points of the interpolated curve at an amount.
   [[nodiscard]] std::vector<ModelPoint> points(double amount) const;
 
  private:
   struct Segment {
-    ModelVector along{0};   ///< of the reference; zero when it has no length to turn
+    ModelVector along{0};   ///< of the reference
     ModelVector across{0};  ///< axis x along
     ModelVector axis{0, 0, 1};
     double angle = 0;        ///< radians, 0..pi
     double growth = 0;       ///< s_j - 1
-    ModelVector appears{0};  ///< what a segment without length grows to, in its own frame
+    bool empty = false;      ///< the reference's segment has no length to turn ...
+    ModelVector appears{0};  ///< ... and grows to this, in its own frame
   };
 
   std::vector<ModelPoint> reference_;

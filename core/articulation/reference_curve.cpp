@@ -10,6 +10,10 @@
 namespace penpose::articulation {
 namespace {
 
+/// A drawn line is cast onto the mesh at this many places, whatever the pen's rate was: what is light smoothing then
+/// does not depend on the tablet, and a line given by a few corners follows the surface between them.
+constexpr std::size_t k_drawn_samples = 128;
+
 struct PxBox {
   PxPoint minimum{1e300, 1e300};
   PxPoint maximum{-1e300, -1e300};
@@ -73,13 +77,15 @@ base::Result<std::vector<ModelPoint>> infer_reference(const Canvas& canvas, cons
 
 base::Result<std::vector<ModelPoint>> drawn_reference(const Canvas& canvas, const geometry::Camera& camera,
                                                       std::span<const PxPoint> stroke, std::size_t count) {
-  const auto triangles = triangles_under(canvas, camera, stroke);
+  const auto dense = curve::resample<PxPoint>(stroke, k_drawn_samples);
+  if (!dense) return dense.error();
+  const auto triangles = triangles_under(canvas, camera, *dense);
   if (triangles.empty()) return base::Error{"the line does not touch the mesh", "", "draw it over the model"};
   std::vector<glm::vec3> positions;
   positions.reserve(canvas.positions().size());
   for (const ModelPoint& p : canvas.positions()) positions.emplace_back(p);
   const geometry::TriangleBvh surface(positions, triangles);
-  const auto projected = curve::project_stroke(stroke, camera, surface);
+  const auto projected = curve::project_stroke(*dense, camera, surface);
   if (!projected) return projected.error();
   const auto smooth = curve::triangle_filter<ModelPoint>(projected->positions, k_light_kernel, curve::Ends::fixed);
   return curve::resample<ModelPoint>(smooth, count);

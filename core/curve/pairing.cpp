@@ -25,6 +25,10 @@ base::Result<PairedTarget> pair_at(std::span<const ModelPoint> reference, std::s
   return paired;
 }
 
+void count_from_the_other_end(std::vector<double>& shares) {
+  for (double& share : shares) share = 1.0 - share;
+}
+
 /// The loop with its end joined to its start.
 std::vector<PxPoint> joined(std::span<const PxPoint> line) {
   std::vector<PxPoint> loop(line.begin(), line.end());
@@ -56,6 +60,7 @@ base::Result<PairedTarget> pair_closed(std::span<const ModelPoint> reference, st
       best->shift = shift;
     }
   }
+  if (best->reversed) count_from_the_other_end(best->shares);
   return *best;
 }
 
@@ -97,7 +102,9 @@ base::Result<PairedTarget> pair_target(std::span<const ModelPoint> reference, st
   const bool reversed = runs_backwards(seen, line);
   if (reversed) std::reverse(line.begin(), line.end());
   auto paired = pair_at(reference, line, *shares, camera);
-  if (paired) paired->reversed = reversed;
+  if (!paired) return paired;
+  paired->reversed = reversed;
+  if (reversed) count_from_the_other_end(paired->shares);
   return paired;
 }
 

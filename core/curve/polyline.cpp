@@ -97,7 +97,8 @@ base::Result<std::vector<double>> shares_of(std::span<const Point> points) {
 
 template <CurveSpace Point>
 std::vector<Point> triangle_filter(std::span<const Point> points, std::size_t kernel, Ends ends) {
-  const auto half = static_cast<std::ptrdiff_t>(std::max<std::size_t>(kernel, 3) / 2);
+  constexpr std::size_t k_widest = std::size_t{1} << 48U;
+  const auto half = static_cast<std::ptrdiff_t>(std::clamp<std::size_t>(kernel, 3, k_widest) / 2);
   const auto count = static_cast<std::ptrdiff_t>(points.size());
   std::vector<Point> result(points.begin(), points.end());
   for (std::ptrdiff_t i = 0; i < count; ++i) {

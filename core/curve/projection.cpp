@@ -1,5 +1,6 @@
 #include "core/curve/projection.h"
 
+#include <cmath>
 #include <optional>
 
 #include "core/curve/polyline.h"
@@ -39,6 +40,7 @@ base::Result<ProjectedStroke> project_stroke(std::span<const PxPoint> stroke, co
   std::vector<std::optional<geometry::RayHit>> hits(stroke.size());
   std::uint32_t hint = geometry::TriangleBvh::k_no_hint;
   for (std::size_t i = 0; i < stroke.size(); ++i) {
+    if (!std::isfinite(stroke[i].x) || !std::isfinite(stroke[i].y)) continue;  // nowhere: it misses
     hits[i] = surface.nearest_hit(camera.ray(stroke[i]), hint);
     if (hits[i]) hint = hits[i]->triangle;
   }

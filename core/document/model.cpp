@@ -57,6 +57,9 @@ base::Result<Model> make_model(std::shared_ptr<const mesh::TriangleMesh> mesh,
                                std::shared_ptr<const rig::BlendShapes> shapes,
                                std::shared_ptr<const rig::Skeleton> skeleton,
                                std::shared_ptr<const articulation::SketchedDeformers> deformers) {
+  if (shapes && shapes->vertex_count() != mesh->vertex_count()) {
+    return base::Error{"the blend shapes are for another number of vertices", "", "make them for this mesh"};
+  }
   if (deformers && deformers->size() == 0) deformers.reset();
   std::vector<std::shared_ptr<const rig::DisplacementLayer>> layers;
   if (shapes) layers.push_back(shapes);

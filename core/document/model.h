@@ -66,7 +66,8 @@ struct Model {
   std::vector<std::string> notes;  ///< what a reader had to leave out, one line each
 };
 
-/// Puts the pieces together: makes the rig and starts at its rest pose. Errors of the rig.
+/// Puts the pieces together: makes the rig and starts at its rest pose. Errors: shapes for another number of
+/// vertices, and those of the rig.
 [[nodiscard]] base::Result<Model> make_model(std::shared_ptr<const mesh::TriangleMesh> mesh,
                                              std::shared_ptr<const rig::BlendShapes> shapes,
                                              std::shared_ptr<const rig::Skeleton> skeleton,

@@ -61,11 +61,15 @@ Ray Camera::ray(PxPoint position) const {
 Camera frame_box(const Box& box, Viewport viewport, double yaw_degrees, double pitch_degrees,
                  double vertical_fov_degrees) {
   viewport = {std::max(1, viewport.width), std::max(1, viewport.height)};
+  vertical_fov_degrees = std::clamp(vertical_fov_degrees, 1.0, 179.0);
   Box framed = box;
-  if (framed.empty() || !(framed.diagonal() > 0.0)) {
-    const ModelPoint middle = framed.empty() ? ModelPoint{0} : framed.center();
-    framed.minimum = middle - 0.5;
-    framed.maximum = middle + 0.5;
+  // Boxes beyond these limits have no view whose numbers are finite and apart from each other.
+  const double farthest = std::max(length(framed.minimum), length(framed.maximum));
+  if (framed.empty() || !(farthest < 1e100)) framed = {ModelPoint{-0.5}, ModelPoint{0.5}};
+  if (!(framed.diagonal() > std::max(1e-100, 1e-12 * farthest))) {
+    const ModelPoint middle = framed.center();
+    const double half = 0.5 * std::max(1.0, 1e-6 * length(middle));
+    framed = {middle - half, middle + half};
   }
   const double yaw = base::radians(yaw_degrees);
   const double pitch = base::radians(std::clamp(pitch_degrees, -89.0, 89.0));

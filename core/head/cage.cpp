@@ -26,11 +26,21 @@ constexpr Hole k_ear_hole{4, 7, 8, 9};
 constexpr Hole k_mouth_hole{8, 10, -1, 4};
 
 constexpr std::array<std::array<double, k_first_angle_column>, k_rows> k_x{{
-    {0, 1.15, 2.25, 3.3, 4.2, 4.95, 5.5},  {0, 1.05, 2.1, 3.2, 4.3, 5.2, 5.95},  {0, 0.8, 1.75, 2.8, 3.9, 4.95, 5.85},
-    {0, 0.7, 1.5, 2.3, 3.4, 4.5, 5.4},     {0, 0.62, 1.2, 2.3, 3.4, 4.5, 5.7},   {0, 0.72, 1.55, 2.35, 3.4, 4.4, 5.3},
-    {0, 0.72, 1.5, 2.3, 3.3, 4.3, 5.2},    {0, 0.72, 1.55, 2.35, 3.3, 4.25, 5.1}, {0, 0.75, 1.55, 2.45, 3.3, 4.15, 5.0},
-    {0, 0.75, 1.55, 2.45, 3.75, 4.35, 5.0}, {0, 0.7, 1.4, 2.2, 3.1, 3.95, 4.7},   {0, 0.7, 1.4, 2.1, 2.85, 3.6, 4.3},
-    {0, 0.7, 1.4, 2.1, 2.8, 3.4, 4.0},     {0, 0.7, 1.4, 2.1, 2.7, 3.2, 3.7},     {0, 0.65, 1.3, 1.9, 2.45, 2.9, 3.3},
+    {0, 1.15, 2.25, 3.3, 4.2, 4.95, 5.5},
+    {0, 1.05, 2.1, 3.2, 4.3, 5.2, 5.95},
+    {0, 0.8, 1.75, 2.8, 3.9, 4.95, 5.85},
+    {0, 0.7, 1.5, 2.3, 3.4, 4.5, 5.4},
+    {0, 0.62, 1.2, 2.3, 3.4, 4.5, 5.7},
+    {0, 0.72, 1.55, 2.35, 3.4, 4.4, 5.3},
+    {0, 0.72, 1.5, 2.3, 3.3, 4.3, 5.2},
+    {0, 0.72, 1.55, 2.35, 3.3, 4.25, 5.1},
+    {0, 0.75, 1.55, 2.45, 3.3, 4.15, 5.0},
+    {0, 0.75, 1.55, 2.45, 3.75, 4.35, 5.0},
+    {0, 0.7, 1.4, 2.2, 3.1, 3.95, 4.7},
+    {0, 0.7, 1.4, 2.1, 2.85, 3.6, 4.3},
+    {0, 0.7, 1.4, 2.1, 2.8, 3.4, 4.0},
+    {0, 0.7, 1.4, 2.1, 2.7, 3.2, 3.7},
+    {0, 0.65, 1.3, 1.9, 2.45, 2.9, 3.3},
     {0, 0.65, 1.3, 1.95, 2.5, 3.0, 3.45},
 }};
 constexpr std::array<double, k_columns - k_first_angle_column> k_degrees{65, 82, 104, 128, 154, 180};
@@ -42,47 +52,20 @@ struct Placed {
   double lift = 0;
 };
 constexpr std::array<Placed, 41> k_placed{{
-    {2, 1, 0.9, 3.05},
-    {2, 2, 1.6, 3.2},
-    {2, 3, 2.5, 3.4},
-    {2, 4, 3.5, 3.5},
-    {2, 5, 4.55, 3.25},
-    {2, 6, 5.6, 2.6},
-    {3, 1, 0.85, 2.4},
-    {3, 2, 1.5, 2.5},
-    {3, 3, 2.4, 2.7},
-    {3, 4, 3.4, 2.8},
-    {3, 5, 4.4, 2.55},
-    {3, 6, 5.4, 1.85},
-    {4, 0, 0, 0, 0.8},
-    {4, 1, 0.55, 0, 0.5},
-    {4, 2, 1, -0.2},
-    {4, 6, 5.6, -0.1},
-    {5, 0, 0, -2, 1.9},
-    {5, 1, 0.6, -2, 1.6},
-    {5, 2, 1.4, -2.1, 0.1},
-    {5, 3, 2.3, -2.4},
-    {5, 4, 3.3, -2.55},
-    {5, 5, 4.3, -2.25},
-    {5, 6, 5.15, -1.65},
-    {6, 0, 0, -3.2, 2.9},
-    {6, 1, 0.8, -3.25, 2.3},
-    {6, 2, 1.66, -3.6, 1.35},
-    {6, 3, 1.92, -3.45, -0.35},
-    {7, 0, 0, -4.2, 1.9},
-    {7, 1, 0.36, -4.3, 1.75},
-    {7, 2, 1.66, -4.3, 1.15},
-    {7, 3, 2.0, -4.3, -0.3},
-    {8, 0, 0, -4.7, 0.55},
-    {8, 1, 0.5, -4.55, 0.5},
-    {8, 2, 1.5, -4.55, 0.2},
-    {8, 3, 2.3, -4.85},
-    {8, 4, 3.3, -5.3},
-    {9, 4, 3.7, -6.5},
-    {10, 1, 0.75, -8.3},
-    {10, 2, 1.5, -8.2},
-    {10, 3, 2.25, -8},
-    {10, 4, 3.05, -7.6},
+    {2, 1, 0.9, 3.05},       {2, 2, 1.6, 3.2},         {2, 3, 2.5, 3.4},
+    {2, 4, 3.5, 3.5},        {2, 5, 4.55, 3.25},       {2, 6, 5.6, 2.6},
+    {3, 1, 0.85, 2.4},       {3, 2, 1.5, 2.5},         {3, 3, 2.4, 2.7},
+    {3, 4, 3.4, 2.8},        {3, 5, 4.4, 2.55},        {3, 6, 5.4, 1.85},
+    {4, 0, 0, 0, 0.8},       {4, 1, 0.55, 0, 0.5},     {4, 2, 1, -0.2},
+    {4, 6, 5.6, -0.1},       {5, 0, 0, -2, 1.9},       {5, 1, 0.6, -2, 1.6},
+    {5, 2, 1.4, -2.1, 0.1},  {5, 3, 2.3, -2.4},        {5, 4, 3.3, -2.55},
+    {5, 5, 4.3, -2.25},      {5, 6, 5.15, -1.65},      {6, 0, 0, -3.2, 2.9},
+    {6, 1, 0.8, -3.25, 2.3}, {6, 2, 1.66, -3.6, 1.35}, {6, 3, 1.92, -3.45, -0.35},
+    {7, 0, 0, -4.2, 1.9},    {7, 1, 0.36, -4.3, 1.75}, {7, 2, 1.66, -4.3, 1.15},
+    {7, 3, 2.0, -4.3, -0.3}, {8, 0, 0, -4.7, 0.55},    {8, 1, 0.5, -4.55, 0.5},
+    {8, 2, 1.5, -4.55, 0.2}, {8, 3, 2.3, -4.85},       {8, 4, 3.3, -5.3},
+    {9, 4, 3.7, -6.5},       {10, 1, 0.75, -8.3},      {10, 2, 1.5, -8.2},
+    {10, 3, 2.25, -8},       {10, 4, 3.05, -7.6},
 }};
 
 ModelPoint grid_point(int r, int c) {
@@ -97,18 +80,23 @@ ModelPoint grid_point(int r, int c) {
   return p;
 }
 
-std::uint32_t at(const Grid& grid, int r, int c) { return grid[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)]; }
+std::uint32_t at(const Grid& grid, int r, int c) {
+  return grid[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)];
+}
 
 QuadKind kind_of(int r, int c) {
   if (r == 2 && c >= 1 && c <= 5) return QuadKind::brow;
-  return c >= 10 && r < 8 ? QuadKind::coarse_skin : QuadKind::skin;
+  // Under the hair, and at the foot of the neck.
+  const bool hidden = (c >= 9 && r < 8) || (c >= 7 && r < 2) || (c >= 6 && r < 1) || r >= 14;
+  return hidden ? QuadKind::coarse_skin : QuadKind::skin;
 }
 
 Grid add_grid(Cage& cage) {
   Grid grid{};
   for (int r = 0; r < k_rows; ++r) {
     for (int c = 0; c < k_columns; ++c) {
-      const bool hole = k_eye_hole.holds_vertex(r, c) || k_ear_hole.holds_vertex(r, c) || k_mouth_hole.holds_vertex(r, c);
+      const bool hole =
+          k_eye_hole.holds_vertex(r, c) || k_ear_hole.holds_vertex(r, c) || k_mouth_hole.holds_vertex(r, c);
       grid[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] = hole ? k_none : cage.add(grid_point(r, c));
     }
   }
@@ -168,7 +156,8 @@ void add_crown(Cage& cage, const Grid& grid) {
         const ModelPoint back = cage.points[at(grid, 0, k_columns - 1 - i)];
         const ModelPoint side = cage.points[at(grid, 0, k_out + j)];
         ModelPoint p = front + (back - front) * t;
-        const double edge = cage.points[at(grid, 0, k_out)].x * (1 - t) + cage.points[at(grid, 0, k_out + k_back)].x * t;
+        const double edge =
+            cage.points[at(grid, 0, k_out)].x * (1 - t) + cage.points[at(grid, 0, k_out + k_back)].x * t;
         p.x = s * (edge + (side.x - edge) * (i == 0 ? 0.0 : 1.0));
         const double across = p.x / 8.0;
         const double along = (p.z + 0.9) / (p.z > -0.9 ? 9.2 : 8.8);
@@ -179,7 +168,7 @@ void add_crown(Cage& cage, const Grid& grid) {
   }
   for (std::size_t i = 0; i < k_out; ++i) {
     for (std::size_t j = 0; j < k_back; ++j) {
-      cage.add_quad(patch[i][j], patch[i + 1][j], patch[i + 1][j + 1], patch[i][j + 1], j > 0 ? QuadKind::coarse_skin : QuadKind::skin);
+      cage.add_quad(patch[i][j], patch[i + 1][j], patch[i + 1][j + 1], patch[i][j + 1], QuadKind::coarse_skin);
     }
   }
 }

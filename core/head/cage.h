@@ -17,10 +17,10 @@ inline constexpr double k_mouth_y = -6.5;
 /// Height of the line between the lips at x.
 [[nodiscard]] double mouth_line(double x);
 
-/// Where a vertex stands in the loops around eye and mouth; subdivision carries these numbers along, so that later steps
-/// can tell a lid from a socket. x: eye loop (-3 behind the eyeball, 0 inner and 1 outer edge of the lid's rim, 2 lid,
-/// 3 crease, 4 edge of the orbit, 5 elsewhere). y: mouth loop (-2 cavity, 0 where the lips meet, 1 fullest, 2 border of
-/// the red, 3 around it, 4 muzzle, 5 elsewhere). z: +1 upper lip, -1 lower lip, 0 elsewhere; ears have 3.
+/// Where a vertex stands in the loops around eye and mouth; subdivision carries these numbers along, so that later
+/// steps can tell a lid from a socket. x: eye loop (-3 behind the eyeball, 0 inner and 1 outer edge of the lid's rim, 2
+/// lid, 3 crease, 4 edge of the orbit, 5 elsewhere). y: mouth loop (-2 cavity, 0 where the lips meet, 1 fullest, 2
+/// border of the red, 3 around it, 4 muzzle, 5 elsewhere). z: +1 upper lip, -1 lower lip, 0 elsewhere; ears have 3.
 using LoopMark = glm::dvec3;
 
 /// What a quad of the cage becomes: how fine, and in which material.

@@ -13,10 +13,44 @@ struct Offset {
 using Loop = std::array<Offset, k_count>;
 
 // Loops relative to the eye's centre as seen from the front, counter-clockwise from the outer corner; in eye radii.
-constexpr Loop k_rim{{{0.880, 0.040}, {0.720, 0.280}, {0.430, 0.450}, {0.030, 0.510}, {-0.360, 0.450}, {-0.680, 0.220}, {-0.920, -0.170}, {-0.680, -0.330}, {-0.360, -0.430}, {0.010, -0.470}, {0.390, -0.410}, {0.710, -0.220}}};
-constexpr Loop k_lid{{{0.980, 0.040}, {0.820, 0.420}, {0.490, 0.650}, {0.030, 0.720}, {-0.410, 0.620}, {-0.770, 0.340}, {-1.020, -0.180}, {-0.760, -0.430}, {-0.400, -0.560}, {0.010, -0.610}, {0.440, -0.540}, {0.810, -0.300}}};
-constexpr Loop k_crease{{{1.170, 0.040}, {0.930, 0.640}, {0.540, 0.900}, {0.030, 0.980}, {-0.470, 0.860}, {-0.870, 0.500}, {-1.100, -0.190}, {-0.880, -0.620}, {-0.460, -0.820}, {0.000, -0.900}, {0.510, -0.810}, {0.970, -0.480}}};
-constexpr std::array<double, k_count> k_crease_depth{0.30, 0.64, 0.80, 0.84, 0.86, 0.82, 0.74, 0.86, 0.92, 0.88, 0.72, 0.42};
+constexpr Loop k_rim{{{0.880, 0.040},
+                      {0.720, 0.280},
+                      {0.430, 0.450},
+                      {0.030, 0.510},
+                      {-0.360, 0.450},
+                      {-0.680, 0.220},
+                      {-0.920, -0.170},
+                      {-0.680, -0.330},
+                      {-0.360, -0.430},
+                      {0.010, -0.470},
+                      {0.390, -0.410},
+                      {0.710, -0.220}}};
+constexpr Loop k_lid{{{0.980, 0.040},
+                      {0.820, 0.420},
+                      {0.490, 0.650},
+                      {0.030, 0.720},
+                      {-0.410, 0.620},
+                      {-0.770, 0.340},
+                      {-1.020, -0.180},
+                      {-0.760, -0.430},
+                      {-0.400, -0.560},
+                      {0.010, -0.610},
+                      {0.440, -0.540},
+                      {0.810, -0.300}}};
+constexpr Loop k_crease{{{1.170, 0.040},
+                         {0.930, 0.640},
+                         {0.540, 0.900},
+                         {0.030, 0.980},
+                         {-0.470, 0.860},
+                         {-0.870, 0.500},
+                         {-1.100, -0.190},
+                         {-0.880, -0.620},
+                         {-0.460, -0.820},
+                         {0.000, -0.900},
+                         {0.510, -0.810},
+                         {0.970, -0.480}}};
+constexpr std::array<double, k_count> k_crease_depth{0.30, 0.64, 0.80, 0.84, 0.86, 0.82,
+                                                     0.74, 0.86, 0.92, 0.88, 0.72, 0.42};
 constexpr double k_rim_thickness = 0.1;
 
 ModelPoint center() { return {k_eye_center[0], k_eye_center[1], k_eye_center[2]}; }
@@ -56,7 +90,8 @@ void add_eye(Cage& cage, const std::vector<std::uint32_t>& border) {
   const auto& last = loops.back();
   std::array<std::uint32_t, 3> middle{};
   for (std::size_t i = 0; i < 3; ++i) {
-    middle[i] = cage.add(center() + ModelVector{(static_cast<double>(i) - 1) * 0.6, 0, -k_eye_radius * 1.18}, {-3, 5, 0});
+    middle[i] =
+        cage.add(center() + ModelVector{(static_cast<double>(i) - 1) * 0.6, 0, -k_eye_radius * 1.18}, {-3, 5, 0});
   }
   const std::array<std::uint32_t, 5> low{last[7], last[8], last[9], last[10], last[11]};
   const std::array<std::uint32_t, 5> mid{last[6], middle[0], middle[1], middle[2], last[0]};

@@ -15,9 +15,25 @@ constexpr double k_outside = 40;
 
 /// Height of the hair line, by the angle around the head (0 front, 180 back).
 double hair_line(double degrees) {
-  return profile({{0, 7.45},   {14, 7.6},   {26, 7.35}, {36, 6.6}, {44, 5.3},  {50, 4.0},   {56, 2.6},    {61, 1.0},
-                  {65, -0.4},  {70, -0.9},  {75, -0.2}, {80, 1.5}, {86, 2.6},  {100, 2.6},  {110, 1.3},   {118, -1.2},
-                  {128, -3.6}, {140, -4.7}, {180, -5.1}},
+  return profile({{0, 7.45},
+                  {14, 7.6},
+                  {26, 7.35},
+                  {36, 6.6},
+                  {44, 5.3},
+                  {50, 4.0},
+                  {56, 2.6},
+                  {61, 1.0},
+                  {65, -0.4},
+                  {70, -0.9},
+                  {75, -0.2},
+                  {80, 1.5},
+                  {86, 2.6},
+                  {100, 2.6},
+                  {110, 1.3},
+                  {118, -1.2},
+                  {128, -3.6},
+                  {140, -4.7},
+                  {180, -5.1}},
                  degrees);
 }
 
@@ -46,13 +62,13 @@ ModelPoint grown(const ModelPoint& p, double inside) {
   // The parting on the +x side, and the front that is swept up from it.
   const double parting = p.x - 2.6 + 0.1 * p.z;
   thick -= 0.5 * body * bump(parting * parting * 2.2) * top * ramp(-4.5, -1, p.z);
-  const double across = (p.x + 0.6) / 6.4;
+  const double across = (p.x + 0.5) / 8.0;
   const double along = (p.z - 5.4) / 5.4;
   const double front = ramp(-0.1, 1.6, inside) * bump(across * across + along * along) * top;
   // Strands fan out from the parting.
   const double fan = base::atan2(p.x - 2.6 + 0.1 * p.z, p.y + 0.5);
   thick += body * (0.08 * base::sin(fan * 15 + 0.25 * p.z) + 0.045 * base::sin(fan * 31 - 0.4 * p.z));
-  return p + out * thick + ModelVector{-0.35, 1.5, 0.9} * front;
+  return p + out * thick + ModelVector{-0.35, 1.35, 0.9} * front;
 }
 
 }  // namespace
@@ -64,8 +80,7 @@ Surface make_hair(const Surface& skin) {
     const double turn = 360.0 * static_cast<double>(j) / k_around;
     const double around = base::radians(turn);
     const ModelVector level{base::sin(around), 0, base::cos(around)};
-    const ModelPoint line =
-        scalp.towards({0, hair_line(turn > 180 ? 360 - turn : turn), k_middle.z}, level);
+    const ModelPoint line = scalp.towards({0, hair_line(turn > 180 ? 360 - turn : turn), k_middle.z}, level);
     const ModelVector start = line - k_middle;
     const double lowest = base::atan2(start.y, std::sqrt(start.x * start.x + start.z * start.z));
     for (std::size_t i = 0; i < k_rings; ++i) {

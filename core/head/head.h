@@ -24,8 +24,8 @@ struct HeadLandmarks {
 [[nodiscard]] HeadLandmarks head_landmarks();
 
 /// The built-in head: metres, y up, facing +z, symmetric to the plane x = 0, at rest with open eyes and closed lips.
-/// Parts: those of the skin (k_skin_parts; together one manifold, open at the neck only), eye, iris_rim, iris and pupil of
-/// each side (_L, _R), teeth and hair. Named curves: see make_curves in core/head/curves.h. Same bits every time.
+/// Parts: those of the skin (k_skin_parts; together one manifold, open at the neck only), eye, iris_rim, iris and pupil
+/// of each side (_L, _R), teeth and hair. Named curves: see make_curves in core/head/curves.h. Same bits every time.
 [[nodiscard]] document::Model make_head();
 
 }  // namespace penpose::head

@@ -4,8 +4,8 @@
 
 namespace penpose::head {
 
-/// A part of the sphere around the +x eye's centre, in centimetres: `radius` times the eye's, from the gaze axis outwards
-/// to `degrees` (180: all of it).
+/// A part of the sphere around the +x eye's centre, in centimetres: `radius` times the eye's, from the gaze axis
+/// outwards to `degrees` (180: all of it).
 [[nodiscard]] Surface make_eye_cap(double radius, double from_degrees, double to_degrees, int rings, int segments);
 
 /// The upper row of teeth, as one rounded band behind the lips, in centimetres.

@@ -54,7 +54,17 @@ ModelPoint carved(const ModelPoint& bare, const LoopMark& mark) {
 ModelPoint with_brow(const ModelPoint& p, const LoopMark& mark) {
   // Thinner than the control rows, with a pointed tail. Vertices slide along the face.
   const double line = brow_line(p.x);
-  const double pinch = profile({{0.6, 0.78}, {0.85, 0.68}, {1.15, 0.46}, {2.0, 0.38}, {3.4, 0.42}, {4.6, 0.65}, {5.3, 0.9}, {5.7, 0.96}, {6.3, 0.6}, {7.4, 0}}, p.x);
+  const double pinch = profile({{0.6, 0.78},
+                                {0.85, 0.68},
+                                {1.15, 0.46},
+                                {2.0, 0.38},
+                                {3.4, 0.42},
+                                {4.6, 0.65},
+                                {5.3, 0.9},
+                                {5.7, 0.96},
+                                {6.3, 0.6},
+                                {7.4, 0}},
+                               p.x);
   const double off = p.y - line;
   const double share = in_face(p, mark);
   const double slide = -off * pinch * (off > 0 ? ramp(3.2, 0.75, off) : ramp(1.7, 0.7, -off)) * share;

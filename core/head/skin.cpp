@@ -33,7 +33,8 @@ Pair whole(const Cage& cage) {
     pair.marks.positions.push_back(cage.marks[v]);
   }
   pair.shape.quads = cage.quads;
-  for (const mesh::Quad& q : cage.quads) pair.shape.quads.push_back({other[q[3]], other[q[2]], other[q[1]], other[q[0]]});
+  for (const mesh::Quad& q : cage.quads)
+    pair.shape.quads.push_back({other[q[3]], other[q[2]], other[q[1]], other[q[0]]});
   pair.marks.quads = pair.shape.quads;
   return pair;
 }
@@ -191,11 +192,13 @@ Skin make_skin(const Half& half) {
       const mesh::Quad& q = half.quads[at];
       if (needed[q[1]]) around.push_back(q[1]);
       around.push_back(q[2]);
-      const auto next = std::find_if(group.begin(), group.end(), [&](std::size_t g) { return half.quads[g][1] == q[3]; });
+      const auto next =
+          std::find_if(group.begin(), group.end(), [&](std::size_t g) { return half.quads[g][1] == q[3]; });
       if (next != group.end()) at = *next;
     }
     // From a point that a finer neighbour needs: no vertex stands out of the coarse surface.
-    std::rotate(around.begin(), std::find_if(around.begin(), around.end(), [&](std::uint32_t v) { return edge_point[v]; }),
+    std::rotate(around.begin(),
+                std::find_if(around.begin(), around.end(), [&](std::uint32_t v) { return edge_point[v]; }),
                 around.end());
     add_fan(mine, around);
   }

@@ -12,7 +12,7 @@ namespace penpose::head {
 struct Half {
   std::vector<ModelPoint> points;
   std::vector<LoopMark> marks;
-  std::vector<mesh::Quad> quads;  ///< counter-clockwise from outside; corner 0 is the middle of a coarser quad
+  std::vector<mesh::Quad> quads;       ///< counter-clockwise from outside; corner 0 is the middle of a coarser quad
   std::vector<std::uint32_t> coarser;  ///< one a quad: the number of that coarser quad
   std::vector<QuadKind> kinds;         ///< one a quad
 };

@@ -19,11 +19,11 @@ struct QuadMesh {
   std::vector<std::uint32_t> parents;
 };
 
-/// One level of Catmull and Clark's subdivision (1978): every quad becomes four, borders become cubic B-splines. Vertex v
-/// of the mesh is vertex v of the result; where new vertices stand in the result follows from the quads alone, so that
-/// two meshes with equal quads can be subdivided side by side. A new quad starts with the vertex in the middle of its
-/// parent; the vertex opposite to it is the one it shares with the cage.
-/// Errors: an index out of range, or quads that are no manifold (place "quad N").
+/// One level of Catmull and Clark's subdivision (1978): every quad becomes four, borders become cubic B-splines. Vertex
+/// v of the mesh is vertex v of the result; where new vertices stand in the result follows from the quads alone, so
+/// that two meshes with equal quads can be subdivided side by side. A new quad starts with the vertex in the middle of
+/// its parent; the vertex opposite to it is the one it shares with the cage. Errors: an index out of range, or quads
+/// that are no manifold (place "quad N").
 [[nodiscard]] base::Result<QuadMesh> catmull_clark(const QuadMesh& mesh);
 
 }  // namespace penpose::mesh

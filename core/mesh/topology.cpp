@@ -51,10 +51,15 @@ std::vector<Rim> border_edges(const MeshSource& source, std::span<const std::uin
     const Triangle& t = welded[edges[i].triangle];
     std::size_t k = 0;
     while (std::minmax(t[k], t[(k + 1) % 3]) != std::minmax(edges[i].low, edges[i].high)) ++k;
-    const auto part = std::upper_bound(source.parts.begin(), source.parts.end(), edges[i].triangle,
-                                       [](std::uint32_t triangle, const Part& p) { return triangle < p.first_triangle; });
-    Rim rim{source.positions[t[k]], source.positions[t[(k + 1) % 3]], t[k], t[(k + 1) % 3],
-            static_cast<std::uint32_t>(part - source.parts.begin()), true};
+    const auto part =
+        std::upper_bound(source.parts.begin(), source.parts.end(), edges[i].triangle,
+                         [](std::uint32_t triangle, const Part& p) { return triangle < p.first_triangle; });
+    Rim rim{source.positions[t[k]],
+            source.positions[t[(k + 1) % 3]],
+            t[k],
+            t[(k + 1) % 3],
+            static_cast<std::uint32_t>(part - source.parts.begin()),
+            true};
     if (std::tie(rim.high.x, rim.high.y, rim.high.z) < std::tie(rim.low.x, rim.low.y, rim.low.z)) {
       std::swap(rim.low, rim.high);
       std::swap(rim.low_vertex, rim.high_vertex);

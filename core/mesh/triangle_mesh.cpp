@@ -13,13 +13,17 @@ base::Error at(std::string what, const char* kind, std::size_t index, std::strin
   return {std::move(what), std::string(kind) + " " + std::to_string(index), std::move(remedy)};
 }
 
-/// Not inlined: from -O2 on, GCC 12 drops the way to float and back where it vectorises both in one block.
-[[gnu::noinline]] glm::vec3 to_float(const ModelPoint& p) { return glm::vec3(p); }
+/// GCC 12 takes two neighbouring conversions to float and back for nothing at all (-O2, superword vectorizer); a
+/// volatile number is really stored.
+double rounded_to_float(double value) {
+  const volatile float rounded = static_cast<float>(value);
+  return static_cast<double>(rounded);
+}
 
 std::optional<base::Error> check_positions(MeshSource& source) {
   for (std::size_t v = 0; v < source.positions.size(); ++v) {
     ModelPoint& p = source.positions[v];
-    p = ModelPoint(to_float(p));
+    p = {rounded_to_float(p.x), rounded_to_float(p.y), rounded_to_float(p.z)};
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
       return at("the position is not a finite number", "vertex", v,
                 "export the model again without NaN or infinite positions");

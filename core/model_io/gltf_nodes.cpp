@@ -73,7 +73,8 @@ base::Result<NodeTransform> take_apart(const std::vector<double>& m, const std::
     transform.scale.x = -transform.scale.x;
     (*axes)[0] = -(*axes)[0];
   }
-  transform.rotation = glm::normalize(glm::quat_cast(*axes));
+  const glm::dquat turned = glm::quat_cast(*axes);
+  transform.rotation = turned / std::sqrt(glm::dot(turned, turned));
   return transform;
 }
 

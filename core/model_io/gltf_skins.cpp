@@ -25,6 +25,11 @@ class SkeletonReader {
       : document_(document), tree_(tree), meshes_(meshes), extras_(extras) {}
 
   base::Result<GltfSkeleton> read() {
+    for (std::size_t i = 0; i < meshes_.origins.size(); ++i) {
+      const std::int32_t skin = skin_of(i);
+      if (skin == k_none || !document_.model.skins[static_cast<std::size_t>(skin)].joints.empty()) continue;
+      return base::Error{"the skin has no joints", "/skins/" + std::to_string(skin), k_export_again};
+    }
     if (auto status = read_transforms(); !status) return status.error();
     find_carriers();
     find_joints();
@@ -257,8 +262,6 @@ class SkeletonReader {
         bind = extras_[node].inverse_bind.value_or(bind);
         joints_of_skin_[s].push_back(extras_[node].still ? k_still : joint_with_bind(node, bind));
       }
-      if (skin.joints.empty())
-        return base::Error{"the skin has no joints", "/skins/" + std::to_string(s), k_export_again};
     }
     return base::Done{};
   }

@@ -60,8 +60,7 @@ class Soup {
 
 base::Result<document::Model> read_binary(base::Bytes bytes) {
   base::ByteReader reader(bytes);
-  reader.seek(80);
-  const auto count = reader.read<std::uint32_t>();
+  const auto count = reader.seek(80) ? reader.read<std::uint32_t>() : std::nullopt;
   if (!count)
     return base::Error{"the header is cut off", "byte offset " + std::to_string(bytes.size()), k_export_again};
   if (*count > reader.remaining() / 50) {

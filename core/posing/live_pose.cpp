@@ -1,6 +1,7 @@
 #include "core/posing/live_pose.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/curve/pairing.h"
 #include "core/curve/polyline.h"
@@ -159,7 +160,9 @@ base::Result<LivePoser> LivePoser::start(const rig::Rig& rig, LiveSetup setup) {
 LiveStep LivePoser::follow(std::span<const geometry::PxPoint> target) {
   LiveStep step;
   State& s = *state_;
-  if (target.size() < 2 || !(curve::arc_length(target) > 0.0) || s.variables.count() == 0) return step;
+  if (target.size() < 2 || s.variables.count() == 0) return step;
+  const double drawn = curve::arc_length(target);
+  if (!(drawn > 0.0) || !std::isfinite(drawn)) return step;
   step.matched = s.match(target);
   s.solve(step);
   s.residuals.resize(s.system.residual_count());

@@ -32,10 +32,11 @@ class Run {
     start(u, image);
     sum_up();
     std::size_t since_sum = 0;
-    while (evaluations_ < options_.max_evaluations) {
+    while (left() >= 2) {
       rank();
       if (small_enough()) break;
       const double travelled = step();
+      if (exhausted_) break;
       if (options_.travel_tolerance > 0.0 && travelled < options_.travel_tolerance) break;
       // The running sums gather rounding errors; a fresh sum now and then keeps them harmless.
       if (++since_sum >= 4 * d_ + 32) {
@@ -52,6 +53,10 @@ class Run {
  private:
   std::span<double> vertex(std::size_t i) { return std::span(w_.vertices).subspan(i * d_, d_); }
   std::span<double> image(std::size_t i) { return std::span(w_.images).subspan(i * m_, m_); }
+
+  [[nodiscard]] std::size_t left() const {
+    return options_.max_evaluations - std::min(options_.max_evaluations, evaluations_);
+  }
 
   double evaluate(std::span<const double> u, std::span<const double> im) {
     ++evaluations_;
@@ -152,6 +157,10 @@ class Run {
     const bool outside = reflected < w_.values[worst_];
     const double contracted = attempt(outside ? contraction_ : -contraction_, w_.second, w_.second_image);
     if (contracted < std::min(reflected, w_.values[worst_])) return replace(w_.second, w_.second_image, contracted);
+    if (left() < d_) {
+      exhausted_ = true;
+      return 0;
+    }
     return shrink();
   }
 
@@ -187,6 +196,7 @@ class Run {
   std::size_t worst_ = 0;
   std::size_t second_worst_ = 0;
   std::size_t evaluations_ = 0;
+  bool exhausted_ = false;  ///< a shrink would take more evaluations than are left
 };
 
 }  // namespace

@@ -13,8 +13,8 @@ struct SimplexOptions {
   double size_tolerance = 1e-4;   ///< stop when every vertex is this near to the best one (share of the range) ...
   double value_tolerance = 1e-6;  ///< ... and the values differ by less than this share of the best value
   double travel_tolerance = 0;    ///< the paper's rule: stop when an iteration moves its vertex by less; 0: not used
-  std::size_t max_evaluations = 1000000;
-  bool adaptive = true;  ///< coefficients that depend on the dimension (Gao and Han 2012)
+  std::size_t max_evaluations = 1000000;  ///< never exceeded, but the first simplex takes one more than variables
+  bool adaptive = true;                   ///< coefficients that depend on the dimension (Gao and Han 2012)
 };
 
 /// Scratch memory, worth keeping between runs.

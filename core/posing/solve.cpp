@@ -99,13 +99,14 @@ base::Result<Solution> solve(const rig::Rig& rig, const PoseProblem& problem, co
   const auto limit = [&](double found) {
     return found + options.clean_up * std::max(0.0, solution.energy_start - found);
   };
+  std::size_t put_back = 0;
   if (solution.linear) {
     LinearSolution state(linear, u);
-    clean_up(state, limit(state.energy()));
+    put_back = clean_up(state, limit(state.energy()));
     solution.evaluations += state.evaluations();
   } else {
     GeneralSolution state(system, variables, problem.start, u);
-    clean_up(state, limit(state.energy()));
+    put_back = clean_up(state, limit(state.energy()));
     solution.evaluations += state.evaluations();
   }
 
@@ -119,8 +120,7 @@ base::Result<Solution> solve(const rig::Rig& rig, const PoseProblem& problem, co
   system.residuals(pose, residuals);
   const double energy = system.energy(residuals);
   if (energy > solution.energy_start) return solution;
-  for (std::size_t i = 0; i < u.size(); ++i)
-    solution.put_back += pose[variables.parameter[i]] == problem.start[variables.parameter[i]] ? 1 : 0;
+  solution.put_back = put_back;
   solution.pose = std::move(pose);
   solution.energy = energy;
   solution.max_distance = system.longest(residuals);

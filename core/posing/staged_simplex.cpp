@@ -37,15 +37,18 @@ StageResult run_stages(PoseObjective& objective, std::span<const double> effects
   double before = 0;
   std::vector<double> last(u.begin(), u.end());
   std::vector<double> progress(d, 0.0);
-  while (result.sweeps < options.max_sweeps && result.evaluations < options.max_evaluations) {
+  bool exhausted = false;
+  while (result.sweeps < options.max_sweeps && !exhausted) {
     for (std::size_t s = 0; s < stages; ++s) {
       const std::size_t begin = d * s / stages;
       const std::size_t end = d * (s + 1) / stages;
+      const std::size_t left = options.max_evaluations - result.evaluations;
+      exhausted = left < end - begin + 1;
+      if (exhausted) break;
       // A stage is one of many: it need not be exact, only better. The whole is searched to the end.
       simplex.value_tolerance = stages == 1 ? options.gain_tolerance * 0.1 : options.gain_tolerance;
       simplex.size_tolerance = simplex.step * (stages == 1 ? 0.002 : 0.05);
-      simplex.max_evaluations = std::min(
-          options.max_evaluations - std::min(options.max_evaluations, result.evaluations), 400 * (end - begin + 1));
+      simplex.max_evaluations = std::min(left, 400 * (end - begin + 1));
       result.value = search(objective, std::span(order).subspan(begin, end - begin), simplex, u, work, result);
     }
     ++result.sweeps;

@@ -14,7 +14,7 @@ struct StageOptions {
   double first_step = 0.25;      ///< edge of the first simplex, share of a variable's range
   double gain_tolerance = 1e-4;  ///< stop when a whole sweep, or a restart, gains less than this share of the value
   std::size_t max_sweeps = 40;
-  std::size_t max_evaluations = 200000;
+  std::size_t max_evaluations = 200000;  ///< never exceeded: without room for another simplex the search ends
 };
 
 struct StageWorkspace {

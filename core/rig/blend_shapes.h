@@ -35,6 +35,8 @@ class BlendShapes final : public DisplacementLayer {
   };
 
   [[nodiscard]] std::span<const BlendShape> shapes() const { return shapes_; }
+  /// Of the mesh that they are for.
+  [[nodiscard]] std::size_t vertex_count() const { return first_entry_.size() - 1; }
   /// The shapes that move a vertex, ascending.
   [[nodiscard]] std::span<const Entry> entries_of(std::uint32_t vertex) const {
     return std::span(entries_).subspan(first_entry_[vertex], first_entry_[vertex + 1] - first_entry_[vertex]);

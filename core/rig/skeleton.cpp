@@ -40,7 +40,7 @@ base::Result<std::shared_ptr<const Skeleton>> Skeleton::make(std::vector<Joint> 
   }
   for (std::size_t v = 0; v + 1 < first_influence.size(); ++v) {
     const std::string place = "vertex " + std::to_string(v);
-    if (first_influence[v] > first_influence[v + 1])
+    if (first_influence[v] > first_influence[v + 1] || first_influence[v + 1] > influences.size())
       return base::Error{"the influences are out of order", place, "export the model again"};
     double sum = 0;
     for (std::uint32_t k = first_influence[v]; k < first_influence[v + 1]; ++k) {

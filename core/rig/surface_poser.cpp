@@ -177,7 +177,10 @@ void SurfacePoser::update_normals_of(std::uint32_t first, std::uint32_t last) {
     const Float4 length = {std::sqrt(squared[0]), std::sqrt(squared[1]), std::sqrt(squared[2]), std::sqrt(squared[3])};
     const Float4 inverse = geometry::splat(1.0F) / length;
     for (std::uint32_t lane = 0; lane < count; ++lane) {
-      if (!(squared[static_cast<int>(lane)] > 0.0F)) continue;  // no area: the normal before stands
+      if (!(squared[static_cast<int>(lane)] > 0.0F)) {
+        normals_[begin + lane] = glm::vec3(0, 0, 1);
+        continue;
+      }
       const Float4 unit = sums[lane] * geometry::splat(inverse[static_cast<int>(lane)]);
       std::memcpy(&normals_[begin + lane].x, &unit, 3 * sizeof(float));
     }

@@ -14,8 +14,8 @@ namespace penpose::rig {
 
 /// The whole posed surface for showing and picking: world positions and unit normals in float, updated in place with
 /// only what changed since the pose before. Deltas are added in the order of their parameters, so that the same pose
-/// gives the same bits whatever came before it. Positions agree with Rig::evaluate to float precision. Holds the posed
-/// state: one for each view.
+/// gives the same bits whatever came before it. A vertex without area around it gets +z. Positions agree with
+/// Rig::evaluate to float precision. Holds the posed state: one for each view.
 class SurfacePoser {
  public:
   explicit SurfacePoser(std::shared_ptr<const CharacterRig> rig);

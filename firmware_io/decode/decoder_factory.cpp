@@ -144,9 +144,11 @@ base::Result<Recognition> make_decoder(const DeviceIdentity& device, const Table
   }
   auto vendor = make_tablet_decoder(*match);
   const std::string method = "protocol " + match->identifier->protocol->name;
-  if (!described) return Recognition{std::move(vendor), method, match->is_pad};
-  return Recognition{std::make_unique<FallbackDecoder>(std::move(*pens), std::move(described), std::move(vendor)),
-                     "descriptor, " + method, false};
+  const bool is_pad = match->is_pad && !described;
+  const std::string prefix = described ? "descriptor, " : "";
+  return Recognition{
+      std::make_unique<FallbackDecoder>(descriptor, std::move(pens), std::move(described), std::move(vendor)),
+      prefix + method, is_pad};
 }
 
 }  // namespace penpose::decode

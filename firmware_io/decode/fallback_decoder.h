@@ -1,15 +1,24 @@
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "firmware_io/decode/pen_decoder.h"
 #include "firmware_io/decode/pen_layout.h"
 
 namespace penpose::decode {
 
-/// A tablet that describes a pen but may have been switched to its vendor's reports, which no descriptor mentions: each
-/// report that a pen is described for, with just that length, goes to the first decoder, every other to the second.
+/// Lengths of the reports that a descriptor gives to a mouse, a keyboard or media keys, by report id; 0 elsewhere.
+using ForeignReports = std::array<std::uint32_t, 256>;
+[[nodiscard]] ForeignReports find_foreign_reports(const hid::ReportDescriptor& descriptor);
+
+/// A tablet with a protocol of its vendor, whose reports no descriptor mentions, beside what it does describe. A report
+/// that has just the id and length of a described pen goes to the first decoder (if there is one), one of a described
+/// mouse or keyboard to none, every other to the vendor's.
 class FallbackDecoder final : public PenDecoder {
  public:
-  FallbackDecoder(PenLayout layout, std::unique_ptr<PenDecoder> described, std::unique_ptr<PenDecoder> vendor);
+  FallbackDecoder(const hid::ReportDescriptor& descriptor, std::optional<PenLayout> layout,
+                  std::unique_ptr<PenDecoder> described, std::unique_ptr<PenDecoder> vendor);
 
   ReportKind decode(base::Bytes report) override;
   void reset() override;
@@ -18,8 +27,12 @@ class FallbackDecoder final : public PenDecoder {
   [[nodiscard]] std::span<const PenSample> frames() const override { return used_->frames(); }
 
  private:
-  PenLayout layout_;
-  std::unique_ptr<PenDecoder> described_;
+  [[nodiscard]] bool is_foreign(base::Bytes report) const;
+
+  bool has_report_ids_;
+  ForeignReports foreign_;
+  std::optional<PenLayout> layout_;
+  std::unique_ptr<PenDecoder> described_;  ///< null when the descriptor has no pen
   std::unique_ptr<PenDecoder> vendor_;
   PenDecoder* used_ = nullptr;
 };

@@ -47,9 +47,22 @@ struct PenControl {
   std::int64_t maximum = 0;
   std::int32_t collection = -1;
 
+  /// Its value in a report that reaches at least to its end, as `PenLayout::find` makes sure. Written out here because
+  /// this is where a decoder spends its time; at most 32 bits.
   [[nodiscard]] std::int64_t value(base::Bytes report) const {
-    return is_signed ? hid::extract_signed(report, bit_offset, bit_size)
-                     : static_cast<std::int64_t>(hid::extract_unsigned(report, bit_offset, bit_size));
+    const std::size_t first = bit_offset / 8;
+    const unsigned shift = bit_offset % 8;
+    std::uint64_t word = 0;
+    if (first + 8 <= report.size()) {
+      for (std::size_t i = 0; i < 8; ++i) word |= static_cast<std::uint64_t>(report[first + i]) << (8 * i);
+    } else {
+      for (std::size_t i = first; i < report.size(); ++i)
+        word |= static_cast<std::uint64_t>(report[i]) << (8 * (i - first));
+    }
+    word = (word >> shift) & ((std::uint64_t{1} << bit_size) - 1);
+    if (!is_signed) return static_cast<std::int64_t>(word);
+    const std::uint64_t sign = std::uint64_t{1} << (bit_size - 1);
+    return static_cast<std::int64_t>((word ^ sign) - sign);
   }
 };
 

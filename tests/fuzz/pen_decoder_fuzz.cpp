@@ -23,6 +23,15 @@ decode::DeviceIdentity chosen_device(base::ByteReader& reader) {
     device.bus = decode::find_wacom_model(decode::k_bus_usb, device.vendor, device.product) != nullptr
                      ? decode::k_bus_usb
                      : decode::k_bus_bluetooth;
+  } else if (choice < 240) {
+    // A tablet of the other table, beside whatever its descriptor will be.
+    const auto tablets = decode::known_tablets().tablets();
+    const auto& identifier = tablets[(choice - models.size()) * 4 % tablets.size()].identifiers.front();
+    device.vendor = identifier.vendor;
+    device.product = identifier.product;
+    device.input_report_length = identifier.input_report_length;
+    device.output_report_length = identifier.output_report_length;
+    device.feature_report_length = identifier.feature_report_length;
   } else {
     device.product = 0xffff;  // in no table
     if (choice % 2 == 0) device.vendor = 0x1b96;

@@ -37,7 +37,7 @@ TEST(ReadOff, NamesTheLineOfAFault) {
   EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n").place, "line 6");
   EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n9999 0 1 2\n").place, "line 6");
   EXPECT_EQ(error("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").place, "line 6");
-  EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n").place, "line 4");
+  EXPECT_EQ(error("OFF\n3 1 0\n0.00 0.00 0.00\n1.00 0.00 0.00\n").place, "line 4");
 }
 
 }  // namespace

@@ -71,7 +71,8 @@ TEST(WriteGlb, AnotherParserAgrees) {
       << errors;
   EXPECT_EQ(errors + warnings, "");
   EXPECT_EQ(parsed.meshes.size(), 5U);
-  EXPECT_EQ(parsed.accessors[0].minValues.size(), 3U);
+  const int position = parsed.meshes[0].primitives[0].attributes.at("POSITION");
+  EXPECT_EQ(parsed.accessors[static_cast<std::size_t>(position)].minValues.size(), 3U);
   EXPECT_EQ(parsed.skins.size(), 1U);
 }
 

@@ -14,7 +14,6 @@ namespace {
 /// Look-ahead is passed over, so the caller checks that the pattern is really found.
 std::string example_of(std::string_view pattern) {
   std::string text;
-  std::size_t group_start = 0;
   bool skipping = false;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
     if (pattern.substr(i).starts_with("(?!")) {
@@ -24,11 +23,13 @@ std::string example_of(std::string_view pattern) {
       }
       continue;
     }
-    if (pattern.substr(i).starts_with("(?:")) i += 2;
+    if (pattern.substr(i).starts_with("(?:")) {
+      i += 2;
+      continue;
+    }
     const char letter = pattern[i];
-    if (letter == '(' || letter == '?' || letter == ':') {
-      group_start = text.size();
-    } else if (letter == '|') {
+    if (letter == '(') continue;
+    if (letter == '|') {
       skipping = true;
     } else if (letter == ')') {
       skipping = false;
@@ -48,7 +49,6 @@ std::string example_of(std::string_view pattern) {
       text += letter;
     }
   }
-  (void)group_start;
   return text;
 }
 
