@@ -46,7 +46,7 @@ TEST(ExpressionFile, FaultsNameTheirPlace) {
 }
 
 TEST(ExpressionFile, WhatIsNoJsonIsRefused) {
-  for (const std::string text : {std::string(), std::string("{"), std::string("\xff\xfe"), std::string(100000, '[')}) {
+  for (const std::string& text : {std::string(), std::string("{"), std::string("\xff\xfe"), std::string(100000, '[')}) {
     EXPECT_FALSE(read_expressions(text).ok());
   }
 }
