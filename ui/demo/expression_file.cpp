@@ -1,6 +1,7 @@
 #include "ui/demo/expression_file.h"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -19,7 +20,7 @@ class Reader {
   [[nodiscard]] const std::optional<base::Error>& error() const { return error_; }
 
   void fail(const std::string& pointer, const std::string& what) {
-    if (!error_) error_ = base::Error{what, pointer, "see the format in the documentation"};
+    if (!error_) error_ = base::Error{what, pointer, "write it as the other expressions are written"};
   }
   const Json& member(const Json& object, const std::string& pointer, const char* name) {
     static const Json none;
