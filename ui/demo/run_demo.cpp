@@ -8,6 +8,13 @@
 namespace penpose::demo {
 namespace {
 
+/// Files keep the keys of animations as floats; keys that are floats from the start read back as they are. Volatile,
+/// because GCC 12 drops the rounding of double -> float -> double when it packs two of them into one vector.
+double to_float_precision(double value) {
+  const volatile float rounded = static_cast<float>(value);
+  return static_cast<double>(rounded);
+}
+
 /// From rest to every expression and back; each is reached, held and left.
 document::Animation through_all(const document::Model& model, const std::vector<PosedExpression>& expressions) {
   constexpr double k_move_s = 0.4;
@@ -16,9 +23,9 @@ document::Animation through_all(const document::Model& model, const std::vector<
   document::Channel& channel = animation.channels.front();
   double now_s = 0;
   const auto key = [&](const rig::Pose& pose) {
-    channel.times_s.push_back(now_s);
-    channel.values.insert(channel.values.end(), pose.begin(),
-                          pose.begin() + static_cast<std::ptrdiff_t>(document::weight_count(model)));
+    channel.times_s.push_back(to_float_precision(now_s));
+    for (std::size_t i = 0; i < document::weight_count(model); ++i)
+      channel.values.push_back(to_float_precision(pose[i]));
   };
   const rig::Pose rest = rig::rest_pose(*model.rig);
   key(rest);

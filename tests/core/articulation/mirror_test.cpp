@@ -56,10 +56,12 @@ TEST(Mirror, TheLeftLidMakesTheRightLidAndBackAgain) {
     left->carriage().displacements(0.6, work, a);
     right->carriage().displacements(0.6, work, b);
     const std::uint32_t other_side = Eye::k_rings * Eye::k_columns;
+    // Positions are floats; where the plane is not at 0 those of the two sides round differently.
+    const double rounding = shift == 0.0 ? 1e-6 : 1e-4;
     for (std::size_t i = 0; i < a.size(); ++i) {
       EXPECT_EQ(right->vertices()[i], left->vertices()[i] + other_side);
-      EXPECT_NEAR(right->weights()[i], left->weights()[i], 1e-6);
-      EXPECT_LT(geometry::distance(b[i], {-a[i].x, a[i].y, a[i].z}), 1e-6);
+      EXPECT_NEAR(right->weights()[i], left->weights()[i], rounding);
+      EXPECT_LT(geometry::distance(b[i], {-a[i].x, a[i].y, a[i].z}), rounding);
     }
     const Sketch back = mirrored(mirrored(sketch, plane), plane);
     EXPECT_EQ(back.name, sketch.name);
