@@ -247,8 +247,8 @@ void TriangleBvh::test_block(const Block& block, Query& q) {
   std::array<double, 4> high;
   std::memcpy(low.data(), &least, sizeof least);
   std::memcpy(high.data(), &most, sizeof most);
-  const auto inside = [&](std::size_t lane) { return !(low[lane] < 0.0) | !(high[lane] > 0.0); };
-  if (!(inside(0) | inside(1) | inside(2) | inside(3))) return;
+  const auto inside = [&](std::size_t lane) { return !(low[lane] < 0.0) || !(high[lane] > 0.0); };
+  if (!inside(0) && !inside(1) && !inside(2) && !inside(3)) return;
   const Double4 det = u + v + w;
   const Double4 t = (u * z[0] + v * z[1] + w * z[2]) * q.shear_z;
   for (int lane = 0; lane < 4; ++lane) {
