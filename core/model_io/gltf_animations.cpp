@@ -105,8 +105,10 @@ class AnimationReader {
         read_elements(document_, sampler.input, {.type = TINYGLTF_TYPE_SCALAR, .float_only = true, .needs_data = true});
     if (!times) return times.error();
     for (const float time : times->dense()) {
-      if (!(time >= 0.0F) || !std::isfinite(time) || (!keys.times_s.empty() && !(static_cast<double>(time) > keys.times_s.back()))) {
-        return base::Error{"the times of the keys do not ascend from zero or more", accessor_pointer(sampler.input), k_export_again};
+      if (!(time >= 0.0F) || !std::isfinite(time) ||
+          (!keys.times_s.empty() && !(static_cast<double>(time) > keys.times_s.back()))) {
+        return base::Error{"the times of the keys do not ascend from zero or more", accessor_pointer(sampler.input),
+                           k_export_again};
       }
       keys.times_s.push_back(static_cast<double>(time));
     }
