@@ -1,5 +1,7 @@
 #include "firmware_io/decode/tablet_table.h"
 
+#include <algorithm>
+
 #include "firmware_io/decode/embedded_files.h"
 #include "firmware_io/decode/layout_decoder.h"
 #include "firmware_io/decode/tablet_reader.h"
@@ -34,8 +36,8 @@ class Matcher {
   }
   void add(int score) { fit_.score += score; }
   void leave_open() {
-    fit_.score += k_open;
-    ++fit_.open;
+    // How many more conditions are unknown says nothing about which tablet it is.
+    if (fit_.open++ == 0) fit_.score += k_open;
   }
   void contradict() { contradicted_ = true; }
   [[nodiscard]] std::optional<Fit> fit() const { return contradicted_ ? std::nullopt : std::optional<Fit>(fit_); }
@@ -72,6 +74,27 @@ std::optional<Fit> fit(const TabletIdentifier& identifier, const DeviceIdentity&
   return match.fit();
 }
 
+/// An identifier that the device may be.
+struct Candidate {
+  const Tablet* tablet = nullptr;
+  const TabletIdentifier* identifier = nullptr;
+  bool is_pad = false;
+  Fit fit;
+};
+
+/// Whether a device's name holds a tablet's as a word of its own: "Tablet_H640P" holds "H640P" but not "H640".
+bool is_named(const std::string& tablet, const std::string& device) {
+  const auto in_word = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  };
+  if (tablet.size() < 3) return false;
+  for (std::size_t at = device.find(tablet); at != std::string::npos; at = device.find(tablet, at + 1)) {
+    const std::size_t end = at + tablet.size();
+    if ((at == 0 || !in_word(device[at - 1])) && (end == device.size() || !in_word(device[end]))) return true;
+  }
+  return false;
+}
+
 TabletTable read_embedded() {
   auto tablets = read_tablet_file(embedded_tablets());
   return tablets ? std::move(tablets).value() : TabletTable{};
@@ -84,19 +107,12 @@ Axis axis_to(std::int32_t maximum, double size_mm) {
 }  // namespace
 
 std::optional<TabletMatch> TabletTable::find(const DeviceIdentity& device) const {
-  std::optional<TabletMatch> best;
-  Fit best_fit;
-  bool contested = false;
+  std::vector<Candidate> candidates;
   const auto look = [&](const Tablet& tablet, const TabletIdentifier& identifier, bool is_pad) {
-    const auto found = fit(identifier, device);
+    auto found = fit(identifier, device);
     if (!found) return;
-    if (best && found->score <= best_fit.score) {
-      contested = contested || (found->score == best_fit.score && best->tablet != &tablet);
-      return;
-    }
-    best = TabletMatch{&tablet, &identifier, is_pad, false};
-    best_fit = *found;
-    contested = false;
+    if (is_named(tablet.name, device.name)) found->score += k_met_in_name;
+    candidates.push_back({&tablet, &identifier, is_pad, *found});
   };
   for (const auto& tablet : tablets_) {
     for (const auto& identifier : tablet.identifiers) look(tablet, identifier, false);
@@ -104,8 +120,22 @@ std::optional<TabletMatch> TabletTable::find(const DeviceIdentity& device) const
   for (const auto& tablet : tablets_) {
     for (const auto& identifier : tablet.pads) look(tablet, identifier, true);
   }
-  if (best) best->certain = best_fit.open == 0 && !contested;
-  return best;
+  if (candidates.empty()) return std::nullopt;
+  const auto top = std::max_element(candidates.begin(), candidates.end(),
+                                    [](const Candidate& a, const Candidate& b) { return a.fit.score < b.fit.score; });
+  const int best_score = top->fit.score;
+  std::erase_if(candidates, [best_score](const Candidate& one) { return one.fit.score < best_score; });
+  // Of tablets that nothing known tells apart, one that is read as most of them are is most likely read right.
+  const auto votes = [&](const Candidate& candidate) {
+    return std::count_if(candidates.begin(), candidates.end(), [&](const Candidate& other) {
+      return other.identifier->protocol == candidate.identifier->protocol;
+    });
+  };
+  const auto best = std::max_element(candidates.begin(), candidates.end(),
+                                     [&](const Candidate& a, const Candidate& b) { return votes(a) < votes(b); });
+  const bool contested = std::any_of(candidates.begin(), candidates.end(),
+                                     [&](const Candidate& other) { return other.tablet != best->tablet; });
+  return TabletMatch{best->tablet, best->identifier, best->is_pad, best->fit.open == 0 && !contested};
 }
 
 const TabletTable& known_tablets() {

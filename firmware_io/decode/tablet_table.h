@@ -79,7 +79,8 @@ class TabletTable {
   [[nodiscard]] std::span<const Tablet> tablets() const { return tablets_; }
 
   /// The tablet that the interface belongs to. An identifier fits when nothing known contradicts it; of several the one
-  /// with the most conditions met wins, then the earlier. Nothing when none fits.
+  /// with the most conditions met wins, then one of the protocol that most of the others have, then the earlier.
+  /// Nothing when none fits.
   [[nodiscard]] std::optional<TabletMatch> find(const DeviceIdentity& device) const;
 
  private:

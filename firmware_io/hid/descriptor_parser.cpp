@@ -1,3 +1,5 @@
+// One file above the usual size: the items of a descriptor act on one shared state, and their rules are read together.
+
 #include <algorithm>
 #include <optional>
 #include <string>

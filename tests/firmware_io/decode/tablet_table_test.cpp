@@ -173,6 +173,23 @@ TEST(TabletTable, TheNameHelpsWhereStringsWereNotRead) {
   EXPECT_FALSE(match->certain);
 }
 
+TEST(TabletTable, ATabletsOwnNameHelpsToo) {
+  auto device = huion(0x006d, "");
+  device.name = "HUION Huion Tablet_H640P Pen";
+  EXPECT_EQ(known_tablets().find(device)->tablet->name, "H640P");
+  device.name = "HUION Huion Tablet_H640PX Pen";
+  EXPECT_NE(known_tablets().find(device)->tablet->name, "H640P");
+}
+
+TEST(TabletTable, WhatNothingTellsApartIsReadAsMostOfItIs) {
+  auto device = huion(0x006e, "");
+  device.input_report_length = 8;
+  const auto match = known_tablets().find(device);
+  ASSERT_TRUE(match.has_value());
+  EXPECT_EQ(match->identifier->protocol->name, "uclogic");
+  EXPECT_FALSE(match->certain);
+}
+
 TEST(TabletTable, OwnTabletsGoFirst) {
   const auto own = read_tablet_file(R"({"penpose_tablets": 1, "tablets": [{"vendor": "Mine", "name": "One",
     "size_mm": [1, 1], "max": [1, 1], "max_pressure": 1, "identifiers": [{"id": "256c:006d", "protocol": "xp_pen"}]}]})");
