@@ -218,7 +218,8 @@ class Summary final : public benchmark::ConsoleReporter {
       const auto gap = run.counters.find("gap_percent");
       if (gap == run.counters.end()) continue;
       const std::string name = run.benchmark_name();
-      auto& rows = table_[name.substr(0, name.rfind('/'))];
+      // free/solver/case and the benchmark's own options: the first two name the row.
+      auto& rows = table_[name.substr(0, name.find('/', name.find('/') + 1))];
       rows.first.push_back(gap->second.value);
       rows.second.push_back(run.GetAdjustedRealTime());
     }

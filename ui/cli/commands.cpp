@@ -3,6 +3,7 @@
 #include "ui/cli/articulate_command.h"
 #include "ui/cli/convert_command.h"
 #include "ui/cli/decode_command.h"
+#include "ui/cli/demo_command.h"
 #include "ui/cli/devices_command.h"
 #include "ui/cli/info_command.h"
 #include "ui/cli/pose_command.h"
@@ -12,6 +13,7 @@ namespace penpose::cli {
 
 std::vector<AddCommand> all_commands() {
   return {
+      add_demo_command,        //
       add_info_command,        //
       add_devices_command,     //
       add_decode_command,      //

@@ -4,13 +4,28 @@
 #include <vector>
 
 #include "core/base/numbers.h"
+#include "core/head/head.h"
 #include "core/model_io/read_model.h"
 #include "ui/cli/closest_name.h"
 #include "ui/cli/files.h"
+#include "ui/demo/demo_head.h"
 
 namespace penpose::cli {
 
+namespace {
+
+constexpr std::string_view k_built_in = "builtin:";
+
+base::Result<document::Model> built_in_model(std::string_view name) {
+  if (name == "head") return head::make_head();
+  if (name == "demo") return demo::make_demo_head();
+  return base::Error{"there is no such model in the program", "", "use builtin:head or builtin:demo"};
+}
+
+}  // namespace
+
 base::Result<document::Model> load_model(const std::string& path) {
+  if (path.starts_with(k_built_in)) return built_in_model(std::string_view(path).substr(k_built_in.size()));
   const auto bytes = read_file(path);
   if (!bytes) return bytes.error();
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();

@@ -7,7 +7,8 @@
 
 namespace penpose::cli {
 
-/// Opens and reads a model, and the files beside it that it names. Errors of the file system and of the reader.
+/// Opens and reads a model, and the files beside it that it names; "builtin:head" is the built-in head and
+/// "builtin:demo" the same with the deformers of the demo. Errors of the file system and of the reader.
 [[nodiscard]] base::Result<document::Model> load_model(const std::string& path);
 
 /// Sets one parameter of the model's pose from "NAME=VALUE". Errors: no "=", no number, no parameter of that name (the

@@ -7,7 +7,8 @@ namespace penpose::render {
 namespace {
 
 constexpr std::string_view k_desktop = "#version 140\n";
-constexpr std::string_view k_embedded = "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
+constexpr std::string_view k_embedded =
+    "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
 
 std::string first_line(std::string text) { return text.substr(0, text.find('\n')); }
 

@@ -1,6 +1,6 @@
-#include "core/mesh/topology.h"
-
 #include <gtest/gtest.h>
+
+#include "core/mesh/topology.h"
 
 namespace penpose::mesh {
 namespace {
