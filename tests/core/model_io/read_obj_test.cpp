@@ -52,6 +52,15 @@ TEST(ReadObj, NormalsAreKeptWhereCornersAgree) {
   EXPECT_EQ(normals[0], glm::vec3(0, 0, 1));  // in conflict: made from the triangles
 }
 
+TEST(ReadObj, PositionsHaveThePrecisionOfFloat) {
+  // Written out, because a compiler that drops the rounding in the reader would drop it here too.
+  const auto model = read("v 0.1 0.2 0.3\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  ASSERT_TRUE(model.ok()) << model.error().line();
+  EXPECT_EQ(
+      model->mesh->positions()[0],
+      geometry::ModelPoint(0.100000001490116119384765625, 0.20000000298023223876953125, 0.300000011920928955078125));
+}
+
 TEST(ReadObj, NotesWhatIsLeftOut) {
   const auto model = read(std::string("mtllib x.mtl\nvt 0 0\nusemtl y\nl 1 2\n") + k_square + "f 1/1 2/1 3/1\n");
   ASSERT_TRUE(model.ok()) << model.error().line();
