@@ -1,0 +1,157 @@
+#include "ui/cli/articulate_command.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include "core/model_io/sketch_file.h"
+#include "core/model_io/write_model.h"
+#include "tests/support/articulation_models.h"
+#include "tests/support/shared_data.h"
+#include "ui/cli/command_line.h"
+#include "ui/cli/commands.h"
+#include "ui/cli/load_model.h"
+
+namespace penpose::cli {
+namespace {
+
+class ArticulateCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() / ("penpose_articulate_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder_);
+    const tests::Trunk trunk = tests::make_trunk();
+    mesh::MeshSource source;
+    source.positions.assign(trunk.canvas->positions().begin(), trunk.canvas->positions().end());
+    source.triangles.assign(trunk.canvas->mesh().triangles().begin(), trunk.canvas->mesh().triangles().end());
+    const auto mesh = mesh::TriangleMesh::build(std::move(source)).value();
+    const auto bytes = model_io::write_glb(document::make_model(mesh, nullptr, nullptr).value()).value();
+    write("model.glb", std::string(bytes.begin(), bytes.end()));
+    file_.viewport = trunk.viewport;
+    file_.sketches = {trunk.curl()};
+    write("sketch.json", model_io::write_sketch_file(file_));
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  void write(const char* name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
+  int articulate(std::vector<std::string> arguments) {
+    std::vector<const char*> argv{"penpose", "articulate"};
+    for (const auto& argument : arguments) argv.push_back(argument.c_str());
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const int status = run(static_cast<int>(argv.size()), argv.data());
+    out_ = testing::internal::GetCapturedStdout();
+    error_ = testing::internal::GetCapturedStderr();
+    return status;
+  }
+
+  std::filesystem::path folder_;
+  model_io::SketchFile file_;
+  std::string out_;
+  std::string error_;
+};
+
+class SharedElephant : public ArticulateCommand {};
+
+TEST_F(ArticulateCommand, WritesAModelWithTheNewControl) {
+  ASSERT_EQ(articulate({path("model.glb"), "--sketch", path("sketch.json"), "-o", path("out.glb"), "--json"}),
+            k_success)
+      << error_;
+  const auto json = nlohmann::json::parse(out_);
+  EXPECT_EQ(json["deformers"][0]["name"], "curl");
+  EXPECT_EQ(json["deformers"][0]["mode"], "rotate");
+  EXPECT_GE(json["state"].get<std::string>().size(), 32U);
+  const auto model = load_model(path("out.glb"));
+  ASSERT_TRUE(model.ok()) << model.error().line();
+  ASSERT_TRUE(model->deformers);
+  EXPECT_EQ(document::state_hash(*model).hex(), json["state"]);
+  // A second sketch adds to the first.
+  file_.sketches[0].name = "second";
+  write("second.json", model_io::write_sketch_file(file_));
+  ASSERT_EQ(articulate({path("out.glb"), "--sketch", path("second.json"), "-o", path("both.glb")}), k_success);
+  EXPECT_NE(out_.find("second: rotate"), std::string::npos);
+  EXPECT_EQ(load_model(path("both.glb"))->deformers->size(), 2U);
+}
+
+TEST_F(ArticulateCommand, SaysWhereASketchIsWrong) {
+  const auto fails = [&](const char* expected) {
+    write("bad.json", model_io::write_sketch_file(file_));
+    EXPECT_EQ(articulate({path("model.glb"), "--sketch", path("bad.json"), "-o", path("out.glb")}), k_failure);
+    EXPECT_NE(error_.find(expected), std::string::npos) << error_;
+    EXPECT_NE(error_.find("bad.json"), std::string::npos) << error_;
+    EXPECT_FALSE(std::filesystem::exists(path("out.glb")));
+  };
+  const auto good = file_.sketches[0];
+  file_.sketches[0].reference = {{1, 1}, {5, 5}};
+  fails("/deformers/0/reference");
+  file_.sketches[0] = good;
+  file_.sketches[0].surface = articulation::PartSurface{"skull"};
+  fails("/deformers/0/surface/mesh");
+  file_.sketches.clear();
+  fails("/deformers");
+}
+
+TEST_F(ArticulateCommand, RefusesANameThatIsTakenAndOutputsThatCannotHoldDeformers) {
+  ASSERT_EQ(articulate({path("model.glb"), "--sketch", path("sketch.json"), "-o", path("out.glb")}), k_success);
+  EXPECT_EQ(articulate({path("out.glb"), "--sketch", path("sketch.json"), "-o", path("two.glb")}), k_failure);
+  EXPECT_NE(error_.find("/deformers/0/name"), std::string::npos);
+  EXPECT_EQ(articulate({path("model.glb"), "--sketch", path("sketch.json"), "-o", path("out.obj")}), k_failure);
+  EXPECT_EQ(articulate({path("model.glb"), "-o", path("out.glb")}), k_wrong_usage);
+}
+
+TEST_F(SharedElephant, CurlsItsTrunkFromFourStrokes) {
+  if (!tests::has_shared()) GTEST_SKIP();
+  articulation::Sketch trunk;
+  trunk.name = "trunk_curl";
+  trunk.viewport = {1000, 1000};
+  trunk.camera = {{1.6, 0.3, 0.9}, {0, 0.3, 0.05}, {0, 1, 0}, 18};
+  trunk.general = {{260, 400}, {350, 395}, {470, 360}, {500, 320}, {760, 310}, {760, 60}, {300, 120}, {260, 250}};
+  trunk.specific = {{270, 310}, {380, 330}, {470, 310}, {520, 285}, {740, 280}, {740, 80}, {330, 140}};
+  trunk.reference = {{390, 325}, {400, 260}, {450, 220}, {530, 190}, {620, 185}, {670, 205}};
+  trunk.target = {{390, 325}, {395, 250}, {435, 195}, {505, 180}, {570, 205}, {600, 260}, {585, 315}};
+  file_.sketches = {trunk};
+  write("elephant.json", model_io::write_sketch_file(file_));
+  const std::string elephant = (tests::shared_dir() / "meshes" / "elephant.glb").string();
+  ASSERT_EQ(articulate({elephant, "--sketch", path("elephant.json"), "-o", path("out.glb")}), k_success) << error_;
+  auto model = load_model(path("out.glb")).value();
+  ASSERT_TRUE(model.deformers);
+  const auto& deformer = *model.deformers->deformers()[0];
+  EXPECT_EQ(deformer.mode(), articulation::Mode::rotate);
+  const auto rest = document::posed_positions(model);
+  model.pose = {1.0};
+  const auto curled = document::posed_positions(model);
+  std::vector<bool> moves(rest.size(), false);
+  for (const std::uint32_t v : deformer.vertices()) moves[v] = true;
+  double farthest = 0;
+  for (std::uint32_t v = 0; v < rest.size(); ++v) {
+    EXPECT_TRUE(moves[v] || curled[v] == rest[v]);
+    farthest = std::max(farthest, geometry::distance(curled[v], rest[v]));
+  }
+  EXPECT_GT(farthest, 0.08);  // the trunk is about 0.2 long there
+  EXPECT_LT(farthest, 0.25);
+  for (std::uint32_t v = 0; v < rest.size(); ++v) EXPECT_TRUE(!moves[v] || rest[v].y > 0.3);
+  // The trunk keeps its shape where the weight is 1: on the whole its edges change by a small share of their length.
+  double changed = 0;
+  double whole = 0;
+  std::vector<double> weight(rest.size(), 0.0);
+  for (std::size_t i = 0; i < deformer.vertices().size(); ++i) weight[deformer.vertices()[i]] = deformer.weights()[i];
+  for (const mesh::Triangle& t : model.mesh->triangles()) {
+    if (weight[t[0]] < 1 || weight[t[1]] < 1 || weight[t[2]] < 1) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double was = geometry::distance(rest[t[i]], rest[t[(i + 1) % 3]]);
+      changed += std::abs(geometry::distance(curled[t[i]], curled[t[(i + 1) % 3]]) - was);
+      whole += was;
+    }
+  }
+  EXPECT_LT(changed / whole, 0.25);
+}
+
+}  // namespace
+}  // namespace penpose::cli
