@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
+#include "tests/support/articulation_models.h"
 #include "tests/support/test_rigs.h"
 
 namespace penpose::document {
@@ -120,6 +121,64 @@ TEST(StateHash, DoesNotHearOfNotesAndMinusZero) {
   model.notes.emplace_back("a reader left something out");
   model.pose[0] = -0.0;
   EXPECT_EQ(state_hash(model), state_hash(full_model()));
+}
+
+Model trunk_model() {
+  const tests::Trunk trunk = tests::make_trunk();
+  mesh::MeshSource source;
+  source.positions.assign(trunk.canvas->positions().begin(), trunk.canvas->positions().end());
+  source.triangles.assign(trunk.canvas->mesh().triangles().begin(), trunk.canvas->mesh().triangles().end());
+  const auto mesh = mesh::TriangleMesh::build(std::move(source)).value();
+  rig::BlendShape shape;
+  shape.parameter = {"swell", 0, 0, 1};
+  shape.vertices = {0};
+  shape.deltas = {{0, 1, 0}};
+  return make_model(mesh, rig::BlendShapes::make({shape}, mesh->vertex_count()).value(), nullptr).value();
+}
+
+articulation::SketchedDeformers::Shared deformers_of(const Model& model, const std::vector<std::string>& names) {
+  std::vector<articulation::Sketch> sketches;
+  for (const std::string& name : names) {
+    sketches.push_back(tests::make_trunk().curl());
+    sketches.back().name = name;
+  }
+  return articulation::SketchedDeformers::build(sketches, *make_canvas(model).value()).value();
+}
+
+TEST(ModelDeformers, DeformersCanBeChangedAndThePoseStays) {
+  Model model = trunk_model();
+  model.pose = {0.5};
+  model.curves.push_back({"line", {}});
+  const auto plain = state_hash(model);
+  model = with_deformers(model, deformers_of(model, {"curl", "lift"})).value();
+  ASSERT_EQ(model.pose.size(), 3U);
+  EXPECT_EQ(weight_count(model), 3U);
+  EXPECT_EQ(model.pose, (rig::Pose{0.5, 0, 0}));
+  EXPECT_EQ(model.curves.size(), 1U);
+  EXPECT_FALSE(state_hash(model) == plain);
+  model.pose[2] = 0.75;
+  model = with_deformers(model, deformers_of(model, {"lift"})).value();
+  EXPECT_EQ(model.pose, (rig::Pose{0.5, 0.75}));
+  model = with_deformers(model, nullptr).value();
+  EXPECT_EQ(state_hash(model), plain);
+}
+
+TEST(ModelDeformers, AnimationsKeepTheirControlsByName) {
+  Model model = trunk_model();
+  Channel channel;
+  channel.times_s = {0, 1};
+  channel.values = {0.1, 0.2};
+  model.animations.push_back({"breath", {channel}});
+  model = with_deformers(model, deformers_of(model, {"curl", "lift"})).value();
+  EXPECT_EQ(model.animations[0].channels[0].values, (std::vector<double>{0.1, 0, 0, 0.2, 0, 0}));
+  model.animations[0].channels[0].values = {0.1, 0.3, 0.5, 0.2, 0.4, 0.6};
+  model = with_deformers(model, deformers_of(model, {"lift", "new"})).value();
+  EXPECT_EQ(model.animations[0].channels[0].values, (std::vector<double>{0.1, 0.5, 0, 0.2, 0.6, 0}));
+}
+
+TEST(ModelDeformers, ADeformerMayNotTakeTheNameOfABlendShape) {
+  const Model model = trunk_model();
+  EXPECT_FALSE(with_deformers(model, deformers_of(model, {"swell"})).ok());
 }
 
 }  // namespace
