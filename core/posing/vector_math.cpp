@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 #include "core/geometry/simd.h"
@@ -11,10 +12,13 @@ namespace {
 
 using geometry::Double4;
 
-/// Four doubles at any address; the type tells the compiler that they need no alignment and may alias plain doubles.
-using Loose4 = double __attribute__((vector_size(32), aligned(8), may_alias));
-const Loose4& at(const double* p) { return *reinterpret_cast<const Loose4*>(p); }
-Loose4& at(double* p) { return *reinterpret_cast<Loose4*>(p); }
+/// Four doubles at any address.
+Double4 at(const double* p) {
+  Double4 value;
+  std::memcpy(&value, p, sizeof value);
+  return value;
+}
+void put(double* p, Double4 value) { std::memcpy(p, &value, sizeof value); }
 
 double sum_of(const Double4& lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
 
@@ -31,14 +35,14 @@ double dot(const double* a, const double* b, std::size_t count) {
 
 void multiply(const double* a, const double* b, double* out, std::size_t count) {
   std::size_t i = 0;
-  for (; i + 4 <= count; i += 4) at(out + i) = at(a + i) * at(b + i);
+  for (; i + 4 <= count; i += 4) put(out + i, at(a + i) * at(b + i));
   for (; i < count; ++i) out[i] = a[i] * b[i];
 }
 
 void add_scaled(double factor, const double* a, double* out, std::size_t count) {
   const Double4 f = geometry::splat(factor);
   std::size_t i = 0;
-  for (; i + 4 <= count; i += 4) at(out + i) += f * at(a + i);
+  for (; i + 4 <= count; i += 4) put(out + i, at(out + i) + f * at(a + i));
   for (; i < count; ++i) out[i] += factor * a[i];
 }
 
