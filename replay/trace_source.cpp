@@ -65,15 +65,20 @@ base::Result<std::optional<TraceReport>> TraceSource::read_on() {
     }
     switch (line.kind) {
       case TraceLineKind::other:
+        if (on_line_) on_line_(line);
         break;
       case TraceLineKind::device:
         device_ = line.device;
         break;
       case TraceLineKind::report:
+        if (on_device_ && announced_.size() < k_most_devices && announced_.insert(device_).second) {
+          on_device_(device_, devices_[device_]);
+        }
         return std::optional(TraceReport{next_index_++, device_, line.time_us, line.bytes});
       default: {
         if (devices_.size() >= k_most_devices && !devices_.contains(device_)) break;
         decode::DeviceIdentity& device = devices_[device_];
+        announced_.erase(device_);
         if (line.kind == TraceLineKind::descriptor) {
           device.report_descriptor.assign(line.bytes.begin(), line.bytes.end());
           device.input_report_length.reset();
@@ -93,6 +98,11 @@ base::Result<std::optional<TraceReport>> TraceSource::read_on() {
       }
     }
   }
+}
+
+void TraceSource::listen(OnLine on_line, OnDevice on_device) {
+  on_line_ = std::move(on_line);
+  on_device_ = std::move(on_device);
 }
 
 base::Status TraceSource::read_header() {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,13 @@ class TraceSource {
   /// The next report, nothing at the end. Errors: those of reading the file.
   base::Result<std::optional<TraceReport>> next();
 
+  /// Called in the order of the file with every line that is neither of a device nor a report.
+  using OnLine = std::function<void(const TraceLine&)>;
+  /// Called when reports of a device begin, and again when it has been declared anew since.
+  using OnDevice = std::function<void(int device, const decode::DeviceIdentity&)>;
+  /// What to call while reading; set them before the first report is read.
+  void listen(OnLine on_line, OnDevice on_device);
+
   /// Reads on to the first report without giving it out, so that `devices` holds all that is declared before it.
   base::Status read_header();
 
@@ -57,6 +65,9 @@ class TraceSource {
   std::uint64_t unread_lines_ = 0;
   std::uint64_t next_index_ = 0;
   int device_ = 0;
+  OnLine on_line_;
+  OnDevice on_device_;
+  std::set<int> announced_;          ///< devices that `on_device_` knows as they are
   std::optional<TraceReport> held_;  ///< read by `read_header`
   std::optional<std::int64_t> first_time_us_;
   bool finished_ = false;

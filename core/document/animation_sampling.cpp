@@ -106,12 +106,12 @@ AnimationSample sample(const Model& model, const Animation& animation, double ti
       moment.joints.push_back({joint.translation, joint.rest_rotation, joint.scale});
     }
   }
-  const std::size_t shapes = model.shapes ? model.shapes->shapes().size() : 0;
+  const std::size_t count = weight_count(model);
   for (const Channel& channel : animation.channels) {
     const bool weights = channel.target == ChannelTarget::weights;
     const bool rotation = channel.target == ChannelTarget::rotation;
     if (!weights && channel.joint >= moment.joints.size()) continue;
-    const auto values = sample_channel(channel, weights ? shapes : rotation ? 4 : 3, time_s);
+    const auto values = sample_channel(channel, weights ? count : rotation ? 4 : 3, time_s);
     if (values.empty()) continue;
     if (weights) {
       moment.weights = values;

@@ -87,7 +87,7 @@ struct Model {
 /// The box around the world positions at rest, which frames pictures and scales tolerances.
 [[nodiscard]] geometry::Box rest_world_box(const Model& model);
 
-/// Adds meshes, rig, curves and pose in a canonical order (method, section 5).
+/// The canonical hash (method, section 5) of a document that holds the model as it is and nothing else.
 [[nodiscard]] base::Hash128 state_hash(const Model& model);
 
 }  // namespace penpose::document

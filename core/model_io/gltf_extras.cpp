@@ -144,8 +144,9 @@ base::Result<RootExtras> read_root_extras(const Json& document) {
   if (own == nullptr) return extras;
   const std::string pointer = child("/extras", k_extras_key);
   const Json* version = find(*own, "version");
-  if (version == nullptr || !whole_number(*version, k_extras_version, k_extras_version)) {
-    return wrong("a version of the extras that is not known", child(pointer, "version"),
+  if (version == nullptr || !whole_number(*version, 1, k_extras_version)) {
+    const std::string given = version == nullptr ? "none" : version->dump();
+    return wrong("the version of the extras, " + given + ", is not known", child(pointer, "version"),
                  "open the file with a newer penpose, or remove the extras");
   }
   extras.present = true;
@@ -188,8 +189,9 @@ base::Status check_curves(const RootExtras& root, std::size_t triangle_count) {
   return base::Done{};
 }
 
-Json write_root_extras(const document::Model& model) {
+Json write_root_extras(const document::Model& model, const Json& project) {
   Json own = {{"version", k_extras_version}};
+  if (!project.is_null()) own["project"] = project;
   if (model.shapes) {
     Json shapes = Json::array();
     for (const rig::Parameter& p : model.shapes->parameters()) {

@@ -16,9 +16,9 @@ namespace penpose::model_io {
 /// What glTF has no place for is kept in members "extras": {"penpose": {...}} (glTF 2.0, section 3.3.3): at the root of
 /// the document with the version, and at nodes.
 inline constexpr const char* k_extras_key = "penpose";
-inline constexpr std::int64_t k_extras_version = 1;
+inline constexpr std::int64_t k_extras_version = 2;  ///< 1 had no "project"
 
-/// Root: {"version": 1, "shapes": [{"name", "rest", "minimum", "maximum"}], "curves": [{"name", "points": [[triangle,
+/// Root: {"version": 2, "shapes": [{"name", "rest", "minimum", "maximum"}], "curves": [{"name", "points": [[triangle,
 /// b0, b1, b2], ...]}], "deformers": [a deformer as sketch files have it, with its own "viewport", ...]}. Deformers are
 /// also morph targets of their names, sampled at amount 1, after those of the shapes.
 struct RootExtras {
@@ -51,6 +51,7 @@ struct NodeExtras {
 /// Errors: a curve point on a triangle that does not exist, or with coordinates that do not sum to one.
 [[nodiscard]] base::Status check_curves(const RootExtras& root, std::size_t triangle_count);
 
-[[nodiscard]] Json write_root_extras(const document::Model& model);
+/// `project`: the member "project" (core/model_io/project_json.h), or null for a model alone.
+[[nodiscard]] Json write_root_extras(const document::Model& model, const Json& project);
 
 }  // namespace penpose::model_io

@@ -11,6 +11,7 @@
 #include "core/model_io/gltf_nodes.h"
 #include "core/model_io/gltf_shapes.h"
 #include "core/model_io/gltf_skins.h"
+#include "core/model_io/project_json.h"
 
 namespace penpose::model_io {
 namespace {
@@ -27,12 +28,7 @@ base::Status check_positions(const document::Model& model) {
   return base::Done{};
 }
 
-}  // namespace
-
-base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& resolve) {
-  auto opened = open_gltf(bytes, resolve);
-  if (!opened) return opened.error();
-  GltfDocument& document = *opened;
+base::Result<document::Model> read_opened(GltfDocument& document) {
   const auto root = read_root_extras(document.json);
   if (!root) return root.error();
   const auto node_extras = read_node_extras(document.json, *root);
@@ -92,6 +88,33 @@ base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& r
   }
   if (const auto status = check_positions(*model); !status) return status.error();
   return model;
+}
+
+}  // namespace
+
+base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& resolve) {
+  auto opened = open_gltf(bytes, resolve);
+  if (!opened) return opened.error();
+  return read_opened(*opened);
+}
+
+base::Result<document::Document> read_gltf_document(base::Bytes bytes, const FileResolver& resolve) {
+  auto opened = open_gltf(bytes, resolve);
+  if (!opened) return opened.error();
+  auto model = read_opened(*opened);
+  if (!model) return model.error();
+  const Json* extras = find(opened->json, "extras");
+  const Json* own = extras == nullptr ? nullptr : find(*extras, k_extras_key);
+  const Json* project = own == nullptr ? nullptr : find(*own, "project");
+  if (project == nullptr) return document::make_document(std::move(model).value());
+  // The timeline stands in the project exactly, and for other programs as an animation.
+  const Json* timeline = find(*project, "timeline");
+  const Json* keys = timeline == nullptr ? nullptr : find(*timeline, "keys");
+  auto& animations = model->animations;
+  if (keys != nullptr && !keys->empty() && !animations.empty() && animations.front().name == "timeline") {
+    animations.erase(animations.begin());
+  }
+  return read_project(*project, child(child("/extras", k_extras_key), "project"), std::move(model).value());
 }
 
 }  // namespace penpose::model_io

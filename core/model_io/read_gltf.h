@@ -2,12 +2,14 @@
 
 #include "core/base/byte_reader.h"
 #include "core/base/result.h"
-#include "core/document/model.h"
+#include "core/document/document.h"
 #include "core/model_io/read_model.h"
 
 namespace penpose::model_io {
 
 /// Reads binary or text glTF 2.0 (Khronos). Errors as of read_model.
 [[nodiscard]] base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& resolve = {});
+/// The same with what a project keeps beyond its model.
+[[nodiscard]] base::Result<document::Document> read_gltf_document(base::Bytes bytes, const FileResolver& resolve = {});
 
 }  // namespace penpose::model_io

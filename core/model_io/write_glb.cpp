@@ -8,6 +8,8 @@
 #include "core/model_io/gltf_builder.h"
 #include "core/model_io/gltf_extras.h"
 #include "core/model_io/normals.h"
+#include "core/model_io/project_json.h"
+#include "core/model_io/write_document.h"
 #include "core/model_io/write_model.h"
 
 namespace penpose::model_io {
@@ -33,11 +35,11 @@ enum class Carriage : std::uint8_t { free, rigid, skinned };
 
 class GlbWriter {
  public:
-  explicit GlbWriter(const document::Model& model) : model_(model) {}
+  GlbWriter(const document::Model& model, Json project) : model_(model), project_(std::move(project)) {}
 
   base::Result<std::vector<std::uint8_t>> write() {
     builder_.root["asset"] = {{"version", "2.0"}, {"generator", "penpose"}};
-    builder_.root["extras"] = write_root_extras(model_);
+    builder_.root["extras"] = write_root_extras(model_, project_);
     gather_targets();
     find_carriage();
     write_joints();
@@ -377,6 +379,7 @@ class GlbWriter {
   }
 
   const document::Model& model_;
+  Json project_;                          ///< null: the file is a model and no project
   std::vector<rig::BlendShape> samples_;  ///< of the deformers
   std::vector<const rig::BlendShape*> targets_;
   GltfBuilder builder_;
@@ -394,6 +397,12 @@ class GlbWriter {
 
 }  // namespace
 
-base::Result<std::vector<std::uint8_t>> write_glb(const document::Model& model) { return GlbWriter(model).write(); }
+base::Result<std::vector<std::uint8_t>> write_glb(const document::Model& model) {
+  return GlbWriter(model, nullptr).write();
+}
+
+base::Result<std::vector<std::uint8_t>> write_project(const document::Document& document) {
+  return GlbWriter(document::model_of(document), project_to_json(document)).write();
+}
 
 }  // namespace penpose::model_io

@@ -8,6 +8,7 @@
 #include "ui/cli/info_command.h"
 #include "ui/cli/pose_command.h"
 #include "ui/cli/render_command.h"
+#include "ui/cli/replay_command.h"
 
 namespace penpose::cli {
 
@@ -17,6 +18,7 @@ std::vector<AddCommand> all_commands() {
       add_info_command,        //
       add_devices_command,     //
       add_decode_command,      //
+      add_replay_command,      //
       add_pose_command,        //
       add_articulate_command,  //
       add_render_command,      //

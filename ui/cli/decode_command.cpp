@@ -1,15 +1,12 @@
 #include "ui/cli/decode_command.h"
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <optional>
 #include <system_error>
-#include <unistd.h>
 
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/decode/protocol.h"
@@ -18,6 +15,7 @@
 #include "ui/cli/files.h"
 #include "ui/cli/own_tablets.h"
 #include "ui/cli/sample_printer.h"
+#include "ui/cli/trace_file.h"
 
 namespace penpose::cli {
 namespace {
@@ -29,27 +27,6 @@ struct DecodeOptions {
   bool csv = false;
   bool json = false;
 };
-
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
-base::Result<File> open_trace(const std::string& path) {
-  std::error_code code;
-  if (std::filesystem::is_directory(path, code)) return base::Error{"is a folder", "", "name a trace in it"};
-  File file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file) {
-    return base::Error{"cannot be opened (" + std::generic_category().message(errno) + ")", "",
-                       "check the name and the permissions"};
-  }
-  return file;
-}
-
-replay::ReadBytes read_from_file(std::FILE* file) {
-  return [file](std::span<std::uint8_t> into) -> base::Result<std::size_t> {
-    const std::size_t got = std::fread(into.data(), 1, into.size(), file);
-    if (got == 0 && std::ferror(file) != 0) return base::Error{"cannot be read", "", "check the disk"};
-    return got;
-  };
-}
 
 /// One interface of the trace.
 struct Interface {

@@ -53,6 +53,13 @@ base::Status write_file(const std::string& path, base::Bytes bytes) {
   if (std::fflush(file.get()) != 0 || ::fsync(::fileno(file.get())) != 0) return give_up("cannot be written");
   if (std::fclose(file.release()) != 0) return give_up("cannot be written");
   if (std::rename(temporary.c_str(), path.c_str()) != 0) return give_up("cannot be replaced");
+  // The new name is in the folder only once the folder is on the disk too; some file systems cannot say.
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor >= 0) {
+    ::fsync(descriptor);
+    ::close(descriptor);
+  }
   return base::Done{};
 }
 

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+
+#include "core/base/result.h"
+#include "core/document/command.h"
+#include "core/document/document.h"
+#include "core/posing/problem.h"
+
+namespace penpose::document {
+
+/// What is worth keeping between commands: the search tree over the surface, scratch memory of the solver. Never
+/// changes a result.
+class ApplyWorkspace {
+ public:
+  ApplyWorkspace();
+  ~ApplyWorkspace();
+  ApplyWorkspace(ApplyWorkspace&&) noexcept;
+  ApplyWorkspace& operator=(ApplyWorkspace&&) noexcept;
+  struct Parts;
+  [[nodiscard]] Parts& parts() { return *parts_; }
+
+ private:
+  std::unique_ptr<Parts> parts_;
+};
+
+/// The document after a command. The same document and command give the same bits on any machine (method, section 5).
+/// Errors say what is wrong with the command; the place is a member of it or empty.
+[[nodiscard]] base::Result<Document> apply(const Document& document, const Command& command, ApplyWorkspace& work);
+
+/// What the drawn curves of a document ask of the solver: every reference that has a target, every constraint, all
+/// parameters free that are not locked, starting from the pose as it is.
+[[nodiscard]] posing::PoseProblem pose_problem(const Document& document);
+
+}  // namespace penpose::document

@@ -1,0 +1,255 @@
+#include <algorithm>
+#include <string>
+
+#include "core/articulation/edit.h"
+#include "core/articulation/mirror.h"
+#include "core/articulation/reference_curve.h"
+#include "core/articulation/region.h"
+#include "core/document/apply_parts.h"
+
+namespace penpose::document {
+
+using articulation::CurveRole;
+using articulation::Sketch;
+using articulation::SketchedDeformers;
+
+namespace {
+
+/// Poses and locks of parameters that have other places after a change of the rig.
+void carry_over(const Document& before, Document& after) {
+  const auto old_parameters = before.model->rig->parameters();
+  const auto parameters = after.model->rig->parameters();
+  std::vector<std::optional<std::size_t>> old_number;
+  for (const rig::Parameter& parameter : parameters) {
+    old_number.push_back(rig::find_parameter(old_parameters, parameter.name));
+  }
+  const auto carried = [&](const rig::Pose& pose) {
+    rig::Pose other;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      const double value = old_number[i] ? pose[*old_number[i]] : parameters[i].rest;
+      other.push_back(std::clamp(value, parameters[i].minimum, parameters[i].maximum));
+    }
+    return other;
+  };
+  after.pose = carried(before.pose);
+  Timeline timeline = *before.timeline;
+  for (PoseKey& key : timeline.keys) key.pose = carried(key.pose);
+  after.timeline = std::make_shared<const Timeline>(std::move(timeline));
+  std::erase_if(after.locked, [&](const std::string& name) { return !rig::find_parameter(parameters, name); });
+}
+
+/// The set that edits start from; the one without deformers where there is none.
+SketchedDeformers::Shared set_of(const Document& document) {
+  if (document.model->deformers) return document.model->deformers;
+  return std::make_shared<const SketchedDeformers>();
+}
+
+base::Result<std::size_t> number_of(const Document& document, const std::string& name) {
+  const auto number = find_deformer(*set_of(document), name);
+  if (!number)
+    return base::Error{"there is no deformer \"" + name + "\"", "deformer", "look at the names in the model"};
+  return *number;
+}
+
+Changed with_set(const Document& document, const base::Result<SketchedDeformers::Shared>& set) {
+  if (!set) return set.error();
+  return with_deformers(document, *set);
+}
+
+std::string free_name(const Document& document) {
+  for (std::size_t n = 1;; ++n) {
+    std::string name = "deformer " + std::to_string(n);
+    if (!rig::find_parameter(document.model->rig->parameters(), name)) return name;
+  }
+}
+
+/// A line as it would have been drawn through the same camera on a picture of another size: both show the same height
+/// of the scene, so that the same rays go through it.
+std::vector<PxPoint> rescaled(const std::vector<PxPoint>& line, geometry::Viewport from, geometry::Viewport to) {
+  if (from == to) return line;
+  const double scale = static_cast<double>(to.height) / static_cast<double>(from.height);
+  std::vector<PxPoint> other;
+  for (const PxPoint& p : line) other.push_back({(p.x - 0.5 * from.width) * scale + 0.5 * to.width, p.y * scale});
+  return other;
+}
+
+base::Error not_yet(const char* what, const char* remedy) { return {what, "role", remedy}; }
+
+Document with_pending(const Document& document, Sketch sketch) {
+  Document changed = document;
+  changed.pending = std::make_shared<const PendingSketch>(PendingSketch{std::move(sketch)});
+  return changed;
+}
+
+/// Step 1 or 2 (method, section 3); a region that holds nothing is told at once.
+Changed draw_region(const Document& document, Sketch sketch, const SketchCurve& command, Parts& work) {
+  const bool general = command.role == CurveRole::general;
+  if (general) {
+    sketch.camera = command.view.camera;
+    sketch.viewport = command.view.viewport;
+    sketch.specific.clear();
+    sketch.reference.clear();
+    sketch.reference_camera.reset();
+  } else {
+    if (sketch.general.empty()) {
+      return not_yet("the region of general interest is not drawn yet", "draw around all that should move");
+    }
+    if (!(sketch.camera == command.view.camera) || !(sketch.viewport == command.view.viewport)) {
+      return base::Error{"the view has changed since the region of general interest was drawn", "view",
+                         "draw both regions in one view"};
+    }
+  }
+  const auto camera = geometry::Camera::make(sketch.camera, sketch.viewport);
+  if (!camera) return at("view", camera.error());
+  const auto canvas = work.canvas_of(document);
+  if (!canvas) return canvas.error();
+  const auto surface = articulation::KeptSurface::make(sketch.surface, **canvas);
+  if (!surface) return surface.error();
+  (general ? sketch.general : sketch.specific) = command.line;
+  const auto region = general_region(**canvas, *camera, sketch.general, *surface);
+  if (!region) return at("line", region.error());
+  if (!general) {
+    const auto weights = specific_region(*region, sketch.specific);
+    if (!weights) return at("line", weights.error());
+  }
+  return with_pending(document, std::move(sketch));
+}
+
+Changed complete(const Document& document, const Sketch& sketch, Parts& work) {
+  const auto canvas = work.canvas_of(document);
+  if (!canvas) return canvas.error();
+  auto deformer = build_deformer(sketch, **canvas);
+  if (!deformer) return deformer.error();
+  auto changed = with_set(document, with_added(*set_of(document), std::move(deformer).value()));
+  if (changed) changed->pending.reset();
+  return changed;
+}
+
+Changed rebuilt(const Document& document, std::size_t number, const Sketch& sketch, Parts& work) {
+  const auto canvas = work.canvas_of(document);
+  if (!canvas) return canvas.error();
+  return with_set(document, with_sketch(*set_of(document), number, sketch, **canvas));
+}
+
+}  // namespace
+
+Changed with_deformers(const Document& document, std::shared_ptr<const articulation::SketchedDeformers> deformers) {
+  auto model = with_deformers(*document.model, std::move(deformers));
+  if (!model) return model.error();
+  Document changed = document;
+  changed.model = std::make_shared<const Model>(std::move(model).value());
+  carry_over(document, changed);
+  return changed;
+}
+
+Changed run(const Document& document, const BeginDeformer& command, Parts&) {
+  Sketch sketch;
+  sketch.name = command.name.empty() ? free_name(document) : command.name;
+  if (rig::find_parameter(document.model->rig->parameters(), sketch.name)) {
+    return base::Error{"a control has the name \"" + sketch.name + "\" already", "name", "give it another name"};
+  }
+  sketch.mode = command.mode;
+  sketch.surface = command.surface;
+  sketch.minimum = command.minimum;
+  sketch.maximum = command.maximum;
+  return with_pending(document, std::move(sketch));
+}
+
+Changed run(const Document& document, const SketchCurve& command, Parts& work) {
+  Sketch sketch;
+  if (document.pending) {
+    sketch = document.pending->sketch;
+  } else {
+    sketch.name = free_name(document);
+  }
+  if (command.role == CurveRole::general || command.role == CurveRole::specific) {
+    return draw_region(document, std::move(sketch), command, work);
+  }
+  if (sketch.specific.empty()) {
+    return not_yet("the region of specific interest is not drawn yet", "draw around what should move as a whole");
+  }
+  const std::vector<PxPoint> line = rescaled(command.line, command.view.viewport, sketch.viewport);
+  auto drawn = redrawn(sketch, command.role, line, command.view.camera);
+  if (!drawn) return drawn.error();
+  if (command.role == CurveRole::target) return complete(document, *drawn, work);
+  const auto canvas = work.canvas_of(document);
+  if (!canvas) return canvas.error();
+  const auto camera = geometry::Camera::make(command.view.camera, sketch.viewport);
+  if (!camera) return at("view", camera.error());
+  if (!line.empty()) {
+    const auto reference = drawn_reference(**canvas, *camera, line, articulation::k_curve_points);
+    if (!reference) return at("line", reference.error());
+  }
+  return with_pending(document, std::move(drawn).value());
+}
+
+Changed run(const Document& document, const CancelDeformer&, Parts&) {
+  if (!document.pending) return base::Error{"no deformer is being sketched", "", ""};
+  Document changed = document;
+  changed.pending.reset();
+  return changed;
+}
+
+Changed run(const Document& document, const RedrawCurve& command, Parts& work) {
+  const auto number = number_of(document, command.deformer);
+  if (!number) return number.error();
+  const Sketch& sketch = document.model->deformers->deformers()[*number]->sketch();
+  auto drawn = redrawn(sketch, command.role, rescaled(command.line, command.view.viewport, sketch.viewport),
+                       command.view.camera);
+  if (!drawn) return drawn.error();
+  return rebuilt(document, *number, *drawn, work);
+}
+
+Changed run(const Document& document, const ChangeDeformer& command, Parts& work) {
+  const auto number = number_of(document, command.deformer);
+  if (!number) return number.error();
+  Sketch sketch = document.model->deformers->deformers()[*number]->sketch();
+  if (command.mode) sketch.mode = *command.mode;
+  if (command.surface) sketch.surface = *command.surface;
+  if (command.minimum) sketch.minimum = *command.minimum;
+  if (command.maximum) sketch.maximum = *command.maximum;
+  return rebuilt(document, *number, sketch, work);
+}
+
+Changed run(const Document& document, const MirrorDeformer& command, Parts& work) {
+  const auto number = number_of(document, command.deformer);
+  if (!number) return number.error();
+  const auto canvas = work.canvas_of(document);
+  if (!canvas) return canvas.error();
+  return with_set(document, with_mirrored(*set_of(document), *number, **canvas));
+}
+
+Changed run(const Document& document, const RenameDeformer& command, Parts&) {
+  const auto number = number_of(document, command.deformer);
+  if (!number) return number.error();
+  const auto set = with_name(*set_of(document), *number, command.to);
+  if (!set) return set.error();
+  Model before = *document.model;
+  auto model = with_deformers(before, *set);
+  if (!model) return model.error();
+  // The parameters keep their places, so that poses and animations fit as they are.
+  model->pose = document.pose;
+  model->animations = std::move(before.animations);
+  Document changed = document;
+  changed.model = std::make_shared<const Model>(std::move(model).value());
+  const auto locked = std::find(changed.locked.begin(), changed.locked.end(), command.deformer);
+  if (locked != changed.locked.end()) {
+    *locked = command.to;
+    std::sort(changed.locked.begin(), changed.locked.end());
+  }
+  return changed;
+}
+
+Changed run(const Document& document, const DeleteDeformer& command, Parts&) {
+  const auto number = number_of(document, command.deformer);
+  if (!number) return number.error();
+  return with_set(document, without(*set_of(document), *number));
+}
+
+Changed run(const Document& document, const MoveDeformer& command, Parts&) {
+  const auto number = number_of(document, command.deformer);
+  if (!number) return number.error();
+  return with_set(document, moved(*set_of(document), *number, command.to));
+}
+
+}  // namespace penpose::document

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/articulation/canvas.h"
+#include "core/document/apply.h"
+#include "core/document/command.h"
+#include "core/document/document.h"
+#include "core/geometry/bvh.h"
+#include "core/posing/solve.h"
+
+// What the application of single commands has in common.
+
+namespace penpose::document {
+
+struct ApplyWorkspace::Parts {
+  posing::SolveWorkspace solve;
+
+  /// The search tree over the surface as the document is posed.
+  const geometry::TriangleBvh& surface_of(const Document& document);
+  /// What strokes of deformers are drawn on.
+  base::Result<std::shared_ptr<const articulation::Canvas>> canvas_of(const Document& document);
+
+ private:
+  std::shared_ptr<const mesh::TriangleMesh> tree_mesh_;
+  std::shared_ptr<const rig::CharacterRig> tree_rig_;
+  rig::Pose tree_pose_;
+  std::unique_ptr<geometry::TriangleBvh> tree_;
+  std::shared_ptr<const mesh::TriangleMesh> canvas_mesh_;
+  std::shared_ptr<const rig::Skeleton> canvas_skeleton_;
+  std::shared_ptr<const articulation::Canvas> canvas_;
+};
+
+using Parts = ApplyWorkspace::Parts;
+using Changed = base::Result<Document>;
+
+/// The error with a member of the command as its place.
+[[nodiscard]] base::Error at(const char* member, base::Error error);
+
+/// The document with other sketched deformers; poses are kept by the names of parameters, and what is locked by names
+/// that are still there.
+[[nodiscard]] Changed with_deformers(const Document& document,
+                                     std::shared_ptr<const articulation::SketchedDeformers> deformers);
+
+Changed run(const Document&, const SetParameters&, Parts&);
+Changed run(const Document&, const ResetParameters&, Parts&);
+Changed run(const Document&, const LockParameters&, Parts&);
+
+Changed run(const Document&, const DrawReference&, Parts&);
+Changed run(const Document&, const DrawTarget&, Parts&);
+Changed run(const Document&, const OversketchTarget&, Parts&);
+Changed run(const Document&, const DragTarget&, Parts&);
+Changed run(const Document&, const DrawConstraint&, Parts&);
+Changed run(const Document&, const Pin&, Parts&);
+Changed run(const Document&, const KeepCurve&, Parts&);
+Changed run(const Document&, const DeleteCurve&, Parts&);
+Changed run(const Document&, const EraseCurves&, Parts&);
+Changed run(const Document&, const ClearCurves&, Parts&);
+Changed run(const Document&, const SolvePose&, Parts&);
+Changed run(const Document&, const SetPressureWeighting&, Parts&);
+Changed run(const Document&, const NameCurve&, Parts&);
+Changed run(const Document&, const DeleteNamedCurve&, Parts&);
+
+Changed run(const Document&, const BeginDeformer&, Parts&);
+Changed run(const Document&, const SketchCurve&, Parts&);
+Changed run(const Document&, const CancelDeformer&, Parts&);
+Changed run(const Document&, const RedrawCurve&, Parts&);
+Changed run(const Document&, const ChangeDeformer&, Parts&);
+Changed run(const Document&, const MirrorDeformer&, Parts&);
+Changed run(const Document&, const RenameDeformer&, Parts&);
+Changed run(const Document&, const DeleteDeformer&, Parts&);
+Changed run(const Document&, const MoveDeformer&, Parts&);
+
+Changed run(const Document&, const SetKey&, Parts&);
+Changed run(const Document&, const DeleteKey&, Parts&);
+Changed run(const Document&, const MoveKey&, Parts&);
+Changed run(const Document&, const SetKeyInterpolation&, Parts&);
+Changed run(const Document&, const GoToTime&, Parts&);
+Changed run(const Document&, const SaveView&, Parts&);
+Changed run(const Document&, const DeleteView&, Parts&);
+
+}  // namespace penpose::document

@@ -1,0 +1,280 @@
+#include <algorithm>
+#include <string>
+
+#include "core/curve/pairing.h"
+#include "core/curve/projection.h"
+#include "core/document/apply_parts.h"
+#include "core/document/target_line.h"
+#include "core/posing/problem.h"
+
+namespace penpose::document {
+namespace {
+
+using geometry::ModelPoint;
+
+/// Points of the solver for points on the mesh.
+std::vector<posing::CurvePoint> curve_points(const Document& document, const std::vector<mesh::MeshPoint>& points) {
+  std::vector<posing::CurvePoint> out;
+  for (const mesh::MeshPoint& point : points) {
+    out.push_back(posing::at_mesh_point(point, document.model->mesh->triangles()));
+  }
+  return out;
+}
+
+/// Where points of the surface are at the document's pose.
+std::vector<ModelPoint> positions_now(const Document& document, const std::vector<mesh::MeshPoint>& points) {
+  const auto triangles = document.model->mesh->triangles();
+  std::vector<std::uint32_t> vertices;
+  for (const mesh::MeshPoint& point : points) {
+    const mesh::Triangle& corners = triangles[point.triangle];
+    vertices.insert(vertices.end(), corners.begin(), corners.end());
+  }
+  std::vector<ModelPoint> corners(vertices.size());
+  document.model->rig->bind(vertices)->evaluate(document.pose, corners);
+  std::vector<ModelPoint> out;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& b = points[i].barycentric;
+    out.push_back(corners[3 * i] * b[0] + corners[3 * i + 1] * b[1] + corners[3 * i + 2] * b[2]);
+  }
+  return out;
+}
+
+std::vector<std::size_t> free_parameters(const Document& document) {
+  std::vector<std::size_t> free;
+  const auto parameters = document.model->rig->parameters();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (!std::binary_search(document.locked.begin(), document.locked.end(), parameters[i].name)) free.push_back(i);
+  }
+  return free;
+}
+
+/// Brings all references to their targets; a document with no target, or nothing that may move, keeps its pose.
+Changed solved(Document document, Parts& work) {
+  posing::PoseProblem problem = pose_problem(document);
+  if (problem.pairs.empty() || problem.free.empty()) return document;
+  auto solution = posing::solve(*document.model->rig, problem, {}, work.solve);
+  if (!solution) return solution.error();
+  document.pose = std::move(solution->pose);
+  return document;
+}
+
+base::Result<std::vector<mesh::MeshPoint>> drawn_on_surface(const Document& document, const View& view,
+                                                            const std::vector<PxPoint>& line, Parts& work) {
+  const auto camera = geometry::Camera::make(view.camera, view.viewport);
+  if (!camera) return at("view", camera.error());
+  auto drawn = curve::surface_curve(line, k_pose_curve_points, *camera, work.surface_of(document));
+  if (!drawn) return at("line", drawn.error());
+  return std::move(drawn->points);
+}
+
+Document with_curve(const Document& document, PoseCurve curve) {
+  Document changed = document;
+  curve.id = CurveId{++changed.last_curve};
+  changed.curves.push_back(std::make_shared<const PoseCurve>(std::move(curve)));
+  return changed;
+}
+
+Document with_replaced(const Document& document, PoseCurve curve) {
+  Document changed = document;
+  for (auto& one : changed.curves) {
+    if (one->id == curve.id) one = std::make_shared<const PoseCurve>(curve);
+  }
+  return changed;
+}
+
+base::Error no_curve(CurveId id) {
+  return {"there is no curve " + std::to_string(id.value), "curve", "it may have been deleted"};
+}
+
+base::Result<const PoseCurve*> reference_named(const Document& document, CurveId id, bool with_target) {
+  const PoseCurve* curve = find_curve(document, id);
+  if (curve == nullptr) return no_curve(id);
+  if (curve->role != PoseCurveRole::reference) {
+    return base::Error{"curve " + std::to_string(id.value) + " is a constraint", "curve", "name a reference curve"};
+  }
+  if (with_target && !curve->target) {
+    return base::Error{"curve " + std::to_string(id.value) + " has no target yet", "curve", "draw its target first"};
+  }
+  return curve;
+}
+
+/// Gives a reference another target, and solves.
+Changed retargeted(const Document& document, const PoseCurve& curve, const View& view, const std::vector<PxPoint>& line,
+                   const std::vector<double>& pressure, Parts& work) {
+  auto target = make_target(positions_now(document, curve.points), view, line, pressure);
+  if (!target) return target.error();
+  PoseCurve other = curve;
+  other.target = std::move(target).value();
+  return solved(with_replaced(document, std::move(other)), work);
+}
+
+/// The drawn line of a target as another view shows it, through its points in space where the view has changed.
+base::Result<Line> line_in(const DrawnTarget& target, const View& view) {
+  if (target.view == view) return Line{target.line, target.pressure};
+  const auto camera = geometry::Camera::make(view.camera, view.viewport);
+  if (!camera) return at("view", camera.error());
+  Line line;
+  for (const ModelPoint& point : target.points) {
+    const auto px = camera->project(point);
+    if (!px) return base::Error{"the target lies behind the camera", "view", "look at it and draw again"};
+    line.points.push_back(*px);
+    line.pressure.push_back(1.0);
+  }
+  return line;
+}
+
+/// Where a view shows points; those behind the camera are left out.
+std::vector<PxPoint> seen(const geometry::Camera& camera, const std::vector<ModelPoint>& points) {
+  std::vector<PxPoint> out;
+  for (const ModelPoint& point : points) {
+    if (const auto px = camera.project(point)) out.push_back(*px);
+  }
+  return out;
+}
+
+}  // namespace
+
+posing::PoseProblem pose_problem(const Document& document) {
+  posing::PoseProblem problem;
+  problem.start = document.pose;
+  problem.free = free_parameters(document);
+  for (const auto& curve : document.curves) {
+    if (curve->role == PoseCurveRole::constraint) {
+      problem.constraints.push_back({curve_points(document, curve->points), curve->kept});
+    } else if (curve->target) {
+      problem.pairs.push_back({curve_points(document, curve->points), curve->target->points,
+                               document.pressure_weighting ? curve->target->weights : std::vector<double>()});
+    }
+  }
+  return problem;
+}
+
+Changed run(const Document& document, const DrawReference& command, Parts& work) {
+  auto points = drawn_on_surface(document, command.view, command.line, work);
+  if (!points) return points.error();
+  PoseCurve curve;
+  curve.points = std::move(points).value();
+  return with_curve(document, std::move(curve));
+}
+
+Changed run(const Document& document, const DrawTarget& command, Parts& work) {
+  const auto curve = reference_named(document, command.curve, false);
+  if (!curve) return curve.error();
+  return retargeted(document, **curve, command.view, command.line, command.pressure, work);
+}
+
+Changed run(const Document& document, const OversketchTarget& command, Parts& work) {
+  const auto curve = reference_named(document, command.curve, true);
+  if (!curve) return curve.error();
+  const auto before = line_in(*(*curve)->target, command.view);
+  if (!before) return before.error();
+  const auto line = oversketched(*before, command.line);
+  if (!line) return line.error();
+  return retargeted(document, **curve, command.view, line->points, line->pressure, work);
+}
+
+Changed run(const Document& document, const DragTarget& command, Parts& work) {
+  const auto curve = reference_named(document, command.curve, true);
+  if (!curve) return curve.error();
+  const DrawnTarget& target = *(*curve)->target;
+  std::vector<PxPoint> line = target.line;
+  for (PxPoint& p : line) p = p + command.by;
+  return retargeted(document, **curve, target.view, line, target.pressure, work);
+}
+
+Changed run(const Document& document, const DrawConstraint& command, Parts& work) {
+  auto points = drawn_on_surface(document, command.view, command.line, work);
+  if (!points) return points.error();
+  PoseCurve curve;
+  curve.role = PoseCurveRole::constraint;
+  curve.points = std::move(points).value();
+  curve.kept = positions_now(document, curve.points);
+  return with_curve(document, std::move(curve));
+}
+
+Changed run(const Document& document, const Pin& command, Parts& work) {
+  const auto camera = geometry::Camera::make(command.view.camera, command.view.viewport);
+  if (!camera) return at("view", camera.error());
+  const auto hit = work.surface_of(document).nearest_hit(camera->ray(command.at));
+  if (!hit) return base::Error{"the pin does not touch the mesh", "at", "put it on the mesh"};
+  PoseCurve curve;
+  curve.role = PoseCurveRole::constraint;
+  curve.points = {{hit->triangle, hit->barycentric}};
+  curve.kept = positions_now(document, curve.points);
+  return with_curve(document, std::move(curve));
+}
+
+Changed run(const Document& document, const KeepCurve& command, Parts&) {
+  const auto curve = reference_named(document, command.curve, false);
+  if (!curve) return curve.error();
+  PoseCurve kept = **curve;
+  kept.role = PoseCurveRole::constraint;
+  kept.target.reset();
+  kept.kept = positions_now(document, kept.points);
+  return with_replaced(document, std::move(kept));
+}
+
+Changed run(const Document& document, const DeleteCurve& command, Parts&) {
+  if (find_curve(document, command.curve) == nullptr) return no_curve(command.curve);
+  Document changed = document;
+  std::erase_if(changed.curves, [&](const auto& curve) { return curve->id == command.curve; });
+  return changed;
+}
+
+Changed run(const Document& document, const EraseCurves& command, Parts&) {
+  const auto camera = geometry::Camera::make(command.view.camera, command.view.viewport);
+  if (!camera) return at("view", camera.error());
+  const double near = curve::pairing_distance_px(command.view.viewport);
+  Document changed = document;
+  std::erase_if(changed.curves, [&](const auto& curve) {
+    if (come_near(seen(*camera, positions_now(document, curve->points)), command.line, near)) return true;
+    return curve->target && come_near(seen(*camera, curve->target->points), command.line, near);
+  });
+  if (changed.curves.size() == document.curves.size()) {
+    return base::Error{"there is no curve under the eraser", "line", "draw over a curve"};
+  }
+  return changed;
+}
+
+Changed run(const Document& document, const ClearCurves&, Parts&) {
+  Document changed = document;
+  changed.curves.clear();
+  return changed;
+}
+
+Changed run(const Document& document, const SolvePose&, Parts& work) { return solved(document, work); }
+
+Changed run(const Document& document, const SetPressureWeighting& command, Parts&) {
+  Document changed = document;
+  changed.pressure_weighting = command.on;
+  return changed;
+}
+
+Changed run(const Document& document, const NameCurve& command, Parts&) {
+  const PoseCurve* curve = find_curve(document, command.curve);
+  if (curve == nullptr) return no_curve(command.curve);
+  if (command.name.empty()) return base::Error{"a curve of the model needs a name", "name", "give one"};
+  Model model = *document.model;
+  NamedCurve named{command.name, curve->points};
+  const auto same = std::find_if(model.curves.begin(), model.curves.end(),
+                                 [&](const NamedCurve& one) { return one.name == command.name; });
+  if (same != model.curves.end()) {
+    *same = std::move(named);
+  } else {
+    model.curves.push_back(std::move(named));
+  }
+  Document changed = document;
+  changed.model = std::make_shared<const Model>(std::move(model));
+  return changed;
+}
+
+Changed run(const Document& document, const DeleteNamedCurve& command, Parts&) {
+  Model model = *document.model;
+  const auto erased = std::erase_if(model.curves, [&](const NamedCurve& one) { return one.name == command.name; });
+  if (erased == 0) return base::Error{"the model has no curve \"" + command.name + "\"", "name", ""};
+  Document changed = document;
+  changed.model = std::make_shared<const Model>(std::move(model));
+  return changed;
+}
+
+}  // namespace penpose::document

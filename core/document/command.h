@@ -1,0 +1,457 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/articulation/edit.h"
+#include "core/articulation/sketch.h"
+#include "core/document/pose_curve.h"
+#include "core/document/timeline.h"
+
+// The commands: the only way to change a document. Each is a plain struct with its name in files and, in `fields`, the
+// names of its members there. The variant `Command` is the one list of them; text form, application and tests are made
+// from it.
+
+namespace penpose::document {
+
+using curve::PxPoint;
+
+/// A parameter and its value.
+struct NamedValue {
+  std::string name;
+  double value = 0;
+  friend bool operator==(const NamedValue&, const NamedValue&) = default;
+};
+
+// Parameters.
+
+/// Sets parameters. Errors: no such parameter, a value out of range.
+struct SetParameters {
+  static constexpr std::string_view k_name = "set_parameters";
+  std::vector<NamedValue> values;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("values", self.values);
+  }
+  friend bool operator==(const SetParameters&, const SetParameters&) = default;
+};
+
+/// Puts parameters at rest; all of them when no name is given.
+struct ResetParameters {
+  static constexpr std::string_view k_name = "reset_parameters";
+  std::vector<std::string> names;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("names", self.names);
+  }
+  friend bool operator==(const ResetParameters&, const ResetParameters&) = default;
+};
+
+/// Locks parameters against the solver, or frees them.
+struct LockParameters {
+  static constexpr std::string_view k_name = "lock_parameters";
+  std::vector<std::string> names;
+  bool locked = true;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("names", self.names);
+    visit("locked", self.locked);
+  }
+  friend bool operator==(const LockParameters&, const LockParameters&) = default;
+};
+
+// Posing.
+
+/// Draws a reference curve on the posed surface.
+struct DrawReference {
+  static constexpr std::string_view k_name = "draw_reference";
+  View view;
+  std::vector<PxPoint> line;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("view", self.view);
+    visit("line", self.line);
+  }
+  friend bool operator==(const DrawReference&, const DrawReference&) = default;
+};
+
+/// Draws (again) where a reference should go, and solves.
+struct DrawTarget {
+  static constexpr std::string_view k_name = "draw_target";
+  CurveId curve;
+  View view;
+  std::vector<PxPoint> line;
+  std::vector<double> pressure;  ///< 0..1, one a point of the line; empty: all 1
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("curve", self.curve);
+    visit("view", self.view);
+    visit("line", self.line);
+    visit("pressure", self.pressure);
+  }
+  friend bool operator==(const DrawTarget&, const DrawTarget&) = default;
+};
+
+/// Replaces the part of a target that a stroke runs along, and solves.
+struct OversketchTarget {
+  static constexpr std::string_view k_name = "oversketch_target";
+  CurveId curve;
+  View view;
+  std::vector<PxPoint> line;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("curve", self.curve);
+    visit("view", self.view);
+    visit("line", self.line);
+  }
+  friend bool operator==(const OversketchTarget&, const OversketchTarget&) = default;
+};
+
+/// Moves a target by px of its own view, and solves.
+struct DragTarget {
+  static constexpr std::string_view k_name = "drag_target";
+  CurveId curve;
+  PxPoint by;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("curve", self.curve);
+    visit("by", self.by);
+  }
+  friend bool operator==(const DragTarget&, const DragTarget&) = default;
+};
+
+/// Draws a curve that should stay where it is now.
+struct DrawConstraint {
+  static constexpr std::string_view k_name = "draw_constraint";
+  View view;
+  std::vector<PxPoint> line;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("view", self.view);
+    visit("line", self.line);
+  }
+  friend bool operator==(const DrawConstraint&, const DrawConstraint&) = default;
+};
+
+/// Pins one point of the surface where it is now.
+struct Pin {
+  static constexpr std::string_view k_name = "pin";
+  View view;
+  PxPoint at;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("view", self.view);
+    visit("at", self.at);
+  }
+  friend bool operator==(const Pin&, const Pin&) = default;
+};
+
+/// Turns a reference into a constraint where its points are now.
+struct KeepCurve {
+  static constexpr std::string_view k_name = "keep_curve";
+  CurveId curve;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("curve", self.curve);
+  }
+  friend bool operator==(const KeepCurve&, const KeepCurve&) = default;
+};
+
+struct DeleteCurve {
+  static constexpr std::string_view k_name = "delete_curve";
+  CurveId curve;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("curve", self.curve);
+  }
+  friend bool operator==(const DeleteCurve&, const DeleteCurve&) = default;
+};
+
+/// Deletes every curve that is seen under a stroke.
+struct EraseCurves {
+  static constexpr std::string_view k_name = "erase_curves";
+  View view;
+  std::vector<PxPoint> line;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("view", self.view);
+    visit("line", self.line);
+  }
+  friend bool operator==(const EraseCurves&, const EraseCurves&) = default;
+};
+
+/// Deletes all curves of the posing tool; the pose stays.
+struct ClearCurves {
+  static constexpr std::string_view k_name = "clear_curves";
+  template <typename Self>
+  static void fields(Self&, auto&&) {}
+  friend bool operator==(const ClearCurves&, const ClearCurves&) = default;
+};
+
+/// Solves the curves that are there, from the pose as it is.
+struct SolvePose {
+  static constexpr std::string_view k_name = "solve_pose";
+  template <typename Self>
+  static void fields(Self&, auto&&) {}
+  friend bool operator==(const SolvePose&, const SolvePose&) = default;
+};
+
+struct SetPressureWeighting {
+  static constexpr std::string_view k_name = "set_pressure_weighting";
+  bool on = false;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("on", self.on);
+  }
+  friend bool operator==(const SetPressureWeighting&, const SetPressureWeighting&) = default;
+};
+
+/// Gives the points of a drawn curve a name in the model, as maps of tracked curves use it.
+struct NameCurve {
+  static constexpr std::string_view k_name = "name_curve";
+  CurveId curve;
+  std::string name;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("curve", self.curve);
+    visit("name", self.name);
+  }
+  friend bool operator==(const NameCurve&, const NameCurve&) = default;
+};
+
+struct DeleteNamedCurve {
+  static constexpr std::string_view k_name = "delete_named_curve";
+  std::string name;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("name", self.name);
+  }
+  friend bool operator==(const DeleteNamedCurve&, const DeleteNamedCurve&) = default;
+};
+
+// Articulation.
+
+/// Begins a deformer, whose curves are drawn one by one.
+struct BeginDeformer {
+  static constexpr std::string_view k_name = "begin_deformer";
+  std::string name;  ///< empty: "deformer N" with the first free N
+  articulation::Mode mode = articulation::Mode::automatic;
+  articulation::Surface surface;
+  double minimum = 0;
+  double maximum = 1;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("name", self.name);
+    visit("mode", self.mode);
+    visit("surface", self.surface);
+    visit("minimum", self.minimum);
+    visit("maximum", self.maximum);
+  }
+  friend bool operator==(const BeginDeformer&, const BeginDeformer&) = default;
+};
+
+/// Draws a curve of the deformer that was begun; the target completes it. Errors: no deformer was begun, a curve before
+/// its turn, the second region under another camera than the first; with the target those of build_deformer.
+struct SketchCurve {
+  static constexpr std::string_view k_name = "sketch_curve";
+  articulation::CurveRole role = articulation::CurveRole::general;
+  View view;
+  std::vector<PxPoint> line;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("role", self.role);
+    visit("view", self.view);
+    visit("line", self.line);
+  }
+  friend bool operator==(const SketchCurve&, const SketchCurve&) = default;
+};
+
+struct CancelDeformer {
+  static constexpr std::string_view k_name = "cancel_deformer";
+  template <typename Self>
+  static void fields(Self&, auto&&) {}
+  friend bool operator==(const CancelDeformer&, const CancelDeformer&) = default;
+};
+
+/// Draws one curve of a deformer again; a reference without points is inferred. The parameter keeps its value.
+struct RedrawCurve {
+  static constexpr std::string_view k_name = "redraw_curve";
+  std::string deformer;
+  articulation::CurveRole role = articulation::CurveRole::target;
+  View view;
+  std::vector<PxPoint> line;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("deformer", self.deformer);
+    visit("role", self.role);
+    visit("view", self.view);
+    visit("line", self.line);
+  }
+  friend bool operator==(const RedrawCurve&, const RedrawCurve&) = default;
+};
+
+/// Changes how a deformer moves, what it slides over, or its range; what is not given stays.
+struct ChangeDeformer {
+  static constexpr std::string_view k_name = "change_deformer";
+  std::string deformer;
+  std::optional<articulation::Mode> mode;
+  std::optional<articulation::Surface> surface;
+  std::optional<double> minimum;
+  std::optional<double> maximum;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("deformer", self.deformer);
+    visit("mode", self.mode);
+    visit("surface", self.surface);
+    visit("minimum", self.minimum);
+    visit("maximum", self.maximum);
+  }
+  friend bool operator==(const ChangeDeformer&, const ChangeDeformer&) = default;
+};
+
+/// Adds the same deformer on the model's other side.
+struct MirrorDeformer {
+  static constexpr std::string_view k_name = "mirror_deformer";
+  std::string deformer;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("deformer", self.deformer);
+  }
+  friend bool operator==(const MirrorDeformer&, const MirrorDeformer&) = default;
+};
+
+struct RenameDeformer {
+  static constexpr std::string_view k_name = "rename_deformer";
+  std::string deformer;
+  std::string to;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("deformer", self.deformer);
+    visit("to", self.to);
+  }
+  friend bool operator==(const RenameDeformer&, const RenameDeformer&) = default;
+};
+
+struct DeleteDeformer {
+  static constexpr std::string_view k_name = "delete_deformer";
+  std::string deformer;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("deformer", self.deformer);
+  }
+  friend bool operator==(const DeleteDeformer&, const DeleteDeformer&) = default;
+};
+
+/// Takes a deformer out of the list and puts it back as number `to`, from 0.
+struct MoveDeformer {
+  static constexpr std::string_view k_name = "move_deformer";
+  std::string deformer;
+  std::uint32_t to = 0;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("deformer", self.deformer);
+    visit("to", self.to);
+  }
+  friend bool operator==(const MoveDeformer&, const MoveDeformer&) = default;
+};
+
+// Timeline and views.
+
+/// Keys the pose at a moment, in place of a key that is there. The pose may have a name.
+struct SetKey {
+  static constexpr std::string_view k_name = "set_key";
+  double time_s = 0;
+  std::string name;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("time_s", self.time_s);
+    visit("name", self.name);
+  }
+  friend bool operator==(const SetKey&, const SetKey&) = default;
+};
+
+struct DeleteKey {
+  static constexpr std::string_view k_name = "delete_key";
+  double time_s = 0;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("time_s", self.time_s);
+  }
+  friend bool operator==(const DeleteKey&, const DeleteKey&) = default;
+};
+
+/// Errors: no key there, another key where it should go.
+struct MoveKey {
+  static constexpr std::string_view k_name = "move_key";
+  double from_s = 0;
+  double to_s = 0;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("from_s", self.from_s);
+    visit("to_s", self.to_s);
+  }
+  friend bool operator==(const MoveKey&, const MoveKey&) = default;
+};
+
+struct SetKeyInterpolation {
+  static constexpr std::string_view k_name = "set_key_interpolation";
+  KeyInterpolation interpolation = KeyInterpolation::smooth;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("interpolation", self.interpolation);
+  }
+  friend bool operator==(const SetKeyInterpolation&, const SetKeyInterpolation&) = default;
+};
+
+/// Takes the pose of the timeline at a moment.
+struct GoToTime {
+  static constexpr std::string_view k_name = "go_to_time";
+  double time_s = 0;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("time_s", self.time_s);
+  }
+  friend bool operator==(const GoToTime&, const GoToTime&) = default;
+};
+
+/// Keeps a view under a name, in place of one of that name.
+struct SaveView {
+  static constexpr std::string_view k_name = "save_view";
+  std::string name;
+  View view;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("name", self.name);
+    visit("view", self.view);
+  }
+  friend bool operator==(const SaveView&, const SaveView&) = default;
+};
+
+struct DeleteView {
+  static constexpr std::string_view k_name = "delete_view";
+  std::string name;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("name", self.name);
+  }
+  friend bool operator==(const DeleteView&, const DeleteView&) = default;
+};
+
+using Command =
+    std::variant<SetParameters, ResetParameters, LockParameters, DrawReference, DrawTarget, OversketchTarget,
+                 DragTarget, DrawConstraint, Pin, KeepCurve, DeleteCurve, EraseCurves, ClearCurves, SolvePose,
+                 SetPressureWeighting, NameCurve, DeleteNamedCurve, BeginDeformer, SketchCurve, CancelDeformer,
+                 RedrawCurve, ChangeDeformer, MirrorDeformer, RenameDeformer, DeleteDeformer, MoveDeformer, SetKey,
+                 DeleteKey, MoveKey, SetKeyInterpolation, GoToTime, SaveView, DeleteView>;
+
+/// The command's name in files.
+[[nodiscard]] inline std::string_view name_of(const Command& command) {
+  return std::visit([](const auto& one) { return std::decay_t<decltype(one)>::k_name; }, command);
+}
+
+}  // namespace penpose::document

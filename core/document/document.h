@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/articulation/sketch.h"
+#include "core/base/result.h"
+#include "core/document/model.h"
+#include "core/document/pose_curve.h"
+#include "core/document/timeline.h"
+
+namespace penpose::document {
+
+/// A deformer whose four steps are not all drawn yet.
+struct PendingSketch {
+  articulation::Sketch sketch;  ///< curves are empty until they are drawn
+  friend bool operator==(const PendingSketch&, const PendingSketch&) = default;
+};
+
+/// A view that has a name.
+struct NamedView {
+  std::string name;
+  View view;
+  friend bool operator==(const NamedView&, const NamedView&) = default;
+};
+
+/// All that is worked on. A value whose heavy parts are shared and never change, so that a copy costs a few hundred
+/// bytes whatever the size of the mesh. Only commands (core/document/apply.h) make another one.
+struct Document {
+  std::shared_ptr<const Model> model;                    ///< its own pose is not used: `pose` is what counts
+  rig::Pose pose;                                        ///< one value a parameter of the rig
+  std::vector<std::string> locked;                       ///< parameters that no solve may move, in ascending order
+  bool pressure_weighting = false;                       ///< targets pull harder where the pen pressed harder
+  std::vector<std::shared_ptr<const PoseCurve>> curves;  ///< in the order of drawing
+  std::uint32_t last_curve = 0;                          ///< the highest id given out
+  std::shared_ptr<const PendingSketch> pending;          ///< null: none
+  std::shared_ptr<const Timeline> timeline;              ///< never null
+  double time_s = 0;                                     ///< where on the timeline the pose was last taken from
+  std::vector<std::shared_ptr<const NamedView>> views;
+};
+
+/// A document of a model that nothing has been done to: its pose, no curves, no keys.
+[[nodiscard]] Document make_document(Model model);
+
+/// The model as it stands, with the pose of the document and its timeline as one more animation, "timeline", in front;
+/// what a file for other programs holds.
+[[nodiscard]] Model model_of(const Document& document);
+
+[[nodiscard]] const PoseCurve* find_curve(const Document& document, CurveId id);
+
+}  // namespace penpose::document

@@ -1,0 +1,141 @@
+#include "core/document/document_hash.h"
+
+#include "core/document/model_hash.h"
+
+namespace penpose::document {
+namespace {
+
+using base::StateHash;
+
+void add_vector(StateHash& hash, const geometry::ModelVector& v) {
+  hash.add(v.x);
+  hash.add(v.y);
+  hash.add(v.z);
+}
+
+void add_view(StateHash& hash, const View& view) {
+  add_vector(hash, view.camera.eye);
+  add_vector(hash, view.camera.look_at);
+  add_vector(hash, view.camera.up);
+  hash.add(view.camera.vertical_fov_degrees);
+  hash.add(static_cast<std::uint64_t>(view.viewport.width));
+  hash.add(static_cast<std::uint64_t>(view.viewport.height));
+}
+
+void add_points(StateHash& hash, const std::vector<geometry::ModelPoint>& points) {
+  hash.add(std::uint64_t{points.size()});
+  for (const auto& point : points) add_vector(hash, point);
+}
+
+void add_target(StateHash& hash, const DrawnTarget& target) {
+  add_view(hash, target.view);
+  hash.add(std::uint64_t{target.line.size()});
+  for (const curve::PxPoint& p : target.line) {
+    hash.add(p.x);
+    hash.add(p.y);
+  }
+  hash.add(std::span<const double>(target.pressure));
+  add_points(hash, target.points);
+  hash.add(std::span<const double>(target.weights));
+}
+
+base::Hash128 hash_of(const PoseCurve& curve) {
+  StateHash hash;
+  hash.add(std::uint64_t{curve.id.value});
+  hash.add(static_cast<std::uint64_t>(curve.role));
+  add_mesh_points(hash, curve.points);
+  add_points(hash, curve.kept);
+  hash.add(std::uint64_t{curve.target.has_value()});
+  if (curve.target) add_target(hash, *curve.target);
+  return hash.digest();
+}
+
+void add_digest(StateHash& hash, const base::Hash128& digest) {
+  hash.add(digest.high);
+  hash.add(digest.low);
+}
+
+base::Hash128 hash_deformers(const Document& document) {
+  StateHash hash;
+  if (document.model->deformers) articulation::add_to_hash(hash, *document.model->deformers);
+  hash.add(std::uint64_t{document.pending != nullptr});
+  if (document.pending) articulation::add_to_hash(hash, document.pending->sketch);
+  return hash.digest();
+}
+
+base::Hash128 hash_parameters(const Document& document) {
+  StateHash hash;
+  add_parameters(hash, *document.model->rig);
+  hash.add(std::span<const double>(document.pose));
+  for (const std::string& name : document.locked) hash.add(name);
+  hash.add(std::uint64_t{document.pressure_weighting});
+  hash.add(document.time_s);
+  return hash.digest();
+}
+
+base::Hash128 hash_curves(const Document& document) {
+  StateHash hash;
+  hash.add(std::uint64_t{document.last_curve});
+  hash.add(std::uint64_t{document.curves.size()});
+  for (const auto& curve : document.curves) add_digest(hash, hash_of(*curve));
+  add_curves(hash, document.model->curves);
+  for (const auto& named : document.views) {
+    hash.add(named->name);
+    add_view(hash, named->view);
+  }
+  return hash.digest();
+}
+
+base::Hash128 hash_keys(const Document& document, const base::Hash128& animations) {
+  StateHash hash;
+  hash.add(static_cast<std::uint64_t>(document.timeline->interpolation));
+  for (const PoseKey& key : document.timeline->keys) {
+    hash.add(key.time_s);
+    hash.add(std::span<const double>(key.pose));
+    hash.add(key.name);
+  }
+  add_digest(hash, animations);
+  return hash.digest();
+}
+
+}  // namespace
+
+std::vector<std::string_view> differing_parts(const DocumentState& a, const DocumentState& b) {
+  std::vector<std::string_view> names;
+  for (std::size_t i = 0; i < k_state_parts.size(); ++i) {
+    if (a.parts[i] != b.parts[i]) names.push_back(k_state_parts[i]);
+  }
+  return names;
+}
+
+DocumentState DocumentHasher::operator()(const Document& document) {
+  const Model& model = *document.model;
+  if (mesh_ != model.mesh || shapes_ != model.shapes || skeleton_ != model.skeleton) {
+    mesh_ = model.mesh;
+    shapes_ = model.shapes;
+    skeleton_ = model.skeleton;
+    surface_ = hash_surface(model);
+  }
+  if (animated_ != document.model) {
+    animated_ = document.model;
+    StateHash hash;
+    add_animations(hash, model.animations);
+    animations_ = hash.digest();
+  }
+  const std::array<base::Hash128, k_state_parts.size()> parts{surface_, hash_deformers(document),
+                                                              hash_parameters(document), hash_curves(document),
+                                                              hash_keys(document, animations_)};
+  StateHash hash;
+  hash.add("penpose document 1");
+  DocumentState state;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    add_digest(hash, parts[i]);
+    state.parts[i] = static_cast<std::uint32_t>(parts[i].low);
+  }
+  state.whole = hash.digest();
+  return state;
+}
+
+base::Hash128 state_hash(const Model& model) { return DocumentHasher()(make_document(model)).whole; }
+
+}  // namespace penpose::document

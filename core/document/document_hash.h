@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/state_hash.h"
+#include "core/document/document.h"
+
+namespace penpose::document {
+
+/// What a state is made of, in the order in which it is hashed.
+enum class StatePart : std::uint8_t { model, deformers, parameters, curves, keys };
+inline constexpr std::array<std::string_view, 5> k_state_parts{"model", "deformers", "parameters", "curves", "keys"};
+
+/// The canonical hash of a document (method, section 5), with that of every part so that a difference can be named.
+struct DocumentState {
+  base::Hash128 whole;
+  std::array<std::uint32_t, k_state_parts.size()> parts{};  ///< the low 32 bits of each part's own hash
+  friend bool operator==(const DocumentState&, const DocumentState&) = default;
+};
+
+/// The names of the parts in which two states differ.
+[[nodiscard]] std::vector<std::string_view> differing_parts(const DocumentState& a, const DocumentState& b);
+
+/// Hashes documents. Remembers the hash of what is shared between them, so that hashing after every stroke costs the
+/// size of what changed.
+class DocumentHasher {
+ public:
+  [[nodiscard]] DocumentState operator()(const Document& document);
+
+ private:
+  std::shared_ptr<const mesh::TriangleMesh> mesh_;
+  std::shared_ptr<const rig::BlendShapes> shapes_;
+  std::shared_ptr<const rig::Skeleton> skeleton_;
+  base::Hash128 surface_;
+  std::shared_ptr<const Model> animated_;
+  base::Hash128 animations_;
+};
+
+}  // namespace penpose::document

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/document/apply.h"
+#include "core/document/command.h"
+#include "core/document/document.h"
+
+namespace penpose::document {
+
+/// A document with everything that was done to it. Undo and redo go through all steps since it was opened. A step keeps
+/// the document before it, which shares with its neighbours all that the command did not change.
+class History {
+ public:
+  explicit History(Document document) : current_(std::move(document)) {}
+
+  [[nodiscard]] const Document& document() const { return current_; }
+
+  /// Applies a command; what was undone before is given up. On an error nothing changes.
+  base::Status perform(const Command& command, ApplyWorkspace& work);
+  /// Errors: nothing to undo or redo.
+  base::Status undo();
+  base::Status redo();
+
+  [[nodiscard]] std::size_t undo_count() const { return done_.size(); }
+  [[nodiscard]] std::size_t redo_count() const { return undone_.size(); }
+  /// The name of the command that undo takes back, or redo brings back. Precondition: there is one.
+  [[nodiscard]] std::string_view next_undo() const { return done_.back().command; }
+  [[nodiscard]] std::string_view next_redo() const { return undone_.back().command; }
+
+ private:
+  struct Step {
+    std::string_view command;  ///< its name; strokes are not kept
+    Document other;            ///< of `done_` the document before the command, of `undone_` the one after it
+  };
+  Document current_;
+  std::vector<Step> done_;
+  std::vector<Step> undone_;
+};
+
+}  // namespace penpose::document

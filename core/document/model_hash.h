@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+
+#include "core/base/state_hash.h"
+#include "core/document/model.h"
+
+namespace penpose::document {
+
+// Pieces of the canonical form of a model (method, section 5).
+
+/// The hash of what is posed: mesh, blend shapes and skeleton.
+[[nodiscard]] base::Hash128 hash_surface(const Model& model);
+void add_parameters(base::StateHash& hash, const rig::Rig& rig);
+void add_mesh_points(base::StateHash& hash, std::span<const mesh::MeshPoint> points);
+void add_curves(base::StateHash& hash, std::span<const NamedCurve> curves);
+void add_animations(base::StateHash& hash, std::span<const Animation> animations);
+
+}  // namespace penpose::document

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/document/pose_curve.h"
+
+namespace penpose::document {
+
+/// Where a reference should go, from a drawn line (method, section 1: order, spacing, lifting). `reference` are the
+/// positions of the reference's points now. `pressure`: one a point of the line, or empty for 1 everywhere. Errors: a
+/// camera that cannot be, those of pair_target, a number of pressures that does not fit.
+[[nodiscard]] base::Result<DrawnTarget> make_target(std::span<const geometry::ModelPoint> reference, const View& view,
+                                                    std::span<const curve::PxPoint> line,
+                                                    std::span<const double> pressure);
+
+/// A line with the part that a stroke runs along replaced by the stroke: from the place nearest to the stroke's start
+/// to the place nearest to its end, whichever way it was drawn. `pressure` (one a point of the line) is extended by 1
+/// along the stroke. Errors: a stroke of fewer than two points.
+struct Line {
+  std::vector<curve::PxPoint> points;
+  std::vector<double> pressure;
+};
+[[nodiscard]] base::Result<Line> oversketched(const Line& line, std::span<const curve::PxPoint> stroke);
+
+/// True when two lines come within a distance of each other. A line of one point is that point.
+[[nodiscard]] bool come_near(std::span<const curve::PxPoint> a, std::span<const curve::PxPoint> b, double distance_px);
+
+}  // namespace penpose::document

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/document/model.h"
+#include "core/rig/rig.h"
+
+namespace penpose::document {
+
+/// A pose at a moment.
+struct PoseKey {
+  double time_s = 0;
+  rig::Pose pose;    ///< one value a parameter of the rig
+  std::string name;  ///< of the pose, or empty
+  friend bool operator==(const PoseKey&, const PoseKey&) = default;
+};
+
+/// How poses between keys are made.
+enum class KeyInterpolation : std::uint8_t {
+  linear,
+  smooth,  ///< cubic Hermite whose tangents never overshoot the keys (Fritsch and Carlson 1980)
+};
+
+/// Key poses, ascending in time, no two at one moment.
+struct Timeline {
+  KeyInterpolation interpolation = KeyInterpolation::smooth;
+  std::vector<PoseKey> keys;
+  friend bool operator==(const Timeline&, const Timeline&) = default;
+};
+
+/// The latest moment a key may have, seconds.
+inline constexpr double k_latest_key_s = 36000;
+
+/// The pose at a moment, held before the first and after the last key. Precondition: there is a key.
+[[nodiscard]] rig::Pose sample(const Timeline& timeline, double time_s);
+
+/// The slope at every key of one parameter's curve, in units a second, for `smooth`.
+[[nodiscard]] std::vector<double> monotone_tangents(std::span<const double> times_s, std::span<const double> values);
+
+/// The timeline as an animation that any viewer plays: weights of shapes and deformers exactly, joints sampled
+/// `joint_samples_per_s` times a second between their keys. Empty for a timeline without keys.
+[[nodiscard]] Animation to_animation(const Model& model, const Timeline& timeline, double joint_samples_per_s = 60);
+
+}  // namespace penpose::document

@@ -1,0 +1,28 @@
+#include "core/drawing/editor.h"
+
+#include <utility>
+
+namespace penpose::drawing {
+
+Editor::Editor(document::Document document) : history_(std::move(document)), view_(opening_view(history_.document())) {}
+
+base::Status Editor::set_view(const document::View& view) {
+  if (const auto camera = geometry::Camera::make(view.camera, view.viewport); !camera) return camera.error();
+  view_ = view;
+  return base::Done{};
+}
+
+base::Status Editor::perform(const document::Command& command) { return history_.perform(command, work_); }
+
+base::Status Editor::draw(const curve::Stroke& stroke, const document::View& view, bool eraser) {
+  const auto command = command_of(document(), tool_, view, stroke, eraser);
+  if (!command) return command.error();
+  return perform(*command);
+}
+
+document::View opening_view(const document::Document& document) {
+  const geometry::Camera camera = geometry::frame_box(rest_world_box(*document.model), {}, 0);
+  return {camera.pose(), camera.viewport()};
+}
+
+}  // namespace penpose::drawing

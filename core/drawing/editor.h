@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/document/document_hash.h"
+#include "core/document/history.h"
+#include "core/drawing/tool.h"
+
+namespace penpose::drawing {
+
+/// A document in the hands of an artist: its history, where it is looked at from, and the tool. The same calls in the
+/// same order give the same document, bit for bit; the app and the replay of a session make the same calls.
+class Editor {
+ public:
+  explicit Editor(document::Document document);
+
+  [[nodiscard]] const document::Document& document() const { return history_.document(); }
+  [[nodiscard]] const document::History& history() const { return history_; }
+  [[nodiscard]] const document::View& view() const { return view_; }
+  [[nodiscard]] const Tool& tool() const { return tool_; }
+
+  /// Errors: a camera that cannot be.
+  base::Status set_view(const document::View& view);
+  void set_tool(Tool tool) { tool_ = std::move(tool); }
+
+  base::Status perform(const document::Command& command);
+  /// A completed stroke, with the view under which it began.
+  base::Status draw(const curve::Stroke& stroke, const document::View& view, bool eraser);
+  base::Status undo() { return history_.undo(); }
+  base::Status redo() { return history_.redo(); }
+
+  /// The canonical hash of the document as it is.
+  [[nodiscard]] document::DocumentState state() { return hasher_(history_.document()); }
+
+ private:
+  document::History history_;
+  document::ApplyWorkspace work_;
+  document::DocumentHasher hasher_;
+  document::View view_;
+  Tool tool_;
+};
+
+/// The view that a document opens with: its whole rest surface from the front, on a picture of 1000 x 1000 px.
+[[nodiscard]] document::View opening_view(const document::Document& document);
+
+}  // namespace penpose::drawing

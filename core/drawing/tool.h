@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/curve/stroke.h"
+#include "core/document/command.h"
+#include "core/document/document.h"
+
+namespace penpose::drawing {
+
+/// What the pen does on the canvas.
+enum class ToolKind : std::uint8_t {
+  pose,        ///< a reference, then its target, then the next reference
+  reference,   ///< references only
+  target,      ///< the target of `curve`, else of the first reference that has none
+  oversketch,  ///< a part of the target of `curve`, else of the last reference that has one
+  constraint,
+  pin,         ///< where the pen first touches
+  articulate,  ///< the curves of a deformer in their order
+  redraw,      ///< one curve of a deformer that exists
+  erase,
+  none,  ///< strokes do nothing
+};
+
+struct Tool {
+  ToolKind kind = ToolKind::pose;
+  document::CurveId curve;      ///< for target and oversketch; null: chosen by the rule of the kind
+  bool draw_reference = false;  ///< articulate: the reference is drawn and not inferred
+  std::string deformer;         ///< redraw: of which deformer
+  articulation::CurveRole role = articulation::CurveRole::target;  ///< redraw: which of its curves
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("kind", self.kind);
+    visit("curve", self.curve);
+    visit("draw_reference", self.draw_reference);
+    visit("deformer", self.deformer);
+    visit("role", self.role);
+  }
+  friend bool operator==(const Tool&, const Tool&) = default;
+};
+
+/// "kind=articulate draw_reference=1": members that are not at their defaults, as commands write them.
+[[nodiscard]] std::string to_text(const Tool& tool);
+[[nodiscard]] base::Result<Tool> parse_tool(std::string_view text);
+
+/// The step of a deformer that the next stroke of `articulate` draws.
+[[nodiscard]] articulation::CurveRole next_step(const document::Document& document, const Tool& tool);
+
+/// The command that a stroke means. The eraser end of a pen erases whatever the tool. Errors: a stroke that the tool
+/// can make nothing of, such as a target where no reference waits for one.
+[[nodiscard]] base::Result<document::Command> command_of(const document::Document& document, const Tool& tool,
+                                                         const document::View& view, const curve::Stroke& stroke,
+                                                         bool eraser);
+
+}  // namespace penpose::drawing

@@ -1,0 +1,13 @@
+#include "core/model_io/write_document.h"
+
+#include "core/model_io/formats.h"
+#include "core/model_io/write_model.h"
+
+namespace penpose::model_io {
+
+base::Result<std::vector<std::uint8_t>> write_document(const document::Document& document, std::string_view file_name) {
+  if (format_of_name(file_name) == Format::glb) return write_project(document);
+  return write_model(document::model_of(document), file_name);
+}
+
+}  // namespace penpose::model_io

@@ -1,0 +1,44 @@
+#include "replay/live_session.h"
+
+#include <utility>
+
+#include "replay/session_recorder.h"
+
+namespace penpose::replay {
+
+// The writer keeps its first error for whoever owns it; drawing goes on without it.
+
+LiveSession::LiveSession(document::Document document, SessionWriter* writer, const std::string& model_path,
+                         const decode::TabletTable* own)
+    : session_(std::move(document), own), writer_(writer) {
+  if (writer_ == nullptr) return;
+  static_cast<void>(writer_->begin(session_.editor().state().whole, model_path));
+  static_cast<void>(writer_->line(ViewChanged{session_.editor().view()}));
+  session_.listen_to_stroke_ends([this] { static_cast<void>(writer_->flush(true)); });
+}
+
+void LiveSession::connect(int device, const decode::DeviceIdentity& identity) {
+  if (writer_ != nullptr) static_cast<void>(writer_->declare(device, trace_device(identity)));
+  session_.connect(device, identity);
+}
+
+std::span<const PenMoment> LiveSession::report(int device, std::int64_t time_us, base::Bytes bytes) {
+  if (writer_ != nullptr) writer_->report(device, time_us, bytes);
+  const auto moments = session_.report(device, time_us, bytes);
+  write_state();
+  return moments;
+}
+
+base::Status LiveSession::act(const SessionLine& line, std::int64_t time_us) {
+  if (writer_ != nullptr) static_cast<void>(writer_->line(line));
+  auto status = session_.apply(line, time_us);
+  write_state();
+  return status;
+}
+
+void LiveSession::write_state() {
+  if (writer_ == nullptr || session_.steps().empty()) return;
+  static_cast<void>(writer_->state(session_.editor().state()));
+}
+
+}  // namespace penpose::replay

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/drawing/editor.h"
+#include "replay/pen_input.h"
+#include "replay/session_line.h"
+
+namespace penpose::replay {
+
+/// What a report or a line did to the document.
+struct SessionStep {
+  bool is_stroke = false;             ///< a stroke on the canvas ended; otherwise a command, an undo or a redo
+  base::Status status{base::Done{}};  ///< why it changed nothing
+};
+
+/// A document being drawn on by tablets: reports and lines in, changes of the document out. The app and the replay of a
+/// session feed the same calls to this, so that they end in the same state.
+class Session {
+ public:
+  explicit Session(document::Document document, const decode::TabletTable* own = nullptr);
+
+  [[nodiscard]] drawing::Editor& editor() { return editor_; }
+  [[nodiscard]] const drawing::Editor& editor() const { return editor_; }
+  [[nodiscard]] PenInput& pens() { return pens_; }
+  [[nodiscard]] const PenInput& pens() const { return pens_; }
+
+  /// Called when a stroke has ended and before it is drawn, which may take a moment: the time to write it down.
+  void listen_to_stroke_ends(std::function<void()> listener) { on_stroke_end_ = std::move(listener); }
+
+  void connect(int device, const decode::DeviceIdentity& identity) { pens_.connect(device, identity); }
+  /// One report: the moments it held, and in `steps` what strokes that ended with it did. Both are valid until the next
+  /// call.
+  std::span<const PenMoment> report(int device, std::int64_t time_us, base::Bytes bytes);
+  /// One line. Lines that name a session, a model or a state change nothing here.
+  base::Status apply(const SessionLine& line, std::int64_t time_us);
+  /// What the last call of `report` or `apply` did to the document, in order.
+  [[nodiscard]] std::span<const SessionStep> steps() const { return steps_; }
+
+  /// Strokes that ended so far, those on panels and those that failed among them.
+  [[nodiscard]] std::size_t stroke_count() const { return strokes_; }
+
+ private:
+  void draw_completed();
+
+  drawing::Editor editor_;
+  PenInput pens_;
+  std::vector<SessionStep> steps_;
+  std::size_t strokes_ = 0;
+  std::function<void()> on_stroke_end_;
+};
+
+}  // namespace penpose::replay

@@ -1,0 +1,161 @@
+#include "replay/session_player.h"
+
+#include <utility>
+
+namespace penpose::replay {
+namespace {
+
+constexpr std::size_t k_most_refusals = 10;
+
+base::Error at_line(std::uint64_t number, base::Error error) {
+  const std::string line = "line " + std::to_string(number);
+  error.place = error.place.empty() ? line : line + ", " + error.place;
+  return error;
+}
+
+class Player {
+ public:
+  Player(ReadBytes read, const PlayerOptions& options)
+      : options_(options),
+        source_(std::move(read), options.pace, options.wait),
+        observer_(options.observer != nullptr ? *options.observer : nobody_) {}
+
+  base::Result<Playback> play();
+
+ private:
+  bool stopped() const;
+  void on_line(const TraceLine& line);
+  void on_session_line(const SessionLine& line, std::uint64_t number);
+  void begin(const std::string& path, const base::Hash128* expected, std::uint64_t number);
+  void note_steps(std::uint64_t number);
+  void compare(const StateReached& reached, std::uint64_t number);
+
+  const PlayerOptions& options_;
+  TraceSource source_;
+  PlayerObserver nobody_;
+  PlayerObserver& observer_;
+  Playback out_;
+  std::optional<base::Error> error_;  ///< ends the replay
+};
+
+bool Player::stopped() const {
+  return options_.stop_after_strokes && out_.session && out_.session->stroke_count() >= *options_.stop_after_strokes;
+}
+
+/// Makes the document that is drawn on.
+void Player::begin(const std::string& path, const base::Hash128* expected, std::uint64_t number) {
+  auto model = options_.load_model(path);
+  if (!model) {
+    error_ = model.error();
+    if (number > 0) error_ = at_line(number, *error_);
+    return;
+  }
+  const base::Hash128 hash = state_hash(*model);
+  if (expected != nullptr && !(hash == *expected)) {
+    error_ = at_line(number, {"the model \"" + path + "\" is not the one that was drawn on: its state is " +
+                                  hash.hex() + ", that of the session " + expected->hex(),
+                              "", "name the model of the recording with --model"});
+    return;
+  }
+  out_.model = path;
+  out_.session = std::make_unique<Session>(document::make_document(std::move(model).value()), options_.own_tablets);
+  out_.session->listen_to_stroke_ends([this] { observer_.on_stroke_end(); });
+  observer_.on_begin(*out_.session, path);
+}
+
+void Player::note_steps(std::uint64_t number) {
+  for (const SessionStep& step : out_.session->steps()) {
+    ++out_.steps;
+    if (!step.status) {
+      ++out_.refused;
+      base::Error error = step.status.error();
+      if (number > 0) error = at_line(number, std::move(error));
+      if (out_.refusals.size() < k_most_refusals) out_.refusals.push_back(std::move(error));
+    }
+    observer_.on_step(*out_.session, step);
+  }
+}
+
+void Player::compare(const StateReached& reached, std::uint64_t number) {
+  ++out_.checked;
+  const document::DocumentState now = out_.session->editor().state();
+  if (now == reached.state) return;
+  ++out_.differing;
+  if (!out_.divergence) out_.divergence = Divergence{number, differing_parts(now, reached.state)};
+}
+
+void Player::on_session_line(const SessionLine& line, std::uint64_t number) {
+  if (const auto* begins = std::get_if<SessionBegins>(&line)) {
+    out_.plain = false;
+    out_.program = begins->program;
+    return;
+  }
+  if (const auto* named = std::get_if<ModelNamed>(&line)) {
+    if (!out_.session) begin(named->path, &named->hash, number);
+    return;
+  }
+  if (!out_.session) begin({}, nullptr, 0);
+  if (error_) return;
+  if (const auto* reached = std::get_if<StateReached>(&line)) {
+    compare(*reached, number);
+    return;
+  }
+  observer_.on_line(line);
+  const auto status = out_.session->apply(line, out_.last_us);
+  if (!status && out_.session->steps().empty()) out_.problems.push_back(at_line(number, status.error()));
+  note_steps(number);
+}
+
+void Player::on_line(const TraceLine& line) {
+  if (error_ || stopped()) return;
+  // The rest of a last line that was cut off could say something else than the whole.
+  if (line.end.empty()) {
+    if (line.text.starts_with('#')) {
+      out_.problems.push_back(at_line(line.number, {"the last line is cut off", "", "everything before it was read"}));
+    }
+    return;
+  }
+  const auto parsed = parse_session_line(line.text);
+  if (!parsed) {
+    // Lines of a file that says no version may be anybody's comments; a version that is not known ends everything.
+    if (line.text.starts_with("# penpose session ")) {
+      error_ = at_line(line.number, parsed.error());
+    } else if (out_.problems.size() < k_most_refusals) {
+      out_.problems.push_back(at_line(line.number, parsed.error()));
+    }
+    return;
+  }
+  if (*parsed) on_session_line(**parsed, line.number);
+}
+
+base::Result<Playback> Player::play() {
+  source_.listen([this](const TraceLine& line) { on_line(line); },
+                 [this](int device, const decode::DeviceIdentity& identity) {
+                   if (error_ || stopped()) return;
+                   if (!out_.session) begin({}, nullptr, 0);
+                   if (error_) return;
+                   observer_.on_device(device, identity);
+                   out_.session->connect(device, identity);
+                 });
+  while (!error_ && !stopped()) {
+    const auto report = source_.next();
+    if (!report) return report.error();
+    if (!report->has_value() || error_ || stopped()) break;
+    if (out_.reports++ == 0) out_.first_us = (*report)->time_us;
+    out_.last_us = (*report)->time_us;
+    observer_.on_report(**report);
+    out_.session->report((*report)->device, (*report)->time_us, (*report)->bytes);
+    note_steps(0);
+  }
+  if (error_) return *error_;
+  out_.problems.insert(out_.problems.end(), source_.problems().begin(), source_.problems().end());
+  return std::move(out_);
+}
+
+}  // namespace
+
+base::Result<Playback> play_session(ReadBytes read, const PlayerOptions& options) {
+  return Player(std::move(read), options).play();
+}
+
+}  // namespace penpose::replay

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "replay/session_line.h"
+#include "replay/trace_writer.h"
+
+namespace penpose::replay {
+
+/// Takes text to where a session is kept; `sync` asks for it to survive a power cut.
+using AppendText = std::function<base::Status(std::string_view text, bool sync)>;
+
+/// Writes a session as it happens. What was drawn is handed over at the latest when a pen lifts, every other line at
+/// once, so that a file cut off at any byte holds all that had ended. An error of the file is given back and kept;
+/// the session itself goes on, and nothing more is written.
+class SessionWriter {
+ public:
+  SessionWriter(AppendText append, std::string program);
+
+  /// The first lines: what is drawn on.
+  base::Status begin(const base::Hash128& model, std::string_view path);
+  base::Status declare(int device, const TraceDevice& facts);
+  /// Handed over with the next line or stroke.
+  void report(int device, std::int64_t time_us, base::Bytes bytes);
+  base::Status line(const SessionLine& line);
+  /// A stroke ended, or a command was done, and this is the state now.
+  base::Status state(const document::DocumentState& state);
+  /// Hands over what is left.
+  base::Status flush(bool sync);
+
+  [[nodiscard]] const std::optional<base::Error>& broken() const { return broken_; }
+
+ private:
+  AppendText append_;
+  std::string program_;
+  TraceWriter writer_;
+  std::optional<base::Error> broken_;
+};
+
+}  // namespace penpose::replay

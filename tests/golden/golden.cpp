@@ -1,0 +1,116 @@
+// golden HASHES FOLDER [THREADS]: replays every session of the folder and 200 random ones, prints the hash of the state
+// at each session's end, and compares them with a file of lines "NAME HASH". golden --print FOLDER prints such a file.
+// The text of a random session holds the state after each of its strokes and commands, so that its hash stands for all.
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/head/head.h"
+#include "replay/session_player.h"
+#include "tests/support/random_session.h"
+
+namespace {
+
+using namespace penpose;  // NOLINT(google-build-using-namespace): a program of one file
+
+constexpr std::uint64_t k_random_sessions = 200;
+constexpr std::size_t k_actions = 25;
+
+base::Result<document::Model> load(const std::string& path) {
+  if (path == "builtin:head") return head::make_head();
+  if (path == "test-sheet") return tests::sheet_model();
+  return base::Error{"no golden session is drawn on " + path, "", ""};
+}
+
+/// The state at the end, after all recorded states on the way were found equal.
+base::Result<std::string> replayed(const std::string& text) {
+  replay::PlayerOptions options;
+  options.load_model = load;
+  const auto played = replay::play_session(replay::read_from(base::as_bytes(text)), options);
+  if (!played) return played.error();
+  if (!played->session) return base::Error{"nothing to replay", "", ""};
+  if (played->divergence) {
+    return base::Error{"diverges", "line " + std::to_string(played->divergence->line), ""};
+  }
+  return played->session->editor().state().whole.hex();
+}
+
+base::Result<std::string> random_session(std::uint64_t seed) {
+  tests::SessionScript script(document::make_document(tests::sheet_model()), "test-sheet");
+  tests::RandomHand(script, seed).run(k_actions);
+  const auto again = replayed(script.text());
+  if (!again) return again.error();
+  if (*again != script.editor().state().whole.hex()) return base::Error{"replays to another state", "", ""};
+  return base::hash_bytes(base::as_bytes(script.text())).hex();
+}
+
+std::map<std::string, std::string> all_hashes(const std::string& folder, std::size_t threads, bool& failed) {
+  std::map<std::string, std::string> hashes;
+  const auto keep = [&](const std::string& name, const base::Result<std::string>& hash) {
+    if (hash) {
+      hashes[name] = *hash;
+      return;
+    }
+    std::cerr << name << ": " << hash.error().line() << '\n';
+    failed = true;
+  };
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".session") continue;
+    std::ifstream file(entry.path(), std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    keep(entry.path().filename().string(), replayed(text));
+  }
+  // As many at a time as there are threads: nothing that one does may show in another.
+  std::vector<base::Result<std::string>> random(k_random_sessions, std::string());
+  base::parallel_for(k_random_sessions, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t seed = begin; seed < end; ++seed) random[seed] = random_session(seed);
+  });
+  for (std::size_t seed = 0; seed < k_random_sessions; ++seed) {
+    char name[16];
+    std::snprintf(name, sizeof name, "random-%03d", static_cast<int>(seed));
+    keep(name, random[seed]);
+  }
+  return hashes;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int threads = argc == 4 ? std::atoi(argv[3]) : 1;
+  if (argc < 3 || argc > 4 || threads < 1 || threads > 64) {
+    std::cerr << "usage: golden HASHES|--print FOLDER [THREADS]\n";
+    return 2;
+  }
+  bool failed = false;
+  const auto hashes = all_hashes(argv[2], static_cast<std::size_t>(threads), failed);
+  if (std::strcmp(argv[1], "--print") == 0) {
+    for (const auto& [name, hash] : hashes) std::cout << name << ' ' << hash << '\n';
+    return failed ? 1 : 0;
+  }
+  std::ifstream file(argv[1]);
+  std::map<std::string, std::string> golden;
+  for (std::string name, hash; file >> name >> hash;) golden[name] = hash;
+  for (const auto& [name, hash] : golden) {
+    const auto found = hashes.find(name);
+    if (found != hashes.end() && found->second == hash) continue;
+    std::cerr << name << ": " << (found == hashes.end() ? "missing" : found->second) << ", golden is " << hash << '\n';
+    failed = true;
+  }
+  for (const auto& [name, hash] : hashes) {
+    if (golden.contains(name)) continue;
+    std::cerr << name << ": has no golden hash\n";
+    failed = true;
+  }
+  std::cout << hashes.size() << " sessions, " << (failed ? "not all equal" : "all equal") << '\n';
+  return failed ? 1 : 0;
+}

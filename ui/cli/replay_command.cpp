@@ -1,0 +1,258 @@
+#include "ui/cli/replay_command.h"
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/base/numbers.h"
+#include "replay/session_player.h"
+#include "replay/session_recorder.h"
+#include "ui/cli/append_file.h"
+#include "ui/cli/commands.h"
+#include "ui/cli/files.h"
+#include "ui/cli/load_model.h"
+#include "ui/cli/own_tablets.h"
+#include "ui/cli/progress.h"
+#include "ui/cli/save_model.h"
+#include "ui/cli/trace_file.h"
+#include "ui/render/appearance.h"
+#include "ui/render/document_curves.h"
+#include "ui/render/renderer.h"
+
+namespace penpose::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+/// What a plain trace is drawn on.
+constexpr const char* k_default_model = "builtin:demo";
+
+struct ReplayArguments {
+  std::string session;
+  std::string model;
+  std::string output;
+  std::string picture;
+  std::string record;
+  std::string tablets;
+  std::optional<std::size_t> strokes;
+  bool real_time = false;
+  bool json = false;
+};
+
+/// Where the session's model is: as it says, beside the session itself, or where the user says.
+base::Result<document::Model> find_model(const ReplayArguments& arguments, const std::string& path) {
+  const auto load = [](const std::string& name) -> base::Result<document::Model> {
+    auto model = load_model(name);
+    if (model) return model;
+    base::Error error = model.error();
+    error.what = "the model \"" + name + "\" " + error.what;
+    error.remedy = "name it with --model";
+    return error;
+  };
+  if (!arguments.model.empty()) return load(arguments.model);
+  if (path.empty()) return load(k_default_model);
+  std::error_code code;
+  const bool as_it_is = path.starts_with("builtin:") || std::filesystem::exists(path, code);
+  if (as_it_is) return load(path);
+  const auto beside = std::filesystem::path(arguments.session).parent_path() / std::filesystem::path(path).filename();
+  return load(std::filesystem::exists(beside, code) ? beside.string() : path);
+}
+
+/// Counts steps on a terminal and hands everything on to a recorder.
+class Watcher final : public replay::PlayerObserver {
+ public:
+  Watcher(std::uintmax_t file_size, std::FILE* file, replay::PlayerObserver* next)
+      : progress_("replaying", file_size), file_(file), next_(next) {}
+
+  void on_begin(replay::Session& session, const std::string& path) override {
+    if (next_ != nullptr) next_->on_begin(session, path);
+  }
+  void on_device(int device, const decode::DeviceIdentity& identity) override {
+    if (next_ != nullptr) next_->on_device(device, identity);
+  }
+  void on_report(const replay::TraceReport& report) override {
+    if (next_ != nullptr) next_->on_report(report);
+  }
+  void on_line(const replay::SessionLine& line) override {
+    if (next_ != nullptr) next_->on_line(line);
+  }
+  void on_stroke_end() override {
+    if (next_ != nullptr) next_->on_stroke_end();
+  }
+  void on_step(replay::Session& session, const replay::SessionStep& step) override {
+    if (next_ != nullptr) next_->on_step(session, step);
+    const long at = std::ftell(file_);
+    if (at <= shown_) return;
+    progress_.advance(static_cast<std::size_t>(at - shown_));
+    shown_ = at;
+  }
+
+ private:
+  Progress progress_;
+  std::FILE* file_;
+  replay::PlayerObserver* next_;
+  long shown_ = 0;
+};
+
+base::Status write_picture(const replay::Session& session, const std::string& path) {
+  const document::Document& document = session.editor().document();
+  const document::View& view = session.editor().view();
+  const auto camera = geometry::Camera::make(view.camera, view.viewport);
+  if (!camera) return camera.error();
+  auto renderer = render::Renderer::make_offscreen();
+  if (!renderer) return renderer.error();
+  const document::Model model = document::model_of(document);
+  const render::Appearance appearance = render::make_appearance(model, {});
+  const render::PosedMesh posed = render::posed_mesh(model);
+  const auto curves = render::document_curves(document);
+  render::Scene scene;
+  scene.positions = posed.positions;
+  scene.normals = posed.normals;
+  scene.triangles = model.mesh->triangles();
+  scene.appearance = &appearance;
+  scene.curves = curves;
+  const auto image = (*renderer)->render(scene, *camera);
+  if (!image) return image.error();
+  const auto png = render::encode_png(*image);
+  if (!png) return png.error();
+  return write_file(path, *png);
+}
+
+Json to_json(const replay::Playback& played, double seconds) {
+  Json out = {{"model", played.model.empty() ? k_default_model : played.model},
+              {"plain", played.plain},
+              {"reports", played.reports},
+              {"strokes", played.session->stroke_count()},
+              {"steps", played.steps},
+              {"refused", played.refused},
+              {"checked", played.checked},
+              {"differing", played.differing},
+              {"recorded_s", static_cast<double>(played.last_us - played.first_us) * 1e-6},
+              {"replay_s", seconds}};
+  if (played.divergence) {
+    Json parts = Json::array();
+    for (const std::string_view part : played.divergence->parts) parts.push_back(std::string(part));
+    out["divergence"] = {{"line", played.divergence->line}, {"parts", std::move(parts)}};
+  }
+  const document::Document& document = played.session->editor().document();
+  Json parameters = Json::object();
+  const auto known = document.model->rig->parameters();
+  for (std::size_t i = 0; i < known.size(); ++i) parameters[known[i].name] = document.pose[i];
+  out["parameters"] = std::move(parameters);
+  out["curves"] = document.curves.size();
+  out["keys"] = document.timeline->keys.size();
+  out["state"] = played.session->editor().state().whole.hex();
+  return out;
+}
+
+void print(const replay::Playback& played, double seconds) {
+  const document::Document& document = played.session->editor().document();
+  const std::size_t deformers = document.model->deformers ? document.model->deformers->size() : 0;
+  std::cout << (played.plain ? "plain trace" : "session") << " on "
+            << (played.model.empty() ? k_default_model : played.model) << ": " << played.reports << " reports, "
+            << played.session->stroke_count() << " strokes, " << played.steps << " steps, of which " << played.refused
+            << " changed nothing\n"
+            << "now: " << deformers << " deformers, " << document.curves.size() << " curves, "
+            << document.timeline->keys.size() << " keys\n"
+            << "state " << played.session->editor().state().whole.hex();
+  if (played.checked > 0) {
+    std::cout << "; " << (played.checked - played.differing) << " of " << played.checked << " recorded states equal";
+  }
+  std::cout << "\n"
+            << base::format_fixed(static_cast<double>(played.last_us - played.first_us) * 1e-6, 1)
+            << " s of drawing replayed in " << base::format_fixed(seconds, 2) << " s\n";
+}
+
+int report_divergence(const ReplayArguments& arguments, const replay::Divergence& divergence) {
+  std::string parts;
+  for (const std::string_view part : divergence.parts) {
+    if (!parts.empty()) parts += ", ";
+    parts += part;
+  }
+  return report({"from here on the document is not what was recorded; different are: " + parts,
+                 "line " + std::to_string(divergence.line),
+                 "replay with the version that recorded it, or record the session again with --session"},
+                arguments.session);
+}
+
+int replay_session(const ReplayArguments& arguments) {
+  const auto own = read_own_tablets(arguments.tablets);
+  if (!own) return report(own.error(), arguments.tablets);
+  const auto file = open_trace(arguments.session);
+  if (!file) return report(file.error(), arguments.session);
+  std::unique_ptr<AppendFile> record;
+  std::optional<replay::SessionWriter> writer;
+  std::optional<replay::SessionRecorder> recorder;
+  if (!arguments.record.empty()) {
+    auto made = AppendFile::create(arguments.record);
+    if (!made) return report(made.error(), arguments.record);
+    record = std::move(made).value();
+    writer.emplace([&](std::string_view text, bool sync) { return record->append(text, sync); },
+                   std::string("penpose-") + PENPOSE_VERSION);
+    recorder.emplace(*writer);
+  }
+  std::error_code code;
+  const auto size = std::filesystem::file_size(arguments.session, code);
+  Watcher watcher(code ? 0 : size, file->get(), recorder ? &*recorder : nullptr);
+
+  replay::PlayerOptions options;
+  options.pace = arguments.real_time ? replay::Pace::real_time : replay::Pace::full_speed;
+  options.load_model = [&](const std::string& path) { return find_model(arguments, path); };
+  options.stop_after_strokes = arguments.strokes;
+  options.own_tablets = &*own;
+  options.observer = &watcher;
+  const Clock::time_point start = Clock::now();
+  const auto played = replay::play_session(read_from_file(file->get()), options);
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  if (!played) return report(played.error(), arguments.session);
+  if (!played->session) {
+    return report({"holds nothing to replay: neither reports nor lines of a session", "",
+                   "give a session, or a trace as hid-recorder or `penpose record` writes it"},
+                  arguments.session);
+  }
+  for (const auto& problem : played->problems) std::cerr << "penpose: " << problem.line(arguments.session) << '\n';
+  for (const auto& refusal : played->refusals) std::cerr << "penpose: " << refusal.line(arguments.session) << '\n';
+  if (writer) {
+    if (const auto flushed = writer->flush(true); !flushed) return report(flushed.error(), arguments.record);
+  }
+  if (!arguments.output.empty()) {
+    if (auto saved = save_document(played->session->editor().document(), arguments.output); !saved) {
+      return report(saved.error(), arguments.output);
+    }
+  }
+  if (!arguments.picture.empty()) {
+    if (auto drawn = write_picture(*played->session, arguments.picture); !drawn) {
+      return report(drawn.error(), arguments.picture);
+    }
+  }
+  if (arguments.json) {
+    std::cout << to_json(*played, seconds).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+  } else {
+    print(*played, seconds);
+  }
+  return played->divergence ? report_divergence(arguments, *played->divergence) : k_success;
+}
+
+}  // namespace
+
+void add_replay_command(CLI::App& app, int& status) {
+  auto arguments = std::make_shared<ReplayArguments>();
+  CLI::App* command = app.add_subcommand("replay", "Draws a recorded session, or a plain trace, again");
+  command->add_option("SESSION", arguments->session, "Session or trace in hid-recorder's text format")->required();
+  command->add_option("--model", arguments->model, "Model to draw on, when it is not where the session says");
+  command->add_option("-o,--output", arguments->output, "Project or model file to write at the end (.glb, .obj)");
+  command->add_option("--png", arguments->picture, "PNG file of the last view");
+  command->add_option("--stroke", arguments->strokes, "Stop after so many strokes");
+  command->add_flag("--realtime", arguments->real_time, "At the pace of the recording");
+  command->add_option("--session", arguments->record, "Write the replay down as a session of its own");
+  command->add_option(k_tablets_option, arguments->tablets, k_tablets_help);
+  command->add_flag("--json", arguments->json, "Print one JSON object");
+  command->callback([arguments, &status] { status = replay_session(*arguments); });
+}
+
+}  // namespace penpose::cli
