@@ -108,7 +108,7 @@ class RandomHand {
         [[fallthrough]];
       default:
         script_.choose(static_cast<drawing::ToolKind>(random_.below(9)));
-        static_cast<void>(script_.stroke(line(), random_.real(0.05, 1), random_.chance(0.05)));
+        draw_anything();
         break;
     }
   }
@@ -212,6 +212,14 @@ class RandomHand {
     view.camera.eye.x += random_.real(-0.5, 0.5);
     if (random_.chance(0.2)) view.viewport = {800 + static_cast<int>(random_.below(3)) * 100, 900};
     static_cast<void>(script_.act(replay::ViewChanged{view}));
+  }
+
+  void draw_anything() {
+    // One after the other: the order in which arguments are evaluated is each compiler's own.
+    const auto drawn = line();
+    const double pressure = random_.real(0.05, 1);
+    const bool eraser = random_.chance(0.05);
+    static_cast<void>(script_.stroke(drawn, pressure, eraser));
   }
 
   /// A deformer in four strokes.
