@@ -1,0 +1,127 @@
+// make_session demo SKETCH EXPRESSIONS OUT: a session that sketches the deformers of a sketch file on the built-in head
+// and poses it as an expression file says, every line drawn by the virtual pen.
+// make_session random SEED ACTIONS OUT: what a random hand does with a small sheet.
+
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "core/head/head.h"
+#include "core/model_io/sketch_file.h"
+#include "tests/support/random_session.h"
+#include "ui/demo/expression_file.h"
+
+namespace {
+
+using namespace penpose;  // NOLINT(google-build-using-namespace): a program of one file
+using geometry::PxPoint;
+
+std::string read(const char* path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+void stop(const base::Error& error, const std::string& where) {
+  std::cerr << where << ": " << error.line() << '\n';
+  std::exit(1);
+}
+
+class DemoHand {
+ public:
+  explicit DemoHand(tests::SessionScript& script) : script_(script) {}
+
+  void look(const geometry::CameraPose& camera, geometry::Viewport viewport) {
+    const document::View view{camera, viewport};
+    if (view == script_.editor().view()) return;
+    if (const auto done = script_.act(replay::ViewChanged{view}); !done) stop(done.error(), "view");
+  }
+  void draw(const std::vector<PxPoint>& line, const std::string& what) {
+    if (const auto done = script_.stroke(line, 0.6); !done) stop(done.error(), what);
+  }
+  void perform(const document::Command& command, const std::string& what) {
+    if (const auto done = script_.perform(command); !done) stop(done.error(), what);
+  }
+
+  void sketch(const articulation::Sketch& sketch) {
+    perform(document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum, sketch.maximum},
+            sketch.name);
+    drawing::Tool tool;
+    tool.kind = drawing::ToolKind::articulate;
+    tool.draw_reference = !sketch.reference.empty();
+    if (!(tool == script_.editor().tool())) static_cast<void>(script_.act(replay::ToolChosen{tool}));
+    look(sketch.camera, sketch.viewport);
+    draw(closed(sketch.general), sketch.name + ", general");
+    draw(closed(sketch.specific), sketch.name + ", specific");
+    if (tool.draw_reference) {
+      look(sketch.reference_camera.value_or(sketch.camera), sketch.viewport);
+      draw(sketch.reference, sketch.name + ", reference");
+    }
+    look(sketch.target_camera.value_or(sketch.camera), sketch.viewport);
+    draw(sketch.target, sketch.name + ", target");
+  }
+
+  /// References first, all on the face at rest, then where they go, then the keys: reached, held, left.
+  void pose(const demo::Expression& expression, geometry::Viewport viewport, double from_s) {
+    perform(document::ClearCurves{}, expression.name);
+    perform(document::ResetParameters{}, expression.name);
+    perform(document::SetKey{from_s, ""}, expression.name);
+    for (const auto kind : {drawing::ToolKind::reference, drawing::ToolKind::target}) {
+      script_.choose(kind);
+      for (const demo::DrawnPair& pair : expression.curves) {
+        look(pair.camera.value_or(expression.camera), viewport);
+        draw(kind == drawing::ToolKind::reference ? pair.reference : pair.target, expression.name);
+      }
+    }
+    perform(document::SetKey{from_s + 0.5, expression.name}, expression.name);
+    perform(document::SetKey{from_s + 1.25, ""}, expression.name);
+  }
+
+ private:
+  /// A lasso whose ends meet, as a hand would draw it.
+  static std::vector<PxPoint> closed(std::vector<PxPoint> line) { return line; }
+
+  tests::SessionScript& script_;
+};
+
+std::string demo_session(const char* sketch_file, const char* expression_file) {
+  const std::string sketch_text = read(sketch_file);
+  const auto sketches = model_io::read_sketch_file(base::as_bytes(sketch_text));
+  if (!sketches) stop(sketches.error(), sketch_file);
+  const auto expressions = demo::read_expressions(read(expression_file));
+  if (!expressions) stop(expressions.error(), expression_file);
+  tests::SessionScript script(document::make_document(head::make_head()), "builtin:head");
+  DemoHand hand(script);
+  for (const articulation::Sketch& sketch : sketches->sketches) hand.sketch(sketch);
+  double now_s = 0;
+  for (const demo::Expression& expression : expressions->expressions) {
+    hand.pose(expression, expressions->viewport, now_s);
+    now_s += 1.75;
+  }
+  hand.perform(document::ClearCurves{}, "end");
+  hand.perform(document::ResetParameters{}, "end");
+  hand.perform(document::SetKey{now_s, ""}, "end");
+  // Left at the first expression, which is what a picture of the file shows.
+  hand.perform(document::GoToTime{0.5}, "end");
+  return script.text();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 5) {
+    std::cerr << "usage: make_session demo SKETCH EXPRESSIONS OUT | random SEED ACTIONS OUT\n";
+    return 2;
+  }
+  std::string text;
+  if (std::strcmp(argv[1], "demo") == 0) {
+    text = demo_session(argv[2], argv[3]);
+  } else {
+    tests::SessionScript script(document::make_document(tests::sheet_model()), "sheet");
+    tests::RandomHand(script, std::strtoull(argv[2], nullptr, 10)).run(std::strtoull(argv[3], nullptr, 10));
+    text = script.text();
+  }
+  std::ofstream(argv[4], std::ios::binary) << text;
+  return 0;
+}
