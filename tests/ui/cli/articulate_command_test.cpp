@@ -1,5 +1,6 @@
 #include "ui/cli/articulate_command.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -104,6 +105,31 @@ TEST_F(ArticulateCommand, RefusesANameThatIsTakenAndOutputsThatCannotHoldDeforme
   EXPECT_NE(error_.find("/deformers/0/name"), std::string::npos);
   EXPECT_EQ(articulate({path("model.glb"), "--sketch", path("sketch.json"), "-o", path("out.obj")}), k_failure);
   EXPECT_EQ(articulate({path("model.glb"), "-o", path("out.glb")}), k_wrong_usage);
+}
+
+TEST_F(ArticulateCommand, WarnsOfATargetThatWasTurnedRound) {
+  const std::vector<std::string> arguments{path("model.glb"), "--sketch", path("sketch.json"), "-o", path("out.glb")};
+  ASSERT_EQ(articulate(arguments), k_success) << error_;
+  EXPECT_EQ(out_.find("warning"), std::string::npos) << out_;
+  auto as_json = arguments;
+  as_json.emplace_back("--json");
+  ASSERT_EQ(articulate(as_json), k_success);
+  EXPECT_EQ(nlohmann::json::parse(out_)["deformers"][0]["target_turned_round"], false);
+  EXPECT_TRUE(nlohmann::json::parse(out_)["deformers"][0]["notes"].empty());
+
+  auto& target = file_.sketches[0].target;
+  std::reverse(target.begin(), target.end());
+  write("sketch.json", model_io::write_sketch_file(file_));
+  ASSERT_EQ(articulate(arguments), k_success) << error_;
+  EXPECT_NE(out_.find("warning: the target was turned round"), std::string::npos) << out_;
+  ASSERT_EQ(articulate(as_json), k_success);
+  EXPECT_EQ(nlohmann::json::parse(out_)["deformers"][0]["target_turned_round"], true);
+  EXPECT_EQ(nlohmann::json::parse(out_)["deformers"][0]["notes"].size(), 1U);
+  // A curve that goes straight is turned round without harm.
+  file_.sketches[0].mode = articulation::Mode::translate;
+  write("sketch.json", model_io::write_sketch_file(file_));
+  ASSERT_EQ(articulate(arguments), k_success) << error_;
+  EXPECT_EQ(out_.find("warning"), std::string::npos) << out_;
 }
 
 TEST_F(SharedElephant, CurlsItsTrunkFromFourStrokes) {
