@@ -14,37 +14,37 @@ struct Offset {
 using Loop = std::array<Offset, k_count>;
 
 // Loops relative to the eye's centre as seen from the front, counter-clockwise from the outer corner; cm.
-constexpr Loop k_rim{{{1.66, 0.06},
+constexpr Loop k_rim{{{1.66, 0.02},
                       {1.34, 0.30},
                       {0.84, 0.49},
                       {0.14, 0.56},
                       {-0.54, 0.49},
                       {-1.08, 0.24},
-                      {-1.46, -0.16},
+                      {-1.46, -0.09},
                       {-1.06, -0.38},
                       {-0.52, -0.54},
                       {0.14, -0.60},
                       {0.80, -0.52},
                       {1.36, -0.26}}};
-constexpr Loop k_lid{{{1.96, 0.06},
+constexpr Loop k_lid{{{1.96, 0.02},
                       {1.66, 0.70},
                       {1.02, 1.06},
                       {0.14, 1.20},
                       {-0.68, 1.06},
                       {-1.34, 0.62},
-                      {-1.74, -0.18},
+                      {-1.74, -0.10},
                       {-1.26, -0.70},
                       {-0.62, -0.94},
                       {0.14, -1.03},
                       {0.94, -0.92},
                       {1.62, -0.48}}};
-constexpr Loop k_crease{{{2.33, 0.07},
+constexpr Loop k_crease{{{2.33, 0.03},
                          {1.89, 1.18},
                          {1.17, 1.64},
                          {0.23, 1.78},
                          {-0.68, 1.58},
                          {-1.42, 0.92},
-                         {-1.84, -0.35},
+                         {-1.84, -0.22},
                          {-1.44, -1.14},
                          {-0.67, -1.51},
                          {0.18, -1.66},
@@ -85,10 +85,10 @@ void add_eye(Cage& cage, const std::vector<std::uint32_t>& border) {
     const ModelVector crease{k_crease[i].x, k_crease[i].y, k_crease_depth[i]};
     loops[0].push_back(cage.add(center() + crease, {3, 5, lid}));
     loops[1].push_back(cage.add(on_sphere(k_lid[i], lid > 0 ? 1.09 : 1.035), {2, 5, lid}));
-    loops[2].push_back(cage.add(on_sphere(edge, 1.01), {1, 5, lid}));
-    loops[3].push_back(cage.add(on_sphere(rim, 1.0), {0, 5, lid}));
+    loops[2].push_back(cage.add(on_sphere(edge, 1.012), {1, 5, lid}));
+    loops[3].push_back(cage.add(on_sphere(rim, 1.002), {0, 5, lid}));
     // Close behind the rim, so that the way around the ball does not pull it open.
-    loops[4].push_back(cage.add(on_sphere({rim.x * 1.3, rim.y * 1.7}, 1.0), {-1, 5, lid}));
+    loops[4].push_back(cage.add(on_sphere({rim.x * 1.3, rim.y * 1.7}, 1.002), {-1, 5, lid}));
     loops[5].push_back(cage.add(center() + outward * (pocket * 0.98) + ModelVector{0, 0, pocket * 0.15}, {-1.5, 5, 0}));
     loops[6].push_back(cage.add(center() + outward * (pocket * 0.8) + ModelVector{0, 0, -pocket * 0.75}, {-2, 5, 0}));
   }

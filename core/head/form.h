@@ -34,7 +34,8 @@ struct Row {
   double back_y, back_z;
 };
 
-/// The control rows from the hair line down to the foot of the neck, which spreads and turns in under itself, bare of features.
+/// The control rows from the hair line down to the foot of the neck, which spreads and turns in under itself, bare of
+/// features.
 inline constexpr int k_rows = 18;
 [[nodiscard]] const Row& row(int number);
 

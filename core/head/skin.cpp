@@ -46,8 +46,8 @@ void lift_off_eye(Half& half) {
     if (loop > 4.5) continue;
     const ModelVector away = half.points[v] - center;
     const double distance = geometry::length(away);
-    // Lids slide on a film. The upper lid's lies outside the lower lid, edge and all, so that it closes over a lower lid
-    // that is raised. Further out the skin has its thickness.
+    // Lids slide on a film. The upper lid's lies outside the lower lid, edge and all, so that it closes over a lower
+    // lid that is raised. Further out the skin has its thickness.
     const double upper = ramp(-1.0, 1.0, half.marks[v].z) * ramp(-1.0, 0.0, loop);
     const double film = 1.012 + 0.026 * upper;
     const double thickness = 0.018 + 0.02 * upper;

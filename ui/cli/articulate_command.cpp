@@ -78,8 +78,9 @@ const char* mode_name(const Deformer& deformer) {
 /// What a user may not have meant, one line each.
 std::vector<std::string> notes_on(const Deformer& deformer) {
   if (!deformer.turned_round() || deformer.mode() != articulation::Mode::rotate) return {};
-  return {"the target was turned round, because its end lies nearer to the start of the reference than its start does; "
-          "if the control tears the model, draw the target so that its start is the nearer end, or use translate"};
+  return {
+      "the target was turned round, because its end lies nearer to the start of the reference than its start does; "
+      "if the control tears the model, draw the target so that its start is the nearer end, or use translate"};
 }
 
 int articulate(const ArticulateArguments& arguments) {

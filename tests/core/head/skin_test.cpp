@@ -68,7 +68,7 @@ TEST(Skin, UpperLidClosesOverTheEyeball) {
     high = std::max(high, elevation(half().points[v]));
     low = std::min(low, elevation(half().points[v]));
   }
-  ASSERT_GT(high - low, 0.6);
+  ASSERT_GT(high - low, 0.45);
   for (std::size_t v = 0; v < half().points.size(); ++v) {
     const double loop = half().marks[v].x;
     if (loop < 0 || loop > 2.01 || half().points[v].y < eye().y) continue;
