@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 
 #include "core/articulation/deformer.h"
+#include "core/articulation/edit.h"
 #include "core/head/head.h"
 #include "core/head/skin.h"
 #include "ui/demo/embedded_files.h"
@@ -180,6 +182,77 @@ TEST_F(DemoHead, LidsCutIntoTheEyeWithoutTheSphere) {
   }
   EXPECT_GT(inside, 15U);
   EXPECT_GT(deepest, 0.01 * eye.radius);
+}
+
+TEST_F(DemoHead, AnotherOrderOfDeformersChangesNoMoreThanTheLastBit) {
+  std::vector<std::pair<std::string, double>> values;
+  for (std::size_t i = 0; i < model_->rig->parameters().size(); ++i) {
+    values.emplace_back(model_->rig->parameters()[i].name, 0.31 + 0.04 * static_cast<double>(i));
+  }
+  const auto in_order = posed(values);
+  std::vector<std::shared_ptr<const articulation::Deformer>> deformers(model_->deformers->deformers().begin(),
+                                                                       model_->deformers->deformers().end());
+  std::mt19937_64 random(4);
+  for (int trial = 0; trial < 6; ++trial) {
+    for (std::size_t i = deformers.size(); i > 1; --i) std::swap(deformers[i - 1], deformers[random() % i]);
+    auto model = document::with_deformers(*model_, articulation::SketchedDeformers::make(deformers).value()).value();
+    for (const auto& [name, value] : values) model.pose[*rig::find_parameter(model.rig->parameters(), name)] = value;
+    const auto other = document::posed_positions(model);
+    for (std::size_t v = 0; v < other.size(); ++v) {
+      const double size = geometry::length(in_order[v]);
+      const double last_bit = std::nextafter(size, 1.0) - size;
+      for (int k = 0; k < 3; ++k) ASSERT_LE(std::abs(other[v][k] - in_order[v][k]), last_bit) << "vertex " << v;
+    }
+  }
+}
+
+TEST_F(DemoHead, NothingBehindTheHeadMoves) {
+  for (const auto& one : model_->deformers->deformers()) {
+    for (const std::uint32_t v : one->vertices()) {
+      EXPECT_GT(model_->mesh->positions()[v].z, 0.0) << one->sketch().name;
+    }
+  }
+}
+
+TEST_F(DemoHead, NoTargetOfTheBundledSketchWasTurnedRound) {
+  for (const auto& one : model_->deformers->deformers()) EXPECT_FALSE(one->turned_round()) << one->sketch().name;
+}
+
+TEST_F(DemoHead, EveryDeformerReachesItsTarget) {
+  for (const auto& one : model_->deformers->deformers()) {
+    const auto start = one->curve_at(0);
+    const auto end = one->curve_at(1);
+    for (std::size_t i = 0; i < end.size(); ++i) {
+      EXPECT_LT(geometry::distance(start[i], one->reference()[i]), 1e-15) << one->sketch().name;
+      EXPECT_LT(geometry::distance(end[i], one->target()[i]), 1e-9) << one->sketch().name;
+    }
+  }
+}
+
+TEST_F(DemoHead, TheLeftLidMakesTheRightOneInOneCommand) {
+  const auto canvas = document::make_canvas(*model_).value();
+  const auto& set = *model_->deformers;
+  const auto left = *articulation::find_deformer(set, "eyelid_upper_L");
+  const auto right = *articulation::find_deformer(set, "eyelid_upper_R");
+  const auto one_less = articulation::without(set, right).value();
+  const auto again = articulation::with_mirrored(*one_less, left, *canvas).value();
+  EXPECT_EQ(again->deformers().back()->sketch().name, "eyelid_upper_R");
+  const auto& mirrored = *again->deformers().back();
+  const auto& lid = *set.deformers()[left];
+  ASSERT_EQ(mirrored.vertices().size(), lid.vertices().size());
+  articulation::CarriageWorkspace work;
+  std::vector<geometry::ModelVector> moves(mirrored.vertices().size());
+  mirrored.carriage().displacements(1.0, work, moves);
+  const head::Eyeball eye = head::head_landmarks().right;
+  double farthest = 0;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const ModelPoint rest = model_->mesh->positions()[mirrored.vertices()[i]];
+    EXPECT_LT(rest.x, 0);
+    EXPECT_NEAR(geometry::distance(rest + moves[i], eye.center), geometry::distance(rest, eye.center),
+                1e-9 * eye.radius);
+    farthest = std::max(farthest, geometry::length(moves[i]));
+  }
+  EXPECT_GT(farthest, 0.45 * eye.radius);
 }
 
 TEST_F(DemoHead, JawPartsTheLips) {
