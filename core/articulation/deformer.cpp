@@ -157,6 +157,7 @@ base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch& sketc
     deformer->weights_.push_back(weights->weights[i]);
   }
   deformer->sketch_ = sketch;
+  deformer->turned_round_ = paired->reversed && !sketch.reference.empty();
   deformer->carriage_ = Carriage(std::make_shared<const CurveMotion>(std::move(*reference), std::move(target), mode),
                                  std::move(*surface), riders, canvas.carried());
   return std::shared_ptr<const Deformer>(std::move(deformer));

@@ -23,6 +23,9 @@ class Deformer {
   [[nodiscard]] Mode mode() const { return carriage_.motion().mode(); }
   /// True when the reference was inferred.
   [[nodiscard]] bool inferred() const { return sketch_.reference.empty(); }
+  /// True when the target was drawn against a drawn reference and was therefore turned round (method, section 1). A
+  /// deformer that rotates is torn by it when the target's far end only happens to lie nearer, so a user must be told.
+  [[nodiscard]] bool turned_round() const { return turned_round_; }
 
   /// The curves in world space at rest, equally many points.
   [[nodiscard]] std::span<const ModelPoint> reference() const { return carriage_.motion().reference(); }
@@ -47,6 +50,7 @@ class Deformer {
   Carriage carriage_;
   std::vector<std::uint32_t> vertices_;
   std::vector<double> weights_;
+  bool turned_round_ = false;
 };
 
 /// Points of a deformer's two curves.

@@ -41,7 +41,9 @@ constexpr std::array<std::array<double, k_first_angle_column>, k_rows> k_x{{
     {0, 0.7, 1.4, 2.1, 2.8, 3.4, 4.0},
     {0, 0.7, 1.4, 2.1, 2.7, 3.2, 3.7},
     {0, 0.65, 1.3, 1.9, 2.45, 2.9, 3.3},
-    {0, 0.65, 1.3, 1.95, 2.5, 3.0, 3.45},
+    {0, 0.7, 1.4, 2.1, 2.7, 3.25, 3.74},
+    {0, 0.9, 1.8, 2.7, 3.55, 4.35, 5.05},
+    {0, 0.78, 1.57, 2.35, 3.1, 3.8, 4.42},
 }};
 constexpr std::array<double, k_columns - k_first_angle_column> k_degrees{65, 82, 104, 128, 154, 180};
 
@@ -86,8 +88,8 @@ std::uint32_t at(const Grid& grid, int r, int c) {
 
 QuadKind kind_of(int r, int c) {
   if (r == 2 && c >= 1 && c <= 5) return QuadKind::brow;
-  // Under the hair, and at the foot of the neck.
-  const bool hidden = (c >= 9 && r < 8) || (c >= 7 && r < 2) || (c >= 6 && r < 1) || r >= 14;
+  // Under the hair, and below.
+  const bool hidden = (c >= 9 && r < 8) || (c >= 7 && r < 2) || r < 1 || (c >= 9 && r >= 8) || r >= 15;
   return hidden ? QuadKind::coarse_skin : QuadKind::skin;
 }
 

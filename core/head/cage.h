@@ -10,17 +10,21 @@
 namespace penpose::head {
 
 /// The eyeball of the +x side, in centimetres: centre and radius.
-inline constexpr std::array<double, 3> k_eye_center{3.18, 0.0, 5.8};
-inline constexpr double k_eye_radius = 1.84;
+inline constexpr std::array<double, 3> k_eye_center{3.0, 0.0, 4.85};
+inline constexpr double k_eye_radius = 2.6;
 /// Where upper and lower lip meet in the middle of the face, in centimetres.
 inline constexpr double k_mouth_y = -6.5;
-/// Height of the line between the lips at x.
+/// Height of the line between the lips at x, as the cage draws it.
 [[nodiscard]] double mouth_line(double x);
+/// Height of the plane in which the lips meet, at depth z. It rises to the back and holds the line of sight of a
+/// camera, so that a stroke between the lips can be drawn.
+[[nodiscard]] constexpr double seam_height(double z) { return k_mouth_y - 0.05 + 0.187 * (9.15 - z); }
 
 /// Where a vertex stands in the loops around eye and mouth; subdivision carries these numbers along, so that later
 /// steps can tell a lid from a socket. x: eye loop (-3 behind the eyeball, 0 inner and 1 outer edge of the lid's rim, 2
 /// lid, 3 crease, 4 edge of the orbit, 5 elsewhere). y: mouth loop (-2 cavity, 0 where the lips meet, 1 fullest, 2
-/// border of the red, 3 around it, 4 muzzle, 5 elsewhere). z: +1 upper lip, -1 lower lip, 0 elsewhere; ears have 3.
+/// border of the red, 3 around it, 4 muzzle, 5 elsewhere). z: +1 upper lip or lid, -1 lower lip or lid, 0 elsewhere;
+/// ears have 3.
 using LoopMark = glm::dvec3;
 
 /// What a quad of the cage becomes: how fine, and in which material.

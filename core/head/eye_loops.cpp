@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/math.h"
 #include "core/head/cage.h"
 
 namespace penpose::head {
@@ -12,72 +13,84 @@ struct Offset {
 };
 using Loop = std::array<Offset, k_count>;
 
-// Loops relative to the eye's centre as seen from the front, counter-clockwise from the outer corner; in eye radii.
-constexpr Loop k_rim{{{0.880, 0.040},
-                      {0.720, 0.280},
-                      {0.430, 0.450},
-                      {0.030, 0.510},
-                      {-0.360, 0.450},
-                      {-0.680, 0.220},
-                      {-0.920, -0.170},
-                      {-0.680, -0.330},
-                      {-0.360, -0.430},
-                      {0.010, -0.470},
-                      {0.390, -0.410},
-                      {0.710, -0.220}}};
-constexpr Loop k_lid{{{0.980, 0.040},
-                      {0.820, 0.420},
-                      {0.490, 0.650},
-                      {0.030, 0.720},
-                      {-0.410, 0.620},
-                      {-0.770, 0.340},
-                      {-1.020, -0.180},
-                      {-0.760, -0.430},
-                      {-0.400, -0.560},
-                      {0.010, -0.610},
-                      {0.440, -0.540},
-                      {0.810, -0.300}}};
-constexpr Loop k_crease{{{1.170, 0.040},
-                         {0.930, 0.640},
-                         {0.540, 0.900},
-                         {0.030, 0.980},
-                         {-0.470, 0.860},
-                         {-0.870, 0.500},
-                         {-1.100, -0.190},
-                         {-0.880, -0.620},
-                         {-0.460, -0.820},
-                         {0.000, -0.900},
-                         {0.510, -0.810},
-                         {0.970, -0.480}}};
-constexpr std::array<double, k_count> k_crease_depth{0.30, 0.64, 0.80, 0.84, 0.86, 0.82,
-                                                     0.74, 0.86, 0.92, 0.88, 0.72, 0.42};
-constexpr double k_rim_thickness = 0.1;
+// Loops relative to the eye's centre as seen from the front, counter-clockwise from the outer corner; cm.
+constexpr Loop k_rim{{{1.66, 0.02},
+                      {1.34, 0.30},
+                      {0.84, 0.49},
+                      {0.14, 0.56},
+                      {-0.54, 0.49},
+                      {-1.08, 0.24},
+                      {-1.46, -0.09},
+                      {-1.06, -0.38},
+                      {-0.52, -0.54},
+                      {0.14, -0.60},
+                      {0.80, -0.52},
+                      {1.36, -0.26}}};
+constexpr Loop k_lid{{{1.96, 0.02},
+                      {1.66, 0.70},
+                      {1.02, 1.06},
+                      {0.14, 1.20},
+                      {-0.68, 1.06},
+                      {-1.34, 0.62},
+                      {-1.74, -0.10},
+                      {-1.26, -0.70},
+                      {-0.62, -0.94},
+                      {0.14, -1.03},
+                      {0.94, -0.92},
+                      {1.62, -0.48}}};
+constexpr Loop k_crease{{{2.33, 0.03},
+                         {1.89, 1.18},
+                         {1.17, 1.64},
+                         {0.23, 1.78},
+                         {-0.68, 1.58},
+                         {-1.42, 0.92},
+                         {-1.84, -0.22},
+                         {-1.44, -1.14},
+                         {-0.67, -1.51},
+                         {0.18, -1.66},
+                         {1.12, -1.49},
+                         {1.96, -0.88}}};
+/// How far in front of the eye's centre the crease lies, cm.
+constexpr std::array<double, k_count> k_crease_depth{1.50, 1.76, 2.02, 2.14, 2.20, 2.26,
+                                                     2.30, 2.50, 2.60, 2.52, 2.20, 1.68};
+/// Width of the lids' edges as seen from the front, cm; the upper one carries the lashes.
+constexpr double k_upper_edge = 0.19;
+constexpr double k_lower_edge = 0.06;
 
 ModelPoint center() { return {k_eye_center[0], k_eye_center[1], k_eye_center[2]}; }
 
 /// The point of a sphere of `radius` eye radii that is seen at an offset.
 ModelPoint on_sphere(const Offset& o, double radius) {
-  return center() + ModelVector{o.x, o.y, std::sqrt(radius * radius - o.x * o.x - o.y * o.y)} * k_eye_radius;
+  const double r = radius * k_eye_radius;
+  return center() + ModelVector{o.x, o.y, std::sqrt(r * r - o.x * o.x - o.y * o.y)};
 }
+
+/// +1 for the upper lid, -1 for the lower, 0 for the corners.
+double lid_of(std::size_t i) { return i % (k_count / 2) == 0 ? 0.0 : i < k_count / 2 ? 1.0 : -1.0; }
 
 }  // namespace
 
 void add_eye(Cage& cage, const std::vector<std::uint32_t>& border) {
   for (const std::uint32_t v : border) cage.marks[v].x = 4;
-  std::array<std::vector<std::uint32_t>, 6> loops;
+  std::array<std::vector<std::uint32_t>, 7> loops;
   for (std::size_t i = 0; i < k_count; ++i) {
     const Offset& rim = k_rim[i];
-    const Offset edge{rim.x * 1.035, rim.y * 1.05};
+    const double lid = lid_of(i);
     const double around = std::sqrt(rim.x * rim.x + rim.y * rim.y);
-    const ModelVector outward{rim.x / around, rim.y / around, 0};
-    const double pocket = k_eye_radius * 1.1;
+    const double width = lid > 0 ? k_upper_edge : k_lower_edge;
+    const Offset edge{rim.x + width * rim.x / around, rim.y + width * (rim.y / around + 0.3 * lid)};
+    const double turn = 2 * base::k_pi * static_cast<double>(i) / k_count;
+    const ModelVector outward{base::cos(turn), base::sin(turn), 0};
+    const double pocket = k_eye_radius * 1.06;
     const ModelVector crease{k_crease[i].x, k_crease[i].y, k_crease_depth[i]};
-    loops[0].push_back(cage.add(center() + crease * k_eye_radius, {3, 5, 0}));
-    loops[1].push_back(cage.add(on_sphere(k_lid[i], 1.13), {2, 5, 0}));
-    loops[2].push_back(cage.add(on_sphere(edge, 1.03 + k_rim_thickness), {1, 5, 0}));
-    loops[3].push_back(cage.add(on_sphere(rim, 1.02), {0, 5, 0}));
-    loops[4].push_back(cage.add(center() + outward * (pocket * 0.98) + ModelVector{0, 0, pocket * 0.15}, {-1, 5, 0}));
-    loops[5].push_back(cage.add(center() + outward * (pocket * 0.8) + ModelVector{0, 0, -pocket * 0.75}, {-2, 5, 0}));
+    loops[0].push_back(cage.add(center() + crease, {3, 5, lid}));
+    loops[1].push_back(cage.add(on_sphere(k_lid[i], lid > 0 ? 1.09 : 1.035), {2, 5, lid}));
+    loops[2].push_back(cage.add(on_sphere(edge, 1.012), {1, 5, lid}));
+    loops[3].push_back(cage.add(on_sphere(rim, 1.002), {0, 5, lid}));
+    // Close behind the rim, so that the way around the ball does not pull it open.
+    loops[4].push_back(cage.add(on_sphere({rim.x * 1.3, rim.y * 1.7}, 1.002), {-1, 5, lid}));
+    loops[5].push_back(cage.add(center() + outward * (pocket * 0.98) + ModelVector{0, 0, pocket * 0.15}, {-1.5, 5, 0}));
+    loops[6].push_back(cage.add(center() + outward * (pocket * 0.8) + ModelVector{0, 0, -pocket * 0.75}, {-2, 5, 0}));
   }
   cage.add_strip(border, loops[0], true);
   for (std::size_t i = 0; i + 1 < loops.size(); ++i) {
@@ -91,7 +104,7 @@ void add_eye(Cage& cage, const std::vector<std::uint32_t>& border) {
   std::array<std::uint32_t, 3> middle{};
   for (std::size_t i = 0; i < 3; ++i) {
     middle[i] =
-        cage.add(center() + ModelVector{(static_cast<double>(i) - 1) * 0.6, 0, -k_eye_radius * 1.18}, {-3, 5, 0});
+        cage.add(center() + ModelVector{(static_cast<double>(i) - 1) * 0.85, 0, -k_eye_radius * 1.15}, {-3, 5, 0});
   }
   const std::array<std::uint32_t, 5> low{last[7], last[8], last[9], last[10], last[11]};
   const std::array<std::uint32_t, 5> mid{last[6], middle[0], middle[1], middle[2], last[0]};

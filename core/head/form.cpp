@@ -29,7 +29,9 @@ constexpr std::array<Row, k_rows> k_row_table{{
     {-10.8, 7.4, 4.65, -8.0, 0.0, -8.7, -5.0},    // edge of the jaw
     {-11.2, 4.6, 3.95, -9.4, -0.8, -9.8, -5.0},   // throat
     {-12.6, 2.4, 3.6, -11.5, -1.4, -11.6, -5.0},  // neck
-    {-15.4, 2.2, 3.9, -15.1, -1.6, -14.9, -5.2},  // foot of the neck
+    {-15.2, 2.5, 4.1, -14.7, -1.5, -14.2, -5.4},  // where it spreads
+    {-16.7, 3.2, 5.6, -16.5, -1.5, -16.1, -5.9},  // foot
+    {-16.8, 2.6, 4.9, -16.7, -1.5, -16.4, -5.3},  // turned in
 }};
 
 ModelPoint on_row(const Row& r, double sine, double cosine) {

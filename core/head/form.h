@@ -34,8 +34,9 @@ struct Row {
   double back_y, back_z;
 };
 
-/// The control rows from the hair line down to the foot of the neck, bare of features.
-inline constexpr int k_rows = 16;
+/// The control rows from the hair line down to the foot of the neck, which spreads and turns in under itself, bare of
+/// features.
+inline constexpr int k_rows = 18;
 [[nodiscard]] const Row& row(int number);
 
 /// The point of a row at an angle in degrees: 0 front, 90 side, 180 back.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t k_none = 0xffffffffU;
 constexpr std::size_t k_kinds = 6;
-constexpr double k_lip_gap = 0.006;
+constexpr double k_lip_gap = 0.02;
 
 struct Pair {
   mesh::QuadMesh shape;
@@ -46,8 +46,12 @@ void lift_off_eye(Half& half) {
     if (loop > 4.5) continue;
     const ModelVector away = half.points[v] - center;
     const double distance = geometry::length(away);
-    // Lids slide on a film of 1.5 % of the radius; further out the skin has its thickness.
-    const double least = k_eye_radius * (1.018 + 0.1 * ramp(0.0, 1.0, loop) + 0.03 * ramp(0, -1, loop));
+    // Lids slide on a film. The upper lid's lies outside the lower lid, edge and all, so that it closes over a lower
+    // lid that is raised. Further out the skin has its thickness.
+    const double upper = ramp(-1.0, 1.0, half.marks[v].z) * ramp(-1.0, 0.0, loop);
+    const double film = 1.012 + 0.026 * upper;
+    const double thickness = 0.018 + 0.02 * upper;
+    const double least = k_eye_radius * (film + thickness * ramp(0.0, 1.0, loop) + 0.03 * ramp(-1.1, -2.0, loop));
     if (distance < least) half.points[v] = center + away * (least / distance);
   }
 }
@@ -58,7 +62,7 @@ void close_lips(Half& half) {
     const LoopMark& mark = half.marks[v];
     if (mark.y < -1.5 || mark.y > 2) continue;
     ModelPoint& p = half.points[v];
-    const double line = mouth_line(p.x);
+    const double line = seam_height(p.z);
     if (mark.z > 1e-6) {
       p.y = std::max(p.y, line + k_lip_gap / 2);
     } else if (mark.z < -1e-6) {
@@ -171,10 +175,8 @@ Surface mirrored(const std::vector<ModelPoint>& points, const std::vector<mesh::
 Skin make_skin(const Half& half) {
   // Four quads of a coarse one become one polygon: its corners, and those middles of its edges that a finer neighbour
   // needs. Corners 1 and 3 of a quad are such middles, corner 2 is the corner of the coarse quad.
-  std::vector<bool> edge_point(half.points.size(), false);
   std::vector<bool> needed(half.points.size(), false);
   for (std::size_t q = 0; q < half.quads.size(); ++q) {
-    edge_point[half.quads[q][1]] = edge_point[half.quads[q][3]] = true;
     if (is_coarse(half.kinds[q])) continue;
     for (const std::uint32_t v : half.quads[q]) needed[v] = true;
   }
@@ -196,11 +198,15 @@ Skin make_skin(const Half& half) {
           std::find_if(group.begin(), group.end(), [&](std::size_t g) { return half.quads[g][1] == q[3]; });
       if (next != group.end()) at = *next;
     }
-    // From a point that a finer neighbour needs: no vertex stands out of the coarse surface.
-    std::rotate(around.begin(),
-                std::find_if(around.begin(), around.end(), [&](std::uint32_t v) { return edge_point[v]; }),
-                around.end());
-    add_fan(mine, around);
+    if (around.size() == group.size()) {
+      add_fan(mine, around);
+      continue;
+    }
+    // Beside a finer neighbour: around the middle, so that no triangle is a sliver whose shading shows as a line.
+    const std::uint32_t middle = half.quads[group[0]][0];
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      mine.push_back({middle, around[i], around[(i + 1) % around.size()]});
+    }
   }
   const auto of = [&](QuadKind kind) { return triangles[static_cast<std::size_t>(kind)]; };
   auto bare = of(QuadKind::skin);

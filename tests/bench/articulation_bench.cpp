@@ -1,11 +1,17 @@
+#include <algorithm>
 #include <benchmark/benchmark.h>
 #include <cmath>
 #include <glm/vec3.hpp>
 
 #include "core/articulation/canvas.h"
 #include "core/articulation/sketched_deformers.h"
+#include "core/head/head.h"
+#include "core/model_io/read_model.h"
 #include "core/posing/solve.h"
 #include "core/rig/character_rig.h"
+#include "tests/support/shared_data.h"
+#include "ui/demo/demo_head.h"
+#include "ui/demo/pose_expression.h"
 
 namespace penpose {
 namespace {
@@ -188,6 +194,73 @@ void solve_two_curves(benchmark::State& state) {
   state.counters["variables"] = static_cast<double>(solution.variables);
 }
 BENCHMARK(solve_two_curves)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+// The same on what the issue names: the built-in head with its fifteen deformers, and the face of 26,719 vertices.
+
+const document::Model& demo_head() {
+  static const document::Model model = demo::make_demo_head().value();
+  return model;
+}
+
+void make_built_in_head(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(head::make_head().mesh.get());
+}
+BENCHMARK(make_built_in_head)->Unit(benchmark::kMillisecond);
+
+void evaluate_demo_head(benchmark::State& state) {
+  const document::Model& model = demo_head();
+  rig::Pose pose(model.rig->parameters().size(), 0.5);
+  std::vector<ModelPoint> positions(model.mesh->vertex_count());
+  for (auto _ : state) {
+    for (double& x : pose) x = x == 0.5 ? 0.6 : 0.5;
+    model.rig->evaluate(pose, positions);
+    benchmark::DoNotOptimize(positions.data());
+  }
+  state.counters["deformers"] = static_cast<double>(pose.size());
+  state.counters["vertices"] = static_cast<double>(positions.size());
+}
+BENCHMARK(evaluate_demo_head)->Unit(benchmark::kMicrosecond);
+
+/// Two of the drawn curves of each expression, all fifteen deformers free.
+void solve_demo_head(benchmark::State& state) {
+  const auto file = demo::demo_expressions().value();
+  const auto surface = demo::rest_surface(demo_head());
+  demo::Expression expression = file.expressions[static_cast<std::size_t>(state.range(0))];
+  expression.curves.resize(std::min<std::size_t>(expression.curves.size(), static_cast<std::size_t>(state.range(1))));
+  const auto problem = demo::problem_of_expression(demo_head(), surface, expression, file.viewport).value();
+  posing::SolveWorkspace work;
+  posing::Solution solution;
+  for (auto _ : state) solution = posing::solve(*demo_head().rig, problem, {}, work).value();
+  state.SetLabel(expression.name);
+  state.counters["curves"] = static_cast<double>(problem.pairs.size());
+  state.counters["evaluations"] = static_cast<double>(solution.evaluations);
+  state.counters["variables"] = static_cast<double>(solution.variables);
+}
+BENCHMARK(solve_demo_head)->ArgsProduct({benchmark::CreateDenseRange(0, 7, 1), {2, 99}})->Unit(benchmark::kMillisecond);
+
+void build_on_face(benchmark::State& state) {
+  const auto bytes = tests::read_file(tests::shared_dir() / "meshes" / "ict_face.glb");
+  if (bytes.empty()) return state.SkipWithError("the face is not there");
+  const document::Model face = model_io::read_model(bytes, "ict_face.glb").value();
+  const auto canvas = document::make_canvas(face).value();
+  geometry::Box box;
+  for (const ModelPoint& p : canvas->positions()) box.add(p);
+  Sketch sketch = fifteen(Kind::turning)[static_cast<std::size_t>(state.range(0))];
+  sketch.camera.look_at = box.center();
+  sketch.camera.eye = box.center() + ModelPoint{0, 0, 2.4 * box.diagonal()};
+  if (state.range(1) != 0) {
+    sketch.general = ring({500, 500}, 420);
+    sketch.specific = ring({500, 500}, 300);
+  }
+  std::size_t moved = 0;
+  for (auto _ : state) {
+    const auto deformer = articulation::build_deformer(sketch, *canvas).value();
+    moved = deformer->vertices().size();
+    benchmark::DoNotOptimize(moved);
+  }
+  state.counters["vertices"] = static_cast<double>(moved);
+}
+BENCHMARK(build_on_face)->Args({6, 0})->Args({7, 0})->Args({6, 1})->Args({7, 1})->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace penpose

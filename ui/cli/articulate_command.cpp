@@ -75,6 +75,14 @@ const char* mode_name(const Deformer& deformer) {
   return deformer.mode() == articulation::Mode::translate ? "translate" : "rotate";
 }
 
+/// What a user may not have meant, one line each.
+std::vector<std::string> notes_on(const Deformer& deformer) {
+  if (!deformer.turned_round() || deformer.mode() != articulation::Mode::rotate) return {};
+  return {
+      "the target was turned round, because its end lies nearer to the start of the reference than its start does; "
+      "if the control tears the model, draw the target so that its start is the nearer end, or use translate"};
+}
+
 int articulate(const ArticulateArguments& arguments) {
   if (!arguments.out.ends_with(".glb")) {
     return report({"deformers are kept in .glb files only", "", "name the output .glb"}, arguments.out);
@@ -98,6 +106,7 @@ int articulate(const ArticulateArguments& arguments) {
   for (const Built& one : *built) {
     const Deformer& deformer = *one.deformer;
     const auto full = std::count(deformer.weights().begin(), deformer.weights().end(), 1.0);
+    const auto notes = notes_on(deformer);
     rows.push_back({{"name", deformer.sketch().name},
                     {"mode", mode_name(deformer)},
                     {"reference", deformer.inferred() ? "inferred" : "drawn"},
@@ -105,12 +114,15 @@ int articulate(const ArticulateArguments& arguments) {
                     {"vertices_at_full_weight", full},
                     {"minimum", deformer.parameter().minimum},
                     {"maximum", deformer.parameter().maximum},
+                    {"target_turned_round", deformer.turned_round()},
+                    {"notes", notes},
                     {"build_us", one.build_us}});
     if (arguments.json) continue;
     std::cout << deformer.sketch().name << ": " << mode_name(deformer) << ", " << deformer.vertices().size()
               << " vertices (" << full << " at full weight), "
               << (deformer.inferred() ? "reference inferred, " : "reference drawn, ")
               << base::format_fixed(one.build_us / 1000.0, 2) << " ms\n";
+    for (const std::string& note : notes) std::cout << "  warning: " << note << '\n';
   }
   if (arguments.json) {
     const Json object = {{"model", arguments.model},

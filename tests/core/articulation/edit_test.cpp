@@ -1,5 +1,6 @@
 #include "core/articulation/edit.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "tests/support/articulation_models.h"
@@ -71,6 +72,31 @@ TEST(Edit, ADeformerFollowsACurveDrawnAnew) {
   const auto smaller = redrawn(sketch, CurveRole::general, trunk.box(0.5, 3.5, 0.6), sketch.camera).value();
   const auto narrowed = with_sketch(*set, 0, smaller, *trunk.canvas).value();
   EXPECT_LT(narrowed->deformers()[0]->vertices().size(), set->deformers()[0]->vertices().size());
+}
+
+TEST(Edit, EveryCurveCanBeDrawnAnew) {
+  const Trunk trunk = tests::make_trunk();
+  const auto set = three(trunk);
+  const Sketch& sketch = set->deformers()[1]->sketch();
+  const auto redrawn_with = [&](CurveRole role, std::vector<PxPoint> points) {
+    const auto other = redrawn(sketch, role, std::move(points), sketch.camera).value();
+    return with_sketch(*set, 1, other, *trunk.canvas).value()->deformers()[1];
+  };
+  const auto at_full_weight = [](const Deformer& deformer) {
+    return std::count(deformer.weights().begin(), deformer.weights().end(), 1.0);
+  };
+  const Deformer& before = *set->deformers()[1];
+  const auto general = redrawn_with(CurveRole::general, trunk.box(0.5, 3.5, 0.6));
+  EXPECT_LT(general->vertices().size(), before.vertices().size());
+  const auto specific = redrawn_with(CurveRole::specific, trunk.box(2.0, 3.4, 0.5));
+  EXPECT_EQ(specific->vertices().size(), before.vertices().size());
+  EXPECT_LT(at_full_weight(*specific), at_full_weight(before));
+  const auto reference = redrawn_with(CurveRole::reference, {trunk.seen({1.2, 0, 0.2}), trunk.seen({2.9, 0, 0.2})});
+  EXPECT_GT(reference->reference().front().x, before.reference().front().x + 0.1);
+  std::vector<PxPoint> up = sketch.target;
+  for (PxPoint& p : up) p.y = 1000 - p.y;
+  EXPECT_GT(redrawn_with(CurveRole::target, up)->target().back().y, before.target().back().y + 1.0);
+  for (const auto& one : {general, specific, reference}) EXPECT_EQ(one->sketch().name, "second");
 }
 
 TEST(Edit, BothRegionsBelongToOneCamera) {

@@ -116,6 +116,30 @@ TEST(TriangleFilter, CutsAndRenormalisesTheKernelNearTheEnds) {
   EXPECT_EQ(fixed[1], moving[1]);
 }
 
+TEST(TriangleFilter, WideKernelsWeighLikeNarrowOnes) {
+  std::vector<ModelPoint> line;
+  for (int i = 0; i < 900; ++i) line.push_back({100 + i * 0.01, std::sin(i * 0.7), static_cast<double>((i * i) % 17)});
+  for (const std::size_t kernel : {301U, 601U, 5001U}) {
+    for (const Ends ends : {Ends::moving, Ends::fixed}) {
+      const auto filtered = triangle_filter<ModelPoint>(line, kernel, ends);
+      const auto half = static_cast<std::ptrdiff_t>(kernel / 2);
+      for (std::ptrdiff_t i = 0; i < 900; i += 29) {
+        ModelPoint sum{0};
+        double weights = 0;
+        for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, i - half); k <= std::min<std::ptrdiff_t>(899, i + half);
+             ++k) {
+          const auto weight = static_cast<double>(half + 1 - std::abs(k - i));
+          sum += line[static_cast<std::size_t>(k)] * weight;
+          weights += weight;
+        }
+        const ModelPoint expected =
+            ends == Ends::fixed && (i == 0 || i == 899) ? line[static_cast<std::size_t>(i)] : sum / weights;
+        EXPECT_LT(geometry::distance(filtered[static_cast<std::size_t>(i)], expected), 1e-11) << kernel << ' ' << i;
+      }
+    }
+  }
+}
+
 TEST(TriangleFilter, RaisesTheKernelToTheNextOddOne) {
   tests::Random random(8);
   Model line;

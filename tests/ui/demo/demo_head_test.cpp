@@ -1,9 +1,14 @@
 #include "ui/demo/demo_head.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <random>
 
+#include "core/articulation/deformer.h"
+#include "core/articulation/edit.h"
 #include "core/head/head.h"
+#include "core/head/skin.h"
 #include "ui/demo/embedded_files.h"
 
 namespace penpose::demo {
@@ -79,24 +84,175 @@ TEST_F(DemoHead, LidsSlideOverTheEyeball) {
   }
 }
 
-TEST_F(DemoHead, ClosedLidMeetsTheLowerOne) {
-  const double radius = head::head_landmarks().left.radius;
-  for (const std::string side : {"_L", "_R"}) {
-    const auto open = curve("eyelid_upper" + side, posed({}));
-    const auto closed = curve("eyelid_upper" + side, posed({{"eyelid_upper" + side, 1}}));
-    const auto lower = curve("eyelid_lower" + side, posed({}));
-    ASSERT_GT(closed.size(), 10U);
-    for (const ModelPoint& p : closed) {
-      double nearest = radius;
-      for (std::size_t i = 0; i + 1 < lower.size(); ++i) {
-        for (int k = 0; k <= 8; ++k) {
-          nearest = std::min(nearest, geometry::distance(p, lower[i] + (lower[i + 1] - lower[i]) * (k / 8.0)));
-        }
-      }
-      EXPECT_LT(nearest, 0.04 * radius);
-    }
-    EXPECT_GT(geometry::distance(open[open.size() / 2], closed[closed.size() / 2]), 0.8 * radius);
+/// A row of the +x eye's upper (lid 1) or lower (-1) lid, from corner to corner; 0: where it touches the eye, 1: its
+/// edge.
+std::vector<std::uint32_t> lid_row(const document::Model& model, double lid, double row) {
+  const head::Half half = head::make_half().value();
+  std::vector<std::pair<double, std::uint32_t>> found;
+  for (std::size_t v = 0; v < half.points.size(); ++v) {
+    const head::LoopMark& mark = half.marks[v];
+    if (std::abs(mark.x - row) > 1e-6 || mark.z * lid < 0.01) continue;
+    const ModelPoint wanted = half.points[v] * 0.01;
+    const auto all = model.mesh->positions();
+    const auto same =
+        std::find_if(all.begin(), all.end(), [&](const ModelPoint& p) { return geometry::distance(p, wanted) < 1e-8; });
+    if (same != all.end()) found.emplace_back(wanted.x, static_cast<std::uint32_t>(same - all.begin()));
   }
+  std::sort(found.begin(), found.end());
+  std::vector<std::uint32_t> vertices;
+  for (const auto& one : found) vertices.push_back(one.second);
+  return vertices;
+}
+
+TEST_F(DemoHead, LidsDoNotStretchSideways) {
+  const auto rest = posed({});
+  for (const double row : {0.0, 1.0}) {
+    const auto line = lid_row(*model_, 1, row);
+    ASSERT_GT(line.size(), 18U);
+    // The lid's edge ends in folds that the lower lid shares; where it touches the eye all of it counts.
+    const std::size_t fold = row > 0 ? 3 : 0;
+    for (int step = 1; step <= 20; ++step) {
+      const auto now = posed({{"eyelid_upper_L", step / 20.0}});
+      double worst = 0;
+      for (std::size_t i = fold; i + 1 + fold < line.size(); ++i) {
+        const double was = rest[line[i + 1]].x - rest[line[i]].x;
+        worst = std::max(worst, std::abs((now[line[i + 1]].x - now[line[i]].x) / was - 1.0));
+      }
+      EXPECT_LT(worst, 0.05) << "row " << row << ", amount " << step / 20.0;
+    }
+  }
+}
+
+TEST_F(DemoHead, ClosedLidMeetsTheLowerOne) {
+  const head::Eyeball eye = head::head_landmarks().left;
+  const auto rest = posed({});
+  const auto closed = posed({{"eyelid_upper_L", 1}});
+  const auto seen = [&](std::uint32_t v) { return geometry::normalized(closed[v] - eye.center); };
+  const auto upper = lid_row(*model_, 1, 0);
+  const auto lower = lid_row(*model_, -1, 0);
+  double largest = 0;  // between what is left open, in eye radii
+  double sum = 0;
+  for (const std::uint32_t v : upper) {
+    double nearest = 2;
+    for (std::size_t i = 0; i + 1 < lower.size(); ++i) {
+      for (int k = 0; k <= 16; ++k) {
+        const auto on_lower = seen(lower[i]) + (seen(lower[i + 1]) - seen(lower[i])) * (k / 16.0);
+        const double off = geometry::distance(seen(v), on_lower);
+        if (off < nearest) nearest = off;
+      }
+    }
+    largest = std::max(largest, nearest);
+    sum += nearest;
+  }
+  EXPECT_LT(largest, 0.04);
+  EXPECT_LT(sum / static_cast<double>(upper.size()), 0.02);
+  const std::uint32_t middle = upper[upper.size() / 2];
+  EXPECT_GT(geometry::distance(rest[middle], closed[middle]), 0.45 * eye.radius);
+  EXPECT_LT(closed[middle].y, closed[lower[lower.size() / 2]].y + 1e-4) << "down to the lower lid";
+}
+
+TEST_F(DemoHead, AClosedLidLiesOutsideARaisedLowerOne) {
+  const head::Eyeball eye = head::head_landmarks().left;
+  const auto both = posed({{"eyelid_upper_L", 1}, {"eyelid_lower_L", 1}});
+  const auto lower = curve("eyelid_lower_L", both);
+  const auto rim = lid_row(*model_, 1, 0);
+  double farthest = 0;
+  for (std::size_t i = 3; i + 3 < lower.size(); ++i) {
+    farthest = std::max(farthest, geometry::distance(lower[i], eye.center));
+  }
+  for (std::size_t i = 3; i + 3 < rim.size(); ++i) EXPECT_GT(geometry::distance(both[rim[i]], eye.center), farthest);
+}
+
+TEST_F(DemoHead, LidsCutIntoTheEyeWithoutTheSphere) {
+  const head::Eyeball eye = head::head_landmarks().left;
+  articulation::Sketch sketch = deformer("eyelid_upper_L").sketch();
+  sketch.surface = std::monostate{};
+  const auto canvas = document::make_canvas(*model_).value();
+  const auto lid = articulation::build_deformer(sketch, *canvas).value();
+  std::vector<geometry::ModelVector> moves(lid->vertices().size());
+  articulation::CarriageWorkspace work;
+  lid->carriage().displacements(0.5, work, moves);
+  std::size_t inside = 0;
+  double deepest = 0;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const double depth =
+        eye.radius - geometry::distance(canvas->positions()[lid->vertices()[i]] + moves[i], eye.center);
+    inside += depth > 0 ? 1 : 0;
+    deepest = std::max(deepest, depth);
+  }
+  EXPECT_GT(inside, 15U);
+  EXPECT_GT(deepest, 0.01 * eye.radius);
+}
+
+TEST_F(DemoHead, AnotherOrderOfDeformersChangesNoMoreThanTheLastBit) {
+  std::vector<std::pair<std::string, double>> values;
+  for (std::size_t i = 0; i < model_->rig->parameters().size(); ++i) {
+    values.emplace_back(model_->rig->parameters()[i].name, 0.31 + 0.04 * static_cast<double>(i));
+  }
+  const auto in_order = posed(values);
+  std::vector<std::shared_ptr<const articulation::Deformer>> deformers(model_->deformers->deformers().begin(),
+                                                                       model_->deformers->deformers().end());
+  std::mt19937_64 random(4);
+  for (int trial = 0; trial < 6; ++trial) {
+    for (std::size_t i = deformers.size(); i > 1; --i) std::swap(deformers[i - 1], deformers[random() % i]);
+    auto model = document::with_deformers(*model_, articulation::SketchedDeformers::make(deformers).value()).value();
+    for (const auto& [name, value] : values) model.pose[*rig::find_parameter(model.rig->parameters(), name)] = value;
+    const auto other = document::posed_positions(model);
+    for (std::size_t v = 0; v < other.size(); ++v) {
+      const double size = geometry::length(in_order[v]);
+      const double last_bit = std::nextafter(size, 1.0) - size;
+      for (int k = 0; k < 3; ++k) ASSERT_LE(std::abs(other[v][k] - in_order[v][k]), last_bit) << "vertex " << v;
+    }
+  }
+}
+
+TEST_F(DemoHead, NothingBehindTheHeadMoves) {
+  for (const auto& one : model_->deformers->deformers()) {
+    for (const std::uint32_t v : one->vertices()) {
+      EXPECT_GT(model_->mesh->positions()[v].z, 0.0) << one->sketch().name;
+    }
+  }
+}
+
+TEST_F(DemoHead, NoTargetOfTheBundledSketchWasTurnedRound) {
+  for (const auto& one : model_->deformers->deformers()) EXPECT_FALSE(one->turned_round()) << one->sketch().name;
+}
+
+TEST_F(DemoHead, EveryDeformerReachesItsTarget) {
+  for (const auto& one : model_->deformers->deformers()) {
+    const auto start = one->curve_at(0);
+    const auto end = one->curve_at(1);
+    for (std::size_t i = 0; i < end.size(); ++i) {
+      EXPECT_LT(geometry::distance(start[i], one->reference()[i]), 1e-15) << one->sketch().name;
+      EXPECT_LT(geometry::distance(end[i], one->target()[i]), 1e-9) << one->sketch().name;
+    }
+  }
+}
+
+TEST_F(DemoHead, TheLeftLidMakesTheRightOneInOneCommand) {
+  const auto canvas = document::make_canvas(*model_).value();
+  const auto& set = *model_->deformers;
+  const auto left = *articulation::find_deformer(set, "eyelid_upper_L");
+  const auto right = *articulation::find_deformer(set, "eyelid_upper_R");
+  const auto one_less = articulation::without(set, right).value();
+  const auto again = articulation::with_mirrored(*one_less, left, *canvas).value();
+  EXPECT_EQ(again->deformers().back()->sketch().name, "eyelid_upper_R");
+  const auto& mirrored = *again->deformers().back();
+  const auto& lid = *set.deformers()[left];
+  ASSERT_EQ(mirrored.vertices().size(), lid.vertices().size());
+  articulation::CarriageWorkspace work;
+  std::vector<geometry::ModelVector> moves(mirrored.vertices().size());
+  mirrored.carriage().displacements(1.0, work, moves);
+  const head::Eyeball eye = head::head_landmarks().right;
+  double farthest = 0;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const ModelPoint rest = model_->mesh->positions()[mirrored.vertices()[i]];
+    EXPECT_LT(rest.x, 0);
+    EXPECT_NEAR(geometry::distance(rest + moves[i], eye.center), geometry::distance(rest, eye.center),
+                1e-9 * eye.radius);
+    farthest = std::max(farthest, geometry::length(moves[i]));
+  }
+  EXPECT_GT(farthest, 0.45 * eye.radius);
 }
 
 TEST_F(DemoHead, JawPartsTheLips) {
