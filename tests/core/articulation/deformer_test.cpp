@@ -115,7 +115,6 @@ TEST(Trunk, BendsWithoutThinning) {
   const Trunk trunk = tests::make_trunk();
   const auto curl = built(trunk.curl(), *trunk.canvas);
   EXPECT_EQ(curl->mode(), Mode::rotate);
-  const auto rest = trunk.canvas->positions();
   const auto now = posed(*trunk.canvas, *curl, 1.0);
   double worst = 0;
   for (std::uint32_t ring = 0; ring < Trunk::k_rings; ++ring) {
