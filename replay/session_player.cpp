@@ -36,9 +36,11 @@ class Player {
   PlayerObserver& observer_;
   Playback out_;
   std::optional<base::Error> error_;  ///< ends the replay
+  bool stop_ = false;
 };
 
 bool Player::stopped() const {
+  if (stop_) return true;
   return options_.stop_after_strokes && out_.session && out_.session->stroke_count() >= *options_.stop_after_strokes;
 }
 
@@ -73,6 +75,7 @@ void Player::note_steps(std::uint64_t number) {
       if (out_.refusals.size() < k_most_refusals) out_.refusals.push_back(std::move(error));
     }
     observer_.on_step(*out_.session, step);
+    if (options_.stop_when && options_.stop_when(*out_.session)) stop_ = true;
   }
 }
 

@@ -37,6 +37,7 @@ struct PlayerOptions {
   /// default model).
   std::function<base::Result<document::Model>(const std::string& path)> load_model;
   std::optional<std::size_t> stop_after_strokes = std::nullopt;
+  std::function<bool(const Session&)> stop_when = {};  ///< asked after every step; may be empty
   const decode::TabletTable* own_tablets = nullptr;
   PlayerObserver* observer = nullptr;  ///< may be null
 };

@@ -9,9 +9,10 @@
 #include "core/model_io/read_model.h"
 #include "core/posing/solve.h"
 #include "core/rig/character_rig.h"
+#include "replay/session_player.h"
 #include "tests/support/shared_data.h"
 #include "ui/demo/demo_head.h"
-#include "ui/demo/pose_expression.h"
+#include "ui/demo/embedded_files.h"
 
 namespace penpose {
 namespace {
@@ -221,17 +222,31 @@ void evaluate_demo_head(benchmark::State& state) {
 }
 BENCHMARK(evaluate_demo_head)->Unit(benchmark::kMicrosecond);
 
-/// Two of the drawn curves of each expression, all fifteen deformers free.
+/// What the demo's session asks of the solver at an expression, from rest, all fifteen deformers free: two of its
+/// curves, or all.
 void solve_demo_head(benchmark::State& state) {
-  const auto file = demo::demo_expressions().value();
-  const auto surface = demo::rest_surface(demo_head());
-  demo::Expression expression = file.expressions[static_cast<std::size_t>(state.range(0))];
-  expression.curves.resize(std::min<std::size_t>(expression.curves.size(), static_cast<std::size_t>(state.range(1))));
-  const auto problem = demo::problem_of_expression(demo_head(), surface, expression, file.viewport).value();
+  static const std::vector<document::Document> documents = [] {
+    std::vector<document::Document> all;
+    replay::PlayerOptions options;
+    options.load_model = [](const std::string&) { return base::Result<document::Model>(head::make_head()); };
+    options.stop_when = [&all](const replay::Session& session) {
+      const document::Document& document = session.editor().document();
+      const auto& keys = document.timeline->keys;
+      const bool named = !keys.empty() && !keys.back().name.empty() && keys.back().time_s == document.time_s;
+      if (named && (all.empty() || all.back().timeline != document.timeline)) all.push_back(document);
+      return false;
+    };
+    static_cast<void>(replay::play_session(replay::read_from(base::as_bytes(demo::embedded_session())), options));
+    return all;
+  }();
+  const document::Document& document = documents[static_cast<std::size_t>(state.range(0))];
+  posing::PoseProblem problem = document::pose_problem(document);
+  problem.start = rig::rest_pose(*document.model->rig);
+  problem.pairs.resize(std::min<std::size_t>(problem.pairs.size(), static_cast<std::size_t>(state.range(1))));
   posing::SolveWorkspace work;
   posing::Solution solution;
-  for (auto _ : state) solution = posing::solve(*demo_head().rig, problem, {}, work).value();
-  state.SetLabel(expression.name);
+  for (auto _ : state) solution = posing::solve(*document.model->rig, problem, {}, work).value();
+  state.SetLabel(document.timeline->keys.back().name);
   state.counters["curves"] = static_cast<double>(problem.pairs.size());
   state.counters["evaluations"] = static_cast<double>(solution.evaluations);
   state.counters["variables"] = static_cast<double>(solution.variables);

@@ -1,6 +1,7 @@
-// golden HASHES FOLDER [THREADS]: replays every session of the folder and 200 random ones, prints the hash of the state
-// at each session's end, and compares them with a file of lines "NAME HASH". golden --print FOLDER prints such a file.
-// The text of a random session holds the state after each of its strokes and commands, so that its hash stands for all.
+// golden HASHES THREADS SESSION|FOLDER...: replays every session named or in a folder named, and 200 random ones,
+// prints the hash of the state at each session's end, and compares them with a file of lines "NAME HASH". With --print
+// in place of the file it prints such a file. The text of a random session holds the state after each of its strokes
+// and commands, so that its hash stands for all.
 
 #include <algorithm>
 #include <cstdio>
@@ -54,7 +55,24 @@ base::Result<std::string> random_session(std::uint64_t seed) {
   return base::hash_bytes(base::as_bytes(script.text())).hex();
 }
 
-std::map<std::string, std::string> all_hashes(const std::string& folder, std::size_t threads, bool& failed) {
+/// The files of sessions among paths of files and folders, by their names.
+std::map<std::string, std::filesystem::path> session_files(int count, char** paths) {
+  std::map<std::string, std::filesystem::path> files;
+  const auto add = [&](const std::filesystem::path& path) {
+    if (path.extension() == ".session") files[path.filename().string()] = path;
+  };
+  for (int i = 0; i < count; ++i) {
+    if (!std::filesystem::is_directory(paths[i])) {
+      add(paths[i]);
+      continue;
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(paths[i])) add(entry.path());
+  }
+  return files;
+}
+
+std::map<std::string, std::string> all_hashes(const std::map<std::string, std::filesystem::path>& files,
+                                              std::size_t threads, bool& failed) {
   std::map<std::string, std::string> hashes;
   const auto keep = [&](const std::string& name, const base::Result<std::string>& hash) {
     if (hash) {
@@ -64,11 +82,10 @@ std::map<std::string, std::string> all_hashes(const std::string& folder, std::si
     std::cerr << name << ": " << hash.error().line() << '\n';
     failed = true;
   };
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() != ".session") continue;
-    std::ifstream file(entry.path(), std::ios::binary);
+  for (const auto& [name, path] : files) {
+    std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    keep(entry.path().filename().string(), replayed(text));
+    keep(name, replayed(text));
   }
   // As many at a time as there are threads: nothing that one does may show in another.
   std::vector<base::Result<std::string>> random(k_random_sessions, std::string());
@@ -86,13 +103,13 @@ std::map<std::string, std::string> all_hashes(const std::string& folder, std::si
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int threads = argc == 4 ? std::atoi(argv[3]) : 1;
-  if (argc < 3 || argc > 4 || threads < 1 || threads > 64) {
-    std::cerr << "usage: golden HASHES|--print FOLDER [THREADS]\n";
+  const int threads = argc < 4 ? 0 : std::atoi(argv[2]);
+  if (threads < 1 || threads > 64) {
+    std::cerr << "usage: golden HASHES|--print THREADS SESSION|FOLDER...\n";
     return 2;
   }
   bool failed = false;
-  const auto hashes = all_hashes(argv[2], static_cast<std::size_t>(threads), failed);
+  const auto hashes = all_hashes(session_files(argc - 3, argv + 3), static_cast<std::size_t>(threads), failed);
   if (std::strcmp(argv[1], "--print") == 0) {
     for (const auto& [name, hash] : hashes) std::cout << name << ' ' << hash << '\n';
     return failed ? 1 : 0;

@@ -11,7 +11,7 @@
 #include "core/head/head.h"
 #include "core/model_io/sketch_file.h"
 #include "tests/support/random_session.h"
-#include "ui/demo/expression_file.h"
+#include "tests/tools/expression_file.h"
 
 namespace {
 
@@ -63,13 +63,13 @@ class DemoHand {
   }
 
   /// References first, all on the face at rest, then where they go, then the keys: reached, held, left.
-  void pose(const demo::Expression& expression, geometry::Viewport viewport, double from_s) {
+  void pose(const tests::Expression& expression, geometry::Viewport viewport, double from_s) {
     perform(document::ClearCurves{}, expression.name);
     perform(document::ResetParameters{}, expression.name);
     perform(document::SetKey{from_s, ""}, expression.name);
     for (const auto kind : {drawing::ToolKind::reference, drawing::ToolKind::target}) {
       script_.choose(kind);
-      for (const demo::DrawnPair& pair : expression.curves) {
+      for (const tests::DrawnPair& pair : expression.curves) {
         look(pair.camera.value_or(expression.camera), viewport);
         draw(kind == drawing::ToolKind::reference ? pair.reference : pair.target, expression.name);
       }
@@ -89,13 +89,13 @@ std::string demo_session(const char* sketch_file, const char* expression_file) {
   const std::string sketch_text = read(sketch_file);
   const auto sketches = model_io::read_sketch_file(base::as_bytes(sketch_text));
   if (!sketches) stop(sketches.error(), sketch_file);
-  const auto expressions = demo::read_expressions(read(expression_file));
+  const auto expressions = tests::read_expressions(read(expression_file));
   if (!expressions) stop(expressions.error(), expression_file);
   tests::SessionScript script(document::make_document(head::make_head()), "builtin:head");
   DemoHand hand(script);
   for (const articulation::Sketch& sketch : sketches->sketches) hand.sketch(sketch);
   double now_s = 0;
-  for (const demo::Expression& expression : expressions->expressions) {
+  for (const tests::Expression& expression : expressions->expressions) {
     hand.pose(expression, expressions->viewport, now_s);
     now_s += 1.75;
   }

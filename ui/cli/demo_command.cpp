@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "core/base/numbers.h"
+#include "core/document/document_hash.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/files.h"
 #include "ui/cli/save_model.h"
@@ -32,11 +33,11 @@ double ms_since(Clock::time_point start) {
 }
 
 std::vector<demo::SheetCell> sheet_cells(const demo::Demo& made) {
-  const rig::Pose rest = rig::rest_pose(*made.model.rig);
+  const document::Model& model = *made.document.model;
+  const rig::Pose rest = rig::rest_pose(*model.rig);
   std::vector<demo::SheetCell> cells{{"neutral", rest, {}}};
-  for (demo::RegionCell& regions : demo::region_cells(made.model))
-    cells.push_back({"regions", rest, std::move(regions)});
-  for (const demo::PosedExpression& one : made.expressions) cells.push_back({one.name, one.solution.pose, {}});
+  for (demo::RegionCell& regions : demo::region_cells(model)) cells.push_back({"regions", rest, std::move(regions)});
+  for (const demo::NamedPose& one : made.poses) cells.push_back({one.name, one.pose, {}});
   return cells;
 }
 
@@ -47,18 +48,14 @@ Json to_json(const articulation::Deformer& deformer) {
           {"vertices", deformer.vertices().size()}};
 }
 
-Json to_json(const demo::PosedExpression& one, const document::Model& model) {
+Json to_json(const demo::NamedPose& one, const document::Model& model) {
   Json parameters = Json::object();
   const auto known = model.rig->parameters();
-  for (std::size_t i = 0; i < known.size(); ++i) parameters[known[i].name] = one.solution.pose[i];
+  for (std::size_t i = 0; i < known.size(); ++i) parameters[known[i].name] = one.pose[i];
   return {{"name", one.name},
           {"curves", one.curves},
-          {"variables", one.solution.variables},
-          {"energy_start", one.solution.energy_start},
-          {"energy", one.solution.energy},
-          {"max_distance", one.solution.max_distance},
-          {"evaluations", one.solution.evaluations},
-          {"solve_us", one.solve_us},
+          {"energy_start", one.distance_at_rest},
+          {"energy", one.distance},
           {"parameters", std::move(parameters)}};
 }
 
@@ -66,14 +63,19 @@ struct Written {
   std::string glb;
   std::string png;
   std::vector<demo::SheetCell> cells;
+  double replay_ms = 0;
   double picture_ms = 0;
   double total_ms = 0;
 };
 
 void print(const demo::Demo& made, const Written& written) {
+  const document::Model& model = *made.document.model;
+  std::cout << "replayed the bundled session on the built-in head (" << model.mesh->vertex_count()
+            << " vertices): " << made.reports << " pen reports, " << made.strokes << " strokes, " << made.states_checked
+            << " states equal to the recording, in " << base::format_fixed(written.replay_ms, 0) << " ms\n"
+            << "deformers, by sketching\n";
   std::size_t strokes = 0;
-  const auto deformers = made.model.deformers->deformers();
-  std::cout << "deformers of the built-in head (" << made.model.mesh->vertex_count() << " vertices), by sketching\n";
+  const auto deformers = model.deformers->deformers();
   for (const auto& deformer : deformers) {
     const std::size_t own = demo::stroke_count(deformer->sketch());
     strokes += own;
@@ -81,14 +83,11 @@ void print(const demo::Demo& made, const Written& written) {
               << (deformer->mode() == articulation::Mode::translate ? "translate, " : "rotate, ") << own << " strokes, "
               << deformer->vertices().size() << " vertices\n";
   }
-  std::cout << "  " << deformers.size() << " deformers from " << strokes << " strokes in "
-            << base::format_fixed(made.build_us / 1000, 0) << " ms, the head included\n"
+  std::cout << "  " << deformers.size() << " deformers from " << strokes << " strokes\n"
             << "expressions, by drawing where curves should go\n";
-  for (const demo::PosedExpression& one : made.expressions) {
-    std::cout << "  " << one.name << ": " << one.curves << " curves, energy "
-              << base::format_fixed(one.solution.energy_start, 4) << " -> "
-              << base::format_fixed(one.solution.energy, 4) << ", " << one.solution.evaluations << " evaluations, "
-              << base::format_fixed(one.solve_us / 1000, 1) << " ms\n";
+  for (const demo::NamedPose& one : made.poses) {
+    std::cout << "  " << one.name << ": " << one.curves << " curves, distance left "
+              << base::format_fixed(one.distance_at_rest, 4) << " -> " << base::format_fixed(one.distance, 4) << "\n";
   }
   std::cout << "pictures, row by row: ";
   for (std::size_t i = 0; i < written.cells.size(); ++i) std::cout << (i > 0 ? ", " : "") << written.cells[i].title;
@@ -98,22 +97,26 @@ void print(const demo::Demo& made, const Written& written) {
 
 Json to_json(const demo::Demo& made, const Written& written) {
   Json deformers = Json::array();
-  for (const auto& deformer : made.model.deformers->deformers()) deformers.push_back(to_json(*deformer));
+  const document::Model& model = *made.document.model;
+  for (const auto& deformer : model.deformers->deformers()) deformers.push_back(to_json(*deformer));
   Json expressions = Json::array();
-  for (const demo::PosedExpression& one : made.expressions) expressions.push_back(to_json(one, made.model));
+  for (const demo::NamedPose& one : made.poses) expressions.push_back(to_json(one, model));
   Json pictures = Json::array();
   for (const demo::SheetCell& cell : written.cells) pictures.push_back(cell.title);
   return {{"model", "builtin:head"},
-          {"vertices", made.model.mesh->vertex_count()},
+          {"vertices", model.mesh->vertex_count()},
+          {"reports", made.reports},
+          {"strokes", made.strokes},
+          {"states_checked", made.states_checked},
           {"deformers", std::move(deformers)},
           {"expressions", std::move(expressions)},
           {"pictures", std::move(pictures)},
           {"glb", written.glb},
           {"png", written.png},
-          {"build_ms", made.build_us / 1000},
+          {"replay_ms", written.replay_ms},
           {"picture_ms", written.picture_ms},
           {"total_ms", written.total_ms},
-          {"state", document::state_hash(made.model).hex()}};
+          {"state", document::DocumentHasher()(made.document).whole.hex()}};
 }
 
 int run_demo_command(const DemoArguments& arguments) {
@@ -126,9 +129,10 @@ int run_demo_command(const DemoArguments& arguments) {
 
   const std::filesystem::path folder(arguments.folder);
   Written written{(folder / "demo.glb").string(), (folder / "demo.png").string(), sheet_cells(*made)};
-  if (auto saved = save_model(made->model, written.glb); !saved) return report(saved.error(), written.glb);
+  written.replay_ms = ms_since(start);
+  if (auto saved = save_document(made->document, written.glb); !saved) return report(saved.error(), written.glb);
   const Clock::time_point before_pictures = Clock::now();
-  const auto sheet = demo::draw_contact_sheet(made->model, written.cells);
+  const auto sheet = demo::draw_contact_sheet(*made->document.model, written.cells);
   if (!sheet) return report(sheet.error(), written.png);
   const auto png = render::encode_png(*sheet);
   if (!png) return report(png.error(), written.png);
@@ -147,8 +151,8 @@ int run_demo_command(const DemoArguments& arguments) {
 
 void add_demo_command(CLI::App& app, int& status) {
   auto arguments = std::make_shared<DemoArguments>();
-  CLI::App* command = app.add_subcommand(
-      "demo", "Articulates the built-in head from strokes, poses expressions, writes demo.glb and .png");
+  CLI::App* command =
+      app.add_subcommand("demo", "Replays the bundled pen session on the built-in head, writes demo.glb and demo.png");
   command->add_option("-o", arguments->folder, "Folder to write to")->capture_default_str();
   command->add_flag("--json", arguments->json, "Print one JSON object");
   command->callback([arguments, &status] { status = run_demo_command(*arguments); });

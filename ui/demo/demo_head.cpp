@@ -3,25 +3,23 @@
 #include <utility>
 
 #include "core/head/head.h"
-#include "core/model_io/sketch_file.h"
+#include "replay/session_player.h"
 #include "ui/demo/embedded_files.h"
 
 namespace penpose::demo {
 
-base::Result<document::Model> articulate(document::Model model, std::string_view sketch_file) {
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(sketch_file.data());
-  const auto file = model_io::read_sketch_file({bytes, sketch_file.size()});
-  if (!file) return file.error();
-  const auto canvas = document::make_canvas(model);
-  if (!canvas) return canvas.error();
-  auto deformers = articulation::SketchedDeformers::build(file->sketches, **canvas);
-  if (!deformers) return deformers.error();
-  return document::with_deformers(std::move(model), std::move(deformers).value());
+base::Result<document::Model> make_demo_head() {
+  replay::PlayerOptions options;
+  options.load_model = [](const std::string&) { return base::Result<document::Model>(head::make_head()); };
+  options.stop_when = [](const replay::Session& session) {
+    return !session.editor().document().timeline->keys.empty();
+  };
+  auto played = replay::play_session(replay::read_from(base::as_bytes(embedded_session())), options);
+  if (!played) return played.error();
+  document::Model model = *played->session->editor().document().model;
+  model.pose = rig::rest_pose(*model.rig);
+  return model;
 }
-
-base::Result<document::Model> make_demo_head() { return articulate(head::make_head(), embedded_sketch()); }
-
-base::Result<ExpressionFile> demo_expressions() { return read_expressions(embedded_expressions()); }
 
 std::size_t stroke_count(const articulation::Sketch& sketch) { return sketch.reference.empty() ? 3 : 4; }
 

@@ -1,65 +1,68 @@
 #include "ui/demo/run_demo.h"
 
-#include <chrono>
 #include <utility>
 
-#include "ui/demo/demo_head.h"
+#include "core/document/apply.h"
+#include "core/head/head.h"
+#include "ui/demo/embedded_files.h"
 
 namespace penpose::demo {
 namespace {
 
-/// Files keep the keys of animations as floats; keys that are floats from the start read back as they are. Volatile,
-/// because GCC 12 drops the rounding of double -> float -> double when it packs two of them into one vector.
-double to_float_precision(double value) {
-  const volatile float rounded = static_cast<float>(value);
-  return static_cast<double>(rounded);
+/// Sum of the distances between the curves' points and where they should be.
+double distance_left(const document::Model& model, const posing::PoseProblem& problem, const rig::Pose& pose) {
+  std::vector<geometry::ModelPoint> positions(model.mesh->vertex_count());
+  model.rig->evaluate(pose, positions);
+  double sum = 0;
+  for (const posing::CurvePair& pair : problem.pairs) {
+    for (std::size_t i = 0; i < pair.reference.size(); ++i) {
+      geometry::ModelPoint at(0);
+      for (std::size_t c = 0; c < 3; ++c) at += positions[pair.reference[i].vertex[c]] * pair.reference[i].weight[c];
+      sum += geometry::distance(at, pair.target[i]);
+    }
+  }
+  return sum;
 }
 
-/// From rest to every expression and back; each is reached, held and left.
-document::Animation through_all(const document::Model& model, const std::vector<PosedExpression>& expressions) {
-  constexpr double k_move_s = 0.4;
-  constexpr double k_hold_s = 0.8;
-  document::Animation animation{"expressions", {document::Channel{}}};
-  document::Channel& channel = animation.channels.front();
-  double now_s = 0;
-  const auto key = [&](const rig::Pose& pose) {
-    channel.times_s.push_back(to_float_precision(now_s));
-    for (std::size_t i = 0; i < document::weight_count(model); ++i)
-      channel.values.push_back(to_float_precision(pose[i]));
-  };
-  const rig::Pose rest = rig::rest_pose(*model.rig);
-  key(rest);
-  for (const PosedExpression& expression : expressions) {
-    now_s += k_move_s;
-    key(expression.solution.pose);
-    now_s += k_hold_s;
-    key(expression.solution.pose);
-    now_s += k_move_s;
-    key(rest);
+/// Notes how a pose that gets a name was reached, while its curves are still there.
+class PoseNotes final : public replay::PlayerObserver {
+ public:
+  std::vector<NamedPose> poses;
+
+  void on_step(replay::Session& session, const replay::SessionStep& step) override {
+    const document::Document& document = session.editor().document();
+    if (step.is_stroke || document.timeline->keys.size() == keys_) return;
+    keys_ = document.timeline->keys.size();
+    for (const document::PoseKey& key : document.timeline->keys) {
+      if (key.name.empty() || key.time_s != document.time_s) continue;
+      const posing::PoseProblem problem = document::pose_problem(document);
+      const document::Model& model = *document.model;
+      poses.push_back({key.name, key.pose, problem.pairs.size(),
+                       distance_left(model, problem, rig::rest_pose(*model.rig)),
+                       distance_left(model, problem, key.pose)});
+    }
   }
-  return animation;
-}
+
+ private:
+  std::size_t keys_ = 0;
+};
 
 }  // namespace
 
 base::Result<Demo> run_demo() {
-  const auto before = std::chrono::steady_clock::now();
-  auto model = make_demo_head();
-  const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - before;
-  if (!model) return model.error();
-  const auto file = demo_expressions();
-  if (!file) return file.error();
-  Demo demo{std::move(model).value(), {}, took.count()};
-  const geometry::TriangleBvh surface = rest_surface(demo.model);
-  posing::SolveWorkspace work;
-  for (const Expression& expression : file->expressions) {
-    auto posed = pose_expression(demo.model, surface, expression, file->viewport, work);
-    if (!posed) return posed.error();
-    demo.expressions.push_back(std::move(posed).value());
+  PoseNotes notes;
+  replay::PlayerOptions options;
+  options.load_model = [](const std::string&) { return base::Result<document::Model>(head::make_head()); };
+  options.observer = &notes;
+  auto played = replay::play_session(replay::read_from(base::as_bytes(embedded_session())), options);
+  if (!played) return played.error();
+  if (played->divergence) {
+    return base::Error{"the bundled session does not end where it was recorded to end",
+                       "line " + std::to_string(played->divergence->line),
+                       "this build of the program computes differently; please report it with the compiler's name"};
   }
-  demo.model.animations.push_back(through_all(demo.model, demo.expressions));
-  if (!demo.expressions.empty()) demo.model.pose = demo.expressions.front().solution.pose;
-  return demo;
+  return Demo{played->session->editor().document(), std::move(notes.poses), played->reports,
+              played->session->stroke_count(), played->checked};
 }
 
 }  // namespace penpose::demo

@@ -9,7 +9,6 @@
 #include "core/articulation/edit.h"
 #include "core/head/head.h"
 #include "core/head/skin.h"
-#include "ui/demo/embedded_files.h"
 
 namespace penpose::demo {
 namespace {
@@ -297,13 +296,6 @@ TEST_F(DemoHead, BrowsAndCornersMoveTheirWay) {
   EXPECT_GT(up("lip_upper", "lip_upper", 20), 0.003);
   const auto narrow = curve("lip_upper", posed({{"lips_pucker", 1}}));
   EXPECT_LT(narrow.back().x, 0.75 * curve("lip_upper", rest).back().x);
-}
-
-TEST_F(DemoHead, ASketchThatIsNoneIsRefused) {
-  EXPECT_FALSE(articulate(head::make_head(), "{").ok());
-  const auto twice = articulate(*model_, embedded_sketch());
-  ASSERT_TRUE(twice.ok());
-  EXPECT_EQ(twice->deformers->size(), 15U);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include "core/curve/stroke.h"
 #include "core/geometry/camera.h"
 
-namespace penpose::demo {
+namespace penpose::tests {
 
 /// Two strokes in one view: a line on the face at rest, and where that line should go. px of the viewport.
 struct DrawnPair {
@@ -35,4 +35,4 @@ struct ExpressionFile {
 /// pointer): no JSON, a key that is missing or of another type, an empty name or one that is there twice.
 [[nodiscard]] base::Result<ExpressionFile> read_expressions(std::string_view text);
 
-}  // namespace penpose::demo
+}  // namespace penpose::tests

@@ -1,4 +1,4 @@
-#include "ui/demo/expression_file.h"
+#include "tests/tools/expression_file.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-namespace penpose::demo {
+namespace penpose::tests {
 namespace {
 
 using Json = nlohmann::json;
@@ -131,4 +131,4 @@ base::Result<ExpressionFile> read_expressions(std::string_view text) {
   return file;
 }
 
-}  // namespace penpose::demo
+}  // namespace penpose::tests
