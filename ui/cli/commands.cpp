@@ -7,6 +7,7 @@
 #include "ui/cli/devices_command.h"
 #include "ui/cli/info_command.h"
 #include "ui/cli/pose_command.h"
+#include "ui/cli/record_command.h"
 #include "ui/cli/render_command.h"
 
 namespace penpose::cli {
@@ -16,6 +17,7 @@ std::vector<AddCommand> all_commands() {
       add_demo_command,        //
       add_info_command,        //
       add_devices_command,     //
+      add_record_command,      //
       add_decode_command,      //
       add_pose_command,        //
       add_articulate_command,  //

@@ -1,0 +1,59 @@
+#include "ui/cli/append_file.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace penpose::cli {
+namespace {
+
+base::Error system_error(const char* what) {
+  return {std::string(what) + " (" + std::generic_category().message(errno) + ")", "",
+          "check the folder, its permissions and the free space"};
+}
+
+}  // namespace
+
+base::Result<AppendFile> AppendFile::create(const std::string& path, std::string_view first_piece) {
+  const std::string temporary = path + ".part-" + std::to_string(::getpid());
+  AppendFile made(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666));
+  if (made.file_ < 0) return system_error("cannot be written");
+  auto status = made.append(first_piece);
+  if (status) status = made.flush();
+  if (status && std::rename(temporary.c_str(), path.c_str()) != 0) status = system_error("cannot be replaced");
+  if (!status) {
+    std::remove(temporary.c_str());
+    return status.error();
+  }
+  return made;
+}
+
+AppendFile::AppendFile(AppendFile&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
+AppendFile& AppendFile::operator=(AppendFile&& other) noexcept {
+  std::swap(file_, other.file_);
+  return *this;
+}
+AppendFile::~AppendFile() {
+  if (file_ >= 0) ::close(file_);
+}
+
+base::Status AppendFile::append(std::string_view piece) {
+  while (!piece.empty()) {
+    const ssize_t written = ::write(file_, piece.data(), piece.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return system_error("cannot be written");
+    piece.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return base::Done{};
+}
+
+base::Status AppendFile::flush() {
+  // Pipes and such have no disk.
+  if (::fdatasync(file_) != 0 && errno != EINVAL && errno != EROFS) return system_error("cannot be written");
+  return base::Done{};
+}
+
+}  // namespace penpose::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+
+namespace penpose::cli {
+
+/// A file that grows: whatever ends the program, the file holds the pieces appended so far. Until the first piece is on
+/// the disk a file that was there before stays as it was.
+class AppendFile {
+ public:
+  /// Errors: the folder cannot be written to.
+  [[nodiscard]] static base::Result<AppendFile> create(const std::string& path, std::string_view first_piece);
+
+  AppendFile(AppendFile&& other) noexcept;
+  AppendFile& operator=(AppendFile&& other) noexcept;
+  ~AppendFile();
+
+  /// Errors: the disk is full.
+  base::Status append(std::string_view piece);
+  /// Waits until the disk has what was appended.
+  base::Status flush();
+
+ private:
+  explicit AppendFile(int file) : file_(file) {}
+
+  int file_;
+};
+
+}  // namespace penpose::cli
