@@ -69,12 +69,9 @@ void take_usb(HidInterface& found, udev_device* interface) {
   found.identity.name = maker.empty() || name.empty() ? maker + name : maker + " " + name;
 }
 
-std::optional<HidInterface> from_hidraw(udev_device* device) {
-  udev_device* hid = udev_device_get_parent_with_subsystem_devtype(device, "hid", nullptr);
-  const char* node = udev_device_get_devnode(device);
-  if (hid == nullptr || node == nullptr) return std::nullopt;
+std::optional<HidInterface> from_hid(udev_device* hid) {
+  if (text(udev_device_get_property_value(hid, "HID_ID")).empty()) return std::nullopt;
   HidInterface found;
-  found.hidraw_node = node;
   found.driver = text(udev_device_get_driver(hid));
   found.physical = text(udev_device_get_property_value(hid, "HID_PHYS"));
   found.identity.name = text(udev_device_get_property_value(hid, "HID_NAME"));
@@ -83,6 +80,15 @@ std::optional<HidInterface> from_hidraw(udev_device* device) {
   found.identity.report_descriptor = read_descriptor(found.parent + "/report_descriptor");
   udev_device* interface = udev_device_get_parent_with_subsystem_devtype(hid, "usb", "usb_interface");
   if (interface != nullptr) take_usb(found, interface);
+  return found;
+}
+
+std::optional<HidInterface> from_hidraw(udev_device* device) {
+  udev_device* hid = udev_device_get_parent_with_subsystem_devtype(device, "hid", nullptr);
+  const char* node = udev_device_get_devnode(device);
+  if (hid == nullptr || node == nullptr) return std::nullopt;
+  auto found = from_hid(hid);
+  if (found) found->hidraw_node = node;
   return found;
 }
 
@@ -119,12 +125,15 @@ base::Result<std::vector<HidInterface>> list_interfaces() {
   if (!library) return base::Error{"udev does not start", "", ""};
   std::vector<HidInterface> list;
   scan(library.get(), "hidraw", from_hidraw, list);
-  std::set<std::string> with_node;
-  for (const HidInterface& found : list) with_node.insert(found.usb_name);
+  // Then those whose driver refused them, so that no node was made, and those that no driver holds. Without a node only
+  // USB can reach them.
+  std::set<std::string> known;
+  for (const HidInterface& found : list) known.insert(found.usb_name);
   std::vector<HidInterface> bare;
+  scan(library.get(), "hid", from_hid, bare);
   scan(library.get(), "usb", from_usb, bare);
   for (HidInterface& found : bare) {
-    if (!with_node.contains(found.usb_name)) list.push_back(std::move(found));
+    if (!found.usb_name.empty() && known.insert(found.usb_name).second) list.push_back(std::move(found));
   }
   for (HidInterface& found : list) decode::complete_identity(found.identity);
   std::sort(list.begin(), list.end(), [](const HidInterface& a, const HidInterface& b) {

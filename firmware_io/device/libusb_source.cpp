@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/device/clock.h"
 #include "firmware_io/device/driver_guard.h"
 #include "firmware_io/device/usb_transfers.h"
@@ -201,7 +202,7 @@ base::Status LibusbSource::send_output(base::Bytes report) {
 
 }  // namespace
 
-base::Result<std::unique_ptr<ReportSource>> open_libusb(const HidInterface& interface) {
+base::Result<std::unique_ptr<ReportSource>> open_libusb(HidInterface& interface) {
   const int number = interface.identity.interface_number.value_or(0);
   auto usb = UsbHandle::open(interface.usb_node);
   if (!usb) return usb.error();
@@ -218,6 +219,11 @@ base::Result<std::unique_ptr<ReportSource>> open_libusb(const HidInterface& inte
     auto error = usb_error("cannot be taken over", code);
     if (code == LIBUSB_ERROR_BUSY) error.remedy = "close the other program that reads this tablet";
     return error;
+  }
+  decode::DeviceIdentity& identity = interface.identity;
+  if (identity.report_descriptor.empty()) {
+    if (auto descriptor = get_report_descriptor(*usb, number)) identity.report_descriptor = std::move(*descriptor);
+    decode::complete_identity(identity);
   }
   auto source = std::make_unique<LibusbSource>(std::move(usb).value(), number, *endpoints, std::move(guard));
   if (const auto started = source->start(interface.identity.input_report_length.value_or(64)); !started) {

@@ -16,8 +16,9 @@ namespace {
 constexpr std::uint16_t k_wacom = 0x056a;
 constexpr std::uint16_t k_penpartner = 0x0000;
 
-/// This driver changes bits of the reports before /dev/hidraw shows them.
-constexpr std::string_view k_rewriting_driver = "uclogic";
+/// This driver of the kernel wakes its tablets, also after a sleep, and shows a descriptor of its own making that fits
+/// the reports as it rewrites them. What it shows is read like any pen that describes itself.
+constexpr std::string_view k_waking_driver = "uclogic";
 /// Stands for a program that holds the interface.
 constexpr std::string_view k_program = "usbfs";
 
@@ -55,12 +56,33 @@ bool read_strings(LiveTablet& tablet, const decode::TabletTable* own, const Read
   return true;
 }
 
+/// Asks a device itself for its descriptor where no driver has done so.
+void describe(HidInterface& interface) {
+  decode::DeviceIdentity& identity = interface.identity;
+  if (!identity.report_descriptor.empty() || !interface.driver.empty() || !identity.interface_number) return;
+  if (interface.usb_node.empty() || ::access(interface.usb_node.c_str(), R_OK | W_OK) != 0) return;
+  auto descriptor = read_report_descriptor(interface.usb_node, *identity.interface_number);
+  if (!descriptor) return;
+  identity.report_descriptor = std::move(*descriptor);
+  decode::complete_identity(identity);
+}
+
+void identify(LiveTablet& tablet, const decode::TabletTable* own) {
+  const decode::DeviceIdentity& identity = tablet.interface.identity;
+  const auto recognition = decode::make_decoder(identity, own);
+  if (recognition) {
+    tablet.carries = recognition->is_pad ? Carries::pad : Carries::pen;
+    tablet.method = recognition->method;
+    tablet.match = decode::find_tablet(identity, own);
+  }
+}
+
 Transport choose_transport(const LiveTablet& tablet) {
   const HidInterface& interface = tablet.interface;
   if (interface.usb_node.empty()) return Transport::hidraw;
-  if (interface.hidraw_node.empty() || interface.driver == k_rewriting_driver) return Transport::libusb;
+  if (interface.hidraw_node.empty()) return Transport::libusb;
   if (interface.identity.vendor == k_wacom && interface.identity.product == k_penpartner) return Transport::libusb;
-  const WakeUp steps = wake_up_of(tablet.match);
+  const WakeUp steps = tablet.wake_up();
   return steps.read_strings.empty() && steps.send_outputs.empty() ? Transport::hidraw : Transport::libusb;
 }
 
@@ -81,6 +103,10 @@ std::string LiveTablet::path() const {
   return transport == Transport::libusb ? "usb:" + interface.usb_name : interface.hidraw_node;
 }
 
+WakeUp LiveTablet::wake_up() const {
+  return interface.driver == k_waking_driver && transport == Transport::hidraw ? WakeUp{} : wake_up_of(match);
+}
+
 void LiveTablet::use(Transport other) {
   transport = other;
   access = check_access(*this);
@@ -89,14 +115,9 @@ void LiveTablet::use(Transport other) {
 LiveTablet recognise(HidInterface interface, const decode::TabletTable* own, const ReadString& read_string) {
   LiveTablet tablet;
   tablet.interface = std::move(interface);
+  describe(tablet.interface);
   tablet.strings_unread = !read_strings(tablet, own, read_string);
-  const decode::DeviceIdentity& identity = tablet.interface.identity;
-  const auto recognition = decode::make_decoder(identity, own);
-  if (recognition) {
-    tablet.carries = recognition->is_pad ? Carries::pad : Carries::pen;
-    tablet.method = recognition->method;
-    tablet.match = decode::find_tablet(identity, own);
-  }
+  identify(tablet, own);
   tablet.transport = choose_transport(tablet);
   tablet.access = check_access(tablet);
   return tablet;
@@ -113,9 +134,12 @@ base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* ow
   return tablets;
 }
 
-base::Result<std::unique_ptr<ReportSource>> open_tablet(const LiveTablet& tablet) {
-  if (tablet.transport == Transport::libusb) return open_libusb(tablet.interface);
-  return open_hidraw(tablet.interface);
+base::Result<std::unique_ptr<ReportSource>> open_tablet(LiveTablet& tablet, const decode::TabletTable* own) {
+  if (tablet.transport == Transport::hidraw) return open_hidraw(tablet.interface);
+  const bool described = !tablet.interface.identity.report_descriptor.empty();
+  auto source = open_libusb(tablet.interface);
+  if (source && !described) identify(tablet, own);
+  return source;
 }
 
 }  // namespace penpose::device

@@ -47,6 +47,8 @@ struct LiveTablet {
   [[nodiscard]] std::string path() const;
   /// Chooses another way than the program would.
   void use(Transport other);
+  /// What wakes it, empty where the kernel's driver has done that, or where it is not certain which tablet this is.
+  [[nodiscard]] WakeUp wake_up() const;
 };
 
 /// Reads a USB string of a device; replaced in tests.
@@ -60,7 +62,9 @@ using ReadString = std::function<base::Result<std::string>(const std::string& us
 /// Every interface that carries a pen or the keys of a tablet. Errors: those of listing.
 [[nodiscard]] base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* own = nullptr);
 
-/// Opens it as `transport` says. Errors say what is missing.
-[[nodiscard]] base::Result<std::unique_ptr<ReportSource>> open_tablet(const LiveTablet& tablet);
+/// Opens it as `transport` says. A descriptor that only the device itself could tell is asked for, and the tablet
+/// recognised anew by it. Errors say what is missing.
+[[nodiscard]] base::Result<std::unique_ptr<ReportSource>> open_tablet(LiveTablet& tablet,
+                                                                      const decode::TabletTable* own = nullptr);
 
 }  // namespace penpose::device

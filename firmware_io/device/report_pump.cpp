@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <string>
 #include <sys/eventfd.h>
+#include <sys/resource.h>
 #include <unistd.h>
 #include <vector>
 
@@ -17,6 +18,8 @@ namespace {
 constexpr int k_read_ms = 50;
 /// A sleep shorter than this leaves a tablet as it was.
 constexpr std::int64_t k_sleep_us = 200'000;
+
+constexpr int k_priority = -10;
 
 }  // namespace
 
@@ -56,6 +59,8 @@ void ReportPump::wake_tablet() {
 }
 
 void ReportPump::run() {
+  // The system keeps 64 reports at most: ask to be run before others. Where that is not permitted, as before.
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), k_priority);
   std::vector<std::uint8_t> buffer(k_longest_report);
   std::int64_t slept = options_.slept_us();
   wake_tablet();

@@ -10,6 +10,8 @@ namespace {
 constexpr unsigned k_timeout_ms = 500;
 constexpr std::uint16_t k_american_english = 0x0409;
 constexpr std::uint8_t k_to_class_interface = 0x21;  // host to device, class request, recipient interface
+constexpr std::uint8_t k_from_interface = 0x81;      // device to host, standard request, recipient interface
+constexpr std::size_t k_longest_descriptor = 4096;
 constexpr std::uint8_t k_set_report = 0x09;
 
 }  // namespace
@@ -31,6 +33,16 @@ base::Result<std::string> get_string(const UsbHandle& usb, std::uint8_t index) {
     text += ascii ? static_cast<char>(raw[i]) : '?';
   }
   return text;
+}
+
+base::Result<std::vector<std::uint8_t>> get_report_descriptor(const UsbHandle& usb, int interface) {
+  std::vector<std::uint8_t> bytes(k_longest_descriptor);
+  const int got = libusb_control_transfer(usb.get(), k_from_interface, LIBUSB_REQUEST_GET_DESCRIPTOR,
+                                          LIBUSB_DT_REPORT << 8, static_cast<std::uint16_t>(interface), bytes.data(),
+                                          static_cast<std::uint16_t>(bytes.size()), k_timeout_ms);
+  if (got < 0) return usb_error("the report descriptor cannot be read", got);
+  bytes.resize(static_cast<std::size_t>(got));
+  return bytes;
 }
 
 base::Status set_report(const UsbHandle& usb, int interface, SentReport kind, base::Bytes report) {

@@ -99,9 +99,10 @@ base::Status RecordRun::open() {
   auto wanted = wanted_tablets(options_, own_);
   if (!wanted) return wanted.error();
   std::optional<base::Error> refusal;
-  for (const device::LiveTablet& tablet : *wanted) {
-    const std::string& name = tablet.interface.identity.name;
-    auto source = device::open_tablet(tablet);
+  for (device::LiveTablet& tablet : *wanted) {
+    const std::string name = tablet.interface.identity.name;
+    const bool allowed = tablet.access == device::Access::allowed;
+    auto source = allowed ? device::open_tablet(tablet, own_) : base::Error{"cannot be opened", "", ""};
     if (!source) {
       refusal = source.error();
       refusal->place = name + " (" + tablet.path() + ")";
@@ -110,10 +111,10 @@ base::Status RecordRun::open() {
       continue;
     }
     const int number = recorder_.add_tablet(tablet.interface.identity, tablet.interface.trace_path(), own_);
-    tablets_.push_back({number, name,
-                        std::make_unique<device::ReportPump>(
-                            std::move(*source), device::ReportPump::Options{device::wake_up_of(tablet.match)}),
-                        false});
+    tablets_.push_back(
+        {number, name,
+         std::make_unique<device::ReportPump>(std::move(*source), device::ReportPump::Options{tablet.wake_up()}),
+         false});
     std::cerr << "recording " << name << " (" << tablet.path() << ", "
               << (tablet.method.empty() ? "not recognised" : tablet.method) << ")\n";
   }
