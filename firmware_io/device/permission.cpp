@@ -118,6 +118,8 @@ base::Status install_udev_rule(const std::string& folder, const std::string& rul
   const bool written = ::write(file, rule.data(), rule.size()) == static_cast<ssize_t>(rule.size());
   if (::close(file) != 0 || !written) return fail("cannot be written");
   if (::rename(temporary.c_str(), path.c_str()) != 0) return fail("cannot be written");
+  // Another folder is a packager's.
+  if (folder != k_rules_folder) return base::Done{};
   const bool applied = run({"udevadm", "control", "--reload", nullptr}) &&
                        run({"udevadm", "trigger", "--action=add", "--subsystem-match=hidraw"}) &&
                        run({"udevadm", "trigger", "--action=add", "--subsystem-match=usb"});

@@ -18,8 +18,8 @@ namespace penpose::device {
 inline constexpr const char* k_rule_file = "70-penpose.rules";
 inline constexpr const char* k_rules_folder = "/etc/udev/rules.d";
 
-/// Writes the rule into a folder and has udev apply it to what is plugged in. Errors: not permitted; udev does not take
-/// it, which plugging in again or a restart mends.
+/// Writes the rule into a folder and, where that is k_rules_folder, has udev apply it to what is plugged in. Errors:
+/// not permitted; udev does not take it, which plugging in again or a restart mends.
 [[nodiscard]] base::Status install_udev_rule(const std::string& folder, const std::string& rule);
 
 /// What keeps a tablet from being opened and the command that mends it, in one sentence; empty where nothing does.

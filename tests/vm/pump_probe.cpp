@@ -94,8 +94,8 @@ int burst(double seconds, double rate) {
     for (std::size_t i = 0; i < count; ++i) {
       const std::int64_t now_us = device::monotonic_us();
       if (next_us > now_us) std::this_thread::sleep_for(std::chrono::microseconds(next_us - now_us));
-      // A machine that stood still sends nothing after the fact.
-      next_us = std::max(next_us, device::monotonic_us() - 2 * period_us) + period_us;
+      // Late ones follow at once, but not all those of a machine that stood still.
+      next_us = std::max(next_us, device::monotonic_us() - 16 * period_us) + period_us;
       const auto report = numbered(i);
       sent_us[i] = device::monotonic_us();
       if (!(*virtual_pen)->send(0, report)) break;

@@ -128,6 +128,11 @@ def run_machine(options):
         pen = Pen(vm)
         pen.draw()
         vm.command('device_del', id='pen')
+        vm.wait_for_mark('sleep', 300)
+        vm.wait(lambda: vm.command('query-status')['status'] == 'suspended', 'its sleep', 60)
+        time.sleep(1)
+        vm.command('system_wakeup')
+        vm.wait_for_mark('awake', 60)
         results = vm.results()
         print(f'ended after {time.monotonic() - begin:.1f} s', flush=True)
     finally:
@@ -252,6 +257,16 @@ class Tablets(unittest.TestCase):
         self.assert_recorded('huion')
         self.assertEqual(self.text('huion_driver_while'), 'usbfs')
         self.assertEqual(self.text('huion_driver_after'), 'usbhid')
+
+    def test_after_a_sleep_of_the_machine_a_tablet_is_woken_again(self):
+        lines = self.text('parblo.hid').splitlines()
+        woken = [i for i, l in enumerate(lines) if l == '# 0: wake feature 02 02: sent']
+        slept = [i for i, l in enumerate(lines) if l.startswith('# 0: the system slept for ')]
+        first = next(i for i, l in enumerate(lines) if l.startswith('E:'))
+        self.assertEqual((len(woken), len(slept)), (2, 1))
+        self.assertTrue(woken[0] < slept[0] < woken[1] < first)
+        self.assertEqual(self.text('parblo.sent').count('took report 02 02'), 2)
+        self.assert_recorded('parblo')
 
     def test_coming_and_going_is_seen_while_running(self):
         log = self.text('watch.log').splitlines()

@@ -13,6 +13,10 @@ WACOM = bytes.fromhex(
 HUION = bytes.fromhex('06 00ff 0901 a101 8508 7508 950b 1500 26ff00 0901 8102 c0'.replace(' ', ''))
 
 
+# Reports of ten bytes and a feature report that wakes the tablet up.
+PARBLO = bytes.fromhex('06 00ff 0901 a101 8502 7508 1500 26ff00 9509 0901 8102 9501 0901 b102 c0'.replace(' ', ''))
+
+
 def header(descriptor, name, ids, number=0):
     return f'D: {number}\nR: {len(descriptor)} {descriptor.hex(" ")}\nN: {name}\nP: virtual/input{number}\nI: {ids}\n'
 
@@ -69,6 +73,7 @@ def made():
         'two_wacom': header(WACOM, 'Wacom Intuos4 4x6', '3 056a 00b8') + lines(intuos_reports(300)),
         'garbage': header(INK, 'Noise pen', '3 1b96 0022') + lines(garbage_reports(400)),
         'garbage_descriptor': header(draw.randbytes(300), 'Nothing', '3 1b96 0023'),
+        'parblo': header(PARBLO, 'Parblo A609', '3 0b57 9091') + lines(intuos_reports(200)),
         'huion': header(HUION, 'Huion Tablet', '3 256c 006d') + lines(huion_reports(300)),
     }
 

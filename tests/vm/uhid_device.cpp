@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
+#include <iostream>
 #include <linux/uhid.h>
 #include <poll.h>
 #include <system_error>
@@ -34,6 +36,16 @@ class UhidInterface {
   }
 
  private:
+  static void tell(const uhid_set_report_req& request) {
+    std::string text = "took report";
+    for (unsigned i = 0; i < std::min<unsigned>(request.size, 16); ++i) {
+      char byte[4];
+      std::snprintf(byte, sizeof byte, " %02x", request.data[i]);
+      text += byte;
+    }
+    std::cerr << text << std::endl;
+  }
+
   void answer() {
     while (!stop_) {
       pollfd waiting{file_, POLLIN, 0};
@@ -47,6 +59,7 @@ class UhidInterface {
         reply.u.get_report_reply.err = EIO;
         write(reply);
       } else if (request.type == UHID_SET_REPORT) {
+        tell(request.u.set_report);
         reply.type = UHID_SET_REPORT_REPLY;
         reply.u.set_report_reply.id = request.u.set_report.id;
         write(reply);

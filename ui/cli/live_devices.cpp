@@ -105,7 +105,7 @@ int print_udev_rule(const decode::TabletTable& own) {
 int install_udev_rule(const decode::TabletTable& own, const std::string& folder) {
   const auto done = device::install_udev_rule(folder, rule_with(own));
   if (!done) return report(done.error());
-  std::cout << folder << '/' << device::k_rule_file << " is installed and applied\n";
+  std::cout << folder << '/' << device::k_rule_file << " is installed\n";
   return k_success;
 }
 

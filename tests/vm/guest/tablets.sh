@@ -111,6 +111,18 @@ driver_of "$usb" >/out/huion_driver_after
 touch /tmp/keep_huion
 until_true 20 tablets_are 0
 
+# --- The machine sleeps while a tablet is recorded: it is woken before its first report and again afterwards.
+virtual_tablet uhid /traces/parblo.hid --go /tmp/go_parblo >/out/parblo.sent 2>&1 &
+until_true 20 tablets_are 1
+record_until_ready parblo
+until_true 20 grep -q "wake feature" /out/parblo.hid
+echo "MARK sleep"
+echo mem >/sys/power/state
+echo "MARK awake"
+until_true 20 grep -q "slept" /out/parblo.hid
+touch /tmp/go_parblo
+end_record parblo
+
 # --- How long a report takes to its stroke, and that none is lost.
 pump_probe burst "$(cat /burst_seconds)" 1000 >/out/burst.json 2>/out/burst.err
 touch /tmp/stop_watch
