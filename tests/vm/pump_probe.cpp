@@ -79,7 +79,7 @@ int burst(double seconds, double rate) {
   auto recognition = decode::make_decoder(tablet->interface.identity);
   if (!recognition) return fail(recognition.error());
 
-  const auto count = static_cast<std::size_t>(seconds * rate);
+  const auto count = std::max<std::size_t>(static_cast<std::size_t>(seconds * rate), 1);
   std::vector<std::int64_t> sent_us(count);
   std::vector<std::int64_t> to_thread;
   std::vector<std::int64_t> to_stroke;
@@ -87,7 +87,6 @@ int burst(double seconds, double rate) {
   to_stroke.reserve(count);
   std::atomic<bool> done{false};
   device::ReportPump pump(std::move(*source), {});
-  const std::int64_t begin_us = device::monotonic_us();
   std::thread producer([&] {
     const auto period_us = static_cast<std::int64_t>(1e6 / rate);
     std::int64_t next_us = device::monotonic_us();
@@ -126,7 +125,7 @@ int burst(double seconds, double rate) {
     }
   }
   producer.join();
-  const double took = static_cast<double>(device::monotonic_us() - begin_us) / 1e6 - 0.2;
+  const double took = static_cast<double>(sent_us.back() - sent_us.front()) / 1e6;
   std::size_t points = 0;
   for (const auto& stroke : strokes.strokes()) points += stroke.points.size();
   std::cout << "{\"sent\": " << count << ", \"received\": " << pump.received() << ", \"wrong\": " << wrong
