@@ -1,40 +1,76 @@
 #include "ui/cli/append_file.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 namespace penpose::cli {
 namespace {
 
-base::Error system_error(const std::string& what, const char* remedy) {
-  return {what + " (" + std::generic_category().message(errno) + ")", "", remedy};
+base::Error system_error(const char* what) {
+  return {std::string(what) + " (" + std::generic_category().message(errno) + ")", "",
+          "check the folder, its permissions and the free space"};
 }
 
 }  // namespace
 
-base::Result<std::unique_ptr<AppendFile>> AppendFile::create(const std::string& path) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0644);
-  if (descriptor < 0 && errno == EEXIST) {
-    return base::Error{"exists already and is not written over", "", "choose another name or move it away"};
+base::Result<AppendFile> AppendFile::create(const std::string& path, std::string_view first_piece) {
+  // What is no plain file, a pipe or a device, is written to and never replaced.
+  struct stat there {};
+  if (::stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode)) {
+    AppendFile existing(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+    if (existing.file_ < 0) return system_error("cannot be written");
+    if (const auto status = existing.append(first_piece); !status) return status.error();
+    return existing;
   }
-  if (descriptor < 0) return system_error("cannot be made", "check the folder and its permissions");
-  return std::unique_ptr<AppendFile>(new AppendFile(descriptor, path));
+  const std::string temporary = path + ".part-" + std::to_string(::getpid());
+  AppendFile made(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666));
+  if (made.file_ < 0) return system_error("cannot be written");
+  auto status = made.append(first_piece);
+  if (status) status = made.flush();
+  if (status && std::rename(temporary.c_str(), path.c_str()) != 0) status = system_error("cannot be replaced");
+  if (!status) {
+    std::remove(temporary.c_str());
+    return status.error();
+  }
+  return made;
 }
 
-AppendFile::~AppendFile() { ::close(descriptor_); }
+base::Result<AppendFile> AppendFile::create_new(const std::string& path) {
+  AppendFile made(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666));
+  if (made.file_ < 0 && errno == EEXIST) {
+    return base::Error{"exists already and is not written over", "", "choose another name or move it away"};
+  }
+  if (made.file_ < 0) return system_error("cannot be written");
+  return made;
+}
 
-base::Status AppendFile::append(std::string_view text, bool sync) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(descriptor_, text.data(), text.size());
+AppendFile::AppendFile(AppendFile&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
+AppendFile& AppendFile::operator=(AppendFile&& other) noexcept {
+  std::swap(file_, other.file_);
+  return *this;
+}
+AppendFile::~AppendFile() {
+  if (file_ >= 0) ::close(file_);
+}
+
+base::Status AppendFile::append(std::string_view piece, bool sync) {
+  while (!piece.empty()) {
+    const ssize_t written = ::write(file_, piece.data(), piece.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return system_error("cannot be written on", "free some space; the document is still in memory");
-    text.remove_prefix(static_cast<std::size_t>(written));
+    if (written < 0) return system_error("cannot be written");
+    piece.remove_prefix(static_cast<std::size_t>(written));
   }
-  if (sync && ::fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) {
-    return system_error("cannot be written through to the disk", "check the disk; the document is still in memory");
-  }
+  return sync ? flush() : base::Done{};
+}
+
+base::Status AppendFile::flush() {
+  // Pipes and such have no disk.
+  if (::fdatasync(file_) != 0 && errno != EINVAL && errno != EROFS) return system_error("cannot be written");
   return base::Done{};
 }
 

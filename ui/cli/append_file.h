@@ -1,33 +1,35 @@
 #pragma once
 
-#include <memory>
 #include <string>
+#include <string_view>
 
 #include "core/base/result.h"
-#include "replay/session_writer.h"
 
 namespace penpose::cli {
 
-/// A file that only grows: what has been appended is in it even if the program is killed, and after a synced piece even
-/// if the power is cut.
+/// A file that grows: whatever ends the program, the file holds the pieces appended so far. Until the first piece is on
+/// the disk a file that was there before stays as it was.
 class AppendFile {
  public:
-  /// Makes the file. Errors: it exists already (nothing that was drawn is ever written over), the folder may not be
-  /// written.
-  static base::Result<std::unique_ptr<AppendFile>> create(const std::string& path);
-  ~AppendFile();
-  AppendFile(const AppendFile&) = delete;
-  AppendFile& operator=(const AppendFile&) = delete;
+  /// Errors: the folder cannot be written to.
+  [[nodiscard]] static base::Result<AppendFile> create(const std::string& path, std::string_view first_piece);
 
-  /// Errors: the disk is full, or went away. What was appended before stays.
-  base::Status append(std::string_view text, bool sync);
-  [[nodiscard]] const std::string& path() const { return path_; }
+  /// The same with nothing in it yet, and never in place of a file that is there, which is an error.
+  [[nodiscard]] static base::Result<AppendFile> create_new(const std::string& path);
+
+  AppendFile(AppendFile&& other) noexcept;
+  AppendFile& operator=(AppendFile&& other) noexcept;
+  ~AppendFile();
+
+  /// `sync`: and flush. Errors: the disk is full.
+  base::Status append(std::string_view piece, bool sync = false);
+  /// Waits until the disk has what was appended.
+  base::Status flush();
 
  private:
-  AppendFile(int descriptor, std::string path) : descriptor_(descriptor), path_(std::move(path)) {}
+  explicit AppendFile(int file) : file_(file) {}
 
-  int descriptor_;
-  std::string path_;
+  int file_;
 };
 
 }  // namespace penpose::cli

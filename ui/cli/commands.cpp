@@ -7,6 +7,7 @@
 #include "ui/cli/devices_command.h"
 #include "ui/cli/info_command.h"
 #include "ui/cli/pose_command.h"
+#include "ui/cli/record_command.h"
 #include "ui/cli/render_command.h"
 #include "ui/cli/replay_command.h"
 
@@ -17,6 +18,7 @@ std::vector<AddCommand> all_commands() {
       add_demo_command,        //
       add_info_command,        //
       add_devices_command,     //
+      add_record_command,      //
       add_decode_command,      //
       add_replay_command,      //
       add_pose_command,        //

@@ -10,8 +10,10 @@
 
 #include "core/base/numbers.h"
 #include "firmware_io/decode/tablet_table.h"
+#include "firmware_io/device/permission.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/files.h"
+#include "ui/cli/live_devices.h"
 #include "ui/cli/own_tablets.h"
 
 namespace penpose::cli {
@@ -22,6 +24,10 @@ using Json = nlohmann::ordered_json;
 struct Options {
   bool known = false;
   bool json = false;
+  bool udev_rule = false;
+  bool give_back = false;
+  bool install = false;
+  std::string rules_folder = device::k_rules_folder;
   std::string tablets;
 };
 
@@ -73,12 +79,10 @@ void print(const decode::Tablet& tablet) {
   std::cout << '\n';
 }
 
-int list_known(const Options& options) {
-  const auto own = read_own_tablets(options.tablets);
-  if (!own) return report(own.error(), options.tablets);
+int list_known(const Options& options, const decode::TabletTable& own) {
   Json list = Json::array();
   std::size_t count = 0;
-  for (const auto& tablets : {own->tablets(), decode::known_tablets().tablets()}) {
+  for (const auto& tablets : {own.tablets(), decode::known_tablets().tablets()}) {
     for (const auto& tablet : tablets) {
       ++count;
       if (options.json) {
@@ -97,15 +101,36 @@ int list_known(const Options& options) {
   return k_success;
 }
 
+int run_devices(const Options& options) {
+  const auto own = read_own_tablets(options.tablets);
+  if (!own) return report(own.error(), options.tablets);
+  if (options.known) return list_known(options, *own);
+  if (options.udev_rule) return print_udev_rule(*own);
+  if (options.install) return install_udev_rule(*own, options.rules_folder);
+  if (options.give_back) return give_back_devices();
+  return list_live_devices(*own, options.json);
+}
+
 }  // namespace
 
 void add_devices_command(CLI::App& app, int& status) {
   auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("devices", "Lists the tablets that can be read.");
-  command->add_flag("--known", options->known, "All tablets of the table, plugged in or not")->required();
+  auto* command = app.add_subcommand("devices", "Lists the tablets that are plugged in, or those that can be read.");
+  auto* known = command->add_flag("--known", options->known, "All tablets of the table, plugged in or not");
   command->add_flag("--json", options->json, "Print one JSON object");
+  auto* rule = command->add_flag("--udev-rule", options->udev_rule,
+                                 "Print the udev rule that lets whoever sits at the machine open tablets");
+  auto* install = command->add_flag("--install-udev-rule", options->install, "Install and apply that rule (as root)");
+  command->add_option("--rules-folder", options->rules_folder, "Where to install it")->needs(install);
+  auto* give_back = command->add_flag("--give-back", options->give_back,
+                                      "Bind the system's drivers to devices that have lost them, as after a crash");
+  for (auto* one : {known, rule, install, give_back}) {
+    for (auto* other : {known, rule, install, give_back}) {
+      if (one != other) one->excludes(other);
+    }
+  }
   command->add_option(k_tablets_option, options->tablets, k_tablets_help);
-  command->callback([options, &status] { status = list_known(*options); });
+  command->callback([options, &status] { status = run_devices(*options); });
 }
 
 }  // namespace penpose::cli

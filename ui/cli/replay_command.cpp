@@ -185,13 +185,13 @@ int replay_session(const ReplayArguments& arguments) {
   if (!own) return report(own.error(), arguments.tablets);
   const auto file = open_trace(arguments.session);
   if (!file) return report(file.error(), arguments.session);
-  std::unique_ptr<AppendFile> record;
+  std::optional<AppendFile> record;
   std::optional<replay::SessionWriter> writer;
   std::optional<replay::SessionRecorder> recorder;
   if (!arguments.record.empty()) {
-    auto made = AppendFile::create(arguments.record);
+    auto made = AppendFile::create_new(arguments.record);
     if (!made) return report(made.error(), arguments.record);
-    record = std::move(made).value();
+    record.emplace(std::move(made).value());
     writer.emplace([&](std::string_view text, bool sync) { return record->append(text, sync); },
                    std::string("penpose-") + PENPOSE_VERSION);
     recorder.emplace(*writer);

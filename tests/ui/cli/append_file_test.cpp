@@ -10,10 +10,42 @@
 #include <unistd.h>
 
 #include "replay/session_player.h"
+#include "tests/support/command_run.h"
 #include "tests/support/random_session.h"
 
 namespace penpose::cli {
 namespace {
+
+class AppendFileTest : public tests::CommandRun {};
+
+TEST_F(AppendFileTest, HoldsEveryPieceAtOnce) {
+  auto file = AppendFile::create(path("a.hid"), "one\n");
+  ASSERT_TRUE(file);
+  EXPECT_EQ(content("a.hid"), "one\n");
+  ASSERT_TRUE(file->append("two\n"));
+  EXPECT_EQ(content("a.hid"), "one\ntwo\n") << "before it is closed";
+  EXPECT_TRUE(file->flush());
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(AppendFileTest, ReplacesAnOlderFileWhole) {
+  save("a.hid", std::string("an older recording"));
+  auto file = AppendFile::create(path("a.hid"), "new\n");
+  ASSERT_TRUE(file);
+  EXPECT_EQ(content("a.hid"), "new\n");
+}
+
+TEST_F(AppendFileTest, AFolderThatIsNotThereIsAnError) {
+  const auto file = AppendFile::create(path("none/a.hid"), "x");
+  ASSERT_FALSE(file);
+  EXPECT_NE(file.error().line().find("cannot be written (No such file or directory)"), std::string::npos);
+}
+
+TEST_F(AppendFileTest, WhatIsNoFileIsWrittenToAndNotReplaced) {
+  EXPECT_TRUE(AppendFile::create("/dev/null", "x"));
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  EXPECT_FALSE(AppendFile::create("/dev/full", "x")) << "as a full disk";
+}
 
 std::string temporary(const std::string& name) {
   return (std::filesystem::temp_directory_path() / ("penpose-" + std::to_string(::getpid()) + "-" + name)).string();
@@ -27,7 +59,7 @@ std::string content_of(const std::string& path) {
 TEST(AppendFile, NeverWritesOverWhatIsThere) {
   const std::string path = temporary("there");
   std::ofstream(path) << "drawn yesterday";
-  const auto file = AppendFile::create(path);
+  const auto file = AppendFile::create_new(path);
   ASSERT_FALSE(file);
   EXPECT_EQ(file.error().what, "exists already and is not written over");
   EXPECT_EQ(content_of(path), "drawn yesterday");
@@ -35,14 +67,14 @@ TEST(AppendFile, NeverWritesOverWhatIsThere) {
 }
 
 TEST(AppendFile, SaysThatAFolderCannotBeWritten) {
-  const auto file = AppendFile::create("/proc/penpose.session");
+  const auto file = AppendFile::create_new("/proc/penpose.session");
   ASSERT_FALSE(file);
-  EXPECT_NE(file.error().what.find("cannot be made"), std::string::npos);
+  EXPECT_NE(file.error().what.find("cannot be written"), std::string::npos);
 }
 
 TEST(AppendFile, AFullDiskIsAnErrorAndKeepsWhatWasWritten) {
   const std::string path = temporary("full");
-  auto file = AppendFile::create(path);
+  auto file = AppendFile::create_new(path);
   ASSERT_TRUE(file);
   // A file that may not grow beyond 4096 bytes, as on a disk with as much room.
   rlimit before{};
@@ -50,21 +82,21 @@ TEST(AppendFile, AFullDiskIsAnErrorAndKeepsWhatWasWritten) {
   const rlimit small{4096, before.rlim_max};
   const auto ignore = std::signal(SIGXFSZ, SIG_IGN);
   ::setrlimit(RLIMIT_FSIZE, &small);
-  EXPECT_TRUE((*file)->append(std::string(4000, 'a'), true));
-  const auto status = (*file)->append(std::string(4000, 'b'), true);
+  EXPECT_TRUE(file->append(std::string(4000, 'a')));
+  const auto status = file->append(std::string(4000, 'b'));
   ::setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, ignore);
   ASSERT_FALSE(status);
-  EXPECT_NE(status.error().remedy.find("still in memory"), std::string::npos);
+  EXPECT_NE(status.error().remedy.find("free space"), std::string::npos);
   EXPECT_EQ(content_of(path).substr(0, 4000), std::string(4000, 'a'));
   std::filesystem::remove(path);
 }
 
 /// Draws until it is killed, and tells through a pipe how many strokes have ended.
 [[noreturn]] void draw_for_ever(const std::string& path, int pipe, std::uint64_t seed) {
-  auto file = AppendFile::create(path);
+  auto file = AppendFile::create_new(path);
   if (!file) ::_exit(1);
-  replay::SessionWriter writer([&](std::string_view text, bool sync) { return (*file)->append(text, sync); }, "test");
+  replay::SessionWriter writer([&](std::string_view text, bool sync) { return file->append(text, sync); }, "test");
   replay::LiveSession live(document::make_document(tests::sheet_model()), &writer, "sheet");
   live.connect(0, replay::virtual_pen_identity());
   tests::Random random(seed);

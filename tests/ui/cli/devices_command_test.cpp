@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <unistd.h>
@@ -82,7 +83,29 @@ TEST_F(DevicesCommand, ErrorsNameFileAndPlace) {
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.error, "penpose: " + path_ + ": /tablets: is no array; put [ ] around its items\n");
   EXPECT_EQ(run_program({"devices", "--known", "--tablets", "/nonexistent"}).status, 1);
-  EXPECT_EQ(run_program({"devices"}).status, 2);
+}
+
+TEST_F(DevicesCommand, OneQuestionAtATime) {
+  EXPECT_EQ(run_program({"devices", "--known", "--udev-rule"}).status, 2);
+  EXPECT_EQ(run_program({"devices", "--rules-folder", "/tmp"}).status, 2);
+}
+
+TEST_F(DevicesCommand, TheRuleThatIsInstalledIsTheOneThatIsPrinted) {
+  write(R"({"penpose_tablets": 1, "tablets": [{"vendor": "Mine", "name": "One", "size_mm": [1, 2], "max": [3, 4],
+    "max_pressure": 5, "identifiers": [{"id": "0abc:0def", "protocol": "xp_pen"}]}]})");
+  const auto folder = std::filesystem::path(path_).parent_path() / ("penpose_rules_" + std::to_string(::getpid()));
+  std::filesystem::create_directory(folder);
+  const auto printed = run_program({"devices", "--udev-rule", "--tablets", path_.c_str()});
+  const auto installed =
+      run_program({"devices", "--install-udev-rule", "--rules-folder", folder.c_str(), "--tablets", path_.c_str()});
+  std::ifstream file(folder / "70-penpose.rules");
+  const std::string rule{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(printed.status, 0);
+  EXPECT_EQ(installed.status, 0);
+  EXPECT_EQ(rule, printed.out);
+  EXPECT_NE(rule.find("*:0ABC:0DEF.*"), std::string::npos) << "the user's own tablet";
+  EXPECT_EQ(run_program({"devices", "--install-udev-rule", "--rules-folder", "/nonexistent"}).status, 1);
 }
 
 }  // namespace

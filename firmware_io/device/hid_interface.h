@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "firmware_io/decode/device_identity.h"
+
+namespace penpose::device {
+
+/// A HID interface that is plugged in, as the system shows it.
+struct HidInterface {
+  decode::DeviceIdentity identity;
+  std::string hidraw_node;  ///< "/dev/hidraw3"; empty where the system made none
+  std::string usb_node;     ///< "/dev/bus/usb/001/004"; empty where it is no USB device
+  std::string usb_name;     ///< of a USB interface: "1-2:1.0"
+  std::string physical;     ///< where it is plugged in
+  std::string driver;       ///< of the kernel: "wacom", "hid-generic", "usbfs" (a program has it); empty where none
+  std::string parent;       ///< the same for all interfaces of one device, and while it is plugged in
+
+  /// `physical` as a trace has it: of USB interfaces ending in "/inputN", the interface's number.
+  [[nodiscard]] std::string trace_path() const {
+    if (usb_name.empty() || !identity.interface_number) return physical;
+    const std::string end = "/input" + std::to_string(*identity.interface_number);
+    return physical.find("/input") != std::string::npos ? physical : physical + end;
+  }
+};
+
+}  // namespace penpose::device

@@ -1,0 +1,145 @@
+#include "firmware_io/device/live_tablet.h"
+
+#include <set>
+#include <unistd.h>
+
+#include "firmware_io/decode/decoder_factory.h"
+#include "firmware_io/device/hidraw_source.h"
+#include "firmware_io/device/interface_list.h"
+#include "firmware_io/device/libusb_source.h"
+#include "firmware_io/device/usb_strings.h"
+
+namespace penpose::device {
+namespace {
+
+/// PenPartner: its reports are a byte shorter than its descriptor says, and Linux keeps such from /dev/hidraw.
+constexpr std::uint16_t k_wacom = 0x056a;
+constexpr std::uint16_t k_penpartner = 0x0000;
+
+/// This driver of the kernel wakes its tablets, also after a sleep, and shows a descriptor of its own making that fits
+/// the reports as it rewrites them. What it shows is read like any pen that describes itself.
+constexpr std::string_view k_waking_driver = "uclogic";
+/// Stands for a program that holds the interface.
+constexpr std::string_view k_program = "usbfs";
+
+/// The strings that tell the tablets with these ids apart. Those that wake a tablet up are no part of it.
+std::set<std::uint8_t> telling_strings(const decode::TabletTable& table, const decode::DeviceIdentity& device) {
+  std::set<std::uint8_t> indices;
+  for (const decode::Tablet& tablet : table.tablets()) {
+    for (const auto* list : {&tablet.identifiers, &tablet.pads}) {
+      for (const decode::TabletIdentifier& identifier : *list) {
+        if (identifier.vendor != device.vendor || identifier.product != device.product) continue;
+        for (const auto& check : identifier.strings) indices.insert(check.index);
+      }
+    }
+  }
+  return indices;
+}
+
+base::Result<std::string> read_usb_string(const std::string& usb_node, std::uint8_t index) {
+  auto strings = UsbStrings::open(usb_node);
+  if (!strings) return strings.error();
+  return strings->read(index);
+}
+
+bool read_strings(LiveTablet& tablet, const decode::TabletTable* own, const ReadString& read) {
+  decode::DeviceIdentity& identity = tablet.interface.identity;
+  auto indices = telling_strings(decode::known_tablets(), identity);
+  if (own != nullptr) indices.merge(telling_strings(*own, identity));
+  if (tablet.interface.usb_node.empty()) return indices.empty();
+  if (!indices.empty() && !read && ::access(tablet.interface.usb_node.c_str(), R_OK | W_OK) != 0) return false;
+  for (const std::uint8_t index : indices) {
+    // A string that the device does not have is known: it holds nothing.
+    const auto text = read ? read(tablet.interface.usb_node, index) : read_usb_string(tablet.interface.usb_node, index);
+    identity.strings[index] = text ? *text : std::string();
+  }
+  return true;
+}
+
+/// Asks a device itself for its descriptor where no driver has done so.
+void describe(HidInterface& interface) {
+  decode::DeviceIdentity& identity = interface.identity;
+  if (!identity.report_descriptor.empty() || !interface.driver.empty() || !identity.interface_number) return;
+  if (interface.usb_node.empty() || ::access(interface.usb_node.c_str(), R_OK | W_OK) != 0) return;
+  auto descriptor = read_report_descriptor(interface.usb_node, *identity.interface_number);
+  if (!descriptor) return;
+  identity.report_descriptor = std::move(*descriptor);
+  decode::complete_identity(identity);
+}
+
+void identify(LiveTablet& tablet, const decode::TabletTable* own) {
+  const decode::DeviceIdentity& identity = tablet.interface.identity;
+  const auto recognition = decode::make_decoder(identity, own);
+  if (recognition) {
+    tablet.carries = recognition->is_pad ? Carries::pad : Carries::pen;
+    tablet.method = recognition->method;
+    tablet.match = decode::find_tablet(identity, own);
+  }
+}
+
+Transport choose_transport(const LiveTablet& tablet) {
+  const HidInterface& interface = tablet.interface;
+  if (interface.usb_node.empty()) return Transport::hidraw;
+  if (interface.hidraw_node.empty()) return Transport::libusb;
+  if (interface.identity.vendor == k_wacom && interface.identity.product == k_penpartner) return Transport::libusb;
+  const WakeUp steps = tablet.wake_up();
+  return steps.read_strings.empty() && steps.send_outputs.empty() ? Transport::hidraw : Transport::libusb;
+}
+
+Access check_access(const LiveTablet& tablet) {
+  if (tablet.node().empty()) return Access::absent;
+  if (tablet.transport == Transport::libusb && tablet.interface.driver == k_program) return Access::busy;
+  if (::access(tablet.node().c_str(), R_OK | W_OK) == 0) return Access::allowed;
+  return ::access(tablet.node().c_str(), F_OK) == 0 ? Access::denied : Access::absent;
+}
+
+}  // namespace
+
+const std::string& LiveTablet::node() const {
+  return transport == Transport::libusb ? interface.usb_node : interface.hidraw_node;
+}
+
+std::string LiveTablet::path() const {
+  return transport == Transport::libusb ? "usb:" + interface.usb_name : interface.hidraw_node;
+}
+
+WakeUp LiveTablet::wake_up() const {
+  return interface.driver == k_waking_driver && transport == Transport::hidraw ? WakeUp{} : wake_up_of(match);
+}
+
+void LiveTablet::use(Transport other) {
+  transport = other;
+  access = check_access(*this);
+}
+
+LiveTablet recognise(HidInterface interface, const decode::TabletTable* own, const ReadString& read_string) {
+  LiveTablet tablet;
+  tablet.interface = std::move(interface);
+  describe(tablet.interface);
+  tablet.strings_unread = !read_strings(tablet, own, read_string);
+  identify(tablet, own);
+  tablet.transport = choose_transport(tablet);
+  tablet.access = check_access(tablet);
+  return tablet;
+}
+
+base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* own) {
+  auto interfaces = list_interfaces();
+  if (!interfaces) return interfaces.error();
+  std::vector<LiveTablet> tablets;
+  for (HidInterface& interface : *interfaces) {
+    LiveTablet tablet = recognise(std::move(interface), own);
+    if (tablet.carries != Carries::other) tablets.push_back(std::move(tablet));
+  }
+  return tablets;
+}
+
+base::Result<std::unique_ptr<ReportSource>> open_tablet(LiveTablet& tablet, const decode::TabletTable* own) {
+  if (tablet.transport == Transport::hidraw) return open_hidraw(tablet.interface);
+  const bool described = !tablet.interface.identity.report_descriptor.empty();
+  auto source = open_libusb(tablet.interface);
+  if (source && !described) identify(tablet, own);
+  return source;
+}
+
+}  // namespace penpose::device

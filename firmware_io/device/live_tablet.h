@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "firmware_io/decode/tablet_table.h"
+#include "firmware_io/device/hid_interface.h"
+#include "firmware_io/device/report_source.h"
+#include "firmware_io/device/wake_up.h"
+
+namespace penpose::device {
+
+enum class Transport : std::uint8_t {
+  hidraw,  ///< beside the kernel's driver
+  libusb,  ///< instead of it
+};
+
+/// What an interface is for.
+enum class Carries : std::uint8_t { pen, pad, other };
+
+/// Whether an interface may be opened.
+enum class Access : std::uint8_t {
+  allowed,
+  denied,  ///< for want of permission
+  busy,    ///< another program has it
+  absent,  ///< the system made no node to open
+};
+
+/// An interface, recognised.
+struct LiveTablet {
+  HidInterface interface;
+  Carries carries = Carries::other;
+  std::string method;                        ///< how it is read: "descriptor", "protocol NAME", ...; empty for `other`
+  std::optional<decode::TabletMatch> match;  ///< in the table of tablets; points into it
+  bool strings_unread = false;               ///< the table asks for strings that could not be read
+  Transport transport = Transport::hidraw;
+  Access access = Access::absent;
+
+  /// What is opened: "/dev/hidraw3" or "/dev/bus/usb/001/004".
+  [[nodiscard]] const std::string& node() const;
+  /// Names the interface on the command line: "/dev/hidraw3", or "usb:1-2:1.0" where it is read through libusb.
+  [[nodiscard]] std::string path() const;
+  /// Chooses another way than the program would.
+  void use(Transport other);
+  /// What wakes it, empty where the kernel's driver has done that, or where it is not certain which tablet this is.
+  [[nodiscard]] WakeUp wake_up() const;
+};
+
+/// Reads a USB string of a device; replaced in tests.
+using ReadString = std::function<base::Result<std::string>(const std::string& usb_node, std::uint8_t index)>;
+
+/// Recognises an interface: reads those strings that the table asks for to tell its tablets apart, and decides how to
+/// open it. `own` (may be null) holds the user's tablets and must live as long as the result.
+[[nodiscard]] LiveTablet recognise(HidInterface interface, const decode::TabletTable* own = nullptr,
+                                   const ReadString& read_string = {});
+
+/// Every interface that carries a pen or the keys of a tablet. Errors: those of listing.
+[[nodiscard]] base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* own = nullptr);
+
+/// Opens it as `transport` says. A descriptor that only the device itself could tell is asked for, and the tablet
+/// recognised anew by it. Errors say what is missing.
+[[nodiscard]] base::Result<std::unique_ptr<ReportSource>> open_tablet(LiveTablet& tablet,
+                                                                      const decode::TabletTable* own = nullptr);
+
+}  // namespace penpose::device

@@ -1,0 +1,101 @@
+#include "firmware_io/device/report_pump.h"
+
+#include <algorithm>
+#include <chrono>
+#include <poll.h>
+#include <string>
+#include <sys/eventfd.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#include <vector>
+
+#include "firmware_io/device/clock.h"
+
+namespace penpose::device {
+namespace {
+
+/// How long a read waits; bounds the time that stopping takes and that a sleep of the system goes unnoticed.
+constexpr int k_read_ms = 50;
+/// A sleep shorter than this leaves a tablet as it was.
+constexpr std::int64_t k_sleep_us = 200'000;
+
+constexpr int k_priority = -10;
+
+}  // namespace
+
+ReportPump::ReportPump(std::unique_ptr<ReportSource> source, Options options)
+    : source_(std::move(source)),
+      options_(std::move(options)),
+      ring_(options_.ring_bytes),
+      event_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
+  if (!options_.slept_us) options_.slept_us = slept_us;
+  if (!options_.wait) options_.wait = [](int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); };
+  thread_ = std::thread([this] { run(); });
+}
+
+ReportPump::~ReportPump() {
+  stop_.store(true, std::memory_order_relaxed);
+  thread_.join();
+  source_.reset();
+  if (event_ >= 0) ::close(event_);
+}
+
+void ReportPump::signal() {
+  const std::uint64_t one = 1;
+  // Fails only when it is readable already.
+  [[maybe_unused]] const auto written = ::write(event_, &one, sizeof one);
+}
+
+void ReportPump::note(std::string_view text) {
+  ring_.push(RecordKind::note, monotonic_us(), base::as_bytes(text));
+  signal();
+}
+
+void ReportPump::wake_tablet() {
+  if (options_.wake_up.empty()) return;
+  const int refused = wake(
+      *source_, options_.wake_up, [this](std::string_view step) { note(step); }, options_.wait);
+  refused_.fetch_add(refused, std::memory_order_relaxed);
+}
+
+void ReportPump::run() {
+  // The system keeps 64 reports at most: ask to be run before others. Where that is not permitted, as before.
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), k_priority);
+  std::vector<std::uint8_t> buffer(k_longest_report);
+  std::int64_t slept = options_.slept_us();
+  wake_tablet();
+  while (!stop_.load(std::memory_order_relaxed)) {
+    const ReadOutcome outcome = source_->read(buffer, k_read_ms);
+    if (const std::int64_t now = options_.slept_us(); now - slept > k_sleep_us) {
+      note("the system slept for " + std::to_string((now - slept) / 1000) + " ms");
+      slept = now;
+      wake_tablet();
+    }
+    if (outcome.state == ReadState::gone) {
+      note("the device is gone");
+      gone_.store(true, std::memory_order_release);
+      signal();
+      return;
+    }
+    if (outcome.state == ReadState::nothing) continue;
+    received_.fetch_add(1, std::memory_order_relaxed);
+    ring_.push(RecordKind::report, outcome.time_us, base::Bytes(buffer).first(std::min(outcome.length, buffer.size())));
+    signal();
+  }
+}
+
+bool ReportPump::wait(int timeout_ms) {
+  const std::int64_t until_us = monotonic_us() + std::int64_t{timeout_ms} * 1000;
+  for (;;) {
+    // Read before looking: what comes after makes it readable again.
+    std::uint64_t count = 0;
+    [[maybe_unused]] const auto got = ::read(event_, &count, sizeof count);
+    if (!ring_.empty() || gone()) return true;
+    const std::int64_t left_us = until_us - monotonic_us();
+    if (left_us <= 0) return false;
+    pollfd waiting{event_, POLLIN, 0};
+    ::poll(&waiting, 1, static_cast<int>((left_us + 999) / 1000));
+  }
+}
+
+}  // namespace penpose::device

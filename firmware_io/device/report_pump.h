@@ -1,0 +1,63 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <thread>
+
+#include "firmware_io/device/report_ring.h"
+#include "firmware_io/device/report_source.h"
+#include "firmware_io/device/wake_up.h"
+
+namespace penpose::device {
+
+/// Drains a tablet in a thread of its own, from construction to destruction: wakes it, again after every sleep of the
+/// system, and puts its reports with their times of receipt into a ring, whether or not anybody takes them out.
+class ReportPump {
+ public:
+  struct Options {
+    WakeUp wake_up;
+    std::size_t ring_bytes = std::size_t{1} << 20;  ///< half a minute of a pen of 1000 reports a second
+    std::function<std::int64_t()> slept_us = {};    ///< replaced in tests; the system's by default
+    WaitMs wait = {};                               ///< replaced in tests
+  };
+
+  ReportPump(std::unique_ptr<ReportSource> source, Options options);
+  /// Stops and closes the source; takes at most the time of one step of waking or 50 ms.
+  ~ReportPump();
+  ReportPump(const ReportPump&) = delete;
+  ReportPump& operator=(const ReportPump&) = delete;
+
+  /// The oldest record that was not taken yet, false when there is none. One thread alone may take.
+  bool take(Record& into) { return ring_.pop(into); }
+  /// Waits until there is a record, the tablet is gone or the time is over. True unless the time is over.
+  bool wait(int timeout_ms);
+  /// Becomes readable when a record comes; `wait(0)` makes it unreadable again.
+  [[nodiscard]] int wake_fd() const { return event_; }
+
+  [[nodiscard]] std::uint64_t received() const { return received_.load(std::memory_order_relaxed); }
+  /// Reports that were received and did not fit into the ring.
+  [[nodiscard]] std::uint64_t overruns() const { return ring_.overruns(); }
+  /// The tablet is gone; what it sent before may still be in the ring.
+  [[nodiscard]] bool gone() const { return gone_.load(std::memory_order_acquire); }
+  /// Reports of waking that the tablet refused.
+  [[nodiscard]] int refused() const { return refused_.load(std::memory_order_relaxed); }
+
+ private:
+  void run();
+  void wake_tablet();
+  void note(std::string_view text);
+  void signal();
+
+  std::unique_ptr<ReportSource> source_;
+  Options options_;
+  ReportRing ring_;
+  int event_;
+  std::atomic<bool> stop_{false};
+  std::atomic<bool> gone_{false};
+  std::atomic<std::uint64_t> received_{0};
+  std::atomic<int> refused_{0};
+  std::thread thread_;
+};
+
+}  // namespace penpose::device

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "core/base/byte_reader.h"
+#include "core/base/result.h"
+
+namespace penpose::device {
+
+/// The longest report that Linux passes on.
+inline constexpr std::size_t k_longest_report = 16384;
+
+enum class ReadState : std::uint8_t {
+  report,   ///< `length` bytes were read, received at `time_us`
+  nothing,  ///< none came within the time
+  gone,     ///< the device was unplugged or failed; nothing more will come
+};
+
+struct ReadOutcome {
+  ReadState state = ReadState::nothing;
+  std::size_t length = 0;
+  std::int64_t time_us = 0;
+};
+
+/// One open HID interface. All calls come from one thread at a time. Closed by its destructor, which also gives back
+/// to the system what was taken from it.
+class ReportSource {
+ public:
+  virtual ~ReportSource() = default;
+  ReportSource() = default;
+  ReportSource(const ReportSource&) = delete;
+  ReportSource& operator=(const ReportSource&) = delete;
+
+  /// Waits at most `timeout_ms` for a report, its id first where reports are numbered; `into` holds k_longest_report.
+  virtual ReadOutcome read(std::span<std::uint8_t> into, int timeout_ms) = 0;
+
+  /// Sends a report, first byte its id (0 where reports have none).
+  virtual base::Status send_feature(base::Bytes report) = 0;
+  virtual base::Status send_output(base::Bytes report) = 0;
+  /// Reads a USB string descriptor; characters outside ASCII come as '?'.
+  virtual base::Result<std::string> read_string(std::uint8_t index) = 0;
+};
+
+}  // namespace penpose::device

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace penpose::device {
+
+/// Reads USB string descriptors of a device and leaves its interfaces and their drivers alone. Asking for some strings
+/// changes the mode of some tablets, so ask only for what the table of tablets names.
+class UsbStrings {
+ public:
+  /// `usb_node`: "/dev/bus/usb/001/004". Errors: it may not be opened.
+  [[nodiscard]] static base::Result<UsbStrings> open(const std::string& usb_node);
+
+  UsbStrings(UsbStrings&&) noexcept;
+  UsbStrings& operator=(UsbStrings&&) noexcept;
+  ~UsbStrings();
+
+  /// In American English, as all tablets have them; characters outside ASCII come as '?'. Errors: no such string.
+  [[nodiscard]] base::Result<std::string> read(std::uint8_t index) const;
+
+ private:
+  class Handle;
+  explicit UsbStrings(std::unique_ptr<Handle> handle);
+
+  std::unique_ptr<Handle> handle_;
+};
+
+/// Reads the report descriptor of an interface that no driver holds. Errors: it may not be opened, or is held.
+[[nodiscard]] base::Result<std::vector<std::uint8_t>> read_report_descriptor(const std::string& usb_node,
+                                                                             int interface);
+
+}  // namespace penpose::device

@@ -1,0 +1,53 @@
+#include "firmware_io/device/wake_up.h"
+
+#include <algorithm>
+#include <string>
+
+namespace penpose::device {
+namespace {
+
+/// The waits are facts of the table; a faulty one must not stop reading for long.
+constexpr int k_longest_wait_ms = 2000;
+
+std::string hex(base::Bytes bytes) {
+  static constexpr std::string_view k_digits = "0123456789abcdef";
+  std::string text;
+  for (const std::uint8_t byte : bytes) {
+    text += ' ';
+    text += k_digits[byte >> 4];
+    text += k_digits[byte & 0xf];
+  }
+  return text;
+}
+
+bool tell_sent(const TellStep& tell, const std::string& step, const base::Status& sent) {
+  tell(step + (sent ? ": sent" : ": refused: " + sent.error().what));
+  return sent.ok();
+}
+
+}  // namespace
+
+WakeUp wake_up_of(const std::optional<decode::TabletMatch>& match) {
+  if (!match || !match->certain) return {};
+  return {match->identifier->read_strings, match->identifier->send_features, match->identifier->send_outputs,
+          match->tablet->feature_delay_ms};
+}
+
+int wake(ReportSource& source, const WakeUp& steps, const TellStep& tell, const WaitMs& wait) {
+  int refused = 0;
+  for (const std::uint8_t index : steps.read_strings) {
+    const auto text = source.read_string(index);
+    const std::string step = "wake string " + std::to_string(index) + ": ";
+    tell(step + (text ? "\"" + *text + "\"" : "no answer: " + text.error().what));
+  }
+  for (const auto& report : steps.send_features) {
+    if (steps.feature_delay_ms > 0) wait(std::min(steps.feature_delay_ms, k_longest_wait_ms));
+    refused += tell_sent(tell, "wake feature" + hex(report), source.send_feature(report)) ? 0 : 1;
+  }
+  for (const auto& report : steps.send_outputs) {
+    refused += tell_sent(tell, "wake output" + hex(report), source.send_output(report)) ? 0 : 1;
+  }
+  return refused;
+}
+
+}  // namespace penpose::device

@@ -1,0 +1,136 @@
+#include "firmware_io/device/live_tablet.h"
+
+#include <algorithm>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <sstream>
+
+#include "firmware_io/decode/decoder_factory.h"
+#include "firmware_io/device/permission.h"
+#include "tests/support/pen_reports.h"
+
+namespace penpose::device {
+namespace {
+
+/// A vendor interface whose reports have 12 bytes, the id among them, and which describes no pen.
+std::vector<std::uint8_t> huion_descriptor() {
+  return {0x06, 0x00, 0xff, 0x09, 0x01, 0xa1, 0x01, 0x85, 0x08, 0x75, 0x08, 0x95,
+          0x0b, 0x15, 0x00, 0x26, 0xff, 0x00, 0x09, 0x01, 0x81, 0x02, 0xc0};
+}
+
+HidInterface huion() {
+  HidInterface interface;
+  interface.identity.vendor = 0x256c;
+  interface.identity.product = 0x006d;
+  interface.identity.name = "Tablet";
+  interface.identity.report_descriptor = huion_descriptor();
+  decode::complete_identity(interface.identity);
+  interface.hidraw_node = "/nowhere/hidraw0";
+  interface.usb_node = "/nowhere/usb";
+  interface.usb_name = "1-1:1.0";
+  interface.driver = "hid-generic";
+  return interface;
+}
+
+class Strings {
+ public:
+  [[nodiscard]] ReadString reader(std::string firmware) {
+    return [this, firmware = std::move(firmware)](const std::string& node, std::uint8_t index) {
+      EXPECT_EQ(node, "/nowhere/usb");
+      asked_.push_back(index);
+      return index == 201 ? base::Result<std::string>(firmware)
+                          : base::Result<std::string>(base::Error{"none", "", ""});
+    };
+  }
+  std::vector<int> asked_;
+};
+
+TEST(Recognise, TheFirmwareStringTellsTheTabletAndHowToWakeIt) {
+  Strings strings;
+  const LiveTablet tablet = recognise(huion(), nullptr, strings.reader("HUION_T173_200101"));
+  ASSERT_TRUE(tablet.match);
+  EXPECT_TRUE(tablet.match->certain);
+  EXPECT_EQ(tablet.match->tablet->name, "H640P");
+  EXPECT_EQ(tablet.carries, Carries::pen);
+  EXPECT_EQ(wake_up_of(tablet.match).read_strings, std::vector<std::uint8_t>{200});
+  EXPECT_EQ(tablet.transport, Transport::libusb) << "its wake-up needs USB";
+  EXPECT_EQ(tablet.path(), "usb:1-1:1.0");
+  EXPECT_EQ(std::count(strings.asked_.begin(), strings.asked_.end(), 200), 0) << "that one would wake it up already";
+}
+
+TEST(Recognise, ATabletThatMayBeAnotherIsSentNothing) {
+  HidInterface interface = huion();
+  interface.usb_node.clear();
+  const LiveTablet tablet = recognise(std::move(interface));
+  ASSERT_TRUE(tablet.match);
+  EXPECT_FALSE(tablet.match->certain);
+  EXPECT_TRUE(wake_up_of(tablet.match).empty());
+  EXPECT_EQ(tablet.transport, Transport::hidraw);
+}
+
+TEST(Recognise, NoStringIsReadWhereTheTableAsksForNone) {
+  HidInterface interface = huion();
+  interface.identity.vendor = 0x1b96;
+  interface.identity.report_descriptor = tests::ink_descriptor();
+  interface.identity.input_report_length.reset();
+  Strings strings;
+  const LiveTablet tablet = recognise(std::move(interface), nullptr, strings.reader(""));
+  EXPECT_TRUE(strings.asked_.empty());
+  EXPECT_EQ(tablet.method, "descriptor");
+  EXPECT_EQ(tablet.transport, Transport::hidraw);
+}
+
+TEST(Recognise, ATabletThatTheKernelHasWokenIsReadBesideItsDriver) {
+  HidInterface interface = huion();
+  interface.identity.report_descriptor = tests::ink_descriptor();  // as the driver describes it
+  interface.driver = "uclogic";
+  Strings strings;
+  const LiveTablet tablet = recognise(std::move(interface), nullptr, strings.reader("HUION_T173_200101"));
+  EXPECT_EQ(tablet.carries, Carries::pen);
+  EXPECT_EQ(tablet.transport, Transport::hidraw);
+  EXPECT_TRUE(tablet.wake_up().empty());
+}
+
+TEST(Recognise, WithoutANodeOfItsOwnAnInterfaceIsReadThroughUsb) {
+  HidInterface interface = huion();
+  interface.identity.report_descriptor = tests::ink_descriptor();
+  interface.hidraw_node.clear();
+  const LiveTablet tablet = recognise(std::move(interface));
+  EXPECT_EQ(tablet.transport, Transport::libusb);
+  EXPECT_EQ(tablet.access, Access::absent);
+}
+
+TEST(Recognise, AMouseCarriesNoPen) {
+  HidInterface interface = huion();
+  interface.identity.vendor = 0x046d;
+  EXPECT_EQ(recognise(std::move(interface)).carries, Carries::other);
+}
+
+TEST(UdevRule, TheOneInTheRepositoryIsTheOneThatIsPrinted) {
+  std::ifstream file(PENPOSE_UDEV_RULE);
+  const std::string kept{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  EXPECT_EQ(kept, udev_rule(decode::known_tablets())) << "renew it with: penpose devices --udev-rule";
+}
+
+TEST(UdevRule, GivesAccessToWhoeverSitsThereAndToNobodyElse) {
+  const std::string rule = udev_rule(decode::known_tablets());
+  EXPECT_EQ(rule.find("MODE"), std::string::npos);
+  EXPECT_EQ(rule.find("GROUP"), std::string::npos);
+  EXPECT_NE(rule.find("TAG+=\"uaccess\""), std::string::npos);
+  EXPECT_NE(rule.find("*:256C:006D.*"), std::string::npos);
+  std::istringstream lines(rule);
+  for (std::string line; std::getline(lines, line);) EXPECT_LT(line.size(), 8000u) << "udev reads lines of 16 KiB";
+  // Each line that gives something names a maker.
+  EXPECT_LT(std::string(k_rule_file), "73");
+}
+
+TEST(UdevRule, TakesInWhatIsPluggedIn) {
+  LiveTablet tablet;
+  tablet.interface.identity.vendor = 0x1b96;
+  tablet.interface.identity.product = 0x0abc;
+  EXPECT_NE(udev_rule(decode::known_tablets(), {tablet}).find("*:1B96:0ABC.*"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace penpose::device

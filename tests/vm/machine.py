@@ -1,0 +1,158 @@
+"""A virtual machine of Debian's kernel and a minimal initramfs, started, talked to and ended by a test."""
+import glob
+import io
+import json
+import os
+import shutil
+import socket
+import subprocess
+import tarfile
+import time
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+MODULES = ('virtio_pci virtio_console hid hid-generic uhid evdev usbhid wacom hid-uclogic hid-multitouch hid-ntrig '
+           'xhci-pci vhci-hcd').split()
+NEEDED = {'qemu-system-x86_64': 'qemu-system-x86', 'cpio': 'cpio', 'modprobe': 'kmod', 'depmod': 'kmod', 'busybox': 'busybox-static'}
+
+
+def find(program):
+    return shutil.which(program, path=os.environ.get('PATH', '') + ':/usr/sbin:/sbin')
+
+
+def kernel():
+    """The newest kernel with its modules: release and image, or nothing."""
+    images = [(os.stat(i).st_mtime, i) for i in glob.glob('/boot/vmlinuz-*') if os.access(i, os.R_OK)]
+    for _, image in sorted(images, reverse=True):
+        release = image[len('/boot/vmlinuz-'):]
+        if os.path.isdir(f'/lib/modules/{release}'):
+            return release, image
+    return None
+
+
+def missing():
+    """Names of the packages that are not installed."""
+    packages = {package for program, package in NEEDED.items() if not find(program)}
+    if not kernel():
+        packages.add('linux-image-amd64')
+    return sorted(packages)
+
+
+def libraries(program):
+    """What a program needs to be loaded, by path."""
+    for line in subprocess.run(['ldd', program], capture_output=True, text=True, check=True).stdout.splitlines():
+        for word in line.split():
+            if word.startswith('/'):
+                yield word
+
+
+def build_initramfs(folder, programs, files):
+    """programs: paths of executables for /bin. files: {path in the machine: content}. Gives the path of the archive."""
+    release, _ = kernel()
+    root = os.path.join(folder, 'root')
+    shutil.rmtree(root, ignore_errors=True)
+    for d in ('bin', 'lib64', 'lib', f'lib/modules/{release}'):
+        os.makedirs(os.path.join(root, d), exist_ok=True)
+    shutil.copy(find('busybox'), os.path.join(root, 'bin/busybox'))
+    for program in programs:
+        target = os.path.join(root, 'bin', os.path.basename(program))
+        shutil.copy(program, target)
+        subprocess.run(['strip', target], check=False)
+        for library in libraries(program):
+            loader = library.startswith('/lib64/')
+            shutil.copy(os.path.realpath(library), os.path.join(root, 'lib64' if loader else 'lib', os.path.basename(library)))
+    modules = set()
+    for name in MODULES:
+        shown = subprocess.run([find('modprobe'), '-S', release, '--show-depends', name], capture_output=True, text=True).stdout
+        modules.update(line.split()[1] for line in shown.splitlines() if line.startswith('insmod'))
+    for module in modules:
+        target = os.path.join(root, 'lib/modules', os.path.relpath(os.path.realpath(module), os.path.realpath('/lib/modules')))
+        os.makedirs(os.path.dirname(target), exist_ok=True)
+        shutil.copy(module, target)
+    for name in ('modules.builtin', 'modules.order', 'modules.builtin.modinfo'):
+        shutil.copy(f'/lib/modules/{release}/{name}', os.path.join(root, 'lib/modules', release))
+    subprocess.run([find('depmod'), '-b', root, release], check=True)
+    shutil.copy(os.path.join(HERE, 'guest/init'), os.path.join(root, 'init'))
+    os.chmod(os.path.join(root, 'init'), 0o755)
+    shutil.copy(os.path.join(HERE, 'guest/functions.sh'), root)
+    files = dict(files, **{'/modules.list': '\n'.join(MODULES) + '\n'})
+    for path, content in files.items():
+        target = root + path
+        os.makedirs(os.path.dirname(target), exist_ok=True)
+        with open(target, 'wb') as f:
+            f.write(content if isinstance(content, bytes) else content.encode())
+    names = subprocess.run(['find', '.'], cwd=root, capture_output=True, check=True).stdout
+    archive = os.path.join(folder, 'initramfs')
+    with open(archive, 'wb') as f:
+        subprocess.run([find('cpio'), '-o', '-H', 'newc', '--quiet'], cwd=root, input=names, stdout=f, check=True)
+    return archive
+
+
+class Machine:
+    def __init__(self, folder, archive, limit_s=900):
+        self.folder, self.limit = folder, time.monotonic() + limit_s
+        self.console, self.out, self.live = (os.path.join(folder, n) for n in ('console', 'out.tar', 'live'))
+        for path in (self.console, self.out, self.live):
+            open(path, 'wb').close()
+        control = os.path.join(folder, 'qmp')
+        if os.path.exists(control):
+            os.unlink(control)
+        _, image = kernel()
+        # Plain emulation: /dev/kvm may exist and yet hang where this is a virtual machine itself.
+        acceleration = os.environ.get('PENPOSE_VM_ACCEL', 'tcg')
+        self.process = subprocess.Popen(
+            [find('qemu-system-x86_64'), '-accel', acceleration, '-cpu', 'max', '-smp', '1', '-m', '768', '-nodefaults', '-no-reboot',
+             '-display', 'none', '-kernel', image, '-initrd', archive, '-append', 'console=ttyS0 loglevel=4 panic=-1 rdinit=/init',
+             '-serial', f'file:{self.console}', '-device', 'virtio-serial-pci',
+             '-chardev', f'file,id=out,path={self.out}', '-device', 'virtserialport,chardev=out,nr=1',
+             '-chardev', f'file,id=live,path={self.live}', '-device', 'virtserialport,chardev=live,nr=2',
+             '-device', 'qemu-xhci,id=usb', '-qmp', f'unix:{control},server=on,wait=off'])
+        self.qmp = None
+        self.control = control
+
+    def left(self):
+        return self.limit - time.monotonic()
+
+    def text(self):
+        with open(self.console, 'rb') as f:
+            return f.read().decode(errors='replace')
+
+    def wait(self, condition, what, seconds=None):
+        """Waits until the condition holds; the end of the machine or of the time is a failure."""
+        until = time.monotonic() + (seconds or self.left())
+        while not condition():
+            if self.process.poll() is not None and not condition():
+                raise RuntimeError(f'the machine ended before: {what}\n{self.text()[-3000:]}')
+            if min(self.left(), until - time.monotonic()) < 0:
+                raise RuntimeError(f'no time left for: {what}\n{self.text()[-3000:]}')
+            time.sleep(0.02)
+
+    def wait_for_mark(self, mark, seconds=180):
+        self.wait(lambda: f'MARK {mark}' in self.text(), f'mark {mark}', seconds)
+
+    def command(self, name, **arguments):
+        if self.qmp is None:
+            self.wait(lambda: os.path.exists(self.control), 'its control socket')
+            self.socket = socket.socket(socket.AF_UNIX)
+            self.socket.connect(self.control)
+            self.qmp = self.socket.makefile('r')
+            self.qmp.readline()
+            self.command('qmp_capabilities')
+        self.socket.sendall(json.dumps({'execute': name, 'arguments': arguments}).encode() + b'\n')
+        while True:
+            answer = json.loads(self.qmp.readline())
+            if 'error' in answer:
+                raise RuntimeError(f'{name}: {answer["error"]}')
+            if 'return' in answer:
+                return answer['return']
+
+    def results(self):
+        """Waits for the end and gives what the machine left in /out, by name."""
+        self.wait(lambda: self.process.poll() is not None, 'its end')
+        with open(self.out, 'rb') as f:
+            archive = tarfile.open(fileobj=io.BytesIO(f.read()))
+        return {os.path.normpath(m.name): archive.extractfile(m).read() for m in archive if m.isfile()}
+
+    def end(self):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.wait()

@@ -1,0 +1,307 @@
+#!/usr/bin/env python3
+"""Real tablets on a real kernel, without hardware: boots a virtual machine, plugs tablets into it, draws with them, pulls them
+out, and compares what `penpose` recorded inside with what was sent.
+
+usage: tablets_test.py --penpose PROGRAM --tools FOLDER --work FOLDER [--shared FOLDER] [--burst SECONDS] [--keep FOLDER]
+Exit status 77 where there is no virtual machine to be had."""
+import argparse
+import csv
+import io
+import json
+import math
+import os
+import subprocess
+import sys
+import time
+import unittest
+
+import machine
+import traces
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+# Recordings of real tablets, where they are at hand; the first reports of their pen interface are enough.
+REAL = ['Wacom_Graphire3_056a_0013', 'Wacom_BambooFun_4x5_056a_0017', 'Wacom_Cintiq_22HD_056a_00FA', 'Wacom_Intuos_Pro_S_056a_0314']
+MOST_REPORTS = 1200
+
+
+def pen_part(text):
+    """The recording with all its interfaces, and of its reports the first of interface 0."""
+    kept, number, count = [], 0, 0
+    for line in text.splitlines():
+        if line.startswith('D:'):
+            number = int(line[2:])
+        if line.startswith('E:'):
+            if number != 0 or count == MOST_REPORTS:
+                continue
+            count += 1
+        kept.append(line)
+    return '\n'.join(kept) + '\n'
+
+
+def all_traces(shared):
+    found = traces.made()
+    for name in REAL:
+        path = os.path.join(shared or '', 'hid', name + '.hid')
+        if os.path.exists(path):
+            with open(path, encoding='utf-8', errors='replace') as f:
+                found['wacom_real_' + name[-4:].lower()] = pen_part(f.read())
+    return found
+
+
+class Pen:
+    """QEMU's emulated PenPartner, moved from outside one report at a time: the next movement waits until the machine has
+    recorded the one before. `sent` holds what every report must say: x, y, pressure, tip."""
+
+    def __init__(self, vm):
+        self.vm, self.sent, self.state = vm, [], {'x': 0, 'y': 0, 'tip': False}
+
+    def recorded(self):
+        with open(self.vm.live, 'rb') as f:
+            return f.read().count(b'\nE:')
+
+    def move(self, x=None, y=None, tip=None):
+        events = []
+        for axis, value in (('x', x), ('y', y)):
+            if value is not None:
+                self.state[axis] = int(value)
+                events.append({'type': 'abs', 'data': {'axis': axis, 'value': int(value)}})
+        if tip is not None:
+            self.state['tip'] = tip
+            events.append({'type': 'btn', 'data': {'button': 'left', 'down': tip}})
+        before = self.recorded()
+        self.vm.command('input-send-event', events=events)
+        self.vm.wait(lambda: self.recorded() > before, 'a report of the pen', 60)
+        s = self.state
+        self.sent.append((s['x'] * 5040 // 0x7fff, s['y'] * 3780 // 0x7fff, 127 if s['tip'] else 0, s['tip']))
+
+    def draw(self):
+        # The device reports once by itself, when it is first asked.
+        self.vm.wait(lambda: self.recorded() > 0, 'the first report of the pen', 60)
+        self.sent.append((0, 0, 0, False))
+        for i in range(10):
+            self.move(1000 + 50 * i, 1000 + 20 * i)
+        for stroke in range(3):
+            self.move(tip=True)
+            for i in range(30):
+                a = i * math.pi / 15
+                self.move(9000 + 5000 * stroke + 3000 * math.cos(a), 12000 + 4000 * math.sin(a))
+            if stroke == 2:
+                return  # pulled out while it draws
+            self.move(tip=False)
+            self.move(20000, 30000 - stroke)
+
+
+def strokes_of(samples):
+    """Runs of samples with the tip down."""
+    strokes, down = [], False
+    for x, y, pressure, tip in samples:
+        if tip and not down:
+            strokes.append([])
+        if tip:
+            strokes[-1].append((x, y, pressure))
+        down = tip
+    return strokes
+
+
+def run_machine(options):
+    """Boots, plays and gives (results by name, traces by name, the pen)."""
+    sent = all_traces(options.shared)
+    os.makedirs(options.work, exist_ok=True)
+    files = {f'/traces/{name}.hid': text for name, text in sent.items()}
+    with open(os.path.join(HERE, 'guest/tablets.sh'), encoding='utf-8') as f:
+        files['/job.sh'] = f.read()
+    files['/burst_seconds'] = str(options.burst)
+    programs = [options.penpose] + [os.path.join(options.tools, n) for n in ('virtual_tablet', 'pump_probe')]
+    archive = machine.build_initramfs(options.work, programs, files)
+    vm = machine.Machine(options.work, archive, limit_s=600 + 3 * options.burst)
+    try:
+        begin = time.monotonic()
+        vm.wait_for_mark('plug')
+        print(f'booted after {time.monotonic() - begin:.1f} s', flush=True)
+        vm.command('device_add', driver='usb-wacom-tablet', bus='usb.0', id='pen')
+        # The device forgets its mouse when its driver is bound anew, so it is plugged in anew for drawing.
+        vm.wait_for_mark('pull')
+        vm.command('device_del', id='pen')
+        vm.wait_for_mark('again')
+        vm.command('device_add', driver='usb-wacom-tablet', bus='usb.0', id='pen')
+        vm.wait_for_mark('draw')
+        pen = Pen(vm)
+        pen.draw()
+        vm.command('device_del', id='pen')
+        vm.wait_for_mark('sleep', 300)
+        vm.wait(lambda: vm.command('query-status')['status'] == 'suspended', 'its sleep', 60)
+        time.sleep(1)
+        vm.command('system_wakeup')
+        vm.wait_for_mark('awake', 60)
+        results = vm.results()
+        print(f'ended after {time.monotonic() - begin:.1f} s', flush=True)
+    finally:
+        vm.end()
+    if options.keep:
+        os.makedirs(options.keep, exist_ok=True)
+        for name, content in results.items():
+            with open(os.path.join(options.keep, name), 'wb') as f:
+                f.write(content)
+    return results, sent, pen
+
+
+class Tablets(unittest.TestCase):
+    def text(self, name):
+        self.assertIn(name, RESULTS, 'the machine left no such file')
+        return RESULTS[name].decode(errors='replace').strip()
+
+    def listed(self, name):
+        return json.loads(self.text(name + '.json'))['tablets']
+
+    def assert_recorded(self, name, sent=None):
+        """The recording holds every report that was sent, byte for byte and in order."""
+        recorded = [r for _, r in traces.reports_of(self.text(name + '.hid'))]
+        wanted = [r for _, r in traces.reports_of(SENT[sent or name])]
+        self.assertEqual(self.text(name + '.status'), '0', self.text(name + '.err'))
+        self.assertEqual(len(recorded), len(wanted), self.text(name + '.out'))
+        self.assertEqual(recorded, wanted)
+        self.assertIn(' 0 lost', self.text(name + '.out'))
+
+    def samples(self, name):
+        """(x, y, pressure, tip) of every pen sample of a recording, as the program decodes it."""
+        path = os.path.join(OPTIONS.work, name + '.hid')
+        with open(path, 'wb') as f:
+            f.write(RESULTS[name + '.hid'])
+        out = subprocess.run([OPTIONS.penpose, 'decode', path, '--csv'], capture_output=True, text=True, check=True).stdout
+        rows = csv.DictReader(io.StringIO('\n'.join(l for l in out.splitlines() if not l.startswith('#'))))
+        return [(int(r['x']), int(r['y']), int(r['pressure'] or 0), r['tip'] == '1') for r in rows]
+
+    def test_nothing_is_plugged_in_at_first(self):
+        self.assertEqual(self.text('none.txt'), 'no tablet is plugged in')
+
+    def test_the_emulated_pen_is_found_and_read_through_libusb(self):
+        tablet, = self.listed('penpartner')
+        self.assertEqual((tablet['vendor'], tablet['product']), (0x056a, 0))
+        self.assertEqual(tablet['transport'], 'libusb')
+        self.assertEqual(tablet['carries'], 'pen')
+        self.assertTrue(tablet['can_open'])
+
+    def test_its_strokes_are_those_that_were_drawn(self):
+        samples = self.samples('penpartner')
+        self.assertEqual(samples, PEN.sent)
+        strokes = strokes_of(samples)
+        self.assertEqual(strokes, strokes_of(PEN.sent))
+        self.assertEqual(len(strokes), 3)
+        self.assertIn(' 3 strokes', self.text('penpartner.out'))
+
+    def test_pulled_out_while_it_draws_the_recording_ends_well(self):
+        self.assertEqual(self.text('penpartner.status'), '0')
+        self.assertIn('was unplugged', self.text('penpartner.err'))
+        self.assertTrue(RESULTS['penpartner.hid'].endswith(b'\n'))
+
+    def test_the_driver_is_taken_and_given_back(self):
+        self.assertEqual(self.text('driver_before'), 'usbhid')
+        self.assertEqual(self.text('driver_while'), 'usbfs')
+        self.assertEqual(self.text('driver_after'), 'usbhid')
+        self.assertEqual(self.text('orderly.status'), '0')
+
+    def test_the_driver_is_given_back_after_a_kill(self):
+        self.assertEqual(self.text('driver_while_killed'), 'usbfs')
+        self.assertEqual(self.text('driver_after_kill'), 'usbhid')
+
+    def test_an_ink_pen_arrives_byte_for_byte(self):
+        tablet, = self.listed('ink')
+        self.assertEqual((tablet['method'], tablet['transport']), ('descriptor', 'hidraw'))
+        self.assert_recorded('ink')
+        self.assertIn(' 12 strokes', self.text('ink.out'))
+        self.assertIn('was unplugged', self.text('ink.err'))
+
+    def test_wacom_tablets_arrive_byte_for_byte_beside_their_driver(self):
+        names = sorted(name for name in SENT if name.startswith('wacom_'))
+        for name in names:
+            with self.subTest(name):
+                tablet, = self.listed(name)
+                self.assertEqual(tablet['driver'], 'wacom')
+                self.assertEqual(tablet['transport'], 'hidraw')
+                self.assertEqual(tablet['interface'], 0)
+                self.assertTrue(tablet['method'].startswith('wacom '))
+                self.assert_recorded(name)
+
+    def test_two_tablets_at_once(self):
+        first, second = sorted(self.listed('two'), key=lambda t: t['vendor'])
+        self.assertEqual((first['driver'], second['vendor']), ('wacom', 0x1b96))
+        text = self.text('two.hid')
+        declared = [l.split(' ', 2)[2] for l in text.splitlines() if l.startswith('I:')]
+        recorded = traces.reports_of(text)
+        for ids, sent, count in (('1b96 0021', 'two_ink', 60), ('056a 00b8', 'two_wacom', 300)):
+            number = declared.index(ids)
+            wanted = [r for _, r in traces.reports_of(SENT[sent])][:count]
+            self.assertEqual([r for n, r in recorded if n == number], wanted, ids)
+        self.assertIn('Ink pen was unplugged', self.text('two.err'))
+        self.assertEqual(self.text('two.status'), '0')
+
+    def test_garbage_is_recorded_and_harms_nothing(self):
+        sent = [r for _, r in traces.reports_of(SENT['garbage'])]
+        recorded = [r for _, r in traces.reports_of(self.text('garbage.hid'))]
+        self.assertGreater(len(recorded), 50)
+        left = iter(sent)
+        # The kernel keeps reports of unknown ids and of too few bytes to itself.
+        self.assertTrue(all(any(r == s for s in left) for r in recorded), 'recorded what was never sent')
+        self.assertEqual(self.text('garbage.status'), '0')
+        self.assertEqual(self.text('garbage.decode_status'), '0')
+        self.assertEqual(self.text('garbage_descriptor.status'), '0')
+
+    def test_a_sleeping_tablet_is_told_apart_and_woken(self):
+        tablet, = self.listed('huion')
+        self.assertEqual((tablet['tablet'], tablet['transport']), ('Huion H640P', 'libusb'))
+        self.assertEqual(tablet['strings']['201'], 'HUION_T173_200101')
+        self.assertNotIn('200', tablet['strings'], 'the listing already woke it up')
+        # The kernel's driver refused it, so its descriptor is only known once it is open.
+        self.assertIn(f'R: {len(traces.HUION)} {traces.HUION.hex(" ")}', self.text('huion.hid'))
+        self.assertIn('# 0: wake string 200: "waking"', self.text('huion.hid'))
+        self.assert_recorded('huion')
+        self.assertEqual(self.text('huion_driver_while'), 'usbfs')
+        self.assertEqual(self.text('huion_driver_after'), 'usbhid')
+
+    def test_after_a_sleep_of_the_machine_a_tablet_is_woken_again(self):
+        lines = self.text('parblo.hid').splitlines()
+        woken = [i for i, l in enumerate(lines) if l == '# 0: wake feature 02 02: sent']
+        slept = [i for i, l in enumerate(lines) if l.startswith('# 0: the system slept for ')]
+        first = next(i for i, l in enumerate(lines) if l.startswith('E:'))
+        self.assertEqual((len(woken), len(slept)), (2, 1))
+        self.assertTrue(woken[0] < slept[0] < woken[1] < first)
+        self.assertEqual(self.text('parblo.sent').count('took report 02 02'), 2)
+        self.assert_recorded('parblo')
+
+    def test_coming_and_going_is_seen_while_running(self):
+        log = self.text('watch.log').splitlines()
+        for name in ('Ink pen', 'Wacom Intuos4 4x6', 'Huion Tablet', 'Burst pen'):
+            arrived = [i for i, l in enumerate(log) if l.startswith('arrived ') and l.endswith(name)]
+            left = [i for i, l in enumerate(log) if l.startswith('left ') and l.endswith(name)]
+            self.assertTrue(arrived, name)
+            if name != 'Burst pen':
+                self.assertEqual(len(arrived), len(left), name)
+                self.assertLess(arrived[0], left[0], name)
+
+    def test_no_report_of_a_burst_is_lost(self):
+        burst = json.loads(self.text('burst.json'))
+        print('burst:', json.dumps(burst), flush=True)
+        self.assertEqual(burst['received'], burst['sent'])
+        self.assertEqual((burst['wrong'], burst['overruns']), (0, 0))
+        self.assertEqual(burst['points'], burst['sent'] * 190 // 200)
+
+    def test_no_wait_inside_was_in_vain(self):
+        self.assertNotIn('GAVE UP', CONSOLE)
+
+
+parser = argparse.ArgumentParser()
+for option in ('penpose', 'tools', 'work'):
+    parser.add_argument('--' + option, required=True)
+parser.add_argument('--shared')
+parser.add_argument('--burst', type=int, default=5)
+parser.add_argument('--keep')
+OPTIONS = parser.parse_args()
+if machine.missing():
+    print(f'SKIPPED: no virtual machine without these packages: {" ".join(machine.missing())}; install them with: '
+          f'apt-get install {" ".join(machine.missing())}')
+    sys.exit(77)
+RESULTS, SENT, PEN = run_machine(OPTIONS)
+with open(os.path.join(OPTIONS.work, 'console'), 'rb') as f:
+    CONSOLE = f.read().decode(errors='replace')
+print(CONSOLE[-1500:])
+unittest.main(argv=sys.argv[:1], verbosity=2)

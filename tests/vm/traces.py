@@ -1,0 +1,90 @@
+"""Traces for the virtual machine, and what is in a trace."""
+import random
+
+INK = bytes.fromhex(
+    '050d0902a1018507 0920a100 094209440945093c0932 150025017501950581029503 8103'.replace(' ', '') +
+    '0501550e65117510 9501a4 09303500467c09267c5e8102 093146000626003c8102b4'.replace(' ', '') +
+    '050d093026ff0f8102 65145500 16d8dc262823 35a6455a093d093e95028102c0c0'.replace(' ', ''))
+# A Wacom pen interface as they all begin: a boot mouse, then reports of nine bytes that only the driver understands.
+WACOM = bytes.fromhex(
+    '05010902a1018501 0901a100 0509190129031500250195037501 81029501750581030501093009311581257f750895028106c0c0'.replace(' ', '') +
+    '050d0901a1018502a100 06 00ff 0901 1500 26ff00 7508 9509 8102 c0 0901 8502 9501 b102 0901 8503 9501 b102 c0'.replace(' ', ''))
+# A UC-Logic pen interface: reports of 12 bytes with id 8.
+HUION = bytes.fromhex('06 00ff 0901 a101 8508 7508 950b 1500 26ff00 0901 8102 c0'.replace(' ', ''))
+
+
+# Reports of ten bytes and a feature report that wakes the tablet up.
+PARBLO = bytes.fromhex('06 00ff 0901 a101 8502 7508 1500 26ff00 9509 0901 8102 9501 0901 b102 c0'.replace(' ', ''))
+
+
+def header(descriptor, name, ids, number=0):
+    return f'D: {number}\nR: {len(descriptor)} {descriptor.hex(" ")}\nN: {name}\nP: virtual/input{number}\nI: {ids}\n'
+
+
+def lines(reports):
+    return ''.join(f'E: {i // 200}.{i % 200 * 5000:06d} {len(r)} {r.hex(" ")}\n' for i, r in enumerate(reports))
+
+
+def ink_reports(count):
+    """A pen that draws strokes of 40 reports with 10 in the air between them."""
+    for i in range(count):
+        tip = i % 50 < 40
+        state = 0x10 | (1 if tip else 0)
+        values = [(i * 37) % 24188, (i * 23) % 15360, 500 + i % 3000 if tip else 0]
+        tilt = [(i * 11) % 9000, -((i * 7) % 9000)]
+        yield bytes([7, state]) + b''.join(v.to_bytes(2, 'little') for v in values) + b''.join(v.to_bytes(2, 'little', signed=True) for v in tilt)
+
+
+def intuos_reports(count):
+    """An Intuos pen: it is announced, draws, leaves, and comes again."""
+    for i in range(count):
+        k = i % 60
+        if k == 0:
+            yield bytes.fromhex('02c2 8028 1234 5670 2000'.replace(' ', ''))
+        elif k == 59:
+            yield bytes.fromhex('0280000000000000 0000'.replace(' ', ''))
+        else:
+            x, y, pressure, tilt = 100 + 83 * i % 20000, 200 + 41 * i % 12000, (k * 30 if 5 < k < 50 else 0), 64
+            yield bytes([2, 0xe0 | pressure & 1, x >> 9 & 255, x >> 1 & 255, y >> 9 & 255, y >> 1 & 255, pressure >> 3 & 255,
+                         (pressure & 6) << 5 | tilt >> 1, (tilt & 1) << 7 | tilt, 10 << 2 | (x & 1) << 1 | y & 1])
+
+
+def huion_reports(count):
+    for i in range(count):
+        tip = i % 50 < 40
+        x, y, pressure = (i * 61) % 32000, (i * 47) % 20000, 3000 + i % 1000 if tip else 0
+        yield bytes([8, 0x80 | (1 if tip else 0)]) + x.to_bytes(2, 'little') + y.to_bytes(2, 'little') + pressure.to_bytes(2, 'little') + bytes([0, 0, 5, 251])
+
+
+def garbage_reports(count):
+    """Reports under an id of the ink pen and others, of any length up to what the descriptor allows and beyond."""
+    draw = random.Random(7)
+    for i in range(count):
+        yield bytes([7 if i % 3 else draw.randrange(256)]) + draw.randbytes(draw.randrange(0, 40))
+
+
+def made():
+    """Every trace that needs no recording of a real tablet, by name."""
+    draw = random.Random(3)
+    return {
+        'ink': header(INK, 'Ink pen', '3 1b96 0021') + lines(ink_reports(600)),
+        'wacom_intuos4': header(WACOM, 'Wacom Intuos4 4x6', '3 056a 00b8') + lines(intuos_reports(600)),
+        'two_ink': header(INK, 'Ink pen', '3 1b96 0021') + lines(ink_reports(400)),
+        'two_wacom': header(WACOM, 'Wacom Intuos4 4x6', '3 056a 00b8') + lines(intuos_reports(300)),
+        'garbage': header(INK, 'Noise pen', '3 1b96 0022') + lines(garbage_reports(400)),
+        'garbage_descriptor': header(draw.randbytes(300), 'Nothing', '3 1b96 0023'),
+        'parblo': header(PARBLO, 'Parblo A609', '3 0b57 9091') + lines(intuos_reports(200)),
+        'huion': header(HUION, 'Huion Tablet', '3 256c 006d') + lines(huion_reports(300)),
+    }
+
+
+def reports_of(trace):
+    """[(interface, report in hex), ...] in order."""
+    number, reports = 0, []
+    for line in trace.splitlines():
+        if line.startswith('D:'):
+            number = int(line[2:])
+        elif line.startswith('E:'):
+            words = line.split()
+            reports.append((number, ''.join(words[3:])))
+    return reports

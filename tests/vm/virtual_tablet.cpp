@@ -1,0 +1,107 @@
+// Makes tablets out of a trace, inside the virtual machine: virtual_tablet uhid|usb TRACE [OPTION VALUE]...
+//   --go FILE          send the reports once this file exists (default: at once)
+//   --pace-us N        wait that long between reports (default 1000)
+//   --unplug-after N   pull the plug after N reports (default: after all of them)
+//   --keep FILE        stay plugged in until this file exists
+//   --port N           of the virtual USB host controller
+//   --string N=TEXT    a USB string descriptor
+//   --asleep-until N   send nothing before this string was read
+// Prints how many reports were sent.
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <thread>
+
+#include "replay/trace_source.h"
+#include "tests/support/shared_data.h"
+#include "tests/vm/virtual_device.h"
+
+namespace {
+
+using namespace penpose;
+
+struct Options {
+  std::string go;
+  std::string keep;
+  long pace_us = 1000;
+  long unplug_after = -1;
+  tests::UsbBehaviour usb;
+};
+
+bool take_option(Options& options, const std::string& name, const std::string& value) {
+  if (name == "--go") {
+    options.go = value;
+  } else if (name == "--keep") {
+    options.keep = value;
+  } else if (name == "--pace-us") {
+    options.pace_us = std::strtol(value.c_str(), nullptr, 10);
+  } else if (name == "--unplug-after") {
+    options.unplug_after = std::strtol(value.c_str(), nullptr, 10);
+  } else if (name == "--port") {
+    options.usb.port = static_cast<int>(std::strtol(value.c_str(), nullptr, 10));
+  } else if (name == "--asleep-until") {
+    options.usb.asleep_until_string = static_cast<int>(std::strtol(value.c_str(), nullptr, 10));
+  } else if (name == "--string" && value.find('=') != std::string::npos) {
+    const int index = static_cast<int>(std::strtol(value.c_str(), nullptr, 10));
+    options.usb.strings[index] = value.substr(value.find('=') + 1);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void wait_for(const std::string& file) {
+  while (!file.empty() && !std::filesystem::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+}
+
+int fail(const base::Error& error) {
+  std::cerr << "virtual_tablet: " << error.line() << '\n';
+  return 1;
+}
+
+int play(const std::string& kind, const std::string& trace, const Options& options) {
+  const auto bytes = tests::read_file(trace);
+  replay::TraceSource source(replay::read_from(bytes));
+  if (const auto header = source.read_header(); !header) return fail(header.error());
+  auto device =
+      kind == "usb" ? tests::make_usb_device(source.devices(), options.usb) : tests::make_uhid_device(source.devices());
+  if (!device) return fail(device.error());
+  std::cerr << "plugged in" << std::endl;
+  wait_for(options.go);
+  long sent = 0;
+  auto next = std::chrono::steady_clock::now();
+  for (auto report = source.next(); report && report->has_value(); report = source.next()) {
+    if (options.unplug_after >= 0 && sent >= options.unplug_after) break;
+    std::this_thread::sleep_until(next);
+    // A machine that stood still for a while sends nothing after the fact.
+    next = std::max(next, std::chrono::steady_clock::now()) + std::chrono::microseconds(options.pace_us);
+    if (const auto done = (*device)->send((*report)->device, (*report)->bytes); !done) {
+      std::cout << "sent " << sent << std::endl;
+      return fail(done.error());
+    }
+    ++sent;
+  }
+  // What was sent last is still on its way.
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  std::cout << "sent " << sent << std::endl;
+  wait_for(options.keep);
+  (*device)->unplug();
+  std::cerr << "unplugged" << std::endl;
+  // Closing the server's end of a virtual USB device may wait for the kernel for good; the end of the machine frees
+  // all.
+  std::_Exit(0);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3) return 2;
+  Options options;
+  for (int i = 3; i + 1 < argc; i += 2) {
+    if (!take_option(options, argv[i], argv[i + 1])) return 2;
+  }
+  return play(argv[1], argv[2], options);
+}

@@ -1,0 +1,240 @@
+#include "ui/cli/record_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <poll.h>
+#include <unistd.h>
+
+#include "firmware_io/device/clock.h"
+#include "firmware_io/device/interface_list.h"
+#include "firmware_io/device/live_tablet.h"
+#include "firmware_io/device/permission.h"
+#include "firmware_io/device/report_pump.h"
+#include "replay/tablet_recorder.h"
+#include "ui/cli/append_file.h"
+#include "ui/cli/commands.h"
+#include "ui/cli/files.h"
+#include "ui/cli/own_program.h"
+#include "ui/cli/own_tablets.h"
+#include "ui/cli/stop_signal.h"
+
+namespace penpose::cli {
+namespace {
+
+struct Options {
+  std::string output;
+  std::string device;
+  std::string tablets;
+  double seconds = 0;
+};
+
+constexpr int k_wait_ms = 100;
+constexpr std::int64_t k_progress_us = 250'000;
+constexpr std::int64_t k_flush_us = 1'000'000;
+
+/// The interface that the option names, recognised or not, else every pen that is plugged in.
+base::Result<std::vector<device::LiveTablet>> wanted_tablets(const Options& options, const decode::TabletTable* own) {
+  if (!options.device.empty()) {
+    auto interfaces = device::list_interfaces();
+    if (!interfaces) return interfaces.error();
+    for (auto& interface : *interfaces) {
+      const bool named = options.device == interface.hidraw_node || options.device == "usb:" + interface.usb_name;
+      if (!named || options.device.empty()) continue;
+      auto tablet = device::recognise(std::move(interface), own);
+      // Whoever names a path wants it read that way.
+      tablet.use(options.device == tablet.interface.hidraw_node ? device::Transport::hidraw
+                                                                : device::Transport::libusb);
+      return std::vector<device::LiveTablet>{std::move(tablet)};
+    }
+    return base::Error{"no such device is plugged in", options.device, "`penpose devices` lists them"};
+  }
+  auto tablets = device::list_tablets(own);
+  if (!tablets) return tablets;
+  std::erase_if(*tablets, [](const auto& tablet) { return tablet.carries != device::Carries::pen; });
+  if (tablets->empty()) {
+    return base::Error{"no tablet is plugged in", "", "plug one in, or name any HID device with --device"};
+  }
+  return tablets;
+}
+
+/// A tablet that is being recorded.
+struct Recorded {
+  int number = 0;
+  std::string name;
+  std::unique_ptr<device::ReportPump> pump;
+  bool ended = false;
+};
+
+class RecordRun {
+ public:
+  RecordRun(const Options& options, const decode::TabletTable* own) : options_(options), own_(own) {}
+  int run();
+
+ private:
+  base::Status open();
+  base::Status write_new();
+  void take_records();
+  void wait() const;
+  [[nodiscard]] bool all_gone() const;
+  void show_progress(std::int64_t now_us);
+  void print_summary() const;
+
+  const Options& options_;
+  const decode::TabletTable* own_;
+  std::vector<Recorded> tablets_;
+  replay::TabletRecorder recorder_;
+  std::optional<AppendFile> file_;
+  std::vector<std::pair<int, device::Record>> batch_;
+  std::int64_t flushed_us_ = 0;
+  std::int64_t shown_us_ = 0;
+  std::uint64_t shown_reports_ = 0;
+  bool visible_ = ::isatty(STDERR_FILENO) == 1;
+};
+
+base::Status RecordRun::open() {
+  auto wanted = wanted_tablets(options_, own_);
+  if (!wanted) return wanted.error();
+  std::optional<base::Error> refusal;
+  for (device::LiveTablet& tablet : *wanted) {
+    const std::string name = tablet.interface.identity.name;
+    const bool allowed = tablet.access == device::Access::allowed;
+    auto source = allowed ? device::open_tablet(tablet, own_) : base::Error{"cannot be opened", "", ""};
+    if (!source) {
+      refusal = source.error();
+      refusal->place = name + " (" + tablet.path() + ")";
+      if (const auto why = device::missing(tablet, own_program()); !why.empty()) refusal->remedy = why;
+      std::cerr << "penpose: " << refusal->line() << '\n';
+      continue;
+    }
+    const int number = recorder_.add_tablet(tablet.interface.identity, tablet.interface.trace_path(), own_);
+    tablets_.push_back(
+        {number, name,
+         std::make_unique<device::ReportPump>(std::move(*source), device::ReportPump::Options{tablet.wake_up()}),
+         false});
+    std::cerr << "recording " << name << " (" << tablet.path() << ", "
+              << (tablet.method.empty() ? "not recognised" : tablet.method) << ")\n";
+  }
+  if (tablets_.empty()) return base::Error{"no tablet could be opened", "", "see above"};
+  auto file = AppendFile::create(options_.output, recorder_.take());
+  if (!file) {
+    file_.reset();
+    return base::Error{file.error().what, options_.output, file.error().remedy};
+  }
+  file_ = std::move(*file);
+  return base::Done{};
+}
+
+void RecordRun::take_records() {
+  // What two tablets sent is put in order by time.
+  batch_.clear();
+  device::Record record;
+  for (Recorded& tablet : tablets_) {
+    while (tablet.pump->take(record)) batch_.emplace_back(tablet.number, std::move(record));
+  }
+  std::stable_sort(batch_.begin(), batch_.end(),
+                   [](const auto& a, const auto& b) { return a.second.time_us < b.second.time_us; });
+  for (const auto& [number, taken] : batch_) recorder_.add(number, taken);
+  for (Recorded& tablet : tablets_) {
+    if (tablet.ended || !tablet.pump->gone()) continue;
+    // It may have sent something between the last `take` and its end.
+    while (tablet.pump->take(record)) recorder_.add(tablet.number, record);
+    recorder_.end(tablet.number);
+    tablet.ended = true;
+    std::cerr << (visible_ ? "\r\033[K" : "") << tablet.name << " was unplugged\n";
+  }
+}
+
+base::Status RecordRun::write_new() {
+  const std::string text = recorder_.take();
+  if (const auto done = file_->append(text); !done) return done;
+  const std::int64_t now = device::monotonic_us();
+  if (!recorder_.take_pen_up() && now - flushed_us_ < k_flush_us) return base::Done{};
+  flushed_us_ = now;
+  return file_->flush();
+}
+
+void RecordRun::wait() const {
+  std::vector<pollfd> waiting;
+  for (const Recorded& tablet : tablets_) {
+    if (!tablet.ended) waiting.push_back({tablet.pump->wake_fd(), POLLIN, 0});
+  }
+  ::poll(waiting.data(), waiting.size(), k_wait_ms);
+  for (const Recorded& tablet : tablets_) tablet.pump->wait(0);
+}
+
+bool RecordRun::all_gone() const {
+  return std::all_of(tablets_.begin(), tablets_.end(), [](const Recorded& tablet) { return tablet.ended; });
+}
+
+void RecordRun::show_progress(std::int64_t now_us) {
+  if (!visible_ || now_us - shown_us_ < k_progress_us) return;
+  const auto& counts = recorder_.counts();
+  const double seconds = static_cast<double>(now_us - shown_us_) / 1e6;
+  const auto rate = static_cast<long>(static_cast<double>(counts.reports - shown_reports_) / seconds + 0.5);
+  std::cerr << "\r\033[K" << counts.reports << " reports, " << (shown_us_ == 0 ? 0 : rate) << " a second, "
+            << counts.strokes << " strokes";
+  if (counts.lost > 0) std::cerr << ", " << counts.lost << " lost";
+  std::cerr << std::flush;
+  shown_us_ = now_us;
+  shown_reports_ = counts.reports;
+}
+
+void RecordRun::print_summary() const {
+  const auto& counts = recorder_.counts();
+  if (visible_) std::cerr << "\r\033[K" << std::flush;
+  char seconds[32];
+  std::snprintf(seconds, sizeof seconds, "%.3f", static_cast<double>(counts.span_us) / 1e6);
+  std::cout << options_.output << ": " << counts.reports << " reports in " << seconds << " s, " << counts.strokes
+            << " strokes, " << counts.lost << " lost\n";
+}
+
+int RecordRun::run() {
+  const StopSignal stop;
+  if (const auto opened = open(); !opened) return report(opened.error());
+  const std::int64_t begin = device::monotonic_us();
+  const auto length_us = static_cast<std::int64_t>(options_.seconds * 1e6);
+  base::Status status = base::Done{};
+  bool over = false;
+  while (status && !over) {
+    wait();
+    // Decided before the last look at the tablets, so that it takes all that came until then.
+    const std::int64_t now = device::monotonic_us();
+    over = StopSignal::asked() || (options_.seconds > 0 && now - begin >= length_us);
+    take_records();
+    over = over || all_gone();
+    status = write_new();
+    show_progress(now);
+  }
+  for (const Recorded& tablet : tablets_) {
+    if (!tablet.ended) recorder_.end(tablet.number);
+  }
+  if (status) status = file_->flush();
+  if (!status) return report(status.error(), options_.output);
+  print_summary();
+  return k_success;
+}
+
+int record(const Options& options) {
+  const auto own = read_own_tablets(options.tablets);
+  if (!own) return report(own.error(), options.tablets);
+  return RecordRun(options, &*own).run();
+}
+
+}  // namespace
+
+void add_record_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<Options>();
+  auto* command = app.add_subcommand(
+      "record", "Records what tablets send, in hid-recorder's format, until Ctrl-C or until they are unplugged.");
+  command->add_option("-o,--output", options->output, "The trace to write")->required();
+  command->add_option("--device", options->device, "One device by its path, as `penpose devices` gives it");
+  command->add_option("--seconds", options->seconds, "Stop after that time")->check(CLI::PositiveNumber);
+  command->add_option(k_tablets_option, options->tablets, k_tablets_help);
+  command->callback([options, &status] { status = record(*options); });
+}
+
+}  // namespace penpose::cli
