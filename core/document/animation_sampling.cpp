@@ -150,14 +150,11 @@ base::Result<Model> model_at(const Model& model, const AnimationSample& moment) 
     posed.skeleton = std::move(*skeleton);
     posed.rig = std::move(*rig);
   }
-  if (!model.shapes || moment.weights.size() != model.shapes->shapes().size()) return posed;
-  for (std::size_t layer = 0; layer < model.rig->layers().size(); ++layer) {
-    if (model.rig->layers()[layer].get() != model.shapes.get()) continue;
-    const std::size_t first = model.rig->first_parameter(layer);
-    for (std::size_t i = 0; i < moment.weights.size(); ++i) {
-      const rig::Parameter& parameter = model.rig->parameters()[first + i];
-      posed.pose[first + i] = std::clamp(moment.weights[i], parameter.minimum, parameter.maximum);
-    }
+  if (moment.weights.size() != weight_count(model)) return posed;
+  // Shapes and deformers are the first parameters.
+  for (std::size_t i = 0; i < moment.weights.size(); ++i) {
+    const rig::Parameter& parameter = model.rig->parameters()[i];
+    posed.pose[i] = std::clamp(moment.weights[i], parameter.minimum, parameter.maximum);
   }
   return posed;
 }

@@ -1,8 +1,11 @@
 #include "core/document/apply.h"
 
 #include <glm/vec3.hpp>
+#include <optional>
+#include <type_traits>
 #include <utility>
 
+#include "core/base/utf8.h"
 #include "core/document/apply_parts.h"
 
 namespace penpose::document {
@@ -40,12 +43,30 @@ base::Result<std::shared_ptr<const articulation::Canvas>> ApplyWorkspace::Parts:
   return canvas;
 }
 
+namespace {
+
+/// Names go into files that hold UTF-8 only, where two names that differ must not become one.
+template <typename One>
+std::optional<base::Error> check_texts(const One& command) {
+  std::optional<base::Error> error;
+  One::fields(command, [&](std::string_view member, const auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>) {
+      if (base::valid_utf8(value) == value) return;
+      error = base::Error{"the text is not valid UTF-8", std::string(member), "write it as UTF-8"};
+    }
+  });
+  return error;
+}
+
+}  // namespace
+
 base::Error at(const char* member, base::Error error) {
   error.place = error.place.empty() ? member : std::string(member) + "/" + error.place;
   return error;
 }
 
 base::Result<Document> apply(const Document& document, const Command& command, ApplyWorkspace& work) {
+  if (auto error = std::visit([](const auto& one) { return check_texts(one); }, command)) return *error;
   return std::visit([&](const auto& one) { return run(document, one, work.parts()); }, command);
 }
 

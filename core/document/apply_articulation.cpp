@@ -51,9 +51,22 @@ base::Result<std::size_t> number_of(const Document& document, const std::string&
   return *number;
 }
 
+/// A control may not take the name of the deformer that is being sketched: the sketch could not be completed, nor read
+/// again from a file.
+std::optional<base::Error> check_pending_name(const Document& document) {
+  if (!document.pending) return std::nullopt;
+  const std::string& name = document.pending->sketch.name;
+  if (!rig::find_parameter(document.model->rig->parameters(), name)) return std::nullopt;
+  return base::Error{"the deformer that is being sketched has the name \"" + name + "\"", "",
+                     "complete or cancel it first"};
+}
+
 Changed with_set(const Document& document, const base::Result<SketchedDeformers::Shared>& set) {
   if (!set) return set.error();
-  return with_deformers(document, *set);
+  auto changed = with_deformers(document, *set);
+  if (!changed) return changed;
+  if (auto error = check_pending_name(*changed)) return *error;
+  return changed;
 }
 
 std::string free_name(const Document& document) {
@@ -120,9 +133,9 @@ Changed complete(const Document& document, const Sketch& sketch, Parts& work) {
   if (!canvas) return canvas.error();
   auto deformer = build_deformer(sketch, **canvas);
   if (!deformer) return deformer.error();
-  auto changed = with_set(document, with_added(*set_of(document), std::move(deformer).value()));
-  if (changed) changed->pending.reset();
-  return changed;
+  Document completed = document;
+  completed.pending.reset();
+  return with_set(completed, with_added(*set_of(document), std::move(deformer).value()));
 }
 
 Changed rebuilt(const Document& document, std::size_t number, const Sketch& sketch, Parts& work) {
@@ -152,6 +165,10 @@ Changed run(const Document& document, const BeginDeformer& command, Parts&) {
   sketch.surface = command.surface;
   sketch.minimum = command.minimum;
   sketch.maximum = command.maximum;
+  // What is wrong already is told before anything is drawn.
+  Sketch drawn = sketch;
+  drawn.general = drawn.specific = drawn.target = {{}};
+  if (const auto checked = check_sketch(drawn); !checked) return checked.error();
   return with_pending(document, std::move(sketch));
 }
 
@@ -162,11 +179,17 @@ Changed run(const Document& document, const SketchCurve& command, Parts& work) {
   } else {
     sketch.name = free_name(document);
   }
+  if (command.line.size() > articulation::k_most_points) {
+    return base::Error{"the curve has too many points", "line", "use at most 100,000"};
+  }
   if (command.role == CurveRole::general || command.role == CurveRole::specific) {
     return draw_region(document, std::move(sketch), command, work);
   }
   if (sketch.specific.empty()) {
     return not_yet("the region of specific interest is not drawn yet", "draw around what should move as a whole");
+  }
+  if (const auto own = geometry::Camera::make(command.view.camera, command.view.viewport); !own) {
+    return at("view", own.error());
   }
   const std::vector<PxPoint> line = rescaled(command.line, command.view.viewport, sketch.viewport);
   auto drawn = redrawn(sketch, command.role, line, command.view.camera);
@@ -194,6 +217,9 @@ Changed run(const Document& document, const RedrawCurve& command, Parts& work) {
   const auto number = number_of(document, command.deformer);
   if (!number) return number.error();
   const Sketch& sketch = document.model->deformers->deformers()[*number]->sketch();
+  if (const auto own = geometry::Camera::make(command.view.camera, command.view.viewport); !own) {
+    return at("view", own.error());
+  }
   auto drawn = redrawn(sketch, command.role, rescaled(command.line, command.view.viewport, sketch.viewport),
                        command.view.camera);
   if (!drawn) return drawn.error();
@@ -237,6 +263,7 @@ Changed run(const Document& document, const RenameDeformer& command, Parts&) {
     *locked = command.to;
     std::sort(changed.locked.begin(), changed.locked.end());
   }
+  if (auto error = check_pending_name(changed)) return *error;
   return changed;
 }
 

@@ -1,10 +1,13 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 
 #include "core/curve/pairing.h"
 #include "core/curve/projection.h"
 #include "core/document/apply_parts.h"
 #include "core/document/target_line.h"
+#include "core/geometry/lasso.h"
 #include "core/posing/problem.h"
 
 namespace penpose::document {
@@ -67,7 +70,10 @@ base::Result<std::vector<mesh::MeshPoint>> drawn_on_surface(const Document& docu
   return std::move(drawn->points);
 }
 
-Document with_curve(const Document& document, PoseCurve curve) {
+Changed with_curve(const Document& document, PoseCurve curve) {
+  if (document.last_curve == std::numeric_limits<std::uint32_t>::max()) {
+    return base::Error{"all numbers of curves are used up", "", "draw on in a new document"};
+  }
   Document changed = document;
   curve.id = CurveId{++changed.last_curve};
   changed.curves.push_back(std::make_shared<const PoseCurve>(std::move(curve)));
@@ -114,11 +120,13 @@ base::Result<Line> line_in(const DrawnTarget& target, const View& view) {
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!camera) return at("view", camera.error());
   Line line;
-  for (const ModelPoint& point : target.points) {
-    const auto px = camera->project(point);
+  // Only the proportions of pressures count, and the weights have kept them.
+  const double strongest = *std::max_element(target.weights.begin(), target.weights.end());
+  for (std::size_t i = 0; i < target.points.size(); ++i) {
+    const auto px = camera->project(target.points[i]);
     if (!px) return base::Error{"the target lies behind the camera", "view", "look at it and draw again"};
     line.points.push_back(*px);
-    line.pressure.push_back(1.0);
+    line.pressure.push_back(target.weights[i] / strongest);
   }
   return line;
 }
@@ -176,6 +184,9 @@ Changed run(const Document& document, const OversketchTarget& command, Parts& wo
 Changed run(const Document& document, const DragTarget& command, Parts& work) {
   const auto curve = reference_named(document, command.curve, true);
   if (!curve) return curve.error();
+  if (!(std::abs(command.by.x) <= geometry::k_largest_px && std::abs(command.by.y) <= geometry::k_largest_px)) {
+    return base::Error{"the target cannot go that far", "by", "drag it by at most a million px"};
+  }
   const DrawnTarget& target = *(*curve)->target;
   std::vector<PxPoint> line = target.line;
   for (PxPoint& p : line) p = p + command.by;

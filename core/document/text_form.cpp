@@ -11,6 +11,13 @@ namespace {
 
 constexpr double k_largest_number = 1e15;
 
+std::optional<unsigned> hex_digit(char c) {
+  if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0');
+  if (c >= 'A' && c <= 'F') return static_cast<unsigned>(c - 'A' + 10);
+  if (c >= 'a' && c <= 'f') return static_cast<unsigned>(c - 'a' + 10);
+  return std::nullopt;
+}
+
 bool stands_for_itself(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
 }
@@ -98,6 +105,7 @@ std::string escape(std::string_view text) {
 
 std::optional<std::string> unescape(std::string_view text) {
   if (text == "%") return std::string();
+  if (text.empty()) return std::nullopt;
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (stands_for_itself(text[i])) {
@@ -105,9 +113,10 @@ std::optional<std::string> unescape(std::string_view text) {
       continue;
     }
     if (text[i] != '%' || i + 2 >= text.size()) return std::nullopt;
-    const auto byte = base::parse_uint(text.substr(i + 1, 2), 16);
-    if (!byte) return std::nullopt;
-    out += static_cast<char>(static_cast<unsigned char>(*byte));
+    const auto high = hex_digit(text[i + 1]);
+    const auto low = hex_digit(text[i + 2]);
+    if (!high || !low) return std::nullopt;
+    out += static_cast<char>(static_cast<unsigned char>(*high * 16U + *low));
     i += 2;
   }
   return out;

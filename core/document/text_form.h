@@ -104,6 +104,7 @@ struct TextForm<std::vector<T>> {
   }
   static std::optional<std::vector<T>> read(std::string_view text) {
     std::vector<T> values;
+    if (text.ends_with(';')) return std::nullopt;
     while (!text.empty()) {
       auto value = TextForm<T>::read(take_piece(text, ';'));
       if (!value || values.size() == articulation::k_most_points) return std::nullopt;

@@ -52,7 +52,7 @@ std::optional<base::Error> set_member(One& command, std::string_view name, std::
       read = true;
     }
   });
-  if (!known) return base::Error{"the command has no such member", std::string(name), "leave it out"};
+  if (!known) return base::Error{"the command has no such member", std::string(name.substr(0, 40)), "leave it out"};
   if (!read) return base::Error{"the value has another form", std::string(name), "write it as the program does"};
   return std::nullopt;
 }

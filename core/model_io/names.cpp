@@ -1,30 +1,9 @@
 #include "core/model_io/names.h"
 
-#include <cstdint>
 #include <map>
 #include <set>
 
 namespace penpose::model_io {
-namespace {
-
-/// Length of the UTF-8 sequence at the start of `text`; 0 when it is not valid (RFC 3629).
-std::size_t sequence_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
-  const std::uint8_t first = byte(0);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-  if (first < 0xc2 || first > 0xf4 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xc0) != 0x80) return 0;
-  }
-  const std::uint8_t second = byte(1);
-  const bool overlong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
-  const bool surrogate = first == 0xed && second >= 0xa0;
-  const bool too_large = first == 0xf4 && second >= 0x90;
-  return overlong || surrogate || too_large ? 0 : length;
-}
-
-}  // namespace
 
 void make_unique(std::vector<std::string>& names) {
   std::set<std::string> taken(names.begin(), names.end());
@@ -40,21 +19,6 @@ void make_unique(std::vector<std::string>& names) {
     name = std::move(candidate);
     seen.insert(name);
   }
-}
-
-std::string valid_utf8(std::string_view text) {
-  std::string valid;
-  while (!text.empty()) {
-    const std::size_t length = sequence_length(text);
-    if (length == 0) {
-      valid += '?';
-      text.remove_prefix(1);
-    } else {
-      valid += text.substr(0, length);
-      text.remove_prefix(length);
-    }
-  }
-  return valid;
 }
 
 }  // namespace penpose::model_io

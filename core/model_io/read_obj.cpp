@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/base/numbers.h"
+#include "core/base/utf8.h"
 #include "core/model_io/names.h"
 #include "core/model_io/polygon.h"
 #include "core/model_io/surface_model.h"
@@ -72,7 +73,7 @@ class ObjReader {
     if (keyword == "f") return read_face(content);
     if (keyword == "o") {
       Object object;
-      object.name = valid_utf8(base::trim(content));
+      object.name = base::valid_utf8(base::trim(content));
       object.declared = static_cast<std::uint32_t>(source_.positions.size());
       objects_.push_back(std::move(object));
     } else if (keyword == "vt") {

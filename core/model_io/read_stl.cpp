@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/numbers.h"
+#include "core/base/utf8.h"
 #include "core/model_io/names.h"
 #include "core/model_io/surface_model.h"
 #include "core/model_io/text_lines.h"
@@ -98,7 +99,7 @@ base::Result<document::Model> read_text(base::Bytes bytes) {
     std::string_view content = *line;
     const std::string_view keyword = take_word(content);
     if (keyword == "solid") {
-      soup.begin_solid(valid_utf8(base::trim(content)));
+      soup.begin_solid(base::valid_utf8(base::trim(content)));
       in_solid = true;
     } else if (keyword == "vertex") {
       if (!in_solid || corner >= 3) return lines.error("a vertex outside a facet of three", k_export_again);

@@ -9,8 +9,8 @@ folder=$(mkdir -p "$1" && cd "$1" && pwd)
 shift
 [ $# -gt 0 ] || set -- gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3 asan-ubsan tsan aarch64
 
-sysroot_packages="libxxhash-dev libxxhash0 libopenmesh-dev libopenmesh1 libtinygltf-dev nlohmann-json3-dev libglm-dev
-  libhidapi-dev libhidapi-hidraw0 libusb-1.0-0-dev libusb-1.0-0 libudev-dev libudev1 libcap2"
+sysroot_packages="libxxhash-dev libxxhash0 libopenmesh-dev libopenmesh1 libtinygltf-dev libtinygltf2d nlohmann-json3-dev libglm-dev
+  libhidapi-dev libhidapi-hidraw0 libhidapi-libusb0 libusb-1.0-0-dev libusb-1.0-0 libudev-dev libudev1 libcap2"
 
 make_sysroot() {
   [ -e "$folder/sysroot/complete" ] && return 0

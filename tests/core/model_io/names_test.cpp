@@ -14,12 +14,5 @@ TEST(Names, RepeatedOnesGetNumbersThatAreFree) {
   EXPECT_EQ(again, names);
 }
 
-TEST(Names, InvalidUtf8IsReplaced) {
-  EXPECT_EQ(valid_utf8("Auge \xc3\xa9 \xe2\x82\xac \xf0\x9f\x98\x80"), "Auge \xc3\xa9 \xe2\x82\xac \xf0\x9f\x98\x80");
-  EXPECT_EQ(valid_utf8("\xe9ye"), "?ye");
-  EXPECT_EQ(valid_utf8("\xc0\x80\xed\xa0\x80\xf5"), "??????");
-  EXPECT_EQ(valid_utf8("x\xe2\x82"), "x??");
-}
-
 }  // namespace
 }  // namespace penpose::model_io
