@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -18,6 +19,14 @@ base::Error system_error(const char* what) {
 }  // namespace
 
 base::Result<AppendFile> AppendFile::create(const std::string& path, std::string_view first_piece) {
+  // What is no plain file, a pipe or a device, is written to and never replaced.
+  struct stat there {};
+  if (::stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode)) {
+    AppendFile existing(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+    if (existing.file_ < 0) return system_error("cannot be written");
+    if (const auto status = existing.append(first_piece); !status) return status.error();
+    return existing;
+  }
   const std::string temporary = path + ".part-" + std::to_string(::getpid());
   AppendFile made(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666));
   if (made.file_ < 0) return system_error("cannot be written");

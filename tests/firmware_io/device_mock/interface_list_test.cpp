@@ -91,7 +91,7 @@ TEST_F(MockDevices, AnInterfaceThatAProgramHoldsIsSaidToBeBusy) {
   EXPECT_EQ(list[0].transport, Transport::libusb);
   EXPECT_EQ(list[0].path(), "usb:1-3:1.0");
   EXPECT_EQ(list[0].access, Access::busy);
-  EXPECT_NE(missing(list[0], "penpose").find("penpose devices --give-back"), std::string::npos);
+  EXPECT_NE(missing(list[0], "penpose").find("close that program"), std::string::npos);
 }
 
 TEST_F(MockDevices, WithoutPermissionItSaysWhatMendsIt) {

@@ -30,5 +30,11 @@ TEST_F(AppendFileTest, AFolderThatIsNotThereIsAnError) {
   EXPECT_NE(file.error().line().find("cannot be written (No such file or directory)"), std::string::npos);
 }
 
+TEST_F(AppendFileTest, WhatIsNoFileIsWrittenToAndNotReplaced) {
+  EXPECT_TRUE(AppendFile::create("/dev/null", "x"));
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  EXPECT_FALSE(AppendFile::create("/dev/full", "x")) << "as a full disk";
+}
+
 }  // namespace
 }  // namespace penpose::cli
