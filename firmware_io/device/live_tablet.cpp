@@ -46,6 +46,7 @@ bool read_strings(LiveTablet& tablet, const decode::TabletTable* own, const Read
   decode::DeviceIdentity& identity = tablet.interface.identity;
   auto indices = telling_strings(decode::known_tablets(), identity);
   if (own != nullptr) indices.merge(telling_strings(*own, identity));
+  std::erase_if(indices, [&](std::uint8_t index) { return identity.strings.contains(index); });
   if (tablet.interface.usb_node.empty()) return indices.empty();
   if (!indices.empty() && !read && ::access(tablet.interface.usb_node.c_str(), R_OK | W_OK) != 0) return false;
   for (const std::uint8_t index : indices) {
@@ -123,11 +124,16 @@ LiveTablet recognise(HidInterface interface, const decode::TabletTable* own, con
   return tablet;
 }
 
-base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* own) {
+base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* own,
+                                                   const std::vector<LiveTablet>& before) {
   auto interfaces = list_interfaces();
   if (!interfaces) return interfaces.error();
   std::vector<LiveTablet> tablets;
   for (HidInterface& interface : *interfaces) {
+    for (const LiveTablet& known : before) {
+      const bool same = known.interface.parent == interface.parent && known.interface.usb_node == interface.usb_node;
+      if (same && !interface.usb_node.empty()) interface.identity.strings = known.interface.identity.strings;
+    }
     LiveTablet tablet = recognise(std::move(interface), own);
     if (tablet.carries != Carries::other) tablets.push_back(std::move(tablet));
   }

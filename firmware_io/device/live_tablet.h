@@ -54,13 +54,16 @@ struct LiveTablet {
 /// Reads a USB string of a device; replaced in tests.
 using ReadString = std::function<base::Result<std::string>(const std::string& usb_node, std::uint8_t index)>;
 
-/// Recognises an interface: reads those strings that the table asks for to tell its tablets apart, and decides how to
+/// Recognises an interface: reads those strings, unless they are known, that the
+/// table asks for to tell its tablets apart, and decides how to
 /// open it. `own` (may be null) holds the user's tablets and must live as long as the result.
 [[nodiscard]] LiveTablet recognise(HidInterface interface, const decode::TabletTable* own = nullptr,
                                    const ReadString& read_string = {});
 
-/// Every interface that carries a pen or the keys of a tablet. Errors: those of listing.
-[[nodiscard]] base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* own = nullptr);
+/// Every interface that carries a pen or the keys of a tablet. Strings of devices that were there `before` are taken
+/// over and not asked for again. Errors: those of listing.
+[[nodiscard]] base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* own = nullptr,
+                                                                 const std::vector<LiveTablet>& before = {});
 
 /// Opens it as `transport` says. A descriptor that only the device itself could tell is asked for, and the tablet
 /// recognised anew by it. Errors say what is missing.

@@ -134,8 +134,7 @@ std::string missing(const LiveTablet& tablet, const std::string& program) {
     case Access::denied:
       return denied(tablet, program);
     case Access::busy:
-      return "Another program has taken it from the system; close that program, or where it has crashed run: " +
-             program + " devices --give-back";
+      return "Another program has taken it from the system; close that program";
     case Access::absent:
       return "The system has made no device node for it; in a container, start that with the host's /dev";
     case Access::allowed:

@@ -79,7 +79,7 @@ TabletChanges TabletWatch::next(int timeout_ms) {
   if (!monitor_->take(timeout_ms)) return {};
   for (int i = 0; i < k_most_settles && monitor_->take(k_settle_ms); ++i) {
   }
-  auto now = list_tablets(own_);
+  auto now = list_tablets(own_, tablets_);
   if (!now) return {};
   TabletChanges changes = changes_between(tablets_, *now);
   tablets_ = std::move(now).value();

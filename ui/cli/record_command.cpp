@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -150,7 +151,7 @@ void RecordRun::take_records() {
 
 base::Status RecordRun::write_new() {
   const std::string text = recorder_.take();
-  if (const auto done = file_->append(text); !done) return done;
+  if (auto done = file_->append(text); !done) return done;
   const std::int64_t now = device::monotonic_us();
   if (!recorder_.take_pen_up() && now - flushed_us_ < k_flush_us) return base::Done{};
   flushed_us_ = now;
@@ -174,7 +175,7 @@ void RecordRun::show_progress(std::int64_t now_us) {
   if (!visible_ || now_us - shown_us_ < k_progress_us) return;
   const auto& counts = recorder_.counts();
   const double seconds = static_cast<double>(now_us - shown_us_) / 1e6;
-  const auto rate = static_cast<long>(static_cast<double>(counts.reports - shown_reports_) / seconds + 0.5);
+  const auto rate = std::lround(static_cast<double>(counts.reports - shown_reports_) / seconds);
   std::cerr << "\r\033[K" << counts.reports << " reports, " << (shown_us_ == 0 ? 0 : rate) << " a second, "
             << counts.strokes << " strokes";
   if (counts.lost > 0) std::cerr << ", " << counts.lost << " lost";

@@ -59,6 +59,16 @@ TEST(Recognise, TheFirmwareStringTellsTheTabletAndHowToWakeIt) {
   EXPECT_EQ(std::count(strings.asked_.begin(), strings.asked_.end(), 200), 0) << "that one would wake it up already";
 }
 
+TEST(Recognise, AStringThatIsKnownIsNotAskedForAgain) {
+  HidInterface interface = huion();
+  interface.identity.strings = {{201, "HUION_T173_200101"}};
+  Strings strings;
+  const LiveTablet tablet = recognise(std::move(interface), nullptr, strings.reader("another one"));
+  EXPECT_EQ(std::count(strings.asked_.begin(), strings.asked_.end(), 201), 0);
+  ASSERT_TRUE(tablet.match);
+  EXPECT_EQ(tablet.match->tablet->name, "H640P");
+}
+
 TEST(Recognise, ATabletThatMayBeAnotherIsSentNothing) {
   HidInterface interface = huion();
   interface.usb_node.clear();
