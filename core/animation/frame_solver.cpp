@@ -1,0 +1,132 @@
+#include "core/animation/frame_solver.h"
+
+#include <algorithm>
+
+#include "core/curve/pairing.h"
+#include "core/posing/curve_system.h"
+#include "core/posing/finish.h"
+#include "core/posing/pose_objective.h"
+#include "core/posing/relevance.h"
+#include "core/posing/staged_simplex.h"
+
+namespace penpose::animation {
+
+struct FrameSolver::State {
+  State(const rig::Rig& r, Transfer t, const geometry::Camera& c, const posing::PoseProblem& problem)
+      : rig(r), transfer(std::move(t)), camera(c), system(rig, problem) {}
+
+  const rig::Rig& rig;
+  Transfer transfer;
+  geometry::Camera camera;
+  posing::CurveSystem system;
+  FrameOptions options;
+  posing::Relevance relevance;
+  bool linear = false;
+  posing::LinearModel model;         ///< where the rig is not linear, its variables and the pull alone
+  posing::Residuals points_at_zero;  ///< positions of the curve points at u = 0, laid out as residuals
+  std::vector<double> rest_u;
+  std::vector<double> u;
+  rig::Pose pose;
+  std::vector<geometry::PxPoint> targets;
+  std::vector<geometry::ModelPoint> now;
+  posing::StageWorkspace stages;
+  posing::FinishWorkspace finish;
+
+  void aim(std::size_t point, const geometry::ModelPoint& target, double weight) {
+    system.set_target(point, target);
+    system.set_weight(point, weight);
+    if (!linear) return;
+    model.weights[point] = weight;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t i = posing::residual_index(point, axis);
+      model.at_zero[i] = points_at_zero[i] - target[static_cast<int>(axis)];
+    }
+  }
+
+  void solve() {
+    // Two pulls to two places are one pull to the place between them.
+    const double both = options.near_last + options.near_rest;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      model.variables.start[i] = both > 0 ? (options.near_last * u[i] + options.near_rest * rest_u[i]) / both : u[i];
+    }
+    posing::StageOptions search;
+    search.first_step = 0.06;
+    search.max_sweeps = 1;
+    search.gain_tolerance = 0.02;
+    search.max_evaluations = options.max_evaluations;
+    const auto objective = linear ? posing::make_linear_objective(model)
+                                  : posing::make_general_objective(system, model.variables, pose, model.near_weight);
+    posing::run_stages(*objective, relevance.effects, search, u, stages);
+    if (linear) {
+      posing::FinishOptions finishing;
+      finishing.max_iterations = options.max_finish_iterations;
+      finishing.gain_tolerance = 1e-4;
+      posing::finish_linear(model, finishing, u, finish);
+    }
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const std::size_t p = model.variables.parameter[i];
+      const rig::Parameter& range = rig.parameters()[p];
+      pose[p] = std::clamp(model.variables.value(i, u[i]), range.minimum, range.maximum);
+    }
+  }
+};
+
+FrameSolver::FrameSolver(std::unique_ptr<State> state) : state_(std::move(state)) {}
+FrameSolver::~FrameSolver() = default;
+FrameSolver::FrameSolver(FrameSolver&&) noexcept = default;
+FrameSolver& FrameSolver::operator=(FrameSolver&&) noexcept = default;
+
+base::Result<FrameSolver> FrameSolver::make(const rig::Rig& rig, Transfer transfer, std::vector<std::size_t> free,
+                                            rig::Pose rest, const geometry::Camera& camera,
+                                            const FrameOptions& options) {
+  posing::PoseProblem problem;
+  const std::size_t n = transfer.points.size();
+  // Targets follow with the frames; until then every point is aimed at the model's origin.
+  problem.pairs.push_back({transfer.points, std::vector<geometry::ModelPoint>(n, geometry::ModelPoint(0)), {}});
+  problem.free = std::move(free);
+  problem.start = std::move(rest);
+  if (auto status = posing::check_problem(rig, problem); !status) return status.error();
+  auto state = std::make_unique<State>(rig, std::move(transfer), camera, problem);
+  State& s = *state;
+  s.options = options;
+  s.pose = problem.start;
+  s.now.resize(n);
+  s.targets.resize(n);
+  s.system.positions(s.pose, s.now);
+  geometry::Box box;
+  for (const auto& p : s.now) box.add(p);
+  s.relevance = posing::relevant_parameters(s.system, s.pose, problem.free, options.relevance * box.diagonal());
+  posing::Variables variables = posing::make_variables(rig, s.relevance.parameters, s.pose);
+  s.u = s.rest_u = variables.start;
+  double weight = 0;
+  for (const double w : s.transfer.weights) weight += w;
+  const double unit = 0.1 * box.diagonal() * weight;
+  const double near_weight = unit * (options.near_last + options.near_rest);
+  s.linear = s.relevance.columns.has_value();
+  if (s.linear) {
+    s.model =
+        posing::make_linear_model(s.system, s.pose, std::move(variables), std::move(*s.relevance.columns), near_weight);
+    s.points_at_zero = s.model.at_zero;
+  } else {
+    s.model.variables = std::move(variables);
+    s.model.near_weight = near_weight;
+  }
+  return FrameSolver(std::move(state));
+}
+
+const rig::Pose& FrameSolver::follow(std::span<const PxPoint> offsets, double confidence) {
+  State& s = *state_;
+  if (s.u.empty()) return s.pose;
+  target_places(s.transfer, offsets, s.targets);
+  s.system.positions(s.pose, s.now);
+  for (std::size_t i = 0; i < s.targets.size(); ++i) {
+    s.aim(i, curve::lift(s.targets[i], s.now[i], s.camera), s.transfer.weights[i] * confidence);
+  }
+  s.solve();
+  return s.pose;
+}
+
+const rig::Pose& FrameSolver::pose() const { return state_->pose; }
+std::size_t FrameSolver::variables() const { return state_->u.size(); }
+
+}  // namespace penpose::animation
