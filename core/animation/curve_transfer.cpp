@@ -108,6 +108,33 @@ Matched match(std::span<const PxPoint> tracked, std::vector<posing::CurvePoint> 
   return best;
 }
 
+double distance_to(const PxPoint& p, std::span<const PxPoint> line) {
+  double least = geometry::distance(p, line.front());
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const PxPoint along = line[i + 1] - line[i];
+    const PxPoint from = p - line[i];
+    const double square = along.x * along.x + along.y * along.y;
+    const double t = square > 0 ? std::clamp((from.x * along.x + from.y * along.y) / square, 0.0, 1.0) : 0.0;
+    least = std::min(least, geometry::distance(p, line[i] + along * t));
+  }
+  return least;
+}
+
+/// Mean distance of one curve's points, but for its ends, from the other, as a share of its length.
+double gap(std::span<const PxPoint> line, std::span<const PxPoint> other) {
+  double sum = 0;
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) sum += distance_to(line[i], other);
+  const double count = static_cast<double>(std::max<std::size_t>(line.size(), 3) - 2);
+  return sum / count / curve::arc_length(line);
+}
+
+/// How much more a curve has to move on the model than on the face to meet the other.
+double meeting_gain(const Matched& curve, const Matched& other) {
+  const double tracked = gap(curve.tracked, other.tracked);
+  const double own = gap(curve.places, other.places);
+  return tracked > 1e-6 && own > 1e-6 ? std::clamp(own / tracked, 0.5, 2.0) : 1.0;
+}
+
 /// The roll between all tracked curves and the model's, from the similarity of least squares.
 void find_roll(std::span<const Matched> curves, Transfer& out) {
   PxPoint from;
@@ -182,23 +209,43 @@ base::Result<Transfer> make_transfer(const rig::Rig& rig, std::span<const double
       return fail("the tracked curve has no length in frame " + std::to_string(still.neutral),
                   "choose another neutral frame");
     if (!(own_length > 0)) return fail("the model's curve has no length in this view", "choose another view");
+    for (const std::size_t i : curve.anchor) {
+      if (i < track.point_count) continue;
+      return fail("tracked point " + std::to_string(i) + " does not exist; the track has " +
+                      std::to_string(track.point_count) + " points",
+                  "use a map for this format");
+    }
+    transfer.anchors.push_back(curve.anchor);
     matched.push_back(match(tracked, curve.reference, places));
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       transfer.points.push_back(matched.back().points[i]);
       transfer.places.push_back(matched.back().places[i]);
       transfer.tracked.push_back(curve.points[i]);
+      transfer.curve.push_back(c);
       transfer.weights.push_back(curve.weight);
       transfer.scale.push_back(curve.gain * own_length / tracked_length);
     }
   }
   if (matched.empty()) return base::Error{"there is no curve to follow", "/curves", "map at least one curve"};
+  for (std::size_t i = 0; i < transfer.scale.size(); ++i) {
+    const auto meets = curves[transfer.curve[i]].meets;
+    if (meets && *meets < matched.size())
+      transfer.scale[i] *= meeting_gain(matched[transfer.curve[i]], matched[*meets]);
+  }
   find_roll(matched, transfer);
   return transfer;
 }
 
-void target_places(const Transfer& transfer, std::span<const PxPoint> offsets, std::span<geometry::PxPoint> targets) {
+void target_places(const Transfer& transfer, std::span<const PxPoint> offsets, double doubt,
+                   std::span<geometry::PxPoint> targets) {
+  std::vector<PxPoint> ground;
+  for (const auto& anchor : transfer.anchors) {
+    PxPoint sum;
+    for (const std::size_t i : anchor) sum = sum + offsets[i];
+    ground.push_back(anchor.empty() ? sum : sum * (doubt / static_cast<double>(anchor.size())));
+  }
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    const PxPoint c = offsets[transfer.tracked[i]];
+    const PxPoint c = offsets[transfer.tracked[i]] - ground[transfer.curve[i]];
     const PxPoint turned{transfer.turn_cosine * c.x - transfer.turn_sine * c.y,
                          transfer.turn_sine * c.x + transfer.turn_cosine * c.y};
     targets[i] = transfer.places[i] + turned * transfer.scale[i];

@@ -114,10 +114,10 @@ base::Result<FrameSolver> FrameSolver::make(const rig::Rig& rig, Transfer transf
   return FrameSolver(std::move(state));
 }
 
-const rig::Pose& FrameSolver::follow(std::span<const PxPoint> offsets, double confidence) {
+const rig::Pose& FrameSolver::follow(std::span<const PxPoint> offsets, double doubt, double confidence) {
   State& s = *state_;
   if (s.u.empty()) return s.pose;
-  target_places(s.transfer, offsets, s.targets);
+  target_places(s.transfer, offsets, doubt, s.targets);
   s.system.positions(s.pose, s.now);
   for (std::size_t i = 0; i < s.targets.size(); ++i) {
     s.aim(i, curve::lift(s.targets[i], s.now[i], s.camera), s.transfer.weights[i] * confidence);

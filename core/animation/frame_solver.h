@@ -32,9 +32,9 @@ class FrameSolver {
   FrameSolver(FrameSolver&&) noexcept;
   FrameSolver& operator=(FrameSolver&&) noexcept;
 
-  /// Moves on to a frame that was seen: its offsets (StillTrack) and how much it is trusted, 0..1. A frame of little
-  /// trust moves little.
-  const rig::Pose& follow(std::span<const PxPoint> offsets, double confidence);
+  /// Moves on to a frame that was seen: its offsets and the doubt about its head (StillTrack), and how much it is
+  /// trusted, 0..1. A frame of little trust moves little.
+  const rig::Pose& follow(std::span<const PxPoint> offsets, double doubt, double confidence);
 
   [[nodiscard]] const rig::Pose& pose() const;
   /// Parameters in the search.

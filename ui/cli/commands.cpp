@@ -1,5 +1,6 @@
 #include "ui/cli/commands.h"
 
+#include "ui/cli/animate_command.h"
 #include "ui/cli/articulate_command.h"
 #include "ui/cli/convert_command.h"
 #include "ui/cli/decode_command.h"
@@ -19,6 +20,7 @@ std::vector<AddCommand> all_commands() {
       add_decode_command,      //
       add_pose_command,        //
       add_articulate_command,  //
+      add_animate_command,     //
       add_render_command,      //
       add_convert_command,     //
   };
