@@ -31,11 +31,15 @@ constexpr std::size_t k_most_notes = 20;
 
 }  // namespace
 
-base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::size_t point_count, double fps) {
+base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::size_t point_count, double fps,
+                                               RowName name) {
+  const auto place = [&](const TrackRow& row) {
+    return (name == RowName::line ? "line " : "frame ") + std::to_string(row.line);
+  };
   const bool any = std::any_of(rows.begin(), rows.end(), [](const TrackRow& row) { return row.why_held.empty(); });
   if (!any) {
     const std::string why = rows.empty() ? "the file has no frame" : rows.front().why_held;
-    return base::Error{"no frame shows a face: " + why, rows.empty() ? "" : "line " + std::to_string(rows.front().line),
+    return base::Error{"no frame shows a face: " + why, rows.empty() ? "" : place(rows.front()),
                        "track the video again"};
   }
   animation::PointTrack track;
@@ -49,8 +53,8 @@ base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::
     if (numbered && i > 0) {
       const auto missing = static_cast<std::uint64_t>(*row.frame) - static_cast<std::uint64_t>(*rows[i - 1].frame) - 1;
       if (missing > k_most_track_frames - std::min(k_most_track_frames, track.frames.size())) {
-        return base::Error{"frames are left out up to frame " + std::to_string(*row.frame),
-                           "line " + std::to_string(row.line), "a track has at most 1,000,000 frames"};
+        return base::Error{"frames are left out up to frame " + std::to_string(*row.frame), place(row),
+                           "a track has at most 1,000,000 frames"};
       }
       const double before = track.frames.back().time_s;
       for (std::uint64_t k = 1; k <= missing; ++k) {
@@ -59,12 +63,12 @@ base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::
         track.frames.push_back(std::move(gap));
       }
       if (missing > 0 && track.notes.size() < k_most_notes) {
-        track.notes.push_back("line " + std::to_string(row.line) + ": " + std::to_string(missing) +
-                              " frames before frame " + std::to_string(*row.frame) + " are left out and held");
+        track.notes.push_back(place(row) + ": " + std::to_string(missing) + " frames before frame " +
+                              std::to_string(*row.frame) + " are left out and held");
       }
     }
     if (track.frames.size() >= k_most_track_frames) {
-      return base::Error{"a track has at most 1,000,000 frames", "line " + std::to_string(row.line), "cut the video"};
+      return base::Error{"a track has at most 1,000,000 frames", place(row), "cut the video"};
     }
     animation::TrackFrame frame;
     frame.time_s = own > 0 ? *row.time_s : step * static_cast<double>(track.frames.size());
@@ -74,7 +78,7 @@ base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::
       frame.points = std::move(row.points);
       frame.depths = std::move(row.depths);
     } else if (++held <= k_most_notes) {
-      track.notes.push_back("line " + std::to_string(row.line) + ": " + row.why_held + "; the frame is held");
+      track.notes.push_back(place(row) + ": " + row.why_held + "; the frame is held");
     }
     track.frames.push_back(std::move(frame));
   }

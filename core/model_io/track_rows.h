@@ -20,11 +20,14 @@ struct TrackRow {
   std::vector<double> depths;              ///< or empty
 };
 
+/// What `line` counts: lines from 1, or frames of a list from 0.
+enum class RowName : std::uint8_t { line, frame };
+
 /// Puts rows in the order of the file into a track: frames whose numbers are left out are filled with frames that show
 /// no face, times that are missing or stand still are made of `fps`. Errors: no row with a face, more frames than
 /// k_most_track_frames.
 [[nodiscard]] base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::size_t point_count,
-                                                             double fps);
+                                                             double fps, RowName name = RowName::line);
 
 /// Frame rate of a track whose file says nothing of time.
 inline constexpr double k_common_fps = 30;
