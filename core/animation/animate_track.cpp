@@ -48,6 +48,13 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
     result.times_s.push_back(track.frames[f].time_s);
     result.poses.push_back(solver->pose());
   }
+  if (setup.tremor_px > 0) {
+    std::vector<double> tremor(rig.parameters().size(), 0.0);
+    constexpr double k_share = 0.03;  // of a range: what is left of the tremor in parameters that move little
+    for (const std::size_t p : setup.free)
+      tremor[p] = k_share * (rig.parameters()[p].maximum - rig.parameters()[p].minimum);
+    settle(tremor, result.poses);
+  }
   smooth_over_time(result.times_s, setup.smooth_s, result.poses);
   result.still = std::move(still).value();
   result.transfer = std::move(transfer).value();

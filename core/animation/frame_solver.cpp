@@ -22,8 +22,10 @@ struct FrameSolver::State {
   FrameOptions options;
   posing::Relevance relevance;
   bool linear = false;
-  posing::LinearModel model;         ///< where the rig is not linear, its variables and the pull alone
-  posing::Residuals points_at_zero;  ///< positions of the curve points at u = 0, laid out as residuals
+  posing::LinearModel model;                 ///< where the rig is not linear, its variables and the pull alone
+  posing::Residuals points_at_zero;          ///< positions of the curve points at u = 0, laid out as residuals
+  std::vector<geometry::ModelVector> sight;  ///< from the eye to each point at rest, length one
+  double pull_unit = 0;                      ///< energy of moving every point by a tenth of the curves' extent
   std::vector<double> rest_u;
   std::vector<double> u;
   rig::Pose pose;
@@ -37,17 +39,48 @@ struct FrameSolver::State {
     system.set_weight(point, weight);
     if (!linear) return;
     model.weights[point] = weight;
+    geometry::ModelVector apart;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::size_t i = posing::residual_index(point, axis);
-      model.at_zero[i] = points_at_zero[i] - target[static_cast<int>(axis)];
+      const int a = static_cast<int>(axis);
+      apart[a] = points_at_zero[posing::residual_index(point, axis)] - target[a];
+    }
+    apart = seen_part(apart, point);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      model.at_zero[posing::residual_index(point, axis)] = apart[static_cast<int>(axis)];
     }
   }
 
-  void solve() {
-    // Two pulls to two places are one pull to the place between them.
-    const double both = options.near_last + options.near_rest;
+  /// A movement without what goes along the line of sight.
+  [[nodiscard]] geometry::ModelVector seen_part(const geometry::ModelVector& v, std::size_t point) const {
+    const geometry::ModelVector& d = sight[point];
+    return v - d * (v.x * d.x + v.y * d.y + v.z * d.z);
+  }
+
+  /// A video says nothing of depth, so that movements along the line of sight cost nothing: the model's columns are
+  /// freed of them.
+  void look_along_sight() {
+    for (posing::Column& column : model.columns) {
+      posing::Residuals values = column.values();
+      for (std::size_t point = 0; point < sight.size(); ++point) {
+        geometry::ModelVector v;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          v[static_cast<int>(axis)] = values[posing::residual_index(point, axis)];
+        v = seen_part(v, point);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          values[posing::residual_index(point, axis)] = v[static_cast<int>(axis)];
+      }
+      column = posing::Column(std::move(values));
+    }
+  }
+
+  void solve(double confidence) {
+    // Two pulls to two places are one pull to the place between them. A frame of no trust tells no more of rest than
+    // of anything else.
+    const double near_rest = options.near_rest * confidence;
+    const double both = options.near_last + near_rest;
+    model.near_weight = pull_unit * both;
     for (std::size_t i = 0; i < u.size(); ++i) {
-      model.variables.start[i] = both > 0 ? (options.near_last * u[i] + options.near_rest * rest_u[i]) / both : u[i];
+      model.variables.start[i] = both > 0 ? (options.near_last * u[i] + near_rest * rest_u[i]) / both : u[i];
     }
     posing::StageOptions search;
     search.first_step = 0.06;
@@ -55,7 +88,7 @@ struct FrameSolver::State {
     search.gain_tolerance = 0.02;
     search.max_evaluations = options.max_evaluations;
     const auto objective = linear ? posing::make_linear_objective(model)
-                                  : posing::make_general_objective(system, model.variables, pose, model.near_weight);
+                                  : posing::make_general_objective(system, model.variables, pose, model.0);
     posing::run_stages(*objective, relevance.effects, search, u, stages);
     if (linear) {
       posing::FinishOptions finishing;
@@ -100,16 +133,16 @@ base::Result<FrameSolver> FrameSolver::make(const rig::Rig& rig, Transfer transf
   s.u = s.rest_u = variables.start;
   double weight = 0;
   for (const double w : s.transfer.weights) weight += w;
-  const double unit = 0.1 * box.diagonal() * weight;
-  const double near_weight = unit * (options.near_last + options.near_rest);
+  s.pull_unit = 0.1 * box.diagonal() * weight;
   s.linear = s.relevance.columns.has_value();
   if (s.linear) {
     s.model =
         posing::make_linear_model(s.system, s.pose, std::move(variables), std::move(*s.relevance.columns), near_weight);
     s.points_at_zero = s.model.at_zero;
+    for (const auto& p : s.now) s.sight.push_back(geometry::normalized(p - camera.eye()));
+    s.look_along_sight();
   } else {
     s.model.variables = std::move(variables);
-    s.model.near_weight = near_weight;
   }
   return FrameSolver(std::move(state));
 }
@@ -122,7 +155,7 @@ const rig::Pose& FrameSolver::follow(std::span<const PxPoint> offsets, double do
   for (std::size_t i = 0; i < s.targets.size(); ++i) {
     s.aim(i, curve::lift(s.targets[i], s.now[i], s.camera), s.transfer.weights[i] * confidence);
   }
-  s.solve();
+  s.solve(confidence);
   return s.pose;
 }
 

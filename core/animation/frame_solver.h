@@ -22,7 +22,8 @@ struct FrameOptions {
 };
 
 /// Finds the pose of one frame after the other, each from the last (method, section 4). The targets are points of the
-/// image plane, lifted to where the model's points are in the pose before.
+/// image plane, lifted to where the model's points are in the pose before; for rigs that are linear in all parameters
+/// that may move only the distance across the line of sight counts, which no longer depends on that pose.
 class FrameSolver {
  public:
   /// Errors: those of posing::check_problem. The rig must outlive it. `free`: ascending.

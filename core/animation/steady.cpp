@@ -54,6 +54,28 @@ void steady(StillTrack& track, std::span<const std::size_t> points, double tremo
   }
 }
 
+void settle(std::span<const double> tremor, std::vector<std::vector<double>>& rows, std::size_t reach) {
+  std::vector<double> column(rows.size());
+  for (std::size_t i = 0; i < tremor.size(); ++i) {
+    if (!(tremor[i] > 0)) continue;
+    for (std::size_t f = 0; f < rows.size(); ++f) column[f] = rows[f][i];
+    for (std::size_t f = 0; f < rows.size(); ++f) {
+      double sum = 0;
+      double weights = 0;
+      // Both sides reach equally far, so that a movement that begins at an end of the clip does not bend.
+      const std::size_t side = std::min({reach, f, rows.size() - 1 - f});
+      for (std::size_t g = f - side; g <= f + side; ++g) {
+        const std::size_t frames = g < f ? f - g : g - f;
+        const double nearness = 1.0 - static_cast<double>(frames) / static_cast<double>(reach + 1);
+        const double w = nearness * likeness(std::abs(column[g] - column[f]), tremor[i]);
+        sum += w * column[g];
+        weights += w;
+      }
+      rows[f][i] = sum / weights;
+    }
+  }
+}
+
 void smooth_over_time(std::span<const double> times_s, double width_s, std::vector<std::vector<double>>& rows) {
   if (!(width_s > 0) || rows.empty()) return;
   std::vector<std::vector<double>> smoothed;

@@ -14,6 +14,10 @@ namespace penpose::animation {
 /// seem to move, px of the track; 0 changes nothing.
 void steady(StillTrack& track, std::span<const std::size_t> points, double tremor_px, std::size_t reach = 4);
 
+/// The same filter on single values, one row a frame and one column a parameter: what remains of the tremor in a
+/// parameter that moves few points. `tremor`: in units of the column, one a column; 0 leaves a column alone.
+void settle(std::span<const double> tremor, std::vector<std::vector<double>>& rows, std::size_t reach = 4);
+
 /// Smooths values over the whole clip without lag: a triangle filter over time, `width_s` from its middle to its end,
 /// on one row of numbers a frame. Rows keep their count and width; a width below the frame distance changes nothing.
 void smooth_over_time(std::span<const double> times_s, double width_s, std::vector<std::vector<double>>& rows);
