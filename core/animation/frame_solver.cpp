@@ -10,6 +10,12 @@
 #include "core/posing/staged_simplex.h"
 
 namespace penpose::animation {
+namespace {
+
+/// How much more a frame of no trust is held near the one before, in the unit of FrameOptions::near_last.
+constexpr double k_distrust = 0.2;
+
+}  // namespace
 
 struct FrameSolver::State {
   State(const rig::Rig& r, Transfer t, const geometry::Camera& c, const posing::PoseProblem& problem)
@@ -77,10 +83,11 @@ struct FrameSolver::State {
     // Two pulls to two places are one pull to the place between them. A frame of no trust tells no more of rest than
     // of anything else.
     const double near_rest = options.near_rest * confidence;
-    const double both = options.near_last + near_rest;
+    const double near_last = options.near_last + k_distrust * (1.0 - confidence) * (1.0 - confidence);
+    const double both = near_last + near_rest;
     model.near_weight = pull_unit * both;
     for (std::size_t i = 0; i < u.size(); ++i) {
-      model.variables.start[i] = both > 0 ? (options.near_last * u[i] + near_rest * rest_u[i]) / both : u[i];
+      model.variables.start[i] = both > 0 ? (near_last * u[i] + near_rest * rest_u[i]) / both : u[i];
     }
     posing::StageOptions search;
     search.first_step = 0.06;
@@ -88,7 +95,7 @@ struct FrameSolver::State {
     search.gain_tolerance = 0.02;
     search.max_evaluations = options.max_evaluations;
     const auto objective = linear ? posing::make_linear_objective(model)
-                                  : posing::make_general_objective(system, model.variables, pose, model.0);
+                                  : posing::make_general_objective(system, model.variables, pose, model.near_weight);
     posing::run_stages(*objective, relevance.effects, search, u, stages);
     if (linear) {
       posing::FinishOptions finishing;
@@ -136,8 +143,7 @@ base::Result<FrameSolver> FrameSolver::make(const rig::Rig& rig, Transfer transf
   s.pull_unit = 0.1 * box.diagonal() * weight;
   s.linear = s.relevance.columns.has_value();
   if (s.linear) {
-    s.model =
-        posing::make_linear_model(s.system, s.pose, std::move(variables), std::move(*s.relevance.columns), near_weight);
+    s.model = posing::make_linear_model(s.system, s.pose, std::move(variables), std::move(*s.relevance.columns), 0);
     s.points_at_zero = s.model.at_zero;
     for (const auto& p : s.now) s.sight.push_back(geometry::normalized(p - camera.eye()));
     s.look_along_sight();
