@@ -89,7 +89,7 @@ TEST(ReadOpenFace, HoldsFramesThatShowNoFace) {
                 s("3, 0.08, 0.00, 1") + table.points(2), "4, 0.12, 0.98, 1, 5, 6",
                 s("5, 0.16, nan, 1") + table.points(4),  s("6, 0.20, 0.98, 1") + table.points(5)};
   std::string& last = table.rows[5];
-  last.replace(last.find("115"), 3, "nan");
+  last.replace(last.find("115"), 10, "nan");
   table.rows.push_back(s("7, 0.24, 0.98, 1") + table.points(6));
   const auto track = read_openface_track(bytes(table.text())).value();
   ASSERT_EQ(track.frames.size(), 7U);
