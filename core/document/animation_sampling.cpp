@@ -106,12 +106,12 @@ AnimationSample sample(const Model& model, const Animation& animation, double ti
       moment.joints.push_back({joint.translation, joint.rest_rotation, joint.scale});
     }
   }
-  const std::size_t shapes = model.shapes ? model.shapes->shapes().size() : 0;
+  const std::size_t weight_total = weight_count(model);
   for (const Channel& channel : animation.channels) {
     const bool weights = channel.target == ChannelTarget::weights;
     const bool rotation = channel.target == ChannelTarget::rotation;
     if (!weights && channel.joint >= moment.joints.size()) continue;
-    const auto values = sample_channel(channel, weights ? shapes : rotation ? 4 : 3, time_s);
+    const auto values = sample_channel(channel, weights ? weight_total : rotation ? 4 : 3, time_s);
     if (values.empty()) continue;
     if (weights) {
       moment.weights = values;
@@ -150,14 +150,11 @@ base::Result<Model> model_at(const Model& model, const AnimationSample& moment) 
     posed.skeleton = std::move(*skeleton);
     posed.rig = std::move(*rig);
   }
-  if (!model.shapes || moment.weights.size() != model.shapes->shapes().size()) return posed;
-  for (std::size_t layer = 0; layer < model.rig->layers().size(); ++layer) {
-    if (model.rig->layers()[layer].get() != model.shapes.get()) continue;
-    const std::size_t first = model.rig->first_parameter(layer);
-    for (std::size_t i = 0; i < moment.weights.size(); ++i) {
-      const rig::Parameter& parameter = model.rig->parameters()[first + i];
-      posed.pose[first + i] = std::clamp(moment.weights[i], parameter.minimum, parameter.maximum);
-    }
+  // Weights are the first parameters: blend shapes, then deformers.
+  if (moment.weights.size() != weight_count(model)) return posed;
+  for (std::size_t i = 0; i < moment.weights.size(); ++i) {
+    const rig::Parameter& parameter = model.rig->parameters()[i];
+    posed.pose[i] = std::clamp(moment.weights[i], parameter.minimum, parameter.maximum);
   }
   return posed;
 }

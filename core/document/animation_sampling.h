@@ -18,7 +18,7 @@ struct JointTransform {
 
 /// A moment of an animation.
 struct AnimationSample {
-  std::vector<double> weights;         ///< one a blend shape, or empty where the animation drives none
+  std::vector<double> weights;         ///< one a blend shape and deformer, or empty where the animation drives none
   std::vector<JointTransform> joints;  ///< one a joint of the skeleton; at rest where the animation drives none
 };
 

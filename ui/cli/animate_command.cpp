@@ -235,7 +235,9 @@ int animate(const AnimateArguments& arguments) {
       animation::frames_per_second(animated->times_s.front(), animated->times_s.back(), animated->times_s.size());
   model->animations.insert(model->animations.begin(),
                            document::make_animation(*model, "tracked", animated->times_s, animated->poses));
-  model->pose = animated->poses.front();
+  // Joints are turned by the animation itself; a pose of theirs would be added to it.
+  model->pose = rig::rest_pose(*model->rig);
+  std::copy_n(animated->poses.front().begin(), document::weight_count(*model), model->pose.begin());
   if (!animated->stands.empty()) {
     auto with_head =
         document::with_stand(std::move(model).value(), 0, animated->pivot, animated->times_s, animated->stands);
