@@ -1,13 +1,26 @@
 #include "ui/cli/save_model.h"
 
+#include <iostream>
+
+#include "core/base/numbers.h"
 #include "core/model_io/write_model.h"
 #include "ui/cli/files.h"
 
 namespace penpose::cli {
 
 base::Status save_model(const document::Model& model, const std::string& path) {
-  const auto bytes = model_io::write_model(model, path);
+  model_io::GlbReport baking;
+  const auto bytes = model_io::write_model(model, path, &baking);
   if (!bytes) return bytes.error();
+  if (baking.baked > 0) {
+    std::cerr << "penpose: " << path << ": deformers are baked to " << baking.baked
+              << " morph targets more; no vertex is off by over " << base::format_fixed(100 * baking.bake_error, 3)
+              << " % of the model's size\n";
+  }
+  if (!model.animations.empty() && baking.targets > model_io::k_common_targets) {
+    std::cerr << "penpose: " << path << ": it has " << baking.targets
+              << " morph targets; some viewers show no more than 8 at a time\n";
+  }
   return write_file(path, *bytes);
 }
 
