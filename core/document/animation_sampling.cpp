@@ -150,8 +150,8 @@ base::Result<Model> model_at(const Model& model, const AnimationSample& moment) 
     posed.skeleton = std::move(*skeleton);
     posed.rig = std::move(*rig);
   }
+  // Weights are the first parameters: blend shapes, then deformers.
   if (moment.weights.size() != weight_count(model)) return posed;
-  // Shapes and deformers are the first parameters.
   for (std::size_t i = 0; i < moment.weights.size(); ++i) {
     const rig::Parameter& parameter = model.rig->parameters()[i];
     posed.pose[i] = std::clamp(moment.weights[i], parameter.minimum, parameter.maximum);

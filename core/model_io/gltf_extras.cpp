@@ -1,5 +1,6 @@
 #include "core/model_io/gltf_extras.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/model_io/sketch_json.h"
@@ -160,6 +161,17 @@ base::Result<RootExtras> read_root_extras(const Json& document) {
     return read_sketch(value, at, std::nullopt, out);
   };
   if (auto error = read_list(*own, "deformers", pointer, read_deformer, extras.deformers)) return *error;
+  const auto read_names = [](const Json& value, const std::string& at,
+                             std::vector<std::string>& out) -> std::optional<base::Error> {
+    if (!value.is_array()) return wrong("a list of names was expected", at);
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      if (!value[i].is_string()) return wrong("a name was expected", child(at, i));
+      out.push_back(value[i].get<std::string>());
+    }
+    return std::nullopt;
+  };
+  if (auto error = read_list(*own, "baked", pointer, read_names, extras.baked)) return *error;
+  extras.baked.resize(extras.deformers.size());
   return extras;
 }
 
@@ -189,7 +201,8 @@ base::Status check_curves(const RootExtras& root, std::size_t triangle_count) {
   return base::Done{};
 }
 
-Json write_root_extras(const document::Model& model, const Json& project) {
+Json write_root_extras(const document::Model& model, const std::vector<std::vector<std::string>>& baked,
+                       const Json& project) {
   Json own = {{"version", k_extras_version}};
   if (!project.is_null()) own["project"] = project;
   if (model.shapes) {
@@ -205,6 +218,8 @@ Json write_root_extras(const document::Model& model, const Json& project) {
       deformers.push_back(to_json(deformer->sketch(), Viewports::each));
     }
     own["deformers"] = std::move(deformers);
+    const bool any = std::any_of(baked.begin(), baked.end(), [](const auto& names) { return !names.empty(); });
+    if (any) own["baked"] = baked;
   }
   if (!model.curves.empty()) {
     Json curves = Json::array();

@@ -20,12 +20,14 @@ inline constexpr std::int64_t k_extras_version = 2;  ///< 1 had no "project"
 
 /// Root: {"version": 2, "shapes": [{"name", "rest", "minimum", "maximum"}], "curves": [{"name", "points": [[triangle,
 /// b0, b1, b2], ...]}], "deformers": [a deformer as sketch files have it, with its own "viewport", ...]}. Deformers are
-/// also morph targets of their names, sampled at amount 1, after those of the shapes.
+/// also morph targets of their names, sampled at amount 1, after those of the shapes, and "baked": [[NAME, ...], ...]
+/// names those that show the rest of each (baked_deformer.h).
 struct RootExtras {
   bool present = false;
   std::vector<rig::Parameter> shapes;  ///< in the order of the rig
   std::vector<document::NamedCurve> curves;
   std::vector<articulation::Sketch> deformers;
+  std::vector<std::vector<std::string>> baked;  ///< one list a deformer: targets that only show it to other programs
 };
 
 /// Node: {"joint": true, "posable": true, "rest_rotation": [x, y, z, w], "minimum": [x, y, z], "maximum": [x, y, z],
@@ -51,7 +53,9 @@ struct NodeExtras {
 /// Errors: a curve point on a triangle that does not exist, or with coordinates that do not sum to one.
 [[nodiscard]] base::Status check_curves(const RootExtras& root, std::size_t triangle_count);
 
-/// `project`: the member "project" (core/model_io/project_json.h), or null for a model alone.
-[[nodiscard]] Json write_root_extras(const document::Model& model, const Json& project);
+/// `baked`: names of the targets that were made for each deformer beside its own. `project`: the member "project"
+/// (core/model_io/project_json.h), or null for a model alone.
+[[nodiscard]] Json write_root_extras(const document::Model& model, const std::vector<std::vector<std::string>>& baked,
+                                     const Json& project);
 
 }  // namespace penpose::model_io

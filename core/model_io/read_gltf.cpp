@@ -28,6 +28,19 @@ base::Status check_positions(const document::Model& model) {
   return base::Done{};
 }
 
+/// Keeps the first `kept` of `all` weights of each key.
+void drop_weights(document::Animation& animation, std::size_t all, std::size_t kept) {
+  for (document::Channel& channel : animation.channels) {
+    if (channel.target != document::ChannelTarget::weights || all == kept) continue;
+    std::vector<double> values;
+    for (std::size_t row = 0; row * all < channel.values.size(); ++row) {
+      const auto begin = channel.values.begin() + static_cast<std::ptrdiff_t>(row * all);
+      values.insert(values.end(), begin, begin + static_cast<std::ptrdiff_t>(kept));
+    }
+    channel.values = std::move(values);
+  }
+}
+
 base::Result<document::Model> read_opened(GltfDocument& document) {
   const auto root = read_root_extras(document.json);
   if (!root) return root.error();
@@ -60,9 +73,24 @@ base::Result<document::Model> read_opened(GltfDocument& document) {
   for (std::size_t i = 0; deformers && i < deformers->size(); ++i) {
     deformer_names.push_back(deformers->parameters()[i].name);
   }
-  const std::size_t shape_count = order_shapes(*shapes, *root, deformer_names);
+  // What only shows the deformers to other programs comes last and is dropped.
+  std::vector<std::string> not_shapes = deformer_names;
+  for (std::size_t i = 0; i < root->deformers.size(); ++i) {
+    if (std::find(deformer_names.begin(), deformer_names.end(), root->deformers[i].name) == deformer_names.end())
+      continue;
+    for (const std::string& name : root->baked[i]) {
+      const bool there = std::any_of(shapes->shapes.begin(), shapes->shapes.end(),
+                                     [&](const rig::BlendShape& shape) { return shape.parameter.name == name; });
+      if (there && std::find(not_shapes.begin(), not_shapes.end(), name) == not_shapes.end())
+        not_shapes.push_back(name);
+    }
+  }
+  const std::size_t shape_count = order_shapes(*shapes, *root, not_shapes);
+  const std::size_t weights = shape_count + deformer_names.size();
   auto animations = read_animations(document, *meshes, *shapes, joints->joint_of_node);
   if (!animations) return animations.error();
+  for (document::Animation& animation : *animations) drop_weights(animation, shapes->shapes.size(), weights);
+  shapes->values.resize(weights);
   shapes->shapes.resize(shape_count);  // deformers say themselves what their samples say
   for (std::size_t i = 0; i < deformer_names.size(); ++i) {
     const rig::Parameter& range = deformers->parameters()[i];

@@ -5,9 +5,10 @@
 
 namespace penpose::model_io {
 
-base::Result<std::vector<std::uint8_t>> write_document(const document::Document& document, std::string_view file_name) {
-  if (format_of_name(file_name) == Format::glb) return write_project(document);
-  return write_model(document::model_of(document), file_name);
+base::Result<std::vector<std::uint8_t>> write_document(const document::Document& document, std::string_view file_name,
+                                                       GlbReport* report) {
+  if (format_of_name(file_name) == Format::glb) return write_project(document, {}, report);
+  return write_model(document::model_of(document), file_name, report);
 }
 
 }  // namespace penpose::model_io

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "core/geometry/rotation.h"
-#include "core/model_io/deformer_sample.h"
+#include "core/model_io/glb_targets.h"
 #include "core/model_io/gltf_builder.h"
 #include "core/model_io/gltf_extras.h"
 #include "core/model_io/normals.h"
@@ -35,12 +35,12 @@ enum class Carriage : std::uint8_t { free, rigid, skinned };
 
 class GlbWriter {
  public:
-  GlbWriter(const document::Model& model, Json project) : model_(model), project_(std::move(project)) {}
+  GlbWriter(const document::Model& model, const GlbOptions& options, Json project)
+      : model_(model), project_(std::move(project)), morphs_(model, options.bake_tolerance) {}
 
   base::Result<std::vector<std::uint8_t>> write() {
     builder_.root["asset"] = {{"version", "2.0"}, {"generator", "penpose"}};
-    builder_.root["extras"] = write_root_extras(model_, project_);
-    gather_targets();
+    builder_.root["extras"] = write_root_extras(model_, morphs_.baked_names(), project_);
     find_carriage();
     write_joints();
     write_skin();
@@ -51,23 +51,13 @@ class GlbWriter {
     builder_.root["scenes"] = Json::array({{{"nodes", scene_}}});
     builder_.root["scene"] = 0;
     write_animations();
+    report = {targets_.size(), targets_.size() - morphs_.own_count(), morphs_.bake_error()};
     return builder_.finish();
   }
 
- private:
-  /// Blend shapes, then deformers sampled at amount 1, in the order of the model's pose.
-  void gather_targets() {
-    if (model_.shapes) {
-      for (const rig::BlendShape& shape : model_.shapes->shapes()) targets_.push_back(&shape);
-    }
-    if (!model_.deformers) return;
-    samples_.reserve(model_.deformers->size());
-    for (const auto& deformer : model_.deformers->deformers()) {
-      samples_.push_back(sample_deformer(*deformer));
-      targets_.push_back(&samples_.back());
-    }
-  }
+  GlbReport report;
 
+ private:
   [[nodiscard]] std::span<const rig::Joint> joints() const {
     return model_.skeleton ? model_.skeleton->joints() : std::span<const rig::Joint>();
   }
@@ -291,6 +281,7 @@ class GlbWriter {
     if (shapes_of_part_[index].empty()) return;
     Json names = Json::array();
     Json weights = Json::array();
+    const std::vector<double> pose_weights = morphs_.weights(model_.pose);
     for (const std::size_t s : shapes_of_part_[index]) {
       const rig::BlendShape& shape = *targets_[s];
       const auto [first, last] = entries_in(shape, part);
@@ -309,7 +300,7 @@ class GlbWriter {
       }
       primitive["targets"].push_back(std::move(target));
       names.push_back(shape.parameter.name);
-      weights.push_back(model_.pose[s]);
+      weights.push_back(pose_weights[s]);
     }
     mesh["weights"] = std::move(weights);
     mesh["extras"] = {{"targetNames", std::move(names)}};
@@ -365,23 +356,31 @@ class GlbWriter {
           values, rotation ? "VEC4" : "VEC3");
       return;
     }
-    const std::size_t all = targets_.size();
+    const std::size_t all = morphs_.own_count();
     if (all == 0) return;
+    const bool cubic = channel.interpolation == document::Interpolation::cubic_spline;
+    std::vector<std::vector<double>> rows;
+    for (std::size_t row = 0; row < channel.values.size() / all; ++row) {
+      const auto own = std::span(channel.values).subspan(row * all, all);
+      const bool tangent = cubic && row % 3 != 1;
+      const std::size_t value_row = cubic ? row / 3 * 3 + 1 : row;
+      rows.push_back(tangent ? morphs_.tangents(own, std::span(channel.values).subspan(value_row * all, all))
+                             : morphs_.weights(own));
+    }
     for (std::size_t i = 0; i < shapes_of_part_.size(); ++i) {
       if (shapes_of_part_[i].empty()) continue;
       std::vector<float> values;
-      for (std::size_t row = 0; row < channel.values.size() / all; ++row) {
-        for (const std::size_t s : shapes_of_part_[i])
-          values.push_back(static_cast<float>(channel.values[row * all + s]));
+      for (const auto& row : rows) {
+        for (const std::size_t s : shapes_of_part_[i]) values.push_back(static_cast<float>(row[s]));
       }
       add(node_of_part_[i], "weights", values, "SCALAR");
     }
   }
 
   const document::Model& model_;
-  Json project_;                          ///< null: the file is a model and no project
-  std::vector<rig::BlendShape> samples_;  ///< of the deformers
-  std::vector<const rig::BlendShape*> targets_;
+  Json project_;  ///< null: the file is a model and no project
+  GlbTargets morphs_;
+  std::span<const rig::BlendShape* const> targets_ = morphs_.all();
   GltfBuilder builder_;
   std::vector<Json> nodes_;
   Json scene_ = Json::array();  ///< nodes at the root
@@ -397,12 +396,21 @@ class GlbWriter {
 
 }  // namespace
 
-base::Result<std::vector<std::uint8_t>> write_glb(const document::Model& model) {
-  return GlbWriter(model, nullptr).write();
+base::Result<std::vector<std::uint8_t>> write_glb(const document::Model& model, const GlbOptions& options,
+                                                  GlbReport* report) {
+  GlbWriter writer(model, options, nullptr);
+  auto bytes = writer.write();
+  if (report != nullptr) *report = writer.report;
+  return bytes;
 }
 
-base::Result<std::vector<std::uint8_t>> write_project(const document::Document& document) {
-  return GlbWriter(document::model_of(document), project_to_json(document)).write();
+base::Result<std::vector<std::uint8_t>> write_project(const document::Document& document, const GlbOptions& options,
+                                                      GlbReport* report) {
+  const document::Model model = document::model_of(document);
+  GlbWriter writer(model, options, project_to_json(document));
+  auto bytes = writer.write();
+  if (report != nullptr) *report = writer.report;
+  return bytes;
 }
 
 }  // namespace penpose::model_io

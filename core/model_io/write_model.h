@@ -13,7 +13,24 @@ namespace penpose::model_io {
 /// is a mesh, the pose stands in the weights of the meshes and the rotations of the joints, and what glTF has no place
 /// for is under the extras key "penpose". Normals are made where the model has none. Limits of the format: skin weights
 /// and keys of animations are rounded to float.
-[[nodiscard]] base::Result<std::vector<std::uint8_t>> write_glb(const document::Model& model);
+///
+/// Sketched deformers are baked to as many more morph targets as keep every vertex within `bake_tolerance` (a share of
+/// the model's size) at every amount, so that the file plays the same in any viewer; reading the file back takes them
+/// for what they are. At times between keys viewers mix the targets' weights, which is exact for blend shapes.
+struct GlbOptions {
+  double bake_tolerance = 1e-3;
+};
+/// What came of it, for whoever wants to say so.
+struct GlbReport {
+  std::size_t targets = 0;  ///< morph targets in all
+  std::size_t baked = 0;    ///< of them made for deformers beside their own
+  double bake_error = 0;    ///< farthest that baking moves a vertex, share of the model's size
+};
+/// Viewers that show no more morph targets at a time than this are common.
+inline constexpr std::size_t k_common_targets = 8;
+[[nodiscard]] base::Result<std::vector<std::uint8_t>> write_glb(const document::Model& model,
+                                                                const GlbOptions& options = {},
+                                                                GlbReport* report = nullptr);
 
 /// A Wavefront OBJ file of the positions at the model's pose, one object a part, with smooth normals. Coordinates are
 /// rounded to float.
@@ -21,6 +38,7 @@ namespace penpose::model_io {
 
 /// Writes in the format that the file name's extension asks for: .glb or .obj. Errors: any other extension.
 [[nodiscard]] base::Result<std::vector<std::uint8_t>> write_model(const document::Model& model,
-                                                                  std::string_view file_name);
+                                                                  std::string_view file_name,
+                                                                  GlbReport* report = nullptr);
 
 }  // namespace penpose::model_io

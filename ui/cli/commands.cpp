@@ -1,5 +1,6 @@
 #include "ui/cli/commands.h"
 
+#include "ui/cli/animate_command.h"
 #include "ui/cli/articulate_command.h"
 #include "ui/cli/convert_command.h"
 #include "ui/cli/decode_command.h"
@@ -23,6 +24,7 @@ std::vector<AddCommand> all_commands() {
       add_replay_command,      //
       add_pose_command,        //
       add_articulate_command,  //
+      add_animate_command,     //
       add_render_command,      //
       add_convert_command,     //
   };

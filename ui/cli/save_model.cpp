@@ -1,21 +1,42 @@
 #include "ui/cli/save_model.h"
 
+#include <iostream>
+
+#include "core/base/numbers.h"
 #include "core/model_io/write_document.h"
 #include "core/model_io/write_model.h"
 #include "ui/cli/files.h"
 
 namespace penpose::cli {
 
-base::Status save_model(const document::Model& model, const std::string& path) {
-  const auto bytes = model_io::write_model(model, path);
+namespace {
+
+base::Status save(const base::Result<std::vector<std::uint8_t>>& bytes, const model_io::GlbReport& baking,
+                  bool animated, const std::string& path) {
   if (!bytes) return bytes.error();
+  if (baking.baked > 0) {
+    std::cerr << "penpose: " << path << ": deformers are baked to " << baking.baked
+              << " morph targets more; no vertex is off by over " << base::format_fixed(100 * baking.bake_error, 3)
+              << " % of the model's size\n";
+  }
+  if (animated && baking.targets > model_io::k_common_targets) {
+    std::cerr << "penpose: " << path << ": it has " << baking.targets
+              << " morph targets; some viewers show no more than 8 at a time\n";
+  }
   return write_file(path, *bytes);
 }
 
+}  // namespace
+
+base::Status save_model(const document::Model& model, const std::string& path) {
+  model_io::GlbReport baking;
+  return save(model_io::write_model(model, path, &baking), baking, !model.animations.empty(), path);
+}
+
 base::Status save_document(const document::Document& document, const std::string& path) {
-  const auto bytes = model_io::write_document(document, path);
-  if (!bytes) return bytes.error();
-  return write_file(path, *bytes);
+  model_io::GlbReport baking;
+  const bool animated = !document.timeline->keys.empty() || !document.model->animations.empty();
+  return save(model_io::write_document(document, path, &baking), baking, animated, path);
 }
 
 }  // namespace penpose::cli

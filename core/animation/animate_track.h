@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/animation/frame_solver.h"
+
+namespace penpose::animation {
+
+/// How a point track drives a rig.
+struct TrackSetup {
+  std::vector<TrackedCurve> curves;
+  StablePoints points;
+  std::vector<std::size_t> free;       ///< parameters that may move, ascending
+  rig::Pose rest;                      ///< the pose of the neutral frame
+  std::optional<std::size_t> neutral;  ///< a frame; by default the first that shows a face
+  double least_confidence = 0.2;       ///< frames below show no face
+  double tremor_px = 1;                ///< as `steady`; px of the track
+  double smooth_s = 0;                 ///< as smooth_over_time, for parameters and the head's turn
+  FrameOptions frame;
+};
+
+/// What came out: one entry a frame of the track.
+struct TrackedAnimation {
+  std::vector<double> times_s;
+  std::vector<rig::Pose> poses;
+  std::vector<std::size_t> held;  ///< frames that show no face and keep the pose before
+  StillTrack still;               ///< the head's turns, and what is left without them
+  Transfer transfer;              ///< which point of the track drives which of the model
+  std::size_t variables = 0;      ///< parameters in the search
+};
+
+/// Called around the solving of each frame, before (false) and after (true), for a clock and a progress bar.
+using FrameWatch = std::function<void(bool done)>;
+
+/// Animation from tracked curves (method, section 4): takes the head's motion out, steadies the curves, brings them to
+/// the image plane of `camera` and solves the frames in order. The rig must outlive the call. Errors: those of
+/// take_head_motion_out, make_transfer and FrameSolver::make.
+[[nodiscard]] base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTrack& track,
+                                                           const TrackSetup& setup, const geometry::Camera& camera,
+                                                           const FrameWatch& watch = {});
+
+}  // namespace penpose::animation

@@ -1,0 +1,171 @@
+#include "core/animation/frame_solver.h"
+
+#include <algorithm>
+
+#include "core/curve/pairing.h"
+#include "core/posing/curve_system.h"
+#include "core/posing/finish.h"
+#include "core/posing/pose_objective.h"
+#include "core/posing/relevance.h"
+#include "core/posing/staged_simplex.h"
+
+namespace penpose::animation {
+namespace {
+
+/// How much more a frame of no trust is held near the one before, in the unit of FrameOptions::near_last.
+constexpr double k_distrust = 0.2;
+
+}  // namespace
+
+struct FrameSolver::State {
+  State(const rig::Rig& r, Transfer t, const geometry::Camera& c, const posing::PoseProblem& problem)
+      : rig(r), transfer(std::move(t)), camera(c), system(rig, problem) {}
+
+  const rig::Rig& rig;
+  Transfer transfer;
+  geometry::Camera camera;
+  posing::CurveSystem system;
+  FrameOptions options;
+  posing::Relevance relevance;
+  bool linear = false;
+  posing::LinearModel model;                 ///< where the rig is not linear, its variables and the pull alone
+  posing::Residuals points_at_zero;          ///< positions of the curve points at u = 0, laid out as residuals
+  std::vector<geometry::ModelVector> sight;  ///< from the eye to each point at rest, length one
+  double pull_unit = 0;                      ///< energy of moving every point by a tenth of the curves' extent
+  std::vector<double> rest_u;
+  std::vector<double> u;
+  rig::Pose pose;
+  std::vector<geometry::PxPoint> targets;
+  std::vector<geometry::ModelPoint> now;
+  posing::StageWorkspace stages;
+  posing::FinishWorkspace finish;
+
+  void aim(std::size_t point, const geometry::ModelPoint& target, double weight) {
+    system.set_target(point, target);
+    system.set_weight(point, weight);
+    if (!linear) return;
+    model.weights[point] = weight;
+    geometry::ModelVector apart;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const int a = static_cast<int>(axis);
+      apart[a] = points_at_zero[posing::residual_index(point, axis)] - target[a];
+    }
+    apart = seen_part(apart, point);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      model.at_zero[posing::residual_index(point, axis)] = apart[static_cast<int>(axis)];
+    }
+  }
+
+  /// A movement without what goes along the line of sight.
+  [[nodiscard]] geometry::ModelVector seen_part(const geometry::ModelVector& v, std::size_t point) const {
+    const geometry::ModelVector& d = sight[point];
+    return v - d * (v.x * d.x + v.y * d.y + v.z * d.z);
+  }
+
+  /// A video says nothing of depth, so that movements along the line of sight cost nothing: the model's columns are
+  /// freed of them.
+  void look_along_sight() {
+    for (posing::Column& column : model.columns) {
+      posing::Residuals values = column.values();
+      for (std::size_t point = 0; point < sight.size(); ++point) {
+        geometry::ModelVector v;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          v[static_cast<int>(axis)] = values[posing::residual_index(point, axis)];
+        v = seen_part(v, point);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          values[posing::residual_index(point, axis)] = v[static_cast<int>(axis)];
+      }
+      column = posing::Column(std::move(values));
+    }
+  }
+
+  void solve(double confidence) {
+    // Two pulls to two places are one pull to the place between them. A frame of no trust tells no more of rest than
+    // of anything else.
+    const double near_rest = options.near_rest * confidence;
+    const double near_last = options.near_last + k_distrust * (1.0 - confidence) * (1.0 - confidence);
+    const double both = near_last + near_rest;
+    model.near_weight = pull_unit * both;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      model.variables.start[i] = both > 0 ? (near_last * u[i] + near_rest * rest_u[i]) / both : u[i];
+    }
+    posing::StageOptions search;
+    search.first_step = 0.06;
+    search.max_sweeps = 1;
+    search.gain_tolerance = 0.02;
+    search.max_evaluations = options.max_evaluations;
+    const auto objective = linear ? posing::make_linear_objective(model)
+                                  : posing::make_general_objective(system, model.variables, pose, model.near_weight);
+    posing::run_stages(*objective, relevance.effects, search, u, stages);
+    if (linear) {
+      posing::FinishOptions finishing;
+      finishing.max_iterations = options.max_finish_iterations;
+      finishing.gain_tolerance = 1e-4;
+      posing::finish_linear(model, finishing, u, finish);
+    }
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const std::size_t p = model.variables.parameter[i];
+      const rig::Parameter& range = rig.parameters()[p];
+      pose[p] = std::clamp(model.variables.value(i, u[i]), range.minimum, range.maximum);
+    }
+  }
+};
+
+FrameSolver::FrameSolver(std::unique_ptr<State> state) : state_(std::move(state)) {}
+FrameSolver::~FrameSolver() = default;
+FrameSolver::FrameSolver(FrameSolver&&) noexcept = default;
+FrameSolver& FrameSolver::operator=(FrameSolver&&) noexcept = default;
+
+base::Result<FrameSolver> FrameSolver::make(const rig::Rig& rig, Transfer transfer, std::vector<std::size_t> free,
+                                            rig::Pose rest, const geometry::Camera& camera,
+                                            const FrameOptions& options) {
+  posing::PoseProblem problem;
+  const std::size_t n = transfer.points.size();
+  // Targets follow with the frames; until then every point is aimed at the model's origin.
+  problem.pairs.push_back({transfer.points, std::vector<geometry::ModelPoint>(n, geometry::ModelPoint(0)), {}});
+  problem.free = std::move(free);
+  problem.start = std::move(rest);
+  if (auto status = posing::check_problem(rig, problem); !status) return status.error();
+  auto state = std::make_unique<State>(rig, std::move(transfer), camera, problem);
+  State& s = *state;
+  s.options = options;
+  s.pose = problem.start;
+  s.now.resize(n);
+  s.targets.resize(n);
+  s.system.positions(s.pose, s.now);
+  geometry::Box box;
+  for (const auto& p : s.now) box.add(p);
+  s.relevance = posing::relevant_parameters(s.system, s.pose, problem.free, options.relevance * box.diagonal());
+  posing::Variables variables = posing::make_variables(rig, s.relevance.parameters, s.pose);
+  s.u = s.rest_u = variables.start;
+  double weight = 0;
+  for (const double w : s.transfer.weights) weight += w;
+  s.pull_unit = 0.1 * box.diagonal() * weight;
+  s.linear = s.relevance.columns.has_value();
+  if (s.linear) {
+    s.model = posing::make_linear_model(s.system, s.pose, std::move(variables), std::move(*s.relevance.columns), 0);
+    s.points_at_zero = s.model.at_zero;
+    for (const auto& p : s.now) s.sight.push_back(geometry::normalized(p - camera.eye()));
+    s.look_along_sight();
+  } else {
+    s.model.variables = std::move(variables);
+  }
+  return FrameSolver(std::move(state));
+}
+
+const rig::Pose& FrameSolver::follow(std::span<const PxPoint> offsets, double doubt, double confidence) {
+  State& s = *state_;
+  if (s.u.empty()) return s.pose;
+  target_places(s.transfer, offsets, doubt, s.targets);
+  s.system.positions(s.pose, s.now);
+  for (std::size_t i = 0; i < s.targets.size(); ++i) {
+    s.aim(i, curve::lift(s.targets[i], s.now[i], s.camera), s.transfer.weights[i] * confidence);
+  }
+  s.solve(confidence);
+  return s.pose;
+}
+
+const rig::Pose& FrameSolver::pose() const { return state_->pose; }
+std::size_t FrameSolver::variables() const { return state_->u.size(); }
+
+}  // namespace penpose::animation

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/animation/curve_transfer.h"
+#include "core/base/result.h"
+#include "core/geometry/camera.h"
+#include "core/rig/rig.h"
+
+namespace penpose::animation {
+
+struct FrameOptions {
+  std::size_t max_evaluations = 300;  ///< of the simplex, a frame; rigs that are linear need fewer
+  std::size_t max_finish_iterations = 6;
+  /// How strongly parameters are held near the frame before and near rest, as shares of the energy that moving every
+  /// point by a tenth of the curves' extent would cost, for a parameter that goes through its whole range.
+  double near_last = 1e-3;
+  double near_rest = 4e-3;
+  double relevance = 1e-5;  ///< as posing::SolveOptions
+};
+
+/// Finds the pose of one frame after the other, each from the last (method, section 4). The targets are points of the
+/// image plane, lifted to where the model's points are in the pose before; for rigs that are linear in all parameters
+/// that may move only the distance across the line of sight counts, which no longer depends on that pose.
+class FrameSolver {
+ public:
+  /// Errors: those of posing::check_problem. The rig must outlive it. `free`: ascending.
+  static base::Result<FrameSolver> make(const rig::Rig& rig, Transfer transfer, std::vector<std::size_t> free,
+                                        rig::Pose rest, const geometry::Camera& camera, const FrameOptions& options);
+  ~FrameSolver();
+  FrameSolver(FrameSolver&&) noexcept;
+  FrameSolver& operator=(FrameSolver&&) noexcept;
+
+  /// Moves on to a frame that was seen: its offsets and the doubt about its head (StillTrack), and how much it is
+  /// trusted, 0..1. A frame of little trust moves little.
+  const rig::Pose& follow(std::span<const PxPoint> offsets, double doubt, double confidence);
+
+  [[nodiscard]] const rig::Pose& pose() const;
+  /// Parameters in the search.
+  [[nodiscard]] std::size_t variables() const;
+
+ private:
+  struct State;
+  explicit FrameSolver(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace penpose::animation

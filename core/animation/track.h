@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/geometry/space.h"
+
+namespace penpose::animation {
+
+using geometry::PxPoint;
+
+/// What a tracker saw in one picture of a video.
+struct TrackFrame {
+  double time_s = 0;
+  double confidence = 0;        ///< 0..1; 0: no face was found, and `points` may be empty
+  std::vector<PxPoint> points;  ///< px of the video, y down; one a point of the format
+  std::vector<double> depths;   ///< px towards the camera, one a point; empty where nothing is known of it
+
+  [[nodiscard]] bool found() const { return confidence > 0 && !points.empty(); }
+};
+
+/// Points of a frame that form a curve with a name.
+struct TrackGroup {
+  std::string name;
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+
+/// Tracked points over time. Every frame that was found has `point_count` points.
+struct PointTrack {
+  std::size_t point_count = 0;
+  std::vector<TrackFrame> frames;  ///< in order of time
+  std::vector<TrackGroup> groups;  ///< for formats that name their curves; empty otherwise
+  std::vector<std::string> notes;  ///< what was left out or held, one line each
+};
+
+struct WeightFrame {
+  double time_s = 0;
+  bool found = false;
+  std::vector<double> values;  ///< one a name; empty where not found
+};
+
+/// Values of named controls over time, as a tracker with a rig of its own gives them.
+struct WeightTrack {
+  std::vector<std::string> names;
+  std::vector<WeightFrame> frames;
+  std::vector<std::string> notes;
+};
+
+/// Frames a second of evenly spaced times; 0 for fewer than two frames or times that do not grow.
+[[nodiscard]] double frames_per_second(double first_s, double last_s, std::size_t frames);
+
+}  // namespace penpose::animation

@@ -1,0 +1,81 @@
+#include "core/model_io/baked_deformer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/model_io/deformer_sample.h"
+
+namespace penpose::model_io {
+namespace {
+
+using Moves = std::vector<geometry::ModelVector>;
+
+double farthest(const Moves& moves) {
+  double most = 0;
+  for (const auto& move : moves) most = std::max(most, move.x * move.x + move.y * move.y + move.z * move.z);
+  return std::sqrt(most);
+}
+
+double dot(const Moves& a, const Moves& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].x * b[i].x + a[i].y * b[i].y + a[i].z * b[i].z;
+  return sum;
+}
+
+}  // namespace
+
+double BakedDeformer::weight(std::size_t k, double amount) const {
+  const double from = amounts.front();
+  const double steps = static_cast<double>(amounts.size() - 1);
+  const double place = std::clamp((amount - from) / (amounts.back() - from) * steps, 0.0, steps);
+  const auto before = std::min(static_cast<std::size_t>(place), amounts.size() - 2);
+  const double t = place - static_cast<double>(before);
+  return weights[k][before] * (1.0 - t) + weights[k][before + 1] * t;
+}
+
+BakedDeformer bake_deformer(const articulation::Deformer& deformer, double tolerance, std::size_t most) {
+  constexpr std::size_t k_amounts = 97;  // over the range; weights are linear between them
+  BakedDeformer baked;
+  const rig::Parameter range = deformer.parameter();
+  const double low = std::min(0.0, range.minimum);
+  const double high = std::max(1.0, range.maximum);
+  const rig::BlendShape sample = sample_deformer(deformer);
+  articulation::CarriageWorkspace work;
+  std::vector<Moves> left;
+  for (std::size_t j = 0; j < k_amounts; ++j) {
+    const double amount = low + (high - low) * static_cast<double>(j) / static_cast<double>(k_amounts - 1);
+    baked.amounts.push_back(amount);
+    Moves& moves = left.emplace_back(sample.vertices.size());
+    deformer.carriage().displacements(amount, work, moves);
+    for (std::size_t i = 0; i < moves.size(); ++i) moves[i] -= geometry::ModelVector(sample.deltas[i]) * amount;
+  }
+  while (true) {
+    std::size_t worst = 0;
+    baked.error = 0;
+    for (std::size_t j = 0; j < left.size(); ++j) {
+      const double off = farthest(left[j]);
+      if (off > baked.error) {
+        baked.error = off;
+        worst = j;
+      }
+    }
+    if (baked.error <= tolerance || baked.targets.size() == most) return baked;
+    rig::BlendShape target;
+    target.vertices = sample.vertices;
+    Moves basis;
+    for (const auto& move : left[worst]) {
+      target.deltas.emplace_back(move);
+      basis.emplace_back(target.deltas.back());
+    }
+    const double square = dot(basis, basis);
+    if (!(square > 0)) return baked;
+    std::vector<double>& weights = baked.weights.emplace_back();
+    for (Moves& moves : left) {
+      weights.push_back(dot(moves, basis) / square);
+      for (std::size_t i = 0; i < moves.size(); ++i) moves[i] -= basis[i] * weights.back();
+    }
+    baked.targets.push_back(std::move(target));
+  }
+}
+
+}  // namespace penpose::model_io

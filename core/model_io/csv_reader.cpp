@@ -1,0 +1,77 @@
+#include "core/model_io/csv_reader.h"
+
+#include <algorithm>
+
+#include "core/base/numbers.h"
+
+namespace penpose::model_io {
+namespace {
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+std::string_view bare(std::string_view cell) {
+  cell = base::trim(cell);
+  if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = base::trim(cell.substr(1, cell.size() - 2));
+  return cell;
+}
+
+}  // namespace
+
+bool same_name(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
+}
+
+base::Result<CsvReader> CsvReader::open(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  CsvReader reader(text);
+  while (const auto line = reader.lines_.next()) {
+    if (base::trim(*line).empty()) continue;
+    const auto count = [&](char c) { return std::count(line->begin(), line->end(), c); };
+    if (count(';') > count(reader.separator_)) reader.separator_ = ';';
+    if (count('\t') > count(reader.separator_)) reader.separator_ = '\t';
+    reader.split(*line, reader.columns_);
+    return reader;
+  }
+  return base::Error{"the table is empty", "line 1", "a header line and rows of numbers were expected"};
+}
+
+void CsvReader::split(std::string_view line, std::vector<std::string_view>& cells) const {
+  cells.clear();
+  while (true) {
+    const std::size_t end = std::min(line.find(separator_), line.size());
+    cells.push_back(bare(line.substr(0, end)));
+    if (end == line.size()) break;
+    line.remove_prefix(end + 1);
+  }
+  // A separator at the end of each line is a habit of some programs.
+  if (cells.size() > 1 && cells.back().empty()) cells.pop_back();
+}
+
+std::optional<std::size_t> CsvReader::find(std::string_view name) const {
+  const auto found =
+      std::find_if(columns_.begin(), columns_.end(), [&](std::string_view column) { return same_name(column, name); });
+  if (found == columns_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - columns_.begin());
+}
+
+bool CsvReader::next(std::vector<std::string_view>& cells) {
+  while (const auto line = lines_.next()) {
+    if (base::trim(*line).empty()) continue;
+    split(*line, cells);
+    return true;
+  }
+  return false;
+}
+
+std::optional<double> CsvReader::number(std::string_view cell) const {
+  if (separator_ == ',' || cell.find(',') == std::string_view::npos) return base::parse_double(cell);
+  std::string with_point(cell);
+  std::replace(with_point.begin(), with_point.end(), ',', '.');
+  return base::parse_double(with_point);
+}
+
+bool CsvReader::header_is_row() const {
+  return std::all_of(columns_.begin(), columns_.end(), [&](std::string_view cell) { return number(cell).has_value(); });
+}
+
+}  // namespace penpose::model_io

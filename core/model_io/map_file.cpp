@@ -1,0 +1,161 @@
+#include "core/model_io/map_file.h"
+
+#include <array>
+#include <cmath>
+
+#include "core/model_io/json.h"
+
+namespace penpose::model_io {
+namespace {
+
+using Problem = std::optional<base::Error>;
+
+constexpr std::array<const char*, 5> k_names{"openface", "mediapipe", "ibug68", "curves", "arkit"};
+
+base::Error wrong(std::string what, std::string pointer, std::string remedy = "see the format of map files") {
+  return {std::move(what), std::move(pointer), std::move(remedy)};
+}
+
+template <typename Number>
+Problem read_numbers_or_name(const Json& value, const std::string& pointer,
+                             std::variant<std::vector<Number>, std::string>& out) {
+  if (value.is_string()) {
+    out = value.get<std::string>();
+    return std::nullopt;
+  }
+  if (!value.is_array()) return wrong("a list of numbers or a name was expected", pointer);
+  std::vector<Number> numbers;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const auto n = whole_number(value[i], 0, 0xffffffffLL);
+    if (!n) return wrong("a number of 0 or more was expected", child(pointer, i));
+    numbers.push_back(static_cast<Number>(*n));
+  }
+  if (numbers.size() < 2) return wrong("a curve needs at least two points", pointer);
+  out = std::move(numbers);
+  return std::nullopt;
+}
+
+Problem read_factor(const Json& object, const char* name, const std::string& pointer, double& out) {
+  const Json* value = find(object, name);
+  if (value == nullptr) return std::nullopt;
+  const auto n = number(*value);
+  if (!n || !(*n > 0) || !(*n <= 1000)) {
+    return wrong("a number above 0 and up to 1000 was expected", child(pointer, name));
+  }
+  out = *n;
+  return std::nullopt;
+}
+
+Problem read_curve(const Json& value, const std::string& pointer, MapCurve& out) {
+  if (!value.is_object()) return wrong("an object was expected", pointer);
+  const Json* track = find(value, "track");
+  const Json* reference = find(value, "reference");
+  if (track == nullptr) return wrong("the key \"track\" is missing", pointer);
+  if (reference == nullptr) return wrong("the key \"reference\" is missing", pointer);
+  if (auto problem = read_numbers_or_name(*track, child(pointer, "track"), out.track)) return problem;
+  if (auto problem = read_numbers_or_name(*reference, child(pointer, "reference"), out.reference)) return problem;
+  if (const Json* meets = find(value, "meets")) {
+    if (!meets->is_string())
+      return wrong("the name of another curve's reference was expected", child(pointer, "meets"));
+    out.meets = meets->get<std::string>();
+  }
+  if (const Json* anchor = find(value, "anchor")) {
+    const std::string here = child(pointer, "anchor");
+    if (!anchor->is_array()) return wrong("a list of point numbers was expected", here);
+    for (std::size_t i = 0; i < anchor->size(); ++i) {
+      const auto n = whole_number((*anchor)[i], 0, 0xffffffffLL);
+      if (!n) return wrong("a number of 0 or more was expected", child(here, i));
+      out.anchor.push_back(static_cast<std::size_t>(*n));
+    }
+  }
+  if (auto problem = read_factor(value, "weight", pointer, out.weight)) return problem;
+  return read_factor(value, "gain", pointer, out.gain);
+}
+
+Problem read_curves(const Json& json, MapFile& out) {
+  const Json* curves = find(json, "curves");
+  if (curves == nullptr) {
+    if (out.format == TrackFormat::arkit) return std::nullopt;
+    return wrong("the key \"curves\" is missing", "/");
+  }
+  if (!curves->is_array()) return wrong("a list was expected", "/curves");
+  if (curves->empty() && out.format != TrackFormat::arkit) {
+    return wrong("there is no curve", "/curves", "map at least one tracked curve to a curve of the model");
+  }
+  if (curves->size() > 1000) return wrong("a map has at most 1,000 curves", "/curves");
+  for (std::size_t i = 0; i < curves->size(); ++i) {
+    if (auto problem = read_curve((*curves)[i], child("/curves", i), out.curves.emplace_back())) return problem;
+  }
+  return std::nullopt;
+}
+
+Problem read_points(const Json& json, const char* name, std::vector<std::variant<std::size_t, std::string>>& out) {
+  const Json* stable = find(json, name);
+  const std::string here = child("", name);
+  if (stable == nullptr) return std::nullopt;
+  if (!stable->is_array()) return wrong("a list was expected", here);
+  for (std::size_t i = 0; i < stable->size(); ++i) {
+    const Json& item = (*stable)[i];
+    if (item.is_string()) {
+      out.emplace_back(item.get<std::string>());
+      continue;
+    }
+    const auto n = whole_number(item, 0, 0xffffffffLL);
+    if (!n) return wrong("a point number or the name of a tracked curve was expected", child(here, i));
+    out.emplace_back(static_cast<std::size_t>(*n));
+  }
+  return std::nullopt;
+}
+
+Problem read_free(const Json& json, MapFile& out) {
+  const Json* free = find(json, "free");
+  if (free == nullptr) return std::nullopt;
+  if (!free->is_array()) return wrong("a list of names was expected", "/free");
+  for (std::size_t i = 0; i < free->size(); ++i) {
+    if (!(*free)[i].is_string()) return wrong("a name was expected", child("/free", i));
+    out.free.push_back((*free)[i].get<std::string>());
+  }
+  return std::nullopt;
+}
+
+Problem read_names(const Json& json, MapFile& out) {
+  const Json* names = find(json, "names");
+  if (names == nullptr) return std::nullopt;
+  if (!names->is_object()) return wrong("an object of names was expected", "/names");
+  for (const auto& [tracked, control] : names->items()) {
+    if (!control.is_string()) return wrong("a name was expected", child("/names", tracked));
+    out.names.emplace_back(tracked, control.get<std::string>());
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+const char* name_of(TrackFormat format) { return k_names[static_cast<std::size_t>(format)]; }
+
+base::Result<MapFile> read_map_file(base::Bytes bytes) {
+  const auto json = parse_json(bytes);
+  if (!json) return json.error();
+  if (!json->is_object()) return wrong("an object was expected", "/");
+  MapFile map;
+  const Json* format = find(*json, "format");
+  if (format == nullptr) return wrong("the key \"format\" is missing", "/");
+  std::size_t known = 0;
+  while (known < k_names.size() && *format != k_names[known]) ++known;
+  if (known == k_names.size()) {
+    return wrong("the format is not known", "/format", "use openface, mediapipe, ibug68, curves or arkit");
+  }
+  map.format = static_cast<TrackFormat>(known);
+  if (auto problem = read_curves(*json, map)) return *problem;
+  if (auto problem = read_points(*json, "stable", map.stable)) return *problem;
+  if (auto problem = read_points(*json, "turning", map.turning)) return *problem;
+  if (auto problem = read_free(*json, map)) return *problem;
+  if (auto problem = read_names(*json, map)) return *problem;
+  if (const Json* head = find(*json, "head")) {
+    if (*head != "drop" && *head != "apply") return wrong("drop or apply was expected", "/head");
+    map.apply_head = *head == "apply";
+  }
+  return map;
+}
+
+}  // namespace penpose::model_io

@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/model_io/face_points.h"
+#include "core/model_io/picture_scale.h"
+#include "core/model_io/point_table.h"
+#include "core/model_io/read_track.h"
+
+namespace penpose::model_io {
+namespace {
+
+std::vector<std::string> names_of(std::size_t point, int axis) {
+  const std::string letter(1, "xyz"[axis]);
+  const std::string number = std::to_string(point);
+  std::string under = letter;
+  under += "_";
+  under += number;
+  std::string plain = letter;
+  plain += number;
+  std::string long_name = "landmark_";
+  long_name += number;
+  long_name += "_";
+  long_name += letter;
+  std::string turned = number;
+  turned += "_";
+  turned += letter;
+  return {under, plain, long_name, turned};
+}
+
+/// Times above this share of a second a frame are milliseconds.
+void take_milliseconds(std::vector<TrackRow>& rows) {
+  if (rows.size() < 2 || !rows.front().time_s || !rows.back().time_s) return;
+  const double step = (*rows.back().time_s - *rows.front().time_s) / static_cast<double>(rows.size() - 1);
+  if (step < 5) return;
+  for (TrackRow& row : rows) {
+    if (row.time_s) *row.time_s /= 1000.0;
+  }
+}
+
+base::Result<std::vector<TrackRow>> read_wide(CsvReader& table, std::size_t& count, std::vector<std::string>& notes) {
+  auto columns = find_point_columns(table, k_mediapipe_iris_points, names_of);
+  count = k_mediapipe_iris_points;
+  if (!columns) {
+    columns = find_point_columns(table, k_mediapipe_points, names_of);
+    count = k_mediapipe_points;
+  }
+  if (!columns) return columns.error();
+  std::vector<FaceRow> rows;
+  std::vector<std::string_view> cells;
+  while (table.next(cells)) {
+    auto row = read_point_row(table, *columns, cells);
+    if (!row) return row.error();
+    if (rows.size() >= 4 * k_most_track_frames) return table.error("the table has too many rows", "cut the video");
+    rows.push_back(std::move(row).value());
+  }
+  return rows_of_best_face(std::move(rows), notes);
+}
+
+/// A row a point.
+struct LongColumns {
+  std::size_t frame, point, x, y;
+  std::optional<std::size_t> z, time;
+};
+
+std::optional<LongColumns> find_long(const CsvReader& table) {
+  const auto any = [&](std::initializer_list<const char*> names) -> std::optional<std::size_t> {
+    for (const char* name : names) {
+      if (const auto found = table.find(name)) return found;
+    }
+    return std::nullopt;
+  };
+  const auto frame = any({"frame", "frame_id", "frame_index"});
+  const auto point = any({"landmark", "landmark_id", "landmark_index", "index", "id", "point"});
+  const auto x = any({"x"});
+  const auto y = any({"y"});
+  if (!frame || !point || !x || !y) return std::nullopt;
+  return LongColumns{*frame, *point, *x, *y, any({"z"}), any({"timestamp", "time", "time_s"})};
+}
+
+base::Result<std::vector<TrackRow>> read_long(CsvReader& table, const LongColumns& columns, std::size_t& count) {
+  struct Frame {
+    TrackRow row;
+    std::vector<bool> seen;
+  };
+  std::map<std::int64_t, Frame> frames;
+  std::size_t highest = 0;
+  std::vector<std::string_view> cells;
+  while (table.next(cells)) {
+    const auto number_at = [&](std::optional<std::size_t> column) -> std::optional<double> {
+      return column && *column < cells.size() ? table.number(cells[*column]) : std::nullopt;
+    };
+    const auto frame = number_at(columns.frame);
+    const auto point = number_at(columns.point);
+    if (cells.size() > table.columns().size()) {
+      return table.error("the row has more cells than columns", "write numbers with a decimal point");
+    }
+    if (!frame || !(std::abs(*frame) < 1e15) || !point || !(*point >= 0 && *point < k_mediapipe_iris_points)) {
+      return table.error("a frame number and a landmark number of 0 to 477 were expected", "export the track again");
+    }
+    auto& entry = frames[static_cast<std::int64_t>(*frame)];
+    if (frames.size() > k_most_track_frames) return table.error("the table has too many frames", "cut the video");
+    if (entry.seen.empty()) {
+      entry.row.line = table.line();
+      entry.row.frame = static_cast<std::int64_t>(*frame);
+      entry.row.points.resize(k_mediapipe_iris_points);
+      entry.row.depths.resize(k_mediapipe_iris_points, std::nan(""));
+      entry.seen.resize(k_mediapipe_iris_points);
+      entry.row.time_s = number_at(columns.time);
+    }
+    const auto i = static_cast<std::size_t>(*point);
+    const double x = number_at(columns.x).value_or(std::nan(""));
+    const double y = number_at(columns.y).value_or(std::nan(""));
+    if (!usable_coordinate(x) || !usable_coordinate(y)) continue;
+    entry.row.points[i] = {x, y};
+    entry.row.depths[i] = -number_at(columns.z).value_or(std::nan(""));
+    entry.seen[i] = true;
+    highest = std::max(highest, i);
+  }
+  count = highest < k_mediapipe_points ? k_mediapipe_points : k_mediapipe_iris_points;
+  std::vector<TrackRow> rows;
+  for (auto& [number, frame] : frames) {
+    const auto missing = std::find(frame.seen.begin(), frame.seen.begin() + static_cast<std::ptrdiff_t>(count), false);
+    const auto at = static_cast<std::size_t>(missing - frame.seen.begin());
+    if (at < count) frame.row.why_held = "landmark " + std::to_string(at) + " is missing or no number";
+    frame.row.points.resize(at < count ? 0 : count);
+    frame.row.depths.resize(at < count ? 0 : count);
+    if (!std::all_of(frame.row.depths.begin(), frame.row.depths.end(), usable_coordinate)) frame.row.depths.clear();
+    rows.push_back(std::move(frame.row));
+  }
+  return rows;
+}
+
+}  // namespace
+
+base::Result<animation::PointTrack> read_mediapipe_csv(base::Bytes bytes, std::optional<PictureSize> picture) {
+  auto table = CsvReader::open(base::as_text(bytes));
+  if (!table) return table.error();
+  std::size_t count = 0;
+  std::vector<std::string> notes;
+  const auto long_columns = find_long(*table);
+  auto rows = long_columns ? read_long(*table, *long_columns, count) : read_wide(*table, count, notes);
+  if (!rows) return rows.error();
+  take_milliseconds(*rows);
+  scale_to_picture(*rows, picture, notes);
+  auto track = make_track(std::move(rows).value(), count, k_common_fps);
+  if (!track) return track;
+  track->notes.insert(track->notes.begin(), notes.begin(), notes.end());
+  return track;
+}
+
+}  // namespace penpose::model_io

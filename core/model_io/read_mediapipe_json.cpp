@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/model_io/face_points.h"
+#include "core/model_io/json.h"
+#include "core/model_io/picture_scale.h"
+#include "core/model_io/point_table.h"
+#include "core/model_io/read_track.h"
+
+namespace penpose::model_io {
+namespace {
+
+using Problem = std::optional<base::Error>;
+
+base::Error wrong(std::string what, std::string pointer) {
+  return {std::move(what), std::move(pointer), "export the track again, 468 or 478 points a face"};
+}
+
+bool is_point(const Json& value) {
+  if (value.is_object()) return value.contains("x") && value.contains("y");
+  return value.is_array() && (value.size() == 2 || value.size() == 3) && (value[0].is_number() || value[0].is_null());
+}
+
+/// A number or NaN.
+double member(const Json& point, const char* name, std::size_t index) {
+  const Json* value = point.is_object() ? find(point, name) : index < point.size() ? &point[index] : nullptr;
+  return value == nullptr ? std::nan("") : number(*value).value_or(std::nan(""));
+}
+
+/// One face of a frame. A point that is no number leaves `why_held`.
+Problem read_face(const Json& list, const std::string& pointer, TrackRow& out) {
+  if (list.size() != k_mediapipe_points && list.size() != k_mediapipe_iris_points) {
+    return wrong("a face of 468 or 478 points was expected, not of " + std::to_string(list.size()), pointer);
+  }
+  bool depths = true;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (!is_point(list[i])) return wrong("a point was expected", child(pointer, i));
+    const double x = member(list[i], "x", 0);
+    const double y = member(list[i], "y", 1);
+    const double z = member(list[i], "z", 2);
+    if (!usable_coordinate(x) || !usable_coordinate(y)) {
+      out.why_held = "a coordinate is missing or no number";
+      out.points.clear();
+      out.depths.clear();
+      return std::nullopt;
+    }
+    out.points.push_back({x, y});
+    out.depths.push_back(-z);
+    depths = depths && usable_coordinate(z);
+  }
+  if (!depths) out.depths.clear();
+  return std::nullopt;
+}
+
+double size_of(const TrackRow& row) {
+  if (row.points.empty()) return -1;
+  double low = row.points[0].x;
+  double high = low;
+  for (const auto& p : row.points) {
+    low = std::min(low, p.x);
+    high = std::max(high, p.x);
+  }
+  return high - low;
+}
+
+/// How far apart two faces are; those that cannot be compared are as far as can be.
+double distance_of(const TrackRow& a, const TrackRow& b) {
+  if (a.points.size() != b.points.size() || a.points.empty()) return 1e300;
+  double sum = 0;
+  for (std::size_t i = 0; i < a.points.size(); ++i) sum += geometry::distance(a.points[i], b.points[i]);
+  return sum;
+}
+
+class Reader {
+ public:
+  Problem read_frame(const Json& value, const std::string& pointer, std::size_t index) {
+    TrackRow row;
+    row.line = index;
+    const Json* points = &value;
+    std::string place = pointer;
+    if (value.is_object()) {
+      points = nullptr;
+      for (const char* name : {"landmarks", "faceLandmarks", "face_landmarks", "multi_face_landmarks", "points"}) {
+        if (points != nullptr) break;
+        points = find(value, name);
+        if (points != nullptr) place = child(pointer, name);
+      }
+      read_times(value, row);
+    }
+    const bool nothing = points == nullptr || points->is_null() || (points->is_array() && points->empty());
+    if (!nothing && !points->is_array()) return wrong("a list of points was expected", place);
+    if (nothing) {
+      row.why_held = "the tracker found no face";
+    } else if (is_point((*points)[0])) {
+      if (auto problem = read_face(*points, place, row)) return problem;
+    } else if (auto problem = choose_face(*points, place, row)) {
+      return problem;
+    }
+    if (row.why_held.empty() && !(row.confidence > 0)) row.why_held = "the tracker's confidence is 0";
+    if (!row.why_held.empty()) row.points.clear();
+    if (!row.points.empty()) {
+      if (count != 0 && row.points.size() != count) return wrong("frames have faces of 468 and of 478 points", place);
+      count = row.points.size();
+      last_ = row;
+    }
+    rows.push_back(std::move(row));
+    return std::nullopt;
+  }
+
+  std::vector<TrackRow> rows;
+  std::size_t count = 0;
+  bool several = false;
+
+ private:
+  static void read_times(const Json& value, TrackRow& row) {
+    const auto at = [&](const char* name) {
+      const Json* found = find(value, name);
+      const auto n = found == nullptr ? std::nullopt : number(*found);
+      return n && std::abs(*n) < 1e12 ? n : std::nullopt;
+    };
+    row.time_s = at("timestamp");
+    if (!row.time_s) row.time_s = at("time");
+    if (const auto ms = at("timestamp_ms")) row.time_s = *ms / 1000.0;
+    row.confidence = find(value, "confidence") == nullptr ? 1.0 : at("confidence").value_or(0);
+  }
+
+  /// The face nearest to the one before, at first the largest.
+  Problem choose_face(const Json& faces, const std::string& pointer, TrackRow& row) {
+    TrackRow best;
+    double least = 0;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      TrackRow face;
+      const std::string place = child(pointer, i);
+      // MediaPipe's own messages wrap the list once more.
+      const Json* list = &faces[i];
+      if (const Json* inner = find(faces[i], "landmark")) list = inner;
+      if (!list->is_array()) return wrong("a list of points was expected", place);
+      if (auto problem = read_face(*list, place, face)) return problem;
+      const double cost = last_.points.empty() ? -size_of(face) : distance_of(face, last_);
+      if (i == 0 || cost < least) {
+        least = cost;
+        best = std::move(face);
+      }
+    }
+    several = several || faces.size() > 1;
+    row.points = std::move(best.points);
+    row.depths = std::move(best.depths);
+    row.why_held = std::move(best.why_held);
+    return std::nullopt;
+  }
+
+  TrackRow last_;
+};
+
+}  // namespace
+
+base::Result<animation::PointTrack> read_mediapipe_json(base::Bytes bytes, std::optional<PictureSize> picture) {
+  const auto json = parse_json(bytes);
+  if (!json) return json.error();
+  const Json* frames = json->is_object() ? find(*json, "frames") : &*json;
+  const std::string here = json->is_object() ? "/frames" : "";
+  if (frames == nullptr || !frames->is_array()) return wrong("a list of frames was expected", here);
+  if (frames->size() > k_most_track_frames) return wrong("a track has at most 1,000,000 frames", here);
+  const auto root_number = [&](const char* name) {
+    const Json* found = find(*json, name);
+    const auto n = found == nullptr ? std::nullopt : number(*found);
+    return n && *n > 0 && *n <= 1e5 ? *n : 0.0;
+  };
+  const PictureSize own{root_number("width"), root_number("height")};
+  if (!picture && own.width > 0 && own.height > 0) picture = own;
+  Reader reader;
+  for (std::size_t f = 0; f < frames->size(); ++f) {
+    if (auto problem = reader.read_frame((*frames)[f], child(here, f), f)) return *problem;
+  }
+  std::vector<std::string> notes;
+  if (reader.several) notes.emplace_back("several faces are seen; the one that was largest at first is followed");
+  scale_to_picture(reader.rows, picture, notes);
+  auto track = make_track(std::move(reader.rows), reader.count, root_number("fps"), RowName::frame);
+  if (!track) return track;
+  track->notes.insert(track->notes.begin(), notes.begin(), notes.end());
+  return track;
+}
+
+}  // namespace penpose::model_io

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/animation/track.h"
+#include "core/base/result.h"
+
+namespace penpose::model_io {
+
+/// One row of a table of points, as read: what a file says of one face in one frame.
+struct TrackRow {
+  std::size_t line = 0;
+  std::optional<std::int64_t> frame;  ///< the file's own number
+  std::optional<double> time_s;
+  double confidence = 1;
+  std::string why_held;                    ///< not empty: the row shows no face, and why
+  std::vector<animation::PxPoint> points;  ///< empty where held
+  std::vector<double> depths;              ///< or empty
+};
+
+/// What `line` counts: lines from 1, or frames of a list from 0.
+enum class RowName : std::uint8_t { line, frame };
+
+/// Puts rows in the order of the file into a track: frames whose numbers are left out are filled with frames that show
+/// no face, times that are missing or stand still are made of `fps`. Errors: no row with a face, more frames than
+/// k_most_track_frames.
+[[nodiscard]] base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::size_t point_count,
+                                                             double fps, RowName name = RowName::line);
+
+/// Frame rate of a track whose file says nothing of time.
+inline constexpr double k_common_fps = 30;
+
+}  // namespace penpose::model_io

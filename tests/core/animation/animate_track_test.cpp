@@ -1,0 +1,150 @@
+#include "core/animation/animate_track.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/rendered_track.h"
+#include "tests/support/test_rigs.h"
+
+namespace penpose::animation {
+namespace {
+
+/// A strip of eleven vertices along x; control 0 raises its middle, control 1 shifts all of it to the right.
+std::shared_ptr<const rig::CharacterRig> strip_rig() {
+  mesh::MeshSource source;
+  rig::BlendShape raise;
+  rig::BlendShape shift;
+  raise.parameter.name = "raise";
+  shift.parameter = {"shift", 0, -1, 1};
+  for (std::uint32_t i = 0; i <= 10; ++i) {
+    source.positions.emplace_back(0.1 * i, 0, 0);
+    source.positions.emplace_back(0.1 * i, -1, 0);
+    const float middle = 1.0F - std::abs(static_cast<float>(i) - 5.0F) / 5.0F;
+    raise.vertices.push_back(2 * i);
+    raise.deltas.emplace_back(0, 0.4F * middle, 0);
+    shift.vertices.push_back(2 * i);
+    shift.deltas.emplace_back(0.3F, 0, 0);
+  }
+  for (std::uint32_t i = 0; i < 10; ++i) {
+    source.triangles.push_back({2 * i, 2 * i + 1, 2 * i + 2});
+    source.triangles.push_back({2 * i + 1, 2 * i + 3, 2 * i + 2});
+  }
+  const auto mesh = mesh::TriangleMesh::build(std::move(source)).value();
+  const auto shapes = rig::BlendShapes::make({raise, shift}, mesh->vertex_count()).value();
+  return rig::CharacterRig::make(mesh, {shapes}, nullptr).value();
+}
+
+class AnimateTrack : public testing::Test {
+ protected:
+  void SetUp() override {
+    rig_ = strip_rig();
+    for (std::uint32_t i = 0; i <= 10; i += 2) vertices_.push_back(2 * i);
+    TrackedCurve curve;
+    curve.points = {0, 1, 2, 3, 4, 5};
+    for (std::uint32_t i = 0; i <= 10; ++i) curve.reference.push_back(posing::at_vertex(2 * i));
+    setup_.curves = {curve};
+    setup_.free = {0, 1};
+    setup_.rest = rig::rest_pose(*rig_);
+    setup_.tremor_px = 0;
+    for (std::size_t f = 0; f < 30; ++f) {
+      const double t = static_cast<double>(f) / 30;
+      poses_.push_back({t, 0.5 * std::sin(6 * t)});
+    }
+    track_ = tests::track_of(*rig_, poses_, vertices_, camera_);
+  }
+
+  std::shared_ptr<const rig::CharacterRig> rig_;
+  std::vector<std::uint32_t> vertices_;
+  geometry::Camera camera_ = geometry::frame_box({{-0.5, -1, 0}, {1.5, 1, 0}}, {500, 500}, 0);
+  TrackSetup setup_;
+  std::vector<rig::Pose> poses_;
+  PointTrack track_;
+};
+
+TEST_F(AnimateTrack, FindsThePosesThatWereSeen) {
+  const auto result = animate_track(*rig_, track_, setup_, camera_).value();
+  ASSERT_EQ(result.poses.size(), 30U);
+  for (std::size_t f = 0; f < 30; ++f) {
+    EXPECT_NEAR(result.poses[f][0], poses_[f][0], 0.06) << f;
+    EXPECT_NEAR(result.poses[f][1], poses_[f][1], 0.06) << f;
+  }
+}
+
+TEST_F(AnimateTrack, ATrackOfAnotherSizeAndDirectionGivesTheSame) {
+  const auto same = animate_track(*rig_, track_, setup_, camera_).value();
+  for (auto& frame : track_.frames) {
+    for (auto& p : frame.points) p = p * 3.0 + PxPoint{1000, -200};
+    std::reverse(frame.points.begin(), frame.points.end());
+  }
+  const auto result = animate_track(*rig_, track_, setup_, camera_).value();
+  for (std::size_t f = 0; f < 30; ++f) EXPECT_NEAR(result.poses[f][0], same.poses[f][0], 1e-3);
+}
+
+TEST_F(AnimateTrack, HoldsAndReportsFramesWithoutAFace) {
+  for (const std::size_t f : {10U, 11U, 29U}) track_.frames[f] = {track_.frames[f].time_s, 0, {}, {}};
+  const auto result = animate_track(*rig_, track_, setup_, camera_).value();
+  EXPECT_EQ(result.held, (std::vector<std::size_t>{10, 11, 29}));
+  EXPECT_EQ(result.poses[11], result.poses[9]);
+  EXPECT_NEAR(result.poses[12][0], poses_[12][0], 0.06);
+}
+
+TEST_F(AnimateTrack, FramesOfLittleTrustMoveLittle) {
+  track_.frames[29].confidence = 0.001;
+  for (auto& p : track_.frames[29].points) p.y += 300;
+  setup_.least_confidence = 0;
+  const auto result = animate_track(*rig_, track_, setup_, camera_).value();
+  track_.frames[29].confidence = 1;
+  const auto trusted = animate_track(*rig_, track_, setup_, camera_).value();
+  EXPECT_LT(std::abs(result.poses[29][0] - result.poses[28][0]),
+            0.5 * std::abs(trusted.poses[29][0] - trusted.poses[28][0]));
+}
+
+TEST_F(AnimateTrack, WildInputStaysInRange) {
+  tests::Shaker shake;
+  for (auto& frame : track_.frames) {
+    for (auto& p : frame.points) p = p + PxPoint{500 * shake(), 500 * shake()};
+  }
+  const auto result = animate_track(*rig_, track_, setup_, camera_).value();
+  for (const auto& pose : result.poses) {
+    EXPECT_TRUE(pose[0] >= 0 && pose[0] <= 1);
+    EXPECT_TRUE(pose[1] >= -1 && pose[1] <= 1);
+  }
+}
+
+TEST_F(AnimateTrack, SmoothingDoesNotLag) {
+  setup_.smooth_s = 0.1;
+  const auto result = animate_track(*rig_, track_, setup_, camera_).value();
+  for (std::size_t f = 8; f < 22; ++f) EXPECT_NEAR(result.poses[f][0], poses_[f][0], 0.06);
+}
+
+TEST_F(AnimateTrack, SaysWhichCurveDoesNotFit) {
+  auto setup = setup_;
+  setup.curves[0].points = {0, 99};
+  EXPECT_EQ(animate_track(*rig_, track_, setup, camera_).error().place, "/curves/0");
+  setup.curves[0].points = {0, 0};
+  EXPECT_EQ(animate_track(*rig_, track_, setup, camera_).error().place, "/curves/0");
+  setup.curves.clear();
+  EXPECT_FALSE(animate_track(*rig_, track_, setup, camera_).ok());
+}
+
+TEST_F(AnimateTrack, NarrowEyesCloseWideOnes) {
+  // Two curves of the track lie half as far apart as those of the model; their movement grows to make up for it.
+  TrackedCurve lower = setup_.curves[0];
+  lower.points = {6, 7, 8, 9, 10, 11};
+  lower.reference.clear();
+  for (std::uint32_t i = 0; i <= 10; ++i) lower.reference.push_back(posing::at_vertex(2 * i + 1));
+  lower.meets = 0;
+  setup_.curves.push_back(lower);
+  track_.point_count = 12;
+  for (auto& frame : track_.frames) {
+    for (std::size_t i = 0; i < 6; ++i) {
+      PxPoint p = track_.frames[0].points[i];
+      frame.points.push_back(
+          {p.x, p.y + 0.5 * geometry::distance(track_.frames[0].points[0], track_.frames[0].points[5])});
+    }
+  }
+  const auto result = animate_track(*rig_, track_, setup_, camera_).value();
+  EXPECT_NEAR(result.transfer.scale.back() / result.transfer.scale.front(), 2.0, 0.1);
+}
+
+}  // namespace
+}  // namespace penpose::animation

@@ -1,0 +1,96 @@
+#include "core/animation/steady.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "tests/support/rendered_track.h"
+
+namespace penpose::animation {
+namespace {
+
+StillTrack one_curve(const std::vector<double>& y, double shake = 0) {
+  StillTrack track;
+  tests::Shaker random;
+  for (const double value : y) {
+    track.confidence.push_back(1);
+    std::vector<PxPoint>& points = track.offsets.emplace_back();
+    for (int i = 0; i < 5; ++i) {
+      const double dx = shake * random();
+      points.push_back({dx, value + shake * random()});
+    }
+  }
+  return track;
+}
+
+const std::vector<std::size_t> k_all{0, 1, 2, 3, 4};
+
+double roughness(const StillTrack& track) {
+  double sum = 0;
+  for (std::size_t f = 1; f < track.offsets.size(); ++f) {
+    sum += std::abs(track.offsets[f][2].y - track.offsets[f - 1][2].y);
+  }
+  return sum / static_cast<double>(track.offsets.size() - 1);
+}
+
+TEST(Steady, TakesTremorAway) {
+  auto track = one_curve(std::vector<double>(100, 0.0), 1);
+  const double before = roughness(track);
+  steady(track, k_all, 1);
+  EXPECT_LT(roughness(track), before / 3);
+}
+
+TEST(Steady, KeepsABlinkSharpAndOnTime) {
+  std::vector<double> y(40, 0.0);
+  y[19] = y[21] = 8;
+  y[20] = 14;
+  auto track = one_curve(y);
+  steady(track, k_all, 1);
+  EXPECT_NEAR(track.offsets[20][2].y, 14, 0.2);
+  EXPECT_NEAR(track.offsets[19][2].y, 8, 0.2);
+  EXPECT_NEAR(track.offsets[17][2].y, 0, 0.2);
+}
+
+TEST(Steady, DoesNotLagBehindASteadyMovement) {
+  std::vector<double> y;
+  for (int f = 0; f < 40; ++f) y.push_back(0.3 * f);
+  auto track = one_curve(y);
+  steady(track, k_all, 1);
+  for (std::size_t f = 6; f < 34; ++f) EXPECT_NEAR(track.offsets[f][0].y, y[f], 1e-9);
+}
+
+TEST(Steady, PassesOverFramesWithoutAFace) {
+  auto track = one_curve(std::vector<double>(10, 3.0));
+  track.offsets[4].clear();
+  track.confidence[4] = 0;
+  steady(track, k_all, 1);
+  EXPECT_TRUE(track.offsets[4].empty());
+  EXPECT_NEAR(track.offsets[5][0].y, 3, 1e-12);
+}
+
+TEST(Steady, SettleKeepsLargeStepsAndLevelsSmallOnes) {
+  std::vector<std::vector<double>> rows;
+  for (int f = 0; f < 40; ++f)
+    rows.push_back({(f < 20 ? 0.0 : 0.8) + (f % 2 == 0 ? 0.02 : -0.02), f % 2 == 0 ? 0.02 : -0.02});
+  const std::vector<double> tremor{0.03, 0};
+  settle(tremor, rows);
+  EXPECT_LT(std::abs(rows[10][0] - rows[11][0]), 0.01);
+  EXPECT_GT(rows[20][0] - rows[19][0], 0.75);
+  EXPECT_NEAR(rows[10][1], 0.02, 1e-12);  // left alone
+}
+
+TEST(SmoothOverTime, IsSymmetricAndKeepsStraightLines) {
+  std::vector<double> times;
+  std::vector<std::vector<double>> rows;
+  for (int f = 0; f < 30; ++f) {
+    times.push_back(f / 30.0);
+    rows.push_back({f == 15 ? 1.0 : 0.0, 0.1 * f});
+  }
+  smooth_over_time(times, 0.1, rows);
+  EXPECT_LT(rows[15][0], 0.5);
+  EXPECT_GT(rows[15][0], rows[14][0]);
+  EXPECT_NEAR(rows[14][0], rows[16][0], 1e-12);
+  for (std::size_t f = 0; f < 30; ++f) EXPECT_NEAR(rows[f][1], 0.1 * static_cast<double>(f), 1e-9);
+}
+
+}  // namespace
+}  // namespace penpose::animation

@@ -1,0 +1,62 @@
+#include "core/document/animation_building.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "core/document/animation_sampling.h"
+#include "tests/support/model_samples.h"
+
+namespace penpose::document {
+namespace {
+
+Model two_shapes() {
+  mesh::MeshSource source;
+  tests::add_square(source, "a", 0);
+  rig::BlendShape shape;
+  shape.parameter.name = "up";
+  shape.vertices = {0};
+  shape.deltas = {{0, 0.5F, 0}};
+  rig::BlendShape other = shape;
+  other.parameter.name = "side";
+  auto mesh = mesh::TriangleMesh::build(std::move(source)).value();
+  auto shapes = rig::BlendShapes::make({shape, other}, mesh->vertex_count()).value();
+  return make_model(mesh, shapes, nullptr).value();
+}
+
+TEST(AnimationBuilding, KeysGoThroughThePoses) {
+  Model model = two_shapes();
+  const std::vector<double> times{5.0, 5.5, 5.5, 6.0};
+  const std::vector<rig::Pose> poses{{0, 0.5}, {1, 0.25}, {0.3, 0.3}, {0.5, 0}};
+  model.animations = {make_animation(model, "talk", times, poses)};
+  ASSERT_EQ(model.animations[0].channels.size(), 1U);
+  EXPECT_EQ(model.animations[0].channels[0].times_s, (std::vector<double>{0, 0.5, 1}));
+  EXPECT_EQ(sample(model, model.animations[0], 0.5).weights, (std::vector<double>{1, 0.25}));
+  EXPECT_EQ(sample(model, model.animations[0], 0.75).weights, (std::vector<double>{0.75, 0.125}));
+}
+
+TEST(AnimationBuilding, AStandMovesTheWholeModelAboutItsPivot) {
+  Model model = two_shapes();
+  const auto rest = posed_positions(model);
+  const std::vector<double> times{0, 1};
+  const std::vector<rig::Pose> poses(2, rig::Pose{0, 0});
+  model.animations = {make_animation(model, "talk", times, poses)};
+  const double half = std::sqrt(0.5);
+  const std::vector<Stand> stands{{}, {glm::dquat(half, 0, 0, half), {1, 2, 3}, 2}};
+  const geometry::ModelPoint pivot(0.5, 0, 0);
+  const auto moved = with_stand(std::move(model), 0, pivot, times, stands);
+  ASSERT_TRUE(moved.ok());
+  const auto end = model_at(*moved, sample(*moved, moved->animations[0], 1)).value();
+  const auto positions = posed_positions(end);
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    const auto p = rest[v] - pivot;
+    const geometry::ModelPoint wanted =
+        pivot + geometry::ModelPoint(1, 2, 3) + 2.0 * geometry::ModelPoint(-p.y, p.x, p.z);
+    EXPECT_NEAR(geometry::distance(positions[v], wanted), 0, 1e-5);
+  }
+  const auto start = model_at(*moved, sample(*moved, moved->animations[0], 0)).value();
+  for (std::size_t v = 0; v < rest.size(); ++v)
+    EXPECT_NEAR(geometry::distance(posed_positions(start)[v], rest[v]), 0, 1e-6);
+}
+
+}  // namespace
+}  // namespace penpose::document

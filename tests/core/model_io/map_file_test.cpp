@@ -1,0 +1,59 @@
+#include "core/model_io/map_file.h"
+
+#include <gtest/gtest.h>
+
+namespace penpose::model_io {
+namespace {
+
+base::Result<MapFile> read(const char* text) { return read_map_file(base::as_bytes(text)); }
+
+TEST(MapFile, ReadsEveryMember) {
+  const auto map = read(R"({"format": "openface", "head": "apply", "stable": [27, "eyes"], "turning": [31],
+    "free": ["jawOpen"], "curves": [
+    {"track": [48, 54], "reference": "lip_upper", "anchor": [62], "meets": "lip_lower", "weight": 2, "gain": 0.5},
+    {"track": "mouth", "reference": [3, 4, 5]}]})");
+  ASSERT_TRUE(map.ok()) << map.error().line();
+  EXPECT_EQ(map->format, TrackFormat::openface);
+  EXPECT_TRUE(map->apply_head);
+  ASSERT_EQ(map->curves.size(), 2U);
+  EXPECT_EQ(std::get<0>(map->curves[0].track), (std::vector<std::size_t>{48, 54}));
+  EXPECT_EQ(std::get<1>(map->curves[0].reference), "lip_upper");
+  EXPECT_EQ(map->curves[0].weight, 2);
+  EXPECT_EQ(map->curves[0].gain, 0.5);
+  EXPECT_EQ(map->curves[0].meets, "lip_lower");
+  EXPECT_EQ(std::get<1>(map->curves[1].track), "mouth");
+  EXPECT_EQ(std::get<1>(map->stable[1]), "eyes");
+  EXPECT_EQ(map->free.size(), 1U);
+}
+
+TEST(MapFile, SaysWhereItIsWrong) {
+  const auto place = [](const char* text) { return read(text).error().place; };
+  EXPECT_EQ(place("[]"), "/");
+  EXPECT_EQ(place("{}"), "/");
+  EXPECT_EQ(place(R"({"format": "dlib"})"), "/format");
+  EXPECT_EQ(place(R"({"format": "openface"})"), "/");
+  EXPECT_EQ(place(R"({"format": "openface", "curves": []})"), "/curves");
+  EXPECT_EQ(place(R"({"format": "openface", "curves": [{"track": [1, 2]}]})"), "/curves/0");
+  EXPECT_EQ(place(R"({"format": "openface", "curves": [{"track": [1, -2], "reference": "a"}]})"), "/curves/0/track/1");
+  EXPECT_EQ(place(R"({"format": "openface", "curves": [{"track": [1], "reference": "a"}]})"), "/curves/0/track");
+  EXPECT_EQ(place(R"({"format": "openface", "curves": [{"track": [1, 2], "reference": "a", "weight": 0}]})"),
+            "/curves/0/weight");
+  EXPECT_EQ(place(R"({"format": "arkit", "head": "turn"})"), "/head");
+  EXPECT_EQ(place(R"({"format": "arkit", "stable": [true]})"), "/stable/0");
+}
+
+TEST(MapFile, EveryBundledMapIsGood) {
+  using enum TrackFormat;
+  for (const auto format : {openface, mediapipe, ibug68, arkit}) {
+    const auto text = bundled_map(format);
+    ASSERT_TRUE(text.has_value());
+    const auto map = read_map_file(base::as_bytes(*text));
+    ASSERT_TRUE(map.ok()) << map.error().line();
+    EXPECT_EQ(map->format, format);
+    EXPECT_EQ(map->curves.size(), format == arkit ? 0U : 10U);
+  }
+  EXPECT_FALSE(bundled_map(curves).has_value());
+}
+
+}  // namespace
+}  // namespace penpose::model_io

@@ -1,0 +1,321 @@
+#include "core/model_io/read_track.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "core/model_io/track_format.h"
+
+namespace penpose::model_io {
+namespace {
+
+base::Bytes bytes(const std::string& text) { return base::as_bytes(text); }
+
+/// A text that others are appended to.
+std::string s(const char* text) { return text; }
+
+std::string text_of(double value) { return std::to_string(value); }
+
+/// A table of 68 points in OpenFace's way. Point i of frame f is (100 + 10 (i % 10) + f, 200 + 10 (i / 10)).
+struct Table {
+  std::string separator = ", ";
+  std::string before = "frame, timestamp, confidence, success";
+  std::vector<std::string> rows;
+
+  [[nodiscard]] std::string header() const {
+    std::string line = before;
+    for (const char* axis : {"x_", "y_"}) {
+      for (int i = 0; i < 68; ++i) line += separator + axis + std::to_string(i);
+    }
+    return line + "\n";
+  }
+  [[nodiscard]] std::string points(int frame) const {
+    std::string line;
+    for (int i = 0; i < 68; ++i) line += separator + text_of(100 + 10 * (i % 10) + frame);
+    for (int i = 0; i < 68; ++i) line += separator + text_of(200 + 10 * (i / 10));
+    return line;
+  }
+  [[nodiscard]] std::string text() const {
+    std::string all = header();
+    for (const std::string& row : rows) all += row + "\n";
+    return all;
+  }
+};
+
+Table two_frames() {
+  Table table;
+  table.rows = {s("1, 0.000, 0.98, 1") + table.points(0), s("2, 0.040, 0.88, 1") + table.points(1)};
+  return table;
+}
+
+TEST(ReadOpenFace, ReadsPointsTimesAndConfidences) {
+  const auto track = read_openface_track(bytes(two_frames().text())).value();
+  ASSERT_EQ(track.frames.size(), 2U);
+  EXPECT_EQ(track.point_count, 68U);
+  EXPECT_DOUBLE_EQ(track.frames[1].time_s, 0.04);
+  EXPECT_DOUBLE_EQ(track.frames[1].confidence, 0.88);
+  EXPECT_EQ(track.frames[1].points[11], (animation::PxPoint{111, 210}));
+  EXPECT_EQ(track.frames[0].depths.size(), 68U);
+  EXPECT_TRUE(track.notes.empty());
+}
+
+TEST(ReadOpenFace, TakesOtherCountriesTables) {
+  Table table = two_frames();
+  std::string text = table.text();
+  std::string other;
+  for (const char c : text) other += c == ',' ? ';' : c == '.' ? ',' : c;
+  const auto track = read_openface_track(bytes(other)).value();
+  EXPECT_DOUBLE_EQ(track.frames[1].time_s, 0.04);
+  EXPECT_EQ(track.frames[1].points[11], (animation::PxPoint{111, 210}));
+}
+
+TEST(ReadOpenFace, NamesTheLineOfDecimalCommasBetweenCommas) {
+  Table table = two_frames();
+  table.rows[1] = s("2, 0,040, 0,88, 1") + table.points(1);
+  const auto error = read_openface_track(bytes(table.text())).error();
+  EXPECT_EQ(error.place, "line 3");
+  EXPECT_NE(error.remedy.find("decimal point"), std::string::npos);
+}
+
+TEST(ReadOpenFace, NamesTheFirstMissingColumn) {
+  const auto error = read_openface_track(bytes("frame, timestamp, confidence, success, x_0\n1, 0, 1, 1, 5\n")).error();
+  EXPECT_EQ(error.place, "line 1");
+  EXPECT_NE(error.what.find("y_0"), std::string::npos);
+  EXPECT_EQ(read_openface_track(bytes("\n\n")).error().place, "line 1");
+}
+
+TEST(ReadOpenFace, HoldsFramesThatShowNoFace) {
+  Table table;
+  table.rows = {s("1, 0.00, 0.98, 1") + table.points(0), s("2, 0.04, 0.98, 0") + table.points(1),
+                s("3, 0.08, 0.00, 1") + table.points(2), "4, 0.12, 0.98, 1, 5, 6",
+                s("5, 0.16, nan, 1") + table.points(4),  s("6, 0.20, 0.98, 1") + table.points(5)};
+  std::string& last = table.rows[5];
+  last.replace(last.find("115"), 10, "nan");
+  table.rows.push_back(s("7, 0.24, 0.98, 1") + table.points(6));
+  const auto track = read_openface_track(bytes(table.text())).value();
+  ASSERT_EQ(track.frames.size(), 7U);
+  for (const std::size_t f : {1U, 2U, 3U, 4U, 5U}) EXPECT_FALSE(track.frames[f].found()) << f;
+  EXPECT_TRUE(track.frames[6].found());
+  EXPECT_GE(track.notes.size(), 4U);
+  EXPECT_EQ(track.notes[0].substr(0, 7), "line 3:");
+}
+
+TEST(ReadOpenFace, RefusesTextWhereANumberBelongs) {
+  Table table = two_frames();
+  table.rows[1].replace(table.rows[1].find("0.88"), 4, "good");
+  const auto error = read_openface_track(bytes(table.text())).error();
+  EXPECT_EQ(error.place, "line 3");
+  EXPECT_NE(error.what.find("good"), std::string::npos);
+}
+
+TEST(ReadOpenFace, FillsFramesThatAreLeftOut) {
+  Table table;
+  table.rows = {s("1, 0.00, 0.9, 1") + table.points(0), s("2, 0.04, 0.9, 1") + table.points(1),
+                s("5, 0.16, 0.9, 1") + table.points(4)};
+  const auto track = read_openface_track(bytes(table.text())).value();
+  ASSERT_EQ(track.frames.size(), 5U);
+  EXPECT_FALSE(track.frames[2].found());
+  EXPECT_NEAR(track.frames[3].time_s, 0.12, 1e-9);
+  table.rows[2] = s("4000000000, 0.16, 0.9, 1") + table.points(4);
+  EXPECT_EQ(read_openface_track(bytes(table.text())).error().place, "line 4");
+}
+
+TEST(ReadOpenFace, NumbersThatStandStillAreNotTrusted) {
+  Table table;
+  for (int f = 0; f < 3; ++f) table.rows.push_back(s("0, ") + text_of(0.1 * f) + s(", 0.9, 1") + table.points(f));
+  const auto track = read_openface_track(bytes(table.text())).value();
+  ASSERT_EQ(track.frames.size(), 3U);
+  EXPECT_NEAR(track.frames[2].time_s, 0.2, 1e-9);
+  // Nor are times that stand still.
+  for (std::string& row : table.rows) row.replace(0, row.find(", 0.9"), "0, 0");
+  EXPECT_NEAR(read_openface_track(bytes(table.text()))->frames[2].time_s, 2.0 / 30, 1e-9);
+}
+
+TEST(ReadOpenFace, KeepsTheFaceThatIsSeenBest) {
+  Table table;
+  table.before = "frame,face_id,timestamp,confidence,success";
+  table.separator = ",";
+  table.rows = {s("1,0,0.00,0.3,1") + table.points(50), s("1,1,0.00,0.9,1") + table.points(0),
+                s("2,0,0.04,0.3,1") + table.points(50), s("2,1,0.04,0.9,1") + table.points(1),
+                s("3,0,0.08,0.3,1") + table.points(50)};
+  const auto track = read_openface_track(bytes(table.text())).value();
+  ASSERT_EQ(track.frames.size(), 2U);
+  EXPECT_EQ(track.frames[0].points[0].x, 100);
+  ASSERT_FALSE(track.notes.empty());
+  EXPECT_NE(track.notes[0].find("2 faces"), std::string::npos);
+}
+
+std::string mediapipe_wide(int points, bool normalised) {
+  std::string text = "frame,timestamp";
+  for (int i = 0; i < points; ++i) {
+    const std::string n = std::to_string(i);
+    text += s(",x_") + n + ",y_" + n + ",z_" + n;
+  }
+  for (int f = 0; f < 2; ++f) {
+    text += s("\n") + std::to_string(f) + "," + std::to_string(33 * f);
+    for (int i = 0; i < points; ++i) {
+      const double scale = normalised ? 0.001 : 1;
+      text += s(",") + text_of(scale * i) + "," + text_of(scale * (i + 100)) + "," + text_of(-scale * 7);
+    }
+  }
+  return text + "\n";
+}
+
+TEST(ReadMediapipeCsv, ReadsRowsOfFramesInPx) {
+  const auto track = read_mediapipe_csv(bytes(mediapipe_wide(478, false)), {}).value();
+  EXPECT_EQ(track.point_count, 478U);
+  EXPECT_EQ(track.frames[1].points[3], (animation::PxPoint{3, 103}));
+  EXPECT_NEAR(track.frames[1].time_s, 0.033, 1e-9);  // milliseconds
+  EXPECT_NEAR(track.frames[0].depths[5], 7, 1e-9);
+}
+
+TEST(ReadMediapipeCsv, SharesOfThePictureNeedItsSize) {
+  const auto text = mediapipe_wide(468, true);
+  const auto track = read_mediapipe_csv(bytes(text), PictureSize{1920, 1080}).value();
+  EXPECT_EQ(track.point_count, 468U);
+  EXPECT_NEAR(track.frames[0].points[100].x, 192, 1e-9);
+  EXPECT_NEAR(track.frames[0].points[100].y, 216, 1e-9);
+  const auto square = read_mediapipe_csv(bytes(text), {}).value();
+  ASSERT_EQ(square.notes.size(), 1U);
+  EXPECT_NE(square.notes[0].find("--picture"), std::string::npos);
+}
+
+TEST(ReadMediapipeCsv, ReadsRowsOfPoints) {
+  std::string text = "frame,landmark,x,y,z\n";
+  for (int f = 0; f < 2; ++f) {
+    for (int i = 0; i < 468; ++i) {
+      if (f == 1 && i == 40) continue;
+      text += std::to_string(f) + "," + std::to_string(i) + "," + std::to_string(i + 3) + "," + std::to_string(2 * i) +
+              ",0\n";
+    }
+  }
+  const auto track = read_mediapipe_csv(bytes(text), {}).value();
+  EXPECT_EQ(track.frames[0].points[40], (animation::PxPoint{43, 80}));
+  EXPECT_FALSE(track.frames[1].found());
+  EXPECT_EQ(read_mediapipe_csv(bytes("frame,landmark,x,y\n0,478,1,1\n"), {}).error().place, "line 2");
+  EXPECT_EQ(read_mediapipe_csv(bytes("frame,x_0,y_0\n0,1,1\n"), {}).error().place, "line 1");
+}
+
+std::string face(int shift, int points = 468, const char* form = "object") {
+  std::string text = "[";
+  for (int i = 0; i < points; ++i) {
+    const std::string x = std::to_string(i + shift);
+    const std::string y = std::to_string(2 * i);
+    if (i > 0) text += ",";
+    text +=
+        std::string(form) == "object" ? s(R"({"x":)") + x + R"(,"y":)" + y + R"(,"z":-1})" : s("[") + x + "," + y + "]";
+  }
+  return text + "]";
+}
+
+TEST(ReadMediapipeJson, ReadsTheShapesThatProgramsWrite) {
+  const std::string list = s("[") + face(0) + "," + face(1) + ",null]";
+  for (const std::string& text :
+       {list, s(R"({"fps": 25, "frames": )") + list + "}",
+        s(R"({"frames": [{"landmarks": )") + face(0) + R"(}, {"landmarks": )" + face(1) + R"(}, {"landmarks": []}]})",
+        s(R"({"frames": [{"faceLandmarks": [)") + face(0) + R"(]}, {"faceLandmarks": [)" + face(1) + R"(]}, {}]})",
+        s("[") + face(0, 478, "list") + "," + face(1, 478, "list") + ",[]]"}) {
+    const auto track = read_mediapipe_json(bytes(text), {});
+    ASSERT_TRUE(track.ok()) << track.error().line();
+    ASSERT_EQ(track->frames.size(), 3U);
+    EXPECT_EQ(track->frames[1].points[7], (animation::PxPoint{8, 14}));
+    EXPECT_FALSE(track->frames[2].found());
+  }
+}
+
+TEST(ReadMediapipeJson, FollowsOneFaceOfSeveral) {
+  const std::string text = s(R"([{"faceLandmarks": [)") + face(0) + "," + face(5000) + R"(]}, {"faceLandmarks": [)" +
+                           face(5001) + "," + face(1) + "]}]";
+  const auto track = read_mediapipe_json(bytes(text), {}).value();
+  EXPECT_EQ(track.frames[0].points[0].x, 0);
+  EXPECT_EQ(track.frames[1].points[0].x, 1);
+}
+
+TEST(ReadMediapipeJson, SaysWhereItIsWrong) {
+  EXPECT_EQ(read_mediapipe_json(bytes(s("[") + face(0, 12) + "]"), {}).error().place, "/0");
+  EXPECT_EQ(read_mediapipe_json(bytes("{}"), {}).error().place, "/frames");
+  EXPECT_EQ(read_mediapipe_json(bytes(s("[") + face(0) + "," + face(0, 478) + "]"), {}).error().place, "/1");
+  EXPECT_FALSE(read_mediapipe_json(bytes("[null, null]"), {}).ok());
+  EXPECT_EQ(read_mediapipe_json(bytes("[1]"), {}).error().place, "/0");
+}
+
+TEST(ReadIbug, ReadsBlocksTablesAndBareRows) {
+  std::string block = "version: 1\nn_points:  68\n{\n";
+  std::string bare;
+  for (int i = 0; i < 68; ++i) {
+    block += std::to_string(i) + " " + std::to_string(i + 5) + "\n";
+    if (i > 0) bare += ",";
+    bare += std::to_string(i) + "," + std::to_string(i + 5);
+  }
+  block += "}\n";
+  for (const std::string& text : {block + block, s(bare.c_str()) + "\n" + bare + "\n"}) {
+    const auto track = read_ibug_track(bytes(text));
+    ASSERT_TRUE(track.ok()) << track.error().line();
+    ASSERT_EQ(track->frames.size(), 2U);
+    EXPECT_EQ(track->frames[1].points[9], (animation::PxPoint{9, 14}));
+  }
+  Table table = two_frames();
+  EXPECT_EQ(read_ibug_track(bytes(table.text()))->frames.size(), 2U);
+  EXPECT_EQ(read_ibug_track(bytes("n_points: 29\n{\n1 2\n}\n")).error().place, "line 1");
+  EXPECT_EQ(read_ibug_track(bytes(block + "{\n1,5 2,5\n}\n")).error().place, "line 74");
+  EXPECT_FALSE(read_ibug_track(bytes(block + "{\n1 2\n}\n"))->frames[1].found());
+}
+
+TEST(ReadCurveTrack, ReadsNamedCurves) {
+  const auto track = read_curve_track(bytes(R"({"fps": 25, "frames": [
+    {"curves": {"b": [[0, 0], [10, 0], [20, 0]], "a": [[1, 1], [2, 2]]}},
+    {"curves": {"a": [[1, 1], [2, 3]], "b": [[0, 0], [20, 0]]}, "confidence": 0.5},
+    null,
+    {"curves": {"a": [[1, 1], null], "b": [[0, 0], [20, 0]]}}]})"))
+                         .value();
+  ASSERT_EQ(track.frames.size(), 4U);
+  ASSERT_EQ(track.groups.size(), 2U);
+  EXPECT_EQ(track.groups[0].name, "a");
+  EXPECT_EQ(track.groups[1].first, 2U);
+  EXPECT_EQ(track.frames[1].points[3], (animation::PxPoint{10, 0}));  // resampled to three points
+  EXPECT_DOUBLE_EQ(track.frames[1].time_s, 0.04);
+  EXPECT_FALSE(track.frames[2].found());
+  EXPECT_FALSE(track.frames[3].found());
+}
+
+TEST(ReadCurveTrack, SaysWhereItIsWrong) {
+  const auto place = [](const char* text) { return read_curve_track(bytes(text)).error().place; };
+  EXPECT_EQ(place("[]"), "/frames");
+  EXPECT_EQ(place(R"({"fps": 0, "frames": []})"), "/fps");
+  EXPECT_EQ(place(R"({"frames": [{"curves": {"a": [[1, 1]]}}]})"), "/frames/0/curves/a");
+  EXPECT_EQ(place(R"({"frames": [{"curves": {"a": [[1, 1], [2, "3"]]}}]})"), "/frames/0/curves/a/1");
+  EXPECT_EQ(place(R"({"frames": [{"curves": {"a": [[1, 1], [2, 3]]}}, {"curves": {"b": [[1, 1], [2, 3]]}}]})"),
+            "/frames/1/curves");
+}
+
+TEST(ReadArkit, ReadsNamesTimesAndHolds) {
+  const auto track = read_arkit_track(bytes("Timecode,BlendShapeCount,EyeBlinkLeft,JawOpen\n"
+                                            "23:59:59:59.5,61,0.1,0.2\n00:00:00:00.5,61,0.3,0.4\n"
+                                            "00:00:00:01.5,0\n00:00:00:02.5,61,nan,0\n"))
+                         .value();
+  EXPECT_EQ(track.names, (std::vector<std::string>{"EyeBlinkLeft", "JawOpen"}));
+  ASSERT_EQ(track.frames.size(), 4U);
+  EXPECT_NEAR(track.frames[1].time_s, 1.0 / 60, 1e-9);
+  EXPECT_DOUBLE_EQ(track.frames[1].values[1], 0.4);
+  EXPECT_FALSE(track.frames[2].found);
+  EXPECT_FALSE(track.frames[3].found);
+  EXPECT_EQ(track.notes.size(), 2U);
+  EXPECT_EQ(read_arkit_track(bytes("a,b\n1,2\n")).error().place, "line 1");
+  EXPECT_EQ(read_arkit_track(bytes("Timecode,JawOpen\n0:0:0:1,x\n")).error().place, "line 2");
+  EXPECT_EQ(read_arkit_track(bytes("Timecode,JawOpen\n0:0:0:1,0,5\n")).error().place, "line 2");
+}
+
+TEST(TrackFormat, IsToldByTheContent) {
+  using enum TrackFormat;
+  EXPECT_EQ(format_of_track(bytes(two_frames().text())), openface);
+  EXPECT_EQ(format_of_track(bytes(mediapipe_wide(468, true))), mediapipe);
+  EXPECT_EQ(format_of_track(bytes("frame,landmark,x,y\n")), mediapipe);
+  EXPECT_EQ(format_of_track(bytes("version: 1\nn_points: 68\n{\n")), ibug68);
+  EXPECT_EQ(format_of_track(bytes("1,2,3\n")), ibug68);
+  EXPECT_EQ(format_of_track(bytes(R"({"frames": [{"curves": {}}]})")), curves);
+  EXPECT_EQ(format_of_track(bytes("[[]]")), mediapipe);
+  EXPECT_EQ(format_of_track(bytes("Timecode,BlendShapeCount,JawOpen\n")), arkit);
+  EXPECT_FALSE(format_of_track(bytes("hello, world\n")).has_value());
+}
+
+}  // namespace
+}  // namespace penpose::model_io

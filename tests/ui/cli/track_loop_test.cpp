@@ -1,0 +1,230 @@
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "core/animation/animate_track.h"
+#include "core/model_io/face_points.h"
+#include "core/model_io/landmark_file.h"
+#include "core/model_io/read_track.h"
+#include "tests/support/rendered_track.h"
+#include "tests/support/shared_data.h"
+#include "ui/cli/files.h"
+#include "ui/cli/load_model.h"
+#include "ui/cli/track_input.h"
+#include "ui/cli/track_setup.h"
+
+namespace penpose::cli {
+namespace {
+
+geometry::ModelPoint turned(geometry::ModelPoint v, double angle, int i, int j) {
+  const double x = v[i];
+  const double y = v[j];
+  v[i] = std::cos(angle) * x - std::sin(angle) * y;
+  v[j] = std::sin(angle) * x + std::cos(angle) * y;
+  return v;
+}
+
+/// A head that rolls, nods and looks about by up to 20 degrees and sways.
+geometry::ModelPoint nodding(std::size_t frame, geometry::ModelPoint p) {
+  const double t = static_cast<double>(frame) / 30.0;
+  const double in = std::min(1.0, t);
+  const geometry::ModelPoint neck(0, -8, 0);
+  p = turned(p - neck, in * 0.35 * std::sin(1.1 * t), 0, 1);
+  p = turned(p, in * 0.25 * std::sin(0.7 * t), 1, 2);
+  p = turned(p, in * 0.3 * std::sin(0.9 * t), 2, 0);
+  return p + neck + geometry::ModelVector(2 * std::sin(0.5 * t), std::sin(0.8 * t), 0) * in;
+}
+
+/// The loop of tracked curves: a clip of known poses is seen, tracked and animated again.
+class SharedTrackLoop : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!tests::has_shared()) GTEST_SKIP();
+    model_ = load_model((tests::shared_dir() / "meshes" / "ict_face.glb").string()).value();
+    const auto bytes = read_file((tests::shared_dir() / "meshes" / "ict_face_landmarks.json").string()).value();
+    const auto json = nlohmann::json::parse(bytes.begin(), bytes.end());
+    points_ = json["landmarks68"].get<std::vector<std::uint32_t>>();
+    map_ = model_io::read_map_file(base::as_bytes(*model_io::bundled_map(model_io::TrackFormat::openface))).value();
+    poses_ = tests::talking_clip(*model_.rig, 300);
+    std::vector<geometry::ModelPoint> rest(model_.mesh->vertex_count());
+    model_.rig->evaluate(rig::rest_pose(*model_.rig), rest);
+    // A camera that shows the face 320 px wide.
+    const double width = geometry::distance(rest[points_[0]], rest[points_[16]]);
+    const geometry::ModelPoint middle = (rest[points_[0]] + rest[points_[16]]) * 0.5;
+    const double distance = 60;
+    geometry::CameraPose pose{middle + geometry::ModelVector(0, 0, distance), middle, {0, 1, 0}, 30};
+    video_ = geometry::Camera::make(pose, {640, 640}).value();
+    const double px = width / video_->units_per_px(distance);
+    pose.vertical_fov_degrees = 30 * px / 320;
+    video_ = geometry::Camera::make(pose, {640, 640}).value();
+    height_ = 1.6 * (rest[points_[27]].y - rest[points_[8]].y);  // from the bridge of the nose to the chin is 5/8 of it
+  }
+
+  animation::TrackedAnimation animate(animation::PointTrack track) {
+    for (auto& frame : track.frames) frame.depths = model_io::common_depths(frame.points);
+    std::vector<std::string> notes;
+    auto setup = make_setup(model_, track, map_, true, {}, notes).value();
+    const auto camera = geometry::frame_box(document::rest_world_box(model_), {1000, 1000}, 0);
+    return animation::animate_track(*model_.rig, track, setup, camera).value();
+  }
+
+  /// Mean over frames and the vertices under the driven curves and around them of how far they are off.
+  double mean_error(const animation::TrackedAnimation& result) {
+    std::vector<std::uint32_t> driven;
+    const auto curves = model_io::read_landmarks(
+                            read_file((tests::shared_dir() / "meshes" / "ict_face_landmarks.json").string()).value())
+                            .value();
+    for (const auto& curve : curves) {
+      const bool feature =
+          curve.name.starts_with("lip") || curve.name.starts_with("brow") || curve.name.starts_with("eyelid");
+      if (feature) driven.insert(driven.end(), curve.vertices.begin(), curve.vertices.end());
+    }
+    const auto bound = model_.rig->bind(driven);
+    std::vector<geometry::ModelPoint> wanted(driven.size());
+    std::vector<geometry::ModelPoint> found(driven.size());
+    double sum = 0;
+    for (std::size_t f = 0; f < poses_.size(); ++f) {
+      bound->evaluate(poses_[f], wanted);
+      bound->evaluate(result.poses[f], found);
+      for (std::size_t i = 0; i < driven.size(); ++i) sum += geometry::distance(wanted[i], found[i]);
+    }
+    return sum / static_cast<double>(driven.size() * poses_.size());
+  }
+
+  [[nodiscard]] std::size_t parameter(const char* name) const {
+    return rig::find_parameter(model_.rig->parameters(), name).value();
+  }
+  static double largest_jump(const animation::TrackedAnimation& result, std::size_t from) {
+    double largest = 0;
+    for (std::size_t f = from + 1; f < result.poses.size(); ++f) {
+      for (std::size_t i = 0; i < result.poses[f].size(); ++i) {
+        largest = std::max(largest, std::abs(result.poses[f][i] - result.poses[f - 1][i]));
+      }
+    }
+    return largest;
+  }
+
+  document::Model model_;
+  std::vector<std::uint32_t> points_;
+  model_io::MapFile map_;
+  std::vector<rig::Pose> poses_;
+  std::optional<geometry::Camera> video_;
+  double height_ = 0;
+};
+
+TEST_F(SharedTrackLoop, RecoversTheAnimation) {
+  const auto result = animate(tests::track_of(*model_.rig, poses_, points_, *video_));
+  EXPECT_LT(mean_error(result) / height_, 0.005);
+  EXPECT_TRUE(result.held.empty());
+  for (const auto& pose : result.poses) {
+    for (const double value : pose) EXPECT_TRUE(value >= 0 && value <= 1);
+  }
+  // A blink of seven frames is neither lost nor late.
+  const auto blink = parameter("eyeBlink_L");
+  for (std::size_t f = 20; f < 40; ++f) EXPECT_LE(result.poses[f][blink], result.poses[30][blink]);
+  EXPECT_GT(result.poses[30][blink], 0.85);
+  EXPECT_LT(result.poses[25][blink], 0.2);
+}
+
+TEST_F(SharedTrackLoop, RecoversItWithTremor) {
+  const auto result = animate(tests::track_of(*model_.rig, poses_, points_, *video_, 1.0));
+  EXPECT_LT(mean_error(result) / height_, 0.006);
+}
+
+TEST_F(SharedTrackLoop, TremorDoesNotMakeAParameterJump) {
+  poses_.assign(300, rig::rest_pose(*model_.rig));
+  EXPECT_LT(largest_jump(animate(tests::track_of(*model_.rig, poses_, points_, *video_, 1.0)), 0), 0.05);
+  rig::Pose held = poses_[0];
+  for (const char* name : {"jawOpen", "mouthSmile_L", "eyeBlink_L", "browInnerUp_L"}) held[parameter(name)] = 0.5;
+  std::fill(poses_.begin() + 1, poses_.end(), held);
+  EXPECT_LT(largest_jump(animate(tests::track_of(*model_.rig, poses_, points_, *video_, 1.0)), 8), 0.05);
+}
+
+TEST_F(SharedTrackLoop, AMovingHeadIsNoExpression) {
+  const auto moved = animate(tests::track_of(*model_.rig, poses_, points_, *video_, 0, nodding));
+  EXPECT_LT(mean_error(moved) / height_, 0.01);
+  poses_.assign(300, rig::rest_pose(*model_.rig));
+  const auto silent = animate(tests::track_of(*model_.rig, poses_, points_, *video_, 0, nodding));
+  EXPECT_LT(mean_error(silent) / height_, 0.005);
+  const auto jaw = parameter("jawOpen");
+  for (const auto& pose : silent.poses) EXPECT_LT(pose[jaw], 0.03);
+}
+
+/// A real tracker's output for a head that moves a lot.
+class SharedRealTrack : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!tests::has_shared()) GTEST_SKIP();
+    model_ = load_model((tests::shared_dir() / "meshes" / "ict_face.glb").string()).value();
+    track_ = std::get<animation::PointTrack>(
+        read_track((tests::shared_dir() / "tracks" / "openface_head_test.csv").string(), {}, {}).value().track);
+    const auto map =
+        model_io::read_map_file(base::as_bytes(*model_io::bundled_map(model_io::TrackFormat::openface))).value();
+    std::vector<std::string> notes;
+    const auto setup = make_setup(model_, track_, map, true, {}, notes).value();
+    const auto camera = geometry::frame_box(document::rest_world_box(model_), {1000, 1000}, 0);
+    result_ = animation::animate_track(*model_.rig, track_, setup, camera).value();
+  }
+  [[nodiscard]] double apart(std::size_t f, std::size_t a, std::size_t b) const {
+    return geometry::distance(track_.frames[f].points[a], track_.frames[f].points[b]);
+  }
+  [[nodiscard]] std::vector<double> values(const char* name) const {
+    const auto p = rig::find_parameter(model_.rig->parameters(), name).value();
+    std::vector<double> all;
+    for (const auto& pose : result_.poses) all.push_back(pose[p]);
+    return all;
+  }
+
+  document::Model model_;
+  animation::PointTrack track_;
+  animation::TrackedAnimation result_;
+};
+
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  const auto n = static_cast<double>(a.size());
+  const double mean_a = std::accumulate(a.begin(), a.end(), 0.0) / n;
+  const double mean_b = std::accumulate(b.begin(), b.end(), 0.0) / n;
+  double ab = 0;
+  double aa = 0;
+  double bb = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ab += (a[i] - mean_a) * (b[i] - mean_b);
+    aa += (a[i] - mean_a) * (a[i] - mean_a);
+    bb += (b[i] - mean_b) * (b[i] - mean_b);
+  }
+  return ab / std::sqrt(aa * bb);
+}
+
+TEST_F(SharedRealTrack, TheMouthOpensWhenThePersonsDoes) {
+  std::vector<double> lips;
+  for (std::size_t f = 0; f < 300; ++f) lips.push_back(apart(f, 62, 66));
+  const auto jaw = values("jawOpen");
+  EXPECT_GT(correlation(lips, jaw), 0.9);
+  // The head rolls and nods by 40 degrees with closed lips.
+  for (std::size_t f = 0; f < 300; ++f) {
+    if (lips[f] < 3) {
+      EXPECT_LT(jaw[f], 0.1) << f;
+    }
+  }
+}
+
+TEST_F(SharedRealTrack, TheEyesCloseWhenThePersonsDo) {
+  const auto blink = values("eyeBlink_R");
+  // Around frame 247 the eyes are half closed for a moment; at 126 they are wide open.
+  EXPECT_GT(blink[247], 0.25);
+  EXPECT_LT(blink[126], 0.05);
+  EXPECT_LT(blink[232], 0.15);
+}
+
+TEST_F(SharedRealTrack, TheHeadsTurnIsKeptApart) {
+  const auto roll = [&](std::size_t f) {
+    return std::atan2(result_.still.turns[f].rotation[0][1], result_.still.turns[f].rotation[0][0]);
+  };
+  EXPECT_LT(roll(105), -0.5);
+  EXPECT_GT(roll(195), 0.6);
+  EXPECT_NEAR(roll(240), 0.0, 0.1);
+}
+
+}  // namespace
+}  // namespace penpose::cli

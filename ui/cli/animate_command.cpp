@@ -1,0 +1,297 @@
+#include "ui/cli/animate_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "core/base/math.h"
+#include "core/base/numbers.h"
+#include "core/document/animation_building.h"
+#include "core/geometry/rotation.h"
+#include "ui/cli/commands.h"
+#include "ui/cli/files.h"
+#include "ui/cli/head_stand.h"
+#include "ui/cli/load_model.h"
+#include "ui/cli/progress.h"
+#include "ui/cli/save_model.h"
+#include "ui/cli/track_input.h"
+#include "ui/cli/track_setup.h"
+#include "ui/cli/weight_animation.h"
+
+namespace penpose::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct AnimateArguments {
+  std::string model;
+  std::string track;
+  std::string map;
+  std::string curves;
+  std::string out;
+  std::string head;
+  std::optional<std::size_t> neutral;
+  double tremor_px = 1;
+  double smooth_s = 0;
+  double least_confidence = 0.2;
+  double fps = 0;
+  std::string picture;
+  bool json = false;
+};
+
+/// What is written, whatever the track was.
+struct Animated {
+  std::vector<double> times_s;
+  std::vector<rig::Pose> poses;
+  std::vector<std::size_t> held;
+  std::vector<std::string> notes;
+  std::vector<std::string> unmatched;  ///< names of the track that the model has no control for
+  std::vector<document::Stand> stands;
+  std::vector<animation::HeadTurn> head;  ///< as seen in the picture; empty for tracks of values
+  geometry::ModelPoint pivot{0};
+  double solve_us = 0;
+};
+
+struct LoadedMap {
+  model_io::MapFile map;
+  bool bundled = false;
+};
+
+std::optional<model_io::TrackFormat> format_named(const std::string& name) {
+  using enum model_io::TrackFormat;
+  for (const auto format : {openface, mediapipe, ibug68, curves, arkit}) {
+    if (name == model_io::name_of(format)) return format;
+  }
+  return std::nullopt;
+}
+
+base::Result<LoadedMap> load_map(const std::string& path) {
+  const auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  auto map = model_io::read_map_file(*bytes);
+  if (!map) return map.error();
+  return LoadedMap{std::move(map).value(), false};
+}
+
+base::Result<LoadedMap> load_bundled(model_io::TrackFormat format) {
+  const auto text = model_io::bundled_map(format);
+  if (!text) {
+    return base::Error{"a track of curves needs a map that says what they drive", "--map", "write a map file"};
+  }
+  auto map = model_io::read_map_file(base::as_bytes(*text));
+  if (!map) return map.error();
+  return LoadedMap{std::move(map).value(), true};
+}
+
+base::Result<Animated> from_points(const document::Model& model, const animation::PointTrack& track,
+                                   const LoadedMap& map, const AnimateArguments& arguments, bool apply_head) {
+  std::vector<model_io::VertexCurve> landmarks;
+  if (!arguments.curves.empty()) {
+    const auto bytes = read_file(arguments.curves);
+    auto read = bytes ? model_io::read_landmarks(*bytes) : bytes.error();
+    if (!read) {
+      base::Error error = read.error();
+      error.place = arguments.curves + (error.place.empty() ? "" : ": " + error.place);
+      return error;
+    }
+    landmarks = std::move(read).value();
+  }
+  Animated animated;
+  auto setup = make_setup(model, track, map.map, map.bundled, landmarks, animated.notes);
+  if (!setup) return setup.error();
+  setup->neutral = arguments.neutral;
+  setup->tremor_px = arguments.tremor_px;
+  setup->smooth_s = arguments.smooth_s;
+  setup->least_confidence = arguments.least_confidence;
+  const auto camera = geometry::frame_box(document::rest_world_box(model), {1000, 1000}, 0);
+  using Clock = std::chrono::steady_clock;
+  std::vector<double> times_us;
+  Clock::time_point before;
+  Progress progress("animating", track.frames.size());
+  auto result = animation::animate_track(*model.rig, track, *setup, camera, [&](bool done) {
+    if (!done) {
+      before = Clock::now();
+      return;
+    }
+    times_us.push_back(std::chrono::duration<double, std::micro>(Clock::now() - before).count());
+    progress.advance();
+  });
+  progress.finish();
+  if (!result) return result.error();
+  if (apply_head) {
+    animated.pivot = head_pivot(*model.rig, *setup, *result, camera);
+    animated.stands = head_stands(*result, animated.pivot, camera, arguments.smooth_s);
+  }
+  std::sort(times_us.begin(), times_us.end());
+  if (!times_us.empty()) animated.solve_us = times_us[times_us.size() / 2];
+  animated.times_s = std::move(result->times_s);
+  animated.poses = std::move(result->poses);
+  animated.held = std::move(result->held);
+  animated.head = std::move(result->still.turns);
+  return animated;
+}
+
+/// The head's turns one by one, degrees (pitch: down, yaw: to the picture's right, roll: clockwise) and px.
+Json head_to_json(const std::vector<animation::HeadTurn>& head) {
+  Json pitch = Json::array();
+  Json yaw = Json::array();
+  Json roll = Json::array();
+  Json scale = Json::array();
+  Json shift = Json::array();
+  for (const animation::HeadTurn& turn : head) {
+    const glm::dvec3 angles = geometry::xyz_from_quaternion(glm::quat_cast(turn.rotation));
+    pitch.push_back(base::degrees(angles.x));
+    yaw.push_back(-base::degrees(angles.y));
+    roll.push_back(base::degrees(angles.z));
+    scale.push_back(turn.scale);
+    shift.push_back({turn.shift.x, turn.shift.y});
+  }
+  return {{"pitch", pitch}, {"yaw", yaw}, {"roll", roll}, {"scale", scale}, {"shift_px", shift}};
+}
+
+Json to_json(const Animated& animated, const document::Model& model, double fps) {
+  Json parameters = Json::object();
+  for (std::size_t i = 0; i < model.rig->parameters().size(); ++i) {
+    Json& values = parameters[model.rig->parameters()[i].name] = Json::array();
+    for (const rig::Pose& pose : animated.poses) values.push_back(pose[i]);
+  }
+  return {{"frames", animated.poses.size()},
+          {"held", animated.held},
+          {"fps", fps},
+          {"solve_us", animated.solve_us},
+          {"unmatched", animated.unmatched},
+          {"parameters", std::move(parameters)},
+          {"head", head_to_json(animated.head)},
+          {"state", document::state_hash(model).hex()}};
+}
+
+std::optional<model_io::PictureSize> picture_size(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos) return std::nullopt;
+  const auto width = base::parse_int(std::string_view(text).substr(0, cross));
+  const auto height = base::parse_int(std::string_view(text).substr(cross + 1));
+  if (!width || !height || *width < 1 || *height < 1 || *width > 100000 || *height > 100000) return std::nullopt;
+  return model_io::PictureSize{static_cast<double>(*width), static_cast<double>(*height)};
+}
+
+std::string check_picture(const std::string& text) {
+  return picture_size(text) ? std::string() : "write WIDTHxHEIGHT in px, not \"" + text + "\"";
+}
+
+/// Frames at an even rate, whatever times the file gives.
+template <typename Track>
+void retime(Track& track, double fps) {
+  for (std::size_t f = 0; fps > 0 && f < track.frames.size(); ++f) {
+    track.frames[f].time_s = static_cast<double>(f) / fps;
+  }
+}
+
+int animate(const AnimateArguments& arguments) {
+  if (!arguments.out.ends_with(".glb")) {
+    return report({"animations are kept in .glb files only", "", "name the output .glb"}, arguments.out);
+  }
+  auto model = load_model(arguments.model);
+  if (!model) return report(model.error(), arguments.model);
+  if (model->rig->parameters().empty()) {
+    return report({"the model has no control to animate", "", "articulate it first"}, arguments.model);
+  }
+  const auto named = format_named(arguments.map);
+  std::optional<base::Result<LoadedMap>> map;
+  if (!arguments.map.empty()) map = named ? load_bundled(*named) : load_map(arguments.map);
+  if (map && !*map) return report(map->error(), arguments.map);
+  auto input = read_track(arguments.track, map ? std::optional((*map)->map.format) : std::nullopt,
+                          picture_size(arguments.picture));
+  if (!input) return report(input.error(), arguments.track);
+  if (!map) map = load_bundled(input->format);
+  if (!*map) return report(map->error(), arguments.track);
+  const bool apply_head = arguments.head.empty() ? (*map)->map.apply_head : arguments.head == "apply";
+
+  base::Result<Animated> animated = base::Error{};
+  if (auto* weights = std::get_if<animation::WeightTrack>(&input->track)) {
+    retime(*weights, arguments.fps);
+    WeightAnimation result = animate_weights(*model, *weights, (*map)->map, apply_head, arguments.smooth_s);
+    Animated all;
+    all.times_s = std::move(result.times_s);
+    all.poses = std::move(result.poses);
+    all.held = std::move(result.held);
+    all.notes = weights->notes;
+    all.unmatched = std::move(result.unmatched);
+    all.stands = std::move(result.stands);
+    all.pivot = document::rest_world_box(*model).center();
+    animated = std::move(all);
+  } else {
+    auto& points = std::get<animation::PointTrack>(input->track);
+    retime(points, arguments.fps);
+    animated = from_points(*model, points, **map, arguments, apply_head);
+    if (animated) animated->notes.insert(animated->notes.begin(), points.notes.begin(), points.notes.end());
+  }
+  const std::string map_name = arguments.map.empty() ? arguments.track : arguments.map;
+  if (!animated) return report(animated.error(), map_name);
+
+  const double fps =
+      animation::frames_per_second(animated->times_s.front(), animated->times_s.back(), animated->times_s.size());
+  model->animations.insert(model->animations.begin(),
+                           document::make_animation(*model, "tracked", animated->times_s, animated->poses));
+  // Joints are turned by the animation itself; a pose of theirs would be added to it.
+  model->pose = rig::rest_pose(*model->rig);
+  std::copy_n(animated->poses.front().begin(), document::weight_count(*model), model->pose.begin());
+  if (!animated->stands.empty()) {
+    auto with_head =
+        document::with_stand(std::move(model).value(), 0, animated->pivot, animated->times_s, animated->stands);
+    if (!with_head) return report(with_head.error(), arguments.model);
+    model = std::move(with_head);
+  }
+  if (auto saved = save_model(*model, arguments.out); !saved) return report(saved.error(), arguments.out);
+  for (const std::string& note : animated->notes) std::cerr << "penpose: " << arguments.track << ": " << note << '\n';
+  if (arguments.json) {
+    std::cout << to_json(*animated, *model, fps).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+    return k_success;
+  }
+  std::cout << animated->poses.size() << " frames at " << base::format_fixed(fps, 2) << " a second, "
+            << animated->held.size() << " held, " << base::format_fixed(animated->solve_us / 1000.0, 2)
+            << " ms a frame\n";
+  for (const std::string& name : animated->unmatched) std::cout << "no control for " << name << '\n';
+  return k_success;
+}
+
+}  // namespace
+
+void add_animate_command(CLI::App& app, int& status) {
+  auto arguments = std::make_shared<AnimateArguments>();
+  CLI::App* command = app.add_subcommand("animate", "Makes keyframes from the curves that a face tracker saw");
+  command->add_option("MODEL", arguments->model, "Model with controls")->required();
+  command
+      ->add_option(
+          "--track", arguments->track,
+          "OpenFace CSV, MediaPipe landmarks (JSON or CSV), 68 points (.pts, a folder of them, or CSV), curves "
+          "(JSON) or ARKit blend shapes (CSV)")
+      ->required();
+  command->add_option("--map", arguments->map,
+                      "Map file, or a bundled map: openface, mediapipe, ibug68, arkit (default: by the track)");
+  command->add_option("--curves", arguments->curves, "JSON file of curves of the model that the map may name");
+  command->add_option("-o", arguments->out, "Write the animated model, .glb")->required();
+  command->add_option("--head", arguments->head, "Turn of the head: drop it or apply it (default: as the map says)")
+      ->check(CLI::IsMember({"drop", "apply"}));
+  command->add_option("--neutral", arguments->neutral,
+                      "Frame, from 0, in which the face is at rest (default: the first)");
+  command->add_option("--tremor", arguments->tremor_px, "How far the tracker's points shake, px; 0 leaves them")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
+  command->add_option("--smooth", arguments->smooth_s, "Smooth over so many seconds to each side, without lag")
+      ->check(CLI::Range(0.0, 60.0))
+      ->capture_default_str();
+  command->add_option("--confidence", arguments->least_confidence, "Hold frames of less confidence, 0 to 1")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  command->add_option("--fps", arguments->fps, "Frames a second, instead of the track's own times")
+      ->check(CLI::Range(0.1, 10000.0));
+  command->add_option("--picture", arguments->picture, "WIDTHxHEIGHT of the video in px, for normalised coordinates")
+      ->check(CLI::Validator(check_picture, "WxH"));
+  command->add_flag("--json", arguments->json, "Print one JSON object");
+  command->callback([arguments, &status] { status = animate(*arguments); });
+}
+
+}  // namespace penpose::cli

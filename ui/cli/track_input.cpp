@@ -1,0 +1,98 @@
+#include "ui/cli/track_input.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/base/numbers.h"
+#include "core/model_io/track_format.h"
+#include "ui/cli/files.h"
+
+namespace penpose::cli {
+namespace {
+
+using model_io::TrackFormat;
+
+/// The number that a file's name ends with, as in face_0012.pts.
+std::optional<std::int64_t> number_of(const std::filesystem::path& file) {
+  const std::string stem = file.stem().string();
+  const auto last = stem.find_last_not_of("0123456789");
+  return base::parse_int(std::string_view(stem).substr(last == std::string::npos ? 0 : last + 1));
+}
+
+/// All .pts files of a folder as one text, blocks without points where numbers are left out.
+base::Result<std::vector<std::uint8_t>> read_folder(const std::string& path) {
+  std::vector<std::pair<std::int64_t, std::filesystem::path>> files;
+  std::error_code code;
+  for (const auto& entry : std::filesystem::directory_iterator(path, code)) {
+    if (entry.path().extension() != ".pts") continue;
+    const auto number = number_of(entry.path());
+    if (!number) {
+      return base::Error{"the name does not end with a frame's number", entry.path().filename().string(),
+                         "name the files face_0001.pts, face_0002.pts, ..."};
+    }
+    files.emplace_back(*number, entry.path());
+  }
+  if (code) return base::Error{"cannot be read (" + code.message() + ")", "", "check the folder and its permissions"};
+  if (files.empty()) return base::Error{"has no .pts file", "", "name a folder of .pts files, or one file"};
+  std::sort(files.begin(), files.end());
+  std::vector<std::uint8_t> all;
+  const auto add = [&](base::Bytes bytes) {
+    all.insert(all.end(), bytes.begin(), bytes.end());
+    all.push_back('\n');
+  };
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    constexpr std::int64_t k_most_missing = 100000;
+    const std::int64_t missing = i == 0 ? 0 : files[i].first - files[i - 1].first - 1;
+    if (missing > k_most_missing) {
+      return base::Error{"more than 100,000 frames are left out before it", files[i].second.filename().string(),
+                         "number the files as the frames of the video"};
+    }
+    for (std::int64_t k = 0; k < missing; ++k) add(base::as_bytes("{\n}"));
+    const auto bytes = read_file(files[i].second.string());
+    auto track = bytes ? model_io::read_ibug_track(*bytes) : base::Result<animation::PointTrack>(bytes.error());
+    if (!bytes) {
+      base::Error error = bytes.error();
+      error.place = files[i].second.filename().string();
+      return error;
+    }
+    add(track ? base::Bytes(*bytes) : base::as_bytes("{\n}"));
+  }
+  return all;
+}
+
+template <typename Track>
+base::Result<TrackInput> packed(TrackFormat format, base::Result<Track> track) {
+  if (!track) return track.error();
+  return TrackInput{format, std::move(track).value()};
+}
+
+}  // namespace
+
+base::Result<TrackInput> read_track(const std::string& path, std::optional<TrackFormat> format,
+                                    std::optional<model_io::PictureSize> picture) {
+  const bool folder = std::filesystem::is_directory(path);
+  const auto bytes = folder ? read_folder(path) : read_file(path);
+  if (!bytes) return bytes.error();
+  if (bytes->empty()) return base::Error{"the file is empty", "line 1", "track the video again"};
+  if (!format) format = model_io::format_of_track(*bytes);
+  if (!format) {
+    return base::Error{"the track's format is not known", "line 1",
+                       "name it with --map openface, mediapipe, ibug68 or arkit, or write a map"};
+  }
+  switch (*format) {
+    case TrackFormat::openface:
+      return packed(*format, model_io::read_openface_track(*bytes));
+    case TrackFormat::mediapipe:
+      return packed(*format, model_io::looks_like_json(*bytes) ? model_io::read_mediapipe_json(*bytes, picture)
+                                                               : model_io::read_mediapipe_csv(*bytes, picture));
+    case TrackFormat::ibug68:
+      return packed(*format, model_io::read_ibug_track(*bytes));
+    case TrackFormat::curves:
+      return packed(*format, model_io::read_curve_track(*bytes));
+    case TrackFormat::arkit:
+      break;
+  }
+  return packed(*format, model_io::read_arkit_track(*bytes));
+}
+
+}  // namespace penpose::cli

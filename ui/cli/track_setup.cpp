@@ -1,0 +1,190 @@
+#include "ui/cli/track_setup.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/model_io/known_heads.h"
+#include "core/rig/control_names.h"
+#include "ui/cli/closest_name.h"
+
+namespace penpose::cli {
+namespace {
+
+/// Curves of the model by name.
+class References {
+ public:
+  References(const document::Model& model, const std::vector<model_io::VertexCurve>& landmarks) : model_(model) {
+    add(landmarks);
+    for (const document::NamedCurve& curve : model.curves) {
+      std::vector<posing::CurvePoint> points;
+      for (const mesh::MeshPoint& p : curve.points) {
+        points.push_back(posing::at_mesh_point(p, model.mesh->triangles()));
+      }
+      add(curve.name, std::move(points));
+    }
+    add(model_io::known_head_curves(model));
+  }
+
+  /// The first curve of that name; landmark lists call the border of the lips its outer edge.
+  [[nodiscard]] const std::vector<posing::CurvePoint>* find(const std::string& name) const {
+    for (const std::string& wanted : {name, name + "_outer"}) {
+      const auto at = std::find(names_.begin(), names_.end(), wanted);
+      if (at != names_.end()) return &curves_[static_cast<std::size_t>(at - names_.begin())];
+    }
+    return nullptr;
+  }
+  [[nodiscard]] base::Error missing(const std::string& name, std::string place) const {
+    const auto close = closest_name(name, names_);
+    std::string remedy = close            ? "did you mean " + *close + "?"
+                         : names_.empty() ? "list its vertices in the map, or give a file of curves with --curves"
+                                          : "`penpose info` lists the model's curves";
+    return {"the model has no curve \"" + name + "\"", std::move(place), std::move(remedy)};
+  }
+
+ private:
+  void add(const std::vector<model_io::VertexCurve>& curves) {
+    for (const model_io::VertexCurve& curve : curves) {
+      std::vector<posing::CurvePoint> points;
+      for (const std::uint32_t v : curve.vertices) {
+        if (v < model_.mesh->vertex_count()) points.push_back(posing::at_vertex(v));
+      }
+      if (points.size() == curve.vertices.size()) add(curve.name, std::move(points));
+    }
+  }
+  void add(std::string name, std::vector<posing::CurvePoint> points) {
+    names_.push_back(std::move(name));
+    curves_.push_back(std::move(points));
+  }
+
+  const document::Model& model_;
+  std::vector<std::string> names_;
+  std::vector<std::vector<posing::CurvePoint>> curves_;
+};
+
+const animation::TrackGroup* group_of(const animation::PointTrack& track, const std::string& name) {
+  const auto found = std::find_if(track.groups.begin(), track.groups.end(),
+                                  [&](const animation::TrackGroup& group) { return group.name == name; });
+  return found == track.groups.end() ? nullptr : &*found;
+}
+
+base::Result<std::vector<std::size_t>> points_of_group(const animation::PointTrack& track, const std::string& name,
+                                                       std::string place) {
+  const auto* group = group_of(track, name);
+  if (group == nullptr) {
+    std::vector<std::string> names;
+    for (const auto& one : track.groups) names.push_back(one.name);
+    const auto close = closest_name(name, names);
+    return base::Error{"the track has no curve \"" + name + "\"", std::move(place),
+                       close ? "did you mean " + *close + "?" : "name a curve of the track, or list point numbers"};
+  }
+  std::vector<std::size_t> points(group->count);
+  std::iota(points.begin(), points.end(), group->first);
+  return points;
+}
+
+base::Status find_points(const animation::PointTrack& track,
+                         const std::vector<std::variant<std::size_t, std::string>>& named, const std::string& place,
+                         std::vector<std::size_t>& out) {
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    if (const auto* point = std::get_if<std::size_t>(&named[i])) {
+      out.push_back(*point);
+      continue;
+    }
+    auto points = points_of_group(track, std::get<std::string>(named[i]), place + "/" + std::to_string(i));
+    if (!points) return points.error();
+    out.insert(out.end(), points->begin(), points->end());
+  }
+  return base::Done{};
+}
+
+std::vector<std::size_t> free_parameters(const document::Model& model, const model_io::MapFile& map) {
+  std::vector<std::size_t> free;
+  for (const std::string& name : map.free) {
+    const auto named = rig::controls_named(model.rig->parameters(), name);
+    free.insert(free.end(), named.begin(), named.end());
+  }
+  std::sort(free.begin(), free.end());
+  free.erase(std::unique(free.begin(), free.end()), free.end());
+  if (free.empty()) {
+    free.resize(model.rig->parameters().size());
+    std::iota(free.begin(), free.end(), std::size_t{0});
+  }
+  return free;
+}
+
+base::Result<std::vector<posing::CurvePoint>> reference_of(const document::Model& model, const References& references,
+                                                           const model_io::MapCurve& curve, const std::string& place) {
+  if (const auto* name = std::get_if<std::string>(&curve.reference)) {
+    const auto* found = references.find(*name);
+    if (found == nullptr) return references.missing(*name, place);
+    return *found;
+  }
+  std::vector<posing::CurvePoint> points;
+  const auto& vertices = std::get<std::vector<std::uint32_t>>(curve.reference);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (vertices[i] >= model.mesh->vertex_count()) {
+      return base::Error{"vertex " + std::to_string(vertices[i]) + " does not exist; the model has " +
+                             std::to_string(model.mesh->vertex_count()) + " vertices",
+                         place + "/" + std::to_string(i), "use a map for this model"};
+    }
+    points.push_back(posing::at_vertex(vertices[i]));
+  }
+  return points;
+}
+
+}  // namespace
+
+base::Result<animation::TrackSetup> make_setup(const document::Model& model, const animation::PointTrack& track,
+                                               const model_io::MapFile& map, bool bundled,
+                                               const std::vector<model_io::VertexCurve>& landmarks,
+                                               std::vector<std::string>& notes) {
+  const References references(model, landmarks);
+  animation::TrackSetup setup;
+  std::optional<base::Error> left_out;
+  std::vector<std::string> meets;  // one a curve that is kept, as the next
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < map.curves.size(); ++i) {
+    const model_io::MapCurve& curve = map.curves[i];
+    const std::string place = "/curves/" + std::to_string(i);
+    animation::TrackedCurve tracked;
+    tracked.anchor = curve.anchor;
+    tracked.weight = curve.weight;
+    tracked.gain = curve.gain;
+    if (const auto* name = std::get_if<std::string>(&curve.track)) {
+      auto points = points_of_group(track, *name, place + "/track");
+      if (!points) return points.error();
+      tracked.points = std::move(points).value();
+    } else {
+      tracked.points = std::get<std::vector<std::size_t>>(curve.track);
+    }
+    auto reference = reference_of(model, references, curve, place + "/reference");
+    if (!reference) {
+      if (!bundled) return reference.error();
+      left_out = reference.error();
+      notes.push_back(left_out->what + "; what drives it is left out");
+      continue;
+    }
+    tracked.reference = std::move(reference).value();
+    setup.curves.push_back(std::move(tracked));
+    meets.push_back(curve.meets);
+    const auto* name = std::get_if<std::string>(&curve.reference);
+    names.push_back(name == nullptr ? "" : *name);
+  }
+  for (std::size_t i = 0; i < meets.size(); ++i) {
+    const auto at = std::find(names.begin(), names.end(), meets[i]);
+    if (!meets[i].empty() && at != names.end()) setup.curves[i].meets = static_cast<std::size_t>(at - names.begin());
+  }
+  if (setup.curves.empty() && left_out) {
+    left_out->what = "the model has none of the curves that the bundled map names";
+    left_out->place = "--map";
+    left_out->remedy = "write a map with the model's vertices, or give a file of curves with --curves";
+    return *left_out;
+  }
+  if (auto found = find_points(track, map.stable, "/stable", setup.points.stable); !found) return found.error();
+  if (auto found = find_points(track, map.turning, "/turning", setup.points.turning); !found) return found.error();
+  setup.free = free_parameters(model, map);
+  setup.rest = rig::rest_pose(*model.rig);
+  return setup;
+}
+
+}  // namespace penpose::cli

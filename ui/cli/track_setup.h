@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/animation/animate_track.h"
+#include "core/base/result.h"
+#include "core/document/model.h"
+#include "core/model_io/landmark_file.h"
+#include "core/model_io/map_file.h"
+
+namespace penpose::cli {
+
+/// Finds what a map names in the track and in the model: curves by name among `landmarks`, the model's own, and those
+/// of heads that are known by their vertex numbers; controls by name without case and separators. A control list of
+/// which the model has nothing frees all controls. Curves of a bundled map that the model lacks are left out, with a
+/// note, as long as one is left. Errors (place: JSON pointer in the map): a name or a vertex that does not exist.
+[[nodiscard]] base::Result<animation::TrackSetup> make_setup(const document::Model& model,
+                                                             const animation::PointTrack& track,
+                                                             const model_io::MapFile& map, bool bundled,
+                                                             const std::vector<model_io::VertexCurve>& landmarks,
+                                                             std::vector<std::string>& notes);
+
+}  // namespace penpose::cli
