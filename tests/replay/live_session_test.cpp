@@ -64,5 +64,15 @@ TEST(LiveSession, AResizeInTheMiddleOfAStrokeReplaysTheSame) {
   EXPECT_EQ(playback.session->editor().state(), script.editor().state());
 }
 
+TEST(LiveSession, LinesThatAreRefusedDoNotAddUpInMemory) {
+  tests::SessionScript script(document::make_document(tests::sheet_model()));
+  TabletSetting wrong;
+  wrong.area = {0, 0, 2, 2};
+  for (int i = 0; i < 1000; ++i) EXPECT_FALSE(script.act(TabletSet{0, wrong}).ok());
+  const Playback playback = replayed(script.text());
+  EXPECT_GE(playback.problems.size(), 1U);
+  EXPECT_LE(playback.problems.size(), 20U);
+}
+
 }  // namespace
 }  // namespace penpose::replay
