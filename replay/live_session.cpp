@@ -18,11 +18,14 @@ LiveSession::LiveSession(document::Document document, SessionWriter* writer, con
 }
 
 void LiveSession::connect(int device, const decode::DeviceIdentity& identity) {
+  // A replay learns of the tablet with its first report only; the stroke that is cut off must end where it did here.
+  if (session_.pens().draws(device)) static_cast<void>(act(TabletGone{device}, last_us_));
   if (writer_ != nullptr) static_cast<void>(writer_->declare(device, trace_device(identity)));
   session_.connect(device, identity);
 }
 
 std::span<const PenMoment> LiveSession::report(int device, std::int64_t time_us, base::Bytes bytes) {
+  last_us_ = time_us;
   if (writer_ != nullptr) writer_->report(device, time_us, bytes);
   const auto moments = session_.report(device, time_us, bytes);
   write_state();

@@ -31,6 +31,7 @@ class LiveSession {
 
   Session session_;
   SessionWriter* writer_;
+  std::int64_t last_us_ = 0;  ///< time of the last report
 };
 
 }  // namespace penpose::replay

@@ -33,6 +33,10 @@ base::Result<decode::PenMappingOptions> options_of(const TabletSetting& setting,
   return options;
 }
 
+base::Error wrong_area() {
+  return {"the area is empty or reaches beyond the tablet", "area", "give fractions from 0 to 1"};
+}
+
 }  // namespace
 
 void PenInput::connect(int device, const decode::DeviceIdentity& identity) {
@@ -60,14 +64,21 @@ std::span<const PenMoment> PenInput::disconnect(int device, std::int64_t time_us
 }
 
 base::Status PenInput::set_tablet(int device, const TabletSetting& setting) {
-  if (const auto options = options_of(setting, view_.viewport); !options) return options.error();
+  auto options = options_of(setting, view_.viewport);
+  if (!options) return options.error();
   Tablet& tablet = tablets_[device];
+  if (!tablet.decoder) {
+    // The tablet may come later; what can be wrong without knowing it is told now.
+    decode::PenAxes any;
+    any.x.maximum = any.y.maximum = 1;
+    if (const auto mapping = decode::PenMapping::make(any, *std::move(options)); !mapping) return wrong_area();
+  }
   const TabletSetting before = std::exchange(tablet.setting, setting);
   map_anew(tablet);
   if (!tablet.decoder || tablet.mapping) return base::Done{};
   tablet.setting = before;
   map_anew(tablet);
-  return base::Error{"the area is empty or reaches beyond the tablet", "area", "give fractions from 0 to 1"};
+  return wrong_area();
 }
 
 void PenInput::set_view(const document::View& view) {
@@ -102,14 +113,17 @@ std::span<const PenMoment> PenInput::report(int device, std::int64_t time_us, ba
 void PenInput::take_events(Tablet& tablet) {
   for (const decode::PenEvent& event : events_) {
     // A puck lies on the tablet like a pen but draws nothing.
-    if (event.tool == decode::Tool::mouse || !tablet.mapping) continue;
-    const decode::MappedSample mapped = tablet.mapping->map(event.sample);
+    if (event.tool == decode::Tool::mouse) continue;
+    const auto& mapping = tablet.stroke_mapping ? tablet.stroke_mapping : tablet.mapping;
+    if (!mapping) continue;
+    const decode::MappedSample mapped = mapping->map(event.sample);
     const PenMoment moment{
         event.kind,   {mapped.x_px, mapped.y_px}, mapped.pressure, event.tool == decode::Tool::eraser,
         event.button, event.sample.buttons,       event.time_us};
     moments_.push_back(moment);
     if (event.kind == PenEventKind::stroke_begin) {
       tablet.stroke = DrawnStroke{{}, view_, moment.eraser, on_canvas_ && moment.buttons == 0};
+      tablet.stroke_mapping = tablet.mapping;
     }
     if (!tablet.stroke) continue;
     if (event.kind == PenEventKind::stroke_begin || event.kind == PenEventKind::stroke_point) {
@@ -119,6 +133,7 @@ void PenInput::take_events(Tablet& tablet) {
     } else if (event.kind == PenEventKind::stroke_end) {
       completed_.push_back(*std::move(tablet.stroke));
       tablet.stroke.reset();
+      tablet.stroke_mapping.reset();
     }
   }
 }
@@ -128,6 +143,11 @@ const DrawnStroke* PenInput::current() const {
     if (tablet.stroke) return &*tablet.stroke;
   }
   return nullptr;
+}
+
+bool PenInput::draws(int device) const {
+  const auto found = tablets_.find(device);
+  return found != tablets_.end() && found->second.stroke.has_value();
 }
 
 bool PenInput::decodes(int device) const {

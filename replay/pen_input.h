@@ -63,9 +63,10 @@ class PenInput {
   void connect(int device, const decode::DeviceIdentity& identity);
   /// It went; its stroke ends.
   std::span<const PenMoment> disconnect(int device, std::int64_t time_us);
-  /// Errors: an area outside of the tablet, a pressure curve that falls.
+  /// A stroke that goes on keeps the setting under which it began. Errors: an area outside of the tablet, a pressure
+  /// curve that falls.
   base::Status set_tablet(int device, const TabletSetting& setting);
-  /// Where strokes that begin from now on are drawn.
+  /// Where strokes that begin from now on are drawn; one that goes on stays in its view.
   void set_view(const document::View& view);
   /// Whether strokes that begin from now on draw, or belong to a panel.
   void set_on_canvas(bool on_canvas) { on_canvas_ = on_canvas; }
@@ -78,6 +79,7 @@ class PenInput {
   [[nodiscard]] std::vector<DrawnStroke> take_strokes() { return std::exchange(completed_, {}); }
   /// The stroke that a pen is drawing now, null when none does.
   [[nodiscard]] const DrawnStroke* current() const;
+  [[nodiscard]] bool draws(int device) const;
   [[nodiscard]] bool decodes(int device) const;
   /// How the device is recognised; empty when it cannot be decoded.
   [[nodiscard]] std::string method_of(int device) const;
@@ -89,6 +91,7 @@ class PenInput {
     decode::PenEvents events{decode::ContactRule{}};
     TabletSetting setting;
     std::optional<decode::PenMapping> mapping;
+    std::optional<decode::PenMapping> stroke_mapping;  ///< of the stroke that goes on, whatever changes meanwhile
     std::optional<DrawnStroke> stroke;
   };
 

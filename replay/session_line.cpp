@@ -74,6 +74,7 @@ base::Error malformed(std::string_view what) {
 
 std::optional<base::Hash128> read_hash(std::string_view text) {
   if (text.size() != 32) return std::nullopt;
+  if (text.find('+') != std::string_view::npos) return std::nullopt;  // which numbers may have in front
   const auto high = base::parse_uint(text.substr(0, 16), 16);
   const auto low = base::parse_uint(text.substr(16), 16);
   if (!high || !low) return std::nullopt;
@@ -99,7 +100,7 @@ Line parse_state(std::string_view text) {
     std::string_view piece = take_piece(text, ' ');
     const std::string_view name = take_piece(piece, '=');
     const auto value = base::parse_uint(piece, 16);
-    if (name != document::k_state_parts[i] || piece.size() != 8 || !value) return malformed("state");
+    if (name != document::k_state_parts[i] || piece.size() != 8 || piece[0] == '+' || !value) return malformed("state");
     line.state.parts[i] = static_cast<std::uint32_t>(*value);
   }
   return parsed(line);

@@ -105,7 +105,8 @@ void Player::on_session_line(const SessionLine& line, std::uint64_t number) {
   }
   observer_.on_line(line);
   const auto status = out_.session->apply(line, out_.last_us);
-  if (!status && out_.session->steps().empty()) out_.problems.push_back(at_line(number, status.error()));
+  const bool line_refused = !status && out_.session->steps().empty();
+  if (line_refused && out_.problems.size() < k_most_refusals) out_.problems.push_back(at_line(number, status.error()));
   note_steps(number);
 }
 

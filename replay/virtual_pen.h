@@ -12,7 +12,7 @@ namespace penpose::replay {
 
 /// What a pointer that is no tablet (mouse, finger, script) does at one moment.
 struct VirtualPenState {
-  geometry::PxPoint position;
+  geometry::PxPoint position{};
   double pressure = 1;  ///< 0..1, counts while the tip touches
   bool in_range = true;
   bool tip = false;

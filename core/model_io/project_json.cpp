@@ -64,8 +64,9 @@ Problem read_view(const Json& object, const std::string& pointer, document::View
 
 Problem read_target(const Json& value, const std::string& pointer, std::size_t points, document::DrawnTarget& out) {
   if (auto problem = read_view(value, pointer, out.view)) return problem;
-  const auto line = [&](const std::vector<double>& row, const std::string&) -> Problem {
+  const auto line = [&](const std::vector<double>& row, const std::string& at) -> Problem {
     out.line.push_back({row[0], row[1]});
+    if (!(row[2] >= 0 && row[2] <= 1)) return wrong("a pressure from 0 to 1 was expected", at);
     out.pressure.push_back(row[2]);
     return std::nullopt;
   };
@@ -97,7 +98,8 @@ Problem read_curve(const Json& value, const std::string& pointer, std::size_t tr
   out.role = *role == "reference" ? PoseCurveRole::reference : PoseCurveRole::constraint;
   const auto point = [&](const std::vector<double>& row, const std::string& at) -> Problem {
     const bool on_mesh = row[0] >= 0 && row[0] < static_cast<double>(triangles) && row[0] == std::floor(row[0]);
-    if (!on_mesh || !(std::abs(row[1] + row[2] + row[3] - 1.0) < 1e-6)) {
+    const double least = std::min({row[1], row[2], row[3]});
+    if (!on_mesh || !(least >= -1e-6) || !(std::abs(row[1] + row[2] + row[3] - 1.0) < 1e-6)) {
       return wrong("the point is not on the mesh", at);
     }
     out.points.push_back({static_cast<std::uint32_t>(row[0]), {row[1], row[2], row[3]}});
@@ -131,6 +133,7 @@ Problem read_curves(const Json& project, const std::string& pointer, Document& o
   const std::string here = child(pointer, "curves");
   if (!curves->is_array() || curves->size() > k_most_curves) return wrong("a list of curves was expected", here);
   for (std::size_t i = 0; i < curves->size(); ++i) {
+    if (!(*curves)[i].is_object()) return wrong("an object was expected", child(here, i));
     PoseCurve curve;
     if (auto problem = read_curve((*curves)[i], child(here, i), out.model->mesh->triangle_count(), curve)) {
       return problem;
@@ -147,6 +150,7 @@ Problem read_timeline(const Json& project, const std::string& pointer, Document&
   const Json* value = find(project, "timeline");
   if (value == nullptr) return std::nullopt;
   const std::string here = child(pointer, "timeline");
+  if (!value->is_object()) return wrong("an object was expected", here);
   document::Timeline timeline;
   const Json* interpolation = find(*value, "interpolation");
   if (interpolation == nullptr || (*interpolation != "linear" && *interpolation != "smooth")) {
@@ -169,9 +173,10 @@ Problem read_timeline(const Json& project, const std::string& pointer, Document&
     }
     key.time_s = *seconds;
     const Json* pose = find((*keys)[i], "pose");
-    if (pose == nullptr) return wrong("a pose was expected", at);
+    if (pose == nullptr) return wrong("a pose was expected", child(at, "pose"));
     if (auto problem = read_row(*pose, child(at, "pose"), parameters.size(), key.pose)) return problem;
-    if (const Json* name = find((*keys)[i], "name"); name != nullptr && name->is_string()) {
+    if (const Json* name = find((*keys)[i], "name"); name != nullptr) {
+      if (!name->is_string()) return wrong("a name was expected", child(at, "name"));
       key.name = name->get<std::string>();
     }
     for (std::size_t p = 0; p < parameters.size(); ++p) {
@@ -187,9 +192,11 @@ Problem read_locks(const Json& project, const std::string& pointer, Document& ou
   const Json* locked = find(project, "locked");
   if (locked != nullptr) {
     if (!locked->is_array()) return wrong("a list of names was expected", child(pointer, "locked"));
-    for (const Json& name : *locked) {
+    for (std::size_t i = 0; i < locked->size(); ++i) {
+      const Json& name = (*locked)[i];
+      if (!name.is_string()) return wrong("a name was expected", child(child(pointer, "locked"), i));
       // A parameter that is gone needs no lock.
-      if (name.is_string() && rig::find_parameter(out.model->rig->parameters(), name.get<std::string>())) {
+      if (rig::find_parameter(out.model->rig->parameters(), name.get<std::string>())) {
         out.locked.push_back(name.get<std::string>());
       }
     }
@@ -221,6 +228,9 @@ Problem read_views(const Json& project, const std::string& pointer, Document& ou
     const Json* name = find((*views)[i], "name");
     if (name == nullptr || !name->is_string()) return wrong("a name was expected", child(at, "name"));
     named.name = name->get<std::string>();
+    const bool again =
+        std::any_of(out.views.begin(), out.views.end(), [&](const auto& one) { return one->name == named.name; });
+    if (named.name.empty() || again) return wrong("a name of its own was expected", child(at, "name"));
     if (auto problem = read_view((*views)[i], at, named.view)) return problem;
     out.views.push_back(std::make_shared<const document::NamedView>(std::move(named)));
   }
@@ -238,6 +248,10 @@ Problem read_pending(const Json& project, const std::string& pointer, Document& 
     const Json& text = (*pending)[i];
     const auto command = document::parse_command(text.is_string() ? text.get<std::string>() : std::string());
     if (!command) return wrong(command.error().what, child(here, i));
+    const bool begins = std::holds_alternative<document::BeginDeformer>(*command);
+    const auto* draws = std::get_if<document::SketchCurve>(&*command);
+    const bool fits = i == 0 ? begins : draws != nullptr && draws->role != articulation::CurveRole::target;
+    if (!fits) return wrong("the beginning of a deformer and its first curves were expected", child(here, i));
     auto changed = document::apply(out, *command, work);
     if (!changed) return wrong(changed.error().what, child(here, i));
     out = std::move(changed).value();

@@ -135,14 +135,19 @@ base::Result<document::Document> read_gltf_document(base::Bytes bytes, const Fil
   const Json* own = extras == nullptr ? nullptr : find(*extras, k_extras_key);
   const Json* project = own == nullptr ? nullptr : find(*own, "project");
   if (project == nullptr) return document::make_document(std::move(model).value());
-  // The timeline stands in the project exactly, and for other programs as an animation.
-  const Json* timeline = find(*project, "timeline");
-  const Json* keys = timeline == nullptr ? nullptr : find(*timeline, "keys");
-  auto& animations = model->animations;
-  if (keys != nullptr && !keys->empty() && !animations.empty() && animations.front().name == "timeline") {
-    animations.erase(animations.begin());
+  auto read = read_project(*project, child(child("/extras", k_extras_key), "project"), std::move(model).value());
+  if (!read) return read;
+  // The timeline stands in the project exactly, and for other programs as the first animation, unless it moves nothing
+  // that animations know.
+  const document::Model& whole = *read->model;
+  const bool as_animation = !whole.animations.empty() && whole.animations.front().name == "timeline" &&
+                            !document::to_animation(whole, *read->timeline).channels.empty();
+  if (as_animation) {
+    document::Model rest = whole;
+    rest.animations.erase(rest.animations.begin());
+    read->model = std::make_shared<const document::Model>(std::move(rest));
   }
-  return read_project(*project, child(child("/extras", k_extras_key), "project"), std::move(model).value());
+  return read;
 }
 
 }  // namespace penpose::model_io

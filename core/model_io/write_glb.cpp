@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -334,7 +335,11 @@ class GlbWriter {
 
   void write_channel(const document::Channel& channel, Json& channels, Json& samplers) {
     if (channel.times_s.empty()) return;
-    const std::vector<float> times(channel.times_s.begin(), channel.times_s.end());
+    std::vector<float> times(channel.times_s.begin(), channel.times_s.end());
+    // Moments that are too close for floats must still ascend (glTF 2.0, section 3.11).
+    for (std::size_t i = 1; i < times.size(); ++i) {
+      if (!(times[i] > times[i - 1])) times[i] = std::nextafter(times[i - 1], std::numeric_limits<float>::infinity());
+    }
     std::size_t input = k_none;
     const auto add = [&](std::size_t node, const char* path, std::span<const float> values, const char* type) {
       if (input == k_none) input = builder_.add_floats(times, "SCALAR", BufferUse::plain, true);

@@ -36,6 +36,7 @@ inline document::Model sheet_model() {
       source.triangles.push_back({a, a + k_side + 1, a + k_side});
     }
   }
+  source.parts = {{"sheet", 0, k_side * k_side, 0, static_cast<std::uint32_t>(source.triangles.size())}};
   const auto mesh = mesh::TriangleMesh::build(source).value();
   std::vector<rig::Joint> joints(1);
   joints[0].name = "base";
