@@ -46,13 +46,13 @@ bool Player::stopped() const {
 
 /// Makes the document that is drawn on.
 void Player::begin(const std::string& path, const base::Hash128* expected, std::uint64_t number) {
-  auto model = options_.load_model(path);
-  if (!model) {
-    error_ = model.error();
+  auto opened = options_.open(path);
+  if (!opened) {
+    error_ = opened.error();
     if (number > 0) error_ = at_line(number, *error_);
     return;
   }
-  const base::Hash128 hash = state_hash(*model);
+  const base::Hash128 hash = document::DocumentHasher()(*opened).whole;
   if (expected != nullptr && !(hash == *expected)) {
     error_ = at_line(number, {"the model \"" + path + "\" is not the one that was drawn on: its state is " +
                                   hash.hex() + ", that of the session " + expected->hex(),
@@ -60,7 +60,7 @@ void Player::begin(const std::string& path, const base::Hash128* expected, std::
     return;
   }
   out_.model = path;
-  out_.session = std::make_unique<Session>(document::make_document(std::move(model).value()), options_.own_tablets);
+  out_.session = std::make_unique<Session>(std::move(opened).value(), options_.own_tablets);
   out_.session->listen_to_stroke_ends([this] { observer_.on_stroke_end(); });
   observer_.on_begin(*out_.session, path);
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/document/model.h"
+#include "core/document/document.h"
 #include "replay/session.h"
 #include "replay/trace_source.h"
 
@@ -33,9 +33,9 @@ class PlayerObserver {
 struct PlayerOptions {
   Pace pace = Pace::full_speed;
   TraceSource::Wait wait = {};  ///< of real time; replaced in tests
-  /// Gives the model that a session names (path as in the session, empty for a plain trace, which then is drawn on the
-  /// default model).
-  std::function<base::Result<document::Model>(const std::string& path)> load_model;
+  /// Opens what a session names: a model, or a project that was gone on with (path as in the session, empty for a plain
+  /// trace, which then is drawn on the default model).
+  std::function<base::Result<document::Document>(const std::string& path)> open;
   std::optional<std::size_t> stop_after_strokes = std::nullopt;
   std::function<bool(const Session&)> stop_when = {};  ///< asked after every step; may be empty
   const decode::TabletTable* own_tablets = nullptr;

@@ -228,7 +228,9 @@ void solve_demo_head(benchmark::State& state) {
   static const std::vector<document::Document> documents = [] {
     std::vector<document::Document> all;
     replay::PlayerOptions options;
-    options.load_model = [](const std::string&) { return base::Result<document::Model>(head::make_head()); };
+    options.open = [](const std::string&) {
+      return base::Result<document::Document>(document::make_document(head::make_head()));
+    };
     options.stop_when = [&all](const replay::Session& session) {
       const document::Document& document = session.editor().document();
       const auto& keys = document.timeline->keys;

@@ -13,7 +13,7 @@ namespace {
 
 using namespace penpose;  // NOLINT(google-build-using-namespace): a program of one file
 
-base::Result<document::Model> load(const std::string&) { return tests::sheet_model(); }
+base::Result<document::Document> open(const std::string&) { return document::make_document(tests::sheet_model()); }
 
 }  // namespace
 
@@ -28,7 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "fuzz");
   replay::SessionRecorder recorder(writer);
   replay::PlayerOptions options;
-  options.load_model = load;
+  options.open = open;
   options.observer = &recorder;
   const auto first = replay::play_session(replay::read_from({data, size}), options);
   if (!first || !first->session) return 0;

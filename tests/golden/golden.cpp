@@ -27,16 +27,16 @@ using namespace penpose;  // NOLINT(google-build-using-namespace): a program of 
 constexpr std::uint64_t k_random_sessions = 200;
 constexpr std::size_t k_actions = 25;
 
-base::Result<document::Model> load(const std::string& path) {
-  if (path == "builtin:head") return head::make_head();
-  if (path == "test-sheet") return tests::sheet_model();
+base::Result<document::Document> open(const std::string& path) {
+  if (path == "builtin:head") return document::make_document(head::make_head());
+  if (path == "test-sheet") return document::make_document(tests::sheet_model());
   return base::Error{"no golden session is drawn on " + path, "", ""};
 }
 
 /// The state at the end, after all recorded states on the way were found equal.
 base::Result<std::string> replayed(const std::string& text) {
   replay::PlayerOptions options;
-  options.load_model = load;
+  options.open = open;
   const auto played = replay::play_session(replay::read_from(base::as_bytes(text)), options);
   if (!played) return played.error();
   if (!played->session) return base::Error{"nothing to replay", "", ""};

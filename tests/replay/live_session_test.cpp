@@ -12,7 +12,9 @@ namespace {
 /// A session's text replayed on the sheet.
 Playback replayed(const std::string& text) {
   PlayerOptions options;
-  options.load_model = [](const std::string&) { return base::Result<document::Model>(tests::sheet_model()); };
+  options.open = [](const std::string&) {
+    return base::Result<document::Document>(document::make_document(tests::sheet_model()));
+  };
   auto playback = play_session(read_from(base::as_bytes(text)), options);
   EXPECT_TRUE(playback.ok()) << playback.error().line();
   return std::move(playback).value();

@@ -10,8 +10,8 @@ namespace {
 
 PlayerOptions options() {
   PlayerOptions out;
-  out.load_model = [](const std::string& path) -> base::Result<document::Model> {
-    if (path.empty() || path == "sheet") return tests::sheet_model();
+  out.open = [](const std::string& path) -> base::Result<document::Document> {
+    if (path.empty() || path == "sheet") return document::make_document(tests::sheet_model());
     return base::Error{"cannot be opened", "", ""};
   };
   return out;
@@ -94,16 +94,31 @@ TEST(SessionPlayer, ReportsTheFirstLineThatDiffersAndWhatDiffers) {
 TEST(SessionPlayer, RefusesAModelThatHasChanged) {
   const auto script = small_session();
   PlayerOptions other = options();
-  other.load_model = [](const std::string&) -> base::Result<document::Model> {
+  other.open = [](const std::string&) -> base::Result<document::Document> {
     document::Model model = tests::sheet_model();
     model.pose[0] = 0.25;
-    return model;
+    return document::make_document(model);
   };
   const auto played = play(script.text(), other);
   ASSERT_FALSE(played);
   EXPECT_EQ(played.error().place, "line 2");
   EXPECT_NE(played.error().what.find("is not the one that was drawn on"), std::string::npos);
   EXPECT_NE(played.error().remedy.find("--model"), std::string::npos);
+}
+
+// Somebody goes on with a project that has curves, keys and views.
+TEST(SessionPlayer, GoesOnWithAProject) {
+  auto before = small_session();
+  ASSERT_TRUE(before.perform(document::SaveView{"front", before.editor().view()}));
+  const document::Document project = before.document();
+  tests::SessionScript after(project, "project");
+  EXPECT_TRUE(after.stroke(line({300, 600}, {700, 600})));
+  PlayerOptions opening = options();
+  opening.open = [&](const std::string&) -> base::Result<document::Document> { return project; };
+  const auto played = play(after.text(), opening);
+  ASSERT_TRUE(played) << played.error().line();
+  EXPECT_FALSE(played->divergence);
+  EXPECT_EQ(played->session->editor().document().curves.size(), 2U);
 }
 
 TEST(SessionPlayer, RefusesAModelThatIsMissing) {

@@ -5,6 +5,7 @@
 
 #include "core/base/numbers.h"
 #include "core/head/head.h"
+#include "core/model_io/read_document.h"
 #include "core/model_io/read_model.h"
 #include "ui/cli/closest_name.h"
 #include "ui/cli/files.h"
@@ -31,6 +32,19 @@ base::Result<document::Model> load_model(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   return model_io::read_model(*bytes, path,
                               [&](const std::string& name) { return read_file((folder / name).string()); });
+}
+
+base::Result<document::Document> load_document(const std::string& path) {
+  if (path.starts_with(k_built_in)) {
+    auto model = load_model(path);
+    if (!model) return model.error();
+    return document::make_document(std::move(model).value());
+  }
+  const auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  return model_io::read_document(*bytes, path,
+                                 [&](const std::string& name) { return read_file((folder / name).string()); });
 }
 
 base::Status set_parameter(document::Model& model, const std::string& assignment) {

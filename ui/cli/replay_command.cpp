@@ -45,11 +45,11 @@ struct ReplayArguments {
 };
 
 /// Where the session's model is: as it says, beside the session itself, or where the user says.
-base::Result<document::Model> find_model(const ReplayArguments& arguments, const std::string& path) {
-  const auto load = [](const std::string& name) -> base::Result<document::Model> {
-    auto model = load_model(name);
-    if (model) return model;
-    base::Error error = model.error();
+base::Result<document::Document> find_model(const ReplayArguments& arguments, const std::string& path) {
+  const auto load = [](const std::string& name) -> base::Result<document::Document> {
+    auto document = load_document(name);
+    if (document) return document;
+    base::Error error = document.error();
     error.what = "the model \"" + name + "\" " + error.what;
     error.remedy = "name it with --model";
     return error;
@@ -202,7 +202,7 @@ int replay_session(const ReplayArguments& arguments) {
 
   replay::PlayerOptions options;
   options.pace = arguments.real_time ? replay::Pace::real_time : replay::Pace::full_speed;
-  options.load_model = [&](const std::string& path) { return find_model(arguments, path); };
+  options.open = [&](const std::string& path) { return find_model(arguments, path); };
   options.stop_after_strokes = arguments.strokes;
   options.own_tablets = &*own;
   options.observer = &watcher;

@@ -10,7 +10,9 @@ namespace penpose::demo {
 
 base::Result<document::Model> make_demo_head() {
   replay::PlayerOptions options;
-  options.load_model = [](const std::string&) { return base::Result<document::Model>(head::make_head()); };
+  options.open = [](const std::string&) {
+    return base::Result<document::Document>(document::make_document(head::make_head()));
+  };
   options.stop_when = [](const replay::Session& session) {
     return !session.editor().document().timeline->keys.empty();
   };

@@ -52,7 +52,9 @@ class PoseNotes final : public replay::PlayerObserver {
 base::Result<Demo> run_demo() {
   PoseNotes notes;
   replay::PlayerOptions options;
-  options.load_model = [](const std::string&) { return base::Result<document::Model>(head::make_head()); };
+  options.open = [](const std::string&) {
+    return base::Result<document::Document>(document::make_document(head::make_head()));
+  };
   options.observer = &notes;
   auto played = replay::play_session(replay::read_from(base::as_bytes(embedded_session())), options);
   if (!played) return played.error();

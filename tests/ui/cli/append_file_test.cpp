@@ -143,7 +143,9 @@ TEST(AppendFile, NoStrokeThatHadEndedIsLostWhenTheProgramIsKilled) {
 
     const std::string text = content_of(path);
     replay::PlayerOptions options;
-    options.load_model = [](const std::string&) { return base::Result<document::Model>(tests::sheet_model()); };
+    options.open = [](const std::string&) {
+      return base::Result<document::Document>(document::make_document(tests::sheet_model()));
+    };
     const auto played = replay::play_session(replay::read_from(base::as_bytes(text)), options);
     ASSERT_TRUE(played) << played.error().line();
     EXPECT_FALSE(played->divergence) << "round " << round;
