@@ -1,0 +1,93 @@
+// An hour of drawing, replayed: 300 reports a second, about a million of them, on the built-in head with its fifteen
+// deformers. The pen draws a reference and a target in turn along brows, lids, mouth and cheeks; after four pairs the
+// curves are cleared. The trace is made while it is read, so that the memory counted is the replay's own.
+
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+
+#include "replay/live_session.h"
+#include "replay/session_player.h"
+#include "replay/virtual_pen.h"
+#include "ui/demo/demo_head.h"
+
+namespace penpose {
+namespace {
+
+constexpr int k_rate = 300;
+
+class Drawing {
+ public:
+  explicit Drawing(std::uint64_t reports) : left_(reports) {
+    writer_.comment(replay::to_text(replay::SessionBegins{"bench"}));
+    const geometry::CameraPose camera{{0.05, 0.02, 0.9}, {0, 0.0, 0}, {0, 1, 0}, 24};
+    writer_.comment(replay::to_text(replay::ViewChanged{{camera, {1000, 1000}}}));
+    writer_.declare(0, replay::virtual_pen_device());
+  }
+
+  base::Result<std::size_t> read(std::span<std::uint8_t> into) {
+    while (text_.size() - at_ < into.size() && left_ > 0) make_stroke();
+    const std::size_t count = std::min(into.size(), text_.size() - at_);
+    std::copy_n(text_.begin() + static_cast<std::ptrdiff_t>(at_), count, into.begin());
+    at_ += count;
+    if (at_ > std::size_t{1} << 20U) {
+      text_.erase(0, at_);
+      at_ = 0;
+    }
+    return count;
+  }
+
+ private:
+  /// A second of drawing and half a second in the air.
+  void make_stroke() {
+    const double height = 300 + 60 * static_cast<double>((stroke_ / 2) % 7);
+    const double lift = stroke_ % 2 == 0 ? 0 : 12 * static_cast<double>((stroke_ / 2) % 3) - 12;
+    for (int i = 0; i < k_rate * 3 / 2 && left_ > 0; ++i, --left_) {
+      const bool tip = i < k_rate;
+      const double u = tip ? static_cast<double>(i) / k_rate : 1;
+      const replay::VirtualPenState state{
+          {380 + 240 * u, height + lift * 4 * u * (1 - u)}, 0.5, true, tip, false, false};
+      const auto report = replay::virtual_pen_report(state, {1000, 1000});
+      writer_.report(0, time_us_, report);
+      time_us_ += 1'000'000 / k_rate;
+    }
+    if (++stroke_ % 8 == 0) writer_.comment(replay::to_text(replay::Performed{document::ClearCurves{}}));
+    if (stroke_ % 8 == 0) writer_.comment(replay::to_text(replay::Performed{document::ResetParameters{}}));
+    text_ += writer_.take();
+  }
+
+  replay::TraceWriter writer_;
+  std::string text_;
+  std::size_t at_ = 0;
+  std::uint64_t left_;
+  std::uint64_t stroke_ = 0;
+  std::int64_t time_us_ = 0;
+};
+
+double peak_mb() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+void replay_drawing(benchmark::State& state) {
+  const auto reports = static_cast<std::uint64_t>(state.range(0)) * 60 * k_rate;
+  replay::Playback played;
+  const double before = peak_mb();
+  for (auto _ : state) {
+    Drawing drawing(reports);
+    replay::PlayerOptions options;
+    options.open = [](const std::string&) {
+      return base::Result<document::Document>(document::make_document(demo::make_demo_head().value()));
+    };
+    played = replay::play_session([&](std::span<std::uint8_t> into) { return drawing.read(into); }, options).value();
+  }
+  state.counters["reports"] = static_cast<double>(played.reports);
+  state.counters["strokes"] = static_cast<double>(played.session->stroke_count());
+  state.counters["refused"] = static_cast<double>(played.refused);
+  state.counters["peak_MB"] = peak_mb();
+  state.counters["peak_MB_before"] = before;
+}
+BENCHMARK(replay_drawing)->Arg(1)->Arg(10)->Arg(60)->Iterations(1)->Unit(benchmark::kSecond)->ArgName("minutes");
+
+}  // namespace
+}  // namespace penpose
