@@ -90,6 +90,7 @@ class RecordRun {
   void take_records();
   void wait() const;
   [[nodiscard]] bool all_gone() const;
+  [[nodiscard]] std::uint64_t lost() const;
   void show_progress(std::int64_t now_us);
   void print_summary() const;
 
@@ -191,6 +192,13 @@ void RecordRun::wait() const {
   for (const Recorded& tablet : tablets_) tablet.pump->wait(0);
 }
 
+/// Reports that came while this program was too slow, those among them that no comment tells of yet.
+std::uint64_t RecordRun::lost() const {
+  std::uint64_t sum = 0;
+  for (const Recorded& tablet : tablets_) sum += tablet.pump->overruns();
+  return sum;
+}
+
 bool RecordRun::all_gone() const {
   return std::all_of(tablets_.begin(), tablets_.end(), [](const Recorded& tablet) { return tablet.ended; });
 }
@@ -202,7 +210,7 @@ void RecordRun::show_progress(std::int64_t now_us) {
   const auto rate = std::lround(static_cast<double>(counts.reports - shown_reports_) / seconds);
   std::cerr << "\r\033[K" << counts.reports << " reports, " << (shown_us_ == 0 ? 0 : rate) << " a second, "
             << counts.strokes << " strokes";
-  if (counts.lost > 0) std::cerr << ", " << counts.lost << " lost";
+  if (lost() > 0) std::cerr << ", " << lost() << " lost";
   std::cerr << std::flush;
   shown_us_ = now_us;
   shown_reports_ = counts.reports;
@@ -214,7 +222,12 @@ void RecordRun::print_summary() const {
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3f", static_cast<double>(counts.span_us) / 1e6);
   std::cout << options_.output << ": " << counts.reports << " reports in " << seconds << " s, " << counts.strokes
-            << " strokes, " << counts.lost << " lost\n";
+            << " strokes, " << lost() << " lost\n";
+  for (const Recorded& tablet : tablets_) {
+    if (tablet.pump->refused() == 0) continue;
+    std::cerr << "penpose: " << tablet.name << " refused " << tablet.pump->refused()
+              << " of the reports that wake it; the comments of the trace say which\n";
+  }
 }
 
 int RecordRun::run() {
