@@ -1,5 +1,6 @@
 #include "firmware_io/device/live_tablet.h"
 
+#include <algorithm>
 #include <set>
 #include <unistd.h>
 
@@ -57,17 +58,6 @@ bool read_strings(LiveTablet& tablet, const decode::TabletTable* own, const Read
   return true;
 }
 
-/// Asks a device itself for its descriptor where no driver has done so.
-void describe(HidInterface& interface) {
-  decode::DeviceIdentity& identity = interface.identity;
-  if (!identity.report_descriptor.empty() || !interface.driver.empty() || !identity.interface_number) return;
-  if (interface.usb_node.empty() || ::access(interface.usb_node.c_str(), R_OK | W_OK) != 0) return;
-  auto descriptor = read_report_descriptor(interface.usb_node, *identity.interface_number);
-  if (!descriptor) return;
-  identity.report_descriptor = std::move(*descriptor);
-  decode::complete_identity(identity);
-}
-
 void identify(LiveTablet& tablet, const decode::TabletTable* own) {
   const decode::DeviceIdentity& identity = tablet.interface.identity;
   const auto recognition = decode::make_decoder(identity, own);
@@ -116,7 +106,6 @@ void LiveTablet::use(Transport other) {
 LiveTablet recognise(HidInterface interface, const decode::TabletTable* own, const ReadString& read_string) {
   LiveTablet tablet;
   tablet.interface = std::move(interface);
-  describe(tablet.interface);
   tablet.strings_unread = !read_strings(tablet, own, read_string);
   identify(tablet, own);
   tablet.transport = choose_transport(tablet);
@@ -130,10 +119,17 @@ base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* ow
   if (!interfaces) return interfaces.error();
   std::vector<LiveTablet> tablets;
   for (HidInterface& interface : *interfaces) {
-    for (const LiveTablet& known : before) {
-      const bool same = known.interface.parent == interface.parent && known.interface.usb_node == interface.usb_node;
-      if (same && !interface.usb_node.empty()) interface.identity.strings = known.interface.identity.strings;
+    const auto known = std::find_if(before.begin(), before.end(), [&](const LiveTablet& tablet) {
+      return !interface.usb_name.empty() && tablet.interface.usb_node == interface.usb_node &&
+             tablet.interface.usb_name == interface.usb_name;
+    });
+    if (known != before.end() && interface.driver == k_program) {
+      // A program, this one perhaps, has taken it, and the system tells less of it now than then.
+      tablets.push_back(*known);
+      tablets.back().access = Access::busy;
+      continue;
     }
+    if (known != before.end()) interface.identity.strings = known->interface.identity.strings;
     LiveTablet tablet = recognise(std::move(interface), own);
     if (tablet.carries != Carries::other) tablets.push_back(std::move(tablet));
   }

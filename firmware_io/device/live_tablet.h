@@ -54,9 +54,9 @@ struct LiveTablet {
 /// Reads a USB string of a device; replaced in tests.
 using ReadString = std::function<base::Result<std::string>(const std::string& usb_node, std::uint8_t index)>;
 
-/// Recognises an interface: reads those strings, unless they are known, that the
-/// table asks for to tell its tablets apart, and decides how to
-/// open it. `own` (may be null) holds the user's tablets and must live as long as the result.
+/// Recognises an interface: reads those strings, unless they are known, that the table asks for to tell its tablets
+/// apart, and decides how to open it. Takes no interface from anybody. `own` (may be null) holds the user's tablets and
+/// must live as long as the result.
 [[nodiscard]] LiveTablet recognise(HidInterface interface, const decode::TabletTable* own = nullptr,
                                    const ReadString& read_string = {});
 

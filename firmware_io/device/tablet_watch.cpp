@@ -16,8 +16,11 @@ constexpr int k_settle_ms = 30;
 constexpr int k_most_settles = 40;
 
 bool same(const LiveTablet& a, const LiveTablet& b) {
-  return a.interface.parent == b.interface.parent && a.path() == b.path() && a.access == b.access &&
-         a.interface.usb_node == b.interface.usb_node && a.method == b.method;
+  if (a.interface.parent != b.interface.parent || a.interface.usb_node != b.interface.usb_node) return false;
+  if (a.interface.usb_name != b.interface.usb_name) return false;
+  // Taken from the kernel's driver or given back, it is still the same.
+  if (!a.interface.usb_name.empty() && (a.access == Access::busy || b.access == Access::busy)) return true;
+  return a.path() == b.path() && a.access == b.access && a.method == b.method;
 }
 
 std::vector<LiveTablet> without(const std::vector<LiveTablet>& list, const std::vector<LiveTablet>& others) {

@@ -14,8 +14,8 @@ struct TabletChanges {
   [[nodiscard]] bool empty() const { return arrived.empty() && left.empty(); }
 };
 
-/// Compares two lists. A tablet is the same one while it stays plugged in; one whose access changed (the udev rule came
-/// in between) has left and arrived.
+/// Compares two lists. A tablet is the same one while it stays plugged in; one whose permission changed (the udev rule
+/// came in between) has left and arrived, one that a program took from the kernel's driver has not.
 [[nodiscard]] TabletChanges changes_between(const std::vector<LiveTablet>& before,
                                             const std::vector<LiveTablet>& after);
 

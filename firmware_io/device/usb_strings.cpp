@@ -23,15 +23,4 @@ base::Result<UsbStrings> UsbStrings::open(const std::string& usb_node) {
 
 base::Result<std::string> UsbStrings::read(std::uint8_t index) const { return get_string(handle_->usb, index); }
 
-base::Result<std::vector<std::uint8_t>> read_report_descriptor(const std::string& usb_node, int interface) {
-  auto usb = UsbHandle::open(usb_node);
-  if (!usb) return usb.error();
-  if (const int code = libusb_claim_interface(usb->get(), interface); code != 0) {
-    return usb_error("cannot be taken over", code);
-  }
-  auto descriptor = get_report_descriptor(*usb, interface);
-  libusb_release_interface(usb->get(), interface);
-  return descriptor;
-}
-
 }  // namespace penpose::device

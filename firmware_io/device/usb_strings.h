@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "core/base/result.h"
 
@@ -29,9 +28,5 @@ class UsbStrings {
 
   std::unique_ptr<Handle> handle_;
 };
-
-/// Reads the report descriptor of an interface that no driver holds. Errors: it may not be opened, or is held.
-[[nodiscard]] base::Result<std::vector<std::uint8_t>> read_report_descriptor(const std::string& usb_node,
-                                                                             int interface);
 
 }  // namespace penpose::device

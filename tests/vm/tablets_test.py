@@ -195,6 +195,7 @@ class Tablets(unittest.TestCase):
         self.assertTrue(RESULTS['penpartner.hid'].endswith(b'\n'))
 
     def test_the_driver_is_taken_and_given_back(self):
+        self.assertNotIn('cannot be opened', self.text('penpartner.err') + self.text('huion.err'))
         self.assertEqual(self.text('driver_before'), 'usbhid')
         self.assertEqual(self.text('driver_while'), 'usbfs')
         self.assertEqual(self.text('driver_after'), 'usbhid')
@@ -222,13 +223,13 @@ class Tablets(unittest.TestCase):
                 self.assertTrue(tablet['method'].startswith('wacom '))
                 self.assert_recorded(name)
 
-    def test_two_tablets_at_once(self):
+    def test_two_tablets_at_once_and_one_that_joins(self):
         first, second = sorted(self.listed('two'), key=lambda t: t['vendor'])
         self.assertEqual((first['driver'], second['vendor']), ('wacom', 0x1b96))
         text = self.text('two.hid')
         declared = [l.split(' ', 2)[2] for l in text.splitlines() if l.startswith('I:')]
         recorded = traces.reports_of(text)
-        for ids, sent, count in (('1b96 0021', 'two_ink', 60), ('056a 00b8', 'two_wacom', 300)):
+        for ids, sent, count in (('1b96 0021', 'two_ink', 60), ('056a 00b8', 'two_wacom', 300), ('1b96 0024', 'late', 100)):
             number = declared.index(ids)
             wanted = [r for _, r in traces.reports_of(SENT[sent])][:count]
             self.assertEqual([r for n, r in recorded if n == number], wanted, ids)
@@ -277,6 +278,9 @@ class Tablets(unittest.TestCase):
             if name != 'Burst pen':
                 self.assertEqual(len(arrived), len(left), name)
                 self.assertLess(arrived[0], left[0], name)
+        # Taken from its driver and given back, twice, and killed: it was plugged in and pulled out twice all the same.
+        for what in ('arrived', 'left'):
+            self.assertEqual(len([l for l in log if l.startswith(what) and 'PenPartner' in l]), 2, what)
 
     def test_no_report_of_a_burst_is_lost(self):
         burst = json.loads(self.text('burst.json'))

@@ -15,6 +15,7 @@
 #include "firmware_io/device/live_tablet.h"
 #include "firmware_io/device/permission.h"
 #include "firmware_io/device/report_pump.h"
+#include "firmware_io/device/tablet_watch.h"
 #include "replay/tablet_recorder.h"
 #include "ui/cli/append_file.h"
 #include "ui/cli/commands.h"
@@ -66,9 +67,15 @@ base::Result<std::vector<device::LiveTablet>> wanted_tablets(const Options& opti
 struct Recorded {
   int number = 0;
   std::string name;
+  std::string place;
   std::unique_ptr<device::ReportPump> pump;
   bool ended = false;
 };
+
+/// The same for an interface as long as it is plugged in, whoever has it.
+std::string place_of(const device::LiveTablet& tablet) {
+  return tablet.interface.parent + " " + tablet.interface.usb_node + " " + tablet.interface.usb_name;
+}
 
 class RecordRun {
  public:
@@ -77,15 +84,19 @@ class RecordRun {
 
  private:
   base::Status open();
+  void begin(device::LiveTablet tablet);
+  void take_arrivals();
   base::Status write_new();
   void take_records();
   void wait() const;
   [[nodiscard]] bool all_gone() const;
+  [[nodiscard]] std::uint64_t lost() const;
   void show_progress(std::int64_t now_us);
   void print_summary() const;
 
   const Options& options_;
   const decode::TabletTable* own_;
+  std::optional<device::TabletWatch> watch_;
   std::vector<Recorded> tablets_;
   replay::TabletRecorder recorder_;
   std::optional<AppendFile> file_;
@@ -96,37 +107,50 @@ class RecordRun {
   bool visible_ = ::isatty(STDERR_FILENO) == 1;
 };
 
+/// Opens a tablet and begins to read it; what stands in the way is said on standard error.
+void RecordRun::begin(device::LiveTablet tablet) {
+  const std::string name = tablet.interface.identity.name;
+  const bool allowed = tablet.access == device::Access::allowed;
+  auto source = allowed ? device::open_tablet(tablet, own_) : base::Error{"cannot be opened", "", ""};
+  if (!source) {
+    base::Error refusal = source.error();
+    refusal.place = name + " (" + tablet.path() + ")";
+    if (const auto why = device::missing(tablet, own_program()); !why.empty()) refusal.remedy = why;
+    std::cerr << "penpose: " << refusal.line() << '\n';
+    return;
+  }
+  const int number = recorder_.add_tablet(tablet.interface.identity, tablet.interface.trace_path(), own_);
+  auto pump = std::make_unique<device::ReportPump>(std::move(*source), device::ReportPump::Options{tablet.wake_up()});
+  tablets_.push_back({number, name, place_of(tablet), std::move(pump), false});
+  std::cerr << (visible_ ? "\r\033[K" : "") << "recording " << name << " (" << tablet.path() << ", "
+            << (tablet.method.empty() ? "not recognised" : tablet.method) << ")\n";
+}
+
 base::Status RecordRun::open() {
+  // Watched from before the first look, so that none slips through between.
+  if (options_.device.empty()) {
+    if (auto watch = device::TabletWatch::start(own_)) watch_.emplace(std::move(*watch));
+  }
   auto wanted = wanted_tablets(options_, own_);
   if (!wanted) return wanted.error();
-  std::optional<base::Error> refusal;
-  for (device::LiveTablet& tablet : *wanted) {
-    const std::string name = tablet.interface.identity.name;
-    const bool allowed = tablet.access == device::Access::allowed;
-    auto source = allowed ? device::open_tablet(tablet, own_) : base::Error{"cannot be opened", "", ""};
-    if (!source) {
-      refusal = source.error();
-      refusal->place = name + " (" + tablet.path() + ")";
-      if (const auto why = device::missing(tablet, own_program()); !why.empty()) refusal->remedy = why;
-      std::cerr << "penpose: " << refusal->line() << '\n';
-      continue;
-    }
-    const int number = recorder_.add_tablet(tablet.interface.identity, tablet.interface.trace_path(), own_);
-    tablets_.push_back(
-        {number, name,
-         std::make_unique<device::ReportPump>(std::move(*source), device::ReportPump::Options{tablet.wake_up()}),
-         false});
-    std::cerr << "recording " << name << " (" << tablet.path() << ", "
-              << (tablet.method.empty() ? "not recognised" : tablet.method) << ")\n";
-  }
+  for (device::LiveTablet& tablet : *wanted) begin(std::move(tablet));
   if (tablets_.empty()) return base::Error{"no tablet could be opened", "", "see above"};
   auto file = AppendFile::create(options_.output, recorder_.take());
-  if (!file) {
-    file_.reset();
-    return base::Error{file.error().what, options_.output, file.error().remedy};
-  }
+  if (!file) return base::Error{file.error().what, options_.output, file.error().remedy};
   file_ = std::move(*file);
   return base::Done{};
+}
+
+/// Tablets that come while others are recorded join them.
+void RecordRun::take_arrivals() {
+  if (!watch_) return;
+  for (device::LiveTablet& tablet : watch_->next(0).arrived) {
+    // One that was taken from the kernel's driver looks like another one since then.
+    const bool known = std::any_of(tablets_.begin(), tablets_.end(), [&](const Recorded& recorded) {
+      return !recorded.ended && recorded.place == place_of(tablet);
+    });
+    if (!known && tablet.carries == device::Carries::pen) begin(std::move(tablet));
+  }
 }
 
 void RecordRun::take_records() {
@@ -163,8 +187,16 @@ void RecordRun::wait() const {
   for (const Recorded& tablet : tablets_) {
     if (!tablet.ended) waiting.push_back({tablet.pump->wake_fd(), POLLIN, 0});
   }
+  if (watch_) waiting.push_back({watch_->wake_fd(), POLLIN, 0});
   ::poll(waiting.data(), waiting.size(), k_wait_ms);
   for (const Recorded& tablet : tablets_) tablet.pump->wait(0);
+}
+
+/// Reports that came while this program was too slow, those among them that no comment tells of yet.
+std::uint64_t RecordRun::lost() const {
+  std::uint64_t sum = 0;
+  for (const Recorded& tablet : tablets_) sum += tablet.pump->overruns();
+  return sum;
 }
 
 bool RecordRun::all_gone() const {
@@ -178,7 +210,7 @@ void RecordRun::show_progress(std::int64_t now_us) {
   const auto rate = std::lround(static_cast<double>(counts.reports - shown_reports_) / seconds);
   std::cerr << "\r\033[K" << counts.reports << " reports, " << (shown_us_ == 0 ? 0 : rate) << " a second, "
             << counts.strokes << " strokes";
-  if (counts.lost > 0) std::cerr << ", " << counts.lost << " lost";
+  if (lost() > 0) std::cerr << ", " << lost() << " lost";
   std::cerr << std::flush;
   shown_us_ = now_us;
   shown_reports_ = counts.reports;
@@ -190,7 +222,12 @@ void RecordRun::print_summary() const {
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3f", static_cast<double>(counts.span_us) / 1e6);
   std::cout << options_.output << ": " << counts.reports << " reports in " << seconds << " s, " << counts.strokes
-            << " strokes, " << counts.lost << " lost\n";
+            << " strokes, " << lost() << " lost\n";
+  for (const Recorded& tablet : tablets_) {
+    if (tablet.pump->refused() == 0) continue;
+    std::cerr << "penpose: " << tablet.name << " refused " << tablet.pump->refused()
+              << " of the reports that wake it; the comments of the trace say which\n";
+  }
 }
 
 int RecordRun::run() {
@@ -206,6 +243,7 @@ int RecordRun::run() {
     const std::int64_t now = device::monotonic_us();
     over = StopSignal::asked() || (options_.seconds > 0 && now - begin >= length_us);
     take_records();
+    take_arrivals();
     over = over || all_gone();
     status = write_new();
     show_progress(now);

@@ -66,7 +66,7 @@ for trace in /traces/wacom_*.hid; do
   until_true 20 tablets_are 0
 done
 
-# --- Two tablets at once, one unplugged while its pen draws; the other goes on.
+# --- Two tablets at once, one unplugged while its pen draws; the other goes on, and a third one joins.
 virtual_tablet uhid /traces/two_ink.hid --go /tmp/go_two --unplug-after 60 --pace-us 2000 >/out/two_a.sent 2>&1 &
 virtual_tablet usb /traces/two_wacom.hid --go /tmp/go_two --keep /tmp/keep_two --pace-us 2000 >/out/two_b.sent 2>&1 &
 until_true 30 tablets_are 2
@@ -75,6 +75,10 @@ record_until_ready two
 touch /tmp/go_two
 until_true 60 grep -q sent /out/two_b.sent
 until_true 20 grep -q unplugged /out/two.err
+virtual_tablet uhid /traces/late.hid --go /tmp/go_late >/out/late.sent 2>&1 &
+until_true 20 grep -q "recording Late pen" /out/two.err
+touch /tmp/go_late
+until_true 20 grep -q "Late pen was unplugged" /out/two.err
 kill -INT "$recorder"
 end_record two
 touch /tmp/keep_two
