@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Builds the program of the golden hashes in the ways that are promised to give the same bits, and runs it.
 #   matrix.sh BUILD_FOLDER [WAY...]     ways: gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3 asan-ubsan tsan aarch64
-# Prints a line for each way and ends with 1 when any of them differs. A way whose tools are not there and cannot be
-# installed is told and counts as a failure; `aarch64` makes its sysroot from Debian's packages (as root, over the network).
+# Prints a line for each way and ends with 1 when any of them differs. `aarch64` makes its sysroot from Debian's packages (as
+# root, over the network); where they cannot be had and no way fails, the end is 77.
 set -uo pipefail
 source=$(cd "$(dirname "$0")/../.." && pwd)
 folder=$(mkdir -p "$1" && cd "$1" && pwd)
@@ -13,6 +13,7 @@ sysroot_packages="libxxhash-dev libxxhash0 libopenmesh-dev libopenmesh1 libtinyg
   libhidapi-dev libhidapi-hidraw0 libhidapi-libusb0 libusb-1.0-0-dev libusb-1.0-0 libudev-dev libudev1 libcap2"
 
 make_sysroot() {
+  command -v aarch64-linux-gnu-g++-12 >/dev/null && command -v qemu-aarch64 >/dev/null || return 1
   [ -e "$folder/sysroot/complete" ] && return 0
   rm -rf "$folder/sysroot" "$folder/packages"
   mkdir -p "$folder/sysroot" "$folder/packages"
@@ -49,6 +50,7 @@ run() {
 }
 
 failed=0
+left_out=0
 for way in "$@"; do
   case $way in
     gcc-O?) run "$way" -DCMAKE_CXX_COMPILER=g++ -DCMAKE_CXX_FLAGS="-${way#gcc-}" || failed=1 ;;
@@ -60,11 +62,12 @@ for way in "$@"; do
         PENPOSE_SYSROOT=$folder/sysroot run "$way" -DCMAKE_TOOLCHAIN_FILE="$source/tests/golden/aarch64.cmake" \
           -DCMAKE_CXX_FLAGS=-O2 || failed=1
       else
-        echo "aarch64: FAILED, the packages of the sysroot cannot be had"
-        failed=1
+        echo "aarch64: left out, the packages of the sysroot cannot be had"
+        left_out=1
       fi
       ;;
     *) echo "no way is called $way" && exit 2 ;;
   esac
 done
+[ $failed = 0 ] && [ $left_out = 1 ] && exit 77
 exit $failed
