@@ -142,7 +142,8 @@ TEST_F(RenderCommand, WritesAPictureAFrame) {
   testing::internal::CaptureStderr();
   const int made = run(7, animate);
   (void)testing::internal::GetCapturedStdout();
-  ASSERT_EQ(made, k_success) << testing::internal::GetCapturedStderr();
+  const std::string error = testing::internal::GetCapturedStderr();
+  ASSERT_EQ(made, k_success) << error;
   ASSERT_EQ(render({clip, "--frames", "--fps", "10", "--size", "64x64", "-o", path("clip.png")}), k_success) << error_;
   // 0.4 s: frames at 0, 0.1, ..., 0.4.
   for (const char* name : {"clip0001.png", "clip0005.png"})
