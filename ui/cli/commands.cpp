@@ -9,6 +9,7 @@
 #include "ui/cli/info_command.h"
 #include "ui/cli/pose_command.h"
 #include "ui/cli/render_command.h"
+#include "ui/cli/track_command.h"
 
 namespace penpose::cli {
 
@@ -20,6 +21,7 @@ std::vector<AddCommand> all_commands() {
       add_decode_command,      //
       add_pose_command,        //
       add_articulate_command,  //
+      add_track_command,       //
       add_animate_command,     //
       add_render_command,      //
       add_convert_command,     //
