@@ -126,7 +126,8 @@ int run_demo_command(const DemoArguments& arguments) {
 
   const std::filesystem::path folder(arguments.folder);
   Written written{(folder / "demo.glb").string(), (folder / "demo.png").string(), sheet_cells(*made)};
-  if (auto saved = save_model(made->model, written.glb); !saved) return report(saved.error(), written.glb);
+  if (auto saved = save_model(made->model, written.glb, SaveNotes::quiet); !saved)
+    return report(saved.error(), written.glb);
   const Clock::time_point before_pictures = Clock::now();
   const auto sheet = demo::draw_contact_sheet(made->model, written.cells);
   if (!sheet) return report(sheet.error(), written.png);

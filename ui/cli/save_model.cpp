@@ -8,16 +8,16 @@
 
 namespace penpose::cli {
 
-base::Status save_model(const document::Model& model, const std::string& path) {
+base::Status save_model(const document::Model& model, const std::string& path, SaveNotes say) {
   model_io::GlbReport baking;
   const auto bytes = model_io::write_model(model, path, &baking);
   if (!bytes) return bytes.error();
-  if (baking.baked > 0) {
+  if (say == SaveNotes::loud && baking.baked > 0) {
     std::cerr << "penpose: " << path << ": deformers are baked to " << baking.baked
               << " morph targets more; no vertex is off by over " << base::format_fixed(100 * baking.bake_error, 3)
               << " % of the model's size\n";
   }
-  if (!model.animations.empty() && baking.targets > model_io::k_common_targets) {
+  if (say == SaveNotes::loud && !model.animations.empty() && baking.targets > model_io::k_common_targets) {
     std::cerr << "penpose: " << path << ": it has " << baking.targets
               << " morph targets; some viewers show no more than 8 at a time\n";
   }
