@@ -22,6 +22,14 @@ double dot(const Moves& a, const Moves& b) {
   return sum;
 }
 
+/// A target with the weights of one sign, scaled to 0..1: programs clamp what lies outside.
+void add_target(rig::BlendShape target, const std::vector<double>& weights, double largest, BakedDeformer& baked) {
+  for (glm::vec3& delta : target.deltas) delta = glm::vec3(geometry::ModelVector(delta) * largest);
+  std::vector<double>& own = baked.weights.emplace_back();
+  for (const double w : weights) own.push_back(std::max(0.0, w / largest));
+  baked.targets.push_back(std::move(target));
+}
+
 }  // namespace
 
 double BakedDeformer::weight(std::size_t k, double amount) const {
@@ -59,7 +67,7 @@ BakedDeformer bake_deformer(const articulation::Deformer& deformer, double toler
         worst = j;
       }
     }
-    if (baked.error <= tolerance || baked.targets.size() == most) return baked;
+    if (baked.error <= tolerance || baked.targets.size() >= most) return baked;
     rig::BlendShape target;
     target.vertices = sample.vertices;
     Moves basis;
@@ -69,12 +77,16 @@ BakedDeformer bake_deformer(const articulation::Deformer& deformer, double toler
     }
     const double square = dot(basis, basis);
     if (!(square > 0)) return baked;
-    std::vector<double>& weights = baked.weights.emplace_back();
+    std::vector<double> weights;
     for (Moves& moves : left) {
       weights.push_back(dot(moves, basis) / square);
       for (std::size_t i = 0; i < moves.size(); ++i) moves[i] -= basis[i] * weights.back();
     }
-    baked.targets.push_back(std::move(target));
+    // What the numbers of the file leave is too little to go on with.
+    const double most_weight = *std::max_element(weights.begin(), weights.end());
+    const double least_weight = *std::min_element(weights.begin(), weights.end());
+    if (most_weight > 0) add_target(target, weights, most_weight, baked);
+    if (least_weight < -1e-3) add_target(target, weights, least_weight, baked);
   }
 }
 

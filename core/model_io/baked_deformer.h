@@ -22,6 +22,8 @@ struct BakedDeformer {
 /// Finds as many targets as keep every vertex within `tolerance` (model units) of the deformer at every amount, but at
 /// most `most`: of what is left at the amounts, the worst becomes the next target and is taken out of all (a greedy
 /// reduced basis). A deformer that goes straight needs none; one that only turns needs one.
+/// Weights lie within 0..1, because programs clamp them: a target that would be taken away is there a second time,
+/// turned round.
 [[nodiscard]] BakedDeformer bake_deformer(const articulation::Deformer& deformer, double tolerance,
                                           std::size_t most = 12);
 

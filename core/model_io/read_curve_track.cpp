@@ -81,7 +81,9 @@ class Reader {
       return std::nullopt;
     }
     std::vector<animation::TrackGroup> own;
-    for (const auto& [name, list] : curves.items()) {
+    for (const auto& item : curves.items()) {
+      const std::string& name = item.key();
+      const Json& list = item.value();
       std::optional<std::vector<animation::PxPoint>> points;
       if (auto problem = read_points(list, child(pointer, name), points)) return problem;
       if (!points) {

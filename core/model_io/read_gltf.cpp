@@ -6,6 +6,7 @@
 #include "core/model_io/gltf_animations.h"
 #include "core/model_io/gltf_deformers.h"
 #include "core/model_io/gltf_document.h"
+#include "core/model_io/gltf_expressions.h"
 #include "core/model_io/gltf_extras.h"
 #include "core/model_io/gltf_meshes.h"
 #include "core/model_io/gltf_nodes.h"
@@ -54,6 +55,7 @@ base::Result<document::Model> read_opened(GltfDocument& document) {
   if (!meshes) return meshes.error();
   auto shapes = read_shapes(document, *meshes, *root);
   if (!shapes) return shapes.error();
+  add_expressions(document, *meshes, *shapes);
   auto joints = read_skeleton(document, tree, *meshes, *node_extras);
   if (!joints) return joints.error();
   const std::size_t vertices = meshes->source.positions.size();

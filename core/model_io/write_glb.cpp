@@ -29,6 +29,7 @@ std::vector<float> flatten(std::span<const V> vectors) {
 }
 
 Json to_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
+Json numbers_of(const glm::dmat4& m) { return std::vector<double>(&m[0][0], &m[0][0] + 16); }
 Json to_json(const glm::dquat& q) { return Json::array({q.x, q.y, q.z, q.w}); }
 
 /// How the vertices of a part are carried.
@@ -108,7 +109,8 @@ class GlbWriter {
       const double length = std::sqrt(glm::dot(rotation, rotation));
       if (std::abs(length - 1.0) > 1e-12) rotation = rotation / length;
       if (rotation != joint.rest_rotation) own["rest_rotation"] = to_json(joint.rest_rotation);
-      if (glm::dmat4(glm::mat4(joint.inverse_bind)) != joint.inverse_bind) own["inverse_bind"] = exact_bind(joint);
+      if (glm::dmat4(glm::mat4(joint.inverse_bind)) != joint.inverse_bind)
+        own["inverse_bind"] = numbers_of(joint.inverse_bind);
       Json node = Json::object();
       if (!joint.name.empty()) node["name"] = joint.name;
       if (joint.translation != glm::dvec3(0)) node["translation"] = to_json(joint.translation);
@@ -122,14 +124,6 @@ class GlbWriter {
         scene_.push_back(nodes_.size() - 1);
       }
     }
-  }
-
-  static Json exact_bind(const rig::Joint& joint) {
-    Json numbers = Json::array();
-    for (int c = 0; c < 4; ++c) {
-      for (int r = 0; r < 4; ++r) numbers.push_back(joint.inverse_bind[c][r]);
-    }
-    return numbers;
   }
 
   /// One skin serves all parts. Its joints need a common root (glTF 2.0, section 5.28), so roots are gathered below a

@@ -5,8 +5,10 @@
 #include <fstream>
 #include <string>
 
+#include "core/document/animation_building.h"
 #include "core/model_io/read_model.h"
 #include "core/model_io/write_model.h"
+#include "tests/support/articulation_models.h"
 #include "tests/support/gltf_sample.h"
 #include "tests/support/model_samples.h"
 #include "tests/support/shared_data.h"
@@ -26,6 +28,22 @@ bool write(const std::filesystem::path& path, const document::Model& model) {
   return file.good();
 }
 
+/// A sketched deformer that turns, baked and animated, on a head that moves.
+document::Model tracked() {
+  const tests::Trunk trunk = tests::make_trunk();
+  mesh::MeshSource source;
+  source.positions.assign(trunk.canvas->positions().begin(), trunk.canvas->positions().end());
+  source.triangles.assign(trunk.canvas->mesh().triangles().begin(), trunk.canvas->mesh().triangles().end());
+  auto model = document::make_model(mesh::TriangleMesh::build(std::move(source)).value(), nullptr, nullptr).value();
+  const auto deformer = articulation::build_deformer(trunk.curl(), *document::make_canvas(model).value()).value();
+  model = document::with_deformers(std::move(model), articulation::SketchedDeformers::make({deformer}).value()).value();
+  const std::vector<double> times{0, 0.1, 0.1, 0.3};
+  const std::vector<rig::Pose> poses{{0}, {0.4}, {0.4}, {1}};
+  model.animations = {document::make_animation(model, "tracked", times, poses)};
+  const std::vector<document::Stand> stands{{}, {}, {}, {glm::dquat(0.8, 0, 0.6, 0), {0.1, 0, 0}, 1.2}};
+  return document::with_stand(std::move(model), 0, {0, 0, 0}, times, stands).value();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -36,6 +54,7 @@ int main(int argc, char** argv) {
   bool good = write(folder / "full.glb", tests::full_model());
   good = write(folder / "empty_part.glb", tests::model_with_empty_part()) && good;
   good = write(folder / "morph.glb", tests::morph_sample().read().value()) && good;
+  good = write(folder / "tracked.glb", tracked()) && good;
   good = write(folder / "skin.glb", tests::skin_sample().read().value()) && good;
   if (!tests::has_shared()) return good ? 0 : 1;
   for (const auto& entry : std::filesystem::directory_iterator(tests::shared_dir() / "meshes")) {

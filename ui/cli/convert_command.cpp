@@ -1,10 +1,16 @@
 #include "ui/cli/convert_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "core/model_io/formats.h"
+#include "core/model_io/shape_list.h"
+#include "core/model_io/write_arkit.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/files.h"
 #include "ui/cli/load_model.h"
@@ -16,11 +22,60 @@ namespace {
 struct ConvertArguments {
   std::string in;
   std::string out;
+  std::vector<std::string> shapes;
+  double fps = 60;
 };
 
+/// The files that --shapes names: each as it is, a folder's models in the order of their names.
+base::Result<std::vector<std::string>> shape_files(const std::vector<std::string>& named) {
+  std::vector<std::string> files;
+  for (const std::string& path : named) {
+    if (!std::filesystem::is_directory(path)) {
+      files.push_back(path);
+      continue;
+    }
+    std::vector<std::string> inside;
+    std::error_code code;
+    for (const auto& entry : std::filesystem::directory_iterator(path, code)) {
+      if (model_io::format_of_name(entry.path().string())) inside.push_back(entry.path().string());
+    }
+    if (code || inside.empty()) return base::Error{"has no model", path, "name a folder of .obj files"};
+    std::sort(inside.begin(), inside.end());
+    files.insert(files.end(), inside.begin(), inside.end());
+  }
+  return files;
+}
+
+base::Result<document::Model> load_with_shapes(const ConvertArguments& arguments) {
+  auto model = load_model(arguments.in);
+  if (!model || arguments.shapes.empty()) return model;
+  const auto files = shape_files(arguments.shapes);
+  if (!files) return files.error();
+  std::vector<model_io::ShownShape> shapes;
+  for (const std::string& file : *files) {
+    // The model itself may lie in the folder.
+    std::error_code code;
+    if (std::filesystem::equivalent(file, arguments.in, code)) continue;
+    auto shape = load_model(file);
+    if (!shape) {
+      base::Error error = shape.error();
+      error.place = file + (error.place.empty() ? "" : ": " + error.place);
+      return error;
+    }
+    shapes.push_back({model_io::control_name_of(file), std::move(shape).value()});
+  }
+  return model_io::with_shapes(std::move(model).value(), shapes);
+}
+
 int run_convert(const ConvertArguments& arguments) {
-  const auto model = load_model(arguments.in);
+  const auto model = load_with_shapes(arguments);
   if (!model) return report(model.error(), arguments.in);
+  if (arguments.out.ends_with(".csv")) {
+    const auto text = model_io::write_arkit(*model, arguments.fps);
+    if (!text) return report(text.error(), arguments.in);
+    const auto written = write_file(arguments.out, base::as_bytes(*text));
+    return written ? k_success : report(written.error(), arguments.out);
+  }
   if (const auto saved = save_model(*model, arguments.out); !saved) return report(saved.error(), arguments.out);
   for (const std::string& note : model->notes) std::cerr << "penpose: " << arguments.in << ": " << note << '\n';
   return k_success;
@@ -30,9 +85,18 @@ int run_convert(const ConvertArguments& arguments) {
 
 void add_convert_command(CLI::App& app, int& status) {
   auto arguments = std::make_shared<ConvertArguments>();
-  CLI::App* command = app.add_subcommand("convert", "Converts a model to GLB, or to OBJ at its pose");
+  CLI::App* command =
+      app.add_subcommand("convert", "Converts a model to GLB, to OBJ at its pose, or its animation to ARKit CSV");
   command->add_option("IN", arguments->in, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
-  command->add_option("OUT", arguments->out, ".glb or .obj file to write")->required();
+  command
+      ->add_option("OUT", arguments->out,
+                   ".glb or .obj file to write, or .csv for the blend shapes as Live Link Face writes them")
+      ->required();
+  command->add_option("--shapes", arguments->shapes,
+                      "Files, or folders of files, that each show one blend shape; their names become its name");
+  command->add_option("--fps", arguments->fps, "Frames a second of a .csv file")
+      ->check(CLI::Range(0.1, 1000.0))
+      ->capture_default_str();
   command->callback([arguments, &status] { status = run_convert(*arguments); });
 }
 

@@ -130,7 +130,9 @@ int run_demo_command(const DemoArguments& arguments) {
   const std::filesystem::path folder(arguments.folder);
   Written written{(folder / "demo.glb").string(), (folder / "demo.png").string(), sheet_cells(*made)};
   written.replay_ms = ms_since(start);
-  if (auto saved = save_document(made->document, written.glb); !saved) return report(saved.error(), written.glb);
+  if (auto saved = save_document(made->document, written.glb, SaveNotes::quiet); !saved) {
+    return report(saved.error(), written.glb);
+  }
   const Clock::time_point before_pictures = Clock::now();
   const auto sheet = demo::draw_contact_sheet(*made->document.model, written.cells);
   if (!sheet) return report(sheet.error(), written.png);

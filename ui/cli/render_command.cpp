@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include "ui/cli/closest_name.h"
 #include "ui/cli/files.h"
 #include "ui/cli/load_model.h"
+#include "ui/cli/progress.h"
 #include "ui/render/appearance.h"
 #include "ui/render/framing.h"
 #include "ui/render/renderer.h"
@@ -23,11 +25,14 @@ namespace {
 
 constexpr int k_largest_side_px = 8192;
 constexpr int k_most_px = 4096 * 4096;
+constexpr double k_most_frames = 1e6;
 
 struct Options {
   std::string model;
   std::vector<std::string> assignments;
   std::optional<double> time_s;
+  bool frames = false;
+  double fps = 24;
   std::string size = "1024x1024";
   std::string camera;
   std::string view = "three-quarter";
@@ -116,51 +121,90 @@ base::Result<geometry::Camera> make_camera(const Options& options, const documen
   return geometry::Camera::make(*pose, viewport);
 }
 
-int run_render(const Options& options) {
-  auto model = load_model(options.model);
-  if (!model) return report(model.error(), options.model);
-  if (options.time_s) {
-    if (model->animations.empty()) {
-      return report({"the model has no animation", "--time", "leave --time out"}, options.model);
-    }
-    auto moment = document::model_at(*model, document::sample(*model, model->animations.front(), *options.time_s));
-    if (!moment) return report(moment.error(), options.model);
-    model = std::move(moment);
-  }
-  for (const std::string& assignment : options.assignments) {
-    if (auto set = set_parameter(*model, assignment); !set) return report(set.error(), options.model);
-  }
-  const auto camera = make_camera(options, *model);
-  if (!camera) return report(camera.error(), options.camera);
-  auto renderer = render::Renderer::make_offscreen();
-  if (!renderer) return report(renderer.error());
-  render::AppearanceOptions look;
-  look.recognise = !options.plain;
-  const render::Appearance appearance = render::make_appearance(*model, look);
-  const render::PosedMesh posed = render::posed_mesh(*model);
+/// Draws the model as it is posed and writes the picture.
+int draw(const Options& options, const document::Model& model, render::Renderer& renderer,
+         const render::Appearance& appearance, const geometry::Camera& camera, const std::string& output) {
+  const render::PosedMesh posed = render::posed_mesh(model);
   std::vector<render::CurveDrawing> curves;
-  if (options.curves) curves = named_curves(*model, document::posed_positions(*model));
+  if (options.curves) curves = named_curves(model, document::posed_positions(model));
   if (!options.cases.empty()) {
-    const auto drawings = case_curves(options, *model, document::posed_positions(*model));
+    const auto drawings = case_curves(options, model, document::posed_positions(model));
     if (!drawings) return report(drawings.error(), options.cases);
     curves.insert(curves.end(), drawings->begin(), drawings->end());
   }
   render::Scene scene;
   scene.positions = posed.positions;
   scene.normals = posed.normals;
-  scene.triangles = model->mesh->triangles();
+  scene.triangles = model.mesh->triangles();
   scene.appearance = &appearance;
   scene.curves = curves;
   scene.wireframe = options.wireframe;
-  const auto image = (*renderer)->render(scene, *camera);
+  const auto image = renderer.render(scene, camera);
   if (!image) return report(image.error(), options.model);
   const auto png = render::encode_png(*image);
-  if (!png) return report(png.error(), options.output);
-  if (auto written = write_file(options.output, *png); !written) return report(written.error(), options.output);
+  if (!png) return report(png.error(), output);
+  if (auto written = write_file(output, *png); !written) return report(written.error(), output);
+  return k_success;
+}
+
+/// The model at a moment of its first animation, with what --set says on top.
+base::Result<document::Model> moment_of(const Options& options, const document::Model& model,
+                                        std::optional<double> time_s) {
+  base::Result<document::Model> moment = model;
+  if (time_s) moment = document::model_at(model, document::sample(model, model.animations.front(), *time_s));
+  if (!moment) return moment;
+  for (const std::string& assignment : options.assignments) {
+    if (auto set = set_parameter(*moment, assignment); !set) return set.error();
+  }
+  return moment;
+}
+
+int run_render(const Options& options) {
+  const auto model = load_model(options.model);
+  if (!model) return report(model.error(), options.model);
+  const char* needs_animation = options.time_s ? "--time" : options.frames ? "--frames" : nullptr;
+  if (needs_animation != nullptr && model->animations.empty()) {
+    return report({"the model has no animation", needs_animation, std::string("leave ") + needs_animation + " out"},
+                  options.model);
+  }
+  const auto first = moment_of(options, *model, options.frames ? std::optional(0.0) : options.time_s);
+  if (!first) return report(first.error(), options.model);
+  const auto camera = make_camera(options, *first);
+  if (!camera) return report(camera.error(), options.camera);
+  auto renderer = render::Renderer::make_offscreen();
+  if (!renderer) return report(renderer.error());
+  render::AppearanceOptions look;
+  look.recognise = !options.plain;
+  const render::Appearance appearance = render::make_appearance(*first, look);
+  if (!options.frames) return draw(options, *first, **renderer, appearance, *camera, options.output);
+  const double duration = document::duration_s(model->animations.front());
+  const double last = std::round(duration * options.fps);
+  if (!(last < k_most_frames)) {
+    return report({"the animation has too many frames", "--fps", "choose a lower rate"}, options.model);
+  }
+  const auto count = static_cast<std::size_t>(last) + 1;
+  Progress progress("rendering", count);
+  for (std::size_t f = 0; f < count; ++f) {
+    const auto moment = moment_of(options, *model, static_cast<double>(f) / options.fps);
+    if (!moment) return report(moment.error(), options.model);
+    const int status = draw(options, *moment, **renderer, appearance, *camera, frame_name(options.output, f + 1));
+    if (status != k_success) return status;
+    progress.advance();
+  }
   return k_success;
 }
 
 }  // namespace
+
+std::string frame_name(const std::string& pattern, std::size_t number) {
+  std::string stem = pattern.ends_with(".png") ? pattern.substr(0, pattern.size() - 4) : pattern;
+  const std::size_t after = stem.find_last_not_of('#') + 1;
+  const std::size_t width = after < stem.size() ? stem.size() - after : 4;
+  stem.resize(after);
+  std::string digits = std::to_string(number);
+  while (digits.size() < width) digits.insert(digits.begin(), '0');
+  return stem + digits + ".png";
+}
 
 void add_render_command(CLI::App& app, int& status) {
   auto options = std::make_shared<Options>();
@@ -168,7 +212,16 @@ void add_render_command(CLI::App& app, int& status) {
   command->add_option("MODEL", options->model, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
   command->add_option("--set", options->assignments, "NAME=VALUE: a parameter of the pose; may be given many times")
       ->allow_extra_args(false);
-  command->add_option("--time", options->time_s, "second of the model's first animation")->check(CLI::Number);
+  auto* time =
+      command->add_option("--time", options->time_s, "second of the model's first animation")->check(CLI::Number);
+  command
+      ->add_flag("--frames", options->frames,
+                 "one picture a frame of the first animation: OUT0001.png, OUT0002.png, ... as Blender names them; ### "
+                 "at the end of OUT says how many digits")
+      ->excludes(time);
+  command->add_option("--fps", options->fps, "frames a second of --frames")
+      ->check(CLI::Range(0.1, 1000.0))
+      ->capture_default_str();
   command->add_option("--size", options->size, "WIDTHxHEIGHT of the picture in px")
       ->check(CLI::Validator(check_size, "WxH"))
       ->capture_default_str();

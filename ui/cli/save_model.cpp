@@ -12,14 +12,14 @@ namespace penpose::cli {
 namespace {
 
 base::Status save(const base::Result<std::vector<std::uint8_t>>& bytes, const model_io::GlbReport& baking,
-                  bool animated, const std::string& path) {
+                  bool animated, const std::string& path, SaveNotes say) {
   if (!bytes) return bytes.error();
-  if (baking.baked > 0) {
+  if (say == SaveNotes::loud && baking.baked > 0) {
     std::cerr << "penpose: " << path << ": deformers are baked to " << baking.baked
               << " morph targets more; no vertex is off by over " << base::format_fixed(100 * baking.bake_error, 3)
               << " % of the model's size\n";
   }
-  if (animated && baking.targets > model_io::k_common_targets) {
+  if (say == SaveNotes::loud && animated && baking.targets > model_io::k_common_targets) {
     std::cerr << "penpose: " << path << ": it has " << baking.targets
               << " morph targets; some viewers show no more than 8 at a time\n";
   }
@@ -28,15 +28,15 @@ base::Status save(const base::Result<std::vector<std::uint8_t>>& bytes, const mo
 
 }  // namespace
 
-base::Status save_model(const document::Model& model, const std::string& path) {
+base::Status save_model(const document::Model& model, const std::string& path, SaveNotes say) {
   model_io::GlbReport baking;
-  return save(model_io::write_model(model, path, &baking), baking, !model.animations.empty(), path);
+  return save(model_io::write_model(model, path, &baking), baking, !model.animations.empty(), path, say);
 }
 
-base::Status save_document(const document::Document& document, const std::string& path) {
+base::Status save_document(const document::Document& document, const std::string& path, SaveNotes say) {
   model_io::GlbReport baking;
   const bool animated = !document.timeline->keys.empty() || !document.model->animations.empty();
-  return save(model_io::write_document(document, path, &baking), baking, animated, path);
+  return save(model_io::write_document(document, path, &baking), baking, animated, path, say);
 }
 
 }  // namespace penpose::cli

@@ -7,10 +7,16 @@
 
 namespace penpose::cli {
 
+/// Whether saving says on standard error how exactly deformers were baked, and that there are more morph targets than
+/// common viewers show.
+enum class SaveNotes : bool { quiet, loud };
+
 /// Writes a model in the format that the path's extension asks for, atomically. Errors of the writer and of the file
 /// system.
-[[nodiscard]] base::Status save_model(const document::Model& model, const std::string& path);
+[[nodiscard]] base::Status save_model(const document::Model& model, const std::string& path,
+                                      SaveNotes say = SaveNotes::loud);
 /// Writes a document, .glb as a project, atomically. Errors of the writer and of the file system.
-[[nodiscard]] base::Status save_document(const document::Document& document, const std::string& path);
+[[nodiscard]] base::Status save_document(const document::Document& document, const std::string& path,
+                                         SaveNotes say = SaveNotes::loud);
 
 }  // namespace penpose::cli

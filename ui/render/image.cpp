@@ -50,4 +50,21 @@ base::Result<std::vector<std::uint8_t>> encode_png(const Image& image) {
   return bytes;
 }
 
+base::Result<Image> decode_png(std::span<const std::uint8_t> bytes) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  const auto fail = [&](const char* what) { return base::Error{what, png.message, "export the picture again"}; };
+  if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) return fail("is no PNG picture");
+  constexpr std::uint32_t k_largest = 16384;
+  if (png.width > k_largest || png.height > k_largest) {
+    png_image_free(&png);
+    return fail("the picture is larger than 16384 px");
+  }
+  png.format = PNG_FORMAT_RGBA;
+  Image image{static_cast<int>(png.width), static_cast<int>(png.height), {}};
+  image.pixels.resize(PNG_IMAGE_SIZE(png));
+  if (png_image_finish_read(&png, nullptr, image.pixels.data(), 0, nullptr) == 0) return fail("the picture is damaged");
+  return image;
+}
+
 }  // namespace penpose::render

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/result.h"
@@ -24,5 +25,8 @@ struct Image {
 
 /// The bytes of a PNG file. Errors: sizes that do not fit the pixels, or no memory.
 [[nodiscard]] base::Result<std::vector<std::uint8_t>> encode_png(const Image& image);
+
+/// The picture of a PNG file. Errors: no PNG, damaged, or of more than 16384 px a side.
+[[nodiscard]] base::Result<Image> decode_png(std::span<const std::uint8_t> bytes);
 
 }  // namespace penpose::render

@@ -124,5 +124,35 @@ TEST_F(SharedRenderCommand, PosesAnimationsAndCasesShow) {
   EXPECT_NE(picture("animated_morph_cube.glb", {}), picture("animated_morph_cube.glb", {"--time", "1.5"}));
 }
 
+TEST_F(RenderCommand, NamesTheFramesOfASequenceAsBlenderDoes) {
+  EXPECT_EQ(frame_name("out/smile", 1), "out/smile0001.png");
+  EXPECT_EQ(frame_name("out/smile.png", 12), "out/smile0012.png");
+  EXPECT_EQ(frame_name("smile_######", 12345), "smile_012345.png");
+  EXPECT_EQ(frame_name("smile##.png", 100), "smile100.png");
+}
+
+TEST_F(RenderCommand, WritesAPictureAFrame) {
+  std::ofstream(folder_ / "take.csv") << "Timecode,BlendShapeCount,Jaw\n0:0:0:0,1,0\n0:0:0:12,1,0.8\n";
+  const char* animate[] = {"penpose", "animate", "builtin:demo", "--track", nullptr, "-o", nullptr};
+  const std::string take = path("take.csv");
+  const std::string clip = path("clip.glb");
+  animate[4] = take.c_str();
+  animate[6] = clip.c_str();
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const int made = run(7, animate);
+  (void)testing::internal::GetCapturedStdout();
+  const std::string error = testing::internal::GetCapturedStderr();
+  ASSERT_EQ(made, k_success) << error;
+  ASSERT_EQ(render({clip, "--frames", "--fps", "10", "--size", "64x64", "-o", path("clip.png")}), k_success) << error_;
+  // 0.4 s: frames at 0, 0.1, ..., 0.4.
+  for (const char* name : {"clip0001.png", "clip0005.png"})
+    EXPECT_TRUE(std::filesystem::exists(folder_ / name)) << name;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "clip0006.png"));
+  EXPECT_NE(content("clip0001.png"), content("clip0005.png"));
+  EXPECT_EQ(render({model(), "--frames", "--size", "64x64", "-o", path("none.png")}), k_failure);
+  EXPECT_NE(error_.find("--frames"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace penpose::cli

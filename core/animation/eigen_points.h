@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/geometry/space.h"
+
+namespace penpose::animation {
+
+using geometry::PxPoint;
+
+/// A picture in shades of grey: rows from the top, one byte a pixel.
+struct GreyImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;
+};
+
+/// A picture in which somebody has marked the points.
+struct LabelledImage {
+  GreyImage image;
+  std::vector<PxPoint> points;
+};
+
+struct EigenOptions {
+  std::size_t patch = 24;  ///< side of a feature's grey patch, samples
+  double margin = 0.35;    ///< of the patch around the feature's points, share of their extent
+  double kept = 0.995;     ///< share of the variation that the principal components keep
+  std::size_t most_components = 24;
+  int search_px = 3;  ///< how far a feature may have moved between pictures
+};
+
+/// A feature: points that are found from one patch, such as those of the mouth.
+struct EigenFeature {
+  std::vector<std::size_t> points;
+  PxPoint corner;  ///< of the patch in the pictures that were labelled
+  PxPoint size;
+  std::vector<double> mean;   ///< of the patch's samples, then of the points' x and y (weighted)
+  std::vector<double> basis;  ///< the components, one after the other, each as long as the mean
+  std::size_t components = 0;
+  std::vector<double> solve;  ///< inverse of the components' products on the patch alone, components squared
+  double point_weight = 1;    ///< what points were multiplied with beside samples
+};
+
+/// The linear map from grey patches to point positions that Covell and Bregler learn ("Eigen-points", 1996): principal
+/// components of patch and points joined; seen the patch alone, the components' amounts are found by least squares and
+/// give the points.
+struct EigenPoints {
+  std::size_t patch = 0;
+  int search_px = 0;
+  std::size_t point_count = 0;
+  std::vector<EigenFeature> features;
+};
+
+/// Learns from labelled pictures. `features`: lists of point numbers. Patches are freed of their mean and contrast, so
+/// that brighter or darker pictures count the same. Errors: fewer than two pictures, pictures of other sizes or numbers
+/// of points than the first, a feature without extent, points that do not exist.
+[[nodiscard]] base::Result<EigenPoints> learn_eigen_points(std::span<const LabelledImage> images,
+                                                           std::span<const std::vector<std::size_t>> features,
+                                                           const EigenOptions& options = {});
+
+/// What was found in one picture.
+struct EigenFound {
+  std::vector<PxPoint> points;
+  std::vector<PxPoint> shifts;  ///< one a feature: where its patch lay, to start the next picture from
+  double confidence = 0;        ///< 0..1: how much of the patches the components explain
+};
+
+/// Finds the points. Each feature's patch is looked for within search_px of `shifts` (empty: of where it was learned),
+/// where the components explain it best. Errors: a picture that is empty.
+[[nodiscard]] base::Result<EigenFound> find_eigen_points(const EigenPoints& learned, const GreyImage& image,
+                                                         std::span<const PxPoint> shifts);
+
+}  // namespace penpose::animation

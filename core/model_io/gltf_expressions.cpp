@@ -1,0 +1,130 @@
+#include "core/model_io/gltf_expressions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/model_io/names.h"
+
+namespace penpose::model_io {
+namespace {
+
+/// More than any avatar has; a hostile file must not make each byte unfold to a whole shape.
+constexpr std::size_t k_most_expressions = 200;
+
+class Expressions {
+ public:
+  Expressions(GltfDocument& document, const GltfMeshes& meshes, GltfShapes& shapes)
+      : document_(document), meshes_(meshes), shapes_(shapes) {}
+
+  void read() {
+    const Json* extensions = find(document_.json, "extensions");
+    if (extensions == nullptr) return;
+    if (const Json* vrm = find(*extensions, "VRMC_vrm")) read_vrm1(*vrm);
+    if (const Json* vrm = find(*extensions, "VRM")) read_vrm0(*vrm);
+    if (colours_) document_.notes.emplace_back("expressions change materials too; that is left out");
+  }
+
+ private:
+  using Moves = std::map<std::uint32_t, glm::vec3>;
+
+  void read_vrm1(const Json& vrm) {
+    const Json* expressions = find(vrm, "expressions");
+    for (const char* group : {"preset", "custom"}) {
+      const Json* members = expressions == nullptr ? nullptr : find(*expressions, group);
+      if (members == nullptr || !members->is_object()) continue;
+      for (const auto& [name, expression] : members->items()) {
+        Moves moves;
+        const Json* binds = find(expression, "morphTargetBinds");
+        for (std::size_t i = 0; binds != nullptr && binds->is_array() && i < binds->size(); ++i) {
+          add_bind((*binds)[i], "node", 1.0, moves);
+        }
+        for (const char* other : {"materialColorBinds", "textureTransformBinds"}) {
+          const Json* list = find(expression, other);
+          colours_ = colours_ || (list != nullptr && list->is_array() && !list->empty());
+        }
+        add_shape(name, moves);
+      }
+    }
+  }
+
+  void read_vrm0(const Json& vrm) {
+    const Json* master = find(vrm, "blendShapeMaster");
+    const Json* groups = master == nullptr ? nullptr : find(*master, "blendShapeGroups");
+    if (groups == nullptr || !groups->is_array()) return;
+    for (const Json& group : *groups) {
+      Moves moves;
+      const Json* binds = find(group, "binds");
+      // Weights of VRM 0 are percent.
+      for (std::size_t i = 0; binds != nullptr && binds->is_array() && i < binds->size(); ++i) {
+        add_bind((*binds)[i], "mesh", 0.01, moves);
+      }
+      const Json* materials = find(group, "materialValues");
+      colours_ = colours_ || (materials != nullptr && materials->is_array() && !materials->empty());
+      for (const char* key : {"name", "presetName"}) {
+        const Json* name = find(group, key);
+        if (name == nullptr || !name->is_string() || name->get_ref<const std::string&>().empty()) continue;
+        add_shape(name->get<std::string>(), moves);
+        break;
+      }
+    }
+  }
+
+  /// One morph target of all parts of a node or a mesh.
+  void add_bind(const Json& bind, const char* key, double scale, Moves& moves) {
+    const Json* owner = find(bind, key);
+    const Json* index = find(bind, "index");
+    const Json* given = find(bind, "weight");
+    const std::int64_t owner_number = owner == nullptr ? -1 : whole_number(*owner, 0, 0x7fffffff).value_or(-1);
+    const std::int64_t target = index == nullptr ? -1 : whole_number(*index, 0, 0x7fffffff).value_or(-1);
+    const double weight = given == nullptr ? 1.0 : number(*given).value_or(0) * scale;
+    if (owner_number < 0 || target < 0 || !(std::abs(weight) <= 100)) return;
+    for (std::size_t i = 0; i < meshes_.origins.size(); ++i) {
+      const PartOrigin& origin = meshes_.origins[i];
+      const auto own = static_cast<std::int64_t>(key[0] == 'n' ? origin.node : origin.mesh);
+      const auto& targets = shapes_.of_target[i];
+      if (own != owner_number || static_cast<std::size_t>(target) >= targets.size()) continue;
+      const rig::BlendShape& shape = shapes_.shapes[targets[static_cast<std::size_t>(target)]];
+      const mesh::Part& part = meshes_.source.parts[i];
+      const auto begin = std::lower_bound(shape.vertices.begin(), shape.vertices.end(), part.first_vertex);
+      for (auto v = begin; v != shape.vertices.end() && *v < part.first_vertex + part.vertex_count; ++v) {
+        if (document_.budget == 0) return;
+        --document_.budget;
+        moves[*v] += shape.deltas[static_cast<std::size_t>(v - shape.vertices.begin())] * static_cast<float>(weight);
+      }
+    }
+  }
+
+  void add_shape(const std::string& name, const Moves& moves) {
+    if (moves.empty() || added_ == k_most_expressions) return;
+    const std::string valid = valid_utf8(name);
+    const bool taken = std::any_of(shapes_.shapes.begin(), shapes_.shapes.end(),
+                                   [&](const rig::BlendShape& shape) { return shape.parameter.name == valid; });
+    if (taken) {
+      document_.notes.push_back("expression " + valid + " is left out: a morph target has its name");
+      return;
+    }
+    ++added_;
+    rig::BlendShape& shape = shapes_.shapes.emplace_back();
+    shape.parameter.name = valid;
+    for (const auto& [vertex, delta] : moves) {
+      shape.vertices.push_back(vertex);
+      shape.deltas.push_back(delta);
+    }
+    shapes_.values.push_back(0.0);
+  }
+
+  GltfDocument& document_;
+  const GltfMeshes& meshes_;
+  GltfShapes& shapes_;
+  std::size_t added_ = 0;
+  bool colours_ = false;
+};
+
+}  // namespace
+
+void add_expressions(GltfDocument& document, const GltfMeshes& meshes, GltfShapes& shapes) {
+  Expressions(document, meshes, shapes).read();
+}
+
+}  // namespace penpose::model_io

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/model_io/gltf_document.h"
+#include "core/model_io/gltf_meshes.h"
+#include "core/model_io/gltf_shapes.h"
+
+namespace penpose::model_io {
+
+/// Adds the expressions of a VRM avatar as blend shapes of their names: VRM 1.0 (extension VRMC_vrm, expressions,
+/// preset and custom) and VRM 0.x (extension VRM, blendShapeMaster). An expression is a sum of morph targets times
+/// their weights. What else an expression does (colours, textures) is left out, with a note; so are expressions whose
+/// name a morph target has already. Parts of an expression that name nothing are passed over.
+void add_expressions(GltfDocument& document, const GltfMeshes& meshes, GltfShapes& shapes);
+
+}  // namespace penpose::model_io

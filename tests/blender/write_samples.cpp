@@ -1,0 +1,118 @@
+// write_blender_samples FOLDER: animated files, and where their vertices should be at twenty times.
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/document/animation_building.h"
+#include "core/document/animation_sampling.h"
+#include "core/model_io/read_model.h"
+#include "core/model_io/write_model.h"
+#include "tests/support/articulation_models.h"
+#include "tests/support/model_samples.h"
+#include "tests/support/rendered_track.h"
+#include "tests/support/shared_data.h"
+
+namespace {
+
+using namespace penpose;
+
+/// A clip in which every weight goes its own way.
+document::Model animated(document::Model model) {
+  std::vector<double> times;
+  std::vector<rig::Pose> poses;
+  tests::Shaker random(7);
+  const std::size_t weights = document::weight_count(model);
+  for (int f = 0; f <= 60; ++f) {
+    times.push_back(f / 30.0);
+    rig::Pose pose = rig::rest_pose(*model.rig);
+    for (std::size_t i = 0; i < weights; ++i) {
+      const rig::Parameter& p = model.rig->parameters()[i];
+      const double middle = 0.5 * (p.minimum + p.maximum);
+      pose[i] = middle + 0.4 * (p.maximum - p.minimum) *
+                             std::sin(0.1 * f * (1.0 + 0.1 * static_cast<double>(i % 7)) + static_cast<double>(i));
+    }
+    poses.push_back(std::move(pose));
+  }
+  model.animations = {document::make_animation(model, "clip", times, poses)};
+  model.pose = rig::rest_pose(*model.rig);
+  std::vector<document::Stand> stands;
+  for (int f = 0; f <= 60; ++f) {
+    const double a = 0.3 * std::sin(0.1 * f);
+    stands.push_back({glm::dquat(std::cos(a / 2), 0, std::sin(a / 2), 0), {0.01 * f, 0, 0}, 1 + 0.002 * f});
+  }
+  if (model.skeleton) return model;
+  return document::with_stand(std::move(model), 0, document::rest_world_box(model).center(), times, stands).value();
+}
+
+bool write(const std::filesystem::path& folder, const std::string& name, const document::Model& model) {
+  // Deformers between amounts are as exact as they are baked: finer than the comparison here.
+  const auto bytes = model_io::write_glb(model, {5e-6});
+  if (!bytes) {
+    std::fprintf(stderr, "%s: %s\n", name.c_str(), bytes.error().line().c_str());
+    return false;
+  }
+  std::ofstream(folder / (name + ".glb"), std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes->data()), static_cast<std::streamsize>(bytes->size()));
+  const auto read = model_io::read_model(*bytes, name + ".glb").value();
+  nlohmann::json wanted = {{"size", document::rest_world_box(read).diagonal()}, {"times", nlohmann::json::array()}};
+  wanted["shape_keys"] = nlohmann::json::array();
+  for (std::size_t i = 0; i < document::weight_count(read); ++i)
+    wanted["shape_keys"].push_back(read.rig->parameters()[i].name);
+  for (const mesh::Part& part : read.mesh->parts())
+    wanted["parts"].push_back({{"name", part.name}, {"positions", nlohmann::json::array()}});
+  tests::Shaker random(3);
+  const double duration = document::duration_s(read.animations[0]);
+  for (int k = 0; k < 20; ++k) {
+    // A sketched deformer mixes exactly at keys only.
+    double time = duration * (0.5 + 0.5 * random());
+    if (read.deformers) time = std::round(time * 30) / 30;
+    wanted["times"].push_back(time);
+    const auto moment = document::model_at(read, document::sample(read, read.animations[0], time)).value();
+    const auto positions = document::posed_positions(moment);
+    for (std::size_t p = 0; p < read.mesh->parts().size(); ++p) {
+      const mesh::Part& part = read.mesh->parts()[p];
+      nlohmann::json list = nlohmann::json::array();
+      for (std::uint32_t v = part.first_vertex; v < part.first_vertex + part.vertex_count; ++v) {
+        list.push_back({positions[v].x, positions[v].y, positions[v].z});
+      }
+      wanted["parts"][p]["positions"].push_back(std::move(list));
+    }
+  }
+  std::ofstream(folder / (name + ".json")) << wanted.dump();
+  return true;
+}
+
+document::Model trunk() {
+  const tests::Trunk trunk = tests::make_trunk();
+  mesh::MeshSource source;
+  source.positions.assign(trunk.canvas->positions().begin(), trunk.canvas->positions().end());
+  source.triangles.assign(trunk.canvas->mesh().triangles().begin(), trunk.canvas->mesh().triangles().end());
+  source.parts = {{.name = "trunk",
+                   .first_vertex = 0,
+                   .vertex_count = static_cast<std::uint32_t>(source.positions.size()),
+                   .first_triangle = 0,
+                   .triangle_count = static_cast<std::uint32_t>(source.triangles.size())}};
+  auto model = document::make_model(mesh::TriangleMesh::build(std::move(source)).value(), nullptr, nullptr).value();
+  const auto deformer = articulation::build_deformer(trunk.curl(), *document::make_canvas(model).value()).value();
+  return document::with_deformers(std::move(model), articulation::SketchedDeformers::make({deformer}).value()).value();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  const std::filesystem::path folder = argv[1];
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  bool good = write(folder, "trunk", animated(trunk()));
+  if (!tests::has_shared()) return good ? 0 : 1;
+  for (const char* name : {"ict_face.glb", "ict_face_narrow.glb"}) {
+    const auto file = tests::shared_dir() / "meshes" / name;
+    good = write(folder, std::filesystem::path(name).stem().string(),
+                 animated(model_io::read_model(tests::read_file(file), name).value())) &&
+           good;
+  }
+  return good ? 0 : 1;
+}

@@ -1,0 +1,34 @@
+#include <gtest/gtest.h>
+
+#include "tests/support/gltf_sample.h"
+
+namespace penpose::model_io {
+namespace {
+
+TEST(GltfExpressions, OfBothVersionsAreBlendShapes) {
+  for (const bool first : {true, false}) {
+    auto sample = tests::morph_sample();
+    if (first) {
+      sample.json["extensions"]["VRM"]["blendShapeMaster"]["blendShapeGroups"] = {
+          {{"name", "Joy"}, {"presetName", "joy"}, {"binds", {{{"mesh", 0}, {"index", 0}, {"weight", 50}}}}},
+          {{"name", "Nothing"}, {"binds", {{{"mesh", 7}, {"index", 0}, {"weight", 50}}, {{"mesh", 0}, {"index", 9}}}}}};
+    } else {
+      sample.json["extensions"]["VRMC_vrm"]["expressions"] = {
+          {"preset", {{"Joy", {{"morphTargetBinds", {{{"node", 0}, {"index", 0}, {"weight", 0.5}}}}}}}},
+          {"custom", {{"lift", {{"morphTargetBinds", {{{"node", 0}, {"index", 0}}}}}}, {"odd", 3}}}};
+    }
+    sample.json["extensionsUsed"] = {first ? "VRM" : "VRMC_vrm"};
+    const auto model = sample.read();
+    ASSERT_TRUE(model.ok()) << model.error().line();
+    ASSERT_EQ(model->shapes->shapes().size(), 2U);
+    const auto& joy = model->shapes->shapes()[1];
+    EXPECT_EQ(joy.parameter.name, "Joy");
+    ASSERT_EQ(joy.vertices, (std::vector<std::uint32_t>{2}));
+    EXPECT_FLOAT_EQ(joy.deltas[0].z, 0.25F);
+    EXPECT_EQ(model->pose, (rig::Pose{0.25, 0}));
+    EXPECT_EQ(model->notes.size(), first ? 0U : 1U);  // "lift" is a target's name already
+  }
+}
+
+}  // namespace
+}  // namespace penpose::model_io

@@ -1,0 +1,96 @@
+#include "ui/cli/track_command.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "ui/cli/command_line.h"
+
+namespace penpose::cli {
+namespace {
+
+/// Pictures of a bright mouth on a dark face that opens: the upper edge stays, the lower edge sinks.
+class TrackCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() / ("penpose_track_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder_ / "clip");
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  static double lower_edge(double open) { return 34 + 12 * open; }
+  /// `light`: how bright the picture is.
+  void write_picture(const std::string& name, double open, double light) const {
+    std::ofstream file(folder_ / name, std::ios::binary);
+    file << "P5 64 64 255\n";
+    for (int y = 0; y < 64; ++y) {
+      for (int x = 0; x < 64; ++x) {
+        const double inside = std::clamp(y + 0.5 - 30, 0.0, 1.0) * std::clamp(lower_edge(open) - y, 0.0, 1.0);
+        const double grey = x > 16 && x < 48 ? 60 + 150 * inside : 60;
+        file.put(static_cast<char>(static_cast<int>(grey * light)));
+      }
+    }
+  }
+  static nlohmann::json curves(double open) {
+    const double low = lower_edge(open);
+    return {{"upper", {{16, 30}, {32, 30}, {48, 30}}}, {"lower", {{16, low}, {32, low}, {48, low}}}};
+  }
+  int track(const std::vector<std::string>& arguments) {
+    std::vector<const char*> argv{"penpose", "track"};
+    for (const auto& argument : arguments) argv.push_back(argument.c_str());
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const int status = run(static_cast<int>(argv.size()), argv.data());
+    (void)testing::internal::GetCapturedStdout();
+    error_ = testing::internal::GetCapturedStderr();
+    return status;
+  }
+  [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
+
+  std::filesystem::path folder_;
+  std::string error_;
+};
+
+TEST_F(TrackCommand, FindsTheEdgesOfAMouthInEveryLight) {
+  nlohmann::json frames = nlohmann::json::array();
+  for (int k = 0; k <= 10; ++k) {
+    const std::string name = "label" + std::to_string(k) + ".pgm";
+    write_picture(name, k / 10.0, 0.7 + 0.03 * k);
+    frames.push_back({{"image", name}, {"curves", curves(k / 10.0)}});
+  }
+  std::ofstream(folder_ / "labels.json")
+      << nlohmann::json{{"frames", frames}, {"features", nlohmann::json::parse(R"([["upper", "lower"]])")}}.dump();
+  for (int f = 0; f < 8; ++f)
+    write_picture("clip/face000" + std::to_string(f) + ".pgm", 0.05 + 0.11 * f, 1.1 - 0.05 * f);
+  ASSERT_EQ(track({path("clip"), "--labels", path("labels.json"), "-o", path("track.json"), "--fps", "10"}), k_success)
+      << error_;
+  std::ifstream file(folder_ / "track.json");
+  const auto found = nlohmann::json::parse(file);
+  EXPECT_EQ(found["fps"], 10);
+  ASSERT_EQ(found["frames"].size(), 8U);
+  for (std::size_t f = 0; f < 8; ++f) {
+    const double wanted = lower_edge(0.05 + 0.11 * static_cast<double>(f));
+    EXPECT_NEAR(found["frames"][f]["curves"]["lower"][1][1].get<double>(), wanted, 1.0) << f;
+    EXPECT_NEAR(found["frames"][f]["curves"]["upper"][1][1].get<double>(), 30, 1.0) << f;
+  }
+}
+
+TEST_F(TrackCommand, SaysWhatIsWrong) {
+  write_picture("label.pgm", 0, 1);
+  write_picture("clip/face0001.pgm", 0, 1);
+  const auto labels = [&](const nlohmann::json& frames) {
+    std::ofstream(folder_ / "labels.json") << nlohmann::json{{"frames", frames}}.dump();
+    return track({path("clip"), "--labels", path("labels.json"), "-o", path("track.json")});
+  };
+  EXPECT_EQ(labels({{{"image", "label.pgm"}, {"curves", curves(0)}}}), k_failure);
+  EXPECT_NE(error_.find("two labelled pictures"), std::string::npos) << error_;
+  EXPECT_EQ(labels({{{"image", "none.pgm"}, {"curves", curves(0)}}}), k_failure);
+  EXPECT_NE(error_.find("none.pgm"), std::string::npos) << error_;
+  EXPECT_EQ(labels({{{"curves", curves(0)}}}), k_failure);
+  EXPECT_NE(error_.find("/frames/0"), std::string::npos) << error_;
+}
+
+}  // namespace
+}  // namespace penpose::cli

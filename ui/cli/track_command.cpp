@@ -1,0 +1,124 @@
+#include "ui/cli/track_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "core/animation/eigen_points.h"
+#include "core/model_io/label_file.h"
+#include "core/model_io/read_pgm.h"
+#include "ui/cli/files.h"
+#include "ui/cli/progress.h"
+#include "ui/render/image.h"
+
+namespace penpose::cli {
+namespace {
+
+struct TrackArguments {
+  std::vector<std::string> pictures;
+  std::string labels;
+  std::string out;
+  double fps = 25;
+};
+
+base::Result<animation::GreyImage> read_grey(const std::string& path) {
+  const auto bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  if (bytes->size() > 1 && (*bytes)[0] == 'P') return model_io::read_pgm(*bytes);
+  const auto picture = render::decode_png(*bytes);
+  if (!picture) return picture.error();
+  animation::GreyImage grey{picture->width, picture->height, {}};
+  for (std::size_t i = 0; i < picture->pixels.size(); i += 4) {
+    // Luma of ITU-R BT.601, in whole numbers.
+    const int sum = 299 * picture->pixels[i] + 587 * picture->pixels[i + 1] + 114 * picture->pixels[i + 2];
+    grey.pixels.push_back(static_cast<std::uint8_t>(sum / 1000));
+  }
+  return grey;
+}
+
+base::Result<animation::EigenPoints> learn(const model_io::LabelFile& file, const std::filesystem::path& folder) {
+  std::vector<animation::LabelledImage> labelled;
+  for (std::size_t k = 0; k < file.images.size(); ++k) {
+    auto image = read_grey((folder / file.images[k]).string());
+    if (!image) {
+      base::Error error = image.error();
+      error.place = file.images[k] + (error.place.empty() ? "" : ": " + error.place);
+      return error;
+    }
+    labelled.push_back({std::move(image).value(), file.track.frames[k].points});
+  }
+  return animation::learn_eigen_points(labelled, file.features);
+}
+
+/// Files as they are named, a folder's pictures in the order of their names.
+std::vector<std::string> picture_files(const std::vector<std::string>& named) {
+  std::vector<std::string> files;
+  for (const std::string& path : named) {
+    if (!std::filesystem::is_directory(path)) {
+      files.push_back(path);
+      continue;
+    }
+    std::vector<std::string> inside;
+    std::error_code code;
+    for (const auto& entry : std::filesystem::directory_iterator(path, code)) {
+      const auto extension = entry.path().extension();
+      if (extension == ".png" || extension == ".pgm") inside.push_back(entry.path().string());
+    }
+    std::sort(inside.begin(), inside.end());
+    files.insert(files.end(), inside.begin(), inside.end());
+  }
+  return files;
+}
+
+int track(const TrackArguments& arguments) {
+  const auto bytes = read_file(arguments.labels);
+  if (!bytes) return report(bytes.error(), arguments.labels);
+  const auto labels = model_io::read_label_file(*bytes);
+  if (!labels) return report(labels.error(), arguments.labels);
+  const auto learned = learn(*labels, std::filesystem::path(arguments.labels).parent_path());
+  if (!learned) return report(learned.error(), arguments.labels);
+  const auto files = picture_files(arguments.pictures);
+  if (files.empty()) return report({"there is no .png or .pgm picture", "", "name pictures or a folder of them"});
+  animation::PointTrack result;
+  result.point_count = learned->point_count;
+  result.groups = labels->track.groups;
+  std::vector<geometry::PxPoint> shifts;
+  Progress progress("tracking", files.size());
+  for (std::size_t f = 0; f < files.size(); ++f) {
+    const auto image = read_grey(files[f]);
+    if (!image) return report(image.error(), files[f]);
+    auto found = animation::find_eigen_points(*learned, *image, shifts);
+    if (!found) return report(found.error(), files[f]);
+    shifts = std::move(found->shifts);
+    result.frames.push_back({static_cast<double>(f) / arguments.fps, found->confidence, std::move(found->points), {}});
+    progress.advance();
+  }
+  progress.finish();
+  const std::string text = model_io::write_curve_track(result, arguments.fps);
+  if (auto written = write_file(arguments.out, base::as_bytes(text)); !written)
+    return report(written.error(), arguments.out);
+  std::cout << files.size() << " pictures, " << result.point_count << " points of " << result.groups.size()
+            << " curves\n";
+  return k_success;
+}
+
+}  // namespace
+
+void add_track_command(CLI::App& app, int& status) {
+  auto arguments = std::make_shared<TrackArguments>();
+  CLI::App* command = app.add_subcommand("track", "Finds curves in a picture sequence, learned from labelled pictures");
+  command->add_option("PICTURES", arguments->pictures, "PNG or PGM files, or folders of them, in order")->required();
+  command
+      ->add_option("--labels", arguments->labels,
+                   R"(JSON file: {"frames": [{"image": FILE, "curves": {NAME: [[x, y], ...]}}, ...]})")
+      ->required();
+  command->add_option("-o", arguments->out, "Track of curves to write, .json, for penpose animate")->required();
+  command->add_option("--fps", arguments->fps, "Frames a second of the sequence")
+      ->check(CLI::Range(0.1, 10000.0))
+      ->capture_default_str();
+  command->callback([arguments, &status] { status = track(*arguments); });
+}
+
+}  // namespace penpose::cli
