@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/utf8.h"
 #include "core/model_io/names.h"
 
 namespace penpose::model_io {
@@ -97,7 +98,7 @@ class Expressions {
 
   void add_shape(const std::string& name, const Moves& moves) {
     if (moves.empty() || added_ == k_most_expressions) return;
-    const std::string valid = valid_utf8(name);
+    const std::string valid = base::valid_utf8(name);
     const bool taken = std::any_of(shapes_.shapes.begin(), shapes_.shapes.end(),
                                    [&](const rig::BlendShape& shape) { return shape.parameter.name == valid; });
     if (taken) {

@@ -1,5 +1,6 @@
 #include "core/model_io/shape_list.h"
 
+#include "core/base/utf8.h"
 #include "core/model_io/names.h"
 
 namespace penpose::model_io {
@@ -17,7 +18,7 @@ base::Result<document::Model> with_shapes(document::Model model, std::span<const
   const std::size_t own = all.size();
   std::vector<std::string> names;
   for (const rig::BlendShape& shape : all) names.push_back(shape.parameter.name);
-  for (const ShownShape& shown : shapes) names.push_back(valid_utf8(shown.name));
+  for (const ShownShape& shown : shapes) names.push_back(base::valid_utf8(shown.name));
   make_unique(names);
   const auto rest = model.mesh->positions();
   const double size = model.mesh->rest_box().diagonal();
