@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/base/numbers.h"
+#include "core/document/document_hash.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/files.h"
 #include "ui/cli/load_model.h"
@@ -34,7 +35,7 @@ double duration_s(const document::Animation& animation) {
 std::size_t shape_count(const document::Model& model) { return model.shapes ? model.shapes->parameters().size() : 0; }
 std::size_t joint_count(const document::Model& model) { return model.skeleton ? model.skeleton->joints().size() : 0; }
 
-Json to_json(const document::Model& model, const std::string& path) {
+Json to_json(const document::Model& model, const std::string& state, const std::string& path) {
   Json parts = Json::array();
   for (const mesh::Part& part : model.mesh->parts()) {
     parts.push_back({{"name", part.name},
@@ -72,7 +73,7 @@ Json to_json(const document::Model& model, const std::string& path) {
            {{"minimum", {box.minimum.x, box.minimum.y, box.minimum.z}},
             {"maximum", {box.maximum.x, box.maximum.y, box.maximum.z}}}},
           {"notes", model.notes},
-          {"state", document::state_hash(model).hex()}};
+          {"state", state}};
 }
 
 std::string shown(double value) { return base::format_fixed(value, 4); }
@@ -117,12 +118,14 @@ void print(const document::Model& model, const std::string& path) {
 }
 
 int run_info(const InfoArguments& arguments) {
-  const auto model = load_model(arguments.model);
-  if (!model) return report(model.error(), arguments.model);
+  const auto document = load_document(arguments.model);
+  if (!document) return report(document.error(), arguments.model);
+  const document::Model model = document::model_of(*document);
   if (arguments.json) {
-    std::cout << to_json(*model, arguments.model).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+    const std::string state = document::DocumentHasher()(*document).whole.hex();
+    std::cout << to_json(model, state, arguments.model).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
   } else {
-    print(*model, arguments.model);
+    print(model, arguments.model);
   }
   return k_success;
 }

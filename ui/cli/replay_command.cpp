@@ -123,8 +123,14 @@ base::Status write_picture(const replay::Session& session, const std::string& pa
   return write_file(path, *png);
 }
 
-Json to_json(const replay::Playback& played, double seconds) {
-  Json out = {{"model", played.model.empty() ? k_default_model : played.model},
+/// What was drawn on: the user's word counts before the session's.
+std::string model_of(const ReplayArguments& arguments, const replay::Playback& played) {
+  if (!arguments.model.empty()) return arguments.model;
+  return played.model.empty() ? k_default_model : played.model;
+}
+
+Json to_json(const ReplayArguments& arguments, const replay::Playback& played, double seconds) {
+  Json out = {{"model", model_of(arguments, played)},
               {"plain", played.plain},
               {"reports", played.reports},
               {"strokes", played.session->stroke_count()},
@@ -150,13 +156,12 @@ Json to_json(const replay::Playback& played, double seconds) {
   return out;
 }
 
-void print(const replay::Playback& played, double seconds) {
+void print(const ReplayArguments& arguments, const replay::Playback& played, double seconds) {
   const document::Document& document = played.session->editor().document();
   const std::size_t deformers = document.model->deformers ? document.model->deformers->size() : 0;
-  std::cout << (played.plain ? "plain trace" : "session") << " on "
-            << (played.model.empty() ? k_default_model : played.model) << ": " << played.reports << " reports, "
-            << played.session->stroke_count() << " strokes, " << played.steps << " steps, of which " << played.refused
-            << " changed nothing\n"
+  std::cout << (played.plain ? "plain trace" : "session") << " on " << model_of(arguments, played) << ": "
+            << played.reports << " reports, " << played.session->stroke_count() << " strokes, " << played.steps
+            << " steps, of which " << played.refused << " changed nothing\n"
             << "now: " << deformers << " deformers, " << document.curves.size() << " curves, "
             << document.timeline->keys.size() << " keys\n"
             << "state " << played.session->editor().state().whole.hex();
@@ -231,9 +236,9 @@ int replay_session(const ReplayArguments& arguments) {
     }
   }
   if (arguments.json) {
-    std::cout << to_json(*played, seconds).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::cout << to_json(arguments, *played, seconds).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
   } else {
-    print(*played, seconds);
+    print(arguments, *played, seconds);
   }
   return played->divergence ? report_divergence(arguments, *played->divergence) : k_success;
 }
