@@ -261,7 +261,7 @@ Changed run(const Document& document, const RenameDeformer& command, Parts&) {
   const auto locked = std::find(changed.locked.begin(), changed.locked.end(), command.deformer);
   if (locked != changed.locked.end()) {
     *locked = command.to;
-    std::sort(changed.locked.begin(), changed.locked.end());
+    std::stable_sort(changed.locked.begin(), changed.locked.end());
   }
   if (auto error = check_pending_name(changed)) return *error;
   return changed;

@@ -100,10 +100,9 @@ void ClosestPointTree::build(std::uint32_t node, std::uint32_t begin, std::uint3
   const ModelVector extent = centers.maximum - centers.minimum;
   const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
   const std::uint32_t middle = begin + (end - begin) / 2;
-  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                   [&](std::uint32_t a, std::uint32_t b) {
-                     return centers_[a][axis] != centers_[b][axis] ? centers_[a][axis] < centers_[b][axis] : a < b;
-                   });
+  std::stable_sort(order_.begin() + begin, order_.begin() + end, [&](std::uint32_t a, std::uint32_t b) {
+    return centers_[a][axis] != centers_[b][axis] ? centers_[a][axis] < centers_[b][axis] : a < b;
+  });
   const auto left = static_cast<std::uint32_t>(nodes_.size());
   nodes_[node].first = left;
   nodes_[node].count = 0;
@@ -131,7 +130,7 @@ void ClosestPointTree::make_normals() {
       edges.push_back({std::min(next, last), std::max(next, last), t, i});
     }
   }
-  std::sort(edges.begin(), edges.end(), [](const TriangleEdge& a, const TriangleEdge& b) {
+  std::stable_sort(edges.begin(), edges.end(), [](const TriangleEdge& a, const TriangleEdge& b) {
     if (a.low != b.low) return a.low < b.low;
     if (a.high != b.high) return a.high < b.high;
     return a.triangle != b.triangle ? a.triangle < b.triangle : a.opposite < b.opposite;

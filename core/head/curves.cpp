@@ -23,7 +23,7 @@ Points lid_edge(const Half& half, bool upper) {
   for (std::size_t v = 0; v < half.points.size(); ++v) {
     if (near(half.marks[v].x, 1)) loop.push_back(half.points[v]);
   }
-  std::sort(loop.begin(), loop.end(), [](const ModelPoint& a, const ModelPoint& b) { return a.x < b.x; });
+  std::stable_sort(loop.begin(), loop.end(), [](const ModelPoint& a, const ModelPoint& b) { return a.x < b.x; });
   const ModelPoint inner = loop.front();
   const ModelPoint outer = loop.back();
   std::erase_if(loop, [&](const ModelPoint& p) {
@@ -40,7 +40,7 @@ Points lip_edge(const Half& half, double loop, double lip) {
     if (near(half.marks[v].y, loop) && half.marks[v].z * lip > -1e-6) points.push_back(half.points[v]);
   }
   // Upper and lower lip have the corner in common; only the middle has x = 0.
-  std::sort(points.begin(), points.end(), [](const ModelPoint& a, const ModelPoint& b) { return a.x < b.x; });
+  std::stable_sort(points.begin(), points.end(), [](const ModelPoint& a, const ModelPoint& b) { return a.x < b.x; });
   Points both;
   for (std::size_t i = points.size(); i-- > 1;) both.emplace_back(-points[i].x, points[i].y, points[i].z);
   both.insert(both.end(), points.begin(), points.end());

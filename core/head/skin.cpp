@@ -77,7 +77,7 @@ void close_lips(Half& half) {
 std::vector<std::vector<std::size_t>> quads_by_coarser(const Half& half) {
   std::vector<std::pair<std::uint32_t, std::size_t>> order;
   for (std::size_t q = 0; q < half.quads.size(); ++q) order.emplace_back(half.coarser[q], q);
-  std::sort(order.begin(), order.end());
+  std::stable_sort(order.begin(), order.end());
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (i == 0 || order[i].first != order[i - 1].first) groups.emplace_back();

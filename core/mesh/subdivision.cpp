@@ -28,7 +28,7 @@ base::Result<QuadMesh> catmull_clark(const QuadMesh& mesh) {
   for (std::size_t q = 0; q < mesh.quads.size(); ++q) {
     std::vector<PolyMesh::VertexHandle> corners;
     Quad sorted = mesh.quads[q];
-    std::sort(sorted.begin(), sorted.end());
+    std::stable_sort(sorted.begin(), sorted.end());
     if (sorted[3] >= mesh.positions.size()) return bad_quad(q, "an index is out of range");
     if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return bad_quad(q, "a vertex is repeated");
     for (const std::uint32_t v : mesh.quads[q]) corners.emplace_back(static_cast<int>(v));

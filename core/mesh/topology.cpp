@@ -75,7 +75,7 @@ std::vector<Rim> border_edges(const MeshSource& source, std::span<const std::uin
 void weld_seams(const MeshSource& source, std::vector<std::uint32_t>& weld) {
   if (source.parts.size() < 2) return;
   std::vector<Rim> rims = border_edges(source, weld);
-  std::sort(rims.begin(), rims.end(), [](const Rim& a, const Rim& b) {
+  std::stable_sort(rims.begin(), rims.end(), [](const Rim& a, const Rim& b) {
     if (place_of(a) != place_of(b)) return place_of(a) < place_of(b);
     return std::tie(a.part, a.low_vertex, a.high_vertex) < std::tie(b.part, b.low_vertex, b.high_vertex);
   });
@@ -118,7 +118,7 @@ std::vector<EdgeUse> sorted_edges(std::span<const Triangle> triangles, std::size
   std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
   each_edge([&](const EdgeUse& edge) { edges[next[edge.low]++] = edge; });
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    std::sort(edges.begin() + start[v], edges.begin() + start[v + 1], [](const EdgeUse& a, const EdgeUse& b) {
+    std::stable_sort(edges.begin() + start[v], edges.begin() + start[v + 1], [](const EdgeUse& a, const EdgeUse& b) {
       return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle);
     });
   }
@@ -149,7 +149,7 @@ std::vector<std::uint32_t> weld_coincident(const MeshSource& source) {
   for (const Part& part : source.parts) {
     order.resize(part.vertex_count);
     std::iota(order.begin(), order.end(), part.first_vertex);
-    std::sort(order.begin(), order.end(), before);
+    std::stable_sort(order.begin(), order.end(), before);
     bool any = false;
     for (std::size_t i = 1; i < order.size(); ++i) {
       if (source.positions[order[i]] == source.positions[order[i - 1]]) {

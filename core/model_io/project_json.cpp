@@ -200,7 +200,7 @@ Problem read_locks(const Json& project, const std::string& pointer, Document& ou
         out.locked.push_back(name.get<std::string>());
       }
     }
-    std::sort(out.locked.begin(), out.locked.end());
+    std::stable_sort(out.locked.begin(), out.locked.end());
     out.locked.erase(std::unique(out.locked.begin(), out.locked.end()), out.locked.end());
   }
   if (const Json* on = find(project, "pressure_weighting"); on != nullptr) {

@@ -17,7 +17,7 @@ std::size_t clean_up(Revertible& solution, double limit) {
     const double energy = solution.energy_without(i);
     if (energy <= limit) candidates.push_back({energy, i});
   }
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+  std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return std::tie(a.energy, a.index) < std::tie(b.energy, b.index);
   });
   std::size_t put_back = 0;

@@ -21,7 +21,7 @@ CurveSystem::CurveSystem(const rig::Rig& rig, const PoseProblem& problem) : rig_
 
   std::vector<std::uint32_t> vertices;
   for (const CurvePoint& point : points) vertices.insert(vertices.end(), point.vertex.begin(), point.vertex.end());
-  std::sort(vertices.begin(), vertices.end());
+  std::stable_sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   for (const CurvePoint& point : points) {
     std::array<std::uint32_t, 3> slot{};

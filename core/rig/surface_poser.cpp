@@ -60,7 +60,7 @@ void SurfacePoser::build_blocks(const BlendShapes& shapes) {
     for (std::uint32_t v = first; v < last; ++v) {
       for (const auto& entry : shapes.entries_of(v)) used.push_back(entry.shape);
     }
-    std::sort(used.begin(), used.end());
+    std::stable_sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
     const std::size_t begin = deltas_.size();
     deltas_.resize(begin + used.size(), BlockDelta{});
@@ -91,7 +91,7 @@ void SurfacePoser::build_neighbors() {
         for (const std::uint32_t corner : quad) around.push_back(corner / k_block);
       }
     }
-    std::sort(around.begin(), around.end());
+    std::stable_sort(around.begin(), around.end());
     around.erase(std::unique(around.begin(), around.end()), around.end());
     neighbors_.insert(neighbors_.end(), around.begin(), around.end());
     first_neighbor_.push_back(static_cast<std::uint32_t>(neighbors_.size()));

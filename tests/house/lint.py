@@ -19,6 +19,8 @@ IN_CORE = [
     (re.compile(r'\bstd::unordered_|#include <unordered_'), 'hash containers have no fixed order'),
     (re.compile(r'#include <(?:chrono|ctime|random|locale|fstream|filesystem|iostream|cstdio)>'), 'core reads no clock, file, locale or random device'),
     (re.compile(r'\b(?:getenv|setlocale|strtod|atof|stod|time)\s*\('), 'core reads no environment, clock or locale'),
+    (re.compile(r'\bstd::(?:ranges::)?(?:sort|partial_sort|nth_element|partition|make_heap|push_heap|pop_heap|sort_heap)\s*\('),
+     'what is equal keeps no order; use std::stable_sort or std::stable_partition'),
     (re.compile(r'\bstd::(?:reduce|transform_reduce|execution)\b'), 'reductions run in a fixed order'),
 ]
 EVERYWHERE = [
