@@ -27,6 +27,7 @@ class Player {
   void on_line(const TraceLine& line);
   void on_session_line(const SessionLine& line, std::uint64_t number);
   void begin(const std::string& path, const base::Hash128* expected, std::uint64_t number);
+  void begin_plain(std::uint64_t number);
   void note_steps(std::uint64_t number);
   void compare(const StateReached& reached, std::uint64_t number);
 
@@ -36,9 +37,12 @@ class Player {
   PlayerObserver& observer_;
   Playback out_;
   std::optional<base::Error> error_;  ///< ends the replay
-  bool stop_ = false;
+  base::Hash128 model_;               ///< as the session names it
+  bool stop_ = false;                 ///< no more is to be drawn
+  bool halted_ = false;               ///< and no more is to be read
 };
 
+/// All that was asked for is drawn; the state that was recorded after it is still compared.
 bool Player::stopped() const {
   if (stop_) return true;
   return options_.stop_after_strokes && out_.session && out_.session->stroke_count() >= *options_.stop_after_strokes;
@@ -63,6 +67,17 @@ void Player::begin(const std::string& path, const base::Hash128* expected, std::
   out_.session = std::make_unique<Session>(std::move(opened).value(), options_.own_tablets);
   out_.session->listen_to_stroke_ends([this] { observer_.on_stroke_end(); });
   observer_.on_begin(*out_.session, path);
+}
+
+/// A plain trace is drawn on the default model; a session says what it was drawn on.
+void Player::begin_plain(std::uint64_t number) {
+  if (out_.plain) {
+    begin({}, nullptr, 0);
+    return;
+  }
+  error_ =
+      base::Error{"the session does not say what it was drawn on: its line \"# penpose model\" is missing or damaged",
+                  number > 0 ? "line " + std::to_string(number) : "", "mend the line, or record the session again"};
 }
 
 void Player::note_steps(std::uint64_t number) {
@@ -94,10 +109,16 @@ void Player::on_session_line(const SessionLine& line, std::uint64_t number) {
     return;
   }
   if (const auto* named = std::get_if<ModelNamed>(&line)) {
-    if (!out_.session) begin(named->path, &named->hash, number);
+    if (!out_.session) {
+      begin(named->path, &named->hash, number);
+      model_ = named->hash;
+    } else if (!(named->hash == model_)) {
+      error_ = at_line(number, {"another model is named in the middle of the session", "",
+                                "replay the sessions that were joined here one by one"});
+    }
     return;
   }
-  if (!out_.session) begin({}, nullptr, 0);
+  if (!out_.session) begin_plain(number);
   if (error_) return;
   if (const auto* reached = std::get_if<StateReached>(&line)) {
     compare(*reached, number);
@@ -111,7 +132,7 @@ void Player::on_session_line(const SessionLine& line, std::uint64_t number) {
 }
 
 void Player::on_line(const TraceLine& line) {
-  if (error_ || stopped()) return;
+  if (error_ || halted_) return;
   // The rest of a last line that was cut off could say something else than the whole.
   if (line.end.empty()) {
     if (line.text.starts_with('#')) {
@@ -119,29 +140,37 @@ void Player::on_line(const TraceLine& line) {
     }
     return;
   }
-  const auto parsed = parse_session_line(line.text);
+  std::string_view text = line.text;
+  // Editors on some systems put a byte order mark in front of a file.
+  if (line.number == 1 && text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const auto parsed = parse_session_line(text);
   if (!parsed) {
     // Lines of a file that says no version may be anybody's comments; a version that is not known ends everything.
-    if (line.text.starts_with("# penpose session ")) {
+    if (text.starts_with("# penpose session ")) {
       error_ = at_line(line.number, parsed.error());
     } else if (out_.problems.size() < k_most_refusals) {
       out_.problems.push_back(at_line(line.number, parsed.error()));
     }
     return;
   }
-  if (*parsed) on_session_line(**parsed, line.number);
+  if (!*parsed) return;
+  if (stopped() && !std::holds_alternative<StateReached>(**parsed)) {
+    halted_ = true;
+    return;
+  }
+  on_session_line(**parsed, line.number);
 }
 
 base::Result<Playback> Player::play() {
   source_.listen([this](const TraceLine& line) { on_line(line); },
                  [this](int device, const decode::DeviceIdentity& identity) {
                    if (error_ || stopped()) return;
-                   if (!out_.session) begin({}, nullptr, 0);
+                   if (!out_.session) begin_plain(0);
                    if (error_) return;
                    observer_.on_device(device, identity);
                    out_.session->connect(device, identity);
                  });
-  while (!error_ && !stopped()) {
+  while (!error_ && !halted_) {
     const auto report = source_.next();
     if (!report) return report.error();
     if (!report->has_value() || error_ || stopped()) break;
@@ -149,7 +178,7 @@ base::Result<Playback> Player::play() {
     out_.last_us = (*report)->time_us;
     observer_.on_report(**report);
     out_.session->report((*report)->device, (*report)->time_us, (*report)->bytes);
-    note_steps(0);
+    note_steps((*report)->line);
   }
   if (error_) return *error_;
   out_.problems.insert(out_.problems.end(), source_.problems().begin(), source_.problems().end());

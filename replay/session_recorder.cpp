@@ -27,7 +27,7 @@ void SessionRecorder::on_step(Session& session, const SessionStep&) {
 TraceDevice trace_device(const decode::DeviceIdentity& identity) {
   TraceDevice device;
   device.report_descriptor = identity.report_descriptor;
-  device.name = identity.name;
+  device.name = identity.name.empty() ? "unknown" : identity.name;  // readers of traces expect one
   if (identity.interface_number) device.physical = "penpose/input" + std::to_string(*identity.interface_number);
   device.bus = identity.bus;
   device.vendor = identity.vendor;

@@ -74,7 +74,7 @@ base::Result<std::optional<TraceReport>> TraceSource::read_on() {
         if (on_device_ && announced_.size() < k_most_devices && announced_.insert(device_).second) {
           on_device_(device_, devices_[device_]);
         }
-        return std::optional(TraceReport{next_index_++, device_, line.time_us, line.bytes});
+        return std::optional(TraceReport{next_index_++, device_, line.time_us, line.bytes, line.number});
       default: {
         if (devices_.size() >= k_most_devices && !devices_.contains(device_)) break;
         decode::DeviceIdentity& device = devices_[device_];

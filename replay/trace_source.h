@@ -19,6 +19,7 @@ struct TraceReport {
   int device = 0;
   std::int64_t time_us = 0;  ///< since the recording's own start
   base::Bytes bytes;         ///< valid until the next report is read
+  std::uint64_t line = 0;    ///< of the file, from 1
 };
 
 enum class Pace : std::uint8_t {

@@ -28,8 +28,12 @@ class ApplyWorkspace {
 /// Errors say what is wrong with the command; the place is a member of it or empty.
 [[nodiscard]] base::Result<Document> apply(const Document& document, const Command& command, ApplyWorkspace& work);
 
-/// What the drawn curves of a document ask of the solver: every reference that has a target, every constraint, all
-/// parameters free that are not locked, starting from the pose as it is.
+/// The most references that are brought to their targets at a time, the latest ones. Who draws more has long gone on to
+/// another expression; without a bound every stroke of a long session would cost more than the one before.
+inline constexpr std::size_t k_most_pairs = 48;
+
+/// What the drawn curves of a document ask of the solver: the latest references that have a target, every constraint,
+/// all parameters free that are not locked, starting from the pose as it is.
 [[nodiscard]] posing::PoseProblem pose_problem(const Document& document);
 
 }  // namespace penpose::document

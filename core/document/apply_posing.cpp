@@ -146,7 +146,11 @@ posing::PoseProblem pose_problem(const Document& document) {
   posing::PoseProblem problem;
   problem.start = document.pose;
   problem.free = free_parameters(document);
+  const auto paired = std::count_if(document.curves.begin(), document.curves.end(),
+                                    [](const auto& curve) { return curve->target.has_value(); });
+  auto left_out = std::max<std::ptrdiff_t>(0, paired - static_cast<std::ptrdiff_t>(k_most_pairs));
   for (const auto& curve : document.curves) {
+    if (curve->target && left_out-- > 0) continue;
     if (curve->role == PoseCurveRole::constraint) {
       problem.constraints.push_back({curve_points(document, curve->points), curve->kept});
     } else if (curve->target) {

@@ -91,7 +91,7 @@ base::Hash128 hash_keys(const Document& document, const base::Hash128& animation
   hash.add(static_cast<std::uint64_t>(document.timeline->interpolation));
   for (const PoseKey& key : document.timeline->keys) {
     hash.add(key.time_s);
-    hash.add(std::span<const double>(key.pose));
+    hash.add(std::span<const double>(static_cast<const rig::Pose&>(key.pose)));
     hash.add(key.name);
   }
   add_digest(hash, animations);

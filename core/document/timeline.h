@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/document/model.h"
@@ -10,10 +12,28 @@
 
 namespace penpose::document {
 
+/// A pose that never changes, shared by all copies: undo keeps many timelines that differ by one key.
+class SharedPose {
+ public:
+  SharedPose() : SharedPose(rig::Pose()) {}
+  SharedPose(rig::Pose pose)  // NOLINT(google-explicit-constructor): a pose is one
+      : pose_(std::make_shared<const rig::Pose>(std::move(pose))) {}
+
+  operator const rig::Pose&() const { return *pose_; }  // NOLINT(google-explicit-constructor)
+  [[nodiscard]] double operator[](std::size_t parameter) const { return (*pose_)[parameter]; }
+  [[nodiscard]] std::size_t size() const { return pose_->size(); }
+  [[nodiscard]] auto begin() const { return pose_->begin(); }
+  [[nodiscard]] auto end() const { return pose_->end(); }
+  friend bool operator==(const SharedPose& a, const SharedPose& b) { return *a.pose_ == *b.pose_; }
+
+ private:
+  std::shared_ptr<const rig::Pose> pose_;
+};
+
 /// A pose at a moment.
 struct PoseKey {
   double time_s = 0;
-  rig::Pose pose;    ///< one value a parameter of the rig
+  SharedPose pose;   ///< one value a parameter of the rig
   std::string name;  ///< of the pose, or empty
   friend bool operator==(const PoseKey&, const PoseKey&) = default;
 };

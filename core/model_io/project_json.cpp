@@ -174,14 +174,16 @@ Problem read_timeline(const Json& project, const std::string& pointer, Document&
     key.time_s = *seconds;
     const Json* pose = find((*keys)[i], "pose");
     if (pose == nullptr) return wrong("a pose was expected", child(at, "pose"));
-    if (auto problem = read_row(*pose, child(at, "pose"), parameters.size(), key.pose)) return problem;
+    rig::Pose values;
+    if (auto problem = read_row(*pose, child(at, "pose"), parameters.size(), values)) return problem;
     if (const Json* name = find((*keys)[i], "name"); name != nullptr) {
       if (!name->is_string()) return wrong("a name was expected", child(at, "name"));
       key.name = name->get<std::string>();
     }
     for (std::size_t p = 0; p < parameters.size(); ++p) {
-      key.pose[p] = std::clamp(key.pose[p], parameters[p].minimum, parameters[p].maximum);
+      values[p] = std::clamp(values[p], parameters[p].minimum, parameters[p].maximum);
     }
+    key.pose = std::move(values);
     timeline.keys.push_back(std::move(key));
   }
   out.timeline = std::make_shared<const document::Timeline>(std::move(timeline));
@@ -314,7 +316,7 @@ Json project_to_json(const Document& document) {
   project["curves"] = std::move(curves);
   Json keys = Json::array();
   for (const document::PoseKey& key : document.timeline->keys) {
-    Json one = {{"time_s", key.time_s}, {"pose", key.pose}};
+    Json one = {{"time_s", key.time_s}, {"pose", static_cast<const rig::Pose&>(key.pose)}};
     if (!key.name.empty()) one["name"] = key.name;
     keys.push_back(std::move(one));
   }

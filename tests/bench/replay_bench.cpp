@@ -1,6 +1,6 @@
 // An hour of drawing, replayed: 300 reports a second, about a million of them, on the built-in head with its fifteen
 // deformers. The pen draws a reference and a target in turn along brows, lids, mouth and cheeks; after four pairs the
-// curves are cleared. The trace is made while it is read, so that the memory counted is the replay's own.
+// curves are cleared, or never. The trace is made while it is read, so that the memory counted is the replay's own.
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
@@ -17,8 +17,7 @@ constexpr int k_rate = 300;
 
 class Drawing {
  public:
-  explicit Drawing(std::uint64_t reports) : left_(reports) {
-    writer_.comment(replay::to_text(replay::SessionBegins{"bench"}));
+  Drawing(std::uint64_t reports, bool clears) : left_(reports), clears_(clears) {
     const geometry::CameraPose camera{{0.05, 0.02, 0.9}, {0, 0.0, 0}, {0, 1, 0}, 24};
     writer_.comment(replay::to_text(replay::ViewChanged{{camera, {1000, 1000}}}));
     writer_.declare(0, replay::virtual_pen_device());
@@ -50,8 +49,8 @@ class Drawing {
       writer_.report(0, time_us_, report);
       time_us_ += 1'000'000 / k_rate;
     }
-    if (++stroke_ % 8 == 0) writer_.comment(replay::to_text(replay::Performed{document::ClearCurves{}}));
-    if (stroke_ % 8 == 0) writer_.comment(replay::to_text(replay::Performed{document::ResetParameters{}}));
+    if (++stroke_ % 8 == 0 && clears_) writer_.comment(replay::to_text(replay::Performed{document::ClearCurves{}}));
+    if (stroke_ % 8 == 0 && clears_) writer_.comment(replay::to_text(replay::Performed{document::ResetParameters{}}));
     text_ += writer_.take();
   }
 
@@ -59,6 +58,7 @@ class Drawing {
   std::string text_;
   std::size_t at_ = 0;
   std::uint64_t left_;
+  bool clears_;
   std::uint64_t stroke_ = 0;
   std::int64_t time_us_ = 0;
 };
@@ -74,7 +74,7 @@ void replay_drawing(benchmark::State& state) {
   replay::Playback played;
   const double before = peak_mb();
   for (auto _ : state) {
-    Drawing drawing(reports);
+    Drawing drawing(reports, state.range(1) != 0);
     replay::PlayerOptions options;
     options.open = [](const std::string&) {
       return base::Result<document::Document>(document::make_document(demo::make_demo_head().value()));
@@ -87,7 +87,11 @@ void replay_drawing(benchmark::State& state) {
   state.counters["peak_MB"] = peak_mb();
   state.counters["peak_MB_before"] = before;
 }
-BENCHMARK(replay_drawing)->Arg(1)->Arg(10)->Arg(60)->Iterations(1)->Unit(benchmark::kSecond)->ArgName("minutes");
+BENCHMARK(replay_drawing)
+    ->ArgsProduct({{1, 10, 60}, {1, 0}})
+    ->ArgNames({"minutes", "clears"})
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
 
 }  // namespace
 }  // namespace penpose

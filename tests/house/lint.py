@@ -13,6 +13,11 @@ MODULES = ('core', 'firmware_io', 'replay', 'ui', 'tests')
 LIBM = 'sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|exp|exp2|expm1|log|log2|log10|log1p|pow|hypot|cbrt|fma|tgamma|lgamma|erf|erfc'
 IN_CORE = [
     (re.compile(r'\bstd::(?:%s)f?l?\s*\(' % LIBM), 'the platform\'s libm gives other bits elsewhere; use core/base/math.h'),
+    (re.compile(r'(?<![\w.>])(?<!base::)(?<!std::)(?:::)?(?<!\w::)(?:%s)\s*\(' % LIBM), 'the platform\'s libm gives other bits elsewhere; use core/base/math.h'),
+    (re.compile(r'\bstd::(?:%s|arg|polar|beta)\b|__builtin_(?:%s)f?\b' % (LIBM, LIBM)), 'the platform\'s libm gives other bits elsewhere; use core/base/math.h'),
+    (re.compile(r'\b(?:clock_gettime|gettimeofday|clock|rand|srand|random|drand48)\s*\(|#include <(?:sys/)?time\.h>'), 'core reads no clock and no random device'),
+    (re.compile(r'\bstd::(?:tolower|toupper|isalpha|isspace|isdigit|o?i?stringstream|ostringstream|istringstream|stof|stold|sto[iu]?l+|stoi)\b|\b(?:sn|s|vsn)?printf\s*\(|\bs?scanf\s*\('), 'its result depends on the locale; use core/base/numbers.h'),
+    (re.compile(r'\bstd::(?:map|set|multimap|multiset)<\s*(?:const\s+)?[\w:]+\s*(?:const\s*)?\*|\bstd::hash\b|boost/unordered'), 'the order of addresses and hashes is another every time'),
     (re.compile(r'(?<![\w:.>])(?:%s)f\s*\(' % LIBM), 'the platform\'s libm gives other bits elsewhere; use core/base/math.h'),
     (re.compile(r'\bglm::(?:%s|rotate|slerp|angleAxis|angle|axis|eulerAngles|perspective|lookAt|radians|mix|normalize|length|distance|inversesqrt)\s*\(' % LIBM),
      'GLM\'s functions may change with its version and flags; use core/geometry'),
@@ -29,7 +34,7 @@ EVERYWHERE = [
     (re.compile(r'\b(?:TODO|FIXME|XXX)\b'), 'finish it or leave it out'),
 ]
 # base/math.cpp makes the functions; threads live in base/parallel.
-EXEMPT = {'core/base/parallel.cpp', 'core/base/math.cpp', 'core/base/math.h'}
+EXEMPT = {'core/base/parallel.cpp', 'core/base/math.cpp', 'core/base/math.h', 'core/base/sine_cosine.cpp'}
 
 
 def strip_comments(text):

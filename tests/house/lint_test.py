@@ -8,6 +8,12 @@ import lint
 BAD = {
     'core/rig/a.cpp': 'double f(double x) { return std::sin(x); }\n',
     'core/rig/b.cpp': '#include <unordered_map>\n',
+    'core/rig/h.cpp': 'double f(double x) { using std::exp; return exp(x); }\n',
+    'core/rig/i.cpp': 'auto a = std::transform(b, e, o, std::exp);\n',
+    'core/rig/j.cpp': 'timespec t; clock_gettime(0, &t);\n',
+    'core/rig/k.cpp': 'std::ostringstream out;\n',
+    'core/rig/l.cpp': 'std::map<const Node*, int> seen;\n',
+    'core/rig/m.cpp': 'double f(double x) { return ::pow(x, 2); }\n',
     'core/rig/s.cpp': 'void f(int* a) { std::sort(a, a + 2); }\n',
     'core/rig/c.cpp': '#include "../mesh/mesh.h"\n',
     'core/rig/d.cpp': '#include "mesh.h"\n',

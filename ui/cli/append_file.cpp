@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
+#include <filesystem>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -14,6 +15,15 @@ namespace {
 base::Error system_error(const char* what) {
   return {std::string(what) + " (" + std::generic_category().message(errno) + ")", "",
           "check the folder, its permissions and the free space"};
+}
+
+/// A new name is in its folder only once the folder is on the disk too; some file systems cannot say.
+void flush_folder_of(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
 }
 
 }  // namespace
@@ -37,6 +47,7 @@ base::Result<AppendFile> AppendFile::create(const std::string& path, std::string
     std::remove(temporary.c_str());
     return status.error();
   }
+  flush_folder_of(path);
   return made;
 }
 
@@ -46,6 +57,7 @@ base::Result<AppendFile> AppendFile::create_new(const std::string& path) {
     return base::Error{"exists already and is not written over", "", "choose another name or move it away"};
   }
   if (made.file_ < 0) return system_error("cannot be written");
+  flush_folder_of(path);
   return made;
 }
 

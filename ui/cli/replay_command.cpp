@@ -44,33 +44,43 @@ struct ReplayArguments {
   bool json = false;
 };
 
-/// Where the session's model is: as it says, beside the session itself, or where the user says.
-base::Result<document::Document> find_model(const ReplayArguments& arguments, const std::string& path) {
-  const auto load = [](const std::string& name) -> base::Result<document::Document> {
-    auto document = load_document(name);
-    if (document) return document;
-    base::Error error = document.error();
-    error.what = "the model \"" + name + "\" " + error.what;
-    error.remedy = "name it with --model";
-    return error;
-  };
-  if (!arguments.model.empty()) return load(arguments.model);
-  if (path.empty()) return load(k_default_model);
+/// A plain file, and no pipe or device that could go on for ever: a session names any path it likes.
+bool is_file(const std::string& path) {
   std::error_code code;
-  const bool as_it_is = path.starts_with("builtin:") || std::filesystem::exists(path, code);
-  if (as_it_is) return load(path);
+  return std::filesystem::is_regular_file(path, code);
+}
+
+/// Where the session's model is: where the user says, where the session says, or beside the session itself.
+std::string find_model(const ReplayArguments& arguments, const std::string& path) {
+  if (!arguments.model.empty()) return arguments.model;
+  if (path.empty()) return k_default_model;
+  if (path.starts_with("builtin:") || is_file(path)) return path;
   const auto beside = std::filesystem::path(arguments.session).parent_path() / std::filesystem::path(path).filename();
-  return load(std::filesystem::exists(beside, code) ? beside.string() : path);
+  return is_file(beside.string()) ? beside.string() : path;
+}
+
+base::Result<document::Document> open_model(const ReplayArguments& arguments, const std::string& path) {
+  const std::string name = find_model(arguments, path);
+  if (arguments.model.empty() && !name.starts_with("builtin:") && !is_file(name)) {
+    return base::Error{"there is no model \"" + name + "\"", "", "name it with --model"};
+  }
+  auto document = load_document(name);
+  if (!document) {
+    base::Error error = document.error();
+    error.what = "the model \"" + name + "\" cannot be read: " + error.what;
+    return error;
+  }
+  return document;
 }
 
 /// Counts steps on a terminal and hands everything on to a recorder.
 class Watcher final : public replay::PlayerObserver {
  public:
-  Watcher(std::uintmax_t file_size, std::FILE* file, replay::PlayerObserver* next)
-      : progress_("replaying", file_size), file_(file), next_(next) {}
+  Watcher(const ReplayArguments& arguments, std::uintmax_t file_size, std::FILE* file, replay::PlayerObserver* next)
+      : arguments_(arguments), progress_("replaying", file_size), file_(file), next_(next) {}
 
   void on_begin(replay::Session& session, const std::string& path) override {
-    if (next_ != nullptr) next_->on_begin(session, path);
+    if (next_ != nullptr) next_->on_begin(session, find_model(arguments_, path));
   }
   void on_device(int device, const decode::DeviceIdentity& identity) override {
     if (next_ != nullptr) next_->on_device(device, identity);
@@ -93,6 +103,7 @@ class Watcher final : public replay::PlayerObserver {
   }
 
  private:
+  const ReplayArguments& arguments_;
   Progress progress_;
   std::FILE* file_;
   replay::PlayerObserver* next_;
@@ -123,14 +134,8 @@ base::Status write_picture(const replay::Session& session, const std::string& pa
   return write_file(path, *png);
 }
 
-/// What was drawn on: the user's word counts before the session's.
-std::string model_of(const ReplayArguments& arguments, const replay::Playback& played) {
-  if (!arguments.model.empty()) return arguments.model;
-  return played.model.empty() ? k_default_model : played.model;
-}
-
 Json to_json(const ReplayArguments& arguments, const replay::Playback& played, double seconds) {
-  Json out = {{"model", model_of(arguments, played)},
+  Json out = {{"model", find_model(arguments, played.model)},
               {"plain", played.plain},
               {"reports", played.reports},
               {"strokes", played.session->stroke_count()},
@@ -159,7 +164,7 @@ Json to_json(const ReplayArguments& arguments, const replay::Playback& played, d
 void print(const ReplayArguments& arguments, const replay::Playback& played, double seconds) {
   const document::Document& document = played.session->editor().document();
   const std::size_t deformers = document.model->deformers ? document.model->deformers->size() : 0;
-  std::cout << (played.plain ? "plain trace" : "session") << " on " << model_of(arguments, played) << ": "
+  std::cout << (played.plain ? "plain trace" : "session") << " on " << find_model(arguments, played.model) << ": "
             << played.reports << " reports, " << played.session->stroke_count() << " strokes, " << played.steps
             << " steps, of which " << played.refused << " changed nothing\n"
             << "now: " << deformers << " deformers, " << document.curves.size() << " curves, "
@@ -174,7 +179,7 @@ void print(const ReplayArguments& arguments, const replay::Playback& played, dou
 }
 
 int report_divergence(const ReplayArguments& arguments, const replay::Divergence& divergence) {
-  std::string parts;
+  std::string parts = divergence.parts.empty() ? "the hash itself" : "";
   for (const std::string_view part : divergence.parts) {
     if (!parts.empty()) parts += ", ";
     parts += part;
@@ -203,11 +208,11 @@ int replay_session(const ReplayArguments& arguments) {
   }
   std::error_code code;
   const auto size = std::filesystem::file_size(arguments.session, code);
-  Watcher watcher(code ? 0 : size, file->get(), recorder ? &*recorder : nullptr);
+  Watcher watcher(arguments, code ? 0 : size, file->get(), recorder ? &*recorder : nullptr);
 
   replay::PlayerOptions options;
   options.pace = arguments.real_time ? replay::Pace::real_time : replay::Pace::full_speed;
-  options.open = [&](const std::string& path) { return find_model(arguments, path); };
+  options.open = [&](const std::string& path) { return open_model(arguments, path); };
   options.stop_after_strokes = arguments.strokes;
   options.own_tablets = &*own;
   options.observer = &watcher;
@@ -215,16 +220,18 @@ int replay_session(const ReplayArguments& arguments) {
   const auto played = replay::play_session(read_from_file(file->get()), options);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (!played) return report(played.error(), arguments.session);
+  for (const auto& problem : played->problems) std::cerr << "penpose: " << problem.line(arguments.session) << '\n';
   if (!played->session) {
     return report({"holds nothing to replay: neither reports nor lines of a session", "",
                    "give a session, or a trace as hid-recorder or `penpose record` writes it"},
                   arguments.session);
   }
-  for (const auto& problem : played->problems) std::cerr << "penpose: " << problem.line(arguments.session) << '\n';
   for (const auto& refusal : played->refusals) std::cerr << "penpose: " << refusal.line(arguments.session) << '\n';
-  if (writer) {
-    if (const auto flushed = writer->flush(true); !flushed) return report(flushed.error(), arguments.record);
+  if (arguments.strokes && played->session->stroke_count() < *arguments.strokes) {
+    std::cerr << "penpose: " << arguments.session << ": it has no more than " << played->session->stroke_count()
+              << " strokes\n";
   }
+  int status = k_success;
   if (!arguments.output.empty()) {
     if (auto saved = save_document(played->session->editor().document(), arguments.output); !saved) {
       return report(saved.error(), arguments.output);
@@ -240,7 +247,11 @@ int replay_session(const ReplayArguments& arguments) {
   } else {
     print(arguments, *played, seconds);
   }
-  return played->divergence ? report_divergence(arguments, *played->divergence) : k_success;
+  if (writer) {
+    // What could not be written down is still here, and was saved where it was asked for.
+    if (const auto flushed = writer->flush(true); !flushed) status = report(flushed.error(), arguments.record);
+  }
+  return played->divergence ? report_divergence(arguments, *played->divergence) : status;
 }
 
 }  // namespace

@@ -118,7 +118,14 @@ std::vector<Change> changes() {
       {"interpolation", "keys",
        [](D& d) { on_timeline(d, [](Timeline& t) { t.interpolation = KeyInterpolation::linear; }); }},
       {"key's time", "keys", [](D& d) { on_timeline(d, [](Timeline& t) { t.keys[0].time_s = 2; }); }},
-      {"key's pose", "keys", [](D& d) { on_timeline(d, [](Timeline& t) { t.keys[0].pose[1] = 0.5; }); }},
+      {"key's pose", "keys",
+       [](D& d) {
+         on_timeline(d, [](Timeline& t) {
+           rig::Pose pose = t.keys[0].pose;
+           pose[1] = 0.5;
+           t.keys[0].pose = pose;
+         });
+       }},
       {"key's name", "keys", [](D& d) { on_timeline(d, [](Timeline& t) { t.keys[0].name = ""; }); }},
       {"no key", "keys", [](D& d) { on_timeline(d, [](Timeline& t) { t.keys.clear(); }); }},
       {"animation", "keys", [](D& d) { on_model(d, [](Model& m) { m.animations[0].channels[0].values[0] = 1; }); }},
