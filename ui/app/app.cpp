@@ -92,10 +92,12 @@ void App::begin_session(document::Document document, const std::string& path) {
   panels_.deformer.clear();
   highlighted_.reset();
   target_drag_.reset();
+  const auto& deformers = workspace_.document().model->deformers;
+  deformer_count_ = deformers ? deformers->size() : 0;
   path_ = full;
   project_ = !built_in && extension_of(path) == ".glb" ? full : std::string();
   surface_.update(workspace_.shown_model(), workspace_.shown_pose());
-  frame_from({});
+  frame_from(*render::find_viewpoint("front"));
   workspace_.set_tablet(0, {});
   for (const auto& [device, name] : tablets_) workspace_.set_tablet(device, settings_.tablet);
 }
@@ -292,7 +294,7 @@ std::string App::hint() const {
     case drawing::ToolKind::erase:
       return "Draw over curves to delete them";
     case drawing::ToolKind::articulate:
-      if (!document.pending) return "Begin a new control: its name and kind are in the panel";
+      if (!document.pending) return "1 of 4: draw around everything that a new control may move";
       switch (drawing::next_step(document, tool)) {
         case articulation::CurveRole::general:
           return "1 of 4: draw around everything that may move";

@@ -156,6 +156,7 @@ class App {
   void commit_view();
   void take_moments(std::span<const replay::PenMoment> moments);
   void pen_pressed(PxPoint at);
+  void show_new_deformer();
   void pen_moved(PxPoint at);
   void pen_released(PxPoint at);
   void hover(PxPoint at);
@@ -210,6 +211,7 @@ class App {
   bool playing_ = false;
   double play_from_s_ = 0;
   std::int64_t play_from_us_ = 0;
+  std::size_t deformer_count_ = 0;  ///< to tell a new one
   bool fullscreen_ = false;
   bool quit_ = false;
 };

@@ -63,6 +63,7 @@ void App::do_action(Action action) {
       if (action == Action::tool_articulate && !workspace_.document().pending) {
         workspace_.perform(document::BeginDeformer{});
       }
+      if (action == Action::tool_articulate) panels_.controls_tab = true;
       break;
     }
     case Action::undo:

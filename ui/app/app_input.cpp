@@ -15,6 +15,8 @@ constexpr double k_degrees_per_px = 0.35;
 constexpr double k_zoom_per_px = 0.005;
 constexpr double k_zoom_per_notch = 0.9;
 constexpr double k_click_px = 5;
+/// A mouse and a finger press neither hard nor softly.
+constexpr double k_mouse_pressure = 0.5;
 /// After the last report of a pen that is near, the desktop's own pointer is ignored so long.
 constexpr std::int64_t k_tablet_quiet_us = 250'000;
 
@@ -71,6 +73,8 @@ void App::hover(PxPoint at) {
 void App::pointer_left() { hover_panels({-1e4, -1e4}, false); }
 
 void App::pen_pressed(PxPoint at) {
+  const bool sketches = workspace_.editor().tool().kind == drawing::ToolKind::articulate;
+  if (sketches && !workspace_.document().pending) workspace_.perform(document::BeginDeformer{});
   if (workspace_.editor().tool().kind == drawing::ToolKind::none) select_at(at);
 }
 
@@ -101,9 +105,24 @@ void App::select_at(PxPoint at) {
   }
 }
 
+void App::show_new_deformer() {
+  const auto& deformers = workspace_.document().model->deformers;
+  const std::size_t count = deformers ? deformers->size() : 0;
+  if (count == deformer_count_ + 1 && !workspace_.document().pending) {
+    panels_.deformer = deformers->deformers().back()->sketch().name;
+    panels_.controls_tab = true;
+    tell(panels_.deformer + " is ready: its slider is in the panel");
+    if (deformers->deformers().back()->turned_round()) {
+      tell("the goal was drawn against the feature and was turned round; redraw it the other way if it twists");
+    }
+  }
+  deformer_count_ = count;
+}
+
 void App::pen_moved(PxPoint at) { at_ = at; }
 
 void App::pen_released(PxPoint at) {
+  show_new_deformer();
   if (target_drag_) {
     const PxPoint by = at - target_drag_->second;
     const auto id = target_drag_->first;
@@ -205,7 +224,7 @@ void App::mouse_moved(PxPoint at) {
   if (drag_) {
     drag_to(at, drag_pans_, drag_zooms_);
   } else if (mouse_draws_) {
-    take_moments(workspace_.pen({at, 1, true, true, false, false}));
+    take_moments(workspace_.pen({at, k_mouse_pressure, true, true, false, false}));
   } else if (mouse_on_panel_) {
     hover_panels(at, true);
   } else {
@@ -246,7 +265,7 @@ void App::mouse_button(MouseButton button, bool down, PxPoint at, bool shift, bo
     commit_view();
     workspace_.place_pen(true);
     mouse_draws_ = true;
-    take_moments(workspace_.pen({at, 1, true, true, false, false}));
+    take_moments(workspace_.pen({at, k_mouse_pressure, true, true, false, false}));
   } else if (mouse_draws_) {
     mouse_draws_ = false;
     take_moments(workspace_.pen({at, 0, true, false, false, false}));

@@ -145,9 +145,12 @@ void steps_dialog(PanelContext& context) {
     ImGui::Dummy({1, context.gap});
     ImGui::TextWrapped("3   Press Key to keep the pose on the timeline, and Save. Undo takes back anything.");
     ImGui::Dummy({1, context.gap});
-    ImGui::TextDisabled(
-        "Turn the view with the pen's button, the middle mouse button or two fingers;\na click of the pen's button "
-        "opens a menu around the pen.");
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextWrapped(
+        "Turn the view with the pen's button, the middle mouse button or two fingers. A click of the pen's button "
+        "opens "
+        "a menu around the pen.");
+    ImGui::PopStyleColor();
     if (wide_button(context, "Begin", -1)) {
       app.panels().dialog = Dialog::none;
       app.settings().steps_seen = true;
@@ -243,8 +246,7 @@ void sessions_dialog(PanelContext& context) {
       ImGui::SameLine();
       if (wide_button(context, "Go on##session", 2.4F * context.unit, false, "Open where it ended")) app.try_open(path);
       ImGui::SameLine();
-      ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.5F * (context.unit - ImGui::GetFontSize()));
-      ImGui::TextUnformatted(fs::path(path).stem().string().c_str());
+      text_beside(context, fs::path(path).stem().string().c_str());
       ImGui::PopID();
     }
     ImGui::EndChild();

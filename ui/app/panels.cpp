@@ -86,9 +86,7 @@ void show_top_bar(PanelContext& context, const Area& area) {
     ImGui::SameLine();
     action_button(context, Action::panels);
     ImGui::SameLine();
-    const std::string hint = app.hint();
-    ImGui::SetCursorPosY(0.5F * (static_cast<float>(area.height()) - ImGui::GetFontSize()));
-    ImGui::TextUnformatted(hint.c_str());
+    text_beside(context, app.hint().c_str());
   }
   end_panel();
 }
@@ -115,7 +113,10 @@ void show_notices(PanelContext& context) {
     y -= context.gap;
   };
   for (auto it = notices.rbegin(); it != notices.rend(); ++it) line(it->text, it->is_error ? wrong : ink);
-  if (movements.empty() || context.app.workspace().document().curves.empty()) return;
+  const auto tool = context.app.workspace().editor().tool().kind;
+  if (movements.empty() || context.app.workspace().document().curves.empty() || tool == drawing::ToolKind::articulate) {
+    return;
+  }
   std::string text = "moved";
   constexpr std::size_t k_named = 4;
   for (std::size_t i = 0; i < std::min(k_named, movements.size()); ++i) {

@@ -17,7 +17,12 @@ void SketchPreview::stroke_ended() {
 }
 
 void SketchPreview::show(const document::Document& document) {
-  if (rested_ != document.model || !pose_ || model_) {
+  if (!document.pending) {
+    // Between two controls the face is as it was posed.
+    model_.reset();
+    pose_.reset();
+    rested_.reset();
+  } else if (rested_ != document.model || !pose_ || model_) {
     rested_ = document.model;
     model_.reset();
     pose_ = rig::rest_pose(*document.model->rig);

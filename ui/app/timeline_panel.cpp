@@ -71,7 +71,9 @@ void show_timeline(PanelContext& context, const Area& area) {
     ImGui::SameLine();
     action_button(context, Action::key_pose, 2 * context.unit);
     ImGui::SameLine();
-    const document::Timeline& timeline = *app.workspace().document().timeline;
+    // A button may put another timeline in its place.
+    const auto held = app.workspace().document().timeline;
+    const document::Timeline& timeline = *held;
     const bool on_key = std::any_of(timeline.keys.begin(), timeline.keys.end(),
                                     [&](const auto& key) { return std::abs(key.time_s - app.panels().time_s) < 1e-9; });
     ImGui::BeginDisabled(!on_key);
@@ -87,8 +89,9 @@ void show_timeline(PanelContext& context, const Area& area) {
     ImGui::SameLine();
     action_button(context, Action::onion_skin, 0, app.panels().onion_skin);
     ImGui::SameLine();
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.5F * (context.unit - ImGui::GetFontSize()));
-    ImGui::Text("%.2f s   %zu keys", app.panels().time_s, timeline.keys.size());
+    char text[48];
+    std::snprintf(text, sizeof text, "%.2f s   %zu keys", app.panels().time_s, timeline.keys.size());
+    text_beside(context, text);
     show_track(context);
   }
   end_panel();

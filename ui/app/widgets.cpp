@@ -21,6 +21,14 @@ void tooltip(const char* text) {
   ImGui::EndTooltip();
 }
 
+void text_beside(PanelContext& context, const char* text) {
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const ImVec2 size = ImGui::CalcTextSize(text);
+  ImGui::GetWindowDrawList()->AddText({from.x + context.gap, from.y + 0.5F * (context.unit - size.y)},
+                                      ImGui::GetColorU32(ImGuiCol_Text), text);
+  ImGui::Dummy({size.x + 2 * context.gap, context.unit});
+}
+
 bool wide_button(PanelContext& context, const char* label, float width, bool chosen, const char* tip) {
   if (width == 0) width = std::max(context.unit, ImGui::CalcTextSize(label, nullptr, true).x + 0.6F * context.unit);
   if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));

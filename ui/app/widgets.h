@@ -18,6 +18,8 @@ bool wide_button(PanelContext& context, const char* label, float width = 0, bool
 bool action_button(PanelContext& context, Action action, float width = 0, bool chosen = false,
                    const char* label = nullptr);
 void tooltip(const char* text);
+/// A line of text in the middle of a row of buttons.
+void text_beside(PanelContext& context, const char* text);
 /// A window without any decoration in a place of its own, part of the hit map.
 bool begin_panel(PanelContext& context, const char* name, const Area& area);
 void end_panel();

@@ -179,13 +179,15 @@ base::Result<std::unique_ptr<Window>> Window::open(bool fullscreen) {
   SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
   SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
   SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
+  // Only what can be there is tried, because the others complain on standard error.
+  const char* wanted = std::getenv("SDL_VIDEODRIVER");
+  if (wanted == nullptr) {
+    const bool x11 = std::getenv("DISPLAY") != nullptr;
+    const bool wayland = std::getenv("WAYLAND_DISPLAY") != nullptr;
+    SDL_SetHint(SDL_HINT_VIDEODRIVER, wayland && x11 ? "wayland,x11" : wayland ? "wayland" : x11 ? "x11" : "KMSDRM");
+  }
   if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) return no_display(sdl_error());
   auto state = std::make_unique<State>();
-  const std::string driver = SDL_GetCurrentVideoDriver();
-  const char* wanted = std::getenv("SDL_VIDEODRIVER");
-  if ((driver == "offscreen" || driver == "dummy" || driver == "evdev") && wanted == nullptr) {
-    return no_display("neither X11 nor Wayland nor KMS/DRM");
-  }
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
   SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 1);

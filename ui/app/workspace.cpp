@@ -129,8 +129,8 @@ void Workspace::follow_pen() {
 
 const rig::Pose& Workspace::shown_pose() const {
   if (follow_.active()) return follow_.pose();
+  if (preview_ && preview_->size() == document().pose.size() && !sketch_.model()) return *preview_;
   if (sketch_.pose()) return *sketch_.pose();
-  if (preview_ && preview_->size() == document().pose.size()) return *preview_;
   return document().pose;
 }
 
