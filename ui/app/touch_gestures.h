@@ -29,7 +29,7 @@ class TouchGestures {
   /// `slack_px`: how far a finger moves before it draws.
   explicit TouchGestures(double slack_px = 8) : slack_px_(slack_px) {}
 
-  [[nodiscard]] std::vector<TouchAct> add(FingerKind kind, std::int64_t finger, PxPoint at);
+  std::vector<TouchAct> add(FingerKind kind, std::int64_t finger, PxPoint at);
   /// Nothing touches any more, whatever was missed.
   [[nodiscard]] std::vector<TouchAct> cancel();
 
