@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <imgui.h>
+#include <malloc.h>
 #include <string>
 
 #include "firmware_io/device/clock.h"
@@ -263,7 +264,11 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     timings.frames_us.push_back(thread_cpu_us() - cpu_before);
     SDL_GL_SwapWindow(state_->window);
-    if (timings.first_frame_us == 0) timings.first_frame_us = device::monotonic_us() - timings.began_us;
+    if (timings.first_frame_us == 0) {
+      timings.first_frame_us = device::monotonic_us() - timings.began_us;
+      // Loading a model and compiling shaders leave much behind that nobody asks for again.
+      ::malloc_trim(0);
+    }
     const std::string name = app.project().empty() ? app.path() : app.project();
     const std::string now_title = (app.workspace().unsaved() ? "* " : "") + name + " - penpose";
     if (now_title != title) SDL_SetWindowTitle(state_->window, (title = now_title).c_str());
