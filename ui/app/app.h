@@ -52,9 +52,10 @@ struct PanelState {
   bool shown = true;
   bool controls_tab = false;  ///< of the side panel: sketched controls, else all parameters
   Dialog dialog = Dialog::none;
-  std::string filter;    ///< of the parameters
-  std::string deformer;  ///< the one that is selected
-  double time_s = 0;     ///< of the timeline's cursor
+  std::string filter;       ///< of the parameters
+  std::string deformer;     ///< the one that is selected
+  std::string scrolled_to;  ///< the one that its list was last scrolled to
+  double time_s = 0;        ///< of the timeline's cursor
   bool onion_skin = true;
   bool wireframe = false;
   bool show_weights = true;

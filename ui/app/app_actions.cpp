@@ -89,6 +89,10 @@ void App::do_action(Action action) {
       if (panels_.radial) {
         panels_.radial.reset();
       } else if (panels_.dialog != Dialog::none) {
+        if (panels_.dialog == Dialog::steps) {
+          settings_.steps_seen = true;
+          settings_changed();
+        }
         if (panels_.dialog != Dialog::recover) panels_.dialog = Dialog::none;
       } else if (playing_) {
         do_action(Action::play);

@@ -48,6 +48,7 @@ void show_top_bar(PanelContext& context, const Area& area) {
   App& app = context.app;
   if (begin_panel(context, "top", area)) {
     if (wide_button(context, "Menu", 0, false, "Files, settings and sessions")) ImGui::OpenPopup("menu");
+    ImGui::SetNextWindowPos({context.gap, static_cast<float>(area.bottom)});
     // A menu may reach over the canvas: while it is open nothing else is hit.
     if (ImGui::BeginPopup("menu")) {
       app.hits().all = true;

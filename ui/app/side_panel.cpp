@@ -275,8 +275,10 @@ void show_deformers(PanelContext& context) {
     if (wide_button(context, name.c_str(), -1, name == app.panels().deformer)) {
       app.panels().deformer = name == app.panels().deformer ? std::string() : name;
     }
+    if (name == app.panels().deformer && name != app.panels().scrolled_to) ImGui::SetScrollHereY();
   }
   ImGui::EndChild();
+  app.panels().scrolled_to = app.panels().deformer;
   for (const auto& deformer : deformers->deformers()) {
     if (deformer->sketch().name != app.panels().deformer) continue;
     show_chosen(context, *deformer);
