@@ -1,24 +1,54 @@
 #include "ui/cli/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 
 #include "ui/cli/commands.h"
+#include "ui/cli/files.h"
+#include "ui/cli/own_tablets.h"
 
 namespace penpose::cli {
+namespace {
 
-int run(int argc, const char* const* argv) {
-  CLI::App app{"Poses and rigs 3D characters by drawing.", "penpose"};
-  app.require_subcommand(1);
+/// A word that is neither a subcommand nor a file is a mistake in the call, not a file that is missing.
+std::string check_model(const std::string& path) {
+  std::error_code code;
+  if (path.starts_with("builtin:") || std::filesystem::exists(path, code)) return {};
+  const bool looks_like_file = path.find('.') != std::string::npos || path.find('/') != std::string::npos;
+  return looks_like_file ? "there is no file " + path
+                         : "there is neither a subcommand nor a file " + path + "; --help lists the subcommands";
+}
+
+}  // namespace
+
+int run(int argc, const char* const* argv, const OpenWindow& open_window) {
+  CLI::App app{"Poses and rigs 3D characters by drawing. Without a subcommand it opens its window.", "penpose"};
+  app.require_subcommand(open_window ? 0 : 1, 1);
   app.set_version_flag("--version", PENPOSE_VERSION);
   int status = k_success;
   for (const auto& add : all_commands()) add(app, status);
+  WindowRequest request;
+  if (open_window) {
+    app.add_option("MODEL", request.model, "Model, project or session to open; the built-in head by default")
+        ->check(CLI::Validator(check_model, ""));
+    app.add_option("--session", request.session,
+                   "Where to record the session; a file that is there is not written over");
+    app.add_option(k_tablets_option, request.tablets, k_tablets_help);
+    app.add_flag("--fullscreen", request.fullscreen, "Use the whole screen");
+    // For tests and measurements.
+    app.add_option("--replay", request.replay)->group("");
+    app.add_flag("--timings", request.timings)->group("");
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? k_success : k_wrong_usage;
   }
-  return status;
+  if (!open_window || !app.get_subcommands().empty()) return status;
+  request.program = std::string("penpose-") + PENPOSE_VERSION;
+  if (const auto opened = open_window(request); !opened) return report(opened.error());
+  return k_success;
 }
 
 }  // namespace penpose::cli

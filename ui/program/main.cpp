@@ -1,9 +1,10 @@
 #include <csignal>
 
+#include "ui/app/run_app.h"
 #include "ui/cli/command_line.h"
 
 int main(int argc, char** argv) {
   // A file that may not grow is an error like a full disk, and no reason to die.
   std::signal(SIGXFSZ, SIG_IGN);
-  return penpose::cli::run(argc, argv);
+  return penpose::cli::run(argc, argv, penpose::app::run_app);
 }

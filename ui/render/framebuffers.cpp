@@ -78,7 +78,8 @@ base::Status Framebuffers::resize(int width, int height) {
   while (glGetError() != GL_NO_ERROR) {
   }
   glGetIntegerv(GL_MAX_SAMPLES, &samples_);
-  samples_ = std::clamp(samples_, 1, 8);
+  samples_ = std::clamp(samples_, 1, most_samples_);
+  if (samples_ == 1) samples_ = 0;  // 1 would be rounded up to what the driver has; 0 is one sample a pixel
   surface_color_ = make_renderbuffer(GL_RGBA8, samples_, width, height);
   surface_depth_ = make_renderbuffer(GL_DEPTH_COMPONENT24, samples_, width, height);
   glGenFramebuffers(1, &surface_target_);
@@ -87,12 +88,10 @@ base::Status Framebuffers::resize(int width, int height) {
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, surface_depth_);
   picture_color_ = make_texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height);
   depth_texture_ = make_texture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, width, height);
-  occlusion_texture_ = make_texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height);
   picture_target_ = make_target(picture_color_, depth_texture_);
   picture_plain_target_ = make_target(picture_color_, 0);
-  occlusion_target_ = make_target(occlusion_texture_, 0);
   const bool good = complete(surface_target_) && complete(picture_target_) && complete(picture_plain_target_) &&
-                    complete(occlusion_target_) && glGetError() == GL_NO_ERROR;
+                    glGetError() == GL_NO_ERROR;
   if (!good) {
     release();
     return too_large(width, height, std::min(most, 2048));
@@ -115,7 +114,14 @@ void Framebuffers::resolve() const {
   begin_picture();
 }
 
-void Framebuffers::begin_occlusion() const { glBindFramebuffer(GL_FRAMEBUFFER, occlusion_target_); }
+void Framebuffers::begin_occlusion() {
+  // Made when it is first asked for: a software renderer does without it.
+  if (occlusion_target_ == 0) {
+    occlusion_texture_ = make_texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width_, height_);
+    occlusion_target_ = make_target(occlusion_texture_, 0);
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, occlusion_target_);
+}
 void Framebuffers::begin_picture() const {
   glBindFramebuffer(GL_FRAMEBUFFER, picture_target_);
   glViewport(0, 0, width_, height_);

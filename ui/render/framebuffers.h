@@ -16,6 +16,8 @@ class Framebuffers {
   Framebuffers(const Framebuffers&) = delete;
   Framebuffers& operator=(const Framebuffers&) = delete;
 
+  /// Counts for targets that are made from now on.
+  void set_most_samples(int most) { most_samples_ = most; }
   /// Makes targets of that size where there are none yet. Errors: larger than the driver can.
   base::Status resize(int width, int height);
 
@@ -24,7 +26,7 @@ class Framebuffers {
   /// Color and depth are averaged into the picture, where draws go from here on.
   void resolve() const;
   /// Draws go to the texture of the raw occlusion (same size as the picture).
-  void begin_occlusion() const;
+  void begin_occlusion();
   /// Back to the picture.
   void begin_picture() const;
   /// A picture without depth test on its depth, so that the depth can be read.
@@ -44,6 +46,7 @@ class Framebuffers {
   int width_ = 0;
   int height_ = 0;
   int samples_ = 0;
+  int most_samples_ = 8;
   unsigned surface_target_ = 0;
   unsigned surface_color_ = 0;
   unsigned surface_depth_ = 0;

@@ -45,7 +45,7 @@ struct Renderer::State {
     glBindVertexArray(0);
   }
   void draw_background(const Background& colors) const;
-  void draw_occlusion(const View& view, geometry::Viewport viewport) const;
+  void draw_occlusion(const View& view, geometry::Viewport viewport);
 };
 
 base::Result<std::unique_ptr<Renderer::State>> Renderer::State::make(std::unique_ptr<OffscreenContext> owned) {
@@ -78,7 +78,7 @@ void Renderer::State::draw_background(const Background& colors) const {
   fill_screen();
 }
 
-void Renderer::State::draw_occlusion(const View& view, geometry::Viewport viewport) const {
+void Renderer::State::draw_occlusion(const View& view, geometry::Viewport viewport) {
   const auto set_common = [&](const GlProgram& program) {
     program.use();
     program.set("depths", 0);
@@ -89,8 +89,8 @@ void Renderer::State::draw_occlusion(const View& view, geometry::Viewport viewpo
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, targets.depth_texture());
   targets.begin_occlusion();
+  glBindTexture(GL_TEXTURE_2D, targets.depth_texture());
   set_common(occlusion);
   occlusion.set("image_plane", view.image_plane.x, view.image_plane.y);
   fill_screen();
@@ -162,6 +162,7 @@ base::Status Renderer::draw(const Scene& scene, const geometry::Camera& camera, 
 }
 
 void Renderer::set_occlusion(bool on) { state_->occlude = on; }
+void Renderer::set_most_samples(int most) { state_->targets.set_most_samples(most); }
 std::string Renderer::driver() const { return context_name(); }
 
 }  // namespace penpose::render

@@ -1,0 +1,346 @@
+#include "ui/app/app.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <gtest/gtest.h>
+
+#include "replay/session_player.h"
+#include "ui/cli/load_model.h"
+#include "ui/cli/trace_file.h"
+
+#include "desk.h"
+
+namespace penpose::app {
+namespace {
+
+std::vector<PxPoint> around(PxPoint middle, double x, double y) {
+  std::vector<PxPoint> line;
+  for (int i = 0; i <= 24; ++i) {
+    const double t = 2 * 3.14159265 * i / 24;
+    line.push_back({middle.x + x * std::cos(t), middle.y + y * std::sin(t)});
+  }
+  return line;
+}
+
+/// The first curve of the model, wide enough for a stroke.
+std::string any_curve(const Desk& desk) {
+  for (const auto& curve : desk.document().model->curves) {
+    if (curve.name.find("mouth") != std::string::npos || curve.name.find("lip") != std::string::npos) return curve.name;
+  }
+  return desk.document().model->curves.front().name;
+}
+
+/// Draws along the mouth and then where it should go.
+void pose_mouth(Desk& desk) {
+  const std::string curve = any_curve(desk);
+  const auto reference = desk.named_curve(curve);
+  const auto target = desk.named_curve(curve, {0, -14});
+  desk.stroke(reference);
+  desk.stroke(target);
+}
+
+TEST(App, ANewUserSketchesPosesKeysSavesQuitsAndFindsEverythingAgain) {
+  document::DocumentState saved;
+  std::size_t deformers = 0;
+  std::string session;
+  {
+    Desk desk("whole", "builtin:demo");
+    desk.begin();
+    EXPECT_EQ(desk.app->panels().dialog, Dialog::none);
+    // Sketch one control around the chin.
+    deformers = desk.document().model->deformers->size();
+    desk.click("Rig");
+    const auto mouth = desk.named_curve(any_curve(desk));
+    const PxPoint middle = mouth[mouth.size() / 2] + PxPoint{0, 55};
+    desk.stroke(around(middle, 60, 32));
+    desk.stroke(around(middle, 28, 14));
+    desk.stroke({middle + PxPoint{-26, 18}, middle + PxPoint{0, 26}, middle + PxPoint{26, 18}});
+    ASSERT_EQ(desk.document().model->deformers->size(), deformers + 1) << desk.app->notices().back().text;
+    EXPECT_FALSE(desk.document().pending);
+    EXPECT_EQ(desk.app->panels().deformer, desk.document().model->deformers->deformers().back()->sketch().name)
+        << "the new control is shown";
+    // Pose the mouth and key it.
+    desk.click("Pose");
+    const auto rest = desk.document().pose;
+    pose_mouth(desk);
+    ASSERT_EQ(desk.document().curves.size(), 1U);
+    EXPECT_TRUE(desk.document().curves.front()->target.has_value());
+    EXPECT_NE(desk.document().pose, rest) << "the face followed";
+    EXPECT_FALSE(desk.app->workspace().movements().empty());
+    desk.click("Key");
+    ASSERT_EQ(desk.document().timeline->keys.size(), 1U);
+    EXPECT_EQ(desk.document().timeline->keys.front().pose, desk.document().pose);
+    // Save under the name that is offered, and quit.
+    EXPECT_TRUE(desk.app->workspace().unsaved());
+    desk.press('s', true);
+    desk.click("Save##now");
+    EXPECT_FALSE(desk.app->workspace().unsaved());
+    EXPECT_EQ(desk.app->project(), desk.path("head.glb"));
+    saved = desk.app->workspace().state();
+    session = desk.app->session_path();
+    desk.app->ask_to_quit();
+    EXPECT_TRUE(desk.app->wants_quit());
+  }
+  auto again =
+      cli::load_document((std::filesystem::temp_directory_path() / "penpose-desk-whole" / "head.glb").string());
+  ASSERT_TRUE(again.ok());
+  document::DocumentHasher hasher;
+  EXPECT_EQ(hasher(*again), saved) << "what was saved opens as it was";
+  // The session of it replays to the same document.
+  const auto file = cli::open_trace(session);
+  ASSERT_TRUE(file.ok()) << file.error().line(session);
+  replay::PlayerOptions options;
+  options.open = [](const std::string& path) { return cli::load_document(path); };
+  const auto played = replay::play_session(cli::read_from_file(file->get()), options);
+  ASSERT_TRUE(played.ok());
+  EXPECT_EQ(played->differing, 0U);
+  EXPECT_GT(played->checked, 5U);
+  EXPECT_EQ(played->session->editor().state(), saved);
+}
+
+TEST(App, TheFaceFollowsThePenBeforeItLiftsAndTheDocumentChangesOnlyThen) {
+  Desk desk("follow");
+  desk.begin();
+  const std::string curve = any_curve(desk);
+  desk.stroke(desk.named_curve(curve));
+  const auto before = desk.app->workspace().state();
+  const rig::Pose rest = desk.document().pose;
+  desk.stroke(desk.named_curve(curve, {0, 18}), false);
+  EXPECT_NE(desk.app->workspace().shown_pose(), rest);
+  EXPECT_EQ(desk.app->workspace().state(), before);
+  desk.app->mouse_button(MouseButton::left, false, {400, 400});
+  EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+  EXPECT_NE(desk.document().pose, rest);
+  desk.press('z', true);
+  EXPECT_EQ(desk.app->workspace().state(), before);
+  desk.press('z', true, true);
+  EXPECT_NE(desk.app->workspace().state(), before);
+}
+
+TEST(App, StrokesOnPanelsNeverDraw) {
+  Desk desk("panels");
+  desk.begin();
+  const auto before = desk.app->workspace().state();
+  desk.stroke({{1100, 200}, {700, 300}, {500, 300}});
+  desk.stroke({{20, 200}, {300, 300}});
+  EXPECT_EQ(desk.document().curves.size(), 0U);
+  EXPECT_EQ(desk.app->workspace().state().parts[3], before.parts[3]);
+}
+
+TEST(App, ASliderIsOneCommandHoweverFarItWasDragged) {
+  Desk desk("slider");
+  desk.begin();
+  const std::string name = desk.document().model->rig->parameters()[0].name;
+  const Area area = *desk.interface->find("slider " + name);
+  const std::size_t undo = desk.app->workspace().editor().history().undo_count();
+  desk.app->mouse_moved(area.middle());
+  desk.app->mouse_button(MouseButton::left, true, area.middle());
+  desk.frames();
+  for (int i = 1; i <= 10; ++i) {
+    desk.app->mouse_moved(area.middle() + PxPoint{6.0 * i, 0});
+    desk.frames(1);
+  }
+  EXPECT_TRUE(desk.app->workspace().previews());
+  EXPECT_EQ(desk.app->workspace().editor().history().undo_count(), undo);
+  const double shown = desk.app->workspace().shown_pose()[0];
+  desk.app->mouse_button(MouseButton::left, false, area.middle() + PxPoint{60, 0});
+  desk.frames();
+  EXPECT_EQ(desk.app->workspace().editor().history().undo_count(), undo + 1);
+  EXPECT_DOUBLE_EQ(desk.document().pose[0], shown);
+  EXPECT_FALSE(desk.app->workspace().previews());
+}
+
+TEST(App, ALockedParameterIsNotMovedByAStroke) {
+  Desk desk("lock");
+  desk.begin();
+  pose_mouth(desk);
+  ASSERT_FALSE(desk.app->workspace().movements().empty());
+  const std::string moved = desk.app->workspace().movements().front().name;
+  desk.press('z', true);
+  desk.press('z', true);
+  desk.app->workspace().perform(document::LockParameters{{moved}, true});
+  const auto index = *rig::find_parameter(desk.document().model->rig->parameters(), moved);
+  const double before = desk.document().pose[index];
+  pose_mouth(desk);
+  EXPECT_DOUBLE_EQ(desk.document().pose[index], before);
+}
+
+TEST(App, ScrubbingShowsAndLettingGoTakesThePose) {
+  Desk desk("scrub");
+  desk.begin();
+  desk.click("Key");
+  desk.app->set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
+  desk.app->scrub(2);
+  desk.app->end_scrub();
+  desk.app->set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
+  desk.click("Key");
+  ASSERT_EQ(desk.document().timeline->keys.size(), 2U);
+  const auto state = desk.app->workspace().state();
+  desk.app->scrub(1);
+  EXPECT_NE(desk.app->workspace().shown_pose(), desk.document().pose);
+  EXPECT_EQ(desk.app->workspace().state(), state);
+  desk.app->end_scrub();
+  EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+  const double middle = desk.document().pose[0];
+  EXPECT_GT(middle, 0);
+  EXPECT_LT(middle, desk.document().model->rig->parameters()[0].maximum);
+  // Playing goes round and changes nothing but what is shown.
+  desk.press(' ');
+  EXPECT_TRUE(desk.app->playing());
+  desk.frames(200);
+  EXPECT_EQ(desk.document().pose[0], middle);
+  desk.press(' ');
+  EXPECT_FALSE(desk.app->playing());
+}
+
+TEST(App, AfterACrashTheWorkIsOfferedAndComesBack) {
+  document::DocumentState lost;
+  {
+    auto* desk = new Desk("crash");
+    desk->begin();
+    pose_mouth(*desk);
+    lost = desk->app->workspace().state();
+    // A crash: nothing is finished. The kernel gives the lock back, as it does for a program that died.
+    const std::string lock = desk->app->session_path() + ".open";
+    const std::string copy = desk->path("state/sessions/2026-01-01_00-00-00.session");
+    std::filesystem::copy_file(desk->app->session_path(), copy);
+    std::ofstream(copy + ".open") << "";
+    delete desk;
+  }
+  Desk desk("crash", "builtin:demo", false);
+  ASSERT_EQ(desk.app->panels().dialog, Dialog::recover);
+  desk.click("Bring it back");
+  EXPECT_EQ(desk.app->workspace().state().parts[2], lost.parts[2]) << "the pose is back";
+  EXPECT_EQ(desk.app->workspace().state().parts[3], lost.parts[3]) << "the curves are back";
+  EXPECT_TRUE(abandoned_sessions(desk.path("state/sessions")).empty()) << "it is not offered again";
+}
+
+TEST(App, UnpluggingInTheMiddleOfAStrokeEndsItAndSaysSo) {
+  Desk desk("unplug");
+  desk.begin();
+  auto identity = replay::virtual_pen_identity();
+  identity.name = "Test Tablet";
+  desk.app->tablet_arrived(1, identity);
+  const auto line = desk.named_curve(any_curve(desk));
+  const auto viewport = desk.app->workspace().editor().view().viewport;
+  for (const PxPoint& at : line) {
+    desk.now_us += 3333;
+    desk.app->tablet_report(1, desk.now_us, replay::virtual_pen_report({at, 0.7, true, true, false, false}, viewport));
+  }
+  EXPECT_EQ(desk.document().curves.size(), 0U);
+  desk.app->tablet_left(1, "Test Tablet");
+  EXPECT_EQ(desk.document().curves.size(), 1U) << "what was drawn is kept";
+  EXPECT_EQ(desk.app->notices().back().text, "Test Tablet was unplugged");
+  // It comes back under its number and goes on.
+  desk.app->tablet_arrived(1, identity);
+  for (const PxPoint& at : desk.named_curve(any_curve(desk), {0, 12})) {
+    desk.now_us += 3333;
+    desk.app->tablet_report(1, desk.now_us, replay::virtual_pen_report({at, 0.7, true, true, false, false}, viewport));
+  }
+  desk.app->tablet_report(1, desk.now_us, replay::virtual_pen_report({{0, 0}, 0, true, false, false, false}, viewport));
+  ASSERT_EQ(desk.document().curves.size(), 1U);
+  EXPECT_TRUE(desk.document().curves.front()->target.has_value());
+}
+
+TEST(App, WhileATabletsPenIsNearTheDesktopsOwnPointerIsIgnored) {
+  Desk desk("near");
+  desk.begin();
+  desk.app->tablet_arrived(1, replay::virtual_pen_identity());
+  const auto viewport = desk.app->workspace().editor().view().viewport;
+  desk.app->tablet_report(1, desk.now_us,
+                          replay::virtual_pen_report({{400, 300}, 0, true, false, false, false}, viewport));
+  desk.stroke(desk.named_curve(any_curve(desk)));
+  // The stroke above took longer than a pen stays near without a report; its press came while it was near.
+  EXPECT_EQ(desk.document().curves.size(), 0U);
+  desk.now_us += 1'000'000;
+  desk.frames();
+  desk.stroke(desk.named_curve(any_curve(desk)));
+  EXPECT_EQ(desk.document().curves.size(), 1U);
+}
+
+TEST(App, ATabletsPenPressesButtonsToo) {
+  Desk desk("tablet-buttons");
+  desk.begin();
+  desk.app->tablet_arrived(1, replay::virtual_pen_identity());
+  const auto viewport = desk.app->workspace().editor().view().viewport;
+  const PxPoint key = desk.interface->find("Key")->middle();
+  const auto send = [&](bool tip) {
+    desk.now_us += 3000;
+    desk.app->tablet_report(1, desk.now_us, replay::virtual_pen_report({key, 0.5, true, tip, false, false}, viewport));
+    desk.frames(1);
+  };
+  send(false);
+  send(false);
+  send(true);
+  send(true);
+  send(false);
+  desk.frames();
+  EXPECT_EQ(desk.document().timeline->keys.size(), 1U);
+  EXPECT_TRUE(desk.document().curves.empty());
+}
+
+TEST(App, TheBarrelButtonTurnsTheViewAndAClickOpensTheMenuAroundThePen) {
+  Desk desk("barrel");
+  desk.begin();
+  const auto before = desk.app->view();
+  desk.app->mouse_button(MouseButton::right, true, {500, 400});
+  desk.app->mouse_moved({560, 400});
+  desk.app->mouse_button(MouseButton::right, false, {560, 400});
+  EXPECT_FALSE(desk.app->view() == before);
+  EXPECT_FALSE(desk.app->panels().radial.has_value());
+  desk.app->mouse_button(MouseButton::right, true, {500, 400});
+  desk.app->mouse_button(MouseButton::right, false, {500, 400});
+  desk.frames();
+  ASSERT_TRUE(desk.app->panels().radial.has_value());
+  desk.click("Erase##radial");
+  EXPECT_EQ(desk.app->workspace().editor().tool().kind, drawing::ToolKind::erase);
+  EXPECT_FALSE(desk.app->panels().radial.has_value());
+}
+
+TEST(App, ATraceInPlaceOfATabletDrawsTheSame) {
+  Desk desk("trace");
+  desk.begin();
+  // A trace of a reference and a target, written as a tablet's.
+  replay::TraceWriter writer;
+  writer.declare(0, replay::virtual_pen_device());
+  std::int64_t time = 0;
+  const auto viewport = desk.app->workspace().editor().view().viewport;
+  for (const PxPoint by : {PxPoint{0, 0}, PxPoint{0, -12}}) {
+    for (const PxPoint& at : desk.named_curve(any_curve(desk), by)) {
+      writer.report(0, time += 3333, replay::virtual_pen_report({at, 0.6, true, true, false, false}, viewport));
+    }
+    writer.report(0, time += 3333, replay::virtual_pen_report({{500, 500}, 0, true, false, false, false}, viewport));
+  }
+  std::ofstream(desk.path("pen.hid")) << writer.take();
+  ASSERT_TRUE(desk.app->play_trace(desk.path("pen.hid")).ok());
+  desk.frames(200);
+  EXPECT_TRUE(desk.app->player()->finished());
+  ASSERT_EQ(desk.document().curves.size(), 1U);
+  EXPECT_TRUE(desk.document().curves.front()->target.has_value());
+}
+
+TEST(App, OpeningAFileThatIsNoneSaysSoAndKeepsTheWork) {
+  Desk desk("broken");
+  desk.begin();
+  std::ofstream(desk.path("broken.glb")) << "not a glb";
+  pose_mouth(desk);
+  const auto state = desk.app->workspace().state();
+  desk.app->try_open(desk.path("broken.glb"));
+  EXPECT_TRUE(desk.app->notices().back().is_error);
+  EXPECT_EQ(desk.app->workspace().state(), state);
+}
+
+TEST(App, ASessionWithoutWorkLeavesNoFileBehind) {
+  std::string session;
+  {
+    Desk desk("empty");
+    session = desk.app->session_path();
+    EXPECT_TRUE(std::filesystem::exists(session));
+  }
+  EXPECT_FALSE(std::filesystem::exists(session));
+  EXPECT_FALSE(std::filesystem::exists(session + ".open"));
+}
+
+}  // namespace
+}  // namespace penpose::app

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "core/geometry/camera.h"
+#include "ui/app/app.h"
+#include "ui/app/interface.h"
+
+namespace penpose::app {
+
+/// The app with its panels and no window, in a folder of its own, with a clock that goes by hand.
+class Desk {
+ public:
+  explicit Desk(const std::string& name, const std::string& model = "builtin:demo", bool fresh = true)
+      : folder(std::filesystem::temp_directory_path() / ("penpose-desk-" + name)) {
+    if (fresh) std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    AppOptions options;
+    options.folders = {(folder / "state").string(), (folder / "config").string()};
+    options.clock = [this] { return now_us; };
+    options.date = [] { return std::string("2026-01-02_03-04-05"); };
+    app = std::make_unique<App>(options);
+    app->panels().folder = folder.string();
+    const auto opened = app->open(model);
+    EXPECT_TRUE(opened.ok()) << (opened.ok() ? "" : opened.error().line());
+    interface = std::make_unique<Interface>(*app);
+    frames();
+  }
+  ~Desk() {
+    interface.reset();
+    app.reset();
+  }
+  Desk(const Desk&) = delete;
+  Desk& operator=(const Desk&) = delete;
+
+  void frames(int count = 4) {
+    for (int i = 0; i < count; ++i) {
+      now_us += 16000;
+      app->begin_frame();
+      interface->frame(0.016);
+    }
+  }
+  void begin() {
+    if (interface->find("Begin") != nullptr) click("Begin");
+  }
+  bool click(const std::string& label) {
+    const Area* area = interface->find(label);
+    EXPECT_NE(area, nullptr) << "nothing on the screen says " << label;
+    if (area == nullptr) return false;
+    const PxPoint at = area->middle();
+    app->mouse_moved(at);
+    app->mouse_button(MouseButton::left, true, at);
+    app->mouse_button(MouseButton::left, false, at);
+    frames();
+    return true;
+  }
+  void press(std::uint32_t key, bool ctrl = false, bool shift = false) {
+    app->key({key, ctrl, shift});
+    frames();
+  }
+  /// A stroke of the mouse through px positions of the window, with small steps in between.
+  void stroke(const std::vector<PxPoint>& through, bool lift = true) {
+    app->mouse_moved(through.front());
+    app->mouse_button(MouseButton::left, true, through.front());
+    for (std::size_t i = 1; i < through.size(); ++i) {
+      for (int k = 1; k <= 8; ++k) {
+        now_us += 3000;
+        app->mouse_moved(through[i - 1] * (1 - k / 8.0) + through[i] * (k / 8.0));
+      }
+      app->begin_frame();
+    }
+    if (lift) app->mouse_button(MouseButton::left, false, through.back());
+    frames();
+  }
+  /// Where the view shows points of a named curve of the model at rest, moved by some px.
+  [[nodiscard]] std::vector<PxPoint> named_curve(const std::string& name, PxPoint by = {}) const {
+    const document::View& view = app->view();
+    const auto camera = geometry::Camera::make(view.camera, view.viewport);
+    std::vector<PxPoint> line;
+    for (const auto& curve : document().model->curves) {
+      if (curve.name != name) continue;
+      for (const auto& point : curve.points) {
+        const auto px = camera->project(geometry::ModelPoint(app->surface().at(point)));
+        if (px) line.push_back(*px + by);
+      }
+    }
+    EXPECT_GT(line.size(), 1U) << "the model has no curve " << name;
+    return line;
+  }
+  [[nodiscard]] const document::Document& document() const { return app->workspace().document(); }
+  [[nodiscard]] std::string path(const std::string& name) const { return (folder / name).string(); }
+
+  std::int64_t now_us = 1'000'000;
+  std::filesystem::path folder;
+  std::unique_ptr<App> app;
+  std::unique_ptr<Interface> interface;
+};
+
+}  // namespace penpose::app

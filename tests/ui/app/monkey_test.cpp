@@ -1,0 +1,150 @@
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <random>
+
+#include "desk.h"
+
+// No input makes the app fall over, whatever the order. The number of events is PENPOSE_MONKEY_EVENTS where that is
+// set.
+
+namespace penpose::app {
+namespace {
+
+class Monkey {
+ public:
+  Monkey(Desk& desk, unsigned seed) : desk_(desk), random_(seed) {}
+
+  void act() {
+    App& app = *desk_.app;
+    switch (below(17)) {
+      case 0:
+      case 1:
+      case 2:
+      case 3:
+        at_ = near_ ? at_ + PxPoint{spread(40), spread(40)} : anywhere();
+        app.mouse_moved(at_);
+        break;
+      case 4:
+      case 5:
+        app.mouse_button(MouseButton::left, below(2) == 0, at_);
+        break;
+      case 6:
+        app.mouse_button(below(2) == 0 ? MouseButton::middle : MouseButton::right, below(2) == 0, at_, below(3) == 0,
+                         below(3) == 0);
+        break;
+      case 7:
+        app.wheel(spread(3));
+        break;
+      case 8:
+        app.finger(static_cast<FingerKind>(below(3)), below(4), anywhere());
+        break;
+      case 9: {
+        const auto actions = all_actions();
+        const Action action = actions[static_cast<std::size_t>(below(static_cast<int>(actions.size())))].action;
+        if (action != Action::quit) app.do_action(action);
+        break;
+      }
+      case 10:
+        app.key({static_cast<std::uint32_t>(below(200)), below(3) == 0, below(3) == 0});
+        break;
+      case 11:
+        press_something();
+        break;
+      case 12:
+        tablet();
+        break;
+      case 13:
+        if (below(40) == 0) app.resized({64 + below(1500), 64 + below(1000)}, 40 + below(300));
+        break;
+      case 14:
+        near_ = below(4) != 0;
+        break;
+      case 15: {
+        const char text[2] = {static_cast<char>('a' + below(26)), 0};
+        desk_.interface->text(text);
+        break;
+      }
+      default:
+        desk_.frames(1);
+        break;
+    }
+    desk_.now_us += below(20000);
+    // Files are written below the test's own folder alone.
+    if (app.panels().folder.find(desk_.folder.string()) != 0) app.panels().folder = desk_.folder.string();
+    if (app.panels().file_name.find('/') != std::string::npos) app.panels().file_name.clear();
+  }
+
+ private:
+  int below(int limit) { return static_cast<int>(random_() % static_cast<unsigned>(limit)); }
+  double spread(double size) { return size * (static_cast<double>(random_() % 2001U) / 1000.0 - 1.0); }
+  PxPoint anywhere() {
+    const auto window = desk_.app->window();
+    return {static_cast<double>(below(window.width + 40) - 20), static_cast<double>(below(window.height + 40) - 20)};
+  }
+  void press_something() {
+    const auto& targets = desk_.interface->targets();
+    if (targets.empty()) return;
+    auto it = targets.begin();
+    std::advance(it, below(static_cast<int>(targets.size())));
+    at_ = it->second.middle();
+    desk_.app->mouse_moved(at_);
+    desk_.app->mouse_button(MouseButton::left, true, at_);
+    desk_.frames(1 + below(3));
+    desk_.app->mouse_button(MouseButton::left, false, at_);
+    desk_.frames(1);
+  }
+  void tablet() {
+    App& app = *desk_.app;
+    const int device = 1 + below(2);
+    if (below(12) == 0) {
+      app.tablet_arrived(device, replay::virtual_pen_identity());
+    } else if (below(12) == 0) {
+      app.tablet_left(device, "a tablet");
+    } else if (below(8) == 0) {
+      std::vector<std::uint8_t> bytes(static_cast<std::size_t>(below(20)));
+      for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random_());
+      app.tablet_report(device, desk_.now_us, bytes);
+    } else {
+      pen_ = below(6) == 0 ? anywhere() : pen_ + PxPoint{spread(30), spread(30)};
+      const replay::VirtualPenState state{pen_,          spread(0.5) + 0.5, below(12) != 0,
+                                          below(3) != 0, below(30) == 0,    below(20) == 0};
+      app.tablet_report(device, desk_.now_us, replay::virtual_pen_report(state, app.window()));
+    }
+  }
+
+  Desk& desk_;
+  std::mt19937 random_;
+  PxPoint at_{500, 400};
+  PxPoint pen_{500, 400};
+  bool near_ = true;
+};
+
+TEST(Monkey, NoOrderOfEventsMakesTheAppFallOver) {
+  const char* wanted = std::getenv("PENPOSE_MONKEY_EVENTS");
+  const int events = wanted != nullptr ? std::atoi(wanted) : 3000;
+  const char* seed = std::getenv("PENPOSE_MONKEY_SEED");
+  Desk desk("monkey");
+  desk.begin();
+  Monkey monkey(desk, seed != nullptr ? static_cast<unsigned>(std::atoi(seed)) : 1U);
+  for (int i = 0; i < events; ++i) monkey.act();
+  // Afterwards it still works: a dialog closes, a view is framed, what was done is undone.
+  for (const int device : {1, 2}) desk.app->tablet_left(device, "a tablet");
+  desk.now_us += 10'000'000;
+  desk.app->mouse_button(MouseButton::left, false, {0, 0});
+  desk.app->mouse_button(MouseButton::right, false, {0, 0});
+  desk.app->panels().dialog = Dialog::none;
+  desk.app->panels().radial.reset();
+  desk.app->resized({1280, 800}, 96);
+  desk.frames(6);
+  while (desk.app->workspace().editor().history().undo_count() > 0) desk.app->do_action(Action::undo);
+  desk.app->do_action(Action::tool_pose);
+  desk.app->do_action(Action::view_front);
+  desk.frames(6);
+  const std::size_t curves = desk.document().curves.size();
+  if (desk.document().model->curves.empty()) return;
+  desk.stroke(desk.named_curve(desk.document().model->curves.front().name));
+  EXPECT_EQ(desk.document().curves.size(), curves + 1);
+}
+
+}  // namespace
+}  // namespace penpose::app

@@ -1,0 +1,318 @@
+#include "ui/app/app.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "core/document/timeline.h"
+#include "replay/session_player.h"
+#include "ui/cli/load_model.h"
+#include "ui/cli/save_model.h"
+#include "ui/cli/trace_file.h"
+
+namespace penpose::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t k_notice_us = 6'000'000;
+constexpr std::size_t k_most_notices = 4;
+constexpr double k_target_mm = 9;
+constexpr double k_mm_per_inch = 25.4;
+/// Displays that say less or more than this say nonsense.
+constexpr double k_least_dpi = 60;
+constexpr double k_most_dpi = 600;
+constexpr int k_playing_frame_ms = 16;
+
+std::string extension_of(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return extension;
+}
+
+bool is_trace(const std::string& path) {
+  const std::string extension = extension_of(path);
+  return extension == ".session" || extension == ".hid" || extension == ".trace" || extension == ".rec" ||
+         extension == ".txt";
+}
+
+}  // namespace
+
+App::App(AppOptions options)
+    : options_(std::move(options)),
+      settings_(load_settings(options_.folders.config)),
+      workspace_(
+          options_.clock, [this](std::string text, bool is_error) { tell(std::move(text), is_error); },
+          options_.own_tablets) {
+  if (!options_.folders.state.empty()) abandoned_ = abandoned_sessions(options_.folders.state + "/sessions");
+  if (!abandoned_.empty()) {
+    panels_.dialog = Dialog::recover;
+  } else if (!settings_.steps_seen) {
+    panels_.dialog = Dialog::steps;
+  }
+  const char* home = std::getenv("HOME");
+  panels_.folder = home != nullptr ? home : "/";
+}
+
+App::~App() { end_session(); }
+
+void App::end_session() {
+  if (!file_) return;
+  const bool worth =
+      keep_file_ || workspace_.editor().history().undo_count() > 0 || workspace_.editor().history().redo_count() > 0;
+  file_->finish(worth);
+}
+
+void App::begin_session(document::Document document, const std::string& path) {
+  end_session();
+  // The workspace holds the writer of the session before until it is opened anew.
+  std::unique_ptr<SessionFile> next;
+  const bool named = !options_.session.empty() && !file_;
+  keep_file_ = named;
+  if (named || !options_.folders.state.empty()) {
+    auto made = named ? SessionFile::create(options_.session, options_.program)
+                      : SessionFile::create_in(options_.folders.state + "/sessions",
+                                               options_.date ? options_.date() : "session", options_.program);
+    if (made) {
+      next = std::move(*made);
+    } else {
+      tell("this session is not recorded: " + made.error().line(named ? options_.session : options_.folders.state),
+           true);
+    }
+  }
+  std::error_code code;
+  const bool built_in = path.starts_with("builtin:");
+  const std::string full = built_in ? path : fs::absolute(path, code).string();
+  player_.reset();
+  workspace_.open(std::move(document), next ? &next->writer() : nullptr, code ? path : full);
+  file_ = std::move(next);
+  playing_ = false;
+  panels_.time_s = workspace_.document().time_s;
+  panels_.deformer.clear();
+  highlighted_.reset();
+  target_drag_.reset();
+  const auto& deformers = workspace_.document().model->deformers;
+  deformer_count_ = deformers ? deformers->size() : 0;
+  path_ = full;
+  project_ = !built_in && extension_of(path) == ".glb" ? full : std::string();
+  surface_.update(workspace_.shown_model(), workspace_.shown_pose());
+  frame_from(*render::find_viewpoint("front"));
+  workspace_.set_tablet(0, {});
+  for (const auto& [device, name] : tablets_) workspace_.set_tablet(device, settings_.tablet);
+}
+
+base::Status App::open(const std::string& path) {
+  if (is_trace(path)) {
+    auto document = document_of_session(path);
+    if (!document) return document.error();
+    // A session goes on from a project of its own, so that what is recorded from here on can be replayed too.
+    std::error_code code;
+    const std::string folder =
+        options_.folders.state.empty() ? fs::temp_directory_path(code).string() : options_.folders.state;
+    fs::create_directories(folder, code);
+    const std::string copy = free_path(folder, fs::path(path).stem().string(), ".glb");
+    if (const auto saved = cli::save_document(*document, copy); !saved) return saved.error();
+    auto again = cli::load_document(copy);
+    if (!again) return again.error();
+    begin_session(std::move(*again), copy);
+    project_.clear();
+    return base::Done{};
+  }
+  auto document = cli::load_document(path);
+  if (!document) return document.error();
+  begin_session(std::move(*document), path);
+  if (!path.starts_with("builtin:")) {
+    remember_file(settings_, path_);
+    settings_changed();
+    panels_.folder = fs::path(path_).parent_path().string();
+  }
+  return base::Done{};
+}
+
+base::Result<document::Document> App::document_of_session(const std::string& path) {
+  const auto file = cli::open_trace(path);
+  if (!file) return file.error();
+  replay::PlayerOptions options;
+  options.open = [&](const std::string& model) {
+    std::error_code code;
+    if (model.empty()) return cli::load_document("builtin:demo");
+    const auto beside = fs::path(path).parent_path() / fs::path(model).filename();
+    const bool moved = !model.starts_with("builtin:") && !fs::exists(model, code) && fs::exists(beside, code);
+    return cli::load_document(moved ? beside.string() : model);
+  };
+  options.own_tablets = options_.own_tablets;
+  auto played = replay::play_session(cli::read_from_file(file->get()), options);
+  if (!played) return played.error();
+  if (!played->session) {
+    return base::Error{"holds nothing to replay: neither reports nor lines of a session", "", "open another file"};
+  }
+  if (played->divergence) tell("the session did not replay to what was recorded; look at it before going on", true);
+  return played->session->editor().document();
+}
+
+void App::try_open(const std::string& path) {
+  if (const auto opened = open(path); !opened) {
+    tell(opened.error().line(path), true);
+    return;
+  }
+  panels_.dialog = Dialog::none;
+}
+
+base::Status App::play_trace(const std::string& path) {
+  auto player = TracePlayer::load(path);
+  if (!player) return player.error();
+  if (player->is_session()) {
+    auto document = cli::load_document(player->model().empty() ? "builtin:demo" : player->model());
+    if (!document) return document.error();
+    begin_session(std::move(*document), player->model().empty() ? "builtin:demo" : player->model());
+  }
+  player_.emplace(std::move(*player));
+  last_frame_us_ = options_.clock();
+  panels_.dialog = Dialog::none;
+  return base::Done{};
+}
+
+base::Status App::save(const std::string& path) {
+  auto saved = cli::save_document(workspace_.document(), path);
+  if (!saved) return saved;
+  std::error_code code;
+  const std::string full = fs::absolute(path, code).string();
+  if (extension_of(path) == ".glb") {
+    project_ = full;
+    workspace_.mark_saved();
+  }
+  remember_file(settings_, full);
+  settings_changed();
+  tell("saved " + full);
+  return saved;
+}
+
+void App::recover(bool yes) {
+  panels_.dialog = settings_.steps_seen ? Dialog::none : Dialog::steps;
+  if (yes && !abandoned_.empty()) {
+    const std::string path = abandoned_.front();
+    if (const auto opened = open(path); !opened) {
+      tell(opened.error().line(path), true);
+      return;
+    }
+    tell("brought back the work of " + fs::path(path).stem().string());
+  }
+  for (const std::string& path : abandoned_) settle_session(path);
+  abandoned_.clear();
+}
+
+void App::tell(std::string text, bool is_error) {
+  const std::int64_t until = options_.clock() + k_notice_us;
+  std::erase_if(notices_, [&](const Notice& one) { return one.text == text; });
+  notices_.push_back({std::move(text), is_error, until});
+  if (notices_.size() > k_most_notices) notices_.erase(notices_.begin());
+}
+
+void App::settings_changed() {
+  if (const auto saved = save_settings(settings_, options_.folders.config); !saved) {
+    tell("the settings cannot be kept: " + saved.error().line(options_.folders.config), true);
+  }
+}
+
+double App::scale() const {
+  const double dpi = dpi_ >= k_least_dpi && dpi_ <= k_most_dpi ? dpi_ : 96;
+  return settings_.scale * dpi / 96;
+}
+
+double App::target_px() const {
+  const double dpi = dpi_ >= k_least_dpi && dpi_ <= k_most_dpi ? dpi_ : 96;
+  return std::ceil(k_target_mm / k_mm_per_inch * dpi * std::max(1.0, settings_.scale));
+}
+
+Area App::free_area() const { return free_; }
+
+void App::set_free_area(const Area& area) {
+  if (area == free_ || area.width() < 50 || area.height() < 50) return;
+  free_ = area;
+  if (framed_) frame_from(viewpoint_);
+}
+
+void App::begin_frame() {
+  const std::int64_t now = options_.clock();
+  const std::int64_t passed = last_frame_us_ == 0 ? 0 : now - last_frame_us_;
+  last_frame_us_ = now;
+  std::erase_if(notices_, [&](const Notice& one) { return one.until_us <= now; });
+  if (tablet_near_ && !tablet_is_near()) tablet_near_ = false;
+  commit_view();
+  if (player_) {
+    // A frame that took long must not swallow the trace: what is due is handed on report by report.
+    const auto moments = player_->advance(workspace_, passed);
+    take_moments(moments);
+    if (player_->is_session()) view_.camera = workspace_.editor().view().camera;
+  }
+  if (playing_) play_on();
+  workspace_.follow_pen();
+  surface_.update(workspace_.shown_model(), workspace_.shown_pose());
+  curves_ = shown_curves(workspace_, surface_,
+                         {static_cast<float>(scale()), highlighted_, panels_.onion_skin, panels_.time_s});
+}
+
+int App::next_frame_ms() const {
+  if (quit_) return 0;
+  if (playing_ || !panel_pointer_.empty()) return k_playing_frame_ms;
+  if (player_ && player_->playing()) {
+    return static_cast<int>(std::clamp<std::int64_t>(player_->next_in_us() / 1000, 1, 1000));
+  }
+  if (notices_.empty()) return -1;
+  std::int64_t first = notices_.front().until_us;
+  for (const Notice& one : notices_) first = std::min(first, one.until_us);
+  return static_cast<int>(std::max<std::int64_t>(1, (first - options_.clock()) / 1000 + 1));
+}
+
+void App::ask_to_quit() {
+  if (workspace_.unsaved() && panels_.dialog != Dialog::unsaved) {
+    panels_.after_unsaved.clear();
+    panels_.dialog = Dialog::unsaved;
+    return;
+  }
+  quit_ = true;
+}
+
+std::string App::hint() const {
+  const document::Document& document = workspace_.document();
+  const drawing::Tool& tool = workspace_.editor().tool();
+  switch (tool.kind) {
+    case drawing::ToolKind::pose:
+      for (const auto& curve : document.curves) {
+        if (curve->role == document::PoseCurveRole::reference && !curve->target) {
+          return "Now draw where this curve should go: the face follows the pen";
+        }
+      }
+      return "Draw along a feature of the face: a lip, a brow, an eyelid";
+    case drawing::ToolKind::oversketch:
+      return "Draw over the part of the last target that should change";
+    case drawing::ToolKind::constraint:
+      return "Draw along what should stay where it is";
+    case drawing::ToolKind::pin:
+      return "Touch a point that should stay where it is";
+    case drawing::ToolKind::erase:
+      return "Draw over curves to delete them";
+    case drawing::ToolKind::articulate:
+      if (!document.pending) return "1 of 4: draw around everything that a new control may move";
+      switch (drawing::next_step(document, tool)) {
+        case articulation::CurveRole::general:
+          return "1 of 4: draw around everything that may move";
+        case articulation::CurveRole::specific:
+          return "2 of 4: draw around the part that moves fully";
+        case articulation::CurveRole::reference:
+          return "3 of 4: draw along the feature as it is now";
+        case articulation::CurveRole::target:
+          return tool.draw_reference ? "4 of 4: draw where the feature should go"
+                                     : "4 of 4: draw where it should go (step 3, the feature, is found by itself)";
+      }
+      break;
+    case drawing::ToolKind::none:
+      return "Drag a target, or touch the face to pick its control";
+    default:
+      break;
+  }
+  return {};
+}
+
+}  // namespace penpose::app

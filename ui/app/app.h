@@ -1,0 +1,220 @@
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ui/app/action.h"
+#include "ui/app/hit_map.h"
+#include "ui/app/posed_surface.h"
+#include "ui/app/session_files.h"
+#include "ui/app/settings.h"
+#include "ui/app/shown_curves.h"
+#include "ui/app/touch_gestures.h"
+#include "ui/app/trace_player.h"
+#include "ui/app/workspace.h"
+#include "ui/render/framing.h"
+
+namespace penpose::app {
+
+struct AppOptions {
+  Folders folders;                         ///< empty members: nothing is kept
+  std::string session;                     ///< the first session is written there instead
+  Workspace::Clock clock;                  ///< microseconds, never goes back
+  std::function<std::string()> date = {};  ///< names sessions: "2026-05-31_14-02-11"; empty: "session"
+  std::string program = "penpose";
+  const decode::TabletTable* own_tablets = nullptr;
+};
+
+/// Something that is said for a while.
+struct Notice {
+  std::string text;
+  bool is_error = false;
+  std::int64_t until_us = 0;
+};
+
+/// Where the pointer is for the panels, in the order in which it went there.
+struct PanelPointer {
+  PxPoint at;
+  bool down = false;
+};
+
+enum class MouseButton : std::uint8_t { left, middle, right };
+enum class Dialog : std::uint8_t { none, open, save, recover, steps, tablet, sessions, unsaved };
+
+/// What panels show beside the document. Nothing of it is saved.
+struct PanelState {
+  bool shown = true;
+  bool controls_tab = false;  ///< of the side panel: sketched controls, else all parameters
+  Dialog dialog = Dialog::none;
+  std::string filter;       ///< of the parameters
+  std::string deformer;     ///< the one that is selected
+  std::string scrolled_to;  ///< the one that its list was last scrolled to
+  double time_s = 0;        ///< of the timeline's cursor
+  bool onion_skin = true;
+  bool wireframe = false;
+  bool show_weights = true;
+  std::optional<PxPoint> radial;  ///< middle of the radial menu while it is open
+  std::string folder;             ///< of the file dialogs
+  std::string file_name;
+  std::vector<PxPoint> test_line;  ///< drawn in the test area of the tablet's settings
+  std::vector<double> test_pressure;
+  std::string after_unsaved;  ///< what to open once the question about unsaved work is answered; empty: quit
+};
+
+/// The app without its window: events in, a document and things to show out. SDL, ImGui and OpenGL are elsewhere.
+class App {
+ public:
+  explicit App(AppOptions options);
+  ~App();
+  App(const App&) = delete;
+  App& operator=(const App&) = delete;
+
+  /// A model, a project, or a session, whose end is gone on from.
+  base::Status open(const std::string& path);
+  /// The same with the notice of a refusal.
+  void try_open(const std::string& path);
+  /// Plays a trace into the document in place of a tablet.
+  base::Status play_trace(const std::string& path);
+  base::Status save(const std::string& path);
+  /// Goes on from a session that a crash has ended, or lets it be.
+  void recover(bool yes);
+  void do_action(Action action);
+  void tell(std::string text, bool is_error = false);
+
+  // Events, in px of the window.
+  void resized(geometry::Viewport window, double dpi);
+  void mouse_moved(PxPoint at);
+  void mouse_button(MouseButton button, bool down, PxPoint at, bool shift = false, bool ctrl = false);
+  void wheel(double steps);
+  void finger(FingerKind kind, std::int64_t finger, PxPoint at);
+  /// A key that no text field wants.
+  void key(const KeyStroke& key);
+  void tablet_arrived(int device, const decode::DeviceIdentity& identity);
+  void tablet_left(int device, const std::string& name);
+  void tablet_report(int device, std::int64_t received_us, base::Bytes bytes);
+  void pointer_left();
+
+  /// Brings everything up to now, before a frame is made. Panels come after it.
+  void begin_frame();
+  /// Milliseconds until the next frame is due without any event; -1: only an event makes one.
+  [[nodiscard]] int next_frame_ms() const;
+  [[nodiscard]] bool wants_quit() const { return quit_; }
+  /// Asks about unsaved work first.
+  void ask_to_quit();
+  void quit() { quit_ = true; }
+
+  [[nodiscard]] Workspace& workspace() { return workspace_; }
+  [[nodiscard]] const Workspace& workspace() const { return workspace_; }
+  [[nodiscard]] PosedSurface& surface() { return surface_; }
+  [[nodiscard]] PanelState& panels() { return panels_; }
+  [[nodiscard]] Settings& settings() { return settings_; }
+  void settings_changed();
+  /// The tablet's own part of them, which every tablet takes over at once.
+  void tablet_setting_changed();
+  [[nodiscard]] HitMap& hits() { return hits_; }
+  [[nodiscard]] std::deque<PanelPointer>& panel_pointer() { return panel_pointer_; }
+  [[nodiscard]] double take_wheel() { return std::exchange(panel_wheel_, 0.0); }
+  [[nodiscard]] const std::vector<Notice>& notices() const { return notices_; }
+  [[nodiscard]] const std::vector<render::CurveDrawing>& curves() const { return curves_; }
+  [[nodiscard]] std::optional<TracePlayer>& player() { return player_; }
+  [[nodiscard]] const std::vector<std::string>& abandoned() const { return abandoned_; }
+  [[nodiscard]] const AppOptions& options() const { return options_; }
+  [[nodiscard]] const std::string& project() const { return project_; }
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] std::string session_path() const { return file_ ? file_->path() : std::string(); }
+  [[nodiscard]] bool playing() const { return playing_; }
+  [[nodiscard]] bool fullscreen() const { return fullscreen_; }
+  [[nodiscard]] geometry::Viewport window() const { return window_; }
+  /// Px of a target that a finger or a pen hits for certain: 9 mm.
+  [[nodiscard]] double target_px() const;
+  /// Px of the display for each px of an ordinary one.
+  [[nodiscard]] double scale() const;
+  /// The part of the window that no panel covers.
+  [[nodiscard]] Area free_area() const;
+  void set_free_area(const Area& area);
+  /// The camera as it is shown now.
+  [[nodiscard]] const document::View& view() const { return view_; }
+  /// The step of the drawing and what to do next, in one line.
+  [[nodiscard]] std::string hint() const;
+
+  // What panels do.
+  void scrub(double time_s);
+  void end_scrub();
+  void preview_parameter(std::size_t parameter, double value);
+  void set_parameter(std::size_t parameter, double value);
+
+ private:
+  void begin_session(document::Document document, const std::string& path);
+  void end_session();
+  base::Result<document::Document> document_of_session(const std::string& path);
+  void frame_from(const render::Viewpoint& from);
+  void commit_view();
+  void take_moments(std::span<const replay::PenMoment> moments);
+  void pen_pressed(PxPoint at);
+  void show_new_deformer();
+  void pen_moved(PxPoint at);
+  void pen_released(PxPoint at);
+  void hover(PxPoint at);
+  void hover_panels(PxPoint at, bool down);
+  void begin_drag(PxPoint at);
+  void drag_to(PxPoint at, bool pan, bool zoom);
+  void end_barrel(PxPoint at);
+  void select_at(PxPoint at);
+  void step_key(int direction);
+  void play_on();
+  [[nodiscard]] bool pen_is_drawing() const;
+  [[nodiscard]] bool tablet_is_near() const;
+
+  AppOptions options_;
+  Settings settings_;
+  std::unique_ptr<SessionFile> file_;
+  bool keep_file_ = false;  ///< a session that was asked for by name is kept, whatever is in it
+  Workspace workspace_;
+  PosedSurface surface_;
+  PanelState panels_;
+  HitMap hits_;
+  std::deque<PanelPointer> panel_pointer_;
+  double panel_wheel_ = 0;
+  std::vector<Notice> notices_;
+  std::vector<render::CurveDrawing> curves_;
+  std::optional<TracePlayer> player_;
+  std::vector<std::string> abandoned_;
+  TouchGestures touch_;
+  geometry::Viewport window_{1280, 800};
+  double dpi_ = 96;
+  Area free_{0, 0, 1280, 800};
+  document::View view_;
+  render::Viewpoint viewpoint_;
+  bool framed_ = false;  ///< the view still frames the model: it follows the window's size
+  std::string project_;  ///< where Save writes; empty: it asks
+  std::string path_;     ///< what was opened
+  std::map<int, std::string> tablets_;
+
+  PxPoint at_;                   ///< the pointer's last place
+  bool mouse_draws_ = false;     ///< the left button is held on the canvas
+  bool mouse_on_panel_ = false;  ///< or on a panel
+  std::optional<PxPoint> drag_;  ///< the view is being moved, last place
+  bool drag_pans_ = false;
+  bool drag_zooms_ = false;
+  bool drag_moved_ = false;
+  bool barrel_ = false;  ///< dragged by the pen's or the right button: a click opens the radial menu
+  std::optional<document::CurveId> highlighted_;
+  std::optional<std::pair<document::CurveId, PxPoint>> target_drag_;
+  std::int64_t tablet_seen_us_ = -1;
+  bool tablet_near_ = false;
+  std::int64_t last_frame_us_ = 0;
+  bool playing_ = false;
+  double play_from_s_ = 0;
+  std::int64_t play_from_us_ = 0;
+  std::size_t deformer_count_ = 0;  ///< to tell a new one
+  bool fullscreen_ = false;
+  bool quit_ = false;
+};
+
+}  // namespace penpose::app

@@ -1,0 +1,259 @@
+#include <algorithm>
+
+#include "core/document/timeline.h"
+#include "ui/app/app.h"
+#include "ui/app/navigation.h"
+
+// What actions do, and the timeline and sliders in hand.
+
+namespace penpose::app {
+namespace {
+
+constexpr double k_turn_degrees = 15;
+constexpr double k_zoom = 0.85;
+constexpr double k_same_moment_s = 1e-4;
+
+drawing::ToolKind tool_of(Action action) {
+  switch (action) {
+    case Action::tool_pose:
+      return drawing::ToolKind::pose;
+    case Action::tool_oversketch:
+      return drawing::ToolKind::oversketch;
+    case Action::tool_constraint:
+      return drawing::ToolKind::constraint;
+    case Action::tool_pin:
+      return drawing::ToolKind::pin;
+    case Action::tool_erase:
+      return drawing::ToolKind::erase;
+    case Action::tool_articulate:
+      return drawing::ToolKind::articulate;
+    default:
+      return drawing::ToolKind::none;
+  }
+}
+
+}  // namespace
+
+void App::do_action(Action action) {
+  const auto turn = [&](double yaw, double pitch) {
+    framed_ = false;
+    if (!pen_is_drawing()) view_.camera = orbited(view_.camera, yaw, pitch);
+  };
+  const auto zoom = [&](double factor) {
+    framed_ = false;
+    if (!pen_is_drawing()) view_.camera = zoomed(view_, factor, free_.middle(), surface_.size());
+  };
+  const auto resize = [&](double by) {
+    settings_.scale = std::clamp(settings_.scale + by, 0.5, 3.0);
+    settings_changed();
+  };
+  switch (action) {
+    case Action::tool_select:
+    case Action::tool_pose:
+    case Action::tool_oversketch:
+    case Action::tool_constraint:
+    case Action::tool_pin:
+    case Action::tool_erase:
+    case Action::tool_articulate: {
+      drawing::Tool tool;
+      tool.kind = tool_of(action);
+      playing_ = false;
+      workspace_.preview(std::nullopt);
+      workspace_.set_tool(tool);
+      if (action == Action::tool_articulate && !workspace_.document().pending) {
+        workspace_.perform(document::BeginDeformer{});
+      }
+      if (action == Action::tool_articulate) panels_.controls_tab = true;
+      break;
+    }
+    case Action::undo:
+      workspace_.undo();
+      break;
+    case Action::redo:
+      workspace_.redo();
+      break;
+    case Action::clear_curves:
+      if (!workspace_.document().curves.empty()) workspace_.perform(document::ClearCurves{});
+      break;
+    case Action::delete_curve:
+      if (highlighted_) workspace_.perform(document::DeleteCurve{*highlighted_});
+      highlighted_.reset();
+      break;
+    case Action::keep_curve:
+      if (highlighted_) workspace_.perform(document::KeepCurve{*highlighted_});
+      break;
+    case Action::reset_pose:
+      workspace_.perform(document::ResetParameters{});
+      break;
+    case Action::cancel:
+      if (panels_.radial) {
+        panels_.radial.reset();
+      } else if (panels_.dialog != Dialog::none) {
+        if (panels_.dialog == Dialog::steps) {
+          settings_.steps_seen = true;
+          settings_changed();
+        }
+        if (panels_.dialog != Dialog::recover) panels_.dialog = Dialog::none;
+      } else if (playing_) {
+        do_action(Action::play);
+      } else if (workspace_.document().pending) {
+        workspace_.perform(document::CancelDeformer{});
+      }
+      break;
+    case Action::view_front:
+      frame_from(*render::find_viewpoint("front"));
+      break;
+    case Action::view_side:
+      frame_from(*render::find_viewpoint("side"));
+      break;
+    case Action::view_three_quarter:
+      frame_from(*render::find_viewpoint("three-quarter"));
+      break;
+    case Action::frame_all:
+      frame_from(viewpoint_of(view_.camera));
+      break;
+    case Action::orbit_left:
+      turn(-k_turn_degrees, 0);
+      break;
+    case Action::orbit_right:
+      turn(k_turn_degrees, 0);
+      break;
+    case Action::orbit_up:
+      turn(0, k_turn_degrees);
+      break;
+    case Action::orbit_down:
+      turn(0, -k_turn_degrees);
+      break;
+    case Action::zoom_in:
+      zoom(k_zoom);
+      break;
+    case Action::zoom_out:
+      zoom(1 / k_zoom);
+      break;
+    case Action::wireframe:
+      panels_.wireframe = !panels_.wireframe;
+      break;
+    case Action::key_pose:
+      workspace_.perform(document::SetKey{panels_.time_s, {}});
+      break;
+    case Action::delete_key:
+      workspace_.perform(document::DeleteKey{panels_.time_s});
+      break;
+    case Action::previous_key:
+      step_key(-1);
+      break;
+    case Action::next_key:
+      step_key(1);
+      break;
+    case Action::play:
+      if (workspace_.document().timeline->keys.empty()) {
+        tell("there is nothing to play yet: key a pose first");
+      } else if (playing_) {
+        playing_ = false;
+        end_scrub();
+      } else {
+        playing_ = true;
+        if (panels_.time_s >= workspace_.document().timeline->keys.back().time_s) panels_.time_s = 0;
+        play_from_s_ = panels_.time_s;
+        play_from_us_ = options_.clock();
+      }
+      break;
+    case Action::onion_skin:
+      panels_.onion_skin = !panels_.onion_skin;
+      break;
+    case Action::open:
+      panels_.dialog = Dialog::open;
+      break;
+    case Action::save:
+      if (project_.empty()) {
+        panels_.dialog = Dialog::save;
+      } else if (const auto saved = save(project_); !saved) {
+        tell(saved.error().line(project_), true);
+      }
+      break;
+    case Action::save_as:
+      panels_.dialog = Dialog::save;
+      break;
+    case Action::panels:
+      panels_.shown = !panels_.shown;
+      break;
+    case Action::fullscreen:
+      fullscreen_ = !fullscreen_;
+      break;
+    case Action::theme:
+      settings_.light = !settings_.light;
+      settings_changed();
+      break;
+    case Action::larger:
+      resize(0.25);
+      break;
+    case Action::smaller:
+      resize(-0.25);
+      break;
+    case Action::help:
+      panels_.dialog = Dialog::steps;
+      break;
+    case Action::quit:
+      ask_to_quit();
+      break;
+  }
+}
+
+void App::step_key(int direction) {
+  const auto& keys = workspace_.document().timeline->keys;
+  const document::PoseKey* to = nullptr;
+  for (const auto& key : keys) {
+    if (direction < 0 && key.time_s < panels_.time_s - k_same_moment_s) to = &key;
+    if (direction > 0 && key.time_s > panels_.time_s + k_same_moment_s && to == nullptr) to = &key;
+  }
+  if (to == nullptr) return;
+  panels_.time_s = to->time_s;
+  end_scrub();
+}
+
+void App::scrub(double time_s) {
+  panels_.time_s = std::clamp(time_s, 0.0, document::k_latest_key_s);
+  const auto& timeline = *workspace_.document().timeline;
+  if (!timeline.keys.empty()) workspace_.preview(document::sample(timeline, panels_.time_s));
+}
+
+void App::end_scrub() {
+  workspace_.preview(std::nullopt);
+  if (!workspace_.document().timeline->keys.empty()) workspace_.perform(document::GoToTime{panels_.time_s});
+}
+
+void App::play_on() {
+  const auto& keys = workspace_.document().timeline->keys;
+  if (keys.empty()) {
+    playing_ = false;
+    workspace_.preview(std::nullopt);
+    return;
+  }
+  const double end = keys.back().time_s;
+  panels_.time_s = play_from_s_ + static_cast<double>(last_frame_us_ - play_from_us_) * 1e-6;
+  if (end <= 0) {
+    panels_.time_s = 0;
+  } else if (panels_.time_s > end) {
+    // Round and round, as an animator watches it.
+    play_from_us_ = last_frame_us_;
+    play_from_s_ = panels_.time_s = 0;
+  }
+  workspace_.preview(document::sample(*workspace_.document().timeline, panels_.time_s));
+}
+
+void App::preview_parameter(std::size_t parameter, double value) {
+  rig::Pose pose = workspace_.document().pose;
+  if (parameter >= pose.size()) return;
+  pose[parameter] = value;
+  workspace_.preview(std::move(pose));
+}
+
+void App::set_parameter(std::size_t parameter, double value) {
+  workspace_.preview(std::nullopt);
+  const auto parameters = workspace_.document().model->rig->parameters();
+  if (parameter >= parameters.size()) return;
+  const auto& one = parameters[parameter];
+  workspace_.perform(document::SetParameters{{{one.name, std::clamp(value, one.minimum, one.maximum)}}});
+}
+
+}  // namespace penpose::app

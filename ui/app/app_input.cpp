@@ -1,0 +1,369 @@
+#include <algorithm>
+#include <cmath>
+
+#include "ui/app/app.h"
+#include "ui/app/navigation.h"
+
+// What events do to the app: pens, mouse, fingers and keys.
+
+namespace penpose::app {
+namespace {
+
+using decode::PenEventKind;
+
+constexpr double k_degrees_per_px = 0.35;
+constexpr double k_zoom_per_px = 0.005;
+constexpr double k_zoom_per_notch = 0.9;
+constexpr double k_click_px = 5;
+/// A mouse and a finger press neither hard nor softly.
+constexpr double k_mouse_pressure = 0.5;
+/// After the last report of a pen that is near, the desktop's own pointer is ignored so long.
+constexpr std::int64_t k_tablet_quiet_us = 250'000;
+
+}  // namespace
+
+bool App::pen_is_drawing() const { return workspace_.session().pens().current() != nullptr; }
+
+bool App::tablet_is_near() const {
+  return tablet_near_ && tablet_seen_us_ >= 0 && options_.clock() - tablet_seen_us_ < k_tablet_quiet_us;
+}
+
+void App::resized(geometry::Viewport window, double dpi) {
+  window = {std::clamp(window.width, 1, 16384), std::clamp(window.height, 1, 16384)};
+  dpi_ = dpi;
+  touch_ = TouchGestures(4 * scale());
+  if (window == window_ && view_.viewport == window) return;
+  window_ = window;
+  view_.viewport = window;
+  free_.right = std::max(free_.left + 1, std::min(free_.right, static_cast<double>(window.width)));
+  free_.bottom = std::max(free_.top + 1, std::min(free_.bottom, static_cast<double>(window.height)));
+  if (framed_) frame_from(viewpoint_);
+}
+
+void App::frame_from(const render::Viewpoint& from) {
+  viewpoint_ = from;
+  framed_ = true;
+  view_ = framed(surface_.positions(), window_, free_, from);
+}
+
+void App::commit_view() {
+  if (pen_is_drawing() || (player_ && player_->is_session() && !player_->finished())) return;
+  workspace_.set_view(view_);
+}
+
+void App::hover_panels(PxPoint at, bool down) {
+  // Moves in between tell nothing; presses and releases must not be lost between two frames.
+  if (panel_pointer_.size() > 1 && panel_pointer_.back().down == down &&
+      panel_pointer_[panel_pointer_.size() - 2].down == down) {
+    panel_pointer_.back().at = at;
+    return;
+  }
+  panel_pointer_.push_back({at, down});
+}
+
+void App::hover(PxPoint at) {
+  at_ = at;
+  hover_panels(at, false);
+  highlighted_.reset();
+  if (hits_.on_canvas(at) && !pen_is_drawing() && !workspace_.document().curves.empty()) {
+    highlighted_ = curve_near(workspace_, surface_, at, 8 * scale());
+  }
+}
+
+void App::pointer_left() { hover_panels({-1e4, -1e4}, false); }
+
+void App::pen_pressed(PxPoint at) {
+  const bool sketches = workspace_.editor().tool().kind == drawing::ToolKind::articulate;
+  if (sketches && !workspace_.document().pending) workspace_.perform(document::BeginDeformer{});
+  if (workspace_.editor().tool().kind == drawing::ToolKind::none) select_at(at);
+}
+
+void App::select_at(PxPoint at) {
+  target_drag_.reset();
+  highlighted_ = curve_near(workspace_, surface_, at, 10 * scale());
+  if (highlighted_) {
+    const auto* curve = document::find_curve(workspace_.document(), *highlighted_);
+    if (curve != nullptr && curve->target) target_drag_.emplace(*highlighted_, at);
+    return;
+  }
+  const auto camera = geometry::Camera::make(view_.camera, view_.viewport);
+  if (!camera) return;
+  const auto hit = surface_.pick(*camera, at);
+  const auto& deformers = workspace_.document().model->deformers;
+  panels_.deformer.clear();
+  if (!hit || !deformers) return;
+  const std::uint32_t vertex = workspace_.document().model->mesh->triangles()[hit->triangle][0];
+  double best = 0;
+  for (const auto& deformer : deformers->deformers()) {
+    const auto vertices = deformer->vertices();
+    const auto found = std::lower_bound(vertices.begin(), vertices.end(), vertex);
+    if (found == vertices.end() || *found != vertex) continue;
+    const double weight = deformer->weights()[static_cast<std::size_t>(found - vertices.begin())];
+    if (weight <= best) continue;
+    best = weight;
+    panels_.deformer = deformer->sketch().name;
+  }
+}
+
+void App::show_new_deformer() {
+  const auto& deformers = workspace_.document().model->deformers;
+  const std::size_t count = deformers ? deformers->size() : 0;
+  if (count == deformer_count_ + 1 && !workspace_.document().pending) {
+    panels_.deformer = deformers->deformers().back()->sketch().name;
+    panels_.controls_tab = true;
+    tell(panels_.deformer + " is ready: its slider is in the panel");
+    if (deformers->deformers().back()->turned_round()) {
+      tell("the goal was drawn against the feature and was turned round; redraw it the other way if it twists");
+    }
+  }
+  deformer_count_ = count;
+}
+
+void App::pen_moved(PxPoint at) { at_ = at; }
+
+void App::pen_released(PxPoint at) {
+  show_new_deformer();
+  if (target_drag_) {
+    const PxPoint by = at - target_drag_->second;
+    const auto id = target_drag_->first;
+    target_drag_.reset();
+    if (std::hypot(by.x, by.y) > k_click_px * scale()) workspace_.perform(document::DragTarget{id, by});
+  }
+}
+
+void App::begin_drag(PxPoint at) {
+  if (pen_is_drawing()) return;
+  drag_ = at;
+  drag_moved_ = false;
+}
+
+void App::drag_to(PxPoint at, bool pan, bool zoom) {
+  if (!drag_) return;
+  const PxPoint by = at - *drag_;
+  if (!drag_moved_ && std::hypot(by.x, by.y) < k_click_px * scale()) return;
+  drag_moved_ = true;
+  drag_ = at;
+  framed_ = false;
+  if (zoom) {
+    view_.camera = zoomed(view_, std::exp(by.y * k_zoom_per_px / scale()),
+                          {0.5 * view_.viewport.width, 0.5 * view_.viewport.height}, surface_.size());
+  } else if (pan) {
+    view_.camera = panned(view_, by);
+  } else {
+    view_.camera = orbited(view_.camera, -by.x * k_degrees_per_px / scale(), by.y * k_degrees_per_px / scale());
+  }
+}
+
+void App::end_barrel(PxPoint at) {
+  const bool clicked = drag_ && !drag_moved_;
+  drag_.reset();
+  barrel_ = false;
+  if (clicked && panels_.dialog == Dialog::none) panels_.radial = at;
+}
+
+void App::take_moments(std::span<const replay::PenMoment> moments) {
+  for (const replay::PenMoment& moment : moments) {
+    at_ = moment.position;
+    switch (moment.kind) {
+      case PenEventKind::hover:
+        if (barrel_) {
+          drag_to(at_, false, false);
+        } else {
+          hover(at_);
+        }
+        if (!pen_is_drawing()) workspace_.place_pen(hits_.on_canvas(at_));
+        break;
+      case PenEventKind::button_down:
+        if (moment.button == 1 && !barrel_ && hits_.on_canvas(at_) && !pen_is_drawing()) {
+          barrel_ = true;
+          begin_drag(at_);
+        }
+        break;
+      case PenEventKind::button_up:
+        if (moment.button == 1 && barrel_) end_barrel(at_);
+        break;
+      case PenEventKind::stroke_begin:
+        if (barrel_) break;
+        if (workspace_.session().pens().on_canvas()) {
+          pen_pressed(at_);
+        } else {
+          mouse_on_panel_ = true;
+          hover_panels(at_, true);
+        }
+        break;
+      case PenEventKind::stroke_point:
+        if (barrel_) {
+          drag_to(at_, true, false);
+        } else if (mouse_on_panel_) {
+          hover_panels(at_, true);
+        } else {
+          pen_moved(at_);
+        }
+        break;
+      case PenEventKind::stroke_end:
+        if (mouse_on_panel_) {
+          hover_panels(at_, false);
+        } else {
+          pen_released(at_);
+        }
+        mouse_on_panel_ = false;
+        break;
+      case PenEventKind::away:
+        barrel_ = false;
+        drag_.reset();
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+void App::mouse_moved(PxPoint at) {
+  if (tablet_is_near()) return;
+  at_ = at;
+  if (drag_) {
+    drag_to(at, drag_pans_, drag_zooms_);
+  } else if (mouse_draws_) {
+    take_moments(workspace_.pen({at, k_mouse_pressure, true, true, false, false}));
+  } else if (mouse_on_panel_) {
+    hover_panels(at, true);
+  } else {
+    hover(at);
+  }
+}
+
+void App::mouse_button(MouseButton button, bool down, PxPoint at, bool shift, bool ctrl) {
+  // Releases are taken even then, so that nothing stays held.
+  if (down && tablet_is_near()) return;
+  at_ = at;
+  if (button != MouseButton::left) {
+    if (down && !mouse_draws_ && !mouse_on_panel_ && hits_.on_canvas(at)) {
+      drag_pans_ = shift;
+      drag_zooms_ = ctrl;
+      barrel_ = button == MouseButton::right;
+      begin_drag(at);
+    } else if (!down && drag_) {
+      if (barrel_) {
+        end_barrel(at);
+      } else {
+        drag_.reset();
+      }
+      drag_pans_ = drag_zooms_ = false;
+    }
+    return;
+  }
+  if (down) {
+    if (mouse_draws_ || mouse_on_panel_ || drag_) return;
+    if (!hits_.on_canvas(at) || (player_ && player_->playing())) {
+      mouse_on_panel_ = true;
+      hover_panels(at, true);
+      return;
+    }
+    // Sent away from any widget, so that an open text field ends.
+    hover_panels(at, true);
+    hover_panels(at, false);
+    commit_view();
+    workspace_.place_pen(true);
+    mouse_draws_ = true;
+    take_moments(workspace_.pen({at, k_mouse_pressure, true, true, false, false}));
+  } else if (mouse_draws_) {
+    mouse_draws_ = false;
+    take_moments(workspace_.pen({at, 0, true, false, false, false}));
+  } else if (mouse_on_panel_) {
+    mouse_on_panel_ = false;
+    hover_panels(at, false);
+  }
+}
+
+void App::wheel(double steps) {
+  if (!hits_.on_canvas(at_)) {
+    panel_wheel_ += steps;
+    return;
+  }
+  if (pen_is_drawing()) return;
+  framed_ = false;
+  view_.camera = zoomed(view_, std::pow(k_zoom_per_notch, std::clamp(steps, -20.0, 20.0)), at_, surface_.size());
+}
+
+void App::finger(FingerKind kind, std::int64_t finger, PxPoint at) {
+  if (tablet_is_near()) return;
+  using Kind = TouchAct::Kind;
+  for (const TouchAct& act : touch_.add(kind, finger, at)) {
+    switch (act.kind) {
+      case Kind::pen_down:
+        mouse_button(MouseButton::left, true, act.at);
+        break;
+      case Kind::pen_move:
+        mouse_moved(act.at);
+        break;
+      case Kind::pen_up:
+        mouse_button(MouseButton::left, false, act.at);
+        break;
+      case Kind::orbit:
+      case Kind::pan:
+      case Kind::zoom:
+        if (pen_is_drawing() || panels_.dialog != Dialog::none) break;
+        framed_ = false;
+        if (act.kind == Kind::orbit) {
+          view_.camera =
+              orbited(view_.camera, -act.by.x * k_degrees_per_px / scale(), act.by.y * k_degrees_per_px / scale());
+        } else if (act.kind == Kind::pan) {
+          view_.camera = panned(view_, act.by);
+        } else {
+          view_.camera = zoomed(view_, std::clamp(act.factor, 0.2, 5.0), act.at, surface_.size());
+        }
+        break;
+    }
+  }
+}
+
+void App::key(const KeyStroke& key) {
+  const ActionInfo* action = action_of(key);
+  if (action != nullptr) do_action(action->action);
+}
+
+void App::tablet_arrived(int device, const decode::DeviceIdentity& identity) {
+  workspace_.connect(device, identity);
+  workspace_.set_tablet(device, settings_.tablet);
+  const bool again = tablets_.contains(device);
+  tablets_[device] = identity.name;
+  tell(identity.name + (again ? " is back" : " is ready"));
+}
+
+void App::tablet_setting_changed() {
+  settings_changed();
+  for (const auto& [device, name] : tablets_) workspace_.set_tablet(device, settings_.tablet);
+}
+
+void App::tablet_left(int device, const std::string& name) {
+  workspace_.disconnect(device);
+  workspace_.follow_pen();
+  tablet_near_ = false;
+  barrel_ = false;
+  drag_.reset();
+  if (mouse_on_panel_) hover_panels(at_, false);
+  mouse_on_panel_ = false;
+  tell(name + " was unplugged", true);
+}
+
+void App::tablet_report(int device, std::int64_t received_us, base::Bytes bytes) {
+  commit_view();
+  const auto moments = workspace_.report_at(device, received_us, bytes);
+  if (moments.empty()) return;
+  tablet_seen_us_ = options_.clock();
+  tablet_near_ = moments.back().kind != PenEventKind::away;
+  if (panels_.dialog == Dialog::tablet) {
+    for (const auto& moment : moments) {
+      if (moment.kind == PenEventKind::stroke_begin) {
+        panels_.test_line.clear();
+        panels_.test_pressure.clear();
+      }
+      if (moment.kind != PenEventKind::stroke_begin && moment.kind != PenEventKind::stroke_point) continue;
+      panels_.test_line.push_back(moment.position);
+      panels_.test_pressure.push_back(moment.pressure);
+    }
+  }
+  take_moments(moments);
+}
+
+}  // namespace penpose::app

@@ -1,0 +1,165 @@
+#include "ui/app/interface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "ui/app/panels.h"
+#include "ui/app/widgets.h"
+
+namespace penpose::app {
+namespace {
+
+constexpr float k_font_px = 15;
+constexpr int k_settle_frames = 3;
+constexpr const char* k_font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+
+// Keys that edit text, as ImGui asks for them and as SDL numbers them (USB usage codes).
+struct EditKey {
+  ImGuiKey_ key;
+  int scancode;
+};
+constexpr std::array k_edit_keys{
+    EditKey{ImGuiKey_Tab, 43},     EditKey{ImGuiKey_LeftArrow, 80}, EditKey{ImGuiKey_RightArrow, 79},
+    EditKey{ImGuiKey_UpArrow, 82}, EditKey{ImGuiKey_DownArrow, 81}, EditKey{ImGuiKey_Home, 74},
+    EditKey{ImGuiKey_End, 77},     EditKey{ImGuiKey_Delete, 76},    EditKey{ImGuiKey_Backspace, 42},
+    EditKey{ImGuiKey_Enter, 40},   EditKey{ImGuiKey_Escape, 41},    EditKey{ImGuiKey_A, 4},
+    EditKey{ImGuiKey_C, 6},        EditKey{ImGuiKey_V, 25},         EditKey{ImGuiKey_X, 27},
+    EditKey{ImGuiKey_Y, 28},       EditKey{ImGuiKey_Z, 29},         EditKey{ImGuiKey_KeyPadEnter, 88},
+};
+
+}  // namespace
+
+Interface::Interface(App& app) : app_(app) {
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
+  for (const EditKey& key : k_edit_keys) io.KeyMap[key.key] = key.scancode;
+  apply_look();
+  disturb();
+}
+
+Interface::~Interface() { ImGui::DestroyContext(); }
+
+void Interface::disturb() { unsettled_ = k_settle_frames; }
+
+void Interface::apply_look() {
+  const double scale = app_.scale();
+  const bool light = app_.settings().light;
+  if (scale == look_scale_ && light == look_light_) return;
+  ImGuiIO& io = ImGui::GetIO();
+  if (scale != look_scale_) {
+    io.Fonts->Clear();
+    std::error_code code;
+    const auto px = static_cast<float>(std::round(k_font_px * scale));
+    if (!std::filesystem::exists(k_font, code) || io.Fonts->AddFontFromFileTTF(k_font, px) == nullptr) {
+      ImFontConfig config;
+      config.SizePixels = px;
+      io.Fonts->AddFontDefault(&config);
+    }
+    unsigned char* pixels = nullptr;
+    int width = 0;
+    int height = 0;
+    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    ++font_revision_;
+  }
+  look_scale_ = scale;
+  look_light_ = light;
+  ImGuiStyle style;
+  if (light) {
+    ImGui::StyleColorsLight(&style);
+  } else {
+    ImGui::StyleColorsDark(&style);
+    style.Colors[ImGuiCol_WindowBg] = {0.13F, 0.14F, 0.16F, 0.97F};
+    style.Colors[ImGuiCol_Button] = {0.24F, 0.27F, 0.32F, 1};
+    style.Colors[ImGuiCol_ButtonHovered] = {0.30F, 0.36F, 0.44F, 1};
+    style.Colors[ImGuiCol_ButtonActive] = {0.16F, 0.46F, 0.72F, 1};
+    style.Colors[ImGuiCol_FrameBg] = {0.19F, 0.21F, 0.24F, 1};
+  }
+  style.Colors[ImGuiCol_PopupBg].w = 1;
+  style.WindowRounding = 0;
+  style.FrameRounding = 4;
+  style.WindowBorderSize = 0;
+  style.ScrollbarSize = 18;
+  style.ItemSpacing = {6, 6};
+  style.WindowPadding = {6, 6};
+  style.FramePadding = {8, 6};
+  style.ScaleAllSizes(static_cast<float>(scale));
+  ImGui::GetStyle() = style;
+}
+
+void Interface::frame(double passed_s) {
+  ImGuiIO& io = ImGui::GetIO();
+  apply_look();
+  const auto window = app_.window();
+  io.DisplaySize = {static_cast<float>(window.width), static_cast<float>(window.height)};
+  io.DeltaTime = static_cast<float>(std::clamp(passed_s, 1e-4, 0.5));
+  // One press or release a frame, so that none is lost.
+  auto& pointer = app_.panel_pointer();
+  while (!pointer.empty()) {
+    const PanelPointer next = pointer.front();
+    pointer.pop_front();
+    io.MousePos = {static_cast<float>(next.at.x), static_cast<float>(next.at.y)};
+    const bool turned = io.MouseDown[0] != next.down;
+    io.MouseDown[0] = next.down;
+    unsettled_ = k_settle_frames;
+    if (turned) break;
+  }
+  io.MouseWheel = static_cast<float>(app_.take_wheel());
+  ImGui::NewFrame();
+  targets_.clear();
+  app_.hits() = {};
+  const auto unit = static_cast<float>(app_.target_px());
+  PanelContext context{app_, targets_, unit, static_cast<float>(6 * app_.scale())};
+  const double width = window.width;
+  const double height = window.height;
+  const double top = unit + 2 * context.gap;
+  const double left = 2.6 * unit + 2 * context.gap;
+  const double right = std::min(9.5 * unit, 0.4 * width);
+  const double bottom = 2 * unit + 3 * context.gap;
+  const double player = app_.player() ? unit + 2 * context.gap : 0;
+  Area free{0, 0, width, height};
+  if (app_.panels().shown) {
+    free = {left, top, width - right, height - bottom - player};
+    show_top_bar(context, {0, 0, width, top});
+    show_toolbar(context, {0, top, left, height - bottom});
+    show_side_panel(context, {width - right, top, width, height - bottom});
+    show_timeline(context, {0, height - bottom, width, height});
+  } else {
+    // The way back, for whoever has no keyboard at hand.
+    const double side = 3 * unit;
+    if (begin_panel(context, "back", {0, 0, side, top})) action_button(context, Action::panels, -1);
+    end_panel();
+  }
+  if (app_.player()) show_player(context, {free.left, free.bottom, free.right, free.bottom + player});
+  app_.set_free_area(free);
+  show_notices(context);
+  show_radial_menu(context);
+  show_dialog(context);
+  ImGui::Render();
+  if (unsettled_ > 0) --unsettled_;
+  if (!pointer.empty()) unsettled_ = k_settle_frames;
+}
+
+void Interface::text(const char* utf8) { ImGui::GetIO().AddInputCharactersUTF8(utf8); }
+
+void Interface::edit_key(int scancode, bool down, bool ctrl, bool shift) {
+  ImGuiIO& io = ImGui::GetIO();
+  if (scancode >= 0 && scancode < static_cast<int>(std::size(io.KeysDown))) io.KeysDown[scancode] = down;
+  io.KeyCtrl = ctrl;
+  io.KeyShift = shift;
+}
+
+bool Interface::wants_keys() const { return ImGui::GetIO().WantTextInput; }
+
+const Area* Interface::find(std::string_view label) const {
+  const auto found = targets_.find(label);
+  return found == targets_.end() ? nullptr : &found->second;
+}
+
+const std::map<std::string, Area, std::less<>>& Interface::targets() const { return targets_; }
+
+}  // namespace penpose::app

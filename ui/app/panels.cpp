@@ -1,0 +1,172 @@
+#include "ui/app/panels.h"
+
+#include <algorithm>
+
+#include "ui/app/widgets.h"
+
+// The toolbar, the top bar, notices and the radial menu.
+
+namespace penpose::app {
+namespace {
+
+struct ToolButton {
+  Action action;
+  drawing::ToolKind kind;
+};
+
+constexpr ToolButton k_tools[] = {
+    {Action::tool_pose, drawing::ToolKind::pose},
+    {Action::tool_oversketch, drawing::ToolKind::oversketch},
+    {Action::tool_constraint, drawing::ToolKind::constraint},
+    {Action::tool_pin, drawing::ToolKind::pin},
+    {Action::tool_erase, drawing::ToolKind::erase},
+    {Action::tool_select, drawing::ToolKind::none},
+    {Action::tool_articulate, drawing::ToolKind::articulate},
+};
+
+/// A place on the radial menu, counted clockwise from the top.
+constexpr Action k_radial[] = {Action::undo,       Action::redo,      Action::tool_pose,  Action::tool_constraint,
+                               Action::tool_erase, Action::frame_all, Action::view_front, Action::key_pose};
+
+}  // namespace
+
+void show_toolbar(PanelContext& context, const Area& area) {
+  if (begin_panel(context, "tools", area)) {
+    const drawing::ToolKind kind = context.app.workspace().editor().tool().kind;
+    for (const ToolButton& tool : k_tools) {
+      if (tool.kind == drawing::ToolKind::articulate) ImGui::Dummy({1, context.gap});
+      action_button(context, tool.action, -1, kind == tool.kind);
+    }
+    ImGui::Dummy({1, context.gap});
+    action_button(context, Action::clear_curves, -1);
+    action_button(context, Action::reset_pose, -1);
+  }
+  end_panel();
+}
+
+void show_top_bar(PanelContext& context, const Area& area) {
+  App& app = context.app;
+  if (begin_panel(context, "top", area)) {
+    if (wide_button(context, "Menu", 0, false, "Files, settings and sessions")) ImGui::OpenPopup("menu");
+    ImGui::SetNextWindowPos({context.gap, static_cast<float>(area.bottom)});
+    // A menu may reach over the canvas: while it is open nothing else is hit.
+    if (ImGui::BeginPopup("menu")) {
+      app.hits().all = true;
+      const auto entry = [&](const char* label, const std::string& tip) {
+        const bool pressed = wide_button(context, label, 9 * context.unit, false, tip.c_str());
+        if (pressed) ImGui::CloseCurrentPopup();
+        return pressed;
+      };
+      for (const Action action : {Action::open, Action::save, Action::save_as}) {
+        if (entry(std::string(info(action).label).c_str(), tooltip_of(action))) app.do_action(action);
+      }
+      if (entry("Sessions", "What was drawn before, to play or to go on with")) app.panels().dialog = Dialog::sessions;
+      if (entry("Tablet", "The area and the pressure of the tablet")) app.panels().dialog = Dialog::tablet;
+      for (const Action action : {Action::fullscreen, Action::larger, Action::smaller, Action::help, Action::quit}) {
+        if (entry(std::string(info(action).label).c_str(), tooltip_of(action))) app.do_action(action);
+      }
+      const char* theme = app.settings().light ? "Dark colours" : "Light colours";
+      if (entry(theme, "")) app.do_action(Action::theme);
+      ImGui::EndPopup();
+    }
+    ImGui::SameLine();
+    const document::History& history = app.workspace().editor().history();
+    ImGui::BeginDisabled(history.undo_count() == 0);
+    action_button(context, Action::undo);
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    ImGui::BeginDisabled(history.redo_count() == 0);
+    action_button(context, Action::redo);
+    ImGui::EndDisabled();
+    for (const Action action : {Action::view_front, Action::view_three_quarter, Action::view_side, Action::frame_all}) {
+      ImGui::SameLine();
+      action_button(context, action);
+    }
+    ImGui::SameLine();
+    action_button(context, Action::wireframe, 0, app.panels().wireframe);
+    ImGui::SameLine();
+    action_button(context, Action::panels);
+    ImGui::SameLine();
+    text_beside(context, app.hint().c_str());
+  }
+  end_panel();
+}
+
+void show_notices(PanelContext& context) {
+  const auto& notices = context.app.notices();
+  const auto& movements = context.app.workspace().movements();
+  const Area free = context.app.free_area();
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const bool light = context.app.settings().light;
+  const ImU32 back = light ? IM_COL32(250, 250, 250, 225) : IM_COL32(24, 26, 30, 225);
+  const ImU32 ink = light ? IM_COL32(20, 20, 20, 255) : IM_COL32(235, 235, 235, 255);
+  const ImU32 wrong = light ? IM_COL32(170, 30, 20, 255) : IM_COL32(255, 150, 120, 255);
+  float y = static_cast<float>(free.bottom) - context.gap;
+  const float x = static_cast<float>(free.left) + context.gap;
+  const float width = std::min(static_cast<float>(free.width()) - 2 * context.gap, 26 * context.unit);
+  const auto line = [&](const std::string& text, ImU32 color) {
+    const float pad = context.gap;
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width - 2 * pad);
+    y -= size.y + 2 * pad;
+    list.AddRectFilled({x, y}, {x + size.x + 2 * pad, y + size.y + 2 * pad}, back, 4);
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x + pad, y + pad}, color, text.c_str(), nullptr,
+                 width - 2 * pad);
+    y -= context.gap;
+  };
+  for (auto it = notices.rbegin(); it != notices.rend(); ++it) line(it->text, it->is_error ? wrong : ink);
+  const auto tool = context.app.workspace().editor().tool().kind;
+  if (movements.empty() || context.app.workspace().document().curves.empty() || tool == drawing::ToolKind::articulate) {
+    return;
+  }
+  std::string text = "moved";
+  constexpr std::size_t k_named = 4;
+  for (std::size_t i = 0; i < std::min(k_named, movements.size()); ++i) {
+    char number[32];
+    std::snprintf(number, sizeof number, "%+.2f", movements[i].by);
+    text += (i == 0 ? " " : ", ") + movements[i].name + " " + number;
+  }
+  if (movements.size() > k_named) text += " and " + std::to_string(movements.size() - k_named) + " more";
+  line(text, ink);
+}
+
+void show_radial_menu(PanelContext& context) {
+  auto& middle = context.app.panels().radial;
+  if (!middle) return;
+  const auto window = context.app.window();
+  context.app.hits().all = true;
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize({static_cast<float>(window.width), static_cast<float>(window.height)});
+  ImGui::SetNextWindowBgAlpha(0.25F);
+  ImGui::SetNextWindowFocus();
+  const float width = 2.4F * context.unit;
+  const float reach = 2.9F * context.unit;
+  // All of it stays within the window.
+  const float margin_x = reach + 0.5F * width;
+  const float margin_y = reach + 0.5F * context.unit;
+  const float x = std::clamp(static_cast<float>(middle->x), margin_x,
+                             std::max(margin_x, static_cast<float>(window.width) - margin_x));
+  const float y = std::clamp(static_cast<float>(middle->y), margin_y,
+                             std::max(margin_y, static_cast<float>(window.height) - margin_y));
+  bool close = false;
+  if (ImGui::Begin("radial", nullptr,
+                   ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
+    constexpr float k_places[8][2] = {{0, -1}, {0.8F, -0.55F}, {1, 0},  {0.8F, 0.55F},
+                                      {0, 1},  {-0.8F, 0.55F}, {-1, 0}, {-0.8F, -0.55F}};
+    for (int i = 0; i < 8; ++i) {
+      ImGui::SetCursorPos(
+          {x + reach * k_places[i][0] - 0.5F * width, y + reach * k_places[i][1] - 0.5F * context.unit});
+      ImGui::PushID(i);
+      const std::string label = std::string(info(k_radial[i]).label) + "##radial";
+      if (wide_button(context, label.c_str(), width)) {
+        context.app.do_action(k_radial[i]);
+        close = true;
+      }
+      ImGui::PopID();
+    }
+    if (!close && ImGui::IsMouseClicked(0) && !ImGui::IsAnyItemHovered()) close = true;
+  }
+  ImGui::End();
+  if (close) middle.reset();
+}
+
+}  // namespace penpose::app

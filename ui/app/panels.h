@@ -1,0 +1,32 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "ui/app/app.h"
+
+// The pieces of the interface. Called between ImGui's NewFrame and Render alone.
+
+namespace penpose::app {
+
+/// What every piece works with.
+struct PanelContext {
+  App& app;
+  std::map<std::string, Area, std::less<>>& targets;
+  float unit = 34;  ///< px of a target that a pen hits for certain
+  float gap = 6;
+};
+
+void show_toolbar(PanelContext& context, const Area& area);
+void show_top_bar(PanelContext& context, const Area& area);
+void show_side_panel(PanelContext& context, const Area& area);
+void show_parameters(PanelContext& context);
+void show_deformers(PanelContext& context);
+void show_timeline(PanelContext& context, const Area& area);
+void show_player(PanelContext& context, const Area& area);
+void show_radial_menu(PanelContext& context);
+void show_notices(PanelContext& context);
+void show_dialog(PanelContext& context);
+
+}  // namespace penpose::app

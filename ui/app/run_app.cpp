@@ -1,0 +1,73 @@
+#include "ui/app/run_app.h"
+
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+
+#include "core/base/numbers.h"
+#include "firmware_io/device/clock.h"
+#include "ui/app/app.h"
+#include "ui/app/interface.h"
+#include "ui/app/tablets.h"
+#include "ui/app/timings.h"
+#include "ui/app/window.h"
+#include "ui/cli/own_tablets.h"
+#include "ui/cli/stop_signal.h"
+
+namespace penpose::app {
+namespace {
+
+/// Local time as a name of a file.
+std::string date_name() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  ::localtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%d_%H-%M-%S", &parts);
+  return text;
+}
+
+base::Error in_file(base::Error error, const std::string& file) {
+  error.place = error.place.empty() ? file : file + ": " + error.place;
+  return error;
+}
+
+}  // namespace
+
+base::Status run_app(const cli::WindowRequest& request) {
+  const std::int64_t began = device::monotonic_us();
+  const auto own = cli::read_own_tablets(request.tablets);
+  if (!own) return in_file(own.error(), request.tablets);
+  std::error_code code;
+  if (!request.session.empty() && std::filesystem::exists(request.session, code)) {
+    return base::Error{"exists already and is not written over", request.session,
+                       "choose another name or move it away"};
+  }
+  auto window = Window::open(request.fullscreen);
+  if (!window) return window.error();
+  AppOptions options;
+  options.folders = standard_folders();
+  options.session = request.session;
+  options.clock = device::monotonic_us;
+  options.date = date_name;
+  options.program = request.program;
+  options.own_tablets = &*own;
+  App app(options);
+  const std::string model = request.model.empty() ? "builtin:demo" : request.model;
+  if (const auto opened = app.open(model); !opened) return in_file(opened.error(), model);
+  if (!request.session.empty() && app.session_path().empty()) {
+    return base::Error{"cannot be written", request.session, "check the folder, its permissions and the free space"};
+  }
+  if (!request.replay.empty()) {
+    if (const auto played = app.play_trace(request.replay); !played) return in_file(played.error(), request.replay);
+  }
+  Interface interface(app);
+  Tablets tablets([&] { (*window)->wake(); }, &*own);
+  Timings timings;
+  timings.began_us = began;
+  const auto status = (*window)->run(app, interface, tablets, timings, !request.replay.empty());
+  if (request.timings) std::cout << timings.text();
+  return status;
+}
+
+}  // namespace penpose::app

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "replay/pen_input.h"
+
+namespace penpose::app {
+
+/// What somebody chose once and finds again.
+struct Settings {
+  double scale = 1;  ///< on top of the display's own, 0.5..3
+  bool light = false;
+  bool steps_seen = false;  ///< the first steps were shown
+  replay::TabletSetting tablet;
+  std::vector<std::string> recent;  ///< files, the last one first
+  friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+inline constexpr std::size_t k_most_recent = 10;
+
+/// "name=value" lines. What cannot be read keeps its default, so that a broken file never keeps the app from starting.
+[[nodiscard]] Settings parse_settings(std::string_view text);
+[[nodiscard]] std::string to_text(const Settings& settings);
+
+[[nodiscard]] Settings load_settings(const std::string& folder);
+/// Written to a temporary file and renamed. An empty folder: nothing is kept.
+base::Status save_settings(const Settings& settings, const std::string& folder);
+
+/// Puts a file in front of the recent ones.
+void remember_file(Settings& settings, const std::string& path);
+
+}  // namespace penpose::app

@@ -1,0 +1,187 @@
+#include "ui/app/shown_curves.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/document/target_line.h"
+
+namespace penpose::app {
+namespace {
+
+using document::PoseCurve;
+using document::PoseCurveRole;
+using geometry::ModelPoint;
+using geometry::PxPoint;
+using render::CurveDrawing;
+using render::CurveKind;
+
+constexpr double k_far = 0.02;  // share of the model's size at which a target counts as missed altogether
+constexpr float k_thin_px = 2.0F;
+constexpr float k_most_width_px = 7.0F;
+
+float width_of(double pressure, float scale) {
+  return scale * (k_thin_px + (k_most_width_px - k_thin_px) * static_cast<float>(std::clamp(pressure, 0.0, 1.0)));
+}
+
+std::vector<ModelPoint> points_now(const PoseCurve& curve, const PosedSurface& surface) {
+  std::vector<ModelPoint> points;
+  for (const auto& point : curve.points) points.emplace_back(surface.at(point));
+  return points;
+}
+
+CurveKind kind_of(const drawing::Tool& tool, const document::Document& document, const document::View& view,
+                  const curve::Stroke& stroke) {
+  if (tool.kind == drawing::ToolKind::articulate) {
+    const auto step = drawing::next_step(document, tool);
+    return step == articulation::CurveRole::target ? CurveKind::target : CurveKind::reference;
+  }
+  const auto command = drawing::command_of(document, tool, view, stroke, false);
+  if (!command) return CurveKind::reference;
+  if (std::holds_alternative<document::DrawReference>(*command)) return CurveKind::reference;
+  if (std::holds_alternative<document::DrawConstraint>(*command)) return CurveKind::constraint;
+  return CurveKind::target;
+}
+
+void add_pose_curves(std::vector<CurveDrawing>& out, const Workspace& workspace, const PosedSurface& surface,
+                     const CurveLook& look) {
+  for (const auto& curve : workspace.document().curves) {
+    const bool lit = look.highlighted == curve->id;
+    const auto now = points_now(*curve, surface);
+    CurveDrawing on_surface;
+    on_surface.points = now;
+    on_surface.kind = curve->role == PoseCurveRole::constraint ? CurveKind::constraint : CurveKind::reference;
+    on_surface.width_px = look.scale * (curve->points.size() == 1 ? 9.0F : 3.5F);
+    on_surface.highlighted = lit && !curve->target;
+    out.push_back(std::move(on_surface));
+    // While the target is drawn anew the old one would only be in the way.
+    if (!curve->target || (workspace.live().active() && workspace.live().curve() == curve->id)) continue;
+    CurveDrawing target;
+    target.kind = CurveKind::target;
+    target.points = curve->target->points;
+    target.highlighted = lit;
+    const auto& pressure = curve->target->pressure;
+    for (std::size_t i = 0; i < target.points.size(); ++i) {
+      target.point_colors.push_back(distance_color(geometry::distance(target.points[i], now[i]), surface.size()));
+      const std::size_t at =
+          pressure.empty() ? 0 : i * (pressure.size() - 1) / std::max<std::size_t>(1, now.size() - 1);
+      target.widths_px.push_back(width_of(pressure.empty() ? 0.5 : pressure[at], look.scale));
+    }
+    out.push_back(std::move(target));
+  }
+}
+
+/// The curves of the sketch so far, in px of the view in which they were drawn.
+void add_sketch(std::vector<CurveDrawing>& out, const Workspace& workspace, const CurveLook& look) {
+  const auto& pending = workspace.document().pending;
+  if (!pending || !(pending->sketch.camera == workspace.editor().view().camera)) return;
+  const articulation::Sketch& sketch = pending->sketch;
+  if (!(sketch.viewport == workspace.editor().view().viewport)) return;
+  const auto add = [&](const std::vector<PxPoint>& line, CurveKind kind, bool closed) {
+    if (line.empty()) return;
+    CurveDrawing drawing;
+    drawing.points_px = line;
+    drawing.kind = kind;
+    drawing.closed = closed;
+    drawing.width_px = 3 * look.scale;
+    out.push_back(std::move(drawing));
+  };
+  add(sketch.general, CurveKind::constraint, true);
+  add(sketch.specific, CurveKind::reference, true);
+  add(sketch.reference, CurveKind::reference, false);
+}
+
+void add_stroke(std::vector<CurveDrawing>& out, const Workspace& workspace, const CurveLook& look) {
+  const replay::DrawnStroke* stroke = workspace.session().pens().current();
+  if (stroke == nullptr || !stroke->on_canvas || stroke->samples.empty()) return;
+  const drawing::Tool& tool = workspace.editor().tool();
+  if (tool.kind == drawing::ToolKind::none) return;
+  CurveDrawing drawing;
+  const bool erases = stroke->eraser || tool.kind == drawing::ToolKind::erase;
+  drawing.kind = kind_of(tool, workspace.document(), stroke->view, stroke->samples);
+  if (erases) drawing.color = render::from_srgb(0xf2efe8, 0.7F);
+  for (const auto& sample : stroke->samples) {
+    drawing.points_px.push_back(sample.position);
+    drawing.widths_px.push_back(erases ? 10 * look.scale : width_of(sample.pressure, look.scale));
+  }
+  out.push_back(std::move(drawing));
+}
+
+/// Where the curves of the model lie at the keys before and after a moment.
+void add_onion_skins(std::vector<CurveDrawing>& out, const Workspace& workspace, const CurveLook& look) {
+  const document::Document& document = workspace.document();
+  const auto& keys = document.timeline->keys;
+  const document::PoseKey* before = nullptr;
+  const document::PoseKey* after = nullptr;
+  for (const auto& key : keys) {
+    if (key.time_s < look.time_s - 1e-6) before = &key;
+    if (key.time_s > look.time_s + 1e-6 && after == nullptr) after = &key;
+  }
+  const auto add = [&](const document::PoseKey* key, std::uint32_t color) {
+    if (key == nullptr || key->pose.size() != document.pose.size()) return;
+    const auto draw = [&](const std::vector<mesh::MeshPoint>& points) {
+      std::vector<std::uint32_t> vertices;
+      for (const auto& point : points) {
+        const auto& corners = document.model->mesh->triangles()[point.triangle];
+        vertices.insert(vertices.end(), corners.begin(), corners.end());
+      }
+      std::vector<ModelPoint> at(vertices.size());
+      document.model->rig->bind(vertices)->evaluate(key->pose, at);
+      CurveDrawing drawing;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto& b = points[i].barycentric;
+        drawing.points.push_back(at[3 * i] * b[0] + at[3 * i + 1] * b[1] + at[3 * i + 2] * b[2]);
+      }
+      drawing.color = render::from_srgb(color, 0.55F);
+      drawing.width_px = k_thin_px * look.scale;
+      out.push_back(std::move(drawing));
+    };
+    if (document.curves.empty()) {
+      for (const auto& curve : document.model->curves) draw(curve.points);
+    } else {
+      for (const auto& curve : document.curves) draw(curve->points);
+    }
+  };
+  add(before, 0xd08a5a);
+  add(after, 0x8f7bd0);
+}
+
+}  // namespace
+
+render::Color distance_color(double distance, double model_size) {
+  const double share = std::clamp(distance / (k_far * model_size), 0.0, 1.0);
+  return render::mix(render::curve_color(CurveKind::target), render::from_srgb(0xffb000), static_cast<float>(share));
+}
+
+std::vector<CurveDrawing> shown_curves(const Workspace& workspace, const PosedSurface& surface, const CurveLook& look) {
+  std::vector<CurveDrawing> out;
+  if (look.onion_skin) add_onion_skins(out, workspace, look);
+  if (workspace.editor().tool().kind == drawing::ToolKind::articulate) {
+    add_sketch(out, workspace, look);
+  } else {
+    add_pose_curves(out, workspace, surface, look);
+  }
+  add_stroke(out, workspace, look);
+  return out;
+}
+
+std::optional<document::CurveId> curve_near(const Workspace& workspace, const PosedSurface& surface, PxPoint at,
+                                            double within_px) {
+  const document::View& view = workspace.editor().view();
+  const auto camera = geometry::Camera::make(view.camera, view.viewport);
+  if (!camera) return std::nullopt;
+  std::optional<document::CurveId> found;
+  const std::array<PxPoint, 1> pen{at};
+  const auto near = [&](const std::vector<ModelPoint>& points) {
+    std::vector<PxPoint> seen;
+    for (const auto& point : points) {
+      if (const auto px = camera->project(point)) seen.push_back(*px);
+    }
+    return document::come_near(seen, pen, within_px);
+  };
+  for (const auto& curve : workspace.document().curves) {
+    if ((curve->target && near(curve->target->points)) || near(points_now(*curve, surface))) found = curve->id;
+  }
+  return found;
+}
+
+}  // namespace penpose::app

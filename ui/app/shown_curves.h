@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "ui/app/posed_surface.h"
+#include "ui/app/workspace.h"
+#include "ui/render/scene.h"
+
+namespace penpose::app {
+
+struct CurveLook {
+  float scale = 1;  ///< px of the display for each px of an ordinary one
+  std::optional<document::CurveId> highlighted;
+  bool onion_skin = false;  ///< the model's curves at the neighbouring keys
+  double time_s = 0;        ///< of which moment
+};
+
+/// All curves to draw over the surface: what was drawn for posing, with the distance left along each target in colour;
+/// the curves of the deformer that is being drawn; those of the neighbouring keys; the stroke under the pen.
+[[nodiscard]] std::vector<render::CurveDrawing> shown_curves(const Workspace& workspace, const PosedSurface& surface,
+                                                             const CurveLook& look);
+
+/// From blue, where a target is reached, to amber from a fiftieth of the model's size on.
+[[nodiscard]] render::Color distance_color(double distance, double model_size);
+
+/// The drawn curve nearest to a place, within a distance.
+[[nodiscard]] std::optional<document::CurveId> curve_near(const Workspace& workspace, const PosedSurface& surface,
+                                                          geometry::PxPoint at, double within_px);
+
+}  // namespace penpose::app

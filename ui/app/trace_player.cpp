@@ -1,0 +1,95 @@
+#include "ui/app/trace_player.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "replay/trace_source.h"
+#include "ui/cli/trace_file.h"
+
+namespace penpose::app {
+namespace {
+
+/// Numbers of played tablets, beyond those of tablets that are plugged in.
+constexpr int k_first_device = 100;
+
+}  // namespace
+
+base::Result<TracePlayer> TracePlayer::load(const std::string& path) {
+  const auto file = cli::open_trace(path);
+  if (!file) return file.error();
+  TracePlayer player;
+  std::int64_t now = 0;
+  replay::TraceSource source(cli::read_from_file(file->get()));
+  const auto on_line = [&](const replay::TraceLine& line) {
+    if (line.end.empty()) return;
+    const auto parsed = replay::parse_session_line(line.text);
+    if (!parsed || !*parsed) return;
+    replay::SessionLine what = **parsed;
+    if (std::holds_alternative<replay::SessionBegins>(what)) player.is_session_ = true;
+    if (const auto* named = std::get_if<replay::ModelNamed>(&what)) player.model_ = named->path;
+    if (auto* set = std::get_if<replay::TabletSet>(&what)) set->device += k_first_device;
+    if (auto* gone = std::get_if<replay::TabletGone>(&what)) gone->device += k_first_device;
+    const bool states_facts = std::holds_alternative<replay::SessionBegins>(what) ||
+                              std::holds_alternative<replay::ModelNamed>(what) ||
+                              std::holds_alternative<replay::StateReached>(what);
+    if (!states_facts)
+      player.events_.push_back({now, 0, {}, {}, std::make_shared<const replay::SessionLine>(std::move(what))});
+  };
+  const auto on_device = [&](int device, const decode::DeviceIdentity& identity) {
+    player.events_.push_back(
+        {now, device + k_first_device, {}, std::make_shared<const decode::DeviceIdentity>(identity), {}});
+  };
+  source.listen(on_line, on_device);
+  std::int64_t first = -1;
+  while (true) {
+    const auto report = source.next();
+    if (!report) return report.error();
+    if (!*report) break;
+    if (first < 0) first = (*report)->time_us;
+    now = std::max(now, (*report)->time_us - first);
+    const base::Bytes bytes = (*report)->bytes;
+    player.events_.push_back({now, (*report)->device + k_first_device, {bytes.begin(), bytes.end()}, {}, {}});
+    ++player.reports_;
+  }
+  if (player.events_.empty()) {
+    return base::Error{"holds nothing to replay: neither reports nor lines of a session", "",
+                       "give a session, or a trace as hid-recorder or `penpose record` writes it"};
+  }
+  return player;
+}
+
+std::vector<replay::PenMoment> TracePlayer::advance(Workspace& workspace, std::int64_t by_us) {
+  std::vector<replay::PenMoment> moments;
+  if (!playing()) return moments;
+  time_us_ += static_cast<double>(by_us) * speed_;
+  for (; next_ < events_.size() && static_cast<double>(events_[next_].time_us) <= time_us_; ++next_) {
+    const Event& event = events_[next_];
+    if (event.line) {
+      workspace.play(*event.line);
+    } else if (event.identity) {
+      workspace.connect(event.device, *event.identity);
+    } else {
+      const auto more = workspace.report(event.device, event.bytes);
+      moments.insert(moments.end(), more.begin(), more.end());
+      workspace.follow_pen();
+    }
+  }
+  if (next_ < events_.size() || ended_) return moments;
+  ended_ = true;
+  for (const Event& event : events_) {
+    if (event.identity) workspace.disconnect(event.device);
+  }
+  return moments;
+}
+
+double TracePlayer::progress() const {
+  const double whole = events_.empty() ? 0 : static_cast<double>(events_.back().time_us);
+  return whole > 0 ? std::clamp(time_us_ / whole, 0.0, 1.0) : 1.0;
+}
+
+std::int64_t TracePlayer::next_in_us() const {
+  if (next_ == events_.size()) return 0;
+  return static_cast<std::int64_t>(std::max(0.0, (static_cast<double>(events_[next_].time_us) - time_us_) / speed_));
+}
+
+}  // namespace penpose::app

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "firmware_io/decode/device_identity.h"
+#include "replay/session_line.h"
+#include "ui/app/workspace.h"
+
+namespace penpose::app {
+
+/// A trace or a session in place of hardware, played into a workspace at its own pace.
+class TracePlayer {
+ public:
+  /// Reads the whole file. Errors: those of reading it; nothing in it.
+  static base::Result<TracePlayer> load(const std::string& path);
+
+  /// The model that a session names; empty for a plain trace, which is drawn on what is open.
+  [[nodiscard]] const std::string& model() const { return model_; }
+  [[nodiscard]] bool is_session() const { return is_session_; }
+
+  /// Hands everything up to `by_us` of playing time on. Gives the moments of the pens. At the end pens have gone.
+  std::vector<replay::PenMoment> advance(Workspace& workspace, std::int64_t by_us);
+  void set_playing(bool playing) { playing_ = playing; }
+  [[nodiscard]] bool playing() const { return playing_ && !finished(); }
+  void set_speed(double speed) { speed_ = speed; }
+  [[nodiscard]] double speed() const { return speed_; }
+  [[nodiscard]] bool finished() const { return next_ == events_.size() && ended_; }
+  [[nodiscard]] double progress() const;
+  /// Microseconds until the next event, at the speed chosen.
+  [[nodiscard]] std::int64_t next_in_us() const;
+  [[nodiscard]] std::size_t report_count() const { return reports_; }
+
+ private:
+  /// A line where there is one, else a device that is declared, else a report.
+  struct Event {
+    std::int64_t time_us = 0;
+    int device = 0;
+    std::vector<std::uint8_t> bytes;
+    std::shared_ptr<const decode::DeviceIdentity> identity;
+    std::shared_ptr<const replay::SessionLine> line;
+  };
+
+  std::vector<Event> events_;
+  std::string model_;
+  bool is_session_ = false;
+  bool playing_ = true;
+  bool ended_ = false;
+  double speed_ = 1;
+  double time_us_ = 0;
+  std::size_t next_ = 0;
+  std::size_t reports_ = 0;
+};
+
+}  // namespace penpose::app

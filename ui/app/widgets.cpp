@@ -1,0 +1,86 @@
+#include "ui/app/widgets.h"
+
+#include <algorithm>
+#include <imgui_stdlib.h>
+
+namespace penpose::app {
+
+void note(PanelContext& context, const char* label) {
+  if (!ImGui::IsItemVisible()) return;
+  const ImVec2 least = ImGui::GetItemRectMin();
+  const ImVec2 most = ImGui::GetItemRectMax();
+  context.targets[label] = {least.x, least.y, most.x, most.y};
+}
+
+void tooltip(const char* text) {
+  if (text == nullptr || *text == 0 || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 20);
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void text_beside(PanelContext& context, const char* text) {
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const ImVec2 size = ImGui::CalcTextSize(text);
+  ImGui::GetWindowDrawList()->AddText({from.x + context.gap, from.y + 0.5F * (context.unit - size.y)},
+                                      ImGui::GetColorU32(ImGuiCol_Text), text);
+  ImGui::Dummy({size.x + 2 * context.gap, context.unit});
+}
+
+bool wide_button(PanelContext& context, const char* label, float width, bool chosen, const char* tip) {
+  if (width == 0) width = std::max(context.unit, ImGui::CalcTextSize(label, nullptr, true).x + 0.6F * context.unit);
+  if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+  const bool pressed = ImGui::Button(label, {width, context.unit});
+  if (chosen) ImGui::PopStyleColor();
+  note(context, label);
+  tooltip(tip);
+  return pressed;
+}
+
+bool action_button(PanelContext& context, Action action, float width, bool chosen, const char* label) {
+  const std::string own(info(action).label);
+  const std::string tip = tooltip_of(action);
+  if (!wide_button(context, label != nullptr ? label : own.c_str(), width, chosen, tip.c_str())) return false;
+  context.app.do_action(action);
+  return true;
+}
+
+bool begin_panel(PanelContext& context, const char* name, const Area& area) {
+  ImGui::SetNextWindowPos({static_cast<float>(area.left), static_cast<float>(area.top)});
+  ImGui::SetNextWindowSize({static_cast<float>(area.width()), static_cast<float>(area.height())});
+  context.app.hits().panels.push_back(area);
+  return ImGui::Begin(name, nullptr,
+                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                          ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
+}
+
+void end_panel() { ImGui::End(); }
+
+bool begin_dialog(PanelContext& context, const char* title, float width_units) {
+  const auto window = context.app.window();
+  const ImVec2 size{static_cast<float>(window.width), static_cast<float>(window.height)};
+  context.app.hits().all = true;
+  ImGui::SetNextWindowPos({0.5F * size.x, 0.5F * size.y}, ImGuiCond_Always, {0.5F, 0.5F});
+  const float width = std::min(width_units * context.unit, size.x - 2 * context.gap);
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, size.y - 2 * context.gap});
+  ImGui::SetNextWindowFocus();
+  ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, size, IM_COL32(0, 0, 0, 90));
+  return ImGui::Begin(title, nullptr,
+                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+}
+
+void end_dialog() { ImGui::End(); }
+
+bool text_field(PanelContext& context, const char* label, std::string& text, float width, const char* hint) {
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5F * (context.unit - ImGui::GetFontSize())});
+  ImGui::SetNextItemWidth(width);
+  const bool changed = ImGui::InputTextWithHint(label, hint, &text);
+  note(context, label);
+  ImGui::PopStyleVar();
+  return changed;
+}
+
+}  // namespace penpose::app

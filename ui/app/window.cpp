@@ -1,0 +1,281 @@
+#include "ui/app/window.h"
+
+#include <SDL2/SDL.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <cmath>
+#include <cstdlib>
+#include <imgui.h>
+#include <malloc.h>
+#include <string>
+
+#include "firmware_io/device/clock.h"
+#include "ui/app/picture.h"
+
+namespace penpose::app {
+namespace {
+
+constexpr int k_width = 1280;
+constexpr int k_height = 800;
+
+std::string sdl_error() {
+  const std::string text = SDL_GetError();
+  return text.empty() ? "no reason given" : text.substr(0, text.find('\n'));
+}
+
+/// A key as actions name it; 0 for one that has no name there.
+std::uint32_t key_of(SDL_Keycode key) {
+  switch (key) {
+    case SDLK_ESCAPE:
+      return k_key_escape;
+    case SDLK_TAB:
+      return k_key_tab;
+    case SDLK_DELETE:
+      return k_key_delete;
+    case SDLK_HOME:
+      return k_key_home;
+    case SDLK_LEFT:
+      return k_key_left;
+    case SDLK_RIGHT:
+      return k_key_right;
+    case SDLK_UP:
+      return k_key_up;
+    case SDLK_DOWN:
+      return k_key_down;
+    case SDLK_F1:
+      return k_key_f1;
+    case SDLK_F11:
+      return k_key_f11;
+    case SDLK_KP_PLUS:
+      return '+';
+    case SDLK_KP_MINUS:
+      return '-';
+    case SDLK_KP_PERIOD:
+      return k_key_home;
+    default:
+      break;
+  }
+  if (key >= SDLK_KP_1 && key <= SDLK_KP_9) return static_cast<std::uint32_t>('1' + (key - SDLK_KP_1));
+  return key > 0 && key < 128 ? static_cast<std::uint32_t>(key) : 0;
+}
+
+base::Error no_display(const std::string& why) {
+  return {"there is no display to open a window on (" + why + ")", "",
+          "start it on a desktop, or on a console with SDL_VIDEODRIVER=kmsdrm; `penpose --help` lists what needs none"};
+}
+
+}  // namespace
+
+struct Window::State {
+  SDL_Window* window = nullptr;
+  SDL_GLContext context = nullptr;
+  Uint32 wake_event = 0;
+  bool imgui = false;
+
+  State() = default;
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State() {
+    if (context != nullptr) SDL_GL_DeleteContext(context);
+    if (window != nullptr) SDL_DestroyWindow(window);
+    SDL_QuitSubSystem(SDL_INIT_VIDEO);
+  }
+
+  [[nodiscard]] geometry::Viewport size() const {
+    int width = 0;
+    int height = 0;
+    SDL_GL_GetDrawableSize(window, &width, &height);
+    return {width, height};
+  }
+  /// Px of the picture for each unit of the desktop's coordinates.
+  [[nodiscard]] double ratio() const {
+    int width = 0;
+    int height = 0;
+    SDL_GetWindowSize(window, &width, &height);
+    return width > 0 ? static_cast<double>(size().width) / width : 1;
+  }
+  [[nodiscard]] double dpi() const {
+    float diagonal = 96;
+    if (SDL_GetDisplayDPI(SDL_GetWindowDisplayIndex(window), &diagonal, nullptr, nullptr) != 0) return 96;
+    return static_cast<double>(diagonal);
+  }
+  void take_event(const SDL_Event& event, App& app, Interface& interface) const;
+  void take_key(const SDL_KeyboardEvent& key, App& app, Interface& interface) const;
+};
+
+void Window::State::take_key(const SDL_KeyboardEvent& key, App& app, Interface& interface) const {
+  const bool ctrl = (key.keysym.mod & KMOD_CTRL) != 0;
+  const bool shift = (key.keysym.mod & KMOD_SHIFT) != 0;
+  const bool down = key.type == SDL_KEYDOWN;
+  const bool typed = interface.wants_keys();
+  interface.edit_key(key.keysym.scancode, down, ctrl, shift);
+  if (down && !typed && (key.keysym.mod & KMOD_ALT) == 0) app.key({key_of(key.keysym.sym), ctrl, shift});
+}
+
+void Window::State::take_event(const SDL_Event& event, App& app, Interface& interface) const {
+  const double per_unit = ratio();
+  const auto place = [&](double x, double y) { return PxPoint{x * per_unit, y * per_unit}; };
+  const auto button_of = [](Uint8 button) {
+    return button == SDL_BUTTON_LEFT     ? MouseButton::left
+           : button == SDL_BUTTON_MIDDLE ? MouseButton::middle
+                                         : MouseButton::right;
+  };
+  const auto finger = [&](FingerKind kind) {
+    app.finger(
+        kind, event.tfinger.fingerId,
+        {static_cast<double>(event.tfinger.x) * size().width, static_cast<double>(event.tfinger.y) * size().height});
+  };
+  switch (event.type) {
+    case SDL_QUIT:
+      app.ask_to_quit();
+      break;
+    case SDL_MOUSEMOTION:
+      app.mouse_moved(place(event.motion.x, event.motion.y));
+      break;
+    case SDL_MOUSEBUTTONDOWN:
+    case SDL_MOUSEBUTTONUP: {
+      if (event.button.button > SDL_BUTTON_RIGHT) break;
+      const SDL_Keymod held = SDL_GetModState();
+      app.mouse_button(button_of(event.button.button), event.type == SDL_MOUSEBUTTONDOWN,
+                       place(event.button.x, event.button.y), (held & KMOD_SHIFT) != 0, (held & KMOD_CTRL) != 0);
+      break;
+    }
+    case SDL_MOUSEWHEEL:
+      app.wheel(static_cast<double>(event.wheel.preciseY));
+      break;
+    case SDL_FINGERDOWN:
+      finger(FingerKind::down);
+      break;
+    case SDL_FINGERMOTION:
+      finger(FingerKind::move);
+      break;
+    case SDL_FINGERUP:
+      finger(FingerKind::up);
+      break;
+    case SDL_KEYDOWN:
+    case SDL_KEYUP:
+      take_key(event.key, app, interface);
+      break;
+    case SDL_TEXTINPUT:
+      interface.text(event.text.text);
+      break;
+    case SDL_DROPFILE:
+      app.try_open(event.drop.file);
+      SDL_free(event.drop.file);
+      break;
+    case SDL_WINDOWEVENT:
+      if (event.window.event == SDL_WINDOWEVENT_LEAVE) app.pointer_left();
+      break;
+    default:
+      break;
+  }
+}
+
+Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Window::~Window() = default;
+
+base::Result<std::unique_ptr<Window>> Window::open(bool fullscreen) {
+  // Fingers come as fingers alone, and a click into a window that was behind another one counts.
+  SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");
+  SDL_SetHint(SDL_HINT_MOUSE_TOUCH_EVENTS, "0");
+  SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
+  SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
+  SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
+  // Only what can be there is tried, because the others complain on standard error.
+  const char* wanted = std::getenv("SDL_VIDEODRIVER");
+  if (wanted == nullptr) {
+    const bool x11 = std::getenv("DISPLAY") != nullptr;
+    const bool wayland = std::getenv("WAYLAND_DISPLAY") != nullptr;
+    SDL_SetHint(SDL_HINT_VIDEODRIVER, wayland && x11 ? "wayland,x11" : wayland ? "wayland" : x11 ? "x11" : "KMSDRM");
+  }
+  if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) return no_display(sdl_error());
+  auto state = std::make_unique<State>();
+  SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
+  SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
+  SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 1);
+  // The picture is averaged before it reaches the window, which needs no depth of its own.
+  SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
+  Uint32 flags = SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
+  if (fullscreen) flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
+  state->window = SDL_CreateWindow("penpose", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, k_width, k_height, flags);
+  if (state->window == nullptr) return no_display(sdl_error());
+  state->context = SDL_GL_CreateContext(state->window);
+  if (state->context == nullptr) {
+    return base::Error{"OpenGL 3.1 could not be started (" + sdl_error() + ")", "",
+                       "install libgl1 and libgl1-mesa-dri"};
+  }
+  SDL_GL_SetSwapInterval(1);
+  SDL_SetWindowMinimumSize(state->window, 640, 400);
+  state->wake_event = SDL_RegisterEvents(1);
+  return std::unique_ptr<Window>(new Window(std::move(state)));
+}
+
+void Window::wake() const {
+  SDL_Event event{};
+  event.type = state_->wake_event;
+  SDL_PushEvent(&event);
+}
+
+base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timings& timings, bool until_played) {
+  auto picture = Picture::make();
+  if (!picture) return picture.error();
+  if (!ImGui_ImplOpenGL3_Init("#version 140")) {
+    return base::Error{"the panels could not be started", "", "install libgl1 and libgl1-mesa-dri"};
+  }
+  SDL_StartTextInput();
+  bool fullscreen = (SDL_GetWindowFlags(state_->window) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
+  bool wanted_fullscreen = app.fullscreen();
+  int fonts = interface.font_revision();
+  std::string title;
+  std::int64_t last_us = device::monotonic_us();
+  base::Status status = base::Done{};
+  while (!app.wants_quit()) {
+    SDL_Event event;
+    const int due_ms = interface.unsettled() ? 0 : app.next_frame_ms();
+    const bool came = due_ms < 0   ? SDL_WaitEvent(&event) == 1
+                      : due_ms > 0 ? SDL_WaitEventTimeout(&event, due_ms) == 1
+                                   : SDL_PollEvent(&event) == 1;
+    if (came) {
+      do {
+        if (event.type != state_->wake_event) interface.disturb();
+        state_->take_event(event, app, interface);
+      } while (SDL_PollEvent(&event) == 1);
+    }
+    tablets.take(app);
+    if (app.fullscreen() != wanted_fullscreen) {
+      wanted_fullscreen = app.fullscreen();
+      fullscreen = !fullscreen;
+      SDL_SetWindowFullscreen(state_->window, fullscreen ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
+    }
+    const std::int64_t cpu_before = thread_cpu_us();
+    const std::int64_t now = device::monotonic_us();
+    app.resized(state_->size(), state_->dpi());
+    app.begin_frame();
+    interface.frame(static_cast<double>(now - last_us) * 1e-6);
+    last_us = now;
+    timings.prepared_us.push_back(thread_cpu_us() - cpu_before);
+    if (interface.font_revision() != fonts) {
+      fonts = interface.font_revision();
+      ImGui_ImplOpenGL3_DestroyFontsTexture();
+      ImGui_ImplOpenGL3_CreateFontsTexture();
+    }
+    ImGui_ImplOpenGL3_NewFrame();
+    status = (*picture)->draw(app);
+    if (!status) break;
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    timings.frames_us.push_back(thread_cpu_us() - cpu_before);
+    SDL_GL_SwapWindow(state_->window);
+    if (timings.first_frame_us == 0) {
+      timings.first_frame_us = device::monotonic_us() - timings.began_us;
+      // Loading a model and compiling shaders leave much behind that nobody asks for again.
+      ::malloc_trim(0);
+    }
+    const std::string name = app.project().empty() ? app.path() : app.project();
+    const std::string now_title = (app.workspace().unsaved() ? "* " : "") + name + " - penpose";
+    if (now_title != title) SDL_SetWindowTitle(state_->window, (title = now_title).c_str());
+    if (until_played && app.player() && app.player()->finished()) app.quit();
+  }
+  ImGui_ImplOpenGL3_Shutdown();
+  return status;
+}
+
+}  // namespace penpose::app

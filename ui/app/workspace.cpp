@@ -1,0 +1,141 @@
+#include "ui/app/workspace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace penpose::app {
+
+using replay::PenMoment;
+
+Workspace::Workspace(Clock clock, Tell tell, const decode::TabletTable* own)
+    : clock_(std::move(clock)), tell_(std::move(tell)), own_(own) {}
+
+void Workspace::open(document::Document document, replay::SessionWriter* writer, const std::string& path) {
+  follow_.end();
+  sketch_.end();
+  preview_.reset();
+  movements_.clear();
+  stroke_seen_ = false;
+  live_.reset();
+  began_us_ = clock_();
+  live_ = std::make_unique<replay::LiveSession>(std::move(document), writer, path, own_);
+  live_->connect(0, replay::virtual_pen_identity());
+  saved_revision_ = ++revision_;
+}
+
+bool Workspace::act(const replay::SessionLine& line) {
+  const document::Document before = document();
+  const base::Status status = live_->act(line, now());
+  after_steps(before);
+  if (!status && live_->session().steps().empty()) tell_(status.error().line(), true);
+  return status.ok();
+}
+
+void Workspace::after_steps(const document::Document& before) {
+  const auto steps = live_->session().steps();
+  if (steps.empty()) return;
+  for (const auto& step : steps) {
+    if (!step.status) tell_(step.status.error().line(), true);
+  }
+  ++revision_;
+  const auto parameters = document().model->rig->parameters();
+  const bool same_rig = before.model == document().model;
+  if (!same_rig || before.pose == document().pose) return;
+  movements_.clear();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const double by = document().pose[i] - before.pose[i];
+    if (std::abs(by) >= 0.005 * (parameters[i].maximum - parameters[i].minimum)) {
+      movements_.push_back({parameters[i].name, by});
+    }
+  }
+  std::stable_sort(movements_.begin(), movements_.end(),
+                   [](const Movement& a, const Movement& b) { return std::abs(a.by) > std::abs(b.by); });
+}
+
+bool Workspace::perform(const document::Command& command) { return act(replay::Performed{command}); }
+void Workspace::undo() { act(replay::Undone{}); }
+void Workspace::redo() { act(replay::Redone{}); }
+
+void Workspace::set_tool(const drawing::Tool& tool) {
+  if (tool == editor().tool()) return;
+  if (tool.kind != drawing::ToolKind::articulate) sketch_.end();
+  act(replay::ToolChosen{tool});
+}
+
+void Workspace::set_view(const document::View& view) {
+  if (view == editor().view()) return;
+  act(replay::ViewChanged{view});
+}
+
+void Workspace::set_tablet(int device, const replay::TabletSetting& setting) {
+  act(replay::TabletSet{device, setting});
+}
+
+void Workspace::place_pen(bool on_canvas) {
+  if (session().pens().on_canvas() == on_canvas) return;
+  act(replay::PenPlace{on_canvas});
+}
+
+std::vector<PenMoment> Workspace::pen(const replay::VirtualPenState& state) {
+  return report(0, replay::virtual_pen_report(state, editor().view().viewport));
+}
+
+void Workspace::connect(int device, const decode::DeviceIdentity& identity) {
+  const document::Document before = document();
+  live_->connect(device, identity);
+  after_steps(before);
+}
+
+void Workspace::disconnect(int device) { act(replay::TabletGone{device}); }
+
+std::vector<PenMoment> Workspace::report(int device, base::Bytes bytes) { return report_at(device, clock_(), bytes); }
+
+std::vector<PenMoment> Workspace::report_at(int device, std::int64_t received_us, base::Bytes bytes) {
+  const std::int64_t time_us = std::max<std::int64_t>(0, received_us - began_us_);
+  const document::Document before = document();
+  const auto moments = live_->report(device, time_us, bytes);
+  std::vector<PenMoment> out(moments.begin(), moments.end());
+  after_steps(before);
+  // The stroke has ended: what is shown is the document again.
+  if (session().pens().current() == nullptr) {
+    follow_.end();
+    sketch_.stroke_ended();
+    stroke_seen_ = false;
+  }
+  return out;
+}
+
+void Workspace::follow_pen() {
+  const replay::DrawnStroke* stroke = session().pens().current();
+  if (stroke == nullptr || !stroke->on_canvas || stroke->eraser) {
+    if (stroke == nullptr) follow_.end();
+    if (editor().tool().kind == drawing::ToolKind::articulate) sketch_.show(document());
+    return;
+  }
+  if (!stroke_seen_) {
+    stroke_seen_ = true;
+    followed_ = 0;
+    preview_.reset();
+    follow_.begin(document(), editor().tool(), stroke->view, stroke->samples);
+  }
+  if (stroke->samples.size() == followed_) return;
+  followed_ = stroke->samples.size();
+  follow_.follow(stroke->samples);
+  if (editor().tool().kind == drawing::ToolKind::articulate) {
+    sketch_.follow(document(), editor().tool(), stroke->view, stroke->samples);
+  }
+}
+
+const rig::Pose& Workspace::shown_pose() const {
+  if (follow_.active()) return follow_.pose();
+  if (preview_ && preview_->size() == document().pose.size() && !sketch_.model()) return *preview_;
+  if (sketch_.pose()) return *sketch_.pose();
+  return document().pose;
+}
+
+const std::shared_ptr<const document::Model>& Workspace::shown_model() const {
+  return sketch_.model() ? sketch_.model() : document().model;
+}
+
+}  // namespace penpose::app

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "replay/live_session.h"
+#include "replay/virtual_pen.h"
+#include "ui/app/live_follow.h"
+#include "ui/app/sketch_preview.h"
+
+namespace penpose::app {
+
+/// A parameter that the last stroke moved.
+struct Movement {
+  std::string name;
+  double by = 0;
+};
+
+/// The document being worked on and what is shown of it: a session, the pose under the pen before it is a command, and
+/// what there is to say. Knows neither window nor panels.
+class Workspace {
+ public:
+  /// Microseconds of a clock that never goes back.
+  using Clock = std::function<std::int64_t()>;
+  /// Tells somebody something; `is_error` where it did not work.
+  using Tell = std::function<void(std::string text, bool is_error)>;
+
+  Workspace(Clock clock, Tell tell, const decode::TabletTable* own = nullptr);
+
+  /// Begins a session on a document. `writer` may be null and must outlive the session.
+  void open(document::Document document, replay::SessionWriter* writer, const std::string& path);
+
+  [[nodiscard]] const drawing::Editor& editor() const { return live_->session().editor(); }
+  [[nodiscard]] const document::Document& document() const { return editor().document(); }
+  [[nodiscard]] const replay::Session& session() const { return live_->session(); }
+  [[nodiscard]] document::DocumentState state() { return live_->session().editor().state(); }
+
+  // What the user does. What is refused is told, and changes nothing.
+  bool perform(const document::Command& command);
+  void undo();
+  void redo();
+  void set_tool(const drawing::Tool& tool);
+  void set_view(const document::View& view);
+  void set_tablet(int device, const replay::TabletSetting& setting);
+  /// Whether strokes that begin from now on draw.
+  void place_pen(bool on_canvas);
+  /// A line of a session that is being played.
+  void play(const replay::SessionLine& line) { act(line); }
+
+  /// The pointer that is no tablet.
+  std::vector<replay::PenMoment> pen(const replay::VirtualPenState& state);
+  void connect(int device, const decode::DeviceIdentity& identity);
+  /// Its stroke ends.
+  void disconnect(int device);
+  std::vector<replay::PenMoment> report(int device, base::Bytes bytes);
+  /// The same of a report that came at a moment of the clock.
+  std::vector<replay::PenMoment> report_at(int device, std::int64_t received_us, base::Bytes bytes);
+  /// Brings the preview up to the pen. Call it after a batch of reports, at the latest for every frame.
+  void follow_pen();
+
+  /// A pose to show in place of the document's until another or none is given: a slider or the timeline in hand.
+  void preview(std::optional<rig::Pose> pose) { preview_ = std::move(pose); }
+  [[nodiscard]] bool previews() const { return preview_.has_value(); }
+  [[nodiscard]] const rig::Pose& shown_pose() const;
+  /// The model that is shown: the document's, or with the deformer that is being drawn.
+  [[nodiscard]] const std::shared_ptr<const document::Model>& shown_model() const;
+  [[nodiscard]] const LiveFollow& live() const { return follow_; }
+  [[nodiscard]] SketchPreview& sketch() { return sketch_; }
+  [[nodiscard]] const SketchPreview& sketch() const { return sketch_; }
+
+  /// What the last stroke that solved moved, the most first.
+  [[nodiscard]] const std::vector<Movement>& movements() const { return movements_; }
+  /// Grows with every change of the document.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+  /// Whether anything was changed since `mark_saved`.
+  [[nodiscard]] bool unsaved() const { return revision_ != saved_revision_; }
+  void mark_saved() { saved_revision_ = revision_; }
+
+ private:
+  [[nodiscard]] std::int64_t now() const { return clock_() - began_us_; }
+  bool act(const replay::SessionLine& line);
+  void after_steps(const document::Document& before);
+
+  Clock clock_;
+  Tell tell_;
+  const decode::TabletTable* own_;
+  std::int64_t began_us_ = 0;
+  std::unique_ptr<replay::LiveSession> live_;
+  std::optional<rig::Pose> preview_;
+  LiveFollow follow_;
+  SketchPreview sketch_;
+  bool stroke_seen_ = false;
+  std::size_t followed_ = 0;
+  std::vector<Movement> movements_;
+  std::uint64_t revision_ = 0;
+  std::uint64_t saved_revision_ = 0;
+};
+
+}  // namespace penpose::app
