@@ -63,7 +63,8 @@ void App::do_action(Action action) {
       if (action == Action::tool_articulate && !workspace_.document().pending) {
         workspace_.perform(document::BeginDeformer{});
       }
-      if (action == Action::tool_articulate) panels_.controls_tab = true;
+      panels_.controls_tab =
+          action == Action::tool_articulate || (action == Action::tool_select && panels_.controls_tab);
       break;
     }
     case Action::undo:
