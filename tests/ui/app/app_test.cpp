@@ -193,6 +193,29 @@ TEST(App, ScrubbingShowsAndLettingGoTakesThePose) {
   EXPECT_FALSE(desk.app->playing());
 }
 
+TEST(App, APoseThatIsNotKeyedYetIsCarriedAlongTheTimeline) {
+  Desk desk("carried");
+  desk.begin();
+  desk.click("Key");
+  pose_mouth(desk);
+  const auto pose = desk.document().pose;
+  const Area track = *desk.interface->find("track");
+  const PxPoint at{track.left + 0.5 * track.width(), track.middle().y};
+  desk.app->mouse_moved(at);
+  desk.app->mouse_button(MouseButton::left, true, at);
+  desk.frames();
+  desk.app->mouse_button(MouseButton::left, false, at);
+  desk.frames();
+  EXPECT_GT(desk.app->panels().time_s, 1);
+  EXPECT_EQ(desk.document().pose, pose);
+  desk.click("Key");
+  ASSERT_EQ(desk.document().timeline->keys.size(), 2U);
+  EXPECT_EQ(desk.document().timeline->keys.back().pose, pose);
+  desk.press(',');
+  EXPECT_EQ(desk.app->panels().time_s, 0);
+  EXPECT_NE(desk.document().pose, pose);
+}
+
 TEST(App, AfterACrashTheWorkIsOfferedAndComesBack) {
   document::DocumentState lost;
   {
