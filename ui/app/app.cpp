@@ -87,6 +87,7 @@ void App::begin_session(document::Document document, const std::string& path) {
   player_.reset();
   workspace_.open(std::move(document), next ? &next->writer() : nullptr, code ? path : full);
   file_ = std::move(next);
+  broken_told_ = false;
   playing_ = false;
   panels_.time_s = workspace_.document().time_s;
   panels_.deformer.clear();
@@ -249,8 +250,16 @@ void App::begin_frame() {
   if (playing_) play_on();
   workspace_.follow_pen();
   surface_.update(workspace_.shown_model(), workspace_.shown_pose());
-  curves_ = shown_curves(workspace_, surface_,
-                         {static_cast<float>(scale()), highlighted_, panels_.onion_skin, panels_.time_s});
+  CurveLook look{static_cast<float>(scale()), highlighted_, {}, {}, panels_.onion_skin, panels_.time_s};
+  if (target_drag_) {
+    look.dragged = target_drag_->first;
+    look.dragged_by = at_ - target_drag_->second;
+  }
+  curves_ = shown_curves(workspace_, surface_, look);
+  if (file_ && file_->writer().broken() && !broken_told_) {
+    broken_told_ = true;
+    tell("this session is recorded no further: " + file_->writer().broken()->line(file_->path()), true);
+  }
 }
 
 int App::next_frame_ms() const {

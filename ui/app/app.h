@@ -58,7 +58,7 @@ struct PanelState {
   double time_s = 0;        ///< of the timeline's cursor
   bool onion_skin = true;
   bool wireframe = false;
-  bool show_weights = true;
+  std::string rename;             ///< what is being typed as a name of the selected control
   std::optional<PxPoint> radial;  ///< middle of the radial menu while it is open
   std::string folder;             ///< of the file dialogs
   std::string file_name;
@@ -128,6 +128,8 @@ class App {
   [[nodiscard]] const std::string& project() const { return project_; }
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] std::string session_path() const { return file_ ? file_->path() : std::string(); }
+  /// What is done is being written down.
+  [[nodiscard]] bool recording() const { return file_ && !file_->writer().broken(); }
   [[nodiscard]] bool playing() const { return playing_; }
   [[nodiscard]] bool fullscreen() const { return fullscreen_; }
   [[nodiscard]] geometry::Viewport window() const { return window_; }
@@ -215,6 +217,7 @@ class App {
   std::size_t deformer_count_ = 0;  ///< to tell a new one
   bool fullscreen_ = false;
   bool quit_ = false;
+  bool broken_told_ = false;  ///< that the session cannot be written any more
 };
 
 }  // namespace penpose::app

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "core/document/timeline.h"
 #include "ui/app/app.h"
@@ -12,6 +13,7 @@ namespace {
 constexpr double k_turn_degrees = 15;
 constexpr double k_zoom = 0.85;
 constexpr double k_same_moment_s = 1e-4;
+constexpr double k_same_value = 1e-9;
 
 drawing::ToolKind tool_of(Action action) {
   switch (action) {
@@ -63,7 +65,8 @@ void App::do_action(Action action) {
       if (action == Action::tool_articulate && !workspace_.document().pending) {
         workspace_.perform(document::BeginDeformer{});
       }
-      if (action == Action::tool_articulate) panels_.controls_tab = true;
+      panels_.controls_tab =
+          action == Action::tool_articulate || (action == Action::tool_select && panels_.controls_tab);
       break;
     }
     case Action::undo:
@@ -208,7 +211,8 @@ void App::step_key(int direction) {
   }
   if (to == nullptr) return;
   panels_.time_s = to->time_s;
-  end_scrub();
+  workspace_.preview(std::nullopt);
+  workspace_.perform(document::GoToTime{panels_.time_s});
 }
 
 void App::scrub(double time_s) {
@@ -219,7 +223,21 @@ void App::scrub(double time_s) {
 
 void App::end_scrub() {
   workspace_.preview(std::nullopt);
-  if (!workspace_.document().timeline->keys.empty()) workspace_.perform(document::GoToTime{panels_.time_s});
+  const document::Document& document = workspace_.document();
+  if (document.timeline->keys.empty()) return;
+  // A pose that is on no key yet is carried along to where it shall be keyed, and not lost to a touch.
+  const auto same = [&](const rig::Pose& pose) {
+    return std::equal(pose.begin(), pose.end(), document.pose.begin(), document.pose.end(),
+                      [](double a, double b) { return std::abs(a - b) < k_same_value; });
+  };
+  const auto& keys = document.timeline->keys;
+  const bool kept = same(document::sample(*document.timeline, document.time_s)) ||
+                    std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return same(key.pose); });
+  if (kept) {
+    workspace_.perform(document::GoToTime{panels_.time_s});
+  } else {
+    tell("the pose is not on the timeline yet: Key puts it here; going to another key leaves it");
+  }
 }
 
 void App::play_on() {

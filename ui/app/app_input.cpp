@@ -102,6 +102,7 @@ void App::select_at(PxPoint at) {
     if (weight <= best) continue;
     best = weight;
     panels_.deformer = deformer->sketch().name;
+    panels_.controls_tab = true;
   }
 }
 

@@ -88,6 +88,15 @@ void show_top_bar(PanelContext& context, const Area& area) {
     action_button(context, Action::panels);
     ImGui::SameLine();
     text_beside(context, app.hint().c_str());
+    // The recording light.
+    const float radius = 0.16F * context.unit;
+    const ImVec2 middle{static_cast<float>(area.right) - 0.7F * context.unit, 0.5F * static_cast<float>(area.height())};
+    ImGui::GetWindowDrawList()->AddCircleFilled(
+        middle, radius, app.recording() ? IM_COL32(225, 60, 50, 255) : IM_COL32(120, 120, 120, 255));
+    ImGui::SetCursorScreenPos({middle.x - 0.5F * context.unit, middle.y - 0.5F * context.unit});
+    ImGui::Dummy({context.unit, context.unit});
+    tooltip(app.recording() ? ("Recorded as it happens: " + app.session_path()).c_str()
+                            : "This session is not recorded");
   }
   end_panel();
 }

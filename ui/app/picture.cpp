@@ -48,7 +48,7 @@ void Picture::update_overlay(App& app) {
   }
   const std::string& name = app.panels().deformer;
   const auto& deformers = model->deformers;
-  const auto found = name.empty() || !deformers || !app.panels().show_weights
+  const auto found = name.empty() || !deformers || !app.panels().controls_tab
                          ? std::nullopt
                          : articulation::find_deformer(*deformers, name);
   if (!found) {

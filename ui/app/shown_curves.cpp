@@ -29,6 +29,16 @@ std::vector<ModelPoint> points_now(const PoseCurve& curve, const PosedSurface& s
   return points;
 }
 
+std::vector<PxPoint> seen_in_view(const std::vector<ModelPoint>& points, const document::View& view) {
+  const auto camera = geometry::Camera::make(view.camera, view.viewport);
+  std::vector<PxPoint> seen;
+  for (const auto& point : points) {
+    const auto px = camera ? camera->project(point) : std::nullopt;
+    if (px) seen.push_back(*px);
+  }
+  return seen;
+}
+
 CurveKind kind_of(const drawing::Tool& tool, const document::Document& document, const document::View& view,
                   const curve::Stroke& stroke) {
   if (tool.kind == drawing::ToolKind::articulate) {
@@ -65,6 +75,13 @@ void add_pose_curves(std::vector<CurveDrawing>& out, const Workspace& workspace,
       const std::size_t at =
           pressure.empty() ? 0 : i * (pressure.size() - 1) / std::max<std::size_t>(1, now.size() - 1);
       target.widths_px.push_back(width_of(pressure.empty() ? 0.5 : pressure[at], look.scale));
+    }
+    if (look.dragged == curve->id) {
+      target = {};
+      target.kind = CurveKind::target;
+      target.highlighted = true;
+      target.points_px = seen_in_view(curve->target->points, workspace.editor().view());
+      for (PxPoint& p : target.points_px) p = p + look.dragged_by;
     }
     out.push_back(std::move(target));
   }

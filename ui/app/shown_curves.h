@@ -12,8 +12,10 @@ namespace penpose::app {
 struct CurveLook {
   float scale = 1;  ///< px of the display for each px of an ordinary one
   std::optional<document::CurveId> highlighted;
-  bool onion_skin = false;  ///< the model's curves at the neighbouring keys
-  double time_s = 0;        ///< of which moment
+  std::optional<document::CurveId> dragged;  ///< a target in hand
+  geometry::PxPoint dragged_by;              ///< how far, in px of its own view
+  bool onion_skin = false;                   ///< the model's curves at the neighbouring keys
+  double time_s = 0;                         ///< of which moment
 };
 
 /// All curves to draw over the surface: what was drawn for posing, with the distance left along each target in colour;

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cstring>
+#include <utility>
 
 #include "ui/app/panels.h"
 #include "ui/app/widgets.h"
@@ -162,6 +162,14 @@ void show_chosen(PanelContext& context, const articulation::Deformer& deformer) 
     }
     if (released) app.set_parameter(*index, value);
   }
+  const float field = ImGui::GetContentRegionAvail().x - 3 * context.unit - context.gap;
+  text_field(context, "##rename", app.panels().rename, field, "another name");
+  ImGui::SameLine();
+  if (wide_button(context, "Rename", 3 * context.unit) && !app.panels().rename.empty()) {
+    const std::string to = std::exchange(app.panels().rename, {});
+    if (workspace.perform(document::RenameDeformer{name, to})) app.panels().deformer = to;
+    return;
+  }
   articulation::Mode mode = deformer.sketch().mode;
   if (mode_buttons(context, mode, mode)) {
     document::ChangeDeformer change;
@@ -268,7 +276,7 @@ void show_deformers(PanelContext& context) {
   const auto deformers = app.workspace().document().model->deformers;
   if (!deformers) return;
   ImGui::Dummy({1, context.gap});
-  const float list_height = std::max(3 * context.unit, ImGui::GetContentRegionAvail().y - 6.2F * context.unit);
+  const float list_height = std::max(3 * context.unit, ImGui::GetContentRegionAvail().y - 7.4F * context.unit);
   ImGui::BeginChild("controls", {0, list_height});
   for (const auto& deformer : deformers->deformers()) {
     const std::string& name = deformer->sketch().name;

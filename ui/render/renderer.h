@@ -30,7 +30,8 @@ class Renderer {
 
   /// Darkening of creases; costs the most of a picture on a weak graphics card.
   void set_occlusion(bool on);
-  /// Samples a pixel, 8 at most; each costs its memory, and time on a software renderer. Counts before the first picture.
+  /// Samples a pixel, 8 at most; each costs its memory, and time on a software renderer. Counts before the first
+  /// picture.
   void set_most_samples(int most);
   /// Name and version of the driver, for messages.
   [[nodiscard]] std::string driver() const;

@@ -6,10 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "replay/session_player.h"
+#include "tests/support/app_desk.h"
 #include "ui/cli/load_model.h"
 #include "ui/cli/trace_file.h"
-
-#include "desk.h"
 
 namespace penpose::app {
 namespace {
@@ -194,6 +193,29 @@ TEST(App, ScrubbingShowsAndLettingGoTakesThePose) {
   EXPECT_FALSE(desk.app->playing());
 }
 
+TEST(App, APoseThatIsNotKeyedYetIsCarriedAlongTheTimeline) {
+  Desk desk("carried");
+  desk.begin();
+  desk.click("Key");
+  pose_mouth(desk);
+  const auto pose = desk.document().pose;
+  const Area track = *desk.interface->find("track");
+  const PxPoint at{track.left + 0.5 * track.width(), track.middle().y};
+  desk.app->mouse_moved(at);
+  desk.app->mouse_button(MouseButton::left, true, at);
+  desk.frames();
+  desk.app->mouse_button(MouseButton::left, false, at);
+  desk.frames();
+  EXPECT_GT(desk.app->panels().time_s, 1);
+  EXPECT_EQ(desk.document().pose, pose);
+  desk.click("Key");
+  ASSERT_EQ(desk.document().timeline->keys.size(), 2U);
+  EXPECT_EQ(desk.document().timeline->keys.back().pose, pose);
+  desk.press(',');
+  EXPECT_EQ(desk.app->panels().time_s, 0);
+  EXPECT_NE(desk.document().pose, pose);
+}
+
 TEST(App, AfterACrashTheWorkIsOfferedAndComesBack) {
   document::DocumentState lost;
   {
@@ -318,6 +340,52 @@ TEST(App, ATraceInPlaceOfATabletDrawsTheSame) {
   EXPECT_TRUE(desk.app->player()->finished());
   ASSERT_EQ(desk.document().curves.size(), 1U);
   EXPECT_TRUE(desk.document().curves.front()->target.has_value());
+}
+
+TEST(App, ATargetIsDraggedWithTheToolSelectAndTheFaceFollows) {
+  Desk desk("drag");
+  desk.begin();
+  pose_mouth(desk);
+  const auto id = desk.document().curves.front()->id;
+  const auto before = desk.document().curves.front()->target->line;
+  const auto pose = desk.document().pose;
+  desk.click("Select");
+  const PxPoint from = before[before.size() / 2];
+  desk.stroke({from, from + PxPoint{0, 25}});
+  ASSERT_EQ(desk.document().curves.front()->id, id);
+  const auto after = desk.document().curves.front()->target->line;
+  EXPECT_NEAR(after.front().y - before.front().y, 25, 0.1);
+  EXPECT_NE(desk.document().pose, pose);
+}
+
+TEST(App, TouchingTheFaceWithTheToolSelectPicksTheControlThatMovesItMost) {
+  Desk desk("pick");
+  desk.begin();
+  desk.click("Select");
+  const auto brow = desk.named_curve("brow_L");
+  desk.stroke({brow.front(), brow.front() + PxPoint{1, 0}});
+  EXPECT_EQ(desk.app->panels().deformer.substr(0, 4), "brow");
+  EXPECT_TRUE(desk.document().curves.empty());
+}
+
+TEST(App, OneFingerDrawsAndTwoTurnTheView) {
+  Desk desk("fingers");
+  desk.begin();
+  const auto line = desk.named_curve(any_curve(desk));
+  desk.app->finger(FingerKind::down, 7, line.front());
+  for (const PxPoint& at : line) desk.app->finger(FingerKind::move, 7, at);
+  desk.app->finger(FingerKind::up, 7, line.back());
+  EXPECT_EQ(desk.document().curves.size(), 1U);
+  const auto view = desk.app->view();
+  desk.app->finger(FingerKind::down, 1, {400, 300});
+  desk.app->finger(FingerKind::down, 2, {500, 300});
+  desk.app->finger(FingerKind::move, 2, {560, 300});
+  desk.app->finger(FingerKind::up, 1, {400, 300});
+  desk.app->finger(FingerKind::up, 2, {560, 300});
+  desk.frames();
+  EXPECT_FALSE(desk.app->view() == view);
+  EXPECT_EQ(desk.document().curves.size(), 1U);
+  EXPECT_FALSE(desk.document().curves.front()->target.has_value());
 }
 
 TEST(App, OpeningAFileThatIsNoneSaysSoAndKeepsTheWork) {

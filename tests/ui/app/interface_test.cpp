@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "desk.h"
+#include "tests/support/app_desk.h"
 
 namespace penpose::app {
 namespace {
