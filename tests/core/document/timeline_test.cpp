@@ -13,7 +13,7 @@ namespace {
 
 Timeline timeline_of(const std::vector<double>& times, const std::vector<double>& values) {
   Timeline timeline;
-  for (std::size_t i = 0; i < times.size(); ++i) timeline.keys.push_back({times[i], {values[i]}, ""});
+  for (std::size_t i = 0; i < times.size(); ++i) timeline.keys.push_back({times[i], rig::Pose{values[i]}, ""});
   return timeline;
 }
 
@@ -28,10 +28,12 @@ Timeline random_timeline(const Model& model, std::size_t keys, std::uint64_t see
   for (std::size_t k = 0; k < keys; ++k) {
     PoseKey key;
     key.time_s = time += real(least_s, 2);
+    rig::Pose pose;
     for (const rig::Parameter& p : model.rig->parameters()) {
       const double at = real(-0.5, 1.5);  // often at an end of the range
-      key.pose.push_back(std::clamp(p.minimum + (p.maximum - p.minimum) * at, p.minimum, p.maximum));
+      pose.push_back(std::clamp(p.minimum + (p.maximum - p.minimum) * at, p.minimum, p.maximum));
     }
+    key.pose = std::move(pose);
     timeline.keys.push_back(key);
   }
   return timeline;
@@ -148,9 +150,12 @@ TEST(Timeline, JointsThatDoNotTurnHaveNoChannel) {
   const Model model = tests::sheet_model();
   Timeline timeline;
   timeline.keys = {{0, model.pose, ""}, {1, model.pose, ""}};
-  timeline.keys[1].pose[0] = 1;
+  rig::Pose later = model.pose;
+  later[0] = 1;
+  timeline.keys[1].pose = later;
   EXPECT_EQ(to_animation(model, timeline).channels.size(), 1U);
-  timeline.keys[1].pose[3] = 0.1;
+  later[3] = 0.1;
+  timeline.keys[1].pose = later;
   EXPECT_EQ(to_animation(model, timeline).channels.size(), 2U);
   EXPECT_TRUE(to_animation(model, Timeline{}).channels.empty());
 }
