@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/articulation/edit.h"
 #include "ui/app/panels.h"
 #include "ui/app/widgets.h"
 
@@ -90,13 +91,13 @@ void show_step_list(PanelContext& context, const document::PendingSketch& pendin
   };
   for (const Step& step : steps) {
     const bool now = step.role == next;
-    ImGui::TextColored(
-        now ? ImVec4{0.35F, 0.75F, 1, 1} : ImGui::GetStyleColorVec4(step.done ? ImGuiCol_Text : ImGuiCol_TextDisabled),
-        "%s %s",
-        now         ? ">"
-        : step.done ? "x"
-                    : " ",
-        step.text);
+    ImGui::TextColored(now ? ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive)
+                           : ImGui::GetStyleColorVec4(step.done ? ImGuiCol_Text : ImGuiCol_TextDisabled),
+                       "%s %s",
+                       now         ? ">"
+                       : step.done ? "x"
+                                   : " ",
+                       step.text);
   }
 }
 
@@ -276,7 +277,9 @@ void show_deformers(PanelContext& context) {
   const auto deformers = app.workspace().document().model->deformers;
   if (!deformers) return;
   ImGui::Dummy({1, context.gap});
-  const float list_height = std::max(3 * context.unit, ImGui::GetContentRegionAvail().y - 7.4F * context.unit);
+  const bool chosen = articulation::find_deformer(*deformers, app.panels().deformer).has_value();
+  const float below = chosen ? 7.4F * context.unit : 0;
+  const float list_height = std::max(3 * context.unit, ImGui::GetContentRegionAvail().y - below);
   ImGui::BeginChild("controls", {0, list_height});
   for (const auto& deformer : deformers->deformers()) {
     const std::string& name = deformer->sketch().name;

@@ -81,8 +81,7 @@ TEST(App, ANewUserSketchesPosesKeysSavesQuitsAndFindsEverythingAgain) {
     desk.app->ask_to_quit();
     EXPECT_TRUE(desk.app->wants_quit());
   }
-  auto again =
-      cli::load_document((std::filesystem::temp_directory_path() / "penpose-desk-whole" / "head.glb").string());
+  auto again = cli::load_document((Desk::folder_of("whole") / "head.glb").string());
   ASSERT_TRUE(again.ok());
   document::DocumentHasher hasher;
   EXPECT_EQ(hasher(*again), saved) << "what was saved opens as it was";

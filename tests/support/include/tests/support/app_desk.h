@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 #include "core/geometry/camera.h"
@@ -15,7 +16,7 @@ namespace penpose::app {
 class Desk {
  public:
   explicit Desk(const std::string& name, const std::string& model = "builtin:demo", bool fresh = true)
-      : folder(std::filesystem::temp_directory_path() / ("penpose-desk-" + name)) {
+      : folder(folder_of(name)) {
     if (fresh) std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     AppOptions options;
@@ -28,6 +29,19 @@ class Desk {
     EXPECT_TRUE(opened.ok()) << (opened.ok() ? "" : opened.error().line());
     interface = std::make_unique<Interface>(*app);
     frames();
+  }
+  /// The desk's folder below one of the running test program, which goes with it.
+  static std::filesystem::path folder_of(const std::string& name) {
+    struct Root {
+      std::filesystem::path path =
+          std::filesystem::temp_directory_path() / ("penpose-desk-" + std::to_string(::getpid()));
+      ~Root() {
+        std::error_code code;
+        std::filesystem::remove_all(path, code);
+      }
+    };
+    static const Root root;
+    return root.path / name;
   }
   ~Desk() {
     interface.reset();
