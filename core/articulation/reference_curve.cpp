@@ -64,7 +64,7 @@ base::Result<std::vector<ModelPoint>> infer_reference(const Canvas& canvas, cons
   std::vector<std::uint32_t> order(specific.begin(), specific.end());
   const auto key = [&](std::uint32_t i) { return upright ? region.seen[i].y : region.seen[i].x; };
   std::stable_sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+                   [&](std::uint32_t a, std::uint32_t b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
   std::vector<ModelPoint> points;
   for (const std::uint32_t i : order) points.push_back(canvas.positions()[region.vertices[i]]);
   points = curve::triangle_filter<ModelPoint>(points, std::max<std::size_t>(points.size() / 3, 3), curve::Ends::moving);

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <string>
+#include <unistd.h>
 
 namespace penpose::app {
 namespace {
@@ -10,7 +12,9 @@ namespace {
 class SessionFiles : public testing::Test {
  protected:
   void SetUp() override { std::filesystem::remove_all(folder_); }
-  std::string folder_ = (std::filesystem::temp_directory_path() / "penpose-session-files").string();
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::string folder_ =
+      (std::filesystem::temp_directory_path() / ("penpose-session-files-" + std::to_string(::getpid()))).string();
 };
 
 TEST_F(SessionFiles, ASessionThatIsThereIsNeverWrittenOver) {
