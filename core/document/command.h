@@ -1,3 +1,5 @@
+// One file above the usual size: it is the one list of commands, which is read as a whole.
+
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// One file above the usual size: building, refitting and asking share the layout of the nodes.
+
 #include "core/geometry/bvh.h"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// One file above the usual size: the parts of a glTF file refer to each other by number and are written in one order.
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
