@@ -89,7 +89,7 @@ std::uint32_t at(const Grid& grid, int r, int c) {
 QuadKind kind_of(int r, int c) {
   if (r == 2 && c >= 1 && c <= 5) return QuadKind::brow;
   // Under the hair, and below.
-  const bool hidden = (c >= 9 && r < 8) || (c >= 7 && r < 2) || r < 1 || (c >= 9 && r >= 8) || r >= 15;
+  const bool hidden = c >= 7 || (c >= 6 && r > 2) || (c >= 5 && r > 7) || r < 1 || r > 14;
   return hidden ? QuadKind::coarse_skin : QuadKind::skin;
 }
 

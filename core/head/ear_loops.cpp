@@ -55,10 +55,11 @@ void add_ear(Cage& cage, const std::vector<std::uint32_t>& border) {
   for (const Loop* loop : {&k_root, &k_back, &k_helix, &k_fold, &k_shell}) {
     std::vector<std::uint32_t> inner;
     for (const ModelPoint& p : *loop) inner.push_back(cage.add(p, {5, 5, 3}));
-    cage.add_strip(outer, inner, true, loop == &k_back ? QuadKind::coarse_skin : QuadKind::skin);
+    cage.add_strip(outer, inner, true, loop == &k_helix ? QuadKind::skin : QuadKind::coarse_skin);
     outer = inner;
   }
-  for (std::size_t i = 0; i < 3; ++i) cage.add_quad(outer[i], outer[i + 1], outer[6 - i], outer[7 - i]);
+  for (std::size_t i = 0; i < 3; ++i)
+    cage.add_quad(outer[i], outer[i + 1], outer[6 - i], outer[7 - i], QuadKind::coarse_skin);
 }
 
 }  // namespace penpose::head

@@ -14,37 +14,37 @@ struct Offset {
 using Loop = std::array<Offset, k_count>;
 
 // Loops relative to the eye's centre as seen from the front, counter-clockwise from the outer corner; cm.
-constexpr Loop k_rim{{{1.66, 0.02},
+constexpr Loop k_rim{{{1.92, 0.04},
                       {1.34, 0.30},
                       {0.84, 0.49},
                       {0.14, 0.56},
                       {-0.54, 0.49},
                       {-1.08, 0.24},
-                      {-1.46, -0.09},
+                      {-1.74, -0.16},
                       {-1.06, -0.38},
                       {-0.52, -0.54},
                       {0.14, -0.60},
                       {0.80, -0.52},
                       {1.36, -0.26}}};
-constexpr Loop k_lid{{{1.96, 0.02},
+constexpr Loop k_lid{{{2.14, 0.04},
                       {1.66, 0.70},
                       {1.02, 1.06},
                       {0.14, 1.20},
                       {-0.68, 1.06},
                       {-1.34, 0.62},
-                      {-1.74, -0.10},
+                      {-1.92, -0.18},
                       {-1.26, -0.70},
                       {-0.62, -0.94},
                       {0.14, -1.03},
                       {0.94, -0.92},
                       {1.62, -0.48}}};
-constexpr Loop k_crease{{{2.33, 0.03},
+constexpr Loop k_crease{{{2.42, 0.04},
                          {1.89, 1.18},
                          {1.17, 1.64},
                          {0.23, 1.78},
                          {-0.68, 1.58},
                          {-1.42, 0.92},
-                         {-1.84, -0.22},
+                         {-2.04, -0.26},
                          {-1.44, -1.14},
                          {-0.67, -1.51},
                          {0.18, -1.66},
@@ -54,8 +54,9 @@ constexpr Loop k_crease{{{2.33, 0.03},
 constexpr std::array<double, k_count> k_crease_depth{1.50, 1.76, 2.02, 2.14, 2.20, 2.26,
                                                      2.30, 2.50, 2.60, 2.52, 2.20, 1.68};
 /// Width of the lids' edges as seen from the front, cm; the upper one carries the lashes.
-constexpr double k_upper_edge = 0.19;
+constexpr double k_upper_edge = 0.16;
 constexpr double k_lower_edge = 0.06;
+constexpr double k_corner_edge = 0.04;
 
 ModelPoint center() { return {k_eye_center[0], k_eye_center[1], k_eye_center[2]}; }
 
@@ -77,7 +78,7 @@ void add_eye(Cage& cage, const std::vector<std::uint32_t>& border) {
     const Offset& rim = k_rim[i];
     const double lid = lid_of(i);
     const double around = std::sqrt(rim.x * rim.x + rim.y * rim.y);
-    const double width = lid > 0 ? k_upper_edge : k_lower_edge;
+    const double width = lid > 0 ? k_upper_edge : lid < 0 ? k_lower_edge : k_corner_edge;
     const Offset edge{rim.x + width * rim.x / around, rim.y + width * (rim.y / around + 0.3 * lid)};
     const double turn = 2 * base::k_pi * static_cast<double>(i) / k_count;
     const ModelVector outward{base::cos(turn), base::sin(turn), 0};
@@ -93,6 +94,7 @@ void add_eye(Cage& cage, const std::vector<std::uint32_t>& border) {
     loops[6].push_back(cage.add(center() + outward * (pocket * 0.8) + ModelVector{0, 0, -pocket * 0.75}, {-2, 5, 0}));
   }
   cage.add_strip(border, loops[0], true);
+  std::fill_n(cage.kinds.end() - k_count / 2, k_count / 2, QuadKind::coarse_skin);  // below the eye
   for (std::size_t i = 0; i + 1 < loops.size(); ++i) {
     const std::size_t first = cage.quads.size();
     cage.add_strip(loops[i], loops[i + 1], true, i >= 3 ? QuadKind::coarse_skin : QuadKind::skin);

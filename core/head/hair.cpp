@@ -7,8 +7,8 @@
 namespace penpose::head {
 namespace {
 
-constexpr std::size_t k_around = 112;
-constexpr std::size_t k_rings = 26;
+constexpr std::size_t k_around = 64;
+constexpr std::size_t k_rings = 13;
 /// The middle from which hair grows outwards, and far enough away to be outside.
 const ModelPoint k_middle{0, 3.2, -0.9};
 constexpr double k_outside = 40;

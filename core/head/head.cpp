@@ -58,10 +58,10 @@ document::Model make_head() {
   head.add("lining", skin.lining, material(0.16, 0.035, 0.03, 0.5));
   head.add("lashes", skin.lashes, material(0.05, 0.028, 0.02, 0.6));
   const auto skin_triangles = static_cast<std::uint32_t>(head.source.triangles.size());
-  const Surface white = make_eye_cap(1, 0, 180, 22, 36);
-  const Surface rim = make_eye_cap(1.004, 17.2, 19.2, 2, 36);
-  const Surface iris = make_eye_cap(1.004, 8.2, 17.2, 3, 36);
-  const Surface pupil = make_eye_cap(1.004, 0, 8.2, 3, 36);
+  const Surface white = make_eye_cap(1, 0, 180, 10, 22);
+  const Surface rim = make_eye_cap(1.004, 17.2, 19.2, 1, 28);
+  const Surface iris = make_eye_cap(1.004, 8.2, 17.2, 2, 28);
+  const Surface pupil = make_eye_cap(1.004, 0, 8.2, 2, 28);
   for (const bool right : {false, true}) {
     const std::string side = right ? "_R" : "_L";
     head.add("eye" + side, white, material(0.82, 0.80, 0.77, 0.15), right);

@@ -41,11 +41,11 @@ Surface make_eye_cap(double radius, double from_degrees, double to_degrees, int 
 }
 
 Surface make_teeth() {
-  constexpr std::size_t k_along = 33;
-  constexpr std::size_t k_around = 12;
+  constexpr std::size_t k_along = 19;
+  constexpr std::size_t k_around = 8;
   Surface teeth;
   for (std::size_t i = 0; i < k_along; ++i) {
-    const double t = (static_cast<double>(i) - 16.0) / 16.0;
+    const double t = (static_cast<double>(i) - 9.0) / 9.0;
     const double angle = base::radians(78) * t;
     // The arch of the jaw, an ellipse; the band closes at its ends.
     const double end = std::sqrt(std::max(1 - t * t * t * t * t * t, 1e-4));

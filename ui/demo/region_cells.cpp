@@ -11,7 +11,7 @@ namespace {
 constexpr double k_shared_weight = 0.4;
 
 /// Below this weight the black of the border gives way to the skin, so that a border does not show the triangles.
-constexpr float k_edge = 0.3F;
+constexpr float k_edge = 0.2F;
 
 const std::array<render::Color, 9>& palette() {
   static const std::array<render::Color, 9> colors{
@@ -45,7 +45,9 @@ void lay(Picture& picture, const Weights& region, const Legend& legend) {
     if (region[v] <= picture.weights[v]) continue;
     picture.weights[v] = region[v];
     const auto w = static_cast<float>(region[v]);
-    picture.cell.overlay[v] = {legend.color.r * w, legend.color.g * w, legend.color.b * w, std::min(1.0F, w / k_edge)};
+    const float light = w * w;
+    picture.cell.overlay[v] = {legend.color.r * light, legend.color.g * light, legend.color.b * light,
+                               std::min(1.0F, w / k_edge)};
   }
   picture.cell.legends.push_back(legend);
 }
