@@ -1,5 +1,11 @@
 # What the jobs of the virtual machine have in common.
 
+# stage NAME: says on the console when a part of the job begins.
+stage() {
+  read -r up _ </proc/uptime
+  echo "STAGE $1 $up"
+}
+
 # until_true SECONDS COMMAND...: waits for a command to succeed.
 until_true() {
   tries=$(($1 * 10))
@@ -18,7 +24,7 @@ record_until_ready() {
   shift
   penpose record -o "/out/$name.hid" "$@" >"/out/$name.out" 2>"/out/$name.err" &
   recorder=$!
-  until_true 30 grep -q recording "/out/$name.err"
+  until_true 30 grep -q recording "/out/$name.err" || cat "/out/$name.err"
 }
 
 # end_record NAME: waits for the end of the recorder and keeps its exit status.
@@ -27,7 +33,11 @@ end_record() {
   echo $? >"/out/$1.status"
 }
 
-tablets_are() { [ "$(penpose devices --json | grep -c '"path"')" -eq "$1" ]; }
+# listed_are NUMBER: so many does `penpose devices` list; starting it takes its time here.
+listed_are() { [ "$(penpose devices --json | grep -c '"path"')" -eq "$1" ]; }
+
+# tablets_are NUMBER: so many have come and not gone, as the watcher that runs all the time has it.
+tablets_are() { [ $(($(grep -c ^arrived /out/watch.log) - $(grep -c ^left /out/watch.log))) -eq "$1" ]; }
 
 # The driver of a USB interface, by its sysfs name.
 driver_of() { basename "$(readlink "/sys/bus/usb/devices/$1/driver")" 2>/dev/null; }

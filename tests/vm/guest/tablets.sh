@@ -5,8 +5,9 @@ until_true 20 grep -q watching /out/watch.log
 penpose devices >/out/none.txt
 
 # --- A tablet that the machine itself has: QEMU's PenPartner, plugged in, moved and pulled out from outside.
+stage penpartner
 echo "MARK plug"
-until_true 40 tablets_are 1
+until_true 40 listed_are 1
 penpose devices --json >/out/penpartner.json
 usb=$(sed -n 's/.*"usb": "\(.*\)",*/\1/p' /out/penpartner.json)
 driver_of "$usb" >/out/driver_before
@@ -24,11 +25,11 @@ kill -9 "$recorder"
 wait "$recorder"
 until_true 20 has_driver "$usb" usbhid
 driver_of "$usb" >/out/driver_after_kill
-until_true 20 tablets_are 1
+until_true 20 listed_are 1
 echo "MARK pull"
-until_true 20 tablets_are 0
+until_true 20 listed_are 0
 echo "MARK again"
-until_true 20 tablets_are 1
+until_true 20 listed_are 1
 
 record_until_ready penpartner
 follow /out/penpartner.hid >/dev/vport0p2 &
@@ -36,9 +37,10 @@ following=$!
 echo "MARK draw"
 end_record penpartner
 kill $following
-until_true 20 tablets_are 0
+until_true 20 listed_are 0
 
 # --- A Windows Ink pen through uhid, read beside the kernel's driver.
+stage ink
 if [ -f /traces/ink.hid ]; then
   virtual_tablet uhid /traces/ink.hid --go /tmp/go_ink >/out/ink.sent 2>&1 &
   until_true 20 tablets_are 1
@@ -50,6 +52,7 @@ if [ -f /traces/ink.hid ]; then
 fi
 
 # --- Wacom tablets as USB devices, each with the kernel's own driver beside us.
+stage wacom
 for trace in /traces/wacom_*.hid; do
   [ -f "$trace" ] || continue
   name=$(basename "$trace" .hid)
@@ -67,6 +70,7 @@ for trace in /traces/wacom_*.hid; do
 done
 
 # --- Two tablets at once, one unplugged while its pen draws; the other goes on, and a third one joins.
+stage two
 virtual_tablet uhid /traces/two_ink.hid --go /tmp/go_two --unplug-after 60 --pace-us 2000 >/out/two_a.sent 2>&1 &
 virtual_tablet usb /traces/two_wacom.hid --go /tmp/go_two --keep /tmp/keep_two --pace-us 2000 >/out/two_b.sent 2>&1 &
 until_true 30 tablets_are 2
@@ -85,6 +89,7 @@ touch /tmp/keep_two
 until_true 20 tablets_are 0
 
 # --- A device that sends garbage under a pen's descriptor, and one whose descriptor is garbage.
+stage garbage
 virtual_tablet uhid /traces/garbage.hid --go /tmp/go_garbage >/out/garbage.sent 2>&1 &
 until_true 20 tablets_are 1
 record_until_ready garbage
@@ -100,6 +105,7 @@ echo $? >/out/garbage_descriptor.status
 touch /tmp/keep_garbage
 
 # --- A tablet that a string tells apart and another string wakes up.
+stage strings
 virtual_tablet usb /traces/huion.hid --string 201=HUION_T173_200101 --string 200=waking --asleep-until 200 \
   --go /tmp/go_huion --keep /tmp/keep_huion >/out/huion.sent 2>&1 &
 until_true 30 tablets_are 1
@@ -116,6 +122,7 @@ touch /tmp/keep_huion
 until_true 20 tablets_are 0
 
 # --- The machine sleeps while a tablet is recorded: it is woken before its first report and again afterwards.
+stage sleep
 virtual_tablet uhid /traces/parblo.hid --go /tmp/go_parblo >/out/parblo.sent 2>&1 &
 until_true 20 tablets_are 1
 record_until_ready parblo
@@ -128,7 +135,9 @@ touch /tmp/go_parblo
 end_record parblo
 
 # --- How long a report takes to its stroke, and that none is lost.
+stage burst
 pump_probe burst "$(cat /burst_seconds)" 1000 >/out/burst.json 2>/out/burst.err
 touch /tmp/stop_watch
 sleep 0.5
+stage end
 dmesg >/out/dmesg.txt
