@@ -16,12 +16,21 @@ char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + '
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_separator(char c) { return c == '_' || c == '.' || c == '-' || c == ' '; }
 
+bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+bool is_letter(char c) { return is_lower(c) || is_upper(c); }
+
+/// Whether a word of the name, as people write names, begins at `at` and is this one: "lid_left" and "LidLeft" say
+/// "left", "cleft" and "leftover" do not.
 bool says(std::string_view name, std::size_t at, std::string_view word) {
   if (name.size() - at < word.size()) return false;
   for (std::size_t i = 0; i < word.size(); ++i) {
     if (lower(name[at + i]) != word[i]) return false;
   }
-  return true;
+  const char before = at > 0 ? name[at - 1] : ' ';
+  if (is_letter(before) && (is_upper(before) || !is_upper(name[at]))) return false;
+  const std::size_t end = at + word.size();
+  const char after = end < name.size() ? name[end] : ' ';
+  return !is_letter(after) || (is_upper(after) && is_lower(name[end - 1]));
 }
 
 /// `word` written like the text it replaces: LEFT, Left or left.

@@ -36,6 +36,7 @@ class Joined {
 
 struct Component {
   std::size_t vertices = 0;
+  bool moves = false;  ///< not all of it is the surface that others slide over
   double nearest = std::numeric_limits<double>::infinity();
 };
 
@@ -53,7 +54,7 @@ base::Result<Region> general_region(const Canvas& canvas, const geometry::Camera
     const auto px = camera.project(positions[v]);
     if (!px) continue;
     seen[v] = *px;
-    inside[v] = lasso->contains(*px) && !surface.consists_of(v, positions[v]) ? 1 : 0;
+    inside[v] = lasso->contains(*px) ? 1 : 0;
   }
   Joined joined(positions.size());
   for (const mesh::Triangle& triangle : canvas.mesh().triangles()) {
@@ -70,12 +71,20 @@ base::Result<Region> general_region(const Canvas& canvas, const geometry::Camera
     any = true;
     Component& component = components[joined.find(weld[v])];
     ++component.vertices;
+    component.moves = component.moves || !surface.consists_of(v, positions[v]);
     component.nearest = std::min(component.nearest, geometry::distance(positions[v], camera.eye()));
   }
   if (!any) return base::Error{"no vertex of the model lies inside the curve", "", "draw around a part of the model"};
   const Component* chosen = nullptr;
+  bool all_is_surface = true;
   for (const Component& component : components) {
-    if (component.vertices > k_scrap && (chosen == nullptr || component.nearest < chosen->nearest)) chosen = &component;
+    all_is_surface = all_is_surface && !component.moves;
+    if (!component.moves || component.vertices <= k_scrap) continue;
+    if (chosen == nullptr || component.nearest < chosen->nearest) chosen = &component;
+  }
+  if (all_is_surface) {
+    return base::Error{"all that lies inside the curve belongs to the surface that is kept", "",
+                       "draw around what moves over it, or give a smaller sphere"};
   }
   if (chosen == nullptr) {
     return base::Error{"no connected piece inside the curve has more than 10 vertices", "",

@@ -11,7 +11,7 @@ namespace {
 constexpr double k_shared_weight = 0.4;
 
 /// Below this weight the black of the border gives way to the skin, so that a border does not show the triangles.
-constexpr float k_edge = 0.2F;
+constexpr float k_edge = 0.06F;
 
 const std::array<render::Color, 9>& palette() {
   static const std::array<render::Color, 9> colors{

@@ -18,6 +18,10 @@ TEST(Mirror, NamesTheOtherSide) {
   EXPECT_EQ(mirrored_name("mouthSmileRight"), "mouthSmileLeft");
   EXPECT_EQ(mirrored_name("left lid"), "right lid");
   EXPECT_EQ(mirrored_name("LEFT_LID"), "RIGHT_LID");
+  EXPECT_EQ(mirrored_name("lidLeft2"), "lidRight2");
+  EXPECT_EQ(mirrored_name("bright_L"), "bright_R") << "right within a word names no side";
+  EXPECT_EQ(mirrored_name("cleft_chin"), "cleft_chin_mirrored");
+  EXPECT_EQ(mirrored_name("leftover"), "leftover_mirrored");
   EXPECT_EQ(mirrored_name("jaw"), "jaw_mirrored");
   EXPECT_EQ(mirrored_name("Lid"), "Lid_mirrored");  // an L within a word names no side
 }

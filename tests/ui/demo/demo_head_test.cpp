@@ -183,6 +183,19 @@ TEST_F(DemoHead, LidsCutIntoTheEyeWithoutTheSphere) {
   EXPECT_GT(deepest, 0.01 * eye.radius);
 }
 
+TEST_F(DemoHead, ABallThatIsGivenALittleTooLargeStillMovesTheWholeLid) {
+  const auto& lid = deformer("eyelid_upper_L");
+  articulation::Sketch sketch = lid.sketch();
+  std::get<articulation::Sphere>(sketch.surface).radius *= 1.05;
+  const auto canvas = document::make_canvas(*model_).value();
+  const auto again = articulation::build_deformer(sketch, *canvas).value();
+  EXPECT_EQ(again->vertices().size(), lid.vertices().size());
+  std::get<articulation::Sphere>(sketch.surface).radius *= 5;
+  const auto refused = articulation::build_deformer(sketch, *canvas);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().line().find("smaller sphere"), std::string::npos) << refused.error().line();
+}
+
 TEST_F(DemoHead, AnotherOrderOfDeformersChangesNoMoreThanTheLastBit) {
   std::vector<std::pair<std::string, double>> values;
   for (std::size_t i = 0; i < model_->rig->parameters().size(); ++i) {
