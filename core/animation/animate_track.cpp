@@ -1,6 +1,7 @@
 #include "core/animation/animate_track.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/animation/steady.h"
 
@@ -45,16 +46,25 @@ double span_px(std::span<const TrackedCurve> curves, const TrackFrame& neutral) 
   return geometry::distance(low, high);
 }
 
+/// What tremor of a px does to parameters, as a share of their range, on a face of the usual span. The far-reaching
+/// ones, as the jaw, are pinned by many points.
+double tremor_share(double effect) {
+  constexpr double k_most = 0.03;
+  constexpr double k_far_reaching = 0.008;
+  return k_most * (effect > k_far_reaching ? std::sqrt(k_far_reaching / effect) : 1.0);
+}
+
 /// Takes what is left of the tremor out of the solved parameters. A frame without a face keeps the pose before it.
-void settle_poses(const rig::Rig& rig, std::span<const std::size_t> free, double tremor_share, TrackedAnimation& result,
+void settle_poses(const rig::Rig& rig, std::span<const double> effects, double usual_tremors, TrackedAnimation& result,
                   const StillTrack& still) {
-  std::vector<double> tremor(rig.parameters().size(), 0.0);
-  for (const std::size_t p : free) {
-    tremor[p] = tremor_share * (rig.parameters()[p].maximum - rig.parameters()[p].minimum);
+  std::vector<double> tremor(effects.size(), 0.0);
+  for (std::size_t p = 0; p < effects.size(); ++p) {
+    if (!(effects[p] > 0)) continue;
+    tremor[p] = usual_tremors * tremor_share(effects[p]) * (rig.parameters()[p].maximum - rig.parameters()[p].minimum);
   }
   settle(tremor, still.confidence, result.poses);
   for (std::size_t f = 0; f < result.poses.size(); ++f) {
-    for (const std::size_t p : free) {
+    for (std::size_t p = 0; p < effects.size(); ++p) {
       double& value = result.poses[f][p];
       value = std::clamp(value, rig.parameters()[p].minimum, rig.parameters()[p].maximum);
     }
@@ -91,9 +101,8 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
     result.times_s.push_back(track.frames[f].time_s);
     result.poses.push_back(solver->pose());
   }
-  if (tremor_px > 0) {
-    constexpr double k_share = 0.03;  // of a parameter's range, for the usual tremor
-    settle_poses(rig, setup.free, k_share * tremor_px * k_usual_span_px / span, result, *still);
+  if (tremor_px > 0 && span > 0) {
+    settle_poses(rig, solver->effects(), tremor_px * k_usual_span_px / span, result, *still);
   }
   smooth_over_time(result.times_s, setup.smooth_s, result.poses);
   result.still = std::move(still).value();

@@ -236,6 +236,25 @@ TEST_F(SharedRealTrack, TheMouthOpensWhenThePersonsDoes) {
   }
 }
 
+TEST_F(SharedRealTrack, TheLidsFollowThePersonsLids) {
+  // How far the eyes are open, in widths of the eyes: a nod shortens that too, which is no blink.
+  std::vector<double> open;
+  std::vector<double> level_open;
+  std::vector<double> level_blink;
+  std::vector<double> blink = values("eyeBlink_R");
+  const auto left = values("eyeBlink_L");
+  for (std::size_t f = 0; f < 300; ++f) {
+    open.push_back((apart(f, 37, 41) + apart(f, 38, 40)) / apart(f, 36, 39) +
+                   (apart(f, 43, 47) + apart(f, 44, 46)) / apart(f, 42, 45));
+    blink[f] += left[f];
+    if (result_.still.turns[f].rotation[2][2] < std::cos(0.35)) continue;
+    level_open.push_back(open[f]);
+    level_blink.push_back(blink[f]);
+  }
+  EXPECT_LT(correlation(open, blink), -0.8);
+  EXPECT_LT(correlation(level_open, level_blink), -0.75);
+}
+
 TEST_F(SharedRealTrack, TheEyesCloseWhenThePersonsDo) {
   const auto blink = values("eyeBlink_R");
   // Around frame 247 the eyes are half closed for a moment; at 126 they are wide open.
