@@ -319,6 +319,17 @@ TEST(ReadCurveTrack, SaysWhereItIsWrong) {
             "/frames/1/curves");
 }
 
+TEST(ReadArkit, TellsTheRateFromWholeSeconds) {
+  for (const int fps : {24, 25, 30, 50, 60}) {
+    std::string text = "Timecode,BlendShapeCount,JawOpen\n";
+    for (int f = 0; f < 3 * fps; ++f)
+      text += "01:02:0" + std::to_string(f / fps) + ":" + std::to_string(f % fps) + ".000,1,0.5\n";
+    const auto track = read_arkit_track(bytes(text)).value();
+    for (int f = 0; f < 3 * fps; ++f)
+      EXPECT_NEAR(track.frames[static_cast<std::size_t>(f)].time_s, f / static_cast<double>(fps), 1e-6) << fps;
+  }
+}
+
 TEST(ReadArkit, ReadsNamesTimesAndHolds) {
   const auto track = read_arkit_track(bytes("Timecode,BlendShapeCount,EyeBlinkLeft,JawOpen\n"
                                             "23:59:59:59.5,61,0.1,0.2\n00:00:00:00.5,61,0.3,0.4\n"
