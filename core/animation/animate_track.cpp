@@ -17,7 +17,7 @@ constexpr double k_usual_span_px = 250;
 void steady_curves(std::span<const TrackedCurve> curves, double tremor_px, StillTrack& still) {
   std::vector<std::size_t> done;
   const auto steady_new = [&](std::vector<std::size_t> points) {
-    std::sort(points.begin(), points.end());
+    std::stable_sort(points.begin(), points.end());
     std::erase_if(points, [&](std::size_t i) { return std::find(done.begin(), done.end(), i) != done.end(); });
     points.erase(std::unique(points.begin(), points.end()), points.end());
     steady(still, points, tremor_px);
