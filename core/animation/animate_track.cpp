@@ -1,6 +1,7 @@
 #include "core/animation/animate_track.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/animation/steady.h"
 
@@ -8,19 +9,69 @@ namespace penpose::animation {
 
 namespace {
 
-/// Steadies every curve and what it rides on, each point once.
+/// A face of which the curves span so many px trembles by a px, as trackers go; smaller ones by less.
+constexpr double k_usual_span_px = 250;
+
+/// Steadies every point that drives something or carries what does, once. Lids close together, those of both eyes: what
+/// one of them leaves in doubt, all of them tell.
 void steady_curves(std::span<const TrackedCurve> curves, double tremor_px, StillTrack& still) {
   std::vector<std::size_t> done;
-  const auto steady_new = [&](const std::vector<std::size_t>& points) {
-    std::vector<std::size_t> fresh;
-    for (const std::size_t i : points) {
-      if (std::find(done.begin(), done.end(), i) == done.end()) fresh.push_back(i);
-    }
-    steady(still, fresh, tremor_px);
-    done.insert(done.end(), fresh.begin(), fresh.end());
+  const auto steady_new = [&](std::vector<std::size_t> points) {
+    std::stable_sort(points.begin(), points.end());
+    std::erase_if(points, [&](std::size_t i) { return std::find(done.begin(), done.end(), i) != done.end(); });
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    steady(still, points, tremor_px);
+    done.insert(done.end(), points.begin(), points.end());
   };
+  std::vector<std::size_t> lids;
+  for (const TrackedCurve& curve : curves) {
+    if (curve.meets) lids.insert(lids.end(), curve.points.begin(), curve.points.end());
+  }
+  steady_new(lids);
   for (const TrackedCurve& curve : curves) steady_new(curve.points);
   for (const TrackedCurve& curve : curves) steady_new(curve.anchor);
+}
+
+/// Diagonal of the box around the tracked curves in the neutral frame, px.
+double span_px(std::span<const TrackedCurve> curves, const TrackFrame& neutral) {
+  PxPoint low = neutral.points[curves[0].points[0]];
+  PxPoint high = low;
+  for (const TrackedCurve& curve : curves) {
+    for (const std::size_t i : curve.points) {
+      const PxPoint& p = neutral.points[i];
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  }
+  return geometry::distance(low, high);
+}
+
+/// What tremor of a px does to parameters, as a share of their range, on a face of the usual span. The far-reaching
+/// ones, as the jaw, are pinned by many points.
+double tremor_share(double effect) {
+  constexpr double k_most = 0.03;
+  constexpr double k_far_reaching = 0.008;
+  return k_most * (effect > k_far_reaching ? std::sqrt(k_far_reaching / effect) : 1.0);
+}
+
+/// Takes what is left of the tremor out of the solved parameters. A frame without a face keeps the pose before it.
+void settle_poses(const rig::Rig& rig, std::span<const double> effects, double usual_tremors, TrackedAnimation& result,
+                  const StillTrack& still) {
+  std::vector<double> tremor(effects.size(), 0.0);
+  for (std::size_t p = 0; p < effects.size(); ++p) {
+    if (!(effects[p] > 0)) continue;
+    tremor[p] = usual_tremors * tremor_share(effects[p]) * (rig.parameters()[p].maximum - rig.parameters()[p].minimum);
+  }
+  settle(tremor, still.confidence, result.poses);
+  for (std::size_t f = 0; f < result.poses.size(); ++f) {
+    for (std::size_t p = 0; p < effects.size(); ++p) {
+      double& value = result.poses[f][p];
+      value = std::clamp(value, rig.parameters()[p].minimum, rig.parameters()[p].maximum);
+    }
+  }
+  for (const std::size_t f : result.held) {
+    if (f > 0) result.poses[f] = result.poses[f - 1];
+  }
 }
 
 }  // namespace
@@ -31,7 +82,9 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   if (!still) return still.error();
   auto transfer = make_transfer(rig, setup.rest, track, *still, setup.curves, camera);
   if (!transfer) return transfer.error();
-  steady_curves(setup.curves, setup.tremor_px, *still);
+  const double span = span_px(setup.curves, track.frames[still->neutral]);
+  const double tremor_px = setup.tremor_px.value_or(std::min(1.0, span / k_usual_span_px));
+  steady_curves(setup.curves, tremor_px, *still);
   auto solver = FrameSolver::make(rig, *transfer, setup.free, setup.rest, camera, setup.frame);
   if (!solver) return solver.error();
 
@@ -48,12 +101,8 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
     result.times_s.push_back(track.frames[f].time_s);
     result.poses.push_back(solver->pose());
   }
-  if (setup.tremor_px > 0) {
-    std::vector<double> tremor(rig.parameters().size(), 0.0);
-    constexpr double k_share = 0.03;  // of a range: what is left of the tremor in parameters that move little
-    for (const std::size_t p : setup.free)
-      tremor[p] = k_share * (rig.parameters()[p].maximum - rig.parameters()[p].minimum);
-    settle(tremor, result.poses);
+  if (tremor_px > 0 && span > 0) {
+    settle_poses(rig, solver->effects(), tremor_px * k_usual_span_px / span, result, *still);
   }
   smooth_over_time(result.times_s, setup.smooth_s, result.poses);
   result.still = std::move(still).value();

@@ -16,8 +16,9 @@ struct TrackSetup {
   rig::Pose rest;                      ///< the pose of the neutral frame
   std::optional<std::size_t> neutral;  ///< a frame; by default the first that shows a face
   double least_confidence = 0.2;       ///< frames below show no face
-  double tremor_px = 1;                ///< as `steady`; px of the track
-  double smooth_s = 0;                 ///< as smooth_over_time, for parameters and the head's turn
+  /// How far points shake, px of the track (`steady`); by default 1, or less where the face is smaller than 320 px.
+  std::optional<double> tremor_px;
+  double smooth_s = 0;  ///< as smooth_over_time, for parameters and the head's turn
   FrameOptions frame;
 };
 

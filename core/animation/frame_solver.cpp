@@ -31,6 +31,7 @@ struct FrameSolver::State {
   posing::LinearModel model;                 ///< where the rig is not linear, its variables and the pull alone
   posing::Residuals points_at_zero;          ///< positions of the curve points at u = 0, laid out as residuals
   std::vector<geometry::ModelVector> sight;  ///< from the eye to each point at rest, length one
+  double extent = 0;                         ///< diagonal of the box around the points at rest
   double pull_unit = 0;                      ///< energy of moving every point by a tenth of the curves' extent
   std::vector<double> rest_u;
   std::vector<double> u;
@@ -140,7 +141,8 @@ base::Result<FrameSolver> FrameSolver::make(const rig::Rig& rig, Transfer transf
   s.u = s.rest_u = variables.start;
   double weight = 0;
   for (const double w : s.transfer.weights) weight += w;
-  s.pull_unit = 0.1 * box.diagonal() * weight;
+  s.extent = box.diagonal();
+  s.pull_unit = 0.1 * s.extent * weight;
   s.linear = s.relevance.columns.has_value();
   if (s.linear) {
     s.model = posing::make_linear_model(s.system, s.pose, std::move(variables), std::move(*s.relevance.columns), 0);
@@ -166,6 +168,15 @@ const rig::Pose& FrameSolver::follow(std::span<const PxPoint> offsets, double do
 }
 
 const rig::Pose& FrameSolver::pose() const { return state_->pose; }
+std::vector<double> FrameSolver::effects() const {
+  const State& s = *state_;
+  std::vector<double> effects(s.rig.parameters().size(), 0.0);
+  const double all = s.extent * static_cast<double>(s.now.size());
+  for (std::size_t i = 0; i < s.relevance.parameters.size() && all > 0; ++i) {
+    effects[s.relevance.parameters[i]] = s.relevance.effects[i] / all;
+  }
+  return effects;
+}
 std::size_t FrameSolver::variables() const { return state_->u.size(); }
 
 }  // namespace penpose::animation

@@ -265,6 +265,13 @@ double doubt_of(const HeadTurn& turn, double extent) {
   return doubt / (1.0 + doubt);
 }
 
+/// Whether the points can be those of the neutral frame's head at all. Trackers that lose a face put the points
+/// anywhere for a frame or two and may be sure of it.
+bool is_head(const HeadTurn& turn, double extent) {
+  constexpr double k_most = 0.5;  // of the stable points' own extent; a head that turns away leaves a fifth of that
+  return turn.residual_px <= k_most * extent * turn.scale;
+}
+
 /// How near the camera was, from what fits the stable points best over the clip: a face that fills the picture of a
 /// phone is seen with strong perspective, one in a film with none. In 1/px; 0 unless it explains a good deal.
 double find_nearness(HeadShape& shape, std::span<const TrackFrame* const> frames) {
@@ -326,8 +333,12 @@ base::Result<StillTrack> take_head_motion_out(const PointTrack& track, const Sta
 
   HeadTurn last;
   for (const TrackFrame& frame : track.frames) {
-    const bool here = seen(frame);
-    if (here) last = shape.turn_of(frame);
+    bool here = seen(frame);
+    if (here) {
+      const HeadTurn turn = shape.turn_of(frame);
+      here = is_head(turn, shape.extent());
+      if (here) last = turn;
+    }
     still.turns.push_back(last);
     still.doubt.push_back(doubt_of(last, shape.extent()));
     still.confidence.push_back(here ? std::min(frame.confidence, 1.0) : 0.0);

@@ -40,7 +40,8 @@ struct StablePoints {
 /// neutral frame to where they are now (least squares). Where the track knows depths, the turn out of the picture's
 /// plane is found before it, by Gauss-Newton from the stable and the turning points, and how strong the perspective is
 /// from the whole clip. A point's offset is what is left, turned back into the neutral frame. Without stable points the
-/// head counts as still. Frames of less than `least_confidence` count as not seen.
+/// head counts as still. Frames of less than `least_confidence` count as not seen, and so do those in which the stable
+/// points are so far from where any turn would bring them that they can be no face.
 ///
 /// Errors: no frame with a face, a point that does not exist, stable points at one place, a neutral frame that does not
 /// exist or shows no face.

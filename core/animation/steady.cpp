@@ -3,76 +3,57 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/math.h"
+#include "core/animation/trend.h"
 
 namespace penpose::animation {
 namespace {
 
-using Places = std::vector<PxPoint>;
+/// Tremor is spread evenly over its reach; the standard deviation of that is 1 / sqrt(3).
+constexpr double k_deviation = 0.58;
 
-/// Root mean square distance over the chosen points.
-double apart(const Places& a, const Places& b, std::span<const std::size_t> points) {
-  double sum = 0;
-  for (const std::size_t i : points) {
-    const PxPoint d = a[i] - b[i];
-    sum += d.x * d.x + d.y * d.y;
-  }
-  return std::sqrt(sum / static_cast<double>(points.size()));
-}
-
-/// 1 for differences that tremor explains: two places that each shake by tremor_px along both axes are on average two
-/// tremors apart. Falls to nothing within two more.
-double likeness(double difference_px, double tremor_px) {
-  const double beyond = difference_px / tremor_px - 2.0;
-  return beyond <= 0 ? 1.0 : base::exp(-beyond * beyond);
+/// Frames that show nothing are bridged, all others count by their confidence.
+std::vector<double> trust_in(std::span<const double> confidence) {
+  constexpr double k_least = 1e-3;
+  std::vector<double> trust;
+  for (const double c : confidence) trust.push_back(std::clamp(c, k_least, 1.0));
+  return trust;
 }
 
 }  // namespace
 
-void steady(StillTrack& track, std::span<const std::size_t> points, double tremor_px, std::size_t reach) {
+void steady(StillTrack& track, std::span<const std::size_t> points, double tremor_px) {
   if (!(tremor_px > 0) || points.empty()) return;
-  const auto& offsets = track.offsets;
-  std::vector<Places> steadied(offsets.size());
-  for (std::size_t f = 0; f < offsets.size(); ++f) {
-    if (offsets[f].empty()) continue;
-    Places sum(points.size());
-    double weights = 0;
-    const std::size_t last = std::min(offsets.size() - 1, f + reach);
-    for (std::size_t g = f - std::min(f, reach); g <= last; ++g) {
-      if (offsets[g].empty()) continue;
-      const std::size_t frames = g < f ? f - g : g - f;
-      const double nearness = 1.0 - static_cast<double>(frames) / static_cast<double>(reach + 1);
-      const double w = nearness * track.confidence[g] * likeness(apart(offsets[f], offsets[g], points), tremor_px);
-      for (std::size_t k = 0; k < points.size(); ++k) sum[k] = sum[k] + offsets[g][points[k]] * w;
-      weights += w;
+  std::vector<std::vector<double>> rows;
+  std::vector<double> last(2 * points.size(), 0.0);
+  for (const auto& offsets : track.offsets) {
+    for (std::size_t k = 0; k < points.size() && !offsets.empty(); ++k) {
+      last[2 * k] = offsets[points[k]].x;
+      last[2 * k + 1] = offsets[points[k]].y;
     }
-    for (PxPoint& p : sum) p = p * (1.0 / weights);
-    steadied[f] = std::move(sum);
+    rows.push_back(last);
   }
-  for (std::size_t f = 0; f < steadied.size(); ++f) {
-    for (std::size_t k = 0; k < steadied[f].size(); ++k) track.offsets[f][points[k]] = steadied[f][k];
+  follow_trend(trust_in(track.confidence), k_deviation * tremor_px, rows);
+  for (std::size_t f = 0; f < rows.size(); ++f) {
+    auto& offsets = track.offsets[f];
+    for (std::size_t k = 0; k < points.size() && !offsets.empty(); ++k) {
+      offsets[points[k]] = {rows[f][2 * k], rows[f][2 * k + 1]};
+    }
   }
 }
 
-void settle(std::span<const double> tremor, std::vector<std::vector<double>>& rows, std::size_t reach) {
-  std::vector<double> column(rows.size());
+void settle(std::span<const double> tremor, std::span<const double> confidence,
+            std::vector<std::vector<double>>& rows) {
+  TrendOptions options;
+  options.bend_cost = 4;
+  options.free_bend = 3;
+  options.iterations = 150;
+  const std::vector<double> trust = trust_in(confidence);
   for (std::size_t i = 0; i < tremor.size(); ++i) {
-    if (!(tremor[i] > 0)) continue;
-    for (std::size_t f = 0; f < rows.size(); ++f) column[f] = rows[f][i];
-    for (std::size_t f = 0; f < rows.size(); ++f) {
-      double sum = 0;
-      double weights = 0;
-      // Both sides reach equally far, so that a movement that begins at an end of the clip does not bend.
-      const std::size_t side = std::min({reach, f, rows.size() - 1 - f});
-      for (std::size_t g = f - side; g <= f + side; ++g) {
-        const std::size_t frames = g < f ? f - g : g - f;
-        const double nearness = 1.0 - static_cast<double>(frames) / static_cast<double>(reach + 1);
-        const double w = nearness * likeness(std::abs(column[g] - column[f]), tremor[i]);
-        sum += w * column[g];
-        weights += w;
-      }
-      rows[f][i] = sum / weights;
-    }
+    std::vector<std::vector<double>> column;
+    for (const auto& row : rows) column.push_back({row[i]});
+    if (std::all_of(column.begin(), column.end(), [&](const auto& value) { return value == column[0]; })) continue;
+    follow_trend(trust, tremor[i], column, options);
+    for (std::size_t f = 0; f < rows.size(); ++f) rows[f][i] = column[f][0];
   }
 }
 

@@ -15,29 +15,6 @@ using articulation::SketchedDeformers;
 
 namespace {
 
-/// Poses and locks of parameters that have other places after a change of the rig.
-void carry_over(const Document& before, Document& after) {
-  const auto old_parameters = before.model->rig->parameters();
-  const auto parameters = after.model->rig->parameters();
-  std::vector<std::optional<std::size_t>> old_number;
-  for (const rig::Parameter& parameter : parameters) {
-    old_number.push_back(rig::find_parameter(old_parameters, parameter.name));
-  }
-  const auto carried = [&](const rig::Pose& pose) {
-    rig::Pose other;
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-      const double value = old_number[i] ? pose[*old_number[i]] : parameters[i].rest;
-      other.push_back(std::clamp(value, parameters[i].minimum, parameters[i].maximum));
-    }
-    return other;
-  };
-  after.pose = carried(before.pose);
-  Timeline timeline = *before.timeline;
-  for (PoseKey& key : timeline.keys) key.pose = carried(key.pose);
-  after.timeline = std::make_shared<const Timeline>(std::move(timeline));
-  std::erase_if(after.locked, [&](const std::string& name) { return !rig::find_parameter(parameters, name); });
-}
-
 /// The set that edits start from; the one without deformers where there is none.
 SketchedDeformers::Shared set_of(const Document& document) {
   if (document.model->deformers) return document.model->deformers;
@@ -149,10 +126,7 @@ Changed rebuilt(const Document& document, std::size_t number, const Sketch& sket
 Changed with_deformers(const Document& document, std::shared_ptr<const articulation::SketchedDeformers> deformers) {
   auto model = with_deformers(*document.model, std::move(deformers));
   if (!model) return model.error();
-  Document changed = document;
-  changed.model = std::make_shared<const Model>(std::move(model).value());
-  carry_over(document, changed);
-  return changed;
+  return with_model(document, std::move(model).value());
 }
 
 Changed run(const Document& document, const BeginDeformer& command, Parts&) {

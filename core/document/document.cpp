@@ -1,5 +1,6 @@
 #include "core/document/document.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace penpose::document {
@@ -10,6 +11,36 @@ Document make_document(Model model) {
   document.model = std::make_shared<const Model>(std::move(model));
   document.timeline = std::make_shared<const Timeline>();
   return document;
+}
+
+Document with_model(const Document& document, Model model) {
+  Document after = document;
+  after.model = std::make_shared<const Model>(std::move(model));
+  const auto old_parameters = document.model->rig->parameters();
+  const auto parameters = after.model->rig->parameters();
+  std::vector<std::optional<std::size_t>> old_number;
+  for (const rig::Parameter& parameter : parameters) {
+    old_number.push_back(rig::find_parameter(old_parameters, parameter.name));
+  }
+  const auto carried = [&](const rig::Pose& pose) {
+    rig::Pose other;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      const double value = old_number[i] ? pose[*old_number[i]] : parameters[i].rest;
+      other.push_back(std::clamp(value, parameters[i].minimum, parameters[i].maximum));
+    }
+    return other;
+  };
+  after.pose = carried(document.pose);
+  Timeline timeline = *document.timeline;
+  for (PoseKey& key : timeline.keys) key.pose = carried(key.pose);
+  after.timeline = std::make_shared<const Timeline>(std::move(timeline));
+  std::erase_if(after.locked, [&](const std::string& name) { return !rig::find_parameter(parameters, name); });
+  return after;
+}
+
+bool is_plain(const Document& document) {
+  return document.locked.empty() && !document.pressure_weighting && document.curves.empty() &&
+         document.last_curve == 0 && !document.pending && document.timeline->keys.empty() && document.views.empty();
 }
 
 Model model_of(const Document& document) {

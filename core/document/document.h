@@ -44,6 +44,14 @@ struct Document {
 /// A document of a model that nothing has been done to: its pose, no curves, no keys.
 [[nodiscard]] Document make_document(Model model);
 
+/// The document with its model changed to one of the same mesh: poses are kept by the names of parameters, others are
+/// at rest; locks of parameters that are gone are forgotten. The model's own pose counts for nothing.
+[[nodiscard]] Document with_model(const Document& document, Model model);
+
+/// Whether it is its model, posed, and no more: no curves, keys, views, locks, settings and strokes of an unfinished
+/// deformer.
+[[nodiscard]] bool is_plain(const Document& document);
+
 /// The model as it stands, with the pose of the document and its timeline as one more animation, "timeline", in front;
 /// what a file for other programs holds.
 [[nodiscard]] Model model_of(const Document& document);

@@ -29,8 +29,9 @@ base::Result<Model> make_model(std::shared_ptr<const mesh::TriangleMesh> mesh,
   return model;
 }
 
-base::Result<Model> with_deformers(Model model, std::shared_ptr<const articulation::SketchedDeformers> deformers) {
-  auto made = make_model(model.mesh, model.shapes, model.skeleton, std::move(deformers));
+base::Result<Model> with_controls(Model model, std::shared_ptr<const rig::BlendShapes> shapes,
+                                  std::shared_ptr<const articulation::SketchedDeformers> deformers) {
+  auto made = make_model(model.mesh, std::move(shapes), model.skeleton, std::move(deformers));
   if (!made) return made;
   const auto parameters = made->rig->parameters();
   // Where each parameter's value was before.
@@ -64,6 +65,11 @@ base::Result<Model> with_deformers(Model model, std::shared_ptr<const articulati
   made->animations = std::move(model.animations);
   made->notes = std::move(model.notes);
   return made;
+}
+
+base::Result<Model> with_deformers(Model model, std::shared_ptr<const articulation::SketchedDeformers> deformers) {
+  auto shapes = model.shapes;
+  return with_controls(std::move(model), std::move(shapes), std::move(deformers));
 }
 
 base::Result<std::shared_ptr<const articulation::Canvas>> make_canvas(const Model& model) {

@@ -73,8 +73,11 @@ struct Model {
                                              std::shared_ptr<const rig::Skeleton> skeleton,
                                              std::shared_ptr<const articulation::SketchedDeformers> deformers = {});
 
-/// The model with other sketched deformers (null: none). Pose and animations are kept by the names of the parameters;
-/// new ones are at rest. Errors of the rig: a name that a blend shape or a joint has.
+/// The model with other blend shapes and sketched deformers (null: none). Pose and animations are kept by the names of
+/// the parameters; new ones are at rest. Errors: those of make_model, such as a name that there are two of.
+[[nodiscard]] base::Result<Model> with_controls(Model model, std::shared_ptr<const rig::BlendShapes> shapes,
+                                                std::shared_ptr<const articulation::SketchedDeformers> deformers);
+/// The model with other sketched deformers and the blend shapes that it has.
 [[nodiscard]] base::Result<Model> with_deformers(Model model,
                                                  std::shared_ptr<const articulation::SketchedDeformers> deformers);
 /// What strokes are drawn on.

@@ -67,7 +67,7 @@ BakedDeformer bake_deformer(const articulation::Deformer& deformer, double toler
         worst = j;
       }
     }
-    if (baked.error <= tolerance || baked.targets.size() >= most) return baked;
+    if (baked.error <= tolerance || baked.targets.size() >= most) break;
     rig::BlendShape target;
     target.vertices = sample.vertices;
     Moves basis;
@@ -76,7 +76,7 @@ BakedDeformer bake_deformer(const articulation::Deformer& deformer, double toler
       basis.emplace_back(target.deltas.back());
     }
     const double square = dot(basis, basis);
-    if (!(square > 0)) return baked;
+    if (!(square > 0)) break;
     std::vector<double> weights;
     for (Moves& moves : left) {
       weights.push_back(dot(moves, basis) / square);
@@ -88,6 +88,20 @@ BakedDeformer bake_deformer(const articulation::Deformer& deformer, double toler
     if (most_weight > 0) add_target(target, weights, most_weight, baked);
     if (least_weight < -1e-3) add_target(target, weights, least_weight, baked);
   }
+  // Between the amounts weights go straight and the deformer does not.
+  for (std::size_t j = 0; j + 1 < k_amounts; ++j) {
+    const double amount = (baked.amounts[j] + baked.amounts[j + 1]) / 2;
+    Moves moves(sample.vertices.size());
+    deformer.carriage().displacements(amount, work, moves);
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+      moves[i] -= geometry::ModelVector(sample.deltas[i]) * amount;
+      for (std::size_t k = 0; k < baked.targets.size(); ++k) {
+        moves[i] -= geometry::ModelVector(baked.targets[k].deltas[i]) * baked.weight(k, amount);
+      }
+    }
+    baked.error = std::max(baked.error, farthest(moves));
+  }
+  return baked;
 }
 
 }  // namespace penpose::model_io

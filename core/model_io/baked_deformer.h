@@ -13,7 +13,7 @@ struct BakedDeformer {
   std::vector<rig::BlendShape> targets;      ///< over the deformer's vertices; their parameters have no name yet
   std::vector<double> amounts;               ///< ascending, evenly spaced over the deformer's range
   std::vector<std::vector<double>> weights;  ///< one list a target, one a amount
-  double error = 0;                          ///< farthest that a vertex is off at any of the amounts, model units
+  double error = 0;  ///< farthest that a vertex is off at the amounts and half-way between, model units
 
   /// Precondition: k is a target. Amounts beyond the range count as its ends.
   [[nodiscard]] double weight(std::size_t k, double amount) const;

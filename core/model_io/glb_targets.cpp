@@ -7,7 +7,8 @@
 
 namespace penpose::model_io {
 
-GlbTargets::GlbTargets(const document::Model& model, double tolerance) {
+GlbTargets::GlbTargets(const document::Model& model, double tolerance)
+    : size_(document::rest_world_box(model).diagonal()), between_tolerance_(0.25 * tolerance * size_) {
   if (model.shapes) {
     for (const rig::BlendShape& shape : model.shapes->shapes()) targets_.push_back(&shape);
   }
@@ -21,14 +22,13 @@ GlbTargets::GlbTargets(const document::Model& model, double tolerance) {
 }
 
 void GlbTargets::bake(const document::Model& model, double tolerance) {
-  const double size = document::rest_world_box(model).diagonal();
   std::set<std::string> taken;
   for (const rig::BlendShape* target : targets_) taken.insert(target->parameter.name);
   names_.resize(samples_.size());
   const std::size_t shapes = targets_.size() - samples_.size();
   for (std::size_t d = 0; d < samples_.size(); ++d) {
-    baked_.push_back(bake_deformer(*model.deformers->deformers()[d], tolerance * size));
-    if (size > 0) bake_error_ = std::max(bake_error_, baked_.back().error / size);
+    baked_.push_back(bake_deformer(*model.deformers->deformers()[d], 0.75 * tolerance * size_));
+    if (size_ > 0) bake_error_ = std::max(bake_error_, baked_.back().error / size_);
     for (std::size_t k = 0; k < baked_.back().targets.size(); ++k) {
       std::string name = samples_[d].parameter.name;
       name += "~";

@@ -13,7 +13,8 @@ namespace penpose::model_io {
 /// what baking adds to the samples (baked_deformer.h), in this order. Neither copied nor moved: `all` points into it.
 class GlbTargets {
  public:
-  /// `tolerance`: of baking, share of the model's size. The model must outlive it.
+  /// `tolerance`: of baking, share of the model's size. A quarter of it is left to keys (dense_keys.h). The model must
+  /// outlive it.
   GlbTargets(const document::Model& model, double tolerance);
   GlbTargets(const GlbTargets&) = delete;
   GlbTargets& operator=(const GlbTargets&) = delete;
@@ -23,6 +24,10 @@ class GlbTargets {
   [[nodiscard]] std::size_t own_count() const { return targets_.size() - places_.size(); }
   /// Names of the targets that baking made, one list a deformer.
   [[nodiscard]] const std::vector<std::vector<std::string>>& baked_names() const { return names_; }
+  /// The diagonal of the model at rest.
+  [[nodiscard]] double size() const { return size_; }
+  /// What is left of the tolerance to weights between keys, model units.
+  [[nodiscard]] double between_tolerance() const { return between_tolerance_; }
   /// Farthest that baking moves a vertex, share of the model's size.
   [[nodiscard]] double bake_error() const { return bake_error_; }
 
@@ -45,6 +50,8 @@ class GlbTargets {
   std::vector<Place> places_;
   std::vector<std::vector<std::string>> names_;
   std::vector<const rig::BlendShape*> targets_;
+  double size_ = 0;
+  double between_tolerance_ = 0;
   double bake_error_ = 0;
 };
 

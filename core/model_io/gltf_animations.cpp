@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/model_io/gltf_accessor.h"
+#include "core/model_io/gltf_extras.h"
 
 namespace penpose::model_io {
 namespace {
@@ -58,6 +59,7 @@ class AnimationReader {
         }
         auto keys = read_keys(sampler, TINYGLTF_TYPE_SCALAR, shapes_.of_target[*part].size(), pointer);
         if (!keys) return keys.error();
+        drop_added(a, static_cast<std::size_t>(channel.sampler), *keys);
         if (auto status = add_weights(*keys, *part, weights_channel, animation); !status) return status;
         continue;
       }
@@ -124,6 +126,28 @@ class AnimationReader {
       keys.values.push_back(static_cast<double>(value));
     }
     return keys;
+  }
+
+  /// Drops keys that were added for other programs alone (dense_keys.h).
+  void drop_added(std::size_t a, std::size_t sampler, Keys& keys) const {
+    const Json* extras = find(document_.json["animations"][a]["samplers"][sampler], "extras");
+    const Json* own = extras == nullptr ? nullptr : find(*extras, k_extras_key);
+    const Json* added = own == nullptr ? nullptr : find(*own, "added");
+    if (added == nullptr || !added->is_array() || keys.times_s.empty()) return;
+    std::vector<bool> drop(keys.times_s.size(), false);
+    for (const Json& key : *added) {
+      const auto number = whole_number(key, 1, static_cast<std::int64_t>(drop.size()) - 2);
+      if (number) drop[static_cast<std::size_t>(*number)] = true;
+    }
+    const std::size_t run = keys.values.size() / keys.times_s.size();
+    Keys kept{keys.interpolation, {}, {}};
+    for (std::size_t k = 0; k < drop.size(); ++k) {
+      if (drop[k]) continue;
+      kept.times_s.push_back(keys.times_s[k]);
+      const auto begin = keys.values.begin() + static_cast<std::ptrdiff_t>(k * run);
+      kept.values.insert(kept.values.end(), begin, begin + static_cast<std::ptrdiff_t>(run));
+    }
+    keys = std::move(kept);
   }
 
   /// Spreads keys of the targets of one mesh over the one channel of all shapes.

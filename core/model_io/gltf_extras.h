@@ -30,6 +30,8 @@ struct RootExtras {
   std::vector<std::vector<std::string>> baked;  ///< one list a deformer: targets that only show it to other programs
 };
 
+/// Sampler of weights: {"added": [key, ...]}, keys that are there for other programs alone (dense_keys.h).
+///
 /// Node: {"joint": true, "posable": true, "rest_rotation": [x, y, z, w], "minimum": [x, y, z], "maximum": [x, y, z],
 /// "values": [rx, ry, rz]} or {"carried_by_parent": true} or {"still": true} or
 /// {"group": true}. A joint whose inverse bind matrix needs doubles also has "inverse_bind": 16 numbers by columns.

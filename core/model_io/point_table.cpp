@@ -7,7 +7,11 @@
 namespace penpose::model_io {
 namespace {
 
-using ColumnIndex = std::map<std::string, std::size_t, std::less<>>;
+/// Columns by name, as it is and without case; the first of a name counts.
+struct ColumnIndex {
+  std::map<std::string, std::size_t, std::less<>> exact;
+  std::map<std::string, std::size_t, std::less<>> folded;
+};
 
 std::string folded(std::string_view name) {
   std::string text(name);
@@ -18,8 +22,12 @@ std::string folded(std::string_view name) {
 }
 
 std::optional<std::size_t> column_of(const ColumnIndex& index, const std::vector<std::string>& names) {
+  // OpenFace has x_0 in px and X_0 in mm in one file.
   for (const std::string& name : names) {
-    if (const auto found = index.find(folded(name)); found != index.end()) return found->second;
+    if (const auto found = index.exact.find(name); found != index.exact.end()) return found->second;
+  }
+  for (const std::string& name : names) {
+    if (const auto found = index.folded.find(folded(name)); found != index.folded.end()) return found->second;
   }
   return std::nullopt;
 }
@@ -30,7 +38,10 @@ bool usable_coordinate(double value) { return std::abs(value) < 1e7; }
 
 base::Result<PointColumns> find_point_columns(const CsvReader& table, std::size_t count, const ColumnNames& names) {
   ColumnIndex index;
-  for (std::size_t i = 0; i < table.columns().size(); ++i) index.emplace(folded(table.columns()[i]), i);
+  for (std::size_t i = 0; i < table.columns().size(); ++i) {
+    index.exact.emplace(table.columns()[i], i);
+    index.folded.emplace(folded(table.columns()[i]), i);
+  }
   PointColumns columns;
   for (std::size_t i = 0; i < count; ++i) {
     std::array<std::size_t, 3> place{PointColumns::k_none, PointColumns::k_none, PointColumns::k_none};

@@ -28,6 +28,16 @@ std::optional<Timecode> parse_timecode(std::string_view text) {
   return Timecode{(parts[0] * 60 + parts[1]) * 60 + parts[2], parts[3]};
 }
 
+/// What a second is counted in, told by the highest count where a whole second is there; else the devices' usual rates.
+double frame_rate(const std::vector<std::optional<Timecode>>& codes, double most) {
+  std::size_t seconds_begun = 0;
+  for (std::size_t i = 1; i < codes.size(); ++i) seconds_begun += codes[i]->whole_s != codes[i - 1]->whole_s ? 1 : 0;
+  for (const double fps : {24.0, 25.0, 30.0, 48.0, 50.0}) {
+    if (seconds_begun >= 2 && most < fps) return fps;
+  }
+  return most >= 30 ? 60 : 30;
+}
+
 /// Seconds from the first row; a clock that passes midnight goes on. Empty unless every row has a timecode.
 std::vector<double> times_of(const std::vector<std::optional<Timecode>>& codes) {
   double most = 0;
@@ -35,7 +45,7 @@ std::vector<double> times_of(const std::vector<std::optional<Timecode>>& codes) 
     if (!code) return {};
     most = std::max(most, code->frames);
   }
-  const double fps = most >= 30 ? 60 : 30;
+  const double fps = frame_rate(codes, most);
   std::vector<double> times;
   double day = 0;
   for (const auto& code : codes) {

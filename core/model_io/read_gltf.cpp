@@ -12,6 +12,7 @@
 #include "core/model_io/gltf_nodes.h"
 #include "core/model_io/gltf_shapes.h"
 #include "core/model_io/gltf_skins.h"
+#include "core/model_io/gltf_weight_ranges.h"
 #include "core/model_io/project_json.h"
 
 namespace penpose::model_io {
@@ -91,6 +92,7 @@ base::Result<document::Model> read_opened(GltfDocument& document) {
   const std::size_t weights = shape_count + deformer_names.size();
   auto animations = read_animations(document, *meshes, *shapes, joints->joint_of_node);
   if (!animations) return animations.error();
+  widen_ranges(*animations, *root, *shapes);
   for (document::Animation& animation : *animations) drop_weights(animation, shapes->shapes.size(), weights);
   shapes->values.resize(weights);
   shapes->shapes.resize(shape_count);  // deformers say themselves what their samples say

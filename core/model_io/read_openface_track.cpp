@@ -1,10 +1,65 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
 
 #include "core/model_io/face_points.h"
 #include "core/model_io/point_table.h"
 #include "core/model_io/read_track.h"
 
 namespace penpose::model_io {
+
+namespace {
+
+/// The columns X_i, Y_i, Z_i: where the tracker's own model of the face has the points, mm, z away from the camera.
+/// Files without them are common.
+class SolidFace {
+ public:
+  explicit SolidFace(const CsvReader& table) {
+    const auto names = table.columns();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t i = 0; i < k_ibug_points; ++i) {
+        const std::string name = std::string(1, "XYZ"[axis]) + "_" + std::to_string(i);
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found == names.end()) return;
+        columns_[axis][i] = static_cast<std::size_t>(found - names.begin());
+      }
+    }
+    there_ = true;
+  }
+
+  /// As common_depths, from the row itself. Empty where it has no face that could be one.
+  [[nodiscard]] std::vector<double> depths(const CsvReader& table, const std::vector<std::string_view>& cells,
+                                           std::span<const animation::PxPoint> points) const {
+    std::vector<double> depths;
+    if (!there_) return depths;
+    const auto at = [&](std::size_t axis, std::size_t i) {
+      const std::size_t column = columns_[axis][i];
+      return column < cells.size() ? table.number(cells[column]).value_or(std::nan("")) : std::nan("");
+    };
+    double square = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double apart = at(axis, k_eye_right) - at(axis, k_eye_left);
+      square += apart * apart;
+    }
+    const double scale = geometry::distance(points[k_eye_right], points[k_eye_left]) / std::sqrt(square);
+    const double eyes = (at(2, k_eye_right) + at(2, k_eye_left)) / 2;
+    for (std::size_t i = 0; i < k_ibug_points; ++i) depths.push_back((eyes - at(2, i)) * scale);
+    // The tip of a nose stands out by a share of the eyes' distance, whoever it is.
+    const double nose = (eyes - at(2, k_nose_tip)) / std::sqrt(square);
+    const bool sound = std::all_of(depths.begin(), depths.end(), usable_coordinate) && nose > 0.1 && nose < 1;
+    return sound ? depths : std::vector<double>();
+  }
+
+ private:
+  static constexpr std::size_t k_eye_right = 36;  ///< outer corners
+  static constexpr std::size_t k_eye_left = 45;
+  static constexpr std::size_t k_nose_tip = 30;
+  std::array<std::array<std::size_t, k_ibug_points>, 3> columns_{};
+  bool there_ = false;
+};
+
+}  // namespace
 
 base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
   auto table = CsvReader::open(base::as_text(bytes));
@@ -14,12 +69,16 @@ base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
     return std::vector<std::string>{k_axes[static_cast<std::size_t>(axis)] + std::to_string(i)};
   });
   if (!columns) return columns.error();
+  const SolidFace solid(*table);
   std::vector<FaceRow> rows;
   std::vector<std::string_view> cells;
   while (table->next(cells)) {
     auto row = read_point_row(*table, *columns, cells);
     if (!row) return row.error();
-    if (row->row.why_held.empty()) row->row.depths = common_depths(row->row.points);
+    if (row->row.why_held.empty()) {
+      row->row.depths = solid.depths(*table, cells, row->row.points);
+      if (row->row.depths.empty()) row->row.depths = common_depths(row->row.points);
+    }
     if (rows.size() >= 4 * k_most_track_frames) return table->error("the table has too many rows", "cut the video");
     rows.push_back(std::move(row).value());
   }

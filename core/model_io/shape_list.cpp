@@ -40,12 +40,8 @@ base::Result<document::Model> with_shapes(document::Model model, std::span<const
   }
   auto made = rig::BlendShapes::make(std::move(all), rest.size());
   if (!made) return made.error();
-  auto result = document::make_model(model.mesh, std::move(made).value(), model.skeleton, model.deformers);
-  if (!result) return result;
-  result->materials = std::move(model.materials);
-  result->curves = std::move(model.curves);
-  result->notes = std::move(model.notes);
-  return result;
+  auto deformers = model.deformers;
+  return document::with_controls(std::move(model), std::move(made).value(), std::move(deformers));
 }
 
 }  // namespace penpose::model_io

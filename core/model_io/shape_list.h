@@ -18,7 +18,8 @@ struct ShownShape {
 [[nodiscard]] std::string control_name_of(const std::string& path);
 
 /// The model with a blend shape for each of the others: what differs from the model's rest vertices. Its own blend
-/// shapes come first; names that are taken get a number. Errors (place: the shape's name): another number of vertices.
+/// shapes come first; names that are taken get a number; pose and animations stay. Errors (place: the shape's name):
+/// another number of vertices.
 [[nodiscard]] base::Result<document::Model> with_shapes(document::Model model, std::span<const ShownShape> shapes);
 
 }  // namespace penpose::model_io

@@ -5,8 +5,10 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 
 #include "core/geometry/rotation.h"
+#include "core/model_io/dense_keys.h"
 #include "core/model_io/glb_targets.h"
 #include "core/model_io/gltf_builder.h"
 #include "core/model_io/gltf_extras.h"
@@ -55,7 +57,9 @@ class GlbWriter {
     builder_.root["scenes"] = Json::array({{{"nodes", scene_}}});
     builder_.root["scene"] = 0;
     write_animations();
-    report = {targets_.size(), targets_.size() - morphs_.own_count(), morphs_.bake_error()};
+    const double size = morphs_.size();
+    report = {targets_.size(), targets_.size() - morphs_.own_count(),
+              morphs_.bake_error() + (size > 0 ? between_error_ / size : 0.0)};
     return builder_.finish();
   }
 
@@ -329,52 +333,66 @@ class GlbWriter {
     }
   }
 
+  /// Samplers of one channel share its times.
+  struct Times {
+    std::size_t input = k_none;
+    document::Interpolation interpolation = document::Interpolation::linear;
+    std::vector<std::size_t> added;  ///< keys that are there for other programs alone
+  };
+  Times write_times(std::vector<float> times_s, const document::Channel& channel) {
+    // Moments that are too close for floats must still ascend (glTF 2.0, section 3.11).
+    for (std::size_t i = 1; i < times_s.size(); ++i) {
+      if (!(times_s[i] > times_s[i - 1]))
+        times_s[i] = std::nextafter(times_s[i - 1], std::numeric_limits<float>::infinity());
+    }
+    return {builder_.add_floats(times_s, "SCALAR", BufferUse::plain, true), channel.interpolation, {}};
+  }
+  void write_sampler(const Times& times, std::size_t node, const char* path, std::span<const float> values,
+                     const char* type, Json& channels, Json& samplers) {
+    constexpr std::array<const char*, 3> k_interpolations = {"STEP", "LINEAR", "CUBICSPLINE"};
+    Json sampler = {{"input", times.input},
+                    {"interpolation", k_interpolations[static_cast<std::size_t>(times.interpolation)]},
+                    {"output", builder_.add_floats(values, type, BufferUse::plain, false)}};
+    if (!times.added.empty()) sampler["extras"] = {{k_extras_key, {{"added", times.added}}}};
+    samplers.push_back(std::move(sampler));
+    channels.push_back({{"sampler", samplers.size() - 1}, {"target", {{"node", node}, {"path", path}}}});
+  }
+
   void write_channel(const document::Channel& channel, Json& channels, Json& samplers) {
     if (channel.times_s.empty()) return;
-    std::vector<float> times(channel.times_s.begin(), channel.times_s.end());
-    // Moments that are too close for floats must still ascend (glTF 2.0, section 3.11).
-    for (std::size_t i = 1; i < times.size(); ++i) {
-      if (!(times[i] > times[i - 1])) times[i] = std::nextafter(times[i - 1], std::numeric_limits<float>::infinity());
-    }
-    std::size_t input = k_none;
-    const auto add = [&](std::size_t node, const char* path, std::span<const float> values, const char* type) {
-      if (input == k_none) input = builder_.add_floats(times, "SCALAR", BufferUse::plain, true);
-      constexpr std::array<const char*, 3> k_interpolations = {"STEP", "LINEAR", "CUBICSPLINE"};
-      samplers.push_back({{"input", input},
-                          {"interpolation", k_interpolations[static_cast<std::size_t>(channel.interpolation)]},
-                          {"output", builder_.add_floats(values, type, BufferUse::plain, false)}});
-      channels.push_back({{"sampler", samplers.size() - 1}, {"target", {{"node", node}, {"path", path}}}});
-    };
-    if (channel.target != document::ChannelTarget::weights) {
-      if (channel.joint >= joints().size()) return;
-      const std::vector<float> values(channel.values.begin(), channel.values.end());
-      const bool rotation = channel.target == document::ChannelTarget::rotation;
-      const bool translation = channel.target == document::ChannelTarget::translation;
-      add(channel.joint,
-          rotation      ? "rotation"
-          : translation ? "translation"
-                        : "scale",
-          values, rotation ? "VEC4" : "VEC3");
+    if (channel.target == document::ChannelTarget::weights) {
+      const std::size_t rows = channel.interpolation == document::Interpolation::cubic_spline ? 3 : 1;
+      const bool fits = channel.values.size() == channel.times_s.size() * rows * morphs_.own_count();
+      if (fits && morphs_.own_count() > 0) write_weight_keys(channel, channels, samplers);
       return;
     }
-    const std::size_t all = morphs_.own_count();
-    if (all == 0) return;
-    const bool cubic = channel.interpolation == document::Interpolation::cubic_spline;
-    std::vector<std::vector<double>> rows;
-    for (std::size_t row = 0; row < channel.values.size() / all; ++row) {
-      const auto own = std::span(channel.values).subspan(row * all, all);
-      const bool tangent = cubic && row % 3 != 1;
-      const std::size_t value_row = cubic ? row / 3 * 3 + 1 : row;
-      rows.push_back(tangent ? morphs_.tangents(own, std::span(channel.values).subspan(value_row * all, all))
-                             : morphs_.weights(own));
-    }
+    if (channel.joint >= joints().size()) return;
+    const Times times = write_times({channel.times_s.begin(), channel.times_s.end()}, channel);
+    const std::vector<float> values(channel.values.begin(), channel.values.end());
+    const bool rotation = channel.target == document::ChannelTarget::rotation;
+    const bool translation = channel.target == document::ChannelTarget::translation;
+    write_sampler(times, channel.joint,
+                  rotation      ? "rotation"
+                  : translation ? "translation"
+                                : "scale",
+                  values, rotation ? "VEC4" : "VEC3", channels, samplers);
+  }
+
+  void write_weight_keys(const document::Channel& channel, Json& channels, Json& samplers) {
+    DenseKeys keys = dense_keys(channel, morphs_, morphs_.between_tolerance());
+    between_error_ = std::max(between_error_, keys.error);
+    std::optional<Times> times;
     for (std::size_t i = 0; i < shapes_of_part_.size(); ++i) {
       if (shapes_of_part_[i].empty()) continue;
+      if (!times) {
+        times = write_times(keys.times_s, channel);
+        times->added = std::move(keys.added);
+      }
       std::vector<float> values;
-      for (const auto& row : rows) {
+      for (const auto& row : keys.rows) {
         for (const std::size_t s : shapes_of_part_[i]) values.push_back(static_cast<float>(row[s]));
       }
-      add(node_of_part_[i], "weights", values, "SCALAR");
+      write_sampler(*times, node_of_part_[i], "weights", values, "SCALAR", channels, samplers);
     }
   }
 
@@ -393,6 +411,7 @@ class GlbWriter {
   std::vector<glm::vec3> normals_;
   std::vector<std::vector<std::size_t>> shapes_of_part_;
   std::vector<std::size_t> node_of_part_;
+  double between_error_ = 0;  ///< of keys, model units
 };
 
 }  // namespace

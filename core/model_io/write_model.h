@@ -16,7 +16,8 @@ namespace penpose::model_io {
 ///
 /// Sketched deformers are baked to as many more morph targets as keep every vertex within `bake_tolerance` (a share of
 /// the model's size) at every amount, so that the file plays the same in any viewer; reading the file back takes them
-/// for what they are. At times between keys viewers mix the targets' weights, which is exact for blend shapes.
+/// for what they are. Viewers mix weights evenly between keys, which deformers do not: where that shows, keys are added
+/// in between, and reading drops them again.
 struct GlbOptions {
   double bake_tolerance = 1e-3;
 };
@@ -24,7 +25,7 @@ struct GlbOptions {
 struct GlbReport {
   std::size_t targets = 0;  ///< morph targets in all
   std::size_t baked = 0;    ///< of them made for deformers beside their own
-  double bake_error = 0;    ///< farthest that baking moves a vertex, share of the model's size
+  double bake_error = 0;    ///< farthest that baking moves a vertex, at keys and in between, share of the model's size
 };
 /// Viewers that show no more morph targets at a time than this are common.
 inline constexpr std::size_t k_common_targets = 8;

@@ -10,14 +10,12 @@ function run(program, ...args) {
 }
 
 /// Copies a .glb file that the program wrote so that it reads itself what others see: no project and no deformers, but the
-/// morph targets as ordinary blend shapes, with a range that holds every weight.
+/// morph targets as the ordinary blend shapes of a foreign file.
 function copyAsTargets(from, to) {
   const bytes = fs.readFileSync(from);
   const end = 20 + bytes.readUInt32LE(12); // of the JSON chunk, the first
   const document = JSON.parse(bytes.subarray(20, end).toString());
-  const names = new Set(document.meshes.flatMap((mesh) => mesh.extras?.targetNames ?? []));
-  const { version } = document.extras.penpose;
-  document.extras = { penpose: { version, shapes: [...names].map((name) => ({ name, rest: 0, minimum: -2, maximum: 2 })) } };
+  delete document.extras;
   let text = JSON.stringify(document);
   while (Buffer.byteLength(text) % 4 !== 0) text += ' ';
   const head = Buffer.from(bytes.subarray(0, 20));

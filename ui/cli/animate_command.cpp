@@ -34,7 +34,7 @@ struct AnimateArguments {
   std::string out;
   std::string head;
   std::optional<std::size_t> neutral;
-  double tremor_px = 1;
+  std::optional<double> tremor_px;
   double smooth_s = 0;
   double least_confidence = 0.2;
   double fps = 0;
@@ -277,9 +277,10 @@ void add_animate_command(CLI::App& app, int& status) {
       ->check(CLI::IsMember({"drop", "apply"}));
   command->add_option("--neutral", arguments->neutral,
                       "Frame, from 0, in which the face is at rest (default: the first)");
-  command->add_option("--tremor", arguments->tremor_px, "How far the tracker's points shake, px; 0 leaves them")
-      ->check(CLI::Range(0.0, 1000.0))
-      ->capture_default_str();
+  command
+      ->add_option("--tremor", arguments->tremor_px,
+                   "How far the tracker's points shake, px; 0 leaves them (default: 1, less for small faces)")
+      ->check(CLI::Range(0.0, 1000.0));
   command->add_option("--smooth", arguments->smooth_s, "Smooth over so many seconds to each side, without lag")
       ->check(CLI::Range(0.0, 60.0))
       ->capture_default_str();

@@ -9,6 +9,7 @@
 
 #include "core/articulation/edit.h"
 #include "core/base/numbers.h"
+#include "core/document/document_hash.h"
 #include "core/model_io/sketch_file.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/files.h"
@@ -36,7 +37,8 @@ struct Built {
 };
 
 /// Builds all deformers of the file. Errors: their place is a JSON pointer in it.
-base::Result<std::vector<Built>> build_all(const document::Model& model, const model_io::SketchFile& file) {
+base::Result<std::vector<Built>> build_all(const document::Document& document, const model_io::SketchFile& file) {
+  const document::Model& model = *document.model;
   const auto canvas = document::make_canvas(model);
   if (!canvas) return canvas.error();
   std::vector<Built> all;
@@ -54,6 +56,10 @@ base::Result<std::vector<Built>> build_all(const document::Model& model, const m
       return base::Error{"the model has a control '" + file.sketches[i].name + "' already",
                          "/deformers/" + std::to_string(i) + "/name", "choose another name"};
     }
+    if (document.pending && document.pending->sketch.name == file.sketches[i].name) {
+      return base::Error{"a control '" + file.sketches[i].name + "' is being sketched in the model",
+                         "/deformers/" + std::to_string(i) + "/name", "choose another name"};
+    }
     all.push_back({std::move(deformer).value(), took.count()});
     progress.advance();
   }
@@ -62,13 +68,16 @@ base::Result<std::vector<Built>> build_all(const document::Model& model, const m
 }
 
 /// The deformers that the model has, then the new ones.
-base::Result<document::Model> articulated(document::Model model, const std::vector<Built>& built) {
+base::Result<document::Document> articulated(const document::Document& document, const std::vector<Built>& built) {
+  const document::Model& model = *document.model;
   std::vector<std::shared_ptr<const Deformer>> deformers;
   if (model.deformers) deformers.assign(model.deformers->deformers().begin(), model.deformers->deformers().end());
   for (const Built& one : built) deformers.push_back(one.deformer);
   auto set = SketchedDeformers::make(std::move(deformers));
   if (!set) return set.error();
-  return document::with_deformers(std::move(model), std::move(set).value());
+  auto changed = document::with_deformers(model, std::move(set).value());
+  if (!changed) return changed.error();
+  return document::with_model(document, std::move(changed).value());
 }
 
 const char* mode_name(const Deformer& deformer) {
@@ -87,8 +96,8 @@ int articulate(const ArticulateArguments& arguments) {
   if (!arguments.out.ends_with(".glb")) {
     return report({"deformers are kept in .glb files only", "", "name the output .glb"}, arguments.out);
   }
-  auto model = load_model(arguments.model);
-  if (!model) return report(model.error(), arguments.model);
+  const auto document = load_document(arguments.model);
+  if (!document) return report(document.error(), arguments.model);
   const auto bytes = read_file(arguments.sketch);
   if (!bytes) return report(bytes.error(), arguments.sketch);
   const auto file = model_io::read_sketch_file(*bytes);
@@ -96,11 +105,11 @@ int articulate(const ArticulateArguments& arguments) {
   if (file->sketches.empty()) {
     return report({"there is no deformer in the file", "/deformers", "draw one"}, arguments.sketch);
   }
-  const auto built = build_all(*model, *file);
+  const auto built = build_all(*document, *file);
   if (!built) return report(built.error(), arguments.sketch);
-  const auto result = articulated(std::move(model).value(), *built);
+  const auto result = articulated(*document, *built);
   if (!result) return report(result.error(), arguments.model);
-  if (auto saved = save_model(*result, arguments.out); !saved) return report(saved.error(), arguments.out);
+  if (auto saved = save_as_it_came(*result, arguments.out); !saved) return report(saved.error(), arguments.out);
 
   Json rows = Json::array();
   for (const Built& one : *built) {
@@ -128,7 +137,7 @@ int articulate(const ArticulateArguments& arguments) {
     const Json object = {{"model", arguments.model},
                          {"out", arguments.out},
                          {"deformers", std::move(rows)},
-                         {"state", document::state_hash(*result).hex()}};
+                         {"state", document::DocumentHasher()(*result).whole.hex()}};
     std::cout << object.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
   }
   return k_success;

@@ -46,9 +46,9 @@ base::Result<std::vector<std::string>> shape_files(const std::vector<std::string
   return files;
 }
 
-base::Result<document::Model> load_with_shapes(const ConvertArguments& arguments) {
-  auto model = load_model(arguments.in);
-  if (!model || arguments.shapes.empty()) return model;
+base::Result<document::Document> load_with_shapes(const ConvertArguments& arguments) {
+  auto document = load_document(arguments.in);
+  if (!document || arguments.shapes.empty()) return document;
   const auto files = shape_files(arguments.shapes);
   if (!files) return files.error();
   std::vector<model_io::ShownShape> shapes;
@@ -64,20 +64,23 @@ base::Result<document::Model> load_with_shapes(const ConvertArguments& arguments
     }
     shapes.push_back({model_io::control_name_of(file), std::move(shape).value()});
   }
-  return model_io::with_shapes(std::move(model).value(), shapes);
+  auto model = model_io::with_shapes(*document->model, shapes);
+  if (!model) return model.error();
+  return document::with_model(*document, std::move(model).value());
 }
 
 int run_convert(const ConvertArguments& arguments) {
-  const auto model = load_with_shapes(arguments);
-  if (!model) return report(model.error(), arguments.in);
+  const auto document = load_with_shapes(arguments);
+  if (!document) return report(document.error(), arguments.in);
   if (arguments.out.ends_with(".csv")) {
-    const auto text = model_io::write_arkit(*model, arguments.fps);
+    const auto text = model_io::write_arkit(document::model_of(*document), arguments.fps);
     if (!text) return report(text.error(), arguments.in);
     const auto written = write_file(arguments.out, base::as_bytes(*text));
     return written ? k_success : report(written.error(), arguments.out);
   }
-  if (const auto saved = save_model(*model, arguments.out); !saved) return report(saved.error(), arguments.out);
-  for (const std::string& note : model->notes) std::cerr << "penpose: " << arguments.in << ": " << note << '\n';
+  if (const auto saved = save_as_it_came(*document, arguments.out); !saved) return report(saved.error(), arguments.out);
+  for (const std::string& note : document->model->notes)
+    std::cerr << "penpose: " << arguments.in << ": " << note << '\n';
   return k_success;
 }
 

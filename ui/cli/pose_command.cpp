@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "core/base/numbers.h"
+#include "core/document/document_hash.h"
 #include "core/model_io/case_file.h"
 #include "core/posing/solve.h"
 #include "ui/cli/case_problem.h"
@@ -67,11 +68,11 @@ base::Result<SolvedCase> solve_case(const document::Model& model, const model_io
   return solved;
 }
 
-Json to_json(const SolvedCase& solved, document::Model& model) {
+Json to_json(const SolvedCase& solved, document::Document& document, document::DocumentHasher& hasher) {
   const posing::Solution& s = solved.solution;
-  model.pose = s.pose;
+  document.pose = s.pose;
   Json parameters = Json::object();
-  for (std::size_t i = 0; i < s.pose.size(); ++i) parameters[model.rig->parameters()[i].name] = s.pose[i];
+  for (std::size_t i = 0; i < s.pose.size(); ++i) parameters[document.model->rig->parameters()[i].name] = s.pose[i];
   return {{"name", solved.name},
           {"variables", s.variables},
           {"energy_start", s.energy_start},
@@ -81,7 +82,7 @@ Json to_json(const SolvedCase& solved, document::Model& model) {
           {"evaluations", s.evaluations},
           {"put_back", s.put_back},
           {"solve_us", solved.solve_us},
-          {"state", document::state_hash(model).hex()}};
+          {"state", hasher(document).whole.hex()}};
 }
 
 void print_row(const SolvedCase& solved, const document::Model& model) {
@@ -98,13 +99,14 @@ void print_row(const SolvedCase& solved, const document::Model& model) {
 }
 
 int pose(const PoseArguments& arguments) {
-  auto model = load_model(arguments.model);
-  if (!model) return report(model.error(), arguments.model);
+  auto document = load_document(arguments.model);
+  if (!document) return report(document.error(), arguments.model);
+  const document::Model& model = *document->model;
   const auto bytes = read_file(arguments.cases);
   if (!bytes) return report(bytes.error(), arguments.cases);
   const auto file = model_io::read_cases(*bytes);
   if (!file) return report(file.error(), arguments.cases);
-  if (auto fits = model_io::check_cases(*file, *model, arguments.form); !fits)
+  if (auto fits = model_io::check_cases(*file, model, arguments.form); !fits)
     return report(fits.error(), arguments.cases);
 
   std::vector<const model_io::PoseCase*> chosen;
@@ -124,7 +126,7 @@ int pose(const PoseArguments& arguments) {
   std::vector<SolvedCase> solved;
   Progress progress("posing", chosen.size());
   for (const model_io::PoseCase* pose_case : chosen) {
-    auto result = solve_case(*model, *pose_case, arguments, work);
+    auto result = solve_case(model, *pose_case, arguments, work);
     if (!result) return report(result.error(), arguments.cases);
     solved.push_back(std::move(result).value());
     progress.advance();
@@ -133,17 +135,18 @@ int pose(const PoseArguments& arguments) {
 
   if (arguments.json) {
     Json cases = Json::array();
-    for (const SolvedCase& one : solved) cases.push_back(to_json(one, *model));
-    model->pose = solved.back().solution.pose;
+    document::DocumentHasher hasher;
+    for (const SolvedCase& one : solved) cases.push_back(to_json(one, *document, hasher));
+    document->pose = solved.back().solution.pose;
     const Json result = {
-        {"model", arguments.model}, {"cases", std::move(cases)}, {"state", document::state_hash(*model).hex()}};
+        {"model", arguments.model}, {"cases", std::move(cases)}, {"state", hasher(*document).whole.hex()}};
     std::cout << result.dump() << '\n';
   } else {
-    for (const SolvedCase& one : solved) print_row(one, *model);
+    for (const SolvedCase& one : solved) print_row(one, model);
   }
   if (!arguments.out.empty()) {
-    model->pose = solved.back().solution.pose;
-    if (auto saved = save_model(*model, arguments.out); !saved) return report(saved.error(), arguments.out);
+    document->pose = solved.back().solution.pose;
+    if (auto saved = save_as_it_came(*document, arguments.out); !saved) return report(saved.error(), arguments.out);
   }
   return k_success;
 }

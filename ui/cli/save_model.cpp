@@ -39,4 +39,9 @@ base::Status save_document(const document::Document& document, const std::string
   return save(model_io::write_document(document, path, &baking), baking, animated, path, say);
 }
 
+base::Status save_as_it_came(const document::Document& document, const std::string& path, SaveNotes say) {
+  return document::is_plain(document) ? save_model(document::model_of(document), path, say)
+                                      : save_document(document, path, say);
+}
+
 }  // namespace penpose::cli

@@ -18,5 +18,8 @@ enum class SaveNotes : bool { quiet, loud };
 /// Writes a document, .glb as a project, atomically. Errors of the writer and of the file system.
 [[nodiscard]] base::Status save_document(const document::Document& document, const std::string& path,
                                          SaveNotes say = SaveNotes::loud);
+/// Writes a document as what it came from: a model that nothing was drawn on stays a model.
+[[nodiscard]] base::Status save_as_it_came(const document::Document& document, const std::string& path,
+                                           SaveNotes say = SaveNotes::loud);
 
 }  // namespace penpose::cli

@@ -38,7 +38,22 @@ base::Result<animation::GreyImage> read_grey(const std::string& path) {
   return grey;
 }
 
-base::Result<animation::EigenPoints> learn(const model_io::LabelFile& file, const std::filesystem::path& folder) {
+/// Places found in pictures are places in those that were labelled: all have to be of one size.
+base::Status check_size(const animation::GreyImage& image, const animation::GreyImage& first, const std::string& name) {
+  if (image.width == first.width && image.height == first.height) return base::Done{};
+  const auto size = [](const animation::GreyImage& of) {
+    return std::to_string(of.width) + "x" + std::to_string(of.height);
+  };
+  return base::Error{"the picture is " + size(image) + " px, the first one that is labelled " + size(first), name,
+                     "give pictures of one size"};
+}
+
+struct Learned {
+  animation::EigenPoints points;
+  animation::GreyImage first;  ///< of the labelled pictures
+};
+
+base::Result<Learned> learn(const model_io::LabelFile& file, const std::filesystem::path& folder) {
   std::vector<animation::LabelledImage> labelled;
   for (std::size_t k = 0; k < file.images.size(); ++k) {
     auto image = read_grey((folder / file.images[k]).string());
@@ -48,8 +63,12 @@ base::Result<animation::EigenPoints> learn(const model_io::LabelFile& file, cons
       return error;
     }
     labelled.push_back({std::move(image).value(), file.track.frames[k].points});
+    if (auto fits = check_size(labelled.back().image, labelled.front().image, file.images[k]); !fits)
+      return fits.error();
   }
-  return animation::learn_eigen_points(labelled, file.features);
+  auto points = animation::learn_eigen_points(labelled, file.features);
+  if (!points) return points.error();
+  return Learned{std::move(points).value(), std::move(labelled.front().image)};
 }
 
 /// Files as they are named, a folder's pictures in the order of their names.
@@ -82,14 +101,16 @@ int track(const TrackArguments& arguments) {
   const auto files = picture_files(arguments.pictures);
   if (files.empty()) return report({"there is no .png or .pgm picture", "", "name pictures or a folder of them"});
   animation::PointTrack result;
-  result.point_count = learned->point_count;
+  result.point_count = learned->points.point_count;
   result.groups = labels->track.groups;
   std::vector<geometry::PxPoint> shifts;
   Progress progress("tracking", files.size());
   for (std::size_t f = 0; f < files.size(); ++f) {
     const auto image = read_grey(files[f]);
     if (!image) return report(image.error(), files[f]);
-    auto found = animation::find_eigen_points(*learned, *image, shifts);
+    if (auto fits = check_size(*image, learned->first, "frame " + std::to_string(f)); !fits)
+      return report(fits.error(), files[f]);
+    auto found = animation::find_eigen_points(learned->points, *image, shifts);
     if (!found) return report(found.error(), files[f]);
     shifts = std::move(found->shifts);
     result.frames.push_back({static_cast<double>(f) / arguments.fps, found->confidence, std::move(found->points), {}});

@@ -87,6 +87,17 @@ TEST_F(AnimateTrack, HoldsAndReportsFramesWithoutAFace) {
   EXPECT_NEAR(result.poses[12][0], poses_[12][0], 0.06);
 }
 
+TEST_F(AnimateTrack, HoldsFramesInWhichThePointsAreAnywhere) {
+  setup_.points.stable = {0, 1, 2, 3, 4, 5};
+  for (auto& pose : poses_) pose = {0.2 * pose[0], 0};  // small beside the strip, as expressions are beside a head
+  track_ = tests::track_of(*rig_, poses_, vertices_, camera_);
+  tests::Shaker shake;
+  for (auto& p : track_.frames[12].points) p = {500 * shake(), 500 * shake()};
+  const auto result = animate_track(*rig_, track_, setup_, camera_).value();
+  EXPECT_EQ(result.held, (std::vector<std::size_t>{12}));
+  EXPECT_EQ(result.poses[12], result.poses[11]);
+}
+
 TEST_F(AnimateTrack, FramesOfLittleTrustMoveLittle) {
   track_.frames[29].confidence = 0.001;
   for (auto& p : track_.frames[29].points) p.y += 300;

@@ -95,5 +95,63 @@ TEST(BakedDeformer, AFilePlaysTheSameWithoutItsExtras) {
   }
 }
 
+TEST(BakedDeformer, AFilePlaysTheSameBetweenKeysThatLieFarApart) {
+  for (const auto interpolation : {document::Interpolation::linear, document::Interpolation::cubic_spline}) {
+    auto model = curling_trunk();
+    const bool cubic = interpolation == document::Interpolation::cubic_spline;
+    document::Channel channel;
+    channel.interpolation = interpolation;
+    channel.times_s = {0, 2, 3};
+    channel.values =
+        cubic ? std::vector<double>{0, 0, 0.5, 0, 1, 0, -1, 0.25, 0} : std::vector<double>{0, 1, 0.25};
+    model.animations = {{"curl", {channel}}};
+    GlbReport report;
+    const auto bytes = write_glb(model, {}, &report).value();
+    EXPECT_LE(report.bake_error, 1e-3);
+    const auto own = read_model(bytes, "curl.glb").value();
+    EXPECT_EQ(document::state_hash(own), document::state_hash(model));
+    const auto plain = read_model(without_extras(bytes), "curl.glb").value();
+    ASSERT_FALSE(plain.deformers);
+    EXPECT_GT(plain.animations[0].channels[0].times_s.size(), 3U);
+    EXPECT_LT(plain.animations[0].channels[0].times_s.size(), 100U);
+    const double size = document::rest_world_box(model).diagonal();
+    double most = 0;
+    for (int k = 0; k <= 200; ++k) {
+      const double time = 0.015 * k;
+      const auto wanted = document::model_at(own, document::sample(own, own.animations[0], time)).value();
+      auto shown = plain;
+      shown.pose = document::sample(plain, plain.animations[0], time).weights;
+      const auto a = document::posed_positions(wanted);
+      const auto b = document::posed_positions(shown);
+      for (std::size_t v = 0; v < a.size(); ++v) most = std::max(most, geometry::distance(a[v], b[v]) / size);
+    }
+    // What is said to be reached is what is seen.
+    EXPECT_LE(most, 1.1 * report.bake_error);
+    EXPECT_GT(most, 0.2 * report.bake_error);
+  }
+}
+
+TEST(BakedDeformer, NonsenseAboutAddedKeysIsPassedOver) {
+  auto model = curling_trunk();
+  model.animations = {{"curl", {{document::ChannelTarget::weights, 0, {}, {0, 1}, {0, 1}}}}};
+  model.animations[0].channels[0].interpolation = document::Interpolation::linear;
+  const auto bytes = write_glb(model).value();
+  std::string text(bytes.begin(), bytes.end());
+  const std::string key = "\"added\":[";
+  const auto at = text.find(key);
+  ASSERT_NE(at, std::string::npos);
+  const auto end = text.find(']', at);
+  for (const std::string nonsense : {"0", "-1", "99999", "1.5", "null", "\"1\"", "[1"}) {
+    auto wrong = text;
+    std::string list = nonsense;
+    list.resize(end - at - key.size(), ' ');
+    wrong.replace(at + key.size(), list.size(), list);
+    const auto read = read_model(base::as_bytes(wrong), "curl.glb");
+    if (!read) continue;  // no JSON any more
+    EXPECT_GE(read->animations[0].channels[0].times_s.size(), 2U);
+    EXPECT_EQ(read->animations[0].channels[0].times_s.back(), 1);
+  }
+}
+
 }  // namespace
 }  // namespace penpose::model_io

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/document/animation_sampling.h"
 #include "tests/support/gltf_sample.h"
 
 namespace penpose::model_io {
@@ -46,6 +47,44 @@ TEST(GltfAnimations, WeightsOfSeveralMeshesJoin) {
   ASSERT_TRUE(model.ok()) << model.error().line();
   ASSERT_EQ(model->animations[0].channels.size(), 1U);
   EXPECT_EQ(model->animations[0].channels[0].values, (std::vector<double>{0, 0, 1, 1}));
+}
+
+TEST(GltfAnimations, ForeignWeightsOutsideZeroToOneAreKept) {
+  auto model = animated({0, 1, 2}, {-0.5, 3, 0}, "SCALAR", 1, "weights").read();
+  ASSERT_TRUE(model.ok()) << model.error().line();
+  EXPECT_EQ(model->rig->parameters()[0].minimum, -0.5);
+  EXPECT_EQ(model->rig->parameters()[0].maximum, 3);
+  const auto moment = document::model_at(*model, document::sample(*model, model->animations[0], 0.5)).value();
+  EXPECT_EQ(moment.pose[0], 1.25);
+  // A cubic spline between keys of 0..1 swings beyond them: 0, 12 per second up, 1, 12 per second up.
+  model = animated({0, 1}, {0, 0, 12, 12, 1, 0}, "SCALAR", 1, "weights", "CUBICSPLINE").read();
+  ASSERT_TRUE(model.ok()) << model.error().line();
+  double lowest = 0;
+  double highest = 1;
+  for (int i = 0; i <= 10000; ++i) {
+    const double value = document::sample(*model, model->animations[0], i * 1e-4).weights[0];
+    lowest = std::min(lowest, value);
+    highest = std::max(highest, value);
+  }
+  EXPECT_GT(highest, 1.01);
+  EXPECT_NEAR(model->rig->parameters()[0].minimum, lowest, 1e-6);
+  EXPECT_NEAR(model->rig->parameters()[0].maximum, highest, 1e-6);
+  // Wild numbers stay finite; where nothing is animated the range is 0..1.
+  model = animated({0, 1}, {-3e38F, 3e38F}, "SCALAR", 1, "weights").read();
+  ASSERT_TRUE(model.ok()) << model.error().line();
+  EXPECT_LE(model->rig->parameters()[0].maximum, 1e9);
+  EXPECT_EQ(tests::morph_sample().read()->rig->parameters()[0].maximum, 1);
+}
+
+TEST(GltfAnimations, OwnRangesStay) {
+  tests::GltfSample sample = animated({0, 1}, {-0.5, 3}, "SCALAR", 1, "weights");
+  const auto name = sample.read()->rig->parameters()[0].name;
+  sample.json["extras"]["penpose"] = {{"version", 2},
+                                      {"shapes", {{{"name", name}, {"rest", 0}, {"minimum", 0}, {"maximum", 2}}}}};
+  const auto model = sample.read();
+  ASSERT_TRUE(model.ok()) << model.error().line();
+  EXPECT_EQ(model->rig->parameters()[0].minimum, 0);
+  EXPECT_EQ(model->rig->parameters()[0].maximum, 2);
 }
 
 TEST(GltfAnimations, AnAnimatedNodeCarriesItsMesh) {

@@ -58,6 +58,38 @@ TEST(ReadOpenFace, ReadsPointsTimesAndConfidences) {
   EXPECT_TRUE(track.notes.empty());
 }
 
+/// A row of 68 points in space, mm: the outer corners of the eyes 90 apart at depth 400, the tip of the nose `nose` in
+/// front of them, everything else as deep as they are.
+std::string solid_points(double nose) {
+  std::string x;
+  std::string y;
+  std::string z;
+  for (int i = 0; i < 68; ++i) {
+    x += ", " + text_of(i == 36 ? -45 : i == 45 ? 45 : i);
+    y += ", 0";
+    z += ", " + text_of(i == 30 ? 400 - nose : 400);
+  }
+  return x + y + z;
+}
+
+TEST(ReadOpenFace, TakesTheTrackersOwnDepths) {
+  Table table = two_frames();
+  for (const char* axis : {"X_", "Y_", "Z_"}) {
+    for (int i = 0; i < 68; ++i) table.before += ", " + (axis + std::to_string(i));
+  }
+  table.rows = {s("1, 0.000, 0.98, 1") + solid_points(30) + table.points(0),
+                s("2, 0.040, 0.88, 1") + solid_points(-500) + table.points(1)};
+  const auto track = read_openface_track(bytes(table.text())).value();
+  const auto& frame = track.frames[0];
+  EXPECT_EQ(frame.points[11], (animation::PxPoint{110, 210}));  // px, not mm
+  const double scale = geometry::distance(frame.points[36], frame.points[45]) / 90;
+  EXPECT_NEAR(frame.depths[30], 30 * scale, 1e-9);
+  EXPECT_NEAR(frame.depths[8], 0, 1e-9);
+  // What cannot be a face counts as unknown, as in tables without these columns.
+  const auto common = read_openface_track(bytes(two_frames().text())).value();
+  EXPECT_EQ(track.frames[1].depths, common.frames[1].depths);
+}
+
 TEST(ReadOpenFace, TakesOtherCountriesTables) {
   Table table = two_frames();
   std::string text = table.text();
@@ -285,6 +317,17 @@ TEST(ReadCurveTrack, SaysWhereItIsWrong) {
   EXPECT_EQ(place(R"({"frames": [{"curves": {"a": [[1, 1], [2, "3"]]}}]})"), "/frames/0/curves/a/1");
   EXPECT_EQ(place(R"({"frames": [{"curves": {"a": [[1, 1], [2, 3]]}}, {"curves": {"b": [[1, 1], [2, 3]]}}]})"),
             "/frames/1/curves");
+}
+
+TEST(ReadArkit, TellsTheRateFromWholeSeconds) {
+  for (const int fps : {24, 25, 30, 50, 60}) {
+    std::string text = "Timecode,BlendShapeCount,JawOpen\n";
+    for (int f = 0; f < 3 * fps; ++f)
+      text += "01:02:0" + std::to_string(f / fps) + ":" + std::to_string(f % fps) + ".000,1,0.5\n";
+    const auto track = read_arkit_track(bytes(text)).value();
+    for (int f = 0; f < 3 * fps; ++f)
+      EXPECT_NEAR(track.frames[static_cast<std::size_t>(f)].time_s, f / static_cast<double>(fps), 1e-6) << fps;
+  }
 }
 
 TEST(ReadArkit, ReadsNamesTimesAndHolds) {

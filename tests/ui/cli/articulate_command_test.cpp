@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/model_io/sketch_file.h"
+#include "core/model_io/write_document.h"
 #include "core/model_io/write_model.h"
 #include "tests/support/articulation_models.h"
 #include "tests/support/shared_data.h"
@@ -63,6 +64,22 @@ class ArticulateCommand : public testing::Test {
 };
 
 class SharedElephant : public ArticulateCommand {};
+
+TEST_F(ArticulateCommand, AProjectKeepsItsKeysAndViews) {
+  auto document = load_document(path("model.glb")).value();
+  document.timeline =
+      std::make_shared<const document::Timeline>(document::Timeline{{}, {{0, rig::Pose(), ""}, {1, rig::Pose(), ""}}});
+  document.views = {std::make_shared<const document::NamedView>(document::NamedView{"front", {}})};
+  const auto project = model_io::write_project(document).value();
+  write("project.glb", std::string(project.begin(), project.end()));
+  ASSERT_EQ(articulate({path("project.glb"), "--sketch", path("sketch.json"), "-o", path("out.glb")}), k_success)
+      << error_;
+  const auto back = load_document(path("out.glb")).value();
+  ASSERT_TRUE(back.model->deformers);
+  ASSERT_EQ(back.timeline->keys.size(), 2U);
+  EXPECT_EQ(back.timeline->keys[1].pose.size(), back.model->rig->parameters().size());
+  EXPECT_EQ(back.views.size(), 1U);
+}
 
 TEST_F(ArticulateCommand, WritesAModelWithTheNewControl) {
   ASSERT_EQ(articulate({path("model.glb"), "--sketch", path("sketch.json"), "-o", path("out.glb"), "--json"}),

@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/model_io/write_document.h"
 #include "core/model_io/write_model.h"
 #include "tests/support/command_run.h"
+#include "tests/support/document_hand.h"
 #include "tests/support/gltf_sample.h"
 #include "tests/support/model_samples.h"
+#include "ui/cli/load_model.h"
 
 namespace penpose::cli {
 namespace {
@@ -55,6 +58,51 @@ TEST_F(ConvertCommand, NothingIsHalfWritten) {
   save("out.glb", std::string("old"));
   EXPECT_EQ(run({"convert", path("bad.obj"), path("out.glb")}), 1);
   EXPECT_EQ(content("out.glb"), "old");
+}
+
+/// The sheet with a curve and a target, two keys and a view of a name.
+document::Document worked_on() {
+  tests::DocumentHand hand;
+  hand.does(document::DrawReference{hand.view, hand.line(-0.5, 0, 0.5, 0)});
+  hand.does(document::SetKey{0, "rest"});
+  hand.does(document::SetParameters{{{hand.document().model->rig->parameters()[0].name, 0.5}}});
+  hand.does(document::SetKey{2, "posed"});
+  hand.does(document::SaveView{"front", hand.view});
+  return hand.document();
+}
+
+TEST_F(ConvertCommand, AProjectStaysOne) {
+  const auto document = worked_on();
+  save("in.glb", model_io::write_project(document).value());
+  ASSERT_EQ(run({"convert", path("in.glb"), path("out.glb")}), 0) << error_;
+  EXPECT_EQ(state("out.glb"), state("in.glb"));
+  auto back = load_document(path("out.glb")).value();
+  EXPECT_EQ(back.curves.size(), document.curves.size());
+  EXPECT_EQ(back.timeline->keys.size(), 2U);
+  EXPECT_EQ(back.views.size(), 1U);
+  // With a blend shape more, keys keep the values that they had.
+  ASSERT_EQ(run({"convert", path("in.glb"), path("rest.obj")}), 0) << error_;
+  ASSERT_EQ(run({"convert", path("in.glb"), path("out.glb"), "--shapes", path("rest.obj")}), 0) << error_;
+  back = load_document(path("out.glb")).value();
+  const auto parameters = back.model->rig->parameters();
+  ASSERT_TRUE(rig::find_parameter(parameters, "rest"));
+  ASSERT_EQ(back.timeline->keys.size(), 2U);
+  const auto& name = document.model->rig->parameters()[0].name;
+  EXPECT_EQ(back.timeline->keys[1].pose[rig::find_parameter(parameters, name).value()], 0.5);
+}
+
+TEST_F(ConvertCommand, ShapesAreAddedToAnAnimatedModel) {
+  save("in.glb", model_io::write_glb(tests::full_model()).value());
+  const auto before = load_model(path("in.glb")).value();
+  ASSERT_EQ(run({"convert", path("in.glb"), path("posed.obj")}), 0) << error_;
+  ASSERT_EQ(run({"convert", path("in.glb"), path("out.glb"), "--shapes", path("posed.obj")}), 0) << error_;
+  const auto after = load_model(path("out.glb")).value();
+  EXPECT_EQ(after.rig->parameters().size(), before.rig->parameters().size() + 1);
+  EXPECT_EQ(after.animations.size(), before.animations.size());
+  for (std::size_t i = 0; i < before.pose.size(); ++i) {
+    const auto& name = before.rig->parameters()[i].name;
+    EXPECT_EQ(after.pose[rig::find_parameter(after.rig->parameters(), name).value()], before.pose[i]) << name;
+  }
 }
 
 TEST_F(ConvertCommand, WhatIsLeftOutIsSaid) {

@@ -10,6 +10,8 @@
 #include <unistd.h>
 #include <vector>
 
+#include "core/document/document_hash.h"
+#include "core/model_io/write_document.h"
 #include "core/model_io/write_model.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/test_rigs.h"
@@ -91,6 +93,19 @@ class PoseCommand : public testing::Test {
 };
 
 class SharedPoseCommand : public PoseCommand {};
+
+TEST_F(PoseCommand, AProjectKeepsItsKeys) {
+  auto document = document::make_document(model_);
+  document.timeline = std::make_shared<const document::Timeline>(
+      document::Timeline{{}, {{0, rig::Pose(6, 0.0), "rest"}, {1, rig::Pose(6, 0.25), "other"}}});
+  const auto glb = model_io::write_project(document).value();
+  write("p.glb", std::string(glb.begin(), glb.end()));
+  ASSERT_EQ(pose({path("p.glb"), "--cases", path("c.json"), "--case", "case3", "-o", path("out.glb"), "--json"}), 0);
+  const auto back = load_document(path("out.glb")).value();
+  EXPECT_EQ(*back.timeline, *document.timeline);
+  EXPECT_NEAR(back.pose[3], 0.8, 0.01);
+  EXPECT_EQ(document::DocumentHasher()(back).whole.hex(), Json::parse(out_)["state"]);
+}
 
 TEST_F(PoseCommand, PrintsOneJsonObjectWithTheKeysThatScriptsRelyOn) {
   ASSERT_EQ(pose({path("m.glb"), "--cases", path("c.json"), "--json"}), k_success) << error_;

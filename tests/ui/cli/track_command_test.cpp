@@ -77,6 +77,30 @@ TEST_F(TrackCommand, FindsTheEdgesOfAMouthInEveryLight) {
   }
 }
 
+TEST_F(TrackCommand, APictureOfAnotherSizeIsNamedWithBothSizes) {
+  std::filesystem::create_directories(folder_ / "odd");
+  write_picture("label.pgm", 0, 1);
+  write_picture("label2.pgm", 1, 1);
+  write_picture("odd/face0001.pgm", 0, 1);
+  for (const char* name : {"wide.pgm", "odd/face0002.pgm"}) {
+    std::ofstream(folder_ / name, std::ios::binary) << "P5\n8 4\n255\n" << std::string(32, 'x');
+  }
+  const nlohmann::json label = {{"image", "label.pgm"}, {"curves", curves(0)}};
+  nlohmann::json other = {{"image", "label2.pgm"}, {"curves", curves(1)}};
+  std::ofstream(folder_ / "labels.json") << nlohmann::json{{"frames", {label, other}}};
+  const auto track_of = [&](const char* folder) {
+    return track({(folder_ / folder).string(), "--labels", (folder_ / "labels.json").string(), "-o",
+                  (folder_ / "track.json").string()});
+  };
+  EXPECT_EQ(track_of("odd"), k_failure);
+  EXPECT_NE(error_.find("face0002.pgm: frame 1: the picture is 8x4 px"), std::string::npos) << error_;
+  EXPECT_EQ(std::count(error_.begin(), error_.end(), '\n'), 1) << error_;
+  other["image"] = "wide.pgm";
+  std::ofstream(folder_ / "labels.json") << nlohmann::json{{"frames", {label, other}}};
+  EXPECT_EQ(track_of("odd"), k_failure);
+  EXPECT_NE(error_.find("wide.pgm: the picture is 8x4 px"), std::string::npos) << error_;
+}
+
 TEST_F(TrackCommand, SaysWhatIsWrong) {
   write_picture("label.pgm", 0, 1);
   write_picture("clip/face0001.pgm", 0, 1);

@@ -141,6 +141,33 @@ TEST_F(SharedTrackLoop, TremorDoesNotMakeAParameterJump) {
   EXPECT_LT(largest_jump(animate(tests::track_of(*model_.rig, poses_, points_, *video_, 1.0)), 8), 0.05);
 }
 
+TEST_F(SharedTrackLoop, TremorAddsNoJumpToAMovingFace) {
+  const auto clean_track = tests::track_of(*model_.rig, poses_, points_, *video_);
+  const auto clean = animate(clean_track);
+  const auto blink = parameter("eyeBlink_L");
+  double sum = 0;
+  constexpr std::uint64_t k_clips = 8;
+  for (std::uint64_t seed = 1; seed <= k_clips; ++seed) {
+    auto track = clean_track;
+    tests::Shaker shake(seed);
+    for (auto& frame : track.frames) {
+      for (auto& p : frame.points) p = p + geometry::PxPoint{shake(), shake()};
+    }
+    const auto shaken = animate(track);
+    double largest = 0;
+    for (std::size_t f = 1; f < shaken.poses.size(); ++f) {
+      for (std::size_t i = 0; i < shaken.poses[f].size(); ++i) {
+        const double step = shaken.poses[f][i] - shaken.poses[f - 1][i];
+        largest = std::max(largest, std::abs(step - (clean.poses[f][i] - clean.poses[f - 1][i])));
+      }
+    }
+    EXPECT_LT(largest, 0.065) << seed;
+    sum += largest;
+    EXPECT_GT(shaken.poses[30][blink], 0.8) << seed;  // four frames down, four up, and there is the peak
+  }
+  EXPECT_LT(sum / k_clips, 0.05);
+}
+
 TEST_F(SharedTrackLoop, AMovingHeadIsNoExpression) {
   const auto moved = animate(tests::track_of(*model_.rig, poses_, points_, *video_, 0, nodding));
   EXPECT_LT(mean_error(moved) / height_, 0.01);
@@ -207,6 +234,25 @@ TEST_F(SharedRealTrack, TheMouthOpensWhenThePersonsDoes) {
       EXPECT_LT(jaw[f], 0.1) << f;
     }
   }
+}
+
+TEST_F(SharedRealTrack, TheLidsFollowThePersonsLids) {
+  // How far the eyes are open, in widths of the eyes: a nod shortens that too, which is no blink.
+  std::vector<double> open;
+  std::vector<double> level_open;
+  std::vector<double> level_blink;
+  std::vector<double> blink = values("eyeBlink_R");
+  const auto left = values("eyeBlink_L");
+  for (std::size_t f = 0; f < 300; ++f) {
+    open.push_back((apart(f, 37, 41) + apart(f, 38, 40)) / apart(f, 36, 39) +
+                   (apart(f, 43, 47) + apart(f, 44, 46)) / apart(f, 42, 45));
+    blink[f] += left[f];
+    if (result_.still.turns[f].rotation[2][2] < std::cos(0.35)) continue;
+    level_open.push_back(open[f]);
+    level_blink.push_back(blink[f]);
+  }
+  EXPECT_LT(correlation(open, blink), -0.8);
+  EXPECT_LT(correlation(level_open, level_blink), -0.75);
 }
 
 TEST_F(SharedRealTrack, TheEyesCloseWhenThePersonsDo) {
