@@ -8,11 +8,11 @@
 #include "firmware_io/device/clock.h"
 #include "ui/app/app.h"
 #include "ui/app/interface.h"
+#include "ui/app/stop_watch.h"
 #include "ui/app/tablets.h"
 #include "ui/app/timings.h"
 #include "ui/app/window.h"
 #include "ui/cli/own_tablets.h"
-#include "ui/cli/stop_signal.h"
 
 namespace penpose::app {
 namespace {
@@ -62,6 +62,7 @@ base::Status run_app(const cli::WindowRequest& request) {
     if (const auto played = app.play_trace(request.replay); !played) return in_file(played.error(), request.replay);
   }
   Interface interface(app);
+  const StopWatch stop([&] { (*window)->wake(); });
   Tablets tablets([&] { (*window)->wake(); }, &*own);
   Timings timings;
   timings.began_us = began;

@@ -10,6 +10,7 @@
 
 #include "firmware_io/device/clock.h"
 #include "ui/app/picture.h"
+#include "ui/app/stop_watch.h"
 
 namespace penpose::app {
 namespace {
@@ -107,6 +108,7 @@ void Window::State::take_key(const SDL_KeyboardEvent& key, App& app, Interface& 
   const bool shift = (key.keysym.mod & KMOD_SHIFT) != 0;
   const bool down = key.type == SDL_KEYDOWN;
   const bool typed = interface.wants_keys();
+  app.panels().has_keyboard = true;
   interface.edit_key(key.keysym.scancode, down, ctrl, shift);
   if (down && !typed && (key.keysym.mod & KMOD_ALT) == 0) app.key({key_of(key.keysym.sym), ctrl, shift});
 }
@@ -159,7 +161,7 @@ void Window::State::take_event(const SDL_Event& event, App& app, Interface& inte
       interface.text(event.text.text);
       break;
     case SDL_DROPFILE:
-      app.try_open(event.drop.file);
+      app.ask_to_open(event.drop.file);
       SDL_free(event.drop.file);
       break;
     case SDL_WINDOWEVENT:
@@ -177,6 +179,7 @@ base::Result<std::unique_ptr<Window>> Window::open(bool fullscreen) {
   // Fingers come as fingers alone, and a click into a window that was behind another one counts.
   SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");
   SDL_SetHint(SDL_HINT_MOUSE_TOUCH_EVENTS, "0");
+  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
   SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
   SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
   SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
@@ -241,6 +244,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
       } while (SDL_PollEvent(&event) == 1);
     }
     tablets.take(app);
+    if (StopWatch::asked()) app.quit_at_once();
     if (app.fullscreen() != wanted_fullscreen) {
       wanted_fullscreen = app.fullscreen();
       fullscreen = !fullscreen;

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <string>
+#include <unistd.h>
 
 namespace penpose::app {
 namespace {
@@ -37,12 +39,14 @@ TEST(Settings, AFileThatIsOpenedAgainMovesToTheFrontAndTheListStaysShort) {
 }
 
 TEST(Settings, AFolderThatIsMissingIsMade) {
-  const auto folder = std::filesystem::temp_directory_path() / "penpose-settings-test" / "deep";
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("penpose-settings-test-" + std::to_string(::getpid())) / "deep";
   std::filesystem::remove_all(folder.parent_path());
   Settings settings;
   settings.light = true;
   ASSERT_TRUE(save_settings(settings, folder.string()).ok());
   EXPECT_EQ(load_settings(folder.string()), settings);
+  std::filesystem::remove_all(folder.parent_path());
 }
 
 }  // namespace
