@@ -236,7 +236,7 @@ void App::set_free_area(const Area& area) {
   if (framed_) frame_from(viewpoint_);
 }
 
-void App::begin_frame() {
+void App::advance() {
   const std::int64_t now = options_.clock();
   const std::int64_t passed = last_frame_us_ == 0 ? 0 : now - last_frame_us_;
   last_frame_us_ = now;
@@ -257,6 +257,10 @@ void App::begin_frame() {
   if (playing_) play_on();
   if (panels_.swing) swing();
   workspace_.follow_pen();
+}
+
+void App::begin_frame() {
+  advance();
   surface_.update(workspace_.shown_model(), workspace_.shown_pose());
   CurveLook look{static_cast<float>(scale()), highlighted_, {}, {}, panels_.onion_skin, panels_.time_s, {}, window_};
   if (panels_.controls_tab) look.deformer = panels_.deformer;

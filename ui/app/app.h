@@ -134,7 +134,9 @@ class App {
   void tablet_report(int device, std::int64_t received_us, base::Bytes bytes);
   void pointer_left();
 
-  /// Brings everything up to now, before a frame is made. Panels come after it.
+  /// Brings the document and what follows the pen up to now.
+  void advance();
+  /// The same, and what is shown, before a frame is made. Panels come after it.
   void begin_frame();
   /// Milliseconds until the next frame is due without any event; -1: only an event makes one.
   [[nodiscard]] int next_frame_ms() const;

@@ -17,6 +17,9 @@ class Picture {
   /// Draws the model and the curves as they stand into the window's framebuffer.
   base::Status draw(App& app);
 
+  /// Whether the same picture drawn again would be smoother.
+  [[nodiscard]] bool refining() const { return renderer_->refining(); }
+
  private:
   explicit Picture(std::unique_ptr<render::Renderer> renderer);
   void update_overlay(App& app);

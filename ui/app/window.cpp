@@ -7,6 +7,7 @@
 #include <imgui.h>
 #include <malloc.h>
 #include <string>
+#include <utility>
 
 #include "firmware_io/device/clock.h"
 #include "ui/app/picture.h"
@@ -17,6 +18,8 @@ namespace {
 
 constexpr int k_width = 1280;
 constexpr int k_height = 800;
+/// A still picture gets smoother once in so long.
+constexpr int k_refine_ms = 30;
 
 std::string sdl_error() {
   const std::string text = SDL_GetError();
@@ -228,12 +231,14 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
   bool fullscreen = (SDL_GetWindowFlags(state_->window) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
   bool wanted_fullscreen = app.fullscreen();
   int fonts = interface.font_revision();
+  std::uint64_t pose_number = app.surface().pose_number();
   std::string title;
   std::int64_t last_us = device::monotonic_us();
   base::Status status = base::Done{};
   while (!app.wants_quit()) {
     SDL_Event event;
-    const int due_ms = interface.unsettled() ? 0 : app.next_frame_ms();
+    int due_ms = interface.unsettled() ? 0 : app.next_frame_ms();
+    if ((*picture)->refining() && (due_ms < 0 || due_ms > k_refine_ms)) due_ms = k_refine_ms;
     const bool came = due_ms < 0   ? SDL_WaitEvent(&event) == 1
                       : due_ms > 0 ? SDL_WaitEventTimeout(&event, due_ms) == 1
                                    : SDL_PollEvent(&event) == 1;
@@ -250,6 +255,8 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
       fullscreen = !fullscreen;
       SDL_SetWindowFullscreen(state_->window, fullscreen ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
     }
+    // Reports that are due, and the face that follows them, are no part of a frame.
+    app.advance();
     const std::int64_t cpu_before = thread_cpu_us();
     const std::int64_t now = device::monotonic_us();
     app.resized(state_->size(), state_->dpi());
@@ -267,6 +274,9 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     if (!status) break;
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     timings.frames_us.push_back(thread_cpu_us() - cpu_before);
+    if (std::exchange(pose_number, app.surface().pose_number()) != app.surface().pose_number()) {
+      timings.posed_us.push_back(timings.frames_us.back());
+    }
     SDL_GL_SwapWindow(state_->window);
     if (timings.first_frame_us == 0) {
       timings.first_frame_us = device::monotonic_us() - timings.began_us;
