@@ -112,10 +112,12 @@ void show_new(PanelContext& context) {
   Workspace& workspace = app.workspace();
   const auto pending = workspace.document().pending;
   if (!pending && wide_button(context, "New control", -1, false, "Sketch a control in three or four strokes")) {
+    app.panels().deformer.clear();
     app.do_action(Action::tool_articulate);
     return;
   }
-  if (!pending && workspace.editor().tool().kind != drawing::ToolKind::articulate) return;
+  const bool none_chosen = app.panels().deformer.empty();
+  if (!pending && (workspace.editor().tool().kind != drawing::ToolKind::articulate || !none_chosen)) return;
   if (pending) {
     ImGui::Text("Sketching %s", pending->sketch.name.c_str());
     show_step_list(context, *pending, workspace.editor().tool());

@@ -14,6 +14,8 @@ TEST(Settings, WhatIsWrittenIsReadAgain) {
   settings.light = true;
   settings.steps_seen = true;
   settings.tablet.left_handed = true;
+  settings.radial[0] = Action::view_side;
+  settings.radial[7] = Action::save_as;
   settings.tablet.area = {0.1, 0.2, 0.8, 0.9};
   settings.tablet.pressure = {{0, 0}, {0.5, 0.25}, {1, 1}};
   remember_file(settings, "/tmp/a b=c.glb");
