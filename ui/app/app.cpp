@@ -24,6 +24,7 @@ constexpr double k_mm_per_inch = 25.4;
 constexpr double k_least_dpi = 60;
 constexpr double k_most_dpi = 600;
 constexpr int k_playing_frame_ms = 16;
+constexpr std::int64_t k_longest_step_us = 200'000;
 
 std::string extension_of(const std::string& path) {
   std::string extension = fs::path(path).extension().string();
@@ -51,6 +52,8 @@ App::App(AppOptions options)
   } else if (!settings_.steps_seen) {
     panels_.dialog = Dialog::steps;
   }
+  // Before the first frame nobody knows where panels are.
+  hits_.all = true;
   const char* home = std::getenv("HOME");
   panels_.folder = home != nullptr ? home : "/";
 }
@@ -238,7 +241,8 @@ void App::set_free_area(const Area& area) {
 
 void App::advance() {
   const std::int64_t now = options_.clock();
-  const std::int64_t passed = last_frame_us_ == 0 ? 0 : now - last_frame_us_;
+  // A frame that took long does not make a recording jump: what its pen pressed has to be seen first.
+  const std::int64_t passed = last_frame_us_ == 0 ? 0 : std::min(now - last_frame_us_, k_longest_step_us);
   last_frame_us_ = now;
   std::erase_if(notices_, [&](const Notice& one) { return one.until_us <= now; });
   if (tablet_near_ && !tablet_is_near()) tablet_near_ = false;

@@ -80,7 +80,8 @@ base::Status Framebuffers::resize(int width, int height) {
   }
   glGetIntegerv(GL_MAX_SAMPLES, &samples_);
   samples_ = std::clamp(samples_, 1, most_samples_);
-  if (samples_ > 1) {
+  if (samples_ == 1) samples_ = 0;  // one sample a px needs no target of its own
+  if (samples_ > 0) {
     surface_color_ = make_renderbuffer(GL_RGBA8, samples_, width, height);
     surface_depth_ = make_renderbuffer(GL_DEPTH_COMPONENT24, samples_, width, height);
     glGenFramebuffers(1, &surface_target_);
