@@ -115,7 +115,7 @@ def start(program, screen, session, *words):
     wait_for("the first frame", lambda: process.poll() is not None or
              (os.path.exists(session) and any(f"{WIDTH}" in line for line in lines_of(session, "# penpose view"))))
     assert process.poll() is None, process.stdout.read()
-    time.sleep(0.5)
+    time.sleep(1)
     return process
 
 
