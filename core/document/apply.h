@@ -36,4 +36,13 @@ inline constexpr std::size_t k_most_pairs = 48;
 /// all parameters free that are not locked, starting from the pose as it is.
 [[nodiscard]] posing::PoseProblem pose_problem(const Document& document);
 
+/// A line as it would have been drawn through the same camera on a picture of another size: both show the same height
+/// of the scene, so that the same rays go through it.
+[[nodiscard]] std::vector<PxPoint> rescaled(const std::vector<PxPoint>& line, geometry::Viewport from,
+                                            geometry::Viewport to);
+
+/// Where points of the surface are at the document's pose.
+[[nodiscard]] std::vector<geometry::ModelPoint> positions_of(const Document& document,
+                                                             const std::vector<mesh::MeshPoint>& points);
+
 }  // namespace penpose::document

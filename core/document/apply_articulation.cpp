@@ -53,16 +53,6 @@ std::string free_name(const Document& document) {
   }
 }
 
-/// A line as it would have been drawn through the same camera on a picture of another size: both show the same height
-/// of the scene, so that the same rays go through it.
-std::vector<PxPoint> rescaled(const std::vector<PxPoint>& line, geometry::Viewport from, geometry::Viewport to) {
-  if (from == to) return line;
-  const double scale = static_cast<double>(to.height) / static_cast<double>(from.height);
-  std::vector<PxPoint> other;
-  for (const PxPoint& p : line) other.push_back({(p.x - 0.5 * from.width) * scale + 0.5 * to.width, p.y * scale});
-  return other;
-}
-
 base::Error not_yet(const char* what, const char* remedy) { return {what, "role", remedy}; }
 
 Document with_pending(const Document& document, Sketch sketch) {
@@ -122,6 +112,14 @@ Changed rebuilt(const Document& document, std::size_t number, const Sketch& sket
 }
 
 }  // namespace
+
+std::vector<PxPoint> rescaled(const std::vector<PxPoint>& line, geometry::Viewport from, geometry::Viewport to) {
+  if (from == to) return line;
+  const double scale = static_cast<double>(to.height) / static_cast<double>(from.height);
+  std::vector<PxPoint> other;
+  for (const PxPoint& p : line) other.push_back({(p.x - 0.5 * from.width) * scale + 0.5 * to.width, p.y * scale});
+  return other;
+}
 
 Changed with_deformers(const Document& document, std::shared_ptr<const articulation::SketchedDeformers> deformers) {
   auto model = with_deformers(*document.model, std::move(deformers));

@@ -24,24 +24,6 @@ std::vector<posing::CurvePoint> curve_points(const Document& document, const std
   return out;
 }
 
-/// Where points of the surface are at the document's pose.
-std::vector<ModelPoint> positions_now(const Document& document, const std::vector<mesh::MeshPoint>& points) {
-  const auto triangles = document.model->mesh->triangles();
-  std::vector<std::uint32_t> vertices;
-  for (const mesh::MeshPoint& point : points) {
-    const mesh::Triangle& corners = triangles[point.triangle];
-    vertices.insert(vertices.end(), corners.begin(), corners.end());
-  }
-  std::vector<ModelPoint> corners(vertices.size());
-  document.model->rig->bind(vertices)->evaluate(document.pose, corners);
-  std::vector<ModelPoint> out;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto& b = points[i].barycentric;
-    out.push_back(corners[3 * i] * b[0] + corners[3 * i + 1] * b[1] + corners[3 * i + 2] * b[2]);
-  }
-  return out;
-}
-
 std::vector<std::size_t> free_parameters(const Document& document) {
   std::vector<std::size_t> free;
   const auto parameters = document.model->rig->parameters();
@@ -107,7 +89,7 @@ base::Result<const PoseCurve*> reference_named(const Document& document, CurveId
 /// Gives a reference another target, and solves.
 Changed retargeted(const Document& document, const PoseCurve& curve, const View& view, const std::vector<PxPoint>& line,
                    const std::vector<double>& pressure, Parts& work) {
-  auto target = make_target(positions_now(document, curve.points), view, line, pressure);
+  auto target = make_target(positions_of(document, curve.points), view, line, pressure);
   if (!target) return target.error();
   PoseCurve other = curve;
   other.target = std::move(target).value();
@@ -141,6 +123,23 @@ std::vector<PxPoint> seen(const geometry::Camera& camera, const std::vector<Mode
 }
 
 }  // namespace
+
+std::vector<ModelPoint> positions_of(const Document& document, const std::vector<mesh::MeshPoint>& points) {
+  const auto triangles = document.model->mesh->triangles();
+  std::vector<std::uint32_t> vertices;
+  for (const mesh::MeshPoint& point : points) {
+    const mesh::Triangle& corners = triangles[point.triangle];
+    vertices.insert(vertices.end(), corners.begin(), corners.end());
+  }
+  std::vector<ModelPoint> corners(vertices.size());
+  document.model->rig->bind(vertices)->evaluate(document.pose, corners);
+  std::vector<ModelPoint> out;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& b = points[i].barycentric;
+    out.push_back(corners[3 * i] * b[0] + corners[3 * i + 1] * b[1] + corners[3 * i + 2] * b[2]);
+  }
+  return out;
+}
 
 posing::PoseProblem pose_problem(const Document& document) {
   posing::PoseProblem problem;
@@ -203,7 +202,7 @@ Changed run(const Document& document, const DrawConstraint& command, Parts& work
   PoseCurve curve;
   curve.role = PoseCurveRole::constraint;
   curve.points = std::move(points).value();
-  curve.kept = positions_now(document, curve.points);
+  curve.kept = positions_of(document, curve.points);
   return with_curve(document, std::move(curve));
 }
 
@@ -215,7 +214,7 @@ Changed run(const Document& document, const Pin& command, Parts& work) {
   PoseCurve curve;
   curve.role = PoseCurveRole::constraint;
   curve.points = {{hit->triangle, hit->barycentric}};
-  curve.kept = positions_now(document, curve.points);
+  curve.kept = positions_of(document, curve.points);
   return with_curve(document, std::move(curve));
 }
 
@@ -225,7 +224,7 @@ Changed run(const Document& document, const KeepCurve& command, Parts&) {
   PoseCurve kept = **curve;
   kept.role = PoseCurveRole::constraint;
   kept.target.reset();
-  kept.kept = positions_now(document, kept.points);
+  kept.kept = positions_of(document, kept.points);
   return with_replaced(document, std::move(kept));
 }
 
@@ -242,7 +241,7 @@ Changed run(const Document& document, const EraseCurves& command, Parts&) {
   const double near = curve::pairing_distance_px(command.view.viewport);
   Document changed = document;
   std::erase_if(changed.curves, [&](const auto& curve) {
-    if (come_near(seen(*camera, positions_now(document, curve->points)), command.line, near)) return true;
+    if (come_near(seen(*camera, positions_of(document, curve->points)), command.line, near)) return true;
     return curve->target && come_near(seen(*camera, curve->target->points), command.line, near);
   });
   if (changed.curves.size() == document.curves.size()) {

@@ -93,6 +93,9 @@ struct LivePoser::State {
       const rig::Parameter& parameter = rig.parameters()[variables.parameter[i]];
       pose[variables.parameter[i]] = std::clamp(variables.value(i, u[i]), parameter.minimum, parameter.maximum);
     }
+    residuals.resize(system.residual_count());
+    system.residuals(pose, residuals);
+    step.energy = system.energy(residuals);
   }
 };
 
@@ -165,9 +168,20 @@ LiveStep LivePoser::follow(std::span<const geometry::PxPoint> target) {
   if (!(drawn > 0.0) || !std::isfinite(drawn)) return step;
   step.matched = s.match(target);
   s.solve(step);
-  s.residuals.resize(s.system.residual_count());
-  s.system.residuals(s.pose, s.residuals);
-  step.energy = s.system.energy(s.residuals);
+  return step;
+}
+
+LiveStep LivePoser::follow_points(std::span<const geometry::ModelPoint> targets, std::span<const double> weights) {
+  LiveStep step;
+  State& s = *state_;
+  const bool fits = targets.size() == s.along.size() && (weights.empty() || weights.size() == targets.size());
+  if (!fits || s.variables.count() == 0) return step;
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    s.weigh(i, weights.empty() ? 1.0 : weights[i]);
+    s.aim(i, targets[i]);
+  }
+  step.matched = targets.size();
+  s.solve(step);
   return step;
 }
 

@@ -49,6 +49,9 @@ class LivePoser {
   /// The target as drawn so far, all samples since pen-down. Call it for each report, or for each frame; reports left
   /// out are not missed. With fewer than two distinct samples nothing moves.
   LiveStep follow(std::span<const geometry::PxPoint> target);
+  /// The same for a target that is there as a whole and is being changed: where each reference point should go. Weights
+  /// are one a point, or none for 1 everywhere; other numbers move nothing.
+  LiveStep follow_points(std::span<const geometry::ModelPoint> targets, std::span<const double> weights = {});
 
   /// All parameters of the rig, as solved by the last step.
   [[nodiscard]] const rig::Pose& pose() const;

@@ -24,6 +24,7 @@ constexpr double k_mm_per_inch = 25.4;
 constexpr double k_least_dpi = 60;
 constexpr double k_most_dpi = 600;
 constexpr int k_playing_frame_ms = 16;
+constexpr std::int64_t k_longest_step_us = 200'000;
 
 std::string extension_of(const std::string& path) {
   std::string extension = fs::path(path).extension().string();
@@ -51,6 +52,8 @@ App::App(AppOptions options)
   } else if (!settings_.steps_seen) {
     panels_.dialog = Dialog::steps;
   }
+  // Before the first frame nobody knows where panels are.
+  hits_.all = true;
   const char* home = std::getenv("HOME");
   panels_.folder = home != nullptr ? home : "/";
 }
@@ -61,7 +64,7 @@ void App::end_session() {
   if (!file_) return;
   const bool worth =
       keep_file_ || workspace_.editor().history().undo_count() > 0 || workspace_.editor().history().redo_count() > 0;
-  file_->finish(worth);
+  if (!worth || !leaves_work_) file_->finish(worth);
 }
 
 void App::begin_session(document::Document document, const std::string& path) {
@@ -93,6 +96,8 @@ void App::begin_session(document::Document document, const std::string& path) {
   panels_.deformer.clear();
   highlighted_.reset();
   target_drag_.reset();
+  panels_.curve_menu.reset();
+  panels_.new_surface = {};
   const auto& deformers = workspace_.document().model->deformers;
   deformer_count_ = deformers ? deformers->size() : 0;
   path_ = full;
@@ -234,9 +239,10 @@ void App::set_free_area(const Area& area) {
   if (framed_) frame_from(viewpoint_);
 }
 
-void App::begin_frame() {
+void App::advance() {
   const std::int64_t now = options_.clock();
-  const std::int64_t passed = last_frame_us_ == 0 ? 0 : now - last_frame_us_;
+  // A frame that took long does not make a recording jump: what its pen pressed has to be seen first.
+  const std::int64_t passed = last_frame_us_ == 0 ? 0 : std::min(now - last_frame_us_, k_longest_step_us);
   last_frame_us_ = now;
   std::erase_if(notices_, [&](const Notice& one) { return one.until_us <= now; });
   if (tablet_near_ && !tablet_is_near()) tablet_near_ = false;
@@ -244,13 +250,24 @@ void App::begin_frame() {
   if (player_) {
     // A frame that took long must not swallow the trace: what is due is handed on report by report.
     const auto moments = player_->advance(workspace_, passed);
-    take_moments(moments);
-    if (player_->is_session()) view_.camera = workspace_.editor().view().camera;
+    if (player_->is_session()) {
+      // What its pen did to panels and tools is in its lines, in px of the window that it was drawn in.
+      view_.camera = workspace_.editor().view().camera;
+      show_new_deformer();
+    } else {
+      take_moments(moments);
+    }
   }
   if (playing_) play_on();
+  if (panels_.swing) swing();
   workspace_.follow_pen();
+}
+
+void App::begin_frame() {
+  advance();
   surface_.update(workspace_.shown_model(), workspace_.shown_pose());
-  CurveLook look{static_cast<float>(scale()), highlighted_, {}, {}, panels_.onion_skin, panels_.time_s};
+  CurveLook look{static_cast<float>(scale()), highlighted_, {}, {}, panels_.onion_skin, panels_.time_s, {}, window_};
+  if (panels_.controls_tab) look.deformer = panels_.deformer;
   if (target_drag_) {
     look.dragged = target_drag_->first;
     look.dragged_by = at_ - target_drag_->second;
@@ -264,7 +281,7 @@ void App::begin_frame() {
 
 int App::next_frame_ms() const {
   if (quit_) return 0;
-  if (playing_ || !panel_pointer_.empty()) return k_playing_frame_ms;
+  if (playing_ || panels_.swing || !panel_pointer_.empty()) return k_playing_frame_ms;
   if (player_ && player_->playing()) {
     return static_cast<int>(std::clamp<std::int64_t>(player_->next_in_us() / 1000, 1, 1000));
   }
@@ -274,12 +291,23 @@ int App::next_frame_ms() const {
   return static_cast<int>(std::max<std::int64_t>(1, (first - options_.clock()) / 1000 + 1));
 }
 
+void App::ask_to_open(const std::string& path) {
+  if (!workspace_.unsaved()) return try_open(path);
+  panels_.after_unsaved = path;
+  panels_.dialog = Dialog::unsaved;
+}
+
 void App::ask_to_quit() {
   if (workspace_.unsaved() && panels_.dialog != Dialog::unsaved) {
     panels_.after_unsaved.clear();
     panels_.dialog = Dialog::unsaved;
     return;
   }
+  quit_ = true;
+}
+
+void App::quit_at_once() {
+  leaves_work_ = workspace_.unsaved();
   quit_ = true;
 }
 
@@ -317,7 +345,19 @@ std::string App::hint() const {
       }
       break;
     case drawing::ToolKind::none:
-      return "Drag a target, or touch the face to pick its control";
+      return "Drag a target, touch a curve for what can be done with it, or the face to pick its control";
+    case drawing::ToolKind::redraw:
+      switch (tool.role) {
+        case articulation::CurveRole::general:
+          return "Draw around everything that " + tool.deformer + " may move";
+        case articulation::CurveRole::specific:
+          return "Draw around the part that " + tool.deformer + " moves fully";
+        case articulation::CurveRole::reference:
+          return "Draw along the feature that " + tool.deformer + " moves, as it is at rest";
+        case articulation::CurveRole::target:
+          return "Draw where " + tool.deformer + " should bring it";
+      }
+      break;
     default:
       break;
   }

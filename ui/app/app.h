@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,25 +46,58 @@ struct PanelPointer {
 };
 
 enum class MouseButton : std::uint8_t { left, middle, right };
-enum class Dialog : std::uint8_t { none, open, save, recover, steps, tablet, sessions, unsaved };
+enum class Dialog : std::uint8_t {
+  none,
+  open,
+  save,
+  recover,
+  steps,
+  tablet,
+  sessions,
+  unsaved,
+  number,
+  key_name,
+  radial
+};
+
+/// A number being typed for a parameter.
+struct NumberEntry {
+  enum class Field : std::uint8_t { value, least, most };
+  std::string parameter;
+  std::string text;
+  Field field = Field::value;
+};
 
 /// What panels show beside the document. Nothing of it is saved.
 struct PanelState {
   bool shown = true;
   bool controls_tab = false;  ///< of the side panel: sketched controls, else all parameters
   Dialog dialog = Dialog::none;
-  std::string filter;       ///< of the parameters
-  std::string deformer;     ///< the one that is selected
-  std::string scrolled_to;  ///< the one that its list was last scrolled to
-  double time_s = 0;        ///< of the timeline's cursor
+  std::string filter;                   ///< of the parameters
+  std::string deformer;                 ///< the one that is selected
+  std::string scrolled_to;              ///< the one that its list was last scrolled to
+  std::set<std::string> folded_groups;  ///< of the parameters
+  NumberEntry number;
+  std::string key_name;                               ///< what is being typed
+  std::size_t radial_place = 0;                       ///< that is being chosen for
+  bool has_keyboard = false;                          ///< a key was pressed on one
+  double time_s = 0;                                  ///< of the timeline's cursor
+  double from_s = 0;                                  ///< the first moment that the timeline shows
+  double span_s = 0;                                  ///< how much of it; 0: all
+  std::optional<std::pair<double, double>> key_drag;  ///< a key in hand: from, to
   bool onion_skin = true;
   bool wireframe = false;
+  bool swing = false;                                           ///< the control in hand plays to and fro
+  articulation::Mode new_mode = articulation::Mode::automatic;  ///< of the next control
+  articulation::Surface new_surface;
+  std::optional<std::pair<document::CurveId, PxPoint>> curve_menu;  ///< what can be done with a curve, and where
   std::string rename;             ///< what is being typed as a name of the selected control
   std::optional<PxPoint> radial;  ///< middle of the radial menu while it is open
   std::string folder;             ///< of the file dialogs
   std::string file_name;
   std::vector<PxPoint> test_line;  ///< drawn in the test area of the tablet's settings
   std::vector<double> test_pressure;
+  Area test_area{};
   std::string after_unsaved;  ///< what to open once the question about unsaved work is answered; empty: quit
 };
 
@@ -100,7 +134,9 @@ class App {
   void tablet_report(int device, std::int64_t received_us, base::Bytes bytes);
   void pointer_left();
 
-  /// Brings everything up to now, before a frame is made. Panels come after it.
+  /// Brings the document and what follows the pen up to now.
+  void advance();
+  /// The same, and what is shown, before a frame is made. Panels come after it.
   void begin_frame();
   /// Milliseconds until the next frame is due without any event; -1: only an event makes one.
   [[nodiscard]] int next_frame_ms() const;
@@ -108,6 +144,8 @@ class App {
   /// Asks about unsaved work first.
   void ask_to_quit();
   void quit() { quit_ = true; }
+  /// Quits without asking, because nobody can answer: unsaved work is offered at the next start.
+  void quit_at_once();
 
   [[nodiscard]] Workspace& workspace() { return workspace_; }
   [[nodiscard]] const Workspace& workspace() const { return workspace_; }
@@ -146,10 +184,22 @@ class App {
   [[nodiscard]] std::string hint() const;
 
   // What panels do.
+  /// Names the key at the timeline's cursor, whose pose stays.
+  void name_key(const std::string& name);
+  /// Moves a key of the timeline; one that is in the way is told.
+  void move_key(double from_s, double to_s);
+  /// Opens a file, after asking about unsaved work.
+  void ask_to_open(const std::string& path);
   void scrub(double time_s);
   void end_scrub();
   void preview_parameter(std::size_t parameter, double value);
   void set_parameter(std::size_t parameter, double value);
+  /// How the control that is being sketched, or the next one, moves and what it slides over. Strokes that are drawn
+  /// already are drawn again.
+  void choose_for_new_control(articulation::Mode mode, const articulation::Surface& surface);
+  /// The next stroke draws a curve of a control again; regions in the view in which they were drawn.
+  void redraw_control(const std::string& deformer, articulation::CurveRole role);
+  void set_swing(bool on);
 
  private:
   void begin_session(document::Document document, const std::string& path);
@@ -164,12 +214,16 @@ class App {
   void pen_released(PxPoint at);
   void hover(PxPoint at);
   void hover_panels(PxPoint at, bool down);
+  void try_pen(PxPoint at, double pressure, bool begins);
   void begin_drag(PxPoint at);
   void drag_to(PxPoint at, bool pan, bool zoom);
   void end_barrel(PxPoint at);
   void select_at(PxPoint at);
   void step_key(int direction);
+  [[nodiscard]] const document::PoseKey* key_at(double time_s) const;
+  [[nodiscard]] std::string name_of_key(double time_s) const;
   void play_on();
+  void swing();
   [[nodiscard]] bool pen_is_drawing() const;
   [[nodiscard]] bool tablet_is_near() const;
 
@@ -208,6 +262,7 @@ class App {
   bool barrel_ = false;  ///< dragged by the pen's or the right button: a click opens the radial menu
   std::optional<document::CurveId> highlighted_;
   std::optional<std::pair<document::CurveId, PxPoint>> target_drag_;
+  std::optional<document::CurveId> touched_curve_;  ///< by the tool select
   std::int64_t tablet_seen_us_ = -1;
   bool tablet_near_ = false;
   std::int64_t last_frame_us_ = 0;
@@ -217,6 +272,7 @@ class App {
   std::size_t deformer_count_ = 0;  ///< to tell a new one
   bool fullscreen_ = false;
   bool quit_ = false;
+  bool leaves_work_ = false;  ///< the session stays as after a crash
   bool broken_told_ = false;  ///< that the session cannot be written any more
 };
 

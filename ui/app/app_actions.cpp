@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "core/articulation/edit.h"
 #include "core/document/timeline.h"
 #include "ui/app/app.h"
 #include "ui/app/navigation.h"
@@ -62,8 +64,9 @@ void App::do_action(Action action) {
       playing_ = false;
       workspace_.preview(std::nullopt);
       workspace_.set_tool(tool);
+      panels_.curve_menu.reset();
       if (action == Action::tool_articulate && !workspace_.document().pending) {
-        workspace_.perform(document::BeginDeformer{});
+        workspace_.perform(document::BeginDeformer{{}, panels_.new_mode, panels_.new_surface});
       }
       panels_.controls_tab =
           action == Action::tool_articulate || (action == Action::tool_select && panels_.controls_tab);
@@ -137,7 +140,8 @@ void App::do_action(Action action) {
       panels_.wireframe = !panels_.wireframe;
       break;
     case Action::key_pose:
-      workspace_.perform(document::SetKey{panels_.time_s, {}});
+      // A name that was given to this key stays.
+      workspace_.perform(document::SetKey{panels_.time_s, name_of_key(panels_.time_s)});
       break;
     case Action::delete_key:
       workspace_.perform(document::DeleteKey{panels_.time_s});
@@ -215,6 +219,37 @@ void App::step_key(int direction) {
   workspace_.perform(document::GoToTime{panels_.time_s});
 }
 
+const document::PoseKey* App::key_at(double time_s) const {
+  for (const auto& key : workspace_.document().timeline->keys) {
+    if (std::abs(key.time_s - time_s) < k_same_moment_s) return &key;
+  }
+  return nullptr;
+}
+
+std::string App::name_of_key(double time_s) const {
+  const auto* key = key_at(time_s);
+  return key != nullptr ? key->name : std::string();
+}
+
+void App::name_key(const std::string& name) {
+  const auto* key = key_at(panels_.time_s);
+  if (key == nullptr) return;
+  const document::SetKey named{key->time_s, name};
+  // A key takes the pose as it is, and the name shall not change the pose.
+  if (key->pose != document::SharedPose(workspace_.document().pose))
+    workspace_.perform(document::GoToTime{named.time_s});
+  workspace_.perform(named);
+}
+
+void App::move_key(double from_s, double to_s) {
+  to_s = std::clamp(to_s, 0.0, document::k_latest_key_s);
+  if (std::abs(from_s - to_s) < k_same_moment_s) return;
+  if (!workspace_.perform(document::MoveKey{from_s, to_s})) return;
+  panels_.time_s = to_s;
+  workspace_.preview(std::nullopt);
+  workspace_.perform(document::GoToTime{to_s});
+}
+
 void App::scrub(double time_s) {
   panels_.time_s = std::clamp(time_s, 0.0, document::k_latest_key_s);
   const auto& timeline = *workspace_.document().timeline;
@@ -257,6 +292,60 @@ void App::play_on() {
     play_from_s_ = panels_.time_s = 0;
   }
   workspace_.preview(document::sample(*workspace_.document().timeline, panels_.time_s));
+}
+
+void App::choose_for_new_control(articulation::Mode mode, const articulation::Surface& surface) {
+  panels_.new_mode = mode;
+  // A ball was fitted to one region and is none for the next.
+  panels_.new_surface = std::holds_alternative<articulation::Sphere>(surface) ? articulation::Surface() : surface;
+  const auto pending = workspace_.document().pending;
+  if (!pending || (pending->sketch.mode == mode && pending->sketch.surface == surface)) return;
+  const articulation::Sketch& sketch = pending->sketch;
+  const auto draw = [&](articulation::CurveRole role, const std::vector<PxPoint>& line,
+                        const geometry::CameraPose& camera) {
+    return line.empty() || workspace_.perform(document::SketchCurve{role, {camera, sketch.viewport}, line});
+  };
+  static_cast<void>(
+      workspace_.perform(document::BeginDeformer{sketch.name, mode, surface, sketch.minimum, sketch.maximum}) &&
+      draw(articulation::CurveRole::general, sketch.general, sketch.camera) &&
+      draw(articulation::CurveRole::specific, sketch.specific, sketch.camera) &&
+      draw(articulation::CurveRole::reference, sketch.reference, sketch.reference_camera.value_or(sketch.camera)));
+}
+
+void App::redraw_control(const std::string& deformer, articulation::CurveRole role) {
+  const auto& deformers = workspace_.document().model->deformers;
+  const auto number = deformers ? articulation::find_deformer(*deformers, deformer) : std::nullopt;
+  if (!number) return;
+  const articulation::Sketch& sketch = deformers->deformers()[*number]->sketch();
+  if (role == articulation::CurveRole::general || role == articulation::CurveRole::specific) {
+    view_.camera = sketch.camera;
+    framed_ = false;
+  }
+  set_swing(false);
+  drawing::Tool tool;
+  tool.kind = drawing::ToolKind::redraw;
+  tool.deformer = deformer;
+  tool.role = role;
+  workspace_.preview(std::nullopt);
+  workspace_.set_tool(tool);
+}
+
+void App::set_swing(bool on) {
+  panels_.swing = on;
+  if (on) return;
+  workspace_.preview(std::nullopt);
+  workspace_.sketch().set_amount(1);
+}
+
+void App::swing() {
+  constexpr double k_period_s = 2;
+  const double turns = static_cast<double>(last_frame_us_) * 1e-6 / k_period_s;
+  const double amount = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * turns);
+  workspace_.sketch().set_amount(amount);
+  const auto& document = workspace_.document();
+  const auto index = rig::find_parameter(document.model->rig->parameters(), panels_.deformer);
+  if (document.pending || !panels_.controls_tab || !index || pen_is_drawing()) return;
+  preview_parameter(*index, amount * document.model->rig->parameters()[*index].maximum);
 }
 
 void App::preview_parameter(std::size_t parameter, double value) {

@@ -74,16 +74,21 @@ void App::pointer_left() { hover_panels({-1e4, -1e4}, false); }
 
 void App::pen_pressed(PxPoint at) {
   const bool sketches = workspace_.editor().tool().kind == drawing::ToolKind::articulate;
-  if (sketches && !workspace_.document().pending) workspace_.perform(document::BeginDeformer{});
+  if (sketches && !workspace_.document().pending) {
+    workspace_.perform(document::BeginDeformer{{}, panels_.new_mode, panels_.new_surface});
+  }
   if (workspace_.editor().tool().kind == drawing::ToolKind::none) select_at(at);
 }
 
 void App::select_at(PxPoint at) {
   target_drag_.reset();
+  touched_curve_.reset();
+  panels_.curve_menu.reset();
   highlighted_ = curve_near(workspace_, surface_, at, 10 * scale());
   if (highlighted_) {
     const auto* curve = document::find_curve(workspace_.document(), *highlighted_);
     if (curve != nullptr && curve->target) target_drag_.emplace(*highlighted_, at);
+    touched_curve_ = *highlighted_;
     return;
   }
   const auto camera = geometry::Camera::make(view_.camera, view_.viewport);
@@ -120,7 +125,12 @@ void App::show_new_deformer() {
   deformer_count_ = count;
 }
 
-void App::pen_moved(PxPoint at) { at_ = at; }
+void App::pen_moved(PxPoint at) {
+  at_ = at;
+  if (!target_drag_) return;
+  const PxPoint by = at - target_drag_->second;
+  if (std::hypot(by.x, by.y) > k_click_px * scale()) workspace_.hold_target(target_drag_->first, by);
+}
 
 void App::pen_released(PxPoint at) {
   show_new_deformer();
@@ -128,7 +138,16 @@ void App::pen_released(PxPoint at) {
     const PxPoint by = at - target_drag_->second;
     const auto id = target_drag_->first;
     target_drag_.reset();
-    if (std::hypot(by.x, by.y) > k_click_px * scale()) workspace_.perform(document::DragTarget{id, by});
+    workspace_.hold_target(std::nullopt);
+    const auto* curve = document::find_curve(workspace_.document(), id);
+    if (curve != nullptr && std::hypot(by.x, by.y) > k_click_px * scale()) {
+      workspace_.perform(drag_command(*curve, workspace_.editor().view(), by));
+      return;
+    }
+  }
+  if (touched_curve_) {
+    panels_.curve_menu = {*touched_curve_, at};
+    touched_curve_.reset();
   }
 }
 
@@ -227,6 +246,7 @@ void App::mouse_moved(PxPoint at) {
   } else if (mouse_draws_) {
     take_moments(workspace_.pen({at, k_mouse_pressure, true, true, false, false}));
   } else if (mouse_on_panel_) {
+    try_pen(at, k_mouse_pressure, false);
     hover_panels(at, true);
   } else {
     hover(at);
@@ -257,6 +277,7 @@ void App::mouse_button(MouseButton button, bool down, PxPoint at, bool shift, bo
     if (mouse_draws_ || mouse_on_panel_ || drag_) return;
     if (!hits_.on_canvas(at) || (player_ && player_->playing())) {
       mouse_on_panel_ = true;
+      try_pen(at, k_mouse_pressure, true);
       hover_panels(at, true);
       return;
     }
@@ -347,22 +368,27 @@ void App::tablet_left(int device, const std::string& name) {
   tell(name + " was unplugged", true);
 }
 
+void App::try_pen(PxPoint at, double pressure, bool begins) {
+  if (panels_.dialog != Dialog::tablet) return;
+  if (begins && panels_.test_area.holds(at)) {
+    panels_.test_line.clear();
+    panels_.test_pressure.clear();
+  }
+  constexpr std::size_t k_most = 100000;
+  if (panels_.test_line.size() >= k_most || (panels_.test_line.empty() && !panels_.test_area.holds(at))) return;
+  panels_.test_line.push_back(at);
+  panels_.test_pressure.push_back(pressure);
+}
+
 void App::tablet_report(int device, std::int64_t received_us, base::Bytes bytes) {
   commit_view();
   const auto moments = workspace_.report_at(device, received_us, bytes);
   if (moments.empty()) return;
   tablet_seen_us_ = options_.clock();
   tablet_near_ = moments.back().kind != PenEventKind::away;
-  if (panels_.dialog == Dialog::tablet) {
-    for (const auto& moment : moments) {
-      if (moment.kind == PenEventKind::stroke_begin) {
-        panels_.test_line.clear();
-        panels_.test_pressure.clear();
-      }
-      if (moment.kind != PenEventKind::stroke_begin && moment.kind != PenEventKind::stroke_point) continue;
-      panels_.test_line.push_back(moment.position);
-      panels_.test_pressure.push_back(moment.pressure);
-    }
+  for (const auto& moment : moments) {
+    if (moment.kind == PenEventKind::stroke_begin) try_pen(moment.position, moment.pressure, true);
+    if (moment.kind == PenEventKind::stroke_point) try_pen(moment.position, moment.pressure, false);
   }
   take_moments(moments);
 }

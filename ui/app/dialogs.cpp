@@ -73,14 +73,7 @@ void open_dialog(PanelContext& context) {
     }
     if (const std::string file = browse(context, 7 * context.unit); !file.empty()) chosen = file;
     if (wide_button(context, "Cancel")) app.panels().dialog = Dialog::none;
-    if (!chosen.empty()) {
-      if (app.workspace().unsaved()) {
-        app.panels().after_unsaved = chosen;
-        app.panels().dialog = Dialog::unsaved;
-      } else {
-        app.try_open(chosen);
-      }
-    }
+    if (!chosen.empty()) app.ask_to_open(chosen);
   }
   end_dialog();
 }
@@ -121,7 +114,7 @@ void save_dialog(PanelContext& context) {
 
 void recover_dialog(PanelContext& context) {
   App& app = context.app;
-  if (begin_dialog(context, "The program did not close as it should", 13)) {
+  if (begin_dialog(context, "There is work that was not saved", 13)) {
     const std::string name = app.abandoned().empty() ? "" : fs::path(app.abandoned().front()).stem().string();
     ImGui::TextWrapped("What was drawn in the session %s is kept, to the last stroke.", name.c_str());
     if (wide_button(context, "Bring it back", 5 * context.unit)) {
@@ -156,76 +149,6 @@ void steps_dialog(PanelContext& context) {
       app.settings().steps_seen = true;
       app.settings_changed();
     }
-  }
-  end_dialog();
-}
-
-void tablet_dialog(PanelContext& context) {
-  App& app = context.app;
-  replay::TabletSetting& setting = app.settings().tablet;
-  if (begin_dialog(context, "Tablet", k_wide)) {
-    bool changed = false;
-    const auto flag = [&](const char* label, bool& on, const char* tip) {
-      if (wide_button(context, label, -1, on, tip)) {
-        on = !on;
-        changed = true;
-      }
-    };
-    flag("Keep the picture's shape", setting.keep_aspect,
-         "Uses only as much of the tablet as has the shape of the window");
-    flag("Left-handed", setting.left_handed, "The tablet lies turned by half a turn");
-    // Four slices of the area and the softness of the pressure, each by sliders alone.
-    std::array<double, 4> area{0, 0, 1, 1};
-    if (setting.area.size() == 4) std::copy(setting.area.begin(), setting.area.end(), area.begin());
-    constexpr std::array k_sides{"left", "top", "right", "bottom"};
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5F * (context.unit - ImGui::GetFontSize())});
-    for (std::size_t i = 0; i < 4; ++i) {
-      const double least = i < 2 ? 0 : area[i - 2] + 0.05;
-      const double most = i < 2 ? area[i + 2] - 0.05 : 1;
-      ImGui::SetNextItemWidth(-3 * context.unit);
-      if (ImGui::SliderScalar(k_sides[i], ImGuiDataType_Double, &area[i], &least, &most, "%.2f",
-                              ImGuiSliderFlags_NoInput)) {
-        setting.area.assign(area.begin(), area.end());
-        changed = true;
-      }
-      note(context, k_sides[i]);
-    }
-    // One point in the middle bends the curve: pressed half as hard means this much.
-    double half = setting.pressure.size() == 3 ? setting.pressure[1].y : 0.5;
-    const double least = 0.05;
-    const double most = 0.95;
-    ImGui::SetNextItemWidth(-3 * context.unit);
-    if (ImGui::SliderScalar("softness", ImGuiDataType_Double, &half, &least, &most, "half pressed means %.2f",
-                            ImGuiSliderFlags_NoInput)) {
-      setting.pressure = {{0, 0}, {0.5, half}, {1, 1}};
-      changed = true;
-    }
-    note(context, "softness");
-    ImGui::PopStyleVar();
-    if (changed) app.tablet_setting_changed();
-    ImGui::TextDisabled("Draw here to try it");
-    const ImVec2 from = ImGui::GetCursorScreenPos();
-    const ImVec2 size{ImGui::GetContentRegionAvail().x, 5 * context.unit};
-    ImGui::InvisibleButton("try", size);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(from, {from.x + size.x, from.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 4);
-    // The whole window's area, seen small.
-    const auto window = app.window();
-    const auto& line = app.panels().test_line;
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      const auto place = [&](PxPoint p) {
-        return ImVec2{from.x + static_cast<float>(p.x / window.width) * size.x,
-                      from.y + static_cast<float>(p.y / window.height) * size.y};
-      };
-      list.AddLine(place(line[i - 1]), place(line[i]), ImGui::GetColorU32(ImGuiCol_PlotLines),
-                   1 + 6 * static_cast<float>(app.panels().test_pressure[i]));
-    }
-    if (wide_button(context, "As it was##tablet")) {
-      setting = {};
-      app.tablet_setting_changed();
-    }
-    ImGui::SameLine();
-    if (wide_button(context, "Done")) app.panels().dialog = Dialog::none;
   }
   end_dialog();
 }
@@ -295,7 +218,16 @@ void show_dialog(PanelContext& context) {
       steps_dialog(context);
       break;
     case Dialog::tablet:
-      tablet_dialog(context);
+      show_tablet_dialog(context);
+      break;
+    case Dialog::number:
+      show_number_dialog(context);
+      break;
+    case Dialog::key_name:
+      show_key_dialog(context);
+      break;
+    case Dialog::radial:
+      show_radial_dialog(context);
       break;
     case Dialog::sessions:
       sessions_dialog(context);

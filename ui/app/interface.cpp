@@ -98,10 +98,19 @@ void Interface::frame(double passed_s) {
   io.DisplaySize = {static_cast<float>(window.width), static_cast<float>(window.height)};
   io.DeltaTime = static_cast<float>(std::clamp(passed_s, 1e-4, 0.5));
   // One press or release a frame, so that none is lost.
+  if (key_to_release_ >= 0) {
+    io.KeysDown[key_to_release_] = false;
+    key_to_release_ = -1;
+  }
   auto& pointer = app_.panel_pointer();
   while (!pointer.empty()) {
     const PanelPointer next = pointer.front();
     pointer.pop_front();
+    if (type_on_screen(next)) {
+      unsettled_ = k_settle_frames;
+      if (key_to_release_ >= 0) break;
+      continue;
+    }
     io.MousePos = {static_cast<float>(next.at.x), static_cast<float>(next.at.y)};
     const bool turned = io.MouseDown[0] != next.down;
     io.MouseDown[0] = next.down;
@@ -136,12 +145,58 @@ void Interface::frame(double passed_s) {
   }
   if (app_.player()) show_player(context, {free.left, free.bottom, free.right, free.bottom + player});
   app_.set_free_area(free);
+  show_curve_menu(context);
   show_notices(context);
   show_radial_menu(context);
   show_dialog(context);
+  show_keyboard(context);
   ImGui::Render();
   if (unsettled_ > 0) --unsettled_;
   if (!pointer.empty()) unsettled_ = k_settle_frames;
+}
+
+bool Interface::type_on_screen(const PanelPointer& pointer) {
+  if (keyboard_held_) {
+    keyboard_held_ = pointer.down;
+    return true;
+  }
+  if (!keyboard_.shown() || !pointer.down || ImGui::GetIO().MouseDown[0] || !keyboard_.area().holds(pointer.at)) {
+    return false;
+  }
+  keyboard_held_ = true;
+  const auto key = keyboard_.press(pointer.at);
+  if (!key) return true;
+  ImGuiIO& io = ImGui::GetIO();
+  if (key->kind == ScreenKeyboard::Kind::text) io.AddInputCharactersUTF8(key->text.c_str());
+  if (key->kind == ScreenKeyboard::Kind::erase) key_to_release_ = io.KeyMap[ImGuiKey_Backspace];
+  if (key->kind == ScreenKeyboard::Kind::done) key_to_release_ = io.KeyMap[ImGuiKey_Enter];
+  if (key_to_release_ >= 0) io.KeysDown[key_to_release_] = true;
+  return true;
+}
+
+void Interface::show_keyboard(PanelContext& context) {
+  if (!context.typed_into || app_.panels().has_keyboard) {
+    keyboard_.hide();
+    return;
+  }
+  const auto window = app_.window();
+  keyboard_.show({0, 0, static_cast<double>(window.width), static_cast<double>(window.height)}, *context.typed_into,
+                 static_cast<double>(context.unit), static_cast<double>(context.gap));
+  app_.hits().panels.push_back(keyboard_.area());
+  ImDrawList& list = *ImGui::GetForegroundDrawList();
+  const auto corner = [](double x, double y) { return ImVec2{static_cast<float>(x), static_cast<float>(y)}; };
+  const Area& all = keyboard_.area();
+  list.AddRectFilled(corner(all.left, all.top), corner(all.right, all.bottom), ImGui::GetColorU32(ImGuiCol_PopupBg));
+  for (const auto& key : keyboard_.keys()) {
+    const bool lit = key.kind == ScreenKeyboard::Kind::shift && keyboard_.shifted();
+    list.AddRectFilled(corner(key.area.left, key.area.top), corner(key.area.right, key.area.bottom),
+                       ImGui::GetColorU32(lit ? ImGuiCol_ButtonActive : ImGuiCol_Button), 4);
+    const ImVec2 size = ImGui::CalcTextSize(key.label.c_str());
+    const PxPoint middle = key.area.middle();
+    list.AddText(corner(middle.x - 0.5 * static_cast<double>(size.x), middle.y - 0.5 * static_cast<double>(size.y)),
+                 ImGui::GetColorU32(ImGuiCol_Text), key.label.c_str());
+    targets_["key " + key.label] = key.area;
+  }
 }
 
 void Interface::text(const char* utf8) { ImGui::GetIO().AddInputCharactersUTF8(utf8); }

@@ -6,8 +6,11 @@
 #include <string_view>
 
 #include "ui/app/app.h"
+#include "ui/app/screen_keyboard.h"
 
 namespace penpose::app {
+
+struct PanelContext;
 
 /// Panels, menus and dialogs of the app, in ImGui. Knows no window and no OpenGL: it takes what the app knows of the
 /// pointer and leaves ImGui's draw lists for whoever draws them.
@@ -41,12 +44,18 @@ class Interface {
 
  private:
   void apply_look();
+  /// Presses on the keyboard of the screen go to the text field and to nothing else.
+  bool type_on_screen(const PanelPointer& pointer);
+  void show_keyboard(PanelContext& context);
 
   App& app_;
   double look_scale_ = 0;
   bool look_light_ = false;
   int unsettled_ = 0;
   int font_revision_ = 0;
+  ScreenKeyboard keyboard_;
+  bool keyboard_held_ = false;  ///< a press on it goes on
+  int key_to_release_ = -1;     ///< of ImGui's, pressed on the screen
   std::map<std::string, Area, std::less<>> targets_;
 };
 

@@ -1,5 +1,7 @@
 #include "ui/app/live_follow.h"
 
+#include <algorithm>
+
 #include "core/document/apply.h"
 #include "core/document/target_line.h"
 
@@ -13,10 +15,15 @@ document::DrawnTarget seen_from(const document::DrawnTarget& target, const docum
   document::DrawnTarget seen = target;
   seen.line.clear();
   seen.pressure.clear();
-  for (const auto& point : target.points) {
-    if (const auto px = camera.project(point)) seen.line.push_back(*px);
+  // Only the proportions of pressures count, and the weights have kept them.
+  double strongest = 1e-9;
+  for (const double weight : target.weights) strongest = std::max(strongest, weight);
+  for (std::size_t i = 0; i < target.points.size(); ++i) {
+    const auto px = camera.project(target.points[i]);
+    if (!px) continue;
+    seen.line.push_back(*px);
+    seen.pressure.push_back(i < target.weights.size() ? target.weights[i] / strongest : 1.0);
   }
-  seen.pressure.assign(seen.line.size(), 1.0);
   return seen;
 }
 
@@ -34,8 +41,21 @@ void LiveFollow::begin(const document::Document& document, const drawing::Tool& 
   const auto command = drawing::command_of(document, tool, view, stroke, false);
   const auto named = command ? curve_of(*command) : std::nullopt;
   const document::PoseCurve* curve = named ? document::find_curve(document, *named) : nullptr;
+  if (curve == nullptr) return;
+  start(document, *curve, view);
+  if (!std::holds_alternative<document::OversketchTarget>(*command)) whole_.reset();
+}
+
+void LiveFollow::begin_drag(const document::Document& document, document::CurveId curve, const document::View& view) {
+  end();
+  const document::PoseCurve* found = document::find_curve(document, curve);
+  if (found != nullptr && found->target) start(document, *found, view);
+}
+
+void LiveFollow::start(const document::Document& document, const document::PoseCurve& curve,
+                       const document::View& view) {
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
-  if (curve == nullptr || !camera) return;
+  if (!camera) return;
   const auto triangles = document.model->mesh->triangles();
   const auto points_of = [&](const document::PoseCurve& one) {
     std::vector<posing::CurvePoint> points;
@@ -44,35 +64,60 @@ void LiveFollow::begin(const document::Document& document, const drawing::Tool& 
   };
   posing::PoseProblem whole = document::pose_problem(document);
   posing::LiveSetup setup{
-      points_of(*curve), std::move(whole.constraints), std::move(whole.free), std::move(whole.start), *camera, {}};
+      points_of(curve), std::move(whole.constraints), std::move(whole.free), std::move(whole.start), *camera, {}};
   // Targets of other references hold their curves where they are wanted, as the solve at pen-up will.
   for (const auto& other : document.curves) {
-    if (other->id == curve->id || !other->target) continue;
+    if (other->id == curve.id || !other->target) continue;
     setup.constraints.push_back({points_of(*other), other->target->points});
   }
   auto poser = posing::LivePoser::start(*document.model->rig, std::move(setup));
   if (!poser) return;
   model_ = document.model;
-  curve_ = curve->id;
-  if (std::holds_alternative<document::OversketchTarget>(*command) && curve->target) {
-    over_ = seen_from(*curve->target, view, *camera);
-  }
+  curve_ = curve.id;
+  view_ = view;
+  by_pressure_ = document.pressure_weighting;
+  reference_ = document::positions_of(document, curve.points);
+  if (curve.target) whole_ = seen_from(*curve.target, view, *camera);
   poser_.emplace(std::move(*poser));
 }
 
 bool LiveFollow::follow(const curve::Stroke& stroke) {
   if (!poser_ || stroke.size() < 2) return false;
   const auto line = curve::positions_of(stroke);
-  if (!over_) return poser_->follow(line).evaluations > 0;
-  const auto merged = document::oversketched({over_->line, over_->pressure}, line);
-  return merged && poser_->follow(merged->points).evaluations > 0;
+  if (!whole_) return poser_->follow(line).evaluations > 0;
+  const auto merged = document::oversketched({whole_->line, whole_->pressure}, line);
+  return merged && follow_line(merged->points, merged->pressure);
+}
+
+bool LiveFollow::drag(curve::PxPoint by) {
+  if (!poser_ || !whole_) return false;
+  auto line = whole_->line;
+  for (curve::PxPoint& p : line) p = p + by;
+  return follow_line(line, whole_->pressure);
+}
+
+bool LiveFollow::follow_line(std::span<const curve::PxPoint> line, std::span<const double> pressure) {
+  const auto target = document::make_target(reference_, view_, line, pressure);
+  if (!target) return false;
+  const std::span<const double> weights = by_pressure_ ? target->weights : std::span<const double>();
+  return poser_->follow_points(target->points, weights).evaluations > 0;
 }
 
 void LiveFollow::end() {
   poser_.reset();
-  over_.reset();
+  whole_.reset();
   model_.reset();
   curve_ = {};
+}
+
+document::Command drag_command(const document::PoseCurve& curve, const document::View& view, curve::PxPoint by) {
+  const auto camera = geometry::Camera::make(view.camera, view.viewport);
+  if (!curve.target || curve.target->view == view || !camera) return document::DragTarget{curve.id, by};
+  // It was drawn in another view: what is seen now, moved, is drawn in this one.
+  const document::DrawnTarget seen = seen_from(*curve.target, view, *camera);
+  document::DrawTarget drawn{curve.id, view, seen.line, seen.pressure};
+  for (curve::PxPoint& p : drawn.line) p = p + by;
+  return drawn;
 }
 
 }  // namespace penpose::app

@@ -3,7 +3,9 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
+#include "core/document/command.h"
 #include "core/document/document.h"
 #include "core/drawing/tool.h"
 #include "core/posing/live_pose.h"
@@ -19,6 +21,10 @@ class LiveFollow {
              const curve::Stroke& stroke);
   /// The stroke so far. True when the pose moved.
   bool follow(const curve::Stroke& stroke);
+  /// A target that is there is taken in hand, as this view shows it.
+  void begin_drag(const document::Document& document, document::CurveId curve, const document::View& view);
+  /// How far it was moved since, px of that view.
+  bool drag(curve::PxPoint by);
   void end();
 
   [[nodiscard]] bool active() const { return poser_.has_value(); }
@@ -27,10 +33,20 @@ class LiveFollow {
   [[nodiscard]] document::CurveId curve() const { return curve_; }
 
  private:
+  void start(const document::Document& document, const document::PoseCurve& curve, const document::View& view);
+  bool follow_line(std::span<const curve::PxPoint> line, std::span<const double> pressure);
+
   std::shared_ptr<const document::Model> model_;  ///< keeps the rig alive, whatever is undone meanwhile
   document::CurveId curve_;
-  std::optional<document::DrawnTarget> over_;  ///< oversketch: the target, as a line of this view
+  std::optional<document::DrawnTarget> whole_;  ///< oversketch and drag: the target, as a line of this view
+  document::View view_;
+  std::vector<geometry::ModelPoint> reference_;  ///< its points before the stroke
+  bool by_pressure_ = false;
   std::optional<posing::LivePoser> poser_;
 };
+
+/// What dropping a target that was dragged by some px of a view means.
+[[nodiscard]] document::Command drag_command(const document::PoseCurve& curve, const document::View& view,
+                                             curve::PxPoint by);
 
 }  // namespace penpose::app

@@ -24,14 +24,10 @@ constexpr ToolButton k_tools[] = {
     {Action::tool_articulate, drawing::ToolKind::articulate},
 };
 
-/// A place on the radial menu, counted clockwise from the top.
-constexpr Action k_radial[] = {Action::undo,       Action::redo,      Action::tool_pose,  Action::tool_constraint,
-                               Action::tool_erase, Action::frame_all, Action::view_front, Action::key_pose};
-
 }  // namespace
 
 void show_toolbar(PanelContext& context, const Area& area) {
-  if (begin_panel(context, "tools", area)) {
+  if (begin_panel(context, "tools", area, true)) {
     const drawing::ToolKind kind = context.app.workspace().editor().tool().kind;
     for (const ToolButton& tool : k_tools) {
       if (tool.kind == drawing::ToolKind::articulate) ImGui::Dummy({1, context.gap});
@@ -40,6 +36,10 @@ void show_toolbar(PanelContext& context, const Area& area) {
     ImGui::Dummy({1, context.gap});
     action_button(context, Action::clear_curves, -1);
     action_button(context, Action::reset_pose, -1);
+    const bool weighted = context.app.workspace().document().pressure_weighting;
+    if (wide_button(context, "Pressure", -1, weighted, "A target pulls harder where the pen pressed harder")) {
+      context.app.workspace().perform(document::SetPressureWeighting{!weighted});
+    }
   }
   end_panel();
 }
@@ -62,6 +62,10 @@ void show_top_bar(PanelContext& context, const Area& area) {
       }
       if (entry("Sessions", "What was drawn before, to play or to go on with")) app.panels().dialog = Dialog::sessions;
       if (entry("Tablet", "The area and the pressure of the tablet")) app.panels().dialog = Dialog::tablet;
+      if (entry("Pen menu", "What the menu around the pen offers")) app.panels().dialog = Dialog::radial;
+      if (app.panels().has_keyboard && entry("Screen keyboard", "Show keys on the screen while a name is typed")) {
+        app.panels().has_keyboard = false;
+      }
       for (const Action action : {Action::fullscreen, Action::larger, Action::smaller, Action::help, Action::quit}) {
         if (entry(std::string(info(action).label).c_str(), tooltip_of(action))) app.do_action(action);
       }
@@ -165,9 +169,10 @@ void show_radial_menu(PanelContext& context) {
       ImGui::SetCursorPos(
           {x + reach * k_places[i][0] - 0.5F * width, y + reach * k_places[i][1] - 0.5F * context.unit});
       ImGui::PushID(i);
-      const std::string label = std::string(info(k_radial[i]).label) + "##radial";
+      const Action action = context.app.settings().radial[static_cast<std::size_t>(i)];
+      const std::string label = std::string(info(action).label) + "##radial";
       if (wide_button(context, label.c_str(), width)) {
-        context.app.do_action(k_radial[i]);
+        context.app.do_action(action);
         close = true;
       }
       ImGui::PopID();
@@ -176,6 +181,46 @@ void show_radial_menu(PanelContext& context) {
   }
   ImGui::End();
   if (close) middle.reset();
+}
+
+void show_curve_menu(PanelContext& context) {
+  App& app = context.app;
+  const auto chosen = app.panels().curve_menu;
+  const auto* curve = chosen ? document::find_curve(app.workspace().document(), chosen->first) : nullptr;
+  if (curve == nullptr || app.workspace().editor().tool().kind != drawing::ToolKind::none) {
+    app.panels().curve_menu.reset();
+    return;
+  }
+  const bool reference = curve->role == document::PoseCurveRole::reference;
+  const float width = 3 * context.unit;
+  const double rows = 1 + (reference ? 1 : 0) + (curve->target ? 1 : 0);
+  const double height = rows * (context.unit + static_cast<double>(ImGui::GetStyle().ItemSpacing.y)) + context.gap;
+  const double wide = static_cast<double>(width) + 2 * context.gap;
+  const Area free = app.free_area();
+  const double left = std::clamp(chosen->second.x + context.unit, free.left, std::max(free.left, free.right - wide));
+  const double top = std::clamp(chosen->second.y, free.top, std::max(free.top, free.bottom - height));
+  const document::CurveId id = curve->id;
+  const bool target = curve->target.has_value();
+  bool done = false;
+  if (begin_panel(context, "curve", {left, top, left + wide, top + height})) {
+    if (target && wide_button(context, "Redraw##curve", -1, false, "Draw over a part of this target")) {
+      drawing::Tool tool;
+      tool.kind = drawing::ToolKind::oversketch;
+      tool.curve = id;
+      app.workspace().set_tool(tool);
+      done = true;
+    }
+    if (reference && wide_button(context, "Keep##curve", -1, false, tooltip_of(Action::keep_curve).c_str())) {
+      app.workspace().perform(document::KeepCurve{id});
+      done = true;
+    }
+    if (wide_button(context, "Delete##curve", -1, false, tooltip_of(Action::delete_curve).c_str())) {
+      app.workspace().perform(document::DeleteCurve{id});
+      done = true;
+    }
+  }
+  end_panel();
+  if (done) app.panels().curve_menu.reset();
 }
 
 }  // namespace penpose::app

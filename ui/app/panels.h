@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,7 @@ struct PanelContext {
   std::map<std::string, Area, std::less<>>& targets;
   float unit = 34;  ///< px of a target that a pen hits for certain
   float gap = 6;
+  std::optional<Area> typed_into = {};  ///< the text field that has the keyboard
 };
 
 void show_toolbar(PanelContext& context, const Area& area);
@@ -27,6 +29,12 @@ void show_timeline(PanelContext& context, const Area& area);
 void show_player(PanelContext& context, const Area& area);
 void show_radial_menu(PanelContext& context);
 void show_notices(PanelContext& context);
+/// What can be done with a curve that was touched, beside it.
+void show_curve_menu(PanelContext& context);
+void show_number_dialog(PanelContext& context);
+void show_key_dialog(PanelContext& context);
+void show_radial_dialog(PanelContext& context);
+void show_tablet_dialog(PanelContext& context);
 void show_dialog(PanelContext& context);
 
 }  // namespace penpose::app

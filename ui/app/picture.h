@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "core/base/result.h"
-#include "ui/app/app.h"
+#include "ui/app/draw_frame.h"
 #include "ui/render/renderer.h"
 
 namespace penpose::app {
@@ -14,19 +14,15 @@ class Picture {
   /// Errors: those of the renderer.
   static base::Result<std::unique_ptr<Picture>> make();
 
-  /// Draws the model and the curves as they stand into the window's framebuffer.
-  base::Status draw(App& app);
+  /// Draws the model and the curves into the window's framebuffer.
+  base::Status draw(const DrawFrame& frame);
+  /// Whether the same picture drawn again would be smoother.
+  [[nodiscard]] bool refining() const { return renderer_->refining(); }
 
  private:
-  explicit Picture(std::unique_ptr<render::Renderer> renderer);
-  void update_overlay(App& app);
+  explicit Picture(std::unique_ptr<render::Renderer> renderer) : renderer_(std::move(renderer)) {}
 
   std::unique_ptr<render::Renderer> renderer_;
-  std::vector<render::Color> overlay_;
-  std::uint64_t overlay_number_ = 1;
-  std::uint64_t weights_revision_ = 0;
-  std::shared_ptr<const document::Model> overlay_model_;
-  std::string overlay_deformer_;
 };
 
 }  // namespace penpose::app

@@ -21,6 +21,7 @@ class PosedSurface {
   [[nodiscard]] std::span<const glm::vec3> positions() const { return poser_->positions(); }
   [[nodiscard]] std::span<const glm::vec3> normals() const { return poser_->normals(); }
   [[nodiscard]] const document::Model& model() const { return *model_; }
+  [[nodiscard]] const std::shared_ptr<const document::Model>& shared_model() const { return model_; }
   [[nodiscard]] const render::Appearance& appearance() const { return appearance_; }
   /// Numbers that change with the triangles and with the pose; never 0.
   [[nodiscard]] std::uint64_t shape_number() const { return shape_number_; }

@@ -26,6 +26,17 @@ std::optional<std::vector<double>> numbers(std::string_view text, std::size_t mo
   return out;
 }
 
+/// Labels of actions with '|' between them; a place whose label is not known keeps what it has.
+void take_radial(std::array<Action, 8>& radial, std::string_view value) {
+  for (Action& place : radial) {
+    const std::size_t end = std::min(value.find('|'), value.size());
+    for (const ActionInfo& one : all_actions()) {
+      if (one.label == value.substr(0, end)) place = one.action;
+    }
+    value.remove_prefix(std::min(end + 1, value.size()));
+  }
+}
+
 void take(Settings& settings, std::string_view name, std::string_view value) {
   if (name == "scale") {
     const auto number = base::parse_double(value);
@@ -48,6 +59,8 @@ void take(Settings& settings, std::string_view name, std::string_view value) {
     for (std::size_t i = 0; i + 1 < points->size(); i += 2) {
       settings.tablet.pressure.push_back({(*points)[i], (*points)[i + 1]});
     }
+  } else if (name == "radial") {
+    take_radial(settings.radial, value);
   } else if (name == "recent" && settings.recent.size() < k_most_recent) {
     settings.recent.emplace_back(value);
   }
@@ -85,6 +98,9 @@ std::string to_text(const Settings& settings) {
       text += base::format_double(p.x) + " " + base::format_double(p.y) + " ";
     text.back() = '\n';
   }
+  text += "radial=";
+  for (const Action action : settings.radial) text += std::string(info(action).label) + "|";
+  text.back() = '\n';
   for (const std::string& path : settings.recent) {
     if (path.find('\n') == std::string::npos) text += "recent=" + path + "\n";
   }

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
 #include "replay/pen_input.h"
+#include "ui/app/action.h"
 
 namespace penpose::app {
 
@@ -14,6 +16,9 @@ struct Settings {
   double scale = 1;  ///< on top of the display's own, 0.5..3
   bool light = false;
   bool steps_seen = false;  ///< the first steps were shown
+  /// The menu around the pen, clockwise from the top.
+  std::array<Action, 8> radial{Action::undo,       Action::redo,      Action::tool_pose,  Action::tool_constraint,
+                               Action::tool_erase, Action::frame_all, Action::view_front, Action::key_pose};
   replay::TabletSetting tablet;
   std::vector<std::string> recent;  ///< files, the last one first
   friend bool operator==(const Settings&, const Settings&) = default;

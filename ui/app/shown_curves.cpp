@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/articulation/edit.h"
+#include "core/document/apply.h"
 #include "core/document/target_line.h"
 
 namespace penpose::app {
@@ -45,6 +47,9 @@ CurveKind kind_of(const drawing::Tool& tool, const document::Document& document,
     const auto step = drawing::next_step(document, tool);
     return step == articulation::CurveRole::target ? CurveKind::target : CurveKind::reference;
   }
+  if (tool.kind == drawing::ToolKind::redraw) {
+    return tool.role == articulation::CurveRole::target ? CurveKind::target : CurveKind::reference;
+  }
   const auto command = drawing::command_of(document, tool, view, stroke, false);
   if (!command) return CurveKind::reference;
   if (std::holds_alternative<document::DrawReference>(*command)) return CurveKind::reference;
@@ -54,6 +59,7 @@ CurveKind kind_of(const drawing::Tool& tool, const document::Document& document,
 
 void add_pose_curves(std::vector<CurveDrawing>& out, const Workspace& workspace, const PosedSurface& surface,
                      const CurveLook& look) {
+  const bool held = look.dragged.has_value();
   for (const auto& curve : workspace.document().curves) {
     const bool lit = look.highlighted == curve->id;
     const auto now = points_now(*curve, surface);
@@ -64,7 +70,7 @@ void add_pose_curves(std::vector<CurveDrawing>& out, const Workspace& workspace,
     on_surface.highlighted = lit && !curve->target;
     out.push_back(std::move(on_surface));
     // While the target is drawn anew the old one would only be in the way.
-    if (!curve->target || (workspace.live().active() && workspace.live().curve() == curve->id)) continue;
+    if (!curve->target || (!held && workspace.live().active() && workspace.live().curve() == curve->id)) continue;
     CurveDrawing target;
     target.kind = CurveKind::target;
     target.points = curve->target->points;
@@ -87,9 +93,18 @@ void add_pose_curves(std::vector<CurveDrawing>& out, const Workspace& workspace,
   }
 }
 
-/// The curves of the sketch so far, in px of the view in which they were drawn.
+/// The curves of the sketch so far: the lassos in px of the view in which they were drawn, the reference as it is found
+/// by itself or was drawn, from wherever one looks.
 void add_sketch(std::vector<CurveDrawing>& out, const Workspace& workspace, const CurveLook& look) {
   const auto& pending = workspace.document().pending;
+  const auto& found = workspace.sketch().reference();
+  if (pending && !found.empty()) {
+    CurveDrawing drawing;
+    drawing.points = found;
+    drawing.kind = CurveKind::reference;
+    drawing.width_px = 4 * look.scale;
+    out.push_back(std::move(drawing));
+  }
   if (!pending || !(pending->sketch.camera == workspace.editor().view().camera)) return;
   const articulation::Sketch& sketch = pending->sketch;
   if (!(sketch.viewport == workspace.editor().view().viewport)) return;
@@ -104,7 +119,28 @@ void add_sketch(std::vector<CurveDrawing>& out, const Workspace& workspace, cons
   };
   add(sketch.general, CurveKind::constraint, true);
   add(sketch.specific, CurveKind::reference, true);
-  add(sketch.reference, CurveKind::reference, false);
+}
+
+/// A control's feature where the control has brought it, and where it goes at most.
+void add_deformer(std::vector<CurveDrawing>& out, const Workspace& workspace, const CurveLook& look) {
+  const auto& model = workspace.shown_model();
+  const auto number = look.deformer.empty() || !model->deformers || workspace.document().pending
+                          ? std::nullopt
+                          : articulation::find_deformer(*model->deformers, look.deformer);
+  const auto parameter =
+      number ? rig::find_parameter(model->rig->parameters(), look.deformer) : std::optional<std::size_t>();
+  if (!parameter || *parameter >= workspace.shown_pose().size()) return;
+  const articulation::Deformer& deformer = *model->deformers->deformers()[*number];
+  CurveDrawing goal;
+  goal.points.assign(deformer.target().begin(), deformer.target().end());
+  goal.kind = CurveKind::target;
+  goal.width_px = k_thin_px * look.scale;
+  out.push_back(std::move(goal));
+  CurveDrawing feature;
+  feature.points = deformer.curve_at(workspace.shown_pose()[*parameter]);
+  feature.kind = CurveKind::reference;
+  feature.width_px = 3 * look.scale;
+  out.push_back(std::move(feature));
 }
 
 void add_stroke(std::vector<CurveDrawing>& out, const Workspace& workspace, const CurveLook& look) {
@@ -177,7 +213,15 @@ std::vector<CurveDrawing> shown_curves(const Workspace& workspace, const PosedSu
   } else {
     add_pose_curves(out, workspace, surface, look);
   }
+  add_deformer(out, workspace, look);
   add_stroke(out, workspace, look);
+  // A recording that is played may have been drawn in a window of another size.
+  const geometry::Viewport drawn_in = workspace.editor().view().viewport;
+  if (look.window.width > 0 && !(look.window == drawn_in)) {
+    for (CurveDrawing& drawing : out) {
+      drawing.points_px = document::rescaled(drawing.points_px, drawn_in, look.window);
+    }
+  }
   return out;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "ui/app/posed_surface.h"
@@ -16,6 +17,8 @@ struct CurveLook {
   geometry::PxPoint dragged_by;              ///< how far, in px of its own view
   bool onion_skin = false;                   ///< the model's curves at the neighbouring keys
   double time_s = 0;                         ///< of which moment
+  std::string deformer;                      ///< whose reference and target are shown; empty: of none
+  geometry::Viewport window;                 ///< in whose px curves on the glass are given
 };
 
 /// All curves to draw over the surface: what was drawn for posing, with the distance left along each target in colour;

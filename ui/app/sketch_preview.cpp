@@ -3,6 +3,10 @@
 #include <algorithm>
 
 #include "core/articulation/edit.h"
+#include "core/articulation/kept_surface.h"
+#include "core/articulation/reference_curve.h"
+#include "core/document/apply.h"
+#include "ui/app/fitted_ball.h"
 
 namespace penpose::app {
 
@@ -12,12 +16,13 @@ void SketchPreview::end() { *this = SketchPreview{}; }
 
 void SketchPreview::stroke_ended() {
   model_.reset();
+  drawn_.reset();
   region_of_.reset();
   rested_.reset();
 }
 
-void SketchPreview::show(const document::Document& document) {
-  if (!document.pending) {
+void SketchPreview::show(const document::Document& document, const drawing::Tool& tool) {
+  if (!document.pending && tool.kind != drawing::ToolKind::redraw) {
     // Between two controls the face is as it was posed.
     model_.reset();
     pose_.reset();
@@ -29,6 +34,7 @@ void SketchPreview::show(const document::Document& document) {
   }
   if (region_of_ == document.pending && (document.pending || weights_.empty())) return;
   region_of_ = document.pending;
+  reference_.clear();
   if (!document.pending || document.pending->sketch.general.empty() ||
       !set_region(document, document.pending->sketch)) {
     if (!weights_.empty()) ++revision_;
@@ -39,23 +45,30 @@ void SketchPreview::show(const document::Document& document) {
   const auto weights = sketch.specific.empty() ? base::Result<articulation::Weights>(base::Error{})
                                                : articulation::specific_region(region_, sketch.specific);
   show_weights(document.model->mesh->vertex_count(), weights ? &weights->weights : nullptr);
+  if (weights) find_reference(sketch, weights->specific);
+}
+
+bool SketchPreview::set_canvas(const document::Document& document) {
+  if (canvas_of_ == document.model) return true;
+  auto canvas = document::make_canvas(*document.model);
+  if (!canvas) return false;
+  canvas_ = std::move(*canvas);
+  canvas_of_ = document.model;
+  region_lasso_.clear();
+  return true;
 }
 
 bool SketchPreview::set_region(const document::Document& document, const articulation::Sketch& sketch) {
-  if (canvas_of_ != document.model) {
-    auto canvas = document::make_canvas(*document.model);
-    if (!canvas) return false;
-    canvas_ = std::move(*canvas);
-    canvas_of_ = document.model;
-    region_lasso_.clear();
-  }
-  if (region_lasso_ == sketch.general && !region_.vertices.empty()) return true;
+  if (!set_canvas(document)) return false;
+  if (region_lasso_ == sketch.general && region_surface_ == sketch.surface && !region_.vertices.empty()) return true;
   const auto camera = geometry::Camera::make(sketch.camera, sketch.viewport);
-  if (!camera) return false;
-  auto region = articulation::general_region(*canvas_, *camera, sketch.general);
+  const auto surface = articulation::KeptSurface::make(sketch.surface, *canvas_);
+  if (!camera || !surface) return false;
+  auto region = articulation::general_region(*canvas_, *camera, sketch.general, *surface);
   if (!region) return false;
   region_ = std::move(*region);
   region_lasso_ = sketch.general;
+  region_surface_ = sketch.surface;
   return true;
 }
 
@@ -67,11 +80,42 @@ void SketchPreview::show_weights(std::size_t vertex_count, const std::vector<dou
   ++revision_;
 }
 
+void SketchPreview::find_reference(const articulation::Sketch& sketch, const std::vector<std::uint32_t>& specific) {
+  constexpr std::size_t k_points = articulation::k_curve_points;
+  base::Result<std::vector<geometry::ModelPoint>> found = base::Error{};
+  if (sketch.reference.empty()) {
+    found = articulation::infer_reference(*canvas_, region_, specific, k_points);
+  } else if (const auto camera =
+                 geometry::Camera::make(sketch.reference_camera.value_or(sketch.camera), sketch.viewport)) {
+    found = articulation::drawn_reference(*canvas_, *camera, sketch.reference, k_points);
+  }
+  if (found) reference_ = std::move(*found);
+}
+
+std::optional<articulation::Sphere> SketchPreview::ball() const {
+  if (weights_.empty() || !canvas_) return std::nullopt;
+  std::vector<geometry::ModelPoint> points;
+  for (const std::uint32_t vertex : region_.vertices) {
+    if (vertex < canvas_->positions().size()) points.push_back(canvas_->positions()[vertex]);
+  }
+  return fitted_ball(points);
+}
+
+void SketchPreview::set_amount(double amount) {
+  amount_ = amount;
+  if (!model_ || !pose_ || !drawn_) return;
+  (*pose_)[*drawn_] = amount_ * model_->rig->parameters()[*drawn_].maximum;
+}
+
 void SketchPreview::follow(const document::Document& document, const drawing::Tool& tool, const document::View& view,
                            const curve::Stroke& stroke) {
-  if (!pose_) show(document);
-  const CurveRole step = drawing::next_step(document, tool);
+  if (!pose_) show(document, tool);
   const auto line = curve::positions_of(stroke);
+  if (tool.kind == drawing::ToolKind::redraw) {
+    if (line.size() > 3) follow_redraw(document, tool, view, line);
+    return;
+  }
+  const CurveRole step = drawing::next_step(document, tool);
   articulation::Sketch sketch;
   if (document.pending) sketch = document.pending->sketch;
   if (step == CurveRole::general) {
@@ -82,29 +126,46 @@ void SketchPreview::follow(const document::Document& document, const drawing::To
   } else if (step == CurveRole::specific) {
     if (line.size() < 3 || !set_region(document, sketch)) return;
     const auto weights = articulation::specific_region(region_, line);
-    if (weights) show_weights(document.model->mesh->vertex_count(), &weights->weights);
+    if (!weights) return;
+    show_weights(document.model->mesh->vertex_count(), &weights->weights);
+    sketch.reference.clear();
+    find_reference(sketch, weights->specific);
   } else if (step == CurveRole::target && line.size() > 3) {
-    sketch.target = line;
+    sketch.target = document::rescaled(line, view.viewport, sketch.viewport);
     if (!(view.camera == sketch.camera)) sketch.target_camera = view.camera;
-    build(document, std::move(sketch));
+    build(document, std::move(sketch), std::nullopt);
   }
 }
 
-void SketchPreview::build(const document::Document& document, articulation::Sketch sketch) {
+void SketchPreview::follow_redraw(const document::Document& document, const drawing::Tool& tool,
+                                  const document::View& view, const std::vector<geometry::PxPoint>& line) {
+  if (!document.model->deformers || !set_canvas(document)) return;
+  const auto number = articulation::find_deformer(*document.model->deformers, tool.deformer);
+  if (!number) return;
+  const articulation::Sketch& before = document.model->deformers->deformers()[*number]->sketch();
+  auto sketch =
+      articulation::redrawn(before, tool.role, document::rescaled(line, view.viewport, before.viewport), view.camera);
+  if (sketch) build(document, std::move(*sketch), number);
+}
+
+void SketchPreview::build(const document::Document& document, articulation::Sketch sketch,
+                          std::optional<std::size_t> in_place_of) {
   if (sketch.name.empty()) sketch.name = "deformer being drawn";
-  if (canvas_of_ != document.model) return;
-  auto deformer = articulation::build_deformer(sketch, *canvas_);
-  if (!deformer) return;
+  if (!set_canvas(document)) return;
   static const articulation::SketchedDeformers none;
   const auto& before = document.model->deformers ? *document.model->deformers : none;
-  auto set = articulation::with_added(before, *deformer);
+  base::Result<articulation::SketchedDeformers::Shared> set = base::Error{};
+  if (in_place_of) {
+    set = articulation::with_sketch(before, *in_place_of, sketch, *canvas_);
+  } else if (auto deformer = articulation::build_deformer(sketch, *canvas_)) {
+    set = articulation::with_added(before, *deformer);
+  }
   if (!set) return;
   auto model = document::with_deformers(*document.model, *set);
   if (!model) return;
   rig::Pose pose = rig::rest_pose(*model->rig);
-  if (const auto at = rig::find_parameter(model->rig->parameters(), sketch.name)) {
-    pose[*at] = amount_ * sketch.maximum;
-  }
+  drawn_ = rig::find_parameter(model->rig->parameters(), sketch.name);
+  if (drawn_) pose[*drawn_] = amount_ * sketch.maximum;
   model_ = std::make_shared<const document::Model>(std::move(*model));
   pose_ = std::move(pose);
 }

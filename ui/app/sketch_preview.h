@@ -10,12 +10,13 @@
 
 namespace penpose::app {
 
-/// What a deformer that is being drawn would be: its weights in colour while the regions are drawn, and the face with
-/// it while the target is drawn. Strokes for deformers are drawn on the model at rest, so that is what is shown.
+/// What a deformer that is being drawn, or drawn again, would be: its weights in colour while the regions are drawn,
+/// its reference as it is found or was drawn, and the face with it while the target is drawn. Strokes for deformers are
+/// drawn on the model at rest, so that is what is shown.
 class SketchPreview {
  public:
   /// The tool is in hand and no stroke is being drawn.
-  void show(const document::Document& document);
+  void show(const document::Document& document, const drawing::Tool& tool);
   /// A stroke goes on.
   void follow(const document::Document& document, const drawing::Tool& tool, const document::View& view,
               const curve::Stroke& stroke);
@@ -31,25 +32,36 @@ class SketchPreview {
   [[nodiscard]] const std::vector<float>& weights() const { return weights_; }
   /// Grows when the weights change.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
+  /// The reference of the deformer being drawn, found by itself or drawn, in world space at rest; empty before step 3.
+  [[nodiscard]] const std::vector<geometry::ModelPoint>& reference() const { return reference_; }
+  /// A ball under the region, for a deformer that slides over one; nothing before step 2 or for a flat region.
+  [[nodiscard]] std::optional<articulation::Sphere> ball() const;
   /// How far the deformer that is drawn is shown, as a share of its range.
-  void set_amount(double amount) { amount_ = amount; }
+  void set_amount(double amount);
   [[nodiscard]] double amount() const { return amount_; }
 
  private:
+  bool set_canvas(const document::Document& document);
   bool set_region(const document::Document& document, const articulation::Sketch& sketch);
   void show_weights(std::size_t vertex_count, const std::vector<double>* weights);
-  void build(const document::Document& document, articulation::Sketch sketch);
+  void find_reference(const articulation::Sketch& sketch, const std::vector<std::uint32_t>& specific);
+  void build(const document::Document& document, articulation::Sketch sketch, std::optional<std::size_t> in_place_of);
+  void follow_redraw(const document::Document& document, const drawing::Tool& tool, const document::View& view,
+                     const std::vector<geometry::PxPoint>& line);
 
   std::shared_ptr<const document::Model> rested_;  ///< whose rest pose `pose_` is
   std::shared_ptr<const document::Model> canvas_of_;
   std::shared_ptr<const articulation::Canvas> canvas_;
   std::shared_ptr<const document::PendingSketch> region_of_;
   std::vector<geometry::PxPoint> region_lasso_;
+  articulation::Surface region_surface_;
   articulation::Region region_;
   std::vector<float> weights_;
   std::uint64_t revision_ = 0;
+  std::vector<geometry::ModelPoint> reference_;
   std::shared_ptr<const document::Model> model_;
   std::optional<rig::Pose> pose_;
+  std::optional<std::size_t> drawn_;  ///< the parameter of `model_` that is drawn
   double amount_ = 1;
 };
 

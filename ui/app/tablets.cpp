@@ -71,7 +71,14 @@ struct Tablets::State {
 
   void run() {
     auto watch = device::TabletWatch::start(own);
-    if (!watch) return;
+    if (!watch) {
+      {
+        const std::scoped_lock lock(mutex);
+        refused.push_back("tablets cannot be watched, only mouse and touch draw: " + watch.error().line());
+      }
+      wake();
+      return;
+    }
     for (const auto& tablet : watch->tablets()) add(tablet);
     wake();
     while (!stop) {

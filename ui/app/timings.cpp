@@ -26,6 +26,10 @@ std::string Timings::text() const {
   return line("first_frame_us", first_frame_us) + line("frames", static_cast<std::int64_t>(frames_us.size())) +
          line("frame_cpu_median_us", percentile(frames_us, 0.5)) +
          line("frame_cpu_p99_us", percentile(frames_us, 0.99)) +
+         line("posed_frames", static_cast<std::int64_t>(posed_us.size())) +
+         line("posed_frame_cpu_median_us", percentile(posed_us, 0.5)) +
+         line("posed_frame_cpu_p99_us", percentile(posed_us, 0.99)) +
+         line("draw_cpu_median_us", percentile(drawn_us, 0.5)) + line("draw_cpu_p99_us", percentile(drawn_us, 0.99)) +
          line("prepare_cpu_median_us", percentile(prepared_us, 0.5)) +
          line("prepare_cpu_p99_us", percentile(prepared_us, 0.99));
 }

@@ -10,8 +10,10 @@ namespace penpose::app {
 struct Timings {
   std::int64_t began_us = 0;
   std::int64_t first_frame_us = 0;        ///< from the start to the first picture
-  std::vector<std::int64_t> frames_us;    ///< CPU time of the main thread for each frame, its drawing included
-  std::vector<std::int64_t> prepared_us;  ///< the same without drawing the picture: the app and its panels
+  std::vector<std::int64_t> frames_us;    ///< CPU time of the main thread for each frame
+  std::vector<std::int64_t> posed_us;     ///< those of frames in which the face had moved
+  std::vector<std::int64_t> drawn_us;     ///< CPU time of the thread that draws, for each picture
+  std::vector<std::int64_t> prepared_us;  ///< the same without handing it over
 
   /// "name value" lines.
   [[nodiscard]] std::string text() const;

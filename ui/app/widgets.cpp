@@ -4,6 +4,16 @@
 #include <imgui_stdlib.h>
 
 namespace penpose::app {
+namespace {
+
+/// A name in a format of printf.
+std::string escaped(std::string_view name) {
+  std::string out;
+  for (const char c : name) out += c == '%' ? std::string("%%") : std::string(1, c);
+  return out;
+}
+
+}  // namespace
 
 void note(PanelContext& context, const char* label) {
   if (!ImGui::IsItemVisible()) return;
@@ -47,13 +57,15 @@ bool action_button(PanelContext& context, Action action, float width, bool chose
   return true;
 }
 
-bool begin_panel(PanelContext& context, const char* name, const Area& area) {
+bool begin_panel(PanelContext& context, const char* name, const Area& area, bool scrolls) {
   ImGui::SetNextWindowPos({static_cast<float>(area.left), static_cast<float>(area.top)});
   ImGui::SetNextWindowSize({static_cast<float>(area.width()), static_cast<float>(area.height())});
   context.app.hits().panels.push_back(area);
   return ImGui::Begin(name, nullptr,
-                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                          ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
+                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                          (scrolls ? 0 : ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_NoMove |
+                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                          ImGuiWindowFlags_NoNav);
 }
 
 void end_panel() { ImGui::End(); }
@@ -79,8 +91,23 @@ bool text_field(PanelContext& context, const char* label, std::string& text, flo
   ImGui::SetNextItemWidth(width);
   const bool changed = ImGui::InputTextWithHint(label, hint, &text);
   note(context, label);
+  if (ImGui::IsItemActive()) context.typed_into = context.targets[label];
   ImGui::PopStyleVar();
   return changed;
+}
+
+bool tall_slider(PanelContext& context, const char* id, double& value, double least, double most, float width,
+                 const std::string& name, bool& released) {
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5F * (context.unit - ImGui::GetFontSize())});
+  ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, 0.5F * context.unit);
+  ImGui::SetNextItemWidth(width);
+  const std::string format = escaped(name) + "  %.2f";
+  const bool moved =
+      ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &least, &most, format.c_str(), ImGuiSliderFlags_NoInput);
+  released = ImGui::IsItemDeactivatedAfterEdit();
+  ImGui::PopStyleVar(2);
+  note(context, (std::string("slider ") + name).c_str());
+  return moved;
 }
 
 }  // namespace penpose::app

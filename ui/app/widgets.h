@@ -21,11 +21,14 @@ void tooltip(const char* text);
 /// A line of text in the middle of a row of buttons.
 void text_beside(PanelContext& context, const char* text);
 /// A window without any decoration in a place of its own, part of the hit map.
-bool begin_panel(PanelContext& context, const char* name, const Area& area);
+bool begin_panel(PanelContext& context, const char* name, const Area& area, bool scrolls = false);
 void end_panel();
 /// A dialog in the middle of the window.
 bool begin_dialog(PanelContext& context, const char* title, float width_units);
 void end_dialog();
+/// A slider as high as a target, with a name in it; true while it is moved, `released` when it is let go.
+bool tall_slider(PanelContext& context, const char* id, double& value, double least, double most, float width,
+                 const std::string& name, bool& released);
 /// A text field of one line.
 bool text_field(PanelContext& context, const char* label, std::string& text, float width = -1, const char* hint = "");
 

@@ -1,21 +1,25 @@
 #include "ui/app/window.h"
 
 #include <SDL2/SDL.h>
-#include <backends/imgui_impl_opengl3.h>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <imgui.h>
 #include <malloc.h>
 #include <string>
+#include <utility>
 
 #include "firmware_io/device/clock.h"
-#include "ui/app/picture.h"
+#include "ui/app/draw_thread.h"
+#include "ui/app/stop_watch.h"
 
 namespace penpose::app {
 namespace {
 
 constexpr int k_width = 1280;
 constexpr int k_height = 800;
+/// A still picture gets smoother once in so long.
+constexpr int k_refine_ms = 30;
 
 std::string sdl_error() {
   const std::string text = SDL_GetError();
@@ -69,6 +73,7 @@ struct Window::State {
   SDL_Window* window = nullptr;
   SDL_GLContext context = nullptr;
   Uint32 wake_event = 0;
+  Uint32 picture_event = 0;  ///< a picture was shown
   bool imgui = false;
 
   State() = default;
@@ -107,6 +112,7 @@ void Window::State::take_key(const SDL_KeyboardEvent& key, App& app, Interface& 
   const bool shift = (key.keysym.mod & KMOD_SHIFT) != 0;
   const bool down = key.type == SDL_KEYDOWN;
   const bool typed = interface.wants_keys();
+  app.panels().has_keyboard = true;
   interface.edit_key(key.keysym.scancode, down, ctrl, shift);
   if (down && !typed && (key.keysym.mod & KMOD_ALT) == 0) app.key({key_of(key.keysym.sym), ctrl, shift});
 }
@@ -159,7 +165,7 @@ void Window::State::take_event(const SDL_Event& event, App& app, Interface& inte
       interface.text(event.text.text);
       break;
     case SDL_DROPFILE:
-      app.try_open(event.drop.file);
+      app.ask_to_open(event.drop.file);
       SDL_free(event.drop.file);
       break;
     case SDL_WINDOWEVENT:
@@ -177,6 +183,7 @@ base::Result<std::unique_ptr<Window>> Window::open(bool fullscreen) {
   // Fingers come as fingers alone, and a click into a window that was behind another one counts.
   SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");
   SDL_SetHint(SDL_HINT_MOUSE_TOUCH_EVENTS, "0");
+  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
   SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
   SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
   SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
@@ -203,9 +210,9 @@ base::Result<std::unique_ptr<Window>> Window::open(bool fullscreen) {
     return base::Error{"OpenGL 3.1 could not be started (" + sdl_error() + ")", "",
                        "install libgl1 and libgl1-mesa-dri"};
   }
-  SDL_GL_SetSwapInterval(1);
   SDL_SetWindowMinimumSize(state->window, 640, 400);
-  state->wake_event = SDL_RegisterEvents(1);
+  state->wake_event = SDL_RegisterEvents(2);
+  state->picture_event = state->wake_event + 1;
   return std::unique_ptr<Window>(new Window(std::move(state)));
 }
 
@@ -216,31 +223,53 @@ void Window::wake() const {
 }
 
 base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timings& timings, bool until_played) {
-  auto picture = Picture::make();
-  if (!picture) return picture.error();
-  if (!ImGui_ImplOpenGL3_Init("#version 140")) {
-    return base::Error{"the panels could not be started", "", "install libgl1 and libgl1-mesa-dri"};
-  }
+  SDL_Event picture_shown{};
+  picture_shown.type = state_->picture_event;
+  auto drawing = DrawThread::start(state_->window, state_->context, [&] { SDL_PushEvent(&picture_shown); });
+  if (!drawing) return drawing.error();
+  DrawThread& thread = **drawing;
+  FrameMaker frames;
   SDL_StartTextInput();
   bool fullscreen = (SDL_GetWindowFlags(state_->window) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
   bool wanted_fullscreen = app.fullscreen();
   int fonts = interface.font_revision();
+  std::uint64_t pose_number = app.surface().pose_number();
   std::string title;
   std::int64_t last_us = device::monotonic_us();
   base::Status status = base::Done{};
+  bool due = true;  // something happened that the last frame does not show
   while (!app.wants_quit()) {
+    // While a frame is being drawn the next one waits, and reports do not.
+    const bool busy = thread.busy();
+    int wait_ms = interface.unsettled() || due ? 0 : app.next_frame_ms();
+    if (thread.refining() && (wait_ms < 0 || wait_ms > k_refine_ms)) wait_ms = k_refine_ms;
+    if (busy) wait_ms = app.player() && app.player()->playing() ? std::max(1, app.next_frame_ms()) : -1;
     SDL_Event event;
-    const int due_ms = interface.unsettled() ? 0 : app.next_frame_ms();
-    const bool came = due_ms < 0   ? SDL_WaitEvent(&event) == 1
-                      : due_ms > 0 ? SDL_WaitEventTimeout(&event, due_ms) == 1
-                                   : SDL_PollEvent(&event) == 1;
+    const bool came = wait_ms < 0   ? SDL_WaitEvent(&event) == 1
+                      : wait_ms > 0 ? SDL_WaitEventTimeout(&event, wait_ms) == 1
+                                    : SDL_PollEvent(&event) == 1;
+    if (!came) due = true;
     if (came) {
       do {
+        if (event.type == state_->picture_event) continue;
+        due = true;
         if (event.type != state_->wake_event) interface.disturb();
         state_->take_event(event, app, interface);
       } while (SDL_PollEvent(&event) == 1);
     }
     tablets.take(app);
+    if (StopWatch::asked()) app.quit_at_once();
+    // Reports that are due, and the face that follows them, are no part of a frame.
+    app.advance();
+    if (timings.first_frame_us == 0 && thread.drawn_count() > 0) {
+      timings.first_frame_us = device::monotonic_us() - timings.began_us;
+      // Loading a model and compiling shaders leave much behind that nobody asks for again.
+      ::malloc_trim(0);
+    }
+    status = thread.status();
+    if (!status) break;
+    if (!due || thread.busy()) continue;
+    due = false;
     if (app.fullscreen() != wanted_fullscreen) {
       wanted_fullscreen = app.fullscreen();
       fullscreen = !fullscreen;
@@ -255,26 +284,19 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     timings.prepared_us.push_back(thread_cpu_us() - cpu_before);
     if (interface.font_revision() != fonts) {
       fonts = interface.font_revision();
-      ImGui_ImplOpenGL3_DestroyFontsTexture();
-      ImGui_ImplOpenGL3_CreateFontsTexture();
+      thread.send_letters();
     }
-    ImGui_ImplOpenGL3_NewFrame();
-    status = (*picture)->draw(app);
-    if (!status) break;
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    thread.draw(frames.make(app), *ImGui::GetDrawData());
     timings.frames_us.push_back(thread_cpu_us() - cpu_before);
-    SDL_GL_SwapWindow(state_->window);
-    if (timings.first_frame_us == 0) {
-      timings.first_frame_us = device::monotonic_us() - timings.began_us;
-      // Loading a model and compiling shaders leave much behind that nobody asks for again.
-      ::malloc_trim(0);
+    if (std::exchange(pose_number, app.surface().pose_number()) != app.surface().pose_number()) {
+      timings.posed_us.push_back(timings.frames_us.back());
     }
     const std::string name = app.project().empty() ? app.path() : app.project();
     const std::string now_title = (app.workspace().unsaved() ? "* " : "") + name + " - penpose";
     if (now_title != title) SDL_SetWindowTitle(state_->window, (title = now_title).c_str());
     if (until_played && app.player() && app.player()->finished()) app.quit();
   }
-  ImGui_ImplOpenGL3_Shutdown();
+  timings.drawn_us = thread.times_us();
   return status;
 }
 

@@ -8,6 +8,15 @@ namespace penpose::app {
 
 using replay::PenMoment;
 
+namespace {
+
+/// Strokes of these tools are drawn on the model at rest.
+bool sketches(const drawing::Tool& tool) {
+  return tool.kind == drawing::ToolKind::articulate || tool.kind == drawing::ToolKind::redraw;
+}
+
+}  // namespace
+
 Workspace::Workspace(Clock clock, Tell tell, const decode::TabletTable* own)
     : clock_(std::move(clock)), tell_(std::move(tell)), own_(own) {}
 
@@ -15,6 +24,7 @@ void Workspace::open(document::Document document, replay::SessionWriter* writer,
   follow_.end();
   sketch_.end();
   preview_.reset();
+  held_.reset();
   movements_.clear();
   stroke_seen_ = false;
   live_.reset();
@@ -59,7 +69,7 @@ void Workspace::redo() { act(replay::Redone{}); }
 
 void Workspace::set_tool(const drawing::Tool& tool) {
   if (tool == editor().tool()) return;
-  if (tool.kind != drawing::ToolKind::articulate) sketch_.end();
+  if (!sketches(tool)) sketch_.end();
   act(replay::ToolChosen{tool});
 }
 
@@ -106,11 +116,26 @@ std::vector<PenMoment> Workspace::report_at(int device, std::int64_t received_us
   return out;
 }
 
+void Workspace::hold_target(std::optional<document::CurveId> curve, geometry::PxPoint by) {
+  held_ = curve;
+  held_by_ = by;
+  if (!held_) follow_.end();
+}
+
 void Workspace::follow_pen() {
+  if (held_) {
+    if (!follow_.active() || !(follow_.curve() == *held_)) {
+      follow_.begin_drag(document(), *held_, editor().view());
+      followed_by_ = {};
+    }
+    if (!(followed_by_ == held_by_)) follow_.drag(held_by_);
+    followed_by_ = held_by_;
+    return;
+  }
   const replay::DrawnStroke* stroke = session().pens().current();
   if (stroke == nullptr || !stroke->on_canvas || stroke->eraser) {
     if (stroke == nullptr) follow_.end();
-    if (editor().tool().kind == drawing::ToolKind::articulate) sketch_.show(document());
+    if (sketches(editor().tool())) sketch_.show(document(), editor().tool());
     return;
   }
   if (!stroke_seen_) {
@@ -122,7 +147,7 @@ void Workspace::follow_pen() {
   if (stroke->samples.size() == followed_) return;
   followed_ = stroke->samples.size();
   follow_.follow(stroke->samples);
-  if (editor().tool().kind == drawing::ToolKind::articulate) {
+  if (sketches(editor().tool())) {
     sketch_.follow(document(), editor().tool(), stroke->view, stroke->samples);
   }
 }

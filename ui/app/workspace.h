@@ -61,6 +61,9 @@ class Workspace {
   /// Brings the preview up to the pen. Call it after a batch of reports, at the latest for every frame.
   void follow_pen();
 
+  /// A target in hand, moved by px of the view as it is: the face follows. Nothing: it was let go.
+  void hold_target(std::optional<document::CurveId> curve, geometry::PxPoint by = {});
+
   /// A pose to show in place of the document's until another or none is given: a slider or the timeline in hand.
   void preview(std::optional<rig::Pose> pose) { preview_ = std::move(pose); }
   [[nodiscard]] bool previews() const { return preview_.has_value(); }
@@ -93,6 +96,9 @@ class Workspace {
   LiveFollow follow_;
   SketchPreview sketch_;
   bool stroke_seen_ = false;
+  std::optional<document::CurveId> held_;
+  geometry::PxPoint held_by_;
+  geometry::PxPoint followed_by_;
   std::size_t followed_ = 0;
   std::vector<Movement> movements_;
   std::uint64_t revision_ = 0;

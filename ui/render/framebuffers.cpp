@@ -52,17 +52,18 @@ base::Error too_large(int width, int height, int most) {
 Framebuffers::~Framebuffers() { release(); }
 
 void Framebuffers::release() {
-  for (const unsigned target : {surface_target_, picture_target_, picture_plain_target_, occlusion_target_}) {
+  for (const unsigned target :
+       {surface_target_, picture_target_, picture_plain_target_, occlusion_target_, average_target_}) {
     if (target != 0) glDeleteFramebuffers(1, &target);
   }
   for (const unsigned buffer : {surface_color_, surface_depth_}) {
     if (buffer != 0) glDeleteRenderbuffers(1, &buffer);
   }
-  for (const unsigned texture : {picture_color_, depth_texture_, occlusion_texture_}) {
+  for (const unsigned texture : {picture_color_, depth_texture_, occlusion_texture_, average_texture_}) {
     if (texture != 0) glDeleteTextures(1, &texture);
   }
-  surface_target_ = picture_target_ = picture_plain_target_ = occlusion_target_ = 0;
-  surface_color_ = surface_depth_ = picture_color_ = depth_texture_ = occlusion_texture_ = 0;
+  surface_target_ = picture_target_ = picture_plain_target_ = occlusion_target_ = average_target_ = 0;
+  surface_color_ = surface_depth_ = picture_color_ = depth_texture_ = occlusion_texture_ = average_texture_ = 0;
   width_ = height_ = 0;
 }
 
@@ -79,19 +80,21 @@ base::Status Framebuffers::resize(int width, int height) {
   }
   glGetIntegerv(GL_MAX_SAMPLES, &samples_);
   samples_ = std::clamp(samples_, 1, most_samples_);
-  if (samples_ == 1) samples_ = 0;  // 1 would be rounded up to what the driver has; 0 is one sample a pixel
-  surface_color_ = make_renderbuffer(GL_RGBA8, samples_, width, height);
-  surface_depth_ = make_renderbuffer(GL_DEPTH_COMPONENT24, samples_, width, height);
-  glGenFramebuffers(1, &surface_target_);
-  glBindFramebuffer(GL_FRAMEBUFFER, surface_target_);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, surface_color_);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, surface_depth_);
+  if (samples_ == 1) samples_ = 0;  // one sample a px needs no target of its own
+  if (samples_ > 0) {
+    surface_color_ = make_renderbuffer(GL_RGBA8, samples_, width, height);
+    surface_depth_ = make_renderbuffer(GL_DEPTH_COMPONENT24, samples_, width, height);
+    glGenFramebuffers(1, &surface_target_);
+    glBindFramebuffer(GL_FRAMEBUFFER, surface_target_);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, surface_color_);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, surface_depth_);
+  }
   picture_color_ = make_texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height);
   depth_texture_ = make_texture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, width, height);
   picture_target_ = make_target(picture_color_, depth_texture_);
   picture_plain_target_ = make_target(picture_color_, 0);
-  const bool good = complete(surface_target_) && complete(picture_target_) && complete(picture_plain_target_) &&
-                    glGetError() == GL_NO_ERROR;
+  const bool good = (surface_target_ == 0 || complete(surface_target_)) && complete(picture_target_) &&
+                    complete(picture_plain_target_) && glGetError() == GL_NO_ERROR;
   if (!good) {
     release();
     return too_large(width, height, std::min(most, 2048));
@@ -102,11 +105,12 @@ base::Status Framebuffers::resize(int width, int height) {
 }
 
 void Framebuffers::begin_surfaces() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, surface_target_);
+  glBindFramebuffer(GL_FRAMEBUFFER, surface_target_ != 0 ? surface_target_ : picture_target_);
   glViewport(0, 0, width_, height_);
 }
 
 void Framebuffers::resolve() const {
+  if (surface_target_ == 0) return begin_picture();
   glBindFramebuffer(GL_READ_FRAMEBUFFER, surface_target_);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture_target_);
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT,
@@ -122,6 +126,27 @@ void Framebuffers::begin_occlusion() {
   }
   glBindFramebuffer(GL_FRAMEBUFFER, occlusion_target_);
 }
+
+void Framebuffers::begin_average(float share) {
+  if (average_target_ == 0) {
+    average_texture_ = make_texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width_, height_);
+    average_target_ = make_target(average_texture_, 0);
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, average_target_);
+  glViewport(0, 0, width_, height_);
+  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_BLEND);
+  glBlendColor(0, 0, 0, share);
+  glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+}
+
+void Framebuffers::show_average() const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, average_target_);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture_target_);
+  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  begin_picture();
+}
+
 void Framebuffers::begin_picture() const {
   glBindFramebuffer(GL_FRAMEBUFFER, picture_target_);
   glViewport(0, 0, width_, height_);

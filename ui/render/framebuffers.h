@@ -23,8 +23,19 @@ class Framebuffers {
 
   /// Draws go to the multisampled target from here on.
   void begin_surfaces() const;
-  /// Color and depth are averaged into the picture, where draws go from here on.
+  /// Color and depth are averaged into the picture, where draws go from here on. With one sample a px surfaces are
+  /// drawn into the picture itself.
   void resolve() const;
+  /// Adds the picture to an average of pictures, with a share of the whole; the first one with 1. Leaves blending on.
+  /// `fill` draws the texture of the picture over everything.
+  template <typename Fill>
+  void average(float share, const Fill& fill) {
+    begin_average(share);
+    fill();
+    begin_picture();
+  }
+  /// The average in place of the picture, where draws go from here on.
+  void show_average() const;
   /// Draws go to the texture of the raw occlusion (same size as the picture).
   void begin_occlusion();
   /// Back to the picture.
@@ -40,8 +51,11 @@ class Framebuffers {
   /// Copies the picture to another framebuffer (0: the window), its lower left corner at x, y.
   void copy_to(unsigned framebuffer, int x, int y) const;
 
+  [[nodiscard]] unsigned picture_texture() const { return picture_color_; }
+
  private:
   void release();
+  void begin_average(float share);
 
   int width_ = 0;
   int height_ = 0;
@@ -56,6 +70,8 @@ class Framebuffers {
   unsigned depth_texture_ = 0;
   unsigned occlusion_target_ = 0;
   unsigned occlusion_texture_ = 0;
+  unsigned average_target_ = 0;
+  unsigned average_texture_ = 0;
 };
 
 }  // namespace penpose::render

@@ -16,6 +16,34 @@ namespace {
 /// How far occlusion looks, as a share of the model's diagonal (which a view scales to one).
 constexpr float k_occlusion_radius = 0.06F;
 
+/// Pictures that are averaged, and where each samples its px: a Halton sequence of bases 2 and 3 around the middle.
+constexpr int k_most_passes = 8;
+constexpr float k_places[k_most_passes][2] = {
+    {0, 0},           {-0.25F, 0.167F},   {0.25F, -0.389F}, {-0.375F, -0.056F},
+    {0.125F, 0.278F}, {-0.125F, -0.278F}, {0.375F, 0.056F}, {-0.438F, 0.389F}};
+
+/// What surfaces were drawn from.
+struct Drawn {
+  std::uint64_t shape = 0;
+  std::uint64_t pose = 0;
+  std::uint64_t overlay = 0;
+  bool has_overlay = false;
+  bool wireframe = false;
+  Background background;
+  geometry::CameraPose camera;
+  geometry::Viewport viewport;
+
+  [[nodiscard]] bool same_as(const Drawn& other) const {
+    const auto same_color = [](const Color& a, const Color& b) {
+      return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
+    };
+    return shape != 0 && pose != 0 && shape == other.shape && pose == other.pose && overlay == other.overlay &&
+           has_overlay == other.has_overlay && wireframe == other.wireframe && camera == other.camera &&
+           viewport == other.viewport && same_color(background.top, other.background.top) &&
+           same_color(background.bottom, other.background.bottom);
+  }
+};
+
 }  // namespace
 
 struct Renderer::State {
@@ -28,6 +56,11 @@ struct Renderer::State {
   Framebuffers targets;
   unsigned empty_array = 0;
   bool occlude = true;
+  GlProgram copy;
+  bool smooths = false;
+  bool still = false;  ///< the last picture could have been drawn again
+  int passes = 0;      ///< pictures that were averaged since the last change
+  Drawn last;
 
   State(std::unique_ptr<OffscreenContext> owned, MeshPass mesh_pass, CurvePass curve_pass)
       : context(std::move(owned)), mesh(std::move(mesh_pass)), curves(std::move(curve_pass)) {
@@ -44,6 +77,8 @@ struct Renderer::State {
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);
   }
+  void draw_surfaces(const Scene& scene, const View& view) const;
+  void add_pass(const Scene& scene, View view, geometry::Viewport viewport);
   void draw_background(const Background& colors) const;
   void draw_occlusion(const View& view, geometry::Viewport viewport);
 };
@@ -62,8 +97,11 @@ base::Result<std::unique_ptr<Renderer::State>> Renderer::State::make(std::unique
   if (!occlusion) return occlusion.error();
   auto blur = GlProgram::make(k_screen_vertex, k_occlusion_blur_fragment, {});
   if (!blur) return blur.error();
+  auto copy = GlProgram::make(k_screen_vertex, k_copy_fragment, {});
+  if (!copy) return copy.error();
   auto state = std::make_unique<State>(std::move(owned), std::move(*mesh), std::move(*curves));
   state->background = std::move(*background);
+  state->copy = std::move(*copy);
   state->occlusion = std::move(*occlusion);
   state->occlusion_blur = std::move(*blur);
   return state;
@@ -108,6 +146,33 @@ void Renderer::State::draw_occlusion(const View& view, geometry::Viewport viewpo
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 
+void Renderer::State::draw_surfaces(const Scene& scene, const View& view) const {
+  targets.begin_surfaces();
+  glClear(GL_DEPTH_BUFFER_BIT);
+  draw_background(scene.background);
+  mesh.draw_opaque(view, scene.wireframe);
+  mesh.draw_translucent(view);
+}
+
+void Renderer::State::add_pass(const Scene& scene, View view, geometry::Viewport viewport) {
+  if (passes < k_most_passes) {
+    view.to_clip[2][0] += 2 * k_places[passes][0] / static_cast<float>(viewport.width);
+    view.to_clip[2][1] += 2 * k_places[passes][1] / static_cast<float>(viewport.height);
+    draw_surfaces(scene, view);
+    ++passes;
+    targets.average(1.0F / static_cast<float>(passes), [&] {
+      glActiveTexture(GL_TEXTURE0);
+      glBindTexture(GL_TEXTURE_2D, targets.picture_texture());
+      copy.use();
+      copy.set("picture", 0);
+      fill_screen();
+      glBindTexture(GL_TEXTURE_2D, 0);
+    });
+    glDisable(GL_BLEND);
+  }
+  targets.show_average();
+}
+
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
 Renderer::~Renderer() {
@@ -138,12 +203,22 @@ base::Status Renderer::draw_picture(const Scene& scene, const geometry::Camera& 
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthMask(GL_TRUE);
   if (epoxy_is_desktop_gl()) glEnable(GL_MULTISAMPLE);
-  s.targets.begin_surfaces();
-  glClear(GL_DEPTH_BUFFER_BIT);
-  s.draw_background(scene.background);
-  s.mesh.draw_opaque(view, scene.wireframe);
-  s.mesh.draw_translucent(view);
-  s.targets.resolve();
+  const Drawn now{scene.shape_number, scene.pose_number, scene.overlay_number, !scene.overlay.empty(),
+                  scene.wireframe,    scene.background,  camera.pose(),        camera.viewport()};
+  const bool same = now.same_as(s.last) && (now.overlay != 0 || !now.has_overlay);
+  s.last = now;
+  s.still = now.shape != 0 && now.pose != 0;
+  const bool by_passes = s.smooths && s.targets.samples() == 0 && !s.occlude;
+  if (!same) {
+    s.passes = 0;
+    s.draw_surfaces(scene, view);
+    s.targets.resolve();
+  } else if (by_passes) {
+    s.add_pass(scene, view, camera.viewport());
+  } else {
+    if (s.targets.samples() == 0) s.draw_surfaces(scene, view);
+    s.targets.resolve();
+  }
   if (s.occlude && !scene.triangles.empty()) s.draw_occlusion(view, camera.viewport());
   s.targets.begin_picture();
   s.curves.draw(scene.curves, camera);
@@ -161,6 +236,11 @@ base::Status Renderer::draw(const Scene& scene, const geometry::Camera& camera, 
   return base::Done{};
 }
 
+void Renderer::set_smoothing(bool on) { state_->smooths = on; }
+bool Renderer::refining() const {
+  const State& s = *state_;
+  return s.smooths && s.still && s.targets.samples() == 0 && !s.occlude && s.passes < k_most_passes;
+}
 void Renderer::set_occlusion(bool on) { state_->occlude = on; }
 void Renderer::set_most_samples(int most) { state_->targets.set_most_samples(most); }
 std::string Renderer::driver() const { return context_name(); }

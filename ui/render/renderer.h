@@ -33,6 +33,11 @@ class Renderer {
   /// Samples a pixel, 8 at most; each costs its memory, and time on a software renderer. Counts before the first
   /// picture.
   void set_most_samples(int most);
+  /// With one sample a pixel: pictures of what does not change are averaged, each moved by a part of a px, so that
+  /// edges are smooth a few pictures after the last change.
+  void set_smoothing(bool on);
+  /// Whether the next picture of the same scene would be smoother.
+  [[nodiscard]] bool refining() const;
   /// Name and version of the driver, for messages.
   [[nodiscard]] std::string driver() const;
 

@@ -15,6 +15,16 @@ void main() {
 }
 )";
 
+/// A picture as it is.
+inline constexpr std::string_view k_copy_fragment = R"(
+in vec2 place;
+uniform sampler2D picture;
+out vec4 result;
+void main() {
+  result = texture(picture, place);
+}
+)";
+
 /// A soft gradient, a little brighter behind the middle. Noise of half a step hides the bands of 8 bits.
 inline constexpr std::string_view k_background_fragment = R"(
 in vec2 place;

@@ -261,6 +261,26 @@ TEST(LivePose, AnythingDrawnLeavesAPoseInItsRanges) {
   }
 }
 
+TEST(LivePose, AWholeTargetThatIsChangedIsFollowedPointByPoint) {
+  Drawing d;
+  rig::Pose there = rig::rest_pose(*d.sheet.rig);
+  there[2] = 0.6;
+  there[5] = 0.4;
+  const Line target = Drawing::drawn(d.seen(there));
+  const auto whole = d.whole(target);
+  LivePoser poser = d.start();
+  LiveStep step;
+  for (int i = 0; i < 10; ++i) step = poser.follow_points(whole.pairs[0].target);
+  EXPECT_EQ(step.matched, d.setup.reference.size());
+  EXPECT_LT(d.gap(target, poser.pose()), 0.05);
+  // What does not fit the reference moves nothing.
+  const rig::Pose before = poser.pose();
+  EXPECT_EQ(poser.follow_points({}).evaluations, 0U);
+  const std::vector<double> one{1};
+  EXPECT_EQ(poser.follow_points(whole.pairs[0].target, one).evaluations, 0U);
+  EXPECT_EQ(poser.pose(), before);
+}
+
 TEST(LivePose, SaysWhatIsWrong) {
   const auto what = [](auto spoil) {
     Drawing d;

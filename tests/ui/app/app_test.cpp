@@ -13,32 +13,6 @@
 namespace penpose::app {
 namespace {
 
-std::vector<PxPoint> around(PxPoint middle, double x, double y) {
-  std::vector<PxPoint> line;
-  for (int i = 0; i <= 24; ++i) {
-    const double t = 2 * 3.14159265 * i / 24;
-    line.push_back({middle.x + x * std::cos(t), middle.y + y * std::sin(t)});
-  }
-  return line;
-}
-
-/// The first curve of the model, wide enough for a stroke.
-std::string any_curve(const Desk& desk) {
-  for (const auto& curve : desk.document().model->curves) {
-    if (curve.name.find("mouth") != std::string::npos || curve.name.find("lip") != std::string::npos) return curve.name;
-  }
-  return desk.document().model->curves.front().name;
-}
-
-/// Draws along the mouth and then where it should go.
-void pose_mouth(Desk& desk) {
-  const std::string curve = any_curve(desk);
-  const auto reference = desk.named_curve(curve);
-  const auto target = desk.named_curve(curve, {0, -14});
-  desk.stroke(reference);
-  desk.stroke(target);
-}
-
 TEST(App, ANewUserSketchesPosesKeysSavesQuitsAndFindsEverythingAgain) {
   document::DocumentState saved;
   std::size_t deformers = 0;

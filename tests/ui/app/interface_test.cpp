@@ -23,8 +23,9 @@ TEST(Interface, WhatAPenHasToHitIsAtLeastNineMillimetresOnAnyDisplay) {
     desk.app->resized({static_cast<int>(1280 * dpi / 96), static_cast<int>(800 * dpi / 96)}, dpi);
     desk.frames();
     expect_large_enough(desk, dpi);
-    for (const Dialog dialog :
-         {Dialog::open, Dialog::save, Dialog::steps, Dialog::tablet, Dialog::sessions, Dialog::unsaved}) {
+    for (const Dialog dialog : {Dialog::open, Dialog::save, Dialog::steps, Dialog::tablet, Dialog::sessions,
+                                Dialog::unsaved, Dialog::number, Dialog::key_name, Dialog::radial}) {
+      desk.app->panels().number.parameter = "jaw";
       desk.app->panels().dialog = dialog;
       desk.frames();
       expect_large_enough(desk, dpi);
@@ -71,6 +72,82 @@ TEST(Interface, TheSearchShowsWhatItFinds) {
   EXPECT_EQ(desk.app->panels().filter, "JAW");
   EXPECT_NE(desk.interface->find("slider jaw"), nullptr);
   EXPECT_EQ(desk.interface->find("slider cheek_L"), nullptr);
+}
+
+TEST(Interface, WhoHasNoKeyboardTypesOnTheScreen) {
+  Desk desk("screen-keys");
+  desk.begin();
+  EXPECT_EQ(desk.interface->find("key j"), nullptr);
+  desk.click("##search");
+  for (const char* key : {"key j", "key a", "key x", "key Back", "key w"}) {
+    desk.click(key);
+    EXPECT_TRUE(desk.interface->wants_keys()) << "the field keeps what is typed";
+  }
+  EXPECT_EQ(desk.app->panels().filter, "jaw");
+  EXPECT_TRUE(desk.document().curves.empty()) << "keys never draw";
+  desk.click("key Done");
+  EXPECT_FALSE(desk.interface->wants_keys());
+  EXPECT_EQ(desk.interface->find("key j"), nullptr);
+  // A real key says that there is a keyboard.
+  desk.app->panels().has_keyboard = true;
+  desk.click("##search");
+  EXPECT_EQ(desk.interface->find("key j"), nullptr);
+}
+
+TEST(Interface, TheMenuAroundThePenOffersWhatWasChosenForIt) {
+  Desk desk("radial");
+  desk.begin();
+  desk.app->panels().dialog = Dialog::radial;
+  desk.frames();
+  desk.click("Redo##place1");
+  desk.click("Front##choose");
+  desk.click("Done");
+  EXPECT_EQ(desk.app->settings().radial[1], Action::view_front);
+  EXPECT_EQ(load_settings(desk.path("config")).radial[1], Action::view_front) << "it is kept";
+}
+
+TEST(Interface, AGroupOfParametersIsFoldedLockedAndReset) {
+  Desk desk("groups", "builtin:demo");
+  desk.begin();
+  // With few parameters there are no groups; sketched controls of one first word make one.
+  while (desk.document().model->rig->parameters().size() <= 16) {
+    const auto& last = desk.document().model->deformers->deformers().back()->sketch();
+    ASSERT_TRUE(desk.app->workspace().perform(document::MirrorDeformer{last.name}) ||
+                desk.app->workspace().perform(document::MirrorDeformer{"jaw"}));
+  }
+  desk.frames();
+  desk.app->set_parameter(4, desk.document().model->rig->parameters()[4].maximum);
+  ASSERT_EQ(desk.document().model->rig->parameters()[4].name.substr(0, 5), "brow_");
+  desk.frames();
+  desk.click("L##lock group brow");
+  EXPECT_EQ(desk.document().locked.size(), 4U);
+  desk.click("0##reset group brow");
+  EXPECT_DOUBLE_EQ(desk.document().pose[4], 0);
+  const Area* unfolded = desk.interface->find("slider brow_inner_L");
+  ASSERT_NE(unfolded, nullptr);
+  desk.click("v  brow  4##group brow");
+  EXPECT_EQ(desk.interface->find("slider brow_inner_L"), nullptr);
+}
+
+TEST(Interface, ThePenIsTriedInTheTabletsSettings) {
+  Desk desk("try");
+  desk.begin();
+  desk.app->panels().dialog = Dialog::tablet;
+  desk.frames();
+  const Area area = *desk.interface->find("try");
+  desk.app->tablet_arrived(1, replay::virtual_pen_identity());
+  const auto viewport = desk.app->workspace().editor().view().viewport;
+  for (int i = 0; i < 20; ++i) {
+    desk.now_us += 4000;
+    const PxPoint at{area.left + 10 + 4 * i, area.middle().y};
+    desk.app->tablet_report(1, desk.now_us,
+                            replay::virtual_pen_report({at, 0.05 * i, true, i > 0, false, false}, viewport));
+    desk.frames(1);
+  }
+  ASSERT_GT(desk.app->panels().test_line.size(), 15U);
+  EXPECT_TRUE(area.holds(desk.app->panels().test_line.back())) << "the line is under the pen";
+  EXPECT_GT(desk.app->panels().test_pressure.back(), 0.5);
+  EXPECT_TRUE(desk.document().curves.empty());
 }
 
 }  // namespace

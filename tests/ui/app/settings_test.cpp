@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <string>
+#include <unistd.h>
 
 namespace penpose::app {
 namespace {
@@ -12,6 +14,8 @@ TEST(Settings, WhatIsWrittenIsReadAgain) {
   settings.light = true;
   settings.steps_seen = true;
   settings.tablet.left_handed = true;
+  settings.radial[0] = Action::view_side;
+  settings.radial[7] = Action::save_as;
   settings.tablet.area = {0.1, 0.2, 0.8, 0.9};
   settings.tablet.pressure = {{0, 0}, {0.5, 0.25}, {1, 1}};
   remember_file(settings, "/tmp/a b=c.glb");
@@ -37,12 +41,14 @@ TEST(Settings, AFileThatIsOpenedAgainMovesToTheFrontAndTheListStaysShort) {
 }
 
 TEST(Settings, AFolderThatIsMissingIsMade) {
-  const auto folder = std::filesystem::temp_directory_path() / "penpose-settings-test" / "deep";
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("penpose-settings-test-" + std::to_string(::getpid())) / "deep";
   std::filesystem::remove_all(folder.parent_path());
   Settings settings;
   settings.light = true;
   ASSERT_TRUE(save_settings(settings, folder.string()).ok());
   EXPECT_EQ(load_settings(folder.string()), settings);
+  std::filesystem::remove_all(folder.parent_path());
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 """Uses the program in a real window under Xvfb as a new user would: sketches a control, poses the mouth, keys it, saves,
-quits and opens it again; then plays a trace in place of a tablet. Reads the document's state from the session.
+quits and opens it again; then does the same with the reports of a pen alone, played in place of a tablet. Reads the
+document's state from the session.
 
     window_test.py PROGRAM [FOLDER_FOR_PICTURES]
 """
@@ -16,6 +17,13 @@ import time
 import zlib
 
 WIDTH, HEIGHT = 1280, 800
+
+# A control for a brow: around what may move, around what moves fully, where it should go. Then the mouth.
+GENERAL = [(400, 300), (400, 260), (440, 240), (500, 245), (525, 270), (520, 310), (490, 322), (440, 320), (400, 303)]
+SPECIFIC = [(415, 297), (415, 285), (450, 268), (490, 272), (500, 285), (500, 296), (450, 298), (416, 298)]
+RAISED = [(415, 275), (430, 262), (450, 255), (475, 255), (497, 262)]
+MOUTH = [(470, 464), (490, 468), (505, 471), (517, 472), (530, 471), (545, 468), (564, 464)]
+SMILE = [(462, 446), (480, 458), (500, 470), (517, 476), (534, 470), (550, 461), (560, 452), (572, 446)]
 
 
 def write_png(source, path):
@@ -107,7 +115,7 @@ def start(program, screen, session, *words):
     wait_for("the first frame", lambda: process.poll() is not None or
              (os.path.exists(session) and any(f"{WIDTH}" in line for line in lines_of(session, "# penpose view"))))
     assert process.poll() is None, process.stdout.read()
-    time.sleep(0.5)
+    time.sleep(1)
     return process
 
 
@@ -122,18 +130,17 @@ def use(program, screen, folder):
     screen.picture("1_start")
     screen.key("Escape")
     screen.key("1")
-    # A control for a brow: around what may move, around what moves fully, where it should go.
     screen.key("a")
-    screen.stroke([(400, 300), (400, 260), (440, 240), (500, 245), (525, 270), (520, 310), (490, 322), (440, 320), (400, 303)])
+    screen.stroke(GENERAL)
     screen.picture("2_region")
-    screen.stroke([(415, 297), (415, 285), (450, 268), (490, 272), (500, 285), (500, 296), (450, 298), (416, 298)])
+    screen.stroke(SPECIFIC)
     screen.picture("3_weights")
-    screen.stroke([(415, 275), (430, 262), (450, 255), (475, 255), (497, 262)])
+    screen.stroke(RAISED)
     screen.picture("4_control")
     # The mouth: where it is, where it should go.
     screen.key("b")
-    screen.stroke([(470, 464), (490, 468), (505, 471), (517, 472), (530, 471), (545, 468), (564, 464)])
-    screen.stroke([(462, 446), (480, 458), (500, 470), (517, 476), (534, 470), (550, 461), (560, 452), (572, 446)])
+    screen.stroke(MOUTH)
+    screen.stroke(SMILE)
     screen.picture("5_posed")
     screen.key("i")
     screen.key("ctrl+s")
@@ -177,6 +184,99 @@ def play(program, screen, folder, session):
     print(done.stdout, end="")
 
 
+class PenTrace:
+    """What a tablet sends, 300 reports a second, in px of the window."""
+
+    def __init__(self, head):
+        self.lines, self.time = list(head), 0.0
+
+    def report(self, x, y, touches):
+        x, y, pressure = round(x / WIDTH * 65535), round(y / HEIGHT * 65535), 2500 if touches else 0
+        body = [1, 3 if touches else 1, x & 255, x >> 8, y & 255, y >> 8, pressure & 255, pressure >> 8]
+        self.time += 1 / 300
+        self.lines.append(f"E: {self.time:.6f} 8 {' '.join(f'{b:02x}' for b in body)}\n")
+
+    def hold(self, x, y, touches, seconds):
+        for _ in range(round(300 * seconds)):
+            self.report(x, y, touches)
+
+    def tap(self, x, y):
+        self.hold(x, y, False, 0.5)
+        self.hold(x, y, True, 0.2)
+        self.hold(x, y, False, 0.5)
+
+    def stroke(self, points):
+        # The player's row below the canvas makes the head this much smaller than in the strokes of the mouse.
+        points = [(525 + (x - 525) * 0.927, 100 + (y - 103) * 0.925) for x, y in points]
+        self.hold(*points[0], False, 0.3)
+        for (x0, y0), (x1, y1) in zip(points, points[1:]):
+            for i in range(20):
+                self.report(x0 + (x1 - x0) * i / 20, y0 + (y1 - y0) * i / 20, True)
+        self.hold(*points[-1], True, 0.05)
+        self.hold(*points[-1], False, 0.4)
+
+
+def pen_alone(program, screen, folder, session):
+    """The same story with a tablet's reports alone: buttons are pressed by the pen, nothing else is touched."""
+    head = [line for line in open(session) if line[:2] in ("R:", "N:", "I:", "D:")]
+    pen = PenTrace(head)
+    pen.hold(640, 400, False, 1)
+    pen.tap(640, 495)  # Begin
+    pen.tap(50, 328)  # Rig
+    for line in (GENERAL, SPECIFIC, RAISED):
+        pen.stroke(line)
+    pen.tap(50, 70)  # Pose
+    for line in (MOUTH, SMILE):
+        pen.stroke(line)
+    pen.tap(202, 735)  # Key
+    pen.tap(34, 23)  # Menu
+    pen.tap(168, 111)  # Save
+    pen.tap(417, 562)  # the button of that name
+    trace = os.path.join(folder, "alone.hid")
+    with open(trace, "w") as out:
+        out.writelines(pen.lines)
+    home = os.path.join(folder, "home")
+    os.mkdir(home)
+    played = os.path.join(folder, "alone.session")
+    process = subprocess.Popen([program, "--replay", trace, "--session", played, "--timings"],
+                               env=dict(screen.environment, HOME=home), stdout=subprocess.PIPE,
+                               stderr=subprocess.STDOUT, text=True)
+    time.sleep(pen.time * 0.5)
+    screen.picture("9_alone")
+    output, _ = process.communicate(timeout=120)
+    assert process.returncode == 0, output
+    assert len(lines_of(played, "E:")) >= sum(line.startswith("E:") for line in pen.lines), "a report was lost"
+    done = "".join(lines_of(played, "# penpose do"))
+    assert "begin_deformer" in done and "set_key" in done, done
+    project = os.path.join(home, "head.glb")
+    assert os.path.exists(project), output
+    whole = lines_of(played, "# penpose state")[-1].split()[3]
+    told = json.loads(subprocess.run([program, "info", project, "--json"], check=True, stdout=subprocess.PIPE,
+                                     text=True).stdout)
+    assert "deformer 1" in json.dumps(told), told
+    again = os.path.join(folder, "alone2.session")
+    process = start(program, screen, again, project)
+    screen.picture("10_alone_again")
+    assert lines_of(again, "# penpose model")[0].split()[3] == whole, "what was saved opens as it was"
+    quit_window(screen, process)
+    print(output, end="")
+
+
+def asked_to_end(program, screen, folder):
+    """A signal ends the program as a user would, without a question, and the session holds everything."""
+    session = os.path.join(folder, "ended.session")
+    process = start(program, screen, session)
+    screen.key("1")
+    screen.stroke(MOUTH)
+    process.send_signal(signal.SIGTERM)
+    assert process.wait(timeout=20) == 0, process.stdout.read()
+    states = lines_of(session, "# penpose state")
+    assert states, "the stroke is in the file"
+    replayed = json.loads(subprocess.run([program, "replay", session, "--json"], env=screen.environment, check=True,
+                                         stdout=subprocess.PIPE, text=True).stdout)
+    assert replayed["state"] == states[-1].split()[3], replayed
+
+
 def crash(program, screen, folder):
     """A program that is killed leaves a session that replays."""
     session = os.path.join(folder, "killed.session")
@@ -206,6 +306,8 @@ def main():
     try:
         session = use(program, screen, folder)
         play(program, screen, folder, session)
+        pen_alone(program, screen, folder, session)
+        asked_to_end(program, screen, folder)
         crash(program, screen, folder)
     finally:
         screen.close()

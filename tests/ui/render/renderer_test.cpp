@@ -137,6 +137,37 @@ TEST(Renderer, ANewPoseIsShownWhenItsNumberChanges) {
   EXPECT_EQ(renderer->render(scene, camera).value(), before);
 }
 
+TEST(Renderer, EdgesOfWhatDoesNotChangeGetSmoothWithOneSampleAPixel) {
+  const auto renderer = make_renderer();
+  ASSERT_NE(renderer, nullptr);
+  renderer->set_most_samples(1);
+  renderer->set_occlusion(false);
+  renderer->set_smoothing(true);
+  mesh::MeshSource source;
+  add_box(source, geometry::ModelPoint{0}, geometry::ModelVector{1});
+  const Shown shown(model_of(source));
+  const auto camera = frame_points(shown.positions, k_viewport);
+  const Image empty = renderer->render({}, camera).value();
+  Scene scene = shown.scene();
+  scene.shape_number = scene.pose_number = 1;
+  const Image first = renderer->render(scene, camera).value();
+  EXPECT_TRUE(renderer->refining());
+  Image last = first;
+  int pictures = 0;
+  for (; renderer->refining() && pictures < 100; ++pictures) last = renderer->render(scene, camera).value();
+  EXPECT_GT(pictures, 3);
+  EXPECT_LT(pictures, 20);
+  EXPECT_EQ(renderer->render(scene, camera).value().pixels, last.pixels) << "then it stays";
+  // Its shape is the same; only its edges change.
+  EXPECT_NEAR(differing(last, empty), differing(first, empty), 0.05 * differing(first, empty));
+  EXPECT_GT(differing(last, first), 50);
+  EXPECT_LT(differing(last, first), 0.2 * differing(first, empty));
+  // A change begins anew, and shows at once.
+  scene.pose_number = 2;
+  EXPECT_EQ(renderer->render(scene, camera).value().pixels, first.pixels);
+  EXPECT_TRUE(renderer->refining());
+}
+
 TEST(Renderer, OverlayColoursAndWireframeShow) {
   const auto renderer = make_renderer();
   ASSERT_NE(renderer, nullptr);
