@@ -76,14 +76,14 @@ base::Result<Region> general_region(const Canvas& canvas, const geometry::Camera
   }
   if (!any) return base::Error{"no vertex of the model lies inside the curve", "", "draw around a part of the model"};
   const Component* chosen = nullptr;
-  bool all_is_surface = true;
+  bool surface_alone = false;
   for (const Component& component : components) {
-    all_is_surface = all_is_surface && !component.moves;
-    if (!component.moves || component.vertices <= k_scrap) continue;
-    if (chosen == nullptr || component.nearest < chosen->nearest) chosen = &component;
+    if (component.vertices <= k_scrap) continue;
+    surface_alone = surface_alone || !component.moves;
+    if (component.moves && (chosen == nullptr || component.nearest < chosen->nearest)) chosen = &component;
   }
-  if (all_is_surface) {
-    return base::Error{"all that lies inside the curve belongs to the surface that is kept", "",
+  if (chosen == nullptr && surface_alone) {
+    return base::Error{"what lies inside the curve belongs to the surface that is kept", "",
                        "draw around what moves over it, or give a smaller sphere"};
   }
   if (chosen == nullptr) {

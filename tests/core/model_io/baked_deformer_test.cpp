@@ -102,8 +102,7 @@ TEST(BakedDeformer, AFilePlaysTheSameBetweenKeysThatLieFarApart) {
     document::Channel channel;
     channel.interpolation = interpolation;
     channel.times_s = {0, 2, 3};
-    channel.values =
-        cubic ? std::vector<double>{0, 0, 0.5, 0, 1, 0, -1, 0.25, 0} : std::vector<double>{0, 1, 0.25};
+    channel.values = cubic ? std::vector<double>{0, 0, 0.5, 0, 1, 0, -1, 0.25, 0} : std::vector<double>{0, 1, 0.25};
     model.animations = {{"curl", {channel}}};
     GlbReport report;
     const auto bytes = write_glb(model, {}, &report).value();
