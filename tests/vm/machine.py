@@ -100,7 +100,7 @@ class Machine:
         # Plain emulation: /dev/kvm may exist and yet hang where this is a virtual machine itself.
         acceleration = os.environ.get('PENPOSE_VM_ACCEL', 'tcg')
         self.process = subprocess.Popen(
-            [find('qemu-system-x86_64'), '-accel', acceleration, '-cpu', 'max', '-smp', '1', '-m', '768', '-nodefaults', '-no-reboot',
+            [find('qemu-system-x86_64'), '-accel', acceleration, '-cpu', 'max', '-smp', '2', '-m', '768', '-nodefaults', '-no-reboot',
              '-display', 'none', '-kernel', image, '-initrd', archive, '-append', 'console=ttyS0 loglevel=4 panic=-1 rdinit=/init',
              '-serial', f'file:{self.console}', '-device', 'virtio-serial-pci',
              '-chardev', f'file,id=out,path={self.out}', '-device', 'virtserialport,chardev=out,nr=1',
