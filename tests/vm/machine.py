@@ -45,11 +45,13 @@ def libraries(program):
                 yield word
 
 
-def build_initramfs(folder, programs, files):
-    """programs: paths of executables for /bin. files: {path in the machine: content}. Gives the path of the archive."""
+def build_initramfs(folder, programs, files, modules=MODULES, loaded=()):
+    """programs: paths of executables for /bin. files: {path in the machine: content}. modules: of the kernel. loaded: files
+    that programs load by name while they run; they stand where they stand here. Gives the path of the archive."""
     release, _ = kernel()
     root = os.path.join(folder, 'root')
     shutil.rmtree(root, ignore_errors=True)
+    wanted = modules
     for d in ('bin', 'lib64', 'lib', f'lib/modules/{release}'):
         os.makedirs(os.path.join(root, d), exist_ok=True)
     shutil.copy(find('busybox'), os.path.join(root, 'bin/busybox'))
@@ -60,8 +62,14 @@ def build_initramfs(folder, programs, files):
         for library in libraries(program):
             loader = library.startswith('/lib64/')
             shutil.copy(os.path.realpath(library), os.path.join(root, 'lib64' if loader else 'lib', os.path.basename(library)))
+    for source in loaded:
+        target = root + source
+        os.makedirs(os.path.dirname(target), exist_ok=True)
+        shutil.copy(os.path.realpath(source), target)
+        for library in libraries(source) if '.so' in source else ():
+            shutil.copy(os.path.realpath(library), os.path.join(root, 'lib', os.path.basename(library)))
     modules = set()
-    for name in MODULES:
+    for name in wanted:
         shown = subprocess.run([find('modprobe'), '-S', release, '--show-depends', name], capture_output=True, text=True).stdout
         modules.update(line.split()[1] for line in shown.splitlines() if line.startswith('insmod'))
     for module in modules:
@@ -74,7 +82,7 @@ def build_initramfs(folder, programs, files):
     shutil.copy(os.path.join(HERE, 'guest/init'), os.path.join(root, 'init'))
     os.chmod(os.path.join(root, 'init'), 0o755)
     shutil.copy(os.path.join(HERE, 'guest/functions.sh'), root)
-    files = dict(files, **{'/modules.list': '\n'.join(MODULES) + '\n'})
+    files = dict(files, **{'/modules.list': '\n'.join(wanted) + '\n'})
     for path, content in files.items():
         target = root + path
         os.makedirs(os.path.dirname(target), exist_ok=True)
@@ -88,7 +96,7 @@ def build_initramfs(folder, programs, files):
 
 
 class Machine:
-    def __init__(self, folder, archive, limit_s=900):
+    def __init__(self, folder, archive, limit_s=900, memory=768, devices=()):
         self.folder, self.limit = folder, time.monotonic() + limit_s
         self.console, self.out, self.live = (os.path.join(folder, n) for n in ('console', 'out.tar', 'live'))
         for path in (self.console, self.out, self.live):
@@ -100,12 +108,13 @@ class Machine:
         # Plain emulation: /dev/kvm may exist and yet hang where this is a virtual machine itself.
         acceleration = os.environ.get('PENPOSE_VM_ACCEL', 'tcg')
         self.process = subprocess.Popen(
-            [find('qemu-system-x86_64'), '-accel', acceleration, '-cpu', 'max', '-smp', '2', '-m', '768', '-nodefaults', '-no-reboot',
+            [find('qemu-system-x86_64'), '-accel', acceleration, '-cpu', 'max', '-smp', '2', '-m', str(memory), '-nodefaults', '-no-reboot',
              '-display', 'none', '-kernel', image, '-initrd', archive, '-append', 'console=ttyS0 loglevel=4 panic=-1 rdinit=/init',
              '-serial', f'file:{self.console}', '-device', 'virtio-serial-pci',
              '-chardev', f'file,id=out,path={self.out}', '-device', 'virtserialport,chardev=out,nr=1',
              '-chardev', f'file,id=live,path={self.live}', '-device', 'virtserialport,chardev=live,nr=2',
-             '-device', 'qemu-xhci,id=usb', '-qmp', f'unix:{control},server=on,wait=off'])
+             '-device', 'qemu-xhci,id=usb', '-qmp', f'unix:{control},server=on,wait=off'] +
+            [word for device in devices for word in ('-device', device)])
         self.qmp = None
         self.control = control
 

@@ -1,0 +1,21 @@
+# The job of screen_test.py: the window on a screen without a desktop, until it has drawn the head, then ended politely.
+. /functions.sh
+export HOME=/tmp XDG_CONFIG_HOME=/tmp/config
+export LIBGL_DRIVERS_PATH=/usr/lib/x86_64-linux-gnu/dri
+mkdir -p $XDG_CONFIG_HOME/penpose
+echo steps_seen=1 >$XDG_CONFIG_HOME/penpose/settings
+penpose --fullscreen --session /out/drawn.session >/out/app.txt 2>&1 &
+app=$!
+mouse=/sys/bus/usb/devices/1-1
+until_true 60 test -e $mouse
+echo "MARK started"
+# The host pulls the mouse when it has seen enough.
+tries=1200
+while [ -e $mouse ]; do
+  tries=$((tries - 1))
+  [ $tries -gt 0 ] || { echo "GAVE UP waiting for the host"; break; }
+  sleep 0.2
+done
+kill -TERM $app
+wait $app
+echo $? >/out/status
