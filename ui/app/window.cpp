@@ -114,6 +114,9 @@ void Window::State::take_key(const SDL_KeyboardEvent& key, App& app, Interface& 
   const bool typed = interface.wants_keys();
   app.panels().has_keyboard = true;
   interface.edit_key(key.keysym.scancode, down, ctrl, shift);
+  // Behind a dialog nothing is to happen; these two answer it.
+  const bool answers = key.keysym.sym == SDLK_ESCAPE || key.keysym.sym == SDLK_RETURN;
+  if (app.hits().all && !answers) return;
   if (down && !typed && (key.keysym.mod & KMOD_ALT) == 0) app.key({key_of(key.keysym.sym), ctrl, shift});
 }
 
