@@ -1,6 +1,10 @@
 #include "core/model_io/sketch_file.h"
 
+#include <algorithm>
+#include <array>
 #include <set>
+#include <span>
+#include <string_view>
 
 #include "core/model_io/json.h"
 #include "core/model_io/sketch_json.h"
@@ -9,6 +13,19 @@ namespace penpose::model_io {
 namespace {
 
 constexpr const char* k_see_format = "see the format of sketch files in the manual";
+
+constexpr std::array<std::string_view, 3> k_members = {"model", "viewport", "deformers"};
+constexpr std::array<std::string_view, 12> k_deformer_members = {
+    "name",      "viewport", "camera", "reference_camera", "target_camera", "general", "specific",
+    "reference", "target",   "mode",   "surface",          "range"};
+
+/// A misspelt "surface" would be a control that cuts into the eye without a word.
+void list_unknown(const Json& object, const std::string& pointer, std::span<const std::string_view> known,
+                  std::vector<std::string>& skipped) {
+  for (const auto& [name, value] : object.items()) {
+    if (std::ranges::find(known, name) == known.end()) skipped.push_back(child(pointer, name));
+  }
+}
 
 }  // namespace
 
@@ -31,9 +48,11 @@ base::Result<SketchFile> read_sketch_file(base::Bytes bytes) {
     return base::Error{"a model has at most 1,000 deformers", "/deformers", "split the file"};
   }
   std::set<std::string> names;
+  list_unknown(*json, "", k_members, file.skipped);
   for (std::size_t i = 0; i < deformers->size(); ++i) {
     const std::string pointer = child("/deformers", i);
     if (auto problem = read_sketch((*deformers)[i], pointer, viewport, file.sketches.emplace_back())) return *problem;
+    list_unknown((*deformers)[i], pointer, k_deformer_members, file.skipped);
     if (!names.insert(file.sketches.back().name).second) {
       return base::Error{"another deformer is called '" + file.sketches.back().name + "' too", pointer + "/name",
                          "rename one of them"};

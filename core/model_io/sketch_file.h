@@ -17,10 +17,11 @@ struct SketchFile {
   std::string model;  ///< the model that was drawn on; may be empty
   geometry::Viewport viewport;
   std::vector<articulation::Sketch> sketches;
+  std::vector<std::string> skipped;  ///< JSON pointers of members that no reader knows, in the order of the file
 };
 
-/// Keys that are not known are skipped. Errors (place: JSON pointer): no JSON, a key that is missing or of another
-/// type, a camera that cannot be, a curve with too many or too far points, two deformers of one name.
+/// Members that are not known are skipped and listed. Errors (place: JSON pointer): no JSON, a key that is missing or
+/// of another type, a camera that cannot be, a curve with too many or too far points, two deformers of one name.
 [[nodiscard]] base::Result<SketchFile> read_sketch_file(base::Bytes bytes);
 
 /// The JSON of a sketch file, one deformer a line; reads back as the same sketches.

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -84,6 +85,19 @@ const char* mode_name(const Deformer& deformer) {
   return deformer.mode() == articulation::Mode::translate ? "translate" : "rotate";
 }
 
+/// The last part of a path, without its ending: what a model is called wherever it lies.
+std::string stem(const std::string& model) { return std::filesystem::path(model).stem().string(); }
+
+/// What in the file will not do what its author may think, one line each.
+std::vector<std::string> notes_on(const model_io::SketchFile& file, const std::string& model) {
+  std::vector<std::string> notes;
+  if (!file.model.empty() && stem(file.model) != stem(model)) {
+    notes.push_back("the strokes were drawn on " + file.model + ": see that they lie right on this model");
+  }
+  for (const std::string& pointer : file.skipped) notes.push_back(pointer + " is not known and was skipped");
+  return notes;
+}
+
 /// What a user may not have meant, one line each.
 std::vector<std::string> notes_on(const Deformer& deformer) {
   if (!deformer.turned_round() || deformer.mode() != articulation::Mode::rotate) return {};
@@ -105,12 +119,16 @@ int articulate(const ArticulateArguments& arguments) {
   if (file->sketches.empty()) {
     return report({"there is no deformer in the file", "/deformers", "draw one"}, arguments.sketch);
   }
+  const std::vector<std::string> file_notes = notes_on(*file, arguments.model);
   const auto built = build_all(*document, *file);
   if (!built) return report(built.error(), arguments.sketch);
   const auto result = articulated(*document, *built);
   if (!result) return report(result.error(), arguments.model);
   if (auto saved = save_as_it_came(*result, arguments.out); !saved) return report(saved.error(), arguments.out);
 
+  if (!arguments.json) {
+    for (const std::string& note : file_notes) std::cout << "warning: " << arguments.sketch << ": " << note << '\n';
+  }
   Json rows = Json::array();
   for (const Built& one : *built) {
     const Deformer& deformer = *one.deformer;
@@ -127,8 +145,9 @@ int articulate(const ArticulateArguments& arguments) {
                     {"notes", notes},
                     {"build_us", one.build_us}});
     if (arguments.json) continue;
-    std::cout << deformer.sketch().name << ": " << mode_name(deformer) << ", " << deformer.vertices().size()
-              << " vertices (" << full << " at full weight), "
+    const bool chosen = deformer.sketch().mode == articulation::Mode::automatic;
+    std::cout << deformer.sketch().name << ": " << mode_name(deformer) << (chosen ? " (chosen), " : ", ")
+              << deformer.vertices().size() << " vertices (" << full << " at full weight), "
               << (deformer.inferred() ? "reference inferred, " : "reference drawn, ")
               << base::format_fixed(one.build_us / 1000.0, 2) << " ms\n";
     for (const std::string& note : notes) std::cout << "  warning: " << note << '\n';
@@ -136,6 +155,7 @@ int articulate(const ArticulateArguments& arguments) {
   if (arguments.json) {
     const Json object = {{"model", arguments.model},
                          {"out", arguments.out},
+                         {"notes", file_notes},
                          {"deformers", std::move(rows)},
                          {"state", document::DocumentHasher()(*result).whole.hex()}};
     std::cout << object.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';

@@ -37,6 +37,13 @@ TEST(SketchFile, ReadsWhatScriptsWrite) {
   EXPECT_EQ(sketch.mode, articulation::Mode::automatic);
   EXPECT_EQ(sketch.surface.index(), 0U);
   EXPECT_EQ(sketch.maximum, 1.0);
+  EXPECT_EQ(file->skipped, std::vector<std::string>{"/note"});
+}
+
+TEST(SketchFile, ListsMembersThatAreMisspelt) {
+  const auto file = read(changed("\"target\"", "\"surfase\": {\"mesh\": \"eye\"}, \"target\""));
+  ASSERT_TRUE(file.ok()) << file.error().line();
+  EXPECT_EQ(file->skipped, (std::vector<std::string>{"/note", "/deformers/0/surfase"}));
 }
 
 TEST(SketchFile, ComesBackAsItWasWritten) {

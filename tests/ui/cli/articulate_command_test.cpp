@@ -152,6 +152,22 @@ TEST_F(ArticulateCommand, WarnsOfATargetThatWasTurnedRound) {
   EXPECT_EQ(out_.find("warning"), std::string::npos) << out_;
 }
 
+TEST_F(ArticulateCommand, WarnsOfStrokesDrawnOnAnotherModelAndOfMembersItDoesNotKnow) {
+  file_.model = "/somewhere/model.glb";
+  write("sketch.json", model_io::write_sketch_file(file_));
+  const std::vector<std::string> arguments{path("model.glb"), "--sketch", path("sketch.json"), "-o", path("out.glb")};
+  ASSERT_EQ(articulate(arguments), k_success) << error_;
+  EXPECT_EQ(out_.find("warning"), std::string::npos) << out_;
+
+  file_.model = "horse.glb";
+  std::string text = model_io::write_sketch_file(file_);
+  text.replace(text.find("\"name\""), 6, "\"rang\": [0, 2], \"name\"");
+  write("sketch.json", text);
+  ASSERT_EQ(articulate(arguments), k_success) << error_;
+  EXPECT_NE(out_.find("drawn on horse.glb"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("/deformers/0/rang is not known"), std::string::npos) << out_;
+}
+
 using Curve = std::vector<geometry::ModelPoint>;
 
 geometry::ModelVector end_direction(const Curve& curve) {
