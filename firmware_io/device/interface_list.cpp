@@ -73,6 +73,7 @@ std::optional<HidInterface> from_hid(udev_device* hid) {
   if (text(udev_device_get_property_value(hid, "HID_ID")).empty()) return std::nullopt;
   HidInterface found;
   found.driver = text(udev_device_get_driver(hid));
+  found.hid_name = text(udev_device_get_sysname(hid));
   found.physical = text(udev_device_get_property_value(hid, "HID_PHYS"));
   found.identity.name = text(udev_device_get_property_value(hid, "HID_NAME"));
   take_ids(found.identity, text(udev_device_get_property_value(hid, "HID_ID")));

@@ -64,6 +64,26 @@ TEST_F(ReportPumpTest, WakesTheTabletInOrderAndTellsIt) {
   EXPECT_EQ(waits, (std::vector<int>{30, 30})) << "before each feature report";
 }
 
+TEST_F(ReportPumpTest, ATabletThatIsAskedFirstIsNotToldWhatItSaysItself) {
+  ReportPump::Options options;
+  options.wake_up.send_features = {{0x02, 0x02}};
+  options.wake_up.ask_first = true;
+  tablet_->feature = {0x00, 0x02};
+  auto pump = start(options);
+  EXPECT_EQ(text(next(*pump)), "wake feature 02 02: is set");
+  pump.reset();
+  for (const auto& answer : {std::vector<std::uint8_t>{}, {0x02, 0x01}, {0x02}}) {
+    tablet_->feature = answer;
+    tablet_->closed = false;
+    pump = start(options);
+    EXPECT_EQ(text(next(*pump)), "wake feature 02 02: sent");
+    pump.reset();
+  }
+  const auto asked = tablet_->all_asked();
+  EXPECT_EQ(std::count(asked.begin(), asked.end(), "get feature 2"), 4);
+  EXPECT_EQ(std::count(asked.begin(), asked.end(), "feature 0202"), 3);
+}
+
 TEST_F(ReportPumpTest, ATabletThatRefusesIsReadAllTheSame) {
   tablet_->refuses = true;
   ReportPump::Options options;

@@ -23,6 +23,7 @@ struct FakeTablet {
   std::vector<std::string> asked;  ///< "string 200", "feature 0202", "output 02b004"
   std::atomic<bool> closed{false};
   bool refuses = false;
+  std::vector<std::uint8_t> feature;  ///< what it says when it is asked for a feature report; empty: nothing
 
   void send(std::vector<std::uint8_t> report) {
     const std::lock_guard lock(mutex);
@@ -61,6 +62,11 @@ class FakeSource final : public device::ReportSource {
   }
   base::Status send_feature(base::Bytes report) override { return ask("feature " + hex(report)); }
   base::Status send_output(base::Bytes report) override { return ask("output " + hex(report)); }
+  base::Result<std::vector<std::uint8_t>> get_feature(std::uint8_t id, std::size_t) override {
+    if (const auto asked = ask("get feature " + std::to_string(id)); !asked) return asked.error();
+    if (tablet_->feature.empty()) return base::Error{"stalled", "", ""};
+    return tablet_->feature;
+  }
   base::Result<std::string> read_string(std::uint8_t index) override {
     if (const auto asked = ask("string " + std::to_string(index)); !asked) return asked.error();
     return std::string("answer");
