@@ -134,7 +134,7 @@ class UsbDevice final : public VirtualDevice {
   void serve() {
     while (!stop_) {
       pollfd waiting{socket_, POLLIN, 0};
-      if (::poll(&waiting, 1, 50) <= 0) continue;
+      if (::poll(&waiting, 1, 1000) <= 0) continue;
       Header header{};
       if (!receive(header.data(), sizeof header)) return;
       for (std::uint32_t& word : header) word = ntohl(word);

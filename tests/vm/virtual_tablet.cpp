@@ -63,7 +63,7 @@ bool take_option(Options& options, const std::string& name, const std::string& v
 }
 
 void wait_for(const std::string& file) {
-  while (!file.empty() && !std::filesystem::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  while (!file.empty() && !std::filesystem::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(50));
 }
 
 int fail(const base::Error& error) {
