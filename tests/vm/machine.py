@@ -6,6 +6,7 @@ import os
 import shutil
 import socket
 import subprocess
+import sys
 import tarfile
 import time
 
@@ -17,7 +18,8 @@ MODULES = ('virtio_pci virtio_console hid hid-generic uhid evdev usbhid wacom hi
 NEEDED = {'qemu-system-x86_64': 'qemu-system-x86', 'cpio': 'cpio', 'modprobe': 'kmod', 'busybox': 'busybox-static'}
 # Programs that lie where they lay the last time need not be translated again. This processor has one clock and no holes
 # to close.
-KERNEL_OPTIONS = 'console=ttyS0 loglevel=4 panic=-1 rdinit=/init norandmaps nokaslr mitigations=off tsc=reliable'
+KERNEL_OPTIONS = ('console=ttyS0 loglevel=4 panic=-1 rdinit=/init norandmaps nokaslr mitigations=off tsc=reliable '
+                  'rodata=off lsm= audit=0 cryptomgr.notests')
 
 
 def find(program):
@@ -40,6 +42,15 @@ def missing():
     if not kernel():
         packages.add('linux-image-amd64')
     return sorted(packages)
+
+
+def skip_if_missing(files=()):
+    """Ends the test as skipped where a package or one of these files is missing."""
+    lacking = [f for f in files if not os.path.exists(f)]
+    if lacking or missing():
+        print(f'SKIPPED: no virtual machine without these: {" ".join(missing() + lacking)}; install packages with: '
+              f'apt-get install {" ".join(missing())}')
+        sys.exit(77)
 
 
 def libraries(program):

@@ -82,9 +82,6 @@ parser = argparse.ArgumentParser()
 parser.add_argument('--penpose', required=True)
 parser.add_argument('--work', required=True)
 OPTIONS = parser.parse_args()
-MISSING = machine.missing() + [f for f in LOADED if not os.path.exists(f)]
-if MISSING:
-    print('left out, these are missing: ' + ' '.join(MISSING))
-    sys.exit(77)
+machine.skip_if_missing(LOADED)
 RESULTS, SHOT = run_machine(OPTIONS)
 unittest.main(argv=[sys.argv[0], '-v'])

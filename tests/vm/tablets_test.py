@@ -317,10 +317,7 @@ for option in ('penpose', 'tools', 'work'):
 parser.add_argument('--shared')
 parser.add_argument('--keep')
 OPTIONS = parser.parse_args()
-if machine.missing():
-    print(f'SKIPPED: no virtual machine without these packages: {" ".join(machine.missing())}; install them with: '
-          f'apt-get install {" ".join(machine.missing())}')
-    sys.exit(77)
+machine.skip_if_missing()
 RESULTS, SENT, PEN = run_machine(OPTIONS)
 with open(os.path.join(OPTIONS.work, 'console'), 'rb') as f:
     CONSOLE = f.read().decode(errors='replace')

@@ -52,28 +52,24 @@ plug() { # plug KIND NAME OPTION...
 }
 wacoms=0
 for trace in /traces/wacom_*.hid; do
-  plug usb "$(basename "$trace" .hid)" --port $wacoms --keep /tmp/keep --pace-us 2000
+  plug usb "$(basename "$trace" .hid)" --port $((30 * wacoms)) --keep /tmp/keep --pace-us 2000
   wacoms=$((wacoms + 1))
 done
-plug usb huion --port 8 --keep /tmp/keep --string 201=HUION_T173_200101 --string 200=waking --asleep-until 200
+plug usb huion --port $((30 * wacoms)) --keep /tmp/keep --string 201=HUION_T173_200101 --string 200=waking --asleep-until 200
 # x and y up to 50800 and 31750, pressure up to 8191, 5080 lines an inch
-plug usb uclogic --port 9 --keep /tmp/keep --string 201=HUION_T173_200101 --bytes 200=70c600067c00ff1fd81300000000000000
+plug usb uclogic --port $((30 * wacoms + 30)) --keep /tmp/keep --string 201=HUION_T173_200101 --bytes 200=70c600067c00ff1fd81300000000000000
 plug uhid garbage_descriptor --keep /tmp/keep
-stage x.plugged1
 until_true 20 is_hid 0003:1B96:0023
 plug uhid ink
 plug uhid pulled --unplug-after 60 --pace-us 2000
 plug uhid garbage --keep /tmp/keep
 until_true 30 tablets_are $((wacoms + 5)) || { penpose devices; dmesg | tail -5; }
-stage x.arrived
 penpose devices --json >/out/many.json
 echo $? >/out/many.devices_status
 usb=$(awk -F'"' '/"name"/ { name = $4 } /"usb"/ && name == "Huion asleep" { print $4 }' /out/many.json)
-stage x.listed
 record_until_ready many
 until_true 30 all_have $((wacoms + 5)) ^recording /out/many.err
 driver_of "$usb" >/out/huion_driver_while
-stage x.ready
 touch /tmp/go
 until_true 20 all_have 2 unplugged /out/many.err
 # A third ink pen joins while the others go on.
@@ -81,13 +77,10 @@ virtual_tablet uhid /traces/late.hid --go /tmp/go_late >/out/late.sent 2>&1 &
 until_true 20 grep -q "recording Late pen" /out/many.err
 touch /tmp/go_late
 until_true 20 grep -q "Late pen was unplugged" /out/many.err
-stage x.late
 until_true 120 all_have $((wacoms + 7)) ^sent /out/*.sent
 kill -INT "$recorder"
-stage x.sent
 end_record many
 driver_of "$usb" >/out/huion_driver_after
-stage x.ended
 touch /tmp/keep
 until_true 20 tablets_are 0
 
