@@ -5,6 +5,7 @@
 #include <hidapi/hidapi.h>
 
 #include "firmware_io/device/clock.h"
+#include "firmware_io/device/queue_gauge.h"
 #include "firmware_io/device/usb_strings.h"
 
 namespace penpose::device {
@@ -21,13 +22,16 @@ class HidrawSource final : public ReportSource {
 
   ReadOutcome read(std::span<std::uint8_t> into, int timeout_ms) override {
     errno = 0;
-    int got = hid_read_timeout(handle_.get(), into.data(), into.size(), timeout_ms);
+    int got = hid_read_timeout(handle_.get(), into.data(), into.size(), 0);
+    const bool at_once = got > 0;
+    if (got == 0) got = hid_read_timeout(handle_.get(), into.data(), into.size(), timeout_ms);
     if (got < 0 && errno == EINTR) return {};
     // Unplugged: what the system has kept until then is still to be had, without waiting for it.
     if (got < 0) got = hid_read_timeout(handle_.get(), into.data(), into.size(), -1);
     if (got < 0) return {ReadState::gone, 0, monotonic_us()};
     if (got == 0) return {};
-    return {ReadState::report, static_cast<std::size_t>(got), monotonic_us()};
+    const std::int64_t time_us = monotonic_us();
+    return {ReadState::report, static_cast<std::size_t>(got), time_us, gauge_.was_full(at_once, time_us)};
   }
 
   base::Status send_feature(base::Bytes report) override {
@@ -58,6 +62,7 @@ class HidrawSource final : public ReportSource {
   }
 
   Handle handle_;
+  QueueGauge gauge_;
   std::string usb_node_;
 };
 

@@ -23,6 +23,7 @@ struct ReadOutcome {
   ReadState state = ReadState::nothing;
   std::size_t length = 0;
   std::int64_t time_us = 0;
+  bool queue_was_full = false;  ///< before this report, so that others may be missing there
 };
 
 /// One open HID interface. All calls come from one thread at a time. Closed by its destructor, which also gives back

@@ -251,6 +251,13 @@ class Tablets(unittest.TestCase):
         self.assert_recorded('late')
         self.assertNotIn('cannot be opened', self.text('many.err'))
 
+    def test_what_the_kernel_dropped_while_the_program_stood_still_is_told(self):
+        sent = [r for _, r in traces.reports_of(SENT['stalled'])]
+        self.assertEqual(self.part('many', 'stalled'), sent[:63], 'the kernel keeps another number than is written in queue_gauge.h')
+        self.assertIn("the system's queue was full", traces.only(self.text('many.hid'), '1b96 0026'))
+        self.assertIn("Stalled pen: the system's queue was full 1 times", self.text('many.err'))
+        self.assertEqual(self.text('many.hid').count("the system's queue was full"), 1)
+
     def test_garbage_is_recorded_and_harms_nothing(self):
         sent = [r for _, r in traces.reports_of(SENT['garbage'])]
         recorded = self.part('many', 'garbage')

@@ -71,6 +71,7 @@ def made():
         'wacom_intuos4': header(WACOM, 'Wacom Intuos4 4x6', '3 056a 00b8') + lines(intuos_reports(600)),
         'pulled': header(INK, 'Pulled pen', '3 1b96 0025') + lines(ink_reports(400)),
         'late': header(INK, 'Late pen', '3 1b96 0024') + lines(ink_reports(100)),
+        'stalled': header(INK, 'Stalled pen', '3 1b96 0026') + lines(ink_reports(100)),
         'garbage': header(INK, 'Noise pen', '3 1b96 0022') + lines(garbage_reports(400)),
         'garbage_descriptor': header(draw.randbytes(300), 'Nothing', '3 1b96 0023'),
         'parblo': header(PARBLO, 'Parblo A609', '3 0b57 9091') + lines(intuos_reports(200)),

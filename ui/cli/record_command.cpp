@@ -232,6 +232,11 @@ void RecordRun::print_summary() const {
   std::cout << options_.output << ": " << counts.reports << " reports in " << seconds << " s, " << counts.strokes
             << " strokes, " << lost() << " lost\n";
   for (const Recorded& tablet : tablets_) {
+    if (tablet.pump->full_queues() == 0) continue;
+    std::cerr << "penpose: " << tablet.name << ": the system's queue was full " << tablet.pump->full_queues()
+              << " times, reports may be missing; the comments of the trace say where\n";
+  }
+  for (const Recorded& tablet : tablets_) {
     if (tablet.pump->refused() == 0) continue;
     std::cerr << "penpose: " << tablet.name << " refused " << tablet.pump->refused()
               << " of the reports that wake it; the comments of the trace say which\n";

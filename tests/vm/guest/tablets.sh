@@ -78,6 +78,15 @@ until_true 20 grep -q "recording Late pen" /out/many.err
 touch /tmp/go_late
 until_true 20 grep -q "Late pen was unplugged" /out/many.err
 until_true 120 all_have $((wacoms + 7)) ^sent /out/*.sent
+# Another one sends more than the kernel keeps while the program does not run.
+virtual_tablet uhid /traces/stalled.hid --go /tmp/go_stalled --keep /tmp/keep_stalled >/out/stalled.sent 2>&1 &
+until_true 20 grep -q "recording Stalled pen" /out/many.err
+kill -STOP "$recorder"
+touch /tmp/go_stalled
+until_true 20 grep -q sent /out/stalled.sent
+kill -CONT "$recorder"
+touch /tmp/keep_stalled
+until_true 20 grep -q "Stalled pen was unplugged" /out/many.err
 kill -INT "$recorder"
 end_record many
 driver_of "$usb" >/out/huion_driver_after

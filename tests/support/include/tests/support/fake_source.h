@@ -23,6 +23,7 @@ struct FakeTablet {
   std::vector<std::string> asked;  ///< "string 200", "feature 0202", "output 02b004"
   std::atomic<bool> closed{false};
   bool refuses = false;
+  bool queue_was_full = false;        ///< what it says with every report
   std::vector<std::uint8_t> feature;  ///< what it says when it is asked for a feature report; empty: nothing
 
   void send(std::vector<std::uint8_t> report) {
@@ -56,7 +57,7 @@ class FakeSource final : public device::ReportSource {
       tablet_->reports.pop_front();
       const std::size_t length = std::min(report.size(), into.size());
       std::copy_n(report.begin(), length, into.begin());
-      return {device::ReadState::report, length, device::monotonic_us()};
+      return {device::ReadState::report, length, device::monotonic_us(), tablet_->queue_was_full};
     }
     return {tablet_->unplugged ? device::ReadState::gone : device::ReadState::nothing, 0, 0};
   }
