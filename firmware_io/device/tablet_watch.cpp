@@ -180,7 +180,10 @@ TabletChanges TabletWatch::next(int timeout_ms) {
   for (int i = 0; i < k_most_settles && monitor_->take(k_settle_ms); ++i) {
   }
   auto now = list_tablets(own_, tablets_);
-  if (!now) return {};
+  if (!now) {
+    monitor_->wake_at(std::nullopt);
+    return {};
+  }
   auto settled = settling_.settle(tablets_, std::move(now).value(), monotonic_us());
   monitor_->wake_at(settling_.until_us());
   TabletChanges changes = changes_between(tablets_, settled);
