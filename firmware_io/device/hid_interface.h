@@ -14,7 +14,8 @@ struct HidInterface {
   std::string usb_name;     ///< of a USB interface: "1-2:1.0"
   std::string physical;     ///< where it is plugged in
   std::string driver;       ///< of the kernel: "wacom", "hid-generic", "usbfs" (a program has it); empty where none
-  std::string parent;       ///< the same for all interfaces of one device, and while it is plugged in
+  std::string hid_name;  ///< of the kernel's HID device, another one each time a driver is bound: "0003:056A:00B8.0002"
+  std::string parent;    ///< the same for all interfaces of one device, and while it is plugged in
 
   /// `physical` as a trace has it: of USB interfaces ending in "/inputN", the interface's number.
   [[nodiscard]] std::string trace_path() const {

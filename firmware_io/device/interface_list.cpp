@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -16,6 +17,8 @@ namespace {
 
 constexpr std::size_t k_longest_descriptor = 4096;  // HID_MAX_DESCRIPTOR_SIZE of Linux
 constexpr std::string_view k_hid_class = "03";
+constexpr const char* k_hid_devices = "/sys/bus/hid/devices";
+constexpr const char* k_usb_devices = "/sys/bus/usb/devices";
 
 std::string text(const char* value) { return value == nullptr ? std::string() : std::string(value); }
 
@@ -73,6 +76,7 @@ std::optional<HidInterface> from_hid(udev_device* hid) {
   if (text(udev_device_get_property_value(hid, "HID_ID")).empty()) return std::nullopt;
   HidInterface found;
   found.driver = text(udev_device_get_driver(hid));
+  found.hid_name = text(udev_device_get_sysname(hid));
   found.physical = text(udev_device_get_property_value(hid, "HID_PHYS"));
   found.identity.name = text(udev_device_get_property_value(hid, "HID_NAME"));
   take_ids(found.identity, text(udev_device_get_property_value(hid, "HID_ID")));
@@ -118,6 +122,29 @@ void scan(udev* library, const char* subsystem, const Make& make, std::vector<Hi
   }
 }
 
+/// Of the devices of a bus, whose names stand in a folder, those that are wanted. udev takes some fifty system calls
+/// for each device that it looks at, which shows on a small board with many hubs.
+template <typename Want, typename Make>
+void scan_bus(udev* library, const std::string& folder, const Want& want, const Make& make,
+              std::vector<HidInterface>& list) {
+  std::error_code error;
+  std::filesystem::directory_iterator entry(folder, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!want(name)) continue;
+    const UdevDevice device(udev_device_new_from_syspath(library, (folder + "/" + name).c_str()));
+    if (!device) continue;
+    if (auto found = make(device.get())) list.push_back(std::move(*found));
+  }
+}
+
+bool is_hid_class(const std::string& usb_name) {
+  const std::string path = std::string(k_usb_devices) + "/" + usb_name + "/bInterfaceClass";
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  char digits[2] = {};
+  return file && std::fread(digits, 1, 2, file.get()) == 2 && std::string_view(digits, 2) == k_hid_class;
+}
+
 }  // namespace
 
 base::Result<std::vector<HidInterface>> list_interfaces() {
@@ -128,10 +155,22 @@ base::Result<std::vector<HidInterface>> list_interfaces() {
   // Then those whose driver refused them, so that no node was made, and those that no driver holds. Without a node only
   // USB can reach them.
   std::set<std::string> known;
-  for (const HidInterface& found : list) known.insert(found.usb_name);
+  std::set<std::string> known_hid;
+  for (const HidInterface& found : list) {
+    known.insert(found.usb_name);
+    known_hid.insert(found.hid_name);
+  }
   std::vector<HidInterface> bare;
-  scan(library.get(), "hid", from_hid, bare);
-  scan(library.get(), "usb", from_usb, bare);
+  scan_bus(
+      library.get(), k_hid_devices, [&](const std::string& name) { return !known_hid.contains(name); }, from_hid, bare);
+  for (const HidInterface& found : bare) known_hid.insert(found.usb_name);
+  scan_bus(
+      library.get(), k_usb_devices,
+      [&](const std::string& name) {
+        return name.find(':') != std::string::npos && !known.contains(name) && !known_hid.contains(name) &&
+               is_hid_class(name);
+      },
+      from_usb, bare);
   for (HidInterface& found : bare) {
     if (!found.usb_name.empty() && known.insert(found.usb_name).second) list.push_back(std::move(found));
   }

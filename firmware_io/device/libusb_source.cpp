@@ -58,13 +58,16 @@ class LibusbSource final : public ReportSource {
       : usb_(std::move(usb)), interface_(interface), endpoints_(endpoints), guard_(std::move(guard)) {}
   ~LibusbSource() override;
 
-  base::Status start(std::size_t longest_report);
+  base::Status prepare(std::size_t longest_report);
 
   ReadOutcome read(std::span<std::uint8_t> into, int timeout_ms) override;
   base::Status send_feature(base::Bytes report) override {
     return set_report(usb_, interface_, SentReport::feature, report);
   }
   base::Status send_output(base::Bytes report) override;
+  base::Result<std::vector<std::uint8_t>> get_feature(std::uint8_t id, std::size_t length) override {
+    return get_feature_report(usb_, interface_, id, length);
+  }
   base::Result<std::string> read_string(std::uint8_t index) override { return get_string(usb_, index); }
 
  private:
@@ -87,6 +90,7 @@ class LibusbSource final : public ReportSource {
   std::array<Waiting, k_transfers> waiting_;
   std::deque<Waiting*> done_;  ///< completed and not read yet, oldest first
   int errors_ = 0;             ///< one after another
+  bool started_ = false;
   bool failed_ = false;
   bool closing_ = false;
 };
@@ -138,7 +142,7 @@ void LibusbSource::handle_events(int timeout_ms) {
   if (code != 0 && code != LIBUSB_ERROR_INTERRUPTED && code != LIBUSB_ERROR_TIMEOUT) failed_ = true;
 }
 
-base::Status LibusbSource::start(std::size_t longest_report) {
+base::Status LibusbSource::prepare(std::size_t longest_report) {
   // A whole number of packets: a device that sends more than it said cannot overflow the transfer.
   const std::size_t packets =
       (std::max<std::size_t>(longest_report, 1) + endpoints_.in_packet - 1) / endpoints_.in_packet;
@@ -150,9 +154,7 @@ base::Status LibusbSource::start(std::size_t longest_report) {
     if (waiting.transfer == nullptr) return base::Error{"no memory for transfers", "", ""};
     libusb_fill_interrupt_transfer(waiting.transfer, usb_.get(), endpoints_.in, waiting.buffer.data(),
                                    static_cast<int>(length), complete, &waiting, 0);
-    submit(waiting);
   }
-  if (failed_) return base::Error{"takes no transfers", "", "plug it in again"};
   return base::Done{};
 }
 
@@ -174,6 +176,11 @@ LibusbSource::~LibusbSource() {
 }
 
 ReadOutcome LibusbSource::read(std::span<std::uint8_t> into, int timeout_ms) {
+  // Not before: a tablet is woken before anything is asked of its pen, as the kernel's drivers do; some rely on it.
+  if (!started_) {
+    started_ = true;
+    for (Waiting& waiting : waiting_) submit(waiting);
+  }
   if (done_.empty() && !failed_) handle_events(timeout_ms);
   while (!done_.empty()) {
     Waiting& waiting = *done_.front();
@@ -226,8 +233,8 @@ base::Result<std::unique_ptr<ReportSource>> open_libusb(HidInterface& interface)
     decode::complete_identity(identity);
   }
   auto source = std::make_unique<LibusbSource>(std::move(usb).value(), number, *endpoints, std::move(guard));
-  if (const auto started = source->start(interface.identity.input_report_length.value_or(64)); !started) {
-    return started.error();
+  if (const auto prepared = source->prepare(interface.identity.input_report_length.value_or(64)); !prepared) {
+    return prepared.error();
   }
   return std::unique_ptr<ReportSource>(std::move(source));
 }

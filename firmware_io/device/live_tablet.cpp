@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "firmware_io/decode/decoder_factory.h"
+#include "firmware_io/decode/wacom_models.h"
 #include "firmware_io/device/hidraw_source.h"
 #include "firmware_io/device/interface_list.h"
 #include "firmware_io/device/libusb_source.h"
@@ -14,8 +15,12 @@ namespace penpose::device {
 namespace {
 
 /// PenPartner: its reports are a byte shorter than its descriptor says, and Linux keeps such from /dev/hidraw.
-constexpr std::uint16_t k_wacom = 0x056a;
 constexpr std::uint16_t k_penpartner = 0x0000;
+
+/// Wacom's tablets are mice until this makes them pens. The kernel's driver sends it a second after they are plugged
+/// in, and where it has done so already a second time may confuse them.
+const std::vector<std::uint8_t> k_wacom_pen_mode{0x02, 0x02};
+constexpr std::string_view k_wacom_driver = "wacom";
 
 /// This driver of the kernel wakes its tablets, also after a sleep, and shows a descriptor of its own making that fits
 /// the reports as it rewrites them. What it shows is read like any pen that describes itself.
@@ -72,7 +77,8 @@ Transport choose_transport(const LiveTablet& tablet) {
   const HidInterface& interface = tablet.interface;
   if (interface.usb_node.empty()) return Transport::hidraw;
   if (interface.hidraw_node.empty()) return Transport::libusb;
-  if (interface.identity.vendor == k_wacom && interface.identity.product == k_penpartner) return Transport::libusb;
+  if (interface.identity.vendor == decode::k_vendor_wacom && interface.identity.product == k_penpartner)
+    return Transport::libusb;
   const WakeUp steps = tablet.wake_up();
   return steps.read_strings.empty() && steps.send_outputs.empty() ? Transport::hidraw : Transport::libusb;
 }
@@ -82,6 +88,15 @@ Access check_access(const LiveTablet& tablet) {
   if (tablet.transport == Transport::libusb && tablet.interface.driver == k_program) return Access::busy;
   if (::access(tablet.node().c_str(), R_OK | W_OK) == 0) return Access::allowed;
   return ::access(tablet.node().c_str(), F_OK) == 0 ? Access::denied : Access::absent;
+}
+
+/// Those without an entry in the table of tablets, which says of the others how they wake up.
+bool begins_as_wacom_mouse(const LiveTablet& tablet) {
+  const decode::DeviceIdentity& identity = tablet.interface.identity;
+  if (tablet.match || tablet.carries != Carries::pen || identity.bus != decode::k_bus_usb) return false;
+  if (tablet.transport == Transport::hidraw && tablet.interface.driver == k_wacom_driver) return false;
+  const auto* const model = decode::find_wacom_model(identity.bus, identity.vendor, identity.product);
+  return model != nullptr && model->family != decode::WacomFamily::tablet_pc;
 }
 
 }  // namespace
@@ -95,7 +110,12 @@ std::string LiveTablet::path() const {
 }
 
 WakeUp LiveTablet::wake_up() const {
-  return interface.driver == k_waking_driver && transport == Transport::hidraw ? WakeUp{} : wake_up_of(match);
+  if (interface.driver == k_waking_driver && transport == Transport::hidraw) return {};
+  if (!begins_as_wacom_mouse(*this)) return wake_up_of(match);
+  WakeUp steps;
+  steps.send_features = {k_wacom_pen_mode};
+  steps.ask_first = true;
+  return steps;
 }
 
 void LiveTablet::use(Transport other) {

@@ -79,6 +79,10 @@ void ReportPump::run() {
     }
     if (outcome.state == ReadState::nothing) continue;
     received_.fetch_add(1, std::memory_order_relaxed);
+    if (outcome.queue_was_full) {
+      full_queues_.fetch_add(1, std::memory_order_relaxed);
+      note("the system's queue was full, reports may be missing around here");
+    }
     ring_.push(RecordKind::report, outcome.time_us, base::Bytes(buffer).first(std::min(outcome.length, buffer.size())));
     signal();
   }

@@ -38,6 +38,9 @@ class ReportPump {
   [[nodiscard]] std::uint64_t received() const { return received_.load(std::memory_order_relaxed); }
   /// Reports that were received and did not fit into the ring.
   [[nodiscard]] std::uint64_t overruns() const { return ring_.overruns(); }
+  /// How often the system's own queue was found full, because this program did not run for long; how many reports it
+  /// dropped then nobody knows.
+  [[nodiscard]] std::uint64_t full_queues() const { return full_queues_.load(std::memory_order_relaxed); }
   /// The tablet is gone; what it sent before may still be in the ring.
   [[nodiscard]] bool gone() const { return gone_.load(std::memory_order_acquire); }
   /// Reports of waking that the tablet refused.
@@ -56,6 +59,7 @@ class ReportPump {
   std::atomic<bool> stop_{false};
   std::atomic<bool> gone_{false};
   std::atomic<std::uint64_t> received_{0};
+  std::atomic<std::uint64_t> full_queues_{0};
   std::atomic<int> refused_{0};
   std::thread thread_;
 };

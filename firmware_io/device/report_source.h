@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/base/byte_reader.h"
 #include "core/base/result.h"
@@ -22,6 +23,7 @@ struct ReadOutcome {
   ReadState state = ReadState::nothing;
   std::size_t length = 0;
   std::int64_t time_us = 0;
+  bool queue_was_full = false;  ///< before this report, so that others may be missing there
 };
 
 /// One open HID interface. All calls come from one thread at a time. Closed by its destructor, which also gives back
@@ -39,6 +41,8 @@ class ReportSource {
   /// Sends a report, first byte its id (0 where reports have none).
   virtual base::Status send_feature(base::Bytes report) = 0;
   virtual base::Status send_output(base::Bytes report) = 0;
+  /// Asks for a feature report of at most that length, its id first.
+  virtual base::Result<std::vector<std::uint8_t>> get_feature(std::uint8_t id, std::size_t length) = 0;
   /// Reads a USB string descriptor; characters outside ASCII come as '?'.
   virtual base::Result<std::string> read_string(std::uint8_t index) = 0;
 };

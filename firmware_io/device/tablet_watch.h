@@ -1,6 +1,10 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "firmware_io/device/live_tablet.h"
@@ -18,6 +22,21 @@ struct TabletChanges {
 /// came in between) has left and arrived, one that a program took from the kernel's driver has not.
 [[nodiscard]] TabletChanges changes_between(const std::vector<LiveTablet>& before,
                                             const std::vector<LiveTablet>& after);
+
+/// Holds back what is on its way: a device comes and goes in steps, and for some tens of milliseconds its driver, its
+/// node or both are missing. What stays like that is told after a while.
+class Settling {
+ public:
+  /// Of the tablets `seen` now those that are to be told; one of the `known` that is changing stays as it was.
+  [[nodiscard]] std::vector<LiveTablet> settle(const std::vector<LiveTablet>& known, std::vector<LiveTablet> seen,
+                                               std::int64_t now_us);
+  /// When to look again, absent when nothing is held back.
+  [[nodiscard]] std::optional<std::int64_t> until_us() const { return until_us_; }
+
+ private:
+  std::map<std::string, std::int64_t> since_us_;  ///< by place, those that were on their way the last time
+  std::optional<std::int64_t> until_us_;
+};
 
 /// Watches tablets come and go, through udev where it runs, and straight from the kernel on a bare board.
 class TabletWatch {
@@ -43,6 +62,7 @@ class TabletWatch {
   std::unique_ptr<Monitor> monitor_;
   const decode::TabletTable* own_;
   std::vector<LiveTablet> tablets_;
+  Settling settling_;
 };
 
 }  // namespace penpose::device

@@ -12,6 +12,8 @@ constexpr std::uint16_t k_american_english = 0x0409;
 constexpr std::uint8_t k_to_class_interface = 0x21;  // host to device, class request, recipient interface
 constexpr std::uint8_t k_from_interface = 0x81;      // device to host, standard request, recipient interface
 constexpr std::size_t k_longest_descriptor = 4096;
+constexpr std::uint8_t k_from_class_interface = 0xa1;  // device to host, class request, recipient interface
+constexpr std::uint8_t k_get_report = 0x01;
 constexpr std::uint8_t k_set_report = 0x09;
 
 }  // namespace
@@ -54,6 +56,18 @@ base::Status set_report(const UsbHandle& usb, int interface, SentReport kind, ba
       static_cast<std::uint16_t>(interface), bytes.data(), static_cast<std::uint16_t>(bytes.size()), k_timeout_ms);
   if (sent < 0) return usb_error("the device took no report", sent);
   return base::Done{};
+}
+
+base::Result<std::vector<std::uint8_t>> get_feature_report(const UsbHandle& usb, int interface, std::uint8_t id,
+                                                           std::size_t length) {
+  std::vector<std::uint8_t> bytes(std::min(length, k_longest_descriptor));
+  const int got = libusb_control_transfer(usb.get(), k_from_class_interface, k_get_report,
+                                          static_cast<std::uint16_t>((static_cast<int>(SentReport::feature) << 8) | id),
+                                          static_cast<std::uint16_t>(interface), bytes.data(),
+                                          static_cast<std::uint16_t>(bytes.size()), k_timeout_ms);
+  if (got < 0) return usb_error("the device gives no report", got);
+  bytes.resize(static_cast<std::size_t>(got));
+  return bytes;
 }
 
 }  // namespace penpose::device

@@ -18,5 +18,8 @@ namespace penpose::device {
 enum class SentReport : std::uint8_t { output = 2, feature = 3 };
 /// Sends a report to a claimed interface; first byte its id, which is not sent where it is 0.
 [[nodiscard]] base::Status set_report(const UsbHandle& usb, int interface, SentReport kind, base::Bytes report);
+/// Asks a claimed interface for a feature report of at most that length.
+[[nodiscard]] base::Result<std::vector<std::uint8_t>> get_feature_report(const UsbHandle& usb, int interface,
+                                                                         std::uint8_t id, std::size_t length);
 
 }  // namespace penpose::device

@@ -25,12 +25,20 @@ bool tell_sent(const TellStep& tell, const std::string& step, const base::Status
   return sent.ok();
 }
 
+/// The id may be missing in the answer of a device, so it is not looked at.
+bool is_set(ReportSource& source, base::Bytes report) {
+  if (report.empty()) return false;
+  const auto answer = source.get_feature(report[0], report.size());
+  return answer && answer->size() == report.size() &&
+         std::equal(answer->begin() + 1, answer->end(), report.begin() + 1);
+}
+
 }  // namespace
 
 WakeUp wake_up_of(const std::optional<decode::TabletMatch>& match) {
   if (!match || !match->certain) return {};
   return {match->identifier->read_strings, match->identifier->send_features, match->identifier->send_outputs,
-          match->tablet->feature_delay_ms};
+          match->tablet->feature_delay_ms, false};
 }
 
 int wake(ReportSource& source, const WakeUp& steps, const TellStep& tell, const WaitMs& wait) {
@@ -42,6 +50,10 @@ int wake(ReportSource& source, const WakeUp& steps, const TellStep& tell, const 
   }
   for (const auto& report : steps.send_features) {
     if (steps.feature_delay_ms > 0) wait(std::min(steps.feature_delay_ms, k_longest_wait_ms));
+    if (steps.ask_first && is_set(source, report)) {
+      tell("wake feature" + hex(report) + ": is set");
+      continue;
+    }
     refused += tell_sent(tell, "wake feature" + hex(report), source.send_feature(report)) ? 0 : 1;
   }
   for (const auto& report : steps.send_outputs) {

@@ -17,6 +17,7 @@ struct WakeUp {
   std::vector<std::vector<std::uint8_t>> send_features;
   std::vector<std::vector<std::uint8_t>> send_outputs;
   int feature_delay_ms = 0;  ///< wait before each feature report
+  bool ask_first = false;    ///< send a feature report only where the device does not say already what it would set
 
   [[nodiscard]] bool empty() const { return read_strings.empty() && send_features.empty() && send_outputs.empty(); }
 };

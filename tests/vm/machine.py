@@ -6,13 +6,20 @@ import os
 import shutil
 import socket
 import subprocess
+import sys
 import tarfile
 import time
+
+import kernel_image
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 MODULES = ('virtio_pci virtio_console hid hid-generic uhid evdev usbhid wacom hid-uclogic hid-multitouch hid-ntrig '
            'xhci-pci vhci-hcd').split()
-NEEDED = {'qemu-system-x86_64': 'qemu-system-x86', 'cpio': 'cpio', 'modprobe': 'kmod', 'depmod': 'kmod', 'busybox': 'busybox-static'}
+NEEDED = {'qemu-system-x86_64': 'qemu-system-x86', 'cpio': 'cpio', 'modprobe': 'kmod', 'busybox': 'busybox-static'}
+# Programs that lie where they lay the last time need not be translated again. This processor has one clock and no holes
+# to close.
+KERNEL_OPTIONS = ('console=ttyS0 loglevel=4 panic=-1 rdinit=/init norandmaps nokaslr mitigations=off tsc=reliable '
+                  'rodata=off lsm= audit=0 cryptomgr.notests')
 
 
 def find(program):
@@ -37,6 +44,15 @@ def missing():
     return sorted(packages)
 
 
+def skip_if_missing(files=()):
+    """Ends the test as skipped where a package or one of these files is missing."""
+    lacking = [f for f in files if not os.path.exists(f)]
+    if lacking or missing():
+        print(f'SKIPPED: no virtual machine without these: {" ".join(missing() + lacking)}; install packages with: '
+              f'apt-get install {" ".join(missing())}')
+        sys.exit(77)
+
+
 def libraries(program):
     """What a program needs to be loaded, by path."""
     for line in subprocess.run(['ldd', program], capture_output=True, text=True, check=True).stdout.splitlines():
@@ -51,8 +67,7 @@ def build_initramfs(folder, programs, files, modules=MODULES, loaded=()):
     release, _ = kernel()
     root = os.path.join(folder, 'root')
     shutil.rmtree(root, ignore_errors=True)
-    wanted = modules
-    for d in ('bin', 'lib64', 'lib', f'lib/modules/{release}'):
+    for d in ('bin', 'lib64', 'lib/modules'):
         os.makedirs(os.path.join(root, d), exist_ok=True)
     shutil.copy(find('busybox'), os.path.join(root, 'bin/busybox'))
     for program in programs:
@@ -68,21 +83,16 @@ def build_initramfs(folder, programs, files, modules=MODULES, loaded=()):
         shutil.copy(os.path.realpath(source), target)
         for library in libraries(source) if '.so' in source else ():
             shutil.copy(os.path.realpath(library), os.path.join(root, 'lib', os.path.basename(library)))
-    modules = set()
-    for name in wanted:
+    files = dict(files, **{'/modules.list': '\n'.join(modules) + '\n'})
+    for name in modules:
         shown = subprocess.run([find('modprobe'), '-S', release, '--show-depends', name], capture_output=True, text=True).stdout
-        modules.update(line.split()[1] for line in shown.splitlines() if line.startswith('insmod'))
-    for module in modules:
-        target = os.path.join(root, 'lib/modules', os.path.relpath(os.path.realpath(module), os.path.realpath('/lib/modules')))
-        os.makedirs(os.path.dirname(target), exist_ok=True)
-        shutil.copy(module, target)
-    for name in ('modules.builtin', 'modules.order', 'modules.builtin.modinfo'):
-        shutil.copy(f'/lib/modules/{release}/{name}', os.path.join(root, 'lib/modules', release))
-    subprocess.run([find('depmod'), '-b', root, release], check=True)
+        needed = [line.split()[1] for line in shown.splitlines() if line.startswith('insmod')]
+        for module in needed:
+            shutil.copy(module, os.path.join(root, 'lib/modules'))
+        files[f'/modules/{name}'] = ''.join(f'/lib/modules/{os.path.basename(module)}\n' for module in needed)
     shutil.copy(os.path.join(HERE, 'guest/init'), os.path.join(root, 'init'))
     os.chmod(os.path.join(root, 'init'), 0o755)
     shutil.copy(os.path.join(HERE, 'guest/functions.sh'), root)
-    files = dict(files, **{'/modules.list': '\n'.join(wanted) + '\n'})
     for path, content in files.items():
         target = root + path
         os.makedirs(os.path.dirname(target), exist_ok=True)
@@ -96,7 +106,7 @@ def build_initramfs(folder, programs, files, modules=MODULES, loaded=()):
 
 
 class Machine:
-    def __init__(self, folder, archive, limit_s=900, memory=768, devices=()):
+    def __init__(self, folder, archive, limit_s=900, memory=768, processors=1, devices=()):
         self.folder, self.limit = folder, time.monotonic() + limit_s
         self.console, self.out, self.live = (os.path.join(folder, n) for n in ('console', 'out.tar', 'live'))
         for path in (self.console, self.out, self.live):
@@ -104,12 +114,12 @@ class Machine:
         control = os.path.join(folder, 'qmp')
         if os.path.exists(control):
             os.unlink(control)
-        _, image = kernel()
+        image = kernel_image.unpacked(kernel()[1], folder)
         # Plain emulation: /dev/kvm may exist and yet hang where this is a virtual machine itself.
         acceleration = os.environ.get('PENPOSE_VM_ACCEL', 'tcg')
         self.process = subprocess.Popen(
-            [find('qemu-system-x86_64'), '-accel', acceleration, '-cpu', 'max', '-smp', '2', '-m', str(memory), '-nodefaults', '-no-reboot',
-             '-display', 'none', '-kernel', image, '-initrd', archive, '-append', 'console=ttyS0 loglevel=4 panic=-1 rdinit=/init',
+            [find('qemu-system-x86_64'), '-accel', acceleration, '-cpu', 'max', '-smp', str(processors), '-m', str(memory), '-nodefaults', '-no-reboot',
+             '-display', 'none', '-kernel', image, '-initrd', archive, '-append', KERNEL_OPTIONS,
              '-serial', f'file:{self.console}', '-device', 'virtio-serial-pci',
              '-chardev', f'file,id=out,path={self.out}', '-device', 'virtserialport,chardev=out,nr=1',
              '-chardev', f'file,id=live,path={self.live}', '-device', 'virtserialport,chardev=live,nr=2',
@@ -133,7 +143,7 @@ class Machine:
                 raise RuntimeError(f'the machine ended before: {what}\n{self.text()[-3000:]}')
             if min(self.left(), until - time.monotonic()) < 0:
                 raise RuntimeError(f'no time left for: {what}\n{self.text()[-3000:]}')
-            time.sleep(0.02)
+            time.sleep(0.005)
 
     def wait_for_mark(self, mark, seconds=180):
         self.wait(lambda: f'MARK {mark}' in self.text(), f'mark {mark}', seconds)

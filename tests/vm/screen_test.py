@@ -59,7 +59,7 @@ def run_machine(options):
         files = {'/job.sh': f.read()}
     modules = 'virtio_pci virtio_console bochs hid hid-generic usbhid evdev xhci-pci'.split()
     archive = machine.build_initramfs(options.work, [options.penpose], files, modules, LOADED)
-    vm = machine.Machine(options.work, archive, memory=1536,
+    vm = machine.Machine(options.work, archive, memory=1536, processors=2,
                          devices=(f'bochs-display,xres={WIDTH},yres={HEIGHT}', 'usb-tablet,bus=usb.0,id=mouse', 'usb-kbd,bus=usb.0'))
     shot = os.path.join(options.work, 'screen.ppm')
     try:
@@ -82,9 +82,6 @@ parser = argparse.ArgumentParser()
 parser.add_argument('--penpose', required=True)
 parser.add_argument('--work', required=True)
 OPTIONS = parser.parse_args()
-MISSING = machine.missing() + [f for f in LOADED if not os.path.exists(f)]
-if MISSING:
-    print('left out, these are missing: ' + ' '.join(MISSING))
-    sys.exit(77)
+machine.skip_if_missing(LOADED)
 RESULTS, SHOT = run_machine(OPTIONS)
 unittest.main(argv=[sys.argv[0], '-v'])

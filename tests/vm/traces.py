@@ -69,14 +69,36 @@ def made():
     return {
         'ink': header(INK, 'Ink pen', '3 1b96 0021') + lines(ink_reports(600)),
         'wacom_intuos4': header(WACOM, 'Wacom Intuos4 4x6', '3 056a 00b8') + lines(intuos_reports(600)),
-        'two_ink': header(INK, 'Ink pen', '3 1b96 0021') + lines(ink_reports(400)),
-        'two_wacom': header(WACOM, 'Wacom Intuos4 4x6', '3 056a 00b8') + lines(intuos_reports(300)),
+        'pulled': header(INK, 'Pulled pen', '3 1b96 0025') + lines(ink_reports(400)),
         'late': header(INK, 'Late pen', '3 1b96 0024') + lines(ink_reports(100)),
+        'stalled': header(INK, 'Stalled pen', '3 1b96 0026') + lines(ink_reports(100)),
         'garbage': header(INK, 'Noise pen', '3 1b96 0022') + lines(garbage_reports(400)),
         'garbage_descriptor': header(draw.randbytes(300), 'Nothing', '3 1b96 0023'),
         'parblo': header(PARBLO, 'Parblo A609', '3 0b57 9091') + lines(intuos_reports(200)),
-        'huion': header(HUION, 'Huion Tablet', '3 256c 006d') + lines(huion_reports(300)),
+        'huion': header(HUION, 'Huion asleep', '3 256c 006d') + lines(huion_reports(300)),
+        'uclogic': header(HUION, 'Huion awake', '3 256c 006e') + lines(huion_reports(300)),
     }
+
+
+def declared(trace):
+    """Vendor and product of every interface in order, as "056a 00b8"."""
+    return [line.split(' ', 2)[2].lower() for line in trace.splitlines() if line.startswith('I:')]
+
+
+def only(trace, ids):
+    """The trace of the one interface with these ids, with what was said of it."""
+    number = declared(trace).index(ids)
+    kept, at = [], 0
+    for line in trace.splitlines():
+        if line.startswith('D:'):
+            at = int(line[2:])
+            line = 'D: 0'
+        elif line.startswith('#'):
+            if not line.startswith(f'# {number}:'):
+                continue
+        if at == number or line.startswith('#'):
+            kept.append(line)
+    return '\n'.join(kept) + '\n'
 
 
 def reports_of(trace):

@@ -49,7 +49,7 @@ class UhidInterface {
   void answer() {
     while (!stop_) {
       pollfd waiting{file_, POLLIN, 0};
-      if (::poll(&waiting, 1, 20) <= 0) continue;
+      if (::poll(&waiting, 1, 1000) <= 0) continue;
       uhid_event request{};
       if (::read(file_, &request, sizeof request) <= 0) continue;
       uhid_event reply{};

@@ -134,7 +134,7 @@ class UsbDevice final : public VirtualDevice {
   void serve() {
     while (!stop_) {
       pollfd waiting{socket_, POLLIN, 0};
-      if (::poll(&waiting, 1, 50) <= 0) continue;
+      if (::poll(&waiting, 1, 1000) <= 0) continue;
       Header header{};
       if (!receive(header.data(), sizeof header)) return;
       for (std::uint32_t& word : header) word = ntohl(word);
@@ -286,20 +286,20 @@ class UsbDevice final : public VirtualDevice {
       out = {4, 3, 9, 4};
       return true;
     }
-    std::string text;
+    Buffer text;
     if (const auto given = behaviour_.strings.find(number); given != behaviour_.strings.end()) {
       text = given->second;
     } else if (number == 2) {
-      text = interfaces_[0].identity.name;
+      text = as_utf16(interfaces_[0].identity.name);
     } else if (number == 3) {
-      text = "virtual-" + std::to_string(behaviour_.port);
+      text = as_utf16("virtual-" + std::to_string(behaviour_.port));
     } else {
       return false;
     }
     if (number == behaviour_.asleep_until_string) woken_ = true;
-    text.resize(std::min<std::size_t>(text.size(), 120));
-    append(out, {static_cast<std::uint8_t>(2 + 2 * text.size()), 3});
-    for (const char c : text) append16(out, static_cast<std::uint8_t>(c));
+    text.resize(std::min<std::size_t>(text.size(), 240));
+    append(out, {static_cast<std::uint8_t>(2 + text.size()), 3});
+    append(out, base::Bytes(text));
     return true;
   }
 
@@ -323,6 +323,12 @@ class UsbDevice final : public VirtualDevice {
 };
 
 }  // namespace
+
+std::vector<std::uint8_t> as_utf16(const std::string& text) {
+  Buffer bytes;
+  for (const char c : text) append16(bytes, static_cast<std::uint8_t>(c));
+  return bytes;
+}
 
 base::Result<std::unique_ptr<VirtualDevice>> make_usb_device(const VirtualDevice::Interfaces& interfaces,
                                                              const UsbBehaviour& behaviour) {

@@ -5,6 +5,7 @@
 //   --keep FILE        stay plugged in until this file exists
 //   --port N           of the virtual USB host controller
 //   --string N=TEXT    a USB string descriptor
+//   --bytes N=HEX      the same, of any bytes
 //   --asleep-until N   send nothing before this string was read
 // Prints how many reports were sent.
 #include <algorithm>
@@ -44,9 +45,17 @@ bool take_option(Options& options, const std::string& name, const std::string& v
     options.usb.port = static_cast<int>(std::strtol(value.c_str(), nullptr, 10));
   } else if (name == "--asleep-until") {
     options.usb.asleep_until_string = static_cast<int>(std::strtol(value.c_str(), nullptr, 10));
-  } else if (name == "--string" && value.find('=') != std::string::npos) {
+  } else if ((name == "--string" || name == "--bytes") && value.find('=') != std::string::npos) {
     const int index = static_cast<int>(std::strtol(value.c_str(), nullptr, 10));
-    options.usb.strings[index] = value.substr(value.find('=') + 1);
+    const std::string text = value.substr(value.find('=') + 1);
+    std::vector<std::uint8_t>& string = options.usb.strings[index];
+    if (name == "--bytes") {
+      for (std::size_t i = 0; i + 1 < text.size(); i += 2) {
+        string.push_back(static_cast<std::uint8_t>(std::strtoul(text.substr(i, 2).c_str(), nullptr, 16)));
+      }
+    } else {
+      string = tests::as_utf16(text);
+    }
   } else {
     return false;
   }
@@ -54,7 +63,7 @@ bool take_option(Options& options, const std::string& name, const std::string& v
 }
 
 void wait_for(const std::string& file) {
-  while (!file.empty() && !std::filesystem::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  while (!file.empty() && !std::filesystem::exists(file)) std::this_thread::sleep_for(std::chrono::milliseconds(50));
 }
 
 int fail(const base::Error& error) {
@@ -84,8 +93,8 @@ int play(const std::string& kind, const std::string& trace, const Options& optio
     }
     ++sent;
   }
-  // What was sent last is still on its way.
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  // What was sent last is still on its way through the cable; /dev/uhid has none.
+  if (kind == "usb") std::this_thread::sleep_for(std::chrono::milliseconds(300));
   std::cout << "sent " << sent << std::endl;
   wait_for(options.keep);
   (*device)->unplug();

@@ -35,6 +35,7 @@ struct Options {
 };
 
 constexpr int k_wait_ms = 100;
+constexpr std::int64_t k_batch_us = 4'000;
 constexpr std::int64_t k_progress_us = 250'000;
 constexpr std::int64_t k_flush_us = 1'000'000;
 
@@ -88,7 +89,7 @@ class RecordRun {
   void take_arrivals();
   base::Status write_new();
   void take_records();
-  void wait() const;
+  void wait();
   [[nodiscard]] bool all_gone() const;
   [[nodiscard]] std::uint64_t lost() const;
   void show_progress(std::int64_t now_us);
@@ -102,6 +103,7 @@ class RecordRun {
   std::optional<AppendFile> file_;
   std::vector<std::pair<int, device::Record>> batch_;
   std::int64_t flushed_us_ = 0;
+  std::int64_t waited_us_ = 0;
   std::int64_t shown_us_ = 0;
   std::uint64_t shown_reports_ = 0;
   bool visible_ = ::isatty(STDERR_FILENO) == 1;
@@ -182,14 +184,20 @@ base::Status RecordRun::write_new() {
   return file_->flush();
 }
 
-void RecordRun::wait() const {
+void RecordRun::wait() {
+  // Of many reports a second several are taken together.
+  const std::int64_t early_us = waited_us_ + k_batch_us - device::monotonic_us();
+  if (early_us > 0) ::usleep(static_cast<useconds_t>(std::min(early_us, k_batch_us)));
   std::vector<pollfd> waiting;
   for (const Recorded& tablet : tablets_) {
     if (!tablet.ended) waiting.push_back({tablet.pump->wake_fd(), POLLIN, 0});
   }
   if (watch_) waiting.push_back({watch_->wake_fd(), POLLIN, 0});
   ::poll(waiting.data(), waiting.size(), k_wait_ms);
-  for (const Recorded& tablet : tablets_) tablet.pump->wait(0);
+  waited_us_ = device::monotonic_us();
+  for (const Recorded& tablet : tablets_) {
+    if (!tablet.ended) tablet.pump->wait(0);
+  }
 }
 
 /// Reports that came while this program was too slow, those among them that no comment tells of yet.
@@ -223,6 +231,11 @@ void RecordRun::print_summary() const {
   std::snprintf(seconds, sizeof seconds, "%.3f", static_cast<double>(counts.span_us) / 1e6);
   std::cout << options_.output << ": " << counts.reports << " reports in " << seconds << " s, " << counts.strokes
             << " strokes, " << lost() << " lost\n";
+  for (const Recorded& tablet : tablets_) {
+    if (tablet.pump->full_queues() == 0) continue;
+    std::cerr << "penpose: " << tablet.name << ": the system's queue was full " << tablet.pump->full_queues()
+              << " times, reports may be missing; the comments of the trace say where\n";
+  }
   for (const Recorded& tablet : tablets_) {
     if (tablet.pump->refused() == 0) continue;
     std::cerr << "penpose: " << tablet.name << " refused " << tablet.pump->refused()

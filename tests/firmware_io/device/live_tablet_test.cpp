@@ -102,6 +102,28 @@ TEST(Recognise, ATabletThatTheKernelHasWokenIsReadBesideItsDriver) {
   EXPECT_TRUE(tablet.wake_up().empty());
 }
 
+TEST(Recognise, AnOldWacomIsMadeAPenUnlessTheKernelDoesIt) {
+  HidInterface interface = huion();
+  interface.identity.bus = decode::k_bus_usb;
+  interface.identity.vendor = 0x056a;
+  interface.identity.product = 0x0000;
+  interface.identity.report_descriptor.clear();
+  interface.driver = "wacom";
+  LiveTablet penpartner = recognise(interface);
+  EXPECT_EQ(penpartner.method, "wacom PenPartner");
+  EXPECT_EQ(penpartner.transport, Transport::libusb);
+  EXPECT_EQ(penpartner.wake_up().send_features, (std::vector<std::vector<std::uint8_t>>{{2, 2}}));
+  EXPECT_TRUE(penpartner.wake_up().ask_first);
+
+  interface.identity.product = 0x0013;  // Graphire3
+  EXPECT_EQ(recognise(interface).transport, Transport::hidraw);
+  EXPECT_TRUE(recognise(interface).wake_up().empty()) << "its driver does it";
+  interface.driver = "hid-generic";
+  EXPECT_EQ(recognise(interface).wake_up().send_features, penpartner.wake_up().send_features);
+  interface.identity.bus = 0x18;
+  EXPECT_TRUE(recognise(interface).wake_up().empty()) << "I2C has other ids";
+}
+
 TEST(Recognise, WithoutANodeOfItsOwnAnInterfaceIsReadThroughUsb) {
   HidInterface interface = huion();
   interface.identity.report_descriptor = tests::ink_descriptor();

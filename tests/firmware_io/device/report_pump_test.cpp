@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "firmware_io/device/queue_gauge.h"
 #include "tests/support/fake_source.h"
 
 namespace penpose::device {
@@ -64,6 +65,26 @@ TEST_F(ReportPumpTest, WakesTheTabletInOrderAndTellsIt) {
   EXPECT_EQ(waits, (std::vector<int>{30, 30})) << "before each feature report";
 }
 
+TEST_F(ReportPumpTest, ATabletThatIsAskedFirstIsNotToldWhatItSaysItself) {
+  ReportPump::Options options;
+  options.wake_up.send_features = {{0x02, 0x02}};
+  options.wake_up.ask_first = true;
+  tablet_->feature = {0x00, 0x02};
+  auto pump = start(options);
+  EXPECT_EQ(text(next(*pump)), "wake feature 02 02: is set");
+  pump.reset();
+  for (const auto& answer : {std::vector<std::uint8_t>{}, {0x02, 0x01}, {0x02}}) {
+    tablet_->feature = answer;
+    tablet_->closed = false;
+    pump = start(options);
+    EXPECT_EQ(text(next(*pump)), "wake feature 02 02: sent");
+    pump.reset();
+  }
+  const auto asked = tablet_->all_asked();
+  EXPECT_EQ(std::count(asked.begin(), asked.end(), "get feature 2"), 4);
+  EXPECT_EQ(std::count(asked.begin(), asked.end(), "feature 0202"), 3);
+}
+
 TEST_F(ReportPumpTest, ATabletThatRefusesIsReadAllTheSame) {
   tablet_->refuses = true;
   ReportPump::Options options;
@@ -92,6 +113,29 @@ TEST_F(ReportPumpTest, WakesItAgainAfterTheSystemSlept) {
   tablet_->send({9});
   EXPECT_EQ(next(*pump).bytes, std::vector<std::uint8_t>{9});
   EXPECT_EQ(tablet_->all_asked().size(), 2u);
+}
+
+TEST_F(ReportPumpTest, AFullQueueOfTheSystemIsTold) {
+  tablet_->queue_was_full = true;
+  auto pump = start();
+  tablet_->send({7});
+  EXPECT_EQ(text(next(*pump)), "the system's queue was full, reports may be missing around here");
+  EXPECT_EQ(next(*pump).bytes, std::vector<std::uint8_t>{7});
+  EXPECT_EQ(pump->full_queues(), 1u);
+}
+
+TEST(QueueGauge, AllAtOnceIsAFullQueue) {
+  QueueGauge gauge;
+  EXPECT_FALSE(gauge.was_full(false, 0));
+  for (int i = 2; i <= QueueGauge::k_capacity - 1; ++i) EXPECT_FALSE(gauge.was_full(true, i));
+  EXPECT_TRUE(gauge.was_full(true, 100));
+  EXPECT_FALSE(gauge.was_full(true, 101)) << "told once";
+}
+
+TEST(QueueGauge, AnEmptyOneInBetweenOrASlowReaderIsNone) {
+  QueueGauge gauge;
+  for (int i = 0; i < 200; ++i) EXPECT_FALSE(gauge.was_full(i % 60 != 0, i)) << i;
+  for (int i = 0; i < 200; ++i) EXPECT_FALSE(gauge.was_full(true, 1000 + 1000 * i)) << "1000 reports a second";
 }
 
 TEST_F(ReportPumpTest, ReportsBeforeTheUnpluggingAreAllThere) {

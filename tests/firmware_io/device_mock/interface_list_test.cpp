@@ -160,6 +160,35 @@ TEST_F(MockDevices, ComingAndGoingIsSeen) {
   EXPECT_TRUE(changes.arrived.empty());
 }
 
+TEST_F(MockDevices, ATabletWhoseNodeIsLateArrivesOnce) {
+  auto watch = TabletWatch::start();
+  ASSERT_TRUE(watch);
+  plug_in_ink();
+  const std::string node = real("/dev/hidraw0");
+  const std::string away = node + "-away";
+  ASSERT_EQ(::rename(node.c_str(), away.c_str()), 0);
+  tell_added(0);
+  EXPECT_TRUE(watch->next(10000).empty());
+  ASSERT_EQ(::rename(away.c_str(), node.c_str()), 0);
+  tell_added(0);
+  EXPECT_EQ(watch->next(10000).arrived.size(), 1u);
+  EXPECT_TRUE(watch->next(0).empty());
+}
+
+TEST_F(MockDevices, ATabletThatNeverGetsANodeArrivesAfterAWhile) {
+  auto watch = TabletWatch::start();
+  ASSERT_TRUE(watch);
+  plug_in_ink();
+  ASSERT_EQ(::unlink(real("/dev/hidraw0").c_str()), 0);
+  tell_added(0);
+  EXPECT_TRUE(watch->next(10000).empty());
+  // No event follows; the watch wakes by itself.
+  const auto changes = watch->next(10000);
+  ASSERT_EQ(changes.arrived.size(), 1u);
+  EXPECT_EQ(changes.arrived[0].access, Access::absent);
+  EXPECT_TRUE(watch->next(0).empty());
+}
+
 TEST_F(MockDevices, DamagedFactsAreSurvived) {
   plug_in("1-1", 0, std::vector<std::uint8_t>(300, 0xff), "Nonsense", "hid-generic", "ZZZZ", "0");
   plug_in("1-2", 0, {}, "", "hid-generic", "1B96", "0001");

@@ -6,23 +6,33 @@ stage() {
   echo "STAGE $1 $up"
 }
 
+# load MODULE: a driver of the kernel with all that it needs; the host has put down which files those are.
+load() {
+  for file in $(cat "/modules/$1"); do
+    name=${file##*/}
+    name=${name%.ko}
+    [ -d "/sys/module/${name//-/_}" ] || insmod "$file" || echo "no module $file"
+  done
+}
+
 # until_true SECONDS COMMAND...: waits for a command to succeed.
 until_true() {
-  tries=$(($1 * 10))
+  tries=$(($1 * 20))
   shift
   while ! "$@" >/dev/null 2>&1; do
     tries=$((tries - 1))
     [ $tries -gt 0 ] || { echo "GAVE UP waiting: $*"; return 1; }
-    sleep 0.1
+    sleep 0.05
   done
 }
 
-# record_until_ready NAME ARGUMENT...: starts `penpose record -o /out/NAME.hid` behind us and waits until it reads.
-# Its process is in $recorder.
+# record_until_ready NAME ARGUMENT...: starts `penpose record` behind us, into /out/NAME.hid unless it is told where,
+# and waits until it reads. Its process is in $recorder.
 record_until_ready() {
   name=$1
   shift
-  penpose record -o "/out/$name.hid" "$@" >"/out/$name.out" 2>"/out/$name.err" &
+  case "$*" in *-o*) ;; *) set -- -o "/out/$name.hid" "$@" ;; esac
+  penpose record "$@" >"/out/$name.out" 2>"/out/$name.err" &
   recorder=$!
   until_true 30 grep -q recording "/out/$name.err" || cat "/out/$name.err"
 }
@@ -33,22 +43,21 @@ end_record() {
   echo $? >"/out/$1.status"
 }
 
-# listed_are NUMBER: so many does `penpose devices` list; starting it takes its time here.
-listed_are() { [ "$(penpose devices --json | grep -c '"path"')" -eq "$1" ]; }
-
 # tablets_are NUMBER: so many have come and not gone, as the watcher that runs all the time has it.
 tablets_are() { [ $(($(grep -c ^arrived /out/watch.log) - $(grep -c ^left /out/watch.log))) -eq "$1" ]; }
+
+# all_have NUMBER PATTERN FILE...: so many lines of the files hold it.
+all_have() {
+  number=$1
+  pattern=$2
+  shift 2
+  [ "$(cat "$@" | grep -c "$pattern")" -eq "$number" ]
+}
+
+# is_hid ID: the kernel has such a device.
+is_hid() { ls /sys/bus/hid/devices | grep -q "$1"; }
 
 # The driver of a USB interface, by its sysfs name.
 driver_of() { basename "$(readlink "/sys/bus/usb/devices/$1/driver")" 2>/dev/null; }
 has_driver() { [ "$(driver_of "$1")" = "$2" ]; }
 hid_driver_of() { for d in /sys/bus/usb/devices/"$1"/0*; do basename "$(readlink "$d/driver")"; done 2>/dev/null; }
-
-# follow FILE: prints a file while it grows.
-follow() {
-  exec <"$1"
-  while :; do
-    cat
-    sleep 0.02
-  done
-}

@@ -23,6 +23,8 @@ struct FakeTablet {
   std::vector<std::string> asked;  ///< "string 200", "feature 0202", "output 02b004"
   std::atomic<bool> closed{false};
   bool refuses = false;
+  bool queue_was_full = false;        ///< what it says with every report
+  std::vector<std::uint8_t> feature;  ///< what it says when it is asked for a feature report; empty: nothing
 
   void send(std::vector<std::uint8_t> report) {
     const std::lock_guard lock(mutex);
@@ -55,12 +57,17 @@ class FakeSource final : public device::ReportSource {
       tablet_->reports.pop_front();
       const std::size_t length = std::min(report.size(), into.size());
       std::copy_n(report.begin(), length, into.begin());
-      return {device::ReadState::report, length, device::monotonic_us()};
+      return {device::ReadState::report, length, device::monotonic_us(), tablet_->queue_was_full};
     }
     return {tablet_->unplugged ? device::ReadState::gone : device::ReadState::nothing, 0, 0};
   }
   base::Status send_feature(base::Bytes report) override { return ask("feature " + hex(report)); }
   base::Status send_output(base::Bytes report) override { return ask("output " + hex(report)); }
+  base::Result<std::vector<std::uint8_t>> get_feature(std::uint8_t id, std::size_t) override {
+    if (const auto asked = ask("get feature " + std::to_string(id)); !asked) return asked.error();
+    if (tablet_->feature.empty()) return base::Error{"stalled", "", ""};
+    return tablet_->feature;
+  }
   base::Result<std::string> read_string(std::uint8_t index) override {
     if (const auto asked = ask("string " + std::to_string(index)); !asked) return asked.error();
     return std::string("answer");

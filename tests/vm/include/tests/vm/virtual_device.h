@@ -28,10 +28,13 @@ class VirtualDevice {
 [[nodiscard]] base::Result<std::unique_ptr<VirtualDevice>> make_uhid_device(
     const VirtualDevice::Interfaces& interfaces);
 
+/// ASCII text as USB string descriptors hold it.
+[[nodiscard]] std::vector<std::uint8_t> as_utf16(const std::string& text);
+
 /// What a virtual USB device says and does beside sending reports.
 struct UsbBehaviour {
-  std::map<int, std::string> strings;  ///< USB string descriptors
-  int port = 0;                        ///< of the virtual host controller
+  std::map<int, std::vector<std::uint8_t>> strings;  ///< USB string descriptors without their two bytes of header
+  int port = 0;                                      ///< of the virtual host controller
   /// Sends no report until the string with this index was read; -1: from the start.
   int asleep_until_string = -1;
 };
