@@ -57,6 +57,26 @@ void settle(std::span<const double> tremor, std::span<const double> confidence,
   }
 }
 
+void round_corners(std::span<const double> sharp, std::vector<std::vector<double>>& rows) {
+  constexpr int k_steps = 6;  // a corner is spread over some three frames
+  const std::size_t n = rows.size();
+  if (n < 2) return;
+  std::vector<double> before(n);
+  for (std::size_t i = 0; i < sharp.size(); ++i) {
+    if (!(sharp[i] > 0)) continue;
+    for (int step = 0; step < k_steps; ++step) {
+      for (std::size_t f = 0; f < n; ++f) before[f] = rows[f][i];
+      for (std::size_t f = 0; f < n; ++f) {
+        // Before its first frame and after its last a clip stands still.
+        const double bend = before[f == 0 ? 0 : f - 1] - 2 * before[f] + before[f + 1 == n ? f : f + 1];
+        const double ratio = bend / sharp[i];
+        const double spared = 1 + ratio * ratio;
+        rows[f][i] += 0.25 * bend / (spared * spared);
+      }
+    }
+  }
+}
+
 void smooth_over_time(std::span<const double> times_s, double width_s, std::vector<std::vector<double>>& rows) {
   if (!(width_s > 0) || rows.empty()) return;
   std::vector<std::vector<double>> smoothed;

@@ -17,6 +17,13 @@ void steady(StillTrack& track, std::span<const std::size_t> points, double tremo
 /// a frame, 0 to 1.
 void settle(std::span<const double> tremor, std::span<const double> confidence, std::vector<std::vector<double>>& rows);
 
+/// Rounds the corners of movements: where a line bends, tremor decides in which frame it does, and a parameter that
+/// starts a frame early is a jump. A few steps of diffusion over time, each value a quarter of its bend towards its
+/// neighbours, which bends near and above `sharp` are spared, as the edges of pictures are (Perona and Malik 1990): a
+/// blink keeps its peak. One row a frame and one column a parameter; `sharp`: in units of the column, one a column; 0
+/// leaves a column alone.
+void round_corners(std::span<const double> sharp, std::vector<std::vector<double>>& rows);
+
 /// Smooths values over the whole clip without lag: a triangle filter over time, `width_s` from its middle to its end,
 /// on one row of numbers a frame. Rows keep their count and width; a width below the frame distance changes nothing.
 void smooth_over_time(std::span<const double> times_s, double width_s, std::vector<std::vector<double>>& rows);

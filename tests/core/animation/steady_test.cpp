@@ -80,6 +80,29 @@ TEST(Steady, SettleKeepsLargeMovementsAndLevelsSmallOnes) {
   EXPECT_NEAR(rows[10][1], 0.02, 1e-12);  // left alone
 }
 
+TEST(Steady, ASmallMovementThatStartsAFrameEarlyIsNoJumpAndABlinkKeepsItsPeak) {
+  // The same ramp of 0.06 a frame with its corner in frame 20 and in frame 21, the same blink in the second column.
+  std::vector<std::vector<double>> early;
+  std::vector<std::vector<double>> late;
+  for (int f = 0; f < 40; ++f) {
+    const double blink = std::max(0.0, 1.0 - 0.25 * std::abs(f - 20));
+    early.push_back({0.06 * std::clamp(f - 20, 0, 6), blink, 0.01 * f});
+    late.push_back({0.06 * std::clamp(f - 21, 0, 6), blink, 0.01 * f});
+  }
+  const auto line = early;
+  const std::vector<double> sharp{0.2, 0.2, 0.2};
+  round_corners(sharp, early);
+  round_corners(sharp, late);
+  double largest = 0;
+  for (std::size_t f = 1; f < 40; ++f) {
+    const double steps = (early[f][0] - early[f - 1][0]) - (late[f][0] - late[f - 1][0]);
+    largest = std::max(largest, std::abs(steps));
+  }
+  EXPECT_LT(largest, 0.02);  // 0.06 as it was
+  EXPECT_GT(early[20][1], 0.95);
+  for (std::size_t f = 10; f < 30; ++f) EXPECT_NEAR(early[f][2], line[f][2], 1e-9);  // a steady movement stays
+}
+
 TEST(SmoothOverTime, IsSymmetricAndKeepsStraightLines) {
   std::vector<double> times;
   std::vector<std::vector<double>> rows;

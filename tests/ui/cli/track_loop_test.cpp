@@ -161,11 +161,11 @@ TEST_F(SharedTrackLoop, TremorAddsNoJumpToAMovingFace) {
         largest = std::max(largest, std::abs(step - (clean.poses[f][i] - clean.poses[f - 1][i])));
       }
     }
-    EXPECT_LT(largest, 0.065) << seed;
+    EXPECT_LT(largest, 0.05) << seed;
     sum += largest;
     EXPECT_GT(shaken.poses[30][blink], 0.8) << seed;  // four frames down, four up, and there is the peak
   }
-  EXPECT_LT(sum / k_clips, 0.05);
+  EXPECT_LT(sum / k_clips, 0.04);
 }
 
 TEST_F(SharedTrackLoop, AMovingHeadIsNoExpression) {
