@@ -10,6 +10,7 @@
 #include "core/base/math.h"
 #include "core/base/numbers.h"
 #include "core/document/animation_building.h"
+#include "core/document/document_hash.h"
 #include "core/geometry/rotation.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/files.h"
@@ -152,7 +153,8 @@ Json head_to_json(const std::vector<animation::HeadTurn>& head) {
   return {{"pitch", pitch}, {"yaw", yaw}, {"roll", roll}, {"scale", scale}, {"shift_px", shift}};
 }
 
-Json to_json(const Animated& animated, const document::Model& model, double fps) {
+Json to_json(const Animated& animated, const document::Document& document, double fps) {
+  const document::Model& model = *document.model;
   Json parameters = Json::object();
   for (std::size_t i = 0; i < model.rig->parameters().size(); ++i) {
     Json& values = parameters[model.rig->parameters()[i].name] = Json::array();
@@ -165,7 +167,7 @@ Json to_json(const Animated& animated, const document::Model& model, double fps)
           {"unmatched", animated.unmatched},
           {"parameters", std::move(parameters)},
           {"head", head_to_json(animated.head)},
-          {"state", document::state_hash(model).hex()}};
+          {"state", document::DocumentHasher()(document).whole.hex()}};
 }
 
 std::optional<model_io::PictureSize> picture_size(const std::string& text) {
@@ -189,12 +191,22 @@ void retime(Track& track, double fps) {
   }
 }
 
+/// The project with the tracked animation first, which is what viewers play. Keys that it had are an animation of their
+/// own after that.
+document::Document with_tracked(const document::Document& document, const document::Model& model) {
+  document::Document result = document::with_model(document, model);
+  result.timeline = std::make_shared<const document::Timeline>();
+  result.pose = model.pose;
+  return result;
+}
+
 int animate(const AnimateArguments& arguments) {
   if (!arguments.out.ends_with(".glb")) {
     return report({"animations are kept in .glb files only", "", "name the output .glb"}, arguments.out);
   }
-  auto model = load_model(arguments.model);
-  if (!model) return report(model.error(), arguments.model);
+  auto document = load_document(arguments.model);
+  if (!document) return report(document.error(), arguments.model);
+  base::Result<document::Model> model = document::model_of(*document);
   if (model->rig->parameters().empty()) {
     return report({"the model has no control to animate", "", "articulate it first"}, arguments.model);
   }
@@ -244,10 +256,11 @@ int animate(const AnimateArguments& arguments) {
     if (!with_head) return report(with_head.error(), arguments.model);
     model = std::move(with_head);
   }
-  if (auto saved = save_model(*model, arguments.out); !saved) return report(saved.error(), arguments.out);
+  const document::Document result = with_tracked(*document, *model);
+  if (auto saved = save_as_it_came(result, arguments.out); !saved) return report(saved.error(), arguments.out);
   for (const std::string& note : animated->notes) std::cerr << "penpose: " << arguments.track << ": " << note << '\n';
   if (arguments.json) {
-    std::cout << to_json(*animated, *model, fps).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::cout << to_json(*animated, result, fps).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
     return k_success;
   }
   std::cout << animated->poses.size() << " frames at " << base::format_fixed(fps, 2) << " a second, "

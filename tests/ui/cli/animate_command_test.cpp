@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include "core/document/animation_sampling.h"
+#include "core/document/document_hash.h"
+#include "core/model_io/write_document.h"
 #include "tests/support/rendered_track.h"
 #include "ui/cli/command_line.h"
 #include "ui/cli/commands.h"
@@ -92,6 +94,34 @@ TEST_F(AnimateCommand, OpensTheJawOfASketchedHead) {
                      "--json"}),
             k_success);
   EXPECT_EQ(nlohmann::json::parse(out_)["state"], json["state"]);
+}
+
+TEST_F(AnimateCommand, AProjectKeepsItsViewsLocksAndKeys) {
+  auto document = load_document("builtin:demo").value();
+  rig::Pose open = document.pose;
+  const auto jaw = rig::find_parameter(document.model->rig->parameters(), "jaw").value();
+  open[jaw] = 1;
+  document.timeline = std::make_shared<const document::Timeline>(
+      document::Timeline{{}, {{0, document.pose, "rest"}, {1, open, "open"}}});
+  document.views = {std::make_shared<const document::NamedView>(document::NamedView{"front", {}})};
+  document.locked = {"lip_upper"};
+  const auto project = model_io::write_project(document).value();
+  write("project.glb", std::string(project.begin(), project.end()));
+  write("take.csv", "Timecode,BlendShapeCount,Jaw\n0:0:0:0,1,0.25\n0:0:0:1,1,0.5\n");
+  ASSERT_EQ(animate({path("project.glb"), "--track", path("take.csv"), "-o", path("out.glb"), "--json"}), k_success)
+      << error_;
+  const auto back = load_document(path("out.glb")).value();
+  EXPECT_EQ(document::DocumentHasher()(back).whole.hex(), nlohmann::json::parse(out_)["state"]);
+  EXPECT_EQ(back.views.size(), 1U);
+  EXPECT_EQ(back.locked, std::vector<std::string>{"lip_upper"});
+  const auto jaw_at_end = [&](std::size_t animation) {
+    return document::model_at(*back.model, document::sample(*back.model, back.model->animations[animation], 10))
+        .value()
+        .pose[jaw];
+  };
+  ASSERT_EQ(back.model->animations.size(), 2U);  // what was tracked plays first, the keys are kept
+  EXPECT_NEAR(jaw_at_end(0), 0.5, 1e-6);
+  EXPECT_NEAR(jaw_at_end(1), 1.0, 1e-6);
 }
 
 TEST_F(AnimateCommand, TakesArkitValuesByNameAndListsTheRest) {
