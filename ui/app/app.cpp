@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <utility>
 
 #include "core/document/timeline.h"
 #include "replay/session_player.h"
@@ -192,6 +193,33 @@ base::Status App::save(const std::string& path) {
   settings_changed();
   tell("saved " + full);
   return saved;
+}
+
+base::Status App::export_to(const std::string& path) {
+  auto written = cli::save_document(workspace_.document(), path);
+  if (written) tell("exported " + path);
+  return written;
+}
+
+void App::save_from_dialog(const std::string& chosen) {
+  const std::string path = fs::path(chosen).has_extension() ? chosen : chosen + ".glb";
+  if (const auto saved = save(path); !saved) return tell(saved.error().line(path), true);
+  panels_.dialog = Dialog::none;
+  panels_.file_name.clear();
+  if (std::exchange(panels_.saves_first, false) && !workspace_.unsaved()) go_on_without_saving();
+}
+
+void App::save_first() {
+  panels_.saves_first = true;
+  if (!project_.empty()) return save_from_dialog(project_);
+  panels_.file_name.clear();
+  panels_.dialog = Dialog::save;
+}
+
+void App::go_on_without_saving() {
+  panels_.dialog = Dialog::none;
+  if (panels_.after_unsaved.empty()) return quit();
+  try_open(panels_.after_unsaved);
 }
 
 void App::recover(bool yes) {

@@ -50,6 +50,8 @@ enum class Dialog : std::uint8_t {
   none,
   open,
   save,
+  export_as,
+  recent,
   recover,
   steps,
   tablet,
@@ -79,6 +81,7 @@ struct PanelState {
   std::set<std::string> folded_groups;  ///< of the parameters
   NumberEntry number;
   std::string key_name;                               ///< what is being typed
+  bool cursor_placed = true;                          ///< in the field of a dialog that has just taken the keyboard
   std::size_t radial_place = 0;                       ///< that is being chosen for
   bool has_keyboard = false;                          ///< a key was pressed on one
   double time_s = 0;                                  ///< of the timeline's cursor
@@ -99,6 +102,7 @@ struct PanelState {
   std::vector<double> test_pressure;
   Area test_area{};
   std::string after_unsaved;  ///< what to open once the question about unsaved work is answered; empty: quit
+  bool saves_first = false;   ///< that question was answered with Save: it is done once something was saved
 };
 
 /// The app without its window: events in, a document and things to show out. SDL, ImGui and OpenGL are elsewhere.
@@ -116,6 +120,13 @@ class App {
   /// Plays a trace into the document in place of a tablet.
   base::Status play_trace(const std::string& path);
   base::Status save(const std::string& path);
+  /// Writes a copy for other programs; the work stays where it is saved.
+  base::Status export_to(const std::string& path);
+  /// Saves, and goes on with what waited for it.
+  void save_from_dialog(const std::string& path);
+  // Answers to the question about unsaved work.
+  void save_first();
+  void go_on_without_saving();
   /// Goes on from a session that a crash has ended, or lets it be.
   void recover(bool yes);
   void do_action(Action action);

@@ -99,7 +99,10 @@ void App::do_action(Action action) {
           settings_.steps_seen = true;
           settings_changed();
         }
-        if (panels_.dialog != Dialog::recover) panels_.dialog = Dialog::none;
+        // Work that was not saved is offered again at the next start.
+        panels_.dialog = panels_.dialog == Dialog::recover && !settings_.steps_seen ? Dialog::steps : Dialog::none;
+        panels_.file_name.clear();
+        panels_.saves_first = false;
       } else if (playing_) {
         do_action(Action::play);
       } else if (workspace_.document().pending) {
@@ -171,15 +174,23 @@ void App::do_action(Action action) {
     case Action::open:
       panels_.dialog = Dialog::open;
       break;
+    case Action::recent:
+      panels_.dialog = Dialog::recent;
+      break;
     case Action::save:
       if (project_.empty()) {
-        panels_.dialog = Dialog::save;
+        do_action(Action::save_as);
       } else if (const auto saved = save(project_); !saved) {
         tell(saved.error().line(project_), true);
       }
       break;
     case Action::save_as:
+      panels_.file_name.clear();
       panels_.dialog = Dialog::save;
+      break;
+    case Action::export_as:
+      panels_.file_name.clear();
+      panels_.dialog = Dialog::export_as;
       break;
     case Action::panels:
       panels_.shown = !panels_.shown;

@@ -77,8 +77,7 @@ std::optional<Surface> surface_button(PanelContext& context, const Surface& now,
     ImGui::OpenPopup("surface");
   }
   std::optional<Surface> chosen;
-  if (!ImGui::BeginPopup("surface")) return chosen;
-  context.app.hits().all = true;
+  if (!begin_menu(context, "surface")) return chosen;
   const float width = 7 * context.unit;
   if (wide_button(context, "nothing", width)) chosen = Surface();
   if (wide_button(context, "a ball", width, false, "A ball that fits the region, once it is drawn")) {
@@ -231,10 +230,11 @@ void show_chosen(PanelContext& context, const articulation::SketchedDeformers& s
     ImGui::SameLine();
     swing_button(context, -1);
   }
+  bool accepted = false;
   text_field(context, "##rename", app.panels().rename, ImGui::GetContentRegionAvail().x - 3 * context.unit - spacing,
-             "another name");
+             "another name", &accepted);
   ImGui::SameLine();
-  if (wide_button(context, "Rename", -1) && !app.panels().rename.empty()) {
+  if ((wide_button(context, "Rename", -1) || accepted) && !app.panels().rename.empty()) {
     const std::string to = std::exchange(app.panels().rename, {});
     if (workspace.perform(document::RenameDeformer{name, to})) app.panels().deformer = to;
     return;

@@ -50,14 +50,13 @@ void show_top_bar(PanelContext& context, const Area& area) {
     if (wide_button(context, "Menu", 0, false, "Files, settings and sessions")) ImGui::OpenPopup("menu");
     ImGui::SetNextWindowPos({context.gap, static_cast<float>(area.bottom)});
     // A menu may reach over the canvas: while it is open nothing else is hit.
-    if (ImGui::BeginPopup("menu")) {
-      app.hits().all = true;
+    if (begin_menu(context, "menu")) {
       const auto entry = [&](const char* label, const std::string& tip) {
         const bool pressed = wide_button(context, label, 9 * context.unit, false, tip.c_str());
         if (pressed) ImGui::CloseCurrentPopup();
         return pressed;
       };
-      for (const Action action : {Action::open, Action::save, Action::save_as}) {
+      for (const Action action : {Action::open, Action::recent, Action::save, Action::save_as, Action::export_as}) {
         if (entry(std::string(info(action).label).c_str(), tooltip_of(action))) app.do_action(action);
       }
       if (entry("Sessions", "What was drawn before, to play or to go on with")) app.panels().dialog = Dialog::sessions;
@@ -66,11 +65,11 @@ void show_top_bar(PanelContext& context, const Area& area) {
       if (app.panels().has_keyboard && entry("Screen keyboard", "Show keys on the screen while a name is typed")) {
         app.panels().has_keyboard = false;
       }
+      const char* theme = app.settings().light ? "Dark colours" : "Light colours";
+      if (entry(theme, "")) app.do_action(Action::theme);
       for (const Action action : {Action::fullscreen, Action::larger, Action::smaller, Action::help, Action::quit}) {
         if (entry(std::string(info(action).label).c_str(), tooltip_of(action))) app.do_action(action);
       }
-      const char* theme = app.settings().light ? "Dark colours" : "Light colours";
-      if (entry(theme, "")) app.do_action(Action::theme);
       ImGui::EndPopup();
     }
     ImGui::SameLine();

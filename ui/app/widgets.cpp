@@ -2,9 +2,25 @@
 
 #include <algorithm>
 #include <imgui_stdlib.h>
+#include <string_view>
+#include <utility>
 
 namespace penpose::app {
 namespace {
+
+/// Puts the cursor at the end of a field that has just taken the keyboard; of a file's name all but its ending is
+/// chosen, so that typing writes another name.
+int place_cursor(ImGuiInputTextCallbackData* data) {
+  auto& placed = *static_cast<bool*>(data->UserData);
+  if (std::exchange(placed, true)) return 0;
+  const std::string_view text(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+  const std::size_t dot = text.rfind('.');
+  const bool file = dot != std::string_view::npos && dot > 0 && dot + 4 == text.size() && text[dot + 1] >= 'a';
+  data->CursorPos = file ? static_cast<int>(dot) : data->BufTextLen;
+  data->SelectionStart = file ? 0 : data->CursorPos;
+  data->SelectionEnd = data->CursorPos;
+  return 0;
+}
 
 /// A name in a format of printf.
 std::string escaped(std::string_view name) {
@@ -79,19 +95,54 @@ bool begin_dialog(PanelContext& context, const char* title, float width_units) {
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, size.y - 2 * context.gap});
   ImGui::SetNextWindowFocus();
   ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, size, IM_COL32(0, 0, 0, 90));
-  return ImGui::Begin(title, nullptr,
-                      ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+  const bool shown = ImGui::Begin(title, nullptr,
+                                  ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+  const ImVec2 from = ImGui::GetWindowPos();
+  const ImVec2 to{from.x + ImGui::GetWindowWidth(), from.y + ImGui::GetWindowHeight()};
+  context.dialog_area = {from.x, from.y, to.x, to.y};
+  return shown;
 }
 
 void end_dialog() { ImGui::End(); }
 
-bool text_field(PanelContext& context, const char* label, std::string& text, float width, const char* hint) {
+void note_field(PanelContext& context, const char* label) {
+  note(context, label);
+  if (ImGui::IsItemActive()) context.typed_into = context.targets[label];
+}
+
+bool begin_menu(PanelContext& context, const char* name) {
+  if (!ImGui::BeginPopup(name)) return false;
+  context.app.hits().all = true;
+  context.menu_open = true;
+  if (context.cancels) ImGui::CloseCurrentPopup();
+  return true;
+}
+
+void dialog_field(PanelContext& context, const char* label, std::string& text, const char* hint) {
+  context.has_field = true;
+  if (context.field_first) {
+    ImGui::SetKeyboardFocusHere();
+    context.app.panels().cursor_placed = false;
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5F * (context.unit - ImGui::GetFontSize())});
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputTextWithHint(label, hint, &text, ImGuiInputTextFlags_CallbackAlways, place_cursor,
+                           &context.app.panels().cursor_placed);
+  note_field(context, label);
+  ImGui::PopStyleVar();
+}
+
+bool text_field(PanelContext& context, const char* label, std::string& text, float width, const char* hint,
+                bool* accepted) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5F * (context.unit - ImGui::GetFontSize())});
   ImGui::SetNextItemWidth(width);
   const bool changed = ImGui::InputTextWithHint(label, hint, &text);
-  note(context, label);
-  if (ImGui::IsItemActive()) context.typed_into = context.targets[label];
+  note_field(context, label);
+  if (accepted != nullptr) {
+    *accepted = ImGui::IsItemDeactivated() && (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
+                                               ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter)));
+  }
   ImGui::PopStyleVar();
   return changed;
 }

@@ -29,7 +29,16 @@ void end_dialog();
 /// A slider as high as a target, with a name in it; true while it is moved, `released` when it is let go.
 bool tall_slider(PanelContext& context, const char* id, double& value, double least, double most, float width,
                  const std::string& name, bool& released);
-/// A text field of one line.
-bool text_field(PanelContext& context, const char* label, std::string& text, float width = -1, const char* hint = "");
+/// A text field of one line. `accepted`: Return was pressed in it.
+bool text_field(PanelContext& context, const char* label, std::string& text, float width = -1, const char* hint = "",
+                bool* accepted = nullptr);
+/// Notes a text field that was just shown, and whether it is typed into.
+void note_field(PanelContext& context, const char* label);
+/// The text field of a dialog, which takes the keyboard as soon as there is one.
+void dialog_field(PanelContext& context, const char* label, std::string& text, const char* hint);
+/// A menu that was opened by its name; nothing else is hit and Escape closes it. `ImGui::EndPopup` where true.
+bool begin_menu(PanelContext& context, const char* name);
+/// Tells ImGui which keys edit text.
+void map_edit_keys();
 
 }  // namespace penpose::app

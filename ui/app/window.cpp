@@ -104,20 +104,16 @@ struct Window::State {
     return static_cast<double>(diagonal);
   }
   void take_event(const SDL_Event& event, App& app, Interface& interface) const;
-  void take_key(const SDL_KeyboardEvent& key, App& app, Interface& interface) const;
+  static void take_key(const SDL_KeyboardEvent& key, Interface& interface);
 };
 
-void Window::State::take_key(const SDL_KeyboardEvent& key, App& app, Interface& interface) const {
+void Window::State::take_key(const SDL_KeyboardEvent& key, Interface& interface) {
   const bool ctrl = (key.keysym.mod & KMOD_CTRL) != 0;
   const bool shift = (key.keysym.mod & KMOD_SHIFT) != 0;
   const bool down = key.type == SDL_KEYDOWN;
-  const bool typed = interface.wants_keys();
-  app.panels().has_keyboard = true;
-  interface.edit_key(key.keysym.scancode, down, ctrl, shift);
-  // Behind a dialog nothing is to happen; these two answer it.
-  const bool answers = key.keysym.sym == SDLK_ESCAPE || key.keysym.sym == SDLK_RETURN;
-  if (app.hits().all && !answers) return;
-  if (down && !typed && (key.keysym.mod & KMOD_ALT) == 0) app.key({key_of(key.keysym.sym), ctrl, shift});
+  // Alt belongs to the desktop.
+  if (down && (key.keysym.mod & KMOD_ALT) != 0) return;
+  interface.key(key.keysym.scancode, {key_of(key.keysym.sym), ctrl, shift}, down);
 }
 
 void Window::State::take_event(const SDL_Event& event, App& app, Interface& interface) const {
@@ -162,7 +158,7 @@ void Window::State::take_event(const SDL_Event& event, App& app, Interface& inte
       break;
     case SDL_KEYDOWN:
     case SDL_KEYUP:
-      take_key(event.key, app, interface);
+      take_key(event.key, interface);
       break;
     case SDL_TEXTINPUT:
       interface.text(event.text.text);

@@ -23,8 +23,9 @@ TEST(Interface, WhatAPenHasToHitIsAtLeastNineMillimetresOnAnyDisplay) {
     desk.app->resized({static_cast<int>(1280 * dpi / 96), static_cast<int>(800 * dpi / 96)}, dpi);
     desk.frames();
     expect_large_enough(desk, dpi);
-    for (const Dialog dialog : {Dialog::open, Dialog::save, Dialog::steps, Dialog::tablet, Dialog::sessions,
-                                Dialog::unsaved, Dialog::number, Dialog::key_name, Dialog::radial}) {
+    for (const Dialog dialog :
+         {Dialog::open, Dialog::save, Dialog::steps, Dialog::tablet, Dialog::sessions, Dialog::unsaved, Dialog::number,
+          Dialog::key_name, Dialog::radial, Dialog::recent, Dialog::export_as, Dialog::recover}) {
       desk.app->panels().number.parameter = "jaw";
       desk.app->panels().dialog = dialog;
       desk.frames();
@@ -47,8 +48,8 @@ TEST(Interface, EverythingThatHasAKeyIsReachedWithoutAKeyboard) {
     EXPECT_NE(desk.interface->find(label), nullptr) << label;
   }
   desk.click("Menu");
-  for (const char* label :
-       {"Open", "Save", "Save as", "Sessions", "Tablet", "Full screen", "Larger", "Smaller", "Help", "Quit"}) {
+  for (const char* label : {"Open", "Save", "Save as", "Export", "Recent", "Light colours", "Sessions", "Tablet",
+                            "Full screen", "Larger", "Smaller", "Help", "Quit"}) {
     EXPECT_NE(desk.interface->find(label), nullptr) << label;
   }
 }
