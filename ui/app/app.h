@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "replay/session_player.h"
 #include "ui/app/action.h"
 #include "ui/app/hit_map.h"
 #include "ui/app/posed_surface.h"
@@ -215,7 +216,12 @@ class App {
  private:
   void begin_session(document::Document document, const std::string& path);
   void end_session();
-  base::Result<document::Document> document_of_session(const std::string& path);
+  base::Result<replay::Playback> played_session(const std::string& path);
+  /// Goes on with a session that a crash has ended, in its own file.
+  base::Status bring_back(const std::string& path);
+  void resume(replay::Playback played, std::unique_ptr<SessionFile> file);
+  void set_project(const std::string& path);
+  void show_anew();
   void frame_from(const render::Viewpoint& from);
   void commit_view();
   void take_moments(std::span<const replay::PenMoment> moments);

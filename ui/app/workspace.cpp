@@ -20,7 +20,7 @@ bool sketches(const drawing::Tool& tool) {
 Workspace::Workspace(Clock clock, Tell tell, const decode::TabletTable* own)
     : clock_(std::move(clock)), tell_(std::move(tell)), own_(own) {}
 
-void Workspace::open(document::Document document, replay::SessionWriter* writer, const std::string& path) {
+void Workspace::forget() {
   follow_.end();
   sketch_.end();
   preview_.reset();
@@ -28,6 +28,18 @@ void Workspace::open(document::Document document, replay::SessionWriter* writer,
   movements_.clear();
   stroke_seen_ = false;
   live_.reset();
+}
+
+void Workspace::resume(replay::Session session, replay::SessionWriter* writer, std::int64_t last_us) {
+  forget();
+  began_us_ = clock_() - last_us;
+  live_ = std::make_unique<replay::LiveSession>(std::move(session), writer, last_us);
+  live_->connect(0, replay::virtual_pen_identity());
+  saved_revision_ = revision_++;
+}
+
+void Workspace::open(document::Document document, replay::SessionWriter* writer, const std::string& path) {
+  forget();
   began_us_ = clock_();
   live_ = std::make_unique<replay::LiveSession>(std::move(document), writer, path, own_);
   live_->connect(0, replay::virtual_pen_identity());

@@ -250,21 +250,5 @@ TEST(AppEditing, ACurveThatIsTouchedIsKeptOrDeletedWithThePenAlone) {
   EXPECT_TRUE(desk.document().pressure_weighting);
 }
 
-TEST(AppEditing, WorkThatASignalInterruptsIsOfferedAtTheNextStart) {
-  document::DocumentState lost;
-  {
-    Desk desk("signal");
-    desk.begin();
-    pose_mouth(desk);
-    lost = desk.app->workspace().state();
-    desk.app->quit_at_once();
-    EXPECT_TRUE(desk.app->wants_quit()) << "nobody is asked";
-  }
-  Desk desk("signal", "builtin:demo", false);
-  ASSERT_EQ(desk.app->panels().dialog, Dialog::recover);
-  desk.click("Bring it back");
-  EXPECT_EQ(desk.app->workspace().state().parts[3], lost.parts[3]);
-}
-
 }  // namespace
 }  // namespace penpose::app
