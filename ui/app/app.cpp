@@ -138,6 +138,8 @@ void App::ask_to_quit() {
 }
 
 void App::quit_at_once() {
+  // A stroke that goes on ends here, as if the tablet had been unplugged.
+  for (const int device : workspace_.session().pens().drawing()) workspace_.disconnect(device);
   leaves_work_ = workspace_.unsaved();
   quit_ = true;
 }

@@ -11,6 +11,7 @@
 
 #include "firmware_io/device/clock.h"
 #include "ui/app/draw_thread.h"
+#include "ui/app/full_screen.h"
 #include "ui/app/stop_watch.h"
 
 namespace penpose::app {
@@ -20,6 +21,8 @@ constexpr int k_width = 1280;
 constexpr int k_height = 800;
 /// A still picture gets smoother once in so long.
 constexpr int k_refine_ms = 30;
+/// What came of asking for the full screen is looked at so often.
+constexpr int k_look_again_ms = 100;
 
 std::string sdl_error() {
   const std::string text = SDL_GetError();
@@ -229,7 +232,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
   DrawThread& thread = **drawing;
   FrameMaker frames;
   SDL_StartTextInput();
-  bool fullscreen = (SDL_GetWindowFlags(state_->window) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
+  FullScreen full_screen(state_->window);
   bool wanted_fullscreen = app.fullscreen();
   int fonts = interface.font_revision();
   std::uint64_t pose_number = app.surface().pose_number();
@@ -242,6 +245,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     const bool busy = thread.busy();
     int wait_ms = interface.unsettled() || due ? 0 : app.next_frame_ms();
     if (thread.refining() && (wait_ms < 0 || wait_ms > k_refine_ms)) wait_ms = k_refine_ms;
+    if (full_screen.waits() && (wait_ms < 0 || wait_ms > k_look_again_ms)) wait_ms = k_look_again_ms;
     if (busy) wait_ms = app.player() && app.player()->playing() ? std::max(1, app.next_frame_ms()) : -1;
     SDL_Event event;
     const bool came = wait_ms < 0   ? SDL_WaitEvent(&event) == 1
@@ -267,16 +271,18 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     }
     status = thread.status();
     if (!status) break;
+    // The picture that was drawn last may have found the window larger or smaller.
+    const auto drawable = thread.drawable();
+    due = full_screen.settle(drawable, device::monotonic_us()) || (drawable && !(*drawable == app.window())) || due;
     if (!due || thread.busy()) continue;
     due = false;
     if (app.fullscreen() != wanted_fullscreen) {
       wanted_fullscreen = app.fullscreen();
-      fullscreen = !fullscreen;
-      SDL_SetWindowFullscreen(state_->window, fullscreen ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
+      full_screen.toggle(device::monotonic_us());
     }
     const std::int64_t cpu_before = thread_cpu_us();
     const std::int64_t now = device::monotonic_us();
-    app.resized(state_->size(), state_->dpi());
+    app.resized(thread.drawable().value_or(state_->size()), state_->dpi());
     app.begin_frame();
     interface.frame(static_cast<double>(now - last_us) * 1e-6);
     last_us = now;

@@ -140,8 +140,10 @@ TEST(Recovery, WorkThatASignalInterruptsIsOfferedAtTheNextStart) {
     Desk desk("signal");
     desk.begin();
     pose_mouth(desk);
-    lost = desk.app->workspace().state();
+    desk.stroke(desk.named_curve("brow_L"), false);
     desk.app->quit_at_once();
+    EXPECT_EQ(desk.document().curves.size(), 2U) << "the stroke under the pen is kept, too";
+    lost = desk.app->workspace().state();
     EXPECT_TRUE(desk.app->wants_quit()) << "nobody is asked";
   }
   Desk desk("signal", "builtin:demo", false);
