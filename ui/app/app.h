@@ -212,6 +212,9 @@ class App {
   /// The next stroke draws a curve of a control again; regions in the view in which they were drawn.
   void redraw_control(const std::string& deformer, articulation::CurveRole role);
   void set_swing(bool on);
+  /// Makes the same control on the other side, and takes it in hand.
+  void mirror_control(const std::string& deformer);
+  void rename_control(const std::string& deformer, const std::string& to);
 
  private:
   void begin_session(document::Document document, const std::string& path);
@@ -224,6 +227,7 @@ class App {
   void show_anew();
   void frame_from(const render::Viewpoint& from);
   void commit_view();
+  void begin_control();
   void take_moments(std::span<const replay::PenMoment> moments);
   void pen_pressed(PxPoint at);
   void show_new_deformer();

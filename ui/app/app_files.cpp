@@ -171,7 +171,7 @@ base::Status App::save(const std::string& path) {
   std::error_code code;
   const std::string full = fs::absolute(path, code).string();
   if (full == path_ && file_) file_->keep_model(full);
-  auto saved = cli::save_document(workspace_.document(), path);
+  auto saved = cli::save_document(workspace_.document(), path, cli::SaveNotes::quiet);
   if (!saved) return saved;
   if (extension_of(path) == ".glb") {
     workspace_.mark_saved();
@@ -184,7 +184,7 @@ base::Status App::save(const std::string& path) {
 }
 
 base::Status App::export_to(const std::string& path) {
-  auto written = cli::save_document(workspace_.document(), path);
+  auto written = cli::save_document(workspace_.document(), path, cli::SaveNotes::quiet);
   if (written) tell("exported " + path);
   return written;
 }

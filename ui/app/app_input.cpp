@@ -73,10 +73,6 @@ void App::hover(PxPoint at) {
 void App::pointer_left() { hover_panels({-1e4, -1e4}, false); }
 
 void App::pen_pressed(PxPoint at) {
-  const bool sketches = workspace_.editor().tool().kind == drawing::ToolKind::articulate;
-  if (sketches && !workspace_.document().pending) {
-    workspace_.perform(document::BeginDeformer{{}, panels_.new_mode, panels_.new_surface});
-  }
   if (workspace_.editor().tool().kind == drawing::ToolKind::none) select_at(at);
 }
 
@@ -119,7 +115,7 @@ void App::show_new_deformer() {
     panels_.controls_tab = true;
     tell(panels_.deformer + " is ready: its slider is in the panel");
     if (deformers->deformers().back()->turned_round()) {
-      tell("the goal was drawn against the feature and was turned round; redraw it the other way if it twists");
+      tell("the goal ran against the feature and was turned round; draw it the other way if it twists");
     }
   }
   deformer_count_ = count;
@@ -127,6 +123,13 @@ void App::show_new_deformer() {
 
 void App::pen_moved(PxPoint at) {
   at_ = at;
+  const replay::DrawnStroke* stroke = workspace_.session().pens().current();
+  const bool sketches = workspace_.editor().tool().kind == drawing::ToolKind::articulate;
+  // Only a line begins a control; a tap leaves the face as it is.
+  if (sketches && !workspace_.document().pending && stroke != nullptr && stroke->on_canvas && !stroke->eraser &&
+      !drawing::is_tap(stroke->samples, stroke->view.viewport)) {
+    begin_control();
+  }
   if (!target_drag_) return;
   const PxPoint by = at - target_drag_->second;
   if (std::hypot(by.x, by.y) > k_click_px * scale()) workspace_.hold_target(target_drag_->first, by);

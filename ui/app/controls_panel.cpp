@@ -156,7 +156,7 @@ void show_place(PanelContext& context, const std::string& name, std::size_t numb
   Workspace& workspace = context.app.workspace();
   const float quarter = share(4);
   if (wide_button(context, "Mirror", quarter, false, "Make the same control on the other side of the face")) {
-    workspace.perform(document::MirrorDeformer{name});
+    context.app.mirror_control(name);
   }
   ImGui::SameLine();
   if (wide_button(context, "Remove", quarter, false, "Delete this control")) {
@@ -236,7 +236,7 @@ void show_chosen(PanelContext& context, const articulation::SketchedDeformers& s
   ImGui::SameLine();
   if ((wide_button(context, "Rename", -1) || accepted) && !app.panels().rename.empty()) {
     const std::string to = std::exchange(app.panels().rename, {});
-    if (workspace.perform(document::RenameDeformer{name, to})) app.panels().deformer = to;
+    app.rename_control(name, to);
     return;
   }
   document::ChangeDeformer change;

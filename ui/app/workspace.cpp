@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/app/said.h"
+
 namespace penpose::app {
 
 using replay::PenMoment;
@@ -43,6 +45,7 @@ void Workspace::open(document::Document document, replay::SessionWriter* writer,
   began_us_ = clock_();
   live_ = std::make_unique<replay::LiveSession>(std::move(document), writer, path, own_);
   live_->connect(0, replay::virtual_pen_identity());
+  set_tool({});
   saved_revision_ = ++revision_;
 }
 
@@ -50,7 +53,7 @@ bool Workspace::act(const replay::SessionLine& line) {
   const document::Document before = document();
   const base::Status status = live_->act(line, now());
   after_steps(before);
-  if (!status && live_->session().steps().empty()) tell_(status.error().line(), true);
+  if (!status && live_->session().steps().empty()) tell_(said(status.error()), true);
   return status.ok();
 }
 
@@ -58,7 +61,10 @@ void Workspace::after_steps(const document::Document& before) {
   const auto steps = live_->session().steps();
   if (steps.empty()) return;
   for (const auto& step : steps) {
-    if (!step.status) tell_(step.status.error().line(), true);
+    if (step.status) continue;
+    // A stroke that means nothing does no harm.
+    const base::Error& error = step.status.error();
+    tell_(step.is_stroke ? said_of_stroke(error, editor().tool(), before) : said(error), !step.is_stroke);
   }
   ++revision_;
   const auto parameters = document().model->rig->parameters();
@@ -79,7 +85,8 @@ bool Workspace::perform(const document::Command& command) { return act(replay::P
 void Workspace::undo() { act(replay::Undone{}); }
 void Workspace::redo() { act(replay::Redone{}); }
 
-void Workspace::set_tool(const drawing::Tool& tool) {
+void Workspace::set_tool(drawing::Tool tool) {
+  tool.rules = drawing::k_rules;
   if (tool == editor().tool()) return;
   if (!sketches(tool)) sketch_.end();
   act(replay::ToolChosen{tool});

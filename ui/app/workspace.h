@@ -46,7 +46,7 @@ class Workspace {
   bool perform(const document::Command& command);
   void undo();
   void redo();
-  void set_tool(const drawing::Tool& tool);
+  void set_tool(drawing::Tool tool);
   void set_view(const document::View& view);
   void set_tablet(int device, const replay::TabletSetting& setting);
   /// Whether strokes that begin from now on draw.
