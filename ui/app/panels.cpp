@@ -152,13 +152,17 @@ void show_radial_menu(PanelContext& context) {
   ImGui::SetNextWindowFocus();
   const float width = 2.4F * context.unit;
   const float reach = 2.9F * context.unit;
-  // All of it stays within the window.
-  const float margin_x = reach + 0.5F * width;
-  const float margin_y = reach + 0.5F * context.unit;
-  const float x = std::clamp(static_cast<float>(middle->x), margin_x,
-                             std::max(margin_x, static_cast<float>(window.width) - margin_x));
-  const float y = std::clamp(static_cast<float>(middle->y), margin_y,
-                             std::max(margin_y, static_cast<float>(window.height) - margin_y));
+  // All of it stays on the canvas, or at least in the window where that is too small.
+  const auto within = [](double at, double margin, double least, double most, double all) {
+    const bool fits = most - least >= 2 * margin;
+    const double from = (fits ? least : 0) + margin;
+    return static_cast<float>(std::clamp(at, from, std::max(from, (fits ? most : all) - margin)));
+  };
+  const Area free = context.app.free_area();
+  const double margin_x = static_cast<double>(reach + 0.5F * width + context.gap);
+  const double margin_y = static_cast<double>(reach + 0.5F * context.unit + context.gap);
+  const float x = within(middle->x, margin_x, free.left, free.right, window.width);
+  const float y = within(middle->y, margin_y, free.top, free.bottom, window.height);
   bool close = false;
   if (ImGui::Begin("radial", nullptr,
                    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {

@@ -36,8 +36,8 @@ void parameter_row(PanelContext& context, std::size_t index) {
   double value = index < shown.size() ? shown[index] : document.pose[index];
   const bool locked = std::binary_search(document.locked.begin(), document.locked.end(), parameter.name);
   ImGui::PushID(static_cast<int>(index));
-  if (wide_button(
-          context, locked ? "L##lock" : "-##lock", context.unit, locked,
+  if (lock_button(
+          context, ("##lock " + parameter.name).c_str(), locked,
           locked ? "Locked: no stroke moves it. Touch to free it" : "Touch to lock it: no stroke will move it")) {
     app.workspace().perform(document::LockParameters{{parameter.name}, !locked});
   }
@@ -81,7 +81,7 @@ bool group_row(PanelContext& context, const std::string& group, const std::vecto
     }
   }
   ImGui::SameLine();
-  if (wide_button(context, ("L##lock group " + group).c_str(), context.unit, all_locked,
+  if (lock_button(context, ("##lock group " + group).c_str(), all_locked,
                   all_locked ? "Free the whole group" : "Lock the whole group: no stroke will move it")) {
     app.workspace().perform(document::LockParameters{members, !all_locked});
   }

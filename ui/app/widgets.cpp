@@ -8,6 +8,8 @@
 namespace penpose::app {
 namespace {
 
+constexpr float k_pi = 3.14159265F;
+
 /// Puts the cursor at the end of a field that has just taken the keyboard; of a file's name all but its ending is
 /// chosen, so that typing writes another name.
 int place_cursor(ImGuiInputTextCallbackData* data) {
@@ -62,6 +64,28 @@ bool wide_button(PanelContext& context, const char* label, float width, bool cho
   if (chosen) ImGui::PopStyleColor();
   note(context, label);
   tooltip(tip);
+  return pressed;
+}
+
+bool lock_button(PanelContext& context, const char* label, bool locked, const char* tip) {
+  const bool pressed = wide_button(context, label, context.unit, locked, tip);
+  const ImVec2 least = ImGui::GetItemRectMin();
+  const ImVec2 most = ImGui::GetItemRectMax();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 ink = ImGui::GetColorU32(locked ? ImGuiCol_Text : ImGuiCol_TextDisabled);
+  const float unit = context.unit;
+  const ImVec2 middle{0.5F * (least.x + most.x), 0.5F * (least.y + most.y)};
+  const float half = 0.17F * unit;
+  const float top = middle.y - 0.02F * unit;
+  list.AddRectFilled({middle.x - half, top}, {middle.x + half, top + 0.27F * unit}, ink, 0.04F * unit);
+  // The bow; that of an open one is turned aside.
+  const float bow = 0.11F * unit;
+  const float x = locked ? middle.x : middle.x + 2 * bow;
+  const float foot = top - 0.06F * unit;
+  list.PathLineTo({x - bow, top});
+  list.PathArcTo({x, foot}, bow, k_pi, 2 * k_pi, 12);
+  if (locked) list.PathLineTo({x + bow, top});
+  list.PathStroke(ink, 0, 0.06F * unit);
   return pressed;
 }
 

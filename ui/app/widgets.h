@@ -14,6 +14,8 @@ void note(PanelContext& context, const char* label);
 /// A button that is at least one unit high; width 0: as wide as its text and a unit, -1: what is left.
 bool wide_button(PanelContext& context, const char* label, float width = 0, bool chosen = false,
                  const char* tip = nullptr);
+/// A button with a padlock on it, closed or open.
+bool lock_button(PanelContext& context, const char* label, bool locked, const char* tip);
 /// A button of an action with its tooltip; does it when pressed.
 bool action_button(PanelContext& context, Action action, float width = 0, bool chosen = false,
                    const char* label = nullptr);

@@ -95,6 +95,52 @@ TEST(Interface, WhoHasNoKeyboardTypesOnTheScreen) {
   EXPECT_EQ(desk.interface->find("key j"), nullptr);
 }
 
+TEST(Interface, TheMenuAroundThePenStaysOnTheCanvas) {
+  Desk desk("radial-place");
+  desk.begin();
+  const Area free = desk.app->free_area();
+  for (const PxPoint at : {PxPoint{free.left, free.top}, PxPoint{free.right, free.bottom}}) {
+    desk.app->panels().radial = at;
+    desk.frames();
+    for (const auto& [label, area] : desk.interface->targets()) {
+      if (label.find("##radial") == std::string::npos) continue;
+      EXPECT_TRUE(free.holds({area.left, area.top}) && free.holds({area.right - 1, area.bottom - 1})) << label;
+    }
+    EXPECT_NE(desk.interface->find("Undo##radial"), nullptr);
+  }
+}
+
+TEST(Interface, TheMenuEndsWithQuit) {
+  Desk desk("menu-order");
+  desk.begin();
+  desk.click("Menu");
+  const double quit = desk.interface->find("Quit")->top;
+  for (const char* label : {"Open", "Recent", "Save", "Save as", "Export", "Light colours", "Help"}) {
+    EXPECT_LT(desk.interface->find(label)->top, quit) << label;
+  }
+}
+
+TEST(Interface, ACopyIsExportedAndAFileOpenedAgainWithThePenAlone) {
+  Desk desk("export");
+  desk.begin();
+  ASSERT_TRUE(desk.app->save(desk.path("mine.glb")).ok());
+  pose_mouth(desk);
+  desk.click("Menu");
+  desk.click("Export");
+  desk.click("This pose alone (.obj)");
+  desk.click("Export##now");
+  EXPECT_TRUE(std::filesystem::exists(desk.path("mine-export.obj")));
+  EXPECT_EQ(desk.app->project(), desk.path("mine.glb")) << "the work stays where it is saved";
+  EXPECT_TRUE(desk.app->workspace().unsaved());
+  desk.click("Menu");
+  desk.click("Recent");
+  desk.click("mine.glb##recent " + desk.path("mine.glb"));
+  EXPECT_EQ(desk.app->panels().dialog, Dialog::unsaved) << "what is not saved is asked about";
+  desk.click("Go on without saving");
+  EXPECT_TRUE(desk.document().curves.empty());
+  EXPECT_EQ(desk.app->project(), desk.path("mine.glb"));
+}
+
 TEST(Interface, TheMenuAroundThePenOffersWhatWasChosenForIt) {
   Desk desk("radial");
   desk.begin();
@@ -120,7 +166,7 @@ TEST(Interface, AGroupOfParametersIsFoldedLockedAndReset) {
   desk.app->set_parameter(4, desk.document().model->rig->parameters()[4].maximum);
   ASSERT_EQ(desk.document().model->rig->parameters()[4].name.substr(0, 5), "brow_");
   desk.frames();
-  desk.click("L##lock group brow");
+  desk.click("##lock group brow");
   EXPECT_EQ(desk.document().locked.size(), 4U);
   desk.click("0##reset group brow");
   EXPECT_DOUBLE_EQ(desk.document().pose[4], 0);
