@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
+
+#include "ui/app/said.h"
 
 namespace penpose::app {
 namespace {
@@ -91,6 +94,11 @@ void App::advance() {
   }
   if (playing_) play_on();
   if (panels_.swing) swing();
+  // What was said of a stroke is over with the next one that does something, and with another tool.
+  const auto now_is = std::pair(workspace_.revision(), workspace_.editor().tool().kind);
+  if (std::exchange(refused_at_, now_is) != now_is) {
+    std::erase_if(notices_, [](const Notice& one) { return one.text.starts_with(k_nothing_changed); });
+  }
   workspace_.follow_pen();
 }
 

@@ -87,6 +87,7 @@ struct PanelState {
   bool has_keyboard = false;                          ///< a key was pressed on one
   double time_s = 0;                                  ///< of the timeline's cursor
   double from_s = 0;                                  ///< the first moment that the timeline shows
+  double seen_time_s = 0;                             ///< where the cursor was last brought into sight
   double span_s = 0;                                  ///< how much of it; 0: all
   std::optional<std::pair<double, double>> key_drag;  ///< a key in hand: from, to
   bool onion_skin = true;
@@ -294,6 +295,7 @@ class App {
   bool fullscreen_ = false;
   bool quit_ = false;
   bool leaves_work_ = false;  ///< the session stays as after a crash
+  std::pair<std::uint64_t, drawing::ToolKind> refused_at_;
   bool broken_told_ = false;  ///< that the session cannot be written any more
 };
 

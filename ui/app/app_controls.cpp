@@ -98,7 +98,9 @@ void App::swing() {
   workspace_.sketch().set_amount(amount);
   const auto& document = workspace_.document();
   const auto index = rig::find_parameter(document.model->rig->parameters(), panels_.deformer);
-  if (document.pending || !panels_.controls_tab || !index || pen_is_drawing()) return;
+  if (document.pending || pen_is_drawing()) return;
+  // Nothing swings out of sight.
+  if (!panels_.controls_tab || !index) return set_swing(false);
   preview_parameter(*index, amount * document.model->rig->parameters()[*index].maximum);
 }
 

@@ -41,9 +41,9 @@ void show_step_list(PanelContext& context, const document::PendingSketch& pendin
     ImGui::TextColored(now ? ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive)
                            : ImGui::GetStyleColorVec4(step.done ? ImGuiCol_Text : ImGuiCol_TextDisabled),
                        "%s %s",
-                       now         ? ">"
-                       : step.done ? "x"
-                                   : " ",
+                       now         ? "\u25b6"
+                       : step.done ? "\u2713"
+                                   : "  ",
                        step.text);
   }
 }
@@ -141,7 +141,7 @@ void show_new(PanelContext& context) {
   double amount = workspace.sketch().amount();
   bool released = false;
   const float width = ImGui::GetContentRegionAvail().x - 2.4F * context.unit - ImGui::GetStyle().ItemSpacing.x;
-  if (tall_slider(context, "##amount", amount, 0, 1, width, "played while drawing", released)) {
+  if (tall_slider(context, "##amount", amount, 0, 1, width, "how far", released)) {
     app.set_swing(false);
     workspace.sketch().set_amount(amount);
   }
@@ -223,7 +223,7 @@ void show_chosen(PanelContext& context, const articulation::SketchedDeformers& s
     }
     if (released) app.set_parameter(*index, value);
     ImGui::SameLine();
-    if (wide_button(context, "=##range", context.unit, false, "Type its value, or change its range")) {
+    if (wide_button(context, "\u270e##range", context.unit, false, "Type its value, or change its range")) {
       app.panels().number = {name, {}, NumberEntry::Field::value};
       app.panels().dialog = Dialog::number;
     }

@@ -14,6 +14,8 @@ namespace {
 
 constexpr float k_font_px = 15;
 constexpr int k_settle_frames = 3;
+/// Latin, and the signs that the panels use.
+constexpr ImWchar k_letters[] = {0x20, 0x17f, 0x21ba, 0x21ba, 0x25b6, 0x25be, 0x2713, 0x2713, 0x270e, 0x270e, 0};
 constexpr const char* k_font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
 }  // namespace
@@ -42,7 +44,8 @@ void Interface::apply_look() {
     io.Fonts->Clear();
     std::error_code code;
     const auto px = static_cast<float>(std::round(k_font_px * scale));
-    if (!std::filesystem::exists(k_font, code) || io.Fonts->AddFontFromFileTTF(k_font, px) == nullptr) {
+    if (!std::filesystem::exists(k_font, code) ||
+        io.Fonts->AddFontFromFileTTF(k_font, px, nullptr, k_letters) == nullptr) {
       ImFontConfig config;
       config.SizePixels = px;
       io.Fonts->AddFontDefault(&config);

@@ -108,7 +108,9 @@ void show_notices(PanelContext& context) {
   const auto& notices = context.app.notices();
   const auto& movements = context.app.workspace().movements();
   const Area free = context.app.free_area();
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  // What a dialog has to tell is not to lie in its shade.
+  const bool dialog = context.app.panels().dialog != Dialog::none;
+  ImDrawList& list = dialog ? *ImGui::GetForegroundDrawList() : *ImGui::GetBackgroundDrawList();
   const bool light = context.app.settings().light;
   const ImU32 back = light ? IM_COL32(250, 250, 250, 225) : IM_COL32(24, 26, 30, 225);
   const ImU32 ink = light ? IM_COL32(20, 20, 20, 255) : IM_COL32(235, 235, 235, 255);
@@ -127,7 +129,8 @@ void show_notices(PanelContext& context) {
   };
   for (auto it = notices.rbegin(); it != notices.rend(); ++it) line(it->text, it->is_error ? wrong : ink);
   const auto tool = context.app.workspace().editor().tool().kind;
-  if (movements.empty() || context.app.workspace().document().curves.empty() || tool == drawing::ToolKind::articulate) {
+  if (dialog || movements.empty() || context.app.workspace().document().curves.empty() ||
+      tool == drawing::ToolKind::articulate) {
     return;
   }
   std::string text = "moved";

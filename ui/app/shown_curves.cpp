@@ -189,7 +189,7 @@ void add_onion_skins(std::vector<CurveDrawing>& out, const Workspace& workspace,
         const auto& b = points[i].barycentric;
         drawing.points.push_back(at[3 * i] * b[0] + at[3 * i + 1] * b[1] + at[3 * i + 2] * b[2]);
       }
-      drawing.color = render::from_srgb(color, 0.55F);
+      drawing.color = render::from_srgb(color, 0.8F);
       drawing.width_px = k_thin_px * look.scale;
       out.push_back(std::move(drawing));
     };
@@ -199,8 +199,9 @@ void add_onion_skins(std::vector<CurveDrawing>& out, const Workspace& workspace,
       for (const auto& curve : document.curves) draw(curve->points);
     }
   };
-  add(before, 0xd08a5a);
-  add(after, 0x8f7bd0);
+  // Unlike skin, and unlike what is drawn.
+  add(before, 0xc04bff);
+  add(after, 0x19c8d8);
 }
 
 }  // namespace

@@ -49,13 +49,13 @@ void parameter_row(PanelContext& context, std::size_t index) {
   }
   if (released) app.set_parameter(index, value);
   ImGui::SameLine();
-  const std::string type = "=##type " + parameter.name;
+  const std::string type = "\u270e##type " + parameter.name;
   if (wide_button(context, type.c_str(), context.unit, false, "Type its value, or change its range")) {
     app.panels().number = {parameter.name, {}, NumberEntry::Field::value};
     app.panels().dialog = Dialog::number;
   }
   ImGui::SameLine();
-  if (wide_button(context, "0##reset", context.unit, false, "Back to rest")) {
+  if (wide_button(context, "\u21ba##reset", context.unit, false, "Back to rest")) {
     app.workspace().perform(document::ResetParameters{{parameter.name}});
   }
   ImGui::PopID();
@@ -72,7 +72,8 @@ bool group_row(PanelContext& context, const std::string& group, const std::vecto
   });
   ImGui::PushID(group.c_str());
   const float width = ImGui::GetContentRegionAvail().x - 2 * (context.unit + ImGui::GetStyle().ItemSpacing.x);
-  const std::string label = (open ? "v  " : ">  ") + group + "  " + std::to_string(members.size()) + "##group " + group;
+  const std::string label =
+      (open ? "\u25be  " : "\u25b8  ") + group + "  " + std::to_string(members.size()) + "##group " + group;
   if (wide_button(context, label.c_str(), width, false, open ? "Fold this group" : "Unfold this group")) {
     if (open) {
       folded.insert(group);
@@ -86,7 +87,8 @@ bool group_row(PanelContext& context, const std::string& group, const std::vecto
     app.workspace().perform(document::LockParameters{members, !all_locked});
   }
   ImGui::SameLine();
-  if (wide_button(context, ("0##reset group " + group).c_str(), context.unit, false, "The whole group back to rest")) {
+  if (wide_button(context, ("\u21ba##reset group " + group).c_str(), context.unit, false,
+                  "The whole group back to rest")) {
     app.workspace().perform(document::ResetParameters{members});
   }
   ImGui::PopID();

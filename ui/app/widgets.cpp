@@ -59,9 +59,13 @@ void text_beside(PanelContext& context, const char* text) {
 
 bool wide_button(PanelContext& context, const char* label, float width, bool chosen, const char* tip) {
   if (width == 0) width = std::max(context.unit, ImGui::CalcTextSize(label, nullptr, true).x + 0.6F * context.unit);
-  if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+  // What is on is seen to be on under the pen, too.
+  if (chosen) {
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+  }
   const bool pressed = ImGui::Button(label, {width, context.unit});
-  if (chosen) ImGui::PopStyleColor();
+  if (chosen) ImGui::PopStyleColor(2);
   note(context, label);
   tooltip(tip);
   return pressed;
@@ -114,11 +118,19 @@ bool begin_dialog(PanelContext& context, const char* title, float width_units) {
   const auto window = context.app.window();
   const ImVec2 size{static_cast<float>(window.width), static_cast<float>(window.height)};
   context.app.hits().all = true;
+  // Everything behind it lies in shade.
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(0, 0, 0, 100));
+  ImGui::Begin("shade", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoMove);
+  ImGui::End();
+  ImGui::PopStyleColor();
   ImGui::SetNextWindowPos({0.5F * size.x, 0.5F * size.y}, ImGuiCond_Always, {0.5F, 0.5F});
   const float width = std::min(width_units * context.unit, size.x - 2 * context.gap);
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, size.y - 2 * context.gap});
   ImGui::SetNextWindowFocus();
-  ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, size, IM_COL32(0, 0, 0, 90));
   const bool shown = ImGui::Begin(title, nullptr,
                                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);

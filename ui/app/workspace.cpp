@@ -17,6 +17,15 @@ bool sketches(const drawing::Tool& tool) {
   return tool.kind == drawing::ToolKind::articulate || tool.kind == drawing::ToolKind::redraw;
 }
 
+/// Whether a line of a session brings the face to a target.
+bool solves(const replay::SessionLine& line) {
+  const auto* performed = std::get_if<replay::Performed>(&line);
+  if (performed == nullptr) return std::holds_alternative<replay::TabletGone>(line);
+  return std::holds_alternative<document::DragTarget>(performed->command) ||
+         std::holds_alternative<document::DrawTarget>(performed->command) ||
+         std::holds_alternative<document::SolvePose>(performed->command);
+}
+
 }  // namespace
 
 Workspace::Workspace(Clock clock, Tell tell, const decode::TabletTable* own)
@@ -52,12 +61,12 @@ void Workspace::open(document::Document document, replay::SessionWriter* writer,
 bool Workspace::act(const replay::SessionLine& line) {
   const document::Document before = document();
   const base::Status status = live_->act(line, now());
-  after_steps(before);
+  after_steps(before, solves(line));
   if (!status && live_->session().steps().empty()) tell_(said(status.error()), true);
   return status.ok();
 }
 
-void Workspace::after_steps(const document::Document& before) {
+void Workspace::after_steps(const document::Document& before, bool solved) {
   const auto steps = live_->session().steps();
   if (steps.empty()) return;
   for (const auto& step : steps) {
@@ -66,11 +75,15 @@ void Workspace::after_steps(const document::Document& before) {
     const base::Error& error = step.status.error();
     tell_(step.is_stroke ? said_of_stroke(error, editor().tool(), before) : said(error), !step.is_stroke);
   }
+  const bool any = std::any_of(steps.begin(), steps.end(), [](const auto& step) { return step.status.ok(); });
+  if (!any) return;
   ++revision_;
   const auto parameters = document().model->rig->parameters();
   const bool same_rig = before.model == document().model;
   if (!same_rig || before.pose == document().pose) return;
   movements_.clear();
+  // Only a stroke finds parameters; what a slider or the timeline sets is known.
+  if (!solved) return;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const double by = document().pose[i] - before.pose[i];
     if (std::abs(by) >= 0.005 * (parameters[i].maximum - parameters[i].minimum)) {

@@ -90,7 +90,7 @@ class Workspace {
   [[nodiscard]] std::int64_t now() const { return clock_() - began_us_; }
   void forget();
   bool act(const replay::SessionLine& line);
-  void after_steps(const document::Document& before);
+  void after_steps(const document::Document& before, bool solved = true);
 
   Clock clock_;
   Tell tell_;

@@ -139,7 +139,7 @@ TEST(AppEditing, NumbersAndRangesAreTypedWithThePenAlone) {
   const auto open = [&] {
     desk.app->panels().filter = "jaw";
     desk.frames();
-    desk.click("=##type jaw");
+    desk.click("\u270e##type jaw");
   };
   open();
   for (const char* key : {"0##pad", ".##pad", "5##pad"}) desk.click(key);
@@ -194,6 +194,12 @@ TEST(AppEditing, AKeyIsNamedDraggedAndKeepsItsNameWhenItIsKeyedAnew) {
   const double all = desk.app->panels().span_s;
   desk.click("+##track");
   EXPECT_GT(desk.app->panels().span_s, all);
+  const double from = desk.app->panels().from_s;
+  desk.click("<##track");
+  EXPECT_LT(desk.app->panels().from_s, from);
+  desk.click(">##track");
+  desk.click(">##track");
+  EXPECT_GT(desk.app->panels().from_s, from) << "also away from the cursor";
   desk.click("-##track");
   EXPECT_EQ(desk.app->panels().span_s, 0);
 }

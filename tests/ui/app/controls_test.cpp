@@ -40,12 +40,42 @@ TEST(Controls, ATapWithTheRigToolLeavesTheFaceAndSaysWhatToDraw) {
   EXPECT_EQ(desk.app->workspace().shown_pose(), pose);
   EXPECT_TRUE(says(desk, "draw around everything on the face that may move"));
   EXPECT_FALSE(says(desk, "line:"));
+  const bool unsaved = desk.app->workspace().unsaved();
+  desk.app->workspace().mark_saved();
+  desk.stroke({{450, 300}, {452, 301}});
+  EXPECT_FALSE(desk.app->workspace().unsaved()) << "there is nothing to save of a tap";
+  EXPECT_TRUE(unsaved);
   // The next line is the first of a control, with its own choices.
   desk.app->panels().new_mode = articulation::Mode::rotate;
   desk.stroke(around({517, 530}, 60, 32));
   ASSERT_TRUE(desk.document().pending);
+  EXPECT_FALSE(says(desk, "Nothing changed")) << "it is over";
   EXPECT_EQ(desk.document().pending->sketch.mode, articulation::Mode::rotate);
   EXPECT_FALSE(desk.document().pending->sketch.general.empty());
+}
+
+TEST(Controls, ASwingEndsWithTheListOfControlsAndTheFaceIsAsItWas) {
+  Desk desk("swing-end");
+  desk.begin();
+  desk.click("Controls");
+  desk.app->panels().deformer = "jaw";
+  desk.frames();
+  desk.click("Swing");
+  desk.frames(20);
+  EXPECT_NE(desk.app->workspace().shown_pose(), desk.document().pose);
+  desk.click("Parameters");
+  desk.frames();
+  EXPECT_FALSE(desk.app->panels().swing);
+  EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+}
+
+TEST(Controls, OnlyStrokesSayWhatTheyMoved) {
+  Desk desk("moved");
+  desk.begin();
+  pose_mouth(desk);
+  EXPECT_FALSE(desk.app->workspace().movements().empty());
+  desk.click("Rest pose");
+  EXPECT_TRUE(desk.app->workspace().movements().empty()) << "what is set at once needs no telling";
 }
 
 TEST(Controls, ATapBetweenTheStepsLosesNothingAndNamesTheStep) {

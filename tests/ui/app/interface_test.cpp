@@ -168,11 +168,11 @@ TEST(Interface, AGroupOfParametersIsFoldedLockedAndReset) {
   desk.frames();
   desk.click("##lock group brow");
   EXPECT_EQ(desk.document().locked.size(), 4U);
-  desk.click("0##reset group brow");
+  desk.click("\u21ba##reset group brow");
   EXPECT_DOUBLE_EQ(desk.document().pose[4], 0);
   const Area* unfolded = desk.interface->find("slider brow_inner_L");
   ASSERT_NE(unfolded, nullptr);
-  desk.click("v  brow  4##group brow");
+  desk.click("\u25be  brow  4##group brow");
   EXPECT_EQ(desk.interface->find("slider brow_inner_L"), nullptr);
 }
 

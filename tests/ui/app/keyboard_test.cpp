@@ -10,7 +10,7 @@ namespace {
 void open_number(Desk& desk) {
   desk.app->panels().filter = "jaw";
   desk.frames();
-  desk.click("=##type jaw");
+  desk.click("\u270e##type jaw");
 }
 
 double jaw_of(const Desk& desk) {
