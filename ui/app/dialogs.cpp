@@ -78,7 +78,8 @@ void unsaved_dialog(PanelContext& context) {
     ImGui::TextWrapped("It is kept in the list of sessions in any case.");
     if (wide_button(context, "Save first") || context.accepts) app.save_first();
     ImGui::SameLine();
-    if (wide_button(context, "Go on without saving")) app.go_on_without_saving();
+    const char* without = app.panels().after_unsaved.empty() ? "Quit without saving" : "Open without saving";
+    if (wide_button(context, without)) app.go_on_without_saving();
     ImGui::SameLine();
     if (wide_button(context, "Cancel")) app.do_action(Action::cancel);
   }

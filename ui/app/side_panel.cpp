@@ -107,11 +107,14 @@ void show_parameters(PanelContext& context) {
   // The order is kept; a group is a run of one first word.
   std::string group;
   bool open = true;
+  bool found = false;
   for (std::size_t i = 0; i < app.workspace().document().model->rig->parameters().size(); ++i) {
     // A row may perform a command that makes another rig.
     const auto now = app.workspace().document().model->rig->parameters();
     if (!app.panels().filter.empty()) {
-      if (contains(now[i].name, app.panels().filter)) parameter_row(context, i);
+      if (!contains(now[i].name, app.panels().filter)) continue;
+      found = true;
+      parameter_row(context, i);
       continue;
     }
     const std::string word = first_word(now[i].name);
@@ -124,6 +127,7 @@ void show_parameters(PanelContext& context) {
     }
     if (open) parameter_row(context, i);
   }
+  if (!app.panels().filter.empty() && !found) ImGui::TextWrapped("Nothing has this in its name.");
   if (app.workspace().document().model->rig->parameters().empty()) {
     ImGui::TextWrapped("This model has nothing to pose yet. Take the tool Rig and sketch a control.");
   }

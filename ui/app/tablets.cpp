@@ -10,7 +10,7 @@
 
 #include "firmware_io/device/permission.h"
 #include "firmware_io/device/report_pump.h"
-#include "firmware_io/device/tablet_watch.h"
+#include "ui/app/said.h"
 #include "ui/cli/own_program.h"
 
 namespace penpose::app {
@@ -29,6 +29,7 @@ struct Tablets::State {
 
   std::function<void()> wake;
   const decode::TabletTable* own;
+  StartWatch start_watch;
   int stop_event = -1;
   std::atomic<bool> stop{false};
   std::thread thread;
@@ -70,11 +71,11 @@ struct Tablets::State {
   }
 
   void run() {
-    auto watch = device::TabletWatch::start(own);
+    auto watch = start_watch();
     if (!watch) {
       {
         const std::scoped_lock lock(mutex);
-        refused.push_back("tablets cannot be watched, only mouse and touch draw: " + watch.error().line());
+        refused.push_back("No tablet can be seen, only mouse and touch draw: " + said(watch.error()));
       }
       wake();
       return;
@@ -100,9 +101,11 @@ struct Tablets::State {
   }
 };
 
-Tablets::Tablets(std::function<void()> wake, const decode::TabletTable* own) : state_(std::make_unique<State>()) {
+Tablets::Tablets(std::function<void()> wake, const decode::TabletTable* own, StartWatch start_watch)
+    : state_(std::make_unique<State>()) {
   state_->wake = std::move(wake);
   state_->own = own;
+  state_->start_watch = start_watch ? std::move(start_watch) : [own] { return device::TabletWatch::start(own); };
   state_->stop_event = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   state_->thread = std::thread([this] { state_->run(); });
 }

@@ -136,7 +136,7 @@ TEST(Interface, ACopyIsExportedAndAFileOpenedAgainWithThePenAlone) {
   desk.click("Recent");
   desk.click("mine.glb##recent " + desk.path("mine.glb"));
   EXPECT_EQ(desk.app->panels().dialog, Dialog::unsaved) << "what is not saved is asked about";
-  desk.click("Go on without saving");
+  desk.click("Open without saving");
   EXPECT_TRUE(desk.document().curves.empty());
   EXPECT_EQ(desk.app->project(), desk.path("mine.glb"));
 }
