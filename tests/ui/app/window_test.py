@@ -253,7 +253,7 @@ def pen_alone(program, screen, folder, session):
     whole = lines_of(played, "# penpose state")[-1].split()[3]
     told = json.loads(subprocess.run([program, "info", project, "--json"], check=True, stdout=subprocess.PIPE,
                                      text=True).stdout)
-    assert "deformer 1" in json.dumps(told), told
+    assert "control 1" in json.dumps(told), told
     again = os.path.join(folder, "alone2.session")
     process = start(program, screen, again, project)
     screen.picture("10_alone_again")
