@@ -71,7 +71,7 @@ class Patch {
     const std::vector<PxPoint> drawn = line_;
     const auto pull = [&](PxPoint to, PxPoint from, bool at_end) {
       const PxPoint gap = to - from;
-      const double reach = std::min(k_lead * std::hypot(gap.x, gap.y), 0.5 * length());
+      const double reach = std::min(k_lead * geometry::distance(to, from), 0.5 * length());
       for (std::size_t i = 0; i < line_.size(); ++i) {
         const double along = at_end ? length() - cumulative_[i] : cumulative_[i];
         if (along < reach) line_[i] = line_[i] + gap * (1 - along / reach);
