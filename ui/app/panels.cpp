@@ -1,6 +1,7 @@
 #include "ui/app/panels.h"
 
 #include <algorithm>
+#include <cfloat>
 
 #include "ui/app/widgets.h"
 
@@ -48,7 +49,9 @@ void show_top_bar(PanelContext& context, const Area& area) {
   App& app = context.app;
   if (begin_panel(context, "top", area)) {
     if (wide_button(context, "Menu", 0, false, "Files, settings and sessions")) ImGui::OpenPopup("menu");
+    const float below = static_cast<float>(app.window().height - area.bottom);
     ImGui::SetNextWindowPos({context.gap, static_cast<float>(area.bottom)});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, std::max(below, 3 * context.unit)});
     // A menu may reach over the canvas: while it is open nothing else is hit.
     if (begin_menu(context, "menu")) {
       const auto entry = [&](const char* label, const std::string& tip) {
@@ -90,10 +93,12 @@ void show_top_bar(PanelContext& context, const Area& area) {
     ImGui::SameLine();
     action_button(context, Action::panels);
     ImGui::SameLine();
-    text_beside(context, app.hint().c_str());
-    // The recording light.
     const float radius = 0.16F * context.unit;
     const ImVec2 middle{static_cast<float>(area.right) - 0.7F * context.unit, 0.5F * static_cast<float>(area.height())};
+    ImGui::PushClipRect({0, 0}, {middle.x - 2 * radius, static_cast<float>(area.bottom)}, true);
+    text_beside(context, app.hint().c_str());
+    ImGui::PopClipRect();
+    // The recording light.
     ImGui::GetWindowDrawList()->AddCircleFilled(
         middle, radius, app.recording() ? IM_COL32(225, 60, 50, 255) : IM_COL32(120, 120, 120, 255));
     ImGui::SetCursorScreenPos({middle.x - 0.5F * context.unit, middle.y - 0.5F * context.unit});

@@ -120,6 +120,23 @@ TEST(Interface, TheMenuEndsWithQuit) {
   }
 }
 
+TEST(Interface, AMenuLongerThanTheWindowScrollsToItsEnd) {
+  Desk desk("menu-small");
+  desk.begin();
+  desk.app->resized({640, 400}, 96);
+  desk.frames();
+  desk.click("Menu");
+  ASSERT_NE(desk.interface->find("Save"), nullptr);
+  desk.app->mouse_moved(desk.interface->find("Save")->middle());
+  desk.frames();
+  for (int i = 0; i < 12; ++i) {
+    desk.app->wheel(-1);
+    desk.frames(2);
+  }
+  ASSERT_NE(desk.interface->find("Quit"), nullptr);
+  EXPECT_LE(desk.interface->find("Quit")->bottom, 400);
+}
+
 TEST(Interface, ACopyIsExportedAndAFileOpenedAgainWithThePenAlone) {
   Desk desk("export");
   desk.begin();
