@@ -45,7 +45,8 @@ struct Tablets::State {
     const std::string key = std::to_string(identity.vendor) + ":" + std::to_string(identity.product) + ":" +
                             std::to_string(identity.interface_number.value_or(-1)) + ":" + identity.name;
     for (const auto& [name, number] : known) {
-      const bool in_use = std::any_of(open.begin(), open.end(), [&](const Open& one) { return one.number == number; });
+      const bool in_use =
+          std::any_of(open.begin(), open.end(), [taken = number](const Open& one) { return one.number == taken; });
       if (name == key && !in_use) return number;
     }
     known.emplace_back(key, static_cast<int>(known.size()) + 1);
