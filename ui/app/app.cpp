@@ -88,6 +88,7 @@ void App::advance() {
       // What its pen did to panels and tools is in its lines, in px of the window that it was drawn in.
       view_.camera = workspace_.editor().view().camera;
       show_new_deformer();
+      if (player_->finished()) workspace_.set_tool(workspace_.editor().tool());
     } else {
       take_moments(moments);
     }

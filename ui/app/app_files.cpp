@@ -158,8 +158,9 @@ base::Status App::play_trace(const std::string& path) {
     auto document = cli::load_document(model);
     if (!document) return document.error();
     begin_session(std::move(*document), model);
-    // What is played is no work on the model's own file.
+    // What is played is no work on the model's own file, and goes by the rules under which it was drawn.
     set_project({});
+    workspace_.play(replay::ToolChosen{});
   }
   player_.emplace(std::move(*player));
   last_frame_us_ = options_.clock();

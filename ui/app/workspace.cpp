@@ -46,6 +46,7 @@ void Workspace::resume(replay::Session session, replay::SessionWriter* writer, s
   began_us_ = clock_() - last_us;
   live_ = std::make_unique<replay::LiveSession>(std::move(session), writer, last_us);
   live_->connect(0, replay::virtual_pen_identity());
+  set_tool(editor().tool());
   saved_revision_ = revision_++;
 }
 
