@@ -14,7 +14,19 @@ LiveSession::LiveSession(document::Document document, SessionWriter* writer, con
   if (writer_ == nullptr) return;
   static_cast<void>(writer_->begin(session_.editor().state().whole, model_path));
   static_cast<void>(writer_->line(ViewChanged{session_.editor().view()}));
-  session_.listen_to_stroke_ends([this] { static_cast<void>(writer_->flush(true)); });
+  listen();
+}
+
+LiveSession::LiveSession(Session session, SessionWriter* writer, std::int64_t last_us)
+    : session_(std::move(session)), writer_(writer), last_us_(last_us) {
+  listen();
+  for (const int device : session_.pens().drawing()) static_cast<void>(act(TabletGone{device}, last_us_));
+}
+
+void LiveSession::listen() {
+  session_.listen_to_stroke_ends([this] {
+    if (writer_ != nullptr) static_cast<void>(writer_->flush(true));
+  });
 }
 
 void LiveSession::connect(int device, const decode::DeviceIdentity& identity) {

@@ -14,6 +14,9 @@ class LiveSession {
   /// `writer` may be null: then nothing is written. It must outlive this. `model_path` is the hint in the session.
   LiveSession(document::Document document, SessionWriter* writer, const std::string& model_path,
               const decode::TabletTable* own = nullptr);
+  /// Goes on with a session that `writer` adds to: one that was read from the file up to its end, which came at
+  /// `last_us`. Strokes that were cut off there end.
+  LiveSession(Session session, SessionWriter* writer, std::int64_t last_us);
   LiveSession(const LiveSession&) = delete;
   LiveSession& operator=(const LiveSession&) = delete;
 
@@ -27,6 +30,7 @@ class LiveSession {
   base::Status act(const SessionLine& line, std::int64_t time_us);
 
  private:
+  void listen();
   void write_state();
 
   Session session_;

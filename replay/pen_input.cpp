@@ -150,6 +150,14 @@ bool PenInput::draws(int device) const {
   return found != tablets_.end() && found->second.stroke.has_value();
 }
 
+std::vector<int> PenInput::drawing() const {
+  std::vector<int> devices;
+  for (const auto& [device, tablet] : tablets_) {
+    if (tablet.stroke) devices.push_back(device);
+  }
+  return devices;
+}
+
 bool PenInput::decodes(int device) const {
   const auto found = tablets_.find(device);
   return found != tablets_.end() && found->second.decoder != nullptr;

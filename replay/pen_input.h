@@ -80,6 +80,8 @@ class PenInput {
   /// The stroke that a pen is drawing now, null when none does.
   [[nodiscard]] const DrawnStroke* current() const;
   [[nodiscard]] bool draws(int device) const;
+  /// The devices that are in the middle of a stroke.
+  [[nodiscard]] std::vector<int> drawing() const;
   [[nodiscard]] bool decodes(int device) const;
   /// How the device is recognised; empty when it cannot be decoded.
   [[nodiscard]] std::string method_of(int device) const;

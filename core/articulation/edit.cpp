@@ -65,10 +65,15 @@ base::Result<SketchedDeformers::Shared> moved(const SketchedDeformers& set, std:
 }
 
 base::Result<SketchedDeformers::Shared> with_mirrored(const SketchedDeformers& set, std::size_t index,
-                                                      const Canvas& canvas) {
+                                                      const Canvas& canvas, const std::string& name) {
   if (auto error = check_index(set, index)) return *error;
   auto mirror = mirror_deformer(*set.deformers()[index], canvas);
   if (!mirror) return mirror.error();
+  if (!name.empty()) {
+    auto named = (*mirror)->renamed(name);
+    if (!named) return named.error();
+    mirror = std::move(named);
+  }
   return with_added(set, std::move(mirror).value());
 }
 

@@ -24,9 +24,9 @@ namespace penpose::articulation {
 /// Takes deformer `from` out and puts it back as number `to`.
 [[nodiscard]] base::Result<SketchedDeformers::Shared> moved(const SketchedDeformers& set, std::size_t from,
                                                             std::size_t to);
-/// Adds the mirror image of deformer `index` at the end.
+/// Adds the mirror image of deformer `index` at the end, under a name or, where that is empty, the other side's.
 [[nodiscard]] base::Result<SketchedDeformers::Shared> with_mirrored(const SketchedDeformers& set, std::size_t index,
-                                                                    const Canvas& canvas);
+                                                                    const Canvas& canvas, const std::string& name = {});
 
 enum class CurveRole : std::uint8_t { general, specific, reference, target };
 

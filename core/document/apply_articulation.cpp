@@ -214,7 +214,7 @@ Changed run(const Document& document, const MirrorDeformer& command, Parts& work
   if (!number) return number.error();
   const auto canvas = work.canvas_of(document);
   if (!canvas) return canvas.error();
-  return with_set(document, with_mirrored(*set_of(document), *number, **canvas));
+  return with_set(document, with_mirrored(*set_of(document), *number, **canvas, command.to));
 }
 
 Changed run(const Document& document, const RenameDeformer& command, Parts&) {

@@ -177,6 +177,14 @@ Changed run(const Document& document, const DrawTarget& command, Parts& work) {
 Changed run(const Document& document, const OversketchTarget& command, Parts& work) {
   const auto curve = reference_named(document, command.curve, true);
   if (!curve) return curve.error();
+  if (command.rules > 0) {
+    const DrawnTarget& target = *(*curve)->target;
+    auto over = drawn_over(target, positions_of(document, (*curve)->points), command.view, command.line);
+    if (!over) return over.error();
+    PoseCurve other = **curve;
+    other.target = std::move(over).value();
+    return solved(with_replaced(document, std::move(other)), work);
+  }
   const auto before = line_in(*(*curve)->target, command.view);
   if (!before) return before.error();
   const auto line = oversketched(*before, command.line);

@@ -105,11 +105,13 @@ struct OversketchTarget {
   CurveId curve;
   View view;
   std::vector<PxPoint> line;
+  std::uint32_t rules = 0;  ///< from 1 on: what is not drawn over stays where it is
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("curve", self.curve);
     visit("view", self.view);
     visit("line", self.line);
+    visit("rules", self.rules);
   }
   friend bool operator==(const OversketchTarget&, const OversketchTarget&) = default;
 };
@@ -320,9 +322,11 @@ struct ChangeDeformer {
 struct MirrorDeformer {
   static constexpr std::string_view k_name = "mirror_deformer";
   std::string deformer;
+  std::string to = {};  ///< its name; empty: articulation::mirrored_name
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("deformer", self.deformer);
+    visit("to", self.to);
   }
   friend bool operator==(const MirrorDeformer&, const MirrorDeformer&) = default;
 };

@@ -1,9 +1,11 @@
 #include "core/drawing/tool.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
 
+#include "core/curve/pairing.h"
 #include "core/document/text_members.h"
 
 namespace penpose::document {
@@ -87,6 +89,13 @@ CurveRole next_step(const Document& document, const Tool& tool) {
   return tool.draw_reference && sketch.reference.empty() ? CurveRole::reference : CurveRole::target;
 }
 
+bool is_tap(const curve::Stroke& stroke, geometry::Viewport viewport) {
+  const double near = 0.5 * curve::pairing_distance_px(viewport);
+  return std::all_of(stroke.begin(), stroke.end(), [&](const curve::StrokeSample& sample) {
+    return geometry::distance(sample.position, stroke.front().position) < near;
+  });
+}
+
 base::Result<document::Command> command_of(const Document& document, const Tool& tool, const document::View& view,
                                            const curve::Stroke& stroke, bool eraser) {
   using Command = document::Command;
@@ -105,7 +114,7 @@ base::Result<document::Command> command_of(const Document& document, const Tool&
       return base::Error{"no reference curve waits for a target", "", "draw a reference curve first"};
     case ToolKind::oversketch: {
       const auto last = tool.curve ? std::optional(tool.curve) : last_with_target(document);
-      if (last) return Command(document::OversketchTarget{*last, view, std::move(line)});
+      if (last) return Command(document::OversketchTarget{*last, view, std::move(line), tool.rules});
       return base::Error{"there is no target to draw over", "", "draw a target first"};
     }
     case ToolKind::constraint:

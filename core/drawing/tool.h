@@ -25,12 +25,16 @@ enum class ToolKind : std::uint8_t {
   none,  ///< strokes do nothing
 };
 
+/// The newest rules. 1: a tap draws nothing; where a target is drawn over the rest of it stays where it is.
+inline constexpr std::uint32_t k_rules = 1;
+
 struct Tool {
   ToolKind kind = ToolKind::pose;
   document::CurveId curve;      ///< for target and oversketch; null: chosen by the rule of the kind
   bool draw_reference = false;  ///< articulate: the reference is drawn and not inferred
   std::string deformer;         ///< redraw: of which deformer
   articulation::CurveRole role = articulation::CurveRole::target;  ///< redraw: which of its curves
+  std::uint32_t rules = 0;  ///< what strokes mean; sessions replay by the rules under which they were drawn
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("kind", self.kind);
@@ -38,6 +42,7 @@ struct Tool {
     visit("draw_reference", self.draw_reference);
     visit("deformer", self.deformer);
     visit("role", self.role);
+    visit("rules", self.rules);
   }
   friend bool operator==(const Tool&, const Tool&) = default;
 };
@@ -48,6 +53,10 @@ struct Tool {
 
 /// The step of a deformer that the next stroke of `articulate` draws.
 [[nodiscard]] articulation::CurveRole next_step(const document::Document& document, const Tool& tool);
+
+/// Whether a pen only touched the canvas, or trembled there: no line for any tool. Where it is no further than 5 px of
+/// a picture 1000 px high from where it began.
+[[nodiscard]] bool is_tap(const curve::Stroke& stroke, geometry::Viewport viewport);
 
 /// The command that a stroke means. The eraser end of a pen erases whatever the tool. Errors: a stroke that the tool
 /// can make nothing of, such as a target where no reference waits for one.

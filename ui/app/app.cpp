@@ -3,18 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
+#include <utility>
 
-#include "core/document/timeline.h"
-#include "replay/session_player.h"
-#include "ui/cli/load_model.h"
-#include "ui/cli/save_model.h"
-#include "ui/cli/trace_file.h"
+#include "ui/app/said.h"
 
 namespace penpose::app {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::int64_t k_notice_us = 6'000'000;
 constexpr std::size_t k_most_notices = 4;
@@ -25,18 +19,6 @@ constexpr double k_least_dpi = 60;
 constexpr double k_most_dpi = 600;
 constexpr int k_playing_frame_ms = 16;
 constexpr std::int64_t k_longest_step_us = 200'000;
-
-std::string extension_of(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return extension;
-}
-
-bool is_trace(const std::string& path) {
-  const std::string extension = extension_of(path);
-  return extension == ".session" || extension == ".hid" || extension == ".trace" || extension == ".rec" ||
-         extension == ".txt";
-}
 
 }  // namespace
 
@@ -59,154 +41,6 @@ App::App(AppOptions options)
 }
 
 App::~App() { end_session(); }
-
-void App::end_session() {
-  if (!file_) return;
-  const bool worth =
-      keep_file_ || workspace_.editor().history().undo_count() > 0 || workspace_.editor().history().redo_count() > 0;
-  if (!worth || !leaves_work_) file_->finish(worth);
-}
-
-void App::begin_session(document::Document document, const std::string& path) {
-  end_session();
-  // The workspace holds the writer of the session before until it is opened anew.
-  std::unique_ptr<SessionFile> next;
-  const bool named = !options_.session.empty() && !file_;
-  keep_file_ = named;
-  if (named || !options_.folders.state.empty()) {
-    auto made = named ? SessionFile::create(options_.session, options_.program)
-                      : SessionFile::create_in(options_.folders.state + "/sessions",
-                                               options_.date ? options_.date() : "session", options_.program);
-    if (made) {
-      next = std::move(*made);
-    } else {
-      tell("this session is not recorded: " + made.error().line(named ? options_.session : options_.folders.state),
-           true);
-    }
-  }
-  std::error_code code;
-  const bool built_in = path.starts_with("builtin:");
-  const std::string full = built_in ? path : fs::absolute(path, code).string();
-  player_.reset();
-  workspace_.open(std::move(document), next ? &next->writer() : nullptr, code ? path : full);
-  file_ = std::move(next);
-  broken_told_ = false;
-  playing_ = false;
-  panels_.time_s = workspace_.document().time_s;
-  panels_.deformer.clear();
-  highlighted_.reset();
-  target_drag_.reset();
-  panels_.curve_menu.reset();
-  panels_.new_surface = {};
-  const auto& deformers = workspace_.document().model->deformers;
-  deformer_count_ = deformers ? deformers->size() : 0;
-  path_ = full;
-  project_ = !built_in && extension_of(path) == ".glb" ? full : std::string();
-  surface_.update(workspace_.shown_model(), workspace_.shown_pose());
-  frame_from(*render::find_viewpoint("front"));
-  workspace_.set_tablet(0, {});
-  for (const auto& [device, name] : tablets_) workspace_.set_tablet(device, settings_.tablet);
-}
-
-base::Status App::open(const std::string& path) {
-  if (is_trace(path)) {
-    auto document = document_of_session(path);
-    if (!document) return document.error();
-    // A session goes on from a project of its own, so that what is recorded from here on can be replayed too.
-    std::error_code code;
-    const std::string folder =
-        options_.folders.state.empty() ? fs::temp_directory_path(code).string() : options_.folders.state;
-    fs::create_directories(folder, code);
-    const std::string copy = free_path(folder, fs::path(path).stem().string(), ".glb");
-    if (const auto saved = cli::save_document(*document, copy); !saved) return saved.error();
-    auto again = cli::load_document(copy);
-    if (!again) return again.error();
-    begin_session(std::move(*again), copy);
-    project_.clear();
-    return base::Done{};
-  }
-  auto document = cli::load_document(path);
-  if (!document) return document.error();
-  begin_session(std::move(*document), path);
-  if (!path.starts_with("builtin:")) {
-    remember_file(settings_, path_);
-    settings_changed();
-    panels_.folder = fs::path(path_).parent_path().string();
-  }
-  return base::Done{};
-}
-
-base::Result<document::Document> App::document_of_session(const std::string& path) {
-  const auto file = cli::open_trace(path);
-  if (!file) return file.error();
-  replay::PlayerOptions options;
-  options.open = [&](const std::string& model) {
-    std::error_code code;
-    if (model.empty()) return cli::load_document("builtin:demo");
-    const auto beside = fs::path(path).parent_path() / fs::path(model).filename();
-    const bool moved = !model.starts_with("builtin:") && !fs::exists(model, code) && fs::exists(beside, code);
-    return cli::load_document(moved ? beside.string() : model);
-  };
-  options.own_tablets = options_.own_tablets;
-  auto played = replay::play_session(cli::read_from_file(file->get()), options);
-  if (!played) return played.error();
-  if (!played->session) {
-    return base::Error{"holds nothing to replay: neither reports nor lines of a session", "", "open another file"};
-  }
-  if (played->divergence) tell("the session did not replay to what was recorded; look at it before going on", true);
-  return played->session->editor().document();
-}
-
-void App::try_open(const std::string& path) {
-  if (const auto opened = open(path); !opened) {
-    tell(opened.error().line(path), true);
-    return;
-  }
-  panels_.dialog = Dialog::none;
-}
-
-base::Status App::play_trace(const std::string& path) {
-  auto player = TracePlayer::load(path);
-  if (!player) return player.error();
-  if (player->is_session()) {
-    auto document = cli::load_document(player->model().empty() ? "builtin:demo" : player->model());
-    if (!document) return document.error();
-    begin_session(std::move(*document), player->model().empty() ? "builtin:demo" : player->model());
-  }
-  player_.emplace(std::move(*player));
-  last_frame_us_ = options_.clock();
-  panels_.dialog = Dialog::none;
-  return base::Done{};
-}
-
-base::Status App::save(const std::string& path) {
-  auto saved = cli::save_document(workspace_.document(), path);
-  if (!saved) return saved;
-  std::error_code code;
-  const std::string full = fs::absolute(path, code).string();
-  if (extension_of(path) == ".glb") {
-    project_ = full;
-    workspace_.mark_saved();
-  }
-  remember_file(settings_, full);
-  settings_changed();
-  tell("saved " + full);
-  return saved;
-}
-
-void App::recover(bool yes) {
-  panels_.dialog = settings_.steps_seen ? Dialog::none : Dialog::steps;
-  if (yes && !abandoned_.empty()) {
-    const std::string path = abandoned_.front();
-    if (const auto opened = open(path); !opened) {
-      tell(opened.error().line(path), true);
-      return;
-    }
-    tell("brought back the work of " + fs::path(path).stem().string());
-  }
-  for (const std::string& path : abandoned_) settle_session(path);
-  abandoned_.clear();
-}
 
 void App::tell(std::string text, bool is_error) {
   const std::int64_t until = options_.clock() + k_notice_us;
@@ -254,12 +88,18 @@ void App::advance() {
       // What its pen did to panels and tools is in its lines, in px of the window that it was drawn in.
       view_.camera = workspace_.editor().view().camera;
       show_new_deformer();
+      if (player_->finished()) workspace_.set_tool(workspace_.editor().tool());
     } else {
       take_moments(moments);
     }
   }
   if (playing_) play_on();
   if (panels_.swing) swing();
+  // What was said of a stroke is over with the next one that does something, and with another tool.
+  const auto now_is = std::pair(workspace_.revision(), workspace_.editor().tool().kind);
+  if (std::exchange(refused_at_, now_is) != now_is) {
+    std::erase_if(notices_, [](const Notice& one) { return one.text.starts_with(k_nothing_changed); });
+  }
   workspace_.follow_pen();
 }
 
@@ -307,6 +147,8 @@ void App::ask_to_quit() {
 }
 
 void App::quit_at_once() {
+  // A stroke that goes on ends here, as if the tablet had been unplugged.
+  for (const int device : workspace_.session().pens().drawing()) workspace_.disconnect(device);
   leaves_work_ = workspace_.unsaved();
   quit_ = true;
 }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "replay/session_player.h"
 #include "ui/app/action.h"
 #include "ui/app/hit_map.h"
 #include "ui/app/posed_surface.h"
@@ -50,6 +51,8 @@ enum class Dialog : std::uint8_t {
   none,
   open,
   save,
+  export_as,
+  recent,
   recover,
   steps,
   tablet,
@@ -79,10 +82,12 @@ struct PanelState {
   std::set<std::string> folded_groups;  ///< of the parameters
   NumberEntry number;
   std::string key_name;                               ///< what is being typed
+  bool cursor_placed = true;                          ///< in the field of a dialog that has just taken the keyboard
   std::size_t radial_place = 0;                       ///< that is being chosen for
   bool has_keyboard = false;                          ///< a key was pressed on one
   double time_s = 0;                                  ///< of the timeline's cursor
   double from_s = 0;                                  ///< the first moment that the timeline shows
+  double seen_time_s = 0;                             ///< where the cursor was last brought into sight
   double span_s = 0;                                  ///< how much of it; 0: all
   std::optional<std::pair<double, double>> key_drag;  ///< a key in hand: from, to
   bool onion_skin = true;
@@ -99,6 +104,7 @@ struct PanelState {
   std::vector<double> test_pressure;
   Area test_area{};
   std::string after_unsaved;  ///< what to open once the question about unsaved work is answered; empty: quit
+  bool saves_first = false;   ///< that question was answered with Save: it is done once something was saved
 };
 
 /// The app without its window: events in, a document and things to show out. SDL, ImGui and OpenGL are elsewhere.
@@ -116,6 +122,13 @@ class App {
   /// Plays a trace into the document in place of a tablet.
   base::Status play_trace(const std::string& path);
   base::Status save(const std::string& path);
+  /// Writes a copy for other programs; the work stays where it is saved.
+  base::Status export_to(const std::string& path);
+  /// Saves, and goes on with what waited for it.
+  void save_from_dialog(const std::string& path);
+  // Answers to the question about unsaved work.
+  void save_first();
+  void go_on_without_saving();
   /// Goes on from a session that a crash has ended, or lets it be.
   void recover(bool yes);
   void do_action(Action action);
@@ -200,13 +213,22 @@ class App {
   /// The next stroke draws a curve of a control again; regions in the view in which they were drawn.
   void redraw_control(const std::string& deformer, articulation::CurveRole role);
   void set_swing(bool on);
+  /// Makes the same control on the other side, and takes it in hand.
+  void mirror_control(const std::string& deformer);
+  void rename_control(const std::string& deformer, const std::string& to);
 
  private:
   void begin_session(document::Document document, const std::string& path);
   void end_session();
-  base::Result<document::Document> document_of_session(const std::string& path);
+  base::Result<replay::Playback> played_session(const std::string& path);
+  /// Goes on with a session that a crash has ended, in its own file.
+  base::Status bring_back(const std::string& path);
+  void resume(replay::Playback played, std::unique_ptr<SessionFile> file);
+  void set_project(const std::string& path);
+  void show_anew();
   void frame_from(const render::Viewpoint& from);
   void commit_view();
+  void begin_control();
   void take_moments(std::span<const replay::PenMoment> moments);
   void pen_pressed(PxPoint at);
   void show_new_deformer();
@@ -273,6 +295,7 @@ class App {
   bool fullscreen_ = false;
   bool quit_ = false;
   bool leaves_work_ = false;  ///< the session stays as after a crash
+  std::pair<std::uint64_t, drawing::ToolKind> refused_at_;
   bool broken_told_ = false;  ///< that the session cannot be written any more
 };
 

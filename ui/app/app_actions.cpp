@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "core/articulation/edit.h"
 #include "core/document/timeline.h"
 #include "ui/app/app.h"
 #include "ui/app/navigation.h"
@@ -66,7 +64,7 @@ void App::do_action(Action action) {
       workspace_.set_tool(tool);
       panels_.curve_menu.reset();
       if (action == Action::tool_articulate && !workspace_.document().pending) {
-        workspace_.perform(document::BeginDeformer{{}, panels_.new_mode, panels_.new_surface});
+        begin_control();
       }
       panels_.controls_tab =
           action == Action::tool_articulate || (action == Action::tool_select && panels_.controls_tab);
@@ -99,7 +97,10 @@ void App::do_action(Action action) {
           settings_.steps_seen = true;
           settings_changed();
         }
-        if (panels_.dialog != Dialog::recover) panels_.dialog = Dialog::none;
+        // Work that was not saved is offered again at the next start.
+        panels_.dialog = panels_.dialog == Dialog::recover && !settings_.steps_seen ? Dialog::steps : Dialog::none;
+        panels_.file_name.clear();
+        panels_.saves_first = false;
       } else if (playing_) {
         do_action(Action::play);
       } else if (workspace_.document().pending) {
@@ -171,15 +172,23 @@ void App::do_action(Action action) {
     case Action::open:
       panels_.dialog = Dialog::open;
       break;
+    case Action::recent:
+      panels_.dialog = Dialog::recent;
+      break;
     case Action::save:
       if (project_.empty()) {
-        panels_.dialog = Dialog::save;
+        do_action(Action::save_as);
       } else if (const auto saved = save(project_); !saved) {
         tell(saved.error().line(project_), true);
       }
       break;
     case Action::save_as:
+      panels_.file_name.clear();
       panels_.dialog = Dialog::save;
+      break;
+    case Action::export_as:
+      panels_.file_name.clear();
+      panels_.dialog = Dialog::export_as;
       break;
     case Action::panels:
       panels_.shown = !panels_.shown;
@@ -292,60 +301,6 @@ void App::play_on() {
     play_from_s_ = panels_.time_s = 0;
   }
   workspace_.preview(document::sample(*workspace_.document().timeline, panels_.time_s));
-}
-
-void App::choose_for_new_control(articulation::Mode mode, const articulation::Surface& surface) {
-  panels_.new_mode = mode;
-  // A ball was fitted to one region and is none for the next.
-  panels_.new_surface = std::holds_alternative<articulation::Sphere>(surface) ? articulation::Surface() : surface;
-  const auto pending = workspace_.document().pending;
-  if (!pending || (pending->sketch.mode == mode && pending->sketch.surface == surface)) return;
-  const articulation::Sketch& sketch = pending->sketch;
-  const auto draw = [&](articulation::CurveRole role, const std::vector<PxPoint>& line,
-                        const geometry::CameraPose& camera) {
-    return line.empty() || workspace_.perform(document::SketchCurve{role, {camera, sketch.viewport}, line});
-  };
-  static_cast<void>(
-      workspace_.perform(document::BeginDeformer{sketch.name, mode, surface, sketch.minimum, sketch.maximum}) &&
-      draw(articulation::CurveRole::general, sketch.general, sketch.camera) &&
-      draw(articulation::CurveRole::specific, sketch.specific, sketch.camera) &&
-      draw(articulation::CurveRole::reference, sketch.reference, sketch.reference_camera.value_or(sketch.camera)));
-}
-
-void App::redraw_control(const std::string& deformer, articulation::CurveRole role) {
-  const auto& deformers = workspace_.document().model->deformers;
-  const auto number = deformers ? articulation::find_deformer(*deformers, deformer) : std::nullopt;
-  if (!number) return;
-  const articulation::Sketch& sketch = deformers->deformers()[*number]->sketch();
-  if (role == articulation::CurveRole::general || role == articulation::CurveRole::specific) {
-    view_.camera = sketch.camera;
-    framed_ = false;
-  }
-  set_swing(false);
-  drawing::Tool tool;
-  tool.kind = drawing::ToolKind::redraw;
-  tool.deformer = deformer;
-  tool.role = role;
-  workspace_.preview(std::nullopt);
-  workspace_.set_tool(tool);
-}
-
-void App::set_swing(bool on) {
-  panels_.swing = on;
-  if (on) return;
-  workspace_.preview(std::nullopt);
-  workspace_.sketch().set_amount(1);
-}
-
-void App::swing() {
-  constexpr double k_period_s = 2;
-  const double turns = static_cast<double>(last_frame_us_) * 1e-6 / k_period_s;
-  const double amount = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * turns);
-  workspace_.sketch().set_amount(amount);
-  const auto& document = workspace_.document();
-  const auto index = rig::find_parameter(document.model->rig->parameters(), panels_.deformer);
-  if (document.pending || !panels_.controls_tab || !index || pen_is_drawing()) return;
-  preview_parameter(*index, amount * document.model->rig->parameters()[*index].maximum);
 }
 
 void App::preview_parameter(std::size_t parameter, double value) {

@@ -17,16 +17,10 @@ constexpr double k_zoom_per_notch = 0.9;
 constexpr double k_click_px = 5;
 /// A mouse and a finger press neither hard nor softly.
 constexpr double k_mouse_pressure = 0.5;
-/// After the last report of a pen that is near, the desktop's own pointer is ignored so long.
-constexpr std::int64_t k_tablet_quiet_us = 250'000;
 
 }  // namespace
 
 bool App::pen_is_drawing() const { return workspace_.session().pens().current() != nullptr; }
-
-bool App::tablet_is_near() const {
-  return tablet_near_ && tablet_seen_us_ >= 0 && options_.clock() - tablet_seen_us_ < k_tablet_quiet_us;
-}
 
 void App::resized(geometry::Viewport window, double dpi) {
   window = {std::clamp(window.width, 1, 16384), std::clamp(window.height, 1, 16384)};
@@ -73,10 +67,6 @@ void App::hover(PxPoint at) {
 void App::pointer_left() { hover_panels({-1e4, -1e4}, false); }
 
 void App::pen_pressed(PxPoint at) {
-  const bool sketches = workspace_.editor().tool().kind == drawing::ToolKind::articulate;
-  if (sketches && !workspace_.document().pending) {
-    workspace_.perform(document::BeginDeformer{{}, panels_.new_mode, panels_.new_surface});
-  }
   if (workspace_.editor().tool().kind == drawing::ToolKind::none) select_at(at);
 }
 
@@ -119,7 +109,7 @@ void App::show_new_deformer() {
     panels_.controls_tab = true;
     tell(panels_.deformer + " is ready: its slider is in the panel");
     if (deformers->deformers().back()->turned_round()) {
-      tell("the goal was drawn against the feature and was turned round; redraw it the other way if it twists");
+      tell("the goal ran against the feature and was turned round; draw it the other way if it twists");
     }
   }
   deformer_count_ = count;
@@ -127,6 +117,13 @@ void App::show_new_deformer() {
 
 void App::pen_moved(PxPoint at) {
   at_ = at;
+  const replay::DrawnStroke* stroke = workspace_.session().pens().current();
+  const bool sketches = workspace_.editor().tool().kind == drawing::ToolKind::articulate;
+  // Only a line begins a control; a tap leaves the face as it is.
+  if (sketches && !workspace_.document().pending && stroke != nullptr && stroke->on_canvas && !stroke->eraser &&
+      !drawing::is_tap(stroke->samples, stroke->view.viewport)) {
+    begin_control();
+  }
   if (!target_drag_) return;
   const PxPoint by = at - target_drag_->second;
   if (std::hypot(by.x, by.y) > k_click_px * scale()) workspace_.hold_target(target_drag_->first, by);
@@ -342,55 +339,6 @@ void App::finger(FingerKind kind, std::int64_t finger, PxPoint at) {
 void App::key(const KeyStroke& key) {
   const ActionInfo* action = action_of(key);
   if (action != nullptr) do_action(action->action);
-}
-
-void App::tablet_arrived(int device, const decode::DeviceIdentity& identity) {
-  workspace_.connect(device, identity);
-  workspace_.set_tablet(device, settings_.tablet);
-  const bool again = tablets_.contains(device);
-  tablets_[device] = identity.name;
-  tell(identity.name + (again ? " is back" : " is ready"));
-}
-
-void App::tablet_setting_changed() {
-  settings_changed();
-  for (const auto& [device, name] : tablets_) workspace_.set_tablet(device, settings_.tablet);
-}
-
-void App::tablet_left(int device, const std::string& name) {
-  workspace_.disconnect(device);
-  workspace_.follow_pen();
-  tablet_near_ = false;
-  barrel_ = false;
-  drag_.reset();
-  if (mouse_on_panel_) hover_panels(at_, false);
-  mouse_on_panel_ = false;
-  tell(name + " was unplugged", true);
-}
-
-void App::try_pen(PxPoint at, double pressure, bool begins) {
-  if (panels_.dialog != Dialog::tablet) return;
-  if (begins && panels_.test_area.holds(at)) {
-    panels_.test_line.clear();
-    panels_.test_pressure.clear();
-  }
-  constexpr std::size_t k_most = 100000;
-  if (panels_.test_line.size() >= k_most || (panels_.test_line.empty() && !panels_.test_area.holds(at))) return;
-  panels_.test_line.push_back(at);
-  panels_.test_pressure.push_back(pressure);
-}
-
-void App::tablet_report(int device, std::int64_t received_us, base::Bytes bytes) {
-  commit_view();
-  const auto moments = workspace_.report_at(device, received_us, bytes);
-  if (moments.empty()) return;
-  tablet_seen_us_ = options_.clock();
-  tablet_near_ = moments.back().kind != PenEventKind::away;
-  for (const auto& moment : moments) {
-    if (moment.kind == PenEventKind::stroke_begin) try_pen(moment.position, moment.pressure, true);
-    if (moment.kind == PenEventKind::stroke_point) try_pen(moment.position, moment.pressure, false);
-  }
-  take_moments(moments);
 }
 
 }  // namespace penpose::app

@@ -41,9 +41,9 @@ void show_step_list(PanelContext& context, const document::PendingSketch& pendin
     ImGui::TextColored(now ? ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive)
                            : ImGui::GetStyleColorVec4(step.done ? ImGuiCol_Text : ImGuiCol_TextDisabled),
                        "%s %s",
-                       now         ? ">"
-                       : step.done ? "x"
-                                   : " ",
+                       now         ? "\u25b6"
+                       : step.done ? "\u2713"
+                                   : "  ",
                        step.text);
   }
 }
@@ -77,8 +77,7 @@ std::optional<Surface> surface_button(PanelContext& context, const Surface& now,
     ImGui::OpenPopup("surface");
   }
   std::optional<Surface> chosen;
-  if (!ImGui::BeginPopup("surface")) return chosen;
-  context.app.hits().all = true;
+  if (!begin_menu(context, "surface")) return chosen;
   const float width = 7 * context.unit;
   if (wide_button(context, "nothing", width)) chosen = Surface();
   if (wide_button(context, "a ball", width, false, "A ball that fits the region, once it is drawn")) {
@@ -142,7 +141,7 @@ void show_new(PanelContext& context) {
   double amount = workspace.sketch().amount();
   bool released = false;
   const float width = ImGui::GetContentRegionAvail().x - 2.4F * context.unit - ImGui::GetStyle().ItemSpacing.x;
-  if (tall_slider(context, "##amount", amount, 0, 1, width, "played while drawing", released)) {
+  if (tall_slider(context, "##amount", amount, 0, 1, width, "how far", released)) {
     app.set_swing(false);
     workspace.sketch().set_amount(amount);
   }
@@ -157,7 +156,7 @@ void show_place(PanelContext& context, const std::string& name, std::size_t numb
   Workspace& workspace = context.app.workspace();
   const float quarter = share(4);
   if (wide_button(context, "Mirror", quarter, false, "Make the same control on the other side of the face")) {
-    workspace.perform(document::MirrorDeformer{name});
+    context.app.mirror_control(name);
   }
   ImGui::SameLine();
   if (wide_button(context, "Remove", quarter, false, "Delete this control")) {
@@ -224,19 +223,20 @@ void show_chosen(PanelContext& context, const articulation::SketchedDeformers& s
     }
     if (released) app.set_parameter(*index, value);
     ImGui::SameLine();
-    if (wide_button(context, "=##range", context.unit, false, "Type its value, or change its range")) {
+    if (wide_button(context, "\u270e##range", context.unit, false, "Type its value, or change its range")) {
       app.panels().number = {name, {}, NumberEntry::Field::value};
       app.panels().dialog = Dialog::number;
     }
     ImGui::SameLine();
     swing_button(context, -1);
   }
+  bool accepted = false;
   text_field(context, "##rename", app.panels().rename, ImGui::GetContentRegionAvail().x - 3 * context.unit - spacing,
-             "another name");
+             "another name", &accepted);
   ImGui::SameLine();
-  if (wide_button(context, "Rename", -1) && !app.panels().rename.empty()) {
+  if ((wide_button(context, "Rename", -1) || accepted) && !app.panels().rename.empty()) {
     const std::string to = std::exchange(app.panels().rename, {});
-    if (workspace.perform(document::RenameDeformer{name, to})) app.panels().deformer = to;
+    app.rename_control(name, to);
     return;
   }
   document::ChangeDeformer change;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <thread>
 
+#include "ui/app/drawable_size.h"
 #include "ui/app/picture.h"
 #include "ui/app/timings.h"
 
@@ -53,6 +54,7 @@ struct DrawThread::State {
   base::Status status{base::Done{}};
   bool refining = false;
   std::vector<std::int64_t> times_us;
+  std::optional<geometry::Viewport> drawable;
 
   /// Waits until the job before is done, and gives the next.
   void give(Job next) {
@@ -111,13 +113,18 @@ struct DrawThread::State {
         SDL_GL_MakeCurrent(window, nullptr);
       }
       const std::int64_t took = thread_cpu_us() - before;
-      if (now == Job::frame && result) SDL_GL_SwapWindow(window);
+      std::optional<geometry::Viewport> size;
+      if (now == Job::frame && result) {
+        SDL_GL_SwapWindow(window);
+        size = drawable_size();
+      }
       {
         const std::scoped_lock lock(mutex);
         job = Job::none;
         if (!result) status = result;
         if (now == Job::frame && result) {
           times_us.push_back(took);
+          drawable = size;
           refining = picture->refining();
         }
         changed.notify_all();
@@ -170,6 +177,11 @@ void DrawThread::send_letters() {
 bool DrawThread::refining() const {
   const std::scoped_lock lock(state_->mutex);
   return state_->refining;
+}
+
+std::optional<geometry::Viewport> DrawThread::drawable() const {
+  const std::scoped_lock lock(state_->mutex);
+  return state_->drawable;
 }
 
 base::Status DrawThread::status() const {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/result.h"
@@ -32,6 +33,8 @@ class DrawThread {
   void send_letters();
   /// Whether the same picture drawn again would be smoother.
   [[nodiscard]] bool refining() const;
+  /// The size that the window had when the last picture was drawn, where the system can be asked.
+  [[nodiscard]] std::optional<geometry::Viewport> drawable() const;
   /// Why nothing is drawn any more.
   [[nodiscard]] base::Status status() const;
   /// Pictures that were shown so far, and the CPU time of the thread for each.

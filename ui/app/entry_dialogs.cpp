@@ -85,10 +85,12 @@ void show_number_dialog(PanelContext& context) {
       }
       ImGui::EndDisabled();
     }
-    text_field(context, "##number", entry.text, -1, "type a number");
+    dialog_field(context, "##number", entry.text, "type a number");
     keypad(context, entry.text);
     ImGui::Dummy({1, context.gap});
-    if (wide_button(context, "Set##number", third) && take_number(app, *index)) app.panels().dialog = Dialog::none;
+    if ((wide_button(context, "Set##number", third) || context.accepts) && take_number(app, *index)) {
+      app.panels().dialog = Dialog::none;
+    }
     ImGui::SameLine();
     if (wide_button(context, "Rest##number", third, false, "Back to rest")) {
       app.workspace().perform(document::ResetParameters{{parameter.name}});
@@ -104,8 +106,8 @@ void show_key_dialog(PanelContext& context) {
   App& app = context.app;
   std::string& name = app.panels().key_name;
   if (begin_dialog(context, "A name for this pose", 11)) {
-    text_field(context, "##key name", name, -1, "smile");
-    if (wide_button(context, "Name it", 4 * context.unit)) {
+    dialog_field(context, "##key name", name, "smile");
+    if (wide_button(context, "Name it", 4 * context.unit) || context.accepts) {
       app.name_key(name);
       app.panels().dialog = Dialog::none;
     }
@@ -144,7 +146,7 @@ void show_radial_dialog(PanelContext& context) {
       app.settings_changed();
     }
     ImGui::SameLine();
-    if (wide_button(context, "Done")) app.panels().dialog = Dialog::none;
+    if (wide_button(context, "Done") || context.accepts) app.panels().dialog = Dialog::none;
   }
   end_dialog();
 }

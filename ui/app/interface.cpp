@@ -1,9 +1,10 @@
 #include "ui/app/interface.h"
 
 #include <algorithm>
-#include <array>
+#include <cfloat>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "ui/app/panels.h"
 #include "ui/app/widgets.h"
@@ -13,21 +14,9 @@ namespace {
 
 constexpr float k_font_px = 15;
 constexpr int k_settle_frames = 3;
+/// Latin, and the signs that the panels use.
+constexpr ImWchar k_letters[] = {0x20, 0x17f, 0x21ba, 0x21ba, 0x25b6, 0x25be, 0x2713, 0x2713, 0x270e, 0x270e, 0};
 constexpr const char* k_font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-
-// Keys that edit text, as ImGui asks for them and as SDL numbers them (USB usage codes).
-struct EditKey {
-  ImGuiKey_ key;
-  int scancode;
-};
-constexpr std::array k_edit_keys{
-    EditKey{ImGuiKey_Tab, 43},     EditKey{ImGuiKey_LeftArrow, 80}, EditKey{ImGuiKey_RightArrow, 79},
-    EditKey{ImGuiKey_UpArrow, 82}, EditKey{ImGuiKey_DownArrow, 81}, EditKey{ImGuiKey_Home, 74},
-    EditKey{ImGuiKey_End, 77},     EditKey{ImGuiKey_Delete, 76},    EditKey{ImGuiKey_Backspace, 42},
-    EditKey{ImGuiKey_Enter, 40},   EditKey{ImGuiKey_Escape, 41},    EditKey{ImGuiKey_A, 4},
-    EditKey{ImGuiKey_C, 6},        EditKey{ImGuiKey_V, 25},         EditKey{ImGuiKey_X, 27},
-    EditKey{ImGuiKey_Y, 28},       EditKey{ImGuiKey_Z, 29},         EditKey{ImGuiKey_KeyPadEnter, 88},
-};
 
 }  // namespace
 
@@ -37,7 +26,7 @@ Interface::Interface(App& app) : app_(app) {
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
   io.ConfigFlags |= ImGuiConfigFlags_NoMouseCursorChange;
-  for (const EditKey& key : k_edit_keys) io.KeyMap[key.key] = key.scancode;
+  map_edit_keys();
   apply_look();
   disturb();
 }
@@ -55,7 +44,8 @@ void Interface::apply_look() {
     io.Fonts->Clear();
     std::error_code code;
     const auto px = static_cast<float>(std::round(k_font_px * scale));
-    if (!std::filesystem::exists(k_font, code) || io.Fonts->AddFontFromFileTTF(k_font, px) == nullptr) {
+    if (!std::filesystem::exists(k_font, code) ||
+        io.Fonts->AddFontFromFileTTF(k_font, px, nullptr, k_letters) == nullptr) {
       ImFontConfig config;
       config.SizePixels = px;
       io.Fonts->AddFontDefault(&config);
@@ -97,32 +87,26 @@ void Interface::frame(double passed_s) {
   const auto window = app_.window();
   io.DisplaySize = {static_cast<float>(window.width), static_cast<float>(window.height)};
   io.DeltaTime = static_cast<float>(std::clamp(passed_s, 1e-4, 0.5));
-  // One press or release a frame, so that none is lost.
-  if (key_to_release_ >= 0) {
-    io.KeysDown[key_to_release_] = false;
-    key_to_release_ = -1;
+  // A dialog that opens knows nothing of what was pressed before.
+  const Dialog dialog = app_.panels().dialog;
+  const bool opens = std::exchange(shown_, dialog) != dialog;
+  if (opens) {
+    dialog_area_.reset();
+    types_ = has_field_ = false;
+    opening_ = app_.panels().has_keyboard ? 2 : 0;
   }
-  auto& pointer = app_.panel_pointer();
-  while (!pointer.empty()) {
-    const PanelPointer next = pointer.front();
-    pointer.pop_front();
-    if (type_on_screen(next)) {
-      unsettled_ = k_settle_frames;
-      if (key_to_release_ >= 0) break;
-      continue;
-    }
-    io.MousePos = {static_cast<float>(next.at.x), static_cast<float>(next.at.y)};
-    const bool turned = io.MouseDown[0] != next.down;
-    io.MouseDown[0] = next.down;
-    unsettled_ = k_settle_frames;
-    if (turned) break;
-  }
-  io.MouseWheel = static_cast<float>(app_.take_wheel());
+  take_pointer();
+  take_typed();
   ImGui::NewFrame();
   targets_.clear();
   app_.hits() = {};
   const auto unit = static_cast<float>(app_.target_px());
   PanelContext context{app_, targets_, unit, static_cast<float>(6 * app_.scale())};
+  context.dialog_opens = opens;
+  context.accepts = std::exchange(accepts_, false);
+  context.cancels = std::exchange(cancels_, false);
+  context.field_first = !wants_keys() && !io.MouseDown[0] && (types_ || opening_ > 0);
+  if (opening_ > 0) --opening_;
   const double width = window.width;
   const double height = window.height;
   const double top = unit + 2 * context.gap;
@@ -150,9 +134,43 @@ void Interface::frame(double passed_s) {
   show_radial_menu(context);
   show_dialog(context);
   show_keyboard(context);
+  menu_open_ = context.menu_open;
+  has_field_ = context.has_field;
+  dialog_area_ = context.dialog_area;
   ImGui::Render();
   if (unsettled_ > 0) --unsettled_;
-  if (!pointer.empty()) unsettled_ = k_settle_frames;
+  if (!app_.panel_pointer().empty() || !typed_.empty() || shown_ != app_.panels().dialog) disturb();
+}
+
+void Interface::take_pointer() {
+  ImGuiIO& io = ImGui::GetIO();
+  // One press or release a frame, so that none is lost.
+  if (key_to_release_ >= 0) {
+    io.KeysDown[key_to_release_] = false;
+    key_to_release_ = -1;
+  }
+  auto& pointer = app_.panel_pointer();
+  while (!pointer.empty()) {
+    const PanelPointer next = pointer.front();
+    pointer.pop_front();
+    disturb();
+    if (type_on_screen(next)) {
+      if (key_to_release_ >= 0) break;
+      continue;
+    }
+    io.MousePos = {static_cast<float>(next.at.x), static_cast<float>(next.at.y)};
+    // What lies behind a dialog is neither lit nor pressed.
+    const bool behind = shown_ != Dialog::none && !(dialog_area_ && dialog_area_->holds(next.at));
+    const bool down = next.down && (!behind || io.MouseDown[0]);
+    const bool turned = io.MouseDown[0] != down;
+    io.MouseDown[0] = down;
+    if (turned) break;
+  }
+  const PxPoint at{static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y)};
+  if (shown_ != Dialog::none && !io.MouseDown[0] && !(dialog_area_ && dialog_area_->holds(at))) {
+    io.MousePos = {-FLT_MAX, -FLT_MAX};
+  }
+  io.MouseWheel = static_cast<float>(app_.take_wheel());
 }
 
 bool Interface::type_on_screen(const PanelPointer& pointer) {
@@ -198,17 +216,6 @@ void Interface::show_keyboard(PanelContext& context) {
     targets_["key " + key.label] = key.area;
   }
 }
-
-void Interface::text(const char* utf8) { ImGui::GetIO().AddInputCharactersUTF8(utf8); }
-
-void Interface::edit_key(int scancode, bool down, bool ctrl, bool shift) {
-  ImGuiIO& io = ImGui::GetIO();
-  if (scancode >= 0 && scancode < static_cast<int>(std::size(io.KeysDown))) io.KeysDown[scancode] = down;
-  io.KeyCtrl = ctrl;
-  io.KeyShift = shift;
-}
-
-bool Interface::wants_keys() const { return ImGui::GetIO().WantTextInput; }
 
 const Area* Interface::find(std::string_view label) const {
   const auto found = targets_.find(label);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -29,9 +31,11 @@ class Interface {
   /// Something happened that may take panels a few frames to show.
   void disturb();
 
-  /// Typed text, UTF-8, and keys that edit it, by their SDL scancodes.
+  /// Typed text, UTF-8.
   void text(const char* utf8);
-  void edit_key(int scancode, bool down, bool ctrl, bool shift);
+  /// A key of a keyboard, by its SDL scancode and as actions name it. A text field, a dialog and a menu come first;
+  /// what none of them takes is the app's.
+  void key(int scancode, const KeyStroke& stroke, bool down);
   /// A text field has the keyboard.
   [[nodiscard]] bool wants_keys() const;
 
@@ -43,7 +47,18 @@ class Interface {
   [[nodiscard]] int font_revision() const { return font_revision_; }
 
  private:
+  /// Text, or a key that edits it, on its way to the next frame.
+  struct Typed {
+    std::string text;
+    int scancode = -1;  ///< of a key; -1: text
+    bool down = false;
+    bool ctrl = false;
+    bool shift = false;
+  };
+
   void apply_look();
+  void take_pointer();
+  void take_typed();
   /// Presses on the keyboard of the screen go to the text field and to nothing else.
   bool type_on_screen(const PanelPointer& pointer);
   void show_keyboard(PanelContext& context);
@@ -56,6 +71,15 @@ class Interface {
   ScreenKeyboard keyboard_;
   bool keyboard_held_ = false;  ///< a press on it goes on
   int key_to_release_ = -1;     ///< of ImGui's, pressed on the screen
+  std::deque<Typed> typed_;
+  bool accepts_ = false;             ///< Return was pressed for the dialog
+  bool cancels_ = false;             ///< Escape was pressed for the dialog or the menu
+  bool types_ = false;               ///< something was typed for the dialog's field, which shall take the keyboard
+  int opening_ = 0;                  ///< frames in which a dialog that has just opened may take the keyboard
+  bool menu_open_ = false;           ///< of the last frame
+  bool has_field_ = false;           ///< the dialog of the last frame has a field to type into
+  Dialog shown_ = Dialog::none;      ///< in the last frame
+  std::optional<Area> dialog_area_;  ///< in the last frame; nothing else is to be hit
   std::map<std::string, Area, std::less<>> targets_;
 };
 

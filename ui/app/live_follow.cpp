@@ -43,7 +43,8 @@ void LiveFollow::begin(const document::Document& document, const drawing::Tool& 
   const document::PoseCurve* curve = named ? document::find_curve(document, *named) : nullptr;
   if (curve == nullptr) return;
   start(document, *curve, view);
-  if (!std::holds_alternative<document::OversketchTarget>(*command)) whole_.reset();
+  whole_.reset();
+  if (std::holds_alternative<document::OversketchTarget>(*command)) before_ = curve->target;
 }
 
 void LiveFollow::begin_drag(const document::Document& document, document::CurveId curve, const document::View& view) {
@@ -84,20 +85,20 @@ void LiveFollow::start(const document::Document& document, const document::PoseC
 bool LiveFollow::follow(const curve::Stroke& stroke) {
   if (!poser_ || stroke.size() < 2) return false;
   const auto line = curve::positions_of(stroke);
-  if (!whole_) return poser_->follow(line).evaluations > 0;
-  const auto merged = document::oversketched({whole_->line, whole_->pressure}, line);
-  return merged && follow_line(merged->points, merged->pressure);
+  if (!before_) return poser_->follow(line).evaluations > 0;
+  const auto merged = document::drawn_over(*before_, reference_, view_, line);
+  if (merged) target_ = *merged;
+  return follow_target(merged);
 }
 
 bool LiveFollow::drag(curve::PxPoint by) {
   if (!poser_ || !whole_) return false;
   auto line = whole_->line;
   for (curve::PxPoint& p : line) p = p + by;
-  return follow_line(line, whole_->pressure);
+  return follow_target(document::make_target(reference_, view_, line, whole_->pressure));
 }
 
-bool LiveFollow::follow_line(std::span<const curve::PxPoint> line, std::span<const double> pressure) {
-  const auto target = document::make_target(reference_, view_, line, pressure);
+bool LiveFollow::follow_target(const base::Result<document::DrawnTarget>& target) {
   if (!target) return false;
   const std::span<const double> weights = by_pressure_ ? target->weights : std::span<const double>();
   return poser_->follow_points(target->points, weights).evaluations > 0;
@@ -106,6 +107,8 @@ bool LiveFollow::follow_line(std::span<const curve::PxPoint> line, std::span<con
 void LiveFollow::end() {
   poser_.reset();
   whole_.reset();
+  before_.reset();
+  target_.reset();
   model_.reset();
   curve_ = {};
 }

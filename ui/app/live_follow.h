@@ -31,14 +31,18 @@ class LiveFollow {
   /// The pose to show; precondition: active.
   [[nodiscard]] const rig::Pose& pose() const { return poser_->pose(); }
   [[nodiscard]] document::CurveId curve() const { return curve_; }
+  /// While a target is drawn over: all of it as it would be; null otherwise.
+  [[nodiscard]] const document::DrawnTarget* target() const { return target_ ? &*target_ : nullptr; }
 
  private:
   void start(const document::Document& document, const document::PoseCurve& curve, const document::View& view);
-  bool follow_line(std::span<const curve::PxPoint> line, std::span<const double> pressure);
+  bool follow_target(const base::Result<document::DrawnTarget>& target);
 
   std::shared_ptr<const document::Model> model_;  ///< keeps the rig alive, whatever is undone meanwhile
   document::CurveId curve_;
-  std::optional<document::DrawnTarget> whole_;  ///< oversketch and drag: the target, as a line of this view
+  std::optional<document::DrawnTarget> whole_;   ///< drag: the target, as a line of this view
+  std::optional<document::DrawnTarget> before_;  ///< oversketch: the target as it was
+  std::optional<document::DrawnTarget> target_;  ///< and as it would be
   document::View view_;
   std::vector<geometry::ModelPoint> reference_;  ///< its points before the stroke
   bool by_pressure_ = false;

@@ -1,6 +1,7 @@
 #include "ui/app/panels.h"
 
 #include <algorithm>
+#include <cfloat>
 
 #include "ui/app/widgets.h"
 
@@ -48,16 +49,17 @@ void show_top_bar(PanelContext& context, const Area& area) {
   App& app = context.app;
   if (begin_panel(context, "top", area)) {
     if (wide_button(context, "Menu", 0, false, "Files, settings and sessions")) ImGui::OpenPopup("menu");
+    const float below = static_cast<float>(app.window().height - area.bottom);
     ImGui::SetNextWindowPos({context.gap, static_cast<float>(area.bottom)});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, std::max(below, 3 * context.unit)});
     // A menu may reach over the canvas: while it is open nothing else is hit.
-    if (ImGui::BeginPopup("menu")) {
-      app.hits().all = true;
+    if (begin_menu(context, "menu")) {
       const auto entry = [&](const char* label, const std::string& tip) {
         const bool pressed = wide_button(context, label, 9 * context.unit, false, tip.c_str());
         if (pressed) ImGui::CloseCurrentPopup();
         return pressed;
       };
-      for (const Action action : {Action::open, Action::save, Action::save_as}) {
+      for (const Action action : {Action::open, Action::recent, Action::save, Action::save_as, Action::export_as}) {
         if (entry(std::string(info(action).label).c_str(), tooltip_of(action))) app.do_action(action);
       }
       if (entry("Sessions", "What was drawn before, to play or to go on with")) app.panels().dialog = Dialog::sessions;
@@ -66,11 +68,11 @@ void show_top_bar(PanelContext& context, const Area& area) {
       if (app.panels().has_keyboard && entry("Screen keyboard", "Show keys on the screen while a name is typed")) {
         app.panels().has_keyboard = false;
       }
+      const char* theme = app.settings().light ? "Dark colours" : "Light colours";
+      if (entry(theme, "")) app.do_action(Action::theme);
       for (const Action action : {Action::fullscreen, Action::larger, Action::smaller, Action::help, Action::quit}) {
         if (entry(std::string(info(action).label).c_str(), tooltip_of(action))) app.do_action(action);
       }
-      const char* theme = app.settings().light ? "Dark colours" : "Light colours";
-      if (entry(theme, "")) app.do_action(Action::theme);
       ImGui::EndPopup();
     }
     ImGui::SameLine();
@@ -91,10 +93,12 @@ void show_top_bar(PanelContext& context, const Area& area) {
     ImGui::SameLine();
     action_button(context, Action::panels);
     ImGui::SameLine();
-    text_beside(context, app.hint().c_str());
-    // The recording light.
     const float radius = 0.16F * context.unit;
     const ImVec2 middle{static_cast<float>(area.right) - 0.7F * context.unit, 0.5F * static_cast<float>(area.height())};
+    ImGui::PushClipRect({0, 0}, {middle.x - 2 * radius, static_cast<float>(area.bottom)}, true);
+    text_beside(context, app.hint().c_str());
+    ImGui::PopClipRect();
+    // The recording light.
     ImGui::GetWindowDrawList()->AddCircleFilled(
         middle, radius, app.recording() ? IM_COL32(225, 60, 50, 255) : IM_COL32(120, 120, 120, 255));
     ImGui::SetCursorScreenPos({middle.x - 0.5F * context.unit, middle.y - 0.5F * context.unit});
@@ -109,7 +113,9 @@ void show_notices(PanelContext& context) {
   const auto& notices = context.app.notices();
   const auto& movements = context.app.workspace().movements();
   const Area free = context.app.free_area();
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  // What a dialog has to tell is not to lie in its shade.
+  const bool dialog = context.app.panels().dialog != Dialog::none;
+  ImDrawList& list = dialog ? *ImGui::GetForegroundDrawList() : *ImGui::GetBackgroundDrawList();
   const bool light = context.app.settings().light;
   const ImU32 back = light ? IM_COL32(250, 250, 250, 225) : IM_COL32(24, 26, 30, 225);
   const ImU32 ink = light ? IM_COL32(20, 20, 20, 255) : IM_COL32(235, 235, 235, 255);
@@ -128,7 +134,8 @@ void show_notices(PanelContext& context) {
   };
   for (auto it = notices.rbegin(); it != notices.rend(); ++it) line(it->text, it->is_error ? wrong : ink);
   const auto tool = context.app.workspace().editor().tool().kind;
-  if (movements.empty() || context.app.workspace().document().curves.empty() || tool == drawing::ToolKind::articulate) {
+  if (dialog || movements.empty() || context.app.workspace().document().curves.empty() ||
+      tool == drawing::ToolKind::articulate) {
     return;
   }
   std::string text = "moved";
@@ -153,13 +160,17 @@ void show_radial_menu(PanelContext& context) {
   ImGui::SetNextWindowFocus();
   const float width = 2.4F * context.unit;
   const float reach = 2.9F * context.unit;
-  // All of it stays within the window.
-  const float margin_x = reach + 0.5F * width;
-  const float margin_y = reach + 0.5F * context.unit;
-  const float x = std::clamp(static_cast<float>(middle->x), margin_x,
-                             std::max(margin_x, static_cast<float>(window.width) - margin_x));
-  const float y = std::clamp(static_cast<float>(middle->y), margin_y,
-                             std::max(margin_y, static_cast<float>(window.height) - margin_y));
+  // All of it stays on the canvas, or at least in the window where that is too small.
+  const auto within = [](double at, double margin, double least, double most, double all) {
+    const bool fits = most - least >= 2 * margin;
+    const double from = (fits ? least : 0) + margin;
+    return static_cast<float>(std::clamp(at, from, std::max(from, (fits ? most : all) - margin)));
+  };
+  const Area free = context.app.free_area();
+  const double margin_x = static_cast<double>(reach + 0.5F * width + context.gap);
+  const double margin_y = static_cast<double>(reach + 0.5F * context.unit + context.gap);
+  const float x = within(middle->x, margin_x, free.left, free.right, window.width);
+  const float y = within(middle->y, margin_y, free.top, free.bottom, window.height);
   bool close = false;
   if (ImGui::Begin("radial", nullptr,
                    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {

@@ -17,7 +17,14 @@ struct PanelContext {
   std::map<std::string, Area, std::less<>>& targets;
   float unit = 34;  ///< px of a target that a pen hits for certain
   float gap = 6;
-  std::optional<Area> typed_into = {};  ///< the text field that has the keyboard
+  std::optional<Area> typed_into = {};   ///< the text field that has the keyboard
+  bool accepts = false;                  ///< Return was pressed: the dialog does what it is for
+  bool cancels = false;                  ///< Escape was pressed: the dialog, or else the menu, closes
+  bool field_first = false;              ///< the dialog's field takes the keyboard
+  bool has_field = false;                ///< the dialog has one
+  bool dialog_opens = false;             ///< it is in its first frame
+  bool menu_open = false;                ///< a menu is
+  std::optional<Area> dialog_area = {};  ///< where the dialog is
 };
 
 void show_toolbar(PanelContext& context, const Area& area);
@@ -31,6 +38,10 @@ void show_radial_menu(PanelContext& context);
 void show_notices(PanelContext& context);
 /// What can be done with a curve that was touched, beside it.
 void show_curve_menu(PanelContext& context);
+void show_open_dialog(PanelContext& context);
+void show_recent_dialog(PanelContext& context);
+void show_save_dialog(PanelContext& context);
+void show_export_dialog(PanelContext& context);
 void show_number_dialog(PanelContext& context);
 void show_key_dialog(PanelContext& context);
 void show_radial_dialog(PanelContext& context);

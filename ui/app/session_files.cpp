@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* k_extension = ".session";
 constexpr const char* k_lock = ".open";
+constexpr const char* k_model = ".model";
 
 std::string below_home(const char* variable, const char* usual) {
   const char* given = std::getenv(variable);
@@ -34,14 +35,33 @@ int take_lock(const std::string& path, int flags) {
   return -1;
 }
 
-/// Whether a stroke or a command is in it.
-bool holds_work(const std::string& path) {
+/// The state after its last stroke or command; empty where there is none.
+std::string last_state(const std::string& path) {
+  constexpr std::string_view k_start = "# penpose state ";
   std::ifstream file(path);
   std::string line;
+  std::string state;
   while (std::getline(file, line)) {
-    if (line.starts_with("# penpose state")) return true;
+    if (line.starts_with(k_start)) state = line.substr(k_start.size(), line.find(' ', k_start.size()) - k_start.size());
   }
-  return false;
+  return state;
+}
+
+struct Note {
+  std::string project;
+  std::string state;
+};
+
+Note note_of(const std::string& path) {
+  Note note;
+  std::ifstream file(path + k_lock);
+  std::getline(file, note.project);
+  std::getline(file, note.state);
+  return note;
+}
+
+std::string copy_of_model(const std::string& path, const std::string& model) {
+  return path + k_model + fs::path(model).extension().string();
 }
 
 void remove_quietly(const std::string& path) {
@@ -82,6 +102,43 @@ base::Result<std::unique_ptr<SessionFile>> SessionFile::create_in(const std::str
   return made;
 }
 
+base::Result<std::unique_ptr<SessionFile>> SessionFile::resume(const std::string& path, const std::string& program) {
+  const int lock = take_lock(path, O_CREAT);
+  if (lock < 0) return base::Error{"another window goes on with this session", "", "close that one first"};
+  auto file = cli::AppendFile::go_on(path);
+  if (!file) {
+    ::close(lock);
+    return file.error();
+  }
+  std::unique_ptr<SessionFile> made(new SessionFile(path, std::move(*file), program));
+  made->lock_ = lock;
+  return made;
+}
+
+void SessionFile::note_project(const std::string& project, const std::string& state) {
+  if (lock_ < 0 || project.find('\n') != std::string::npos) return;
+  const std::string text = project + "\n" + state + "\n";
+  static_cast<void>(::ftruncate(lock_, 0) == 0 &&
+                    ::pwrite(lock_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size()));
+}
+
+void SessionFile::keep_model(const std::string& model) {
+  std::error_code code;
+  model_copy_ = copy_of_model(path_, model);
+  fs::copy_file(model, model_copy_, fs::copy_options::skip_existing, code);
+}
+
+std::string project_of_session(const std::string& path) { return note_of(path).project; }
+
+std::string model_of_session(const std::string& path, const std::string& model) {
+  if (model.empty()) return "builtin:demo";
+  if (model.starts_with("builtin:")) return model;
+  std::error_code code;
+  if (const std::string copy = copy_of_model(path, model); fs::exists(copy, code)) return copy;
+  const auto beside = fs::path(path).parent_path() / fs::path(model).filename();
+  return !fs::exists(model, code) && fs::exists(beside, code) ? beside.string() : model;
+}
+
 SessionFile::~SessionFile() {
   static_cast<void>(writer_.flush(true));
   if (lock_ >= 0) ::close(lock_);
@@ -90,6 +147,7 @@ SessionFile::~SessionFile() {
 void SessionFile::finish(bool keep) {
   static_cast<void>(writer_.flush(true));
   if (!keep) remove_quietly(path_);
+  if (!keep && !model_copy_.empty()) remove_quietly(model_copy_);
   remove_quietly(path_ + k_lock);
 }
 
@@ -111,11 +169,12 @@ std::vector<std::string> abandoned_sessions(const std::string& folder) {
     const int lock = take_lock(path, 0);
     if (lock < 0) continue;
     ::close(lock);
-    if (holds_work(path)) {
-      found.push_back(path);
-    } else {
-      remove_quietly(path);
+    const std::string state = last_state(path);
+    if (state.empty()) remove_quietly(path);
+    if (state.empty() || state == note_of(path).state) {
       remove_quietly(path + k_lock);
+    } else {
+      found.push_back(path);
     }
   }
   return found;

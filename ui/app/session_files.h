@@ -29,12 +29,18 @@ class SessionFile {
   static base::Result<std::unique_ptr<SessionFile>> create_in(const std::string& folder, const std::string& stem,
                                                               const std::string& program);
   /// As after a crash, unless `finish` came before.
+  /// Goes on with a file whose program died. Errors: another program has it; it cannot be written.
+  static base::Result<std::unique_ptr<SessionFile>> resume(const std::string& path, const std::string& program);
   ~SessionFile();
   SessionFile(const SessionFile&) = delete;
   SessionFile& operator=(const SessionFile&) = delete;
 
   [[nodiscard]] replay::SessionWriter& writer() { return writer_; }
   [[nodiscard]] const std::string& path() const { return path_; }
+  /// Keeps beside the session, for after a crash, where the work is saved, and as of which state (a hash, or empty).
+  void note_project(const std::string& project, const std::string& state);
+  /// Keeps a copy of the model that the session began on, before that is written over: the session replays on it.
+  void keep_model(const std::string& model);
   /// The session ended as it should. `keep` false: nothing was done in it, and it is not worth a file.
   void finish(bool keep);
 
@@ -45,10 +51,17 @@ class SessionFile {
   cli::AppendFile file_;
   replay::SessionWriter writer_;
   int lock_ = -1;
+  std::string model_copy_;
 };
 
+/// Where the work of an abandoned session was saved; empty: nowhere.
+[[nodiscard]] std::string project_of_session(const std::string& path);
+/// The model to replay a session on that names `model`: the copy that was kept of it, itself, or one of its name beside
+/// the session.
+[[nodiscard]] std::string model_of_session(const std::string& path, const std::string& model);
+
 /// Sessions of a folder that were never finished and that no running program writes, the newest first. Those in which
-/// nothing was done are tidied away.
+/// nothing was done are tidied away, those whose work was saved count as finished.
 [[nodiscard]] std::vector<std::string> abandoned_sessions(const std::string& folder);
 /// The session counts as finished from now on.
 void settle_session(const std::string& path);

@@ -69,13 +69,18 @@ void add_pose_curves(std::vector<CurveDrawing>& out, const Workspace& workspace,
     on_surface.width_px = look.scale * (curve->points.size() == 1 ? 9.0F : 3.5F);
     on_surface.highlighted = lit && !curve->target;
     out.push_back(std::move(on_surface));
-    // While the target is drawn anew the old one would only be in the way.
-    if (!curve->target || (!held && workspace.live().active() && workspace.live().curve() == curve->id)) continue;
+    // While the target is drawn anew the old one would only be in the way; one that is drawn over is shown as it will
+    // be.
+    const bool drawn = !held && workspace.live().active() && workspace.live().curve() == curve->id;
+    const document::DrawnTarget* now_wanted = drawn           ? workspace.live().target()
+                                              : curve->target ? &*curve->target
+                                                              : nullptr;
+    if (now_wanted == nullptr) continue;
     CurveDrawing target;
     target.kind = CurveKind::target;
-    target.points = curve->target->points;
+    target.points = now_wanted->points;
     target.highlighted = lit;
-    const auto& pressure = curve->target->pressure;
+    const auto& pressure = now_wanted->pressure;
     for (std::size_t i = 0; i < target.points.size(); ++i) {
       target.point_colors.push_back(distance_color(geometry::distance(target.points[i], now[i]), surface.size()));
       const std::size_t at =
@@ -184,7 +189,7 @@ void add_onion_skins(std::vector<CurveDrawing>& out, const Workspace& workspace,
         const auto& b = points[i].barycentric;
         drawing.points.push_back(at[3 * i] * b[0] + at[3 * i + 1] * b[1] + at[3 * i + 2] * b[2]);
       }
-      drawing.color = render::from_srgb(color, 0.55F);
+      drawing.color = render::from_srgb(color, 0.8F);
       drawing.width_px = k_thin_px * look.scale;
       out.push_back(std::move(drawing));
     };
@@ -194,8 +199,9 @@ void add_onion_skins(std::vector<CurveDrawing>& out, const Workspace& workspace,
       for (const auto& curve : document.curves) draw(curve->points);
     }
   };
-  add(before, 0xd08a5a);
-  add(after, 0x8f7bd0);
+  // Unlike skin, and unlike what is drawn.
+  add(before, 0xc04bff);
+  add(after, 0x19c8d8);
 }
 
 }  // namespace

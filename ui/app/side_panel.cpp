@@ -36,8 +36,8 @@ void parameter_row(PanelContext& context, std::size_t index) {
   double value = index < shown.size() ? shown[index] : document.pose[index];
   const bool locked = std::binary_search(document.locked.begin(), document.locked.end(), parameter.name);
   ImGui::PushID(static_cast<int>(index));
-  if (wide_button(
-          context, locked ? "L##lock" : "-##lock", context.unit, locked,
+  if (lock_button(
+          context, ("##lock " + parameter.name).c_str(), locked,
           locked ? "Locked: no stroke moves it. Touch to free it" : "Touch to lock it: no stroke will move it")) {
     app.workspace().perform(document::LockParameters{{parameter.name}, !locked});
   }
@@ -49,13 +49,13 @@ void parameter_row(PanelContext& context, std::size_t index) {
   }
   if (released) app.set_parameter(index, value);
   ImGui::SameLine();
-  const std::string type = "=##type " + parameter.name;
+  const std::string type = "\u270e##type " + parameter.name;
   if (wide_button(context, type.c_str(), context.unit, false, "Type its value, or change its range")) {
     app.panels().number = {parameter.name, {}, NumberEntry::Field::value};
     app.panels().dialog = Dialog::number;
   }
   ImGui::SameLine();
-  if (wide_button(context, "0##reset", context.unit, false, "Back to rest")) {
+  if (wide_button(context, "\u21ba##reset", context.unit, false, "Back to rest")) {
     app.workspace().perform(document::ResetParameters{{parameter.name}});
   }
   ImGui::PopID();
@@ -72,7 +72,8 @@ bool group_row(PanelContext& context, const std::string& group, const std::vecto
   });
   ImGui::PushID(group.c_str());
   const float width = ImGui::GetContentRegionAvail().x - 2 * (context.unit + ImGui::GetStyle().ItemSpacing.x);
-  const std::string label = (open ? "v  " : ">  ") + group + "  " + std::to_string(members.size()) + "##group " + group;
+  const std::string label =
+      (open ? "\u25be  " : "\u25b8  ") + group + "  " + std::to_string(members.size()) + "##group " + group;
   if (wide_button(context, label.c_str(), width, false, open ? "Fold this group" : "Unfold this group")) {
     if (open) {
       folded.insert(group);
@@ -81,12 +82,13 @@ bool group_row(PanelContext& context, const std::string& group, const std::vecto
     }
   }
   ImGui::SameLine();
-  if (wide_button(context, ("L##lock group " + group).c_str(), context.unit, all_locked,
+  if (lock_button(context, ("##lock group " + group).c_str(), all_locked,
                   all_locked ? "Free the whole group" : "Lock the whole group: no stroke will move it")) {
     app.workspace().perform(document::LockParameters{members, !all_locked});
   }
   ImGui::SameLine();
-  if (wide_button(context, ("0##reset group " + group).c_str(), context.unit, false, "The whole group back to rest")) {
+  if (wide_button(context, ("\u21ba##reset group " + group).c_str(), context.unit, false,
+                  "The whole group back to rest")) {
     app.workspace().perform(document::ResetParameters{members});
   }
   ImGui::PopID();
@@ -105,11 +107,14 @@ void show_parameters(PanelContext& context) {
   // The order is kept; a group is a run of one first word.
   std::string group;
   bool open = true;
+  bool found = false;
   for (std::size_t i = 0; i < app.workspace().document().model->rig->parameters().size(); ++i) {
     // A row may perform a command that makes another rig.
     const auto now = app.workspace().document().model->rig->parameters();
     if (!app.panels().filter.empty()) {
-      if (contains(now[i].name, app.panels().filter)) parameter_row(context, i);
+      if (!contains(now[i].name, app.panels().filter)) continue;
+      found = true;
+      parameter_row(context, i);
       continue;
     }
     const std::string word = first_word(now[i].name);
@@ -122,6 +127,7 @@ void show_parameters(PanelContext& context) {
     }
     if (open) parameter_row(context, i);
   }
+  if (!app.panels().filter.empty() && !found) ImGui::TextWrapped("Nothing has this in its name.");
   if (app.workspace().document().model->rig->parameters().empty()) {
     ImGui::TextWrapped("This model has nothing to pose yet. Take the tool Rig and sketch a control.");
   }

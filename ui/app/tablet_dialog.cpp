@@ -110,7 +110,7 @@ void show_tablet_dialog(PanelContext& context) {
       app.tablet_setting_changed();
     }
     ImGui::SameLine();
-    if (wide_button(context, "Done")) app.panels().dialog = Dialog::none;
+    if (wide_button(context, "Done") || context.accepts) app.panels().dialog = Dialog::none;
   }
   end_dialog();
 }

@@ -10,7 +10,7 @@
 
 #include "firmware_io/device/permission.h"
 #include "firmware_io/device/report_pump.h"
-#include "firmware_io/device/tablet_watch.h"
+#include "ui/app/said.h"
 #include "ui/cli/own_program.h"
 
 namespace penpose::app {
@@ -29,6 +29,7 @@ struct Tablets::State {
 
   std::function<void()> wake;
   const decode::TabletTable* own;
+  StartWatch start_watch;
   int stop_event = -1;
   std::atomic<bool> stop{false};
   std::thread thread;
@@ -44,7 +45,8 @@ struct Tablets::State {
     const std::string key = std::to_string(identity.vendor) + ":" + std::to_string(identity.product) + ":" +
                             std::to_string(identity.interface_number.value_or(-1)) + ":" + identity.name;
     for (const auto& [name, number] : known) {
-      const bool in_use = std::any_of(open.begin(), open.end(), [&](const Open& one) { return one.number == number; });
+      const bool in_use =
+          std::any_of(open.begin(), open.end(), [taken = number](const Open& one) { return one.number == taken; });
       if (name == key && !in_use) return number;
     }
     known.emplace_back(key, static_cast<int>(known.size()) + 1);
@@ -70,11 +72,11 @@ struct Tablets::State {
   }
 
   void run() {
-    auto watch = device::TabletWatch::start(own);
+    auto watch = start_watch();
     if (!watch) {
       {
         const std::scoped_lock lock(mutex);
-        refused.push_back("tablets cannot be watched, only mouse and touch draw: " + watch.error().line());
+        refused.push_back("No tablet can be seen, only mouse and touch draw: " + said(watch.error()));
       }
       wake();
       return;
@@ -100,9 +102,11 @@ struct Tablets::State {
   }
 };
 
-Tablets::Tablets(std::function<void()> wake, const decode::TabletTable* own) : state_(std::make_unique<State>()) {
+Tablets::Tablets(std::function<void()> wake, const decode::TabletTable* own, StartWatch start_watch)
+    : state_(std::make_unique<State>()) {
   state_->wake = std::move(wake);
   state_->own = own;
+  state_->start_watch = start_watch ? std::move(start_watch) : [own] { return device::TabletWatch::start(own); };
   state_->stop_event = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   state_->thread = std::thread([this] { state_->run(); });
 }

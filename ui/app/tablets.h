@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 
+#include "firmware_io/device/tablet_watch.h"
 #include "ui/app/app.h"
 
 namespace penpose::app {
@@ -11,8 +12,11 @@ namespace penpose::app {
 /// made. One more thread waits for all of them and wakes the window up.
 class Tablets {
  public:
-  /// `wake` is called from another thread whenever there is something to take. `own` may be null.
-  Tablets(std::function<void()> wake, const decode::TabletTable* own);
+  using StartWatch = std::function<base::Result<device::TabletWatch>()>;
+
+  /// `wake` is called from another thread whenever there is something to take. `own` may be null. `start_watch` stands
+  /// in for the system's own watch.
+  Tablets(std::function<void()> wake, const decode::TabletTable* own, StartWatch start_watch = {});
   ~Tablets();
   Tablets(const Tablets&) = delete;
   Tablets& operator=(const Tablets&) = delete;

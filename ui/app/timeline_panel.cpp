@@ -31,9 +31,11 @@ Shown shown_moments(App& app) {
     panels.span_s = panels.from_s = 0;
     return {0, all};
   }
-  // The cursor stays in sight.
-  if (panels.time_s < panels.from_s) panels.from_s = panels.time_s;
-  if (panels.time_s > panels.from_s + panels.span_s) panels.from_s = panels.time_s - panels.span_s;
+  // The cursor is in sight wherever it goes.
+  if (std::exchange(panels.seen_time_s, panels.time_s) != panels.time_s) {
+    if (panels.time_s < panels.from_s) panels.from_s = panels.time_s;
+    if (panels.time_s > panels.from_s + panels.span_s) panels.from_s = panels.time_s - panels.span_s;
+  }
   panels.from_s = std::clamp(panels.from_s, 0.0, all - panels.span_s);
   return {panels.from_s, panels.span_s};
 }
@@ -46,6 +48,12 @@ void zoom_track(App& app, double factor) {
   const double share = std::clamp((panels.time_s - now.from) / now.span, 0.0, 1.0);
   panels.span_s = span;
   panels.from_s = std::max(0.0, panels.time_s - share * span);
+}
+
+/// Shows another part of the timeline, by a share of what is shown.
+void pan_track(App& app, double share) {
+  const Shown now = shown_moments(app);
+  app.panels().from_s = std::max(0.0, now.from + share * now.span);
 }
 
 /// What the pen does on the track: a key that it takes along, or the cursor. `time_of` and `x_of` map px to moments.
@@ -180,6 +188,12 @@ void show_timeline(PanelContext& context, const Area& area) {
     if (wide_button(context, "+##track", context.unit, false, "Show less of the timeline, about its cursor")) {
       zoom_track(app, 1 / 1.6);
     }
+    ImGui::SameLine();
+    ImGui::BeginDisabled(app.panels().span_s <= 0);
+    if (wide_button(context, "<##track", context.unit, false, "Show what comes before")) pan_track(app, -0.5);
+    ImGui::SameLine();
+    if (wide_button(context, ">##track", context.unit, false, "Show what comes after")) pan_track(app, 0.5);
+    ImGui::EndDisabled();
     ImGui::SameLine();
     char text[48];
     std::snprintf(text, sizeof text, "%.2f s   %zu keys", app.panels().time_s, timeline.keys.size());

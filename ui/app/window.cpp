@@ -11,6 +11,7 @@
 
 #include "firmware_io/device/clock.h"
 #include "ui/app/draw_thread.h"
+#include "ui/app/full_screen.h"
 #include "ui/app/stop_watch.h"
 
 namespace penpose::app {
@@ -20,6 +21,8 @@ constexpr int k_width = 1280;
 constexpr int k_height = 800;
 /// A still picture gets smoother once in so long.
 constexpr int k_refine_ms = 30;
+/// What came of asking for the full screen is looked at so often.
+constexpr int k_look_again_ms = 100;
 
 std::string sdl_error() {
   const std::string text = SDL_GetError();
@@ -104,20 +107,16 @@ struct Window::State {
     return static_cast<double>(diagonal);
   }
   void take_event(const SDL_Event& event, App& app, Interface& interface) const;
-  void take_key(const SDL_KeyboardEvent& key, App& app, Interface& interface) const;
+  static void take_key(const SDL_KeyboardEvent& key, Interface& interface);
 };
 
-void Window::State::take_key(const SDL_KeyboardEvent& key, App& app, Interface& interface) const {
+void Window::State::take_key(const SDL_KeyboardEvent& key, Interface& interface) {
   const bool ctrl = (key.keysym.mod & KMOD_CTRL) != 0;
   const bool shift = (key.keysym.mod & KMOD_SHIFT) != 0;
   const bool down = key.type == SDL_KEYDOWN;
-  const bool typed = interface.wants_keys();
-  app.panels().has_keyboard = true;
-  interface.edit_key(key.keysym.scancode, down, ctrl, shift);
-  // Behind a dialog nothing is to happen; these two answer it.
-  const bool answers = key.keysym.sym == SDLK_ESCAPE || key.keysym.sym == SDLK_RETURN;
-  if (app.hits().all && !answers) return;
-  if (down && !typed && (key.keysym.mod & KMOD_ALT) == 0) app.key({key_of(key.keysym.sym), ctrl, shift});
+  // Alt belongs to the desktop.
+  if (down && (key.keysym.mod & KMOD_ALT) != 0) return;
+  interface.key(key.keysym.scancode, {key_of(key.keysym.sym), ctrl, shift}, down);
 }
 
 void Window::State::take_event(const SDL_Event& event, App& app, Interface& interface) const {
@@ -162,7 +161,7 @@ void Window::State::take_event(const SDL_Event& event, App& app, Interface& inte
       break;
     case SDL_KEYDOWN:
     case SDL_KEYUP:
-      take_key(event.key, app, interface);
+      take_key(event.key, interface);
       break;
     case SDL_TEXTINPUT:
       interface.text(event.text.text);
@@ -233,7 +232,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
   DrawThread& thread = **drawing;
   FrameMaker frames;
   SDL_StartTextInput();
-  bool fullscreen = (SDL_GetWindowFlags(state_->window) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
+  FullScreen full_screen(state_->window);
   bool wanted_fullscreen = app.fullscreen();
   int fonts = interface.font_revision();
   std::uint64_t pose_number = app.surface().pose_number();
@@ -246,6 +245,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     const bool busy = thread.busy();
     int wait_ms = interface.unsettled() || due ? 0 : app.next_frame_ms();
     if (thread.refining() && (wait_ms < 0 || wait_ms > k_refine_ms)) wait_ms = k_refine_ms;
+    if (full_screen.waits() && (wait_ms < 0 || wait_ms > k_look_again_ms)) wait_ms = k_look_again_ms;
     if (busy) wait_ms = app.player() && app.player()->playing() ? std::max(1, app.next_frame_ms()) : -1;
     SDL_Event event;
     const bool came = wait_ms < 0   ? SDL_WaitEvent(&event) == 1
@@ -271,16 +271,18 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     }
     status = thread.status();
     if (!status) break;
+    // The picture that was drawn last may have found the window larger or smaller.
+    const auto drawable = thread.drawable();
+    due = full_screen.settle(drawable, device::monotonic_us()) || (drawable && !(*drawable == app.window())) || due;
     if (!due || thread.busy()) continue;
     due = false;
     if (app.fullscreen() != wanted_fullscreen) {
       wanted_fullscreen = app.fullscreen();
-      fullscreen = !fullscreen;
-      SDL_SetWindowFullscreen(state_->window, fullscreen ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
+      full_screen.toggle(device::monotonic_us());
     }
     const std::int64_t cpu_before = thread_cpu_us();
     const std::int64_t now = device::monotonic_us();
-    app.resized(state_->size(), state_->dpi());
+    app.resized(thread.drawable().value_or(state_->size()), state_->dpi());
     app.begin_frame();
     interface.frame(static_cast<double>(now - last_us) * 1e-6);
     last_us = now;

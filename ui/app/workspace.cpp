@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/app/said.h"
+
 namespace penpose::app {
 
 using replay::PenMoment;
@@ -15,12 +17,21 @@ bool sketches(const drawing::Tool& tool) {
   return tool.kind == drawing::ToolKind::articulate || tool.kind == drawing::ToolKind::redraw;
 }
 
+/// Whether a line of a session brings the face to a target.
+bool solves(const replay::SessionLine& line) {
+  const auto* performed = std::get_if<replay::Performed>(&line);
+  if (performed == nullptr) return std::holds_alternative<replay::TabletGone>(line);
+  return std::holds_alternative<document::DragTarget>(performed->command) ||
+         std::holds_alternative<document::DrawTarget>(performed->command) ||
+         std::holds_alternative<document::SolvePose>(performed->command);
+}
+
 }  // namespace
 
 Workspace::Workspace(Clock clock, Tell tell, const decode::TabletTable* own)
     : clock_(std::move(clock)), tell_(std::move(tell)), own_(own) {}
 
-void Workspace::open(document::Document document, replay::SessionWriter* writer, const std::string& path) {
+void Workspace::forget() {
   follow_.end();
   sketch_.end();
   preview_.reset();
@@ -28,31 +39,52 @@ void Workspace::open(document::Document document, replay::SessionWriter* writer,
   movements_.clear();
   stroke_seen_ = false;
   live_.reset();
+}
+
+void Workspace::resume(replay::Session session, replay::SessionWriter* writer, std::int64_t last_us) {
+  forget();
+  began_us_ = clock_() - last_us;
+  live_ = std::make_unique<replay::LiveSession>(std::move(session), writer, last_us);
+  live_->connect(0, replay::virtual_pen_identity());
+  set_tool(editor().tool());
+  saved_revision_ = revision_++;
+}
+
+void Workspace::open(document::Document document, replay::SessionWriter* writer, const std::string& path) {
+  forget();
   began_us_ = clock_();
   live_ = std::make_unique<replay::LiveSession>(std::move(document), writer, path, own_);
   live_->connect(0, replay::virtual_pen_identity());
+  set_tool({});
   saved_revision_ = ++revision_;
 }
 
 bool Workspace::act(const replay::SessionLine& line) {
   const document::Document before = document();
   const base::Status status = live_->act(line, now());
-  after_steps(before);
-  if (!status && live_->session().steps().empty()) tell_(status.error().line(), true);
+  after_steps(before, solves(line));
+  if (!status && live_->session().steps().empty()) tell_(said(status.error()), true);
   return status.ok();
 }
 
-void Workspace::after_steps(const document::Document& before) {
+void Workspace::after_steps(const document::Document& before, bool solved) {
   const auto steps = live_->session().steps();
   if (steps.empty()) return;
   for (const auto& step : steps) {
-    if (!step.status) tell_(step.status.error().line(), true);
+    if (step.status) continue;
+    // A stroke that means nothing does no harm.
+    const base::Error& error = step.status.error();
+    tell_(step.is_stroke ? said_of_stroke(error, editor().tool(), before) : said(error), !step.is_stroke);
   }
+  const bool any = std::any_of(steps.begin(), steps.end(), [](const auto& step) { return step.status.ok(); });
+  if (!any) return;
   ++revision_;
   const auto parameters = document().model->rig->parameters();
   const bool same_rig = before.model == document().model;
   if (!same_rig || before.pose == document().pose) return;
   movements_.clear();
+  // Only a stroke finds parameters; what a slider or the timeline sets is known.
+  if (!solved) return;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const double by = document().pose[i] - before.pose[i];
     if (std::abs(by) >= 0.005 * (parameters[i].maximum - parameters[i].minimum)) {
@@ -67,7 +99,8 @@ bool Workspace::perform(const document::Command& command) { return act(replay::P
 void Workspace::undo() { act(replay::Undone{}); }
 void Workspace::redo() { act(replay::Redone{}); }
 
-void Workspace::set_tool(const drawing::Tool& tool) {
+void Workspace::set_tool(drawing::Tool tool) {
+  tool.rules = drawing::k_rules;
   if (tool == editor().tool()) return;
   if (!sketches(tool)) sketch_.end();
   act(replay::ToolChosen{tool});

@@ -33,6 +33,10 @@ class Workspace {
   /// Begins a session on a document. `writer` may be null and must outlive the session.
   void open(document::Document document, replay::SessionWriter* writer, const std::string& path);
 
+  /// Goes on with a session that was read from what `writer` adds to, and that ended at `last_us`. It counts as
+  /// unsaved.
+  void resume(replay::Session session, replay::SessionWriter* writer, std::int64_t last_us);
+
   [[nodiscard]] const drawing::Editor& editor() const { return live_->session().editor(); }
   [[nodiscard]] const document::Document& document() const { return editor().document(); }
   [[nodiscard]] const replay::Session& session() const { return live_->session(); }
@@ -42,7 +46,7 @@ class Workspace {
   bool perform(const document::Command& command);
   void undo();
   void redo();
-  void set_tool(const drawing::Tool& tool);
+  void set_tool(drawing::Tool tool);
   void set_view(const document::View& view);
   void set_tablet(int device, const replay::TabletSetting& setting);
   /// Whether strokes that begin from now on draw.
@@ -84,8 +88,9 @@ class Workspace {
 
  private:
   [[nodiscard]] std::int64_t now() const { return clock_() - began_us_; }
+  void forget();
   bool act(const replay::SessionLine& line);
-  void after_steps(const document::Document& before);
+  void after_steps(const document::Document& before, bool solved = true);
 
   Clock clock_;
   Tell tell_;

@@ -61,6 +61,17 @@ base::Result<AppendFile> AppendFile::create_new(const std::string& path) {
   return made;
 }
 
+base::Result<AppendFile> AppendFile::go_on(const std::string& path) {
+  AppendFile there(::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC));
+  struct stat facts {};
+  if (there.file_ < 0 || ::fstat(there.file_, &facts) != 0) return system_error("cannot be written");
+  off_t end = facts.st_size;
+  char last = 0;
+  while (end > 0 && ::pread(there.file_, &last, 1, end - 1) == 1 && last != '\n') --end;
+  if (end < facts.st_size && ::ftruncate(there.file_, end) != 0) return system_error("cannot be written");
+  return there;
+}
+
 AppendFile::AppendFile(AppendFile&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
 AppendFile& AppendFile::operator=(AppendFile&& other) noexcept {
   std::swap(file_, other.file_);

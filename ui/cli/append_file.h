@@ -17,6 +17,10 @@ class AppendFile {
   /// The same with nothing in it yet, and never in place of a file that is there, which is an error.
   [[nodiscard]] static base::Result<AppendFile> create_new(const std::string& path);
 
+  /// The file that is there, to add to it. What follows its last line break goes. Errors: it is not there or cannot be
+  /// written to.
+  [[nodiscard]] static base::Result<AppendFile> go_on(const std::string& path);
+
   AppendFile(AppendFile&& other) noexcept;
   AppendFile& operator=(AppendFile&& other) noexcept;
   ~AppendFile();

@@ -199,6 +199,9 @@ TEST(ApplyArticulation, AMirroredDeformerIsAnotherOne) {
   EXPECT_EQ(hand.value("base.ry"), 0.75);
   EXPECT_NEAR(rise(hand, "up_R"), 0.3, 0.1) << "the sheet is its own mirror image";
   hand.refuses(MirrorDeformer{"up_L"});
+  hand.refuses(MirrorDeformer{"up_L", "other"});
+  hand.does(MirrorDeformer{"up_L", "another"});
+  EXPECT_EQ(deformers(hand), (std::vector<std::string>{"up_L", "other", "up_R", "another"}));
 }
 
 TEST(ApplyArticulation, ADeformerFollowsItsCurvesDrawnAgain) {

@@ -47,6 +47,15 @@ class ToolCommands : public testing::Test {
   std::vector<geometry::PxPoint> line = curve::positions_of(stroke);
 };
 
+TEST(Tool, ATapIsNoLineUnlessThePenGoesSomewhere) {
+  const geometry::Viewport picture{1000, 1000};
+  EXPECT_TRUE(is_tap({}, picture));
+  EXPECT_TRUE(is_tap({{{100, 100}, 1, 0}, {{103, 102}, 1, 1}, {{100, 104}, 1, 2}}, picture));
+  EXPECT_FALSE(is_tap({{{100, 100}, 1, 0}, {{106, 100}, 1, 1}}, picture));
+  EXPECT_FALSE(is_tap({{{100, 100}, 1, 0}, {{130, 100}, 1, 1}, {{100, 100}, 1, 2}}, picture)) << "there and back";
+  EXPECT_TRUE(is_tap({{{100, 100}, 1, 0}, {{106, 100}, 1, 1}}, {2000, 2000})) << "of a denser screen";
+}
+
 TEST(Tool, ReadsBackAsItWasWritten) {
   for (const auto kind :
        {ToolKind::pose, ToolKind::reference, ToolKind::target, ToolKind::oversketch, ToolKind::constraint,

@@ -139,7 +139,7 @@ TEST(AppEditing, NumbersAndRangesAreTypedWithThePenAlone) {
   const auto open = [&] {
     desk.app->panels().filter = "jaw";
     desk.frames();
-    desk.click("=##type jaw");
+    desk.click("\u270e##type jaw");
   };
   open();
   for (const char* key : {"0##pad", ".##pad", "5##pad"}) desk.click(key);
@@ -194,6 +194,12 @@ TEST(AppEditing, AKeyIsNamedDraggedAndKeepsItsNameWhenItIsKeyedAnew) {
   const double all = desk.app->panels().span_s;
   desk.click("+##track");
   EXPECT_GT(desk.app->panels().span_s, all);
+  const double from = desk.app->panels().from_s;
+  desk.click("<##track");
+  EXPECT_LT(desk.app->panels().from_s, from);
+  desk.click(">##track");
+  desk.click(">##track");
+  EXPECT_GT(desk.app->panels().from_s, from) << "also away from the cursor";
   desk.click("-##track");
   EXPECT_EQ(desk.app->panels().span_s, 0);
 }
@@ -248,22 +254,6 @@ TEST(AppEditing, ACurveThatIsTouchedIsKeptOrDeletedWithThePenAlone) {
   EXPECT_TRUE(desk.document().curves.empty());
   desk.click("Pressure");
   EXPECT_TRUE(desk.document().pressure_weighting);
-}
-
-TEST(AppEditing, WorkThatASignalInterruptsIsOfferedAtTheNextStart) {
-  document::DocumentState lost;
-  {
-    Desk desk("signal");
-    desk.begin();
-    pose_mouth(desk);
-    lost = desk.app->workspace().state();
-    desk.app->quit_at_once();
-    EXPECT_TRUE(desk.app->wants_quit()) << "nobody is asked";
-  }
-  Desk desk("signal", "builtin:demo", false);
-  ASSERT_EQ(desk.app->panels().dialog, Dialog::recover);
-  desk.click("Bring it back");
-  EXPECT_EQ(desk.app->workspace().state().parts[3], lost.parts[3]);
 }
 
 }  // namespace

@@ -189,28 +189,6 @@ TEST(App, APoseThatIsNotKeyedYetIsCarriedAlongTheTimeline) {
   EXPECT_NE(desk.document().pose, pose);
 }
 
-TEST(App, AfterACrashTheWorkIsOfferedAndComesBack) {
-  document::DocumentState lost;
-  {
-    auto* desk = new Desk("crash");
-    desk->begin();
-    pose_mouth(*desk);
-    lost = desk->app->workspace().state();
-    // A crash: nothing is finished. The kernel gives the lock back, as it does for a program that died.
-    const std::string lock = desk->app->session_path() + ".open";
-    const std::string copy = desk->path("state/sessions/2026-01-01_00-00-00.session");
-    std::filesystem::copy_file(desk->app->session_path(), copy);
-    std::ofstream(copy + ".open") << "";
-    delete desk;
-  }
-  Desk desk("crash", "builtin:demo", false);
-  ASSERT_EQ(desk.app->panels().dialog, Dialog::recover);
-  desk.click("Bring it back");
-  EXPECT_EQ(desk.app->workspace().state().parts[2], lost.parts[2]) << "the pose is back";
-  EXPECT_EQ(desk.app->workspace().state().parts[3], lost.parts[3]) << "the curves are back";
-  EXPECT_TRUE(abandoned_sessions(desk.path("state/sessions")).empty()) << "it is not offered again";
-}
-
 TEST(App, UnpluggingInTheMiddleOfAStrokeEndsItAndSaysSo) {
   Desk desk("unplug");
   desk.begin();

@@ -23,8 +23,9 @@ TEST(Interface, WhatAPenHasToHitIsAtLeastNineMillimetresOnAnyDisplay) {
     desk.app->resized({static_cast<int>(1280 * dpi / 96), static_cast<int>(800 * dpi / 96)}, dpi);
     desk.frames();
     expect_large_enough(desk, dpi);
-    for (const Dialog dialog : {Dialog::open, Dialog::save, Dialog::steps, Dialog::tablet, Dialog::sessions,
-                                Dialog::unsaved, Dialog::number, Dialog::key_name, Dialog::radial}) {
+    for (const Dialog dialog :
+         {Dialog::open, Dialog::save, Dialog::steps, Dialog::tablet, Dialog::sessions, Dialog::unsaved, Dialog::number,
+          Dialog::key_name, Dialog::radial, Dialog::recent, Dialog::export_as, Dialog::recover}) {
       desk.app->panels().number.parameter = "jaw";
       desk.app->panels().dialog = dialog;
       desk.frames();
@@ -47,8 +48,8 @@ TEST(Interface, EverythingThatHasAKeyIsReachedWithoutAKeyboard) {
     EXPECT_NE(desk.interface->find(label), nullptr) << label;
   }
   desk.click("Menu");
-  for (const char* label :
-       {"Open", "Save", "Save as", "Sessions", "Tablet", "Full screen", "Larger", "Smaller", "Help", "Quit"}) {
+  for (const char* label : {"Open", "Save", "Save as", "Export", "Recent", "Light colours", "Sessions", "Tablet",
+                            "Full screen", "Larger", "Smaller", "Help", "Quit"}) {
     EXPECT_NE(desk.interface->find(label), nullptr) << label;
   }
 }
@@ -94,6 +95,69 @@ TEST(Interface, WhoHasNoKeyboardTypesOnTheScreen) {
   EXPECT_EQ(desk.interface->find("key j"), nullptr);
 }
 
+TEST(Interface, TheMenuAroundThePenStaysOnTheCanvas) {
+  Desk desk("radial-place");
+  desk.begin();
+  const Area free = desk.app->free_area();
+  for (const PxPoint at : {PxPoint{free.left, free.top}, PxPoint{free.right, free.bottom}}) {
+    desk.app->panels().radial = at;
+    desk.frames();
+    for (const auto& [label, area] : desk.interface->targets()) {
+      if (label.find("##radial") == std::string::npos) continue;
+      EXPECT_TRUE(free.holds({area.left, area.top}) && free.holds({area.right - 1, area.bottom - 1})) << label;
+    }
+    EXPECT_NE(desk.interface->find("Undo##radial"), nullptr);
+  }
+}
+
+TEST(Interface, TheMenuEndsWithQuit) {
+  Desk desk("menu-order");
+  desk.begin();
+  desk.click("Menu");
+  const double quit = desk.interface->find("Quit")->top;
+  for (const char* label : {"Open", "Recent", "Save", "Save as", "Export", "Light colours", "Help"}) {
+    EXPECT_LT(desk.interface->find(label)->top, quit) << label;
+  }
+}
+
+TEST(Interface, AMenuLongerThanTheWindowScrollsToItsEnd) {
+  Desk desk("menu-small");
+  desk.begin();
+  desk.app->resized({640, 400}, 96);
+  desk.frames();
+  desk.click("Menu");
+  ASSERT_NE(desk.interface->find("Save"), nullptr);
+  desk.app->mouse_moved(desk.interface->find("Save")->middle());
+  desk.frames();
+  for (int i = 0; i < 12; ++i) {
+    desk.app->wheel(-1);
+    desk.frames(2);
+  }
+  ASSERT_NE(desk.interface->find("Quit"), nullptr);
+  EXPECT_LE(desk.interface->find("Quit")->bottom, 400);
+}
+
+TEST(Interface, ACopyIsExportedAndAFileOpenedAgainWithThePenAlone) {
+  Desk desk("export");
+  desk.begin();
+  ASSERT_TRUE(desk.app->save(desk.path("mine.glb")).ok());
+  pose_mouth(desk);
+  desk.click("Menu");
+  desk.click("Export");
+  desk.click("This pose alone (.obj)");
+  desk.click("Export##now");
+  EXPECT_TRUE(std::filesystem::exists(desk.path("mine-export.obj")));
+  EXPECT_EQ(desk.app->project(), desk.path("mine.glb")) << "the work stays where it is saved";
+  EXPECT_TRUE(desk.app->workspace().unsaved());
+  desk.click("Menu");
+  desk.click("Recent");
+  desk.click("mine.glb##recent " + desk.path("mine.glb"));
+  EXPECT_EQ(desk.app->panels().dialog, Dialog::unsaved) << "what is not saved is asked about";
+  desk.click("Open without saving");
+  EXPECT_TRUE(desk.document().curves.empty());
+  EXPECT_EQ(desk.app->project(), desk.path("mine.glb"));
+}
+
 TEST(Interface, TheMenuAroundThePenOffersWhatWasChosenForIt) {
   Desk desk("radial");
   desk.begin();
@@ -119,13 +183,13 @@ TEST(Interface, AGroupOfParametersIsFoldedLockedAndReset) {
   desk.app->set_parameter(4, desk.document().model->rig->parameters()[4].maximum);
   ASSERT_EQ(desk.document().model->rig->parameters()[4].name.substr(0, 5), "brow_");
   desk.frames();
-  desk.click("L##lock group brow");
+  desk.click("##lock group brow");
   EXPECT_EQ(desk.document().locked.size(), 4U);
-  desk.click("0##reset group brow");
+  desk.click("\u21ba##reset group brow");
   EXPECT_DOUBLE_EQ(desk.document().pose[4], 0);
   const Area* unfolded = desk.interface->find("slider brow_inner_L");
   ASSERT_NE(unfolded, nullptr);
-  desk.click("v  brow  4##group brow");
+  desk.click("\u25be  brow  4##group brow");
   EXPECT_EQ(desk.interface->find("slider brow_inner_L"), nullptr);
 }
 

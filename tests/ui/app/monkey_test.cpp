@@ -45,7 +45,7 @@ class Monkey {
         break;
       }
       case 10:
-        app.key({static_cast<std::uint32_t>(below(200)), below(3) == 0, below(3) == 0});
+        type_key();
         break;
       case 11:
         press_something();
@@ -80,6 +80,20 @@ class Monkey {
   PxPoint anywhere() {
     const auto window = desk_.app->window();
     return {static_cast<double>(below(window.width + 40) - 20), static_cast<double>(below(window.height + 40) - 20)};
+  }
+  void type_key() {
+    constexpr int k_return = 40;
+    constexpr int k_escape = 41;
+    KeyStroke stroke{static_cast<std::uint32_t>(below(200)), below(3) == 0, below(3) == 0};
+    int scancode = below(120);
+    if (below(4) == 0) {
+      scancode = below(4) == 0 ? k_return : k_escape;
+      stroke = {scancode == k_escape ? k_key_escape : 0, false, false};
+    }
+    // Nobody comes back from having quit.
+    if (stroke.ctrl && stroke.key == 'q') return;
+    desk_.interface->key(scancode, stroke, true);
+    if (below(8) != 0) desk_.interface->key(scancode, stroke, false);
   }
   void press_something() {
     const auto& targets = desk_.interface->targets();

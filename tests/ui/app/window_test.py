@@ -48,11 +48,11 @@ def write_png(source, path):
 
 
 class Screen:
-    def __init__(self, folder, pictures):
+    def __init__(self, folder, pictures, width=WIDTH, height=HEIGHT):
         self.folder, self.pictures = folder, pictures
         read, write = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-fbdir", folder],
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-fbdir", folder],
             pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as answer:
@@ -230,7 +230,7 @@ def pen_alone(program, screen, folder, session):
         pen.stroke(line)
     pen.tap(202, 735)  # Key
     pen.tap(34, 23)  # Menu
-    pen.tap(168, 111)  # Save
+    pen.tap(168, 151)  # Save
     pen.tap(417, 562)  # the button of that name
     trace = os.path.join(folder, "alone.hid")
     with open(trace, "w") as out:
@@ -253,7 +253,7 @@ def pen_alone(program, screen, folder, session):
     whole = lines_of(played, "# penpose state")[-1].split()[3]
     told = json.loads(subprocess.run([program, "info", project, "--json"], check=True, stdout=subprocess.PIPE,
                                      text=True).stdout)
-    assert "deformer 1" in json.dumps(told), told
+    assert "control 1" in json.dumps(told), told
     again = os.path.join(folder, "alone2.session")
     process = start(program, screen, again, project)
     screen.picture("10_alone_again")
@@ -289,6 +289,71 @@ def crash(program, screen, folder):
     assert lines_of(session, "# penpose state"), "the stroke is in the file"
 
 
+def killed_twice(program, screen, folder):
+    """Work comes back after a crash, and again after the next one, in one session that replays."""
+    home = os.path.join(folder, "killed")
+    environment = dict(screen.environment, HOME=home)
+    sessions = os.path.join(home, ".local/state/penpose/sessions")
+
+    def newest():
+        return [os.path.join(sessions, name) for name in sorted(os.listdir(sessions)) if name.endswith(".session")]
+
+    def begin():
+        process = subprocess.Popen([program], env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        wait_for("the first frame", lambda: process.poll() is not None or
+                 (os.path.isdir(sessions) and any(lines_of(path, "# penpose view") for path in newest())))
+        assert process.poll() is None, process.stdout.read()
+        time.sleep(1.5)
+        return process
+
+    process = begin()
+    screen.key("Escape")
+    screen.key("1")
+    screen.stroke(MOUTH)
+    screen.stroke(SMILE)
+    (session,) = newest()
+    for _ in range(2):
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        before = len(lines_of(session, "# penpose state"))
+        process = begin()
+        screen.picture("11_offered")
+        screen.key("Return")
+        time.sleep(1)
+        screen.key("i")
+        wait_for("the key in the session", lambda: len(lines_of(session, "# penpose state")) > before)
+    process.send_signal(signal.SIGTERM)
+    began = time.monotonic()
+    assert process.wait(timeout=20) == 0, process.stdout.read()
+    print(f"ended {time.monotonic() - began:.2f} s after it was asked to")
+    replayed = json.loads(subprocess.run([program, "replay", session, "--json"], env=screen.environment, check=True,
+                                         stdout=subprocess.PIPE, text=True).stdout)
+    assert replayed["state"] == lines_of(session, "# penpose state")[-1].split()[3], replayed
+
+
+def full_screen(program, folder, pictures):
+    """Without a window manager the window fills the screen and is itself again, and what is in it follows."""
+    screen = Screen(folder, pictures, 1600, 1000)
+    try:
+        session = os.path.join(folder, "full.session")
+        process = start(program, screen, session)
+        screen.key("Escape")
+
+        def last_view():
+            return lines_of(session, "# penpose view")[-1]
+
+        for turn in range(2):
+            screen.key("F11")
+            wait_for("the full screen", lambda: "1600" in last_view() and "1000" in last_view())
+            screen.picture(f"12_full_{turn}")
+            screen.key("F11")
+            wait_for("the window", lambda: f"{WIDTH}" in last_view() and f"{HEIGHT}" in last_view())
+            screen.picture(f"13_window_{turn}")
+        quit_window(screen, process)
+    finally:
+        screen.close()
+
+
 def no_display(program, folder):
     environment = {"PATH": os.environ["PATH"], "HOME": folder}
     done = subprocess.run([program], env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=30)
@@ -309,8 +374,10 @@ def main():
         pen_alone(program, screen, folder, session)
         asked_to_end(program, screen, folder)
         crash(program, screen, folder)
+        killed_twice(program, screen, folder)
     finally:
         screen.close()
+    full_screen(program, folder, pictures)
     no_display(program, folder)
     shutil.rmtree(folder)
 

@@ -76,6 +76,26 @@ class Desk {
     app->key({key, ctrl, shift});
     frames();
   }
+  /// Keys of a keyboard, pressed and released before the next frame, with what they type.
+  void type(const std::string& text) {
+    for (const char c : text) {
+      const std::string one(1, c);
+      const int scancode = c >= 'a' && c <= 'z' ? 4 + (c - 'a') : c == ' ' ? 44 : 30;
+      interface->key(scancode, {static_cast<std::uint32_t>(c), false, false}, true);
+      interface->text(one.c_str());
+      interface->key(scancode, {static_cast<std::uint32_t>(c), false, false}, false);
+    }
+    frames(3 * static_cast<int>(text.size()) + 4);
+  }
+  /// A key that types nothing, by its scancode and as actions name it.
+  void hit(int scancode, std::uint32_t key = 0, bool ctrl = false, bool shift = false) {
+    interface->key(scancode, {key, ctrl, shift}, true);
+    interface->key(scancode, {key, ctrl, shift}, false);
+    frames(6);
+  }
+  void hit_return() { hit(40); }
+  void hit_escape() { hit(41, k_key_escape); }
+  void hit_backspace() { hit(42); }
   /// A stroke of the mouse through px positions of the window, with small steps in between.
   void stroke(const std::vector<PxPoint>& through, bool lift = true) {
     app->mouse_moved(through.front());

@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "tests/support/app_desk.h"
+
+// Sketched controls in hand: taps, names, mirrors; and targets that are drawn over.
+
+namespace penpose::app {
+namespace {
+
+/// A control below the mouth.
+void sketch_chin(Desk& desk) {
+  desk.click("Rig");
+  const auto mouth = desk.named_curve(any_curve(desk));
+  const PxPoint middle = mouth[mouth.size() / 2] + PxPoint{0, 55};
+  desk.stroke(around(middle, 60, 32));
+  desk.stroke(around(middle, 28, 14));
+  desk.stroke({middle + PxPoint{-26, 18}, middle + PxPoint{0, 26}, middle + PxPoint{26, 18}});
+}
+
+bool says(const Desk& desk, const std::string& part) {
+  const auto& notices = desk.app->notices();
+  return std::any_of(notices.begin(), notices.end(),
+                     [&](const Notice& one) { return one.text.find(part) != std::string::npos; });
+}
+
+TEST(Controls, ATapWithTheRigToolLeavesTheFaceAndSaysWhatToDraw) {
+  Desk desk("rig-tap");
+  desk.begin();
+  sketch_chin(desk);
+  desk.app->set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
+  const auto pose = desk.document().pose;
+  const auto state = desk.app->workspace().state();
+  desk.stroke({{450, 300}, {452, 301}}, false);
+  EXPECT_EQ(desk.app->workspace().shown_pose(), pose) << "the face does not fall back to rest";
+  desk.app->mouse_button(MouseButton::left, false, {452, 301});
+  desk.frames();
+  EXPECT_EQ(desk.app->workspace().state(), state);
+  EXPECT_EQ(desk.app->workspace().shown_pose(), pose);
+  EXPECT_TRUE(says(desk, "draw around everything on the face that may move"));
+  EXPECT_FALSE(says(desk, "line:"));
+  const bool unsaved = desk.app->workspace().unsaved();
+  desk.app->workspace().mark_saved();
+  desk.stroke({{450, 300}, {452, 301}});
+  EXPECT_FALSE(desk.app->workspace().unsaved()) << "there is nothing to save of a tap";
+  EXPECT_TRUE(unsaved);
+  // The next line is the first of a control, with its own choices.
+  desk.app->panels().new_mode = articulation::Mode::rotate;
+  desk.stroke(around({517, 530}, 60, 32));
+  ASSERT_TRUE(desk.document().pending);
+  EXPECT_FALSE(says(desk, "Nothing changed")) << "it is over";
+  EXPECT_EQ(desk.document().pending->sketch.mode, articulation::Mode::rotate);
+  EXPECT_FALSE(desk.document().pending->sketch.general.empty());
+}
+
+TEST(Controls, ASwingEndsWithTheListOfControlsAndTheFaceIsAsItWas) {
+  Desk desk("swing-end");
+  desk.begin();
+  desk.click("Controls");
+  desk.app->panels().deformer = "jaw";
+  desk.frames();
+  desk.click("Swing");
+  desk.frames(20);
+  EXPECT_NE(desk.app->workspace().shown_pose(), desk.document().pose);
+  desk.click("Parameters");
+  desk.frames();
+  EXPECT_FALSE(desk.app->panels().swing);
+  EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+}
+
+TEST(Controls, OnlyStrokesSayWhatTheyMoved) {
+  Desk desk("moved");
+  desk.begin();
+  pose_mouth(desk);
+  EXPECT_FALSE(desk.app->workspace().movements().empty());
+  desk.click("Rest pose");
+  EXPECT_TRUE(desk.app->workspace().movements().empty()) << "what is set at once needs no telling";
+}
+
+TEST(Controls, ATapBetweenTheStepsLosesNothingAndNamesTheStep) {
+  Desk desk("step-tap");
+  desk.begin();
+  desk.click("Rig");
+  desk.stroke(around({517, 530}, 60, 32));
+  desk.stroke(around({517, 530}, 28, 14));
+  const auto state = desk.app->workspace().state();
+  desk.stroke({{517, 540}, {518, 541}});
+  EXPECT_EQ(desk.app->workspace().state(), state) << "a tap is no goal";
+  EXPECT_TRUE(says(desk, "draw a line where the feature should go"));
+}
+
+TEST(Controls, ATapWithThePoseToolDrawsNothing) {
+  Desk desk("pose-tap");
+  desk.begin();
+  const auto line = desk.named_curve(any_curve(desk));
+  desk.stroke({line[3], line[3] + PxPoint{2, 1}});
+  EXPECT_TRUE(desk.document().curves.empty());
+  EXPECT_TRUE(says(desk, "draw along a feature of the face"));
+  desk.stroke(line);
+  desk.stroke({line[3], line[3] + PxPoint{2, 1}});
+  EXPECT_FALSE(desk.document().curves.front()->target);
+  EXPECT_TRUE(says(desk, "draw a line where the feature should go"));
+}
+
+TEST(Controls, AMirroredControlHasAGoodNameAndIsInHand) {
+  Desk desk("mirror");
+  desk.begin();
+  sketch_chin(desk);
+  desk.click("##rename");
+  desk.type("dimple");
+  desk.hit_return();
+  EXPECT_FALSE(says(desk, "control 1")) << "nothing is said of a name that is gone";
+  desk.click("Mirror");
+  EXPECT_EQ(desk.document().model->deformers->deformers().back()->sketch().name, "dimple mirrored");
+  EXPECT_EQ(desk.app->panels().deformer, "dimple mirrored");
+  EXPECT_TRUE(says(desk, "dimple mirrored is ready"));
+  // Sides change places where a name has one.
+  desk.app->panels().deformer = "dimple";
+  desk.frames();
+  desk.click("##rename");
+  desk.type("left dimple");
+  desk.hit_return();
+  desk.click("Mirror");
+  EXPECT_EQ(desk.app->panels().deformer, "right dimple");
+  desk.app->panels().deformer = "left dimple";
+  desk.frames();
+  const auto state = desk.app->workspace().state();
+  desk.click("Mirror");
+  EXPECT_EQ(desk.app->workspace().state(), state);
+  EXPECT_EQ(desk.app->panels().deformer, "left dimple") << "there is a right one already, and it is told";
+  EXPECT_TRUE(desk.app->notices().back().is_error);
+}
+
+TEST(Controls, APartOfATargetIsDrawnOverAndTheRestStaysBeforeAndAfterThePenLifts) {
+  Desk desk("over");
+  desk.begin();
+  pose_mouth(desk);
+  const auto before = *desk.document().curves.front()->target;
+  const auto camera = *geometry::Camera::make(desk.app->view().camera, desk.app->view().viewport);
+  const auto seen = [&](std::size_t i) { return *camera.project(before.points[i]); };
+  desk.click("Redraw");
+  const std::size_t n = before.points.size();
+  desk.stroke({seen(2 * n / 3), seen(5 * n / 6) + PxPoint{0, -25}, seen(n - 1) + PxPoint{0, -30}}, false);
+  const auto* shown = desk.app->workspace().live().target();
+  ASSERT_NE(shown, nullptr) << "all of it is shown while a part is drawn";
+  for (std::size_t i = 0; i < n / 2; ++i) EXPECT_EQ(shown->points[i], before.points[i]) << i;
+  desk.app->mouse_button(MouseButton::left, false, seen(n - 1) + PxPoint{0, -30});
+  desk.frames();
+  const auto after = *desk.document().curves.front()->target;
+  for (std::size_t i = 0; i < n / 2; ++i) EXPECT_EQ(after.points[i], before.points[i]) << i;
+  EXPECT_GT(after.points[n - 1].y, before.points[n - 1].y);
+}
+
+}  // namespace
+}  // namespace penpose::app

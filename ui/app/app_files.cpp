@@ -1,0 +1,240 @@
+#include <filesystem>
+#include <utility>
+
+#include "core/document/timeline.h"
+#include "replay/session_player.h"
+#include "ui/app/app.h"
+#include "ui/cli/load_model.h"
+#include "ui/cli/save_model.h"
+#include "ui/cli/trace_file.h"
+
+// What the app opens, saves, records and brings back.
+
+namespace penpose::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string extension_of(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return extension;
+}
+
+bool is_trace(const std::string& path) {
+  const std::string extension = extension_of(path);
+  return extension == ".session" || extension == ".hid" || extension == ".trace" || extension == ".rec" ||
+         extension == ".txt";
+}
+
+}  // namespace
+
+void App::end_session() {
+  if (!file_) return;
+  const bool worth =
+      keep_file_ || workspace_.editor().history().undo_count() > 0 || workspace_.editor().history().redo_count() > 0;
+  if (!worth || !leaves_work_) file_->finish(worth);
+}
+
+void App::begin_session(document::Document document, const std::string& path) {
+  end_session();
+  std::unique_ptr<SessionFile> next;
+  const bool named = !options_.session.empty() && !file_;
+  keep_file_ = named;
+  if (named || !options_.folders.state.empty()) {
+    auto made = named ? SessionFile::create(options_.session, options_.program)
+                      : SessionFile::create_in(options_.folders.state + "/sessions",
+                                               options_.date ? options_.date() : "session", options_.program);
+    if (made) {
+      next = std::move(*made);
+    } else {
+      tell("this session is not recorded: " + made.error().line(named ? options_.session : options_.folders.state),
+           true);
+    }
+  }
+  std::error_code code;
+  const bool built_in = path.starts_with("builtin:");
+  const std::string full = built_in ? path : fs::absolute(path, code).string();
+  player_.reset();
+  // The workspace holds the writer of the session before until then.
+  workspace_.open(std::move(document), next ? &next->writer() : nullptr, code ? path : full);
+  file_ = std::move(next);
+  path_ = full;
+  set_project(!built_in && extension_of(path) == ".glb" ? full : std::string());
+  show_anew();
+}
+
+void App::resume(replay::Playback played, std::unique_ptr<SessionFile> file) {
+  end_session();
+  keep_file_ = false;
+  player_.reset();
+  const std::string project = project_of_session(file->path());
+  workspace_.resume(std::move(*played.session), &file->writer(), played.last_us);
+  file_ = std::move(file);
+  path_ = played.model;
+  project_ = project;
+  show_anew();
+}
+
+void App::set_project(const std::string& path) {
+  project_ = path;
+  if (file_)
+    file_->note_project(path, workspace_.unsaved() || path.empty() ? std::string() : workspace_.state().whole.hex());
+}
+
+void App::show_anew() {
+  broken_told_ = false;
+  playing_ = false;
+  panels_.time_s = workspace_.document().time_s;
+  panels_.deformer.clear();
+  highlighted_.reset();
+  target_drag_.reset();
+  panels_.curve_menu.reset();
+  panels_.new_surface = {};
+  const auto& deformers = workspace_.document().model->deformers;
+  deformer_count_ = deformers ? deformers->size() : 0;
+  surface_.update(workspace_.shown_model(), workspace_.shown_pose());
+  frame_from(*render::find_viewpoint("front"));
+  workspace_.set_tablet(0, {});
+  for (const auto& [device, name] : tablets_) workspace_.set_tablet(device, settings_.tablet);
+}
+
+base::Status App::open(const std::string& path) {
+  if (is_trace(path)) {
+    auto played = played_session(path);
+    if (!played) return played.error();
+    // A session goes on from a project of its own, so that what is recorded from here on can be replayed too.
+    std::error_code code;
+    const std::string folder =
+        options_.folders.state.empty() ? fs::temp_directory_path(code).string() : options_.folders.state;
+    fs::create_directories(folder, code);
+    const std::string copy = free_path(folder, fs::path(path).stem().string(), ".glb");
+    if (const auto saved = cli::save_document(played->session->editor().document(), copy); !saved) return saved.error();
+    auto again = cli::load_document(copy);
+    if (!again) return again.error();
+    begin_session(std::move(*again), copy);
+    set_project({});
+    return base::Done{};
+  }
+  auto document = cli::load_document(path);
+  if (!document) return document.error();
+  begin_session(std::move(*document), path);
+  if (!path.starts_with("builtin:")) {
+    remember_file(settings_, path_);
+    settings_changed();
+    panels_.folder = fs::path(path_).parent_path().string();
+  }
+  return base::Done{};
+}
+
+base::Result<replay::Playback> App::played_session(const std::string& path) {
+  const auto file = cli::open_trace(path);
+  if (!file) return file.error();
+  replay::PlayerOptions options;
+  options.open = [&](const std::string& named) { return cli::load_document(model_of_session(path, named)); };
+  options.own_tablets = options_.own_tablets;
+  auto played = replay::play_session(cli::read_from_file(file->get()), options);
+  if (!played) return played;
+  if (!played->session) {
+    return base::Error{"holds nothing to replay: neither reports nor lines of a session", "", "open another file"};
+  }
+  if (played->divergence) tell("the session did not replay to what was recorded; look at it before going on", true);
+  return played;
+}
+
+void App::try_open(const std::string& path) {
+  if (const auto opened = open(path); !opened) {
+    tell(opened.error().line(path), true);
+    return;
+  }
+  panels_.dialog = Dialog::none;
+}
+
+base::Status App::play_trace(const std::string& path) {
+  auto player = TracePlayer::load(path);
+  if (!player) return player.error();
+  if (player->is_session()) {
+    const std::string model = model_of_session(path, player->model());
+    auto document = cli::load_document(model);
+    if (!document) return document.error();
+    begin_session(std::move(*document), model);
+    // What is played is no work on the model's own file, and goes by the rules under which it was drawn.
+    set_project({});
+    workspace_.play(replay::ToolChosen{});
+  }
+  player_.emplace(std::move(*player));
+  last_frame_us_ = options_.clock();
+  panels_.dialog = Dialog::none;
+  return base::Done{};
+}
+
+base::Status App::save(const std::string& path) {
+  std::error_code code;
+  const std::string full = fs::absolute(path, code).string();
+  if (full == path_ && file_) file_->keep_model(full);
+  auto saved = cli::save_document(workspace_.document(), path, cli::SaveNotes::quiet);
+  if (!saved) return saved;
+  if (extension_of(path) == ".glb") {
+    workspace_.mark_saved();
+    set_project(full);
+  }
+  remember_file(settings_, full);
+  settings_changed();
+  tell("saved " + full);
+  return saved;
+}
+
+base::Status App::export_to(const std::string& path) {
+  auto written = cli::save_document(workspace_.document(), path, cli::SaveNotes::quiet);
+  if (written) tell("exported " + path);
+  return written;
+}
+
+void App::save_from_dialog(const std::string& chosen) {
+  const std::string path = fs::path(chosen).has_extension() ? chosen : chosen + ".glb";
+  if (const auto saved = save(path); !saved) return tell(saved.error().line(path), true);
+  panels_.dialog = Dialog::none;
+  panels_.file_name.clear();
+  if (std::exchange(panels_.saves_first, false) && !workspace_.unsaved()) go_on_without_saving();
+}
+
+void App::save_first() {
+  panels_.saves_first = true;
+  if (!project_.empty()) return save_from_dialog(project_);
+  panels_.file_name.clear();
+  panels_.dialog = Dialog::save;
+}
+
+void App::go_on_without_saving() {
+  panels_.dialog = Dialog::none;
+  if (panels_.after_unsaved.empty()) return quit();
+  try_open(panels_.after_unsaved);
+}
+
+void App::recover(bool yes) {
+  if (abandoned_.empty()) return do_action(Action::cancel);
+  const std::string path = abandoned_.front();
+  abandoned_.erase(abandoned_.begin());
+  if (!yes) settle_session(path);
+  if (!yes && !abandoned_.empty()) return;  // the next one is offered
+  // Those that were not asked about are offered at the next start.
+  do_action(Action::cancel);
+  if (!yes) return;
+  if (const auto back = bring_back(path); !back) return tell(back.error().line(path), true);
+  tell("brought back the work of " + fs::path(path).stem().string());
+}
+
+base::Status App::bring_back(const std::string& path) {
+  auto played = played_session(path);
+  if (!played) return played.error();
+  auto file = SessionFile::resume(path, options_.program);
+  if (file && !played->divergence) {
+    resume(std::move(*played), std::move(*file));
+    return base::Done{};
+  }
+  // What cannot be gone on with is left as it is, to be offered again, and its end is what a new session begins on.
+  file = base::Error{};
+  return open(path);
+}
+
+}  // namespace penpose::app

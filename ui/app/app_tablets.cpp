@@ -1,0 +1,68 @@
+#include "ui/app/app.h"
+
+// What tablets do to the app: coming, going and their reports.
+
+namespace penpose::app {
+namespace {
+
+using decode::PenEventKind;
+
+/// After the last report of a pen that is near, the desktop's own pointer is ignored so long.
+constexpr std::int64_t k_tablet_quiet_us = 250'000;
+
+}  // namespace
+
+bool App::tablet_is_near() const {
+  return tablet_near_ && tablet_seen_us_ >= 0 && options_.clock() - tablet_seen_us_ < k_tablet_quiet_us;
+}
+
+void App::tablet_arrived(int device, const decode::DeviceIdentity& identity) {
+  workspace_.connect(device, identity);
+  workspace_.set_tablet(device, settings_.tablet);
+  const bool again = tablets_.contains(device);
+  tablets_[device] = identity.name;
+  tell(identity.name + (again ? " is back" : " is ready"));
+}
+
+void App::tablet_setting_changed() {
+  settings_changed();
+  for (const auto& [device, name] : tablets_) workspace_.set_tablet(device, settings_.tablet);
+}
+
+void App::tablet_left(int device, const std::string& name) {
+  workspace_.disconnect(device);
+  workspace_.follow_pen();
+  tablet_near_ = false;
+  barrel_ = false;
+  drag_.reset();
+  if (mouse_on_panel_) hover_panels(at_, false);
+  mouse_on_panel_ = false;
+  tell(name + " was unplugged", true);
+}
+
+void App::try_pen(PxPoint at, double pressure, bool begins) {
+  if (panels_.dialog != Dialog::tablet) return;
+  if (begins && panels_.test_area.holds(at)) {
+    panels_.test_line.clear();
+    panels_.test_pressure.clear();
+  }
+  constexpr std::size_t k_most = 100000;
+  if (panels_.test_line.size() >= k_most || (panels_.test_line.empty() && !panels_.test_area.holds(at))) return;
+  panels_.test_line.push_back(at);
+  panels_.test_pressure.push_back(pressure);
+}
+
+void App::tablet_report(int device, std::int64_t received_us, base::Bytes bytes) {
+  commit_view();
+  const auto moments = workspace_.report_at(device, received_us, bytes);
+  if (moments.empty()) return;
+  tablet_seen_us_ = options_.clock();
+  tablet_near_ = moments.back().kind != PenEventKind::away;
+  for (const auto& moment : moments) {
+    if (moment.kind == PenEventKind::stroke_begin) try_pen(moment.position, moment.pressure, true);
+    if (moment.kind == PenEventKind::stroke_point) try_pen(moment.position, moment.pressure, false);
+  }
+  take_moments(moments);
+}
+
+}  // namespace penpose::app
