@@ -115,7 +115,7 @@ def run_machine(options):
         files['/job.sh'] = f.read()
     programs = [options.penpose] + [os.path.join(options.tools, n) for n in ('virtual_tablet', 'pump_probe')]
     archive = machine.build_initramfs(options.work, programs, files)
-    vm = machine.Machine(options.work, archive, limit_s=600)
+    vm = machine.Machine(options.work, archive, limit_s=600, processors=2)
     try:
         begin = time.monotonic()
         vm.wait_for_mark('plug')

@@ -17,12 +17,12 @@ load() {
 
 # until_true SECONDS COMMAND...: waits for a command to succeed.
 until_true() {
-  tries=$(($1 * 20))
+  tries=$(($1 * 50))
   shift
   while ! "$@" >/dev/null 2>&1; do
     tries=$((tries - 1))
     [ $tries -gt 0 ] || { echo "GAVE UP waiting: $*"; return 1; }
-    sleep 0.05
+    sleep 0.02
   done
 }
 
