@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/math.h"
+#include "core/base/numbers.h"
 #include "core/geometry/rotation.h"
 
 namespace penpose::animation {
@@ -295,11 +296,22 @@ double find_nearness(HeadShape& shape, std::span<const TrackFrame* const> frames
   return best;
 }
 
+/// px; stable points nearer to each other than this tell of no turn.
+constexpr double k_least_extent = 1e-9;
+
 }  // namespace
 
 base::Result<StillTrack> take_head_motion_out(const PointTrack& track, const StablePoints& points,
                                               std::optional<std::size_t> neutral, double least_confidence) {
   const auto seen = [&](const TrackFrame& frame) { return frame.found() && frame.confidence >= least_confidence; };
+  for (const auto* list : {&points.stable, &points.turning}) {
+    for (const std::size_t i : *list) {
+      if (i < track.point_count) continue;
+      return base::Error{"point " + std::to_string(i) + " does not exist; the track has " +
+                             std::to_string(track.point_count) + " points",
+                         list == &points.stable ? "/stable" : "/turning", "use a map for this format"};
+    }
+  }
   StillTrack still;
   if (neutral) {
     if (*neutral >= track.frames.size() || !seen(track.frames[*neutral])) {
@@ -309,19 +321,23 @@ base::Result<StillTrack> take_head_motion_out(const PointTrack& track, const Sta
     still.neutral = *neutral;
   } else {
     const auto first = std::find_if(track.frames.begin(), track.frames.end(), seen);
-    if (first == track.frames.end()) return base::Error{"no frame shows a face", "", "track the video again"};
-    still.neutral = static_cast<std::size_t>(first - track.frames.begin());
-  }
-  for (const auto* list : {&points.stable, &points.turning}) {
-    for (const std::size_t i : *list) {
-      if (i < track.point_count) continue;
-      return base::Error{"point " + std::to_string(i) + " does not exist; the track has " +
-                             std::to_string(track.point_count) + " points",
-                         list == &points.stable ? "/stable" : "/turning", "use a map for this format"};
+    if (first == track.frames.end()) {
+      const bool any = std::any_of(track.frames.begin(), track.frames.end(), [](const auto& f) { return f.found(); });
+      if (any) {
+        return base::Error{"no frame is as sure of its face as " + base::format_fixed(least_confidence, 2), "",
+                           "track the video again, or ask for less with --confidence"};
+      }
+      return base::Error{"no frame shows a face", "", "track the video again"};
     }
+    // A tracker that has lost the face may put all its points at one place.
+    const auto lies_apart = [&](const TrackFrame& frame) {
+      return seen(frame) && HeadShape(frame, points.stable, points.turning).extent() > k_least_extent;
+    };
+    const auto apart = std::find_if(first, track.frames.end(), lies_apart);
+    still.neutral = static_cast<std::size_t>((apart == track.frames.end() ? first : apart) - track.frames.begin());
   }
   HeadShape shape(track.frames[still.neutral], points.stable, points.turning);
-  if (!(shape.extent() > 1e-9)) {
+  if (!(shape.extent() > k_least_extent)) {
     return base::Error{"all stable points are at one place", "/stable", "name points that lie apart"};
   }
   still.pivot = shape.pivot();

@@ -1,7 +1,10 @@
 #include "core/model_io/map_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <string_view>
 
 #include "core/model_io/json.h"
 
@@ -72,6 +75,17 @@ Problem read_curve(const Json& value, const std::string& pointer, MapCurve& out)
   return read_factor(value, "gain", pointer, out.gain);
 }
 
+constexpr std::array<std::string_view, 7> k_members = {"format", "curves", "stable", "turning",
+                                                       "head",   "free",   "names"};
+constexpr std::array<std::string_view, 6> k_curve_members = {"track", "reference", "anchor", "meets", "weight", "gain"};
+
+void list_unknown(const Json& object, const std::string& pointer, std::span<const std::string_view> known,
+                  std::vector<std::string>& skipped) {
+  for (const auto& [name, value] : object.items()) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) skipped.push_back(child(pointer, name));
+  }
+}
+
 Problem read_curves(const Json& json, MapFile& out) {
   const Json* curves = find(json, "curves");
   if (curves == nullptr) {
@@ -85,6 +99,7 @@ Problem read_curves(const Json& json, MapFile& out) {
   if (curves->size() > 1000) return wrong("a map has at most 1,000 curves", "/curves");
   for (std::size_t i = 0; i < curves->size(); ++i) {
     if (auto problem = read_curve((*curves)[i], child("/curves", i), out.curves.emplace_back())) return problem;
+    list_unknown((*curves)[i], child("/curves", i), k_curve_members, out.skipped);
   }
   return std::nullopt;
 }
@@ -146,6 +161,7 @@ base::Result<MapFile> read_map_file(base::Bytes bytes) {
     return wrong("the format is not known", "/format", "use openface, mediapipe, ibug68, curves or arkit");
   }
   map.format = static_cast<TrackFormat>(known);
+  list_unknown(*json, "", k_members, map.skipped);
   if (auto problem = read_curves(*json, map)) return *problem;
   if (auto problem = read_points(*json, "stable", map.stable)) return *problem;
   if (auto problem = read_points(*json, "turning", map.turning)) return *problem;

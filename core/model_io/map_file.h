@@ -35,6 +35,7 @@ struct MapFile {
   std::vector<std::string> free;  ///< controls that may move; those that the model lacks are passed over; empty: all
   /// For "arkit": names of the track and of the model's controls where they differ.
   std::vector<std::pair<std::string, std::string>> names;
+  std::vector<std::string> skipped;  ///< JSON pointers of members that no reader knows
 };
 
 /// Reads {"format", "curves": [{"track", "reference", "anchor", "meets", "weight", "gain"}], "stable", "turning",

@@ -4,10 +4,18 @@ namespace penpose::model_io {
 
 void scale_to_picture(std::vector<TrackRow>& rows, std::optional<PictureSize> picture,
                       std::vector<std::string>& notes) {
+  // Most points tell: a tracker that errs puts one anywhere.
+  std::size_t near = 0;
+  std::size_t all = 0;
   for (const TrackRow& row : rows) {
     for (const animation::PxPoint& p : row.points) {
-      if (!(p.x >= -1 && p.x <= 2 && p.y >= -1 && p.y <= 2)) return;
+      near += p.x >= -1 && p.x <= 2 && p.y >= -1 && p.y <= 2 ? 1 : 0;
+      ++all;
     }
+  }
+  if (2 * near <= all) {
+    if (picture) notes.emplace_back("its points are in px already; the size of the picture is not used");
+    return;
   }
   if (!picture) {
     notes.emplace_back("the size of the picture is not known and is taken as square; give it with --picture WxH");

@@ -21,11 +21,16 @@ std::string folded(std::string_view name) {
   return text;
 }
 
-std::optional<std::size_t> column_of(const ColumnIndex& index, const std::vector<std::string>& names) {
-  // OpenFace has x_0 in px and X_0 in mm in one file.
+/// Whether capitals count. OpenFace has x_0 in px and X_0 in mm in one file: where the one is missing, the other is
+/// none.
+enum class Capitals : std::uint8_t { count, as_you_like };
+
+std::optional<std::size_t> column_of(const ColumnIndex& index, const std::vector<std::string>& names,
+                                     Capitals capitals = Capitals::as_you_like) {
   for (const std::string& name : names) {
     if (const auto found = index.exact.find(name); found != index.exact.end()) return found->second;
   }
+  if (capitals == Capitals::count) return std::nullopt;
   for (const std::string& name : names) {
     if (const auto found = index.folded.find(folded(name)); found != index.folded.end()) return found->second;
   }
@@ -42,12 +47,13 @@ base::Result<PointColumns> find_point_columns(const CsvReader& table, std::size_
     index.exact.emplace(table.columns()[i], i);
     index.folded.emplace(folded(table.columns()[i]), i);
   }
+  const Capitals capitals = index.exact.contains("success") ? Capitals::count : Capitals::as_you_like;
   PointColumns columns;
   for (std::size_t i = 0; i < count; ++i) {
     std::array<std::size_t, 3> place{PointColumns::k_none, PointColumns::k_none, PointColumns::k_none};
     for (int axis = 0; axis < 3; ++axis) {
       const auto wanted = names(i, axis);
-      const auto found = column_of(index, wanted);
+      const auto found = column_of(index, wanted, capitals);
       if (found) place[static_cast<std::size_t>(axis)] = *found;
       if (found || axis == 2) continue;
       return table.error("the column " + wanted.front() + " is missing",

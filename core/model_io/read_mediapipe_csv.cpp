@@ -28,16 +28,6 @@ std::vector<std::string> names_of(std::size_t point, int axis) {
   return {under, plain, long_name, turned};
 }
 
-/// Times above this share of a second a frame are milliseconds.
-void take_milliseconds(std::vector<TrackRow>& rows) {
-  if (rows.size() < 2 || !rows.front().time_s || !rows.back().time_s) return;
-  const double step = (*rows.back().time_s - *rows.front().time_s) / static_cast<double>(rows.size() - 1);
-  if (step < 5) return;
-  for (TrackRow& row : rows) {
-    if (row.time_s) *row.time_s /= 1000.0;
-  }
-}
-
 base::Result<std::vector<TrackRow>> read_wide(CsvReader& table, std::size_t& count, std::vector<std::string>& notes) {
   auto columns = find_point_columns(table, k_mediapipe_iris_points, names_of);
   count = k_mediapipe_iris_points;

@@ -174,6 +174,7 @@ base::Result<animation::PointTrack> read_mediapipe_json(base::Bytes bytes, std::
   }
   std::vector<std::string> notes;
   if (reader.several) notes.emplace_back("several faces are seen; the one that was largest at first is followed");
+  take_milliseconds(reader.rows);
   scale_to_picture(reader.rows, picture, notes);
   auto track = make_track(std::move(reader.rows), reader.count, root_number("fps"), RowName::frame);
   if (!track) return track;

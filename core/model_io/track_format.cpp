@@ -28,6 +28,7 @@ std::optional<TrackFormat> format_of_track(base::Bytes bytes) {
     return TrackFormat::mediapipe;
   }
   if (has("x_0") && (has("success") || has("gaze_0_x") || has("confidence"))) return TrackFormat::openface;
+  if (has("x_68") || has("x68")) return std::nullopt;  // more points than 68, and not as many as a face mesh
   if (has("x_0") || has("x0") || table->header_is_row()) return TrackFormat::ibug68;
   return std::nullopt;
 }

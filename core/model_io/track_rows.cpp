@@ -31,6 +31,15 @@ constexpr std::size_t k_most_notes = 20;
 
 }  // namespace
 
+void take_milliseconds(std::vector<TrackRow>& rows) {
+  if (rows.size() < 2 || !rows.front().time_s || !rows.back().time_s) return;
+  const double step = (*rows.back().time_s - *rows.front().time_s) / static_cast<double>(rows.size() - 1);
+  if (step < 5) return;
+  for (TrackRow& row : rows) {
+    if (row.time_s) *row.time_s /= 1000.0;
+  }
+}
+
 base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::size_t point_count, double fps,
                                                RowName name) {
   const auto place = [&](const TrackRow& row) {

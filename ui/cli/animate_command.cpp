@@ -135,6 +135,18 @@ base::Result<Animated> from_points(const document::Model& model, const animation
   return animated;
 }
 
+/// Frames as people write them: 3, 7-12, 40.
+std::string ranges(const std::vector<std::size_t>& frames) {
+  std::string text;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const std::size_t first = frames[i];
+    while (i + 1 < frames.size() && frames[i + 1] == frames[i] + 1) ++i;
+    text += (text.empty() ? "frame " : ", ") + std::to_string(first);
+    if (frames[i] != first) text += "-" + std::to_string(frames[i]);
+  }
+  return text;
+}
+
 /// The head's turns one by one, degrees (pitch: down, yaw: to the picture's right, roll: clockwise) and px.
 Json head_to_json(const std::vector<animation::HeadTurn>& head) {
   Json pitch = Json::array();
@@ -225,6 +237,11 @@ int animate(const AnimateArguments& arguments) {
   if (auto* weights = std::get_if<animation::WeightTrack>(&input->track)) {
     retime(*weights, arguments.fps);
     WeightAnimation result = animate_weights(*model, *weights, (*map)->map, apply_head, arguments.smooth_s);
+    if (result.unmatched.size() == weights->names.size()) {
+      return report({"the model has a control for none of its " + std::to_string(weights->names.size()) + " columns",
+                     "line 1", "write a map whose \"names\" say which control each column drives"},
+                    arguments.track);
+    }
     Animated all;
     all.times_s = std::move(result.times_s);
     all.poses = std::move(result.poses);
@@ -239,6 +256,9 @@ int animate(const AnimateArguments& arguments) {
     retime(points, arguments.fps);
     animated = from_points(*model, points, **map, arguments, apply_head);
     if (animated) animated->notes.insert(animated->notes.begin(), points.notes.begin(), points.notes.end());
+  }
+  for (const std::string& pointer : (*map)->map.skipped) {
+    std::cerr << "penpose: " << arguments.map << ": " << pointer << " is not known and was skipped\n";
   }
   const std::string map_name = arguments.map.empty() ? arguments.track : arguments.map;
   if (!animated) return report(animated.error(), map_name);
@@ -266,6 +286,7 @@ int animate(const AnimateArguments& arguments) {
   std::cout << animated->poses.size() << " frames at " << base::format_fixed(fps, 2) << " a second, "
             << animated->held.size() << " held, " << base::format_fixed(animated->solve_us / 1000.0, 2)
             << " ms a frame\n";
+  if (!animated->held.empty()) std::cout << "held: " << ranges(animated->held) << '\n';
   for (const std::string& name : animated->unmatched) std::cout << "no control for " << name << '\n';
   return k_success;
 }

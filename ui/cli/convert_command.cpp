@@ -37,6 +37,7 @@ base::Result<std::vector<std::string>> shape_files(const std::vector<std::string
     std::vector<std::string> inside;
     std::error_code code;
     for (const auto& entry : std::filesystem::directory_iterator(path, code)) {
+      if (entry.path().filename().string().starts_with('.')) continue;  // what file managers leave beside a file
       if (model_io::format_of_name(entry.path().string())) inside.push_back(entry.path().string());
     }
     if (code || inside.empty()) return base::Error{"has no model", path, "name a folder of .obj files"};

@@ -19,12 +19,21 @@ std::optional<std::int64_t> number_of(const std::filesystem::path& file) {
   return base::parse_int(std::string_view(stem).substr(last == std::string::npos ? 0 : last + 1));
 }
 
-/// All .pts files of a folder as one text, blocks without points where numbers are left out.
-base::Result<std::vector<std::uint8_t>> read_folder(const std::string& path) {
+struct PointFolder {
+  std::vector<std::uint8_t> text;  ///< all files as one, blocks without points where numbers are left out
+  std::vector<std::string> notes;  ///< files that could not be read, and why
+};
+
+bool is_points(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  return (ending == ".pts" || ending == ".PTS") && !file.filename().string().starts_with('.');
+}
+
+base::Result<PointFolder> read_folder(const std::string& path) {
   std::vector<std::pair<std::int64_t, std::filesystem::path>> files;
   std::error_code code;
   for (const auto& entry : std::filesystem::directory_iterator(path, code)) {
-    if (entry.path().extension() != ".pts") continue;
+    if (!is_points(entry.path())) continue;
     const auto number = number_of(entry.path());
     if (!number) {
       return base::Error{"the name does not end with a frame's number", entry.path().filename().string(),
@@ -35,10 +44,14 @@ base::Result<std::vector<std::uint8_t>> read_folder(const std::string& path) {
   if (code) return base::Error{"cannot be read (" + code.message() + ")", "", "check the folder and its permissions"};
   if (files.empty()) return base::Error{"has no .pts file", "", "name a folder of .pts files, or one file"};
   std::sort(files.begin(), files.end());
-  std::vector<std::uint8_t> all;
+  PointFolder all;
+  constexpr std::size_t k_most_notes = 20;
+  std::optional<base::Error> first;
+  bool any = false;
   const auto add = [&](base::Bytes bytes) {
-    all.insert(all.end(), bytes.begin(), bytes.end());
-    all.push_back('\n');
+    if (base::as_text(bytes).starts_with("\xef\xbb\xbf")) bytes = bytes.subspan(3);
+    all.text.insert(all.text.end(), bytes.begin(), bytes.end());
+    all.text.push_back('\n');
   };
   for (std::size_t i = 0; i < files.size(); ++i) {
     constexpr std::int64_t k_most_missing = 100000;
@@ -46,6 +59,10 @@ base::Result<std::vector<std::uint8_t>> read_folder(const std::string& path) {
     if (missing > k_most_missing) {
       return base::Error{"more than 100,000 frames are left out before it", files[i].second.filename().string(),
                          "number the files as the frames of the video"};
+    }
+    if (missing > 0 && all.notes.size() < k_most_notes) {
+      all.notes.push_back(files[i].second.filename().string() +
+                          ": frames left out before it: " + std::to_string(missing) + "; they are held");
     }
     for (std::int64_t k = 0; k < missing; ++k) add(base::as_bytes("{\n}"));
     const auto bytes = read_file(files[i].second.string());
@@ -56,7 +73,16 @@ base::Result<std::vector<std::uint8_t>> read_folder(const std::string& path) {
       return error;
     }
     add(track ? base::Bytes(*bytes) : base::as_bytes("{\n}"));
+    if (track) {
+      any = true;
+      continue;
+    }
+    base::Error error = track.error();
+    error.place = files[i].second.filename().string() + (error.place.empty() ? "" : ": " + error.place);
+    if (all.notes.size() < k_most_notes) all.notes.push_back(error.place + ": " + error.what + "; the frame is held");
+    if (!first) first = std::move(error);
   }
+  if (!any && first) return *first;
   return all;
 }
 
@@ -70,8 +96,15 @@ base::Result<TrackInput> packed(TrackFormat format, base::Result<Track> track) {
 
 base::Result<TrackInput> read_track(const std::string& path, std::optional<TrackFormat> format,
                                     std::optional<model_io::PictureSize> picture) {
-  const bool folder = std::filesystem::is_directory(path);
-  const auto bytes = folder ? read_folder(path) : read_file(path);
+  if (std::filesystem::is_directory(path)) {
+    const auto folder = read_folder(path);
+    if (!folder) return folder.error();
+    auto track = model_io::read_ibug_track(folder->text);
+    if (!track) return track.error();
+    track->notes = folder->notes;  // the reader's own count the lines of a text that nobody has
+    return TrackInput{TrackFormat::ibug68, std::move(track).value()};
+  }
+  const auto bytes = read_file(path);
   if (!bytes) return bytes.error();
   if (bytes->empty()) return base::Error{"the file is empty", "line 1", "track the video again"};
   if (!format) format = model_io::format_of_track(*bytes);

@@ -97,6 +97,19 @@ base::Status find_points(const animation::PointTrack& track,
   return base::Done{};
 }
 
+/// A name of one's own map that no control has is misspelt.
+base::Status check_free(const document::Model& model, const model_io::MapFile& map) {
+  for (std::size_t i = 0; i < map.free.size(); ++i) {
+    if (!rig::controls_named(model.rig->parameters(), map.free[i]).empty()) continue;
+    std::vector<std::string> names;
+    for (const rig::Parameter& parameter : model.rig->parameters()) names.push_back(parameter.name);
+    const auto close = closest_name(map.free[i], names);
+    return base::Error{"the model has no control '" + map.free[i] + "'", "/free/" + std::to_string(i),
+                       close ? "did you mean '" + *close + "'?" : "`penpose info` lists the controls"};
+  }
+  return base::Done{};
+}
+
 std::vector<std::size_t> free_parameters(const document::Model& model, const model_io::MapFile& map) {
   std::vector<std::size_t> free;
   for (const std::string& name : map.free) {
@@ -172,6 +185,10 @@ base::Result<animation::TrackSetup> make_setup(const document::Model& model, con
   }
   for (std::size_t i = 0; i < meets.size(); ++i) {
     const auto at = std::find(names.begin(), names.end(), meets[i]);
+    if (!meets[i].empty() && at == names.end() && !bundled) {
+      return base::Error{"no curve of the map has the reference '" + meets[i] + "'",
+                         "/curves/" + std::to_string(i) + "/meets", "name the reference of another curve"};
+    }
     if (!meets[i].empty() && at != names.end()) setup.curves[i].meets = static_cast<std::size_t>(at - names.begin());
   }
   if (setup.curves.empty() && left_out) {
@@ -182,6 +199,7 @@ base::Result<animation::TrackSetup> make_setup(const document::Model& model, con
   }
   if (auto found = find_points(track, map.stable, "/stable", setup.points.stable); !found) return found.error();
   if (auto found = find_points(track, map.turning, "/turning", setup.points.turning); !found) return found.error();
+  if (auto found = check_free(model, map); !bundled && !found) return found.error();
   setup.free = free_parameters(model, map);
   setup.rest = rig::rest_pose(*model.rig);
   return setup;

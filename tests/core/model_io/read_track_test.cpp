@@ -115,6 +115,21 @@ TEST(ReadOpenFace, NamesTheFirstMissingColumn) {
   EXPECT_EQ(read_openface_track(bytes("\n\n")).error().place, "line 1");
 }
 
+TEST(ReadOpenFace, DoesNotTakeMillimetresForPx) {
+  // OpenFace writes x_0 in px and X_0 in mm into one file.
+  auto table = two_frames();
+  std::string text = table.text();
+  text.replace(text.find("x_40"), 4, "X_40");
+  const auto error = read_openface_track(bytes(text)).error();
+  EXPECT_NE(error.what.find("x_40"), std::string::npos) << error.line();
+}
+
+TEST(FormatOfTrack, IsNotGuessedForPointsOfAnotherNumber) {
+  std::string text = "x_0,y_0";
+  for (int i = 1; i < 400; ++i) text += ",x_" + std::to_string(i) + ",y_" + std::to_string(i);
+  EXPECT_FALSE(format_of_track(bytes(text + "\n1,2\n")));
+}
+
 TEST(ReadOpenFace, HoldsFramesThatShowNoFace) {
   Table table;
   table.rows = {s("1, 0.00, 0.98, 1") + table.points(0), s("2, 0.04, 0.98, 0") + table.points(1),
@@ -252,6 +267,21 @@ TEST(ReadMediapipeJson, ReadsTheShapesThatProgramsWrite) {
     EXPECT_EQ(track->frames[1].points[7], (animation::PxPoint{8, 14}));
     EXPECT_FALSE(track->frames[2].found());
   }
+}
+
+TEST(ReadMediapipeJson, TakesTimesInMilliseconds) {
+  const std::string text = s(R"({"frames": [{"timestamp": 0, "landmarks": )") + face(0) +
+                           R"(}, {"timestamp": 40, "landmarks": )" + face(1) + "}]}";
+  EXPECT_NEAR(read_mediapipe_json(bytes(text), {}).value().frames[1].time_s, 0.04, 1e-9);
+}
+
+TEST(ReadMediapipeCsv, OnePointFarOffDoesNotMakeItPx) {
+  std::string text = mediapipe_wide(468, true);
+  const auto last = text.find_last_of(',');
+  const auto before = text.find_last_of(',', last - 1);
+  text.replace(before + 1, last - before - 1, "3.5");
+  const auto track = read_mediapipe_csv(bytes(text), PictureSize{1920, 1080}).value();
+  EXPECT_NEAR(track.frames[0].points[100].x, 192, 1e-9);
 }
 
 TEST(ReadMediapipeJson, FollowsOneFaceOfSeveral) {

@@ -162,11 +162,45 @@ TEST_F(AnimateCommand, SaysWhatIsWrongInOneLine) {
   fails({"builtin:demo", "--track", track, "--map", path("wrong.json"), "-o", out}, "did you mean lip_upper");
   write("wrong.json", R"({"format": "curves", "curves": [{"track": "lips", "reference": "lip_upper"}]})");
   fails({"builtin:demo", "--track", track, "--map", path("wrong.json"), "-o", out}, "/curves/0/track");
+  write("wrong.json",
+        R"({"format": "curves", "free": ["jaww"], "curves": [{"track": "lip_upper", "reference": "lip_upper"}]})");
+  fails({"builtin:demo", "--track", track, "--map", path("wrong.json"), "-o", out}, "did you mean 'jaw'?");
+  write("wrong.json",
+        R"({"format": "curves", "curves": [{"track": "lip_upper", "reference": "lip_upper", "meets": "lid"}]})");
+  fails({"builtin:demo", "--track", track, "--map", path("wrong.json"), "-o", out}, "/curves/0/meets");
+  write("wrong.csv", "Timecode,BlendShapeCount,TongueOut\n0:0:0:0,1,0.5\n");
+  fails({"builtin:demo", "--track", path("wrong.csv"), "-o", out}, "a control for none");
   write("wrong.csv", "frame,confidence,x_0,y_0\n");
   fails({"builtin:demo", "--track", path("wrong.csv"), "-o", out}, "x_1");
   fails({"builtin:head", "--track", track, "--map", path("map.json"), "-o", out}, "articulate");
   fails({"builtin:demo", "--track", track, "--map", path("map.json"), "-o", path("out.obj")}, ".glb");
   EXPECT_EQ(animate({"builtin:demo", "-o", out}), k_wrong_usage);
+}
+
+TEST_F(AnimateCommand, SaysWhichMembersOfAMapItSkipsAndWhichFramesItHolds) {
+  write_jaw_track();
+  auto map = nlohmann::json::parse(std::ifstream(folder_ / "map.json"));
+  map["hed"] = "apply";
+  map["curves"][1]["weigth"] = 2;
+  write("map.json", map.dump());
+  ASSERT_EQ(animate({"builtin:demo", "--track", path("track.json"), "--map", path("map.json"), "-o", path("out.glb")}),
+            k_success);
+  EXPECT_NE(error_.find("/hed is not known"), std::string::npos) << error_;
+  EXPECT_NE(error_.find("/curves/1/weigth is not known"), std::string::npos) << error_;
+  EXPECT_NE(out_.find("held: frame 7\n"), std::string::npos) << out_;
+}
+
+TEST_F(AnimateCommand, NamesTheFileOfAFolderThatItCannotRead) {
+  std::filesystem::create_directories(folder_ / "points");
+  for (int f = 1; f <= 3; ++f) {
+    std::string text = f == 1 ? "\xef\xbb\xbfversion: 1\nn_points: 68\n{\n" : "version: 1\nn_points: 68\n{\n";
+    for (int i = 0; i < 68 && (f != 2 || i < 49); ++i)
+      text += std::to_string(100 + 9 * (i % 17)) + " " + std::to_string(100 + (i * i) % 61) + "\n";
+    write(("points/face_000" + std::to_string(f) + (f == 3 ? ".PTS" : ".pts")).c_str(), text + "}\n");
+  }
+  ASSERT_EQ(animate({"builtin:demo", "--track", path("points"), "-o", path("out.glb"), "--json"}), k_success) << error_;
+  EXPECT_EQ(nlohmann::json::parse(out_)["held"], nlohmann::json({1}));
+  EXPECT_NE(error_.find("face_0002.pts: "), std::string::npos) << error_;
 }
 
 TEST_F(AnimateCommand, ReadsAFolderOfPointFiles) {
