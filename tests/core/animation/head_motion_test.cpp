@@ -102,7 +102,12 @@ TEST(HeadMotion, RefusesStablePointsThatTellNothing) {
   EXPECT_EQ(take_head_motion_out(track, {{0, 9}, {}}, {}, 0).error().place, "/stable");
   EXPECT_EQ(take_head_motion_out(track, {{0, 1}, {7}}, {}, 0).error().place, "/turning");
   track.frames[0].points[1] = track.frames[0].points[0];
+  // The first frame in which they lie apart is taken, but not in place of one that was asked for.
+  EXPECT_EQ(take_head_motion_out(track, {{0, 1}, {}}, {}, 0).value().neutral, 1U);
+  EXPECT_EQ(take_head_motion_out(track, {{0, 1}, {}}, 0, 0).error().place, "/stable");
+  track.frames[1].points[1] = track.frames[1].points[0];
   EXPECT_FALSE(take_head_motion_out(track, {{0, 1}, {}}, {}, 0).ok());
+  track.frames[1].points[1] = {200, 100};
   // None at all: the head counts as still.
   const auto still = take_head_motion_out(track, {}, {}, 0).value();
   EXPECT_EQ(still.turns[1].scale, 1);
