@@ -95,4 +95,11 @@ std::optional<double> number(const Json& value) {
   return result;
 }
 
+void list_unknown(const Json& object, const std::string& pointer, std::span<const std::string_view> known,
+                  std::vector<std::string>& skipped) {
+  for (const auto& [name, value] : object.items()) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) skipped.push_back(child(pointer, name));
+  }
+}
+
 }  // namespace penpose::model_io

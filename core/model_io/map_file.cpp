@@ -1,9 +1,7 @@
 #include "core/model_io/map_file.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 #include <string_view>
 
 #include "core/model_io/json.h"
@@ -78,13 +76,6 @@ Problem read_curve(const Json& value, const std::string& pointer, MapCurve& out)
 constexpr std::array<std::string_view, 7> k_members = {"format", "curves", "stable", "turning",
                                                        "head",   "free",   "names"};
 constexpr std::array<std::string_view, 6> k_curve_members = {"track", "reference", "anchor", "meets", "weight", "gain"};
-
-void list_unknown(const Json& object, const std::string& pointer, std::span<const std::string_view> known,
-                  std::vector<std::string>& skipped) {
-  for (const auto& [name, value] : object.items()) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) skipped.push_back(child(pointer, name));
-  }
-}
 
 Problem read_curves(const Json& json, MapFile& out) {
   const Json* curves = find(json, "curves");

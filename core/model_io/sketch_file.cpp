@@ -1,9 +1,7 @@
 #include "core/model_io/sketch_file.h"
 
-#include <algorithm>
 #include <array>
 #include <set>
-#include <span>
 #include <string_view>
 
 #include "core/model_io/json.h"
@@ -18,14 +16,6 @@ constexpr std::array<std::string_view, 3> k_members = {"model", "viewport", "def
 constexpr std::array<std::string_view, 12> k_deformer_members = {
     "name",      "viewport", "camera", "reference_camera", "target_camera", "general", "specific",
     "reference", "target",   "mode",   "surface",          "range"};
-
-/// A misspelt "surface" would be a control that cuts into the eye without a word.
-void list_unknown(const Json& object, const std::string& pointer, std::span<const std::string_view> known,
-                  std::vector<std::string>& skipped) {
-  for (const auto& [name, value] : object.items()) {
-    if (std::ranges::find(known, name) == known.end()) skipped.push_back(child(pointer, name));
-  }
-}
 
 }  // namespace
 

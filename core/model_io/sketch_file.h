@@ -17,7 +17,7 @@ struct SketchFile {
   std::string model;  ///< the model that was drawn on; may be empty
   geometry::Viewport viewport;
   std::vector<articulation::Sketch> sketches;
-  std::vector<std::string> skipped;  ///< JSON pointers of members that no reader knows, in the order of the file
+  std::vector<std::string> skipped;  ///< JSON pointers of members that no reader knows
 };
 
 /// Members that are not known are skipped and listed. Errors (place: JSON pointer): no JSON, a key that is missing or
