@@ -58,9 +58,7 @@ void Player::begin(const std::string& path, const base::Hash128* expected, std::
   }
   const base::Hash128 hash = document::DocumentHasher()(*opened).whole;
   if (expected != nullptr && !(hash == *expected)) {
-    error_ = at_line(number, {"the model \"" + path + "\" is not the one that was drawn on: its state is " +
-                                  hash.hex() + ", that of the session " + expected->hex(),
-                              "", "name the model of the recording with --model"});
+    error_ = at_line(number, other_model(path, hash, *expected));
     return;
   }
   out_.model = path;
@@ -75,9 +73,7 @@ void Player::begin_plain(std::uint64_t number) {
     begin({}, nullptr, 0);
     return;
   }
-  error_ =
-      base::Error{"the session does not say what it was drawn on: its line \"# penpose model\" is missing or damaged",
-                  number > 0 ? "line " + std::to_string(number) : "", "mend the line, or record the session again"};
+  error_ = number > 0 ? at_line(number, no_model()) : no_model();
 }
 
 void Player::note_steps(std::uint64_t number) {
@@ -186,6 +182,28 @@ base::Result<Playback> Player::play() {
 }
 
 }  // namespace
+
+base::Error error_of(const Divergence& divergence) {
+  std::string parts = divergence.parts.empty() ? "the hash itself" : "";
+  for (const std::string_view part : divergence.parts) {
+    if (!parts.empty()) parts += ", ";
+    parts += part;
+  }
+  return {"from here on the document is not what was recorded; different are: " + parts,
+          "line " + std::to_string(divergence.line),
+          "replay with the version that recorded it, or record the session again with --session"};
+}
+
+base::Error other_model(const std::string& path, const base::Hash128& found, const base::Hash128& named) {
+  return {"the model \"" + path + "\" is not the one that was drawn on: its state is " + found.hex() +
+              ", that of the session " + named.hex(),
+          "", "name the model of the recording with --model"};
+}
+
+base::Error no_model() {
+  return {"the session does not say what it was drawn on: its line \"# penpose model\" is missing or damaged", "",
+          "mend the line, or record the session again"};
+}
 
 base::Result<Playback> play_session(ReadBytes read, const PlayerOptions& options) {
   return Player(std::move(read), options).play();

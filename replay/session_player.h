@@ -48,6 +48,14 @@ struct Divergence {
   std::vector<std::string_view> parts;  ///< what differs (document::k_state_parts)
 };
 
+/// What is to be said of it.
+[[nodiscard]] base::Error error_of(const Divergence& divergence);
+
+/// A model whose state is not the one that the session names.
+[[nodiscard]] base::Error other_model(const std::string& path, const base::Hash128& found, const base::Hash128& named);
+/// A session that names no model.
+[[nodiscard]] base::Error no_model();
+
 /// What a replay came to.
 struct Playback {
   std::unique_ptr<Session> session;  ///< null when the file holds nothing

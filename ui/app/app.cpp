@@ -83,7 +83,9 @@ void App::advance() {
   commit_view();
   if (player_) {
     // A frame that took long must not swallow the trace: what is due is handed on report by report.
+    const bool agreed = !player_->divergence();
     const auto moments = player_->advance(workspace_, passed);
+    if (agreed && player_->divergence()) tell(replay::error_of(*player_->divergence()).line(), true);
     if (player_->is_session()) {
       // What its pen did to panels and tools is in its lines, in px of the window that it was drawn in.
       view_.camera = workspace_.editor().view().camera;

@@ -1,11 +1,13 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/document/document_hash.h"
 #include "core/document/timeline.h"
 #include "replay/session_player.h"
 #include "ui/app/app.h"
 #include "ui/cli/load_model.h"
 #include "ui/cli/save_model.h"
+#include "ui/cli/session_model.h"
 #include "ui/cli/trace_file.h"
 
 // What the app opens, saves, records and brings back.
@@ -131,14 +133,14 @@ base::Result<replay::Playback> App::played_session(const std::string& path) {
   const auto file = cli::open_trace(path);
   if (!file) return file.error();
   replay::PlayerOptions options;
-  options.open = [&](const std::string& named) { return cli::load_document(model_of_session(path, named)); };
+  options.open = [&](const std::string& named) { return cli::load_document(cli::find_session_model(path, named)); };
   options.own_tablets = options_.own_tablets;
   auto played = replay::play_session(cli::read_from_file(file->get()), options);
   if (!played) return played;
   if (!played->session) {
     return base::Error{"holds nothing to replay: neither reports nor lines of a session", "", "open another file"};
   }
-  if (played->divergence) tell("the session did not replay to what was recorded; look at it before going on", true);
+  if (played->divergence) tell(replay::error_of(*played->divergence).line(path), true);
   return played;
 }
 
@@ -154,9 +156,12 @@ base::Status App::play_trace(const std::string& path) {
   auto player = TracePlayer::load(path);
   if (!player) return player.error();
   if (player->is_session()) {
-    const std::string model = model_of_session(path, player->model());
+    if (!player->model()) return replay::no_model();
+    const std::string model = cli::find_session_model(path, player->model()->path);
     auto document = cli::load_document(model);
     if (!document) return document.error();
+    const base::Hash128 found = document::DocumentHasher()(*document).whole;
+    if (!(found == player->model()->hash)) return replay::other_model(model, found, player->model()->hash);
     begin_session(std::move(*document), model);
     // What is played is no work on the model's own file, and goes by the rules under which it was drawn.
     set_project({});
@@ -171,7 +176,14 @@ base::Status App::play_trace(const std::string& path) {
 base::Status App::save(const std::string& path) {
   std::error_code code;
   const std::string full = fs::absolute(path, code).string();
-  if (full == path_ && file_) file_->keep_model(full);
+  const bool same = full == path_ || fs::equivalent(full, path_, code);
+  if (same && file_) {
+    if (const auto kept = file_->keep_model(path_); !kept) {
+      return base::Error{
+          "is not saved: the model that the session began on cannot be kept beside it, " + kept.error().what, "",
+          "save under another name, or make room at " + fs::path(file_->path()).parent_path().string()};
+    }
+  }
   auto saved = cli::save_document(workspace_.document(), path, cli::SaveNotes::quiet);
   if (!saved) return saved;
   if (extension_of(path) == ".glb") {

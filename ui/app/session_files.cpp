@@ -9,6 +9,9 @@
 #include <unistd.h>
 #include <utility>
 
+#include "ui/cli/files.h"
+#include "ui/cli/session_model.h"
+
 namespace penpose::app {
 namespace {
 
@@ -16,7 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* k_extension = ".session";
 constexpr const char* k_lock = ".open";
-constexpr const char* k_model = ".model";
 
 std::string below_home(const char* variable, const char* usual) {
   const char* given = std::getenv(variable);
@@ -58,10 +60,6 @@ Note note_of(const std::string& path) {
   std::getline(file, note.project);
   std::getline(file, note.state);
   return note;
-}
-
-std::string copy_of_model(const std::string& path, const std::string& model) {
-  return path + k_model + fs::path(model).extension().string();
 }
 
 void remove_quietly(const std::string& path) {
@@ -122,22 +120,19 @@ void SessionFile::note_project(const std::string& project, const std::string& st
                     ::pwrite(lock_, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size()));
 }
 
-void SessionFile::keep_model(const std::string& model) {
+base::Status SessionFile::keep_model(const std::string& model) {
+  const std::string copy = cli::kept_model_of(path_, model);
   std::error_code code;
-  model_copy_ = copy_of_model(path_, model);
-  fs::copy_file(model, model_copy_, fs::copy_options::skip_existing, code);
+  if (fs::exists(copy, code)) return base::Done{};
+  const auto bytes = cli::read_file(model);
+  // A file that is gone is not written over.
+  if (!bytes) return fs::exists(model, code) ? bytes.error() : base::Status(base::Done{});
+  if (auto written = cli::write_file(copy, *bytes); !written) return written;
+  model_copy_ = copy;
+  return base::Done{};
 }
 
 std::string project_of_session(const std::string& path) { return note_of(path).project; }
-
-std::string model_of_session(const std::string& path, const std::string& model) {
-  if (model.empty()) return "builtin:demo";
-  if (model.starts_with("builtin:")) return model;
-  std::error_code code;
-  if (const std::string copy = copy_of_model(path, model); fs::exists(copy, code)) return copy;
-  const auto beside = fs::path(path).parent_path() / fs::path(model).filename();
-  return !fs::exists(model, code) && fs::exists(beside, code) ? beside.string() : model;
-}
 
 SessionFile::~SessionFile() {
   static_cast<void>(writer_.flush(true));

@@ -40,7 +40,8 @@ class SessionFile {
   /// Keeps beside the session, for after a crash, where the work is saved, and as of which state (a hash, or empty).
   void note_project(const std::string& project, const std::string& state);
   /// Keeps a copy of the model that the session began on, before that is written over: the session replays on it.
-  void keep_model(const std::string& model);
+  /// Errors: it cannot be read, or there is no room for the copy.
+  base::Status keep_model(const std::string& model);
   /// The session ended as it should. `keep` false: nothing was done in it, and it is not worth a file.
   void finish(bool keep);
 
@@ -56,10 +57,6 @@ class SessionFile {
 
 /// Where the work of an abandoned session was saved; empty: nowhere.
 [[nodiscard]] std::string project_of_session(const std::string& path);
-/// The model to replay a session on that names `model`: the copy that was kept of it, itself, or one of its name beside
-/// the session.
-[[nodiscard]] std::string model_of_session(const std::string& path, const std::string& model);
-
 /// Sessions of a folder that were never finished and that no running program writes, the newest first. Those in which
 /// nothing was done are tidied away, those whose work was saved count as finished.
 [[nodiscard]] std::vector<std::string> abandoned_sessions(const std::string& folder);

@@ -20,35 +20,45 @@ base::Result<TracePlayer> TracePlayer::load(const std::string& path) {
   TracePlayer player;
   std::int64_t now = 0;
   replay::TraceSource source(cli::read_from_file(file->get()));
+  std::optional<base::Error> refused;
   const auto on_line = [&](const replay::TraceLine& line) {
     if (line.end.empty()) return;
     const auto parsed = replay::parse_session_line(line.text);
+    // Lines of a file that says no version may be anybody's comments; a version that is not known ends everything.
+    if (!parsed && line.text.starts_with("# penpose session ")) {
+      refused = parsed.error();
+      refused->place = "line " + std::to_string(line.number);
+    }
     if (!parsed || !*parsed) return;
     replay::SessionLine what = **parsed;
-    if (std::holds_alternative<replay::SessionBegins>(what)) player.is_session_ = true;
-    if (const auto* named = std::get_if<replay::ModelNamed>(&what)) player.model_ = named->path;
+    if (std::holds_alternative<replay::SessionBegins>(what)) {
+      player.is_session_ = true;
+      return;
+    }
+    if (auto* named = std::get_if<replay::ModelNamed>(&what)) {
+      if (!player.model_) player.model_ = std::move(*named);
+      return;
+    }
     if (auto* set = std::get_if<replay::TabletSet>(&what)) set->device += k_first_device;
     if (auto* gone = std::get_if<replay::TabletGone>(&what)) gone->device += k_first_device;
-    const bool states_facts = std::holds_alternative<replay::SessionBegins>(what) ||
-                              std::holds_alternative<replay::ModelNamed>(what) ||
-                              std::holds_alternative<replay::StateReached>(what);
-    if (!states_facts)
-      player.events_.push_back({now, 0, {}, {}, std::make_shared<const replay::SessionLine>(std::move(what))});
+    player.events_.push_back(
+        {now, 0, {}, {}, std::make_shared<const replay::SessionLine>(std::move(what)), line.number});
   };
   const auto on_device = [&](int device, const decode::DeviceIdentity& identity) {
     player.events_.push_back(
-        {now, device + k_first_device, {}, std::make_shared<const decode::DeviceIdentity>(identity), {}});
+        {now, device + k_first_device, {}, std::make_shared<const decode::DeviceIdentity>(identity), {}, 0});
   };
   source.listen(on_line, on_device);
   std::int64_t first = -1;
   while (true) {
     const auto report = source.next();
     if (!report) return report.error();
+    if (refused) return *refused;
     if (!*report) break;
     if (first < 0) first = (*report)->time_us;
     now = std::max(now, (*report)->time_us - first);
     const base::Bytes bytes = (*report)->bytes;
-    player.events_.push_back({now, (*report)->device + k_first_device, {bytes.begin(), bytes.end()}, {}, {}});
+    player.events_.push_back({now, (*report)->device + k_first_device, {bytes.begin(), bytes.end()}, {}, {}, 0});
     ++player.reports_;
   }
   if (player.events_.empty()) {
@@ -65,6 +75,13 @@ std::vector<replay::PenMoment> TracePlayer::advance(Workspace& workspace, std::i
   for (; next_ < events_.size() && static_cast<double>(events_[next_].time_us) <= time_us_; ++next_) {
     const Event& event = events_[next_];
     if (event.line) {
+      if (const auto* reached = std::get_if<replay::StateReached>(event.line.get())) {
+        const auto state = is_session_ && !divergence_ ? workspace.state() : reached->state;
+        if (!(state == reached->state)) {
+          divergence_ = replay::Divergence{event.number, document::differing_parts(state, reached->state)};
+        }
+        continue;
+      }
       workspace.play(*event.line);
     } else if (event.identity) {
       workspace.connect(event.device, *event.identity);

@@ -2,12 +2,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
 #include "firmware_io/decode/device_identity.h"
-#include "replay/session_line.h"
+#include "replay/session_player.h"
 #include "ui/app/workspace.h"
 
 namespace penpose::app {
@@ -15,11 +16,11 @@ namespace penpose::app {
 /// A trace or a session in place of hardware, played into a workspace at its own pace.
 class TracePlayer {
  public:
-  /// Reads the whole file. Errors: those of reading it; nothing in it.
+  /// Reads the whole file. Errors: those of reading it; nothing in it; a session of a version that is not known.
   static base::Result<TracePlayer> load(const std::string& path);
 
-  /// The model that a session names; empty for a plain trace, which is drawn on what is open.
-  [[nodiscard]] const std::string& model() const { return model_; }
+  /// The model that a session names; none for a plain trace, which is drawn on what is open.
+  [[nodiscard]] const std::optional<replay::ModelNamed>& model() const { return model_; }
   [[nodiscard]] bool is_session() const { return is_session_; }
 
   /// Hands everything up to `by_us` of playing time on. Gives the moments of the pens. At the end pens have gone.
@@ -33,6 +34,8 @@ class TracePlayer {
   /// Microseconds until the next event, at the speed chosen.
   [[nodiscard]] std::int64_t next_in_us() const;
   [[nodiscard]] std::size_t report_count() const { return reports_; }
+  /// The first recorded state that the workspace did not come to.
+  [[nodiscard]] const std::optional<replay::Divergence>& divergence() const { return divergence_; }
 
  private:
   /// A line where there is one, else a device that is declared, else a report.
@@ -42,10 +45,12 @@ class TracePlayer {
     std::vector<std::uint8_t> bytes;
     std::shared_ptr<const decode::DeviceIdentity> identity;
     std::shared_ptr<const replay::SessionLine> line;
+    std::uint64_t number = 0;  ///< of the line in the file, from 1
   };
 
   std::vector<Event> events_;
-  std::string model_;
+  std::optional<replay::ModelNamed> model_;
+  std::optional<replay::Divergence> divergence_;
   bool is_session_ = false;
   bool playing_ = true;
   bool ended_ = false;

@@ -1,13 +1,16 @@
 #include "ui/cli/append_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
-#include <filesystem>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
+
+#include "replay/trace_reader.h"
+#include "ui/cli/files.h"
 
 namespace penpose::cli {
 namespace {
@@ -17,18 +20,10 @@ base::Error system_error(const char* what) {
           "check the folder, its permissions and the free space"};
 }
 
-/// A new name is in its folder only once the folder is on the disk too; some file systems cannot say.
-void flush_folder_of(const std::string& path) {
-  const std::string folder = std::filesystem::path(path).parent_path().string();
-  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);
-  ::close(descriptor);
-}
-
 }  // namespace
 
-base::Result<AppendFile> AppendFile::create(const std::string& path, std::string_view first_piece) {
+base::Result<AppendFile> AppendFile::create(const std::string& name, std::string_view first_piece) {
+  const std::string path = link_target(name);
   // What is no plain file, a pipe or a device, is written to and never replaced.
   struct stat there {};
   if (::stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode)) {
@@ -67,8 +62,20 @@ base::Result<AppendFile> AppendFile::go_on(const std::string& path) {
   if (there.file_ < 0 || ::fstat(there.file_, &facts) != 0) return system_error("cannot be written");
   off_t end = facts.st_size;
   char last = 0;
-  while (end > 0 && ::pread(there.file_, &last, 1, end - 1) == 1 && last != '\n') --end;
-  if (end < facts.st_size && ::ftruncate(there.file_, end) != 0) return system_error("cannot be written");
+  std::string tail;
+  while (end > 0 && ::pread(there.file_, &last, 1, end - 1) == 1 && last != '\n') {
+    if (tail.size() <= replay::TraceReader::k_longest_line) tail += last;
+    --end;
+  }
+  if (end == facts.st_size) return there;
+  // A report that is all there was replayed, though its line never ended; anything else was not.
+  std::reverse(tail.begin(), tail.end());
+  std::vector<std::uint8_t> bytes;
+  if (replay::parse_trace_line(tail, bytes).kind == replay::TraceLineKind::report) {
+    if (const auto ended = there.append("\n"); !ended) return ended.error();
+  } else if (::ftruncate(there.file_, end) != 0) {
+    return system_error("cannot be written");
+  }
   return there;
 }
 

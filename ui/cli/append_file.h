@@ -12,13 +12,13 @@ namespace penpose::cli {
 class AppendFile {
  public:
   /// Errors: the folder cannot be written to.
-  [[nodiscard]] static base::Result<AppendFile> create(const std::string& path, std::string_view first_piece);
+  [[nodiscard]] static base::Result<AppendFile> create(const std::string& name, std::string_view first_piece);
 
   /// The same with nothing in it yet, and never in place of a file that is there, which is an error.
   [[nodiscard]] static base::Result<AppendFile> create_new(const std::string& path);
 
-  /// The file that is there, to add to it. What follows its last line break goes. Errors: it is not there or cannot be
-  /// written to.
+  /// The session that is there, to add to it. What a crash cut off in its last line goes, unless it is a whole report,
+  /// which a replay counts. Errors: it is not there or cannot be written to.
   [[nodiscard]] static base::Result<AppendFile> go_on(const std::string& path);
 
   AppendFile(AppendFile&& other) noexcept;

@@ -38,29 +38,62 @@ base::Result<std::vector<std::uint8_t>> read_file(const std::string& path) {
   return bytes;
 }
 
-base::Status write_file(const std::string& path, base::Bytes bytes) {
-  const std::string temporary = path + ".part-" + std::to_string(::getpid());
+std::string link_target(std::string path) {
+  std::error_code code;
+  constexpr int k_most_links = 40;  // as many as the kernel follows
+  for (int i = 0; i < k_most_links && std::filesystem::is_symlink(path, code); ++i) {
+    const auto next = std::filesystem::read_symlink(path, code);
+    if (code) break;
+    path = (std::filesystem::path(path).parent_path() / next).string();
+  }
+  return path;
+}
+
+base::Status write_file(const std::string& name, base::Bytes bytes) {
+  const std::string path = link_target(name);
+  std::error_code code;
+  if (std::filesystem::is_symlink(path, code)) {
+    return base::Error{"is a link that leads in a circle", "", "name the file itself"};
+  }
+  struct stat there {};
+  const bool exists = ::stat(path.c_str(), &there) == 0;
+  // What is no plain file, a pipe or a device, is written to and never replaced.
+  const bool replaces = !exists || S_ISREG(there.st_mode) || S_ISDIR(there.st_mode);
+  const std::string written = replaces ? path + ".part-" + std::to_string(::getpid()) : path;
   const auto give_up = [&](const char* what) -> base::Status {
     const auto error = system_error(what, "check the folder, its permissions and the free space");
-    std::remove(temporary.c_str());
+    if (replaces) std::remove(written.c_str());
     return error;
   };
-  File file(std::fopen(temporary.c_str(), "wb"), &std::fclose);
+  const mode_t mode = exists ? 0600 : 0666;
+  const int descriptor = ::open(written.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode);
+  if (descriptor < 0) return give_up("cannot be written");
+  File file(::fdopen(descriptor, "wb"), &std::fclose);
   if (!file) return give_up("cannot be written");
+  if (replaces && exists) {
+    // Whoever could read it before can, and nobody else. Only some may give files away.
+    static_cast<void>(::fchown(::fileno(file.get()), there.st_uid, there.st_gid) == 0);
+    static_cast<void>(::fchmod(::fileno(file.get()), there.st_mode & 07777U) == 0);
+  }
   if (!bytes.empty() && std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) {
     return give_up("cannot be written");
   }
-  if (std::fflush(file.get()) != 0 || ::fsync(::fileno(file.get())) != 0) return give_up("cannot be written");
+  if (std::fflush(file.get()) != 0) return give_up("cannot be written");
+  // Pipes and such have no disk.
+  if (::fsync(::fileno(file.get())) != 0 && replaces) return give_up("cannot be written");
   if (std::fclose(file.release()) != 0) return give_up("cannot be written");
-  if (std::rename(temporary.c_str(), path.c_str()) != 0) return give_up("cannot be replaced");
-  // The new name is in the folder only once the folder is on the disk too; some file systems cannot say.
+  if (!replaces) return base::Done{};
+  if (std::rename(written.c_str(), path.c_str()) != 0) return give_up("cannot be replaced");
+  flush_folder_of(path);
+  return base::Done{};
+}
+
+void flush_folder_of(const std::string& path) {
   const std::string folder = std::filesystem::path(path).parent_path().string();
   const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor >= 0) {
-    ::fsync(descriptor);
-    ::close(descriptor);
-  }
-  return base::Done{};
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
 }
 
 int report(const base::Error& error, const std::string& file) {

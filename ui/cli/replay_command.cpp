@@ -18,6 +18,7 @@
 #include "ui/cli/own_tablets.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/save_model.h"
+#include "ui/cli/session_model.h"
 #include "ui/cli/trace_file.h"
 #include "ui/render/appearance.h"
 #include "ui/render/document_curves.h"
@@ -28,9 +29,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
-
-/// What a plain trace is drawn on.
-constexpr const char* k_default_model = "builtin:demo";
 
 struct ReplayArguments {
   std::string session;
@@ -44,24 +42,15 @@ struct ReplayArguments {
   bool json = false;
 };
 
-/// A plain file, and no pipe or device that could go on for ever: a session names any path it likes.
-bool is_file(const std::string& path) {
-  std::error_code code;
-  return std::filesystem::is_regular_file(path, code);
-}
-
-/// Where the session's model is: where the user says, where the session says, or beside the session itself.
+/// Where the session's model is: where the user says, or where it can be found.
 std::string find_model(const ReplayArguments& arguments, const std::string& path) {
-  if (!arguments.model.empty()) return arguments.model;
-  if (path.empty()) return k_default_model;
-  if (path.starts_with("builtin:") || is_file(path)) return path;
-  const auto beside = std::filesystem::path(arguments.session).parent_path() / std::filesystem::path(path).filename();
-  return is_file(beside.string()) ? beside.string() : path;
+  return arguments.model.empty() ? find_session_model(arguments.session, path) : arguments.model;
 }
 
 base::Result<document::Document> open_model(const ReplayArguments& arguments, const std::string& path) {
   const std::string name = find_model(arguments, path);
-  if (arguments.model.empty() && !name.starts_with("builtin:") && !is_file(name)) {
+  std::error_code code;
+  if (arguments.model.empty() && !name.starts_with("builtin:") && !std::filesystem::is_regular_file(name, code)) {
     return base::Error{"there is no model \"" + name + "\"", "", "name it with --model"};
   }
   auto document = load_document(name);
@@ -178,18 +167,6 @@ void print(const ReplayArguments& arguments, const replay::Playback& played, dou
             << " s of drawing replayed in " << base::format_fixed(seconds, 2) << " s\n";
 }
 
-int report_divergence(const ReplayArguments& arguments, const replay::Divergence& divergence) {
-  std::string parts = divergence.parts.empty() ? "the hash itself" : "";
-  for (const std::string_view part : divergence.parts) {
-    if (!parts.empty()) parts += ", ";
-    parts += part;
-  }
-  return report({"from here on the document is not what was recorded; different are: " + parts,
-                 "line " + std::to_string(divergence.line),
-                 "replay with the version that recorded it, or record the session again with --session"},
-                arguments.session);
-}
-
 int replay_session(const ReplayArguments& arguments) {
   const auto own = read_own_tablets(arguments.tablets);
   if (!own) return report(own.error(), arguments.tablets);
@@ -251,7 +228,7 @@ int replay_session(const ReplayArguments& arguments) {
     // What could not be written down is still here, and was saved where it was asked for.
     if (const auto flushed = writer->flush(true); !flushed) status = report(flushed.error(), arguments.record);
   }
-  return played->divergence ? report_divergence(arguments, *played->divergence) : status;
+  return played->divergence ? report(replay::error_of(*played->divergence), arguments.session) : status;
 }
 
 }  // namespace
@@ -263,7 +240,7 @@ void add_replay_command(CLI::App& app, int& status) {
   command->add_option("--model", arguments->model, "Model to draw on, when it is not where the session says");
   command->add_option("-o,--output", arguments->output, "Project or model file to write at the end (.glb, .obj)");
   command->add_option("--png", arguments->picture, "PNG file of the last view");
-  command->add_option("--stroke", arguments->strokes, "Stop after so many strokes");
+  command->add_option("--stroke", arguments->strokes, "Stop after so many strokes")->check(CLI::NonNegativeNumber);
   command->add_flag("--realtime", arguments->real_time, "At the pace of the recording");
   command->add_option("--session", arguments->record, "Write the replay down as a session of its own");
   command->add_option(k_tablets_option, arguments->tablets, k_tablets_help);

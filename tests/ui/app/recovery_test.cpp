@@ -2,9 +2,12 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <set>
 #include <sstream>
 
+#include "replay/session_player.h"
 #include "tests/support/app_desk.h"
+#include "ui/cli/load_model.h"
 
 // What a crash leaves, and how one goes on from there.
 
@@ -115,6 +118,42 @@ TEST(Recovery, AStrokeThatTheCrashCutOffIsKeptAsFarAsItCame) {
   desk = start("crash-stroke");
   desk->click("Bring it back");
   EXPECT_EQ(desk->app->workspace().state(), state) << "the file that was mended replays";
+}
+
+// A power cut stops in the middle of a line, or right before its break: whatever came back goes on in a file that
+// replays.
+TEST(Recovery, WhereverTheFileWasCutOffItGoesOnAndReplays) {
+  auto desk = start("crash-cut", true);
+  pose_mouth(*desk);
+  const std::string session = crash(std::move(desk));
+  const std::string whole = text_of(session);
+  const std::string note = text_of(session + ".open");
+  const std::size_t lifted = whole.rfind("\nE:");
+  const std::size_t lifted_end = whole.find('\n', lifted + 1);
+  const std::size_t first_state = whole.find("# penpose state");
+  std::set<std::size_t> cuts{lifted_end, lifted_end - 1, lifted_end + 1, whole.size() - 1, whole.size()};
+  for (std::size_t at = whole.find('\n', first_state) + 1; at < whole.size(); at += 997) cuts.insert(at);
+  for (const std::size_t cut : cuts) {
+    desk.reset();
+    std::filesystem::remove_all(Desk::folder_of("crash-cut"));
+    std::filesystem::create_directories(std::filesystem::path(session).parent_path());
+    std::ofstream(session, std::ios::binary) << whole.substr(0, cut);
+    std::ofstream(session + ".open") << note;
+    desk = start("crash-cut");
+    ASSERT_EQ(desk->app->panels().dialog, Dialog::recover) << "cut at byte " << cut;
+    desk->click("Bring it back");
+    desk->begin();
+    desk->click("Key");
+    const auto state = desk->app->workspace().state();
+    ASSERT_EQ(desk->document().timeline->keys.size(), 1U);
+    const std::string text = text_of(session);
+    replay::PlayerOptions options;
+    options.open = [](const std::string& path) { return cli::load_document(path); };
+    const auto played = replay::play_session(replay::read_from(base::as_bytes(text)), options);
+    ASSERT_TRUE(played) << played.error().line();
+    EXPECT_FALSE(played->divergence) << "cut at byte " << cut << " of " << whole.size();
+    EXPECT_EQ(played->session->editor().state(), state) << "cut at byte " << cut << " of " << whole.size();
+  }
 }
 
 TEST(Recovery, ASessionFromBeforeTapsMeantNothingIsPlayedAsItWasDrawn) {

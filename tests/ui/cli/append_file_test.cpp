@@ -92,6 +92,25 @@ TEST(AppendFile, AFullDiskIsAnErrorAndKeepsWhatWasWritten) {
   std::filesystem::remove(path);
 }
 
+// What a replay takes for whole stays, and nothing that it did not read.
+TEST(AppendFile, GoesOnAfterWhatAReplayReads) {
+  const std::string path = temporary("go-on");
+  const auto gone_on = [&](const std::string& text) {
+    std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
+    auto file = AppendFile::go_on(path);
+    EXPECT_TRUE(file && file->append("# next\n"));
+    return content_of(path);
+  };
+  EXPECT_EQ(gone_on("E: 0.1 2 01 02\n"), "E: 0.1 2 01 02\n# next\n");
+  EXPECT_EQ(gone_on("# a\nE: 0.1 2 01 02"), "# a\nE: 0.1 2 01 02\n# next\n") << "all bytes of the report are there";
+  EXPECT_EQ(gone_on("# a\nE: 0.1 2 01 0"), "# a\n# next\n");
+  EXPECT_EQ(gone_on("# a\n# penpose undo"), "# a\n# next\n");
+  EXPECT_EQ(gone_on(std::string(600000, 'x')), "# next\n");
+  EXPECT_EQ(gone_on(""), "# next\n");
+  std::filesystem::remove(path);
+  EXPECT_FALSE(AppendFile::go_on(path));
+}
+
 /// Draws until it is killed, and tells through a pipe how many strokes have ended.
 [[noreturn]] void draw_for_ever(const std::string& path, int pipe, std::uint64_t seed) {
   auto file = AppendFile::create_new(path);

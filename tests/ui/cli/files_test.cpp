@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <thread>
 #include <unistd.h>
 
 #include "ui/cli/commands.h"
@@ -59,6 +61,47 @@ TEST_F(Files, WhatCannotBeWrittenLeavesTheOldContentAndNothingElse) {
   ASSERT_FALSE(status);
   EXPECT_FALSE(status.error().remedy.empty());
   EXPECT_EQ(names(), (std::vector<std::string>{"taken"}));
+}
+
+TEST_F(Files, ALinkStaysOneAndItsFileIsWritten) {
+  std::filesystem::create_directory(path("work"));
+  std::ofstream(folder_ / "work" / "face.glb") << "old";
+  std::filesystem::create_symlink("work/face.glb", path("face.glb"));
+  std::filesystem::create_symlink("face.glb", path("again.glb"));
+  ASSERT_TRUE(write_file(path("again.glb"), base::as_bytes("new")));
+  EXPECT_TRUE(std::filesystem::is_symlink(path("again.glb")));
+  EXPECT_TRUE(std::filesystem::is_symlink(path("face.glb")));
+  EXPECT_EQ(base::as_text(read_file(path("work/face.glb")).value()), "new");
+  // One whose file is not there yet makes it, and one that leads in a circle is an error.
+  std::filesystem::create_symlink("work/later.glb", path("later.glb"));
+  ASSERT_TRUE(write_file(path("later.glb"), base::as_bytes("first")));
+  EXPECT_EQ(base::as_text(read_file(path("work/later.glb")).value()), "first");
+  std::filesystem::create_symlink("circle", path("circle"));
+  EXPECT_FALSE(write_file(path("circle"), {}));
+}
+
+TEST_F(Files, WhoMayReadAFileStaysAsItWas) {
+  using std::filesystem::perms;
+  for (const perms mode : {perms::owner_read | perms::owner_write, perms::owner_all | perms::group_read}) {
+    ASSERT_TRUE(write_file(path("private"), base::as_bytes("a")));
+    std::filesystem::permissions(path("private"), mode);
+    ASSERT_TRUE(write_file(path("private"), base::as_bytes("b")));
+    EXPECT_EQ(std::filesystem::status(path("private")).permissions(), mode);
+  }
+}
+
+TEST_F(Files, APipeIsWrittenToAndStaysAPipe) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  std::string got;
+  std::thread reader([&] { got = base::as_text(read_file(path("pipe")).value()); });
+  EXPECT_TRUE(write_file(path("pipe"), base::as_bytes("a model")));
+  reader.join();
+  EXPECT_EQ(got, "a model");
+  EXPECT_TRUE(std::filesystem::is_fifo(path("pipe")));
+  EXPECT_TRUE(write_file("/dev/null", base::as_bytes("a model")));
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  EXPECT_FALSE(write_file("/dev/full", base::as_bytes("a model"))) << "as a full disk";
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
 }
 
 TEST_F(Files, AReportIsOneLineThatNamesFilePlaceAndRemedy) {

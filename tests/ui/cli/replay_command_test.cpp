@@ -56,6 +56,11 @@ TEST_F(ReplayCommand, StopsAfterAStroke) {
   EXPECT_EQ(json()["curves"], 1);
 }
 
+TEST_F(ReplayCommand, ANumberOfStrokesIsNotNegative) {
+  EXPECT_EQ(run({"replay", path("drawn.session"), "--stroke", "-1"}), 2);
+  EXPECT_EQ(run({"replay", path("drawn.session"), "--stroke", "x"}), 2);
+}
+
 TEST_F(ReplayCommand, NamesTheLineAndThePartsOfADivergence) {
   std::string text = content("drawn.session");
   const std::size_t key = text.find("time_s=1");
@@ -82,6 +87,17 @@ TEST_F(ReplayCommand, AChangedModelIsRefused) {
   save("sheet.glb", model_io::write_glb(model).value());
   EXPECT_EQ(run({"replay", path("drawn.session")}), 1);
   EXPECT_NE(error_.find("is not the one that was drawn on"), std::string::npos) << error_;
+}
+
+TEST_F(ReplayCommand, TheCopyOfTheModelThatIsKeptBesideASessionIsUsed) {
+  const std::string model = content("sheet.glb");
+  auto other = tests::sheet_model();
+  other.pose[1] = 0.5;
+  save("sheet.glb", model_io::write_glb(other).value());
+  save("drawn.session.model.glb", model);
+  ASSERT_EQ(run({"replay", path("drawn.session"), "--json"}), 0) << error_;
+  EXPECT_EQ(json()["state"], state_);
+  EXPECT_EQ(json()["model"], path("drawn.session.model.glb"));
 }
 
 TEST_F(ReplayCommand, WritesItselfDownAndNeverOverAnOlderSession) {
