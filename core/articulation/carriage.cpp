@@ -26,6 +26,7 @@ Carriage::Carriage(std::shared_ptr<const CurveMotion> motion, KeptSurface surfac
     : motion_(std::move(motion)), surface_(std::move(surface)) {
   const auto reference = motion_->reference();
   const auto target = motion_->target();
+  reserve(riders.size(), carried);
   for (const Rider& rider : riders) {
     const std::uint32_t k = rider.segment;
     rests_.push_back(rider.rest);
@@ -47,6 +48,19 @@ Carriage::Carriage(std::shared_ptr<const CurveMotion> motion, KeptSurface surfac
     offsets_.push_back({along, offset - along, glm::cross(axis, offset)});
   }
   mark_segments();
+}
+
+/// No more than is used: edits of deformers keep many of them for undo.
+void Carriage::reserve(std::size_t riders, bool carried) {
+  rests_.reserve(riders);
+  if (surface_.exists()) levels_.reserve(riders);
+  if (carried) to_rest_.reserve(riders);
+  if (!turning()) return columns_.reserve(riders);
+  segments_.reserve(riders);
+  fractions_.reserve(riders);
+  weights_.reserve(riders);
+  turns_.reserve(riders);
+  offsets_.reserve(riders);
 }
 
 void Carriage::mark_segments() {

@@ -65,6 +65,7 @@ class Carriage {
 
   [[nodiscard]] bool turning() const { return motion_ && motion_->mode() == Mode::rotate; }
   void turned(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const;
+  void reserve(std::size_t riders, bool carried);
   void mark_segments();
 
   std::shared_ptr<const CurveMotion> motion_;

@@ -144,7 +144,7 @@ base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch& sketc
     }
     seen.push_back(*px);
   }
-  auto deformer = std::make_shared<Deformer>();
+  Deformer::Built built;
   std::vector<Rider> riders;
   for (std::size_t i = 0; i < region->vertices.size(); ++i) {
     if (!(weights->weights[i] > 0.0)) continue;
@@ -153,13 +153,17 @@ base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch& sketc
     auto to_rest = canvas.to_rest(v);
     if (!to_rest) return at("general", to_rest.error());
     riders.push_back({place.segment, place.fraction, weights->weights[i], canvas.positions()[v], *to_rest});
-    deformer->vertices_.push_back(v);
-    deformer->weights_.push_back(weights->weights[i]);
+    built.vertices.push_back(v);
+    built.weights.push_back(weights->weights[i]);
   }
+  built.vertices.shrink_to_fit();
+  built.weights.shrink_to_fit();
+  built.turned_round = paired->reversed && !sketch.reference.empty();
+  built.carriage = Carriage(std::make_shared<const CurveMotion>(std::move(*reference), std::move(target), mode),
+                            std::move(*surface), riders, canvas.carried());
+  auto deformer = std::make_shared<Deformer>();
   deformer->sketch_ = sketch;
-  deformer->turned_round_ = paired->reversed && !sketch.reference.empty();
-  deformer->carriage_ = Carriage(std::make_shared<const CurveMotion>(std::move(*reference), std::move(target), mode),
-                                 std::move(*surface), riders, canvas.carried());
+  deformer->built_ = std::make_shared<const Deformer::Built>(std::move(built));
   return std::shared_ptr<const Deformer>(std::move(deformer));
 }
 

@@ -20,24 +20,26 @@ class Deformer {
   [[nodiscard]] const Sketch& sketch() const { return sketch_; }
   [[nodiscard]] rig::Parameter parameter() const { return {sketch_.name, 0.0, sketch_.minimum, sketch_.maximum}; }
   /// What `Mode::automatic` came to; translate or rotate.
-  [[nodiscard]] Mode mode() const { return carriage_.motion().mode(); }
+  [[nodiscard]] Mode mode() const { return built_->carriage.motion().mode(); }
   /// True when the reference was inferred.
   [[nodiscard]] bool inferred() const { return sketch_.reference.empty(); }
   /// True when the target was drawn against a drawn reference and was therefore turned round (method, section 1). A
   /// deformer that rotates is torn by it when the target's far end only happens to lie nearer, so a user must be told.
-  [[nodiscard]] bool turned_round() const { return turned_round_; }
+  [[nodiscard]] bool turned_round() const { return built_->turned_round; }
 
   /// The curves in world space at rest, equally many points.
-  [[nodiscard]] std::span<const ModelPoint> reference() const { return carriage_.motion().reference(); }
-  [[nodiscard]] std::span<const ModelPoint> target() const { return carriage_.motion().target(); }
+  [[nodiscard]] std::span<const ModelPoint> reference() const { return built_->carriage.motion().reference(); }
+  [[nodiscard]] std::span<const ModelPoint> target() const { return built_->carriage.motion().target(); }
   /// The curve at an amount: the reference at 0, the target at 1. Without the surface.
-  [[nodiscard]] std::vector<ModelPoint> curve_at(double amount) const { return carriage_.motion().points(amount); }
+  [[nodiscard]] std::vector<ModelPoint> curve_at(double amount) const {
+    return built_->carriage.motion().points(amount);
+  }
 
   /// The vertices that it moves (weight above 0), ascending, and their weights.
-  [[nodiscard]] std::span<const std::uint32_t> vertices() const { return vertices_; }
-  [[nodiscard]] std::span<const double> weights() const { return weights_; }
+  [[nodiscard]] std::span<const std::uint32_t> vertices() const { return built_->vertices; }
+  [[nodiscard]] std::span<const double> weights() const { return built_->weights; }
   /// Their displacements.
-  [[nodiscard]] const Carriage& carriage() const { return carriage_; }
+  [[nodiscard]] const Carriage& carriage() const { return built_->carriage; }
 
   /// The same deformer under another name or range.
   [[nodiscard]] base::Result<std::shared_ptr<const Deformer>> renamed(std::string name) const;
@@ -46,11 +48,16 @@ class Deformer {
  private:
   friend base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch&, const Canvas&, std::size_t);
 
+  /// What takes memory; name and range are not in it, so that deformers which differ in these alone share it.
+  struct Built {
+    Carriage carriage;
+    std::vector<std::uint32_t> vertices;
+    std::vector<double> weights;
+    bool turned_round = false;
+  };
+
   Sketch sketch_;
-  Carriage carriage_;
-  std::vector<std::uint32_t> vertices_;
-  std::vector<double> weights_;
-  bool turned_round_ = false;
+  std::shared_ptr<const Built> built_ = std::make_shared<const Built>();
 };
 
 /// Points of a deformer's two curves.

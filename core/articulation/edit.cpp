@@ -54,6 +54,16 @@ base::Result<SketchedDeformers::Shared> with_name(const SketchedDeformers& set, 
   return SketchedDeformers::make(std::move(deformers));
 }
 
+base::Result<SketchedDeformers::Shared> with_range(const SketchedDeformers& set, std::size_t index, double minimum,
+                                                   double maximum) {
+  if (auto error = check_index(set, index)) return *error;
+  Deformers deformers = all_of(set);
+  auto ranged = deformers[index]->with_range(minimum, maximum);
+  if (!ranged) return ranged.error();
+  deformers[index] = std::move(ranged).value();
+  return SketchedDeformers::make(std::move(deformers));
+}
+
 base::Result<SketchedDeformers::Shared> moved(const SketchedDeformers& set, std::size_t from, std::size_t to) {
   if (auto error = check_index(set, from)) return *error;
   if (auto error = check_index(set, to)) return *error;

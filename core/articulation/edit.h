@@ -21,6 +21,8 @@ namespace penpose::articulation {
 [[nodiscard]] base::Result<SketchedDeformers::Shared> without(const SketchedDeformers& set, std::size_t index);
 [[nodiscard]] base::Result<SketchedDeformers::Shared> with_name(const SketchedDeformers& set, std::size_t index,
                                                                 std::string name);
+[[nodiscard]] base::Result<SketchedDeformers::Shared> with_range(const SketchedDeformers& set, std::size_t index,
+                                                                 double minimum, double maximum);
 /// Takes deformer `from` out and puts it back as number `to`.
 [[nodiscard]] base::Result<SketchedDeformers::Shared> moved(const SketchedDeformers& set, std::size_t from,
                                                             std::size_t to);

@@ -206,6 +206,9 @@ Changed run(const Document& document, const ChangeDeformer& command, Parts& work
   if (command.surface) sketch.surface = *command.surface;
   if (command.minimum) sketch.minimum = *command.minimum;
   if (command.maximum) sketch.maximum = *command.maximum;
+  const bool moves_as_before = !command.mode && !command.surface;
+  if (moves_as_before)
+    return with_set(document, with_range(*set_of(document), *number, sketch.minimum, sketch.maximum));
   return rebuilt(document, *number, sketch, work);
 }
 

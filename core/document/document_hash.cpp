@@ -73,19 +73,6 @@ base::Hash128 hash_parameters(const Document& document) {
   return hash.digest();
 }
 
-base::Hash128 hash_curves(const Document& document) {
-  StateHash hash;
-  hash.add(std::uint64_t{document.last_curve});
-  hash.add(std::uint64_t{document.curves.size()});
-  for (const auto& curve : document.curves) add_digest(hash, hash_of(*curve));
-  add_curves(hash, document.model->curves);
-  for (const auto& named : document.views) {
-    hash.add(named->name);
-    add_view(hash, named->view);
-  }
-  return hash.digest();
-}
-
 base::Hash128 hash_keys(const Document& document, const base::Hash128& animations) {
   StateHash hash;
   hash.add(static_cast<std::uint64_t>(document.timeline->interpolation));
@@ -106,6 +93,36 @@ std::vector<std::string_view> differing_parts(const DocumentState& a, const Docu
     if (a.parts[i] != b.parts[i]) names.push_back(k_state_parts[i]);
   }
   return names;
+}
+
+base::Hash128 DocumentHasher::hash_curves(const Document& document) {
+  // The list of the last call in step with this one: between two neighbours one or a few curves come, go or change.
+  std::vector<HashedCurve> hashed;
+  hashed.reserve(document.curves.size());
+  std::size_t known = 0;
+  for (std::size_t i = 0; i < document.curves.size(); ++i) {
+    const auto& curve = document.curves[i];
+    const auto is_at = [&](std::size_t at, const auto& one) { return at < curves_.size() && curves_[at].curve == one; };
+    if (!is_at(known, curve) && is_at(known + 1, curve)) ++known;
+    if (is_at(known, curve)) {
+      hashed.push_back(std::move(curves_[known++]));
+      continue;
+    }
+    hashed.push_back({curve, hash_of(*curve)});
+    const bool added = i + 1 < document.curves.size() && is_at(known, document.curves[i + 1]);
+    if (!added) ++known;
+  }
+  curves_ = std::move(hashed);
+  StateHash hash;
+  hash.add(std::uint64_t{document.last_curve});
+  hash.add(std::uint64_t{curves_.size()});
+  for (const HashedCurve& one : curves_) add_digest(hash, one.hash);
+  add_curves(hash, document.model->curves);
+  for (const auto& named : document.views) {
+    hash.add(named->name);
+    add_view(hash, named->view);
+  }
+  return hash.digest();
 }
 
 DocumentState DocumentHasher::operator()(const Document& document) {

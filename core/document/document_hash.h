@@ -32,6 +32,13 @@ class DocumentHasher {
   [[nodiscard]] DocumentState operator()(const Document& document);
 
  private:
+  struct HashedCurve {
+    std::shared_ptr<const PoseCurve> curve;
+    base::Hash128 hash;
+  };
+  [[nodiscard]] base::Hash128 hash_curves(const Document& document);
+
+  std::vector<HashedCurve> curves_;
   std::shared_ptr<const mesh::TriangleMesh> mesh_;
   std::shared_ptr<const rig::BlendShapes> shapes_;
   std::shared_ptr<const rig::Skeleton> skeleton_;

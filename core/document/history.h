@@ -12,7 +12,8 @@
 namespace penpose::document {
 
 /// A document with everything that was done to it. Undo and redo go through all steps since it was opened. A step keeps
-/// the document before it, which shares with its neighbours all that the command did not change.
+/// of the document before it what the command changed, so that its size depends on neither the mesh nor on how much is
+/// drawn already.
 class History {
  public:
   explicit History(Document document) : current_(std::move(document)) {}
@@ -35,6 +36,14 @@ class History {
   struct Step {
     std::string_view command;  ///< its name; strokes are not kept
     Document other;            ///< of `done_` the document before the command, of `undone_` the one after it
+    // What `other` has in common with the document on the step's other side is not kept in it.
+    std::size_t first_curves = 0;  ///< at the front of the list that are the same
+    std::size_t last_curves = 0;   ///< and at its end
+    bool same_pose = false;
+    bool same_locks = false;
+    bool same_views = false;
+    void take_out(const Document& neighbour);
+    void put_back(const Document& neighbour);
   };
   Document current_;
   std::vector<Step> done_;

@@ -9,25 +9,46 @@ import sys
 CODE = ('.cpp', '.h')
 MODULES = ('core', 'firmware_io', 'replay', 'ui', 'tests')
 
-# What gives other bits, or another order, on another machine, compiler or day (never in core).
-LIBM = 'sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|exp|exp2|expm1|log|log2|log10|log1p|pow|hypot|cbrt|fma|tgamma|lgamma|erf|erfc'
-IN_CORE = [
-    (re.compile(r'\bstd::(?:%s)f?l?\s*\(' % LIBM), 'the platform\'s libm gives other bits elsewhere; use core/base/math.h'),
-    (re.compile(r'(?<![\w.>])(?<!base::)(?<!std::)(?:::)?(?<!\w::)(?:%s)\s*\(' % LIBM), 'the platform\'s libm gives other bits elsewhere; use core/base/math.h'),
-    (re.compile(r'\bstd::(?:%s|arg|polar|beta)\b|__builtin_(?:%s)f?\b' % (LIBM, LIBM)), 'the platform\'s libm gives other bits elsewhere; use core/base/math.h'),
-    (re.compile(r'\b(?:clock_gettime|gettimeofday|clock|rand|srand|random|drand48)\s*\(|#include <(?:sys/)?time\.h>'), 'core reads no clock and no random device'),
-    (re.compile(r'\bstd::(?:tolower|toupper|isalpha|isspace|isdigit|o?i?stringstream|ostringstream|istringstream|stof|stold|sto[iu]?l+|stoi)\b|\b(?:sn|s|vsn)?printf\s*\(|\bs?scanf\s*\('), 'its result depends on the locale; use core/base/numbers.h'),
-    (re.compile(r'\bstd::(?:map|set|multimap|multiset)<\s*(?:const\s+)?[\w:]+\s*(?:const\s*)?\*|\bstd::hash\b|boost/unordered'), 'the order of addresses and hashes is another every time'),
-    (re.compile(r'(?<![\w:.>])(?:%s)f\s*\(' % LIBM), 'the platform\'s libm gives other bits elsewhere; use core/base/math.h'),
-    (re.compile(r'\bglm::(?:%s|rotate|slerp|angleAxis|angle|axis|eulerAngles|perspective|lookAt|radians|mix|normalize|length|distance|inversesqrt)\s*\(' % LIBM),
+# What gives other bits, or another order, on another machine, compiler or day (never in core). symbols.py looks for the same
+# in what was compiled, where no spelling hides it.
+LIBM = ('sin|cos|tan|asin|acos|atan|atan2|sincos|sinh|cosh|tanh|asinh|acosh|atanh|exp|exp2|exp10|expm1|log|log2|log10|log1p|pow|'
+        'hypot|cbrt|fma|tgamma|lgamma|erf|erfc|[jy][01n]')
+SPECIAL = r'beta|arg|polar|riemann_zeta|expint|(?:cyl|sph)_\w+|(?:comp_)?ellint_[123]|(?:assoc_)?(?:legendre|laguerre)|hermite'
+SORTS = 'sort|partial_sort|partial_sort_copy|nth_element|partition|make_heap|push_heap|pop_heap|sort_heap|unstable_remove_if'
+NOT_OURS = r'(?<![\w.>])(?<!base::)(?<!std::)(?:::)?(?<!\w::)'
+BITS = 'the platform\'s libm gives other bits elsewhere; use core/base/math.h'
+ORDER = 'what is equal keeps no order; use std::stable_sort or std::stable_partition'
+CLOCK = 'core reads no clock and no random device'
+LOCALE = 'its result depends on the locale; use core/base/numbers.h'
+FLOATS = 'doubles are rounded as IEEE 754 says and nothing else; the flags of the build say how'
+THREADS = 'threads are in core/base/parallel alone'
+HASHES = 'the order of addresses and hashes is another every time'
+OUTSIDE = 'core reads no file, stream or environment'
+IN_CORE = [(re.compile(rule), why) for rule, why in [
+    (r'\bstd\s*::\s*(?:%s|%s)[fl]?\b' % (LIBM, SPECIAL), BITS),
+    (NOT_OURS + r'(?:%s)\s*\(' % LIBM, BITS),
+    (r'(?<![\w:.>])(?:%s)[fl]\s*\(' % LIBM, BITS),
+    (r'(?<!&)&\s*(?:std\s*::\s*|::)?(?:%s)[fl]?\s*[;,)]' % LIBM, BITS),
+    (r'__builtin_(?:%s|powi|nan\w*|inf\w*)[fl]?\b|#include <(?:complex|valarray|math\.h|tgmath\.h)>' % LIBM, BITS),
+    (r'\bglm::(?:%s|rotate|slerp|angleAxis|angle|axis|eulerAngles|perspective|lookAt|radians|mix|normalize|length|distance|inversesqrt)\s*\(' % LIBM,
      'GLM\'s functions may change with its version and flags; use core/geometry'),
-    (re.compile(r'\bstd::unordered_|#include <unordered_'), 'hash containers have no fixed order'),
-    (re.compile(r'#include <(?:chrono|ctime|random|locale|fstream|filesystem|iostream|cstdio)>'), 'core reads no clock, file, locale or random device'),
-    (re.compile(r'\b(?:getenv|setlocale|strtod|atof|stod|time)\s*\('), 'core reads no environment, clock or locale'),
-    (re.compile(r'\bstd::(?:ranges::)?(?:sort|partial_sort|nth_element|partition|make_heap|push_heap|pop_heap|sort_heap)\s*\('),
-     'what is equal keeps no order; use std::stable_sort or std::stable_partition'),
-    (re.compile(r'\bstd::(?:reduce|transform_reduce|execution)\b'), 'reductions run in a fixed order'),
-]
+    (r'\bnamespace\s+\w+\s*=\s*std\b|\busing\s+namespace\s+std\s*;|\busing\s+std\s*::\s*(?:ranges\s*::\s*)?(?:%s|%s)\b' % (LIBM, SORTS),
+     'what stands for std is written out, so that it is seen'),
+    (r'\bstd\s*::\s*unordered_|#include <unordered_|\b(?:hash|flat_hash|node_hash)_(?:map|set)\b|\b__gnu_cxx\b|#include <ext/', 'hash containers have no fixed order'),
+    (r'\bstd::(?:map|set|multimap|multiset|less)<\s*(?:const\s+)?[\w:]+\s*(?:const\s*)?\*|\bstd::(?:map|set|multimap|multiset)<\s*std::(?:shared|unique|weak)_ptr|\bu?intptr_t\b|\bstd::hash\b|boost/unordered', HASHES),
+    (r'\bstd\s*::\s*(?:ranges\s*::\s*)?(?:%s)\s*\(|' % SORTS + NOT_OURS + r'(?:%s)\s*\(|\bq?sort_r?\s*\(|\bqsort\b|\bstd::priority_queue<(?!std::(?:size_t|u?int\d+_t)\b|int\b)' % SORTS, ORDER),
+    (r'\b(?:clock_gettime|gettimeofday|clock|timespec_get|ftime|gmtime|localtime|strftime|mktime|nanosleep|usleep|time)\s*\(|\bstd::chrono\b|#include <(?:chrono|ctime|(?:sys/)?time\.h)>|\b__(?:TIME|DATE|TIMESTAMP)__\b|\b_?_?rdtscp?\b', CLOCK),
+    (r'\b(?:s?rand(?:om)?|rand_r|[delmn]rand48|getrandom|getentropy|arc4random\w*)\s*\(|\b(?:random_device|mt19937(?:_64)?|minstd_rand0?|default_random_engine|\w+_distribution)\b|#include <random>|\bstd::(?:ranges::)?(?:shuffle|sample)\b', CLOCK),
+    (r'\bstd::(?:locale|regex|wregex|format|vformat|use_facet)\b|\b(?:setlocale|localeconv|newlocale|uselocale|strcoll|strxfrm)\s*\(|#include <(?:locale|clocale|locale\.h|regex|format)>', LOCALE),
+    (r'\b(?:strto(?:d|f|ld|u?ll?|imax)|ato(?:f|i|ll?)|sto(?:i|u?ll?|f|d|ld)|is(?:alnum|alpha|digit|space|upper|lower|punct|print|xdigit|cntrl|graph|blank)|to(?:lower|upper))\s*\(|\bstd::is(?:alpha|space|digit|alnum)\b|\bstd::to(?:lower|upper)\b|\b\w*(?:printf|scanf)\s*\(', LOCALE),
+    (r'\b(?:secure_)?getenv\s*\(|#include <(?:fstream|filesystem|iostream|ostream|istream|sstream|iomanip|cstdio|stdio\.h|fcntl\.h|unistd\.h)>|\bstd::(?:cout|cerr|clog|cin|w?[io]?(?:string|f)stream|filesystem)\b|\b(?:fopen|fread|fwrite|mmap)\s*\(|(?<!\w)::open\s*\(', OUTSIDE),
+    (r'\blong\s+double\b|\b(?:double|float)_t\b|\b__float128\b|\b_Float\d+|\b__fp16\b|\boptimize\s*\(|#include <(?:cfenv|fenv\.h|cfloat_control|\w*mmintrin\.h|immintrin\.h|arm_neon\.h|x86intrin\.h)>|\bfe(?:set|hold)\w+\s*\(|\b_mm\d*_\w+|\b_MM_SET|\basm\b|\b__asm', FLOATS),
+    (r'#\s*pragma\s+(?!once\b)[^\n]*|\b_Pragma\b', FLOATS),
+    (r'\bstd::(?:reduce|transform_reduce|inclusive_scan|exclusive_scan|execution)\b|#include <execution>', 'reductions run in a fixed order'),
+    (r'\bstd::(?:j?thread|async|mutex|shared_mutex|atomic\w*|future|promise|condition_variable)\b|\bthread_local\b|#include <(?:thread|mutex|atomic|future|condition_variable|pthread\.h)>', THREADS),
+]]
+# Never among the flags of any build.
+IN_BUILD = re.compile(r'-ffast-math|-Ofast|-funsafe-math\S*|-fassociative-math|-freciprocal-math|-ffp-contract=(?!off)\w+|-m(?:arch|cpu|tune)=native|-mfma\b|-mfpmath\S*')
 EVERYWHERE = [
     (re.compile(r'#include "(?!(?:%s)/)' % '|'.join(MODULES)), 'name the module in the include: "folder/module/header.h"'),
     (re.compile(r'#include "[^"]*\.\./'), 'no include climbs out of its folder'),
@@ -37,8 +58,17 @@ EVERYWHERE = [
 EXEMPT = {'core/base/parallel.cpp', 'core/base/math.cpp', 'core/base/math.h', 'core/base/sine_cosine.cpp'}
 
 
-def strip_comments(text):
-    return re.sub(r'//[^\n]*|/\*.*?\*/', lambda m: '\n' * m.group(0).count('\n'), text, flags=re.S)
+CUT = re.compile(r'//[^\n]*|/\*.*?\*/|(?<![\w)])R"([^(\s]*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<!\w)\'(?:\\.|[^\'\\\n])+\'', re.S)
+
+
+def code_alone(text):
+    """The text without comments and what stands in quotes, line by line where it was; includes keep what they name."""
+    def shortened(match):
+        piece = match.group(0)
+        if piece[0] == '"' and text[text.rfind('\n', 0, match.start()) + 1:match.start()].strip() == '#include':
+            return piece
+        return ('""' if piece[0] in '"\'R' else ' ') + '\n' * piece.count('\n')
+    return CUT.sub(shortened, text)
 
 
 def faults(root):
@@ -53,11 +83,23 @@ def faults(root):
                     text = f.read()
                 rules = [(r, why, text) for r, why in EVERYWHERE]
                 if path.startswith('core/') and path not in EXEMPT:
-                    code = strip_comments(text)
+                    code = code_alone(text)
                     rules += [(r, why, code) for r, why in IN_CORE]
                 for rule, why, source in rules:
                     for match in rule.finditer(source):
                         yield '%s:%d: %s: %s' % (path, source.count('\n', 0, match.start()) + 1, match.group(0).strip(), why)
+    yield from faults_of_the_build(root)
+
+
+def faults_of_the_build(root):
+    paths = [os.path.join(folder, name) for folder, _, names in os.walk(root) for name in names
+             if (name == 'CMakeLists.txt' or name == 'CMakePresets.json' or name.endswith('.cmake'))
+             and not os.path.relpath(folder, root).startswith('build')]
+    for path in sorted(paths):
+        with open(path, encoding='utf-8') as f:
+            text = f.read()
+        for match in IN_BUILD.finditer(text):
+            yield '%s:%d: %s: %s' % (os.path.relpath(path, root), text.count('\n', 0, match.start()) + 1, match.group(0), FLOATS)
 
 
 def main():

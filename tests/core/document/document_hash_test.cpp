@@ -5,6 +5,7 @@
 #include <set>
 
 #include "tests/support/document_hand.h"
+#include "tests/support/random_session.h"
 
 namespace penpose::document {
 namespace {
@@ -194,6 +195,32 @@ TEST(DocumentHash, AHasherThatHasSeenOthersAgreesWithAFreshOne) {
   // Another model altogether and back again.
   EXPECT_EQ(used(make_document(tests::sheet_model())), DocumentHasher()(make_document(tests::sheet_model())));
   EXPECT_EQ(used(document), DocumentHasher()(document));
+}
+
+TEST(DocumentHash, CurvesThatComeGoAndChangePlacesAreHashedAsByAFreshOne) {
+  Document document = full_document();
+  while (document.curves.size() < 9) {
+    PoseCurve curve = *document.curves[0];
+    curve.id.value = ++document.last_curve;
+    document.curves.push_back(std::make_shared<const PoseCurve>(std::move(curve)));
+  }
+  DocumentHasher used;
+  tests::Random random(3);
+  const auto all = document.curves;
+  for (int i = 0; i < 300; ++i) {
+    for (std::size_t k = 0; k < 1 + random.below(3); ++k) {
+      auto& curves = document.curves;
+      const auto at = curves.begin() + static_cast<std::ptrdiff_t>(random.below(curves.size() + 1));
+      if (random.chance(0.4)) {
+        curves.insert(at, all[random.below(all.size())]);
+      } else if (at != curves.end() && random.chance(0.5)) {
+        curves.erase(at);
+      } else if (at != curves.end()) {
+        *at = std::make_shared<const PoseCurve>(**at);
+      }
+    }
+    ASSERT_EQ(used(document), DocumentHasher()(document)) << i;
+  }
 }
 
 TEST(DocumentHash, AModelAloneIsADocumentThatNothingWasDoneTo) {
