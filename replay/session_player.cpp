@@ -38,6 +38,7 @@ class Player {
   Playback out_;
   std::optional<base::Error> error_;  ///< ends the replay
   base::Hash128 model_;               ///< as the session names it
+  std::uint64_t long_line_ = 0;       ///< whose pieces are left out
   bool stop_ = false;                 ///< no more is to be drawn
   bool halted_ = false;               ///< and no more is to be read
 };
@@ -129,10 +130,15 @@ void Player::on_session_line(const SessionLine& line, std::uint64_t number) {
 
 void Player::on_line(const TraceLine& line) {
   if (error_ || halted_) return;
-  // The rest of a last line that was cut off could say something else than the whole.
+  // The rest of a last line that was cut off could say something else than the whole, as could a piece of a long one.
+  if (line.number == long_line_) return;
   if (line.end.empty()) {
-    if (line.text.starts_with('#')) {
-      out_.problems.push_back(at_line(line.number, {"the last line is cut off", "", "everything before it was read"}));
+    const bool is_long = line.text.size() >= TraceReader::k_longest_line;
+    if (is_long) long_line_ = line.number;
+    if (line.text.starts_with('#') && out_.problems.size() < k_most_refusals) {
+      out_.problems.push_back(at_line(
+          line.number, is_long ? base::Error{"the line is too long for one of a session and was left out", "", ""}
+                               : base::Error{"the last line is cut off", "", "everything before it was read"}));
     }
     return;
   }

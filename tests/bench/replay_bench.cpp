@@ -1,13 +1,16 @@
 // An hour of drawing, replayed: 300 reports a second, about a million of them, on the built-in head with its fifteen
 // deformers. The pen draws a reference and a target in turn along brows, lids, mouth and cheeks; after four pairs the
-// curves are cleared, or never. The trace is made while it is read, so that the memory counted is the replay's own.
+// curves are cleared, or never. Recorded sessions hold the state after every stroke, which is compared. The session
+// lies in a file, so that the memory counted is the replay's own.
 
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
 #include "replay/live_session.h"
 #include "replay/session_player.h"
+#include "replay/session_recorder.h"
 #include "replay/virtual_pen.h"
+#include "ui/cli/trace_file.h"
 #include "ui/demo/demo_head.h"
 
 namespace penpose {
@@ -71,16 +74,33 @@ double peak_mb() {
 
 void replay_drawing(benchmark::State& state) {
   const auto reports = static_cast<std::uint64_t>(state.range(0)) * 60 * k_rate;
+  replay::PlayerOptions options;
+  options.open = [](const std::string&) {
+    return base::Result<document::Document>(document::make_document(demo::make_demo_head().value()));
+  };
+  // As it was recorded: with the state after every stroke, in a file.
+  const cli::File file(std::tmpfile(), &std::fclose);
+  {
+    Drawing drawing(reports, state.range(1) != 0);
+    replay::SessionWriter writer(
+        [&](std::string_view text, bool) -> base::Status {
+          if (std::fwrite(text.data(), 1, text.size(), file.get()) == text.size()) return base::Done{};
+          return base::Error{"the session cannot be written", "", ""};
+        },
+        "bench");
+    replay::SessionRecorder recorder(writer);
+    options.observer = &recorder;
+    replay::play_session([&](std::span<std::uint8_t> into) { return drawing.read(into); }, options).value();
+    if (!writer.flush(true)) state.SkipWithError("the session cannot be written");
+    options.observer = nullptr;
+  }
   replay::Playback played;
   const double before = peak_mb();
   for (auto _ : state) {
-    Drawing drawing(reports, state.range(1) != 0);
-    replay::PlayerOptions options;
-    options.open = [](const std::string&) {
-      return base::Result<document::Document>(document::make_document(demo::make_demo_head().value()));
-    };
-    played = replay::play_session([&](std::span<std::uint8_t> into) { return drawing.read(into); }, options).value();
+    std::rewind(file.get());
+    played = replay::play_session(cli::read_from_file(file.get()), options).value();
   }
+  if (played.checked == 0 || played.differing > 0) state.SkipWithError("the states are not those that were recorded");
   state.counters["reports"] = static_cast<double>(played.reports);
   state.counters["strokes"] = static_cast<double>(played.session->stroke_count());
   state.counters["refused"] = static_cast<double>(played.refused);

@@ -1,5 +1,5 @@
-// golden HASHES THREADS SESSION|FOLDER...: replays every session named or in a folder named, and 200 random ones,
-// prints the hash of the state at each session's end, and compares them with a file of lines "NAME HASH". With --print
+// golden HASHES THREADS SESSION|FOLDER...: replays every session named or in a folder named, 200 random ones, and 40 in
+// which every command of the list comes as often as any other, prints the hash of the state at each session's end, and compares them with a file of lines "NAME HASH". With --print
 // in place of the file it prints such a file. The text of a random session holds the state after each of its strokes
 // and commands, so that its hash stands for all.
 
@@ -18,7 +18,7 @@
 #include "core/base/parallel.h"
 #include "core/head/head.h"
 #include "replay/session_player.h"
-#include "tests/support/random_session.h"
+#include "tests/support/knowing_hand.h"
 
 namespace {
 
@@ -26,6 +26,9 @@ using namespace penpose;  // NOLINT(google-build-using-namespace): a program of 
 
 constexpr std::uint64_t k_random_sessions = 200;
 constexpr std::size_t k_actions = 25;
+/// Sessions in which every command of the list comes as often as any other, under the rules of today.
+constexpr std::uint64_t k_knowing_sessions = 40;
+constexpr std::size_t k_knowing_actions = 80;
 
 base::Result<document::Document> open(const std::string& path) {
   if (path == "builtin:head") return document::make_document(head::make_head());
@@ -46,9 +49,10 @@ base::Result<std::string> replayed(const std::string& text) {
   return played->session->editor().state().whole.hex();
 }
 
-base::Result<std::string> random_session(std::uint64_t seed) {
+template <typename Hand>
+base::Result<std::string> random_session(std::uint64_t seed, std::size_t actions) {
   tests::SessionScript script(document::make_document(tests::sheet_model()), "test-sheet");
-  tests::RandomHand(script, seed).run(k_actions);
+  Hand(script, seed).run(actions);
   const auto again = replayed(script.text());
   if (!again) return again.error();
   if (*again != script.editor().state().whole.hex()) return base::Error{"replays to another state", "", ""};
@@ -88,14 +92,20 @@ std::map<std::string, std::string> all_hashes(const std::map<std::string, std::f
     keep(name, replayed(text));
   }
   // As many at a time as there are threads: nothing that one does may show in another.
-  std::vector<base::Result<std::string>> random(k_random_sessions, std::string());
-  base::parallel_for(k_random_sessions, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t seed = begin; seed < end; ++seed) random[seed] = random_session(seed);
+  constexpr std::uint64_t k_all = k_random_sessions + k_knowing_sessions;
+  std::vector<base::Result<std::string>> random(k_all, std::string());
+  base::parallel_for(k_all, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      random[i] = i < k_random_sessions ? random_session<tests::RandomHand>(i, k_actions)
+                                        : random_session<tests::KnowingHand>(i - k_random_sessions, k_knowing_actions);
+    }
   });
-  for (std::size_t seed = 0; seed < k_random_sessions; ++seed) {
+  for (std::size_t i = 0; i < k_all; ++i) {
     char name[16];
-    std::snprintf(name, sizeof name, "random-%03d", static_cast<int>(seed));
-    keep(name, random[seed]);
+    const bool knows = i >= k_random_sessions;
+    std::snprintf(name, sizeof name, knows ? "every-%03d" : "random-%03d",
+                  static_cast<int>(knows ? i - k_random_sessions : i));
+    keep(name, random[i]);
   }
   return hashes;
 }

@@ -179,6 +179,22 @@ TEST(SessionPlayer, AFileCutAtAnyByteGivesItsLongestWholePrefix) {
   }
 }
 
+TEST(SessionPlayer, ALineThatIsTooLongIsLeftOutAndToldOnce) {
+  std::string text = small_session().text();
+  const std::size_t end = text.find("# penpose do set_key");
+  // Its last piece alone would be a command.
+  const std::string line = "#" + std::string(3 * TraceReader::k_longest_line - 1, '#') + "# penpose undo\n";
+  const auto played = play(text.substr(0, end) + line + text.substr(end));
+  ASSERT_TRUE(played);
+  EXPECT_FALSE(played->divergence);
+  EXPECT_EQ(played->steps, 3U);
+  ASSERT_EQ(played->problems.size(), 1U);
+  EXPECT_NE(played->problems[0].what.find("too long"), std::string::npos) << played->problems[0].line();
+  EXPECT_EQ(
+      played->problems[0].place,
+      "line " + std::to_string(1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n')));
+}
+
 TEST(SessionRecorder, MakesASessionOfAPlainTraceThatReplaysToTheSameState) {
   const auto script = small_session();
   std::string text;

@@ -1,36 +1,81 @@
 #include "core/document/history.h"
 
 #include <gtest/gtest.h>
+#include <set>
 
 #include "core/document/document_hash.h"
-#include "tests/support/random_session.h"
+#include "tests/support/knowing_hand.h"
 
 namespace penpose::document {
 namespace {
+
+/// Undoes all that a hand has done, and brings it back, through the same states.
+void undo_and_redo_all(tests::SessionScript& script, const DocumentState& first, const std::string& what) {
+  // What the hand itself undid is brought back, so that everything lies behind.
+  while (script.editor().redo()) {
+  }
+  const DocumentState last = script.editor().state();
+  const std::size_t steps = script.editor().history().undo_count();
+  std::vector<DocumentState> on_the_way;
+  while (script.editor().undo()) on_the_way.push_back(script.editor().state());
+  EXPECT_EQ(on_the_way.size(), steps);
+  EXPECT_EQ(script.editor().state(), first) << what;
+  for (std::size_t i = 0; i + 1 < on_the_way.size(); ++i) {
+    ASSERT_TRUE(script.editor().redo());
+    ASSERT_EQ(script.editor().state(), on_the_way[on_the_way.size() - 2 - i]) << what << ", step " << i;
+  }
+  while (script.editor().redo()) {
+  }
+  EXPECT_EQ(script.editor().state(), last) << what;
+}
 
 TEST(History, UndoingAllGivesTheFirstStateAndRedoingAllTheLast) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     tests::SessionScript script(make_document(tests::sheet_model()));
     const DocumentState first = script.editor().state();
     tests::RandomHand(script, seed).run(40);
-    // What the hand itself undid is brought back, so that everything lies behind.
-    while (script.editor().redo()) {
-    }
-    const DocumentState last = script.editor().state();
-    const std::size_t steps = script.editor().history().undo_count();
-    std::vector<DocumentState> on_the_way;
-    while (script.editor().undo()) on_the_way.push_back(script.editor().state());
-    EXPECT_EQ(on_the_way.size(), steps);
-    EXPECT_EQ(script.editor().state(), first) << "seed " << seed;
-    // Forward again through the same states.
-    for (std::size_t i = 0; i + 1 < on_the_way.size(); ++i) {
-      ASSERT_TRUE(script.editor().redo());
-      EXPECT_EQ(script.editor().state(), on_the_way[on_the_way.size() - 2 - i]) << "seed " << seed << ", step " << i;
-    }
-    while (script.editor().redo()) {
-    }
-    EXPECT_EQ(script.editor().state(), last) << "seed " << seed;
+    undo_and_redo_all(script, first, "seed " + std::to_string(seed));
   }
+}
+
+TEST(History, EveryCommandOfTheListCanBeUndone) {
+  std::set<std::string> undone;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    tests::SessionScript script(make_document(tests::sheet_model()));
+    const DocumentState first = script.editor().state();
+    tests::KnowingHand(script, seed).run(120);
+    undo_and_redo_all(script, first, "seed " + std::to_string(seed));
+    for (; script.editor().history().undo_count() > 0; static_cast<void>(script.editor().undo())) {
+      undone.emplace(script.editor().history().next_undo());
+    }
+  }
+  EXPECT_EQ(undone.size(), std::variant_size_v<Command>) << testing::PrintToString(undone);
+}
+
+// An hour's worth of strokes that are never cleared: a step keeps what it changed.
+TEST(History, AStepKeepsTheCurvesThatItChangedAlone) {
+  ApplyWorkspace work;
+  Document document = make_document(tests::sheet_model());
+  constexpr std::size_t k_curves = 3000;
+  for (std::uint32_t i = 1; i <= k_curves; ++i) {
+    PoseCurve curve;
+    curve.id = CurveId{i};
+    curve.points = {{0, {1, 0, 0}}};
+    document.curves.push_back(std::make_shared<const PoseCurve>(std::move(curve)));
+  }
+  document.last_curve = k_curves;
+  const auto last = document.curves.back();
+  History history(document);
+  document = Document{};
+  const long owners = last.use_count();
+  for (int i = 0; i < 50; ++i)
+    ASSERT_TRUE(history.perform(DeleteCurve{CurveId{static_cast<std::uint32_t>(i + 100)}}, work));
+  EXPECT_EQ(last.use_count(), owners) << "no list but the latest names the last curve";
+  for (int i = 0; i < 50; ++i) ASSERT_TRUE(history.undo());
+  ASSERT_EQ(history.document().curves.size(), k_curves);
+  for (std::uint32_t i = 0; i < k_curves; ++i) ASSERT_EQ(history.document().curves[i]->id.value, i + 1);
+  for (int i = 0; i < 50; ++i) ASSERT_TRUE(history.redo());
+  EXPECT_EQ(history.document().curves.size(), k_curves - 50);
 }
 
 TEST(History, ACommandAfterUndoGivesUpWhatWasUndone) {

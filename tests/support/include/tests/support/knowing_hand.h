@@ -1,0 +1,224 @@
+#pragma once
+
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "tests/support/random_session.h"
+
+namespace penpose::tests {
+
+/// A hand that knows what is there: every command of the list comes as often as any other, and nearly always means
+/// something. A command that is added to the list and is not made here does not compile.
+class KnowingHand {
+ public:
+  KnowingHand(SessionScript& script, std::uint64_t seed) : script_(script), random_(seed), hand_(script, seed + 7777) {
+    // As the app draws: taps mean nothing, and what is not drawn over stays where it is.
+    drawing::Tool tool;
+    tool.rules = drawing::k_rules;
+    static_cast<void>(script_.act(replay::ToolChosen{tool}));
+  }
+
+  void run(std::size_t actions) {
+    for (std::size_t i = 0; i < actions; ++i) act();
+  }
+
+  void act() {
+    const std::size_t what = random_.below(std::variant_size_v<document::Command> + 6);
+    if (what >= std::variant_size_v<document::Command> + 4) return stroke();
+    if (what >= std::variant_size_v<document::Command>) {
+      if (random_.chance(0.6)) {
+        static_cast<void>(script_.act(replay::Undone{}));
+      } else {
+        static_cast<void>(script_.act(replay::Redone{}));
+      }
+      return;
+    }
+    const document::Command command =
+        make_numbered(what, std::make_index_sequence<std::variant_size_v<document::Command>>());
+    static_cast<void>(script_.perform(command));
+  }
+
+ private:
+  template <typename One>
+  using Tag = std::type_identity<One>;
+
+  template <std::size_t... I>
+  document::Command make_numbered(std::size_t number, std::index_sequence<I...>) {
+    document::Command out;
+    static_cast<void>(
+        ((number == I && (out = make(Tag<std::variant_alternative_t<I, document::Command>>{}), true)) || ...));
+    return out;
+  }
+
+  document::Command make(Tag<document::SetParameters>) {
+    return document::SetParameters{{{parameter(), random_.real(0, 1)}}};
+  }
+  document::Command make(Tag<document::ResetParameters>) {
+    document::ResetParameters command;
+    if (random_.chance(0.7)) command.names = {parameter()};
+    return command;
+  }
+  document::Command make(Tag<document::LockParameters>) {
+    const auto& locked = doc().locked;
+    if (!locked.empty() && random_.chance(0.5)) return document::LockParameters{{any(locked)}, false};
+    return document::LockParameters{{parameter()}, true};
+  }
+  document::Command make(Tag<document::DrawReference>) { return document::DrawReference{view(), hand_.line()}; }
+  document::Command make(Tag<document::DrawTarget>) {
+    document::DrawTarget command{curve(false), view(), hand_.line(), {}};
+    for (std::size_t i = 0; pressed_ && i < command.line.size(); ++i) command.pressure.push_back(random_.real(0.1, 1));
+    pressed_ = !pressed_;
+    return command;
+  }
+  document::Command make(Tag<document::OversketchTarget>) {
+    return document::OversketchTarget{curve(true), view(), along_target(), random_.chance(0.5) ? 1U : 0U};
+  }
+  document::Command make(Tag<document::DragTarget>) {
+    const document::CurveId id = curve(true);
+    const double x = random_.real(-30, 30);
+    return document::DragTarget{id, {x, random_.real(-30, 30)}};
+  }
+  document::Command make(Tag<document::DrawConstraint>) { return document::DrawConstraint{view(), hand_.line()}; }
+  document::Command make(Tag<document::Pin>) { return document::Pin{view(), hand_.line().front()}; }
+  document::Command make(Tag<document::KeepCurve>) { return document::KeepCurve{curve(false)}; }
+  document::Command make(Tag<document::DeleteCurve>) {
+    if (doc().curves.empty()) return document::DeleteCurve{document::CurveId{1}};
+    return document::DeleteCurve{any(doc().curves)->id};
+  }
+  document::Command make(Tag<document::EraseCurves>) { return document::EraseCurves{view(), along_target()}; }
+  document::Command make(Tag<document::ClearCurves>) { return document::ClearCurves{}; }
+  document::Command make(Tag<document::SolvePose>) { return document::SolvePose{}; }
+  document::Command make(Tag<document::SetPressureWeighting>) {
+    return document::SetPressureWeighting{!doc().pressure_weighting};
+  }
+  document::Command make(Tag<document::NameCurve>) {
+    const std::string name = random_.chance(0.5) ? "brow" : "lip";
+    return document::NameCurve{doc().curves.empty() ? document::CurveId{1} : any(doc().curves)->id, name};
+  }
+  document::Command make(Tag<document::DeleteNamedCurve>) {
+    const auto& named = doc().model->curves;
+    return document::DeleteNamedCurve{named.empty() ? "brow" : any(named).name};
+  }
+  document::Command make(Tag<document::BeginDeformer>) {
+    return document::BeginDeformer{"", articulation::Mode::automatic, {}, random_.real(-1, 0), random_.real(1, 2)};
+  }
+  /// The next curve of the sketch that was begun.
+  document::Command make(Tag<document::SketchCurve>) {
+    using articulation::CurveRole;
+    const document::View from = view();
+    const auto& pending = doc().pending;
+    const geometry::PxPoint middle{from.viewport.width * 0.5, from.viewport.height * 0.5};
+    if (!pending || pending->sketch.general.empty()) {
+      return document::SketchCurve{CurveRole::general, from, hand_.lasso(middle, random_.real(180, 300))};
+    }
+    if (pending->sketch.specific.empty()) {
+      return document::SketchCurve{CurveRole::specific, from, hand_.lasso(middle, random_.real(60, 170))};
+    }
+    const bool reference = pending->sketch.reference.empty() && random_.chance(0.3);
+    return document::SketchCurve{reference ? CurveRole::reference : CurveRole::target, from, hand_.line()};
+  }
+  document::Command make(Tag<document::CancelDeformer>) { return document::CancelDeformer{}; }
+  document::Command make(Tag<document::RedrawCurve>) {
+    const std::string name = deformer();
+    const bool target = random_.chance(0.6);
+    return document::RedrawCurve{name, target ? articulation::CurveRole::target : articulation::CurveRole::reference,
+                                 view(), hand_.line()};
+  }
+  document::Command make(Tag<document::ChangeDeformer>) {
+    document::ChangeDeformer command{deformer(), std::nullopt, std::nullopt, std::nullopt, std::nullopt};
+    if (random_.chance(0.3))
+      command.mode = random_.chance(0.5) ? articulation::Mode::rotate : articulation::Mode::translate;
+    if (random_.chance(0.2)) command.surface = articulation::Surface(articulation::Sphere{{0, 0, -0.5}, 0.8});
+    command.maximum = random_.real(1, 2);
+    return command;
+  }
+  document::Command make(Tag<document::MirrorDeformer>) { return document::MirrorDeformer{deformer(), fresh_name()}; }
+  document::Command make(Tag<document::RenameDeformer>) {
+    const std::string name = deformer();
+    return document::RenameDeformer{name, fresh_name()};
+  }
+  document::Command make(Tag<document::DeleteDeformer>) { return document::DeleteDeformer{deformer()}; }
+  document::Command make(Tag<document::MoveDeformer>) {
+    const auto& set = doc().model->deformers;
+    const std::string name = deformer();
+    return document::MoveDeformer{name, static_cast<std::uint32_t>(set ? random_.below(set->size()) : 0)};
+  }
+  document::Command make(Tag<document::SetKey>) {
+    const double time_s = random_.real(0, 4);
+    return document::SetKey{time_s, random_.chance(0.3) ? "smile" : ""};
+  }
+  document::Command make(Tag<document::DeleteKey>) { return document::DeleteKey{key_time()}; }
+  document::Command make(Tag<document::MoveKey>) {
+    const double from_s = key_time();
+    return document::MoveKey{from_s, random_.real(0, 4)};
+  }
+  document::Command make(Tag<document::SetKeyInterpolation>) {
+    return document::SetKeyInterpolation{random_.chance(0.5) ? document::KeyInterpolation::linear
+                                                             : document::KeyInterpolation::smooth};
+  }
+  document::Command make(Tag<document::GoToTime>) { return document::GoToTime{random_.real(0, 4)}; }
+  document::Command make(Tag<document::SaveView>) {
+    document::View from = view();
+    from.camera.eye.x += random_.real(-1, 1);
+    return document::SaveView{random_.chance(0.5) ? "front" : "side", from};
+  }
+  document::Command make(Tag<document::DeleteView>) {
+    return document::DeleteView{doc().views.empty() ? "side" : any(doc().views)->name};
+  }
+
+  void stroke() {
+    const auto kind = static_cast<drawing::ToolKind>(random_.below(9));
+    drawing::Tool tool;
+    tool.kind = kind;
+    tool.rules = drawing::k_rules;
+    static_cast<void>(script_.act(replay::ToolChosen{tool}));
+    const auto line = random_.chance(0.3) ? along_target() : hand_.line();
+    static_cast<void>(script_.stroke(line, random_.real(0.05, 1)));
+  }
+
+  [[nodiscard]] const document::Document& doc() const { return script_.document(); }
+  [[nodiscard]] document::View view() const { return script_.editor().view(); }
+  template <typename List>
+  const typename List::value_type& any(const List& list) {
+    return list[random_.below(list.size())];
+  }
+  std::string parameter() {
+    const auto known = doc().model->rig->parameters();
+    return known[random_.below(known.size())].name;
+  }
+  std::string deformer() {
+    const auto& set = doc().model->deformers;
+    return set ? set->parameters()[random_.below(set->size())].name : "nothing";
+  }
+  std::string fresh_name() { return "name " + std::to_string(++names_); }
+  double key_time() { return doc().timeline->keys.empty() ? 0 : any(doc().timeline->keys).time_s; }
+  document::CurveId curve(bool with_target) {
+    std::vector<document::CurveId> found;
+    for (const auto& one : doc().curves) {
+      const bool wanted = one->role == document::PoseCurveRole::reference && (!with_target || one->target);
+      if (wanted) found.push_back(one->id);
+    }
+    return found.empty() ? document::CurveId{1} : any(found);
+  }
+  /// A line near a part of a target that is there, or any line.
+  std::vector<geometry::PxPoint> along_target() {
+    const document::PoseCurve* found = document::find_curve(doc(), curve(true));
+    if (found == nullptr || !found->target) return hand_.line();
+    const auto& line = found->target->line;
+    const std::size_t from = random_.below(line.size() / 2);
+    std::vector<geometry::PxPoint> out;
+    for (std::size_t i = from; i < line.size(); ++i) out.push_back(line[i] + geometry::PxPoint{random_.real(-3, 3), 4});
+    return out;
+  }
+
+  SessionScript& script_;
+  Random random_;
+  RandomHand hand_;
+  int names_ = 0;
+  bool pressed_ = false;
+};
+
+}  // namespace penpose::tests
