@@ -1,51 +1,22 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/base/numbers.h"
 #include "core/model_io/csv_reader.h"
 #include "core/model_io/read_track.h"
+#include "core/model_io/timecode.h"
 
 namespace penpose::model_io {
 namespace {
 
-/// H:M:S:F with a fraction, the last part counting frames.
-struct Timecode {
-  double whole_s = 0;
-  double frames = 0;
-};
-
-std::optional<Timecode> parse_timecode(std::string_view text) {
-  std::array<double, 4> parts{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t end = i < 3 ? text.find(':') : text.size();
-    if (end == std::string_view::npos) return std::nullopt;
-    const auto n = base::parse_double(base::trim(text.substr(0, end)));
-    if (!n || !(*n >= 0) || !(*n < 1000)) return std::nullopt;
-    parts[i] = *n;
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return Timecode{(parts[0] * 60 + parts[1]) * 60 + parts[2], parts[3]};
-}
-
-/// What a second is counted in, told by the highest count where a whole second is there; else the devices' usual rates.
-double frame_rate(const std::vector<std::optional<Timecode>>& codes, double most) {
-  std::size_t seconds_begun = 0;
-  for (std::size_t i = 1; i < codes.size(); ++i) seconds_begun += codes[i]->whole_s != codes[i - 1]->whole_s ? 1 : 0;
-  for (const double fps : {24.0, 25.0, 30.0, 48.0, 50.0}) {
-    if (seconds_begun >= 2 && most < fps) return fps;
-  }
-  return most >= 30 ? 60 : 30;
-}
-
 /// Seconds from the first row; a clock that passes midnight goes on. Empty unless every row has a timecode.
 std::vector<double> times_of(const std::vector<std::optional<Timecode>>& codes) {
-  double most = 0;
+  std::vector<Timecode> known;
   for (const auto& code : codes) {
     if (!code) return {};
-    most = std::max(most, code->frames);
+    known.push_back(*code);
   }
-  const double fps = frame_rate(codes, most);
+  const double fps = counted_rate(known).count;
   std::vector<double> times;
   double day = 0;
   for (const auto& code : codes) {

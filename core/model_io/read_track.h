@@ -52,7 +52,7 @@ struct PictureSize {
 [[nodiscard]] base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes);
 
 /// ARKit's blend shapes as Live Link Face writes them: Timecode, BlendShapeCount and a column a name. Timecodes are
-/// H:M:S:F.f; F counts 60 a second, or 30 where none reaches 30. Rows that are short or have a count of 0 are frames
+/// H:M:S:F.f; what F counts is told as counted_rate says. Rows that are short or have a count of 0 are frames
 /// without a face.
 [[nodiscard]] base::Result<animation::WeightTrack> read_arkit_track(base::Bytes bytes);
 

@@ -74,10 +74,12 @@ int run_convert(const ConvertArguments& arguments) {
   const auto document = load_with_shapes(arguments);
   if (!document) return report(document.error(), arguments.in);
   if (arguments.out.ends_with(".csv")) {
-    const auto text = model_io::write_arkit(document::model_of(*document), arguments.fps);
-    if (!text) return report(text.error(), arguments.in);
-    const auto written = write_file(arguments.out, base::as_bytes(*text));
-    return written ? k_success : report(written.error(), arguments.out);
+    const auto take = model_io::write_arkit(document::model_of(*document), arguments.fps);
+    if (!take) return report(take.error(), arguments.in);
+    const auto written = write_file(arguments.out, base::as_bytes(take->text));
+    if (!written) return report(written.error(), arguments.out);
+    for (const std::string& note : take->notes) std::cerr << "penpose: " << arguments.in << ": " << note << '\n';
+    return k_success;
   }
   if (const auto saved = save_as_it_came(*document, arguments.out); !saved) return report(saved.error(), arguments.out);
   for (const std::string& note : document->model->notes)
