@@ -33,6 +33,7 @@ struct PointTrack {
   std::vector<TrackFrame> frames;  ///< in order of time
   std::vector<TrackGroup> groups;  ///< for formats that name their curves; empty otherwise
   std::vector<std::string> notes;  ///< what was left out or held, one line each
+  std::string rate_note;           ///< where the file does not tell the frame rate: which one was taken
 };
 
 struct WeightFrame {
@@ -46,6 +47,7 @@ struct WeightTrack {
   std::vector<std::string> names;
   std::vector<WeightFrame> frames;
   std::vector<std::string> notes;
+  std::string rate_note;
 };
 
 /// Frames a second of evenly spaced times; 0 for fewer than two frames or times that do not grow.

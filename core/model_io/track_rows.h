@@ -20,12 +20,24 @@ struct TrackRow {
   std::vector<double> depths;              ///< or empty
 };
 
+/// Notes on single frames: the first of them, and how many more there are.
+class FrameNotes {
+ public:
+  void add(std::string note);
+  [[nodiscard]] std::vector<std::string> take();
+
+ private:
+  std::vector<std::string> notes_;
+  std::size_t count_ = 0;
+};
+
 /// What `line` counts: lines from 1, or frames of a list from 0.
 enum class RowName : std::uint8_t { line, frame };
 
-/// Puts rows in the order of the file into a track: frames whose numbers are left out are filled with frames that show
-/// no face, times that are missing or stand still are made of `fps`. Errors: no row with a face, more frames than
-/// k_most_track_frames.
+/// Puts rows in the order of the file into a track. Frames whose numbers are left out are filled with frames that show
+/// no face. Rows whose number comes again or steps back are skipped; rows whose time does are placed by their number,
+/// or held where they have none. Numbers or times of which many do so are not gone by: then rows follow each other, and
+/// `fps` tells the times. All of that is noted. Errors: no row with a face, more frames than k_most_track_frames.
 [[nodiscard]] base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::size_t point_count,
                                                              double fps, RowName name = RowName::line);
 

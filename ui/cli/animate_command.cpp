@@ -247,6 +247,7 @@ int animate(const AnimateArguments& arguments) {
     all.poses = std::move(result.poses);
     all.held = std::move(result.held);
     all.notes = weights->notes;
+    if (arguments.fps <= 0 && !weights->rate_note.empty()) all.notes.push_back(weights->rate_note);
     all.unmatched = std::move(result.unmatched);
     all.stands = std::move(result.stands);
     all.pivot = document::rest_world_box(*model).center();
@@ -255,6 +256,7 @@ int animate(const AnimateArguments& arguments) {
     auto& points = std::get<animation::PointTrack>(input->track);
     retime(points, arguments.fps);
     animated = from_points(*model, points, **map, arguments, apply_head);
+    if (arguments.fps <= 0 && !points.rate_note.empty()) points.notes.push_back(points.rate_note);
     if (animated) animated->notes.insert(animated->notes.begin(), points.notes.begin(), points.notes.end());
   }
   for (const std::string& pointer : (*map)->map.skipped) {

@@ -349,6 +349,18 @@ TEST(ReadCurveTrack, SaysWhereItIsWrong) {
             "/frames/1/curves");
 }
 
+TEST(ReadMediapipeCsv, ALandmarkThatComesAgainIsNoted) {
+  std::string table = "frame,landmark,x,y\n";
+  for (int f = 0; f < 2; ++f) {
+    for (int i = 0; i < 468; ++i)
+      table += std::to_string(f) + "," + std::to_string(i) + "," + std::to_string(i) + "," + std::to_string(f) + "\n";
+  }
+  const auto track = read_mediapipe_csv(bytes(table + "1,5,900,900\n"), std::nullopt).value();
+  EXPECT_EQ(track.frames[1].points[5], (animation::PxPoint{5, 1}));
+  ASSERT_FALSE(track.notes.empty());
+  EXPECT_TRUE(track.notes[0].starts_with("line 938: landmark 5 of frame 1 comes again")) << track.notes[0];
+}
+
 TEST(ReadArkit, TellsTheRateFromWholeSeconds) {
   for (const int fps : {24, 25, 30, 50, 60}) {
     std::string text = "Timecode,BlendShapeCount,JawOpen\n";
@@ -375,6 +387,44 @@ TEST(ReadArkit, ReadsNamesTimesAndHolds) {
   EXPECT_EQ(read_arkit_track(bytes("a,b\n1,2\n")).error().place, "line 1");
   EXPECT_EQ(read_arkit_track(bytes("Timecode,JawOpen\n0:0:0:1,x\n")).error().place, "line 2");
   EXPECT_EQ(read_arkit_track(bytes("Timecode,JawOpen\n0:0:0:1,0,5\n")).error().place, "line 2");
+}
+
+TEST(ReadArkit, SaysWhichRateItTookWhereTheTimecodesDoNotTell) {
+  std::string take = "Timecode,JawOpen\n";
+  for (int f = 0; f < 10; ++f) take += "0:0:0:" + std::to_string(f) + ",0.5\n";
+  const auto track = read_arkit_track(bytes(take)).value();
+  EXPECT_NEAR(track.frames[9].time_s, 9 / 60.0, 1e-9);
+  EXPECT_NE(track.rate_note.find("60.00 frames a second"), std::string::npos) << track.rate_note;
+  EXPECT_NE(track.rate_note.find("--fps"), std::string::npos);
+  const auto bare = read_arkit_track(bytes("Timecode,JawOpen\nx,0\ny,1\n")).value();
+  EXPECT_NEAR(bare.frames[1].time_s, 1 / 60.0, 1e-9);
+  EXPECT_NE(bare.rate_note.find("no timecode"), std::string::npos);
+}
+
+TEST(ReadArkit, HoldsRowsWhoseTimecodesRepeatOrStepBack) {
+  const auto track = read_arkit_track(bytes("Timecode,JawOpen\n0:0:0:55,0\n0:0:0:56,0.1\n0:0:0:56,0.2\n0:0:0:58,0.3\n"
+                                            "0:0:0:59,0.4\n0:0:0:12,0.5\n0:0:1:01,0.6\n?,0.7\n0:0:1:03,0.8\n"))
+                         .value();
+  for (std::size_t f = 0; f < 9; ++f) {
+    EXPECT_NEAR(track.frames[f].time_s, static_cast<double>(f) / 60, 1e-9) << f;
+    EXPECT_EQ(track.frames[f].found, f != 2 && f != 5) << f;
+  }
+  ASSERT_EQ(track.notes.size(), 3U);
+  EXPECT_TRUE(track.notes[0].starts_with("line 9: its timecode cannot be read")) << track.notes[0];
+  EXPECT_TRUE(track.notes[1].starts_with("line 4: its timecode does not come after"));
+  EXPECT_TRUE(track.notes[2].starts_with("line 7: "));
+  EXPECT_TRUE(track.rate_note.empty());
+}
+
+/// Faces seen twice as often as the timecodes count.
+TEST(ReadArkit, SpreadsRowsOverTimecodesThatStandStill) {
+  std::string take = "Timecode,JawOpen\n";
+  for (int f = 0; f < 90; ++f)
+    take += "0:0:" + std::to_string(f / 60) + ":" + std::to_string(f % 60 / 2) + "," + std::to_string(f) + "\n";
+  const auto track = read_arkit_track(bytes(take)).value();
+  EXPECT_NEAR(track.frames[89].time_s, 89 / 60.0, 0.02);
+  EXPECT_TRUE(track.frames[1].found);
+  EXPECT_NE(track.rate_note.find("do not grow"), std::string::npos);
 }
 
 TEST(TrackFormat, IsToldByTheContent) {
