@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/model_io/json.h"
+#include "core/model_io/loose_json.h"
 #include "core/model_io/read_track.h"
 
 namespace penpose::model_io {
@@ -21,7 +21,7 @@ void add_points(const animation::TrackGroup& group, std::vector<std::size_t>& ou
 base::Result<LabelFile> read_label_file(base::Bytes bytes) {
   auto track = read_curve_track(bytes);
   if (!track) return track.error();
-  const auto json = parse_json(bytes);
+  const auto json = parse_loose_json(bytes);
   if (!json) return json.error();
   LabelFile file;
   file.track = std::move(track).value();

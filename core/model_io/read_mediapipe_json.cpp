@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "core/model_io/face_points.h"
-#include "core/model_io/json.h"
+#include "core/model_io/loose_json.h"
 #include "core/model_io/picture_scale.h"
 #include "core/model_io/point_table.h"
 #include "core/model_io/read_track.h"
@@ -155,7 +155,7 @@ class Reader {
 }  // namespace
 
 base::Result<animation::PointTrack> read_mediapipe_json(base::Bytes bytes, std::optional<PictureSize> picture) {
-  const auto json = parse_json(bytes);
+  const auto json = parse_loose_json(bytes);
   if (!json) return json.error();
   const Json* frames = json->is_object() ? find(*json, "frames") : &*json;
   const std::string here = json->is_object() ? "/frames" : "";

@@ -47,8 +47,10 @@ struct PictureSize {
 [[nodiscard]] base::Result<animation::PointTrack> read_ibug_track(base::Bytes bytes);
 
 /// {"fps": 25, "frames": [{"time": s, "confidence": 1, "curves": {NAME: [[x, y], ...]}}, ...]}: curves by name, px, y
-/// down. "time" and "confidence" are optional. null or {} or a frame without "curves" is a frame without a face. Every
-/// frame that has curves has all of the first one; those of other numbers of points are resampled to the first's.
+/// down. "time" and "confidence" are optional. null or {} or a frame without "curves" is a frame without a face, and so
+/// is one in which a curve is missing, empty or no number. Curves that fewer than half of the frames show are left out,
+/// with a note; those of other numbers of points are resampled to the first's. A curve without points in any frame is
+/// an error.
 [[nodiscard]] base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes);
 
 /// ARKit's blend shapes as Live Link Face writes them: Timecode, BlendShapeCount and a column a name. Timecodes are

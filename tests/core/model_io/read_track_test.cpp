@@ -346,7 +346,42 @@ TEST(ReadCurveTrack, SaysWhereItIsWrong) {
   EXPECT_EQ(place(R"({"frames": [{"curves": {"a": [[1, 1]]}}]})"), "/frames/0/curves/a");
   EXPECT_EQ(place(R"({"frames": [{"curves": {"a": [[1, 1], [2, "3"]]}}]})"), "/frames/0/curves/a/1");
   EXPECT_EQ(place(R"({"frames": [{"curves": {"a": [[1, 1], [2, 3]]}}, {"curves": {"b": [[1, 1], [2, 3]]}}]})"),
-            "/frames/1/curves");
+            "frame 0");
+  EXPECT_EQ(place(R"({"frames": [{"curves": {"a": 7}}]})"), "/frames/0/curves/a");
+  EXPECT_EQ(place(R"({"frames": [{"curves": {"a": [[1, 1], [2, 3]], "b": []}}, {"curves": {"b": null}}]})"),
+            "/frames/0/curves/b");
+}
+
+TEST(ReadCurveTrack, HoldsFramesInWhichACurveIsMissing) {
+  const auto track = read_curve_track(bytes(R"({"frames": [
+    {"curves": {"a": [[0, 0], [1, 0]]}},
+    {"curves": {"a": [[0, 0], [1, 0]], "b": [[5, 5], [6, 6]]}},
+    {"curves": {"a": null, "b": [[5, 5], [6, 6]]}},
+    {"curves": {"a": [], "b": [[5, 5], [6, 6]]}},
+    {"curves": {"a": [[0, 0], [1, NaN]], "b": [[5, 5], [6, 6]]}},
+    {"curves": {"a": [[0, 0]], "b": [[5, 5], [6, 6]]}},
+    {"curves": {"a": [[0, 0], [1, 0]], "b": [[5, 5], [6, 6]], "bb": [[5, 5], [6, 6]]}, "confidence": NaN},
+    {"curves": {"a": [[0, 0], [2, 0]], "b": [[5, 5], [6, 6]]}, "time": NaN}]})"))
+                         .value();
+  ASSERT_EQ(track.frames.size(), 8U);
+  for (std::size_t f = 0; f < 8; ++f) EXPECT_EQ(track.frames[f].found(), f == 1 || f == 7) << f;
+  EXPECT_EQ(track.frames[7].points, (std::vector<animation::PxPoint>{{0, 0}, {2, 0}, {5, 5}, {6, 6}}));
+  ASSERT_EQ(track.notes.size(), 7U);
+  EXPECT_TRUE(track.notes[0].starts_with("curve bb is shown by 1 of 8 frames only")) << track.notes[0];
+  EXPECT_EQ(track.notes[1], "frame 0: curve b is missing; the frame is held");
+  EXPECT_EQ(track.notes[3], "frame 3: curve a is empty; the frame is held");
+  EXPECT_EQ(track.notes[4], "frame 4: curve a has a point that is no number; the frame is held");
+}
+
+TEST(ReadMediapipeJson, HoldsFramesThatAreNoNumber) {
+  std::string broken = face(1);
+  broken.replace(broken.find("\"x\":1,"), 6, "\"x\":NaN,");
+  const auto track = read_mediapipe_json(bytes(s("[") + face(0) + "," + broken + "," + face(2) + "]"), {}).value();
+  ASSERT_EQ(track.frames.size(), 3U);
+  EXPECT_FALSE(track.frames[1].found());
+  EXPECT_EQ(track.frames[2].points[7], (animation::PxPoint{9, 14}));
+  ASSERT_EQ(track.notes.size(), 1U);
+  EXPECT_TRUE(track.notes[0].starts_with("frame 1: ")) << track.notes[0];
 }
 
 TEST(ReadMediapipeCsv, ALandmarkThatComesAgainIsNoted) {
