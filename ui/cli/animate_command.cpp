@@ -280,6 +280,8 @@ int animate(const AnimateArguments& arguments) {
   }
   const document::Document result = with_tracked(*document, *model);
   if (auto saved = save_as_it_came(result, arguments.out); !saved) return report(saved.error(), arguments.out);
+  for (const std::string& note : document->model->notes)
+    std::cerr << "penpose: " << arguments.model << ": " << note << '\n';
   for (const std::string& note : animated->notes) std::cerr << "penpose: " << arguments.track << ": " << note << '\n';
   if (arguments.json) {
     std::cout << to_json(*animated, result, fps).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
