@@ -149,6 +149,7 @@ base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::
       frame.depths = std::move(row.depths);
     } else {
       notes.add(text_of(row, name) + ": " + row.why_held + "; the frame is held");
+      frame.why_held = std::move(row.why_held);
     }
     track.frames.push_back(std::move(frame));
   }

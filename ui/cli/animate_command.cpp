@@ -260,7 +260,7 @@ int animate(const AnimateArguments& arguments) {
     if (animated) animated->notes.insert(animated->notes.begin(), points.notes.begin(), points.notes.end());
   }
   for (const std::string& pointer : (*map)->map.skipped) {
-    std::cerr << "penpose: " << arguments.map << ": " << pointer << " is not known and was skipped\n";
+    warn(pointer + " is not known and was skipped", arguments.map);
   }
   const std::string map_name = arguments.map.empty() ? arguments.track : arguments.map;
   if (!animated) return report(animated.error(), map_name);
@@ -280,9 +280,8 @@ int animate(const AnimateArguments& arguments) {
   }
   const document::Document result = with_tracked(*document, *model);
   if (auto saved = save_as_it_came(result, arguments.out); !saved) return report(saved.error(), arguments.out);
-  for (const std::string& note : document->model->notes)
-    std::cerr << "penpose: " << arguments.model << ": " << note << '\n';
-  for (const std::string& note : animated->notes) std::cerr << "penpose: " << arguments.track << ": " << note << '\n';
+  for (const std::string& note : document->model->notes) warn(note, arguments.model);
+  for (const std::string& note : animated->notes) warn(note, arguments.track);
   if (arguments.json) {
     std::cout << to_json(*animated, result, fps).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
     return k_success;

@@ -78,12 +78,11 @@ int run_convert(const ConvertArguments& arguments) {
     if (!take) return report(take.error(), arguments.in);
     const auto written = write_file(arguments.out, base::as_bytes(take->text));
     if (!written) return report(written.error(), arguments.out);
-    for (const std::string& note : take->notes) std::cerr << "penpose: " << arguments.in << ": " << note << '\n';
+    for (const std::string& note : take->notes) warn(note, arguments.in);
     return k_success;
   }
   if (const auto saved = save_as_it_came(*document, arguments.out); !saved) return report(saved.error(), arguments.out);
-  for (const std::string& note : document->model->notes)
-    std::cerr << "penpose: " << arguments.in << ": " << note << '\n';
+  for (const std::string& note : document->model->notes) warn(note, arguments.in);
   return k_success;
 }
 

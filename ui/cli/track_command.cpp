@@ -62,7 +62,7 @@ base::Result<Learned> learn(const model_io::LabelFile& file, const std::filesyst
       error.place = file.images[k] + (error.place.empty() ? "" : ": " + error.place);
       return error;
     }
-    labelled.push_back({std::move(image).value(), file.track.frames[k].points});
+    labelled.push_back({std::move(image).value(), file.track.frames[k].points, file.images[k]});
     if (auto fits = check_size(labelled.back().image, labelled.front().image, file.images[k]); !fits)
       return fits.error();
   }
@@ -96,6 +96,7 @@ int track(const TrackArguments& arguments) {
   if (!bytes) return report(bytes.error(), arguments.labels);
   const auto labels = model_io::read_label_file(*bytes);
   if (!labels) return report(labels.error(), arguments.labels);
+  for (const std::string& note : labels->track.notes) warn(note, arguments.labels);
   const auto learned = learn(*labels, std::filesystem::path(arguments.labels).parent_path());
   if (!learned) return report(learned.error(), arguments.labels);
   const auto files = picture_files(arguments.pictures);
@@ -113,7 +114,8 @@ int track(const TrackArguments& arguments) {
     auto found = animation::find_eigen_points(learned->points, *image, shifts);
     if (!found) return report(found.error(), files[f]);
     shifts = std::move(found->shifts);
-    result.frames.push_back({static_cast<double>(f) / arguments.fps, found->confidence, std::move(found->points), {}});
+    result.frames.push_back(
+        {static_cast<double>(f) / arguments.fps, found->confidence, std::move(found->points), {}, {}});
     progress.advance();
   }
   progress.finish();
