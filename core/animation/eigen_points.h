@@ -23,7 +23,7 @@ struct GreyImage {
 struct LabelledImage {
   GreyImage image;
   std::vector<PxPoint> points;
-  std::string name;  ///< for errors; may be empty
+  std::string name = {};  ///< for errors; may be empty
 };
 
 /// Points that are found from one patch.
