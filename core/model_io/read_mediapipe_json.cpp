@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/model_io/face_points.h"
@@ -19,6 +20,52 @@ base::Error wrong(std::string what, std::string pointer) {
 bool is_point(const Json& value) {
   if (value.is_object()) return value.contains("x") && value.contains("y");
   return value.is_array() && (value.size() == 2 || value.size() == 3) && (value[0].is_number() || value[0].is_null());
+}
+
+/// What programs call the points of a face, or the faces of a frame. The first that a frame has counts.
+constexpr std::array<const char*, 9> k_points_names{
+    "landmarks", "faceLandmarks", "face_landmarks", "multi_face_landmarks", "multiFaceLandmarks", "points",
+    "landmark",  "keypoints",     "faces"};
+
+struct Found {
+  const Json* value = nullptr;
+  std::string place;
+};
+
+/// The points or faces of an object, or nothing.
+Found find_points(const Json& object, const std::string& pointer) {
+  for (const char* name : k_points_names) {
+    if (const Json* value = find(object, name)) return {value, child(pointer, name)};
+  }
+  return {};
+}
+
+/// A list of points as long as a face has. A frame of so many faces, or a clip of so many frames of two or three
+/// numbers, there is not.
+bool is_face(const Json& value) {
+  return value.is_array() && (value.size() == k_mediapipe_points || value.size() == k_mediapipe_iris_points) &&
+         std::all_of(value.begin(), value.end(), is_point);
+}
+
+/// The frames of the file: a list, "frames", or what is a single frame by itself.
+struct Frames {
+  const Json* list = nullptr;  ///< null: `one` is the only frame, or there is none
+  const Json* one = nullptr;
+  std::string place;
+};
+
+Frames find_frames(const Json& json) {
+  if (is_face(json)) return {nullptr, &json, ""};
+  if (json.is_array()) return {&json, nullptr, ""};
+  if (const Json* frames = find(json, "frames")) {
+    if (is_face(*frames)) return {nullptr, frames, "/frames"};
+    return {frames, nullptr, "/frames"};
+  }
+  const Found points = find_points(json, "");
+  if (points.value == nullptr || !points.value->is_array()) return {nullptr, nullptr, "/frames"};
+  // The result for one picture lists a face; what lists more of them is taken for a clip.
+  const bool clip = points.value->size() > 1 && !is_face(*points.value);
+  return clip ? Frames{points.value, nullptr, points.place} : Frames{nullptr, &json, ""};
 }
 
 /// A number or NaN.
@@ -76,21 +123,19 @@ class Reader {
   Problem read_frame(const Json& value, const std::string& pointer, std::size_t index) {
     TrackRow row;
     row.line = index;
-    const Json* points = &value;
-    std::string place = pointer;
+    Found found{&value, pointer};
     if (value.is_object()) {
-      points = nullptr;
-      for (const char* name : {"landmarks", "faceLandmarks", "face_landmarks", "multi_face_landmarks", "points"}) {
-        if (points != nullptr) break;
-        points = find(value, name);
-        if (points != nullptr) place = child(pointer, name);
-      }
+      found = find_points(value, pointer);
       read_times(value, row);
+      if (found.value == nullptr && !value.empty())
+        row.why_held = "it has none of the lists \"landmarks\", \"faceLandmarks\", \"points\"";
     }
+    const Json* points = found.value;
+    const std::string& place = found.place;
     const bool nothing = points == nullptr || points->is_null() || (points->is_array() && points->empty());
     if (!nothing && !points->is_array()) return wrong("a list of points was expected", place);
     if (nothing) {
-      row.why_held = "the tracker found no face";
+      if (row.why_held.empty()) row.why_held = "the tracker found no face";
     } else if (is_point((*points)[0])) {
       if (auto problem = read_face(*points, place, row)) return problem;
     } else if (auto problem = choose_face(*points, place, row)) {
@@ -133,7 +178,7 @@ class Reader {
       const std::string place = child(pointer, i);
       // MediaPipe's own messages wrap the list once more.
       const Json* list = &faces[i];
-      if (const Json* inner = find(faces[i], "landmark")) list = inner;
+      if (const Found inner = find_points(faces[i], place); inner.value != nullptr) list = inner.value;
       if (!list->is_array()) return wrong("a list of points was expected", place);
       if (auto problem = read_face(*list, place, face)) return problem;
       const double cost = last_.points.empty() ? -size_of(face) : distance_of(face, last_);
@@ -157,10 +202,11 @@ class Reader {
 base::Result<animation::PointTrack> read_mediapipe_json(base::Bytes bytes, std::optional<PictureSize> picture) {
   const auto json = parse_loose_json(bytes);
   if (!json) return json.error();
-  const Json* frames = json->is_object() ? find(*json, "frames") : &*json;
-  const std::string here = json->is_object() ? "/frames" : "";
-  if (frames == nullptr || !frames->is_array()) return wrong("a list of frames was expected", here);
-  if (frames->size() > k_most_track_frames) return wrong("a track has at most 1,000,000 frames", here);
+  const Frames frames = find_frames(*json);
+  const bool listed = frames.list != nullptr && frames.list->is_array();
+  if (!listed && frames.one == nullptr) return wrong("a list of frames was expected", frames.place);
+  const std::size_t count = listed ? frames.list->size() : 1;
+  if (count > k_most_track_frames) return wrong("a track has at most 1,000,000 frames", frames.place);
   const auto root_number = [&](const char* name) {
     const Json* found = find(*json, name);
     const auto n = found == nullptr ? std::nullopt : number(*found);
@@ -169,8 +215,12 @@ base::Result<animation::PointTrack> read_mediapipe_json(base::Bytes bytes, std::
   const PictureSize own{root_number("width"), root_number("height")};
   if (!picture && own.width > 0 && own.height > 0) picture = own;
   Reader reader;
-  for (std::size_t f = 0; f < frames->size(); ++f) {
-    if (auto problem = reader.read_frame((*frames)[f], child(here, f), f)) return *problem;
+  for (std::size_t f = 0; f < count; ++f) {
+    const Json& frame = listed ? (*frames.list)[f] : *frames.one;
+    auto problem = reader.read_frame(frame, listed ? child(frames.place, f) : frames.place, f);
+    if (!problem) continue;
+    problem->place = "frame " + std::to_string(f) + " (" + problem->place + ")";
+    return *problem;
   }
   std::vector<std::string> notes;
   if (reader.several) notes.emplace_back("several faces are seen; the one that was largest at first is followed");

@@ -293,11 +293,30 @@ TEST(ReadMediapipeJson, FollowsOneFaceOfSeveral) {
 }
 
 TEST(ReadMediapipeJson, SaysWhereItIsWrong) {
-  EXPECT_EQ(read_mediapipe_json(bytes(s("[") + face(0, 12) + "]"), {}).error().place, "/0");
+  EXPECT_EQ(read_mediapipe_json(bytes(s("[") + face(0, 12) + "]"), {}).error().place, "frame 0 (/0)");
   EXPECT_EQ(read_mediapipe_json(bytes("{}"), {}).error().place, "/frames");
-  EXPECT_EQ(read_mediapipe_json(bytes(s("[") + face(0) + "," + face(0, 478) + "]"), {}).error().place, "/1");
+  EXPECT_EQ(read_mediapipe_json(bytes(s("[") + face(0) + "," + face(0, 478) + "]"), {}).error().place, "frame 1 (/1)");
   EXPECT_FALSE(read_mediapipe_json(bytes("[null, null]"), {}).ok());
-  EXPECT_EQ(read_mediapipe_json(bytes("[1]"), {}).error().place, "/0");
+  EXPECT_EQ(read_mediapipe_json(bytes("[1]"), {}).error().place, "frame 0 (/0)");
+  const std::string odd = s(R"({"frames": [{"landmarks": )") + face(0) + R"(}, {"landmarks": [1, 2]}]})";
+  EXPECT_EQ(read_mediapipe_json(bytes(odd), {}).error().place, "frame 1 (/frames/1/landmarks/0)");
+  EXPECT_NE(read_mediapipe_json(bytes(R"([{"mesh": []}])"), {}).error().what.find("faceLandmarks"), std::string::npos);
+}
+
+/// One picture's result, in the shapes that programs give it.
+TEST(ReadMediapipeJson, TakesASingleFace) {
+  for (const std::string& text :
+       {face(3), face(3, 478, "list"), s(R"({"frames": )") + face(3) + "}", s(R"({"landmarks": )") + face(3) + "}",
+        s(R"({"faceLandmarks": [)") + face(3) + R"(], "faceBlendshapes": []})", s("[") + face(3) + "]",
+        s(R"([{"faces": [{"keypoints": )") + face(3) + "}]}]",
+        s(R"([{"multi_face_landmarks": [{"landmark": )") + face(3) + "}]}]"}) {
+    const auto track = read_mediapipe_json(bytes(text), {});
+    ASSERT_TRUE(track.ok()) << track.error().line() << text.substr(0, 60);
+    ASSERT_EQ(track->frames.size(), 1U) << text.substr(0, 60);
+    EXPECT_EQ(track->frames[0].points[7], (animation::PxPoint{10, 14})) << text.substr(0, 60);
+  }
+  const auto clip = read_mediapipe_json(bytes(s(R"({"face_landmarks": [)") + face(0) + "," + face(1) + "]}"), {});
+  EXPECT_EQ(clip.value().frames.size(), 2U);
 }
 
 TEST(ReadIbug, ReadsBlocksTablesAndBareRows) {
