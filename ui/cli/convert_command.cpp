@@ -14,6 +14,7 @@
 #include "ui/cli/commands.h"
 #include "ui/cli/files.h"
 #include "ui/cli/load_model.h"
+#include "ui/cli/natural_order.h"
 #include "ui/cli/save_model.h"
 
 namespace penpose::cli {
@@ -26,7 +27,7 @@ struct ConvertArguments {
   double fps = 60;
 };
 
-/// The files that --shapes names: each as it is, a folder's models in the order of their names.
+/// The files that --shapes names: each as it is, a folder's models in the order of their names, numbers as numbers.
 base::Result<std::vector<std::string>> shape_files(const std::vector<std::string>& named) {
   std::vector<std::string> files;
   for (const std::string& path : named) {
@@ -41,7 +42,7 @@ base::Result<std::vector<std::string>> shape_files(const std::vector<std::string
       if (model_io::format_of_name(entry.path().string())) inside.push_back(entry.path().string());
     }
     if (code || inside.empty()) return base::Error{"has no model", path, "name a folder of .obj files"};
-    std::sort(inside.begin(), inside.end());
+    std::sort(inside.begin(), inside.end(), natural_less);
     files.insert(files.end(), inside.begin(), inside.end());
   }
   return files;

@@ -10,6 +10,7 @@
 #include "core/model_io/label_file.h"
 #include "core/model_io/read_pgm.h"
 #include "ui/cli/files.h"
+#include "ui/cli/natural_order.h"
 #include "ui/cli/progress.h"
 #include "ui/render/image.h"
 
@@ -71,7 +72,7 @@ base::Result<Learned> learn(const model_io::LabelFile& file, const std::filesyst
   return Learned{std::move(points).value(), std::move(labelled.front().image)};
 }
 
-/// Files as they are named, a folder's pictures in the order of their names.
+/// Files as they are named, a folder's pictures in the order of their names, numbers as numbers.
 std::vector<std::string> picture_files(const std::vector<std::string>& named) {
   std::vector<std::string> files;
   for (const std::string& path : named) {
@@ -85,7 +86,7 @@ std::vector<std::string> picture_files(const std::vector<std::string>& named) {
       const auto extension = entry.path().extension();
       if (extension == ".png" || extension == ".pgm") inside.push_back(entry.path().string());
     }
-    std::sort(inside.begin(), inside.end());
+    std::sort(inside.begin(), inside.end(), natural_less);
     files.insert(files.end(), inside.begin(), inside.end());
   }
   return files;

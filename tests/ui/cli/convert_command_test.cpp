@@ -106,6 +106,18 @@ TEST_F(ConvertCommand, ShapesAreAddedToAnAnimatedModel) {
   }
 }
 
+TEST_F(ConvertCommand, ShapesOfAFolderAreInTheOrderOfTheirNumbers) {
+  save("in.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  std::filesystem::create_directories(path("shapes"));
+  for (const char* name : {"k1", "k10", "k2"})
+    save("shapes/" + std::string(name) + ".obj", std::string("v 0 0 1\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  ASSERT_EQ(run({"convert", path("in.obj"), path("out.glb"), "--shapes", path("shapes")}), 0) << error_;
+  std::vector<std::string> names;
+  const auto model = load_model(path("out.glb")).value();
+  for (const auto& shape : model.shapes->shapes()) names.push_back(shape.parameter.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"k1", "k2", "k10"}));
+}
+
 TEST_F(ConvertCommand, WhatIsLeftOutIsSaid) {
   save("in.obj", std::string("mtllib x.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
   EXPECT_EQ(run({"convert", path("in.obj"), path("out.glb")}), 0);
