@@ -103,6 +103,14 @@ base::Result<Animated> from_points(const document::Model& model, const animation
   Animated animated;
   auto setup = make_setup(model, track, map.map, map.bundled, landmarks, animated.notes);
   if (!setup) return setup.error();
+  if (apply_head && setup->points.stable.size() < 2) {
+    animated.notes.emplace_back(
+        setup->points.stable.empty()
+            ? "the head cannot be followed and stays still: the map lists no stable points; "
+              "list two or more in \"stable\""
+            : "the head's turn cannot be followed, only its shift: the map lists a single stable "
+              "point; list two or more in \"stable\"");
+  }
   setup->neutral = arguments.neutral;
   setup->tremor_px = arguments.tremor_px;
   setup->smooth_s = arguments.smooth_s;
@@ -249,6 +257,9 @@ int animate(const AnimateArguments& arguments) {
     all.notes = weights->notes;
     if (arguments.fps <= 0 && !weights->rate_note.empty()) all.notes.push_back(weights->rate_note);
     all.unmatched = std::move(result.unmatched);
+    if (apply_head && result.stands.empty())
+      all.notes.emplace_back(
+          "the head cannot be followed and stays still: there is no column HeadYaw, HeadPitch or HeadRoll");
     all.stands = std::move(result.stands);
     all.pivot = document::rest_world_box(*model).center();
     animated = std::move(all);

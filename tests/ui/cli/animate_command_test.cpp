@@ -148,6 +148,26 @@ TEST_F(AnimateCommand, AppliesTheHeadsTurn) {
   EXPECT_EQ(model.animations[0].channels.size(), 4U);
 }
 
+TEST_F(AnimateCommand, SaysWhyAHeadCannotBeFollowed) {
+  write_jaw_track();
+  const auto says = [&](const std::string& track, const std::string& map, const char* expected) {
+    std::vector<std::string> arguments{"builtin:demo", "--track", path(track.c_str()), "-o", path("out.glb"),
+                                       "--head",       "apply"};
+    if (!map.empty()) arguments.insert(arguments.end(), {"--map", path(map.c_str())});
+    ASSERT_EQ(animate(arguments), k_success) << error_;
+    EXPECT_NE(error_.find(expected), std::string::npos) << error_;
+  };
+  auto map = nlohmann::json::parse(std::ifstream(folder_ / "map.json"));
+  map["stable"] = nlohmann::json::array();
+  write("none.json", map.dump());
+  says("track.json", "none.json", "the map lists no stable points");
+  map["stable"] = {0};
+  write("one.json", map.dump());
+  says("track.json", "one.json", "the map lists a single stable point");
+  write("take.csv", "Timecode,Jaw\n0:0:0:0,0\n0:0:0:1,0\n");
+  says("take.csv", "", "no column HeadYaw");
+}
+
 TEST_F(AnimateCommand, SaysWhatIsWrongInOneLine) {
   write_jaw_track();
   const auto fails = [&](const std::vector<std::string>& arguments, const char* expected) {
