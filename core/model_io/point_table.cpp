@@ -43,12 +43,16 @@ bool usable_coordinate(double value) { return std::abs(value) < 1e7; }
 
 base::Result<PointColumns> find_point_columns(const CsvReader& table, std::size_t count, const ColumnNames& names) {
   ColumnIndex index;
+  PointColumns columns;
   for (std::size_t i = 0; i < table.columns().size(); ++i) {
-    index.exact.emplace(table.columns()[i], i);
-    index.folded.emplace(folded(table.columns()[i]), i);
+    const std::string_view name = table.columns()[i];
+    constexpr std::size_t k_most_notes = 5;
+    if (!index.exact.emplace(name, i).second && !name.empty() && columns.notes.size() < k_most_notes) {
+      columns.notes.push_back(repeats(name));
+    }
+    index.folded.emplace(folded(name), i);
   }
   const Capitals capitals = index.exact.contains("success") ? Capitals::count : Capitals::as_you_like;
-  PointColumns columns;
   for (std::size_t i = 0; i < count; ++i) {
     std::array<std::size_t, 3> place{PointColumns::k_none, PointColumns::k_none, PointColumns::k_none};
     for (int axis = 0; axis < 3; ++axis) {

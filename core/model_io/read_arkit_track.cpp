@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "core/base/numbers.h"
 #include "core/model_io/csv_reader.h"
@@ -8,6 +9,7 @@
 #include "core/model_io/read_track.h"
 #include "core/model_io/timecode.h"
 #include "core/model_io/track_rows.h"
+#include "core/rig/control_names.h"
 
 namespace penpose::model_io {
 namespace {
@@ -89,9 +91,16 @@ base::Result<animation::WeightTrack> read_arkit_track(base::Bytes bytes) {
   const auto count = table->find("BlendShapeCount");
   if (!timecode) return table->error("the column Timecode is missing", "export the take as Live Link Face CSV");
   std::vector<std::size_t> columns;
+  std::vector<std::string> repeated;
+  std::set<std::string, std::less<>> names;
   animation::WeightTrack track;
   for (std::size_t i = 0; i < table->columns().size(); ++i) {
     if (i == *timecode || (count && i == *count) || table->columns()[i].empty()) continue;
+    const std::string folded = rig::folded_name(table->columns()[i]);
+    if (!names.insert(folded.empty() ? std::string(table->columns()[i]) : folded).second) {
+      if (repeated.size() < 5) repeated.push_back(repeats(table->columns()[i]));
+      continue;
+    }
     columns.push_back(i);
     track.names.emplace_back(table->columns()[i]);
   }
@@ -130,7 +139,8 @@ base::Result<animation::WeightTrack> read_arkit_track(base::Bytes bytes) {
     }
   }
   if (std::find(why.begin(), why.end(), "") == why.end()) {
-    return table->error("no frame shows a face" + (why.empty() ? "" : ": " + why.front()), "record the take again");
+    return base::Error{"no frame shows a face: " + (why.empty() ? "the file has no frame" : why.front()),
+                       "line " + std::to_string(lines.empty() ? 1 : lines.front()), "record the take again"};
   }
   FrameNotes notes;
   const auto times = times_of(codes, lines, why, notes, track.rate_note);
@@ -143,6 +153,7 @@ base::Result<animation::WeightTrack> read_arkit_track(base::Bytes bytes) {
     notes.add("line " + std::to_string(lines[f]) + ": " + why[f] + "; the frame is held");
   }
   track.notes = notes.take();
+  track.notes.insert(track.notes.begin(), repeated.begin(), repeated.end());
   return track;
 }
 

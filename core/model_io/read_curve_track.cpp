@@ -176,7 +176,7 @@ base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes) {
   double fps = 0;
   if (const Json* given = find(*json, "fps")) {
     fps = number(*given).value_or(0);
-    if (!(fps > 0) || !(fps <= 10000)) return wrong("a frame rate above 0 was expected", "/fps");
+    if (!(fps > 0) || !(fps <= 10000)) return wrong("a frame rate above 0 and up to 10,000 was expected", "/fps");
   }
   Reader reader;
   for (std::size_t f = 0; f < frames->size(); ++f) {

@@ -36,6 +36,7 @@ base::Result<std::vector<TrackRow>> read_wide(CsvReader& table, std::size_t& cou
     count = k_mediapipe_points;
   }
   if (!columns) return columns.error();
+  notes = columns->notes;
   std::vector<FaceRow> rows;
   std::vector<std::string_view> cells;
   while (table.next(cells)) {

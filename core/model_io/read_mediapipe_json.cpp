@@ -77,7 +77,8 @@ double member(const Json& point, const char* name, std::size_t index) {
 /// One face of a frame. A point that is no number leaves `why_held`.
 Problem read_face(const Json& list, const std::string& pointer, TrackRow& out) {
   if (list.size() != k_mediapipe_points && list.size() != k_mediapipe_iris_points) {
-    return wrong("a face of 468 or 478 points was expected, not of " + std::to_string(list.size()), pointer);
+    out.why_held = "a face of 468 or 478 points was expected, not of " + std::to_string(list.size());
+    return std::nullopt;
   }
   bool depths = true;
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -143,8 +144,13 @@ class Reader {
     }
     if (row.why_held.empty() && !(row.confidence > 0)) row.why_held = "the tracker's confidence is 0";
     if (!row.why_held.empty()) row.points.clear();
+    if (!row.points.empty() && count != 0 && row.points.size() != count) {
+      row.why_held =
+          "the face has " + std::to_string(row.points.size()) + " points, those before " + std::to_string(count);
+      row.points.clear();
+      row.depths.clear();
+    }
     if (!row.points.empty()) {
-      if (count != 0 && row.points.size() != count) return wrong("frames have faces of 468 and of 478 points", place);
       count = row.points.size();
       last_ = row;
     }

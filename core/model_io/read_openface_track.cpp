@@ -82,7 +82,7 @@ base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
     if (rows.size() >= 4 * k_most_track_frames) return table->error("the table has too many rows", "cut the video");
     rows.push_back(std::move(row).value());
   }
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = columns->notes;
   auto best = rows_of_best_face(std::move(rows), notes);
   auto track = make_track(std::move(best), k_ibug_points, k_common_fps);
   if (!track) return track;

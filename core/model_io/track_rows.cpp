@@ -109,7 +109,8 @@ base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::
   const bool any = std::any_of(rows.begin(), rows.end(), [](const TrackRow& row) { return row.why_held.empty(); });
   if (!any) {
     const std::string why = rows.empty() ? "the file has no frame" : rows.front().why_held;
-    return base::Error{"no frame shows a face: " + why, rows.empty() ? "" : text_of(rows.front(), name),
+    return base::Error{"no frame shows a face: " + why,
+                       rows.empty() ? (name == RowName::line ? "line 1" : "") : text_of(rows.front(), name),
                        "track the video again"};
   }
   animation::PointTrack track;

@@ -257,6 +257,7 @@ int animate(const AnimateArguments& arguments) {
     all.notes = weights->notes;
     if (arguments.fps <= 0 && !weights->rate_note.empty()) all.notes.push_back(weights->rate_note);
     all.unmatched = std::move(result.unmatched);
+    all.notes.insert(all.notes.end(), result.notes.begin(), result.notes.end());
     if (apply_head && result.stands.empty())
       all.notes.emplace_back(
           "the head cannot be followed and stays still: there is no column HeadYaw, HeadPitch or HeadRoll");

@@ -293,9 +293,14 @@ TEST(ReadMediapipeJson, FollowsOneFaceOfSeveral) {
 }
 
 TEST(ReadMediapipeJson, SaysWhereItIsWrong) {
-  EXPECT_EQ(read_mediapipe_json(bytes(s("[") + face(0, 12) + "]"), {}).error().place, "frame 0 (/0)");
+  EXPECT_EQ(
+      read_mediapipe_json(bytes(s("[") + face(0, 12) + "]"), {}).error().line(),
+      "frame 0: no frame shows a face: a face of 468 or 478 points was expected, not of 12; track the video again");
   EXPECT_EQ(read_mediapipe_json(bytes("{}"), {}).error().place, "/frames");
-  EXPECT_EQ(read_mediapipe_json(bytes(s("[") + face(0) + "," + face(0, 478) + "]"), {}).error().place, "frame 1 (/1)");
+  const auto mixed = read_mediapipe_json(bytes(s("[") + face(0) + "," + face(0, 478) + "," + face(0, 5) + "]"), {});
+  EXPECT_FALSE(mixed.value().frames[1].found());
+  EXPECT_FALSE(mixed.value().frames[2].found());
+  EXPECT_EQ(mixed.value().notes.size(), 2U);
   EXPECT_FALSE(read_mediapipe_json(bytes("[null, null]"), {}).ok());
   EXPECT_EQ(read_mediapipe_json(bytes("[1]"), {}).error().place, "frame 0 (/0)");
   const std::string odd = s(R"({"frames": [{"landmarks": )") + face(0) + R"(}, {"landmarks": [1, 2]}]})";
@@ -468,6 +473,14 @@ TEST(ReadArkit, HoldsRowsWhoseTimecodesRepeatOrStepBack) {
   EXPECT_TRUE(track.notes[1].starts_with("line 4: its timecode does not come after"));
   EXPECT_TRUE(track.notes[2].starts_with("line 7: "));
   EXPECT_TRUE(track.rate_note.empty());
+}
+
+TEST(ReadArkit, OfColumnsOfOneNameTheFirstCounts) {
+  const auto track = read_arkit_track(bytes("Timecode,JawOpen,jawopen,Other\n0:0:0:0,0.25,0.5,1\n")).value();
+  EXPECT_EQ(track.names, (std::vector<std::string>{"JawOpen", "Other"}));
+  EXPECT_EQ(track.frames[0].values, (std::vector<double>{0.25, 1}));
+  ASSERT_EQ(track.notes.size(), 1U);
+  EXPECT_TRUE(track.notes[0].starts_with("line 1: the column jawopen comes again")) << track.notes[0];
 }
 
 /// Faces seen twice as often as the timecodes count.

@@ -136,6 +136,13 @@ TEST_F(AnimateCommand, TakesArkitValuesByNameAndListsTheRest) {
   EXPECT_EQ(json["held"], nlohmann::json({1}));
   EXPECT_LE(json["parameters"]["jaw"][2].get<double>(), 2.0);  // within its range, whatever the take says
   EXPECT_NE(error_.find("line 3"), std::string::npos);
+  EXPECT_NE(error_.find("column Jaw: 1 values are cut to"), std::string::npos) << error_;
+}
+
+TEST_F(AnimateCommand, ATextOfTwoBytesALetterIsNamed) {
+  write("take.csv", std::string("\xff\xfeT\0i\0", 6));
+  EXPECT_EQ(animate({"builtin:demo", "--track", path("take.csv"), "-o", path("out.glb")}), k_failure);
+  EXPECT_NE(error_.find("UTF-8"), std::string::npos) << error_;
 }
 
 TEST_F(AnimateCommand, AppliesTheHeadsTurn) {
