@@ -119,7 +119,7 @@ class Expressions {
       }
     }
     if (found) return {};
-    return owned_by + (there ? " has no morph target " + std::to_string(target) : " shows no mesh of the scene");
+    return owned_by + (there ? " has no morph target " + std::to_string(target) : " is not there or shows nothing");
   }
 
   void add_shape(const std::string& name, const Json* binds, const Moves& moves) {

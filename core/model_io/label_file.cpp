@@ -33,9 +33,10 @@ std::string names_of(const std::vector<animation::TrackGroup>& groups) {
 }  // namespace
 
 base::Result<LabelFile> read_label_file(base::Bytes bytes) {
-  auto track = read_curve_track(bytes);
+  auto track = read_curve_track(bytes, FrameOrder::none);
   if (!track) {
     base::Error error = track.error();
+    if (error.place.empty()) return wrong("no picture is labelled", "/frames");
     if (error.place.starts_with("frame ")) error.remedy = k_mark_all;
     return error;
   }

@@ -107,7 +107,7 @@ class Reader {
   }
 
   /// Curves that few frames have are left out, so that a name misspelt once does not hold all the others.
-  base::Result<animation::PointTrack> finish(double fps) {
+  base::Result<animation::PointTrack> finish(double fps, FrameOrder order) {
     std::vector<std::string> notes;
     std::vector<animation::TrackGroup> groups;
     std::size_t count = 0;
@@ -125,6 +125,7 @@ class Reader {
     std::vector<TrackRow> rows;
     for (SeenFrame& frame : frames_) {
       if (frame.row.why_held.empty()) gather(frame, groups);
+      if (order == FrameOrder::none) frame.row.time_s.reset();
       rows.push_back(std::move(frame.row));
     }
     auto track = make_track(std::move(rows), count, fps, RowName::frame);
@@ -167,7 +168,7 @@ class Reader {
 
 }  // namespace
 
-base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes) {
+base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes, FrameOrder order) {
   const auto json = parse_loose_json(bytes);
   if (!json) return json.error();
   const Json* frames = find(*json, "frames");
@@ -182,7 +183,7 @@ base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes) {
   for (std::size_t f = 0; f < frames->size(); ++f) {
     if (auto problem = reader.read_frame((*frames)[f], child("/frames", f))) return *problem;
   }
-  return reader.finish(fps);
+  return reader.finish(fps, order);
 }
 
 }  // namespace penpose::model_io

@@ -52,7 +52,11 @@ struct PictureSize {
 /// is one in which a curve is missing, empty or no number. Curves that fewer than half of the frames show are left out,
 /// with a note; those of other numbers of points are resampled to the first's. A curve without points in any frame is
 /// an error.
-[[nodiscard]] base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes);
+/// `order`: whether the frames follow each other in time; pictures that somebody labelled do not, and their times are
+/// passed over.
+enum class FrameOrder : std::uint8_t { in_time, none };
+[[nodiscard]] base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes,
+                                                                   FrameOrder order = FrameOrder::in_time);
 
 /// ARKit's blend shapes as Live Link Face writes them: Timecode, BlendShapeCount and a column a name. Timecodes are
 /// H:M:S:F.f; what F counts is told as counted_rate says. Rows that are short or have a count of 0 are frames

@@ -16,6 +16,7 @@
 #include "ui/cli/files.h"
 #include "ui/cli/head_stand.h"
 #include "ui/cli/load_model.h"
+#include "ui/cli/number_range.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/save_model.h"
 #include "ui/cli/track_input.h"
@@ -329,15 +330,15 @@ void add_animate_command(CLI::App& app, int& status) {
   command
       ->add_option("--tremor", arguments->tremor_px,
                    "How far the tracker's points shake, px; 0 leaves them (default: 1, less for small faces)")
-      ->check(CLI::Range(0.0, 1000.0));
+      ->check(CLI::Validator(number_range(0.0, 1000.0), "0 to 1000"));
   command->add_option("--smooth", arguments->smooth_s, "Smooth over so many seconds to each side, without lag")
-      ->check(CLI::Range(0.0, 60.0))
+      ->check(CLI::Validator(number_range(0.0, 60.0), "0 to 60"))
       ->capture_default_str();
   command->add_option("--confidence", arguments->least_confidence, "Hold frames of less confidence, 0 to 1")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(CLI::Validator(number_range(0.0, 1.0), "0 to 1"))
       ->capture_default_str();
   command->add_option("--fps", arguments->fps, "Frames a second, instead of the track's own times")
-      ->check(CLI::Range(0.1, 10000.0));
+      ->check(CLI::Validator(number_range(0.1, 10000.0), "0.1 to 10000"));
   command->add_option("--picture", arguments->picture, "WIDTHxHEIGHT of the video in px, for normalised coordinates")
       ->check(CLI::Validator(check_picture, "WxH"));
   command->add_flag("--json", arguments->json, "Print one JSON object");

@@ -15,6 +15,7 @@
 #include "ui/cli/files.h"
 #include "ui/cli/load_model.h"
 #include "ui/cli/natural_order.h"
+#include "ui/cli/number_range.h"
 #include "ui/cli/save_model.h"
 
 namespace penpose::cli {
@@ -101,7 +102,7 @@ void add_convert_command(CLI::App& app, int& status) {
   command->add_option("--shapes", arguments->shapes,
                       "Files, or folders of files, that each show one blend shape; their names become its name");
   command->add_option("--fps", arguments->fps, "Frames a second of a .csv file")
-      ->check(CLI::Range(0.1, 1000.0))
+      ->check(CLI::Validator(number_range(0.1, 1000.0), "0.1 to 1000"))
       ->capture_default_str();
   command->callback([arguments, &status] { status = run_convert(*arguments); });
 }

@@ -11,6 +11,7 @@
 #include "core/model_io/read_pgm.h"
 #include "ui/cli/files.h"
 #include "ui/cli/natural_order.h"
+#include "ui/cli/number_range.h"
 #include "ui/cli/progress.h"
 #include "ui/render/image.h"
 
@@ -140,7 +141,7 @@ void add_track_command(CLI::App& app, int& status) {
       ->required();
   command->add_option("-o", arguments->out, "Track of curves to write, .json, for penpose animate")->required();
   command->add_option("--fps", arguments->fps, "Frames a second of the sequence")
-      ->check(CLI::Range(0.1, 10000.0))
+      ->check(CLI::Validator(number_range(0.1, 10000.0), "0.1 to 10000"))
       ->capture_default_str();
   command->callback([arguments, &status] { status = track(*arguments); });
 }

@@ -43,7 +43,7 @@ TEST(GltfExpressions, BindsThatNameNothingAreNoted) {
   ASSERT_EQ(model.shapes->shapes().size(), 2U);
   EXPECT_EQ(model.shapes->shapes()[1].parameter.name, "happy");
   EXPECT_EQ(model.notes, (std::vector<std::string>{
-                             "expression happy: bind 0 is left out: node 77 shows no mesh of the scene",
+                             "expression happy: bind 0 is left out: node 77 is not there or shows nothing",
                              "expression happy: bind 1 is left out: node 0 has no morph target 9",
                              "expression happy: bind 2 is left out: it names no node",
                              "expression sad: bind 0 is left out: node 0 has no morph target 1",
