@@ -112,6 +112,11 @@ base::Result<Animated> from_points(const document::Model& model, const animation
             : "the head's turn cannot be followed, only its shift: the map lists a single stable "
               "point; list two or more in \"stable\"");
   }
+  if (arguments.neutral.value_or(0) >= track.frames.size()) {
+    return base::Error{"there is no frame " + std::to_string(*arguments.neutral) + "; the track has " +
+                           std::to_string(track.frames.size()),
+                       "--neutral", "frames count from 0"};
+  }
   setup->neutral = arguments.neutral;
   setup->tremor_px = arguments.tremor_px;
   setup->smooth_s = arguments.smooth_s;
@@ -325,8 +330,9 @@ void add_animate_command(CLI::App& app, int& status) {
   command->add_option("-o", arguments->out, "Write the animated model, .glb")->required();
   command->add_option("--head", arguments->head, "Turn of the head: drop it or apply it (default: as the map says)")
       ->check(CLI::IsMember({"drop", "apply"}));
-  command->add_option("--neutral", arguments->neutral,
-                      "Frame, from 0, in which the face is at rest (default: the first)");
+  command
+      ->add_option("--neutral", arguments->neutral, "Frame, from 0, in which the face is at rest (default: the first)")
+      ->check(CLI::Validator(number_range(0, 1e6), "0 to 1000000"));
   command
       ->add_option("--tremor", arguments->tremor_px,
                    "How far the tracker's points shake, px; 0 leaves them (default: 1, less for small faces)")

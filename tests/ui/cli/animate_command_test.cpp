@@ -201,7 +201,11 @@ TEST_F(AnimateCommand, SaysWhatIsWrongInOneLine) {
   fails({"builtin:demo", "--track", path("wrong.csv"), "-o", out}, "x_1");
   fails({"builtin:head", "--track", track, "--map", path("map.json"), "-o", out}, "articulate");
   fails({"builtin:demo", "--track", track, "--map", path("map.json"), "-o", path("out.obj")}, ".glb");
+  fails({"builtin:demo", "--track", track, "--map", path("map.json"), "-o", out, "--neutral", "20"},
+        "the track has 20");
   EXPECT_EQ(animate({"builtin:demo", "-o", out}), k_wrong_usage);
+  EXPECT_EQ(animate({"builtin:demo", "--track", track, "-o", out, "--neutral", "-1"}), k_wrong_usage);
+  EXPECT_EQ(animate({"builtin:demo", "--track", track, "-o", out, "--fps", "nan"}), k_wrong_usage);
 }
 
 TEST_F(AnimateCommand, SaysWhichMembersOfAMapItSkipsAndWhichFramesItHolds) {
