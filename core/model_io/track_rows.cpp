@@ -86,6 +86,7 @@ base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::
       frame.confidence = std::clamp(row.confidence, 0.0, 1.0);
       frame.points = std::move(row.points);
       frame.depths = std::move(row.depths);
+      frame.rotation = row.rotation;
     } else if (++held <= k_most_notes) {
       track.notes.push_back(place(row) + ": " + row.why_held + "; the frame is held");
     }

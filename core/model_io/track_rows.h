@@ -18,6 +18,7 @@ struct TrackRow {
   std::string why_held;                    ///< not empty: the row shows no face, and why
   std::vector<animation::PxPoint> points;  ///< empty where held
   std::vector<double> depths;              ///< or empty
+  std::optional<glm::dmat3> rotation;      ///< of the head, as TrackFrame
 };
 
 /// What `line` counts: lines from 1, or frames of a list from 0.
