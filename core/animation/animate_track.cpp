@@ -62,14 +62,14 @@ double tremor_share(double effect) {
 /// Takes what is left of the tremor out of the solved parameters. A frame without a face keeps the pose before it.
 void settle_poses(const rig::Rig& rig, std::span<const double> effects, double usual_tremors, TrackedAnimation& result,
                   const StillTrack& still) {
-  constexpr double k_sharp = 0.24;  // of the range: a lid of a blink bends by more from one frame to the next
+  constexpr double k_sharp = 10;  // times the tremor: a lid of a blink bends by more from one frame to the next
   std::vector<double> tremor(effects.size(), 0.0);
   std::vector<double> sharp(effects.size(), 0.0);
   for (std::size_t p = 0; p < effects.size(); ++p) {
     if (!(effects[p] > 0)) continue;
     const double unit = usual_tremors * (rig.parameters()[p].maximum - rig.parameters()[p].minimum);
     tremor[p] = unit * tremor_share(effects[p]);
-    sharp[p] = unit * k_sharp;
+    sharp[p] = k_sharp * tremor[p];
   }
   settle(tremor, still.confidence, result.poses);
   round_corners(sharp, result.poses);
