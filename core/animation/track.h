@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/mat3x3.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +18,9 @@ struct TrackFrame {
   double confidence = 0;        ///< 0..1; 0: no face was found, and `points` may be empty
   std::vector<PxPoint> points;  ///< px of the video, y down; one a point of the format
   std::vector<double> depths;   ///< px towards the camera, one a point; empty where nothing is known of it
-  std::string why_held = {};    ///< why the frame shows no face; empty where it does or the file leaves it out
+  /// How the head is turned, from a face that looks into the camera (x right, y down, z away), where the tracker says.
+  std::optional<glm::dmat3> rotation = std::nullopt;
+  std::string why_held = {};  ///< why the frame shows no face; empty where it does or the file leaves it out
 
   [[nodiscard]] bool found() const { return confidence > 0 && !points.empty(); }
 };

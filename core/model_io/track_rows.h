@@ -18,6 +18,7 @@ struct TrackRow {
   std::string why_held;                    ///< not empty: the row shows no face, and why
   std::vector<animation::PxPoint> points;  ///< empty where held
   std::vector<double> depths;              ///< or empty
+  std::optional<glm::dmat3> rotation;      ///< of the head, as TrackFrame
 };
 
 /// Notes on single frames: the first of them, and how many more there are.

@@ -116,8 +116,7 @@ int track(const TrackArguments& arguments) {
     auto found = animation::find_eigen_points(learned->points, *image, shifts);
     if (!found) return report(found.error(), files[f]);
     shifts = std::move(found->shifts);
-    result.frames.push_back(
-        {static_cast<double>(f) / arguments.fps, found->confidence, std::move(found->points), {}, {}});
+    result.frames.push_back({static_cast<double>(f) / arguments.fps, found->confidence, std::move(found->points), {}});
     progress.advance();
   }
   progress.finish();

@@ -72,6 +72,22 @@ std::string solid_points(double nose) {
   return x + y + z;
 }
 
+TEST(ReadOpenFace, TakesTheTrackersOwnTurnOfTheHead) {
+  Table table;
+  table.before += ", pose_Rx, pose_Ry, pose_Rz";
+  table.rows = {s("1, 0.000, 0.98, 1, 0.3, 0, 0") + table.points(0),
+                s("2, 0.040, 0.88, 1, 0, 0, nan") + table.points(1),
+                s("3, 0.080, 0.88, 1, 0, 0.2, 0.5") + table.points(1)};
+  const auto track = read_openface_track(bytes(table.text())).value();
+  // A nod: what pointed away from the camera now points up (y is down).
+  EXPECT_NEAR(track.frames[0].rotation->operator[](2)[1], -std::sin(0.3), 1e-12);
+  EXPECT_FALSE(track.frames[1].rotation);
+  const glm::dmat3 r = *track.frames[2].rotation;
+  EXPECT_NEAR(r[0][1], std::sin(0.5), 1e-12);
+  EXPECT_NEAR(r[2][0], std::sin(0.2), 1e-12);
+  EXPECT_FALSE(read_openface_track(bytes(two_frames().text())).value().frames[0].rotation);
+}
+
 TEST(ReadOpenFace, TakesTheTrackersOwnDepths) {
   Table table = two_frames();
   for (const char* axis : {"X_", "Y_", "Z_"}) {
