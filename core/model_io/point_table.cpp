@@ -102,10 +102,11 @@ base::Result<FaceRow> read_point_row(const CsvReader& table, const PointColumns&
     if (!value || !(std::abs(*value) < 1e15)) return std::nullopt;
     return static_cast<std::int64_t>(*value);
   };
+  constexpr double k_latest = 1e19;  // nanoseconds since 1970 have 19 digits
   row.frame = whole_at(columns.frame);
   result.face = whole_at(columns.face).value_or(0);
   if (columns.time) row.time_s = number_at(*columns.time);
-  if (row.time_s && !(std::abs(*row.time_s) < 1e12)) row.time_s.reset();
+  if (row.time_s && !(std::abs(*row.time_s) < k_latest)) row.time_s.reset();
   if (columns.confidence) row.confidence = number_at(*columns.confidence).value_or(0);
   const double success = columns.success ? number_at(*columns.success).value_or(0) : 1;
   if (cells.size() < table.columns().size()) {

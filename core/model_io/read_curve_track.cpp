@@ -75,7 +75,7 @@ class Reader {
         const bool time = name[0] == 't';
         if (!given->is_number() && !given->is_null()) return wrong("a number was expected", child(pointer, name));
         const auto n = number(*given);
-        if (n && std::abs(*n) > 1e12) return wrong("a number was expected", child(pointer, name));
+        if (n && std::abs(*n) > 1e19) return wrong("a number was expected", child(pointer, name));
         if (time) {
           row.time_s = n;
         } else {

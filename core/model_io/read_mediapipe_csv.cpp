@@ -140,7 +140,7 @@ base::Result<animation::PointTrack> read_mediapipe_csv(base::Bytes bytes, std::o
   const auto long_columns = find_long(*table);
   auto rows = long_columns ? read_long(*table, *long_columns, count, notes) : read_wide(*table, count, notes);
   if (!rows) return rows.error();
-  take_milliseconds(*rows);
+  take_small_units(*rows);
   scale_to_picture(*rows, picture, notes);
   auto track = make_track(std::move(rows).value(), count, k_common_fps);
   if (!track) return track;

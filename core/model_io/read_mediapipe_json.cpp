@@ -2,11 +2,13 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/numbers.h"
 #include "core/model_io/face_points.h"
 #include "core/model_io/loose_json.h"
 #include "core/model_io/picture_scale.h"
 #include "core/model_io/point_table.h"
 #include "core/model_io/read_track.h"
+#include "core/model_io/text_lines.h"
 
 namespace penpose::model_io {
 namespace {
@@ -163,11 +165,14 @@ class Reader {
   bool several = false;
 
  private:
+  static constexpr double k_latest = 1e19;  // nanoseconds since 1970 have 19 digits
+
   static void read_times(const Json& value, TrackRow& row) {
     const auto at = [&](const char* name) {
       const Json* found = find(value, name);
-      const auto n = found == nullptr ? std::nullopt : number(*found);
-      return n && std::abs(*n) < 1e12 ? n : std::nullopt;
+      auto n = found == nullptr ? std::nullopt : number(*found);
+      if (found != nullptr && found->is_string()) n = base::parse_double(found->get_ref<const std::string&>());
+      return n && std::abs(*n) < k_latest ? n : std::nullopt;
     };
     row.time_s = at("timestamp");
     if (!row.time_s) row.time_s = at("time");
@@ -203,10 +208,27 @@ class Reader {
   TrackRow last_;
 };
 
+/// The file as one value; of a file of a value a line, as programs write that add a line a frame, a list of them.
+base::Result<Json> read_values(base::Bytes bytes) {
+  auto whole = parse_loose_json(bytes);
+  if (whole) return whole;
+  TextLines lines(base::as_text(bytes));
+  Json list = Json::array();
+  while (const auto line = lines.next()) {
+    if (base::trim(*line).empty()) continue;
+    auto value = parse_loose_json(base::as_bytes(*line));
+    if (!value && list.empty()) return whole;
+    if (!value) return lines.error("no valid JSON", "the file is damaged or cut off; take the line away");
+    list.push_back(std::move(value).value());
+    if (list.size() > k_most_track_frames) return whole;
+  }
+  return list;
+}
+
 }  // namespace
 
 base::Result<animation::PointTrack> read_mediapipe_json(base::Bytes bytes, std::optional<PictureSize> picture) {
-  const auto json = parse_loose_json(bytes);
+  const auto json = read_values(bytes);
   if (!json) return json.error();
   const Frames frames = find_frames(*json);
   const bool listed = frames.list != nullptr && frames.list->is_array();
@@ -230,7 +252,7 @@ base::Result<animation::PointTrack> read_mediapipe_json(base::Bytes bytes, std::
   }
   std::vector<std::string> notes;
   if (reader.several) notes.emplace_back("several faces are seen; the one that was largest at first is followed");
-  take_milliseconds(reader.rows);
+  take_small_units(reader.rows);
   scale_to_picture(reader.rows, picture, notes);
   auto track = make_track(std::move(reader.rows), reader.count, root_number("fps"), RowName::frame);
   if (!track) return track;

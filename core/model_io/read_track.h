@@ -35,10 +35,10 @@ struct PictureSize {
 [[nodiscard]] base::Result<animation::PointTrack> read_mediapipe_csv(base::Bytes bytes,
                                                                      std::optional<PictureSize> picture);
 /// The same as JSON: a list of frames, or an object with "frames" and optional "fps", "width", "height", or a single
-/// frame. A frame is a list of points or an object with "landmarks" (or faceLandmarks, face_landmarks,
-/// multi_face_landmarks, multiFaceLandmarks, points, landmark, keypoints, faces) and optional "timestamp" or "time"
-/// (seconds), "timestamp_ms", "confidence"; a list of lists of points is several faces, of which the largest is
-/// followed. A point is {"x", "y", "z"} or [x, y, z]. null or [] is a frame without a face.
+/// frame, or a frame a line. A frame is a list of points or an object with "landmarks" (or faceLandmarks,
+/// face_landmarks, multi_face_landmarks, multiFaceLandmarks, points, landmark, keypoints, faces) and optional
+/// "timestamp" or "time" (seconds), "timestamp_ms", "confidence"; a list of lists of points is several faces, of which
+/// the largest is followed. A point is {"x", "y", "z"} or [x, y, z]. null or [] is a frame without a face.
 [[nodiscard]] base::Result<animation::PointTrack> read_mediapipe_json(base::Bytes bytes,
                                                                       std::optional<PictureSize> picture);
 

@@ -25,12 +25,14 @@ std::vector<std::string> FrameNotes::take() {
   return std::move(notes_);
 }
 
-void take_milliseconds(std::vector<TrackRow>& rows) {
+void take_small_units(std::vector<TrackRow>& rows) {
   if (rows.size() < 2 || !rows.front().time_s || !rows.back().time_s) return;
-  const double step = (*rows.back().time_s - *rows.front().time_s) / static_cast<double>(rows.size() - 1);
-  if (step < 5) return;
+  double step = (*rows.back().time_s - *rows.front().time_s) / static_cast<double>(rows.size() - 1);
+  double unit = 1;
+  for (; step >= 5 && unit < 1e9; step /= 1000.0) unit *= 1000.0;
+  if (unit == 1) return;
   for (TrackRow& row : rows) {
-    if (row.time_s) *row.time_s /= 1000.0;
+    if (row.time_s) *row.time_s /= unit;
   }
 }
 
@@ -78,7 +80,9 @@ bool take_numbers(std::vector<TrackRow>& rows, RowName name, FrameNotes& notes) 
 std::vector<double> take_times(std::vector<TrackRow>& rows, std::span<const double> places, bool numbered, double fps,
                                RowName name, FrameNotes& notes, std::string& rate_note) {
   std::vector<std::optional<double>> times;
-  for (const TrackRow& row : rows) times.push_back(row.time_s);
+  for (const TrackRow& row : rows) {
+    times.push_back(row.time_s && std::isfinite(*row.time_s) ? row.time_s : std::nullopt);
+  }
   const Growing growing = find_growing(times);
   if (!growing.trusted() || growing.known - growing.astray < 2) {
     const double rate = fps > 0 ? fps : k_common_fps;

@@ -42,8 +42,9 @@ enum class RowName : std::uint8_t { line, frame };
 [[nodiscard]] base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::size_t point_count,
                                                              double fps, RowName name = RowName::line);
 
-/// Divides times by 1000 where they grow by more than 5 a row: no video shows a frame so rarely, they are milliseconds.
-void take_milliseconds(std::vector<TrackRow>& rows);
+/// Divides times by 1000 as long as they grow by more than 5 a row: no video shows a frame so rarely, they are
+/// milliseconds, or micro- or nanoseconds.
+void take_small_units(std::vector<TrackRow>& rows);
 
 /// Frame rate of a track whose file says nothing of time.
 inline constexpr double k_common_fps = 30;

@@ -291,6 +291,26 @@ TEST(ReadMediapipeJson, TakesTimesInMilliseconds) {
   EXPECT_NEAR(read_mediapipe_json(bytes(text), {}).value().frames[1].time_s, 0.04, 1e-9);
 }
 
+TEST(ReadMediapipeJson, TakesTimesOfTheDayInAnyUnit) {
+  for (const char* const times : {"1700000000000,1700000000040", "1700000000000000,1700000000040000",
+                                  "1700000000.00,1700000000.04", "\"0.00\",\"0.04\""}) {
+    const std::string both = times;
+    const auto comma = both.find(',');
+    const std::string text = s(R"({"frames": [{"timestamp": )") + both.substr(0, comma) + R"(, "landmarks": )" +
+                             face(0) + R"(}, {"timestamp": )" + both.substr(comma + 1) + R"(, "landmarks": )" +
+                             face(1) + "}]}";
+    const auto track = read_mediapipe_json(bytes(text), {}).value();
+    EXPECT_NEAR(track.frames[1].time_s - track.frames[0].time_s, 0.04, 1e-3) << times;
+  }
+}
+
+TEST(ReadMediapipeJson, TakesAFrameALine) {
+  const std::string line = s(R"({"landmarks": )") + face(0) + "}\n";
+  EXPECT_EQ(read_mediapipe_json(bytes(line + "\n" + line + "null\n"), {}).value().frames.size(), 3U);
+  EXPECT_EQ(read_mediapipe_json(bytes(line + line + line.substr(0, 50)), {}).error().place, "line 3");
+  EXPECT_TRUE(read_mediapipe_json(bytes("{\n\"frames\": x}"), {}).error().place.starts_with("byte offset"));
+}
+
 TEST(ReadMediapipeCsv, OnePointFarOffDoesNotMakeItPx) {
   std::string text = mediapipe_wide(468, true);
   const auto last = text.find_last_of(',');

@@ -1,5 +1,6 @@
 #include "core/model_io/track_rows.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "core/model_io/read_track.h"
@@ -72,6 +73,7 @@ TEST(TrackRows, NumbersAndTimesThatBeginAgainAreNotGoneBy) {
 TEST(TrackRows, AMissingTimeLiesBetweenItsNeighbours) {
   auto rows = rows_of({}, {0, 1, 2, 3, 4});
   rows[2].time_s.reset();
+  rows[0].time_s = std::nan("");
   const auto track = make_track(rows, 1, 25).value();
   EXPECT_EQ(times_of(track), (std::vector<double>{0, 1, 2, 3, 4}));
   EXPECT_TRUE(track.frames[2].found());
