@@ -71,11 +71,11 @@ TEST(TrackRows, NumbersAndTimesThatBeginAgainAreNotGoneBy) {
 }
 
 TEST(TrackRows, AMissingTimeLiesBetweenItsNeighbours) {
-  auto rows = rows_of({}, {0, 1, 2, 3, 4});
+  auto rows = rows_of({}, {0, 1, 2, 3, 4, 5});
   rows[2].time_s.reset();
   rows[0].time_s = std::nan("");
   const auto track = make_track(rows, 1, 25).value();
-  EXPECT_EQ(times_of(track), (std::vector<double>{0, 1, 2, 3, 4}));
+  EXPECT_EQ(times_of(track), (std::vector<double>{0, 1, 2, 3, 4, 5}));
   EXPECT_TRUE(track.frames[2].found());
 }
 
