@@ -178,9 +178,8 @@ bool tells_turns(HeadShape& shape, std::span<const TrackFrame* const> frames) {
     apart.push_back(angle_of(*told * glm::transpose(shape.fit(*frame).rotation)));
   }
   if (!moves || 2 * apart.size() < frames.size()) return false;
-  const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
-  std::nth_element(apart.begin(), middle, apart.end());
-  return *middle < k_most_apart;
+  std::stable_sort(apart.begin(), apart.end());
+  return apart[apart.size() / 2] < k_most_apart;
 }
 
 /// px; stable points nearer to each other than this tell of no turn.
