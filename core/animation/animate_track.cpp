@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/animation/meeting.h"
 #include "core/animation/steady.h"
 
 namespace penpose::animation {
@@ -11,6 +12,14 @@ namespace {
 
 /// A face of which the curves span so many px trembles by a px, as trackers go; smaller ones by less.
 constexpr double k_usual_span_px = 250;
+
+std::vector<std::size_t> lid_points(std::span<const TrackedCurve> curves) {
+  std::vector<std::size_t> lids;
+  for (const TrackedCurve& curve : curves) {
+    if (curve.meets) lids.insert(lids.end(), curve.points.begin(), curve.points.end());
+  }
+  return lids;
+}
 
 /// Steadies every point that drives something or carries what does, once. Lids close together, those of both eyes: what
 /// one of them leaves in doubt, all of them tell.
@@ -23,11 +32,7 @@ void steady_curves(std::span<const TrackedCurve> curves, double tremor_px, Still
     steady(still, points, tremor_px);
     done.insert(done.end(), points.begin(), points.end());
   };
-  std::vector<std::size_t> lids;
-  for (const TrackedCurve& curve : curves) {
-    if (curve.meets) lids.insert(lids.end(), curve.points.begin(), curve.points.end());
-  }
-  steady_new(lids);
+  steady_new(lid_points(curves));
   for (const TrackedCurve& curve : curves) steady_new(curve.points);
   for (const TrackedCurve& curve : curves) steady_new(curve.anchor);
 }
@@ -57,14 +62,14 @@ double tremor_share(double effect) {
 /// Takes what is left of the tremor out of the solved parameters. A frame without a face keeps the pose before it.
 void settle_poses(const rig::Rig& rig, std::span<const double> effects, double usual_tremors, TrackedAnimation& result,
                   const StillTrack& still) {
-  constexpr double k_sharp = 0.2;  // of the range: a lid of a blink bends by more from one frame to the next
+  constexpr double k_sharp = 10;  // times the tremor: a lid of a blink bends by more from one frame to the next
   std::vector<double> tremor(effects.size(), 0.0);
   std::vector<double> sharp(effects.size(), 0.0);
   for (std::size_t p = 0; p < effects.size(); ++p) {
     if (!(effects[p] > 0)) continue;
     const double unit = usual_tremors * (rig.parameters()[p].maximum - rig.parameters()[p].minimum);
     tremor[p] = unit * tremor_share(effects[p]);
-    sharp[p] = unit * k_sharp;
+    sharp[p] = k_sharp * tremor[p];
   }
   settle(tremor, still.confidence, result.poses);
   round_corners(sharp, result.poses);
@@ -83,10 +88,13 @@ void settle_poses(const rig::Rig& rig, std::span<const double> effects, double u
 
 base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTrack& track, const TrackSetup& setup,
                                              const geometry::Camera& camera, const FrameWatch& watch) {
-  auto still = take_head_motion_out(track, setup.points, setup.neutral, setup.least_confidence);
+  StablePoints points = setup.points;
+  points.openings = lid_points(setup.curves);
+  auto still = take_head_motion_out(track, points, setup.neutral, setup.least_confidence);
   if (!still) return still.error();
   auto transfer = make_transfer(rig, setup.rest, track, *still, setup.curves, camera);
   if (!transfer) return transfer.error();
+  share_meetings(rig, setup.rest, setup.free, track.frames[still->neutral], setup.curves, camera, *transfer);
   const double span = span_px(setup.curves, track.frames[still->neutral]);
   const double tremor_px = setup.tremor_px.value_or(std::min(1.0, span / k_usual_span_px));
   steady_curves(setup.curves, tremor_px, *still);

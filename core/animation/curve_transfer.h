@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -22,6 +23,13 @@ struct TrackedCurve {
   double gain = 1;                   ///< its movement is this many times the tracked one
 };
 
+/// What a point does for the curve that its own one meets (share_meetings).
+struct Meeting {
+  std::array<std::size_t, 2> across{};  ///< the points of the transfer on the other curve that it meets between
+  double between = 0;                   ///< 0..1: where between them
+  double takes_over = 0;                ///< how much of what those cannot do it does instead, the other way
+};
+
 /// Tracked curves brought to the model's image plane.
 struct Transfer {
   std::vector<posing::CurvePoint> points;         ///< of all curves, in their order: one for each tracked point
@@ -30,8 +38,9 @@ struct Transfer {
   std::vector<std::size_t> curve;                 ///< which curve each is of
   std::vector<std::vector<std::size_t>> anchors;  ///< one list a curve
   std::vector<double> weights;
-  std::vector<double> scale;  ///< |C_u| / |C_v0| times the gain, one a point
-  double turn_cosine = 1;     ///< the neutral frame's own roll, taken out of every movement
+  std::vector<double> scale;      ///< |C_u| / |C_v0| times the gain, one a point
+  std::vector<Meeting> meetings;  ///< one a point, or none
+  double turn_cosine = 1;         ///< the neutral frame's own roll, taken out of every movement
   double turn_sine = 0;
 };
 

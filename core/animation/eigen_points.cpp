@@ -94,7 +94,13 @@ std::vector<double> pseudo_inverse(const std::vector<double>& matrix, std::size_
   return inverse;
 }
 
-base::Error wrong(const char* what, std::string place) { return {what, std::move(place), "label the pictures again"}; }
+base::Error wrong(const char* what, std::string place, const char* remedy = "label the pictures again") {
+  return {what, std::move(place), remedy};
+}
+
+std::string place_of(const char* kind, const std::string& name, std::size_t number) {
+  return std::string(kind) + " " + (name.empty() ? std::to_string(number) : name);
+}
 
 base::Result<EigenFeature> learn_feature(std::span<const LabelledImage> images, const std::vector<std::size_t>& points,
                                          const EigenOptions& options, const std::string& place) {
@@ -104,13 +110,17 @@ base::Result<EigenFeature> learn_feature(std::span<const LabelledImage> images, 
   PxPoint high{-1e300, -1e300};
   for (const LabelledImage& labelled : images) {
     for (const std::size_t i : points) {
-      if (i >= labelled.points.size()) return wrong("a feature names a point that does not exist", place);
+      if (i >= labelled.points.size()) return wrong("it names a point that does not exist", place);
       low = {std::min(low.x, labelled.points[i].x), std::min(low.y, labelled.points[i].y)};
       high = {std::max(high.x, labelled.points[i].x), std::max(high.y, labelled.points[i].y)};
     }
   }
   const double extent = std::max(high.x - low.x, high.y - low.y);
-  if (points.empty() || !(extent > 1e-6) || !(extent < 1e6)) return wrong("the feature has no extent", place);
+  if (points.empty()) return wrong("it has no points", place, "name the curves that it is of");
+  if (!(extent > 1e-6)) {
+    return wrong("all its points lie at one place in every picture", place, "mark them along what is to be found");
+  }
+  if (!(extent < 1e6)) return wrong("it is over 1,000,000 px large", place, "give points in px of the pictures");
   const double border = options.margin * extent;
   feature.corner = low - PxPoint{border, border};
   feature.size = high - low + PxPoint{2 * border, 2 * border};
@@ -170,7 +180,10 @@ base::Result<EigenFeature> learn_feature(std::span<const LabelledImage> images, 
     }
   }
   const std::size_t m = feature.components;
-  if (m == 0) return wrong("the labelled pictures are all the same", place);
+  if (m == 0) {
+    return wrong("its patch and its points are the same in all labelled pictures", place,
+                 "label pictures in which the face does different things");
+  }
   std::vector<double> on_patch(m * m);
   for (std::size_t a = 0; a < m; ++a) {
     for (std::size_t b = 0; b < m; ++b) {
@@ -209,12 +222,11 @@ Guess explain(const EigenFeature& feature, std::span<const double> patch, std::v
 }  // namespace
 
 base::Result<EigenPoints> learn_eigen_points(std::span<const LabelledImage> images,
-                                             std::span<const std::vector<std::size_t>> features,
-                                             const EigenOptions& options) {
-  if (images.size() < 2) return wrong("at least two labelled pictures are needed", "");
+                                             std::span<const LabelledFeature> features, const EigenOptions& options) {
+  if (images.size() < 2) return wrong("at least two labelled pictures are needed", "", "label one more");
   for (std::size_t k = 0; k < images.size(); ++k) {
     const LabelledImage& one = images[k];
-    const std::string place = "picture " + std::to_string(k);
+    const std::string place = place_of("picture", one.name, k);
     if (one.image.width < 2 || one.image.height < 2 || one.image.width != images[0].image.width ||
         one.image.height != images[0].image.height ||
         one.image.pixels.size() !=
@@ -233,7 +245,7 @@ base::Result<EigenPoints> learn_eigen_points(std::span<const LabelledImage> imag
   EigenOptions usable = options;
   usable.patch = learned.patch;
   for (std::size_t i = 0; i < features.size(); ++i) {
-    auto feature = learn_feature(images, features[i], usable, "feature " + std::to_string(i));
+    auto feature = learn_feature(images, features[i].points, usable, place_of("feature", features[i].name, i));
     if (!feature) return feature.error();
     learned.features.push_back(std::move(feature).value());
   }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/base/result.h"
@@ -22,6 +23,13 @@ struct GreyImage {
 struct LabelledImage {
   GreyImage image;
   std::vector<PxPoint> points;
+  std::string name = {};  ///< for errors; may be empty
+};
+
+/// Points that are found from one patch.
+struct LabelledFeature {
+  std::string name;  ///< for errors; may be empty
+  std::vector<std::size_t> points;
 };
 
 struct EigenOptions {
@@ -54,11 +62,12 @@ struct EigenPoints {
   std::vector<EigenFeature> features;
 };
 
-/// Learns from labelled pictures. `features`: lists of point numbers. Patches are freed of their mean and contrast, so
+/// Learns from labelled pictures. Patches are freed of their mean and contrast, so
 /// that brighter or darker pictures count the same. Errors: fewer than two pictures, pictures of other sizes or numbers
-/// of points than the first, a feature without extent, points that do not exist.
+/// of points than the first, a feature without extent, points that do not exist, pictures that are all the same. Their
+/// place is the name, or else the number, of the picture or feature.
 [[nodiscard]] base::Result<EigenPoints> learn_eigen_points(std::span<const LabelledImage> images,
-                                                           std::span<const std::vector<std::size_t>> features,
+                                                           std::span<const LabelledFeature> features,
                                                            const EigenOptions& options = {});
 
 /// What was found in one picture.

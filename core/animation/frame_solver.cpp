@@ -80,6 +80,24 @@ struct FrameSolver::State {
     }
   }
 
+  /// Lets points that meet others go beyond their targets by what those fell short of. False: there are none.
+  bool take_over(double confidence) {
+    bool any = false;
+    system.positions(pose, now);
+    const auto short_of = [&](std::size_t point) {
+      const auto px = camera.project(now[point]);
+      return px ? targets[point] - *px : geometry::PxPoint{};
+    };
+    for (std::size_t i = 0; i < transfer.meetings.size(); ++i) {
+      const Meeting& m = transfer.meetings[i];
+      if (!(m.takes_over > 0)) continue;
+      const geometry::PxPoint rest = short_of(m.across[0]) * (1.0 - m.between) + short_of(m.across[1]) * m.between;
+      aim(i, curve::lift(targets[i] - rest * m.takes_over, now[i], camera), transfer.weights[i] * confidence);
+      any = true;
+    }
+    return any;
+  }
+
   void solve(double confidence) {
     // Two pulls to two places are one pull to the place between them. A frame of no trust tells no more of rest than
     // of anything else.
@@ -163,7 +181,12 @@ const rig::Pose& FrameSolver::follow(std::span<const PxPoint> offsets, double do
   for (std::size_t i = 0; i < s.targets.size(); ++i) {
     s.aim(i, curve::lift(s.targets[i], s.now[i], s.camera), s.transfer.weights[i] * confidence);
   }
+  const std::vector<double> before = s.u;
   s.solve(confidence);
+  if (s.take_over(confidence)) {
+    s.u = before;
+    s.solve(confidence);
+  }
   return s.pose;
 }
 

@@ -1,170 +1,15 @@
 #include "core/animation/head_motion.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
+#include "core/animation/head_fit.h"
 #include "core/base/math.h"
 #include "core/base/numbers.h"
-#include "core/geometry/rotation.h"
 
 namespace penpose::animation {
 namespace {
-
-/// Stable points of the neutral frame about their middle, and where they are in another frame.
-struct Fit {
-  std::vector<glm::dvec3> shape;
-  std::vector<PxPoint> seen;
-  PxPoint pivot;
-  double nearness = 0;  ///< how much a point grows with each px that it is nearer to the camera; 0: seen from afar
-};
-
-/// Where a point of the neutral shape is seen, about the pivot and the shift, and its depth.
-struct Seen {
-  PxPoint place;
-  double growth = 1;
-};
-Seen see(const Fit& fit, const HeadTurn& turn, const glm::dvec3& x) {
-  const glm::dvec3 y = turn.rotation * x;
-  const double growth = turn.scale / std::max(0.1, 1.0 + fit.nearness * y.z);
-  return {{y.x * growth, y.y * growth}, growth};
-}
-
-PxPoint middle(std::span<const PxPoint> points) {
-  PxPoint sum;
-  for (const PxPoint& p : points) sum = sum + p;
-  return sum * (1.0 / static_cast<double>(points.size()));
-}
-
-/// The shape as a head that is turned so shows it, before scale, roll and shift.
-std::vector<PxPoint> shown(const Fit& fit, const glm::dmat3& rotation) {
-  HeadTurn turn;
-  turn.rotation = rotation;
-  std::vector<PxPoint> places;
-  for (const glm::dvec3& x : fit.shape) places.push_back(see(fit, turn, x).place);
-  return places;
-}
-
-/// The similarity of least squares in closed form, after a turn that is given: with points as complex numbers about
-/// their middles, the factor is sum(conj(x) p) / sum(|x|^2).
-HeadTurn similarity(const Fit& fit, const glm::dmat3& rotation) {
-  const auto places = shown(fit, rotation);
-  const PxPoint middle_shown = middle(places);
-  const PxPoint middle_seen = middle(fit.seen);
-  double real = 0;
-  double imaginary = 0;
-  double square = 0;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const PxPoint x = places[i] - middle_shown;
-    const PxPoint p = fit.seen[i] - middle_seen;
-    real += x.x * p.x + x.y * p.y;
-    imaginary += x.x * p.y - x.y * p.x;
-    square += x.x * x.x + x.y * x.y;
-  }
-  HeadTurn turn;
-  turn.rotation = rotation;
-  const double size = std::sqrt(real * real + imaginary * imaginary);
-  if (!(size > 1e-12 * square)) {
-    turn.shift = middle_seen - fit.pivot - middle_shown;
-    return turn;
-  }
-  turn.scale = size / square;
-  const double c = real / size;
-  const double s = imaginary / size;
-  turn.rotation = glm::dmat3(c, s, 0, -s, c, 0, 0, 0, 1) * rotation;
-  const PxPoint moved = {c * middle_shown.x - s * middle_shown.y, s * middle_shown.x + c * middle_shown.y};
-  turn.shift = middle_seen - fit.pivot - moved * turn.scale;
-  return turn;
-}
-
-using Row = std::array<double, 7>;  ///< six unknowns and the right side
-
-/// Gauss's elimination with the largest pivot; nothing for a singular system.
-std::optional<std::array<double, 6>> solve_six(std::array<Row, 6> a) {
-  for (std::size_t k = 0; k < 6; ++k) {
-    std::size_t best = k;
-    for (std::size_t r = k + 1; r < 6; ++r) {
-      if (std::abs(a[r][k]) > std::abs(a[best][k])) best = r;
-    }
-    if (!(std::abs(a[best][k]) > 1e-12)) return std::nullopt;
-    std::swap(a[k], a[best]);
-    for (std::size_t r = k + 1; r < 6; ++r) {
-      const double factor = a[r][k] / a[k][k];
-      for (std::size_t c = k; c < 7; ++c) a[r][c] -= factor * a[k][c];
-    }
-  }
-  std::array<double, 6> x{};
-  for (std::size_t k = 6; k-- > 0;) {
-    double sum = a[k][6];
-    for (std::size_t c = k + 1; c < 6; ++c) sum -= a[k][c] * x[c];
-    x[k] = sum / a[k][k];
-  }
-  return x;
-}
-
-double extent_of(const Fit& fit) {
-  double sum = 0;
-  for (const glm::dvec3& x : fit.shape) sum += x.x * x.x + x.y * x.y;
-  return std::sqrt(sum / static_cast<double>(fit.shape.size()));
-}
-
-/// One step of Gauss-Newton for the turn about three axes, the scale's logarithm and the shift. Turns out of the plane
-/// are damped, so that stable points which lie nearly in a plane cannot throw them about.
-bool refine(const Fit& fit, double extent, HeadTurn& turn) {
-  std::array<Row, 6> normal{};
-  for (std::size_t i = 0; i < fit.shape.size(); ++i) {
-    const Seen at = see(fit, turn, fit.shape[i]);
-    const glm::dvec3 y = turn.rotation * fit.shape[i] * at.growth;  // the growth's own slope is left to the next step
-    const std::array<std::array<double, 6>, 2> slope{
-        {{0, y.z, -y.y, y.x, 1, 0}, {-y.z, 0, y.x, y.y, 0, 1}}};  // wx wy wz log(scale) shift
-    const PxPoint left = fit.seen[i] - fit.pivot - turn.shift - PxPoint{y.x, y.y};
-    const std::array<double, 2> rest{left.x, left.y};
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      for (std::size_t r = 0; r < 6; ++r) {
-        for (std::size_t c = 0; c < 6; ++c) normal[r][c] += slope[axis][r] * slope[axis][c];
-        normal[r][6] += slope[axis][r] * rest[axis];
-      }
-    }
-  }
-  const double damping = 1e-3 * extent * extent * turn.scale * turn.scale;
-  normal[0][0] += damping;
-  normal[1][1] += damping;
-  const auto step = solve_six(normal);
-  if (!step) return false;
-  const auto& s = *step;
-  const glm::dvec3 axis{s[0], s[1], s[2]};
-  double angle = geometry::length(axis);
-  if (!std::isfinite(angle + s[3] + s[4] + s[5]) || std::abs(s[3]) > 2) return false;
-  const double limit = 0.5;
-  const glm::dvec3 direction = angle > 0 ? axis / angle : glm::dvec3(0, 0, 1);
-  angle = std::min(angle, limit);
-  turn.rotation = geometry::rotation_about(direction, angle) * turn.rotation;
-  turn.scale *= base::exp(s[3]);
-  turn.shift = turn.shift + PxPoint{s[4], s[5]};
-  return angle > 1e-7 || std::abs(s[4]) + std::abs(s[5]) > 1e-6;
-}
-
-double residual(const Fit& fit, const HeadTurn& turn) {
-  double sum = 0;
-  for (std::size_t i = 0; i < fit.shape.size(); ++i) {
-    const PxPoint left = fit.seen[i] - fit.pivot - turn.shift - see(fit, turn, fit.shape[i]).place;
-    sum += left.x * left.x + left.y * left.y;
-  }
-  return std::sqrt(sum / static_cast<double>(fit.shape.size()));
-}
-
-/// How the head is turned, by all points that tell of it. Gauss-Newton from the similarity; a head that would face away
-/// is none that a tracker sees, then the similarity stands.
-glm::dmat3 find_rotation(const Fit& turning) {
-  HeadTurn turn = similarity(turning, glm::dmat3(1));
-  const glm::dmat3 flat = turn.rotation;
-  const double extent = extent_of(turning);
-  constexpr int k_steps = 25;
-  for (int i = 0; i < k_steps && refine(turning, extent, turn); ++i) {
-  }
-  return turn.rotation[2][2] > 0.3 ? turn.rotation : flat;
-}
 
 /// The offset from the neutral place that, on a head standing like that, is seen as `apart`.
 PxPoint turned_back(const HeadTurn& turn, double growth, PxPoint apart) {
@@ -200,21 +45,38 @@ class HeadShape {
     broad_ = shape_of(turning_, nearness);
   }
 
-  HeadTurn turn_of(const TrackFrame& frame) {
+  /// The turn that best explains the stable points, and them alone: a face that differs from the neutral one in depth
+  /// is explained by some turn too, and what is then left is the expression.
+  HeadTurn fit(const TrackFrame& frame) {
     look(frame, stable_, fit_);
-    HeadTurn turn;
     if (stable_.size() < 2) {
+      HeadTurn turn;
       if (!stable_.empty()) turn.shift = fit_.seen[0] - fit_.pivot;
       return turn;
     }
-    glm::dmat3 rotation(1);
-    if (solid_) {
-      look(frame, turning_, broad_);
-      rotation = find_rotation(broad_);
-    }
-    turn = similarity(fit_, rotation);
+    return at(solid_ ? rotation_of(frame, stable_.size() >= 4 ? Points::stable : Points::all) : glm::dmat3(1));
+  }
+
+  /// How the head stands: turned as the tracker says, or as far as all points tell (those that lie far behind the
+  /// others know a nod from a smile that draws the nose down), at the place and of the size of the stable points.
+  /// `fitted` is the fit of the same frame, which was the last.
+  HeadTurn stand(const TrackFrame& frame, const HeadTurn& fitted, const std::optional<glm::dmat3>& told) {
+    if (!told && (!solid_ || turning_.size() == stable_.size())) return fitted;
+    HeadTurn turn = told ? similarity(fit_, *told, Roll::kept) : similarity(fit_, rotation_of(frame, Points::all));
+    turn.residual_px = fitted.residual_px;
+    return turn;
+  }
+
+  /// The turn of the stable points for a rotation that is given, of the frame that was fitted last.
+  [[nodiscard]] HeadTurn at(const glm::dmat3& rotation) const {
+    HeadTurn turn = similarity(fit_, rotation);
     turn.residual_px = residual(fit_, turn);
     return turn;
+  }
+  /// The turn since the neutral frame by the tracker's own account.
+  [[nodiscard]] std::optional<glm::dmat3> told(const TrackFrame& frame) const {
+    if (!solid_ || !frame.rotation || !neutral_.rotation) return std::nullopt;
+    return *frame.rotation * glm::transpose(*neutral_.rotation);
   }
 
   /// What the frame shows beyond the neutral face on that head.
@@ -231,6 +93,13 @@ class HeadShape {
   }
 
  private:
+  enum class Points : std::uint8_t { stable, all };
+
+  glm::dmat3 rotation_of(const TrackFrame& frame, Points points) {
+    Fit& fit = points == Points::stable ? fit_ : broad_;
+    look(frame, points == Points::stable ? stable_ : turning_, fit);
+    return find_rotation(fit);
+  }
   /// A point of the neutral face about the pivot, in space.
   [[nodiscard]] glm::dvec3 place(std::size_t i, double nearness) const {
     const double z = solid_ ? depth_ - neutral_.depths[i] : 0.0;
@@ -285,7 +154,7 @@ double find_nearness(HeadShape& shape, std::span<const TrackFrame* const> frames
     shape.set_nearness(nearness);
     double sum = 0;
     for (std::size_t f = 0; f < frames.size(); f += stride) {
-      const double left = shape.turn_of(*frames[f]).residual_px;
+      const double left = shape.fit(*frames[f]).residual_px;
       sum += left * left;
     }
     if (k == 0 || sum < 0.95 * least) {
@@ -296,6 +165,23 @@ double find_nearness(HeadShape& shape, std::span<const TrackFrame* const> frames
   return best;
 }
 
+/// Whether the tracker's own turns are worth more than those of the fit: they are there, they are not all the same, and
+/// they are turns of this head, measured in radians and about these axes.
+bool tells_turns(HeadShape& shape, std::span<const TrackFrame* const> frames) {
+  constexpr double k_most_apart = 0.35;  // radians, in most frames
+  std::vector<double> apart;
+  bool moves = false;
+  for (const TrackFrame* frame : frames) {
+    const auto told = shape.told(*frame);
+    if (!told) continue;
+    moves = moves || *told != glm::dmat3(1);
+    apart.push_back(angle_of(*told * glm::transpose(shape.fit(*frame).rotation)));
+  }
+  if (!moves || 2 * apart.size() < frames.size()) return false;
+  std::stable_sort(apart.begin(), apart.end());
+  return apart[apart.size() / 2] < k_most_apart;
+}
+
 /// px; stable points nearer to each other than this tell of no turn.
 constexpr double k_least_extent = 1e-9;
 
@@ -304,12 +190,15 @@ constexpr double k_least_extent = 1e-9;
 base::Result<StillTrack> take_head_motion_out(const PointTrack& track, const StablePoints& points,
                                               std::optional<std::size_t> neutral, double least_confidence) {
   const auto seen = [&](const TrackFrame& frame) { return frame.found() && frame.confidence >= least_confidence; };
-  for (const auto* list : {&points.stable, &points.turning}) {
+  for (const auto* list : {&points.stable, &points.turning, &points.openings}) {
     for (const std::size_t i : *list) {
       if (i < track.point_count) continue;
       return base::Error{"point " + std::to_string(i) + " does not exist; the track has " +
                              std::to_string(track.point_count) + " points",
-                         list == &points.stable ? "/stable" : "/turning", "use a map for this format"};
+                         list == &points.stable    ? "/stable"
+                         : list == &points.turning ? "/turning"
+                                                   : "/curves",
+                         "use a map for this format"};
     }
   }
   StillTrack still;
@@ -347,18 +236,27 @@ base::Result<StillTrack> take_head_motion_out(const PointTrack& track, const Sta
   }
   if (shape.solid()) shape.set_nearness(find_nearness(shape, usable));
 
+  const bool told = tells_turns(shape, usable);
   HeadTurn last;
+  HeadTurn stand;
   for (const TrackFrame& frame : track.frames) {
     bool here = seen(frame);
     if (here) {
-      const HeadTurn turn = shape.turn_of(frame);
+      const HeadTurn turn = shape.fit(frame);
       here = is_head(turn, shape.extent());
-      if (here) last = turn;
+      if (here) {
+        last = turn;
+        stand = shape.stand(frame, turn, told ? shape.told(frame) : std::nullopt);
+      }
     }
-    still.turns.push_back(last);
+    still.turns.push_back(stand);
     still.doubt.push_back(doubt_of(last, shape.extent()));
     still.confidence.push_back(here ? std::min(frame.confidence, 1.0) : 0.0);
     still.offsets.push_back(here ? shape.offsets(frame, last) : std::vector<PxPoint>());
+    if (!here || !shape.solid()) continue;
+    // On a head that is turned half as far: see StablePoints.
+    const auto narrow = shape.offsets(frame, shape.at(part_of(stand.rotation, 0.5)));
+    for (const std::size_t i : points.openings) still.offsets.back()[i] = narrow[i];
   }
   return still;
 }

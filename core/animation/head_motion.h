@@ -23,7 +23,7 @@ struct HeadTurn {
 struct StillTrack {
   std::size_t neutral = 0;         ///< the frame that all others are compared with
   PxPoint pivot;                   ///< of the head turns: the middle of the stable points in the neutral frame
-  std::vector<HeadTurn> turns;     ///< one a frame; frames without a face repeat the one before
+  std::vector<HeadTurn> turns;     ///< how the head stands, one a frame; frames without a face repeat the one before
   std::vector<double> doubt;       ///< one a frame, 0..1: how little the fit of the head is to be trusted
   std::vector<double> confidence;  ///< one a frame; 0: nothing was seen
   /// How far each point moved from its place in the neutral frame, px of the neutral frame; empty without a face.
@@ -32,16 +32,23 @@ struct StillTrack {
 
 /// Points of a track that tell how the head stands.
 struct StablePoints {
-  std::vector<std::size_t> stable;   ///< that no expression moves: the bridge of the nose, the corners of the eyes
-  std::vector<std::size_t> turning;  ///< that expressions move a little, but that lie far in front or behind
+  std::vector<std::size_t> stable;  ///< that no expression moves: the bridge of the nose, the corners of the eyes
+  /// That expressions move a little or trackers slide along the face, but that lie far in front or behind: they help to
+  /// tell how the head stands.
+  std::vector<std::size_t> turning;
+  /// Of the lids: their offsets are measured on a head that is turned half as far as it stands. Lids that a nod shows
+  /// narrower and lids that close look alike, and the fit takes one for the other; half errs least either way.
+  std::vector<std::size_t> openings = {};
 };
 
 /// Takes the head's motion out of a track: in each frame the similarity that best carries the stable points of the
 /// neutral frame to where they are now (least squares). Where the track knows depths, the turn out of the picture's
-/// plane is found before it, by Gauss-Newton from the stable and the turning points, and how strong the perspective is
-/// from the whole clip. A point's offset is what is left, turned back into the neutral frame. Without stable points the
-/// head counts as still. Frames of less than `least_confidence` count as not seen, and so do those in which the stable
-/// points are so far from where any turn would bring them that they can be no face.
+/// plane is found before it, by Gauss-Newton from the stable points, and how strong the perspective is from the whole
+/// clip. A point's offset is what is left, turned back into the neutral frame. How the head stands is told apart from
+/// that: by the tracker's own account of it where there is one that agrees with the points, otherwise by the stable and
+/// the turning points. Without stable points the head counts as still. Frames of less than `least_confidence` count as
+/// not seen, and so do those in which the stable points are so far from where any turn would bring them that they can
+/// be no face.
 ///
 /// Errors: no frame with a face, a point that does not exist, stable points at one place, a neutral frame that does not
 /// exist or shows no face.

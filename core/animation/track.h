@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/mat3x3.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,9 @@ struct TrackFrame {
   double confidence = 0;        ///< 0..1; 0: no face was found, and `points` may be empty
   std::vector<PxPoint> points;  ///< px of the video, y down; one a point of the format
   std::vector<double> depths;   ///< px towards the camera, one a point; empty where nothing is known of it
+  /// How the head is turned, from a face that looks into the camera (x right, y down, z away), where the tracker says.
+  std::optional<glm::dmat3> rotation = std::nullopt;
+  std::string why_held = {};  ///< why the frame shows no face; empty where it does or the file leaves it out
 
   [[nodiscard]] bool found() const { return confidence > 0 && !points.empty(); }
 };
@@ -33,6 +38,7 @@ struct PointTrack {
   std::vector<TrackFrame> frames;  ///< in order of time
   std::vector<TrackGroup> groups;  ///< for formats that name their curves; empty otherwise
   std::vector<std::string> notes;  ///< what was left out or held, one line each
+  std::string rate_note;           ///< where the file does not tell the frame rate: which one was taken
 };
 
 struct WeightFrame {
@@ -46,6 +52,7 @@ struct WeightTrack {
   std::vector<std::string> names;
   std::vector<WeightFrame> frames;
   std::vector<std::string> notes;
+  std::string rate_note;
 };
 
 /// Frames a second of evenly spaced times; 0 for fewer than two frames or times that do not grow.

@@ -21,6 +21,10 @@ bool same_name(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) { return lower(x) == lower(y); });
 }
 
+std::string repeats(std::string_view name) {
+  return "line 1: the column " + std::string(name.substr(0, 40)) + " comes again; the first one counts";
+}
+
 base::Result<CsvReader> CsvReader::open(std::string_view text) {
   if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
   CsvReader reader(text);

@@ -44,6 +44,9 @@ class CsvReader {
   std::vector<std::string_view> columns_;
 };
 
+/// The note on a column whose name was there before.
+[[nodiscard]] std::string repeats(std::string_view name);
+
 /// Whether two names are the same but for the case of Latin letters.
 [[nodiscard]] bool same_name(std::string_view a, std::string_view b);
 

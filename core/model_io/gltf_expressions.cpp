@@ -23,6 +23,7 @@ class Expressions {
     if (extensions == nullptr) return;
     if (const Json* vrm = find(*extensions, "VRMC_vrm")) read_vrm1(*vrm);
     if (const Json* vrm = find(*extensions, "VRM")) read_vrm0(*vrm);
+    if (more_ > 0) document_.notes.push_back("and " + std::to_string(more_) + " binds more are left out");
     if (colours_) document_.notes.emplace_back("expressions change materials too; that is left out");
   }
 
@@ -37,14 +38,12 @@ class Expressions {
       for (const auto& [name, expression] : members->items()) {
         Moves moves;
         const Json* binds = find(expression, "morphTargetBinds");
-        for (std::size_t i = 0; binds != nullptr && binds->is_array() && i < binds->size(); ++i) {
-          add_bind((*binds)[i], "node", 1.0, moves);
-        }
+        add_binds(binds, name, "node", 1.0, moves);
         for (const char* other : {"materialColorBinds", "textureTransformBinds"}) {
           const Json* list = find(expression, other);
           colours_ = colours_ || (list != nullptr && list->is_array() && !list->empty());
         }
-        add_shape(name, moves);
+        add_shape(name, binds, moves);
       }
     }
   }
@@ -55,50 +54,86 @@ class Expressions {
     if (groups == nullptr || !groups->is_array()) return;
     for (const Json& group : *groups) {
       Moves moves;
+      const std::string name = name_of(group);
       const Json* binds = find(group, "binds");
       // Weights of VRM 0 are percent.
-      for (std::size_t i = 0; binds != nullptr && binds->is_array() && i < binds->size(); ++i) {
-        add_bind((*binds)[i], "mesh", 0.01, moves);
-      }
+      add_binds(binds, name.empty() ? "without a name" : name, "mesh", 0.01, moves);
       const Json* materials = find(group, "materialValues");
       colours_ = colours_ || (materials != nullptr && materials->is_array() && !materials->empty());
-      for (const char* key : {"name", "presetName"}) {
-        const Json* name = find(group, key);
-        if (name == nullptr || !name->is_string() || name->get_ref<const std::string&>().empty()) continue;
-        add_shape(name->get<std::string>(), moves);
-        break;
+      if (!name.empty()) add_shape(name, binds, moves);
+    }
+  }
+
+  static std::string name_of(const Json& group) {
+    for (const char* key : {"name", "presetName"}) {
+      const Json* name = find(group, key);
+      if (name != nullptr && name->is_string() && !name->get_ref<const std::string&>().empty())
+        return name->get<std::string>();
+    }
+    return {};
+  }
+
+  /// Adds the binds' moves and notes those that name nothing: without a word a face would lack half of its smile.
+  void add_binds(const Json* binds, const std::string& name, const char* key, double scale, Moves& moves) {
+    constexpr std::size_t k_most_notes = 20;
+    for (std::size_t i = 0; binds != nullptr && binds->is_array() && i < binds->size(); ++i) {
+      const std::string problem = add_bind((*binds)[i], key, scale, moves);
+      if (problem.empty()) continue;
+      if (bad_++ < k_most_notes) {
+        document_.notes.push_back("expression " + base::valid_utf8(name) + ": bind " + std::to_string(i) +
+                                  " is left out: " + problem);
+      } else {
+        ++more_;
       }
     }
   }
 
-  /// One morph target of all parts of a node or a mesh.
-  void add_bind(const Json& bind, const char* key, double scale, Moves& moves) {
+  /// One morph target of all parts of a node or a mesh. Says what is wrong with it, or nothing.
+  std::string add_bind(const Json& bind, const char* key, double scale, Moves& moves) {
     const Json* owner = find(bind, key);
     const Json* index = find(bind, "index");
     const Json* given = find(bind, "weight");
     const std::int64_t owner_number = owner == nullptr ? -1 : whole_number(*owner, 0, 0x7fffffff).value_or(-1);
     const std::int64_t target = index == nullptr ? -1 : whole_number(*index, 0, 0x7fffffff).value_or(-1);
     const double weight = given == nullptr ? 1.0 : number(*given).value_or(0) * scale;
-    if (owner_number < 0 || target < 0 || !(std::abs(weight) <= 100)) return;
+    const std::string owned_by = std::string(key).append(" ").append(std::to_string(owner_number));
+    if (owner_number < 0) return std::string("it names no ") + key;
+    if (target < 0) return "it names no target of " + owned_by;
+    if (!(std::abs(weight) <= 100)) return "its weight is no number that can be used";
+    bool there = false;
+    bool found = false;
     for (std::size_t i = 0; i < meshes_.origins.size(); ++i) {
       const PartOrigin& origin = meshes_.origins[i];
       const auto own = static_cast<std::int64_t>(key[0] == 'n' ? origin.node : origin.mesh);
       const auto& targets = shapes_.of_target[i];
+      there = there || own == owner_number;
       if (own != owner_number || static_cast<std::size_t>(target) >= targets.size()) continue;
+      found = true;
       const rig::BlendShape& shape = shapes_.shapes[targets[static_cast<std::size_t>(target)]];
       const mesh::Part& part = meshes_.source.parts[i];
       const auto begin = std::lower_bound(shape.vertices.begin(), shape.vertices.end(), part.first_vertex);
       for (auto v = begin; v != shape.vertices.end() && *v < part.first_vertex + part.vertex_count; ++v) {
-        if (document_.budget == 0) return;
+        if (document_.budget == 0) return "the file unfolds to more than can be kept";
         --document_.budget;
         moves[*v] += shape.deltas[static_cast<std::size_t>(v - shape.vertices.begin())] * static_cast<float>(weight);
       }
     }
+    if (found) return {};
+    return owned_by + (there ? " has no morph target " + std::to_string(target) : " is not there or shows nothing");
   }
 
-  void add_shape(const std::string& name, const Moves& moves) {
-    if (moves.empty() || added_ == k_most_expressions) return;
+  void add_shape(const std::string& name, const Json* binds, const Moves& moves) {
     const std::string valid = base::valid_utf8(name);
+    // Those without binds are common: they change colours, or nothing at all.
+    const bool binds_any = binds != nullptr && binds->is_array() && !binds->empty();
+    if (added_ == k_most_expressions || (moves.empty() && binds_any)) {
+      ++unused_;
+      if (unused_ <= 20) {
+        document_.notes.push_back("expression " + valid +
+                                  " is left out: " + (moves.empty() ? "it moves no vertex" : "there are over 200"));
+      }
+    }
+    if (moves.empty() || added_ == k_most_expressions) return;
     const bool taken = std::any_of(shapes_.shapes.begin(), shapes_.shapes.end(),
                                    [&](const rig::BlendShape& shape) { return shape.parameter.name == valid; });
     if (taken) {
@@ -119,6 +154,9 @@ class Expressions {
   const GltfMeshes& meshes_;
   GltfShapes& shapes_;
   std::size_t added_ = 0;
+  std::size_t unused_ = 0;
+  std::size_t bad_ = 0;
+  std::size_t more_ = 0;
   bool colours_ = false;
 };
 

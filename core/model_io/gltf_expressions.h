@@ -9,7 +9,8 @@ namespace penpose::model_io {
 /// Adds the expressions of a VRM avatar as blend shapes of their names: VRM 1.0 (extension VRMC_vrm, expressions,
 /// preset and custom) and VRM 0.x (extension VRM, blendShapeMaster). An expression is a sum of morph targets times
 /// their weights. What else an expression does (colours, textures) is left out, with a note; so are expressions whose
-/// name a morph target has already. Parts of an expression that name nothing are passed over.
+/// name a morph target has already. Binds of an expression that name a node, mesh or target
+/// that is not there are left out, with a note each.
 void add_expressions(GltfDocument& document, const GltfMeshes& meshes, GltfShapes& shapes);
 
 }  // namespace penpose::model_io

@@ -2,36 +2,58 @@
 
 #include <algorithm>
 
-#include "core/model_io/json.h"
+#include "core/model_io/loose_json.h"
 #include "core/model_io/read_track.h"
 
 namespace penpose::model_io {
 namespace {
 
-base::Error wrong(const char* what, std::string pointer) {
-  return {what, std::move(pointer), R"(write {"frames": [{"image": FILE, "curves": {NAME: [[x, y], ...]}}]})"};
+constexpr const char* k_mark_all = "mark every curve in every picture with two points or more";
+
+base::Error wrong(std::string what, std::string pointer) {
+  return {std::move(what), std::move(pointer),
+          R"(write {"frames": [{"image": FILE, "curves": {NAME: [[x, y], ...]}}]})"};
 }
 
-void add_points(const animation::TrackGroup& group, std::vector<std::size_t>& out) {
-  for (std::size_t i = 0; i < group.count; ++i) out.push_back(group.first + i);
+void add_points(const animation::TrackGroup& group, animation::LabelledFeature& out) {
+  for (std::size_t i = 0; i < group.count; ++i) out.points.push_back(group.first + i);
+  if (!out.name.empty()) out.name += "+";
+  out.name += group.name;
+}
+
+std::string names_of(const std::vector<animation::TrackGroup>& groups) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min<std::size_t>(groups.size(), 20); ++i) {
+    if (i > 0) text += ", ";
+    text += groups[i].name;
+  }
+  return text;
 }
 
 }  // namespace
 
 base::Result<LabelFile> read_label_file(base::Bytes bytes) {
-  auto track = read_curve_track(bytes);
-  if (!track) return track.error();
-  const auto json = parse_json(bytes);
+  auto track = read_curve_track(bytes, FrameOrder::none);
+  if (!track) {
+    base::Error error = track.error();
+    if (error.place.empty()) return wrong("no picture is labelled", "/frames");
+    if (error.place.starts_with("frame ")) error.remedy = k_mark_all;
+    return error;
+  }
+  const auto json = parse_loose_json(bytes);
   if (!json) return json.error();
   LabelFile file;
   file.track = std::move(track).value();
   const Json& frames = (*json)["frames"];
   for (std::size_t f = 0; f < frames.size(); ++f) {
     const Json* image = find(frames[f], "image");
-    if (image == nullptr || !image->is_string() || !file.track.frames[f].found()) {
-      return wrong("a picture and its curves were expected", child("/frames", f));
-    }
+    const std::string here = child("/frames", f);
+    if (image == nullptr || !image->is_string())
+      return wrong("the name of a picture was expected", child(here, "image"));
     file.images.push_back(image->get<std::string>());
+    if (const auto& frame = file.track.frames[f]; !frame.found()) {
+      return base::Error{frame.why_held + ", in the picture " + file.images.back(), child(here, "curves"), k_mark_all};
+    }
   }
   const Json* features = find(*json, "features");
   if (features == nullptr) {
@@ -41,13 +63,20 @@ base::Result<LabelFile> read_label_file(base::Bytes bytes) {
   if (!features->is_array()) return wrong("a list was expected", "/features");
   for (std::size_t i = 0; i < features->size(); ++i) {
     const std::string here = child("/features", i);
-    if (!(*features)[i].is_array()) return wrong("a list of names of curves was expected", here);
-    auto& points = file.features.emplace_back();
+    if (!(*features)[i].is_array() || (*features)[i].empty()) {
+      return base::Error{"a list of names of curves was expected", here, R"(write "features": [[NAME, NAME], [NAME]])"};
+    }
+    auto& feature = file.features.emplace_back();
     for (std::size_t k = 0; k < (*features)[i].size(); ++k) {
+      const Json& name = (*features)[i][k];
       const auto group = std::find_if(file.track.groups.begin(), file.track.groups.end(),
-                                      [&](const auto& one) { return (*features)[i][k] == one.name; });
-      if (group == file.track.groups.end()) return wrong("the name of a curve was expected", child(here, k));
-      add_points(*group, points);
+                                      [&](const auto& one) { return name == one.name; });
+      if (group == file.track.groups.end()) {
+        const std::string given = name.is_string() ? "no curve of all pictures is named " + name.get<std::string>()
+                                                   : "the name of a curve was expected";
+        return base::Error{given, child(here, k), "name one of " + names_of(file.track.groups)};
+      }
+      add_points(*group, feature);
     }
   }
   return file;

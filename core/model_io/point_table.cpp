@@ -43,12 +43,16 @@ bool usable_coordinate(double value) { return std::abs(value) < 1e7; }
 
 base::Result<PointColumns> find_point_columns(const CsvReader& table, std::size_t count, const ColumnNames& names) {
   ColumnIndex index;
+  PointColumns columns;
   for (std::size_t i = 0; i < table.columns().size(); ++i) {
-    index.exact.emplace(table.columns()[i], i);
-    index.folded.emplace(folded(table.columns()[i]), i);
+    const std::string_view name = table.columns()[i];
+    constexpr std::size_t k_most_notes = 5;
+    if (!index.exact.emplace(name, i).second && !name.empty() && columns.notes.size() < k_most_notes) {
+      columns.notes.push_back(repeats(name));
+    }
+    index.folded.emplace(folded(name), i);
   }
   const Capitals capitals = index.exact.contains("success") ? Capitals::count : Capitals::as_you_like;
-  PointColumns columns;
   for (std::size_t i = 0; i < count; ++i) {
     std::array<std::size_t, 3> place{PointColumns::k_none, PointColumns::k_none, PointColumns::k_none};
     for (int axis = 0; axis < 3; ++axis) {
@@ -98,10 +102,11 @@ base::Result<FaceRow> read_point_row(const CsvReader& table, const PointColumns&
     if (!value || !(std::abs(*value) < 1e15)) return std::nullopt;
     return static_cast<std::int64_t>(*value);
   };
+  constexpr double k_latest = 1e19;  // nanoseconds since 1970 have 19 digits
   row.frame = whole_at(columns.frame);
   result.face = whole_at(columns.face).value_or(0);
   if (columns.time) row.time_s = number_at(*columns.time);
-  if (row.time_s && !(std::abs(*row.time_s) < 1e12)) row.time_s.reset();
+  if (row.time_s && !(std::abs(*row.time_s) < k_latest)) row.time_s.reset();
   if (columns.confidence) row.confidence = number_at(*columns.confidence).value_or(0);
   const double success = columns.success ? number_at(*columns.success).value_or(0) : 1;
   if (cells.size() < table.columns().size()) {

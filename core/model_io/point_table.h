@@ -15,6 +15,7 @@ struct PointColumns {
   static constexpr std::size_t k_none = static_cast<std::size_t>(-1);
   std::vector<std::array<std::size_t, 3>> points;  ///< columns of x, y and z (k_none: no z), one a point
   std::optional<std::size_t> frame, time, confidence, success, face;
+  std::vector<std::string> notes;  ///< on columns of a name that another has
 };
 
 /// Names of a coordinate's column that may stand for point i, axis 0..2.

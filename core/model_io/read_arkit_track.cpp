@@ -1,64 +1,84 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numeric>
+#include <set>
 
 #include "core/base/numbers.h"
 #include "core/model_io/csv_reader.h"
+#include "core/model_io/growing.h"
 #include "core/model_io/read_track.h"
+#include "core/model_io/timecode.h"
+#include "core/model_io/track_rows.h"
+#include "core/rig/control_names.h"
 
 namespace penpose::model_io {
 namespace {
 
-/// H:M:S:F with a fraction, the last part counting frames.
-struct Timecode {
-  double whole_s = 0;
-  double frames = 0;
-};
+constexpr double k_live_link_fps = 60;
 
-std::optional<Timecode> parse_timecode(std::string_view text) {
-  std::array<double, 4> parts{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t end = i < 3 ? text.find(':') : text.size();
-    if (end == std::string_view::npos) return std::nullopt;
-    const auto n = base::parse_double(base::trim(text.substr(0, end)));
-    if (!n || !(*n >= 0) || !(*n < 1000)) return std::nullopt;
-    parts[i] = *n;
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return Timecode{(parts[0] * 60 + parts[1]) * 60 + parts[2], parts[3]};
+std::string taken(double fps) {
+  return base::format_fixed(fps, 2) + " frames a second are taken; --fps sets another rate";
 }
 
-/// What a second is counted in, told by the highest count where a whole second is there; else the devices' usual rates.
-double frame_rate(const std::vector<std::optional<Timecode>>& codes, double most) {
-  std::size_t seconds_begun = 0;
-  for (std::size_t i = 1; i < codes.size(); ++i) seconds_begun += codes[i]->whole_s != codes[i - 1]->whole_s ? 1 : 0;
-  for (const double fps : {24.0, 25.0, 30.0, 48.0, 50.0}) {
-    if (seconds_begun >= 2 && most < fps) return fps;
-  }
-  return most >= 30 ? 60 : 30;
-}
-
-/// Seconds from the first row; a clock that passes midnight goes on. Empty unless every row has a timecode.
-std::vector<double> times_of(const std::vector<std::optional<Timecode>>& codes) {
-  double most = 0;
-  for (const auto& code : codes) {
-    if (!code) return {};
-    most = std::max(most, code->frames);
-  }
-  const double fps = frame_rate(codes, most);
-  std::vector<double> times;
+/// Seconds on a clock that passes midnight and goes on; nothing where a row has no timecode.
+std::vector<std::optional<double>> seconds_of(const std::vector<std::optional<Timecode>>& codes, double count) {
+  constexpr double k_day_s = 86400;
+  std::vector<std::optional<double>> times;
   double day = 0;
+  double before = 0;
   for (const auto& code : codes) {
-    double time = code->whole_s + code->frames / fps + day;
-    if (!times.empty() && time < times.back() - 43200.0) {
-      day += 86400.0;
-      time += 86400.0;
+    if (!code) {
+      times.emplace_back();
+      continue;
     }
-    // Timecodes of dropped frames may step back a little; time does not.
-    times.push_back(times.empty() ? time : std::max(time, times.back()));
+    const double time = code->whole_s + code->frames / count;
+    if (time + day < before - k_day_s / 2) day += k_day_s;
+    before = time + day;
+    times.emplace_back(before);
   }
-  const double first = times.front();
-  for (double& time : times) time -= first;
+  return times;
+}
+
+/// Seconds from the first row. Says in `why`, one a row, what holds a frame, and in the notes what else there is to
+/// say.
+std::vector<double> times_of(const std::vector<std::optional<Timecode>>& codes, const std::vector<std::size_t>& lines,
+                             std::vector<std::string>& why, FrameNotes& notes, std::string& rate_note) {
+  std::vector<Timecode> known;
+  for (const auto& code : codes) {
+    if (code) known.push_back(*code);
+  }
+  const CountedRate rate = counted_rate(known);
+  const auto seconds = seconds_of(codes, rate.count);
+  const Growing growing = find_growing(seconds);
+  std::vector<double> rows(codes.size());
+  std::iota(rows.begin(), rows.end(), 0.0);
+  std::size_t first = 0;
+  while (first < rows.size() && !growing.in_order[first]) ++first;
+  std::size_t last = rows.size();
+  while (last > first && !growing.in_order[last - 1]) --last;
+  if (!growing.trusted() || last - first < 2) {
+    // Timecodes that stand still for some rows, such as those of 30 a second for 60 faces, still tell how long it took.
+    const bool grow = last - first >= 2;
+    const double fps =
+        grow ? static_cast<double>(last - 1 - first) / (*seconds[last - 1] - *seconds[first]) : k_live_link_fps;
+    for (double& time : rows) time /= fps;
+    if (rows.size() > 1)
+      rate_note =
+          std::string(known.empty() ? "no timecode can be read" : "the timecodes do not grow") + ": " + taken(fps);
+    return rows;
+  }
+  if (!rate.told) rate_note = "the timecodes do not tell how many frames make a second: " + taken(rate.count);
+  for (std::size_t f = 0; f < codes.size(); ++f) {
+    if (!codes[f]) {
+      notes.add("line " + std::to_string(lines[f]) +
+                ": its timecode cannot be read; the frame is placed between its neighbours");
+    } else if (!growing.in_order[f] && why[f].empty()) {
+      why[f] = "its timecode does not come after the ones before";
+    }
+  }
+  auto times = placed_between(seconds, growing, rows);
+  const double begin = times.front();
+  for (double& time : times) time -= begin;
   return times;
 }
 
@@ -71,16 +91,24 @@ base::Result<animation::WeightTrack> read_arkit_track(base::Bytes bytes) {
   const auto count = table->find("BlendShapeCount");
   if (!timecode) return table->error("the column Timecode is missing", "export the take as Live Link Face CSV");
   std::vector<std::size_t> columns;
+  std::vector<std::string> repeated;
+  std::set<std::string, std::less<>> names;
   animation::WeightTrack track;
   for (std::size_t i = 0; i < table->columns().size(); ++i) {
     if (i == *timecode || (count && i == *count) || table->columns()[i].empty()) continue;
+    const std::string folded = rig::folded_name(table->columns()[i]);
+    if (!names.insert(folded.empty() ? std::string(table->columns()[i]) : folded).second) {
+      if (repeated.size() < 5) repeated.push_back(repeats(table->columns()[i]));
+      continue;
+    }
     columns.push_back(i);
     track.names.emplace_back(table->columns()[i]);
   }
   if (columns.empty()) return table->error("there is no column of a blend shape", "export the take again");
   std::vector<std::optional<Timecode>> codes;
+  std::vector<std::size_t> lines;
+  std::vector<std::string> why;  // one a row, as the others; empty: nothing holds it
   std::vector<std::string_view> cells;
-  bool any = false;
   while (table->next(cells)) {
     if (cells.size() > table->columns().size()) {
       return table->error("the row has " + std::to_string(cells.size()) + " cells for " +
@@ -89,12 +117,14 @@ base::Result<animation::WeightTrack> read_arkit_track(base::Bytes bytes) {
     }
     if (track.frames.size() >= k_most_track_frames) return table->error("the take has too many frames", "cut it");
     codes.push_back(*timecode < cells.size() ? parse_timecode(cells[*timecode]) : std::nullopt);
+    lines.push_back(table->line());
+    std::string& held = why.emplace_back();
     animation::WeightFrame& frame = track.frames.emplace_back();
     const bool counted = !count || (*count < cells.size() && table->number(cells[*count]).value_or(0) > 0);
-    std::string why = counted ? "" : "the tracker found no face";
-    if (counted && cells.size() < table->columns().size()) why = "the row is short";
+    if (!counted) held = "the tracker found no face";
+    if (counted && cells.size() < table->columns().size()) held = "the row is short";
     for (const std::size_t c : columns) {
-      if (!why.empty()) break;
+      if (!held.empty()) break;
       const auto value = table->number(cells[c]);
       if (!value && !cells[c].empty()) {
         std::string what = "\"";
@@ -104,23 +134,26 @@ base::Result<animation::WeightTrack> read_arkit_track(base::Bytes bytes) {
         what += " is not a number";
         return table->error(std::move(what), "write numbers with a decimal point");
       }
-      if (!value || !(std::abs(*value) < 1e6)) why = "a value is missing or no number";
+      if (!value || !(std::abs(*value) < 1e6)) held = "a value is missing or no number";
       frame.values.push_back(value.value_or(0));
     }
-    frame.found = why.empty();
-    any = any || frame.found;
+  }
+  if (std::find(why.begin(), why.end(), "") == why.end()) {
+    return base::Error{"no frame shows a face: " + (why.empty() ? "the file has no frame" : why.front()),
+                       "line " + std::to_string(lines.empty() ? 1 : lines.front()), "record the take again"};
+  }
+  FrameNotes notes;
+  const auto times = times_of(codes, lines, why, notes, track.rate_note);
+  for (std::size_t f = 0; f < track.frames.size(); ++f) {
+    animation::WeightFrame& frame = track.frames[f];
+    frame.time_s = times[f];
+    frame.found = why[f].empty();
     if (frame.found) continue;
     frame.values.clear();
-    constexpr std::size_t k_most_notes = 20;
-    if (track.notes.size() < k_most_notes)
-      track.notes.push_back("line " + std::to_string(table->line()) + ": " + why + "; the frame is held");
+    notes.add("line " + std::to_string(lines[f]) + ": " + why[f] + "; the frame is held");
   }
-  if (!any) return table->error("no frame shows a face", "record the take again");
-  const auto times = times_of(codes);
-  constexpr double k_live_link_fps = 60;
-  for (std::size_t f = 0; f < track.frames.size(); ++f) {
-    track.frames[f].time_s = times.empty() ? static_cast<double>(f) / k_live_link_fps : times[f];
-  }
+  track.notes = notes.take();
+  track.notes.insert(track.notes.begin(), repeated.begin(), repeated.end());
   return track;
 }
 

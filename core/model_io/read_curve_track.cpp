@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "core/curve/polyline.h"
-#include "core/model_io/json.h"
+#include "core/model_io/loose_json.h"
 #include "core/model_io/point_table.h"
 #include "core/model_io/read_track.h"
 
@@ -15,106 +17,159 @@ base::Error wrong(std::string what, std::string pointer) {
   return {std::move(what), std::move(pointer), R"(write {"fps": 25, "frames": [{"curves": {NAME: [[x, y], ...]}}]})"};
 }
 
-/// The points of one curve; nothing when one of them is no number.
-Problem read_points(const Json& list, const std::string& pointer, std::optional<std::vector<animation::PxPoint>>& out) {
-  if (!list.is_array() || list.size() < 2) return wrong("a curve of at least two points was expected", pointer);
+/// One curve of a frame as the file has it.
+struct SeenCurve {
+  std::string name;
+  std::vector<animation::PxPoint> points;
+  std::string why_not;  ///< not empty: the points cannot be used
+};
+
+struct SeenFrame {
+  TrackRow row;
+  std::vector<SeenCurve> curves;
+};
+
+/// What a curve that is used has in every frame.
+struct KnownCurve {
+  std::size_t points = 0;   ///< in the first frame that shows it; 0: none does
+  std::size_t shown = 0;    ///< number of frames that show it
+  std::string first_place;  ///< JSON pointer
+};
+
+Problem read_points(const Json& list, const std::string& pointer, SeenCurve& curve) {
+  if (list.is_null()) {
+    curve.why_not = "is missing";
+    return std::nullopt;
+  }
+  if (!list.is_array()) return wrong("a list of points was expected", pointer);
   if (list.size() > 10000) return wrong("a curve has at most 10,000 points", pointer);
-  out.emplace();
-  bool good = true;
+  if (list.size() < 2) curve.why_not = list.empty() ? "is empty" : "has a single point";
   for (std::size_t i = 0; i < list.size(); ++i) {
     const Json& point = list[i];
-    if (point.is_null()) {
-      good = false;
-      continue;
+    if (!point.is_null() && (!point.is_array() || point.size() != 2)) {
+      return wrong("a point [x, y] was expected", child(pointer, i));
     }
-    if (!point.is_array() || point.size() != 2) return wrong("a point [x, y] was expected", child(pointer, i));
-    const double x = number(point[0]).value_or(std::nan(""));
-    const double y = number(point[1]).value_or(std::nan(""));
-    if ((!point[0].is_number() && !point[0].is_null()) || (!point[1].is_number() && !point[1].is_null())) {
-      return wrong("a number was expected", child(pointer, i));
+    std::array<double, 2> at{std::nan(""), std::nan("")};
+    for (std::size_t axis = 0; axis < 2 && !point.is_null(); ++axis) {
+      if (!point[axis].is_number() && !point[axis].is_null()) return wrong("a number was expected", child(pointer, i));
+      at[axis] = number(point[axis]).value_or(at[axis]);
     }
-    good = good && usable_coordinate(x) && usable_coordinate(y);
-    out->push_back({x, y});
+    if (!usable_coordinate(at[0]) || !usable_coordinate(at[1])) curve.why_not = "has a point that is no number";
+    curve.points.push_back({at[0], at[1]});
   }
-  if (!good) out.reset();
   return std::nullopt;
 }
 
 class Reader {
  public:
-  Problem read_frame(const Json& value, const std::string& pointer, std::size_t index) {
-    TrackRow row;
-    row.line = index;
+  Problem read_frame(const Json& value, const std::string& pointer) {
+    SeenFrame& frame = frames_.emplace_back();
+    TrackRow& row = frame.row;
+    row.line = frames_.size() - 1;
     const Json* curves = nullptr;
     if (!value.is_null()) {
       if (!value.is_object()) return wrong("an object was expected", pointer);
       for (const char* name : {"time", "confidence"}) {
         const Json* given = find(value, name);
         if (given == nullptr) continue;
+        const bool time = name[0] == 't';
+        if (!given->is_number() && !given->is_null()) return wrong("a number was expected", child(pointer, name));
         const auto n = number(*given);
-        if (!n || std::abs(*n) > 1e12) return wrong("a number was expected", child(pointer, name));
-        (name[0] == 't' ? row.time_s.emplace() : row.confidence) = *n;
+        if (n && std::abs(*n) > 1e19) return wrong("a number was expected", child(pointer, name));
+        if (time) {
+          row.time_s = n;
+        } else {
+          row.confidence = n.value_or(0);
+        }
       }
       curves = find(value, "curves");
     }
-    if (curves == nullptr || curves->is_null()) {
-      row.why_held = "the frame has no curves";
-    } else if (!curves->is_object()) {
-      return wrong("an object of curves was expected", child(pointer, "curves"));
-    } else if (!(row.confidence > 0)) {
-      row.why_held = "the confidence is 0";
-    } else if (auto problem = read_curves(*curves, child(pointer, "curves"), row)) {
-      return problem;
-    }
-    if (!row.why_held.empty()) row.points.clear();
-    rows.push_back(std::move(row));
-    return std::nullopt;
-  }
-
-  std::vector<TrackRow> rows;
-  std::vector<animation::TrackGroup> groups;
-
- private:
-  Problem read_curves(const Json& curves, const std::string& pointer, TrackRow& row) {
-    if (curves.empty()) {
+    if (curves == nullptr || curves->is_null() || curves->empty()) {
       row.why_held = "the frame has no curves";
       return std::nullopt;
     }
-    std::vector<animation::TrackGroup> own;
-    for (const auto& item : curves.items()) {
-      const std::string& name = item.key();
-      const Json& list = item.value();
-      std::optional<std::vector<animation::PxPoint>> points;
-      if (auto problem = read_points(list, child(pointer, name), points)) return problem;
-      if (!points) {
-        row.why_held = "curve " + name + " has a point that is no number";
-        return std::nullopt;
-      }
-      own.push_back({name, row.points.size(), points->size()});
-      const auto first = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.name == name; });
-      if (first != groups.end() && points->size() != first->count) {
-        auto even = curve::resample<animation::PxPoint>(*points, first->count);
-        if (!even) {
-          row.why_held = "curve " + name + " has no length";
-          return std::nullopt;
-        }
-        points = std::move(even).value();
-      }
-      row.points.insert(row.points.end(), points->begin(), points->end());
+    const std::string place = child(pointer, "curves");
+    if (!curves->is_object()) return wrong("an object of curves was expected", place);
+    if (!(row.confidence > 0)) row.why_held = "the confidence is 0";
+    ++with_curves_;
+    for (const auto& item : curves->items()) {
+      SeenCurve& curve = frame.curves.emplace_back();
+      curve.name = item.key();
+      const std::string here = child(place, curve.name);
+      if (auto problem = read_points(item.value(), here, curve)) return problem;
+      KnownCurve& known = known_.try_emplace(curve.name, KnownCurve{0, 0, here}).first->second;
+      if (known_.size() > k_most_curves) return wrong("a track has at most 1,000 curves", here);
+      if (!curve.why_not.empty()) continue;
+      ++known.shown;
+      if (known.points == 0) known.points = curve.points.size();
     }
-    if (groups.empty()) groups = own;
-    // JSON objects come in the order of their names, so equal lists of names have equal places.
-    const bool same = std::equal(own.begin(), own.end(), groups.begin(), groups.end(),
-                                 [](const auto& a, const auto& b) { return a.name == b.name; });
-    if (!same) return wrong("the frame has other curves than the first one", pointer);
     return std::nullopt;
   }
+
+  /// Curves that few frames have are left out, so that a name misspelt once does not hold all the others.
+  base::Result<animation::PointTrack> finish(double fps, FrameOrder order) {
+    std::vector<std::string> notes;
+    std::vector<animation::TrackGroup> groups;
+    std::size_t count = 0;
+    for (const auto& [name, curve] : known_) {
+      if (curve.shown == 0) return wrong("curve " + name + " has no points in any frame", curve.first_place);
+      if (2 * curve.shown < with_curves_) {
+        notes.push_back("curve " + name + " is shown by " + std::to_string(curve.shown) + " of " +
+                        std::to_string(with_curves_) + " frames only and left out (" + curve.first_place + ")");
+        continue;
+      }
+      groups.push_back({name, count, curve.points});
+      count += curve.points;
+    }
+    if (count * frames_.size() > k_most_points) return wrong("a track has at most 50,000,000 points", "/frames");
+    std::vector<TrackRow> rows;
+    for (SeenFrame& frame : frames_) {
+      if (frame.row.why_held.empty()) gather(frame, groups);
+      if (order == FrameOrder::none) frame.row.time_s.reset();
+      rows.push_back(std::move(frame.row));
+    }
+    auto track = make_track(std::move(rows), count, fps, RowName::frame);
+    if (!track) return track;
+    track->groups = std::move(groups);
+    track->notes.insert(track->notes.begin(), notes.begin(), notes.end());
+    return track;
+  }
+
+ private:
+  static constexpr std::size_t k_most_curves = 1000;
+  static constexpr std::size_t k_most_points = 50'000'000;
+
+  /// Puts the curves one after the other, each with its own number of points.
+  static void gather(SeenFrame& frame, const std::vector<animation::TrackGroup>& groups) {
+    TrackRow& row = frame.row;
+    for (const animation::TrackGroup& group : groups) {
+      // JSON objects come in the order of their names.
+      const auto seen = std::lower_bound(frame.curves.begin(), frame.curves.end(), group.name,
+                                         [](const SeenCurve& curve, const auto& name) { return curve.name < name; });
+      const bool there = seen != frame.curves.end() && seen->name == group.name;
+      const std::string problem = there ? seen->why_not : "is missing";
+      if (!problem.empty()) row.why_held = "curve " + group.name + " " + problem;
+      if (!row.why_held.empty()) break;
+      if (seen->points.size() != group.count) {
+        auto even = curve::resample<animation::PxPoint>(seen->points, group.count);
+        if (!even) row.why_held = "curve " + group.name + " has no length";
+        if (!even) break;
+        seen->points = std::move(even).value();
+      }
+      row.points.insert(row.points.end(), seen->points.begin(), seen->points.end());
+    }
+    if (!row.why_held.empty()) row.points.clear();
+  }
+
+  std::vector<SeenFrame> frames_;
+  std::map<std::string, KnownCurve, std::less<>> known_;
+  std::size_t with_curves_ = 0;
 };
 
 }  // namespace
 
-base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes) {
-  const auto json = parse_json(bytes);
+base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes, FrameOrder order) {
+  const auto json = parse_loose_json(bytes);
   if (!json) return json.error();
   const Json* frames = find(*json, "frames");
   if (frames == nullptr || !frames->is_array()) return wrong("a list of frames was expected", "/frames");
@@ -122,17 +177,13 @@ base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes) {
   double fps = 0;
   if (const Json* given = find(*json, "fps")) {
     fps = number(*given).value_or(0);
-    if (!(fps > 0) || !(fps <= 10000)) return wrong("a frame rate above 0 was expected", "/fps");
+    if (!(fps > 0) || !(fps <= 10000)) return wrong("a frame rate above 0 and up to 10,000 was expected", "/fps");
   }
   Reader reader;
   for (std::size_t f = 0; f < frames->size(); ++f) {
-    if (auto problem = reader.read_frame((*frames)[f], child("/frames", f), f)) return *problem;
+    if (auto problem = reader.read_frame((*frames)[f], child("/frames", f))) return *problem;
   }
-  const std::size_t count = reader.groups.empty() ? 0 : reader.groups.back().first + reader.groups.back().count;
-  auto track = make_track(std::move(reader.rows), count, fps, RowName::frame);
-  if (!track) return track;
-  track->groups = std::move(reader.groups);
-  return track;
+  return reader.finish(fps, order);
 }
 
 }  // namespace penpose::model_io

@@ -110,6 +110,7 @@ base::Result<std::vector<TrackRow>> read_table(CsvReader& table, std::vector<std
     return std::vector<std::string>{under, plain};
   });
   if (!columns) return columns.error();
+  notes = columns->notes;
   std::vector<FaceRow> rows;
   std::vector<std::string_view> cells;
   while (table.next(cells)) {

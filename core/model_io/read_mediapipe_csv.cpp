@@ -36,6 +36,7 @@ base::Result<std::vector<TrackRow>> read_wide(CsvReader& table, std::size_t& cou
     count = k_mediapipe_points;
   }
   if (!columns) return columns.error();
+  notes = columns->notes;
   std::vector<FaceRow> rows;
   std::vector<std::string_view> cells;
   while (table.next(cells)) {
@@ -68,13 +69,15 @@ std::optional<LongColumns> find_long(const CsvReader& table) {
   return LongColumns{*frame, *point, *x, *y, any({"z"}), any({"timestamp", "time", "time_s"})};
 }
 
-base::Result<std::vector<TrackRow>> read_long(CsvReader& table, const LongColumns& columns, std::size_t& count) {
+base::Result<std::vector<TrackRow>> read_long(CsvReader& table, const LongColumns& columns, std::size_t& count,
+                                              std::vector<std::string>& notes) {
   struct Frame {
     TrackRow row;
     std::vector<bool> seen;
   };
   std::map<std::int64_t, Frame> frames;
   std::size_t highest = 0;
+  FrameNotes again;
   std::vector<std::string_view> cells;
   while (table.next(cells)) {
     const auto number_at = [&](std::optional<std::size_t> column) -> std::optional<double> {
@@ -102,6 +105,11 @@ base::Result<std::vector<TrackRow>> read_long(CsvReader& table, const LongColumn
     const double x = number_at(columns.x).value_or(std::nan(""));
     const double y = number_at(columns.y).value_or(std::nan(""));
     if (!usable_coordinate(x) || !usable_coordinate(y)) continue;
+    if (entry.seen[i]) {
+      again.add("line " + std::to_string(table.line()) + ": landmark " + std::to_string(i) + " of frame " +
+                std::to_string(*entry.row.frame) + " comes again; the first one counts");
+      continue;
+    }
     entry.row.points[i] = {x, y};
     entry.row.depths[i] = -number_at(columns.z).value_or(std::nan(""));
     entry.seen[i] = true;
@@ -118,6 +126,7 @@ base::Result<std::vector<TrackRow>> read_long(CsvReader& table, const LongColumn
     if (!std::all_of(frame.row.depths.begin(), frame.row.depths.end(), usable_coordinate)) frame.row.depths.clear();
     rows.push_back(std::move(frame.row));
   }
+  notes = again.take();
   return rows;
 }
 
@@ -129,9 +138,9 @@ base::Result<animation::PointTrack> read_mediapipe_csv(base::Bytes bytes, std::o
   std::size_t count = 0;
   std::vector<std::string> notes;
   const auto long_columns = find_long(*table);
-  auto rows = long_columns ? read_long(*table, *long_columns, count) : read_wide(*table, count, notes);
+  auto rows = long_columns ? read_long(*table, *long_columns, count, notes) : read_wide(*table, count, notes);
   if (!rows) return rows.error();
-  take_milliseconds(*rows);
+  take_small_units(*rows);
   scale_to_picture(*rows, picture, notes);
   auto track = make_track(std::move(rows).value(), count, k_common_fps);
   if (!track) return track;

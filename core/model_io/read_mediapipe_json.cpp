@@ -1,11 +1,14 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/base/numbers.h"
 #include "core/model_io/face_points.h"
-#include "core/model_io/json.h"
+#include "core/model_io/loose_json.h"
 #include "core/model_io/picture_scale.h"
 #include "core/model_io/point_table.h"
 #include "core/model_io/read_track.h"
+#include "core/model_io/text_lines.h"
 
 namespace penpose::model_io {
 namespace {
@@ -21,6 +24,52 @@ bool is_point(const Json& value) {
   return value.is_array() && (value.size() == 2 || value.size() == 3) && (value[0].is_number() || value[0].is_null());
 }
 
+/// What programs call the points of a face, or the faces of a frame. The first that a frame has counts.
+constexpr std::array<const char*, 9> k_points_names{
+    "landmarks", "faceLandmarks", "face_landmarks", "multi_face_landmarks", "multiFaceLandmarks", "points",
+    "landmark",  "keypoints",     "faces"};
+
+struct Found {
+  const Json* value = nullptr;
+  std::string place;
+};
+
+/// The points or faces of an object, or nothing.
+Found find_points(const Json& object, const std::string& pointer) {
+  for (const char* name : k_points_names) {
+    if (const Json* value = find(object, name)) return {value, child(pointer, name)};
+  }
+  return {};
+}
+
+/// A list of points as long as a face has. A frame of so many faces, or a clip of so many frames of two or three
+/// numbers, there is not.
+bool is_face(const Json& value) {
+  return value.is_array() && (value.size() == k_mediapipe_points || value.size() == k_mediapipe_iris_points) &&
+         std::all_of(value.begin(), value.end(), is_point);
+}
+
+/// The frames of the file: a list, "frames", or what is a single frame by itself.
+struct Frames {
+  const Json* list = nullptr;  ///< null: `one` is the only frame, or there is none
+  const Json* one = nullptr;
+  std::string place;
+};
+
+Frames find_frames(const Json& json) {
+  if (is_face(json)) return {nullptr, &json, ""};
+  if (json.is_array()) return {&json, nullptr, ""};
+  if (const Json* frames = find(json, "frames")) {
+    if (is_face(*frames)) return {nullptr, frames, "/frames"};
+    return {frames, nullptr, "/frames"};
+  }
+  const Found points = find_points(json, "");
+  if (points.value == nullptr || !points.value->is_array()) return {nullptr, nullptr, "/frames"};
+  // The result for one picture lists a face; what lists more of them is taken for a clip.
+  const bool clip = points.value->size() > 1 && !is_face(*points.value);
+  return clip ? Frames{points.value, nullptr, points.place} : Frames{nullptr, &json, ""};
+}
+
 /// A number or NaN.
 double member(const Json& point, const char* name, std::size_t index) {
   const Json* value = point.is_object() ? find(point, name) : index < point.size() ? &point[index] : nullptr;
@@ -30,7 +79,8 @@ double member(const Json& point, const char* name, std::size_t index) {
 /// One face of a frame. A point that is no number leaves `why_held`.
 Problem read_face(const Json& list, const std::string& pointer, TrackRow& out) {
   if (list.size() != k_mediapipe_points && list.size() != k_mediapipe_iris_points) {
-    return wrong("a face of 468 or 478 points was expected, not of " + std::to_string(list.size()), pointer);
+    out.why_held = "a face of 468 or 478 points was expected, not of " + std::to_string(list.size());
+    return std::nullopt;
   }
   bool depths = true;
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -76,21 +126,19 @@ class Reader {
   Problem read_frame(const Json& value, const std::string& pointer, std::size_t index) {
     TrackRow row;
     row.line = index;
-    const Json* points = &value;
-    std::string place = pointer;
+    Found found{&value, pointer};
     if (value.is_object()) {
-      points = nullptr;
-      for (const char* name : {"landmarks", "faceLandmarks", "face_landmarks", "multi_face_landmarks", "points"}) {
-        if (points != nullptr) break;
-        points = find(value, name);
-        if (points != nullptr) place = child(pointer, name);
-      }
+      found = find_points(value, pointer);
       read_times(value, row);
+      if (found.value == nullptr && !value.empty())
+        row.why_held = "it has none of the lists \"landmarks\", \"faceLandmarks\", \"points\"";
     }
+    const Json* points = found.value;
+    const std::string& place = found.place;
     const bool nothing = points == nullptr || points->is_null() || (points->is_array() && points->empty());
     if (!nothing && !points->is_array()) return wrong("a list of points was expected", place);
     if (nothing) {
-      row.why_held = "the tracker found no face";
+      if (row.why_held.empty()) row.why_held = "the tracker found no face";
     } else if (is_point((*points)[0])) {
       if (auto problem = read_face(*points, place, row)) return problem;
     } else if (auto problem = choose_face(*points, place, row)) {
@@ -98,8 +146,13 @@ class Reader {
     }
     if (row.why_held.empty() && !(row.confidence > 0)) row.why_held = "the tracker's confidence is 0";
     if (!row.why_held.empty()) row.points.clear();
+    if (!row.points.empty() && count != 0 && row.points.size() != count) {
+      row.why_held =
+          "the face has " + std::to_string(row.points.size()) + " points, those before " + std::to_string(count);
+      row.points.clear();
+      row.depths.clear();
+    }
     if (!row.points.empty()) {
-      if (count != 0 && row.points.size() != count) return wrong("frames have faces of 468 and of 478 points", place);
       count = row.points.size();
       last_ = row;
     }
@@ -112,11 +165,14 @@ class Reader {
   bool several = false;
 
  private:
+  static constexpr double k_latest = 1e19;  // nanoseconds since 1970 have 19 digits
+
   static void read_times(const Json& value, TrackRow& row) {
     const auto at = [&](const char* name) {
       const Json* found = find(value, name);
-      const auto n = found == nullptr ? std::nullopt : number(*found);
-      return n && std::abs(*n) < 1e12 ? n : std::nullopt;
+      auto n = found == nullptr ? std::nullopt : number(*found);
+      if (found != nullptr && found->is_string()) n = base::parse_double(found->get_ref<const std::string&>());
+      return n && std::abs(*n) < k_latest ? n : std::nullopt;
     };
     row.time_s = at("timestamp");
     if (!row.time_s) row.time_s = at("time");
@@ -133,7 +189,7 @@ class Reader {
       const std::string place = child(pointer, i);
       // MediaPipe's own messages wrap the list once more.
       const Json* list = &faces[i];
-      if (const Json* inner = find(faces[i], "landmark")) list = inner;
+      if (const Found inner = find_points(faces[i], place); inner.value != nullptr) list = inner.value;
       if (!list->is_array()) return wrong("a list of points was expected", place);
       if (auto problem = read_face(*list, place, face)) return problem;
       const double cost = last_.points.empty() ? -size_of(face) : distance_of(face, last_);
@@ -152,15 +208,33 @@ class Reader {
   TrackRow last_;
 };
 
+/// The file as one value; of a file of a value a line, as programs write that add a line a frame, a list of them.
+base::Result<Json> read_values(base::Bytes bytes) {
+  auto whole = parse_loose_json(bytes);
+  if (whole) return whole;
+  TextLines lines(base::as_text(bytes));
+  Json list = Json::array();
+  while (const auto line = lines.next()) {
+    if (base::trim(*line).empty()) continue;
+    auto value = parse_loose_json(base::as_bytes(*line));
+    if (!value && list.empty()) return whole;
+    if (!value) return lines.error("no valid JSON", "the file is damaged or cut off; take the line away");
+    list.push_back(std::move(value).value());
+    if (list.size() > k_most_track_frames) return whole;
+  }
+  return list;
+}
+
 }  // namespace
 
 base::Result<animation::PointTrack> read_mediapipe_json(base::Bytes bytes, std::optional<PictureSize> picture) {
-  const auto json = parse_json(bytes);
+  const auto json = read_values(bytes);
   if (!json) return json.error();
-  const Json* frames = json->is_object() ? find(*json, "frames") : &*json;
-  const std::string here = json->is_object() ? "/frames" : "";
-  if (frames == nullptr || !frames->is_array()) return wrong("a list of frames was expected", here);
-  if (frames->size() > k_most_track_frames) return wrong("a track has at most 1,000,000 frames", here);
+  const Frames frames = find_frames(*json);
+  const bool listed = frames.list != nullptr && frames.list->is_array();
+  if (!listed && frames.one == nullptr) return wrong("a list of frames was expected", frames.place);
+  const std::size_t count = listed ? frames.list->size() : 1;
+  if (count > k_most_track_frames) return wrong("a track has at most 1,000,000 frames", frames.place);
   const auto root_number = [&](const char* name) {
     const Json* found = find(*json, name);
     const auto n = found == nullptr ? std::nullopt : number(*found);
@@ -169,12 +243,16 @@ base::Result<animation::PointTrack> read_mediapipe_json(base::Bytes bytes, std::
   const PictureSize own{root_number("width"), root_number("height")};
   if (!picture && own.width > 0 && own.height > 0) picture = own;
   Reader reader;
-  for (std::size_t f = 0; f < frames->size(); ++f) {
-    if (auto problem = reader.read_frame((*frames)[f], child(here, f), f)) return *problem;
+  for (std::size_t f = 0; f < count; ++f) {
+    const Json& frame = listed ? (*frames.list)[f] : *frames.one;
+    auto problem = reader.read_frame(frame, listed ? child(frames.place, f) : frames.place, f);
+    if (!problem) continue;
+    problem->place = "frame " + std::to_string(f) + " (" + problem->place + ")";
+    return *problem;
   }
   std::vector<std::string> notes;
   if (reader.several) notes.emplace_back("several faces are seen; the one that was largest at first is followed");
-  take_milliseconds(reader.rows);
+  take_small_units(reader.rows);
   scale_to_picture(reader.rows, picture, notes);
   auto track = make_track(std::move(reader.rows), reader.count, root_number("fps"), RowName::frame);
   if (!track) return track;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/geometry/rotation.h"
 #include "core/model_io/face_points.h"
 #include "core/model_io/point_table.h"
 #include "core/model_io/read_track.h"
@@ -59,6 +60,39 @@ class SolidFace {
   bool there_ = false;
 };
 
+/// The columns pose_Rx, pose_Ry, pose_Rz: how the tracker found the head turned, radians; Rx Ry Rz as matrices, x
+/// right, y down, z away. Files without them are common.
+class OwnTurn {
+ public:
+  explicit OwnTurn(const CsvReader& table) {
+    const auto names = table.columns();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto found = std::find(names.begin(), names.end(), std::string("pose_R") + "xyz"[axis]);
+      if (found == names.end()) return;
+      columns_[axis] = static_cast<std::size_t>(found - names.begin());
+    }
+    there_ = true;
+  }
+
+  [[nodiscard]] std::optional<glm::dmat3> rotation(const CsvReader& table,
+                                                   const std::vector<std::string_view>& cells) const {
+    if (!there_) return std::nullopt;
+    std::array<double, 3> angle{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (columns_[axis] >= cells.size()) return std::nullopt;
+      angle[axis] = table.number(cells[columns_[axis]]).value_or(k_most);
+      if (!(std::abs(angle[axis]) < k_most)) return std::nullopt;
+    }
+    return geometry::rotation_about({1, 0, 0}, angle[0]) * geometry::rotation_about({0, 1, 0}, angle[1]) *
+           geometry::rotation_about({0, 0, 1}, angle[2]);
+  }
+
+ private:
+  static constexpr double k_most = 3.2;  ///< radians; a file in degrees would soon say more
+  std::array<std::size_t, 3> columns_{};
+  bool there_ = false;
+};
+
 }  // namespace
 
 base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
@@ -70,6 +104,7 @@ base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
   });
   if (!columns) return columns.error();
   const SolidFace solid(*table);
+  const OwnTurn turn(*table);
   std::vector<FaceRow> rows;
   std::vector<std::string_view> cells;
   while (table->next(cells)) {
@@ -78,11 +113,12 @@ base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
     if (row->row.why_held.empty()) {
       row->row.depths = solid.depths(*table, cells, row->row.points);
       if (row->row.depths.empty()) row->row.depths = common_depths(row->row.points);
+      row->row.rotation = turn.rotation(*table, cells);
     }
     if (rows.size() >= 4 * k_most_track_frames) return table->error("the table has too many rows", "cut the video");
     rows.push_back(std::move(row).value());
   }
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = columns->notes;
   auto best = rows_of_best_face(std::move(rows), notes);
   auto track = make_track(std::move(best), k_ibug_points, k_common_fps);
   if (!track) return track;

@@ -18,8 +18,8 @@ inline constexpr std::size_t k_most_track_frames = 1'000'000;
 
 /// OpenFace's CSV, 68 points: columns x_0..x_67 and y_0..y_67 (px), and where present frame, face_id, timestamp,
 /// confidence and success. Blanks after commas are taken, as old versions write them. Of several faces the one of the
-/// greatest sum of confidences is read. Frame numbers that are left out between rows are frames without a face; numbers
-/// that do not grow are not trusted, then rows follow each other.
+/// greatest sum of confidences is read. Frame numbers that are left out between rows are frames without a face; rows
+/// out of order are treated as make_track says.
 [[nodiscard]] base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes);
 
 /// The picture that normalised coordinates are shares of, px.
@@ -34,10 +34,11 @@ struct PictureSize {
 /// are shares of the picture, whose size has to be given or is taken as square, with a note.
 [[nodiscard]] base::Result<animation::PointTrack> read_mediapipe_csv(base::Bytes bytes,
                                                                      std::optional<PictureSize> picture);
-/// The same as JSON: a list of frames, or an object with "frames" and optional "fps", "width", "height". A frame is a
-/// list of points or an object with "landmarks" (or faceLandmarks, face_landmarks, multi_face_landmarks, points) and
-/// optional "timestamp" or "time" (seconds), "timestamp_ms", "confidence"; a list of lists of points is several faces,
-/// of which the largest is followed. A point is {"x", "y", "z"} or [x, y, z]. null or [] is a frame without a face.
+/// The same as JSON: a list of frames, or an object with "frames" and optional "fps", "width", "height", or a single
+/// frame, or a frame a line. A frame is a list of points or an object with "landmarks" (or faceLandmarks,
+/// face_landmarks, multi_face_landmarks, multiFaceLandmarks, points, landmark, keypoints, faces) and optional
+/// "timestamp" or "time" (seconds), "timestamp_ms", "confidence"; a list of lists of points is several faces, of which
+/// the largest is followed. A point is {"x", "y", "z"} or [x, y, z]. null or [] is a frame without a face.
 [[nodiscard]] base::Result<animation::PointTrack> read_mediapipe_json(base::Bytes bytes,
                                                                       std::optional<PictureSize> picture);
 
@@ -47,13 +48,19 @@ struct PictureSize {
 [[nodiscard]] base::Result<animation::PointTrack> read_ibug_track(base::Bytes bytes);
 
 /// {"fps": 25, "frames": [{"time": s, "confidence": 1, "curves": {NAME: [[x, y], ...]}}, ...]}: curves by name, px, y
-/// down. "time" and "confidence" are optional. null or {} or a frame without "curves" is a frame without a face. Every
-/// frame that has curves has all of the first one; those of other numbers of points are resampled to the first's.
-[[nodiscard]] base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes);
+/// down. "time" and "confidence" are optional. null or {} or a frame without "curves" is a frame without a face, and so
+/// is one in which a curve is missing, empty or no number. Curves that fewer than half of the frames show are left out,
+/// with a note; those of other numbers of points are resampled to the first's. A curve without points in any frame is
+/// an error.
+/// `order`: whether the frames follow each other in time; pictures that somebody labelled do not, and their times are
+/// passed over.
+enum class FrameOrder : std::uint8_t { in_time, none };
+[[nodiscard]] base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes,
+                                                                   FrameOrder order = FrameOrder::in_time);
 
 /// ARKit's blend shapes as Live Link Face writes them: Timecode, BlendShapeCount and a column a name. Timecodes are
-/// H:M:S:F.f; F counts 60 a second, or 30 where none reaches 30. Rows that are short or have a count of 0 are frames
-/// without a face.
+/// H:M:S:F.f; what F counts is told as counted_rate says. Rows that are short or have a count of 0 are frames
+/// without a face; so are those whose timecode does not come after the ones before.
 [[nodiscard]] base::Result<animation::WeightTrack> read_arkit_track(base::Bytes bytes);
 
 }  // namespace penpose::model_io

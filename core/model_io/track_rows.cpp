@@ -2,98 +2,164 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
+#include "core/base/numbers.h"
+#include "core/model_io/growing.h"
 #include "core/model_io/read_track.h"
 
 namespace penpose::model_io {
 namespace {
 
-/// Whether the file's frame numbers say where each row belongs.
-bool numbers_grow(const std::vector<TrackRow>& rows) {
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!rows[i].frame || (i > 0 && *rows[i].frame <= *rows[i - 1].frame)) return false;
-  }
-  return true;
-}
-
-/// Seconds a frame by the rows' own times; 0 where they have none that grow.
-double frame_time(const std::vector<TrackRow>& rows, bool numbered) {
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!rows[i].time_s || (i > 0 && !(*rows[i].time_s > *rows[i - 1].time_s))) return 0;
-  }
-  if (rows.size() < 2) return 0;
-  const double frames =
-      numbered ? static_cast<double>(*rows.back().frame - *rows.front().frame) : static_cast<double>(rows.size() - 1);
-  return (*rows.back().time_s - *rows.front().time_s) / frames;
-}
-
 constexpr std::size_t k_most_notes = 20;
 
 }  // namespace
 
-void take_milliseconds(std::vector<TrackRow>& rows) {
+void FrameNotes::add(std::string note) {
+  if (++count_ <= k_most_notes) notes_.push_back(std::move(note));
+}
+
+std::vector<std::string> FrameNotes::take() {
+  if (count_ > k_most_notes)
+    notes_.push_back("and " + std::to_string(count_ - k_most_notes) + " frames more like these");
+  return std::move(notes_);
+}
+
+void take_small_units(std::vector<TrackRow>& rows) {
   if (rows.size() < 2 || !rows.front().time_s || !rows.back().time_s) return;
-  const double step = (*rows.back().time_s - *rows.front().time_s) / static_cast<double>(rows.size() - 1);
-  if (step < 5) return;
+  double step = (*rows.back().time_s - *rows.front().time_s) / static_cast<double>(rows.size() - 1);
+  double unit = 1;
+  for (; step >= 5 && unit < 1e9; step /= 1000.0) unit *= 1000.0;
+  if (unit == 1) return;
   for (TrackRow& row : rows) {
-    if (row.time_s) *row.time_s /= 1000.0;
+    if (row.time_s) *row.time_s /= unit;
   }
 }
 
+namespace {
+
+std::string text_of(const TrackRow& row, RowName name) {
+  return (name == RowName::line ? "line " : "frame ") + std::to_string(row.line);
+}
+
+/// Whether all that are there are the same: a column that was never filled.
+bool says_nothing(std::span<const std::optional<double>> values) {
+  const auto differs = [&](const auto& value) { return value && value != values.front(); };
+  return values.empty() || std::none_of(values.begin(), values.end(), differs);
+}
+
+/// Leaves out rows whose frame numbers come again or step back. Returns whether the numbers say where a row belongs.
+bool take_numbers(std::vector<TrackRow>& rows, RowName name, FrameNotes& notes) {
+  std::vector<std::optional<double>> numbers;
+  for (const TrackRow& row : rows) {
+    numbers.push_back(row.frame ? std::optional(static_cast<double>(*row.frame)) : std::nullopt);
+  }
+  const Growing growing = find_growing(numbers);
+  if (growing.known < rows.size() || says_nothing(numbers)) return rows.size() == 1 && growing.known == 1;
+  const auto astray = std::find(growing.in_order.begin(), growing.in_order.end(), false);
+  const auto first = static_cast<std::size_t>(astray - growing.in_order.begin());
+  if (!growing.trusted()) {
+    notes.add(text_of(rows[first], name) + ": the frame numbers do not grow; rows are taken one after the other");
+    return false;
+  }
+  if (astray == growing.in_order.end()) return true;
+  std::vector<TrackRow> kept;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (growing.in_order[i]) {
+      kept.push_back(std::move(rows[i]));
+    } else {
+      notes.add(text_of(rows[i], name) + ": frame " + std::to_string(*rows[i].frame) +
+                " comes again or out of order; the row is skipped");
+    }
+  }
+  rows = std::move(kept);
+  return true;
+}
+
+/// One time a row. `places`: the rows' frames. Rows out of order of time are held unless `numbered`.
+std::vector<double> take_times(std::vector<TrackRow>& rows, std::span<const double> places, bool numbered, double fps,
+                               RowName name, FrameNotes& notes, std::string& rate_note) {
+  std::vector<std::optional<double>> times;
+  for (const TrackRow& row : rows) {
+    times.push_back(row.time_s && std::isfinite(*row.time_s) ? row.time_s : std::nullopt);
+  }
+  const Growing growing = find_growing(times);
+  if (!growing.trusted() || growing.known - growing.astray < 2) {
+    const double rate = fps > 0 ? fps : k_common_fps;
+    if (growing.known > 0 && !says_nothing(times)) {
+      rate_note = std::string(growing.astray > 0 ? "the times do not grow" : "most times are missing") + ": " +
+                  base::format_fixed(rate, 2) + " frames a second are taken; --fps sets another rate";
+    }
+    std::vector<double> even;
+    for (const double place : places) even.push_back(place / rate);
+    return even;
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (growing.in_order[i] || !times[i]) continue;
+    const char* what = "its time does not come after the ones before";
+    if (numbered) {
+      notes.add(text_of(rows[i], name) + ": " + what + "; it is placed by its frame number");
+    } else if (rows[i].why_held.empty()) {
+      rows[i].why_held = what;
+    }
+  }
+  return placed_between(times, growing, places);
+}
+
+}  // namespace
+
 base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::size_t point_count, double fps,
                                                RowName name) {
-  const auto place = [&](const TrackRow& row) {
-    return (name == RowName::line ? "line " : "frame ") + std::to_string(row.line);
-  };
   const bool any = std::any_of(rows.begin(), rows.end(), [](const TrackRow& row) { return row.why_held.empty(); });
   if (!any) {
     const std::string why = rows.empty() ? "the file has no frame" : rows.front().why_held;
-    return base::Error{"no frame shows a face: " + why, rows.empty() ? "" : place(rows.front()),
+    return base::Error{"no frame shows a face: " + why,
+                       rows.empty() ? (name == RowName::line ? "line 1" : "") : text_of(rows.front(), name),
                        "track the video again"};
   }
   animation::PointTrack track;
   track.point_count = point_count;
-  const bool numbered = numbers_grow(rows);
-  const double own = frame_time(rows, numbered);
-  const double step = own > 0 ? own : 1.0 / (fps > 0 ? fps : k_common_fps);
-  std::size_t held = 0;
+  FrameNotes notes;
+  const bool numbered = take_numbers(rows, name, notes);
+  std::vector<double> places;
+  for (const TrackRow& row : rows) {
+    places.push_back(numbered ? static_cast<double>(*row.frame - *rows.front().frame)
+                              : static_cast<double>(places.size()));
+  }
+  const auto times = take_times(rows, places, numbered, fps, name, notes, track.rate_note);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     TrackRow& row = rows[i];
-    if (numbered && i > 0) {
-      const auto missing = static_cast<std::uint64_t>(*row.frame) - static_cast<std::uint64_t>(*rows[i - 1].frame) - 1;
-      if (missing > k_most_track_frames - std::min(k_most_track_frames, track.frames.size())) {
-        return base::Error{"frames are left out up to frame " + std::to_string(*row.frame), place(row),
-                           "a track has at most 1,000,000 frames"};
-      }
-      const double before = track.frames.back().time_s;
-      for (std::uint64_t k = 1; k <= missing; ++k) {
-        animation::TrackFrame gap;
-        gap.time_s = before + step * static_cast<double>(k);
-        track.frames.push_back(std::move(gap));
-      }
-      if (missing > 0 && track.notes.size() < k_most_notes) {
-        track.notes.push_back(place(row) + ": " + std::to_string(missing) + " frames before frame " +
-                              std::to_string(*row.frame) + " are left out and held");
-      }
+    const double missing = i == 0 ? 0 : places[i] - places[i - 1] - 1;
+    if (missing > static_cast<double>(k_most_track_frames - track.frames.size())) {
+      return base::Error{"frames are left out up to frame " + std::to_string(*row.frame), text_of(row, name),
+                         "a track has at most 1,000,000 frames"};
+    }
+    for (double k = 1; k <= missing; ++k) {
+      animation::TrackFrame gap;
+      gap.time_s = times[i - 1] + (times[i] - times[i - 1]) * k / (missing + 1);
+      track.frames.push_back(std::move(gap));
+    }
+    if (missing > 0) {
+      notes.add(text_of(row, name) + ": " + std::to_string(static_cast<std::int64_t>(missing)) +
+                " frames before frame " + std::to_string(*row.frame) + " are left out and held");
     }
     if (track.frames.size() >= k_most_track_frames) {
-      return base::Error{"a track has at most 1,000,000 frames", place(row), "cut the video"};
+      return base::Error{"a track has at most 1,000,000 frames", text_of(row, name), "cut the video"};
     }
     animation::TrackFrame frame;
-    frame.time_s = own > 0 ? *row.time_s : step * static_cast<double>(track.frames.size());
-    if (!track.frames.empty()) frame.time_s = std::max(frame.time_s, track.frames.back().time_s);
+    frame.time_s = times[i];
     if (row.why_held.empty()) {
       frame.confidence = std::clamp(row.confidence, 0.0, 1.0);
       frame.points = std::move(row.points);
       frame.depths = std::move(row.depths);
-    } else if (++held <= k_most_notes) {
-      track.notes.push_back(place(row) + ": " + row.why_held + "; the frame is held");
+      frame.rotation = row.rotation;
+    } else {
+      notes.add(text_of(row, name) + ": " + row.why_held + "; the frame is held");
+      frame.why_held = std::move(row.why_held);
     }
     track.frames.push_back(std::move(frame));
   }
-  if (held > k_most_notes) {
-    track.notes.push_back("and " + std::to_string(held - k_most_notes) + " frames more are held");
-  }
+  track.notes = notes.take();
   return track;
 }
 

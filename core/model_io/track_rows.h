@@ -18,19 +18,33 @@ struct TrackRow {
   std::string why_held;                    ///< not empty: the row shows no face, and why
   std::vector<animation::PxPoint> points;  ///< empty where held
   std::vector<double> depths;              ///< or empty
+  std::optional<glm::dmat3> rotation;      ///< of the head, as TrackFrame
+};
+
+/// Notes on single frames: the first of them, and how many more there are.
+class FrameNotes {
+ public:
+  void add(std::string note);
+  [[nodiscard]] std::vector<std::string> take();
+
+ private:
+  std::vector<std::string> notes_;
+  std::size_t count_ = 0;
 };
 
 /// What `line` counts: lines from 1, or frames of a list from 0.
 enum class RowName : std::uint8_t { line, frame };
 
-/// Puts rows in the order of the file into a track: frames whose numbers are left out are filled with frames that show
-/// no face, times that are missing or stand still are made of `fps`. Errors: no row with a face, more frames than
-/// k_most_track_frames.
+/// Puts rows in the order of the file into a track. Frames whose numbers are left out are filled with frames that show
+/// no face. Rows whose number comes again or steps back are skipped; rows whose time does are placed by their number,
+/// or held where they have none. Numbers or times of which many do so are not gone by: then rows follow each other, and
+/// `fps` tells the times. All of that is noted. Errors: no row with a face, more frames than k_most_track_frames.
 [[nodiscard]] base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::size_t point_count,
                                                              double fps, RowName name = RowName::line);
 
-/// Divides times by 1000 where they grow by more than 5 a row: no video shows a frame so rarely, they are milliseconds.
-void take_milliseconds(std::vector<TrackRow>& rows);
+/// Divides times by 1000 as long as they grow by more than 5 a row: no video shows a frame so rarely, they are
+/// milliseconds, or micro- or nanoseconds.
+void take_small_units(std::vector<TrackRow>& rows);
 
 /// Frame rate of a track whose file says nothing of time.
 inline constexpr double k_common_fps = 30;

@@ -16,6 +16,7 @@
 #include "ui/cli/files.h"
 #include "ui/cli/head_stand.h"
 #include "ui/cli/load_model.h"
+#include "ui/cli/number_range.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/save_model.h"
 #include "ui/cli/track_input.h"
@@ -103,6 +104,19 @@ base::Result<Animated> from_points(const document::Model& model, const animation
   Animated animated;
   auto setup = make_setup(model, track, map.map, map.bundled, landmarks, animated.notes);
   if (!setup) return setup.error();
+  if (apply_head && setup->points.stable.size() < 2) {
+    animated.notes.emplace_back(
+        setup->points.stable.empty()
+            ? "the head cannot be followed and stays still: the map lists no stable points; "
+              "list two or more in \"stable\""
+            : "the head's turn cannot be followed, only its shift: the map lists a single stable "
+              "point; list two or more in \"stable\"");
+  }
+  if (arguments.neutral.value_or(0) >= track.frames.size()) {
+    return base::Error{"there is no frame " + std::to_string(*arguments.neutral) + "; the track has " +
+                           std::to_string(track.frames.size()),
+                       "--neutral", "frames count from 0"};
+  }
   setup->neutral = arguments.neutral;
   setup->tremor_px = arguments.tremor_px;
   setup->smooth_s = arguments.smooth_s;
@@ -247,7 +261,12 @@ int animate(const AnimateArguments& arguments) {
     all.poses = std::move(result.poses);
     all.held = std::move(result.held);
     all.notes = weights->notes;
+    if (arguments.fps <= 0 && !weights->rate_note.empty()) all.notes.push_back(weights->rate_note);
     all.unmatched = std::move(result.unmatched);
+    all.notes.insert(all.notes.end(), result.notes.begin(), result.notes.end());
+    if (apply_head && result.stands.empty())
+      all.notes.emplace_back(
+          "the head cannot be followed and stays still: there is no column HeadYaw, HeadPitch or HeadRoll");
     all.stands = std::move(result.stands);
     all.pivot = document::rest_world_box(*model).center();
     animated = std::move(all);
@@ -255,10 +274,11 @@ int animate(const AnimateArguments& arguments) {
     auto& points = std::get<animation::PointTrack>(input->track);
     retime(points, arguments.fps);
     animated = from_points(*model, points, **map, arguments, apply_head);
+    if (arguments.fps <= 0 && !points.rate_note.empty()) points.notes.push_back(points.rate_note);
     if (animated) animated->notes.insert(animated->notes.begin(), points.notes.begin(), points.notes.end());
   }
   for (const std::string& pointer : (*map)->map.skipped) {
-    std::cerr << "penpose: " << arguments.map << ": " << pointer << " is not known and was skipped\n";
+    warn(pointer + " is not known and was skipped", arguments.map);
   }
   const std::string map_name = arguments.map.empty() ? arguments.track : arguments.map;
   if (!animated) return report(animated.error(), map_name);
@@ -278,7 +298,8 @@ int animate(const AnimateArguments& arguments) {
   }
   const document::Document result = with_tracked(*document, *model);
   if (auto saved = save_as_it_came(result, arguments.out); !saved) return report(saved.error(), arguments.out);
-  for (const std::string& note : animated->notes) std::cerr << "penpose: " << arguments.track << ": " << note << '\n';
+  for (const std::string& note : document->model->notes) warn(note, arguments.model);
+  for (const std::string& note : animated->notes) warn(note, arguments.track);
   if (arguments.json) {
     std::cout << to_json(*animated, result, fps).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
     return k_success;
@@ -309,20 +330,21 @@ void add_animate_command(CLI::App& app, int& status) {
   command->add_option("-o", arguments->out, "Write the animated model, .glb")->required();
   command->add_option("--head", arguments->head, "Turn of the head: drop it or apply it (default: as the map says)")
       ->check(CLI::IsMember({"drop", "apply"}));
-  command->add_option("--neutral", arguments->neutral,
-                      "Frame, from 0, in which the face is at rest (default: the first)");
+  command
+      ->add_option("--neutral", arguments->neutral, "Frame, from 0, in which the face is at rest (default: the first)")
+      ->check(CLI::Validator(number_range(0, 1e6), "0 to 1000000"));
   command
       ->add_option("--tremor", arguments->tremor_px,
                    "How far the tracker's points shake, px; 0 leaves them (default: 1, less for small faces)")
-      ->check(CLI::Range(0.0, 1000.0));
+      ->check(CLI::Validator(number_range(0.0, 1000.0), "0 to 1000"));
   command->add_option("--smooth", arguments->smooth_s, "Smooth over so many seconds to each side, without lag")
-      ->check(CLI::Range(0.0, 60.0))
+      ->check(CLI::Validator(number_range(0.0, 60.0), "0 to 60"))
       ->capture_default_str();
   command->add_option("--confidence", arguments->least_confidence, "Hold frames of less confidence, 0 to 1")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(CLI::Validator(number_range(0.0, 1.0), "0 to 1"))
       ->capture_default_str();
   command->add_option("--fps", arguments->fps, "Frames a second, instead of the track's own times")
-      ->check(CLI::Range(0.1, 10000.0));
+      ->check(CLI::Validator(number_range(0.1, 10000.0), "0.1 to 10000"));
   command->add_option("--picture", arguments->picture, "WIDTHxHEIGHT of the video in px, for normalised coordinates")
       ->check(CLI::Validator(check_picture, "WxH"));
   command->add_flag("--json", arguments->json, "Print one JSON object");

@@ -14,6 +14,8 @@
 #include "ui/cli/commands.h"
 #include "ui/cli/files.h"
 #include "ui/cli/load_model.h"
+#include "ui/cli/natural_order.h"
+#include "ui/cli/number_range.h"
 #include "ui/cli/save_model.h"
 
 namespace penpose::cli {
@@ -26,7 +28,7 @@ struct ConvertArguments {
   double fps = 60;
 };
 
-/// The files that --shapes names: each as it is, a folder's models in the order of their names.
+/// The files that --shapes names: each as it is, a folder's models in the order of their names, numbers as numbers.
 base::Result<std::vector<std::string>> shape_files(const std::vector<std::string>& named) {
   std::vector<std::string> files;
   for (const std::string& path : named) {
@@ -41,7 +43,7 @@ base::Result<std::vector<std::string>> shape_files(const std::vector<std::string
       if (model_io::format_of_name(entry.path().string())) inside.push_back(entry.path().string());
     }
     if (code || inside.empty()) return base::Error{"has no model", path, "name a folder of .obj files"};
-    std::sort(inside.begin(), inside.end());
+    std::sort(inside.begin(), inside.end(), natural_less);
     files.insert(files.end(), inside.begin(), inside.end());
   }
   return files;
@@ -74,14 +76,15 @@ int run_convert(const ConvertArguments& arguments) {
   const auto document = load_with_shapes(arguments);
   if (!document) return report(document.error(), arguments.in);
   if (arguments.out.ends_with(".csv")) {
-    const auto text = model_io::write_arkit(document::model_of(*document), arguments.fps);
-    if (!text) return report(text.error(), arguments.in);
-    const auto written = write_file(arguments.out, base::as_bytes(*text));
-    return written ? k_success : report(written.error(), arguments.out);
+    const auto take = model_io::write_arkit(document::model_of(*document), arguments.fps);
+    if (!take) return report(take.error(), arguments.in);
+    const auto written = write_file(arguments.out, base::as_bytes(take->text));
+    if (!written) return report(written.error(), arguments.out);
+    for (const std::string& note : take->notes) warn(note, arguments.in);
+    return k_success;
   }
   if (const auto saved = save_as_it_came(*document, arguments.out); !saved) return report(saved.error(), arguments.out);
-  for (const std::string& note : document->model->notes)
-    std::cerr << "penpose: " << arguments.in << ": " << note << '\n';
+  for (const std::string& note : document->model->notes) warn(note, arguments.in);
   return k_success;
 }
 
@@ -99,7 +102,7 @@ void add_convert_command(CLI::App& app, int& status) {
   command->add_option("--shapes", arguments->shapes,
                       "Files, or folders of files, that each show one blend shape; their names become its name");
   command->add_option("--fps", arguments->fps, "Frames a second of a .csv file")
-      ->check(CLI::Range(0.1, 1000.0))
+      ->check(CLI::Validator(number_range(0.1, 1000.0), "0.1 to 1000"))
       ->capture_default_str();
   command->callback([arguments, &status] { status = run_convert(*arguments); });
 }

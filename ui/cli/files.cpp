@@ -101,4 +101,8 @@ int report(const base::Error& error, const std::string& file) {
   return k_failure;
 }
 
+void warn(const std::string& note, const std::string& file) {
+  std::cerr << "penpose: " << base::Error{note, "", ""}.line(file) << '\n';
+}
+
 }  // namespace penpose::cli

@@ -25,4 +25,7 @@ void flush_folder_of(const std::string& path);
 /// Prints "penpose: FILE: PLACE: WHAT; REMEDY" as one line on standard error and returns the exit status of a failure.
 int report(const base::Error& error, const std::string& file = {});
 
+/// Prints what a reader or writer has to say of a file on standard error, one line as an error is.
+void warn(const std::string& note, const std::string& file);
+
 }  // namespace penpose::cli

@@ -20,6 +20,7 @@
 #include "ui/cli/append_file.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/files.h"
+#include "ui/cli/number_range.h"
 #include "ui/cli/own_program.h"
 #include "ui/cli/own_tablets.h"
 #include "ui/cli/stop_signal.h"
@@ -284,7 +285,8 @@ void add_record_command(CLI::App& app, int& status) {
       "record", "Records what tablets send, in hid-recorder's format, until Ctrl-C or until they are unplugged.");
   command->add_option("-o,--output", options->output, "The trace to write")->required();
   command->add_option("--device", options->device, "One device by its path, as `penpose devices` gives it");
-  command->add_option("--seconds", options->seconds, "Stop after that time")->check(CLI::PositiveNumber);
+  command->add_option("--seconds", options->seconds, "Stop after that time")
+      ->check(CLI::Validator(number_range(1e-3, 1e9), "0.001 to 1000000000"));
   command->add_option(k_tablets_option, options->tablets, k_tablets_help);
   command->callback([options, &status] { status = record(*options); });
 }

@@ -15,6 +15,7 @@
 #include "ui/cli/closest_name.h"
 #include "ui/cli/files.h"
 #include "ui/cli/load_model.h"
+#include "ui/cli/number_range.h"
 #include "ui/cli/progress.h"
 #include "ui/render/appearance.h"
 #include "ui/render/framing.h"
@@ -212,15 +213,15 @@ void add_render_command(CLI::App& app, int& status) {
   command->add_option("MODEL", options->model, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
   command->add_option("--set", options->assignments, "NAME=VALUE: a parameter of the pose; may be given many times")
       ->allow_extra_args(false);
-  auto* time =
-      command->add_option("--time", options->time_s, "second of the model's first animation")->check(CLI::Number);
+  auto* time = command->add_option("--time", options->time_s, "second of the model's first animation")
+                   ->check(CLI::Validator(number_range(-1e6, 1e6), "-1000000 to 1000000"));
   command
       ->add_flag("--frames", options->frames,
                  "one picture a frame of the first animation: OUT0001.png, OUT0002.png, ... as Blender names them; ### "
                  "at the end of OUT says how many digits")
       ->excludes(time);
   command->add_option("--fps", options->fps, "frames a second of --frames")
-      ->check(CLI::Range(0.1, 1000.0))
+      ->check(CLI::Validator(number_range(0.1, 1000.0), "0.1 to 1000"))
       ->capture_default_str();
   command->add_option("--size", options->size, "WIDTHxHEIGHT of the picture in px")
       ->check(CLI::Validator(check_size, "WxH"))

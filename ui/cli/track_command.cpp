@@ -10,6 +10,8 @@
 #include "core/model_io/label_file.h"
 #include "core/model_io/read_pgm.h"
 #include "ui/cli/files.h"
+#include "ui/cli/natural_order.h"
+#include "ui/cli/number_range.h"
 #include "ui/cli/progress.h"
 #include "ui/render/image.h"
 
@@ -62,7 +64,7 @@ base::Result<Learned> learn(const model_io::LabelFile& file, const std::filesyst
       error.place = file.images[k] + (error.place.empty() ? "" : ": " + error.place);
       return error;
     }
-    labelled.push_back({std::move(image).value(), file.track.frames[k].points});
+    labelled.push_back({std::move(image).value(), file.track.frames[k].points, file.images[k]});
     if (auto fits = check_size(labelled.back().image, labelled.front().image, file.images[k]); !fits)
       return fits.error();
   }
@@ -71,7 +73,7 @@ base::Result<Learned> learn(const model_io::LabelFile& file, const std::filesyst
   return Learned{std::move(points).value(), std::move(labelled.front().image)};
 }
 
-/// Files as they are named, a folder's pictures in the order of their names.
+/// Files as they are named, a folder's pictures in the order of their names, numbers as numbers.
 std::vector<std::string> picture_files(const std::vector<std::string>& named) {
   std::vector<std::string> files;
   for (const std::string& path : named) {
@@ -85,7 +87,7 @@ std::vector<std::string> picture_files(const std::vector<std::string>& named) {
       const auto extension = entry.path().extension();
       if (extension == ".png" || extension == ".pgm") inside.push_back(entry.path().string());
     }
-    std::sort(inside.begin(), inside.end());
+    std::sort(inside.begin(), inside.end(), natural_less);
     files.insert(files.end(), inside.begin(), inside.end());
   }
   return files;
@@ -96,6 +98,7 @@ int track(const TrackArguments& arguments) {
   if (!bytes) return report(bytes.error(), arguments.labels);
   const auto labels = model_io::read_label_file(*bytes);
   if (!labels) return report(labels.error(), arguments.labels);
+  for (const std::string& note : labels->track.notes) warn(note, arguments.labels);
   const auto learned = learn(*labels, std::filesystem::path(arguments.labels).parent_path());
   if (!learned) return report(learned.error(), arguments.labels);
   const auto files = picture_files(arguments.pictures);
@@ -137,7 +140,7 @@ void add_track_command(CLI::App& app, int& status) {
       ->required();
   command->add_option("-o", arguments->out, "Track of curves to write, .json, for penpose animate")->required();
   command->add_option("--fps", arguments->fps, "Frames a second of the sequence")
-      ->check(CLI::Range(0.1, 10000.0))
+      ->check(CLI::Validator(number_range(0.1, 10000.0), "0.1 to 10000"))
       ->capture_default_str();
   command->callback([arguments, &status] { status = track(*arguments); });
 }

@@ -107,6 +107,10 @@ base::Result<TrackInput> read_track(const std::string& path, std::optional<Track
   const auto bytes = read_file(path);
   if (!bytes) return bytes.error();
   if (bytes->empty()) return base::Error{"the file is empty", "line 1", "track the video again"};
+  const std::string_view text = base::as_text(*bytes);
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
+    return base::Error{"the file is text as UTF-16, of two bytes a letter", "line 1", "save it as UTF-8"};
+  }
   if (!format) format = model_io::format_of_track(*bytes);
   if (!format) {
     return base::Error{"the track's format is not known", "line 1",

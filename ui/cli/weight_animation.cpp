@@ -1,8 +1,10 @@
 #include "ui/cli/weight_animation.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/animation/steady.h"
+#include "core/base/numbers.h"
 #include "core/geometry/rotation.h"
 #include "core/rig/control_names.h"
 
@@ -23,6 +25,29 @@ std::size_t column_of(const animation::WeightTrack& track, const char* folded) {
   return static_cast<std::size_t>(at - track.names.begin());
 }
 
+/// Values of a column that are cut: percent for shares show as a mouth that is always open.
+struct Cut {
+  std::size_t count = 0;
+  std::size_t first_frame = 0;
+  double first = 0;
+  rig::Parameter range;
+};
+
+std::vector<std::string> notes_on(const std::vector<std::string>& names, const std::vector<Cut>& cuts) {
+  constexpr std::size_t k_most = 5;
+  std::vector<std::string> notes;
+  std::size_t columns = 0;
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    if (cuts[i].count == 0 || ++columns > k_most) continue;
+    notes.push_back("column " + names[i] + ": " + std::to_string(cuts[i].count) + " values are cut to " +
+                    base::format_double(cuts[i].range.minimum) + ".." + base::format_double(cuts[i].range.maximum) +
+                    ", the first in frame " + std::to_string(cuts[i].first_frame) + ": " +
+                    base::format_double(cuts[i].first));
+  }
+  if (columns > k_most) notes.push_back("and values of " + std::to_string(columns - k_most) + " columns more are cut");
+  return notes;
+}
+
 }  // namespace
 
 WeightAnimation animate_weights(const document::Model& model, const animation::WeightTrack& track,
@@ -40,6 +65,7 @@ WeightAnimation animate_weights(const document::Model& model, const animation::W
   rig::Pose pose = rig::rest_pose(*model.rig);
   std::vector<std::vector<double>> angles;
   std::vector<double> now(3, 0.0);
+  std::vector<Cut> cuts(track.names.size());
   for (std::size_t f = 0; f < track.frames.size(); ++f) {
     const animation::WeightFrame& frame = track.frames[f];
     result.times_s.push_back(frame.time_s);
@@ -48,6 +74,9 @@ WeightAnimation animate_weights(const document::Model& model, const animation::W
       for (const std::size_t c : controls[i]) {
         const rig::Parameter& range = model.rig->parameters()[c];
         pose[c] = std::clamp(frame.values[i], range.minimum, range.maximum);
+        // Trackers overshoot a little.
+        if (std::abs(frame.values[i] - pose[c]) <= 0.1 * (range.maximum - range.minimum)) continue;
+        if (cuts[i].count++ == 0) cuts[i] = {1, f, frame.values[i], range};
       }
     }
     for (std::size_t k = 0; frame.found && k < 3; ++k) {
@@ -56,6 +85,7 @@ WeightAnimation animate_weights(const document::Model& model, const animation::W
     result.poses.push_back(pose);
     angles.push_back(now);
   }
+  result.notes = notes_on(track.names, cuts);
   animation::smooth_over_time(result.times_s, smooth_s, result.poses);
   if (!apply_head || !turns) return result;
   animation::smooth_over_time(result.times_s, smooth_s, angles);

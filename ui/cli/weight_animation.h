@@ -14,6 +14,7 @@ struct WeightAnimation {
   std::vector<rig::Pose> poses;  ///< within the controls' ranges
   std::vector<std::size_t> held;
   std::vector<std::string> unmatched;   ///< names that the model has no control for
+  std::vector<std::string> notes;       ///< on values far outside their controls' ranges
   std::vector<document::Stand> stands;  ///< from HeadYaw, HeadPitch and HeadRoll, where asked for and there
 };
 

@@ -68,9 +68,14 @@ TEST(HeadMotion, ANodIsToldFromAPulledMouthWhereDepthsAreKnown) {
   EXPECT_NEAR(std::acos(still.turns[1].rotation[2][2]), angle, 0.01);
   EXPECT_GT(still.doubt[1], 0.5);
   EXPECT_LT(still.doubt[0], 1e-6);
+  const double lid = std::abs(take_head_motion_out(track, {{0, 1, 2, 3}, {}, {4}}, {}, 0).value().offsets[1][4].y);
   // The same picture without depths is taken for a pulled mouth.
   for (auto& frame : track.frames) frame.depths.clear();
-  EXPECT_GT(std::abs(take_head_motion_out(track, k_corners, {}, 0).value().offsets[1][4].y), 3);
+  const double pulled = std::abs(take_head_motion_out(track, k_corners, {}, 0).value().offsets[1][4].y);
+  EXPECT_GT(pulled, 3);
+  // Of lids half of the nod is taken out: they may have closed as well.
+  EXPECT_GT(lid, 0.2 * pulled);
+  EXPECT_LT(lid, 0.8 * pulled);
 }
 
 TEST(HeadMotion, FramesWithoutAFaceRepeatTheTurn) {
@@ -112,6 +117,49 @@ TEST(HeadMotion, RefusesStablePointsThatTellNothing) {
   const auto still = take_head_motion_out(track, {}, {}, 0).value();
   EXPECT_EQ(still.turns[1].scale, 1);
   EXPECT_NEAR(still.offsets[1][1].x, 100, 1e-12);
+}
+
+glm::dmat3 nod(double angle) {
+  return {1, 0, 0, 0, std::cos(angle), std::sin(angle), 0, -std::sin(angle), std::cos(angle)};
+}
+
+/// Points of a nodding head seen from afar, with another one far behind the others; a smile draws the nose (2) down.
+PointTrack smiling_nod(double angle) {
+  auto track = square_track(2);
+  const std::vector<double> depths{0, 0, 60, 50, -150};
+  for (auto& frame : track.frames) frame.depths = depths;
+  for (std::size_t i = 0; i < 5; ++i) {
+    PxPoint& p = track.frames[1].points[i];
+    p.y = std::cos(angle) * p.y + std::sin(angle) * depths[i];
+  }
+  track.frames[1].points[2].y += 12;
+  return track;
+}
+
+double nod_of(const StillTrack& still) {
+  return std::atan2(-still.turns[1].rotation[2][1], still.turns[1].rotation[2][2]);
+}
+
+TEST(HeadMotion, PointsFarBehindTellANodFromASmileThatDrawsTheNoseDown) {
+  const auto track = smiling_nod(0.2);
+  const auto near = take_head_motion_out(track, k_corners, {}, 0).value();
+  const auto far = take_head_motion_out(track, {{0, 1, 2, 3}, {4}}, {}, 0).value();
+  EXPECT_LT(std::abs(nod_of(far) - 0.2), 0.5 * std::abs(nod_of(near) - 0.2));
+  // What moved on the face is measured by the stable points alone.
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(far.offsets[1][i], near.offsets[1][i]);
+}
+
+TEST(HeadMotion, TheTrackersOwnTurnStandsWhereItAgreesWithThePoints) {
+  auto track = smiling_nod(0.2);
+  track.frames[0].rotation = nod(0.1);
+  track.frames[1].rotation = nod(0.31);
+  EXPECT_NEAR(nod_of(take_head_motion_out(track, k_corners, {}, 0).value()), 0.21, 1e-12);
+  // Columns of another unit or other axes, or that are always the same, are not believed.
+  const double own = nod_of(take_head_motion_out(smiling_nod(0.2), k_corners, {}, 0).value());
+  track.frames[1].rotation = nod(1.4);
+  EXPECT_NEAR(nod_of(take_head_motion_out(track, k_corners, {}, 0).value()), own, 1e-12);
+  track.frames[1].rotation = track.frames[0].rotation;
+  EXPECT_NEAR(nod_of(take_head_motion_out(track, k_corners, {}, 0).value()), own, 1e-12);
 }
 
 }  // namespace

@@ -28,9 +28,16 @@ TEST(LabelFile, NamesPicturesAndFeatures) {
           "features": [["b", "a"]]})"));
   ASSERT_TRUE(file.ok()) << file.error().line();
   EXPECT_EQ(file->images, (std::vector<std::string>{"a.png"}));
-  EXPECT_EQ(file->features[0], (std::vector<std::size_t>{3, 4, 0, 1, 2}));
+  EXPECT_EQ(file->features[0].points, (std::vector<std::size_t>{3, 4, 0, 1, 2}));
   EXPECT_EQ(read_label_file(base::as_bytes(R"({"frames": [{"curves": {"b": [[0, 0], [1, 1]]}}]})")).error().place,
-            "/frames/0");
+            "/frames/0/image");
+  EXPECT_EQ(read_label_file(base::as_bytes(R"({"frames": []})")).error().what, "no picture is labelled");
+  // Pictures are in no order of time.
+  EXPECT_TRUE(read_label_file(base::as_bytes(R"({"frames": [
+      {"image": "a.png", "time": 0, "curves": {"b": [[0, 0], [1, 1]]}},
+      {"image": "b.png", "time": 1, "curves": {"b": [[0, 0], [1, 1]]}},
+      {"image": "c.png", "time": 1, "curves": {"b": [[0, 0], [1, 1]]}}]})"))
+                  .ok());
   const auto again = read_curve_track(base::as_bytes(write_curve_track(file->track, 25))).value();
   EXPECT_EQ(again.frames[0].points, file->track.frames[0].points);
 }

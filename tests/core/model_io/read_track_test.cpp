@@ -72,6 +72,22 @@ std::string solid_points(double nose) {
   return x + y + z;
 }
 
+TEST(ReadOpenFace, TakesTheTrackersOwnTurnOfTheHead) {
+  Table table;
+  table.before += ", pose_Rx, pose_Ry, pose_Rz";
+  table.rows = {s("1, 0.000, 0.98, 1, 0.3, 0, 0") + table.points(0),
+                s("2, 0.040, 0.88, 1, 0, 0, nan") + table.points(1),
+                s("3, 0.080, 0.88, 1, 0, 0.2, 0.5") + table.points(1)};
+  const auto track = read_openface_track(bytes(table.text())).value();
+  // A nod: what pointed away from the camera now points up (y is down).
+  EXPECT_NEAR(track.frames[0].rotation->operator[](2)[1], -std::sin(0.3), 1e-12);
+  EXPECT_FALSE(track.frames[1].rotation);
+  const glm::dmat3 r = *track.frames[2].rotation;
+  EXPECT_NEAR(r[0][1], std::sin(0.5), 1e-12);
+  EXPECT_NEAR(r[2][0], std::sin(0.2), 1e-12);
+  EXPECT_FALSE(read_openface_track(bytes(two_frames().text())).value().frames[0].rotation);
+}
+
 TEST(ReadOpenFace, TakesTheTrackersOwnDepths) {
   Table table = two_frames();
   for (const char* axis : {"X_", "Y_", "Z_"}) {
@@ -275,6 +291,26 @@ TEST(ReadMediapipeJson, TakesTimesInMilliseconds) {
   EXPECT_NEAR(read_mediapipe_json(bytes(text), {}).value().frames[1].time_s, 0.04, 1e-9);
 }
 
+TEST(ReadMediapipeJson, TakesTimesOfTheDayInAnyUnit) {
+  for (const char* const times : {"1700000000000,1700000000040", "1700000000000000,1700000000040000",
+                                  "1700000000.00,1700000000.04", "\"0.00\",\"0.04\""}) {
+    const std::string both = times;
+    const auto comma = both.find(',');
+    const std::string text = s(R"({"frames": [{"timestamp": )") + both.substr(0, comma) + R"(, "landmarks": )" +
+                             face(0) + R"(}, {"timestamp": )" + both.substr(comma + 1) + R"(, "landmarks": )" +
+                             face(1) + "}]}";
+    const auto track = read_mediapipe_json(bytes(text), {}).value();
+    EXPECT_NEAR(track.frames[1].time_s - track.frames[0].time_s, 0.04, 1e-3) << times;
+  }
+}
+
+TEST(ReadMediapipeJson, TakesAFrameALine) {
+  const std::string line = s(R"({"landmarks": )") + face(0) + "}\n";
+  EXPECT_EQ(read_mediapipe_json(bytes(line + "\n" + line + "null\n"), {}).value().frames.size(), 3U);
+  EXPECT_EQ(read_mediapipe_json(bytes(line + line + line.substr(0, 50)), {}).error().place, "line 3");
+  EXPECT_TRUE(read_mediapipe_json(bytes("{\n\"frames\": x}"), {}).error().place.starts_with("byte offset"));
+}
+
 TEST(ReadMediapipeCsv, OnePointFarOffDoesNotMakeItPx) {
   std::string text = mediapipe_wide(468, true);
   const auto last = text.find_last_of(',');
@@ -293,11 +329,35 @@ TEST(ReadMediapipeJson, FollowsOneFaceOfSeveral) {
 }
 
 TEST(ReadMediapipeJson, SaysWhereItIsWrong) {
-  EXPECT_EQ(read_mediapipe_json(bytes(s("[") + face(0, 12) + "]"), {}).error().place, "/0");
+  EXPECT_EQ(
+      read_mediapipe_json(bytes(s("[") + face(0, 12) + "]"), {}).error().line(),
+      "frame 0: no frame shows a face: a face of 468 or 478 points was expected, not of 12; track the video again");
   EXPECT_EQ(read_mediapipe_json(bytes("{}"), {}).error().place, "/frames");
-  EXPECT_EQ(read_mediapipe_json(bytes(s("[") + face(0) + "," + face(0, 478) + "]"), {}).error().place, "/1");
+  const auto mixed = read_mediapipe_json(bytes(s("[") + face(0) + "," + face(0, 478) + "," + face(0, 5) + "]"), {});
+  EXPECT_FALSE(mixed.value().frames[1].found());
+  EXPECT_FALSE(mixed.value().frames[2].found());
+  EXPECT_EQ(mixed.value().notes.size(), 2U);
   EXPECT_FALSE(read_mediapipe_json(bytes("[null, null]"), {}).ok());
-  EXPECT_EQ(read_mediapipe_json(bytes("[1]"), {}).error().place, "/0");
+  EXPECT_EQ(read_mediapipe_json(bytes("[1]"), {}).error().place, "frame 0 (/0)");
+  const std::string odd = s(R"({"frames": [{"landmarks": )") + face(0) + R"(}, {"landmarks": [1, 2]}]})";
+  EXPECT_EQ(read_mediapipe_json(bytes(odd), {}).error().place, "frame 1 (/frames/1/landmarks/0)");
+  EXPECT_NE(read_mediapipe_json(bytes(R"([{"mesh": []}])"), {}).error().what.find("faceLandmarks"), std::string::npos);
+}
+
+/// One picture's result, in the shapes that programs give it.
+TEST(ReadMediapipeJson, TakesASingleFace) {
+  for (const std::string& text :
+       {face(3), face(3, 478, "list"), s(R"({"frames": )") + face(3) + "}", s(R"({"landmarks": )") + face(3) + "}",
+        s(R"({"faceLandmarks": [)") + face(3) + R"(], "faceBlendshapes": []})", s("[") + face(3) + "]",
+        s(R"([{"faces": [{"keypoints": )") + face(3) + "}]}]",
+        s(R"([{"multi_face_landmarks": [{"landmark": )") + face(3) + "}]}]"}) {
+    const auto track = read_mediapipe_json(bytes(text), {});
+    ASSERT_TRUE(track.ok()) << track.error().line() << text.substr(0, 60);
+    ASSERT_EQ(track->frames.size(), 1U) << text.substr(0, 60);
+    EXPECT_EQ(track->frames[0].points[7], (animation::PxPoint{10, 14})) << text.substr(0, 60);
+  }
+  const auto clip = read_mediapipe_json(bytes(s(R"({"face_landmarks": [)") + face(0) + "," + face(1) + "]}"), {});
+  EXPECT_EQ(clip.value().frames.size(), 2U);
 }
 
 TEST(ReadIbug, ReadsBlocksTablesAndBareRows) {
@@ -346,7 +406,54 @@ TEST(ReadCurveTrack, SaysWhereItIsWrong) {
   EXPECT_EQ(place(R"({"frames": [{"curves": {"a": [[1, 1]]}}]})"), "/frames/0/curves/a");
   EXPECT_EQ(place(R"({"frames": [{"curves": {"a": [[1, 1], [2, "3"]]}}]})"), "/frames/0/curves/a/1");
   EXPECT_EQ(place(R"({"frames": [{"curves": {"a": [[1, 1], [2, 3]]}}, {"curves": {"b": [[1, 1], [2, 3]]}}]})"),
-            "/frames/1/curves");
+            "frame 0");
+  EXPECT_EQ(place(R"({"frames": [{"curves": {"a": 7}}]})"), "/frames/0/curves/a");
+  EXPECT_EQ(place(R"({"frames": [{"curves": {"a": [[1, 1], [2, 3]], "b": []}}, {"curves": {"b": null}}]})"),
+            "/frames/0/curves/b");
+}
+
+TEST(ReadCurveTrack, HoldsFramesInWhichACurveIsMissing) {
+  const auto track = read_curve_track(bytes(R"({"frames": [
+    {"curves": {"a": [[0, 0], [1, 0]]}},
+    {"curves": {"a": [[0, 0], [1, 0]], "b": [[5, 5], [6, 6]]}},
+    {"curves": {"a": null, "b": [[5, 5], [6, 6]]}},
+    {"curves": {"a": [], "b": [[5, 5], [6, 6]]}},
+    {"curves": {"a": [[0, 0], [1, NaN]], "b": [[5, 5], [6, 6]]}},
+    {"curves": {"a": [[0, 0]], "b": [[5, 5], [6, 6]]}},
+    {"curves": {"a": [[0, 0], [1, 0]], "b": [[5, 5], [6, 6]], "bb": [[5, 5], [6, 6]]}, "confidence": NaN},
+    {"curves": {"a": [[0, 0], [2, 0]], "b": [[5, 5], [6, 6]]}, "time": NaN}]})"))
+                         .value();
+  ASSERT_EQ(track.frames.size(), 8U);
+  for (std::size_t f = 0; f < 8; ++f) EXPECT_EQ(track.frames[f].found(), f == 1 || f == 7) << f;
+  EXPECT_EQ(track.frames[7].points, (std::vector<animation::PxPoint>{{0, 0}, {2, 0}, {5, 5}, {6, 6}}));
+  ASSERT_EQ(track.notes.size(), 7U);
+  EXPECT_TRUE(track.notes[0].starts_with("curve bb is shown by 1 of 8 frames only")) << track.notes[0];
+  EXPECT_EQ(track.notes[1], "frame 0: curve b is missing; the frame is held");
+  EXPECT_EQ(track.notes[3], "frame 3: curve a is empty; the frame is held");
+  EXPECT_EQ(track.notes[4], "frame 4: curve a has a point that is no number; the frame is held");
+}
+
+TEST(ReadMediapipeJson, HoldsFramesThatAreNoNumber) {
+  std::string broken = face(1);
+  broken.replace(broken.find("\"x\":1,"), 6, "\"x\":NaN,");
+  const auto track = read_mediapipe_json(bytes(s("[") + face(0) + "," + broken + "," + face(2) + "]"), {}).value();
+  ASSERT_EQ(track.frames.size(), 3U);
+  EXPECT_FALSE(track.frames[1].found());
+  EXPECT_EQ(track.frames[2].points[7], (animation::PxPoint{9, 14}));
+  ASSERT_EQ(track.notes.size(), 1U);
+  EXPECT_TRUE(track.notes[0].starts_with("frame 1: ")) << track.notes[0];
+}
+
+TEST(ReadMediapipeCsv, ALandmarkThatComesAgainIsNoted) {
+  std::string table = "frame,landmark,x,y\n";
+  for (int f = 0; f < 2; ++f) {
+    for (int i = 0; i < 468; ++i)
+      table += std::to_string(f) + "," + std::to_string(i) + "," + std::to_string(i) + "," + std::to_string(f) + "\n";
+  }
+  const auto track = read_mediapipe_csv(bytes(table + "1,5,900,900\n"), std::nullopt).value();
+  EXPECT_EQ(track.frames[1].points[5], (animation::PxPoint{5, 1}));
+  ASSERT_FALSE(track.notes.empty());
+  EXPECT_TRUE(track.notes[0].starts_with("line 938: landmark 5 of frame 1 comes again")) << track.notes[0];
 }
 
 TEST(ReadArkit, TellsTheRateFromWholeSeconds) {
@@ -375,6 +482,52 @@ TEST(ReadArkit, ReadsNamesTimesAndHolds) {
   EXPECT_EQ(read_arkit_track(bytes("a,b\n1,2\n")).error().place, "line 1");
   EXPECT_EQ(read_arkit_track(bytes("Timecode,JawOpen\n0:0:0:1,x\n")).error().place, "line 2");
   EXPECT_EQ(read_arkit_track(bytes("Timecode,JawOpen\n0:0:0:1,0,5\n")).error().place, "line 2");
+}
+
+TEST(ReadArkit, SaysWhichRateItTookWhereTheTimecodesDoNotTell) {
+  std::string take = "Timecode,JawOpen\n";
+  for (int f = 0; f < 10; ++f) take += "0:0:0:" + std::to_string(f) + ",0.5\n";
+  const auto track = read_arkit_track(bytes(take)).value();
+  EXPECT_NEAR(track.frames[9].time_s, 9 / 60.0, 1e-9);
+  EXPECT_NE(track.rate_note.find("60.00 frames a second"), std::string::npos) << track.rate_note;
+  EXPECT_NE(track.rate_note.find("--fps"), std::string::npos);
+  const auto bare = read_arkit_track(bytes("Timecode,JawOpen\nx,0\ny,1\n")).value();
+  EXPECT_NEAR(bare.frames[1].time_s, 1 / 60.0, 1e-9);
+  EXPECT_NE(bare.rate_note.find("no timecode"), std::string::npos);
+}
+
+TEST(ReadArkit, HoldsRowsWhoseTimecodesRepeatOrStepBack) {
+  const auto track = read_arkit_track(bytes("Timecode,JawOpen\n0:0:0:55,0\n0:0:0:56,0.1\n0:0:0:56,0.2\n0:0:0:58,0.3\n"
+                                            "0:0:0:59,0.4\n0:0:0:12,0.5\n0:0:1:01,0.6\n?,0.7\n0:0:1:03,0.8\n"))
+                         .value();
+  for (std::size_t f = 0; f < 9; ++f) {
+    EXPECT_NEAR(track.frames[f].time_s, static_cast<double>(f) / 60, 1e-9) << f;
+    EXPECT_EQ(track.frames[f].found, f != 2 && f != 5) << f;
+  }
+  ASSERT_EQ(track.notes.size(), 3U);
+  EXPECT_TRUE(track.notes[0].starts_with("line 9: its timecode cannot be read")) << track.notes[0];
+  EXPECT_TRUE(track.notes[1].starts_with("line 4: its timecode does not come after"));
+  EXPECT_TRUE(track.notes[2].starts_with("line 7: "));
+  EXPECT_TRUE(track.rate_note.empty());
+}
+
+TEST(ReadArkit, OfColumnsOfOneNameTheFirstCounts) {
+  const auto track = read_arkit_track(bytes("Timecode,JawOpen,jawopen,Other\n0:0:0:0,0.25,0.5,1\n")).value();
+  EXPECT_EQ(track.names, (std::vector<std::string>{"JawOpen", "Other"}));
+  EXPECT_EQ(track.frames[0].values, (std::vector<double>{0.25, 1}));
+  ASSERT_EQ(track.notes.size(), 1U);
+  EXPECT_TRUE(track.notes[0].starts_with("line 1: the column jawopen comes again")) << track.notes[0];
+}
+
+/// Faces seen twice as often as the timecodes count.
+TEST(ReadArkit, SpreadsRowsOverTimecodesThatStandStill) {
+  std::string take = "Timecode,JawOpen\n";
+  for (int f = 0; f < 90; ++f)
+    take += "0:0:" + std::to_string(f / 60) + ":" + std::to_string(f % 60 / 2) + "," + std::to_string(f) + "\n";
+  const auto track = read_arkit_track(bytes(take)).value();
+  EXPECT_NEAR(track.frames[89].time_s, 89 / 60.0, 0.02);
+  EXPECT_TRUE(track.frames[1].found);
+  EXPECT_NE(track.rate_note.find("do not grow"), std::string::npos);
 }
 
 TEST(TrackFormat, IsToldByTheContent) {

@@ -136,6 +136,13 @@ TEST_F(AnimateCommand, TakesArkitValuesByNameAndListsTheRest) {
   EXPECT_EQ(json["held"], nlohmann::json({1}));
   EXPECT_LE(json["parameters"]["jaw"][2].get<double>(), 2.0);  // within its range, whatever the take says
   EXPECT_NE(error_.find("line 3"), std::string::npos);
+  EXPECT_NE(error_.find("column Jaw: 1 values are cut to"), std::string::npos) << error_;
+}
+
+TEST_F(AnimateCommand, ATextOfTwoBytesALetterIsNamed) {
+  write("take.csv", std::string("\xff\xfeT\0i\0", 6));
+  EXPECT_EQ(animate({"builtin:demo", "--track", path("take.csv"), "-o", path("out.glb")}), k_failure);
+  EXPECT_NE(error_.find("UTF-8"), std::string::npos) << error_;
 }
 
 TEST_F(AnimateCommand, AppliesTheHeadsTurn) {
@@ -146,6 +153,26 @@ TEST_F(AnimateCommand, AppliesTheHeadsTurn) {
   const auto model = load_model(path("out.glb")).value();
   ASSERT_TRUE(model.skeleton);
   EXPECT_EQ(model.animations[0].channels.size(), 4U);
+}
+
+TEST_F(AnimateCommand, SaysWhyAHeadCannotBeFollowed) {
+  write_jaw_track();
+  const auto says = [&](const std::string& track, const std::string& map, const char* expected) {
+    std::vector<std::string> arguments{"builtin:demo", "--track", path(track.c_str()), "-o", path("out.glb"),
+                                       "--head",       "apply"};
+    if (!map.empty()) arguments.insert(arguments.end(), {"--map", path(map.c_str())});
+    ASSERT_EQ(animate(arguments), k_success) << error_;
+    EXPECT_NE(error_.find(expected), std::string::npos) << error_;
+  };
+  auto map = nlohmann::json::parse(std::ifstream(folder_ / "map.json"));
+  map["stable"] = nlohmann::json::array();
+  write("none.json", map.dump());
+  says("track.json", "none.json", "the map lists no stable points");
+  map["stable"] = {0};
+  write("one.json", map.dump());
+  says("track.json", "one.json", "the map lists a single stable point");
+  write("take.csv", "Timecode,Jaw\n0:0:0:0,0\n0:0:0:1,0\n");
+  says("take.csv", "", "no column HeadYaw");
 }
 
 TEST_F(AnimateCommand, SaysWhatIsWrongInOneLine) {
@@ -174,7 +201,11 @@ TEST_F(AnimateCommand, SaysWhatIsWrongInOneLine) {
   fails({"builtin:demo", "--track", path("wrong.csv"), "-o", out}, "x_1");
   fails({"builtin:head", "--track", track, "--map", path("map.json"), "-o", out}, "articulate");
   fails({"builtin:demo", "--track", track, "--map", path("map.json"), "-o", path("out.obj")}, ".glb");
+  fails({"builtin:demo", "--track", track, "--map", path("map.json"), "-o", out, "--neutral", "20"},
+        "the track has 20");
   EXPECT_EQ(animate({"builtin:demo", "-o", out}), k_wrong_usage);
+  EXPECT_EQ(animate({"builtin:demo", "--track", track, "-o", out, "--neutral", "-1"}), k_wrong_usage);
+  EXPECT_EQ(animate({"builtin:demo", "--track", track, "-o", out, "--fps", "nan"}), k_wrong_usage);
 }
 
 TEST_F(AnimateCommand, SaysWhichMembersOfAMapItSkipsAndWhichFramesItHolds) {

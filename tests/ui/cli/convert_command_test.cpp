@@ -10,6 +10,7 @@
 #include "tests/support/document_hand.h"
 #include "tests/support/gltf_sample.h"
 #include "tests/support/model_samples.h"
+#include "tests/support/shared_data.h"
 #include "ui/cli/load_model.h"
 
 namespace penpose::cli {
@@ -105,10 +106,58 @@ TEST_F(ConvertCommand, ShapesAreAddedToAnAnimatedModel) {
   }
 }
 
+TEST_F(ConvertCommand, ShapesOfAFolderAreInTheOrderOfTheirNumbers) {
+  save("in.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  std::filesystem::create_directories(path("shapes"));
+  for (const char* name : {"k1", "k10", "k2"})
+    save("shapes/" + std::string(name) + ".obj", std::string("v 0 0 1\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  ASSERT_EQ(run({"convert", path("in.obj"), path("out.glb"), "--shapes", path("shapes")}), 0) << error_;
+  std::vector<std::string> names;
+  const auto model = load_model(path("out.glb")).value();
+  for (const auto& shape : model.shapes->shapes()) names.push_back(shape.parameter.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"k1", "k2", "k10"}));
+}
+
 TEST_F(ConvertCommand, WhatIsLeftOutIsSaid) {
   save("in.obj", std::string("mtllib x.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
   EXPECT_EQ(run({"convert", path("in.obj"), path("out.glb")}), 0);
   EXPECT_NE(error_.find("materials were left out"), std::string::npos);
+}
+
+TEST_F(ConvertCommand, AModelWithoutArkitsNamesGivesNoTake) {
+  EXPECT_EQ(run({"convert", "builtin:demo", path("out.csv")}), 1);
+  EXPECT_NE(error_.find("jawOpen"), std::string::npos) << error_;
+  EXPECT_EQ(std::count(error_.begin(), error_.end(), '\n'), 1) << error_;
+  EXPECT_FALSE(std::filesystem::exists(path("out.csv")));
+}
+
+class SharedArkit : public ConvertCommand {};
+
+/// The face has two brows' and two cheeks' shapes where ARKit has one.
+TEST_F(SharedArkit, ATakeComesBackAsItWasWritten) {
+  if (!tests::has_shared()) GTEST_SKIP() << "no shared data";
+  const std::string face = (tests::shared_dir() / "meshes" / "ict_face.glb").string();
+  std::string take = "Timecode,BlendShapeCount,BrowInnerUp,CheekPuff,JawOpen,EyeBlinkRight\n";
+  for (int f = 0; f < 40; ++f) {
+    take += "0:0:" + std::to_string(f / 24) + ":" + std::to_string(f % 24) + ",4," + std::to_string(f / 40.0) + ",0.5,";
+    take += std::to_string((f % 8) / 8.0) + ",0.25\n";
+  }
+  save("take.csv", take);
+  ASSERT_EQ(run({"animate", face, "--track", path("take.csv"), "-o", path("a.glb"), "--json"}), 0) << error_;
+  const auto first = nlohmann::json::parse(out_);
+  EXPECT_EQ(first["parameters"]["browInnerUp_L"], first["parameters"]["browInnerUp_R"]);
+  EXPECT_NEAR(first["fps"].get<double>(), 24, 1e-3);
+  ASSERT_EQ(run({"convert", path("a.glb"), path("out.csv"), "--fps", "24"}), 0) << error_;
+  EXPECT_EQ(error_, "");
+  ASSERT_EQ(run({"animate", face, "--track", path("out.csv"), "-o", path("b.glb"), "--json"}), 0) << error_;
+  const auto again = nlohmann::json::parse(out_);
+  EXPECT_EQ(again["frames"], 40);
+  EXPECT_NEAR(again["fps"].get<double>(), 24, 1e-3);
+  for (const auto& [name, values] : first["parameters"].items()) {
+    for (std::size_t f = 0; f < 40; ++f) {
+      EXPECT_NEAR(again["parameters"][name][f].get<double>(), values[f].get<double>(), 1e-6) << name << " frame " << f;
+    }
+  }
 }
 
 }  // namespace

@@ -31,11 +31,12 @@ std::string on_a_terminal(void (*work)()) {
   std::cerr.flush();
   ::dup2(kept, STDERR_FILENO);
   ::close(kept);
-  ::fcntl(master, F_SETFL, O_NONBLOCK);
-  std::string text(4096, '\0');
-  const auto got = ::read(master, text.data(), text.size());
-  text.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+  // The kernel hands the text over in its own time; once the terminal is closed, reading ends after the last of it.
   ::close(terminal);
+  std::string text;
+  char piece[4096];
+  for (ssize_t got = 0; (got = ::read(master, piece, sizeof piece)) > 0;)
+    text.append(piece, static_cast<std::size_t>(got));
   ::close(master);
   return text;
 }

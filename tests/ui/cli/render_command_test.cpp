@@ -132,7 +132,7 @@ TEST_F(RenderCommand, NamesTheFramesOfASequenceAsBlenderDoes) {
 }
 
 TEST_F(RenderCommand, WritesAPictureAFrame) {
-  std::ofstream(folder_ / "take.csv") << "Timecode,BlendShapeCount,Jaw\n0:0:0:0,1,0\n0:0:0:12,1,0.8\n";
+  std::ofstream(folder_ / "take.csv") << "Timecode,BlendShapeCount,Jaw\n0:0:0:0,1,0\n0:0:0:24,1,0.8\n";
   const char* animate[] = {"penpose", "animate", "builtin:demo", "--track", nullptr, "-o", nullptr};
   const std::string take = path("take.csv");
   const std::string clip = path("clip.glb");

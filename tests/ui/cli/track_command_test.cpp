@@ -116,5 +116,31 @@ TEST_F(TrackCommand, SaysWhatIsWrong) {
   EXPECT_NE(error_.find("/frames/0"), std::string::npos) << error_;
 }
 
+TEST_F(TrackCommand, NamesTheCurveAndThePictureThatCannotBeLearned) {
+  write_picture("one.pgm", 0, 1);
+  write_picture("two.pgm", 1, 1);
+  write_picture("clip/face0001.pgm", 0, 1);
+  const auto fails = [&](const nlohmann::json& first, const nlohmann::json& second, const std::string& expected,
+                         const nlohmann::json& features = {}) {
+    nlohmann::json file = {
+        {"frames", {{{"image", "one.pgm"}, {"curves", first}}, {{"image", "two.pgm"}, {"curves", second}}}}};
+    if (!features.is_null()) file["features"] = features;
+    std::ofstream(folder_ / "labels.json") << file.dump();
+    EXPECT_EQ(track({path("clip"), "--labels", path("labels.json"), "-o", path("track.json")}), k_failure);
+    EXPECT_NE(error_.find("labels.json: " + expected), std::string::npos) << error_;
+    EXPECT_EQ(std::count(error_.begin(), error_.end(), '\n'), 1) << error_;
+  };
+  nlohmann::json broken = curves(1);
+  broken["lower"][1] = nullptr;
+  fails(curves(0), broken, "/frames/1/curves: curve lower has a point that is no number, in the picture two.pgm");
+  broken["lower"] = nlohmann::json::array();
+  fails(curves(0), broken, "/frames/1/curves: curve lower is empty, in the picture two.pgm");
+  const nlohmann::json flat = {{"upper", {{16, 30}, {32, 30}}}, {"lower", {{5, 5}, {5, 5}}}};
+  fails(flat, flat, "feature lower: all its points lie at one place in every picture; mark");
+  fails(curves(0), curves(1), "/features/0: a list of names of curves was expected", nlohmann::json::parse("[[]]"));
+  fails(curves(0), curves(1), "/features/0/1: no curve of all pictures is named lip; name one of lower, upper",
+        nlohmann::json::parse(R"([["upper", "lip"]])"));
+}
+
 }  // namespace
 }  // namespace penpose::cli

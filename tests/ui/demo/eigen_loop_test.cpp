@@ -115,11 +115,11 @@ TEST_F(EigenLoop, FindsTheCurvesWithinTwoPxAndClosesTheLoop) {
     rig::Pose pose = pose_at(1.0 + k);
     labelled.push_back(shoot(pose, random(), 0.8 + 0.2 * random()));
   }
-  const std::vector<std::vector<std::size_t>> features = [&] {
-    std::vector<std::vector<std::size_t>> all(5);
+  const std::vector<animation::LabelledFeature> features = [&] {
+    std::vector<animation::LabelledFeature> all(5);
     const std::size_t of_curve[] = {0, 0, 1, 2, 3, 4};
     for (std::size_t c = 0; c < 6; ++c) {
-      auto& feature = all[of_curve[c]];
+      auto& feature = all[of_curve[c]].points;
       feature.insert(feature.end(), curves_[c].points.begin(), curves_[c].points.end());
     }
     return all;

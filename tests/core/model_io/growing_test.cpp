@@ -1,0 +1,32 @@
+#include "core/model_io/growing.h"
+
+#include <gtest/gtest.h>
+
+namespace penpose::model_io {
+namespace {
+
+using Values = std::vector<std::optional<double>>;
+
+TEST(Growing, FindsWhatIsOutOfOrder) {
+  const auto repeated = find_growing(Values{1, 2, 2, 3});
+  EXPECT_EQ(repeated.in_order, (std::vector<bool>{true, true, false, true}));
+  EXPECT_EQ(repeated.astray, 1U);
+  EXPECT_TRUE(repeated.trusted());
+  EXPECT_EQ(find_growing(Values{1, 2, 90, 3, 4}).in_order, (std::vector<bool>{true, true, false, true, true}));
+  EXPECT_EQ(find_growing(Values{1, 2, 3, 1, 4}).in_order, (std::vector<bool>{true, true, true, false, true}));
+  EXPECT_FALSE(find_growing(Values{0, 0, 0, 0}).trusted());
+  EXPECT_FALSE(find_growing(Values{1, 2, 3, 1, 2, 3}).trusted());
+  EXPECT_FALSE(find_growing(Values{1, std::nullopt, std::nullopt}).trusted());
+  EXPECT_TRUE(find_growing(Values{}).in_order.empty());
+}
+
+TEST(Growing, PlacesTheOthersBetweenAndBeyond) {
+  const Values times{std::nullopt, 1.0, 0.5, std::nullopt, 2.5, 2.5};
+  Growing growing = find_growing(times);
+  growing.in_order = {false, true, false, false, true, false};
+  EXPECT_EQ(placed_between(times, growing, std::vector<double>{0, 1, 2, 3, 4, 5}),
+            (std::vector<double>{0.5, 1, 1.5, 2, 2.5, 3}));
+}
+
+}  // namespace
+}  // namespace penpose::model_io

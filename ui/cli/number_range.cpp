@@ -1,0 +1,16 @@
+#include "ui/cli/number_range.h"
+
+#include "core/base/numbers.h"
+
+namespace penpose::cli {
+
+std::function<std::string(std::string&)> number_range(double low, double high) {
+  return [low, high](const std::string& text) -> std::string {
+    const auto value = base::parse_double(text);
+    if (value && *value >= low && *value <= high) return {};
+    return "write a number from " + base::format_double(low) + " to " + base::format_double(high) + ", not \"" + text +
+           "\"";
+  };
+}
+
+}  // namespace penpose::cli
