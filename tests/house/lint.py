@@ -14,7 +14,7 @@ MODULES = ('core', 'firmware_io', 'replay', 'ui', 'tests')
 LIBM = ('sin|cos|tan|asin|acos|atan|atan2|sincos|sinh|cosh|tanh|asinh|acosh|atanh|exp|exp2|exp10|expm1|log|log2|log10|log1p|pow|'
         'hypot|cbrt|fma|tgamma|lgamma|erf|erfc|[jy][01n]')
 SPECIAL = r'beta|arg|polar|riemann_zeta|expint|(?:cyl|sph)_\w+|(?:comp_)?ellint_[123]|(?:assoc_)?(?:legendre|laguerre)|hermite'
-SORTS = 'sort|partial_sort|partial_sort_copy|nth_element|partition|make_heap|push_heap|pop_heap|sort_heap|unstable_remove_if'
+SORTS = 'sort|partial_sort|partial_sort_copy|nth_element|partition|make_heap|push_heap|pop_heap|sort_heap'
 NOT_OURS = r'(?<![\w.>])(?<!base::)(?<!std::)(?:::)?(?<!\w::)'
 BITS = 'the platform\'s libm gives other bits elsewhere; use core/base/math.h'
 ORDER = 'what is equal keeps no order; use std::stable_sort or std::stable_partition'
@@ -42,7 +42,7 @@ IN_CORE = [(re.compile(rule), why) for rule, why in [
     (r'\bstd::(?:locale|regex|wregex|format|vformat|use_facet)\b|\b(?:setlocale|localeconv|newlocale|uselocale|strcoll|strxfrm)\s*\(|#include <(?:locale|clocale|locale\.h|regex|format)>', LOCALE),
     (r'\b(?:strto(?:d|f|ld|u?ll?|imax)|ato(?:f|i|ll?)|sto(?:i|u?ll?|f|d|ld)|is(?:alnum|alpha|digit|space|upper|lower|punct|print|xdigit|cntrl|graph|blank)|to(?:lower|upper))\s*\(|\bstd::is(?:alpha|space|digit|alnum)\b|\bstd::to(?:lower|upper)\b|\b\w*(?:printf|scanf)\s*\(', LOCALE),
     (r'\b(?:secure_)?getenv\s*\(|#include <(?:fstream|filesystem|iostream|ostream|istream|sstream|iomanip|cstdio|stdio\.h|fcntl\.h|unistd\.h)>|\bstd::(?:cout|cerr|clog|cin|w?[io]?(?:string|f)stream|filesystem)\b|\b(?:fopen|fread|fwrite|mmap)\s*\(|(?<!\w)::open\s*\(', OUTSIDE),
-    (r'\blong\s+double\b|\b(?:double|float)_t\b|\b__float128\b|\b_Float\d+|\b__fp16\b|\boptimize\s*\(|#include <(?:cfenv|fenv\.h|cfloat_control|\w*mmintrin\.h|immintrin\.h|arm_neon\.h|x86intrin\.h)>|\bfe(?:set|hold)\w+\s*\(|\b_mm\d*_\w+|\b_MM_SET|\basm\b|\b__asm', FLOATS),
+    (r'\blong\s+double\b|\b(?:double|float)_t\b|\b__float128\b|\b_Float\d+|\b__fp16\b|\boptimize\s*\(|#include <(?:cfenv|fenv\.h|\w*mmintrin\.h|immintrin\.h|arm_neon\.h|x86intrin\.h)>|\bfe(?:set|hold)\w+\s*\(|\b_mm\d*_\w+|\b_MM_SET|\basm\b|\b__asm', FLOATS),
     (r'#\s*pragma\s+(?!once\b)[^\n]*|\b_Pragma\b', FLOATS),
     (r'\bstd::(?:reduce|transform_reduce|inclusive_scan|exclusive_scan|execution)\b|#include <execution>', 'reductions run in a fixed order'),
     (r'\bstd::(?:j?thread|async|mutex|shared_mutex|atomic\w*|future|promise|condition_variable)\b|\bthread_local\b|#include <(?:thread|mutex|atomic|future|condition_variable|pthread\.h)>', THREADS),
