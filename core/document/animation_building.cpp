@@ -42,14 +42,30 @@ void add_vector(const glm::dvec3& v, std::vector<double>& values) {
   for (int axis = 0; axis < 3; ++axis) values.push_back(rounded(v[axis]));
 }
 
-/// One joint at the origin that carries every vertex.
-base::Result<std::shared_ptr<const rig::Skeleton>> one_joint(std::size_t vertices) {
+/// The skeleton, or none, with one more joint at the origin for the vertices that no other one carries. Null: every
+/// vertex is carried.
+base::Result<std::shared_ptr<const rig::Skeleton>> carry_all(const rig::Skeleton* skeleton, std::size_t vertices) {
+  std::vector<rig::Joint> joints;
+  if (skeleton != nullptr) joints.assign(skeleton->joints().begin(), skeleton->joints().end());
+  const auto added = static_cast<std::uint32_t>(joints.size());
+  std::vector<std::uint32_t> first{0};
+  std::vector<rig::Influence> influences;
+  bool needed = false;
+  for (std::uint32_t v = 0; v < vertices; ++v) {
+    const auto own = skeleton == nullptr ? std::span<const rig::Influence>() : skeleton->influences_of(v);
+    influences.insert(influences.end(), own.begin(), own.end());
+    if (own.empty()) influences.push_back({added, 1.0});
+    needed = needed || own.empty();
+    first.push_back(static_cast<std::uint32_t>(influences.size()));
+  }
+  if (!needed) return std::shared_ptr<const rig::Skeleton>();
   rig::Joint joint;
   joint.name = "head";
+  const auto taken = [&](const rig::Joint& other) { return other.name == joint.name; };
+  for (int i = 2; std::any_of(joints.begin(), joints.end(), taken); ++i) joint.name = "head." + std::to_string(i);
   joint.posable = false;
-  std::vector<std::uint32_t> first(vertices + 1);
-  for (std::uint32_t v = 0; v <= vertices; ++v) first[v] = v;
-  return rig::Skeleton::make({joint}, std::move(first), std::vector<rig::Influence>(vertices, {0, 1.0}));
+  joints.push_back(std::move(joint));
+  return rig::Skeleton::make(std::move(joints), std::move(first), std::move(influences));
 }
 
 }  // namespace
@@ -92,9 +108,9 @@ Animation make_animation(const Model& model, std::string name, std::span<const d
 
 base::Result<Model> with_stand(Model model, std::size_t animation, const geometry::ModelPoint& pivot,
                                std::span<const double> times_s, std::span<const Stand> stands) {
-  if (!model.skeleton) {
-    auto skeleton = one_joint(model.mesh->vertex_count());
-    if (!skeleton) return skeleton.error();
+  auto skeleton = carry_all(model.skeleton.get(), model.mesh->vertex_count());
+  if (!skeleton) return skeleton.error();
+  if (*skeleton) {
     auto made = make_model(model.mesh, model.shapes, std::move(skeleton).value(), model.deformers);
     if (!made) return made;
     made->materials = std::move(model.materials);

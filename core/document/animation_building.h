@@ -22,9 +22,9 @@ struct Stand {
   geometry::ModelVector shift{0};
   double scale = 1;
 };
-/// The model with the whole of it moved by the animation too. A model without a skeleton is given one joint "head" at
-/// the origin that carries everything; in one with a skeleton the joints without parents are moved. Precondition: one
-/// time a stand. Errors of the rig.
+/// The model with the whole of it moved by the animation too: the joints without parents are moved, and vertices that
+/// no joint carries, all of them where there is no skeleton, are given to one more joint "head" at the origin.
+/// Precondition: one time a stand. Errors of the rig.
 [[nodiscard]] base::Result<Model> with_stand(Model model, std::size_t animation, const geometry::ModelPoint& pivot,
                                              std::span<const double> times_s, std::span<const Stand> stands);
 

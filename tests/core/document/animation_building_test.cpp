@@ -58,5 +58,28 @@ TEST(AnimationBuilding, AStandMovesTheWholeModelAboutItsPivot) {
     EXPECT_NEAR(geometry::distance(posed_positions(start)[v], rest[v]), 0, 1e-6);
 }
 
+TEST(AnimationBuilding, AStandMovesTheVerticesThatNoJointCarriesToo) {
+  Model bare = two_shapes();
+  rig::Joint joint;
+  joint.name = "head";
+  const std::size_t count = bare.mesh->vertex_count();
+  // The first vertex alone is carried, as eyes are that are children of the face's node.
+  std::vector<std::uint32_t> first(count + 1, 1);
+  first[0] = 0;
+  auto skeleton = rig::Skeleton::make({joint}, std::move(first), {{0, 1.0}}).value();
+  Model model = make_model(bare.mesh, bare.shapes, skeleton).value();
+  const auto rest = posed_positions(model);
+  const std::vector<double> times{0, 1};
+  model.animations = {make_animation(model, "nod", times, std::vector<rig::Pose>(2, model.pose))};
+  const std::vector<Stand> stands{{}, {glm::dquat(1, 0, 0, 0), {1, 2, 3}, 1}};
+  const auto moved = with_stand(std::move(model), 0, geometry::ModelPoint(0), times, stands).value();
+  const auto end = model_at(moved, sample(moved, moved.animations[0], 1)).value();
+  const auto positions = posed_positions(end);
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    EXPECT_NEAR(geometry::distance(positions[v], rest[v] + geometry::ModelVector(1, 2, 3)), 0, 1e-5) << v;
+  }
+  EXPECT_EQ(moved.skeleton->joints().back().name, "head.2");
+}
+
 }  // namespace
 }  // namespace penpose::document
