@@ -19,6 +19,7 @@
 #include "ui/cli/number_range.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/save_model.h"
+#include "ui/cli/tolerance_option.h"
 #include "ui/cli/track_input.h"
 #include "ui/cli/track_setup.h"
 #include "ui/cli/weight_animation.h"
@@ -29,6 +30,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct AnimateArguments {
+  model_io::GlbOptions glb;
   std::string model;
   std::string track;
   std::string map;
@@ -294,7 +296,8 @@ int animate(const AnimateArguments& arguments) {
     model = std::move(with_head);
   }
   const document::Document result = with_tracked(*document, *model);
-  if (auto saved = save_as_it_came(result, arguments.out); !saved) return report(saved.error(), arguments.out);
+  if (auto saved = save_as_it_came(result, arguments.out, SaveNotes::loud, arguments.glb); !saved)
+    return report(saved.error(), arguments.out);
   for (const std::string& note : document->model->notes) warn(note, arguments.model);
   for (const std::string& note : animated->notes) warn(note, arguments.track);
   if (arguments.json) {
@@ -348,6 +351,7 @@ void add_animate_command(CLI::App& app, int& status) {
   command->add_option("--picture", arguments->picture, "WIDTHxHEIGHT of the video in px, for normalised coordinates")
       ->check(CLI::Validator(check_picture, "WxH"));
   command->add_flag("--json", arguments->json, "Print one JSON object");
+  add_tolerance_option(*command, arguments->glb);
   command->callback([arguments, &status] { status = animate(*arguments); });
 }
 
