@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/animation/symmetric_eigen.h"
+#include "core/base/numbers.h"
 
 namespace penpose::animation {
 namespace {
@@ -26,8 +27,8 @@ double grey_at(const GreyImage& image, double x, double y) {
 }
 
 /// The samples of a patch, each a mean over its cell, freed of mean, of the slope of the light across it and of
-/// contrast.
-void take_patch(const GreyImage& image, PxPoint corner, PxPoint size, std::size_t side, std::span<double> out) {
+/// contrast, which is returned (RMS, grey levels).
+double take_patch(const GreyImage& image, PxPoint corner, PxPoint size, std::size_t side, std::span<double> out) {
   const double cell_x = size.x / static_cast<double>(side);
   const double cell_y = size.y / static_cast<double>(side);
   const int nx = std::clamp(static_cast<int>(cell_x + 0.5), 1, 8);
@@ -72,6 +73,7 @@ void take_patch(const GreyImage& image, PxPoint corner, PxPoint size, std::size_
   }
   const double contrast = std::sqrt(energy / count);
   for (double& value : out.first(side * side)) value /= std::max(contrast, 1e-3);
+  return contrast;
 }
 
 double dot(const double* a, const double* b, std::size_t n) {
@@ -131,7 +133,8 @@ base::Result<EigenFeature> learn_feature(std::span<const LabelledImage> images, 
   std::vector<double> rows(n * length);
   for (std::size_t k = 0; k < n; ++k) {
     double* row = rows.data() + k * length;
-    take_patch(images[k].image, feature.corner, feature.size, options.patch, {row, samples});
+    const double contrast = take_patch(images[k].image, feature.corner, feature.size, options.patch, {row, samples});
+    feature.contrast += contrast / static_cast<double>(n);
     for (std::size_t i = 0; i < points.size(); ++i) {
       row[samples + 2 * i] = images[k].points[points[i]].x;
       row[samples + 2 * i + 1] = images[k].points[points[i]].y;
@@ -194,6 +197,27 @@ base::Result<EigenFeature> learn_feature(std::span<const LabelledImage> images, 
   return feature;
 }
 
+/// A point may lie a little outside, where the picture cuts the face; far outside it was marked in another picture.
+base::Status check_inside(const LabelledImage& labelled, std::size_t number, const LabelledFeature& feature,
+                          std::size_t feature_number) {
+  constexpr double k_outside = 0.25;  // of the picture's larger side
+  const double width = labelled.image.width;
+  const double height = labelled.image.height;
+  const double margin = k_outside * std::max(width, height);
+  for (std::size_t i = 0; i < feature.points.size(); ++i) {
+    if (feature.points[i] >= labelled.points.size()) continue;  // learn_feature says so
+    const PxPoint& p = labelled.points[feature.points[i]];
+    if (p.x >= -margin && p.y >= -margin && p.x <= width + margin && p.y <= height + margin) continue;
+    return base::Error{
+        "point " + std::to_string(i) + " lies at " + base::format_fixed(p.x, 1) + ", " + base::format_fixed(p.y, 1) +
+            " px, far outside the picture of " + std::to_string(labelled.image.width) + "x" +
+            std::to_string(labelled.image.height) + " px",
+        place_of("picture", labelled.name, number) + ", " + place_of("feature", feature.name, feature_number),
+        "give points in px of the picture, from its upper left corner"};
+  }
+  return base::Done{};
+}
+
 struct Guess {
   std::vector<double> amounts;
   double left = 0;  ///< share of the patch that the components do not explain
@@ -245,6 +269,9 @@ base::Result<EigenPoints> learn_eigen_points(std::span<const LabelledImage> imag
   EigenOptions usable = options;
   usable.patch = learned.patch;
   for (std::size_t i = 0; i < features.size(); ++i) {
+    for (std::size_t k = 0; k < images.size(); ++k) {
+      if (auto inside = check_inside(images[k], k, features[i], i); !inside) return inside.error();
+    }
     auto feature = learn_feature(images, features[i].points, usable, place_of("feature", features[i].name, i));
     if (!feature) return feature.error();
     learned.features.push_back(std::move(feature).value());
@@ -260,6 +287,7 @@ base::Result<EigenFound> find_eigen_points(const EigenPoints& learned, const Gre
   if (image.width < 2 || image.height < 2 || image.pixels.size() != pixels) return wrong("the picture is empty", "");
   EigenFound found;
   found.points.resize(learned.point_count);
+  constexpr double k_flat = 0.05;  // of the contrast that was learned
   const std::size_t samples = learned.patch * learned.patch;
   std::vector<double> patch(samples);
   std::vector<double> scratch;
@@ -272,8 +300,10 @@ base::Result<EigenFound> find_eigen_points(const EigenPoints& learned, const Gre
     for (int dy = -learned.search_px; dy <= learned.search_px; ++dy) {
       for (int dx = -learned.search_px; dx <= learned.search_px; ++dx) {
         const PxPoint shift = start + PxPoint{static_cast<double>(dx), static_cast<double>(dy)};
-        take_patch(image, feature.corner + shift, feature.size, learned.patch, patch);
+        const double contrast = take_patch(image, feature.corner + shift, feature.size, learned.patch, patch);
         Guess guess = explain(feature, patch, scratch);
+        // A black or flat patch shows nothing, however near it is to the mean.
+        if (contrast <= k_flat * feature.contrast) guess.left = std::max(guess.left, 1.0);
         // A feature that stands still should not wander for a little better explanation.
         guess.left *= 1.0 + 0.01 * (dx * dx + dy * dy);
         if (best.amounts.empty() || guess.left < best.left) {

@@ -49,6 +49,7 @@ struct EigenFeature {
   std::vector<double> basis;  ///< the components, one after the other, each as long as the mean
   std::size_t components = 0;
   std::vector<double> solve;  ///< inverse of the components' products on the patch alone, components squared
+  double contrast = 0;        ///< of the patches that were labelled, RMS grey levels, their mean
   double point_weight = 1;    ///< what points were multiplied with beside samples
 };
 
@@ -64,8 +65,8 @@ struct EigenPoints {
 
 /// Learns from labelled pictures. Patches are freed of their mean and contrast, so
 /// that brighter or darker pictures count the same. Errors: fewer than two pictures, pictures of other sizes or numbers
-/// of points than the first, a feature without extent, points that do not exist, pictures that are all the same. Their
-/// place is the name, or else the number, of the picture or feature.
+/// of points than the first, a feature without extent, points that do not exist or lie far outside their picture,
+/// pictures that are all the same. Their place is the name, or else the number, of the picture or feature.
 [[nodiscard]] base::Result<EigenPoints> learn_eigen_points(std::span<const LabelledImage> images,
                                                            std::span<const LabelledFeature> features,
                                                            const EigenOptions& options = {});
@@ -74,7 +75,7 @@ struct EigenPoints {
 struct EigenFound {
   std::vector<PxPoint> points;
   std::vector<PxPoint> shifts;  ///< one a feature: where its patch lay, to start the next picture from
-  double confidence = 0;        ///< 0..1: how much of the patches the components explain
+  double confidence = 0;        ///< 0..1: how much of the patches the components explain; 0 where all are flat
 };
 
 /// Finds the points. Each feature's patch is looked for within search_px of `shifts` (empty: of where it was learned),

@@ -30,6 +30,23 @@ std::string names_of(const std::vector<animation::TrackGroup>& groups) {
   return text;
 }
 
+/// Curves with other numbers of points than their first have been resampled, which may not be what was meant.
+void note_counts(const Json& frames, LabelFile& file) {
+  constexpr std::size_t k_most_notes = 20;
+  std::size_t notes = 0;
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const Json* curves = find(frames[f], "curves");
+    for (const animation::TrackGroup& group : file.track.groups) {
+      const Json* points = curves == nullptr ? nullptr : find(*curves, group.name.c_str());
+      if (points == nullptr || points->size() == group.count) continue;
+      if (++notes > k_most_notes) return;
+      file.track.notes.push_back("curve " + group.name + " has " + std::to_string(points->size()) +
+                                 " points in the picture " + file.images[f] + " and " + std::to_string(group.count) +
+                                 " in " + file.images[0] + "; it is divided evenly into as many");
+    }
+  }
+}
+
 }  // namespace
 
 base::Result<LabelFile> read_label_file(base::Bytes bytes) {
@@ -55,6 +72,7 @@ base::Result<LabelFile> read_label_file(base::Bytes bytes) {
       return base::Error{frame.why_held + ", in the picture " + file.images.back(), child(here, "curves"), k_mark_all};
     }
   }
+  note_counts(frames, file);
   const Json* features = find(*json, "features");
   if (features == nullptr) {
     for (const auto& group : file.track.groups) add_points(group, file.features.emplace_back());

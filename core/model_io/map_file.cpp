@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "core/model_io/json.h"
@@ -47,6 +48,20 @@ Problem read_factor(const Json& object, const char* name, const std::string& poi
   return std::nullopt;
 }
 
+Problem read_points(const Json& list, const std::string& pointer, MapPoints& out) {
+  if (!list.is_array()) return wrong("a list was expected", pointer);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (list[i].is_string()) {
+      out.emplace_back(list[i].get<std::string>());
+      continue;
+    }
+    const auto n = whole_number(list[i], 0, 0xffffffffLL);
+    if (!n) return wrong("a point number or the name of a tracked curve was expected", child(pointer, i));
+    out.emplace_back(static_cast<std::size_t>(*n));
+  }
+  return std::nullopt;
+}
+
 Problem read_curve(const Json& value, const std::string& pointer, MapCurve& out) {
   if (!value.is_object()) return wrong("an object was expected", pointer);
   const Json* track = find(value, "track");
@@ -61,13 +76,7 @@ Problem read_curve(const Json& value, const std::string& pointer, MapCurve& out)
     out.meets = meets->get<std::string>();
   }
   if (const Json* anchor = find(value, "anchor")) {
-    const std::string here = child(pointer, "anchor");
-    if (!anchor->is_array()) return wrong("a list of point numbers was expected", here);
-    for (std::size_t i = 0; i < anchor->size(); ++i) {
-      const auto n = whole_number((*anchor)[i], 0, 0xffffffffLL);
-      if (!n) return wrong("a number of 0 or more was expected", child(here, i));
-      out.anchor.push_back(static_cast<std::size_t>(*n));
-    }
+    if (auto problem = read_points(*anchor, child(pointer, "anchor"), out.anchor)) return problem;
   }
   if (auto problem = read_factor(value, "weight", pointer, out.weight)) return problem;
   return read_factor(value, "gain", pointer, out.gain);
@@ -91,24 +100,6 @@ Problem read_curves(const Json& json, MapFile& out) {
   for (std::size_t i = 0; i < curves->size(); ++i) {
     if (auto problem = read_curve((*curves)[i], child("/curves", i), out.curves.emplace_back())) return problem;
     list_unknown((*curves)[i], child("/curves", i), k_curve_members, out.skipped);
-  }
-  return std::nullopt;
-}
-
-Problem read_points(const Json& json, const char* name, std::vector<std::variant<std::size_t, std::string>>& out) {
-  const Json* stable = find(json, name);
-  const std::string here = child("", name);
-  if (stable == nullptr) return std::nullopt;
-  if (!stable->is_array()) return wrong("a list was expected", here);
-  for (std::size_t i = 0; i < stable->size(); ++i) {
-    const Json& item = (*stable)[i];
-    if (item.is_string()) {
-      out.emplace_back(item.get<std::string>());
-      continue;
-    }
-    const auto n = whole_number(item, 0, 0xffffffffLL);
-    if (!n) return wrong("a point number or the name of a tracked curve was expected", child(here, i));
-    out.emplace_back(static_cast<std::size_t>(*n));
   }
   return std::nullopt;
 }
@@ -154,8 +145,11 @@ base::Result<MapFile> read_map_file(base::Bytes bytes) {
   map.format = static_cast<TrackFormat>(known);
   list_unknown(*json, "", k_members, map.skipped);
   if (auto problem = read_curves(*json, map)) return *problem;
-  if (auto problem = read_points(*json, "stable", map.stable)) return *problem;
-  if (auto problem = read_points(*json, "turning", map.turning)) return *problem;
+  for (const auto& [name, points] : {std::pair("stable", &map.stable), std::pair("turning", &map.turning)}) {
+    const Json* list = find(*json, name);
+    if (list == nullptr) continue;
+    if (auto problem = read_points(*list, child("", name), *points)) return *problem;
+  }
   if (auto problem = read_free(*json, map)) return *problem;
   if (auto problem = read_names(*json, map)) return *problem;
   if (const Json* head = find(*json, "head")) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -15,11 +14,14 @@ namespace penpose::model_io {
 enum class TrackFormat : std::uint8_t { openface, mediapipe, ibug68, curves, arkit };
 [[nodiscard]] const char* name_of(TrackFormat format);
 
+/// Points of a track: their numbers, or names of tracked curves, whose points are all meant.
+using MapPoints = std::vector<std::variant<std::size_t, std::string>>;
+
 /// One tracked curve and the curve of the model that it drives.
 struct MapCurve {
   std::variant<std::vector<std::size_t>, std::string> track;        ///< point numbers of the format, or a curve's name
   std::variant<std::vector<std::uint32_t>, std::string> reference;  ///< vertices of the model, or a curve's name
-  std::vector<std::size_t> anchor;                                  ///< points of the format that the curve rides on
+  MapPoints anchor;                                                 ///< what the curve rides on
   double weight = 1;                                                ///< above 0
   std::string meets;  ///< name of the reference of the curve that it closes on; may be empty
   double gain = 1;    ///< the model's curve moves this many times as far as the tracked one
@@ -29,9 +31,9 @@ struct MapCurve {
 struct MapFile {
   TrackFormat format = TrackFormat::openface;
   std::vector<MapCurve> curves;
-  std::vector<std::variant<std::size_t, std::string>> stable;   ///< points, or curves, that no expression moves
-  std::vector<std::variant<std::size_t, std::string>> turning;  ///< see animation::StablePoints
-  bool apply_head = false;                                      ///< the head's turn becomes part of the animation
+  MapPoints stable;               ///< what no expression moves
+  MapPoints turning;              ///< see animation::StablePoints
+  bool apply_head = false;        ///< the head's turn becomes part of the animation
   std::vector<std::string> free;  ///< controls that may move; those that the model lacks are passed over; empty: all
   /// For "arkit": names of the track and of the model's controls where they differ.
   std::vector<std::pair<std::string, std::string>> names;
@@ -45,8 +47,9 @@ struct MapFile {
 [[nodiscard]] base::Result<MapFile> read_map_file(base::Bytes bytes);
 
 /// The map that the program brings for a format, for models with curves of the names that the built-in head has:
-/// brow_L, brow_R, eyelid_upper_L, ..., lip_upper, lip_lower, lip_upper_inner, lip_lower_inner. Nothing for "curves",
-/// whose names nobody can know.
-[[nodiscard]] std::optional<std::string_view> bundled_map(TrackFormat format);
+/// brow_L, brow_R, eyelid_upper_L, ..., lip_upper, lip_lower, lip_upper_inner, lip_lower_inner. Tracks of
+/// curves ("curves") are to use the same names; "nose_bridge", "nose_base", "eye_corners_L" and "eye_corners_R" tell
+/// where the head is.
+[[nodiscard]] std::string_view bundled_map(TrackFormat format);
 
 }  // namespace penpose::model_io

@@ -21,6 +21,7 @@ namespace penpose::model_io {
 /// any other extension.
 [[nodiscard]] base::Result<std::vector<std::uint8_t>> write_document(const document::Document& document,
                                                                      std::string_view file_name,
+                                                                     const GlbOptions& options = {},
                                                                      GlbReport* report = nullptr);
 
 }  // namespace penpose::model_io

@@ -40,6 +40,7 @@ inline constexpr std::size_t k_common_targets = 8;
 /// Writes in the format that the file name's extension asks for: .glb or .obj. Errors: any other extension.
 [[nodiscard]] base::Result<std::vector<std::uint8_t>> write_model(const document::Model& model,
                                                                   std::string_view file_name,
+                                                                  const GlbOptions& options = {},
                                                                   GlbReport* report = nullptr);
 
 }  // namespace penpose::model_io

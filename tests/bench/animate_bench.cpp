@@ -18,7 +18,7 @@ void animate_face(benchmark::State& state) {
   const auto input =
       cli::read_track((tests::shared_dir() / "tracks" / "openface_head_test.csv").string(), {}, {}).value();
   const auto& track = std::get<animation::PointTrack>(input.track);
-  auto map = model_io::read_map_file(base::as_bytes(*model_io::bundled_map(input.format))).value();
+  auto map = model_io::read_map_file(base::as_bytes(model_io::bundled_map(input.format))).value();
   map.curves.resize(static_cast<std::size_t>(state.range(0)));
   if (state.range(1) != 0) map.free.clear();
   std::vector<std::string> notes;

@@ -19,6 +19,7 @@
 #include "ui/cli/number_range.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/save_model.h"
+#include "ui/cli/tolerance_option.h"
 #include "ui/cli/track_input.h"
 #include "ui/cli/track_setup.h"
 #include "ui/cli/weight_animation.h"
@@ -29,6 +30,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct AnimateArguments {
+  model_io::GlbOptions glb;
   std::string model;
   std::string track;
   std::string map;
@@ -79,11 +81,7 @@ base::Result<LoadedMap> load_map(const std::string& path) {
 }
 
 base::Result<LoadedMap> load_bundled(model_io::TrackFormat format) {
-  const auto text = model_io::bundled_map(format);
-  if (!text) {
-    return base::Error{"a track of curves needs a map that says what they drive", "--map", "write a map file"};
-  }
-  auto map = model_io::read_map_file(base::as_bytes(*text));
+  auto map = model_io::read_map_file(base::as_bytes(model_io::bundled_map(format)));
   if (!map) return map.error();
   return LoadedMap{std::move(map).value(), true};
 }
@@ -104,7 +102,8 @@ base::Result<Animated> from_points(const document::Model& model, const animation
   Animated animated;
   auto setup = make_setup(model, track, map.map, map.bundled, landmarks, animated.notes);
   if (!setup) return setup.error();
-  if (apply_head && setup->points.stable.size() < 2) {
+  const bool said = map.bundled && setup->points.stable.empty();
+  if (apply_head && !said && setup->points.stable.size() < 2) {
     animated.notes.emplace_back(
         setup->points.stable.empty()
             ? "the head cannot be followed and stays still: the map lists no stable points; "
@@ -297,7 +296,8 @@ int animate(const AnimateArguments& arguments) {
     model = std::move(with_head);
   }
   const document::Document result = with_tracked(*document, *model);
-  if (auto saved = save_as_it_came(result, arguments.out); !saved) return report(saved.error(), arguments.out);
+  if (auto saved = save_as_it_came(result, arguments.out, SaveNotes::loud, arguments.glb); !saved)
+    return report(saved.error(), arguments.out);
   for (const std::string& note : document->model->notes) warn(note, arguments.model);
   for (const std::string& note : animated->notes) warn(note, arguments.track);
   if (arguments.json) {
@@ -324,8 +324,11 @@ void add_animate_command(CLI::App& app, int& status) {
           "OpenFace CSV, MediaPipe landmarks (JSON or CSV), 68 points (.pts, a folder of them, or CSV), curves "
           "(JSON) or ARKit blend shapes (CSV)")
       ->required();
-  command->add_option("--map", arguments->map,
-                      "Map file, or a bundled map: openface, mediapipe, ibug68, arkit (default: by the track)");
+  command->add_option(
+      "--map", arguments->map,
+      "Map file, or a bundled map: openface, mediapipe, ibug68, curves, arkit (default: by the track); that of "
+      "curves takes brow_R, eyelid_upper_R, eyelid_lower_R (and _L), lip_upper, lip_lower, "
+      "lip_upper_inner, lip_lower_inner, and nose_bridge, nose_base, eye_corners_R and _L for the head");
   command->add_option("--curves", arguments->curves, "JSON file of curves of the model that the map may name");
   command->add_option("-o", arguments->out, "Write the animated model, .glb")->required();
   command->add_option("--head", arguments->head, "Turn of the head: drop it or apply it (default: as the map says)")
@@ -348,6 +351,7 @@ void add_animate_command(CLI::App& app, int& status) {
   command->add_option("--picture", arguments->picture, "WIDTHxHEIGHT of the video in px, for normalised coordinates")
       ->check(CLI::Validator(check_picture, "WxH"));
   command->add_flag("--json", arguments->json, "Print one JSON object");
+  add_tolerance_option(*command, arguments->glb);
   command->callback([arguments, &status] { status = animate(*arguments); });
 }
 

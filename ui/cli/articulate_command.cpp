@@ -17,6 +17,7 @@
 #include "ui/cli/load_model.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/save_model.h"
+#include "ui/cli/tolerance_option.h"
 
 namespace penpose::cli {
 namespace {
@@ -26,6 +27,7 @@ using articulation::Deformer;
 using articulation::SketchedDeformers;
 
 struct ArticulateArguments {
+  model_io::GlbOptions glb;
   std::string model;
   std::string sketch;
   std::string out;
@@ -124,7 +126,8 @@ int articulate(const ArticulateArguments& arguments) {
   if (!built) return report(built.error(), arguments.sketch);
   const auto result = articulated(*document, *built);
   if (!result) return report(result.error(), arguments.model);
-  if (auto saved = save_as_it_came(*result, arguments.out); !saved) return report(saved.error(), arguments.out);
+  if (auto saved = save_as_it_came(*result, arguments.out, SaveNotes::loud, arguments.glb); !saved)
+    return report(saved.error(), arguments.out);
 
   if (!arguments.json) {
     for (const std::string& note : file_notes) std::cout << "warning: " << arguments.sketch << ": " << note << '\n';
@@ -172,6 +175,7 @@ void add_articulate_command(CLI::App& app, int& status) {
   command->add_option("--sketch", arguments->sketch, "JSON file of strokes")->required();
   command->add_option("-o", arguments->out, "Write the articulated model, .glb")->required();
   command->add_flag("--json", arguments->json, "Print one JSON object");
+  add_tolerance_option(*command, arguments->glb);
   command->callback([arguments, &status] { status = articulate(*arguments); });
 }
 

@@ -17,11 +17,13 @@
 #include "ui/cli/natural_order.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/save_model.h"
+#include "ui/cli/tolerance_option.h"
 
 namespace penpose::cli {
 namespace {
 
 struct ConvertArguments {
+  model_io::GlbOptions glb;
   std::string in;
   std::string out;
   std::vector<std::string> shapes;
@@ -83,7 +85,8 @@ int run_convert(const ConvertArguments& arguments) {
     for (const std::string& note : take->notes) warn(note, arguments.in);
     return k_success;
   }
-  if (const auto saved = save_as_it_came(*document, arguments.out); !saved) return report(saved.error(), arguments.out);
+  if (const auto saved = save_as_it_came(*document, arguments.out, SaveNotes::loud, arguments.glb); !saved)
+    return report(saved.error(), arguments.out);
   for (const std::string& note : document->model->notes) warn(note, arguments.in);
   return k_success;
 }
@@ -104,6 +107,7 @@ void add_convert_command(CLI::App& app, int& status) {
   command->add_option("--fps", arguments->fps, "Frames a second of a .csv file")
       ->check(CLI::Validator(number_range(0.1, 1000.0), "0.1 to 1000"))
       ->capture_default_str();
+  add_tolerance_option(*command, arguments->glb);
   command->callback([arguments, &status] { status = run_convert(*arguments); });
 }
 

@@ -19,6 +19,7 @@
 #include "ui/cli/load_model.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/save_model.h"
+#include "ui/cli/tolerance_option.h"
 
 namespace penpose::cli {
 namespace {
@@ -26,6 +27,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct PoseArguments {
+  model_io::GlbOptions glb;
   std::string model;
   std::string cases;
   std::string name;
@@ -146,7 +148,8 @@ int pose(const PoseArguments& arguments) {
   }
   if (!arguments.out.empty()) {
     document->pose = solved.back().solution.pose;
-    if (auto saved = save_as_it_came(*document, arguments.out); !saved) return report(saved.error(), arguments.out);
+    if (auto saved = save_as_it_came(*document, arguments.out, SaveNotes::loud, arguments.glb); !saved)
+      return report(saved.error(), arguments.out);
   }
   return k_success;
 }
@@ -171,6 +174,7 @@ void add_pose_command(CLI::App& app, int& status) {
       ->each([arguments](const std::string& preset) { arguments->paper = preset == "paper"; });
   command->add_option("-o", arguments->out, "Write the posed model, .glb or .obj (with one case)");
   command->add_flag("--json", arguments->json, "Print one JSON object");
+  add_tolerance_option(*command, arguments->glb);
   command->callback([arguments, &status] { status = pose(*arguments); });
 }
 

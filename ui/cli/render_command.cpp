@@ -3,9 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "core/base/numbers.h"
@@ -160,6 +162,19 @@ base::Result<document::Model> moment_of(const Options& options, const document::
   return moment;
 }
 
+/// Sequences go into a folder of their own, which need not be there yet.
+base::Status make_folder_of(const std::string& output) {
+  const std::filesystem::path folder = std::filesystem::path(output).parent_path();
+  if (folder.empty()) return base::Done{};
+  std::error_code code;
+  std::filesystem::create_directories(folder, code);
+  if (!code && !std::filesystem::is_directory(folder, code) && !code) {
+    code = std::make_error_code(std::errc::not_a_directory);
+  }
+  if (!code) return base::Done{};
+  return base::Error{"its folder cannot be made (" + code.message() + ")", "", "name another folder"};
+}
+
 int run_render(const Options& options) {
   const auto model = load_model(options.model);
   if (!model) return report(model.error(), options.model);
@@ -184,6 +199,7 @@ int run_render(const Options& options) {
     return report({"the animation has too many frames", "--fps", "choose a lower rate"}, options.model);
   }
   const auto count = static_cast<std::size_t>(last) + 1;
+  if (auto made = make_folder_of(options.output); !made) return report(made.error(), options.output);
   Progress progress("rendering", count);
   for (std::size_t f = 0; f < count; ++f) {
     const auto moment = moment_of(options, *model, static_cast<double>(f) / options.fps);
@@ -218,7 +234,7 @@ void add_render_command(CLI::App& app, int& status) {
   command
       ->add_flag("--frames", options->frames,
                  "one picture a frame of the first animation: OUT0001.png, OUT0002.png, ... as Blender names them; ### "
-                 "at the end of OUT says how many digits")
+                 "at the end of OUT says how many digits; the folder is made if it is not there")
       ->excludes(time);
   command->add_option("--fps", options->fps, "frames a second of --frames")
       ->check(CLI::Validator(number_range(0.1, 1000.0), "0.1 to 1000"))

@@ -19,6 +19,7 @@
 #include "ui/cli/progress.h"
 #include "ui/cli/save_model.h"
 #include "ui/cli/session_model.h"
+#include "ui/cli/tolerance_option.h"
 #include "ui/cli/trace_file.h"
 #include "ui/render/appearance.h"
 #include "ui/render/document_curves.h"
@@ -31,6 +32,7 @@ using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
 struct ReplayArguments {
+  model_io::GlbOptions glb;
   std::string session;
   std::string model;
   std::string output;
@@ -210,7 +212,9 @@ int replay_session(const ReplayArguments& arguments) {
   }
   int status = k_success;
   if (!arguments.output.empty()) {
-    if (auto saved = save_document(played->session->editor().document(), arguments.output); !saved) {
+    if (auto saved =
+            save_document(played->session->editor().document(), arguments.output, SaveNotes::loud, arguments.glb);
+        !saved) {
       return report(saved.error(), arguments.output);
     }
   }
@@ -245,6 +249,7 @@ void add_replay_command(CLI::App& app, int& status) {
   command->add_option("--session", arguments->record, "Write the replay down as a session of its own");
   command->add_option(k_tablets_option, arguments->tablets, k_tablets_help);
   command->add_flag("--json", arguments->json, "Print one JSON object");
+  add_tolerance_option(*command, arguments->glb);
   command->callback([arguments, &status] { status = replay_session(*arguments); });
 }
 

@@ -12,12 +12,16 @@ namespace penpose::cli {
 namespace {
 
 base::Status save(const base::Result<std::vector<std::uint8_t>>& bytes, const model_io::GlbReport& baking,
-                  bool animated, const std::string& path, SaveNotes say) {
+                  const model_io::GlbOptions& options, bool animated, const std::string& path, SaveNotes say) {
   if (!bytes) return bytes.error();
-  if (say == SaveNotes::loud && baking.baked > 0) {
+  constexpr double k_rounding = 1e-6;  // of the file's numbers; what is off by less needs no word
+  if (say == SaveNotes::loud && (baking.baked > 0 || baking.bake_error > k_rounding)) {
+    const int digits = baking.bake_error < 1e-4 ? 6 : 3;
     std::cerr << "penpose: " << path << ": deformers are baked to " << baking.baked
-              << " morph targets more; no vertex is off by over " << base::format_fixed(100 * baking.bake_error, 3)
-              << " % of the model's size\n";
+              << " morph targets more; no vertex is off by over " << base::format_fixed(100 * baking.bake_error, digits)
+              << " % of the model's size";
+    if (baking.bake_error > options.bake_tolerance) std::cerr << ", which is as near to the tolerance as it gets";
+    std::cerr << '\n';
   }
   if (say == SaveNotes::loud && animated && baking.targets > model_io::k_common_targets) {
     std::cerr << "penpose: " << path << ": it has " << baking.targets
@@ -28,20 +32,24 @@ base::Status save(const base::Result<std::vector<std::uint8_t>>& bytes, const mo
 
 }  // namespace
 
-base::Status save_model(const document::Model& model, const std::string& path, SaveNotes say) {
+base::Status save_model(const document::Model& model, const std::string& path, SaveNotes say,
+                        const model_io::GlbOptions& options) {
   model_io::GlbReport baking;
-  return save(model_io::write_model(model, path, &baking), baking, !model.animations.empty(), path, say);
+  return save(model_io::write_model(model, path, options, &baking), baking, options, !model.animations.empty(), path,
+              say);
 }
 
-base::Status save_document(const document::Document& document, const std::string& path, SaveNotes say) {
+base::Status save_document(const document::Document& document, const std::string& path, SaveNotes say,
+                           const model_io::GlbOptions& options) {
   model_io::GlbReport baking;
   const bool animated = !document.timeline->keys.empty() || !document.model->animations.empty();
-  return save(model_io::write_document(document, path, &baking), baking, animated, path, say);
+  return save(model_io::write_document(document, path, options, &baking), baking, options, animated, path, say);
 }
 
-base::Status save_as_it_came(const document::Document& document, const std::string& path, SaveNotes say) {
-  return document::is_plain(document) ? save_model(document::model_of(document), path, say)
-                                      : save_document(document, path, say);
+base::Status save_as_it_came(const document::Document& document, const std::string& path, SaveNotes say,
+                             const model_io::GlbOptions& options) {
+  return document::is_plain(document) ? save_model(document::model_of(document), path, say, options)
+                                      : save_document(document, path, say, options);
 }
 
 }  // namespace penpose::cli

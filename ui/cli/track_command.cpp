@@ -107,6 +107,7 @@ int track(const TrackArguments& arguments) {
   result.point_count = learned->points.point_count;
   result.groups = labels->track.groups;
   std::vector<geometry::PxPoint> shifts;
+  std::size_t unseen = 0;
   Progress progress("tracking", files.size());
   for (std::size_t f = 0; f < files.size(); ++f) {
     const auto image = read_grey(files[f]);
@@ -116,6 +117,7 @@ int track(const TrackArguments& arguments) {
     auto found = animation::find_eigen_points(learned->points, *image, shifts);
     if (!found) return report(found.error(), files[f]);
     shifts = std::move(found->shifts);
+    if (!(found->confidence > 0)) ++unseen;
     result.frames.push_back({static_cast<double>(f) / arguments.fps, found->confidence, std::move(found->points), {}});
     progress.advance();
   }
@@ -124,7 +126,9 @@ int track(const TrackArguments& arguments) {
   if (auto written = write_file(arguments.out, base::as_bytes(text)); !written)
     return report(written.error(), arguments.out);
   std::cout << files.size() << " pictures, " << result.point_count << " points of " << result.groups.size()
-            << " curves\n";
+            << " curves";
+  if (unseen > 0) std::cout << ", " << unseen << " pictures that show none of them";
+  std::cout << '\n';
   return k_success;
 }
 

@@ -114,7 +114,7 @@ base::Result<TrackInput> read_track(const std::string& path, std::optional<Track
   if (!format) format = model_io::format_of_track(*bytes);
   if (!format) {
     return base::Error{"the track's format is not known", "line 1",
-                       "name it with --map openface, mediapipe, ibug68 or arkit, or write a map"};
+                       "name it with --map openface, mediapipe, ibug68, curves or arkit, or write a map"};
   }
   switch (*format) {
     case TrackFormat::openface:

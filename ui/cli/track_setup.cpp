@@ -82,18 +82,62 @@ base::Result<std::vector<std::size_t>> points_of_group(const animation::PointTra
   return points;
 }
 
-base::Status find_points(const animation::PointTrack& track,
-                         const std::vector<std::variant<std::size_t, std::string>>& named, const std::string& place,
-                         std::vector<std::size_t>& out) {
+/// `bundled`: names that the track lacks are passed over.
+base::Status find_points(const animation::PointTrack& track, const model_io::MapPoints& named, bool bundled,
+                         const std::string& place, std::vector<std::size_t>& out) {
   for (std::size_t i = 0; i < named.size(); ++i) {
     if (const auto* point = std::get_if<std::size_t>(&named[i])) {
       out.push_back(*point);
       continue;
     }
-    auto points = points_of_group(track, std::get<std::string>(named[i]), place + "/" + std::to_string(i));
+    const std::string& name = std::get<std::string>(named[i]);
+    if (bundled && group_of(track, name) == nullptr) continue;
+    auto points = points_of_group(track, name, place + "/" + std::to_string(i));
     if (!points) return points.error();
     out.insert(out.end(), points->begin(), points->end());
   }
+  return base::Done{};
+}
+
+std::vector<std::string> names_in(const model_io::MapPoints& points) {
+  std::vector<std::string> names;
+  for (const auto& point : points) {
+    if (const auto* name = std::get_if<std::string>(&point)) names.push_back(*name);
+  }
+  return names;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+/// A track need not have all curves that a bundled map names, nor be without others: both are said. Error: it has none.
+base::Status say_names(const animation::PointTrack& track, const model_io::MapFile& map,
+                       std::vector<std::string>& notes) {
+  constexpr std::size_t k_most = 20;
+  std::vector<std::string> wanted;
+  std::vector<std::string> lacking;
+  for (const model_io::MapCurve& curve : map.curves) {
+    const auto* name = std::get_if<std::string>(&curve.track);
+    if (name == nullptr) return base::Done{};  // its curves are made of numbered points
+    wanted.push_back(*name);
+    if (group_of(track, *name) == nullptr) lacking.push_back(*name);
+  }
+  if (!wanted.empty() && lacking.size() == wanted.size()) {
+    return base::Error{"the track has none of the curves that the bundled map names", "--map",
+                       "name its curves " + joined(wanted) + ", or write a map"};
+  }
+  if (!lacking.empty()) notes.push_back("the track has no curve " + joined(lacking) + "; what they drive is left out");
+  const auto stable = names_in(map.stable);
+  wanted.insert(wanted.end(), stable.begin(), stable.end());
+  std::vector<std::string> unused;
+  for (const animation::TrackGroup& group : track.groups) {
+    if (unused.size() == k_most) break;
+    if (std::find(wanted.begin(), wanted.end(), group.name) == wanted.end()) unused.push_back(group.name);
+  }
+  if (!unused.empty()) notes.push_back("the bundled map has no use for the track's " + joined(unused));
   return base::Done{};
 }
 
@@ -151,6 +195,9 @@ base::Result<animation::TrackSetup> make_setup(const document::Model& model, con
                                                const model_io::MapFile& map, bool bundled,
                                                const std::vector<model_io::VertexCurve>& landmarks,
                                                std::vector<std::string>& notes) {
+  if (bundled) {
+    if (auto names = say_names(track, map, notes); !names) return names.error();
+  }
   const References references(model, landmarks);
   animation::TrackSetup setup;
   std::optional<base::Error> left_out;
@@ -160,15 +207,18 @@ base::Result<animation::TrackSetup> make_setup(const document::Model& model, con
     const model_io::MapCurve& curve = map.curves[i];
     const std::string place = "/curves/" + std::to_string(i);
     animation::TrackedCurve tracked;
-    tracked.anchor = curve.anchor;
     tracked.weight = curve.weight;
     tracked.gain = curve.gain;
     if (const auto* name = std::get_if<std::string>(&curve.track)) {
+      if (bundled && group_of(track, *name) == nullptr) continue;  // say_names says so
       auto points = points_of_group(track, *name, place + "/track");
       if (!points) return points.error();
       tracked.points = std::move(points).value();
     } else {
       tracked.points = std::get<std::vector<std::size_t>>(curve.track);
+    }
+    if (auto found = find_points(track, curve.anchor, bundled, place + "/anchor", tracked.anchor); !found) {
+      return found.error();
     }
     auto reference = reference_of(model, references, curve, place + "/reference");
     if (!reference) {
@@ -197,8 +247,15 @@ base::Result<animation::TrackSetup> make_setup(const document::Model& model, con
     left_out->remedy = "write a map with the model's vertices, or give a file of curves with --curves";
     return *left_out;
   }
-  if (auto found = find_points(track, map.stable, "/stable", setup.points.stable); !found) return found.error();
-  if (auto found = find_points(track, map.turning, "/turning", setup.points.turning); !found) return found.error();
+  if (auto found = find_points(track, map.stable, bundled, "/stable", setup.points.stable); !found) {
+    return found.error();
+  }
+  if (auto found = find_points(track, map.turning, bundled, "/turning", setup.points.turning); !found) {
+    return found.error();
+  }
+  if (bundled && setup.points.stable.empty() && !map.stable.empty()) {
+    notes.push_back("the head counts as still: the track has no curve of the names " + joined(names_in(map.stable)));
+  }
   if (auto found = check_free(model, map); !bundled && !found) return found.error();
   setup.free = free_parameters(model, map);
   setup.rest = rig::rest_pose(*model.rig);

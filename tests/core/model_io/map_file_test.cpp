@@ -10,7 +10,7 @@ base::Result<MapFile> read(const char* text) { return read_map_file(base::as_byt
 TEST(MapFile, ReadsEveryMember) {
   const auto map = read(R"({"format": "openface", "head": "apply", "stable": [27, "eyes"], "turning": [31],
     "free": ["jawOpen"], "curves": [
-    {"track": [48, 54], "reference": "lip_upper", "anchor": [62], "meets": "lip_lower", "weight": 2, "gain": 0.5},
+    {"track": [48, 54], "reference": "lip_upper", "anchor": [62, "nose"], "meets": "lip_lower", "weight": 2, "gain": 0.5},
     {"track": "mouth", "reference": [3, 4, 5]}]})");
   ASSERT_TRUE(map.ok()) << map.error().line();
   EXPECT_EQ(map->format, TrackFormat::openface);
@@ -18,6 +18,9 @@ TEST(MapFile, ReadsEveryMember) {
   ASSERT_EQ(map->curves.size(), 2U);
   EXPECT_EQ(std::get<0>(map->curves[0].track), (std::vector<std::size_t>{48, 54}));
   EXPECT_EQ(std::get<1>(map->curves[0].reference), "lip_upper");
+  ASSERT_EQ(map->curves[0].anchor.size(), 2U);
+  EXPECT_EQ(std::get<0>(map->curves[0].anchor[0]), 62U);
+  EXPECT_EQ(std::get<1>(map->curves[0].anchor[1]), "nose");
   EXPECT_EQ(map->curves[0].weight, 2);
   EXPECT_EQ(map->curves[0].gain, 0.5);
   EXPECT_EQ(map->curves[0].meets, "lip_lower");
@@ -44,15 +47,13 @@ TEST(MapFile, SaysWhereItIsWrong) {
 
 TEST(MapFile, EveryBundledMapIsGood) {
   using enum TrackFormat;
-  for (const auto format : {openface, mediapipe, ibug68, arkit}) {
+  for (const auto format : {openface, mediapipe, ibug68, curves, arkit}) {
     const auto text = bundled_map(format);
-    ASSERT_TRUE(text.has_value());
-    const auto map = read_map_file(base::as_bytes(*text));
+    const auto map = read_map_file(base::as_bytes(text));
     ASSERT_TRUE(map.ok()) << map.error().line();
     EXPECT_EQ(map->format, format);
     EXPECT_EQ(map->curves.size(), format == arkit ? 0U : 10U);
   }
-  EXPECT_FALSE(bundled_map(curves).has_value());
 }
 
 }  // namespace

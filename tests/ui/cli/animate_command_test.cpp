@@ -8,6 +8,8 @@
 
 #include "core/document/animation_sampling.h"
 #include "core/document/document_hash.h"
+#include "core/model_io/label_file.h"
+#include "core/model_io/read_track.h"
 #include "core/model_io/write_document.h"
 #include "tests/support/rendered_track.h"
 #include "ui/cli/command_line.h"
@@ -94,6 +96,57 @@ TEST_F(AnimateCommand, OpensTheJawOfASketchedHead) {
                      "--json"}),
             k_success);
   EXPECT_EQ(nlohmann::json::parse(out_)["state"], json["state"]);
+}
+
+TEST_F(AnimateCommand, TakesATrackOfCurvesWithTheNamesOfTheHeadWithoutAMap) {
+  write_jaw_track();
+  // As `penpose track` writes it.
+  const std::string given = nlohmann::json::parse(std::ifstream(folder_ / "track.json")).dump();
+  const auto track = model_io::read_curve_track(base::as_bytes(given), model_io::FrameOrder::none).value();
+  write("track.json", model_io::write_curve_track(track, 25));
+  ASSERT_EQ(animate({"builtin:demo", "--track", path("track.json"), "-o", path("out.glb"), "--json"}), k_success)
+      << error_;
+  const auto json = nlohmann::json::parse(out_);
+  EXPECT_NEAR(json["parameters"]["jaw"][19].get<double>(), 0.5, 0.08);
+  EXPECT_NEAR(json["parameters"]["jaw"][0].get<double>(), 0, 0.04);
+  EXPECT_EQ(json["held"], nlohmann::json({7}));
+  EXPECT_NE(error_.find("the track has no curve brow_R, brow_L, eyelid_upper_R"), std::string::npos) << error_;
+  EXPECT_EQ(error_.find("counts as still"), std::string::npos) << error_;
+  // Named, it is the same map.
+  ASSERT_EQ(
+      animate({"builtin:demo", "--track", path("track.json"), "--map", "curves", "-o", path("out.glb"), "--json"}),
+      k_success)
+      << error_;
+  EXPECT_EQ(nlohmann::json::parse(out_)["state"], json["state"]);
+}
+
+TEST_F(AnimateCommand, SaysWhichCurvesTheBundledMapLacksAndWouldTake) {
+  write_jaw_track();
+  auto track = nlohmann::json::parse(std::ifstream(folder_ / "track.json"));
+  for (auto& frame : track["frames"]) {
+    auto& curves = frame["curves"];
+    if (!curves.is_object()) continue;
+    curves["lip_loer"] = curves["lip_lower"];
+    for (const char* name : {"lip_lower", "nose_bridge"}) curves.erase(name);
+  }
+  write("track.json", track.dump());
+  ASSERT_EQ(animate({"builtin:demo", "--track", path("track.json"), "-o", path("out.glb"), "--head", "apply"}),
+            k_success)
+      << error_;
+  EXPECT_NE(error_.find("lip_lower; what they drive is left out"), std::string::npos) << error_;
+  EXPECT_NE(error_.find("no use for the track's lip_loer"), std::string::npos) << error_;
+  const auto still = error_.find("the head counts as still: the track has no curve of the names nose_bridge");
+  EXPECT_NE(still, std::string::npos) << error_;
+  EXPECT_EQ(error_.find("still", still + 30), std::string::npos) << error_;
+  for (auto& frame : track["frames"]) {
+    auto& curves = frame["curves"];
+    if (curves.is_object()) curves = {{"mouth", curves["lip_upper"]}};
+  }
+  write("track.json", track.dump());
+  EXPECT_EQ(animate({"builtin:demo", "--track", path("track.json"), "-o", path("out.glb")}), k_failure);
+  EXPECT_NE(error_.find("none of the curves"), std::string::npos) << error_;
+  EXPECT_NE(error_.find("name its curves brow_R, brow_L, eyelid_upper_R"), std::string::npos) << error_;
+  EXPECT_EQ(std::count(error_.begin(), error_.end(), '\n'), 1) << error_;
 }
 
 TEST_F(AnimateCommand, AProjectKeepsItsViewsLocksAndKeys) {
@@ -184,7 +237,6 @@ TEST_F(AnimateCommand, SaysWhatIsWrongInOneLine) {
   };
   const std::string track = path("track.json");
   const std::string out = path("out.glb");
-  fails({"builtin:demo", "--track", track, "-o", out}, "--map");
   write("wrong.json", R"({"format": "curves", "curves": [{"track": "lip_upper", "reference": "lip_uper"}]})");
   fails({"builtin:demo", "--track", track, "--map", path("wrong.json"), "-o", out}, "did you mean lip_upper");
   write("wrong.json", R"({"format": "curves", "curves": [{"track": "lips", "reference": "lip_upper"}]})");

@@ -101,6 +101,58 @@ TEST_F(ArticulateCommand, WritesAModelWithTheNewControl) {
   EXPECT_EQ(load_model(path("both.glb"))->deformers->size(), 2U);
 }
 
+/// How many targets beside the sample a curl was baked to, and how far it is off, share of the size.
+struct Baked {
+  int targets = -1;
+  double error = -1;
+};
+Baked baked_of(const std::string& error) {
+  Baked baked;
+  const auto targets = error.find("baked to ");
+  const auto off = error.find("off by over ");
+  if (targets != std::string::npos) baked.targets = std::stoi(error.substr(targets + 9));
+  if (off != std::string::npos) baked.error = std::stod(error.substr(off + 12)) / 100;
+  return baked;
+}
+
+TEST_F(ArticulateCommand, BakesAsExactlyAsAsked) {
+  ASSERT_EQ(articulate({path("model.glb"), "--sketch", path("sketch.json"), "-o", path("out.glb")}), k_success);
+  const Baked usual = baked_of(error_);
+  EXPECT_GT(usual.targets, 0) << error_;
+  EXPECT_LE(usual.error, 1e-3) << error_;
+  const auto again = [&](const char* command, const char* tolerance) {
+    const std::string to = path("again.glb");
+    std::vector<std::string> arguments{"penpose", command};
+    if (arguments[1] == "convert") arguments.insert(arguments.end(), {path("out.glb"), to});
+    if (arguments[1] == "articulate")
+      arguments.insert(arguments.end(), {path("model.glb"), "--sketch", path("sketch.json"), "-o", to});
+    if (arguments[1] == "animate")
+      arguments.insert(arguments.end(), {path("out.glb"), "--track", path("take.csv"), "-o", to});
+    arguments.insert(arguments.end(), {"--tolerance", tolerance});
+    std::vector<const char*> argv;
+    for (const auto& argument : arguments) argv.push_back(argument.c_str());
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const int status = run(static_cast<int>(argv.size()), argv.data());
+    (void)testing::internal::GetCapturedStdout();
+    error_ = testing::internal::GetCapturedStderr();
+    return status;
+  };
+  write("take.csv", "Timecode,BlendShapeCount,curl\n0:0:0:0,1,0\n0:0:1:0,1,1\n");
+  for (const char* command : {"articulate", "convert", "animate"}) {
+    ASSERT_EQ(again(command, "0.02"), k_success) << error_;
+    const Baked loose = baked_of(error_);
+    EXPECT_LT(loose.targets, usual.targets) << command << error_;
+    EXPECT_GT(loose.error, usual.error) << command << error_;
+    EXPECT_LE(loose.error, 0.02) << command << error_;
+    ASSERT_EQ(again(command, "2e-5"), k_success) << error_;
+    const Baked tight = baked_of(error_);
+    EXPECT_GT(tight.targets, usual.targets) << command << error_;
+    EXPECT_LE(tight.error, 2e-5) << command << error_;
+    for (const char* bad : {"0", "1e-7", "0.2", "nan", "-1", "x"}) EXPECT_EQ(again(command, bad), k_wrong_usage) << bad;
+  }
+}
+
 TEST_F(ArticulateCommand, SaysWhereASketchIsWrong) {
   const auto fails = [&](const char* expected) {
     write("bad.json", model_io::write_sketch_file(file_));

@@ -150,6 +150,14 @@ TEST_F(RenderCommand, WritesAPictureAFrame) {
     EXPECT_TRUE(std::filesystem::exists(folder_ / name)) << name;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "clip0006.png"));
   EXPECT_NE(content("clip0001.png"), content("clip0005.png"));
+  // A folder that is not there is made; one that cannot be is said in one line.
+  ASSERT_EQ(render({clip, "--frames", "--fps", "10", "--size", "64x64", "-o", path("new/clip/f##")}), k_success)
+      << error_;
+  EXPECT_EQ(content("new/clip/f05.png"), content("clip0005.png"));
+  EXPECT_EQ(render({clip, "--frames", "--fps", "10", "--size", "64x64", "-o", path("take.csv/f")}), k_failure);
+  EXPECT_NE(error_.find("its folder cannot be made"), std::string::npos) << error_;
+  EXPECT_NE(error_.find("name another folder"), std::string::npos) << error_;
+  EXPECT_EQ(std::count(error_.begin(), error_.end(), '\n'), 1) << error_;
   EXPECT_EQ(render({model(), "--frames", "--size", "64x64", "-o", path("none.png")}), k_failure);
   EXPECT_NE(error_.find("--frames"), std::string::npos);
 }

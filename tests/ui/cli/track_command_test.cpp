@@ -77,6 +77,43 @@ TEST_F(TrackCommand, FindsTheEdgesOfAMouthInEveryLight) {
   }
 }
 
+TEST_F(TrackCommand, ABlackOrFlatPictureShowsNoFace) {
+  nlohmann::json frames = nlohmann::json::array();
+  for (int k = 0; k <= 4; ++k) {
+    const std::string name = "label" + std::to_string(k) + ".pgm";
+    write_picture(name, k / 4.0, 1);
+    frames.push_back({{"image", name}, {"curves", curves(k / 4.0)}});
+  }
+  std::ofstream(folder_ / "labels.json") << nlohmann::json{{"frames", frames}};
+  for (int f = 0; f < 5; ++f) write_picture("clip/face" + std::to_string(f) + ".pgm", 0.5, 1);
+  std::ofstream(folder_ / "clip" / "face1.pgm", std::ios::binary) << "P5 64 64 255\n" << std::string(64 * 64, '\0');
+  std::ofstream(folder_ / "clip" / "face2.pgm", std::ios::binary) << "P5 64 64 255\n" << std::string(64 * 64, 'x');
+  write_picture("clip/face3.pgm", 0.5, 0.4);  // dark, and a face
+  ASSERT_EQ(track({path("clip"), "--labels", path("labels.json"), "-o", path("track.json")}), k_success) << error_;
+  const auto found = nlohmann::json::parse(std::ifstream(folder_ / "track.json"));
+  ASSERT_EQ(found["frames"].size(), 5U);
+  for (const int f : {1, 2}) EXPECT_TRUE(found["frames"][f].is_null()) << f;
+  for (const int f : {0, 3, 4}) {
+    ASSERT_TRUE(found["frames"][f].is_object()) << f;
+    EXPECT_GT(found["frames"][f]["confidence"].get<double>(), 0.8) << f;
+    EXPECT_NEAR(found["frames"][f]["curves"]["lower"][1][1].get<double>(), lower_edge(0.5), 1.0) << f;
+  }
+}
+
+TEST_F(TrackCommand, SaysWhereCurvesHaveOtherNumbersOfPoints) {
+  write_picture("one.pgm", 0, 1);
+  write_picture("two.pgm", 1, 1);
+  write_picture("clip/face0001.pgm", 0, 1);
+  nlohmann::json other = curves(1);
+  other["lower"].push_back({50, 46});
+  std::ofstream(folder_ / "labels.json") << nlohmann::json{
+      {"frames", {{{"image", "one.pgm"}, {"curves", curves(0)}}, {{"image", "two.pgm"}, {"curves", other}}}}};
+  ASSERT_EQ(track({path("clip"), "--labels", path("labels.json"), "-o", path("track.json")}), k_success) << error_;
+  EXPECT_NE(error_.find("curve lower has 4 points in the picture two.pgm and 3 in one.pgm"), std::string::npos)
+      << error_;
+  EXPECT_EQ(error_.find("upper"), std::string::npos) << error_;
+}
+
 TEST_F(TrackCommand, APictureOfAnotherSizeIsNamedWithBothSizes) {
   std::filesystem::create_directories(folder_ / "odd");
   write_picture("label.pgm", 0, 1);
@@ -137,6 +174,9 @@ TEST_F(TrackCommand, NamesTheCurveAndThePictureThatCannotBeLearned) {
   fails(curves(0), broken, "/frames/1/curves: curve lower is empty, in the picture two.pgm");
   const nlohmann::json flat = {{"upper", {{16, 30}, {32, 30}}}, {"lower", {{5, 5}, {5, 5}}}};
   fails(flat, flat, "feature lower: all its points lie at one place in every picture; mark");
+  nlohmann::json outside = curves(1);
+  outside["lower"][1] = {640, 46};
+  fails(curves(0), outside, "picture two.pgm, feature lower: point 1 lies at 640.0, 46.0 px, far outside the picture");
   fails(curves(0), curves(1), "/features/0: a list of names of curves was expected", nlohmann::json::parse("[[]]"));
   fails(curves(0), curves(1), "/features/0/1: no curve of all pictures is named lip; name one of lower, upper",
         nlohmann::json::parse(R"([["upper", "lip"]])"));

@@ -45,7 +45,7 @@ class SharedTrackLoop : public testing::Test {
     const auto bytes = read_file((tests::shared_dir() / "meshes" / "ict_face_landmarks.json").string()).value();
     const auto json = nlohmann::json::parse(bytes.begin(), bytes.end());
     points_ = json["landmarks68"].get<std::vector<std::uint32_t>>();
-    map_ = model_io::read_map_file(base::as_bytes(*model_io::bundled_map(model_io::TrackFormat::openface))).value();
+    map_ = model_io::read_map_file(base::as_bytes(model_io::bundled_map(model_io::TrackFormat::openface))).value();
     poses_ = tests::talking_clip(*model_.rig, 300);
     std::vector<geometry::ModelPoint> rest(model_.mesh->vertex_count());
     model_.rig->evaluate(rig::rest_pose(*model_.rig), rest);
@@ -187,7 +187,7 @@ class SharedRealTrack : public testing::Test {
     track_ = std::get<animation::PointTrack>(
         read_track((tests::shared_dir() / "tracks" / "openface_head_test.csv").string(), {}, {}).value().track);
     const auto map =
-        model_io::read_map_file(base::as_bytes(*model_io::bundled_map(model_io::TrackFormat::openface))).value();
+        model_io::read_map_file(base::as_bytes(model_io::bundled_map(model_io::TrackFormat::openface))).value();
     std::vector<std::string> notes;
     const auto setup = make_setup(model_, track_, map, true, {}, notes).value();
     const auto camera = geometry::frame_box(document::rest_world_box(model_), {1000, 1000}, 0);
