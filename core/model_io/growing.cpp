@@ -28,6 +28,29 @@ Growing find_growing(std::span<const std::optional<double>> values) {
   return growing;
 }
 
+double usual_step(std::span<const std::optional<double>> values) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (values[i] && values[i - 1] && *values[i] > *values[i - 1]) steps.push_back(*values[i] - *values[i - 1]);
+  }
+  if (steps.empty()) return 0;
+  // Of two in the middle the lower one: what is left out makes steps longer, nothing makes them shorter.
+  std::stable_sort(steps.begin(), steps.end());
+  return steps[(steps.size() - 1) / 2];
+}
+
+std::optional<std::size_t> find_leap(std::span<const std::optional<double>> values, const Growing& growing,
+                                     double least) {
+  const double most = std::max(least, 10 * usual_step(values) * static_cast<double>(values.size()));
+  std::optional<double> before;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!growing.in_order[i]) continue;
+    if (before && *values[i] - *before > most) return i;
+    before = values[i];
+  }
+  return std::nullopt;
+}
+
 std::vector<double> placed_between(std::span<const std::optional<double>> times, const Growing& growing,
                                    std::span<const double> places) {
   std::vector<std::size_t> sure;

@@ -120,6 +120,7 @@ base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
   }
   std::vector<std::string> notes = columns->notes;
   auto best = rows_of_best_face(std::move(rows), notes);
+  take_small_units(best);
   auto track = make_track(std::move(best), k_ibug_points, k_common_fps);
   if (!track) return track;
   track->notes.insert(track->notes.begin(), notes.begin(), notes.end());

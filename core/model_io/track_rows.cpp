@@ -25,9 +25,20 @@ std::vector<std::string> FrameNotes::take() {
   return std::move(notes_);
 }
 
+namespace {
+
+std::vector<std::optional<double>> times_in(const std::vector<TrackRow>& rows) {
+  std::vector<std::optional<double>> times;
+  for (const TrackRow& row : rows) {
+    times.push_back(row.time_s && std::isfinite(*row.time_s) ? row.time_s : std::nullopt);
+  }
+  return times;
+}
+
+}  // namespace
+
 void take_small_units(std::vector<TrackRow>& rows) {
-  if (rows.size() < 2 || !rows.front().time_s || !rows.back().time_s) return;
-  double step = (*rows.back().time_s - *rows.front().time_s) / static_cast<double>(rows.size() - 1);
+  double step = usual_step(times_in(rows));
   double unit = 1;
   for (; step >= 5 && unit < 1e9; step /= 1000.0) unit *= 1000.0;
   if (unit == 1) return;

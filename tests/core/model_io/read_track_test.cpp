@@ -193,6 +193,36 @@ TEST(ReadOpenFace, NumbersThatStandStillAreNotTrusted) {
   EXPECT_NEAR(read_openface_track(bytes(table.text()))->frames[2].time_s, 2.0 / 30, 1e-9);
 }
 
+TEST(ReadOpenFace, TakesTimesInMilliseconds) {
+  Table table;
+  for (int f = 0; f < 5; ++f)
+    table.rows.push_back(std::to_string(f + 1) + ", " + text_of(40 * f) + ", 0.9, 1" + table.points(f));
+  EXPECT_NEAR(read_openface_track(bytes(table.text())).value().frames[4].time_s, 0.16, 1e-9);
+  // A pause does not make milliseconds of seconds.
+  for (int f = 0; f < 5; ++f) {
+    std::string& row = table.rows[static_cast<std::size_t>(f)];
+    row = std::to_string(f + 1) + ", " + text_of(f < 4 ? 0.04 * f : 30) + ", 0.9, 1" + table.points(f);
+  }
+  EXPECT_NEAR(read_openface_track(bytes(table.text())).value().frames[3].time_s, 0.12, 1e-9);
+  Table ibug;
+  ibug.before = "frame, timestamp";
+  for (int f = 0; f < 5; ++f) ibug.rows.push_back(s("1, ") + text_of(40 * f) + ibug.points(f));
+  EXPECT_NEAR(read_ibug_track(bytes(ibug.text())).value().frames[4].time_s, 0.16, 1e-9);
+}
+
+TEST(ReadOpenFace, HoldsWhatMicrosoftsLibrariesWriteForNoNumber) {
+  for (const char* nothing : {"1.#QNAN", "-1.#IND", "1.#INF", "-1.#IND00"}) {
+    Table table = two_frames();
+    table.rows[1].replace(table.rows[1].find("111"), 10, nothing);
+    const auto track = read_openface_track(bytes(table.text()));
+    ASSERT_TRUE(track.ok()) << track.error().line();
+    EXPECT_TRUE(track->frames[0].found());
+    EXPECT_FALSE(track->frames[1].found()) << nothing;
+    ASSERT_EQ(track->notes.size(), 1U);
+    EXPECT_TRUE(track->notes[0].starts_with("line 3: ")) << track->notes[0];
+  }
+}
+
 TEST(ReadOpenFace, KeepsTheFaceThatIsSeenBest) {
   Table table;
   table.before = "frame,face_id,timestamp,confidence,success";
