@@ -179,7 +179,7 @@ TEST(ReadOpenFace, FillsFramesThatAreLeftOut) {
   EXPECT_FALSE(track.frames[2].found());
   EXPECT_NEAR(track.frames[3].time_s, 0.12, 1e-9);
   table.rows[2] = s("4000000000, 0.16, 0.9, 1") + table.points(4);
-  EXPECT_EQ(read_openface_track(bytes(table.text())).error().place, "line 4");
+  EXPECT_EQ(read_openface_track(bytes(table.text())).value().frames.size(), 3U);
 }
 
 TEST(ReadOpenFace, NumbersThatStandStillAreNotTrusted) {
