@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/base/numbers.h"
+#include "core/model_io/best_face.h"
 #include "core/model_io/face_points.h"
 #include "core/model_io/point_table.h"
 #include "core/model_io/read_track.h"

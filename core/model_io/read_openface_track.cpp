@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/geometry/rotation.h"
+#include "core/model_io/best_face.h"
 #include "core/model_io/face_points.h"
 #include "core/model_io/point_table.h"
 #include "core/model_io/read_track.h"

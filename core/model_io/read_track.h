@@ -60,7 +60,8 @@ enum class FrameOrder : std::uint8_t { in_time, none };
 
 /// ARKit's blend shapes as Live Link Face writes them: Timecode, BlendShapeCount and a column a name. Timecodes are
 /// H:M:S:F.f; what F counts is told as counted_rate says. Rows that are short or have a count of 0 are frames
-/// without a face; so are those whose timecode does not come after the ones before.
+/// without a face; so are those whose timecode does not come after the ones before, and those that are left out
+/// where most timecodes are one step apart.
 [[nodiscard]] base::Result<animation::WeightTrack> read_arkit_track(base::Bytes bytes);
 
 }  // namespace penpose::model_io

@@ -231,10 +231,13 @@ TEST(ReadOpenFace, KeepsTheFaceThatIsSeenBest) {
                 s("2,0,0.04,0.3,1") + table.points(50), s("2,1,0.04,0.9,1") + table.points(1),
                 s("3,0,0.08,0.3,1") + table.points(50)};
   const auto track = read_openface_track(bytes(table.text())).value();
-  ASSERT_EQ(track.frames.size(), 2U);
+  ASSERT_EQ(track.frames.size(), 3U);
   EXPECT_EQ(track.frames[0].points[0].x, 100);
-  ASSERT_FALSE(track.notes.empty());
+  ASSERT_EQ(track.notes.size(), 2U);
   EXPECT_NE(track.notes[0].find("2 faces"), std::string::npos);
+  EXPECT_FALSE(track.frames[2].found());
+  EXPECT_NEAR(track.frames[2].time_s, 0.08, 1e-9);
+  EXPECT_EQ(track.notes[1], "line 6: only face 0 is seen, not the one that is read; the frame is held");
 }
 
 std::string mediapipe_wide(int points, bool normalised) {
