@@ -18,7 +18,7 @@ inline constexpr std::size_t k_most_track_frames = 1'000'000;
 
 /// OpenFace's CSV, 68 points: columns x_0..x_67 and y_0..y_67 (px), and where present frame, face_id, timestamp,
 /// confidence and success. Times are seconds; those that take_small_units tells are smaller units. Blanks after commas
-/// are taken, as old versions write them. Of several faces the one of the greatest sum of confidences is read. Frame
+/// are taken, as old versions write them. Of several faces one is read as rows_of_best_face says. Frame
 /// numbers that are left out between rows are frames without a face; rows out of order are treated as make_track says.
 [[nodiscard]] base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes);
 

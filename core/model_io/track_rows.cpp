@@ -12,8 +12,6 @@ namespace penpose::model_io {
 namespace {
 
 constexpr std::size_t k_most_notes = 20;
-/// A face may be gone for so long in any file, s; for longer only where a leap does not dwarf the rest (find_leap).
-constexpr double k_longest_pause_s = 10;
 
 }  // namespace
 

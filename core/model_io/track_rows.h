@@ -47,6 +47,9 @@ enum class RowName : std::uint8_t { line, frame };
 /// milliseconds, or micro- or nanoseconds.
 void take_small_units(std::vector<TrackRow>& rows);
 
+/// A face may be gone for so long in any file, s; for longer only where a leap does not dwarf the rest (find_leap).
+inline constexpr double k_longest_pause_s = 10;
+
 /// Frame rate of a track whose file says nothing of time.
 inline constexpr double k_common_fps = 30;
 

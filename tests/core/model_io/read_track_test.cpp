@@ -552,6 +552,51 @@ TEST(ReadArkit, OfColumnsOfOneNameTheFirstCounts) {
   EXPECT_TRUE(track.notes[0].starts_with("line 1: the column jawopen comes again")) << track.notes[0];
 }
 
+/// A take at 60 frames a second of the frames [first, end), frame numbers from 0.
+std::string arkit_rows(int first, int end) {
+  std::string rows;
+  for (int f = first; f < end; ++f)
+    rows += "0:0:" + std::to_string(f / 60) + ":" + std::to_string(f % 60) + ".5," + text_of(0.01 * f) + "\n";
+  return rows;
+}
+
+TEST(ReadArkit, HoldsFramesThatAreLeftOut) {
+  const auto track = read_arkit_track(bytes("Timecode,JawOpen\n" + arkit_rows(0, 21) + arkit_rows(51, 90))).value();
+  ASSERT_EQ(track.frames.size(), 90U);
+  for (std::size_t f = 0; f < 90; ++f) {
+    EXPECT_EQ(track.frames[f].found, f < 21 || f >= 51) << f;
+    EXPECT_NEAR(track.frames[f].time_s, static_cast<double>(f) / 60, 1e-9) << f;
+  }
+  EXPECT_NEAR(track.frames[51].values[0], 0.51, 1e-9);
+  EXPECT_EQ(track.notes, (std::vector<std::string>{"line 23: 30 frames before it are left out and held"}));
+}
+
+TEST(ReadArkit, ARowThatIsLateLeavesNothingOut) {
+  std::string take = "Timecode,JawOpen\n" + arkit_rows(0, 20) + "0:0:0:21.2,0.5\n" + arkit_rows(21, 70);
+  const auto track = read_arkit_track(bytes(take)).value();
+  EXPECT_EQ(track.frames.size(), 70U);
+  EXPECT_TRUE(track.notes.empty());
+}
+
+TEST(ReadArkit, RowsWithoutACommonStepComeAsTheyPlease) {
+  std::string take = "Timecode,JawOpen\n";
+  for (int f = 0; f < 60; ++f)
+    if (f % 3 != 2) take += arkit_rows(f, f + 1);
+  EXPECT_EQ(read_arkit_track(bytes(take)).value().frames.size(), 40U);
+  // 45 of 60 that are counted.
+  take = "Timecode,JawOpen\n";
+  for (int f = 0; f < 120; ++f)
+    if (f % 4 != 3) take += arkit_rows(f, f + 1);
+  EXPECT_EQ(read_arkit_track(bytes(take)).value().frames.size(), 90U);
+}
+
+TEST(ReadArkit, ATimecodeThatLeapsAwayIsNotGoneBy) {
+  const auto track = read_arkit_track(bytes("Timecode,JawOpen\n" + arkit_rows(0, 90) + "9:0:0:0,0.5\n")).value();
+  ASSERT_EQ(track.frames.size(), 91U);
+  EXPECT_NEAR(track.frames[90].time_s, 1.5, 1e-6);
+  EXPECT_TRUE(track.rate_note.starts_with("the timecode leaps by far in line 92: 60.00 frames")) << track.rate_note;
+}
+
 /// Faces seen twice as often as the timecodes count.
 TEST(ReadArkit, SpreadsRowsOverTimecodesThatStandStill) {
   std::string take = "Timecode,JawOpen\n";
