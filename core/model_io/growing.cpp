@@ -1,6 +1,7 @@
 #include "core/model_io/growing.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace penpose::model_io {
 
@@ -36,12 +37,23 @@ double usual_step(std::span<const std::optional<double>> values) {
   if (steps.empty()) return 0;
   // Of two in the middle the lower one: what is left out makes steps longer, nothing makes them shorter.
   std::stable_sort(steps.begin(), steps.end());
-  return steps[(steps.size() - 1) / 2];
+  const double middle = steps[(steps.size() - 1) / 2];
+  // The mean of those about it, as files round their times.
+  double sum = 0;
+  double count = 0;
+  for (const double step : steps) {
+    if (std::abs(step - middle) > middle / 2) continue;
+    sum += step;
+    ++count;
+  }
+  return sum / count;
 }
 
 std::optional<std::size_t> find_leap(std::span<const std::optional<double>> values, const Growing& growing,
                                      double least) {
-  const double most = std::max(least, 10 * usual_step(values) * static_cast<double>(values.size()));
+  const double step = usual_step(values);
+  if (!growing.trusted() || !(step > 0)) return std::nullopt;
+  const double most = std::max(least, 10 * step * static_cast<double>(values.size()));
   std::optional<double> before;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!growing.in_order[i]) continue;

@@ -595,6 +595,10 @@ TEST(ReadArkit, ATimecodeThatLeapsAwayIsNotGoneBy) {
   ASSERT_EQ(track.frames.size(), 91U);
   EXPECT_NEAR(track.frames[90].time_s, 1.5, 1e-6);
   EXPECT_TRUE(track.rate_note.starts_with("the timecode leaps by far in line 92: 60.00 frames")) << track.rate_note;
+  // Timecodes that show no step cannot leap.
+  const auto far = read_arkit_track(bytes("Timecode,JawOpen\n0:0:0:0,0\n?,0.1\n0:0:20:0,0.2\n")).value();
+  ASSERT_EQ(far.frames.size(), 3U);
+  EXPECT_NEAR(far.frames[1].time_s, 10, 1e-9);
 }
 
 /// Faces seen twice as often as the timecodes count.
