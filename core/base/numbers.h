@@ -10,7 +10,8 @@ namespace penpose::base {
 // Text to number and back without any locale: "1.5" is one and a half on every machine. The whole text must be the
 // number.
 
-/// A finite or non-finite decimal number; a leading '+' is taken. Nothing when the text is anything else.
+/// A finite or non-finite decimal number; a leading '+' is taken, and so are Microsoft's 1.#QNAN, 1.#IND and 1.#INF.
+/// Nothing when the text is anything else.
 [[nodiscard]] std::optional<double> parse_double(std::string_view text);
 [[nodiscard]] std::optional<std::int64_t> parse_int(std::string_view text, int base = 10);
 [[nodiscard]] std::optional<std::uint64_t> parse_uint(std::string_view text, int base = 10);

@@ -1,6 +1,7 @@
 #include "core/model_io/growing.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace penpose::model_io {
 
@@ -26,6 +27,40 @@ Growing find_growing(std::span<const std::optional<double>> values) {
   for (; i < values.size(); i = before[i]) growing.in_order[i] = true;
   growing.astray = growing.known - ends.size();
   return growing;
+}
+
+double usual_step(std::span<const std::optional<double>> values) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (values[i] && values[i - 1] && *values[i] > *values[i - 1]) steps.push_back(*values[i] - *values[i - 1]);
+  }
+  if (steps.empty()) return 0;
+  // Of two in the middle the lower one: what is left out makes steps longer, nothing makes them shorter.
+  std::stable_sort(steps.begin(), steps.end());
+  const double middle = steps[(steps.size() - 1) / 2];
+  // The mean of those about it, as files round their times.
+  double sum = 0;
+  double count = 0;
+  for (const double step : steps) {
+    if (std::abs(step - middle) > middle / 2) continue;
+    sum += step;
+    ++count;
+  }
+  return sum / count;
+}
+
+std::optional<std::size_t> find_leap(std::span<const std::optional<double>> values, const Growing& growing,
+                                     double least) {
+  const double step = usual_step(values);
+  if (!growing.trusted() || !(step > 0)) return std::nullopt;
+  const double most = std::max(least, 10 * step * static_cast<double>(values.size()));
+  std::optional<double> before;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!growing.in_order[i]) continue;
+    if (before && *values[i] - *before > most) return i;
+    before = values[i];
+  }
+  return std::nullopt;
 }
 
 std::vector<double> placed_between(std::span<const std::optional<double>> times, const Growing& growing,

@@ -17,6 +17,16 @@ struct Growing {
 
 [[nodiscard]] Growing find_growing(std::span<const std::optional<double>> values);
 
+/// The usual step from one value to the next: of those that grow the mean of the ones about the middle one, whether or
+/// not all grow; 0 where none does.
+[[nodiscard]] double usual_step(std::span<const std::optional<double>> values);
+
+/// The first value that lies further from the one before (of those in order) than anybody's recording does: by more
+/// than `least`, and by more than 10 times what all values would span at their usual step. None in values that are not
+/// trusted or have no usual step.
+[[nodiscard]] std::optional<std::size_t> find_leap(std::span<const std::optional<double>> values,
+                                                   const Growing& growing, double least);
+
 /// Times of which those in order are kept, the others lie evenly between them, and go on at the rate of the whole
 /// before and after. `places`: where each belongs, growing. Precondition: two in order.
 [[nodiscard]] std::vector<double> placed_between(std::span<const std::optional<double>> times, const Growing& growing,

@@ -138,23 +138,4 @@ base::Result<FaceRow> read_point_row(const CsvReader& table, const PointColumns&
   return result;
 }
 
-std::vector<TrackRow> rows_of_best_face(std::vector<FaceRow> rows, std::vector<std::string>& notes) {
-  std::map<std::int64_t, double> seen;
-  for (const FaceRow& row : rows) seen[row.face] += row.row.why_held.empty() ? row.row.confidence : 0.0;
-  std::vector<TrackRow> result;
-  if (seen.empty()) return result;
-  auto best = seen.begin();
-  for (auto face = seen.begin(); face != seen.end(); ++face) {
-    if (face->second > best->second) best = face;
-  }
-  for (FaceRow& row : rows) {
-    if (row.face == best->first) result.push_back(std::move(row.row));
-  }
-  if (seen.size() > 1) {
-    notes.push_back("of " + std::to_string(seen.size()) + " faces, face " + std::to_string(best->first) +
-                    " is seen best and is read");
-  }
-  return result;
-}
-
 }  // namespace penpose::model_io

@@ -36,10 +36,6 @@ struct FaceRow {
 [[nodiscard]] base::Result<FaceRow> read_point_row(const CsvReader& table, const PointColumns& columns,
                                                    const std::vector<std::string_view>& cells);
 
-/// All rows of the face that is seen best: the greatest sum of confidences over frames that show it. Says in `notes`
-/// how many others there are.
-[[nodiscard]] std::vector<TrackRow> rows_of_best_face(std::vector<FaceRow> rows, std::vector<std::string>& notes);
-
 /// A coordinate that distances can be taken of: finite and below 1e7.
 [[nodiscard]] bool usable_coordinate(double value);
 

@@ -39,10 +39,52 @@ std::vector<std::optional<double>> seconds_of(const std::vector<std::optional<Ti
   return times;
 }
 
-/// Seconds from the first row. Says in `why`, one a row, what holds a frame, and in the notes what else there is to
-/// say.
-std::vector<double> times_of(const std::vector<std::optional<Timecode>>& codes, const std::vector<std::size_t>& lines,
-                             std::vector<std::string>& why, FrameNotes& notes, std::string& rate_note) {
+/// Where rows lie in time.
+struct Placed {
+  std::vector<double> times;   ///< seconds from the first row, one a row
+  std::vector<double> places;  ///< numbers of frames from 0, one a row; those in between are left out
+};
+
+/// Numbers of frames of rows whose times are a multiple of the usual step apart: what a take leaves out counts as well.
+std::vector<double> places_of(const std::vector<std::optional<double>>& seconds, const Growing& growing) {
+  const double step = usual_step(seconds);
+  std::vector<double> places(seconds.size());
+  std::iota(places.begin(), places.end(), 0.0);
+  std::vector<std::size_t> sure;
+  std::size_t pairs = 0;
+  std::size_t usual = 0;
+  for (std::size_t i = 0; i < seconds.size(); ++i) {
+    if (!growing.in_order[i]) continue;
+    if (!sure.empty() && sure.back() + 1 == i) {
+      ++pairs;
+      if (std::abs(*seconds[i] - *seconds[i - 1] - step) < step / 2) ++usual;
+    }
+    sure.push_back(i);
+  }
+  // Where fewer steps are the usual one, the rows come at a rate that the timecodes do not count, or as they please.
+  if (5 * usual < 4 * pairs || pairs < 2) return places;
+  double missing = 0;
+  for (std::size_t k = 1; k < sure.size(); ++k) {
+    const std::size_t a = sure[k - 1];
+    const std::size_t b = sure[k];
+    double frames = std::round((*seconds[b] - *seconds[a]) / step);
+    if (k + 1 < sure.size()) {
+      // A row that is late only leaves nothing out: the next one is in time.
+      const std::size_t c = sure[k + 1];
+      frames = std::min(frames, std::round((*seconds[c] - *seconds[a]) / step) - static_cast<double>(c - b));
+    }
+    for (std::size_t i = a + 1; i < b; ++i) places[i] += missing;
+    missing += std::max(0.0, frames - static_cast<double>(b - a));
+    places[b] += missing;
+  }
+  if (sure.empty()) return places;
+  for (std::size_t i = sure.back() + 1; i < places.size(); ++i) places[i] += missing;
+  return places;
+}
+
+/// Says in `why`, one a row, what holds a frame, and in the notes what else there is to say.
+Placed place_rows(const std::vector<std::optional<Timecode>>& codes, const std::vector<std::size_t>& lines,
+                  std::vector<std::string>& why, FrameNotes& notes, std::string& rate_note) {
   std::vector<Timecode> known;
   for (const auto& code : codes) {
     if (code) known.push_back(*code);
@@ -50,24 +92,28 @@ std::vector<double> times_of(const std::vector<std::optional<Timecode>>& codes, 
   const CountedRate rate = counted_rate(known);
   const auto seconds = seconds_of(codes, rate.count);
   const Growing growing = find_growing(seconds);
-  std::vector<double> rows(codes.size());
-  std::iota(rows.begin(), rows.end(), 0.0);
+  Placed rows;
+  rows.places.resize(codes.size());
+  std::iota(rows.places.begin(), rows.places.end(), 0.0);
   std::size_t first = 0;
-  while (first < rows.size() && !growing.in_order[first]) ++first;
-  std::size_t last = rows.size();
+  while (first < codes.size() && !growing.in_order[first]) ++first;
+  std::size_t last = codes.size();
   while (last > first && !growing.in_order[last - 1]) --last;
-  if (!growing.trusted() || last - first < 2) {
+  const auto leap = find_leap(seconds, growing, k_longest_pause_s);
+  if (leap || !growing.trusted() || last - first < 2) {
     // Timecodes that stand still for some rows, such as those of 30 a second for 60 faces, still tell how long it took.
     const bool grow = last - first >= 2;
-    const double fps =
-        grow ? static_cast<double>(last - 1 - first) / (*seconds[last - 1] - *seconds[first]) : k_live_link_fps;
-    for (double& time : rows) time /= fps;
-    if (rows.size() > 1)
-      rate_note =
-          std::string(known.empty() ? "no timecode can be read" : "the timecodes do not grow") + ": " + taken(fps);
+    const double fps = leap   ? 1 / usual_step(seconds)
+                       : grow ? static_cast<double>(last - 1 - first) / (*seconds[last - 1] - *seconds[first])
+                              : k_live_link_fps;
+    for (const double place : rows.places) rows.times.push_back(place / fps);
+    std::string what = known.empty() ? "no timecode can be read" : "the timecodes do not grow";
+    if (leap) what = "the timecode leaps by far in line " + std::to_string(lines[*leap]);
+    if (codes.size() > 1) rate_note = what + ": " + taken(fps);
     return rows;
   }
   if (!rate.told) rate_note = "the timecodes do not tell how many frames make a second: " + taken(rate.count);
+  rows.places = places_of(seconds, growing);
   for (std::size_t f = 0; f < codes.size(); ++f) {
     if (!codes[f]) {
       notes.add("line " + std::to_string(lines[f]) +
@@ -76,10 +122,10 @@ std::vector<double> times_of(const std::vector<std::optional<Timecode>>& codes, 
       why[f] = "its timecode does not come after the ones before";
     }
   }
-  auto times = placed_between(seconds, growing, rows);
-  const double begin = times.front();
-  for (double& time : times) time -= begin;
-  return times;
+  rows.times = placed_between(seconds, growing, rows.places);
+  const double begin = rows.times.front();
+  for (double& time : rows.times) time -= begin;
+  return rows;
 }
 
 }  // namespace
@@ -143,14 +189,29 @@ base::Result<animation::WeightTrack> read_arkit_track(base::Bytes bytes) {
                        "line " + std::to_string(lines.empty() ? 1 : lines.front()), "record the take again"};
   }
   FrameNotes notes;
-  const auto times = times_of(codes, lines, why, notes, track.rate_note);
-  for (std::size_t f = 0; f < track.frames.size(); ++f) {
-    animation::WeightFrame& frame = track.frames[f];
-    frame.time_s = times[f];
+  const Placed placed = place_rows(codes, lines, why, notes, track.rate_note);
+  std::vector<animation::WeightFrame> seen = std::move(track.frames);
+  track.frames.clear();
+  for (std::size_t f = 0; f < seen.size(); ++f) {
+    const std::string line = "line " + std::to_string(lines[f]);
+    const double missing = f == 0 ? 0 : placed.places[f] - placed.places[f - 1] - 1;
+    if (missing + 1 > static_cast<double>(k_most_track_frames - track.frames.size())) {
+      return base::Error{"with the frames that are left out the take has more than 1,000,000", line, "cut it"};
+    }
+    for (double k = 1; k <= missing; ++k) {
+      const double passed = placed.times[f] - placed.times[f - 1];
+      track.frames.push_back({placed.times[f - 1] + passed * k / (missing + 1), false, {}});
+    }
+    if (missing > 0) {
+      notes.add(line + ": " + std::to_string(static_cast<std::int64_t>(missing)) +
+                " frames before it are left out and held");
+    }
+    animation::WeightFrame& frame = track.frames.emplace_back(std::move(seen[f]));
+    frame.time_s = placed.times[f];
     frame.found = why[f].empty();
     if (frame.found) continue;
     frame.values.clear();
-    notes.add("line " + std::to_string(lines[f]) + ": " + why[f] + "; the frame is held");
+    notes.add(line + ": " + why[f] + "; the frame is held");
   }
   track.notes = notes.take();
   track.notes.insert(track.notes.begin(), repeated.begin(), repeated.end());

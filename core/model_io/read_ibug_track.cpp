@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/base/numbers.h"
+#include "core/model_io/best_face.h"
 #include "core/model_io/face_points.h"
 #include "core/model_io/point_table.h"
 #include "core/model_io/read_track.h"
@@ -139,6 +140,7 @@ base::Result<animation::PointTrack> read_ibug_track(base::Bytes bytes) {
     rows = table->header_is_row() ? read_bare_rows(header, *table) : read_table(*table, notes);
   }
   if (!rows) return rows.error();
+  take_small_units(*rows);
   auto track = make_track(std::move(rows).value(), k_ibug_points, k_common_fps);
   if (!track) return track;
   track->notes.insert(track->notes.begin(), notes.begin(), notes.end());

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/model_io/best_face.h"
 #include "core/model_io/face_points.h"
 #include "core/model_io/picture_scale.h"
 #include "core/model_io/point_table.h"

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/geometry/rotation.h"
+#include "core/model_io/best_face.h"
 #include "core/model_io/face_points.h"
 #include "core/model_io/point_table.h"
 #include "core/model_io/read_track.h"
@@ -120,6 +121,7 @@ base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
   }
   std::vector<std::string> notes = columns->notes;
   auto best = rows_of_best_face(std::move(rows), notes);
+  take_small_units(best);
   auto track = make_track(std::move(best), k_ibug_points, k_common_fps);
   if (!track) return track;
   track->notes.insert(track->notes.begin(), notes.begin(), notes.end());

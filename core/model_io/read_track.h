@@ -17,9 +17,9 @@ namespace penpose::model_io {
 inline constexpr std::size_t k_most_track_frames = 1'000'000;
 
 /// OpenFace's CSV, 68 points: columns x_0..x_67 and y_0..y_67 (px), and where present frame, face_id, timestamp,
-/// confidence and success. Blanks after commas are taken, as old versions write them. Of several faces the one of the
-/// greatest sum of confidences is read. Frame numbers that are left out between rows are frames without a face; rows
-/// out of order are treated as make_track says.
+/// confidence and success. Times are seconds; those that take_small_units tells are smaller units. Blanks after commas
+/// are taken, as old versions write them. Of several faces one is read as rows_of_best_face says. Frame
+/// numbers that are left out between rows are frames without a face; rows out of order are treated as make_track says.
 [[nodiscard]] base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes);
 
 /// The picture that normalised coordinates are shares of, px.
@@ -60,7 +60,8 @@ enum class FrameOrder : std::uint8_t { in_time, none };
 
 /// ARKit's blend shapes as Live Link Face writes them: Timecode, BlendShapeCount and a column a name. Timecodes are
 /// H:M:S:F.f; what F counts is told as counted_rate says. Rows that are short or have a count of 0 are frames
-/// without a face; so are those whose timecode does not come after the ones before.
+/// without a face; so are those whose timecode does not come after the ones before, and those that are left out
+/// where most timecodes are one step apart.
 [[nodiscard]] base::Result<animation::WeightTrack> read_arkit_track(base::Bytes bytes);
 
 }  // namespace penpose::model_io

@@ -25,9 +25,20 @@ std::vector<std::string> FrameNotes::take() {
   return std::move(notes_);
 }
 
+namespace {
+
+std::vector<std::optional<double>> times_in(const std::vector<TrackRow>& rows) {
+  std::vector<std::optional<double>> times;
+  for (const TrackRow& row : rows) {
+    times.push_back(row.time_s && std::isfinite(*row.time_s) ? row.time_s : std::nullopt);
+  }
+  return times;
+}
+
+}  // namespace
+
 void take_small_units(std::vector<TrackRow>& rows) {
-  if (rows.size() < 2 || !rows.front().time_s || !rows.back().time_s) return;
-  double step = (*rows.back().time_s - *rows.front().time_s) / static_cast<double>(rows.size() - 1);
+  double step = usual_step(times_in(rows));
   double unit = 1;
   for (; step >= 5 && unit < 1e9; step /= 1000.0) unit *= 1000.0;
   if (unit == 1) return;
@@ -48,8 +59,14 @@ bool says_nothing(std::span<const std::optional<double>> values) {
   return values.empty() || std::none_of(values.begin(), values.end(), differs);
 }
 
+/// Rows a second: by the usual step of their times, else `fps`.
+double usual_rate(const std::vector<TrackRow>& rows, double fps) {
+  const double step = usual_step(times_in(rows));
+  return step > 0 ? 1 / step : fps > 0 ? fps : k_common_fps;
+}
+
 /// Leaves out rows whose frame numbers come again or step back. Returns whether the numbers say where a row belongs.
-bool take_numbers(std::vector<TrackRow>& rows, RowName name, FrameNotes& notes) {
+bool take_numbers(std::vector<TrackRow>& rows, double fps, RowName name, FrameNotes& notes) {
   std::vector<std::optional<double>> numbers;
   for (const TrackRow& row : rows) {
     numbers.push_back(row.frame ? std::optional(static_cast<double>(*row.frame)) : std::nullopt);
@@ -60,6 +77,14 @@ bool take_numbers(std::vector<TrackRow>& rows, RowName name, FrameNotes& notes) 
   const auto first = static_cast<std::size_t>(astray - growing.in_order.begin());
   if (!growing.trusted()) {
     notes.add(text_of(rows[first], name) + ": the frame numbers do not grow; rows are taken one after the other");
+    return false;
+  }
+  // Without times numbers count frames; with times they count what they do.
+  const double a_row = usual_step(times_in(rows)) > 0 ? usual_step(numbers) : 1;
+  const double least = k_longest_pause_s * usual_rate(rows, fps) * a_row;
+  if (const auto leap = find_leap(numbers, growing, least)) {
+    notes.add(text_of(rows[*leap], name) + ": the frame number leaps to " + std::to_string(*rows[*leap].frame) +
+              "; rows are taken one after the other");
     return false;
   }
   if (astray == growing.in_order.end()) return true;
@@ -79,16 +104,16 @@ bool take_numbers(std::vector<TrackRow>& rows, RowName name, FrameNotes& notes) 
 /// One time a row. `places`: the rows' frames. Rows out of order of time are held unless `numbered`.
 std::vector<double> take_times(std::vector<TrackRow>& rows, std::span<const double> places, bool numbered, double fps,
                                RowName name, FrameNotes& notes, std::string& rate_note) {
-  std::vector<std::optional<double>> times;
-  for (const TrackRow& row : rows) {
-    times.push_back(row.time_s && std::isfinite(*row.time_s) ? row.time_s : std::nullopt);
-  }
+  const auto times = times_in(rows);
   const Growing growing = find_growing(times);
-  if (!growing.trusted() || growing.known - growing.astray < 2) {
-    const double rate = fps > 0 ? fps : k_common_fps;
+  // A few rows may be anything, such as pictures of a story.
+  const auto leap = rows.size() < 10 ? std::nullopt : find_leap(times, growing, k_longest_pause_s);
+  if (leap || !growing.trusted() || growing.known - growing.astray < 2) {
+    const double rate = leap ? usual_rate(rows, fps) : fps > 0 ? fps : k_common_fps;
     if (growing.known > 0 && !says_nothing(times)) {
-      rate_note = std::string(growing.astray > 0 ? "the times do not grow" : "most times are missing") + ": " +
-                  base::format_fixed(rate, 2) + " frames a second are taken; --fps sets another rate";
+      std::string why = growing.astray > 0 ? "the times do not grow" : "most times are missing";
+      if (leap) why = "the time leaps by far in " + text_of(rows[*leap], name);
+      rate_note = why + ": " + base::format_fixed(rate, 2) + " frames a second are taken; --fps sets another rate";
     }
     std::vector<double> even;
     for (const double place : places) even.push_back(place / rate);
@@ -120,7 +145,7 @@ base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::
   animation::PointTrack track;
   track.point_count = point_count;
   FrameNotes notes;
-  const bool numbered = take_numbers(rows, name, notes);
+  const bool numbered = take_numbers(rows, fps, name, notes);
   std::vector<double> places;
   for (const TrackRow& row : rows) {
     places.push_back(numbered ? static_cast<double>(*row.frame - *rows.front().frame)

@@ -37,14 +37,18 @@ enum class RowName : std::uint8_t { line, frame };
 
 /// Puts rows in the order of the file into a track. Frames whose numbers are left out are filled with frames that show
 /// no face. Rows whose number comes again or steps back are skipped; rows whose time does are placed by their number,
-/// or held where they have none. Numbers or times of which many do so are not gone by: then rows follow each other, and
-/// `fps` tells the times. All of that is noted. Errors: no row with a face, more frames than k_most_track_frames.
+/// or held where they have none. Numbers or times of which many do so are not gone by, nor are those of which one leaps
+/// away (find_leap, by more than 10 s): then rows follow each other, and `fps` or the usual step tells the times. All
+/// of that is noted. Errors: no row with a face, more frames than k_most_track_frames.
 [[nodiscard]] base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::size_t point_count,
                                                              double fps, RowName name = RowName::line);
 
-/// Divides times by 1000 as long as they grow by more than 5 a row: no video shows a frame so rarely, they are
+/// Divides times by 1000 as long as their usual step is 5 a row or more: no video shows a frame so rarely, they are
 /// milliseconds, or micro- or nanoseconds.
 void take_small_units(std::vector<TrackRow>& rows);
+
+/// A face may be gone for so long in any file, s; for longer only where a leap does not dwarf the rest (find_leap).
+inline constexpr double k_longest_pause_s = 10;
 
 /// Frame rate of a track whose file says nothing of time.
 inline constexpr double k_common_fps = 30;

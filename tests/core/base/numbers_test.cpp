@@ -22,6 +22,17 @@ TEST(Numbers, ReadsAWholeTextOrNothing) {
   EXPECT_TRUE(std::isnan(*parse_double("nan")));
 }
 
+TEST(Numbers, TakesMicrosoftsNamesOfWhatIsNoNumber) {
+  for (const char* text : {"1.#QNAN", "-1.#IND", "1.#SNAN", "-1.#IND00", "1.#QNAN0e+000", "1.#R", "-1.#IO"}) {
+    ASSERT_TRUE(parse_double(text)) << text;
+    EXPECT_TRUE(std::isnan(*parse_double(text))) << text;
+  }
+  EXPECT_EQ(parse_double("1.#INF"), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(parse_double("-1.#INF00"), -std::numeric_limits<double>::infinity());
+  for (const char* text : {"1.#", "1.#5", "2.#INF", "1.#INF1", "--1.#INF", "1.#INFe+x", "1.#inf x"})
+    EXPECT_FALSE(parse_double(text)) << text;
+}
+
 TEST(Numbers, ReadsIntegersOfABase) {
   EXPECT_EQ(parse_int("-42"), -42);
   EXPECT_EQ(parse_int("+42"), 42);

@@ -1,5 +1,6 @@
 #include "core/model_io/growing.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace penpose::model_io {
@@ -26,6 +27,27 @@ TEST(Growing, PlacesTheOthersBetweenAndBeyond) {
   growing.in_order = {false, true, false, false, true, false};
   EXPECT_EQ(placed_between(times, growing, std::vector<double>{0, 1, 2, 3, 4, 5}),
             (std::vector<double>{0.5, 1, 1.5, 2, 2.5, 3}));
+}
+
+TEST(UsualStep, IsThatOfMostWithoutGapsAndRounding) {
+  EXPECT_EQ(usual_step({}), 0);
+  EXPECT_EQ(usual_step(Values{3, 2, 2}), 0);
+  EXPECT_EQ(usual_step(Values{0, 1, 900, 2, 3, std::nullopt, 70, 71}), 1);
+  Values times;
+  for (int i = 0; i < 61; ++i) times.emplace_back(std::round(1000 * i / 30.0) / 1000);
+  times.emplace_back(10000);
+  EXPECT_NEAR(usual_step(times), 1 / 30.0, 1e-9);
+}
+
+TEST(FindLeap, IsWhatNoRecordingHas) {
+  Values values{0, 1, 2, 3, 55, 56};
+  EXPECT_FALSE(find_leap(values, find_growing(values), 10));
+  values[4] = 64;
+  values[5] = 65;
+  EXPECT_EQ(find_leap(values, find_growing(values), 10), 4U);
+  EXPECT_FALSE(find_leap(values, find_growing(values), 100));
+  for (const Values& few : {Values{5}, Values{0, std::nullopt, 900}, Values{0, 1, 0, 1, 900}})
+    EXPECT_FALSE(find_leap(few, find_growing(few), 10));
 }
 
 }  // namespace

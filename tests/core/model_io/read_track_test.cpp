@@ -179,7 +179,7 @@ TEST(ReadOpenFace, FillsFramesThatAreLeftOut) {
   EXPECT_FALSE(track.frames[2].found());
   EXPECT_NEAR(track.frames[3].time_s, 0.12, 1e-9);
   table.rows[2] = s("4000000000, 0.16, 0.9, 1") + table.points(4);
-  EXPECT_EQ(read_openface_track(bytes(table.text())).error().place, "line 4");
+  EXPECT_EQ(read_openface_track(bytes(table.text())).value().frames.size(), 3U);
 }
 
 TEST(ReadOpenFace, NumbersThatStandStillAreNotTrusted) {
@@ -193,6 +193,36 @@ TEST(ReadOpenFace, NumbersThatStandStillAreNotTrusted) {
   EXPECT_NEAR(read_openface_track(bytes(table.text()))->frames[2].time_s, 2.0 / 30, 1e-9);
 }
 
+TEST(ReadOpenFace, TakesTimesInMilliseconds) {
+  Table table;
+  for (int f = 0; f < 5; ++f)
+    table.rows.push_back(std::to_string(f + 1) + ", " + text_of(40 * f) + ", 0.9, 1" + table.points(f));
+  EXPECT_NEAR(read_openface_track(bytes(table.text())).value().frames[4].time_s, 0.16, 1e-9);
+  // A pause does not make milliseconds of seconds.
+  for (int f = 0; f < 5; ++f) {
+    std::string& row = table.rows[static_cast<std::size_t>(f)];
+    row = std::to_string(f + 1) + ", " + text_of(f < 4 ? 0.04 * f : 30) + ", 0.9, 1" + table.points(f);
+  }
+  EXPECT_NEAR(read_openface_track(bytes(table.text())).value().frames[3].time_s, 0.12, 1e-9);
+  Table ibug;
+  ibug.before = "frame, timestamp";
+  for (int f = 0; f < 5; ++f) ibug.rows.push_back(s("1, ") + text_of(40 * f) + ibug.points(f));
+  EXPECT_NEAR(read_ibug_track(bytes(ibug.text())).value().frames[4].time_s, 0.16, 1e-9);
+}
+
+TEST(ReadOpenFace, HoldsWhatMicrosoftsLibrariesWriteForNoNumber) {
+  for (const char* nothing : {"1.#QNAN", "-1.#IND", "1.#INF", "-1.#IND00"}) {
+    Table table = two_frames();
+    table.rows[1].replace(table.rows[1].find("111"), 10, nothing);
+    const auto track = read_openface_track(bytes(table.text()));
+    ASSERT_TRUE(track.ok()) << track.error().line();
+    EXPECT_TRUE(track->frames[0].found());
+    EXPECT_FALSE(track->frames[1].found()) << nothing;
+    ASSERT_EQ(track->notes.size(), 1U);
+    EXPECT_TRUE(track->notes[0].starts_with("line 3: ")) << track->notes[0];
+  }
+}
+
 TEST(ReadOpenFace, KeepsTheFaceThatIsSeenBest) {
   Table table;
   table.before = "frame,face_id,timestamp,confidence,success";
@@ -201,10 +231,13 @@ TEST(ReadOpenFace, KeepsTheFaceThatIsSeenBest) {
                 s("2,0,0.04,0.3,1") + table.points(50), s("2,1,0.04,0.9,1") + table.points(1),
                 s("3,0,0.08,0.3,1") + table.points(50)};
   const auto track = read_openface_track(bytes(table.text())).value();
-  ASSERT_EQ(track.frames.size(), 2U);
+  ASSERT_EQ(track.frames.size(), 3U);
   EXPECT_EQ(track.frames[0].points[0].x, 100);
-  ASSERT_FALSE(track.notes.empty());
+  ASSERT_EQ(track.notes.size(), 2U);
   EXPECT_NE(track.notes[0].find("2 faces"), std::string::npos);
+  EXPECT_FALSE(track.frames[2].found());
+  EXPECT_NEAR(track.frames[2].time_s, 0.08, 1e-9);
+  EXPECT_EQ(track.notes[1], "line 6: only face 0 is seen, not the one that is read; the frame is held");
 }
 
 std::string mediapipe_wide(int points, bool normalised) {
@@ -517,6 +550,55 @@ TEST(ReadArkit, OfColumnsOfOneNameTheFirstCounts) {
   EXPECT_EQ(track.frames[0].values, (std::vector<double>{0.25, 1}));
   ASSERT_EQ(track.notes.size(), 1U);
   EXPECT_TRUE(track.notes[0].starts_with("line 1: the column jawopen comes again")) << track.notes[0];
+}
+
+/// A take at 60 frames a second of the frames [first, end), frame numbers from 0.
+std::string arkit_rows(int first, int end) {
+  std::string rows;
+  for (int f = first; f < end; ++f)
+    rows += "0:0:" + std::to_string(f / 60) + ":" + std::to_string(f % 60) + ".5," + text_of(0.01 * f) + "\n";
+  return rows;
+}
+
+TEST(ReadArkit, HoldsFramesThatAreLeftOut) {
+  const auto track = read_arkit_track(bytes("Timecode,JawOpen\n" + arkit_rows(0, 21) + arkit_rows(51, 90))).value();
+  ASSERT_EQ(track.frames.size(), 90U);
+  for (std::size_t f = 0; f < 90; ++f) {
+    EXPECT_EQ(track.frames[f].found, f < 21 || f >= 51) << f;
+    EXPECT_NEAR(track.frames[f].time_s, static_cast<double>(f) / 60, 1e-9) << f;
+  }
+  EXPECT_NEAR(track.frames[51].values[0], 0.51, 1e-9);
+  EXPECT_EQ(track.notes, (std::vector<std::string>{"line 23: 30 frames before it are left out and held"}));
+}
+
+TEST(ReadArkit, ARowThatIsLateLeavesNothingOut) {
+  std::string take = "Timecode,JawOpen\n" + arkit_rows(0, 20) + "0:0:0:21.2,0.5\n" + arkit_rows(21, 70);
+  const auto track = read_arkit_track(bytes(take)).value();
+  EXPECT_EQ(track.frames.size(), 70U);
+  EXPECT_TRUE(track.notes.empty());
+}
+
+TEST(ReadArkit, RowsWithoutACommonStepComeAsTheyPlease) {
+  std::string take = "Timecode,JawOpen\n";
+  for (int f = 0; f < 60; ++f)
+    if (f % 3 != 2) take += arkit_rows(f, f + 1);
+  EXPECT_EQ(read_arkit_track(bytes(take)).value().frames.size(), 40U);
+  // 45 of 60 that are counted.
+  take = "Timecode,JawOpen\n";
+  for (int f = 0; f < 120; ++f)
+    if (f % 4 != 3) take += arkit_rows(f, f + 1);
+  EXPECT_EQ(read_arkit_track(bytes(take)).value().frames.size(), 90U);
+}
+
+TEST(ReadArkit, ATimecodeThatLeapsAwayIsNotGoneBy) {
+  const auto track = read_arkit_track(bytes("Timecode,JawOpen\n" + arkit_rows(0, 90) + "9:0:0:0,0.5\n")).value();
+  ASSERT_EQ(track.frames.size(), 91U);
+  EXPECT_NEAR(track.frames[90].time_s, 1.5, 1e-6);
+  EXPECT_TRUE(track.rate_note.starts_with("the timecode leaps by far in line 92: 60.00 frames")) << track.rate_note;
+  // Timecodes that show no step cannot leap.
+  const auto far = read_arkit_track(bytes("Timecode,JawOpen\n0:0:0:0,0\n?,0.1\n0:0:20:0,0.2\n")).value();
+  ASSERT_EQ(far.frames.size(), 3U);
+  EXPECT_NEAR(far.frames[1].time_s, 10, 1e-9);
 }
 
 /// Faces seen twice as often as the timecodes count.

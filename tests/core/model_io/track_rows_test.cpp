@@ -79,6 +79,45 @@ TEST(TrackRows, AMissingTimeLiesBetweenItsNeighbours) {
   EXPECT_TRUE(track.frames[2].found());
 }
 
+TEST(TrackRows, ANumberThatLeapsAwayIsNotGoneBy) {
+  std::vector<int> frames;
+  std::vector<double> times;
+  for (int i = 0; i < 30; ++i) {
+    frames.push_back(i + 1);
+    times.push_back(0.04 * i);
+  }
+  frames.back() = 300000;
+  for (const auto& rows : {rows_of(frames, {}), rows_of(frames, times)}) {
+    const auto track = make_track(rows, 1, 25).value();
+    EXPECT_EQ(track.frames.size(), 30U);
+    EXPECT_NEAR(track.frames[29].time_s, 29 / 25.0, 1e-9);
+    ASSERT_EQ(track.notes.size(), 1U);
+    EXPECT_EQ(track.notes[0], "line 31: the frame number leaps to 300000; rows are taken one after the other");
+  }
+  // Nor is a time that does; the others tell the rate.
+  times.back() = 12000;
+  const auto track = make_track(rows_of(frames, times), 1, 60).value();
+  EXPECT_EQ(track.frames.size(), 30U);
+  EXPECT_NEAR(track.frames[29].time_s, 29 / 25.0, 1e-9);
+  EXPECT_TRUE(track.rate_note.starts_with("the time leaps by far in line 31: 25.00 frames a second"))
+      << track.rate_note;
+  // As much at the begin.
+  frames.assign({0});
+  for (int i = 0; i < 30; ++i) frames.push_back(300000 + i);
+  EXPECT_EQ(make_track(rows_of(frames, {}), 1, 25).value().frames.size(), 31U);
+}
+
+TEST(TrackRows, AFaceThatIsGoneForLongIsHeld) {
+  std::vector<int> frames;
+  for (int i = 0; i < 30; ++i) frames.push_back(i < 15 ? i : i + 200);  // 8 s of 25 a second
+  EXPECT_EQ(make_track(rows_of(frames, {}), 1, 25).value().frames.size(), 230U);
+  for (int i = 15; i < 30; ++i) frames[static_cast<std::size_t>(i)] = i + 290;  // 12 s, fewer than 10 times the rows
+  EXPECT_EQ(make_track(rows_of(frames, {}), 1, 25).value().frames.size(), 320U);
+  // Every 30th frame of a video, and half a minute without a face.
+  for (int i = 0; i < 30; ++i) frames[static_cast<std::size_t>(i)] = 30 * (i < 15 ? i : i + 30);
+  EXPECT_EQ(make_track(rows_of(frames, {}), 1, 30).value().frames.size(), 30U * 59 + 1);
+}
+
 TEST(TrackRows, LongListsOfNotesAreCut) {
   std::vector<int> frames;
   for (int i = 0; i < 100; ++i) frames.push_back(3 * i);
