@@ -90,7 +90,8 @@ void replay_drawing(benchmark::State& state) {
         "bench");
     replay::SessionRecorder recorder(writer);
     options.observer = &recorder;
-    replay::play_session([&](std::span<std::uint8_t> into) { return drawing.read(into); }, options).value();
+    const auto drawn = replay::play_session([&](std::span<std::uint8_t> into) { return drawing.read(into); }, options);
+    if (!drawn.ok()) state.SkipWithError("the drawing is refused");
     if (!writer.flush(true)) state.SkipWithError("the session cannot be written");
     options.observer = nullptr;
   }
