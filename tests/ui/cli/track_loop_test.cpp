@@ -259,7 +259,7 @@ TEST_F(SharedRealTrack, TheEyesCloseWhenThePersonsDo) {
   const auto blink = values("eyeBlink_R");
   // Around frame 247 the eyes are half closed for a moment; at 126 they are wide open.
   EXPECT_GT(blink[247], 0.25);
-  EXPECT_LT(blink[126], 0.08);
+  EXPECT_LT(blink[126], 0.05);
   EXPECT_LT(blink[232], 0.15);
 }
 
