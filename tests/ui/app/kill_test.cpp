@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -36,6 +38,38 @@ namespace {
     if (i % 3 == 2) desk.app->do_action(Action::undo);
     if (i % 5 == 0) desk.app->do_action(Action::key_pose);
   }
+}
+
+// A disk without room stops the recording, never the work.
+TEST(Kill, ADiskThatIsFullLeavesTheDocumentAlive) {
+  const std::filesystem::path folder = Desk::folder_of("full_disk");
+  std::filesystem::create_directories(folder);
+  const std::string model = (folder / "sheet.glb").string();
+  ASSERT_TRUE(cli::write_file(model, model_io::write_glb(tests::sheet_model()).value()));
+  Desk desk("full_disk", model, false);
+  desk.begin();
+  desk.click("Pose");
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit full{std::filesystem::file_size(desk.app->session_path()) + 100, before.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &full), 0);
+  const auto viewport = desk.app->view().viewport;
+  for (int i = 0; i < 4; ++i) {
+    const double y = viewport.height * (0.4 + 0.05 * i);
+    desk.app->mouse_button(MouseButton::left, true, {viewport.width * 0.4, y});
+    for (int k = 1; k <= 20; ++k) {
+      desk.now_us += 3333;
+      desk.app->mouse_moved({viewport.width * (0.4 + 0.01 * k), y});
+    }
+    desk.app->mouse_button(MouseButton::left, false, {viewport.width * 0.6, y});
+    desk.frames(2);
+  }
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_GE(desk.document().curves.size(), 1U);
+  const auto told = [](const Notice& notice) { return notice.text.find("recorded no further") != std::string::npos; };
+  EXPECT_TRUE(std::any_of(desk.app->notices().begin(), desk.app->notices().end(), told));
 }
 
 // The promise to the artist, kept by the app itself: whenever it dies, it offers the work again, and no stroke that had
