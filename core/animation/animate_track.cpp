@@ -5,6 +5,7 @@
 
 #include "core/animation/meeting.h"
 #include "core/animation/steady.h"
+#include "core/animation/uncertainty.h"
 
 namespace penpose::animation {
 
@@ -21,10 +22,14 @@ std::vector<std::size_t> lid_points(std::span<const TrackedCurve> curves) {
   return lids;
 }
 
-/// Steadies every point that drives something or carries what does, once. Lids close together, those of both eyes: what
-/// one of them leaves in doubt, all of them tell.
+/// Steadies every point that drives something or carries what does, once. Lids go together, those of both eyes: a blink
+/// is one event, and what one lid leaves in doubt about its frames, all of them tell. Other curves move in several ways
+/// at once.
 void steady_curves(std::span<const TrackedCurve> curves, double tremor_px, StillTrack& still) {
-  std::vector<std::size_t> done;
+  std::vector<std::size_t> done = lid_points(curves);
+  std::stable_sort(done.begin(), done.end());
+  done.erase(std::unique(done.begin(), done.end()), done.end());
+  steady_together(still, done, tremor_px);
   const auto steady_new = [&](std::vector<std::size_t> points) {
     std::stable_sort(points.begin(), points.end());
     std::erase_if(points, [&](std::size_t i) { return std::find(done.begin(), done.end(), i) != done.end(); });
@@ -32,7 +37,6 @@ void steady_curves(std::span<const TrackedCurve> curves, double tremor_px, Still
     steady(still, points, tremor_px);
     done.insert(done.end(), points.begin(), points.end());
   };
-  steady_new(lid_points(curves));
   for (const TrackedCurve& curve : curves) steady_new(curve.points);
   for (const TrackedCurve& curve : curves) steady_new(curve.anchor);
 }
@@ -51,30 +55,24 @@ double span_px(std::span<const TrackedCurve> curves, const TrackFrame& neutral) 
   return geometry::distance(low, high);
 }
 
-/// What tremor of a px does to parameters, as a share of their range, on a face of the usual span. The far-reaching
-/// ones, as the jaw, are pinned by many points.
-double tremor_share(double effect) {
-  constexpr double k_most = 0.03;
-  constexpr double k_far_reaching = 0.008;
-  return k_most * (effect > k_far_reaching ? std::sqrt(k_far_reaching / effect) : 1.0);
-}
-
-/// Takes what is left of the tremor out of the solved parameters. A frame without a face keeps the pose before it.
-void settle_poses(const rig::Rig& rig, std::span<const double> effects, double usual_tremors, TrackedAnimation& result,
-                  const StillTrack& still) {
-  constexpr double k_sharp = 10;  // times the tremor: a lid of a blink bends by more from one frame to the next
-  std::vector<double> tremor(effects.size(), 0.0);
-  std::vector<double> sharp(effects.size(), 0.0);
-  for (std::size_t p = 0; p < effects.size(); ++p) {
-    if (!(effects[p] > 0)) continue;
-    const double unit = usual_tremors * (rig.parameters()[p].maximum - rig.parameters()[p].minimum);
-    tremor[p] = unit * tremor_share(effects[p]);
-    sharp[p] = k_sharp * tremor[p];
+/// Takes what is left of the tremor out of the solved parameters. `doubt`: standard deviation of each parameter of the
+/// solver by the tremor of one frame, as a share of its range. A frame without a face keeps the pose before it.
+void settle_poses(const rig::Rig& rig, std::span<const std::size_t> searched, std::span<const double> doubt,
+                  const StillTrack& still, TrackedAnimation& result) {
+  constexpr double k_left = 0.5;  // of the tremor, once the points are steadied
+  constexpr double k_sharp = 5;   // times the tremor: a lid of a blink bends by more from one frame to the next
+  std::vector<double> tremor(rig.parameters().size(), 0.0);
+  std::vector<double> sharp(tremor.size(), 0.0);
+  for (std::size_t i = 0; i < searched.size(); ++i) {
+    const rig::Parameter& range = rig.parameters()[searched[i]];
+    const double deviation = doubt[i] * (range.maximum - range.minimum);
+    tremor[searched[i]] = k_left * deviation;
+    sharp[searched[i]] = k_sharp * deviation;
   }
   settle(tremor, still.confidence, result.poses);
   round_corners(sharp, result.poses);
   for (std::size_t f = 0; f < result.poses.size(); ++f) {
-    for (std::size_t p = 0; p < effects.size(); ++p) {
+    for (const std::size_t p : searched) {
       double& value = result.poses[f][p];
       value = std::clamp(value, rig.parameters()[p].minimum, rig.parameters()[p].maximum);
     }
@@ -98,11 +96,12 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   const double span = span_px(setup.curves, track.frames[still->neutral]);
   const double tremor_px = setup.tremor_px.value_or(std::min(1.0, span / k_usual_span_px));
   steady_curves(setup.curves, tremor_px, *still);
+  measure_from(*still, still->neutral);
   auto solver = FrameSolver::make(rig, *transfer, setup.free, setup.rest, camera, setup.frame);
   if (!solver) return solver.error();
 
   TrackedAnimation result;
-  result.variables = solver->variables();
+  result.variables = solver->parameters().size();
   for (std::size_t f = 0; f < track.frames.size(); ++f) {
     if (watch) watch(false);
     if (still->confidence[f] > 0) {
@@ -114,8 +113,11 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
     result.times_s.push_back(track.frames[f].time_s);
     result.poses.push_back(solver->pose());
   }
-  if (tremor_px > 0 && span > 0) {
-    settle_poses(rig, solver->effects(), tremor_px * k_usual_span_px / span, result, *still);
+  if (tremor_px > 0) {
+    const auto searched = solver->parameters();
+    const auto doubt =
+        parameter_uncertainty(rig, setup.rest, searched, *transfer, camera, k_tremor_deviation * tremor_px);
+    settle_poses(rig, searched, doubt, *still, result);
   }
   smooth_over_time(result.times_s, setup.smooth_s, result.poses);
   result.still = std::move(still).value();

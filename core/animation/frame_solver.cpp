@@ -191,15 +191,6 @@ const rig::Pose& FrameSolver::follow(std::span<const PxPoint> offsets, double do
 }
 
 const rig::Pose& FrameSolver::pose() const { return state_->pose; }
-std::vector<double> FrameSolver::effects() const {
-  const State& s = *state_;
-  std::vector<double> effects(s.rig.parameters().size(), 0.0);
-  const double all = s.extent * static_cast<double>(s.now.size());
-  for (std::size_t i = 0; i < s.relevance.parameters.size() && all > 0; ++i) {
-    effects[s.relevance.parameters[i]] = s.relevance.effects[i] / all;
-  }
-  return effects;
-}
-std::size_t FrameSolver::variables() const { return state_->u.size(); }
+std::span<const std::size_t> FrameSolver::parameters() const { return state_->relevance.parameters; }
 
 }  // namespace penpose::animation

@@ -38,11 +38,8 @@ class FrameSolver {
   const rig::Pose& follow(std::span<const PxPoint> offsets, double doubt, double confidence);
 
   [[nodiscard]] const rig::Pose& pose() const;
-  /// How far each parameter of the rig moves the curves' points within its range: the mean over the points, as a share
-  /// of the curves' extent. 0 where it is not in the search.
-  [[nodiscard]] std::vector<double> effects() const;
-  /// Parameters in the search.
-  [[nodiscard]] std::size_t variables() const;
+  /// Numbers of the parameters in the search, ascending.
+  [[nodiscard]] std::span<const std::size_t> parameters() const;
 
  private:
   struct State;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/animation/seen_points.h"
 #include "core/curve/polyline.h"
 
 namespace penpose::animation {
@@ -13,41 +14,19 @@ std::vector<PxPoint> places_of(const TrackedCurve& curve, const TrackFrame& fram
   return places;
 }
 
-/// Where the curve's points are seen in a pose.
-class SeenCurve {
- public:
-  SeenCurve(const rig::Rig& rig, const Transfer& transfer, std::size_t curve, const geometry::Camera& camera)
-      : camera_(camera) {
-    std::vector<std::uint32_t> vertices;
-    for (std::size_t i = 0; i < transfer.points.size(); ++i) {
-      if (transfer.curve[i] != curve) continue;
-      points_.push_back(transfer.points[i]);
-      for (const auto vertex : transfer.points[i].vertex) vertices.push_back(static_cast<std::uint32_t>(vertex));
-    }
-    bound_ = rig.bind(vertices);
-    positions_.resize(vertices.size());
+/// Where the curve's points are seen, pose by pose.
+SeenPoints seen_points(const rig::Rig& rig, const Transfer& transfer, std::size_t curve,
+                       const geometry::Camera& camera) {
+  std::vector<posing::CurvePoint> points;
+  for (std::size_t i = 0; i < transfer.points.size(); ++i) {
+    if (transfer.curve[i] == curve) points.push_back(transfer.points[i]);
   }
-
-  [[nodiscard]] std::vector<PxPoint> at(std::span<const double> pose) {
-    bound_->evaluate(pose, positions_);
-    std::vector<PxPoint> places;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      geometry::ModelPoint p(0);
-      for (std::size_t k = 0; k < 3; ++k) p += positions_[3 * i + k] * points_[i].weight[k];
-      places.push_back(camera_.project(p).value_or(PxPoint{}));
-    }
-    return places;
-  }
-
- private:
-  const geometry::Camera& camera_;
-  std::vector<posing::CurvePoint> points_;
-  std::unique_ptr<rig::BoundVertices> bound_;
-  std::vector<geometry::ModelPoint> positions_;
-};
+  return {rig, std::move(points), camera};
+}
 
 /// Mean over the curve's points of how far the parameter that moves each the farthest does so within its range, px.
-double mobility(const rig::Rig& rig, std::span<const double> rest, std::span<const std::size_t> free, SeenCurve curve) {
+double mobility(const rig::Rig& rig, std::span<const double> rest, std::span<const std::size_t> free,
+                SeenPoints curve) {
   const auto still = curve.at(rest);
   std::vector<double> farthest(still.size(), 0.0);
   rig::Pose pose(rest.begin(), rest.end());
@@ -87,7 +66,7 @@ void share_meetings(const rig::Rig& rig, std::span<const double> rest, std::span
   transfer.meetings.assign(transfer.points.size(), {});
   std::vector<double> reach(curves.size(), 0.0);
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    if (curves[c].meets) reach[c] = mobility(rig, rest, free, SeenCurve(rig, transfer, c, camera));
+    if (curves[c].meets) reach[c] = mobility(rig, rest, free, seen_points(rig, transfer, c, camera));
   }
   std::vector<std::size_t> firsts;
   std::size_t next = 0;

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/animation/symmetric_eigen.h"
 #include "core/animation/trend.h"
 
 namespace penpose::animation {
 namespace {
-
-/// Tremor is spread evenly over its reach; the standard deviation of that is 1 / sqrt(3).
-constexpr double k_deviation = 0.58;
 
 /// Frames that show nothing are bridged, all others count by their confidence.
 std::vector<double> trust_in(std::span<const double> confidence) {
@@ -19,11 +17,11 @@ std::vector<double> trust_in(std::span<const double> confidence) {
   return trust;
 }
 
-}  // namespace
+using Rows = std::vector<std::vector<double>>;
 
-void steady(StillTrack& track, std::span<const std::size_t> points, double tremor_px) {
-  if (!(tremor_px > 0) || points.empty()) return;
-  std::vector<std::vector<double>> rows;
+/// One row a frame: the offsets of the points, x and y in turn. A frame without a face repeats the one before.
+Rows rows_of(const StillTrack& track, std::span<const std::size_t> points) {
+  Rows rows;
   std::vector<double> last(2 * points.size(), 0.0);
   for (const auto& offsets : track.offsets) {
     for (std::size_t k = 0; k < points.size() && !offsets.empty(); ++k) {
@@ -32,11 +30,75 @@ void steady(StillTrack& track, std::span<const std::size_t> points, double tremo
     }
     rows.push_back(last);
   }
-  follow_trend(trust_in(track.confidence), k_deviation * tremor_px, rows);
+  return rows;
+}
+
+void put_back(const Rows& rows, std::span<const std::size_t> points, StillTrack& track) {
   for (std::size_t f = 0; f < rows.size(); ++f) {
     auto& offsets = track.offsets[f];
     for (std::size_t k = 0; k < points.size() && !offsets.empty(); ++k) {
       offsets[points[k]] = {rows[f][2 * k], rows[f][2 * k + 1]};
+    }
+  }
+}
+
+/// The directions in which rows of `n` numbers vary, most first, one after the other, of length one.
+std::vector<double> principal_axes(const Rows& rows, std::size_t n) {
+  std::vector<double> mean(n, 0.0);
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < n; ++i) mean[i] += row[i] / static_cast<double>(rows.size());
+  }
+  std::vector<double> scatter(n * n, 0.0);
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t k = 0; k < n; ++k) scatter[i * n + k] += (row[i] - mean[i]) * (row[k] - mean[k]);
+    }
+  }
+  return symmetric_eigen(std::move(scatter), n).vectors;
+}
+
+}  // namespace
+
+void steady_together(StillTrack& track, std::span<const std::size_t> points, double tremor_px) {
+  if (!(tremor_px > 0) || points.empty()) return;
+  Rows rows = rows_of(track, points);
+  follow_trend(trust_in(track.confidence), k_tremor_deviation * tremor_px, rows);
+  put_back(rows, points, track);
+}
+
+void steady(StillTrack& track, std::span<const std::size_t> points, double tremor_px) {
+  if (!(tremor_px > 0) || points.empty()) return;
+  // Movements come one by one, without the company that tells tremor from them in steady_together().
+  constexpr double k_alone = 2;
+  TrendOptions options;
+  options.bend_cost = 4;
+  Rows rows = rows_of(track, points);
+  const std::size_t n = 2 * points.size();
+  const std::vector<double> axes = principal_axes(rows, n);
+  const std::vector<double> trust = trust_in(track.confidence);
+  Rows steadied(rows.size(), std::vector<double>(n, 0.0));
+  for (std::size_t c = 0; c < n; ++c) {
+    const double* axis = &axes[c * n];
+    Rows movement;
+    for (const auto& row : rows) {
+      double along = 0;
+      for (std::size_t i = 0; i < n; ++i) along += axis[i] * row[i];
+      movement.push_back({along});
+    }
+    follow_trend(trust, k_alone * k_tremor_deviation * tremor_px, movement, options);
+    for (std::size_t f = 0; f < rows.size(); ++f) {
+      for (std::size_t i = 0; i < n; ++i) steadied[f][i] += axis[i] * movement[f][0];
+    }
+  }
+  put_back(steadied, points, track);
+}
+
+void measure_from(StillTrack& track, std::size_t frame) {
+  constexpr double k_believed = 0.75;  // the trend of what moves soon after the frame is off there itself
+  const std::vector<geometry::PxPoint> zero = track.offsets[frame];
+  for (auto& offsets : track.offsets) {
+    for (std::size_t i = 0; i < offsets.size() && i < zero.size(); ++i) {
+      offsets[i] = offsets[i] - zero[i] * k_believed;
     }
   }
 }

@@ -7,14 +7,26 @@
 
 namespace penpose::animation {
 
-/// Takes the tremor of a tracker out of the offsets of points that move together (trend.h): a movement that is larger
-/// than tremor, such as a blink, stays on time and nearly as sharp as it is. Frames without a face stay empty.
-/// `tremor_px`: how far a point that stands still may seem to move along each axis, px of the track; 0 changes nothing.
+/// Tremor is spread evenly over its reach; the standard deviation of that is 1 / sqrt(3).
+constexpr double k_tremor_deviation = 0.58;
+
+/// Takes the tremor of a tracker out of the offsets of points that do one thing at a time, in the same frames
+/// (trend.h): a movement that is larger than tremor, such as a blink, stays on time and nearly as sharp as it is.
+/// Frames without a face stay empty. `tremor_px`: how far a point that stands still may seem to move along each axis,
+/// px of the track; 0 changes nothing.
+void steady_together(StillTrack& track, std::span<const std::size_t> points, double tremor_px);
+
+/// The same for points that do several things at once, as lips do: each of their movements (principal components,
+/// Hotelling 1933) follows its own trend, and what is none of the few large ones goes.
 void steady(StillTrack& track, std::span<const std::size_t> points, double tremor_px);
 
-/// The same on single values, one row a frame and one column a parameter: what remains of the tremor where parameters
-/// work against each other. `tremor`: in units of the column, one a column; 0 leaves a column alone. `confidence`: one
-/// a frame, 0 to 1.
+/// Measures all offsets from where the points stand in `frame` now. Offsets are taken from a frame that trembles as all
+/// others do; once steadied, what they say of that frame is its tremor, which every other frame is off by.
+void measure_from(StillTrack& track, std::size_t frame);
+
+/// As steady_together() on single values, one row a frame and one column a parameter: what remains of the tremor where
+/// parameters work against each other. `tremor`: in units of the column, one a column; 0 leaves a column alone.
+/// `confidence`: one a frame, 0 to 1.
 void settle(std::span<const double> tremor, std::span<const double> confidence, std::vector<std::vector<double>>& rows);
 
 /// Rounds the corners of movements: where a line bends, tremor decides in which frame it does, and a parameter that
