@@ -74,20 +74,21 @@ void steady(StillTrack& track, std::span<const std::size_t> points, double tremo
   options.bend_cost = 4;
   Rows rows = rows_of(track, points);
   const std::size_t n = 2 * points.size();
+  options.apart = true;
   const std::vector<double> axes = principal_axes(rows, n);
-  const std::vector<double> trust = trust_in(track.confidence);
-  Rows steadied(rows.size(), std::vector<double>(n, 0.0));
-  for (std::size_t c = 0; c < n; ++c) {
-    const double* axis = &axes[c * n];
-    Rows movement;
-    for (const auto& row : rows) {
+  Rows movements = rows;
+  for (std::size_t f = 0; f < rows.size(); ++f) {
+    for (std::size_t c = 0; c < n; ++c) {
       double along = 0;
-      for (std::size_t i = 0; i < n; ++i) along += axis[i] * row[i];
-      movement.push_back({along});
+      for (std::size_t i = 0; i < n; ++i) along += axes[c * n + i] * rows[f][i];
+      movements[f][c] = along;
     }
-    follow_trend(trust, k_alone * k_tremor_deviation * tremor_px, movement, options);
-    for (std::size_t f = 0; f < rows.size(); ++f) {
-      for (std::size_t i = 0; i < n; ++i) steadied[f][i] += axis[i] * movement[f][0];
+  }
+  follow_trend(trust_in(track.confidence), k_alone * k_tremor_deviation * tremor_px, movements, options);
+  Rows steadied(rows.size(), std::vector<double>(n, 0.0));
+  for (std::size_t f = 0; f < rows.size(); ++f) {
+    for (std::size_t c = 0; c < n; ++c) {
+      for (std::size_t i = 0; i < n; ++i) steadied[f][i] += axes[c * n + i] * movements[f][c];
     }
   }
   put_back(steadied, points, track);
@@ -109,13 +110,20 @@ void settle(std::span<const double> tremor, std::span<const double> confidence,
   options.bend_cost = 4;
   options.free_bend = 3;
   options.iterations = 150;
-  const std::vector<double> trust = trust_in(confidence);
+  options.apart = true;
+  std::vector<std::size_t> moving;
   for (std::size_t i = 0; i < tremor.size(); ++i) {
-    std::vector<std::vector<double>> column;
-    for (const auto& row : rows) column.push_back({row[i]});
-    if (std::all_of(column.begin(), column.end(), [&](const auto& value) { return value == column[0]; })) continue;
-    follow_trend(trust, tremor[i], column, options);
-    for (std::size_t f = 0; f < rows.size(); ++f) rows[f][i] = column[f][0];
+    const bool moves = std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row[i] != rows[0][i]; });
+    if (moves && tremor[i] > 0) moving.push_back(i);
+  }
+  Rows columns;  // in units of their tremor
+  for (const auto& row : rows) {
+    std::vector<double>& column = columns.emplace_back();
+    for (const std::size_t i : moving) column.push_back(row[i] / tremor[i]);
+  }
+  follow_trend(trust_in(confidence), 1.0, columns, options);
+  for (std::size_t f = 0; f < rows.size(); ++f) {
+    for (std::size_t k = 0; k < moving.size(); ++k) rows[f][moving[k]] = columns[f][k] * tremor[moving[k]];
   }
 }
 

@@ -8,6 +8,7 @@ namespace penpose::animation {
 struct TrendOptions {
   double bend_cost = 2;  ///< how strongly bends are avoided; the longer the lines, the more tremor goes
   double free_bend = 1;  ///< bends larger than so many tremors cost less and less
+  bool apart = false;    ///< every column bends on its own, not all of a row together
   int iterations = 80;
 };
 
