@@ -59,7 +59,7 @@ double span_px(std::span<const TrackedCurve> curves, const TrackFrame& neutral) 
 /// solver by the tremor of one frame, as a share of its range. A frame without a face keeps the pose before it.
 void settle_poses(const rig::Rig& rig, std::span<const std::size_t> searched, std::span<const double> doubt,
                   const StillTrack& still, TrackedAnimation& result) {
-  constexpr double k_left = 0.5;  // of the tremor, once the points are steadied
+  constexpr double k_left = 0.7;  // of the tremor, once the points are steadied
   constexpr double k_sharp = 5;   // times the tremor: a lid of a blink bends by more from one frame to the next
   std::vector<double> tremor(rig.parameters().size(), 0.0);
   std::vector<double> sharp(tremor.size(), 0.0);

@@ -95,7 +95,7 @@ void steady(StillTrack& track, std::span<const std::size_t> points, double tremo
 }
 
 void measure_from(StillTrack& track, std::size_t frame) {
-  constexpr double k_believed = 0.75;  // the trend of what moves soon after the frame is off there itself
+  constexpr double k_believed = 0.5;
   const std::vector<geometry::PxPoint> zero = track.offsets[frame];
   for (auto& offsets : track.offsets) {
     for (std::size_t i = 0; i < offsets.size() && i < zero.size(); ++i) {

@@ -20,8 +20,8 @@ void steady_together(StillTrack& track, std::span<const std::size_t> points, dou
 /// Hotelling 1933) follows its own trend, and what is none of the few large ones goes.
 void steady(StillTrack& track, std::span<const std::size_t> points, double tremor_px);
 
-/// Measures all offsets from where the points stand in `frame` now. Offsets are taken from a frame that trembles as all
-/// others do; once steadied, what they say of that frame is its tremor, which every other frame is off by.
+/// Offsets are taken from a frame that trembles as all others do. Once steadied, what they say of that frame is its
+/// tremor, which every other frame is off by, and as much doubt of their own: half of it is taken out of all.
 void measure_from(StillTrack& track, std::size_t frame);
 
 /// As steady_together() on single values, one row a frame and one column a parameter: what remains of the tremor where
