@@ -55,30 +55,65 @@ double span_px(std::span<const TrackedCurve> curves, const TrackFrame& neutral) 
   return geometry::distance(low, high);
 }
 
-/// Takes what is left of the tremor out of the solved parameters. `doubt`: standard deviation of each parameter of the
-/// solver by the tremor of one frame, as a share of its range. A frame without a face keeps the pose before it.
-void settle_poses(const rig::Rig& rig, std::span<const std::size_t> searched, std::span<const double> doubt,
-                  const StillTrack& still, TrackedAnimation& result) {
+/// Values of the parameters `searched` as shares of their ranges, one row a pose.
+std::vector<std::vector<double>> shares_of_range(const rig::Rig& rig, std::span<const std::size_t> searched,
+                                                 std::span<const rig::Pose> poses) {
+  std::vector<std::vector<double>> rows;
+  for (const rig::Pose& pose : poses) {
+    std::vector<double>& row = rows.emplace_back();
+    for (const std::size_t p : searched) {
+      const rig::Parameter& range = rig.parameters()[p];
+      row.push_back((pose[p] - range.minimum) / (range.maximum - range.minimum));
+    }
+  }
+  return rows;
+}
+
+/// Keeps a settled row near the solved one along every direction, by so many of its deviations: what is well seen as
+/// a sum of controls stays, however much in doubt each of them is.
+void hold_near(std::span<const double> solved, const Uncertainty& doubt, double deviations, std::span<double> row) {
+  const std::size_t n = row.size();
+  std::vector<double> change(n);
+  for (std::size_t i = 0; i < n; ++i) change[i] = row[i] - solved[i];
+  for (std::size_t d = 0; d < n; ++d) {
+    double along = 0;
+    for (std::size_t i = 0; i < n; ++i) along += doubt.directions[d * n + i] * change[i];
+    const double most = deviations * doubt.deviations[d];
+    const double beyond = along - std::clamp(along, -most, most);
+    for (std::size_t i = 0; i < n && beyond != 0; ++i) row[i] -= doubt.directions[d * n + i] * beyond;
+  }
+}
+
+/// Takes what is left of the tremor out of the solved parameters `searched`. A frame without a face keeps the pose
+/// before it; those before the first face stay at rest.
+void settle_poses(const rig::Rig& rig, std::span<const std::size_t> searched, const Uncertainty& doubt,
+                  std::span<const double> confidence, TrackedAnimation& result) {
   constexpr double k_left = 0.7;  // of the tremor, once the points are steadied
   constexpr double k_sharp = 5;   // times the tremor: a lid of a blink bends by more from one frame to the next
-  std::vector<double> tremor(rig.parameters().size(), 0.0);
-  std::vector<double> sharp(tremor.size(), 0.0);
-  for (std::size_t i = 0; i < searched.size(); ++i) {
-    const rig::Parameter& range = rig.parameters()[searched[i]];
-    const double deviation = doubt[i] * (range.maximum - range.minimum);
-    tremor[searched[i]] = k_left * deviation;
-    sharp[searched[i]] = k_sharp * deviation;
+  constexpr double k_near = 8;    // deviations: beyond what settling does to controls that do not repeat one another
+  std::size_t first = 0;
+  while (first < confidence.size() && !(confidence[first] > 0)) ++first;
+  const auto solved = shares_of_range(rig, searched, std::span(result.poses).subspan(first));
+  auto rows = solved;
+  std::vector<double> tremor;
+  std::vector<double> sharp;
+  for (const double deviation : doubt.parameters) {
+    tremor.push_back(k_left * deviation);
+    sharp.push_back(k_sharp * deviation);
   }
-  settle(tremor, still.confidence, result.poses);
-  round_corners(sharp, result.poses);
-  for (std::size_t f = 0; f < result.poses.size(); ++f) {
-    for (const std::size_t p : searched) {
-      double& value = result.poses[f][p];
-      value = std::clamp(value, rig.parameters()[p].minimum, rig.parameters()[p].maximum);
+  settle(tremor, confidence.subspan(first), rows);
+  round_corners(sharp, rows);
+  for (std::size_t f = first; f < result.poses.size(); ++f) {
+    std::vector<double>& row = rows[f - first];
+    hold_near(solved[f - first], doubt, k_near, row);
+    for (std::size_t i = 0; i < searched.size(); ++i) {
+      const rig::Parameter& range = rig.parameters()[searched[i]];
+      const double value = range.minimum + row[i] * (range.maximum - range.minimum);
+      result.poses[f][searched[i]] = std::clamp(value, range.minimum, range.maximum);
     }
   }
   for (const std::size_t f : result.held) {
-    if (f > 0) result.poses[f] = result.poses[f - 1];
+    if (f > first) result.poses[f] = result.poses[f - 1];
   }
 }
 
@@ -117,7 +152,7 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
     const auto searched = solver->parameters();
     const auto doubt =
         parameter_uncertainty(rig, setup.rest, searched, *transfer, camera, k_tremor_deviation * tremor_px);
-    settle_poses(rig, searched, doubt, *still, result);
+    settle_poses(rig, searched, doubt, still->confidence, result);
   }
   smooth_over_time(result.times_s, setup.smooth_s, result.poses);
   result.still = std::move(still).value();

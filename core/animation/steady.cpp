@@ -57,17 +57,8 @@ std::vector<double> principal_axes(const Rows& rows, std::size_t n) {
   return symmetric_eigen(std::move(scatter), n).vectors;
 }
 
-}  // namespace
-
-void steady_together(StillTrack& track, std::span<const std::size_t> points, double tremor_px) {
-  if (!(tremor_px > 0) || points.empty()) return;
-  Rows rows = rows_of(track, points);
-  follow_trend(trust_in(track.confidence), k_tremor_deviation * tremor_px, rows);
-  put_back(rows, points, track);
-}
-
-void steady(StillTrack& track, std::span<const std::size_t> points, double tremor_px) {
-  if (!(tremor_px > 0) || points.empty()) return;
+/// steady() of points that are few enough for a table of all of them against all.
+void steady_few(StillTrack& track, std::span<const std::size_t> points, double tremor_px) {
   // Movements come one by one, without the company that tells tremor from them in steady_together().
   constexpr double k_alone = 2;
   TrendOptions options;
@@ -92,6 +83,25 @@ void steady(StillTrack& track, std::span<const std::size_t> points, double tremo
     }
   }
   put_back(steadied, points, track);
+}
+
+}  // namespace
+
+void steady_together(StillTrack& track, std::span<const std::size_t> points, double tremor_px) {
+  if (!(tremor_px > 0) || points.empty()) return;
+  Rows rows = rows_of(track, points);
+  follow_trend(trust_in(track.confidence), k_tremor_deviation * tremor_px, rows);
+  put_back(rows, points, track);
+}
+
+void steady(StillTrack& track, std::span<const std::size_t> points, double tremor_px) {
+  if (!(tremor_px > 0) || points.empty()) return;
+  constexpr std::size_t k_most = 40;  // a curve of a tracker has some twenty
+  const std::size_t runs = (points.size() + k_most - 1) / k_most;
+  for (std::size_t run = 0; run < runs; ++run) {
+    const std::size_t first = run * points.size() / runs;
+    steady_few(track, points.subspan(first, (run + 1) * points.size() / runs - first), tremor_px);
+  }
 }
 
 void measure_from(StillTrack& track, std::size_t frame) {

@@ -17,14 +17,15 @@ constexpr double k_tremor_deviation = 0.58;
 void steady_together(StillTrack& track, std::span<const std::size_t> points, double tremor_px);
 
 /// The same for points that do several things at once, as lips do: each of their movements (principal components,
-/// Hotelling 1933) follows its own trend, and what is none of the few large ones goes.
+/// Hotelling 1933) follows its own trend, and what is none of the few large ones goes. Long curves are taken in runs of
+/// up to 40 points, one after the other.
 void steady(StillTrack& track, std::span<const std::size_t> points, double tremor_px);
 
 /// Offsets are taken from a frame that trembles as all others do. Once steadied, what they say of that frame is its
 /// tremor, which every other frame is off by, and as much doubt of their own: half of it is taken out of all.
 void measure_from(StillTrack& track, std::size_t frame);
 
-/// As steady_together() on single values, one row a frame and one column a parameter: what remains of the tremor where
+/// As steady() on single values, one row a frame and one column a parameter: what remains of the tremor where
 /// parameters work against each other. `tremor`: in units of the column, one a column; 0 leaves a column alone.
 /// `confidence`: one a frame, 0 to 1.
 void settle(std::span<const double> tremor, std::span<const double> confidence, std::vector<std::vector<double>>& rows);

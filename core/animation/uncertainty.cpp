@@ -1,8 +1,10 @@
 #include "core/animation/uncertainty.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/animation/seen_points.h"
+#include "core/animation/symmetric_eigen.h"
 
 namespace penpose::animation {
 namespace {
@@ -12,70 +14,61 @@ using geometry::PxPoint;
 constexpr double k_spread = 0.25;
 
 /// Movement of every point in standard deviations of its tremor, weighted, for a parameter that goes through its range;
-/// taken over the first tenth of the way to the farther end of it.
+/// taken over a tenth of the range, towards the farther end of it.
 std::vector<PxPoint> seen_movement(const rig::Parameter& range, std::size_t parameter, std::span<const double> rest,
-                                   const Transfer& transfer, double deviation_px, SeenPoints& points) {
+                                   std::span<const PxPoint> at_rest, const Transfer& transfer, double deviation_px,
+                                   SeenPoints& points) {
   constexpr double k_step = 0.1;
   const bool up = range.maximum - rest[parameter] >= rest[parameter] - range.minimum;
   const double step = up ? k_step : -k_step;
   rig::Pose pose(rest.begin(), rest.end());
-  const std::vector<PxPoint> from = points.at(pose);
   pose[parameter] += step * (range.maximum - range.minimum);
   std::vector<PxPoint> movement = points.at(pose);
   for (std::size_t i = 0; i < movement.size(); ++i) {
     const double deviation = deviation_px * transfer.scale[i];
     const double unit = deviation > 0 ? std::sqrt(transfer.weights[i]) / (step * deviation) : 0.0;
-    movement[i] = (movement[i] - from[i]) * unit;
+    movement[i] = (movement[i] - at_rest[i]) * unit;
   }
   return movement;
 }
 
-/// Square roots of the diagonal of the inverse of a positive definite matrix, by its Cholesky factor.
-std::vector<double> roots_of_inverse_diagonal(std::vector<double> a, std::size_t n) {
-  for (std::size_t j = 0; j < n; ++j) {
-    for (std::size_t i = j; i < n; ++i) {
-      double sum = a[i * n + j];
-      for (std::size_t k = 0; k < j; ++k) sum -= a[i * n + k] * a[j * n + k];
-      a[i * n + j] = i == j ? std::sqrt(sum) : sum / a[j * n + j];
-    }
-  }
-  std::vector<double> roots;
-  std::vector<double> column(n);
-  for (std::size_t p = 0; p < n; ++p) {
-    double squared = 0;
-    for (std::size_t i = p; i < n; ++i) {
-      double sum = i == p ? 1.0 : 0.0;
-      for (std::size_t k = p; k < i; ++k) sum -= a[i * n + k] * column[k];
-      column[i] = sum / a[i * n + i];
-      squared += column[i] * column[i];
-    }
-    roots.push_back(std::sqrt(squared));
-  }
-  return roots;
-}
-
 }  // namespace
 
-std::vector<double> parameter_uncertainty(const rig::Rig& rig, std::span<const double> rest,
-                                          std::span<const std::size_t> searched, const Transfer& transfer,
-                                          const geometry::Camera& camera, double deviation_px) {
+Uncertainty parameter_uncertainty(const rig::Rig& rig, std::span<const double> rest,
+                                  std::span<const std::size_t> searched, const Transfer& transfer,
+                                  const geometry::Camera& camera, double deviation_px) {
   SeenPoints points(rig, transfer.points, camera);
+  const std::vector<PxPoint> at_rest = points.at(rest);
   std::vector<std::vector<PxPoint>> movements;
   for (const std::size_t p : searched) {
-    movements.push_back(seen_movement(rig.parameters()[p], p, rest, transfer, deviation_px, points));
+    movements.push_back(seen_movement(rig.parameters()[p], p, rest, at_rest, transfer, deviation_px, points));
   }
   const std::size_t n = searched.size();
-  std::vector<double> precision(n * n, 0.0);
+  std::vector<double> told(n * n, 0.0);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = 0; k <= i; ++k) {
-      double sum = i == k ? 1.0 / (k_spread * k_spread) : 0.0;
-      for (std::size_t q = 0; q < movements[i].size(); ++q) {
+      double sum = 0;
+      for (std::size_t q = 0; q < at_rest.size(); ++q) {
         sum += movements[i][q].x * movements[k][q].x + movements[i][q].y * movements[k][q].y;
       }
-      precision[i * n + k] = sum;
+      told[i * n + k] = told[k * n + i] = sum;
     }
   }
-  return roots_of_inverse_diagonal(std::move(precision), n);
+  SymmetricEigen eigen = symmetric_eigen(std::move(told), n);
+  Uncertainty result;
+  for (const double value : eigen.values) {
+    result.deviations.push_back(1.0 / std::sqrt(std::max(value, 0.0) + 1.0 / (k_spread * k_spread)));
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    double squared = 0;
+    for (std::size_t d = 0; d < n; ++d) {
+      const double part = eigen.vectors[d * n + i] * result.deviations[d];
+      squared += part * part;
+    }
+    result.parameters.push_back(std::sqrt(squared));
+  }
+  result.directions = std::move(eigen.vectors);
+  return result;
 }
 
 }  // namespace penpose::animation

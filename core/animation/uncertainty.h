@@ -10,17 +10,22 @@
 
 namespace penpose::animation {
 
-/// How far tremor of the tracked points leaves each of the parameters `searched` in doubt when a pose is found from one
-/// frame: the standard deviation, as a share of the parameter's range. Parameters that move the curves little, and
-/// those that undo one another there, as a frown and a smile, are in more doubt than a jaw. It is the posterior of
-/// Bayesian linear regression (Bishop 2006, section 3.3), covariance (J^T W J / deviation^2 + I / spread^2)^-1 with J
-/// the seen movement of the points from `rest`, W their weights and a usual movement `spread` of a quarter of the
-/// range.
-///
-/// `deviation_px`: standard deviation of the tremor along each axis, px of the track, above 0. Returns one number a
-/// parameter in `searched`, above 0 to 0.25.
-[[nodiscard]] std::vector<double> parameter_uncertainty(const rig::Rig& rig, std::span<const double> rest,
-                                                        std::span<const std::size_t> searched, const Transfer& transfer,
-                                                        const geometry::Camera& camera, double deviation_px);
+/// How far tremor of the tracked points leaves parameters in doubt when a pose is found from one frame. Controls that
+/// undo or repeat one another on the curves, as a frown and a smile, are in doubt each, but what they do together is
+/// not; so the doubt is told along directions of which each is in doubt on its own, too.
+struct Uncertainty {
+  std::vector<double> directions;  ///< one run of a number a parameter, of length one, parameters as shares of their
+                                   ///< ranges; the most certain first
+  std::vector<double> deviations;  ///< standard deviation along each direction, above 0 to 0.25
+  std::vector<double> parameters;  ///< that of each parameter, as a share of its range, above 0 to 0.25
+};
+
+/// The posterior of Bayesian linear regression (Bishop 2006, section 3.3), by the eigenvectors of its precision
+/// J^T W J / deviation^2 + I / spread^2, with J the seen movement of the points from `rest`, W their weights and a
+/// usual movement `spread` of a quarter of each range. `searched`: the parameters; `deviation_px`: standard deviation
+/// of the tremor along each axis, px of the track, above 0.
+[[nodiscard]] Uncertainty parameter_uncertainty(const rig::Rig& rig, std::span<const double> rest,
+                                                std::span<const std::size_t> searched, const Transfer& transfer,
+                                                const geometry::Camera& camera, double deviation_px);
 
 }  // namespace penpose::animation

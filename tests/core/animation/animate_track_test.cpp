@@ -8,8 +8,9 @@
 namespace penpose::animation {
 namespace {
 
-/// A strip of eleven vertices along x; control 0 raises its middle, control 1 shifts all of it to the right.
-std::shared_ptr<const rig::CharacterRig> strip_rig() {
+/// A strip of eleven vertices along x; control 0 raises its middle, control 1 shifts all of it to the right. With
+/// `twice` a control 2 does what control 0 does.
+std::shared_ptr<const rig::CharacterRig> strip_rig(bool twice = false) {
   mesh::MeshSource source;
   rig::BlendShape raise;
   rig::BlendShape shift;
@@ -29,7 +30,12 @@ std::shared_ptr<const rig::CharacterRig> strip_rig() {
     source.triangles.push_back({2 * i + 1, 2 * i + 3, 2 * i + 2});
   }
   const auto mesh = mesh::TriangleMesh::build(std::move(source)).value();
-  const auto shapes = rig::BlendShapes::make({raise, shift}, mesh->vertex_count()).value();
+  std::vector<rig::BlendShape> both{raise, shift};
+  if (twice) {
+    both.push_back(raise);
+    both[2].parameter.name = "raise too";
+  }
+  const auto shapes = rig::BlendShapes::make(both, mesh->vertex_count()).value();
   return rig::CharacterRig::make(mesh, {shapes}, nullptr).value();
 }
 
@@ -85,6 +91,30 @@ TEST_F(AnimateTrack, HoldsAndReportsFramesWithoutAFace) {
   EXPECT_EQ(result.held, (std::vector<std::size_t>{10, 11, 29}));
   EXPECT_EQ(result.poses[11], result.poses[9]);
   EXPECT_NEAR(result.poses[12][0], poses_[12][0], 0.06);
+}
+
+TEST_F(AnimateTrack, FramesBeforeTheFirstFaceStayAtRest) {
+  for (std::size_t f = 0; f < 8; ++f) track_.frames[f] = {track_.frames[f].time_s, 0, {}, {}};
+  setup_.neutral = 15;
+  setup_.tremor_px = 1;
+  const auto result = animate_track(*rig_, track_, setup_, camera_).value();
+  ASSERT_EQ(result.held.size(), 8U);
+  for (std::size_t f = 0; f < 8; ++f) EXPECT_EQ(result.poses[f], setup_.rest) << f;
+  EXPECT_GT(std::abs(result.poses[8][1]), 0.1);  // the strip moves when it is first seen
+}
+
+TEST_F(AnimateTrack, TwoControlsThatDoTheSameFollowTogetherAsOneDoes) {
+  for (std::size_t f = 0; f < 30; ++f) {
+    poses_[f] = {std::max(0.0, 1.0 - std::abs(static_cast<double>(f) - 15) / 4), 0};
+  }
+  track_ = tests::track_of(*rig_, poses_, vertices_, camera_);
+  setup_.tremor_px = 2;
+  const auto one = animate_track(*rig_, track_, setup_, camera_).value();
+  rig_ = strip_rig(true);
+  setup_.free = {0, 1, 2};
+  setup_.rest = rig::rest_pose(*rig_);
+  const auto two = animate_track(*rig_, track_, setup_, camera_).value();
+  for (std::size_t f = 0; f < 30; ++f) EXPECT_NEAR(two.poses[f][0] + two.poses[f][2], one.poses[f][0], 0.1) << f;
 }
 
 TEST_F(AnimateTrack, HoldsFramesInWhichThePointsAreAnywhere) {

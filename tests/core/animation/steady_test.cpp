@@ -103,6 +103,24 @@ TEST(SteadyApart, TwoMovementsAtDifferentTimesLeaveEachOtherAlone) {
   EXPECT_LT(roughness(track), 0.03);            // point 2 takes part in neither
 }
 
+TEST(SteadyApart, TakesACurveOfAThousandPointsToo) {
+  StillTrack track;
+  tests::Shaker random;
+  std::vector<std::size_t> points(1000);
+  for (std::size_t i = 0; i < 1000; ++i) points[i] = i;
+  for (int f = 0; f < 30; ++f) {
+    track.confidence.push_back(1);
+    std::vector<PxPoint>& offsets = track.offsets.emplace_back();
+    for (std::size_t i = 0; i < 1000; ++i) {
+      const double dx = random();
+      offsets.push_back({dx, 0.5 * f + random()});
+    }
+  }
+  steady(track, points, 1);
+  for (const std::size_t i : {0U, 500U, 999U}) EXPECT_NEAR(track.offsets[15][i].y, 7.5, 0.5) << i;
+  EXPECT_LT(std::abs(track.offsets[15][999].x), 0.5);
+}
+
 TEST(MeasureFrom, TakesHalfOfWhatTheNeutralFrameWasOffOutOfAllOthers) {
   auto track = one_curve({1, 1, 1, 5});
   track.offsets[2].clear();

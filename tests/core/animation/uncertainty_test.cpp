@@ -11,9 +11,9 @@ namespace {
 constexpr double k_prior = 16;  // one over the square of a quarter of the range
 
 /// Four points in a row, `shapes` shapes that raise all of them by 0.1 units, and a parameter that moves none.
-class Uncertainty : public testing::Test {
+class ParameterUncertainty : public testing::Test {
  protected:
-  std::vector<double> doubts(std::size_t shapes, double deviation_px, double weight = 1) {
+  Uncertainty doubts(std::size_t shapes, double deviation_px, double weight = 1) {
     const auto mesh = tests::grid_mesh(3, 1);
     std::vector<rig::BlendShape> all;
     for (std::size_t s = 0; s <= shapes; ++s) {
@@ -47,22 +47,24 @@ class Uncertainty : public testing::Test {
   geometry::Camera camera_ = geometry::frame_box({{0, 0, 0}, {1, 1, 0}}, {500, 500}, 0);
 };
 
-TEST_F(Uncertainty, OfOneParameterIsThatOfTheMeanOfItsPoints) {
+TEST_F(ParameterUncertainty, OfOneParameterIsThatOfTheMeanOfItsPoints) {
   for (const double deviation : {0.5, 3.0}) {
     const auto found = doubts(1, deviation);
-    EXPECT_NEAR(found[0], 1 / std::sqrt(told(deviation) + k_prior), 1e-6);
-    EXPECT_NEAR(found[1], 0.25, 1e-12);  // nothing is told of what moves no point
+    EXPECT_NEAR(found.parameters[0], 1 / std::sqrt(told(deviation) + k_prior), 1e-6);
+    EXPECT_NEAR(found.parameters[1], 0.25, 1e-12);  // nothing is told of what moves no point
   }
-  EXPECT_NEAR(doubts(1, 1, 4)[0], 1 / std::sqrt(4 * told(1) + k_prior), 1e-6);
+  EXPECT_NEAR(doubts(1, 1, 4).parameters[0], 1 / std::sqrt(4 * told(1) + k_prior), 1e-6);
 }
 
-TEST_F(Uncertainty, ParametersThatDoTheSameAreInMoreDoubt) {
+TEST_F(ParameterUncertainty, ParametersThatDoTheSameAreInMoreDoubt) {
   // The inverse of [[t + p, t], [t, t + p]].
   const double t = told(1);
   const auto found = doubts(2, 1);
-  EXPECT_NEAR(found[0], std::sqrt((t + k_prior) / (k_prior * (2 * t + k_prior))), 1e-6);
-  EXPECT_NEAR(found[1], found[0], 1e-12);
-  EXPECT_GT(found[0], 3 * doubts(1, 1)[0]);
+  EXPECT_NEAR(found.parameters[0], std::sqrt((t + k_prior) / (k_prior * (2 * t + k_prior))), 1e-6);
+  EXPECT_NEAR(found.parameters[1], found.parameters[0], 1e-12);
+  EXPECT_NEAR(found.deviations[0], 1 / std::sqrt(2 * t + k_prior), 1e-6);  // not so what they do together
+  EXPECT_NEAR(found.directions[0], found.directions[1], 1e-6);
+  EXPECT_GT(found.parameters[0], 3 * doubts(1, 1).parameters[0]);
 }
 
 }  // namespace
