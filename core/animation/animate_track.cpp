@@ -108,8 +108,10 @@ void settle_poses(const rig::Rig& rig, std::span<const std::size_t> searched, co
     hold_near(solved[f - first], doubt, k_near, row);
     for (std::size_t i = 0; i < searched.size(); ++i) {
       const rig::Parameter& range = rig.parameters()[searched[i]];
-      const double value = range.minimum + row[i] * (range.maximum - range.minimum);
-      result.poses[f][searched[i]] = std::clamp(value, range.minimum, range.maximum);
+      double& value = result.poses[f][searched[i]];
+      // By the difference, so that a control that rests does so exactly.
+      value += (row[i] - solved[f - first][i]) * (range.maximum - range.minimum);
+      value = std::clamp(value, range.minimum, range.maximum);
     }
   }
   for (const std::size_t f : result.held) {
