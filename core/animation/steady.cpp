@@ -63,9 +63,9 @@ void steady_few(StillTrack& track, std::span<const std::size_t> points, double t
   constexpr double k_alone = 2;
   TrendOptions options;
   options.bend_cost = 4;
-  Rows rows = rows_of(track, points);
-  const std::size_t n = 2 * points.size();
   options.apart = true;
+  const Rows rows = rows_of(track, points);
+  const std::size_t n = 2 * points.size();
   const std::vector<double> axes = principal_axes(rows, n);
   Rows movements = rows;
   for (std::size_t f = 0; f < rows.size(); ++f) {

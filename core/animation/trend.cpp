@@ -127,7 +127,8 @@ void follow_trend(std::span<const double> trust, double tremor, std::vector<std:
   const std::size_t m = rows[0].size();
   // Below this a size of numbers tells nothing: so long is what shakes in one row.
   const double unit = options.apart ? tremor : tremor * std::sqrt(static_cast<double>(m));
-  // The step of the alternation grows with the cost, which keeps the number of iterations even.
+  // The step of the alternation grows with the cost. The higher it is, the more iterations what shakes from frame to
+  // frame takes; a remainder far below the tremor stays.
   const double stiffness = options.bend_cost;
   const StiffBeam beam(trust, stiffness);
   Table x(n, m);
