@@ -75,12 +75,14 @@ until_true 20 all_have 2 unplugged /out/many.err
 # A third ink pen joins while the others go on.
 virtual_tablet uhid /traces/late.hid --go /tmp/go_late >/out/late.sent 2>&1 &
 until_true 20 grep -q "recording Late pen" /out/many.err
+until_true 20 grep -q "^arrived .*Late pen" /out/watch.log
 touch /tmp/go_late
 until_true 20 grep -q "Late pen was unplugged" /out/many.err
 until_true 120 all_have $((wacoms + 7)) ^sent /out/*.sent
 # Another one sends more than the kernel keeps while the program does not run.
 virtual_tablet uhid /traces/stalled.hid --go /tmp/go_stalled --keep /tmp/keep_stalled >/out/stalled.sent 2>&1 &
 until_true 20 grep -q "recording Stalled pen" /out/many.err
+until_true 20 grep -q "^arrived .*Stalled pen" /out/watch.log
 kill -STOP "$recorder"
 touch /tmp/go_stalled
 until_true 20 grep -q sent /out/stalled.sent
