@@ -134,7 +134,9 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   const double tremor_px = setup.tremor_px.value_or(std::min(1.0, span / k_usual_span_px));
   steady_curves(setup.curves, tremor_px, *still);
   measure_from(*still, still->neutral);
-  auto solver = FrameSolver::make(rig, *transfer, setup.free, setup.rest, camera, setup.frame);
+  FrameOptions frame = setup.frame;
+  frame.tremor_px = tremor_px;
+  auto solver = FrameSolver::make(rig, *transfer, setup.free, setup.rest, camera, frame);
   if (!solver) return solver.error();
 
   TrackedAnimation result;

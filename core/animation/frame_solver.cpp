@@ -15,6 +15,16 @@ namespace {
 /// How much more a frame of no trust is held near the one before, in the unit of FrameOptions::near_last.
 constexpr double k_distrust = 0.2;
 
+/// A distance of the track, px, as a distance in the model, where its points are at rest; the mean of all points.
+double in_model(double px, const Transfer& transfer, std::span<const geometry::ModelPoint> at_rest,
+                const geometry::Camera& camera) {
+  double sum = 0;
+  for (std::size_t i = 0; i < at_rest.size(); ++i) {
+    sum += px * transfer.scale[i] * camera.units_per_px(camera.depth(at_rest[i]));
+  }
+  return sum / static_cast<double>(std::max<std::size_t>(at_rest.size(), 1));
+}
+
 }  // namespace
 
 struct FrameSolver::State {
@@ -152,6 +162,7 @@ base::Result<FrameSolver> FrameSolver::make(const rig::Rig& rig, Transfer transf
   s.now.resize(n);
   s.targets.resize(n);
   s.system.positions(s.pose, s.now);
+  s.system.set_softness(in_model(options.tremor_px, s.transfer, s.now, camera));
   geometry::Box box;
   for (const auto& p : s.now) box.add(p);
   s.relevance = posing::relevant_parameters(s.system, s.pose, problem.free, options.relevance * box.diagonal());

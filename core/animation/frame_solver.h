@@ -19,6 +19,9 @@ struct FrameOptions {
   double near_last = 1e-3;
   double near_rest = 4e-3;
   double relevance = 1e-5;  ///< as posing::SolveOptions
+  /// How far points tremble, px of the track: distances below it count as squares. Sums of plain distances would follow
+  /// few points closely, which others from frame to frame, and tremor of a single point would be a jump.
+  double tremor_px = 0;
 };
 
 /// Finds the pose of one frame after the other, each from the last (method, section 4). The targets are points of the

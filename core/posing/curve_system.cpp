@@ -59,7 +59,7 @@ void CurveSystem::residuals(std::span<const double> pose, std::span<double> out)
 }
 
 double CurveSystem::energy(std::span<const double> residuals) const {
-  return weighted_lengths(residuals.data(), weights_);
+  return weighted_lengths(residuals.data(), weights_, softness_);
 }
 
 double CurveSystem::longest(std::span<const double> residuals) const {

@@ -28,6 +28,9 @@ class CurveSystem {
   /// weight >= 0.
   void set_target(std::size_t point, const ModelPoint& target) { targets_[point] = target; }
   void set_weight(std::size_t point, double weight) { weights_[point] = weight; }
+  /// Below this length residuals count as squares (weighted_lengths); 0 unless told.
+  void set_softness(double length) { softness_ = length; }
+  [[nodiscard]] double softness() const { return softness_; }
   [[nodiscard]] const rig::Rig& rig() const { return rig_; }
   [[nodiscard]] bool moves(std::size_t parameter) const { return bound_->moves(parameter); }
 
@@ -52,6 +55,7 @@ class CurveSystem {
   std::vector<std::array<double, 3>> shares_;
   std::vector<ModelPoint> targets_;
   std::vector<double> weights_;
+  double softness_ = 0;
   std::vector<ModelPoint> vertex_positions_;
 };
 

@@ -47,7 +47,8 @@ class Finisher {
       const std::array<std::size_t, 3> at{residual_index(i, 0), residual_index(i, 1), residual_index(i, 2)};
       const double squared =
           w_.image[at[0]] * w_.image[at[0]] + w_.image[at[1]] * w_.image[at[1]] + w_.image[at[2]] * w_.image[at[2]];
-      const double share = model_.weights[i] / std::max(std::sqrt(squared), shortest);
+      const double length = std::sqrt(squared + model_.softness * model_.softness);
+      const double share = model_.weights[i] / std::max(length, shortest);
       for (const std::size_t axis : at) w_.shares[axis] = share;
     }
   }
@@ -113,7 +114,7 @@ class Finisher {
       const double d = u_[j] + t * w_.step[j] - model_.variables.start[j];
       near += d * d;
     }
-    return weighted_lengths(w_.trial.data(), model_.weights) + model_.near_weight * near;
+    return weighted_lengths(w_.trial.data(), model_.weights, model_.softness) + model_.near_weight * near;
   }
 
   /// The energy along the step is convex: doubles the reach while that gains, then narrows by golden sections.

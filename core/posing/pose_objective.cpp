@@ -34,7 +34,7 @@ class LinearObjective final : public PoseObjective {
     model_.columns[subset_[i]].add_to(delta, image.data());
   }
   double value(std::span<const double> u, std::span<const double> image) override {
-    const double fit = weighted_lengths(image.data(), model_.weights);
+    const double fit = weighted_lengths(image.data(), model_.weights, model_.softness);
     return model_.near_weight > 0.0 ? fit + near_term(model_.variables, subset_, u, model_.near_weight) : fit;
   }
 
@@ -97,6 +97,7 @@ LinearModel make_linear_model(CurveSystem& system, std::span<const double> pose,
   LinearModel model;
   model.weights.assign(system.weights().begin(), system.weights().end());
   model.near_weight = near_weight;
+  model.softness = system.softness();
   rig::Pose zero(pose.begin(), pose.end());
   for (std::size_t j = 0; j < variables.count(); ++j) {
     zero[variables.parameter[j]] = variables.minimum[j];

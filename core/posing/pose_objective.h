@@ -37,6 +37,7 @@ struct LinearModel {
   Residuals at_zero;            ///< residuals at u = 0
   std::vector<double> weights;  ///< of the points, padded
   double near_weight = 0;
+  double softness = 0;  ///< of the lengths (weighted_lengths), metres
 
   void residuals(std::span<const double> u, std::span<double> out) const;
 };

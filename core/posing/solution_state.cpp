@@ -13,7 +13,7 @@ double LinearSolution::energy_without(std::size_t i) {
   ++evaluations_;
   std::copy(image_.begin(), image_.end(), trial_.begin());
   model_.columns[i].add_to(model_.variables.start[i] - u_[i], trial_.data());
-  return weighted_lengths(trial_.data(), model_.weights);
+  return weighted_lengths(trial_.data(), model_.weights, model_.softness);
 }
 
 void LinearSolution::put_back(std::size_t i) {

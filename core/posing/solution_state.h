@@ -19,7 +19,7 @@ class LinearSolution final : public Revertible {
   double energy_without(std::size_t i) override;
   void put_back(std::size_t i) override;
   /// Plain energy, without the staying-near term.
-  [[nodiscard]] double energy() const { return weighted_lengths(image_.data(), model_.weights); }
+  [[nodiscard]] double energy() const { return weighted_lengths(image_.data(), model_.weights, model_.softness); }
   [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
 
  private:

@@ -46,11 +46,13 @@ void add_scaled(double factor, const double* a, double* out, std::size_t count) 
   for (; i < count; ++i) out[i] += factor * a[i];
 }
 
-double weighted_lengths(const double* residuals, std::span<const double> weights) {
+double weighted_lengths(const double* residuals, std::span<const double> weights, double softness) {
   Double4 sum = geometry::splat(0.0);
+  const Double4 soft = geometry::splat(softness * softness);
   const double* block = residuals;
   for (std::size_t i = 0; i < weights.size(); i += k_block_points, block += k_block_numbers) {
-    const Double4 squared = at(block) * at(block) + at(block + 4) * at(block + 4) + at(block + 8) * at(block + 8);
+    const Double4 squared =
+        at(block) * at(block) + at(block + 4) * at(block + 4) + at(block + 8) * at(block + 8) + soft;
     const Double4 length = {std::sqrt(squared[0]), std::sqrt(squared[1]), std::sqrt(squared[2]), std::sqrt(squared[3])};
     sum += at(weights.data() + i) * length;
   }

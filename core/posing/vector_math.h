@@ -27,8 +27,10 @@ inline constexpr std::size_t k_block_numbers = 12;
   return point / k_block_points * k_block_numbers + axis * k_block_points + point % k_block_points;
 }
 
-/// Sum over the points of w_i times the length of (x_i, y_i, z_i). Precondition: one weight a point, padding included.
-[[nodiscard]] double weighted_lengths(const double* residuals, std::span<const double> weights);
+/// Sum over the points of w_i sqrt(x_i^2 + y_i^2 + z_i^2 + softness^2): lengths, but those below `softness` count as
+/// squares do, so that many small ones are shared out and not pushed onto few points (Charbonnier, Blanc-Feraud, Aubert
+/// and Barlaud 1994). Precondition: one weight a point, padding included.
+[[nodiscard]] double weighted_lengths(const double* residuals, std::span<const double> weights, double softness = 0);
 
 /// How residuals change with one variable: most variables move few of the points, so the blocks that are not all zero
 /// are listed.
