@@ -23,13 +23,9 @@ std::vector<std::size_t> lid_points(std::span<const TrackedCurve> curves) {
 }
 
 /// Steadies every point that drives something or carries what does, once. Lids go together, those of both eyes: a blink
-/// is one event, and what one lid leaves in doubt about its frames, all of them tell. Other curves move in several ways
-/// at once.
+/// is one movement, and what one lid leaves in doubt about it, all of them tell.
 void steady_curves(std::span<const TrackedCurve> curves, double tremor_px, StillTrack& still) {
-  std::vector<std::size_t> done = lid_points(curves);
-  std::stable_sort(done.begin(), done.end());
-  done.erase(std::unique(done.begin(), done.end()), done.end());
-  steady_together(still, done, tremor_px);
+  std::vector<std::size_t> done;
   const auto steady_new = [&](std::vector<std::size_t> points) {
     std::stable_sort(points.begin(), points.end());
     std::erase_if(points, [&](std::size_t i) { return std::find(done.begin(), done.end(), i) != done.end(); });
@@ -37,6 +33,7 @@ void steady_curves(std::span<const TrackedCurve> curves, double tremor_px, Still
     steady(still, points, tremor_px);
     done.insert(done.end(), points.begin(), points.end());
   };
+  steady_new(lid_points(curves));
   for (const TrackedCurve& curve : curves) steady_new(curve.points);
   for (const TrackedCurve& curve : curves) steady_new(curve.anchor);
 }

@@ -1,7 +1,9 @@
 #include "core/animation/frame_solver.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/animation/uncertainty.h"
 #include "core/curve/pairing.h"
 #include "core/posing/curve_system.h"
 #include "core/posing/finish.h"
@@ -23,6 +25,25 @@ double in_model(double px, const Transfer& transfer, std::span<const geometry::M
     sum += px * transfer.scale[i] * camera.units_per_px(camera.depth(at_rest[i]));
   }
   return sum / static_cast<double>(std::max<std::size_t>(at_rest.size(), 1));
+}
+
+/// Pairs of variables whose seen movements undo each other. `told`: seen_information of n variables.
+std::vector<posing::Opposed> opposed_pairs(std::span<const double> told, std::size_t n) {
+  constexpr double k_cosine = -0.8;
+  constexpr double k_share = 0.5;
+  std::vector<posing::Opposed> pairs;
+  std::vector<std::size_t> count(n, 0);
+  for (std::size_t a = 0; a < n; ++a) {
+    for (std::size_t b = a + 1; b < n; ++b) {
+      const double both = told[a * n + a] * told[b * n + b];
+      if (!(both > 0) || told[a * n + b] > k_cosine * std::sqrt(both)) continue;
+      pairs.push_back({a, b, k_share});
+      ++count[a];
+      ++count[b];
+    }
+  }
+  for (posing::Opposed& pair : pairs) pair.share /= static_cast<double>(std::max(count[pair.a], count[pair.b]));
+  return pairs;
 }
 
 }  // namespace
@@ -167,6 +188,8 @@ base::Result<FrameSolver> FrameSolver::make(const rig::Rig& rig, Transfer transf
   for (const auto& p : s.now) box.add(p);
   s.relevance = posing::relevant_parameters(s.system, s.pose, problem.free, options.relevance * box.diagonal());
   posing::Variables variables = posing::make_variables(rig, s.relevance.parameters, s.pose);
+  const std::size_t d = variables.count();
+  variables.opposed = opposed_pairs(seen_information(rig, s.pose, variables.parameter, s.transfer, camera, 1.0), d);
   s.u = s.rest_u = variables.start;
   double weight = 0;
   for (const double w : s.transfer.weights) weight += w;

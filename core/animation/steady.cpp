@@ -59,11 +59,7 @@ std::vector<double> principal_axes(const Rows& rows, std::size_t n) {
 
 /// steady() of points that are few enough for a table of all of them against all.
 void steady_few(StillTrack& track, std::span<const std::size_t> points, double tremor_px) {
-  // Movements come one by one, without the company that tells tremor from them in steady_together().
-  constexpr double k_alone = 2;
-  TrendOptions options;
-  options.bend_cost = 4;
-  options.apart = true;
+  constexpr double k_strength = 2;  // times the deviation: what costs no more is taken for tremor
   const Rows rows = rows_of(track, points);
   const std::size_t n = 2 * points.size();
   const std::vector<double> axes = principal_axes(rows, n);
@@ -75,7 +71,7 @@ void steady_few(StillTrack& track, std::span<const std::size_t> points, double t
       movements[f][c] = along;
     }
   }
-  follow_trend(trust_in(track.confidence), k_alone * k_tremor_deviation * tremor_px, movements, options);
+  follow_trend(trust_in(track.confidence), k_strength * k_tremor_deviation * tremor_px, movements);
   Rows steadied(rows.size(), std::vector<double>(n, 0.0));
   for (std::size_t f = 0; f < rows.size(); ++f) {
     for (std::size_t c = 0; c < n; ++c) {
@@ -87,16 +83,9 @@ void steady_few(StillTrack& track, std::span<const std::size_t> points, double t
 
 }  // namespace
 
-void steady_together(StillTrack& track, std::span<const std::size_t> points, double tremor_px) {
-  if (!(tremor_px > 0) || points.empty()) return;
-  Rows rows = rows_of(track, points);
-  follow_trend(trust_in(track.confidence), k_tremor_deviation * tremor_px, rows);
-  put_back(rows, points, track);
-}
-
 void steady(StillTrack& track, std::span<const std::size_t> points, double tremor_px) {
   if (!(tremor_px > 0) || points.empty()) return;
-  constexpr std::size_t k_most = 40;  // a curve of a tracker has some twenty
+  constexpr std::size_t k_most = 64;  // the lids of both eyes have that many, other curves some twenty
   const std::size_t runs = (points.size() + k_most - 1) / k_most;
   for (std::size_t run = 0; run < runs; ++run) {
     const std::size_t first = run * points.size() / runs;
@@ -117,10 +106,8 @@ void measure_from(StillTrack& track, std::size_t frame) {
 void settle(std::span<const double> tremor, std::span<const double> confidence,
             std::vector<std::vector<double>>& rows) {
   TrendOptions options;
-  options.bend_cost = 4;
   options.free_bend = 3;
   options.iterations = 150;
-  options.apart = true;
   std::vector<std::size_t> moving;
   for (std::size_t i = 0; i < tremor.size(); ++i) {
     const bool moves = std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row[i] != rows[0][i]; });

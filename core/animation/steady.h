@@ -10,15 +10,11 @@ namespace penpose::animation {
 /// Tremor is spread evenly over its reach; the standard deviation of that is 1 / sqrt(3).
 constexpr double k_tremor_deviation = 0.58;
 
-/// Takes the tremor of a tracker out of the offsets of points that do one thing at a time, in the same frames
-/// (trend.h): a movement that is larger than tremor, such as a blink, stays on time and nearly as sharp as it is.
-/// Frames without a face stay empty. `tremor_px`: how far a point that stands still may seem to move along each axis,
-/// px of the track; 0 changes nothing.
-void steady_together(StillTrack& track, std::span<const std::size_t> points, double tremor_px);
-
-/// The same for points that do several things at once, as lips do: each of their movements (principal components,
-/// Hotelling 1933) follows its own trend, and what is none of the few large ones goes. Long curves are taken in runs of
-/// up to 40 points, one after the other.
+/// Takes the tremor of a tracker out of the offsets of points that belong together: each of their movements (principal
+/// components, Hotelling 1933) follows its own trend (trend.h), and what is none of the few large ones goes. A movement
+/// that is larger than tremor, such as a blink, stays on time and nearly as sharp as it is. Frames without a face stay
+/// empty. Many points are taken in runs of up to 64, one after the other. `tremor_px`: how far a point that stands
+/// still may seem to move along each axis, px of the track; 0 changes nothing.
 void steady(StillTrack& track, std::span<const std::size_t> points, double tremor_px);
 
 /// Offsets are taken from a frame that trembles as all others do. Once steadied, what they say of that frame is its

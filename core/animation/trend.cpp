@@ -69,54 +69,14 @@ class StiffBeam {
   std::vector<double> l2_;
 };
 
-double length(const double* row, std::size_t width) {
-  double sum = 0;
-  for (std::size_t i = 0; i < width; ++i) sum += row[i] * row[i];
-  return std::sqrt(sum);
+/// Splits `u`, bends and what was left over of them so far, into the bends that are worth their cost and what is left.
+void shrink(std::span<const double> cost, double* u, double* bend) {
+  for (std::size_t i = 0; i < cost.size(); ++i) {
+    const double left = std::min(std::max(u[i], -cost[i]), cost[i]);
+    bend[i] = u[i] - left;
+    u[i] = left;
+  }
 }
-
-/// What bends of `m` numbers in a row cost: one number a row, or one a number where they bend apart.
-class Costs {
- public:
-  Costs(std::size_t rows, std::size_t m, const TrendOptions& options, double unit)
-      : apart_(options.apart),
-        m_(m),
-        unit_(unit),
-        free_(options.free_bend * unit),
-        cost_(rows * (apart_ ? m : 1), unit) {}
-
-  /// Splits `u`, a bend and what was left over of it so far, into the bend that is worth its cost and what is left.
-  void shrink(std::size_t t, double* u, double* bend) const {
-    if (apart_) {
-      const double* cost = &cost_[t * m_];
-      for (std::size_t i = 0; i < m_; ++i) {
-        const double left = std::min(std::max(u[i], -cost[i]), cost[i]);
-        bend[i] = u[i] - left;
-        u[i] = left;
-      }
-      return;
-    }
-    const double size = length(u, m_);
-    const double kept = size > cost_[t] ? 1.0 - cost_[t] / size : 0.0;
-    for (std::size_t i = 0; i < m_; ++i) {
-      bend[i] = kept * u[i];
-      u[i] -= bend[i];
-    }
-  }
-
-  /// The larger a bend is, the less it costs from now on.
-  void relieve(std::size_t t, const double* bend) {
-    if (!apart_) cost_[t] = unit_ / (1.0 + length(bend, m_) / free_);
-    for (std::size_t i = 0; apart_ && i < m_; ++i) cost_[t * m_ + i] = unit_ / (1.0 + std::abs(bend[i]) / free_);
-  }
-
- private:
-  bool apart_;
-  std::size_t m_;
-  double unit_;
-  double free_;
-  std::vector<double> cost_;
-};
 
 }  // namespace
 
@@ -125,8 +85,6 @@ void follow_trend(std::span<const double> trust, double tremor, std::vector<std:
   const std::size_t n = rows.size();
   if (n < 3 || rows[0].empty() || !(tremor > 0)) return;
   const std::size_t m = rows[0].size();
-  // Below this a size of numbers tells nothing: so long is what shakes in one row.
-  const double unit = options.apart ? tremor : tremor * std::sqrt(static_cast<double>(m));
   // The step of the alternation grows with the cost. The higher it is, the more iterations what shakes from frame to
   // frame takes; a remainder far below the tremor stays.
   const double stiffness = options.bend_cost;
@@ -134,7 +92,7 @@ void follow_trend(std::span<const double> trust, double tremor, std::vector<std:
   Table x(n, m);
   Table bends(n - 2, m);
   Table dual(n - 2, m);
-  Costs costs(n - 2, m, options, unit);
+  std::vector<double> cost((n - 2) * m, tremor);  // of every bend
   constexpr int k_rounds = 2;
   for (int round = 0; round < k_rounds; ++round) {
     for (int k = 0; k < options.iterations; ++k) {
@@ -154,10 +112,12 @@ void follow_trend(std::span<const double> trust, double tremor, std::vector<std:
         double* bend = bends.row(t);
         double* u = dual.row(t);
         for (std::size_t i = 0; i < m; ++i) u[i] += x.row(t)[i] - 2 * x.row(t + 1)[i] + x.row(t + 2)[i];
-        costs.shrink(t, u, bend);
+        shrink(std::span(cost).subspan(t * m, m), u, bend);
       }
     }
-    for (std::size_t t = 0; t + 2 < n; ++t) costs.relieve(t, bends.row(t));
+    // The larger a bend is, the less it costs from now on.
+    const double free = options.free_bend * tremor;
+    for (std::size_t i = 0; i < cost.size(); ++i) cost[i] = tremor / (1.0 + std::abs(bends.numbers[i]) / free);
   }
   for (std::size_t t = 0; t < n; ++t) rows[t].assign(x.row(t), x.row(t) + m);
 }

@@ -6,17 +6,16 @@
 namespace penpose::animation {
 
 struct TrendOptions {
-  double bend_cost = 2;  ///< how strongly bends are avoided; the longer the lines, the more tremor goes
+  double bend_cost = 4;  ///< how strongly bends are avoided; the longer the lines, the more tremor goes
   double free_bend = 1;  ///< bends larger than so many tremors cost less and less
-  bool apart = false;    ///< every column bends on its own, not all of a row together
   int iterations = 80;
 };
 
-/// Takes tremor out of numbers over time: finds the rows that are near the given ones and go straight but for few bends
-/// (trend filtering, Kim, Koh, Boyd and Gorinevsky 2009; the bends of all numbers of a row together, by Yuan and Lin's
-/// group penalty 2006, or each on its own; large bends cost less in a second round, by Candes, Wakin and Boyd 2008;
-/// solved by alternating directions). It looks at all frames at once and therefore does not lag; a line keeps its slope
-/// and a blink its corners, while what shakes about them is averaged along the straight part.
+/// Takes tremor out of numbers over time: finds columns that are near the given ones and go straight but for few bends
+/// (trend filtering, Kim, Koh, Boyd and Gorinevsky 2009; large bends cost less in a second round, by Candes, Wakin and
+/// Boyd 2008; solved by alternating directions), each on its own. It looks at all frames at once and therefore does not
+/// lag; a line keeps its slope and a blink its corners, while what shakes about them is averaged along the straight
+/// part.
 ///
 /// `rows`: one a frame, all equally long. `trust`: one a frame, above 0 to 1, how much it is believed. `tremor`: the
 /// standard deviation of what shakes, in units of the rows; 0 changes nothing.

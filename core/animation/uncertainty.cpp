@@ -34,9 +34,9 @@ std::vector<PxPoint> seen_movement(const rig::Parameter& range, std::size_t para
 
 }  // namespace
 
-Uncertainty parameter_uncertainty(const rig::Rig& rig, std::span<const double> rest,
-                                  std::span<const std::size_t> searched, const Transfer& transfer,
-                                  const geometry::Camera& camera, double deviation_px) {
+std::vector<double> seen_information(const rig::Rig& rig, std::span<const double> rest,
+                                     std::span<const std::size_t> searched, const Transfer& transfer,
+                                     const geometry::Camera& camera, double deviation_px) {
   SeenPoints points(rig, transfer.points, camera);
   const std::vector<PxPoint> at_rest = points.at(rest);
   std::vector<std::vector<PxPoint>> movements;
@@ -54,7 +54,14 @@ Uncertainty parameter_uncertainty(const rig::Rig& rig, std::span<const double> r
       told[i * n + k] = told[k * n + i] = sum;
     }
   }
-  SymmetricEigen eigen = symmetric_eigen(std::move(told), n);
+  return told;
+}
+
+Uncertainty parameter_uncertainty(const rig::Rig& rig, std::span<const double> rest,
+                                  std::span<const std::size_t> searched, const Transfer& transfer,
+                                  const geometry::Camera& camera, double deviation_px) {
+  const std::size_t n = searched.size();
+  SymmetricEigen eigen = symmetric_eigen(seen_information(rig, rest, searched, transfer, camera, deviation_px), n);
   Uncertainty result;
   for (const double value : eigen.values) {
     result.deviations.push_back(1.0 / std::sqrt(std::max(value, 0.0) + 1.0 / (k_spread * k_spread)));

@@ -20,10 +20,15 @@ struct Uncertainty {
   std::vector<double> parameters;  ///< that of each parameter, as a share of its range, above 0 to 0.25
 };
 
+/// What the points tell of the parameters `searched` in one frame, J^T W J / deviation^2 (n rows of n), with J the seen
+/// movement of the points from `rest`, parameters as shares of their ranges, and W their weights. `deviation_px`:
+/// standard deviation of the tremor along each axis, px of the track, above 0.
+[[nodiscard]] std::vector<double> seen_information(const rig::Rig& rig, std::span<const double> rest,
+                                                   std::span<const std::size_t> searched, const Transfer& transfer,
+                                                   const geometry::Camera& camera, double deviation_px);
+
 /// The posterior of Bayesian linear regression (Bishop 2006, section 3.3), by the eigenvectors of its precision
-/// J^T W J / deviation^2 + I / spread^2, with J the seen movement of the points from `rest`, W their weights and a
-/// usual movement `spread` of a quarter of each range. `searched`: the parameters; `deviation_px`: standard deviation
-/// of the tremor along each axis, px of the track, above 0.
+/// seen_information + I / spread^2, with a usual movement `spread` of a quarter of each range. Arguments as there.
 [[nodiscard]] Uncertainty parameter_uncertainty(const rig::Rig& rig, std::span<const double> rest,
                                                 std::span<const std::size_t> searched, const Transfer& transfer,
                                                 const geometry::Camera& camera, double deviation_px);

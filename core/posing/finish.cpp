@@ -21,6 +21,7 @@ class Finisher {
     w_.hessian.resize(d_ * d_);
     w_.gradient.resize(d_);
     w_.step.resize(d_);
+    w_.at.resize(d_);
   }
 
   FinishResult operator()(const FinishOptions& options) {
@@ -66,7 +67,9 @@ class Finisher {
     multiply(w_.image.data(), w_.shares.data(), w_.scaled.data(), m_);
     w_.active.clear();
     for (std::size_t j = 0; j < d_; ++j) {
-      const double slope = model_.columns[j].dot(w_.scaled.data()) + pull * (u_[j] - model_.variables.start[j]);
+      double near = u_[j] - model_.variables.start[j];
+      for (const Opposed& pair : model_.variables.opposed) near += pull_between(pair, j);
+      const double slope = model_.columns[j].dot(w_.scaled.data()) + pull * near;
       const bool held = (u_[j] <= 0.0 && slope >= 0.0) || (u_[j] >= 1.0 && slope <= 0.0);
       if (held) continue;
       w_.gradient[w_.active.size()] = slope;
@@ -82,6 +85,22 @@ class Finisher {
       }
       w_.hessian[i * a + i] += pull;
     }
+    for (const Opposed& pair : model_.variables.opposed) {
+      const auto first = std::find(w_.active.begin(), w_.active.end(), pair.a);
+      const auto second = std::find(w_.active.begin(), w_.active.end(), pair.b);
+      if (first == w_.active.end() || second == w_.active.end()) continue;
+      const auto i = static_cast<std::size_t>(first - w_.active.begin());
+      const auto k = static_cast<std::size_t>(second - w_.active.begin());
+      w_.hessian[i * a + k] += pull * pair.share;
+      w_.hessian[k * a + i] += pull * pair.share;
+    }
+  }
+
+  /// How far variable j is pushed by what a pair's other variable does.
+  [[nodiscard]] double pull_between(const Opposed& pair, std::size_t j) const {
+    if (pair.a != j && pair.b != j) return 0.0;
+    const std::size_t other = pair.a == j ? pair.b : pair.a;
+    return pair.share * (u_[other] - model_.variables.start[other]);
   }
 
   /// Minimises 1/2 s'Hs + g's over u + s within 0..1; leaves s in step.
@@ -111,9 +130,11 @@ class Finisher {
     for (std::size_t i = 0; i < m_; ++i) w_.trial[i] = w_.image[i] + t * w_.step_image[i];
     double near = 0;
     for (std::size_t j = 0; j < d_; ++j) {
-      const double d = u_[j] + t * w_.step[j] - model_.variables.start[j];
+      w_.at[j] = u_[j] + t * w_.step[j];
+      const double d = w_.at[j] - model_.variables.start[j];
       near += d * d;
     }
+    near += opposed_term(model_.variables, w_.at);
     return weighted_lengths(w_.trial.data(), model_.weights, model_.softness) + model_.near_weight * near;
   }
 

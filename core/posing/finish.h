@@ -13,7 +13,7 @@ struct FinishOptions {
 };
 
 struct FinishWorkspace {
-  std::vector<double> image, trial, step_image, shares, scaled, hessian, gradient, step;
+  std::vector<double> image, trial, step_image, shares, scaled, hessian, gradient, step, at;
   std::vector<std::size_t> active;
 };
 

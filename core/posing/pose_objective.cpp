@@ -5,10 +5,15 @@
 namespace penpose::posing {
 namespace {
 
-/// near_weight * sum (u_i - start_i)^2 over the subset.
+/// near_weight * (sum (u_i - start_i)^2 over the subset + opposed_term). `all`: every variable; those of the subset are
+/// brought to `u` first.
 double near_term(const Variables& variables, std::span<const std::size_t> subset, std::span<const double> u,
-                 double near_weight) {
+                 std::span<double> all, double near_weight) {
   double sum = 0;
+  if (!variables.opposed.empty()) {
+    for (std::size_t i = 0; i < subset.size(); ++i) all[subset[i]] = u[i];
+    sum = opposed_term(variables, all);
+  }
   for (std::size_t i = 0; i < subset.size(); ++i) {
     const double d = u[i] - variables.start[subset[i]];
     sum += d * d;
@@ -35,7 +40,7 @@ class LinearObjective final : public PoseObjective {
   }
   double value(std::span<const double> u, std::span<const double> image) override {
     const double fit = weighted_lengths(image.data(), model_.weights, model_.softness);
-    return model_.near_weight > 0.0 ? fit + near_term(model_.variables, subset_, u, model_.near_weight) : fit;
+    return model_.near_weight > 0.0 ? fit + near_term(model_.variables, subset_, u, at_, model_.near_weight) : fit;
   }
 
  private:
@@ -55,6 +60,7 @@ class GeneralObjective final : public PoseObjective {
 
   void select(std::span<const std::size_t> subset, std::span<const double> at) override {
     subset_.assign(subset.begin(), subset.end());
+    at_.assign(at.begin(), at.end());
     for (std::size_t i = 0; i < at.size(); ++i) pose_[variables_.parameter[i]] = variables_.value(i, at[i]);
   }
   [[nodiscard]] std::size_t dimension() const override { return subset_.size(); }
@@ -65,7 +71,7 @@ class GeneralObjective final : public PoseObjective {
     for (std::size_t i = 0; i < subset_.size(); ++i)
       pose_[variables_.parameter[subset_[i]]] = variables_.value(subset_[i], u[i]);
     system_.residuals(pose_, residuals_);
-    return system_.energy(residuals_) + near_term(variables_, subset_, u, near_weight_);
+    return system_.energy(residuals_) + near_term(variables_, subset_, u, at_, near_weight_);
   }
 
  private:
@@ -75,9 +81,18 @@ class GeneralObjective final : public PoseObjective {
   Residuals residuals_;
   double near_weight_;
   std::vector<std::size_t> subset_;
+  std::vector<double> at_;
 };
 
 }  // namespace
+
+double opposed_term(const Variables& variables, std::span<const double> u) {
+  double sum = 0;
+  for (const Opposed& pair : variables.opposed) {
+    sum += 2.0 * pair.share * (u[pair.a] - variables.start[pair.a]) * (u[pair.b] - variables.start[pair.b]);
+  }
+  return sum;
+}
 
 Variables make_variables(const rig::Rig& rig, std::span<const std::size_t> parameters, std::span<const double> pose) {
   Variables variables;

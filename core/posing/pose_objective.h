@@ -9,12 +9,20 @@
 
 namespace penpose::posing {
 
+/// Two variables of which one undoes the other, as a lid that closes and one that opens wide.
+struct Opposed {
+  std::size_t a = 0;
+  std::size_t b = 0;
+  double share = 0;  ///< 0..1; all shares of a variable add up to 1 at most
+};
+
 /// The variables of a solve: some parameters of the rig, each scaled so that its range is 0..1.
 struct Variables {
   std::vector<std::size_t> parameter;
   std::vector<double> minimum;
   std::vector<double> range;
   std::vector<double> start;  ///< u at the start of the solve, which the staying-near term pulls to
+  std::vector<Opposed> opposed;
 
   [[nodiscard]] std::size_t count() const { return parameter.size(); }
   [[nodiscard]] double value(std::size_t i, double u) const { return minimum[i] + u * range[i]; }
@@ -22,7 +30,13 @@ struct Variables {
 [[nodiscard]] Variables make_variables(const rig::Rig& rig, std::span<const std::size_t> parameters,
                                        std::span<const double> pose);
 
-/// E(x) + near_weight * sum (u_i - start_i)^2 over a chosen subset of the variables, the others standing at `at`.
+/// What the staying-near term adds for opposed variables: sum of 2 share (u_a - start_a) (u_b - start_b). Both away
+/// from the start the same way cost more than one of them; with all shares of a variable at most 1 the term stays
+/// convex.
+[[nodiscard]] double opposed_term(const Variables& variables, std::span<const double> u);
+
+/// E(x) + near_weight * (sum (u_i - start_i)^2 + opposed_term) over a chosen subset of the variables, the others
+/// standing at `at`.
 class PoseObjective : public Objective {
  public:
   /// Chooses the subset that the next simplex moves. `at` holds all variables.

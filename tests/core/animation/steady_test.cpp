@@ -33,46 +33,42 @@ double roughness(const StillTrack& track) {
   return sum / static_cast<double>(track.offsets.size() - 1);
 }
 
-class Steady : public testing::TestWithParam<void (*)(StillTrack&, std::span<const std::size_t>, double)> {};
-INSTANTIATE_TEST_SUITE_P(Ways, Steady, testing::Values(&steady_together, &steady),
-                         [](const auto& way) { return way.index == 0 ? "together" : "apart"; });
-
-TEST_P(Steady, TakesTremorAway) {
+TEST(Steady, TakesTremorAway) {
   auto track = one_curve(std::vector<double>(100, 0.0), 1);
   const double before = roughness(track);
-  GetParam()(track, k_all, 1);
+  steady(track, k_all, 1);
   EXPECT_LT(roughness(track), before / 3);
 }
 
-TEST_P(Steady, KeepsABlinkSharpAndOnTime) {
+TEST(Steady, KeepsABlinkSharpAndOnTime) {
   std::vector<double> y(40, 0.0);
   y[19] = y[21] = 8;
   y[20] = 14;
   auto track = one_curve(y);
-  GetParam()(track, k_all, 1);
+  steady(track, k_all, 1);
   EXPECT_NEAR(track.offsets[20][2].y, 14, 0.2);
   EXPECT_NEAR(track.offsets[19][2].y, 8, 0.7);  // less than the tremor
   EXPECT_NEAR(track.offsets[17][2].y, 0, 0.2);
 }
 
-TEST_P(Steady, DoesNotLagBehindASteadyMovement) {
+TEST(Steady, DoesNotLagBehindASteadyMovement) {
   std::vector<double> y;
   for (int f = 0; f < 40; ++f) y.push_back(0.3 * f);
   auto track = one_curve(y);
-  GetParam()(track, k_all, 1);
+  steady(track, k_all, 1);
   for (std::size_t f = 6; f < 34; ++f) EXPECT_NEAR(track.offsets[f][0].y, y[f], 1e-9);
 }
 
-TEST_P(Steady, PassesOverFramesWithoutAFace) {
+TEST(Steady, PassesOverFramesWithoutAFace) {
   auto track = one_curve(std::vector<double>(10, 3.0));
   track.offsets[4].clear();
   track.confidence[4] = 0;
-  GetParam()(track, k_all, 1);
+  steady(track, k_all, 1);
   EXPECT_TRUE(track.offsets[4].empty());
   EXPECT_NEAR(track.offsets[5][0].y, 3, 1e-12);
 }
 
-TEST(SteadyApart, TwoMovementsAtDifferentTimesLeaveEachOtherAlone) {
+TEST(Steady, TwoMovementsAtDifferentTimesLeaveEachOtherAlone) {
   // Points 0 and 1 rise by 6 px in the frames 20 to 26, points 3 and 4 go aside by 6 px in the frames 45 to 51; all
   // shake by a px.
   StillTrack track;
@@ -103,7 +99,7 @@ TEST(SteadyApart, TwoMovementsAtDifferentTimesLeaveEachOtherAlone) {
   EXPECT_LT(roughness(track), 0.03);            // point 2 takes part in neither
 }
 
-TEST(SteadyApart, TakesACurveOfAThousandPointsToo) {
+TEST(Steady, TakesACurveOfAThousandPointsToo) {
   StillTrack track;
   tests::Shaker random;
   std::vector<std::size_t> points(1000);
