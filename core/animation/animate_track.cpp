@@ -85,20 +85,17 @@ void hold_near(std::span<const double> solved, const Uncertainty& doubt, double 
 /// before it; those before the first face stay at rest.
 void settle_poses(const rig::Rig& rig, std::span<const std::size_t> searched, const Uncertainty& doubt,
                   std::span<const double> confidence, TrackedAnimation& result) {
-  constexpr double k_left = 0.7;  // of the tremor, once the points are steadied
-  constexpr double k_sharp = 5;   // times the tremor: a lid of a blink bends by more from one frame to the next
-  constexpr double k_near = 8;    // deviations: beyond what settling does to controls that do not repeat one another
+  constexpr double k_sharp = 5;  // times the tremor: a lid of a blink bends by more from one frame to the next
+  constexpr double k_near = 8;   // deviations: beyond what settling does to controls that do not repeat one another
   std::size_t first = 0;
   while (first < confidence.size() && !(confidence[first] > 0)) ++first;
   const auto solved = shares_of_range(rig, searched, std::span(result.poses).subspan(first));
   auto rows = solved;
-  std::vector<double> tremor;
   std::vector<double> sharp;
   for (const double deviation : doubt.parameters) {
-    tremor.push_back(k_left * deviation);
     sharp.push_back(k_sharp * deviation);
   }
-  settle(tremor, confidence.subspan(first), rows);
+  settle(doubt.parameters, confidence.subspan(first), rows);
   round_corners(sharp, rows);
   for (std::size_t f = first; f < result.poses.size(); ++f) {
     std::vector<double>& row = rows[f - first];

@@ -105,9 +105,6 @@ void measure_from(StillTrack& track, std::size_t frame) {
 
 void settle(std::span<const double> tremor, std::span<const double> confidence,
             std::vector<std::vector<double>>& rows) {
-  TrendOptions options;
-  options.free_bend = 3;
-  options.iterations = 150;
   std::vector<std::size_t> moving;
   for (std::size_t i = 0; i < tremor.size(); ++i) {
     const bool moves = std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row[i] != rows[0][i]; });
@@ -118,7 +115,7 @@ void settle(std::span<const double> tremor, std::span<const double> confidence,
     std::vector<double>& column = columns.emplace_back();
     for (const std::size_t i : moving) column.push_back(row[i] / tremor[i]);
   }
-  follow_trend(trust_in(confidence), 1.0, columns, options);
+  follow_trend(trust_in(confidence), 1.0, columns);
   for (std::size_t f = 0; f < rows.size(); ++f) {
     for (std::size_t k = 0; k < moving.size(); ++k) rows[f][moving[k]] = columns[f][k] * tremor[moving[k]];
   }

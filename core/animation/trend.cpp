@@ -7,6 +7,11 @@
 namespace penpose::animation {
 namespace {
 
+constexpr double k_bend_cost = 4;  // the more, the longer the lines and the more tremor goes
+constexpr double k_free_bend = 1;  // bends larger than so many tremors cost less and less
+constexpr int k_rounds = 2;
+constexpr int k_iterations = 80;  // a round
+
 /// Frames one after the other, `width` numbers each.
 struct Table {
   std::size_t width = 0;
@@ -80,22 +85,20 @@ void shrink(std::span<const double> cost, double* u, double* bend) {
 
 }  // namespace
 
-void follow_trend(std::span<const double> trust, double tremor, std::vector<std::vector<double>>& rows,
-                  const TrendOptions& options) {
+void follow_trend(std::span<const double> trust, double tremor, std::vector<std::vector<double>>& rows) {
   const std::size_t n = rows.size();
   if (n < 3 || rows[0].empty() || !(tremor > 0)) return;
   const std::size_t m = rows[0].size();
   // The step of the alternation grows with the cost. The higher it is, the more iterations what shakes from frame to
   // frame takes; a remainder far below the tremor stays.
-  const double stiffness = options.bend_cost;
+  constexpr double stiffness = k_bend_cost;
   const StiffBeam beam(trust, stiffness);
   Table x(n, m);
   Table bends(n - 2, m);
   Table dual(n - 2, m);
   std::vector<double> cost((n - 2) * m, tremor);  // of every bend
-  constexpr int k_rounds = 2;
   for (int round = 0; round < k_rounds; ++round) {
-    for (int k = 0; k < options.iterations; ++k) {
+    for (int k = 0; k < k_iterations; ++k) {
       for (std::size_t t = 0; t < n; ++t) {
         for (std::size_t i = 0; i < m; ++i) x.row(t)[i] = trust[t] * rows[t][i];
       }
@@ -116,7 +119,7 @@ void follow_trend(std::span<const double> trust, double tremor, std::vector<std:
       }
     }
     // The larger a bend is, the less it costs from now on.
-    const double free = options.free_bend * tremor;
+    const double free = k_free_bend * tremor;
     for (std::size_t i = 0; i < cost.size(); ++i) cost[i] = tremor / (1.0 + std::abs(bends.numbers[i]) / free);
   }
   for (std::size_t t = 0; t < n; ++t) rows[t].assign(x.row(t), x.row(t) + m);

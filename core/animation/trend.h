@@ -5,12 +5,6 @@
 
 namespace penpose::animation {
 
-struct TrendOptions {
-  double bend_cost = 4;  ///< how strongly bends are avoided; the longer the lines, the more tremor goes
-  double free_bend = 1;  ///< bends larger than so many tremors cost less and less
-  int iterations = 80;
-};
-
 /// Takes tremor out of numbers over time: finds columns that are near the given ones and go straight but for few bends
 /// (trend filtering, Kim, Koh, Boyd and Gorinevsky 2009; large bends cost less in a second round, by Candes, Wakin and
 /// Boyd 2008; solved by alternating directions), each on its own. It looks at all frames at once and therefore does not
@@ -19,7 +13,6 @@ struct TrendOptions {
 ///
 /// `rows`: one a frame, all equally long. `trust`: one a frame, above 0 to 1, how much it is believed. `tremor`: the
 /// standard deviation of what shakes, in units of the rows; 0 changes nothing.
-void follow_trend(std::span<const double> trust, double tremor, std::vector<std::vector<double>>& rows,
-                  const TrendOptions& options = {});
+void follow_trend(std::span<const double> trust, double tremor, std::vector<std::vector<double>>& rows);
 
 }  // namespace penpose::animation
