@@ -71,6 +71,15 @@ TEST(Trend, LinesStayAndSoDoesEverythingWithoutTremor) {
   }
 }
 
+TEST(Trend, NextToNoTremorChangesNextToNothing) {
+  const Rows before = blink(1);
+  Rows rows = before;
+  follow_trend(k_trusted, 1e-6, rows);
+  for (std::size_t f = 0; f < 60; ++f) {
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(rows[f][i], before[f][i], 1e-4) << f;
+  }
+}
+
 TEST(Trend, AFrameOfNoTrustIsBridged) {
   Rows rows = blink(0);
   std::vector<double> trust = k_trusted;

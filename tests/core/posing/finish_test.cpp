@@ -38,7 +38,7 @@ LinearModel model_of(const std::vector<ModelPoint>& at_zero, const std::vector<s
 double energy(const LinearModel& model, std::span<const double> u) {
   Residuals residuals(model.at_zero.size());
   model.residuals(u, residuals);
-  return weighted_lengths(residuals.data(), model.weights);
+  return weighted_lengths(residuals.data(), model.weights, model.softness);
 }
 
 FinishOptions long_run() {
@@ -75,6 +75,43 @@ TEST(Finish, InAPlaneItFindsTheGeometricMedian) {
     const auto a = geometry::normalized(corners[i] - at);
     const auto b = geometry::normalized(corners[(i + 1) % 3] - at);
     EXPECT_NEAR(a.x * b.x + a.y * b.y, -0.5, 0.01);
+  }
+}
+
+TEST(Finish, SoftLengthsFindTheMeanOfWhatIsNearAndTheMedianOfWhatIsFar) {
+  // Targets within a hundredth of the softness: least squares. One far off pulls no harder than one nearby would.
+  std::vector<ModelPoint> at_zero;
+  for (const double t : {0.50, 0.51, 0.55}) at_zero.emplace_back(-t, 0, 0);
+  auto model = model_of(at_zero, {std::vector<ModelPoint>(3, {1, 0, 0})});
+  model.softness = 5;
+  std::vector<double> u{0.9};
+  FinishWorkspace work;
+  finish_linear(model, long_run(), u, work);
+  EXPECT_NEAR(u[0], 0.52, 1e-3);
+  model.softness = 1e-3;
+  u[0] = 0.9;
+  const auto result = finish_linear(model, long_run(), u, work);
+  EXPECT_NEAR(u[0], 0.51, 2e-3);
+  EXPECT_NEAR(result.value, energy(model, u), 1e-12);
+}
+
+TEST(Finish, TheTermOfAPairIsPartOfTheEnergy) {
+  // Two independent variables that would like to be at 0.5 each; a pair holds them by their sum, too.
+  const auto found = [](double share) {
+    auto model = model_of({{-0.5, 0, 0}, {0, -0.5, 0}}, {{{1, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 1, 0}}});
+    model.softness = 10;  // near its bottom the energy is (d1^2 + d2^2) / 20
+    model.near_weight = 0.05;
+    if (share > 0) model.variables.opposed = {{0, 1, share}};
+    std::vector<double> u{0.3, 0.3};
+    FinishWorkspace work;
+    finish_linear(model, long_run(), u, work);
+    return u;
+  };
+  // (u - 0.5) / 10 + 0.1 (u + share u) = 0.
+  for (const double share : {0.0, 0.5, 1.0}) {
+    const auto u = found(share);
+    EXPECT_NEAR(u[0], 0.5 / (2 + share), 1e-3) << share;
+    EXPECT_NEAR(u[1], u[0], 1e-3) << share;
   }
 }
 

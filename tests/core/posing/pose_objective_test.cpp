@@ -35,17 +35,21 @@ struct Setting {
     for (std::size_t i = 0; i < 12; i += 1 + i % 2) problem.free.push_back(i);
     system = std::make_unique<CurveSystem>(*rig, problem);
     variables = make_variables(*rig, problem.free, problem.start);
+    variables.opposed = {{0, 2, 0.4}, {1, 4, 0.25}};
     model = make_linear_model(*system, problem.start, variables, system->columns(problem.start, problem.free).value(),
                               near_weight);
   }
 
-  /// E(x) + near * sum (u - start)^2, straight from the rig.
+  /// E(x) + near * (sum (u - start)^2 + sum of 2 share (u_a - start_a) (u_b - start_b)), straight from the rig.
   [[nodiscard]] double value(const std::vector<double>& u) const {
     rig::Pose pose = problem.start;
     double near = 0;
     for (std::size_t i = 0; i < u.size(); ++i) {
       pose[problem.free[i]] = variables.value(i, u[i]);
       near += (u[i] - variables.start[i]) * (u[i] - variables.start[i]);
+    }
+    for (const Opposed& pair : variables.opposed) {
+      near += 2 * pair.share * (u[pair.a] - variables.start[pair.a]) * (u[pair.b] - variables.start[pair.b]);
     }
     Residuals residuals(system->residual_count());
     system->residuals(pose, residuals);
@@ -124,6 +128,29 @@ TEST(PoseObjective, TheOthersStandWhereTheyWereSelected) {
       objective->make_image(u, image);
       EXPECT_NEAR(objective->value(u, image), s.value(whole), 1e-10);
     }
+  }
+}
+
+TEST(PoseObjective, APairOfWhichOneVariableStandsStillCountsToo) {
+  const Setting s(0.37);
+  const auto linear = make_linear_objective(s.model);
+  const auto general = make_general_objective(*s.system, s.variables, s.problem.start, s.model.near_weight);
+  std::vector<double> at = s.variables.start;
+  at[2] = at[2] < 0.5 ? 1 : 0;
+  std::vector<double> image(linear->image_size());
+  const std::vector<std::size_t> subset{0};
+  std::vector<double> whole = at;
+  const auto value = [&](PoseObjective& objective, double u) {
+    objective.select(subset, at);
+    objective.make_image(std::vector<double>{u}, image);
+    return objective.value(std::vector<double>{u}, image);
+  };
+  const auto expected = [&](double u) {
+    whole[0] = u;
+    return s.value(whole);
+  };
+  for (PoseObjective* objective : {linear.get(), general.get()}) {
+    EXPECT_NEAR(value(*objective, 0.9) - value(*objective, 0.1), expected(0.9) - expected(0.1), 1e-10);
   }
 }
 

@@ -71,6 +71,19 @@ TEST(Residuals, LengthsAreWeightedAndSummed) {
   EXPECT_EQ(weighted_lengths(residuals.data(), {}), 0);
 }
 
+TEST(Residuals, SoftLengthsAreSquaresWhereTheyAreSmall) {
+  Residuals residuals(12, 0.0);
+  const std::vector<double> weights{2, 0, 0, 0};
+  const auto at = [&](double length) {
+    residuals[residual_index(0, 1)] = length;
+    return weighted_lengths(residuals.data(), weights, 0.5);
+  };
+  EXPECT_EQ(at(0), 1.0);
+  EXPECT_NEAR(at(1.2), 2.6, 1e-15);  // 5, 12, 13
+  EXPECT_NEAR((at(0.02) - at(0)) / (at(0.01) - at(0)), 4, 0.01);
+  EXPECT_NEAR(at(101) - at(100), 2, 1e-4);  // far out they are lengths
+}
+
 TEST(Column, DoesWhatAWholeColumnWould) {
   tests::Random random(5);
   for (int run = 0; run < 50; ++run) {
