@@ -19,7 +19,7 @@ struct TrackSetup {
   /// How far points shake, px of the track (`steady`); by default 1, or less where the face is smaller than 320 px.
   std::optional<double> tremor_px;
   double smooth_s = 0;  ///< as smooth_over_time, for parameters and the head's turn
-  FrameOptions frame;
+  FrameOptions frame;   ///< but for its tremor_px, which follows from the above
 };
 
 /// What came out: one entry a frame of the track.

@@ -17,26 +17,31 @@ namespace {
 /// How much more a frame of no trust is held near the one before, in the unit of FrameOptions::near_last.
 constexpr double k_distrust = 0.2;
 
+/// Evaluations of the simplex, a frame, that a rig may cost that is not linear.
+constexpr std::size_t k_evaluations_a_variable = 100;
+
 /// A distance of the track, px, as a distance in the model, where its points are at rest; the mean of all points.
 double in_model(double px, const Transfer& transfer, std::span<const geometry::ModelPoint> at_rest,
                 const geometry::Camera& camera) {
   double sum = 0;
   for (std::size_t i = 0; i < at_rest.size(); ++i) {
-    sum += px * transfer.scale[i] * camera.units_per_px(camera.depth(at_rest[i]));
+    sum += px * std::abs(transfer.scale[i]) * camera.units_per_px(camera.depth(at_rest[i]));
   }
   return sum / static_cast<double>(std::max<std::size_t>(at_rest.size(), 1));
 }
 
-/// Pairs of variables whose seen movements undo each other. `told`: seen_information of n variables.
-std::vector<posing::Opposed> opposed_pairs(std::span<const double> told, std::size_t n) {
+/// Pairs of variables whose movements away from rest, as seen, undo each other. `told`: seen_information.
+std::vector<posing::Opposed> opposed_pairs(std::span<const double> told, std::span<const double> rest_u) {
   constexpr double k_cosine = -0.8;
   constexpr double k_share = 0.5;
+  const std::size_t n = rest_u.size();
   std::vector<posing::Opposed> pairs;
   std::vector<std::size_t> count(n, 0);
   for (std::size_t a = 0; a < n; ++a) {
     for (std::size_t b = a + 1; b < n; ++b) {
+      const bool to_one_side = (rest_u[a] > 0.5) == (rest_u[b] > 0.5);
       const double both = told[a * n + a] * told[b * n + b];
-      if (!(both > 0) || told[a * n + b] > k_cosine * std::sqrt(both)) continue;
+      if (!to_one_side || !(both > 0) || !(told[a * n + b] <= k_cosine * std::sqrt(both))) continue;
       pairs.push_back({a, b, k_share});
       ++count[a];
       ++count[b];
@@ -136,6 +141,7 @@ struct FrameSolver::State {
     const double near_last = options.near_last + k_distrust * (1.0 - confidence) * (1.0 - confidence);
     const double both = near_last + near_rest;
     model.near_weight = pull_unit * both;
+    model.variables.opposed_weight = both > 0 ? near_rest / both : 0;
     for (std::size_t i = 0; i < u.size(); ++i) {
       model.variables.start[i] = both > 0 ? (near_last * u[i] + near_rest * rest_u[i]) / both : u[i];
     }
@@ -144,6 +150,8 @@ struct FrameSolver::State {
     search.max_sweeps = 1;
     search.gain_tolerance = 0.02;
     search.max_evaluations = options.max_evaluations;
+    // Without finishing the simplex has to come to the last of its stages by itself.
+    if (!linear) search.max_evaluations = std::max(search.max_evaluations, k_evaluations_a_variable * u.size());
     const auto objective = linear ? posing::make_linear_objective(model)
                                   : posing::make_general_objective(system, model.variables, pose, model.near_weight);
     posing::run_stages(*objective, relevance.effects, search, u, stages);
@@ -188,9 +196,9 @@ base::Result<FrameSolver> FrameSolver::make(const rig::Rig& rig, Transfer transf
   for (const auto& p : s.now) box.add(p);
   s.relevance = posing::relevant_parameters(s.system, s.pose, problem.free, options.relevance * box.diagonal());
   posing::Variables variables = posing::make_variables(rig, s.relevance.parameters, s.pose);
-  const std::size_t d = variables.count();
-  variables.opposed = opposed_pairs(seen_information(rig, s.pose, variables.parameter, s.transfer, camera, 1.0), d);
-  s.u = s.rest_u = variables.start;
+  s.u = s.rest_u = variables.opposed_from = variables.start;
+  variables.opposed =
+      opposed_pairs(seen_information(rig, s.pose, variables.parameter, s.transfer, camera, 1.0), s.rest_u);
   double weight = 0;
   for (const double w : s.transfer.weights) weight += w;
   s.extent = box.diagonal();

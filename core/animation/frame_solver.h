@@ -12,7 +12,7 @@
 namespace penpose::animation {
 
 struct FrameOptions {
-  std::size_t max_evaluations = 300;  ///< of the simplex, a frame; rigs that are linear need fewer
+  std::size_t max_evaluations = 300;  ///< of the simplex, a frame; 100 a variable where the rig is not linear, if more
   std::size_t max_finish_iterations = 6;
   /// How strongly parameters are held near the frame before and near rest, as shares of the energy that moving every
   /// point by a tenth of the curves' extent would cost, for a parameter that goes through its whole range.

@@ -85,7 +85,7 @@ void steady_few(StillTrack& track, std::span<const std::size_t> points, double t
 
 void steady(StillTrack& track, std::span<const std::size_t> points, double tremor_px) {
   if (!(tremor_px > 0) || points.empty()) return;
-  constexpr std::size_t k_most = 64;  // the lids of both eyes have that many, other curves some twenty
+  constexpr std::size_t k_most = 64;  // the lids of both eyes have 32 in MediaPipe's mesh, other curves some twenty
   const std::size_t runs = (points.size() + k_most - 1) / k_most;
   for (std::size_t run = 0; run < runs; ++run) {
     const std::size_t first = run * points.size() / runs;

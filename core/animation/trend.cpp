@@ -96,7 +96,8 @@ void follow_trend(std::span<const double> trust, double tremor, std::vector<std:
   Table x(n, m);
   Table bends(n - 2, m);
   Table dual(n - 2, m);
-  // From the rows themselves, so that next to no tremor changes next to nothing; those of little trust are bridged.
+  // From the rows themselves, so that next to no tremor changes next to nothing; short gaps of
+  // little trust are bridged.
   std::vector<double> surely;
   for (const double c : trust) surely.push_back(c * c * c);
   for (std::size_t t = 0; t < n; ++t) {

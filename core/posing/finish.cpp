@@ -91,16 +91,18 @@ class Finisher {
       if (first == w_.active.end() || second == w_.active.end()) continue;
       const auto i = static_cast<std::size_t>(first - w_.active.begin());
       const auto k = static_cast<std::size_t>(second - w_.active.begin());
-      w_.hessian[i * a + k] += pull * pair.share;
-      w_.hessian[k * a + i] += pull * pair.share;
+      w_.hessian[i * a + k] += pull * share_of(pair);
+      w_.hessian[k * a + i] += pull * share_of(pair);
     }
   }
+
+  [[nodiscard]] double share_of(const Opposed& pair) const { return model_.variables.opposed_weight * pair.share; }
 
   /// How far variable j is pushed by what a pair's other variable does.
   [[nodiscard]] double pull_between(const Opposed& pair, std::size_t j) const {
     if (pair.a != j && pair.b != j) return 0.0;
     const std::size_t other = pair.a == j ? pair.b : pair.a;
-    return pair.share * (u_[other] - model_.variables.start[other]);
+    return share_of(pair) * (u_[other] - model_.variables.opposed_from[other]);
   }
 
   /// Minimises 1/2 s'Hs + g's over u + s within 0..1; leaves s in step.

@@ -89,9 +89,10 @@ class GeneralObjective final : public PoseObjective {
 double opposed_term(const Variables& variables, std::span<const double> u) {
   double sum = 0;
   for (const Opposed& pair : variables.opposed) {
-    sum += 2.0 * pair.share * (u[pair.a] - variables.start[pair.a]) * (u[pair.b] - variables.start[pair.b]);
+    const double a = u[pair.a] - variables.opposed_from[pair.a];
+    sum += 2.0 * pair.share * a * (u[pair.b] - variables.opposed_from[pair.b]);
   }
-  return sum;
+  return variables.opposed_weight * sum;
 }
 
 Variables make_variables(const rig::Rig& rig, std::span<const std::size_t> parameters, std::span<const double> pose) {

@@ -23,6 +23,8 @@ struct Variables {
   std::vector<double> range;
   std::vector<double> start;  ///< u at the start of the solve, which the staying-near term pulls to
   std::vector<Opposed> opposed;
+  std::vector<double> opposed_from;  ///< u that opposed variables are measured from, one value a variable
+  double opposed_weight = 1;         ///< 0..1, times the shares
 
   [[nodiscard]] std::size_t count() const { return parameter.size(); }
   [[nodiscard]] double value(std::size_t i, double u) const { return minimum[i] + u * range[i]; }
@@ -30,9 +32,9 @@ struct Variables {
 [[nodiscard]] Variables make_variables(const rig::Rig& rig, std::span<const std::size_t> parameters,
                                        std::span<const double> pose);
 
-/// What the staying-near term adds for opposed variables: sum of 2 share (u_a - start_a) (u_b - start_b). Both away
-/// from the start the same way cost more than one of them; with all shares of a variable at most 1 the term stays
-/// convex.
+/// What the staying-near term adds for opposed variables: opposed_weight times the sum of
+/// 2 share (u_a - from_a) (u_b - from_b). Both away the same way cost more than one of them; with all shares of a
+/// variable at most 1 in sum the whole term stays convex.
 [[nodiscard]] double opposed_term(const Variables& variables, std::span<const double> u);
 
 /// E(x) + near_weight * (sum (u_i - start_i)^2 + opposed_term) over a chosen subset of the variables, the others
@@ -51,7 +53,7 @@ struct LinearModel {
   Residuals at_zero;            ///< residuals at u = 0
   std::vector<double> weights;  ///< of the points, padded
   double near_weight = 0;
-  double softness = 0;  ///< of the lengths (weighted_lengths), metres
+  double softness = 0;  ///< of the lengths (weighted_lengths), in units of the model
 
   void residuals(std::span<const double> u, std::span<double> out) const;
 };

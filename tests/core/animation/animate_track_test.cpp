@@ -39,6 +39,52 @@ std::shared_ptr<const rig::CharacterRig> strip_rig(bool twice = false) {
   return rig::CharacterRig::make(mesh, {shapes}, nullptr).value();
 }
 
+/// Passes everything on but does not say that it is linear.
+class Opaque final : public rig::Rig {
+ public:
+  explicit Opaque(std::shared_ptr<const rig::Rig> rig) : rig_(std::move(rig)) {}
+  [[nodiscard]] std::span<const rig::Parameter> parameters() const override { return rig_->parameters(); }
+  [[nodiscard]] std::size_t vertex_count() const override { return rig_->vertex_count(); }
+  void evaluate(std::span<const double> pose, std::span<geometry::ModelPoint> positions) const override {
+    rig_->evaluate(pose, positions);
+  }
+  [[nodiscard]] std::unique_ptr<rig::BoundVertices> bind(std::span<const std::uint32_t> vertices) const override {
+    class Bound final : public rig::BoundVertices {
+     public:
+      explicit Bound(std::unique_ptr<rig::BoundVertices> inner) : inner_(std::move(inner)) {}
+      [[nodiscard]] std::size_t vertex_count() const override { return inner_->vertex_count(); }
+      void evaluate(std::span<const double> pose, std::span<geometry::ModelPoint> positions) override {
+        inner_->evaluate(pose, positions);
+      }
+      [[nodiscard]] bool moves(std::size_t parameter) const override { return inner_->moves(parameter); }
+      [[nodiscard]] std::optional<rig::LinearForm> linearize(std::span<const double>,
+                                                             std::span<const std::size_t>) override {
+        return std::nullopt;
+      }
+
+     private:
+      std::unique_ptr<rig::BoundVertices> inner_;
+    };
+    return std::make_unique<Bound>(rig_->bind(vertices));
+  }
+
+ private:
+  std::shared_ptr<const rig::Rig> rig_;
+};
+
+/// A row of `n` vertices, each raised by a control of its own, the first by most and the last by a twentieth of that.
+std::shared_ptr<const rig::CharacterRig> keyboard_rig(std::uint32_t n) {
+  const auto mesh = tests::grid_mesh(n - 1, 1);
+  std::vector<rig::BlendShape> keys;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    rig::BlendShape& key = keys.emplace_back();
+    key.parameter.name = "key" + std::to_string(i);
+    key.vertices = {i};
+    key.deltas.emplace_back(0, 0.4F * (1 - 0.95F * static_cast<float>(i) / static_cast<float>(n - 1)), 0);
+  }
+  return rig::CharacterRig::make(mesh, {rig::BlendShapes::make(keys, mesh->vertex_count()).value()}, nullptr).value();
+}
+
 class AnimateTrack : public testing::Test {
  protected:
   void SetUp() override {
@@ -115,6 +161,52 @@ TEST_F(AnimateTrack, TwoControlsThatDoTheSameFollowTogetherAsOneDoes) {
   setup_.rest = rig::rest_pose(*rig_);
   const auto two = animate_track(*rig_, track_, setup_, camera_).value();
   for (std::size_t f = 0; f < 30; ++f) EXPECT_NEAR(two.poses[f][0] + two.poses[f][2], one.poses[f][0], 0.1) << f;
+}
+
+TEST_F(AnimateTrack, WithinTheTremorAllPointsAreAskedBeyondItMostOfThem) {
+  // One point of six goes 2 px to the right while five stay: by plain distances nothing moves, by squares a sixth of
+  // it.
+  const auto transfer = animate_track(*rig_, track_, setup_, camera_).value().transfer;
+  FrameOptions options;
+  options.near_last = options.near_rest = 0;
+  options.max_finish_iterations = 100;
+  const auto shift = [&](double tremor_px, double by_px) {
+    options.tremor_px = tremor_px;
+    auto solver = FrameSolver::make(*rig_, transfer, {1}, setup_.rest, camera_, options).value();
+    std::vector<geometry::PxPoint> offsets(6);
+    offsets[2] = {by_px, 0};
+    return solver.follow(offsets, 0, 1)[1];
+  };
+  std::vector<geometry::ModelPoint> positions(rig_->vertex_count());
+  rig_->evaluate(setup_.rest, positions);
+  const double px_of_shift = 0.3 / camera_.units_per_px(camera_.depth(positions[vertices_[2]]));
+  EXPECT_NEAR(shift(50, 2) * px_of_shift, 2 / 6.0, 0.02);
+  EXPECT_NEAR(shift(0, 2) * px_of_shift, 0, 0.02);
+  EXPECT_LT(shift(1, 60) * px_of_shift, 1);  // a point that is lost does not carry the others away
+}
+
+TEST_F(AnimateTrack, ARigThatIsNotLinearMovesItsLeastControlToo) {
+  constexpr std::uint32_t k_keys = 24;
+  const auto keyboard = keyboard_rig(k_keys);
+  const Opaque opaque(keyboard);
+  TrackedCurve curve;
+  std::vector<std::uint32_t> vertices;
+  setup_.free.clear();
+  for (std::uint32_t i = 0; i < k_keys; ++i) {
+    curve.points.push_back(i);
+    curve.reference.push_back(posing::at_vertex(i));
+    vertices.push_back(i);
+    setup_.free.push_back(i);
+  }
+  setup_.curves = {curve};
+  setup_.rest = rig::rest_pose(*keyboard);
+  poses_.assign(30, setup_.rest);
+  for (std::size_t f = 5; f < 30; ++f) poses_[f].assign(k_keys, 0.8);
+  const auto track = tests::track_of(*keyboard, poses_, vertices, camera_);
+  const auto result = animate_track(opaque, track, setup_, camera_).value();
+  EXPECT_NEAR(result.poses[20][0], 0.8, 0.1);
+  EXPECT_GT(result.poses[20][k_keys - 1], 0.2);  // what holds it at rest is strong beside what it is seen to do
+  EXPECT_GT(result.poses[20][k_keys / 2], 0.6);
 }
 
 TEST_F(AnimateTrack, HoldsFramesInWhichThePointsAreAnywhere) {

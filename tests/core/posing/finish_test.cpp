@@ -101,6 +101,7 @@ TEST(Finish, TheTermOfAPairIsPartOfTheEnergy) {
     auto model = model_of({{-0.5, 0, 0}, {0, -0.5, 0}}, {{{1, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 1, 0}}});
     model.softness = 10;  // near its bottom the energy is (d1^2 + d2^2) / 20
     model.near_weight = 0.05;
+    model.variables.opposed_from = {0, 0};
     if (share > 0) model.variables.opposed = {{0, 1, share}};
     std::vector<double> u{0.3, 0.3};
     FinishWorkspace work;

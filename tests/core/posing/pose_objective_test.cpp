@@ -36,11 +36,14 @@ struct Setting {
     system = std::make_unique<CurveSystem>(*rig, problem);
     variables = make_variables(*rig, problem.free, problem.start);
     variables.opposed = {{0, 2, 0.4}, {1, 4, 0.25}};
+    for (std::size_t i = 0; i < variables.count(); ++i) variables.opposed_from.push_back(0.1 * static_cast<double>(i));
+    variables.opposed_weight = 0.7;
     model = make_linear_model(*system, problem.start, variables, system->columns(problem.start, problem.free).value(),
                               near_weight);
   }
 
-  /// E(x) + near * (sum (u - start)^2 + sum of 2 share (u_a - start_a) (u_b - start_b)), straight from the rig.
+  /// E(x) + near * (sum (u - start)^2 + 0.7 times the sum of 2 share (u_a - from_a) (u_b - from_b)), straight from the
+  /// rig.
   [[nodiscard]] double value(const std::vector<double>& u) const {
     rig::Pose pose = problem.start;
     double near = 0;
@@ -49,7 +52,8 @@ struct Setting {
       near += (u[i] - variables.start[i]) * (u[i] - variables.start[i]);
     }
     for (const Opposed& pair : variables.opposed) {
-      near += 2 * pair.share * (u[pair.a] - variables.start[pair.a]) * (u[pair.b] - variables.start[pair.b]);
+      const double a = u[pair.a] - variables.opposed_from[pair.a];
+      near += 0.7 * 2 * pair.share * a * (u[pair.b] - variables.opposed_from[pair.b]);
     }
     Residuals residuals(system->residual_count());
     system->residuals(pose, residuals);

@@ -204,6 +204,13 @@ TEST_F(SharedTrackLoop, NorToOneWhoseHeadTurns) {
   }
 }
 
+TEST_F(SharedTrackLoop, ABlinkThatIsHalfTrustedDoesNotWidenTheEyes) {
+  auto track = tests::track_of(*model_.rig, poses_, points_, *video_);
+  for (auto& frame : track.frames) frame.confidence = 0.5;
+  const auto wide = parameter("eyeWide_L");
+  for (const auto& pose : animate(track).poses) EXPECT_LT(pose[wide], 0.12);
+}
+
 TEST_F(SharedTrackLoop, AMovingHeadIsNoExpression) {
   const auto moved = animate(tests::track_of(*model_.rig, poses_, points_, *video_, 0, nodding));
   EXPECT_LT(mean_error(moved) / height_, 0.01);
