@@ -1,6 +1,7 @@
 #include "core/model_io/case_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "core/model_io/json.h"
@@ -86,6 +87,29 @@ Problem read_target(const Json& object, const std::string& pointer, std::vector<
   return std::nullopt;
 }
 
+/// A yaw in degrees, or an object of yaw_degrees and pitch_degrees.
+Problem read_view(const Json& object, const std::string& pointer, std::optional<CaseView>& out) {
+  const Json* value = find(object, "view");
+  if (value == nullptr) return std::nullopt;
+  const std::string here = child(pointer, "view");
+  CaseView view;
+  if (value->is_object()) {
+    std::optional<double> yaw;
+    std::optional<double> pitch;
+    if (auto problem = read_number(*value, "yaw_degrees", here, yaw)) return problem;
+    if (auto problem = read_number(*value, "pitch_degrees", here, pitch)) return problem;
+    view = {yaw.value_or(0), pitch.value_or(0)};
+  } else if (const auto yaw = number(*value)) {
+    view.yaw_degrees = *yaw;
+  } else {
+    return wrong("a view was expected", here, "give its yaw in degrees, or {\"yaw_degrees\", \"pitch_degrees\"}");
+  }
+  if (!(std::abs(view.yaw_degrees) <= 360.0 && std::abs(view.pitch_degrees) <= 90.0))
+    return wrong("a view that cannot be", here, "give a yaw of -360 to 360 and a pitch of -90 to 90 degrees");
+  out = view;
+  return std::nullopt;
+}
+
 Problem read_references(const Json& object, const std::string& pointer, std::vector<CaseReference>& out) {
   const Json* list = nullptr;
   if (auto problem = read_array(object, "references", pointer, Need::required, list)) return problem;
@@ -98,6 +122,7 @@ Problem read_references(const Json& object, const std::string& pointer, std::vec
     if (auto problem = read_text((*list)[i], "curve", place, Need::optional, reference.curve)) return problem;
     if (auto problem = read_vertices((*list)[i], place, reference.vertices)) return problem;
     if (auto problem = read_target((*list)[i], place, reference.target)) return problem;
+    if (auto problem = read_view((*list)[i], place, reference.view)) return problem;
     out.push_back(std::move(reference));
   }
   return std::nullopt;

@@ -12,12 +12,20 @@
 
 namespace penpose::model_io {
 
+/// The direction in which a line was drawn: the camera turned about +y by `yaw_degrees` (0 looks along -z, 90 along -x)
+/// and raised by `pitch_degrees`.
+struct CaseView {
+  double yaw_degrees = 0;
+  double pitch_degrees = 0;  ///< -90..90
+};
+
 /// A curve through vertices of the model and where it should go. In the points form target i belongs to vertex i; in
 /// the drawn form the target is a line of any number of points.
 struct CaseReference {
   std::string curve;
   std::vector<std::uint32_t> vertices;       ///< at least 2, in order along the curve
   std::vector<geometry::ModelPoint> target;  ///< at least 2, not all at one place; model units
+  std::optional<CaseView> view;              ///< from where this line was drawn; else the case's own view
 };
 
 /// A curve through vertices that should stay where it is.

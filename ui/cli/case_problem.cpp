@@ -22,6 +22,32 @@ base::Result<std::vector<geometry::ModelPoint>> drawn_target(std::span<const geo
   return std::move(paired->points);
 }
 
+/// Ascending, each once.
+std::vector<std::size_t> free_of_case(const document::Model& model, const model_io::PoseCase& pose_case, FreeSet set) {
+  std::vector<std::size_t> free;
+  if (set == FreeSet::all || pose_case.free.empty()) {
+    free.resize(model.rig->parameters().size());
+    std::iota(free.begin(), free.end(), std::size_t{0});
+    return free;
+  }
+  for (const std::string& name : pose_case.free)
+    free.push_back(rig::find_parameter(model.rig->parameters(), name).value());
+  std::sort(free.begin(), free.end());
+  free.erase(std::unique(free.begin(), free.end()), free.end());
+  return free;
+}
+
+std::vector<geometry::ModelPoint> rest_positions(const document::Model& model) {
+  std::vector<geometry::ModelPoint> rest(model.mesh->vertex_count());
+  model.rig->evaluate(rig::rest_pose(*model.rig), rest);
+  return rest;
+}
+
+/// Where a target that is known goes is exact but for what files round; as a share of what is drawn.
+constexpr double k_exact = 5e-4;
+/// A hand strays by this share of what its view shows (2.5 of 700 px).
+constexpr double k_hand = 3.5e-3;
+
 }  // namespace
 
 geometry::Camera case_camera(const document::Model& model, const model_io::PoseCase& pose_case) {
@@ -65,14 +91,52 @@ base::Result<posing::PoseProblem> problem_of_case(const document::Model& model, 
     problem.constraints.push_back(std::move(kept));
   }
 
-  if (free == FreeSet::all || pose_case.free.empty()) {
-    problem.free.resize(problem.start.size());
-    std::iota(problem.free.begin(), problem.free.end(), std::size_t{0});
-  } else {
-    for (const std::string& name : pose_case.free)
-      problem.free.push_back(rig::find_parameter(model.rig->parameters(), name).value());
-    std::sort(problem.free.begin(), problem.free.end());
-    problem.free.erase(std::unique(problem.free.begin(), problem.free.end()), problem.free.end());
+  problem.free = free_of_case(model, pose_case, free);
+  return problem;
+}
+
+double hand_doubt(const document::Model& model, const model_io::CaseFile& file) {
+  const auto rest = rest_positions(model);
+  geometry::Box box;
+  for (const model_io::PoseCase& pose_case : file.cases) {
+    for (const auto& reference : pose_case.references) {
+      for (const std::uint32_t v : reference.vertices) box.add(rest[v]);
+    }
+  }
+  // Nobody draws one short line on a picture of nothing else.
+  return k_hand * std::max(box.empty() ? 0.0 : box.diagonal(), 0.15 * document::rest_world_box(model).diagonal());
+}
+
+intent::IntentProblem intent_of_case(const document::Model& model, const model_io::PoseCase& pose_case, FreeSet free,
+                                     model_io::TargetForm form, double doubt) {
+  intent::IntentProblem problem;
+  problem.start = rig::rest_pose(*model.rig);
+  problem.free = free_of_case(model, pose_case, free);
+  const auto rest = rest_positions(model);
+  const geometry::Box box = document::rest_world_box(model);
+  const auto points = [](const std::vector<std::uint32_t>& vertices) {
+    std::vector<posing::CurvePoint> out;
+    for (const std::uint32_t v : vertices) out.push_back(posing::at_vertex(v));
+    return out;
+  };
+  for (const auto& reference : pose_case.references) {
+    if (form == model_io::TargetForm::points) {
+      problem.known.push_back({points(reference.vertices), reference.target, doubt * (k_exact / k_hand)});
+      continue;
+    }
+    const model_io::CaseView view = reference.view.value_or(model_io::CaseView{pose_case.view_yaw_degrees, 0});
+    const auto camera = geometry::frame_box(box, {1000, 1000}, view.yaw_degrees, view.pitch_degrees, 1.0);
+    intent::DrawnCurve curve{points(reference.vertices), camera, {}, 1.0, {}};
+    for (const auto& p : reference.target)
+      curve.target.push_back(camera.project(p).value_or(geometry::PxPoint{1e9, 0}));
+    const double hand_px = doubt / camera.units_per_px(camera.depth(rest[reference.vertices.front()]));
+    curve.doubt_px = intent::stroke_doubt_px(curve.target, hand_px);
+    problem.drawn.push_back(std::move(curve));
+  }
+  for (const auto& constraint : pose_case.constraints) {
+    intent::KnownCurve kept{points(constraint.vertices), {}, doubt};
+    for (const std::uint32_t v : constraint.vertices) kept.target.push_back(rest[v]);
+    problem.kept.push_back(std::move(kept));
   }
   return problem;
 }

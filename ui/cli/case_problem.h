@@ -2,6 +2,7 @@
 
 #include "core/base/result.h"
 #include "core/geometry/camera.h"
+#include "core/intent/problem.h"
 #include "core/model_io/case_file.h"
 #include "core/posing/problem.h"
 
@@ -19,5 +20,14 @@ enum class FreeSet : std::uint8_t { all, of_case };
 [[nodiscard]] base::Result<posing::PoseProblem> problem_of_case(const document::Model& model,
                                                                 const model_io::PoseCase& pose_case, FreeSet free,
                                                                 model_io::TargetForm form);
+
+/// How far a hand strays that draws what a case file draws, model units: its view shows the curves of all its cases.
+[[nodiscard]] double hand_doubt(const document::Model& model, const model_io::CaseFile& file);
+
+/// What a case means (core/intent), from rest. In the drawn form each target is a line in a picture of its own view,
+/// seen from afar, so that nothing is nearer; in the points form it is known where each vertex goes, next to exactly.
+/// `doubt`: of the hand, model units. Precondition: model_io::check_cases passed for this form.
+[[nodiscard]] intent::IntentProblem intent_of_case(const document::Model& model, const model_io::PoseCase& pose_case,
+                                                   FreeSet free, model_io::TargetForm form, double doubt);
 
 }  // namespace penpose::cli

@@ -1,0 +1,51 @@
+#include "core/intent/chain.h"
+
+#include <algorithm>
+
+#include "core/rig/character_rig.h"
+
+namespace penpose::intent {
+namespace {
+
+constexpr std::size_t k_none = static_cast<std::size_t>(-1);
+
+/// The joint with the greatest share in a point.
+std::size_t carrier(const rig::Skeleton& skeleton, const posing::CurvePoint& point) {
+  std::vector<double> share(skeleton.joints().size(), 0.0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (const rig::Influence& influence : skeleton.influences_of(point.vertex[k]))
+      share[influence.joint] += point.weight[k] * influence.weight;
+  }
+  const auto most = std::max_element(share.begin(), share.end());
+  return most != share.end() && *most > 0.0 ? static_cast<std::size_t>(most - share.begin()) : k_none;
+}
+
+}  // namespace
+
+std::vector<std::size_t> chain_of(const rig::Rig& rig, std::span<const posing::CurvePoint> points) {
+  const auto* character = dynamic_cast<const rig::CharacterRig*>(&rig);
+  if (character == nullptr || character->skeleton() == nullptr) return {};
+  const rig::Skeleton& skeleton = *character->skeleton();
+  const auto joints = skeleton.joints();
+  std::vector<bool> carries(joints.size(), false);
+  std::size_t count = 0;
+  for (const posing::CurvePoint& point : points) {
+    const std::size_t joint = carrier(skeleton, point);
+    if (joint == k_none || carries[joint]) continue;
+    carries[joint] = true;
+    ++count;
+  }
+  // How many carriers lie at or below each joint: those between carriers have some below, but not yet all.
+  std::vector<std::size_t> below(joints.size(), 0);
+  for (std::size_t i = joints.size(); i-- > 0;) {
+    below[i] += carries[i] ? 1U : 0U;
+    if (joints[i].parent >= 0) below[static_cast<std::size_t>(joints[i].parent)] += below[i];
+  }
+  std::vector<std::size_t> chain;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (carries[i] || (below[i] > 0 && below[i] < count)) chain.push_back(i);
+  }
+  return chain;
+}
+
+}  // namespace penpose::intent

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/posing/problem.h"
+#include "core/rig/rig.h"
+
+namespace penpose::intent {
+
+/// The joints that a stroke along these points means: those that carry the points most, and those between them in the
+/// skeleton; ascending. Empty for rigs without joints and points that no joint carries.
+[[nodiscard]] std::vector<std::size_t> chain_of(const rig::Rig& rig, std::span<const posing::CurvePoint> points);
+
+}  // namespace penpose::intent

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/geometry/camera.h"
+#include "core/posing/problem.h"
+
+namespace penpose::intent {
+
+using geometry::ModelPoint;
+using geometry::ModelVector;
+using geometry::PxPoint;
+
+/// How far a practised hand strays from the line that was meant, px of a view 1000 px high. It grows with the height,
+/// so that a dense screen behaves like any other.
+inline constexpr double k_doubt_px = 2.5;
+[[nodiscard]] double doubt_px(geometry::Viewport viewport);
+
+/// The width of doubt of one stroke: what the hand is given, and the stroke's own roughness (its root mean square
+/// distance from the line smoothed over a tenth of its length) where that is more. px. Precondition: hand_px > 0.
+[[nodiscard]] double stroke_doubt_px(std::span<const PxPoint> line, double hand_px);
+
+/// A reference curve and the line that somebody drew for it. The line says nothing about depth, and nothing about where
+/// along it a point of the reference goes.
+struct DrawnCurve {
+  std::vector<posing::CurvePoint> reference;  ///< at least two, in order along the curve
+  geometry::Camera camera;
+  std::vector<PxPoint> target;  ///< at least two, not all at one place
+  double doubt_px = k_doubt_px;
+  std::vector<double> weights;  ///< one a reference point, mean 1 (posing::pressure_weights); empty: all 1
+};
+
+/// A curve of which it is known where each point goes, or stays.
+struct KnownCurve {
+  std::vector<posing::CurvePoint> reference;
+  std::vector<ModelPoint> target;  ///< one a reference point
+  double doubt = 0;                ///< model units, > 0
+};
+
+/// What drawing means: which pose was meant by these strokes, starting from this pose.
+struct IntentProblem {
+  std::vector<DrawnCurve> drawn;
+  std::vector<KnownCurve> known;
+  std::vector<KnownCurve> kept;   ///< constraints: curves that stay where they were when they were set
+  std::vector<std::size_t> free;  ///< parameters that may move, ascending
+  rig::Pose start;                ///< one value a parameter
+};
+
+/// Errors: nothing to match, lines of fewer than two points or of no length, other numbers of targets than of points,
+/// numbers that are not finite, vertices or parameters out of range, a start outside its ranges, a reference behind its
+/// camera or without length in its view.
+[[nodiscard]] base::Status check_problem(const rig::Rig& rig, const IntentProblem& problem);
+
+}  // namespace penpose::intent

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace penpose::intent {
+
+/// What the drawn curves ask of a few variables z near one pose, as squares:
+///
+///   E(z) = |R z - r|^2 - |P z - p|^2
+///
+/// R has one row for each direction of each point, already divided by the doubt. P takes back what the points may slide
+/// along their lines: the modes of sliding are minimised over, which leaves this difference (a Schur complement), and
+/// so E is never below zero. Columns are kept one a variable, so that a model of hundreds of controls costs only what
+/// those in question need: the matrix of all pairs is never made.
+class Quadratic {
+ public:
+  /// Makes room for `variables` columns of `rows` and `slides` numbers, all zero.
+  void reset(std::size_t variables, std::size_t rows, std::size_t slides);
+
+  [[nodiscard]] std::size_t variables() const { return variables_; }
+  [[nodiscard]] std::size_t rows() const { return rows_; }
+  [[nodiscard]] std::size_t slides() const { return slides_; }
+  [[nodiscard]] std::span<double> column(std::size_t j) { return {columns_.data() + j * stride(), stride()}; }
+  [[nodiscard]] std::span<const double> column(std::size_t j) const {
+    return {columns_.data() + j * stride(), stride()};
+  }
+  /// r and p, one behind the other.
+  [[nodiscard]] std::span<double> right() { return right_; }
+  [[nodiscard]] std::span<const double> right() const { return right_; }
+
+  /// Call it when columns and right side are filled.
+  void finish();
+  /// z'(column i . column j) for E: the curvature between two variables, halved.
+  [[nodiscard]] double curvature(std::size_t i, std::size_t j);
+  [[nodiscard]] double curvature(std::size_t i) const { return diagonal_[i]; }
+  /// Half the descent of E along variable i at z = 0.
+  [[nodiscard]] double pull(std::size_t i) const { return pull_[i]; }
+  /// E(0).
+  [[nodiscard]] double constant() const { return constant_; }
+  /// A product of two runs of rows and slides as E counts it.
+  [[nodiscard]] double product(std::span<const double> a, std::span<const double> b) const;
+
+ private:
+  [[nodiscard]] std::size_t stride() const { return rows_ + slides_; }
+
+  std::size_t variables_ = 0, rows_ = 0, slides_ = 0;
+  std::vector<double> columns_, right_, diagonal_, pull_;
+  double constant_ = 0;
+  std::vector<std::vector<double>> gram_;  ///< rows that were asked for; empty: not yet
+};
+
+}  // namespace penpose::intent

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/intent/problem.h"
+#include "core/intent/quadratic.h"
+#include "core/intent/selection.h"
+#include "core/intent/sliding.h"
+#include "core/intent/whole_model.h"
+#include "core/posing/curve_system.h"
+
+namespace penpose::intent {
+
+/// Independent looks that a curve is worth, whatever the number of its points: the hand's error changes slowly along a
+/// stroke.
+inline constexpr double k_looks = 7.0;
+/// nu of the energy: beyond this many squares of doubt a curve is out of reach and counts by its logarithm.
+inline constexpr double k_reach = 60.0;
+
+/// Reads a problem as squares near a pose: what all ways of solving it have in common. Variables are the free
+/// parameters that move a curve, as changes from the start in shares of their ranges. The rig, the whole model and the
+/// problem must outlive it. One object for each thread.
+class Reader {
+ public:
+  /// Precondition: check_problem passed.
+  Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem);
+
+  [[nodiscard]] const Choices& choices() const { return choices_; }
+  [[nodiscard]] const Costs& costs() const { return costs_; }
+  [[nodiscard]] std::span<const std::size_t> parameters() const { return parameters_; }
+  [[nodiscard]] bool linear() const { return linear_; }
+  [[nodiscard]] std::size_t curve_count() const { return blocks_.size(); }
+  /// Only units of these joints may move; empty: all.
+  void restrict_to(std::span<const std::size_t> joints);
+
+  /// How drawn curve c is aligned; all of `alignments` are worth trying.
+  [[nodiscard]] const std::vector<Alignment>& alignments(std::size_t c) const { return blocks_[c].alignments; }
+  void align(std::size_t c, std::size_t which) { blocks_[c].aligned = which; }
+  [[nodiscard]] std::size_t aligned(std::size_t c) const { return blocks_[c].aligned; }
+  /// Takes another line for drawn curve c. Precondition: at least two points, of positive length.
+  void redraw(std::size_t c, std::span<const PxPoint> line, Alignment alignment);
+
+  /// The pose of a choice: within all ranges.
+  [[nodiscard]] rig::Pose pose_of(const Choice& choice) const;
+  /// Sets up the squares around a choice; `slide`: points slide to where they fit (not in the first round, when the
+  /// curves are still apart). Each curve weighs as its last share (see weigh) says.
+  void look(const Choice& at, bool slide, Quadratic& quadratic);
+  /// The energy of a choice at its true pose, matching as last looked at. `costs`: what its units cost.
+  double energy(const Choice& choice, double costs);
+  /// The energy without costs, of an image: R z - r and P z - p of the last look.
+  [[nodiscard]] double energy_of_image(std::span<const double> image, std::size_t rows) const;
+  /// Curves that are out of reach at a choice weigh less from the next look on.
+  void weigh(const Choice& choice);
+
+  struct Left {
+    std::vector<double> px, units;  ///< mean of each curve
+    double sum = 0, longest = 0;    ///< model units
+  };
+  /// Distances at a pose from where the points go; with sliding.
+  [[nodiscard]] Left left(const rig::Pose& pose);
+
+ private:
+  struct Block {
+    std::size_t first = 0, count = 0;  ///< its points among all
+    const DrawnCurve* drawn = nullptr;
+    const KnownCurve* known = nullptr;
+    std::optional<SlidingLine> line;
+    std::vector<Alignment> alignments;
+    std::size_t aligned = 0;
+    double doubt = 1;  ///< px or model units
+    double share = 1;  ///< 1 / (1 + D / nu) of the last weigh
+    std::size_t row = 0, slide = 0;
+    Matching matching;
+    std::array<Matching::Modes, Matching::k_modes> factor{};  ///< Cholesky factor of what sliding costs
+  };
+  void look_at_drawn(Block& block, Quadratic& quadratic, std::span<const double> at, bool slide);
+  void look_at_known(Block& block, Quadratic& quadratic, std::span<const double> at);
+  [[nodiscard]] std::vector<PxPoint> seen(const Block& block, std::span<const ModelPoint> positions) const;
+  void make_columns(const rig::Pose& pose);
+  void make_units();
+  /// D of a curve at positions of all points, not yet less for being out of reach.
+  [[nodiscard]] double squares(const Block& block, std::span<const ModelPoint> positions) const;
+
+  const rig::Rig& rig_;
+  const WholeModel& whole_;
+  const IntentProblem& problem_;
+  Costs costs_;
+  posing::CurveSystem system_;
+  std::vector<Block> blocks_;
+  std::vector<std::size_t> parameters_;
+  std::vector<double> ranges_;
+  Choices choices_;
+  bool linear_ = false;
+  std::vector<ModelVector> columns_;  ///< one run of points a variable, for its whole range
+  std::vector<ModelPoint> start_, positions_, moved_;
+};
+
+}  // namespace penpose::intent

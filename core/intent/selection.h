@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/intent/quadratic.h"
+
+namespace penpose::intent {
+
+/// Controls that are chosen together: one parameter, a left and a right one, or the angles of one joint. `members` are
+/// numbers of variables.
+struct Unit {
+  std::array<std::size_t, 3> members{};
+  std::size_t count = 1;
+  bool tied = false;  ///< left and right: drawn alike they move alike
+};
+
+/// The variables of a choice: changes of parameters, each as a share of its range.
+struct Choices {
+  std::vector<Unit> units;
+  std::vector<double> low, high;  ///< one a variable, low <= 0 <= high
+  std::vector<double> movement;   ///< of the whole model, one a variable (WholeModel::movement)
+  std::vector<double> stiffness;  ///< what the square of a variable costs; twists of joints cost more
+};
+
+/// Some units with their values: what one reading of the strokes comes to.
+struct Choice {
+  std::vector<std::size_t> units;      ///< numbers of units, ascending
+  std::vector<std::size_t> variables;  ///< their members, ascending, without repeats
+  std::vector<double> values;          ///< one a variable
+  double energy = 0;                   ///< squares and costs
+  double costs = 0;                    ///< of its units alone
+};
+
+/// The energy of a choice: E of the curves, and what leaving the pose costs. Each unit that moves costs a constant; the
+/// logarithm of how exactly the drawn curves would tell its value (a control that must move by a hundredth of its range
+/// is a less likely reading than one that moves by half: the evidence of Bayesian model comparison, MacKay 1992); and
+/// the logarithm of how far it moves the whole model. Few controls rather than many, and those that go where the pen
+/// went and move little else.
+struct Costs {
+  double unit = 8.0;
+  double pair = 3.0;       ///< a left and right pair beside a single control
+  double evidence = 1.0;   ///< times log(1 + curvature)
+  double movement = 4.0;   ///< times log(1 + way of the whole model / usual way)
+  double usual_way = 0.2;  ///< of the whole model, as a multiple of the median control's
+  double tie = 40.0;       ///< the square of what a pair's two values differ by
+};
+
+class Selection {
+ public:
+  Selection(Quadratic& quadratic, const Choices& choices, const Costs& costs)
+      : q_(quadratic), choices_(choices), costs_(costs) {}
+
+  /// The least energy of these units: least squares within the ranges, by coordinate descent.
+  [[nodiscard]] Choice fit(std::vector<std::size_t> units);
+  /// The best choice found from a first one on: units are added, exchanged and taken out, one at a time, while that
+  /// lowers the energy. `most`: units at most. Deterministic: equal energies keep the choice that came first.
+  [[nodiscard]] Choice select(Choice first, std::size_t most);
+  /// Other choices that come near the last selection's: one exchange away, at most `window` above it, the best first.
+  [[nodiscard]] const std::vector<Choice>& rivals() const { return rivals_; }
+  void set_rivals(std::size_t count, double window) {
+    rival_count_ = count;
+    rival_window_ = window;
+  }
+  [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
+  /// What the units of a choice cost at its values.
+  [[nodiscard]] double costs_of(const Choice& choice) const;
+
+ private:
+  [[nodiscard]] double unit_cost(const Unit& unit, const Choice& choice) const;
+  [[nodiscard]] double value_of(const Choice& choice, std::size_t variable) const;
+  [[nodiscard]] bool overlaps(std::size_t a, std::size_t b) const;
+  void consider(std::vector<std::size_t> units, Choice& best);
+
+  Quadratic& q_;
+  const Choices& choices_;
+  const Costs& costs_;
+  std::vector<Choice> rivals_;
+  std::size_t rival_count_ = 0;
+  double rival_window_ = 0;
+  std::size_t evaluations_ = 0;
+  std::vector<double> matrix_, descent_;
+};
+
+}  // namespace penpose::intent

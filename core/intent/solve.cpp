@@ -1,0 +1,200 @@
+#include "core/intent/solve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/intent/chain.h"
+#include "core/intent/reader.h"
+#include "core/intent/value_search.h"
+
+namespace penpose::intent {
+
+struct Workspace::Buffers {
+  Quadratic quadratic;
+  posing::SimplexWorkspace simplex;
+};
+
+Workspace::Workspace() : buffers_(std::make_unique<Buffers>()) {}
+Workspace::~Workspace() = default;
+Workspace::Workspace(Workspace&&) noexcept = default;
+Workspace& Workspace::operator=(Workspace&&) noexcept = default;
+
+namespace {
+
+/// How much lower the energy has to be before joints outside of the drawn chain may move.
+constexpr double k_beyond_chain = 60.0;
+/// Rivals are those within this of the best energy.
+constexpr double k_rival_window = 12.0;
+/// A joint's squares hold near the pose where they were taken: most that an angle changes in a round, share of its
+/// range.
+constexpr double k_trust = 0.2;
+
+struct Reading {
+  Choice choice;
+  double energy = 0;
+};
+
+class Solver {
+ public:
+  Solver(Reader& reader, const SolveOptions& options, Workspace::Buffers& buffers)
+      : reader_(reader), options_(options), b_(buffers) {}
+
+  /// Matching and choosing in turn, from nothing moved.
+  Reading read() {
+    Choice choice;
+    const std::size_t rounds = reader_.linear() ? options_.rounds : options_.general_rounds;
+    std::vector<Choice> rivals;
+    for (std::size_t round = 0; round < rounds; ++round) {
+      reader_.look(choice, round > 0, b_.quadratic);
+      Selection selection(b_.quadratic, reader_.choices(), reader_.costs());
+      if (round + 1 == rounds) selection.set_rivals(options_.rivals, k_rival_window);
+      const Choice before = choice;
+      choice = trusted(before, selection.select(selection.fit(before.units), options_.most_units));
+      evaluations += selection.evaluations();
+      if (round == 0 || !reader_.linear()) reader_.weigh(choice);
+      rivals = selection.rivals();
+    }
+    Reading best = matched(choice);
+    bool other = false;
+    for (const Choice& rival : rivals) {
+      Reading one = matched(rival);
+      if (!(one.energy < best.energy - 1e-9)) continue;
+      best = std::move(one);
+      other = true;
+    }
+    if (other) {
+      reader_.look(best.choice, true, b_.quadratic);
+      Selection selection(b_.quadratic, reader_.choices(), reader_.costs());
+      Reading again = matched(selection.select(selection.fit(best.choice.units), options_.most_units));
+      evaluations += selection.evaluations();
+      if (again.energy < best.energy) best = std::move(again);
+    }
+    return best;
+  }
+
+  /// A choice of units with matching of its own, and what it comes to.
+  Reading matched(Choice choice) {
+    for (int k = 0; k < 2; ++k) {
+      reader_.look(choice, true, b_.quadratic);
+      Selection selection(b_.quadratic, reader_.choices(), reader_.costs());
+      choice = trusted(choice, selection.fit(choice.units));
+      evaluations += selection.evaluations();
+    }
+    reader_.look(choice, true, b_.quadratic);
+    return {choice, reader_.energy(choice, choice.costs)};
+  }
+
+  /// Downhill simplex on the values of the last reading.
+  void search(Reading& reading) {
+    reader_.look(reading.choice, true, b_.quadratic);
+    const Selection selection(b_.quadratic, reader_.choices(), reader_.costs());
+    evaluations += search_values(reader_, b_.quadratic, selection, reading.choice,
+                                 60 * (reading.choice.variables.size() + 1), b_.simplex);
+    reading.energy = reader_.energy(reading.choice, reading.choice.costs);
+  }
+
+  std::size_t evaluations = 0;
+
+ private:
+  Choice trusted(const Choice& before, Choice after) const {
+    if (reader_.linear()) return after;
+    for (std::size_t i = 0; i < after.variables.size(); ++i) {
+      const auto at = std::lower_bound(before.variables.begin(), before.variables.end(), after.variables[i]);
+      const bool had = at != before.variables.end() && *at == after.variables[i];
+      const double was = had ? before.values[static_cast<std::size_t>(at - before.variables.begin())] : 0.0;
+      after.values[i] = std::clamp(after.values[i], was - k_trust, was + k_trust);
+    }
+    return after;
+  }
+
+  Reader& reader_;
+  const SolveOptions& options_;
+  Workspace::Buffers& b_;
+};
+
+/// The best reading over the ways in which single lines may be aligned.
+Reading best_alignment(Reader& reader, Solver& solver, std::size_t drawn) {
+  Reading best = solver.read();
+  for (std::size_t c = 0; c < drawn; ++c) {
+    std::size_t chosen = reader.aligned(c);
+    for (std::size_t a = 1; a < reader.alignments(c).size(); ++a) {
+      reader.align(c, a);
+      Reading one = solver.read();
+      if (!(one.energy < best.energy - 1e-9)) continue;
+      best = std::move(one);
+      chosen = a;
+    }
+    reader.align(c, chosen);
+  }
+  return best;
+}
+
+std::vector<std::size_t> drawn_chain(const rig::Rig& rig, const IntentProblem& problem) {
+  std::vector<std::size_t> joints;
+  for (const DrawnCurve& curve : problem.drawn) {
+    const auto chain = chain_of(rig, curve.reference);
+    joints.insert(joints.end(), chain.begin(), chain.end());
+  }
+  for (const KnownCurve& curve : problem.known) {
+    const auto chain = chain_of(rig, curve.reference);
+    joints.insert(joints.end(), chain.begin(), chain.end());
+  }
+  std::sort(joints.begin(), joints.end());
+  joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
+  return joints;
+}
+
+}  // namespace
+
+base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
+                             const SolveOptions& options, Workspace& work) {
+  if (auto status = check_problem(rig, problem); !status) return status.error();
+  Reader reader(rig, whole, problem);
+  Solution solution;
+  solution.pose = problem.start;
+  solution.variables = reader.parameters().size();
+  solution.linear = reader.linear();
+  const Reader::Left before = reader.left(problem.start);
+  solution.energy_start = before.sum;
+
+  Solver solver(reader, options, work.buffers());
+  const auto chain = drawn_chain(rig, problem);
+  if (!chain.empty()) reader.restrict_to(chain);
+  Reading reading = best_alignment(reader, solver, problem.drawn.size());
+  if (!chain.empty() && reading.energy > 2.0 * k_beyond_chain) {
+    const Choices restricted = reader.choices();
+    reader.restrict_to({});
+    Reading all = best_alignment(reader, solver, problem.drawn.size());
+    if (all.energy < reading.energy - k_beyond_chain) {
+      reading = std::move(all);
+    } else {
+      reader.restrict_to(chain);
+    }
+  }
+  solver.search(reading);
+  solution.evaluations = solver.evaluations;
+  solution.doubt_energy = reading.energy;
+
+  solution.pose = reader.pose_of(reading.choice);
+  for (std::size_t i = 0; i < solution.pose.size(); ++i) {
+    if (solution.pose[i] == problem.start[i]) continue;
+    solution.moved.push_back(i);
+    const rig::Parameter& parameter = rig.parameters()[i];
+    if (solution.pose[i] == parameter.minimum || solution.pose[i] == parameter.maximum) solution.at_limit.push_back(i);
+  }
+  const Reader::Left left = reader.left(solution.pose);
+  solution.energy = left.sum;
+  solution.max_distance = left.longest;
+  for (std::size_t c = 0; c < problem.drawn.size() + problem.known.size(); ++c) {
+    CurveLeft one{left.px[c], left.units[c], false};
+    if (c < problem.drawn.size()) {
+      one.reversed = reader.alignments(c)[reader.aligned(c)].reversed;
+      solution.drawn.push_back(one);
+    } else {
+      solution.known.push_back(one);
+    }
+  }
+  return solution;
+}
+
+}  // namespace penpose::intent
