@@ -28,6 +28,8 @@ posing::PoseProblem as_pose_problem(const IntentProblem& problem) {
 double doubt_px(geometry::Viewport viewport) { return k_doubt_px * viewport.height / 1000.0; }
 
 double stroke_doubt_px(std::span<const PxPoint> line, double hand_px) {
+  // What is small is drawn with more care.
+  hand_px = std::clamp(0.02 * curve::arc_length(line), 0.3 * hand_px, hand_px);
   constexpr std::size_t k_samples = 61;
   const auto even = curve::resample<PxPoint>(line, k_samples);
   if (!even) return hand_px;

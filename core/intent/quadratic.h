@@ -30,10 +30,12 @@ class Quadratic {
   [[nodiscard]] std::span<double> right() { return right_; }
   [[nodiscard]] std::span<const double> right() const { return right_; }
 
-  /// Call it when columns and right side are filled.
-  void finish();
-  /// z'(column i . column j) for E: the curvature between two variables, halved.
-  [[nodiscard]] double curvature(std::size_t i, std::size_t j);
+  /// Call it when columns and right side are filled. `only`: the variables in question, or none for all.
+  void finish(std::span<const std::size_t> only = {});
+  /// The curvature of E between two variables, halved. One product, or none where one of them is prepared.
+  [[nodiscard]] double curvature(std::size_t i, std::size_t j) const;
+  /// Makes the curvatures of variable i with all others, once.
+  void prepare(std::size_t i);
   [[nodiscard]] double curvature(std::size_t i) const { return diagonal_[i]; }
   /// Half the descent of E along variable i at z = 0.
   [[nodiscard]] double pull(std::size_t i) const { return pull_[i]; }
@@ -48,7 +50,7 @@ class Quadratic {
   std::size_t variables_ = 0, rows_ = 0, slides_ = 0;
   std::vector<double> columns_, right_, diagonal_, pull_;
   double constant_ = 0;
-  std::vector<std::vector<double>> gram_;  ///< rows that were asked for; empty: not yet
+  std::vector<std::vector<double>> gram_;  ///< rows that are prepared; others are empty
 };
 
 }  // namespace penpose::intent

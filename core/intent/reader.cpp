@@ -94,8 +94,9 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
   }
   parameters_ = candidates;
   for (const std::size_t p : parameters_) ranges_.push_back(rig.parameters()[p].maximum - rig.parameters()[p].minimum);
+  for (std::size_t j = 0; j < parameters_.size(); ++j) all_.push_back(j);
   linear_ = true;
-  make_columns(problem.start);
+  make_columns(problem.start, all_);
 
   // Parameters that move no point by a hundred thousandth of the curves' extent are left out.
   geometry::Box box;
@@ -118,6 +119,7 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
   parameters_ = std::move(kept);
   ranges_ = std::move(kept_ranges);
   columns_ = std::move(kept_columns);
+  all_.resize(parameters_.size());
   make_units();
 }
 
@@ -193,9 +195,9 @@ std::vector<PxPoint> Reader::seen(const Block& block, std::span<const ModelPoint
   return out;
 }
 
-void Reader::make_columns(const rig::Pose& pose) {
+void Reader::make_columns(const rig::Pose& pose, std::span<const std::size_t> variables) {
   const std::size_t n = start_.size();
-  columns_.assign(parameters_.size() * n, ModelVector{0});
+  columns_.resize(parameters_.size() * n, ModelVector{0});
   if (linear_) {
     if (const auto columns = system_.columns(pose, parameters_)) {
       for (std::size_t j = 0; j < parameters_.size(); ++j) {
@@ -213,7 +215,7 @@ void Reader::make_columns(const rig::Pose& pose) {
   // Differences over a ten thousandth of the range, inwards.
   rig::Pose trial = pose;
   system_.positions(trial, positions_);
-  for (std::size_t j = 0; j < parameters_.size(); ++j) {
+  for (const std::size_t j : variables) {
     const std::size_t p = parameters_[j];
     const double middle = 0.5 * (rig_.parameters()[p].minimum + rig_.parameters()[p].maximum);
     const double step = pose[p] > middle ? -1e-4 : 1e-4;
@@ -236,9 +238,10 @@ rig::Pose Reader::pose_of(const Choice& choice) const {
   return pose;
 }
 
-void Reader::look(const Choice& at, bool slide, Quadratic& quadratic) {
+void Reader::look(const Choice& at, bool slide, Quadratic& quadratic, std::span<const std::size_t> only) {
   const rig::Pose pose = pose_of(at);
-  if (!linear_) make_columns(pose);
+  const std::span<const std::size_t> variables = only.empty() ? std::span<const std::size_t>(all_) : only;
+  if (!linear_) make_columns(pose, variables);
   system_.positions(pose, positions_);
   std::size_t rows = 0;
   std::size_t slides = 0;
@@ -253,15 +256,16 @@ void Reader::look(const Choice& at, bool slide, Quadratic& quadratic) {
   for (std::size_t i = 0; i < at.variables.size(); ++i) z[at.variables[i]] = at.values[i];
   for (Block& block : blocks_) {
     if (block.drawn) {
-      look_at_drawn(block, quadratic, z, slide);
+      look_at_drawn(block, quadratic, z, slide, variables);
     } else {
-      look_at_known(block, quadratic, z);
+      look_at_known(block, quadratic, z, variables);
     }
   }
-  quadratic.finish();
+  quadratic.finish(only);
 }
 
-void Reader::look_at_drawn(Block& block, Quadratic& quadratic, std::span<const double> at, bool slide) {
+void Reader::look_at_drawn(Block& block, Quadratic& quadratic, std::span<const double> at, bool slide,
+                           std::span<const std::size_t> variables) {
   const std::size_t n = start_.size();
   const std::vector<PxPoint> px = seen(block, positions_);
   block.matching = block.line->match(px, block.alignments[block.aligned], slide, block.doubt / std::sqrt(block.share));
@@ -288,7 +292,7 @@ void Reader::look_at_drawn(Block& block, Quadratic& quadratic, std::span<const d
     double rn = dot(off, across(m.tangent[i])) * root;
     double rt = (dot(off, m.tangent[i]) - m.slid[i]) * root;
     double rr = -glm::dot(ray, positions_[block.first + i] - start_[block.first + i]);
-    for (std::size_t j = 0; j < parameters_.size(); ++j) {
+    for (const std::size_t j : variables) {
       const ModelVector& c = columns_[j * n + block.first + i];
       const auto column = quadratic.column(j);
       column[row] = glm::dot(normal, c);
@@ -314,11 +318,12 @@ void Reader::look_at_drawn(Block& block, Quadratic& quadratic, std::span<const d
     }
     forward(block.factor, out);
   };
-  for (std::size_t j = 0; j < parameters_.size(); ++j) slides(quadratic.column(j));
+  for (const std::size_t j : variables) slides(quadratic.column(j));
   slides(quadratic.right());
 }
 
-void Reader::look_at_known(Block& block, Quadratic& quadratic, std::span<const double> at) {
+void Reader::look_at_known(Block& block, Quadratic& quadratic, std::span<const double> at,
+                           std::span<const std::size_t> variables) {
   const std::size_t n = start_.size();
   const double root = std::sqrt(block.share * k_looks / static_cast<double>(block.count)) / block.doubt;
   for (std::size_t i = 0; i < block.count; ++i) {
@@ -327,7 +332,7 @@ void Reader::look_at_known(Block& block, Quadratic& quadratic, std::span<const d
       const std::size_t row = block.row + 3 * i + axis;
       const int k = static_cast<int>(axis);
       double right = off[k];
-      for (std::size_t j = 0; j < parameters_.size(); ++j) {
+      for (const std::size_t j : variables) {
         const double c = columns_[j * n + block.first + i][k] * root;
         quadratic.column(j)[row] = c;
         if (at[j] != 0.0) right += c * at[j];

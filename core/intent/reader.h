@@ -18,7 +18,7 @@ namespace penpose::intent {
 /// stroke.
 inline constexpr double k_looks = 7.0;
 /// nu of the energy: beyond this many squares of doubt a curve is out of reach and counts by its logarithm.
-inline constexpr double k_reach = 60.0;
+inline constexpr double k_reach = 150.0;
 
 /// Reads a problem as squares near a pose: what all ways of solving it have in common. Variables are the free
 /// parameters that move a curve, as changes from the start in shares of their ranges. The rig, the whole model and the
@@ -46,8 +46,9 @@ class Reader {
   /// The pose of a choice: within all ranges.
   [[nodiscard]] rig::Pose pose_of(const Choice& choice) const;
   /// Sets up the squares around a choice; `slide`: points slide to where they fit (not in the first round, when the
-  /// curves are still apart). Each curve weighs as its last share (see weigh) says.
-  void look(const Choice& at, bool slide, Quadratic& quadratic);
+  /// curves are still apart); `only`: the variables in question, or none for all. Each curve weighs as its last share
+  /// (see weigh) says.
+  void look(const Choice& at, bool slide, Quadratic& quadratic, std::span<const std::size_t> only = {});
   /// The energy of a choice at its true pose, matching as last looked at. `costs`: what its units cost.
   double energy(const Choice& choice, double costs);
   /// The energy without costs, of an image: R z - r and P z - p of the last look.
@@ -76,10 +77,12 @@ class Reader {
     Matching matching;
     std::array<Matching::Modes, Matching::k_modes> factor{};  ///< Cholesky factor of what sliding costs
   };
-  void look_at_drawn(Block& block, Quadratic& quadratic, std::span<const double> at, bool slide);
-  void look_at_known(Block& block, Quadratic& quadratic, std::span<const double> at);
+  void look_at_drawn(Block& block, Quadratic& quadratic, std::span<const double> at, bool slide,
+                     std::span<const std::size_t> variables);
+  void look_at_known(Block& block, Quadratic& quadratic, std::span<const double> at,
+                     std::span<const std::size_t> variables);
   [[nodiscard]] std::vector<PxPoint> seen(const Block& block, std::span<const ModelPoint> positions) const;
-  void make_columns(const rig::Pose& pose);
+  void make_columns(const rig::Pose& pose, std::span<const std::size_t> variables);
   void make_units();
   /// D of a curve at positions of all points, not yet less for being out of reach.
   [[nodiscard]] double squares(const Block& block, std::span<const ModelPoint> positions) const;
@@ -92,6 +95,7 @@ class Reader {
   std::vector<Block> blocks_;
   std::vector<std::size_t> parameters_;
   std::vector<double> ranges_;
+  std::vector<std::size_t> all_;  ///< every variable
   Choices choices_;
   bool linear_ = false;
   std::vector<ModelVector> columns_;  ///< one run of points a variable, for its whole range

@@ -8,14 +8,35 @@
 namespace penpose::intent {
 namespace {
 
-/// A choice without the units that overlap `unit`, plus it, in ascending order.
-std::vector<std::size_t> with(const std::vector<std::size_t>& units, std::size_t unit, auto&& keep) {
-  std::vector<std::size_t> out;
-  for (const std::size_t one : units) {
-    if (keep(one)) out.push_back(one);
+/// Replaces a symmetric matrix by its lower Cholesky factor; false where it is not positive definite.
+bool factor_in_place(std::vector<double>& m, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const double least = 1e-12 * m[i * n + i];
+    for (std::size_t c = 0; c <= i; ++c) {
+      double sum = m[i * n + c];
+      for (std::size_t k = 0; k < c; ++k) sum -= m[i * n + k] * m[c * n + k];
+      if (i != c) {
+        m[i * n + c] = sum / m[c * n + c];
+      } else if (sum > least) {
+        m[i * n + i] = std::sqrt(sum);
+      } else {
+        return false;
+      }
+    }
   }
-  out.insert(std::lower_bound(out.begin(), out.end(), unit), unit);
-  return out;
+  return true;
+}
+
+/// Solves L L' x = b in place.
+void solve_factored(const std::vector<double>& l, std::size_t n, std::vector<double>& b) {
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < i; ++k) b[i] -= l[i * n + k] * b[k];
+    b[i] /= l[i * n + i];
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t k = i + 1; k < n; ++k) b[i] -= l[k * n + i] * b[k];
+    b[i] /= l[i * n + i];
+  }
 }
 
 }  // namespace
@@ -29,6 +50,10 @@ bool Selection::overlaps(std::size_t a, std::size_t b) const {
     }
   }
   return false;
+}
+
+bool Selection::overlaps(const Choice& choice, std::size_t unit) const {
+  return std::any_of(choice.units.begin(), choice.units.end(), [&](std::size_t one) { return overlaps(one, unit); });
 }
 
 double Selection::value_of(const Choice& choice, std::size_t variable) const {
@@ -54,22 +79,13 @@ double Selection::costs_of(const Choice& choice) const {
   return sum;
 }
 
-Choice Selection::fit(std::vector<std::size_t> units) {
-  ++evaluations_;
-  Choice choice;
-  choice.units = std::move(units);
-  for (const std::size_t u : choice.units) {
-    const Unit& unit = choices_.units[u];
-    choice.variables.insert(choice.variables.end(), unit.members.begin(), unit.members.begin() + unit.count);
-  }
-  std::sort(choice.variables.begin(), choice.variables.end());
+void Selection::set_up(const Choice& choice) {
   const std::size_t n = choice.variables.size();
-  choice.values.assign(n, 0.0);
-  matrix_.assign(n * n, 0.0);
-  descent_.resize(n);
+  matrix_.resize(n * n);
+  pulls_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t v = choice.variables[i];
-    descent_[i] = q_.pull(v);
+    pulls_[i] = q_.pull(v);
     for (std::size_t k = 0; k < i; ++k) matrix_[i * n + k] = matrix_[k * n + i] = q_.curvature(choice.variables[k], v);
     matrix_[i * n + i] = q_.curvature(v) + choices_.stiffness[v];
   }
@@ -87,6 +103,28 @@ Choice Selection::fit(std::vector<std::size_t> units) {
     matrix_[a * n + b] -= costs_.tie;
     matrix_[b * n + a] -= costs_.tie;
   }
+}
+
+void Selection::solve_within_ranges(Choice& choice) {
+  const std::size_t n = choice.variables.size();
+  choice.values.assign(n, 0.0);
+  solved_ = matrix_;
+  if (factor_in_place(solved_, n)) {
+    choice.values = pulls_;
+    solve_factored(solved_, n, choice.values);
+    bool inside = true;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t v = choice.variables[i];
+      inside = inside && choice.values[i] >= choices_.low[v] && choice.values[i] <= choices_.high[v];
+      choice.values[i] = std::clamp(choice.values[i], choices_.low[v], choices_.high[v]);
+    }
+    if (inside) return;
+  }
+  // Coordinate descent from the clamped solution.
+  descent_ = pulls_;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < n; ++k) descent_[k] -= choice.values[i] * matrix_[i * n + k];
+  }
   constexpr int k_sweeps = 200;
   for (int sweep = 0; sweep < k_sweeps; ++sweep) {
     double largest = 0;
@@ -103,12 +141,68 @@ Choice Selection::fit(std::vector<std::size_t> units) {
     }
     if (largest < 1e-6) break;
   }
-  // E = constant - 2 z'pull + z'Mz, and what is left of the descent is pull - Mz.
+}
+
+Choice Selection::fit(std::vector<std::size_t> units) {
+  ++evaluations_;
+  Choice choice;
+  choice.units = std::move(units);
+  for (const std::size_t u : choice.units) {
+    const Unit& unit = choices_.units[u];
+    choice.variables.insert(choice.variables.end(), unit.members.begin(), unit.members.begin() + unit.count);
+  }
+  std::sort(choice.variables.begin(), choice.variables.end());
+  set_up(choice);
+  solve_within_ranges(choice);
+  const std::size_t n = choice.variables.size();
   double energy = q_.constant();
-  for (std::size_t i = 0; i < n; ++i) energy -= choice.values[i] * (q_.pull(choice.variables[i]) + descent_[i]);
+  for (std::size_t i = 0; i < n; ++i) {
+    double image = 0;
+    for (std::size_t k = 0; k < n; ++k) image += matrix_[i * n + k] * choice.values[k];
+    energy += choice.values[i] * (image - 2.0 * pulls_[i]);
+  }
   choice.costs = costs_of(choice);
   choice.energy = energy + choice.costs;
   return choice;
+}
+
+Selection::Base Selection::base_of(Choice choice) {
+  for (const std::size_t v : choice.variables) q_.prepare(v);
+  set_up(choice);
+  Base base{std::move(choice), matrix_};
+  if (!factor_in_place(base.factor, base.choice.variables.size())) base.factor.clear();
+  return base;
+}
+
+double Selection::least_with(const Base& base, std::size_t added) {
+  const Unit& unit = choices_.units[added];
+  const std::size_t n = base.choice.variables.size();
+  double least = base.choice.energy + costs_.unit + (unit.tied ? costs_.pair : 0.0);
+  double curvature = 0;
+  for (std::size_t m = 0; m < unit.count; ++m) curvature = std::max(curvature, q_.curvature(unit.members[m]));
+  least += costs_.evidence * base::log(1.0 + std::max(0.0, curvature));
+  if (base.factor.empty() && n > 0) return -1e300;
+  // The descent along each member, and the curvature that is left of it when the base gives way (Schur complement).
+  // What members gain together is at most the sum over them for each left to itself times their number.
+  double gain = 0;
+  for (std::size_t m = 0; m < unit.count; ++m) {
+    const std::size_t v = unit.members[m];
+    double pull = q_.pull(v);
+    solved_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double c = q_.curvature(base.choice.variables[i], v);
+      pull -= c * base.choice.values[i];
+      solved_[i] = c;
+    }
+    double left = q_.curvature(v) + choices_.stiffness[v];
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t k = 0; k < i; ++k) solved_[i] -= base.factor[i * n + k] * solved_[k];
+      solved_[i] /= base.factor[i * n + i];
+      left -= solved_[i] * solved_[i];
+    }
+    if (left > 1e-9 * q_.curvature(v)) gain += pull * pull / left;
+  }
+  return least - gain * static_cast<double>(unit.count == 1 ? 1 : 2);
 }
 
 void Selection::consider(std::vector<std::size_t> units, Choice& best) {
@@ -117,33 +211,40 @@ void Selection::consider(std::vector<std::size_t> units, Choice& best) {
   if (tried.energy < best.energy - 1e-9) best = std::move(tried);
 }
 
+void Selection::try_all(const Base& base, Choice& best, std::size_t most) {
+  if (base.choice.units.size() >= most) return;
+  for (std::size_t u = 0; u < choices_.units.size(); ++u) {
+    if (overlaps(base.choice, u)) continue;
+    if (least_with(base, u) > best.energy + rival_window_) continue;
+    auto units = base.choice.units;
+    units.insert(std::lower_bound(units.begin(), units.end(), u), u);
+    consider(std::move(units), best);
+  }
+}
+
 Choice Selection::select(Choice first, std::size_t most) {
   Choice current = std::move(first);
   constexpr int k_rounds = 40;
   for (int round = 0; round < k_rounds; ++round) {
     rivals_.clear();
     Choice best = current;
-    for (std::size_t u = 0; u < choices_.units.size(); ++u) {
-      if (std::binary_search(current.units.begin(), current.units.end(), u)) continue;
-      const auto apart = [&](std::size_t one) { return !overlaps(one, u); };
-      auto added = with(current.units, u, apart);
-      if (added.size() <= most) consider(added, best);
-      for (const std::size_t out : current.units) {
-        if (!apart(out)) continue;
-        consider(with(current.units, u, [&](std::size_t one) { return one != out && apart(one); }), best);
-      }
-    }
+    try_all(base_of(current), best, most);
     for (const std::size_t out : current.units) {
       auto fewer = current.units;
       std::erase(fewer, out);
-      consider(std::move(fewer), best);
+      Choice without = fit(std::move(fewer));
+      if (rival_count_ > 0) rivals_.push_back(without);
+      if (without.energy < best.energy - 1e-9) best = without;
+      try_all(base_of(std::move(without)), best, most);
     }
     if (!(best.energy < current.energy - 1e-9)) break;
     current = std::move(best);
   }
+  std::erase_if(rivals_, [&](const Choice& one) {
+    return one.energy > current.energy + rival_window_ || one.units == current.units;
+  });
   std::stable_sort(rivals_.begin(), rivals_.end(),
                    [](const Choice& a, const Choice& b) { return a.energy < b.energy; });
-  std::erase_if(rivals_, [&](const Choice& one) { return one.energy > current.energy + rival_window_; });
   if (rivals_.size() > rival_count_) rivals_.resize(rival_count_);
   return current;
 }

@@ -53,7 +53,7 @@ class Selection {
   Selection(Quadratic& quadratic, const Choices& choices, const Costs& costs)
       : q_(quadratic), choices_(choices), costs_(costs) {}
 
-  /// The least energy of these units: least squares within the ranges, by coordinate descent.
+  /// The least energy of these units: least squares within the ranges.
   [[nodiscard]] Choice fit(std::vector<std::size_t> units);
   /// The best choice found from a first one on: units are added, exchanged and taken out, one at a time, while that
   /// lowers the energy. `most`: units at most. Deterministic: equal energies keep the choice that came first.
@@ -69,9 +69,23 @@ class Selection {
   [[nodiscard]] double costs_of(const Choice& choice) const;
 
  private:
+  /// A choice that units are added to: its matrix factored, so that what one more could gain is known at once.
+  struct Base {
+    Choice choice;
+    std::vector<double> factor;  ///< lower Cholesky factor of the choice's matrix, by rows
+  };
   [[nodiscard]] double unit_cost(const Unit& unit, const Choice& choice) const;
   [[nodiscard]] double value_of(const Choice& choice, std::size_t variable) const;
   [[nodiscard]] bool overlaps(std::size_t a, std::size_t b) const;
+  [[nodiscard]] bool overlaps(const Choice& choice, std::size_t unit) const;
+  /// Fills matrix_ and pulls_ for a choice's variables.
+  void set_up(const Choice& choice);
+  void solve_within_ranges(Choice& choice);
+  [[nodiscard]] Base base_of(Choice choice);
+  /// The energy of the base with a unit added is no lower than this, but for variables of the base that stand at an end
+  /// of their range.
+  [[nodiscard]] double least_with(const Base& base, std::size_t unit);
+  void try_all(const Base& base, Choice& best, std::size_t most);
   void consider(std::vector<std::size_t> units, Choice& best);
 
   Quadratic& q_;
@@ -81,7 +95,7 @@ class Selection {
   std::size_t rival_count_ = 0;
   double rival_window_ = 0;
   std::size_t evaluations_ = 0;
-  std::vector<double> matrix_, descent_;
+  std::vector<double> matrix_, pulls_, descent_, solved_;
 };
 
 }  // namespace penpose::intent

@@ -75,18 +75,19 @@ class Solver {
   /// A choice of units with matching of its own, and what it comes to.
   Reading matched(Choice choice) {
     for (int k = 0; k < 2; ++k) {
-      reader_.look(choice, true, b_.quadratic);
+      if (choice.variables.empty()) break;
+      reader_.look(choice, true, b_.quadratic, choice.variables);
       Selection selection(b_.quadratic, reader_.choices(), reader_.costs());
       choice = trusted(choice, selection.fit(choice.units));
       evaluations += selection.evaluations();
     }
-    reader_.look(choice, true, b_.quadratic);
+    reader_.look(choice, true, b_.quadratic, choice.variables);
     return {choice, reader_.energy(choice, choice.costs)};
   }
 
   /// Downhill simplex on the values of the last reading.
   void search(Reading& reading) {
-    reader_.look(reading.choice, true, b_.quadratic);
+    reader_.look(reading.choice, true, b_.quadratic, reading.choice.variables);
     const Selection selection(b_.quadratic, reader_.choices(), reader_.costs());
     evaluations += search_values(reader_, b_.quadratic, selection, reading.choice,
                                  60 * (reading.choice.variables.size() + 1), b_.simplex);

@@ -58,7 +58,7 @@ class Workspace {
 ///   sum over curves of nu log(1 + D / nu)  +  sum over the controls that move of their cost (Costs)
 ///
 /// where D are squared distances in widths of doubt: across the drawn line and along it, what points may slide along it
-/// taken back (SlidingLine), next to nothing along the ray; nu = 60 makes what no control can reach count little more.
+/// taken back (SlidingLine), next to nothing along the ray; nu = 150 makes what no control can reach count little more.
 /// Matching and choosing alternate; downhill simplex searches the values of what is chosen, least squares finish it.
 /// Stops count evaluations, never time. Errors: those of check_problem. `whole` is that of the rig.
 [[nodiscard]] base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,

@@ -45,8 +45,8 @@ std::vector<geometry::ModelPoint> rest_positions(const document::Model& model) {
 
 /// Where a target that is known goes is exact but for what files round; as a share of what is drawn.
 constexpr double k_exact = 5e-4;
-/// A hand strays by this share of what its view shows (2.5 of 700 px).
-constexpr double k_hand = 3.5e-3;
+/// A hand strays by this share of what its view shows (2.1 of 700 px).
+constexpr double k_hand = 3.0e-3;
 
 }  // namespace
 
