@@ -398,6 +398,11 @@ double Reader::energy_of_image(std::span<const double> image, std::size_t rows) 
   return sum;
 }
 
+double Reader::squares_of(std::size_t c, const Choice& choice) {
+  system_.positions(pose_of(choice), positions_);
+  return squares(blocks_[c], positions_);
+}
+
 void Reader::weigh(const Choice& choice) {
   system_.positions(pose_of(choice), positions_);
   for (Block& block : blocks_) block.share = 1.0 / (1.0 + squares(block, positions_) / k_reach);

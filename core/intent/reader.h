@@ -53,6 +53,8 @@ class Reader {
   double energy(const Choice& choice, double costs);
   /// The energy without costs, of an image: R z - r and P z - p of the last look.
   [[nodiscard]] double energy_of_image(std::span<const double> image, std::size_t rows) const;
+  /// D of drawn curve c alone.
+  double squares_of(std::size_t c, const Choice& choice);
   /// Curves that are out of reach at a choice weigh less from the next look on.
   void weigh(const Choice& choice);
 

@@ -53,10 +53,12 @@ Modes modes_at(double share, double length, bool closed) {
             size * 0.5 * base::cos(2.0 * a),
             0.0};
   }
-  Modes modes{size * (1.0 - share), size * share};
-  for (std::size_t m = 1; m <= 4; ++m)
-    modes[m + 1] = size / static_cast<double>(m) * base::sin(base::k_pi * share * static_cast<double>(m));
-  return modes;
+  // Sines of the single to the fourfold angle.
+  const double s1 = base::sin(base::k_pi * share);
+  const double s2 = 2.0 * s1 * base::cos(base::k_pi * share);
+  const double s3 = s1 * (3.0 - 4.0 * s1 * s1);
+  const double s4 = 2.0 * s2 * (1.0 - 2.0 * s1 * s1);
+  return {size * (1.0 - share), size * share, size * s1, size / 2.0 * s2, size / 3.0 * s3, size / 4.0 * s4};
 }
 
 double times(const Modes& a, const Modes& b) {

@@ -25,6 +25,8 @@ namespace {
 constexpr double k_beyond_chain = 60.0;
 /// Rivals are those within this of the best energy.
 constexpr double k_rival_window = 12.0;
+/// A curve with no more squares than this fits as it is aligned: about twice what a steady hand leaves.
+constexpr double k_fits = 24.0;
 /// A joint's squares hold near the pose where they were taken: most that an angle changes in a round, share of its
 /// range.
 constexpr double k_trust = 0.2;
@@ -118,6 +120,7 @@ Reading best_alignment(Reader& reader, Solver& solver, std::size_t drawn) {
   Reading best = solver.read();
   for (std::size_t c = 0; c < drawn; ++c) {
     std::size_t chosen = reader.aligned(c);
+    if (reader.alignments(c).size() < 2 || reader.squares_of(c, best.choice) < k_fits) continue;
     for (std::size_t a = 1; a < reader.alignments(c).size(); ++a) {
       reader.align(c, a);
       Reading one = solver.read();
