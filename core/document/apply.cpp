@@ -32,6 +32,14 @@ const geometry::TriangleBvh& ApplyWorkspace::Parts::surface_of(const Document& d
   return *tree_;
 }
 
+const intent::WholeModel& ApplyWorkspace::Parts::whole_of(const Document& document) {
+  if (whole_rig_ != document.model->rig) {
+    whole_ = intent::measure_whole_model(*document.model->rig);
+    whole_rig_ = document.model->rig;
+  }
+  return whole_;
+}
+
 base::Result<std::shared_ptr<const articulation::Canvas>> ApplyWorkspace::Parts::canvas_of(const Document& document) {
   const Model& model = *document.model;
   if (canvas_ && canvas_mesh_ == model.mesh && canvas_skeleton_ == model.skeleton) return canvas_;

@@ -5,7 +5,7 @@
 #include "core/base/result.h"
 #include "core/document/command.h"
 #include "core/document/document.h"
-#include "core/posing/problem.h"
+#include "core/document/pose_problem.h"
 
 namespace penpose::document {
 
@@ -27,14 +27,6 @@ class ApplyWorkspace {
 /// The document after a command. The same document and command give the same bits on any machine (method, section 5).
 /// Errors say what is wrong with the command; the place is a member of it or empty.
 [[nodiscard]] base::Result<Document> apply(const Document& document, const Command& command, ApplyWorkspace& work);
-
-/// The most references that are brought to their targets at a time, the latest ones. Who draws more has long gone on to
-/// another expression; without a bound every stroke of a long session would cost more than the one before.
-inline constexpr std::size_t k_most_pairs = 48;
-
-/// What the drawn curves of a document ask of the solver: the latest references that have a target, every constraint,
-/// all parameters free that are not locked, starting from the pose as it is.
-[[nodiscard]] posing::PoseProblem pose_problem(const Document& document);
 
 /// A line as it would have been drawn through the same camera on a picture of another size: both show the same height
 /// of the scene, so that the same rays go through it.

@@ -8,6 +8,7 @@
 #include "core/document/command.h"
 #include "core/document/document.h"
 #include "core/geometry/bvh.h"
+#include "core/intent/solve.h"
 #include "core/posing/solve.h"
 
 // What the application of single commands has in common.
@@ -16,6 +17,10 @@ namespace penpose::document {
 
 struct ApplyWorkspace::Parts {
   posing::SolveWorkspace solve;
+  intent::Workspace meant;
+
+  /// What the controls of the document's rig do to the whole model.
+  const intent::WholeModel& whole_of(const Document& document);
 
   /// The search tree over the surface as the document is posed.
   const geometry::TriangleBvh& surface_of(const Document& document);
@@ -23,6 +28,8 @@ struct ApplyWorkspace::Parts {
   base::Result<std::shared_ptr<const articulation::Canvas>> canvas_of(const Document& document);
 
  private:
+  std::shared_ptr<const rig::CharacterRig> whole_rig_;
+  intent::WholeModel whole_;
   std::shared_ptr<const mesh::TriangleMesh> tree_mesh_;
   std::shared_ptr<const rig::CharacterRig> tree_rig_;
   rig::Pose tree_pose_;

@@ -6,35 +6,25 @@
 #include "core/curve/pairing.h"
 #include "core/curve/projection.h"
 #include "core/document/apply_parts.h"
+#include "core/document/pose_problem.h"
 #include "core/document/target_line.h"
 #include "core/geometry/lasso.h"
-#include "core/posing/problem.h"
 
 namespace penpose::document {
 namespace {
 
 using geometry::ModelPoint;
 
-/// Points of the solver for points on the mesh.
-std::vector<posing::CurvePoint> curve_points(const Document& document, const std::vector<mesh::MeshPoint>& points) {
-  std::vector<posing::CurvePoint> out;
-  for (const mesh::MeshPoint& point : points) {
-    out.push_back(posing::at_mesh_point(point, document.model->mesh->triangles()));
-  }
-  return out;
-}
-
-std::vector<std::size_t> free_parameters(const Document& document) {
-  std::vector<std::size_t> free;
-  const auto parameters = document.model->rig->parameters();
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (!std::binary_search(document.locked.begin(), document.locked.end(), parameters[i].name)) free.push_back(i);
-  }
-  return free;
-}
-
 /// Brings all references to their targets; a document with no target, or nothing that may move, keeps its pose.
-Changed solved(Document document, Parts& work) {
+Changed solved(Document document, std::uint32_t rules, Parts& work) {
+  if (rules >= k_meant_rules) {
+    const intent::IntentProblem problem = intent_problem(document);
+    if ((problem.drawn.empty() && problem.known.empty()) || problem.free.empty()) return document;
+    auto solution = intent::solve(*document.model->rig, work.whole_of(document), problem, {}, work.meant);
+    if (!solution) return solution.error();
+    document.pose = std::move(solution->pose);
+    return document;
+  }
   posing::PoseProblem problem = pose_problem(document);
   if (problem.pairs.empty() || problem.free.empty()) return document;
   auto solution = posing::solve(*document.model->rig, problem, {}, work.solve);
@@ -88,12 +78,12 @@ base::Result<const PoseCurve*> reference_named(const Document& document, CurveId
 
 /// Gives a reference another target, and solves.
 Changed retargeted(const Document& document, const PoseCurve& curve, const View& view, const std::vector<PxPoint>& line,
-                   const std::vector<double>& pressure, Parts& work) {
+                   const std::vector<double>& pressure, std::uint32_t rules, Parts& work) {
   auto target = make_target(positions_of(document, curve.points), view, line, pressure);
   if (!target) return target.error();
   PoseCurve other = curve;
   other.target = std::move(target).value();
-  return solved(with_replaced(document, std::move(other)), work);
+  return solved(with_replaced(document, std::move(other)), rules, work);
 }
 
 /// The drawn line of a target as another view shows it, through its points in space where the view has changed.
@@ -141,25 +131,6 @@ std::vector<ModelPoint> positions_of(const Document& document, const std::vector
   return out;
 }
 
-posing::PoseProblem pose_problem(const Document& document) {
-  posing::PoseProblem problem;
-  problem.start = document.pose;
-  problem.free = free_parameters(document);
-  const auto paired = std::count_if(document.curves.begin(), document.curves.end(),
-                                    [](const auto& curve) { return curve->target.has_value(); });
-  auto left_out = std::max<std::ptrdiff_t>(0, paired - static_cast<std::ptrdiff_t>(k_most_pairs));
-  for (const auto& curve : document.curves) {
-    if (curve->target && left_out-- > 0) continue;
-    if (curve->role == PoseCurveRole::constraint) {
-      problem.constraints.push_back({curve_points(document, curve->points), curve->kept});
-    } else if (curve->target) {
-      problem.pairs.push_back({curve_points(document, curve->points), curve->target->points,
-                               document.pressure_weighting ? curve->target->weights : std::vector<double>()});
-    }
-  }
-  return problem;
-}
-
 Changed run(const Document& document, const DrawReference& command, Parts& work) {
   auto points = drawn_on_surface(document, command.view, command.line, work);
   if (!points) return points.error();
@@ -171,7 +142,7 @@ Changed run(const Document& document, const DrawReference& command, Parts& work)
 Changed run(const Document& document, const DrawTarget& command, Parts& work) {
   const auto curve = reference_named(document, command.curve, false);
   if (!curve) return curve.error();
-  return retargeted(document, **curve, command.view, command.line, command.pressure, work);
+  return retargeted(document, **curve, command.view, command.line, command.pressure, command.rules, work);
 }
 
 Changed run(const Document& document, const OversketchTarget& command, Parts& work) {
@@ -183,13 +154,13 @@ Changed run(const Document& document, const OversketchTarget& command, Parts& wo
     if (!over) return over.error();
     PoseCurve other = **curve;
     other.target = std::move(over).value();
-    return solved(with_replaced(document, std::move(other)), work);
+    return solved(with_replaced(document, std::move(other)), command.rules, work);
   }
   const auto before = line_in(*(*curve)->target, command.view);
   if (!before) return before.error();
   const auto line = oversketched(*before, command.line);
   if (!line) return line.error();
-  return retargeted(document, **curve, command.view, line->points, line->pressure, work);
+  return retargeted(document, **curve, command.view, line->points, line->pressure, command.rules, work);
 }
 
 Changed run(const Document& document, const DragTarget& command, Parts& work) {
@@ -201,7 +172,7 @@ Changed run(const Document& document, const DragTarget& command, Parts& work) {
   const DrawnTarget& target = *(*curve)->target;
   std::vector<PxPoint> line = target.line;
   for (PxPoint& p : line) p = p + command.by;
-  return retargeted(document, **curve, target.view, line, target.pressure, work);
+  return retargeted(document, **curve, target.view, line, target.pressure, command.rules, work);
 }
 
 Changed run(const Document& document, const DrawConstraint& command, Parts& work) {
@@ -264,7 +235,9 @@ Changed run(const Document& document, const ClearCurves&, Parts&) {
   return changed;
 }
 
-Changed run(const Document& document, const SolvePose&, Parts& work) { return solved(document, work); }
+Changed run(const Document& document, const SolvePose& command, Parts& work) {
+  return solved(document, command.rules, work);
+}
 
 Changed run(const Document& document, const SetPressureWeighting& command, Parts&) {
   Document changed = document;

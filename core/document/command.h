@@ -23,6 +23,10 @@ namespace penpose::document {
 
 using curve::PxPoint;
 
+/// The rules from which on a pose is solved for what was meant (core/intent). Older sessions were drawn for the lowest
+/// sum of distances and replay so, to the bit.
+inline constexpr std::uint32_t k_meant_rules = 2;
+
 /// A parameter and its value.
 struct NamedValue {
   std::string name;
@@ -89,12 +93,14 @@ struct DrawTarget {
   View view;
   std::vector<PxPoint> line;
   std::vector<double> pressure;  ///< 0..1, one a point of the line; empty: all 1
+  std::uint32_t rules = 0;       ///< from k_meant_rules on: solved for what was meant
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("curve", self.curve);
     visit("view", self.view);
     visit("line", self.line);
     visit("pressure", self.pressure);
+    visit("rules", self.rules);
   }
   friend bool operator==(const DrawTarget&, const DrawTarget&) = default;
 };
@@ -105,7 +111,7 @@ struct OversketchTarget {
   CurveId curve;
   View view;
   std::vector<PxPoint> line;
-  std::uint32_t rules = 0;  ///< from 1 on: what is not drawn over stays where it is
+  std::uint32_t rules = 0;  ///< from 1 on: what is not drawn over stays where it is; else as DrawTarget
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("curve", self.curve);
@@ -121,10 +127,12 @@ struct DragTarget {
   static constexpr std::string_view k_name = "drag_target";
   CurveId curve;
   PxPoint by;
+  std::uint32_t rules = 0;  ///< as DrawTarget
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("curve", self.curve);
     visit("by", self.by);
+    visit("rules", self.rules);
   }
   friend bool operator==(const DragTarget&, const DragTarget&) = default;
 };
@@ -200,8 +208,11 @@ struct ClearCurves {
 /// Solves the curves that are there, from the pose as it is.
 struct SolvePose {
   static constexpr std::string_view k_name = "solve_pose";
+  std::uint32_t rules = 0;  ///< as DrawTarget
   template <typename Self>
-  static void fields(Self&, auto&&) {}
+  static void fields(Self& self, auto&& visit) {
+    visit("rules", self.rules);
+  }
   friend bool operator==(const SolvePose&, const SolvePose&) = default;
 };
 

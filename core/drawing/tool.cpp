@@ -67,8 +67,9 @@ std::vector<double> pressure_of(const curve::Stroke& stroke) {
   return pressure;
 }
 
-document::DrawTarget target_of(CurveId curve, const document::View& view, const curve::Stroke& stroke) {
-  return {curve, view, curve::positions_of(stroke), pressure_of(stroke)};
+document::DrawTarget target_of(CurveId curve, const document::View& view, const curve::Stroke& stroke,
+                               std::uint32_t rules) {
+  return {curve, view, curve::positions_of(stroke), pressure_of(stroke), rules};
 }
 
 }  // namespace
@@ -104,13 +105,13 @@ base::Result<document::Command> command_of(const Document& document, const Tool&
   const auto waiting = first_without_target(document);
   switch (tool.kind) {
     case ToolKind::pose:
-      if (waiting) return Command(target_of(*waiting, view, stroke));
+      if (waiting) return Command(target_of(*waiting, view, stroke, tool.rules));
       return Command(document::DrawReference{view, std::move(line)});
     case ToolKind::reference:
       return Command(document::DrawReference{view, std::move(line)});
     case ToolKind::target:
-      if (tool.curve) return Command(target_of(tool.curve, view, stroke));
-      if (waiting) return Command(target_of(*waiting, view, stroke));
+      if (tool.curve) return Command(target_of(tool.curve, view, stroke, tool.rules));
+      if (waiting) return Command(target_of(*waiting, view, stroke, tool.rules));
       return base::Error{"no reference curve waits for a target", "", "draw a reference curve first"};
     case ToolKind::oversketch: {
       const auto last = tool.curve ? std::optional(tool.curve) : last_with_target(document);

@@ -16,7 +16,7 @@ using geometry::PxPoint;
 
 /// How far a practised hand strays from the line that was meant, px of a view 1000 px high. It grows with the height,
 /// so that a dense screen behaves like any other.
-inline constexpr double k_doubt_px = 2.5;
+inline constexpr double k_doubt_px = 2.2;
 [[nodiscard]] double doubt_px(geometry::Viewport viewport);
 
 /// The width of doubt of one stroke: what the hand is given, but at most a fiftieth of the stroke's length (and at

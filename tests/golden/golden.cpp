@@ -1,5 +1,6 @@
-// golden HASHES THREADS SESSION|FOLDER...: replays every session named or in a folder named, 200 random ones, and 40 in
-// which every command of the list comes as often as any other, prints the hash of the state at each session's end, and
+// golden HASHES THREADS SESSION|FOLDER...: replays every session named or in a folder named, 200 random ones, and twice
+// 40 in which every command of the list comes as often as any other (by the rules before and since poses are solved for
+// what was meant), prints the hash of the state at each session's end, and
 // compares them with a file of lines "NAME HASH". With --print in place of the file it prints such a file. The text of
 // a random session holds the state after each of its strokes and commands, so that its hash stands for all.
 
@@ -26,7 +27,7 @@ using namespace penpose;  // NOLINT(google-build-using-namespace): a program of 
 
 constexpr std::uint64_t k_random_sessions = 200;
 constexpr std::size_t k_actions = 25;
-/// Sessions in which every command of the list comes as often as any other, under the rules of today.
+/// Sessions in which every command of the list comes as often as any other.
 constexpr std::uint64_t k_knowing_sessions = 40;
 constexpr std::size_t k_knowing_actions = 80;
 
@@ -49,10 +50,10 @@ base::Result<std::string> replayed(const std::string& text) {
   return played->session->editor().state().whole.hex();
 }
 
-template <typename Hand>
-base::Result<std::string> random_session(std::uint64_t seed, std::size_t actions) {
+template <typename Hand, typename... Rules>
+base::Result<std::string> random_session(std::uint64_t seed, std::size_t actions, Rules... rules) {
   tests::SessionScript script(document::make_document(tests::sheet_model()), "test-sheet");
-  Hand(script, seed).run(actions);
+  Hand(script, seed, rules...).run(actions);
   const auto again = replayed(script.text());
   if (!again) return again.error();
   if (*again != script.editor().state().whole.hex()) return base::Error{"replays to another state", "", ""};
@@ -92,19 +93,28 @@ std::map<std::string, std::string> all_hashes(const std::map<std::string, std::f
     keep(name, replayed(text));
   }
   // As many at a time as there are threads: nothing that one does may show in another.
-  constexpr std::uint64_t k_all = k_random_sessions + k_knowing_sessions;
+  constexpr std::uint64_t k_all = k_random_sessions + 2 * k_knowing_sessions;
   std::vector<base::Result<std::string>> random(k_all, std::string());
   base::parallel_for(k_all, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      random[i] = i < k_random_sessions ? random_session<tests::RandomHand>(i, k_actions)
-                                        : random_session<tests::KnowingHand>(i - k_random_sessions, k_knowing_actions);
+      if (i < k_random_sessions) {
+        random[i] = random_session<tests::RandomHand>(i, k_actions);
+        continue;
+      }
+      const std::uint64_t seed = (i - k_random_sessions) % k_knowing_sessions;
+      const std::uint32_t rules = i < k_random_sessions + k_knowing_sessions ? 1 : document::k_meant_rules;
+      random[i] = random_session<tests::KnowingHand>(seed, k_knowing_actions, rules);
     }
   });
   for (std::size_t i = 0; i < k_all; ++i) {
     char name[16];
     const bool knows = i >= k_random_sessions;
-    std::snprintf(name, sizeof name, knows ? "every-%03d" : "random-%03d",
-                  static_cast<int>(knows ? i - k_random_sessions : i));
+    const bool meant = i >= k_random_sessions + k_knowing_sessions;
+    std::snprintf(name, sizeof name,
+                  meant   ? "meant-%03d"
+                  : knows ? "every-%03d"
+                          : "random-%03d",
+                  static_cast<int>(knows ? (i - k_random_sessions) % k_knowing_sessions : i));
     keep(name, random[i]);
   }
   return hashes;

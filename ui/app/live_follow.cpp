@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/document/apply.h"
+#include "core/document/pose_problem.h"
 #include "core/document/target_line.h"
 
 namespace penpose::app {
@@ -25,6 +26,11 @@ document::DrawnTarget seen_from(const document::DrawnTarget& target, const docum
     seen.pressure.push_back(i < target.weights.size() ? target.weights[i] / strongest : 1.0);
   }
   return seen;
+}
+
+geometry::Camera camera_of(const document::View& view) {
+  // Precondition: it was made before.
+  return *geometry::Camera::make(view.camera, view.viewport);
 }
 
 std::optional<document::CurveId> curve_of(const document::Command& command) {
@@ -57,26 +63,23 @@ void LiveFollow::start(const document::Document& document, const document::PoseC
                        const document::View& view) {
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!camera) return;
-  const auto triangles = document.model->mesh->triangles();
-  const auto points_of = [&](const document::PoseCurve& one) {
-    std::vector<posing::CurvePoint> points;
-    for (const auto& point : one.points) points.push_back(posing::at_mesh_point(point, triangles));
-    return points;
-  };
-  posing::PoseProblem whole = document::pose_problem(document);
-  posing::LiveSetup setup{
-      points_of(curve), std::move(whole.constraints), std::move(whole.free), std::move(whole.start), *camera, {}};
+  intent::IntentProblem problem = document::intent_problem(document);
+  problem.drawn.clear();
+  const double hand = intent::doubt_px(view.viewport);
+  problem.drawn.push_back({document::curve_points(document, curve.points), *camera, {}, hand, {}});
   // Targets of other references hold their curves where they are wanted, as the solve at pen-up will.
-  for (const auto& other : document.curves) {
-    if (other->id == curve.id || !other->target) continue;
-    setup.constraints.push_back({points_of(*other), other->target->points});
+  document::Document others = document;
+  std::erase_if(others.curves, [&](const auto& one) { return one->id == curve.id; });
+  for (auto& one : document::intent_problem(others).drawn) problem.drawn.push_back(std::move(one));
+  if (whole_rig_ != document.model->rig) {
+    whole_model_ = intent::measure_whole_model(*document.model->rig);
+    whole_rig_ = document.model->rig;
   }
-  auto poser = posing::LivePoser::start(*document.model->rig, std::move(setup));
+  auto poser = intent::LivePoser::start(*document.model->rig, whole_model_, std::move(problem));
   if (!poser) return;
   model_ = document.model;
   curve_ = curve.id;
   view_ = view;
-  by_pressure_ = document.pressure_weighting;
   reference_ = document::positions_of(document, curve.points);
   if (curve.target) whole_ = seen_from(*curve.target, view, *camera);
   poser_.emplace(std::move(*poser));
@@ -85,7 +88,7 @@ void LiveFollow::start(const document::Document& document, const document::PoseC
 bool LiveFollow::follow(const curve::Stroke& stroke) {
   if (!poser_ || stroke.size() < 2) return false;
   const auto line = curve::positions_of(stroke);
-  if (!before_) return poser_->follow(line).evaluations > 0;
+  if (!before_) return poser_->follow(line).solved;
   const auto merged = document::drawn_over(*before_, reference_, view_, line);
   if (merged) target_ = *merged;
   return follow_target(merged);
@@ -100,8 +103,8 @@ bool LiveFollow::drag(curve::PxPoint by) {
 
 bool LiveFollow::follow_target(const base::Result<document::DrawnTarget>& target) {
   if (!target) return false;
-  const std::span<const double> weights = by_pressure_ ? target->weights : std::span<const double>();
-  return poser_->follow_points(target->points, weights).evaluations > 0;
+  return poser_->follow_whole(target->view == view_ ? target->line : seen_from(*target, view_, camera_of(view_)).line)
+      .solved;
 }
 
 void LiveFollow::end() {
@@ -115,10 +118,11 @@ void LiveFollow::end() {
 
 document::Command drag_command(const document::PoseCurve& curve, const document::View& view, curve::PxPoint by) {
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
-  if (!curve.target || curve.target->view == view || !camera) return document::DragTarget{curve.id, by};
+  if (!curve.target || curve.target->view == view || !camera)
+    return document::DragTarget{curve.id, by, drawing::k_rules};
   // It was drawn in another view: what is seen now, moved, is drawn in this one.
   const document::DrawnTarget seen = seen_from(*curve.target, view, *camera);
-  document::DrawTarget drawn{curve.id, view, seen.line, seen.pressure};
+  document::DrawTarget drawn{curve.id, view, seen.line, seen.pressure, drawing::k_rules};
   for (curve::PxPoint& p : drawn.line) p = p + by;
   return drawn;
 }

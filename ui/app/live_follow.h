@@ -8,7 +8,7 @@
 #include "core/document/command.h"
 #include "core/document/document.h"
 #include "core/drawing/tool.h"
-#include "core/posing/live_pose.h"
+#include "core/intent/live.h"
 
 namespace penpose::app {
 
@@ -44,9 +44,10 @@ class LiveFollow {
   std::optional<document::DrawnTarget> before_;  ///< oversketch: the target as it was
   std::optional<document::DrawnTarget> target_;  ///< and as it would be
   document::View view_;
-  std::vector<geometry::ModelPoint> reference_;  ///< its points before the stroke
-  bool by_pressure_ = false;
-  std::optional<posing::LivePoser> poser_;
+  std::vector<geometry::ModelPoint> reference_;         ///< its points before the stroke
+  std::shared_ptr<const rig::CharacterRig> whole_rig_;  ///< what whole_model_ was measured on
+  intent::WholeModel whole_model_;
+  std::optional<intent::LivePoser> poser_;
 };
 
 /// What dropping a target that was dragged by some px of a view means.

@@ -14,10 +14,11 @@ namespace penpose::tests {
 /// something. A command that is added to the list and is not made here does not compile.
 class KnowingHand {
  public:
-  KnowingHand(SessionScript& script, std::uint64_t seed) : script_(script), random_(seed), hand_(script, seed + 7777) {
+  KnowingHand(SessionScript& script, std::uint64_t seed, std::uint32_t rules = drawing::k_rules)
+      : script_(script), random_(seed), hand_(script, seed + 7777), rules_(rules) {
     // As the app draws: taps mean nothing, and what is not drawn over stays where it is.
     drawing::Tool tool;
-    tool.rules = drawing::k_rules;
+    tool.rules = rules_;
     static_cast<void>(script_.act(replay::ToolChosen{tool}));
   }
 
@@ -68,18 +69,18 @@ class KnowingHand {
   }
   document::Command make(Tag<document::DrawReference>) { return document::DrawReference{view(), hand_.line()}; }
   document::Command make(Tag<document::DrawTarget>) {
-    document::DrawTarget command{curve(false), view(), hand_.line(), {}};
+    document::DrawTarget command{curve(false), view(), hand_.line(), {}, meant()};
     for (std::size_t i = 0; pressed_ && i < command.line.size(); ++i) command.pressure.push_back(random_.real(0.1, 1));
     pressed_ = !pressed_;
     return command;
   }
   document::Command make(Tag<document::OversketchTarget>) {
-    return document::OversketchTarget{curve(true), view(), along_target(), random_.chance(0.5) ? 1U : 0U};
+    return document::OversketchTarget{curve(true), view(), along_target(), random_.chance(0.5) ? rules_ : 0U};
   }
   document::Command make(Tag<document::DragTarget>) {
     const document::CurveId id = curve(true);
     const double x = random_.real(-30, 30);
-    return document::DragTarget{id, {x, random_.real(-30, 30)}};
+    return document::DragTarget{id, {x, random_.real(-30, 30)}, meant()};
   }
   document::Command make(Tag<document::DrawConstraint>) { return document::DrawConstraint{view(), hand_.line()}; }
   document::Command make(Tag<document::Pin>) { return document::Pin{view(), hand_.line().front()}; }
@@ -90,7 +91,7 @@ class KnowingHand {
   }
   document::Command make(Tag<document::EraseCurves>) { return document::EraseCurves{view(), along_target()}; }
   document::Command make(Tag<document::ClearCurves>) { return document::ClearCurves{}; }
-  document::Command make(Tag<document::SolvePose>) { return document::SolvePose{}; }
+  document::Command make(Tag<document::SolvePose>) { return document::SolvePose{meant()}; }
   document::Command make(Tag<document::SetPressureWeighting>) {
     return document::SetPressureWeighting{!doc().pressure_weighting};
   }
@@ -173,12 +174,14 @@ class KnowingHand {
     const auto kind = static_cast<drawing::ToolKind>(random_.below(9));
     drawing::Tool tool;
     tool.kind = kind;
-    tool.rules = drawing::k_rules;
+    tool.rules = rules_;
     static_cast<void>(script_.act(replay::ToolChosen{tool}));
     const auto line = random_.chance(0.3) ? along_target() : hand_.line();
     static_cast<void>(script_.stroke(line, random_.real(0.05, 1)));
   }
 
+  /// What the rules of single commands are: those of the solver alone.
+  [[nodiscard]] std::uint32_t meant() const { return rules_ >= document::k_meant_rules ? rules_ : 0; }
   [[nodiscard]] const document::Document& doc() const { return script_.document(); }
   [[nodiscard]] document::View view() const { return script_.editor().view(); }
   template <typename List>
@@ -217,6 +220,7 @@ class KnowingHand {
   SessionScript& script_;
   Random random_;
   RandomHand hand_;
+  std::uint32_t rules_;
   int names_ = 0;
   bool pressed_ = false;
 };

@@ -1,0 +1,85 @@
+#include "core/document/pose_problem.h"
+
+#include <algorithm>
+
+#include "core/document/apply.h"
+
+namespace penpose::document {
+namespace {
+
+std::vector<std::size_t> free_parameters(const Document& document) {
+  std::vector<std::size_t> free;
+  const auto parameters = document.model->rig->parameters();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (!std::binary_search(document.locked.begin(), document.locked.end(), parameters[i].name)) free.push_back(i);
+  }
+  return free;
+}
+
+/// How many of the oldest targets are left out, so that `most` stay.
+std::ptrdiff_t left_out(const Document& document, std::size_t most) {
+  const auto paired = std::count_if(document.curves.begin(), document.curves.end(),
+                                    [](const auto& curve) { return curve->target.has_value(); });
+  return std::max<std::ptrdiff_t>(0, paired - static_cast<std::ptrdiff_t>(most));
+}
+
+}  // namespace
+
+std::vector<posing::CurvePoint> curve_points(const Document& document, const std::vector<mesh::MeshPoint>& points) {
+  std::vector<posing::CurvePoint> out;
+  for (const mesh::MeshPoint& point : points) {
+    out.push_back(posing::at_mesh_point(point, document.model->mesh->triangles()));
+  }
+  return out;
+}
+
+posing::PoseProblem pose_problem(const Document& document) {
+  posing::PoseProblem problem;
+  problem.start = document.pose;
+  problem.free = free_parameters(document);
+  auto skip = left_out(document, k_most_pairs);
+  for (const auto& curve : document.curves) {
+    if (curve->target && skip-- > 0) continue;
+    if (curve->role == PoseCurveRole::constraint) {
+      problem.constraints.push_back({curve_points(document, curve->points), curve->kept});
+    } else if (curve->target) {
+      problem.pairs.push_back({curve_points(document, curve->points), curve->target->points,
+                               document.pressure_weighting ? curve->target->weights : std::vector<double>()});
+    }
+  }
+  return problem;
+}
+
+intent::IntentProblem intent_problem(const Document& document) {
+  intent::IntentProblem problem;
+  problem.start = document.pose;
+  problem.free = free_parameters(document);
+  auto skip = left_out(document, k_most_meant);
+  // The doubt of the latest view, for what has no picture of its own.
+  double doubt = 1e-3 * rest_world_box(*document.model).diagonal();
+  for (const auto& curve : document.curves) {
+    if (!curve->target || skip-- > 0) continue;
+    const auto camera = geometry::Camera::make(curve->target->view.camera, curve->target->view.viewport);
+    if (!camera) continue;
+    const auto positions = positions_of(document, curve->points);
+    const bool seen =
+        std::all_of(positions.begin(), positions.end(), [&](const auto& p) { return camera->project(p).has_value(); });
+    if (!seen) continue;
+    const double hand = intent::doubt_px(camera->viewport());
+    intent::DrawnCurve drawn{curve_points(document, curve->points),
+                             *camera,
+                             curve->target->line,
+                             intent::stroke_doubt_px(curve->target->line, hand),
+                             {}};
+    if (document.pressure_weighting) drawn.weights = curve->target->weights;
+    doubt = hand * camera->units_per_px(camera->depth(positions.front()));
+    problem.drawn.push_back(std::move(drawn));
+  }
+  for (const auto& curve : document.curves) {
+    if (curve->role == PoseCurveRole::constraint)
+      problem.kept.push_back({curve_points(document, curve->points), curve->kept, doubt});
+  }
+  return problem;
+}
+
+}  // namespace penpose::document

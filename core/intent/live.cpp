@@ -1,0 +1,121 @@
+#include "core/intent/live.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/curve/polyline.h"
+#include "core/intent/chain.h"
+#include "core/intent/reader.h"
+
+namespace penpose::intent {
+namespace {
+
+/// Units at most while the pen draws.
+constexpr std::size_t k_most_units = 12;
+/// An angle moves by this share of its range at most in one report.
+constexpr double k_trust = 0.1;
+
+}  // namespace
+
+struct LivePoser::State {
+  State(const rig::Rig& r, WholeModel w, IntentProblem p)
+      : whole(std::move(w)), problem(std::move(p)), reader(r, whole, problem), pose(problem.start) {}
+
+  WholeModel whole;
+  IntentProblem problem;
+  Reader reader;
+  Quadratic quadratic;
+  Choice choice;
+  rig::Pose pose;
+  std::vector<PxPoint> seen;  ///< the reference before the stroke
+  double length = 0;          ///< of it, px
+
+  LiveStep step(std::span<const PxPoint> line, const Alignment& alignment) {
+    reader.redraw(0, line, alignment);
+    // Points slide once the curve has come near: before, the nearest places on the line mean nothing.
+    reader.look(choice, !choice.units.empty(), quadratic);
+    Selection selection(quadratic, reader.choices(), reader.costs());
+    Choice next = selection.select(selection.fit(choice.units), k_most_units);
+    if (!reader.linear()) {
+      for (std::size_t i = 0; i < next.variables.size(); ++i) {
+        const auto at = std::lower_bound(choice.variables.begin(), choice.variables.end(), next.variables[i]);
+        const bool had = at != choice.variables.end() && *at == next.variables[i];
+        const double was = had ? choice.values[static_cast<std::size_t>(at - choice.variables.begin())] : 0.0;
+        next.values[i] = std::clamp(next.values[i], was - k_trust, was + k_trust);
+      }
+    }
+    choice = std::move(next);
+    reader.weigh(choice);
+    pose = reader.pose_of(choice);
+    return {true, selection.evaluations()};
+  }
+};
+
+LivePoser::LivePoser(std::unique_ptr<State> state) : state_(std::move(state)) {}
+LivePoser::~LivePoser() = default;
+LivePoser::LivePoser(LivePoser&&) noexcept = default;
+LivePoser& LivePoser::operator=(LivePoser&&) noexcept = default;
+
+base::Result<LivePoser> LivePoser::start(const rig::Rig& rig, WholeModel whole, IntentProblem problem) {
+  if (problem.drawn.empty())
+    return base::Error{"there is no reference curve to match", "", "draw a reference and a target curve"};
+  // Until the pen has drawn a line, any line will do.
+  DrawnCurve& drawn = problem.drawn.front();
+  drawn.target = {{0, 0}, {1, 0}};
+  if (auto status = check_problem(rig, problem); !status) return status.error();
+
+  posing::PoseProblem only;
+  only.pairs.push_back({drawn.reference, std::vector<ModelPoint>(drawn.reference.size(), ModelPoint{0}), {}});
+  only.start = problem.start;
+  posing::CurveSystem system(rig, only);
+  std::vector<ModelPoint> positions(system.point_count());
+  system.positions(problem.start, positions);
+  std::vector<PxPoint> seen;
+  for (const ModelPoint& p : positions) {
+    const auto px = drawn.camera.project(p);
+    if (!px)
+      return base::Error{"the reference curve lies behind the camera", "", "turn the view so that it is visible"};
+    seen.push_back(*px);
+  }
+  const double length = curve::arc_length<PxPoint>(seen);
+  if (!(length > 0.0)) {
+    return base::Error{"the reference curve has no length in this view", "",
+                       "turn the view so that the curve is visible"};
+  }
+  const auto chain = chain_of(rig, drawn.reference);
+  auto state = std::make_unique<State>(rig, std::move(whole), std::move(problem));
+  if (!chain.empty()) state->reader.restrict_to(chain);
+  state->seen = std::move(seen);
+  state->length = length;
+  return LivePoser(std::move(state));
+}
+
+LiveStep LivePoser::follow(std::span<const PxPoint> line) {
+  State& s = *state_;
+  if (line.size() < 2) return {};
+  const double drawn = curve::arc_length(line);
+  if (!(drawn > 0.0) || !std::isfinite(drawn)) return {};
+  Alignment alignment;
+  alignment.reversed =
+      geometry::distance(line.front(), s.seen.back()) < geometry::distance(line.front(), s.seen.front());
+  const double part = std::clamp(drawn / s.length, 0.02, 1.0);
+  if (part < 0.98) {
+    // The reference's beginning; or its end, which the line was begun at and runs away from.
+    alignment.reference_from = alignment.reversed ? 1.0 - part : 0.0;
+    alignment.reference_to = alignment.reversed ? 1.0 : part;
+  }
+  return s.step(line, alignment);
+}
+
+LiveStep LivePoser::follow_whole(std::span<const PxPoint> line) {
+  State& s = *state_;
+  if (line.size() < 2) return {};
+  const double drawn = curve::arc_length(line);
+  if (!(drawn > 0.0) || !std::isfinite(drawn)) return {};
+  return s.step(line, alignments(s.seen, line, 0.0).front());
+}
+
+const rig::Pose& LivePoser::pose() const { return state_->pose; }
+std::size_t LivePoser::variables() const { return state_->reader.parameters().size(); }
+
+}  // namespace penpose::intent
