@@ -201,4 +201,15 @@ base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const
   return solution;
 }
 
+base::Result<std::vector<CurveLeft>> left_at_start(const rig::Rig& rig, const WholeModel& whole,
+                                                   const IntentProblem& problem) {
+  if (auto status = check_problem(rig, problem); !status) return status.error();
+  Reader reader(rig, whole, problem);
+  const Reader::Left left = reader.left(problem.start);
+  std::vector<CurveLeft> out;
+  for (std::size_t c = 0; c < problem.drawn.size(); ++c)
+    out.push_back({left.px[c], left.units[c], reader.alignments(c).front().reversed});
+  return out;
+}
+
 }  // namespace penpose::intent

@@ -64,4 +64,8 @@ class Workspace {
 [[nodiscard]] base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
                                            const SolveOptions& options, Workspace& work);
 
+/// What is left of each drawn curve at the problem's start, points having slid to where they fit. Errors as solve.
+[[nodiscard]] base::Result<std::vector<CurveLeft>> left_at_start(const rig::Rig& rig, const WholeModel& whole,
+                                                                 const IntentProblem& problem);
+
 }  // namespace penpose::intent

@@ -59,6 +59,14 @@ void LiveFollow::begin_drag(const document::Document& document, document::CurveI
   if (found != nullptr && found->target) start(document, *found, view);
 }
 
+const intent::WholeModel& LiveFollow::whole_of(const document::Document& document) {
+  if (whole_rig_ != document.model->rig) {
+    whole_model_ = intent::measure_whole_model(*document.model->rig);
+    whole_rig_ = document.model->rig;
+  }
+  return whole_model_;
+}
+
 void LiveFollow::start(const document::Document& document, const document::PoseCurve& curve,
                        const document::View& view) {
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
@@ -71,11 +79,7 @@ void LiveFollow::start(const document::Document& document, const document::PoseC
   document::Document others = document;
   std::erase_if(others.curves, [&](const auto& one) { return one->id == curve.id; });
   for (auto& one : document::intent_problem(others).drawn) problem.drawn.push_back(std::move(one));
-  if (whole_rig_ != document.model->rig) {
-    whole_model_ = intent::measure_whole_model(*document.model->rig);
-    whole_rig_ = document.model->rig;
-  }
-  auto poser = intent::LivePoser::start(*document.model->rig, whole_model_, std::move(problem));
+  auto poser = intent::LivePoser::start(*document.model->rig, whole_of(document), std::move(problem));
   if (!poser) return;
   model_ = document.model;
   curve_ = curve.id;

@@ -27,6 +27,9 @@ class LiveFollow {
   bool drag(curve::PxPoint by);
   void end();
 
+  /// What the controls of the document's rig do to the whole model; measured once for a rig.
+  const intent::WholeModel& whole_of(const document::Document& document);
+
   [[nodiscard]] bool active() const { return poser_.has_value(); }
   /// The pose to show; precondition: active.
   [[nodiscard]] const rig::Pose& pose() const { return poser_->pose(); }

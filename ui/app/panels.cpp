@@ -143,9 +143,14 @@ void show_notices(PanelContext& context) {
   for (std::size_t i = 0; i < std::min(k_named, movements.size()); ++i) {
     char number[32];
     std::snprintf(number, sizeof number, "%+.2f", movements[i].by);
-    text += (i == 0 ? " " : ", ") + movements[i].name + " " + number;
+    text += (i == 0 ? " " : ", ") + movements[i].name + " " + number + (movements[i].at_limit ? " (its limit)" : "");
   }
   if (movements.size() > k_named) text += " and " + std::to_string(movements.size() - k_named) + " more";
+  if (const double left = context.app.workspace().left_px(); left >= 0) {
+    char number[32];
+    std::snprintf(number, sizeof number, "; %.1f px left", left);
+    text += number;
+  }
   line(text, ink);
 }
 

@@ -38,8 +38,8 @@ void parameter_row(PanelContext& context, std::size_t index) {
   ImGui::PushID(static_cast<int>(index));
   if (lock_button(
           context, ("##lock " + parameter.name).c_str(), locked,
-          locked ? "Locked: no stroke moves it. Touch to free it" : "Touch to lock it: no stroke will move it")) {
-    app.workspace().perform(document::LockParameters{{parameter.name}, !locked});
+          locked ? "Locked: no stroke moves it. Touch to free it" : "Touch to lock it: no stroke will move it, and the last one is solved again without it")) {
+    app.workspace().lock({parameter.name}, !locked);
   }
   ImGui::SameLine();
   bool released = false;
@@ -84,7 +84,7 @@ bool group_row(PanelContext& context, const std::string& group, const std::vecto
   ImGui::SameLine();
   if (lock_button(context, ("##lock group " + group).c_str(), all_locked,
                   all_locked ? "Free the whole group" : "Lock the whole group: no stroke will move it")) {
-    app.workspace().perform(document::LockParameters{members, !all_locked});
+    app.workspace().lock(members, !all_locked);
   }
   ImGui::SameLine();
   if (wide_button(context, ("\u21ba##reset group " + group).c_str(), context.unit, false,

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/document/pose_problem.h"
+#include "core/intent/solve.h"
 #include "ui/app/said.h"
 
 namespace penpose::app {
@@ -83,16 +85,50 @@ void Workspace::after_steps(const document::Document& before, bool solved) {
   const bool same_rig = before.model == document().model;
   if (!same_rig || before.pose == document().pose) return;
   movements_.clear();
+  left_px_ = -1;
   // Only a stroke finds parameters; what a slider or the timeline sets is known.
   if (!solved) return;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const double by = document().pose[i] - before.pose[i];
     if (std::abs(by) >= 0.005 * (parameters[i].maximum - parameters[i].minimum)) {
-      movements_.push_back({parameters[i].name, by});
+      const bool at_limit = document().pose[i] == parameters[i].minimum || document().pose[i] == parameters[i].maximum;
+      movements_.push_back({parameters[i].name, by, at_limit && document().pose[i] != parameters[i].rest});
     }
   }
   std::stable_sort(movements_.begin(), movements_.end(),
                    [](const Movement& a, const Movement& b) { return std::abs(a.by) > std::abs(b.by); });
+  solved_revision_ = revision_;
+  measure_left();
+}
+
+void Workspace::measure_left() {
+  document::Document last = document();
+  const auto drawn = std::find_if(last.curves.rbegin(), last.curves.rend(),
+                                  [](const auto& curve) { return curve->target.has_value(); });
+  if (drawn == last.curves.rend()) return;
+  last.curves = {*drawn};
+  const auto left = intent::left_at_start(*last.model->rig, follow_.whole_of(last), document::intent_problem(last));
+  if (left && !left->empty()) left_px_ = left->front().px;
+}
+
+void Workspace::lock(const std::vector<std::string>& names, bool locked) {
+  const auto moved = [&](const std::string& name) {
+    return std::any_of(movements_.begin(), movements_.end(), [&](const Movement& one) { return one.name == name; });
+  };
+  const auto& curves = document().curves;
+  const auto drawn =
+      std::find_if(curves.rbegin(), curves.rend(), [](const auto& curve) { return curve->target.has_value(); });
+  const bool again = locked && solved_revision_ == revision_ && drawn != curves.rend() &&
+                     std::any_of(names.begin(), names.end(), moved);
+  if (!again) {
+    perform(document::LockParameters{names, locked});
+    return;
+  }
+  const auto curve = *drawn;
+  undo();
+  if (!perform(document::LockParameters{names, locked})) return;
+  const document::DrawnTarget& target = *curve->target;
+  perform(document::DrawTarget{curve->id, target.view, target.line, target.pressure, drawing::k_rules});
 }
 
 bool Workspace::perform(const document::Command& command) { return act(replay::Performed{command}); }

@@ -17,6 +17,7 @@ namespace penpose::app {
 struct Movement {
   std::string name;
   double by = 0;
+  bool at_limit = false;  ///< it stands at an end of its range
 };
 
 /// The document being worked on and what is shown of it: a session, the pose under the pen before it is a command, and
@@ -80,6 +81,11 @@ class Workspace {
 
   /// What the last stroke that solved moved, the most first.
   [[nodiscard]] const std::vector<Movement>& movements() const { return movements_; }
+  /// px that the last stroke that solved leaves between its curve and its target, in the mean; negative: not known.
+  [[nodiscard]] double left_px() const { return left_px_; }
+  /// Locks parameters against the solver, or frees them. Where one is locked that the last stroke moved ("not this
+  /// one"), that stroke is solved again without it.
+  void lock(const std::vector<std::string>& names, bool locked);
   /// Grows with every change of the document.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   /// Whether anything was changed since `mark_saved`.
@@ -91,6 +97,7 @@ class Workspace {
   void forget();
   bool act(const replay::SessionLine& line);
   void after_steps(const document::Document& before, bool solved = true);
+  void measure_left();
 
   Clock clock_;
   Tell tell_;
@@ -106,6 +113,8 @@ class Workspace {
   geometry::PxPoint followed_by_;
   std::size_t followed_ = 0;
   std::vector<Movement> movements_;
+  double left_px_ = -1;
+  std::uint64_t solved_revision_ = 0;  ///< what revision_ was when movements_ were found
   std::uint64_t revision_ = 0;
   std::uint64_t saved_revision_ = 0;
 };
