@@ -20,8 +20,8 @@ inline constexpr double k_doubt_px = 2.2;
 [[nodiscard]] double doubt_px(geometry::Viewport viewport);
 
 /// The width of doubt of one stroke: what the hand is given, but at most a fiftieth of the stroke's length (and at
-/// least three tenths of the hand's), and the stroke's own roughness (its root mean square
-/// distance from the line smoothed over a tenth of its length) where that is more. px. Precondition: hand_px > 0.
+/// least three tenths of the hand's), plus the stroke's own roughness (its root mean square
+/// distance from the line smoothed over a tenth of its length) beyond half of that. px. Precondition: hand_px > 0.
 [[nodiscard]] double stroke_doubt_px(std::span<const PxPoint> line, double hand_px);
 
 /// A reference curve and the line that somebody drew for it. The line says nothing about depth, and nothing about where

@@ -14,9 +14,6 @@
 
 namespace penpose::intent {
 
-/// Independent looks that a curve is worth, whatever the number of its points: the hand's error changes slowly along a
-/// stroke.
-inline constexpr double k_looks = 7.0;
 /// nu of the energy: beyond this many squares of doubt a curve is out of reach and counts by its logarithm.
 inline constexpr double k_reach = 150.0;
 
@@ -77,7 +74,7 @@ class Reader {
     double share = 1;  ///< 1 / (1 + D / nu) of the last weigh
     std::size_t row = 0, slide = 0;
     Matching matching;
-    std::array<Matching::Modes, Matching::k_modes> factor{};  ///< Cholesky factor of what sliding costs
+    ModeMatrix factor{};  ///< Cholesky factor of what sliding costs
   };
   void look_at_drawn(Block& block, Quadratic& quadratic, std::span<const double> at, bool slide,
                      std::span<const std::size_t> variables);

@@ -75,7 +75,13 @@ double Selection::unit_cost(const Unit& unit, const Choice& choice) const {
 
 double Selection::costs_of(const Choice& choice) const {
   double sum = 0;
-  for (const std::size_t u : choice.units) sum += unit_cost(choices_.units[u], choice);
+  for (const std::size_t u : choice.units) {
+    const Unit& unit = choices_.units[u];
+    sum += unit_cost(unit, choice);
+    if (!unit.tied) continue;
+    const double apart = value_of(choice, unit.members[0]) - value_of(choice, unit.members[1]);
+    sum += costs_.tie * apart * apart;
+  }
   return sum;
 }
 
@@ -151,14 +157,16 @@ Choice Selection::fit(std::vector<std::size_t> units) {
     const Unit& unit = choices_.units[u];
     choice.variables.insert(choice.variables.end(), unit.members.begin(), unit.members.begin() + unit.count);
   }
-  std::sort(choice.variables.begin(), choice.variables.end());
+  std::stable_sort(choice.variables.begin(), choice.variables.end());
   set_up(choice);
   solve_within_ranges(choice);
   const std::size_t n = choice.variables.size();
   double energy = q_.constant();
   for (std::size_t i = 0; i < n; ++i) {
     double image = 0;
-    for (std::size_t k = 0; k < n; ++k) image += matrix_[i * n + k] * choice.values[k];
+    for (std::size_t k = 0; k < n; ++k)
+      image += q_.curvature(choice.variables[i], choice.variables[k]) * choice.values[k];
+    image += choices_.stiffness[choice.variables[i]] * choice.values[i];
     energy += choice.values[i] * (image - 2.0 * pulls_[i]);
   }
   choice.costs = costs_of(choice);

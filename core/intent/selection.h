@@ -65,7 +65,7 @@ class Selection {
     rival_window_ = window;
   }
   [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
-  /// What the units of a choice cost at its values.
+  /// What the units of a choice cost at its values, with what pairs differ by.
   [[nodiscard]] double costs_of(const Choice& choice) const;
 
  private:

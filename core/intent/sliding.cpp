@@ -12,8 +12,6 @@ namespace {
 
 /// Strokes begin and end within this share of the line's length of where they were meant to (root mean square).
 constexpr double k_slide = 0.04;
-/// Independent looks at a curve that a drawn line is worth: the hand's error changes slowly along a stroke.
-constexpr double k_looks = 7.0;
 
 PxPoint direction(PxPoint v) {
   const double length = geometry::distance(v, {});
@@ -21,26 +19,6 @@ PxPoint direction(PxPoint v) {
 }
 
 double dot(PxPoint a, PxPoint b) { return a.x * b.x + a.y * b.y; }
-
-using Modes = Matching::Modes;
-constexpr std::size_t k = Matching::k_modes;
-
-/// Solves (I + M) a = b for a small symmetric positive definite matrix by elimination.
-Modes solve_small(std::array<Modes, k> m, Modes b) {
-  for (std::size_t i = 0; i < k; ++i) m[i][i] += 1.0;
-  for (std::size_t i = 0; i < k; ++i) {
-    for (std::size_t r = i + 1; r < k; ++r) {
-      const double f = m[r][i] / m[i][i];
-      for (std::size_t c = i; c < k; ++c) m[r][c] -= f * m[i][c];
-      b[r] -= f * b[i];
-    }
-  }
-  for (std::size_t i = k; i-- > 0;) {
-    for (std::size_t c = i + 1; c < k; ++c) b[i] -= m[i][c] * b[c];
-    b[i] /= m[i][i];
-  }
-  return b;
-}
 
 Modes modes_at(double share, double length, bool closed) {
   const double size = k_slide * length;
@@ -59,12 +37,6 @@ Modes modes_at(double share, double length, bool closed) {
   const double s3 = s1 * (3.0 - 4.0 * s1 * s1);
   const double s4 = 2.0 * s2 * (1.0 - 2.0 * s1 * s1);
   return {size * (1.0 - share), size * share, size * s1, size / 2.0 * s2, size / 3.0 * s3, size / 4.0 * s4};
-}
-
-double times(const Modes& a, const Modes& b) {
-  double sum = 0;
-  for (std::size_t m = 0; m < k; ++m) sum += a[m] * b[m];
-  return sum;
 }
 
 /// The share of the reference's length that each point stands for: half of both segments that it ends.
@@ -134,17 +106,15 @@ Matching SlidingLine::match(std::span<const PxPoint> seen, const Alignment& alig
       m.tangent[i] = p.tangent;
     }
     if (!slide || round == 2) break;
-    std::array<Modes, k> matrix{};
+    ModeMatrix matrix{};
     Modes right{};
     for (std::size_t i = 0; i < n; ++i) {
       const double w = m.weight[i] * k_looks / (doubt * doubt);
       const double left = dot(seen[i] - m.goal[i], m.tangent[i]) + m.slid[i];
-      for (std::size_t a = 0; a < k; ++a) {
-        right[a] += w * m.modes[i][a] * left;
-        for (std::size_t b = 0; b < k; ++b) matrix[a][b] += w * m.modes[i][a] * m.modes[i][b];
-      }
+      for (std::size_t a = 0; a < k_modes; ++a) right[a] += w * m.modes[i][a] * left;
+      grow(matrix, m.modes[i], w);
     }
-    at = solve_small(matrix, right);
+    at = solve_modes(matrix, right);
     // The order along the line stays: no point slides past its neighbour.
     double scale = 1.0;
     for (std::size_t i = 0; i + 1 < n; ++i) {

@@ -1,14 +1,18 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
 #include "core/geometry/space.h"
+#include "core/intent/mode_algebra.h"
 
 namespace penpose::intent {
 
 using geometry::PxPoint;
+
+/// Independent looks that a curve is worth, whatever the number of its points: the hand's error changes slowly along a
+/// stroke.
+inline constexpr double k_looks = 7.0;
 
 /// Which part of a reference belongs to which part of a drawn line, as shares 0..1 of their lengths. What lies outside
 /// asks for nothing.
@@ -23,8 +27,6 @@ struct Alignment {
 
 /// Where the points of a reference go on a line, and how sure that is.
 struct Matching {
-  static constexpr std::size_t k_modes = 6;
-  using Modes = std::array<double, k_modes>;
   std::vector<PxPoint> goal;     ///< one a reference point
   std::vector<PxPoint> tangent;  ///< of the line there, length one
   std::vector<double> weight;    ///< share of the reference's length that the point stands for; 0: nothing is asked

@@ -143,7 +143,7 @@ std::vector<std::size_t> drawn_chain(const rig::Rig& rig, const IntentProblem& p
     const auto chain = chain_of(rig, curve.reference);
     joints.insert(joints.end(), chain.begin(), chain.end());
   }
-  std::sort(joints.begin(), joints.end());
+  std::stable_sort(joints.begin(), joints.end());
   joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
   return joints;
 }

@@ -59,7 +59,8 @@ class Workspace {
 ///
 /// where D are squared distances in widths of doubt: across the drawn line and along it, what points may slide along it
 /// taken back (SlidingLine), next to nothing along the ray; nu = 150 makes what no control can reach count little more.
-/// Matching and choosing alternate; downhill simplex searches the values of what is chosen, least squares finish it.
+/// Matching and choosing alternate, the values of a choice by least squares within the ranges; downhill simplex then
+/// searches the values of the best choice on this energy itself, with its logarithms.
 /// Stops count evaluations, never time. Errors: those of check_problem. `whole` is that of the rig.
 [[nodiscard]] base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
                                            const SolveOptions& options, Workspace& work);

@@ -16,7 +16,7 @@ using geometry::ModelVector;
 double median_of_positive(std::vector<double> values) {
   std::erase_if(values, [](double v) { return !(v > 0.0); });
   if (values.empty()) return 1.0;
-  std::sort(values.begin(), values.end());
+  std::stable_sort(values.begin(), values.end());
   return values[values.size() / 2];
 }
 

@@ -114,16 +114,29 @@ TEST(Selection, ValuesAreLeastSquaresWithinTheirRanges) {
 }
 
 TEST(Selection, CostsAreWhatTheFormulaSays) {
-  Case c({{30, 0}, {0, 20}, {10, 10}}, {20, 15});
+  Case c({{30, 0}, {0, 30}, {10, 10}}, {20, 20});
   c.choices.movement = {0.5, 2, 3};
   c.pair(0, 1);
   Selection s = c.selection();
   const Choice one = s.fit({2});
   EXPECT_NEAR(one.costs, 8 + std::log(1 + 200.0) + 4 * std::log(1 + 3 * one.values[0] / 0.2), 1e-9);
   const Choice pair = s.fit({3});
-  const double way = (0.5 * pair.values[0] + 2 * pair.values[1]) / 2;
+  ASSERT_NEAR(pair.values[0], pair.values[1], 1e-12) << "drawn alike";
+  const double way = (0.5 + 2) * pair.values[0] / 2;
   EXPECT_NEAR(pair.costs, 8 + 3 + std::log(1 + 900.0) + 4 * std::log(1 + way / 0.2), 1e-9);
   EXPECT_NEAR(s.costs_of(pair), pair.costs, 1e-12);
+}
+
+TEST(Selection, TheEnergyCountsWhatTheSidesOfAPairDifferBy) {
+  Case c({{30, 0}, {0, 20}}, {20, 5});
+  c.pair(0, 1);
+  const Choice pair = c.selection().fit({2});
+  const double a = pair.values[0];
+  const double b = pair.values[1];
+  ASSERT_GT(a - b, 0.1);
+  const double squares = (30 * a - 20) * (30 * a - 20) + (20 * b - 5) * (20 * b - 5) + 0.5 * (a * a + b * b);
+  const double costs = 8 + 3 + std::log(1 + 900.0) + 4 * std::log(1 + (a + b) / 2 / 0.2);
+  EXPECT_NEAR(pair.energy, squares + costs + 40 * (a - b) * (a - b), 1e-9);
 }
 
 TEST(Selection, LeftAndRightMoveTogetherWhereBothAreDrawnAndAloneWhereOneIs) {

@@ -149,8 +149,8 @@ inline Face usual_face(double unit = 1) {
   face.bump("lipUp", 0, -0.4, {0, 0.15, 0.02});
   const auto below = [](double y) { return y < 0 ? y * y * (1 + y / 2) : 0.0; };
   face.control("jawOpen", [=](double, double y) { return geometry::ModelVector{0, -0.8 * below(y), -0.1 * below(y)}; });
-  face.control("jawLeft", [=](double, double y) { return geometry::ModelVector{-0.5 * below(y), 0, 0}; });
-  face.control("jawRight", [=](double, double y) { return geometry::ModelVector{0.5 * below(y), 0, 0}; });
+  face.control("jawLeft", [=](double, double y) { return geometry::ModelVector{-2 * below(y), 0, 0}; });
+  face.control("jawRight", [=](double, double y) { return geometry::ModelVector{2 * below(y), 0, 0}; });
   face.control("swell", [](double x, double y) { return geometry::ModelVector{0.2 * x, 0.2 * y, 0.2}; });
   return face.ready();
 }

@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/base/math.h"
+#include "core/intent/reader.h"
+#include "core/intent/view_rows.h"
+
+// Looking at the curves: squares near a pose, and the energy at one.
+
+namespace penpose::intent {
+namespace {
+
+/// Rows along the ray beside those across it: a line says next to nothing about depth.
+constexpr double k_ray = 0.02;
+
+double dot(PxPoint a, PxPoint b) { return a.x * b.x + a.y * b.y; }
+PxPoint across(PxPoint tangent) { return {-tangent.y, tangent.x}; }
+
+}  // namespace
+
+void Reader::look(const Choice& at, bool slide, Quadratic& quadratic, std::span<const std::size_t> only) {
+  const rig::Pose pose = pose_of(at);
+  const std::span<const std::size_t> variables = only.empty() ? std::span<const std::size_t>(all_) : only;
+  if (!linear_) make_columns(pose, variables);
+  system_.positions(pose, positions_);
+  std::size_t rows = 0;
+  std::size_t slides = 0;
+  for (Block& block : blocks_) {
+    block.row = rows;
+    block.slide = slides;
+    rows += 3 * block.count;
+    if (block.drawn) slides += k_modes;
+  }
+  quadratic.reset(parameters_.size(), rows, slides);
+  std::vector<double> z(parameters_.size(), 0.0);
+  for (std::size_t i = 0; i < at.variables.size(); ++i) z[at.variables[i]] = at.values[i];
+  for (Block& block : blocks_) {
+    if (block.drawn) {
+      look_at_drawn(block, quadratic, z, slide, variables);
+    } else {
+      look_at_known(block, quadratic, z, variables);
+    }
+  }
+  quadratic.finish(only);
+}
+
+void Reader::look_at_drawn(Block& block, Quadratic& quadratic, std::span<const double> at, bool slide,
+                           std::span<const std::size_t> variables) {
+  const std::size_t n = start_.size();
+  const std::vector<PxPoint> px = seen(block, positions_);
+  block.matching = block.line->match(px, block.alignments[block.aligned], slide, block.doubt / std::sqrt(block.share));
+  Matching& m = block.matching;
+  ModeMatrix grown{};
+  const auto& weights = block.drawn->weights;
+  for (std::size_t i = 0; i < block.count; ++i) {
+    if (!weights.empty()) m.weight[i] *= weights[i];
+    const double w = block.share * m.weight[i] * k_looks / (block.doubt * block.doubt);
+    const double root = std::sqrt(w);
+    const std::size_t row = block.row + 3 * i;
+    const auto d = view_derivative(block.drawn->camera, positions_[block.first + i]);
+    if (!d) {
+      m.weight[i] = 0;
+      continue;
+    }
+    grow(grown, m.modes[i], w);
+    const ModelVector normal = (d->x * across(m.tangent[i]).x + d->y * across(m.tangent[i]).y) * root;
+    const ModelVector along = (d->x * m.tangent[i].x + d->y * m.tangent[i].y) * root;
+    const ModelVector ray = d->ray * (root * k_ray);
+    const PxPoint off = m.goal[i] - px[i];
+    double rn = dot(off, across(m.tangent[i])) * root;
+    double rt = (dot(off, m.tangent[i]) - m.slid[i]) * root;
+    double rr = -glm::dot(ray, positions_[block.first + i] - start_[block.first + i]);
+    for (const std::size_t j : variables) {
+      const ModelVector& c = columns_[j * n + block.first + i];
+      const auto column = quadratic.column(j);
+      column[row] = glm::dot(normal, c);
+      column[row + 1] = glm::dot(along, c);
+      column[row + 2] = glm::dot(ray, c);
+      if (at[j] == 0.0) continue;
+      rn += column[row] * at[j];
+      rt += column[row + 1] * at[j];
+      rr += column[row + 2] * at[j];
+    }
+    quadratic.right()[row] = rn;
+    quadratic.right()[row + 1] = rt;
+    quadratic.right()[row + 2] = rr;
+  }
+  block.factor = factor_of(grown);
+  const auto slides = [&](std::span<double> numbers) {
+    double* out = numbers.data() + quadratic.rows() + block.slide;
+    for (std::size_t i = 0; i < block.count; ++i) {
+      const double w = block.share * m.weight[i] * k_looks / (block.doubt * block.doubt);
+      const double t = std::sqrt(w) * numbers[block.row + 3 * i + 1];
+      if (t == 0.0) continue;
+      for (std::size_t a = 0; a < k_modes; ++a) out[a] += m.modes[i][a] * t;
+    }
+    solve_forward(block.factor, out);
+  };
+  for (const std::size_t j : variables) slides(quadratic.column(j));
+  slides(quadratic.right());
+}
+
+void Reader::look_at_known(Block& block, Quadratic& quadratic, std::span<const double> at,
+                           std::span<const std::size_t> variables) {
+  const std::size_t n = start_.size();
+  const double root = std::sqrt(block.share * k_looks / static_cast<double>(block.count)) / block.doubt;
+  for (std::size_t i = 0; i < block.count; ++i) {
+    const ModelVector off = (block.known->target[i] - positions_[block.first + i]) * root;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t row = block.row + 3 * i + axis;
+      const int k = static_cast<int>(axis);
+      double right = off[k];
+      for (const std::size_t j : variables) {
+        const double c = columns_[j * n + block.first + i][k] * root;
+        quadratic.column(j)[row] = c;
+        if (at[j] != 0.0) right += c * at[j];
+      }
+      quadratic.right()[row] = right;
+    }
+  }
+}
+
+double Reader::squares(const Block& block, std::span<const ModelPoint> positions) const {
+  double sum = 0;
+  if (block.known) {
+    for (std::size_t i = 0; i < block.count; ++i) {
+      const ModelVector off = block.known->target[i] - positions[block.first + i];
+      sum += glm::dot(off, off);
+    }
+    return sum * k_looks / static_cast<double>(block.count) / (block.doubt * block.doubt);
+  }
+  const Matching& m = block.matching;
+  ModeMatrix grown{};
+  Modes back{};
+  for (std::size_t i = 0; i < block.count; ++i) {
+    if (m.weight[i] == 0.0) continue;
+    const double w = m.weight[i] * k_looks / (block.doubt * block.doubt);
+    const auto px = block.drawn->camera.project(positions[block.first + i]);
+    const PxPoint off = m.goal[i] - (px ? *px : PxPoint{-1e6, -1e6});
+    const double normal = dot(off, across(m.tangent[i]));
+    const double along = dot(off, m.tangent[i]) - m.slid[i];
+    sum += w * (normal * normal + along * along);
+    for (std::size_t a = 0; a < k_modes; ++a) back[a] += w * m.modes[i][a] * along;
+    grow(grown, m.modes[i], w);
+  }
+  solve_forward(factor_of(grown), back.data());
+  for (const double b : back) sum -= b * b;
+  return std::max(sum, 0.0);
+}
+
+double Reader::energy(const Choice& choice, double costs) {
+  system_.positions(pose_of(choice), positions_);
+  double sum = costs;
+  for (const Block& block : blocks_) {
+    sum += k_reach * base::log(1.0 + squares(block, positions_) / k_reach);
+    if (block.drawn) sum += block.alignments[block.aligned].charge;
+  }
+  for (std::size_t i = 0; i < choice.variables.size(); ++i)
+    sum += choices_.stiffness[choice.variables[i]] * choice.values[i] * choice.values[i];
+  return sum;
+}
+
+double Reader::energy_of_image(std::span<const double> image, std::size_t rows) const {
+  double sum = 0;
+  for (const Block& block : blocks_) {
+    const double* a = image.data() + block.row;
+    double squares = posing::dot(a, a, 3 * block.count);
+    if (block.drawn) {
+      const double* b = image.data() + rows + block.slide;
+      squares -= posing::dot(b, b, k_modes);
+    }
+    sum += k_reach * base::log(1.0 + std::max(squares, 0.0) / (block.share * k_reach));
+  }
+  return sum;
+}
+
+double Reader::squares_of(std::size_t c, const Choice& choice) {
+  system_.positions(pose_of(choice), positions_);
+  return squares(blocks_[c], positions_);
+}
+
+void Reader::weigh(const Choice& choice) {
+  system_.positions(pose_of(choice), positions_);
+  for (Block& block : blocks_) block.share = 1.0 / (1.0 + squares(block, positions_) / k_reach);
+}
+
+}  // namespace penpose::intent
