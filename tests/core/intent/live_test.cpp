@@ -80,8 +80,8 @@ TEST(IntentLive, ReportsLeftOutAreNotMissed) {
 TEST(IntentLive, WithoutADrawnLengthNothingMoves) {
   const Desk d;
   LivePoser poser = d.start();
-  for (const Line& line :
-       {Line{}, Line{{500, 500}}, Line{{500, 500}, {500, 500}}, Line{{500, 500}, {NAN, 3}}, Line{{500, 500}, {HUGE_VAL, 3}}}) {
+  for (const Line& line : {Line{}, Line{{500, 500}}, Line{{500, 500}, {500, 500}}, Line{{500, 500}, {NAN, 3}},
+                           Line{{500, 500}, {HUGE_VAL, 3}}}) {
     EXPECT_FALSE(poser.follow(line).solved);
     EXPECT_FALSE(poser.follow_whole(line).solved);
     EXPECT_EQ(poser.pose(), d.rest);

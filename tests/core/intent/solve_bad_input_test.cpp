@@ -65,8 +65,7 @@ TEST(IntentBadInput, AStrokeOfTwoPointsIsALine) {
 TEST(IntentBadInput, AReferenceOfTwoPointsIsACurve) {
   const Face face = tests::usual_face();
   const auto two = std::vector{Face::mouth().front(), Face::mouth().back()};
-  const rig::Pose pose =
-      plain(face, face.problem({face.drawn(two, face.seen(two, face.pose({{"jawOpen", 0.6}})))}));
+  const rig::Pose pose = plain(face, face.problem({face.drawn(two, face.seen(two, face.pose({{"jawOpen", 0.6}})))}));
   EXPECT_NEAR(pose[face.number("jawOpen")], 0.6, 0.1);
 }
 

@@ -33,9 +33,7 @@ struct Desk {
     const auto all = reader.parameters();
     return static_cast<std::size_t>(std::find(all.begin(), all.end(), face.number(name)) - all.begin());
   }
-  [[nodiscard]] double energy(const Choice& at) {
-    return reader.energy(at, selection().costs_of(at));
-  }
+  [[nodiscard]] double energy(const Choice& at) { return reader.energy(at, selection().costs_of(at)); }
 };
 
 TEST(ValueSearch, TheEnergyNeverGrows) {
