@@ -244,8 +244,8 @@ bool MultitouchDecoder::decode_application(const MultitouchApplication& layout, 
 }
 
 bool MultitouchDecoder::take(const MultitouchApplication& layout, const State& state, const Finger& finger) {
-  // A lone finger, or a device that does not count, is believed always.
-  const bool counted = layout.count.has_value();
+  // Where reports have room for one finger only, or are not counted, it is believed always.
+  const bool counted = layout.count.has_value() && layout.fingers.size() > 1;
   if (counted && state.received >= state.expected) return false;
   const auto slot = slots_.slot_of(finger.id);
   if (!slot) return true;

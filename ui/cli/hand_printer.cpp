@@ -22,9 +22,9 @@ void append_device(std::string& out, int device, bool with_device) {
   out += '\n';
 }
 
-/// The rows say what Linux's driver says. It means to send KEY_PROG3 for the third of the keys beside the numbered ones,
-/// but adds to the code of the first, where another key lies that its pads do not have: nothing comes of it. The window
-/// and the JSON have that key.
+/// The rows say what Linux's driver says. It means to send KEY_PROG3 for the third of the keys beside the numbered
+/// ones, but adds to the code of the first, where another key lies that its pads do not have: nothing comes of it. The
+/// window and the JSON have that key.
 constexpr decode::PadKeys k_lost_in_linux = decode::key_bit(decode::PadKey::program3);
 
 /// In the order in which people read them, whatever order they were put down in.
