@@ -14,6 +14,7 @@ struct TouchSwitch {
   bool present = false;    ///< the tablet has such a switch
   bool on = false;         ///< as it was last said
   bool has_touch = false;  ///< there is an interface to be switched
+  unsigned told = 0;       ///< how often its state was told of
 
   [[nodiscard]] bool mutes() const { return present && !on; }
 };
@@ -38,6 +39,13 @@ class TouchDecoder {
   virtual bool decode(base::Bytes report) = 0;
   /// Forgets all state, as after plugging in.
   virtual void reset() { slots_.clear(); }
+  /// Ends a frame early, with what reports have said of it so far: Linux does whenever the state of the switch is told
+  /// of, which comes by the fingers' device. True when that showed anything new.
+  bool end_early() {
+    if (!slots_.has_news()) return false;
+    slots_.publish();
+    return true;
+  }
 
   [[nodiscard]] std::span<const TouchContact> contacts() const { return slots_.contacts(); }
   [[nodiscard]] const TouchAxes& axes() const { return axes_; }

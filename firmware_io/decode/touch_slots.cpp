@@ -25,11 +25,13 @@ void TouchSlots::set(std::size_t slot, bool active) {
   one.frame = frame_;
   if (active && !one.active) one.contact.id = next_id_++;
   one.active = active;
+  news_ = true;
 }
 
 void TouchSlots::move(std::size_t slot, std::int32_t x, std::int32_t y) {
   slots_[slot].contact.x = x;
   slots_[slot].contact.y = y;
+  news_ = true;
 }
 
 void TouchSlots::end_frame(bool drop_unused) {
@@ -42,6 +44,7 @@ void TouchSlots::end_frame(bool drop_unused) {
 }
 
 void TouchSlots::publish() {
+  news_ = false;
   visible_.clear();
   for (const Slot& slot : slots_) {
     if (slot.active) visible_.push_back(slot.contact);
@@ -51,6 +54,7 @@ void TouchSlots::publish() {
 void TouchSlots::clear() {
   std::fill(slots_.begin(), slots_.end(), Slot{});
   visible_.clear();
+  news_ = false;
   frame_ = 1;
   next_id_ = 1;
 }

@@ -40,6 +40,8 @@ class TouchSlots {
   void end_frame(bool drop_unused = false);
   /// Makes the present state visible.
   void publish();
+  /// Whether something was said since the last time.
+  [[nodiscard]] bool has_news() const { return news_; }
   void clear();
 
   /// The fingers as last published, in order of their slots.
@@ -54,6 +56,7 @@ class TouchSlots {
   };
   std::vector<Slot> slots_;
   std::vector<TouchContact> visible_;
+  bool news_ = false;
   std::uint32_t frame_ = 1;
   std::uint32_t next_id_ = 1;
 };

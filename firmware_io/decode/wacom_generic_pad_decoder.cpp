@@ -249,10 +249,14 @@ void WacomGenericPadDecoder::apply(const PadControl& control, std::int64_t value
       pending_.fine_wheel[control.side] = -number * 120;
       break;
     case PadRole::touch_on:
-      if (touch_ && touch_->has_touch) touch_->on = value != 0;
+      if (touch_ == nullptr || !touch_->has_touch) return;
+      touch_->on = value != 0;
+      ++touch_->told;
       return;
     case PadRole::mute_touch:
-      if (touch_ && touch_->has_touch && value != 0) touch_->on = !touch_->on;
+      if (touch_ == nullptr || !touch_->has_touch) return;
+      if (value != 0) touch_->on = !touch_->on;
+      ++touch_->told;
       return;
     case PadRole::battery: {
       const std::int64_t range = control.place.maximum - control.place.minimum;

@@ -31,6 +31,7 @@ class HandRun {
   Interface& interface_for(const replay::TraceSource& source, int device);
   void print_pad(const replay::TraceReport& report, Interface& interface);
   void print_touch(const replay::TraceReport& report, const Interface& interface);
+  void end_frames_early(const replay::TraceReport& report);
   void begin_row();
   void end_output(const replay::TraceSource& source);
   void flush(std::size_t keep);
@@ -95,6 +96,16 @@ void HandRun::print_touch(const replay::TraceReport& report, const Interface& in
   }
 }
 
+/// The key or slide that turns off the fingers was told of, which shows what the fingers' own interface has said so far.
+void HandRun::end_frames_early(const replay::TraceReport& report) {
+  for (auto& [device, interface] : interfaces_) {
+    if (!interface.hand.touch || !interface.hand.touch->end_early()) continue;
+    replay::TraceReport here = report;
+    here.device = device;
+    print_touch(here, interface);
+  }
+}
+
 base::Status HandRun::decode(replay::TraceSource& source) {
   for (;;) {
     const auto report = source.next();
@@ -103,10 +114,12 @@ base::Status HandRun::decode(replay::TraceSource& source) {
     ++reports_;
     Interface& interface = interface_for(source, (*report)->device);
     // Both get every report: a key of the pad may turn off the fingers.
+    const unsigned told = touch_switch_->told;
     const bool pad = interface.hand.pad && interface.hand.pad->decode((*report)->bytes);
     const bool touch = interface.hand.touch && interface.hand.touch->decode((*report)->bytes);
     if (options_.part == HandPart::pad && pad) print_pad(**report, interface);
     if (options_.part == HandPart::touch && touch) print_touch(**report, interface);
+    if (options_.part == HandPart::touch && touch_switch_->told != told) end_frames_early(**report);
     flush(std::size_t{1} << 16);
   }
 }

@@ -62,6 +62,16 @@ TEST(MultitouchDecoder, WithoutACountEveryReportIsAFrame) {
   EXPECT_TRUE(touch.contacts().empty());
 }
 
+TEST(MultitouchDecoder, AReportWithRoomForOneFingerBringsOneWhateverTheCount) {
+  MultitouchDecoder touch(layout_of(tests::touch_descriptor(1)));
+  EXPECT_FALSE(touch.decode(touch_report({{5, 1, 1, 1}}, 3)));
+  EXPECT_FALSE(touch.decode(touch_report({{5, 2, 2, 2}}, 0)));
+  ASSERT_TRUE(touch.decode(touch_report({{5, 3, 3, 3}}, 0)));
+  EXPECT_EQ(touch.contacts().size(), 3u);
+  ASSERT_TRUE(touch.decode(touch_report({{0, 3, 3, 3}}, 1)));
+  EXPECT_EQ(touch.contacts().size(), 2u);
+}
+
 TEST(MultitouchDecoder, APenIsNoFinger) {
   const auto parsed = hid::parse_report_descriptor(tests::ink_descriptor());
   EXPECT_FALSE(find_multitouch(*parsed).has_value());

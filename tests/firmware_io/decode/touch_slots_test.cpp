@@ -36,9 +36,12 @@ TEST(TouchSlots, AFingerKeepsItsNumberUntilItIsLifted) {
 
 TEST(TouchSlots, NothingShowsBeforeItIsPublished) {
   TouchSlots slots(2);
+  EXPECT_FALSE(slots.has_news());
   put(slots, 1, 10, 20);
   EXPECT_TRUE(slots.contacts().empty());
+  EXPECT_TRUE(slots.has_news());
   slots.publish();
+  EXPECT_FALSE(slots.has_news());
   EXPECT_EQ(slots.contacts().size(), 1u);
 }
 

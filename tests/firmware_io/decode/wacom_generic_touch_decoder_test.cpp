@@ -53,6 +53,15 @@ TEST(WacomGenericTouchDecoder, NothingComesWhileTheSwitchIsOff) {
   EXPECT_FALSE(touch->decode(touch_report({{5, 1, 12, 22}}, 1)));
 }
 
+TEST(WacomGenericTouchDecoder, AFrameCanBeEndedEarly) {
+  const auto touch = touch_of(tests::touch_descriptor(2));
+  EXPECT_FALSE(touch->end_early());
+  EXPECT_FALSE(touch->decode(touch_report({{5, 1, 100, 200}, {5, 2, 300, 400}}, 3)));
+  EXPECT_TRUE(touch->end_early());
+  EXPECT_EQ(touch->contacts().size(), 2u);
+  EXPECT_FALSE(touch->end_early());
+}
+
 TEST(WacomGenericTouchDecoder, ShortReportsAndOtherIdsSayNothing) {
   const auto touch = touch_of(tests::touch_descriptor(2));
   EXPECT_FALSE(touch->decode({}));
