@@ -7,6 +7,7 @@
 #include "firmware_io/decode/multitouch_decoder.h"
 #include "firmware_io/decode/protocol.h"
 #include "firmware_io/decode/vendor_pad_decoder.h"
+#include "firmware_io/decode/vendor_touch_decoder.h"
 #include "firmware_io/decode/wacom_generic_pad_decoder.h"
 #include "firmware_io/decode/wacom_generic_touch_decoder.h"
 #include "firmware_io/decode/wacom_models.h"
@@ -164,15 +165,9 @@ std::unique_ptr<PadDecoder> make_table_pad(const TabletMatch& match, const Devic
   return std::make_unique<VendorPadDecoder>(std::move(reports->decoder), *match.identifier->protocol, match.tablet);
 }
 
-/// Fingers that come in Wacom's messages of eight bytes among the keys of a protocol.
-std::unique_ptr<TouchDecoder> make_table_touch(const Protocol& protocol, const Tablet* tablet) {
-  const bool messages = std::any_of(protocol.rules.begin(), protocol.rules.end(),
-                                    [](const Protocol::Rule& rule) { return rule.layout->gives == Gives::touch_pad; });
-  if (!messages) return nullptr;
-  TouchAxes axes{axis_to(k_message_maximum), axis_to(k_message_maximum), k_assumed_contacts, false};
-  if (tablet != nullptr && tablet->width_mm > 0) axes.x.units_per_mm = k_message_maximum / tablet->width_mm;
-  if (tablet != nullptr && tablet->height_mm > 0) axes.y.units_per_mm = k_message_maximum / tablet->height_mm;
-  return std::make_unique<WacomTouchDecoder>(WacomTouch::intuos, axes);
+std::unique_ptr<TouchDecoder> make_table_touch(const std::shared_ptr<const Protocol>& protocol, const Tablet* tablet) {
+  if (!has_touch(*protocol)) return nullptr;
+  return std::make_unique<VendorTouchDecoder>(protocol, tablet);
 }
 
 }  // namespace
@@ -188,7 +183,7 @@ HandDecoders make_hand_decoders(const DeviceIdentity& device, const TabletTable*
   complete_identity(completed);
   if (own != nullptr) {
     if (const auto match = own->find(completed)) {
-      return {make_table_pad(*match, device, own), make_table_touch(*match->identifier->protocol, match->tablet)};
+      return {make_table_pad(*match, device, own), make_table_touch(match->identifier->protocol, match->tablet)};
     }
   }
   if (const WacomHand* hand = find_wacom_hand(device.bus, device.vendor, device.product))
@@ -204,7 +199,7 @@ HandDecoders make_hand_decoders(const DeviceIdentity& device, const TabletTable*
   if (made.pad || (wacom && made.touch)) return made;
   if (const auto match = known_tablets().find(completed)) {
     made.pad = make_table_pad(*match, device, nullptr);
-    if (!made.touch) made.touch = make_table_touch(*match->identifier->protocol, match->tablet);
+    if (!made.touch) made.touch = make_table_touch(match->identifier->protocol, match->tablet);
   }
   return made;
 }
@@ -217,7 +212,7 @@ HandDecoders make_protocol_hand_decoders(std::string_view name) {
     made.pad =
         std::make_unique<VendorPadDecoder>(std::make_unique<LayoutDecoder>(found->second), *found->second, nullptr);
   }
-  made.touch = make_table_touch(*found->second, nullptr);
+  made.touch = make_table_touch(found->second, nullptr);
   return made;
 }
 

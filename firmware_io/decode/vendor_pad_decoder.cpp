@@ -24,7 +24,8 @@ unsigned number_of_keys(const Tablet* tablet) {
 bool has_pad(const Protocol& protocol) {
   return std::any_of(protocol.rules.begin(), protocol.rules.end(), [](const Protocol::Rule& rule) {
     const Layout& layout = *rule.layout;
-    return layout.gives == Gives::pad || tells_of_keys(layout) || layout.ring || layout.dial || layout.second_dial;
+    return layout.gives == Gives::pad || tells_of_keys(layout) || layout.ring || layout.second_ring || layout.strip ||
+           layout.second_strip || layout.dial || layout.second_dial;
   });
 }
 
@@ -35,7 +36,10 @@ PadFeatures pad_features(const Protocol& protocol, const Tablet* tablet) {
     const Layout& layout = *rule.layout;
     if (tells_of_keys(layout)) has.keys = numbered_keys(~std::uint64_t{0}, number_of_keys(tablet));
     if (layout.wheel_buttons) buttons = k_most_wheel_buttons;
-    if (layout.ring) has.rings = 1;
+    if (layout.ring) has.rings = std::max(has.rings, 1U);
+    if (layout.second_ring) has.rings = 2;
+    if (layout.strip) has.strips = std::max(has.strips, 1U);
+    if (layout.second_strip) has.strips = 2;
     if (layout.dial) has.wheels = std::max(has.wheels, 1U);
     if (layout.second_dial) has.wheels = 2;
   }
@@ -75,8 +79,9 @@ bool VendorPadDecoder::decode(base::Bytes report) {
   if (kind == ReportKind::ignored || (kind == ReportKind::pen && same)) return false;
   last_ = pad;
   sample_.keys = numbered_keys(pad.keys | std::uint64_t{pad.wheel_buttons} << first_wheel_button_, k_numbered_keys);
-  sample_.ring_touched[0] = pad.wheel_position >= 0;
-  sample_.ring[0] = std::max(pad.wheel_position, 0);
+  sample_.ring_touched = {pad.wheel_position >= 0, pad.second_wheel_position >= 0};
+  sample_.ring = {std::max(pad.wheel_position, 0), std::max(pad.second_wheel_position, 0)};
+  sample_.strip = {pad.strip, pad.second_strip};
   // Steps are those of a report of the pad; in one of the pen they are old.
   if (kind == ReportKind::pad) sample_.wheel = {pad.wheel_delta, pad.second_wheel_delta};
   return true;
