@@ -96,7 +96,8 @@ void HandRun::print_touch(const replay::TraceReport& report, const Interface& in
   }
 }
 
-/// The key or slide that turns off the fingers was told of, which shows what the fingers' own interface has said so far.
+/// The key or slide that turns off the fingers was told of, which shows what the fingers' own interface has said so
+/// far.
 void HandRun::end_frames_early(const replay::TraceReport& report) {
   for (auto& [device, interface] : interfaces_) {
     if (!interface.hand.touch || !interface.hand.touch->end_early()) continue;
