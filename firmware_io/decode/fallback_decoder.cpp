@@ -55,6 +55,7 @@ ReportKind FallbackDecoder::decode(base::Bytes report) {
   const ReportKind kind = chosen->decode(report);
   if (kind == ReportKind::pen) {
     sample_ = chosen->sample();
+    pad_ = chosen->pad();
     used_ = chosen;
   } else if (kind == ReportKind::pad) {
     pad_ = chosen->pad();

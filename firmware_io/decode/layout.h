@@ -18,7 +18,8 @@ enum class Gives : std::uint8_t {
   tool,       ///< which tool has just come near; its position follows in other reports
   leave,      ///< the tool has left
   pad,        ///< keys and wheels of the tablet
-  touch_pad,  ///< a 64-byte Wacom touch report: contacts, which are no concern of a pen, and pad keys among them
+  touch_pad,  ///< a 64-byte Wacom touch report: contacts, and pad keys among them
+  touch,      ///< contacts
 };
 
 /// Signed steps of a wheel: a number, or one test for a step either way.
@@ -46,6 +47,17 @@ struct KeyCodes {
   std::vector<Key> keys;
 };
 
+/// Fingers, one behind the other. Fields count from the first byte of an entry.
+struct ContactList {
+  std::size_t from = 0;       ///< byte of the report where the first entry begins
+  std::size_t size = 0;       ///< bytes of an entry
+  std::size_t most = 0;       ///< entries that are looked at; fewer where the report ends before
+  std::int64_t first_id = 0;  ///< entries with another number than these are none
+  std::int64_t last_id = 0;
+  BitNumber id, x, y;
+  BitTest down;
+};
+
 /// How one kind of report is laid out. Fields that it does not have are empty.
 struct Layout {
   Gives gives = Gives::ignored;
@@ -70,9 +82,12 @@ struct Layout {
   std::optional<BitNumber> changed_key;     ///< the highest bit set is the one key that changes...
   std::optional<BitTest> changed_key_down;  ///< ...to down if this holds, else to up
   std::optional<KeyCodes> key_codes;
-  std::optional<BitNumber> ring;  ///< position; absent while not touched
+  std::optional<BitNumber> ring, second_ring;    ///< position; absent while not touched
+  std::optional<BitNumber> strip, second_strip;  ///< position; 0 while not touched
   std::optional<BitNumber> wheel_buttons;
   std::optional<StepField> dial, second_dial;
+
+  std::optional<ContactList> contacts;
 };
 
 /// The reports of one family of tablets: the first rule whose test holds says which layout a report has.

@@ -77,6 +77,7 @@ ReportKind LayoutDecoder::decode(base::Bytes report) {
 ReportKind LayoutDecoder::apply(const Layout& layout, base::Bytes report) {
   switch (layout.gives) {
     case Gives::ignored:
+    case Gives::touch:
       return ReportKind::ignored;
     case Gives::pen:
       apply_pen(layout, report);
@@ -180,6 +181,10 @@ void LayoutDecoder::apply_pad(const Layout& layout, base::Bytes report) {
     pad_.keys = down ? pad_.keys | key : pad_.keys & ~key;
   }
   if (layout.ring) pad_.wheel_position = static_cast<std::int32_t>(layout.ring->read_or(report, -1));
+  if (layout.second_ring)
+    pad_.second_wheel_position = static_cast<std::int32_t>(layout.second_ring->read_or(report, -1));
+  pad_.strip = read(layout.strip, report, pad_.strip);
+  pad_.second_strip = read(layout.second_strip, report, pad_.second_strip);
   pad_.wheel_delta = layout.dial ? static_cast<std::int32_t>(layout.dial->read(report)) : 0;
   pad_.second_wheel_delta = layout.second_dial ? static_cast<std::int32_t>(layout.second_dial->read(report)) : 0;
   if (layout.wheel_buttons) pad_.wheel_buttons = read_bits(layout.wheel_buttons, report, 0);

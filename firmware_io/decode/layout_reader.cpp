@@ -17,13 +17,14 @@ struct NamedKind {
   std::string_view name;
   Gives gives;
 };
-constexpr std::array<NamedKind, 7> k_kinds{{{"ignored", Gives::ignored},
+constexpr std::array<NamedKind, 8> k_kinds{{{"ignored", Gives::ignored},
                                             {"pen", Gives::pen},
                                             {"mouse", Gives::mouse},
                                             {"tool", Gives::tool},
                                             {"leave", Gives::leave},
                                             {"pad", Gives::pad},
-                                            {"touch_pad", Gives::touch_pad}}};
+                                            {"touch_pad", Gives::touch_pad},
+                                            {"touch", Gives::touch}}};
 
 BitTest read_test(const JsonPlace& place) {
   auto test = BitTest::parse(place.text(k_longest_text));
@@ -77,6 +78,7 @@ class LayoutReader {
     layout_.rotation = parse_number(at, text);
   }
   void key_codes();
+  void contacts();
   void needs(std::size_t length) { layout_.shortest = std::max(layout_.shortest, length); }
 
  private:
@@ -123,20 +125,62 @@ void LayoutReader::key_codes() {
   layout_.key_codes = std::move(codes);
 }
 
+void LayoutReader::contacts() {
+  const auto at = place_.at("contacts");
+  if (!at.present()) {
+    if (layout_.gives == Gives::touch) place_.fail("says nothing of its contacts", "say where they are in `contacts`");
+    return;
+  }
+  at.allow_only({"from", "size", "most", "ids", "id", "x", "y", "down"});
+  ContactList list;
+  list.from = static_cast<std::size_t>(at.at("from").integer(0, k_longest_report - 1));
+  list.size = static_cast<std::size_t>(at.at("size").integer(1, k_longest_report));
+  list.most = static_cast<std::size_t>(at.at("most").integer(1, 64));
+  const auto ids = at.at("ids").items();
+  if (ids.size() != 2) {
+    at.at("ids").fail("is no pair of numbers", "write the first and the last number that a finger may have");
+    return;
+  }
+  list.first_id = ids[0].integer(0, 65535);
+  list.last_id = ids[1].integer(0, 65535);
+  if (list.last_id < list.first_id || list.last_id - list.first_id >= 64)
+    at.at("ids").fail("are not 1 to 64 numbers", "write the first and the last number that a finger may have");
+  // What stands in an entry has to fit it; the report may end before the last one.
+  const auto entry_number = [&](const char* name, BitNumber& into) {
+    const auto place = at.at(name);
+    auto number = BitNumber::parse(place.text(k_longest_text));
+    if (!number) {
+      place.fail(number.error().what, number.error().remedy);
+    } else if (number->reach() > list.size) {
+      place.fail("lies beyond its entry", "count bytes from the first of an entry, or raise `size`");
+    } else {
+      into = std::move(number).value();
+    }
+  };
+  entry_number("id", list.id);
+  entry_number("x", list.x);
+  entry_number("y", list.y);
+  list.down = read_test(at.at("down"));
+  needs(list.from + list.size);
+  layout_.contacts = std::move(list);
+}
+
 Layout read_layout(const JsonPlace& place) {
   Layout layout;
   const auto kind = place.at("gives").text();
   const auto* const known =
       std::find_if(k_kinds.begin(), k_kinds.end(), [&](const NamedKind& one) { return one.name == kind; });
   if (known == k_kinds.end()) {
-    place.at("gives").fail("is no kind of report", "write pen, mouse, tool, leave, pad, touch_pad or ignored");
+    place.at("gives").fail("is no kind of report", "write pen, mouse, tool, leave, pad, touch, touch_pad or ignored");
     return layout;
   }
   layout.gives = known->gives;
-  place.allow_only({"when",     "gives",    "shortest",      "x",        "y",           "pressure",     "tilt_x",
-                    "tilt_y",   "distance", "wheel",         "rotation", "buttons",     "tip",          "eraser",
-                    "near",     "scroll",   "tool_id",       "serial",   "keys",        "key_codes",    "key_changed",
-                    "key_down", "ring",     "wheel_buttons", "dial",     "second_dial", "eraser_button"});
+  place.allow_only({"when",    "gives",       "shortest",      "x",           "y",        "pressure",
+                    "tilt_x",  "tilt_y",      "distance",      "wheel",       "rotation", "buttons",
+                    "tip",     "eraser",      "near",          "scroll",      "tool_id",  "serial",
+                    "keys",    "key_codes",   "key_changed",   "key_down",    "ring",     "wheel_buttons",
+                    "dial",    "second_dial", "eraser_button", "second_ring", "strip",    "second_strip",
+                    "contacts"});
   LayoutReader fields(place, layout);
   fields.number("x", layout.x);
   fields.number("y", layout.y);
@@ -165,6 +209,10 @@ Layout read_layout(const JsonPlace& place) {
   fields.test("key_down", layout.changed_key_down);
   fields.key_codes();
   fields.number("ring", layout.ring);
+  fields.number("second_ring", layout.second_ring);
+  fields.number("strip", layout.strip);
+  fields.number("second_strip", layout.second_strip);
+  fields.contacts();
   fields.number("wheel_buttons", layout.wheel_buttons);
   fields.steps("dial", layout.dial);
   fields.steps("second_dial", layout.second_dial);

@@ -189,6 +189,15 @@ void read_ranges(const JsonPlace& area, const JsonPlace& pen, Tablet& tablet) {
   tablet.max_pressure = static_cast<std::int32_t>(pen.at("MaxPressure").number(0, 0x7fffffff));
 }
 
+TabletTouch read_touch(const JsonPlace& place) {
+  TabletTouch touch;
+  if (const auto width = place.at("Width"); width.present()) touch.width_mm = width.number(0, 10000);
+  if (const auto height = place.at("Height"); height.present()) touch.height_mm = height.number(0, 10000);
+  touch.max_x = static_cast<std::int32_t>(place.at("MaxX").number(0, 0x7fffffff));
+  touch.max_y = static_cast<std::int32_t>(place.at("MaxY").number(0, 0x7fffffff));
+  return touch;
+}
+
 void read_specifications(const JsonPlace& specifications, Tablet& tablet) {
   const auto pen = specifications.at("Pen");
   read_ranges(specifications.at("Digitizer"), pen, tablet);
@@ -196,6 +205,7 @@ void read_specifications(const JsonPlace& specifications, Tablet& tablet) {
   tablet.pad_keys = read_count(specifications.at("AuxiliaryButtons"), 64);
   tablet.mouse_buttons = read_count(specifications.at("MouseButtons"), 32);
   if (const auto wheel = specifications.at("Wheel"); wheel.present()) tablet.wheels.push_back(read_wheel(wheel));
+  if (const auto touch = specifications.at("Touch"); touch.present()) tablet.touch = read_touch(touch);
   for (const auto& wheel : specifications.at("Wheels").items()) tablet.wheels.push_back(read_wheel(wheel));
 }
 

@@ -20,8 +20,11 @@ struct PadState {
   std::uint64_t keys = 0;               ///< bit i: key i is down
   std::int32_t wheel_delta = 0;         ///< steps since the report before, clockwise positive
   std::int32_t second_wheel_delta = 0;  ///< the same of a second dial
-  std::int32_t wheel_position = -1;     ///< absolute position of a touch ring or strip, -1 while not touched
-  std::uint32_t wheel_buttons = 0;      ///< bit i: the button in wheel i is down
+  std::int32_t wheel_position = -1;     ///< absolute position of a touch ring, -1 while not touched
+  std::int32_t second_wheel_position = -1;
+  std::int32_t strip = 0;  ///< position on a touch strip, 0 while not touched
+  std::int32_t second_strip = 0;
+  std::uint32_t wheel_buttons = 0;  ///< bit i: the button in wheel i is down
 };
 
 /// Turns the raw input reports of one interface into pen samples. Stateful: feed every report of the interface in

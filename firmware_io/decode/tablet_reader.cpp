@@ -99,9 +99,28 @@ TabletWheel read_wheel(const JsonPlace& place) {
   return wheel;
 }
 
+TabletTouch read_touch(const JsonPlace& place) {
+  place.allow_only({"size_mm", "max", "contacts"});
+  TabletTouch touch;
+  if (const auto size = place.at("size_mm").items(); size.size() == 2) {
+    touch.width_mm = size[0].number(0, 10000);
+    touch.height_mm = size[1].number(0, 10000);
+  } else if (place.at("size_mm").present()) {
+    place.at("size_mm").fail("is no pair of numbers", "write [x, y]");
+  }
+  if (const auto max = place.at("max").items(); max.size() == 2) {
+    touch.max_x = static_cast<std::int32_t>(max[0].integer(0, k_largest_value));
+    touch.max_y = static_cast<std::int32_t>(max[1].integer(0, k_largest_value));
+  } else {
+    place.at("max").fail("is no pair of numbers", "write [x, y]");
+  }
+  read_if_present(place.at("contacts"), 64, touch.contacts);
+  return touch;
+}
+
 Tablet read_tablet(const JsonPlace& place, const ProtocolMap& own) {
   place.allow_only({"vendor", "name", "size_mm", "max", "max_pressure", "pen_buttons", "pad_keys", "mouse_buttons",
-                    "wheels", "touch", "hide_from_desktop", "feature_delay_ms", "identifiers", "pads"});
+                    "wheels", "strips", "touch", "hide_from_desktop", "feature_delay_ms", "identifiers", "pads"});
   Tablet tablet;
   tablet.vendor = place.at("vendor").text();
   tablet.name = place.at("name").text();
@@ -124,6 +143,8 @@ Tablet read_tablet(const JsonPlace& place, const ProtocolMap& own) {
   read_if_present(place.at("pad_keys"), 64, tablet.pad_keys);
   read_if_present(place.at("mouse_buttons"), 32, tablet.mouse_buttons);
   for (const auto& item : place.at("wheels").items()) tablet.wheels.push_back(read_wheel(item));
+  read_if_present(place.at("strips"), 2, tablet.strips);
+  if (const auto touch = place.at("touch"); touch.present()) tablet.touch = read_touch(touch);
   if (const auto hide = place.at("hide_from_desktop"); hide.present()) tablet.hide_from_desktop = hide.boolean();
   read_if_present(place.at("feature_delay_ms"), 60000, tablet.feature_delay_ms);
   for (const auto& item : place.at("identifiers").items()) tablet.identifiers.push_back(read_identifier(item, own));

@@ -45,6 +45,15 @@ struct TabletWheel {
   int buttons = 0;
 };
 
+/// The part of a tablet that feels fingers.
+struct TabletTouch {
+  double width_mm = 0;  ///< 0 where it is not known
+  double height_mm = 0;
+  std::int32_t max_x = 0;  ///< largest raw values
+  std::int32_t max_y = 0;
+  int contacts = 0;  ///< the most at a time, 0 where it is not known
+};
+
 struct Tablet {
   std::string vendor;
   std::string name;
@@ -57,6 +66,8 @@ struct Tablet {
   int pad_keys = 0;
   int mouse_buttons = 0;
   std::vector<TabletWheel> wheels;
+  int strips = 0;
+  std::optional<TabletTouch> touch;
   bool hide_from_desktop = false;             ///< the system's own device would move the pointer too
   int feature_delay_ms = 0;                   ///< wait before each feature report
   std::vector<TabletIdentifier> identifiers;  ///< how the pen interface may show itself

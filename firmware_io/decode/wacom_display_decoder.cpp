@@ -12,7 +12,6 @@ WacomDisplayDecoder::WacomDisplayDecoder(const WacomModel& model, const PenAxes&
 
 void WacomDisplayDecoder::reset() {
   sample_ = {};
-  pad_ = {};
   tool_ = Tool::none;
   inside_ = false;
 }
@@ -88,14 +87,8 @@ ReportKind WacomDisplayDecoder::decode_dtu(base::Bytes report) {
 
 ReportKind WacomDisplayDecoder::decode_dtus(base::Bytes report) {
   constexpr std::uint8_t k_pen_report = 0x11;
-  constexpr std::uint8_t k_pad_report = 0x15;
   /// Contact is judged by pressure.
   constexpr std::int32_t k_contact_threshold = 10;
-  if (report[0] == k_pad_report) {
-    pad_ = {};
-    pad_.keys = report[1] & 0x0f;
-    return ReportKind::pad;
-  }
   if (report[0] != k_pen_report) return ReportKind::ignored;
   const bool near = bit(report, 1, 0x80);
   if (near) {

@@ -19,9 +19,7 @@ WacomGraphireDecoder::WacomGraphireDecoder(const WacomModel& model) : family_(mo
 
 void WacomGraphireDecoder::reset() {
   sample_ = {};
-  pad_ = {};
   tool_ = Tool::none;
-  pad_active_ = false;
 }
 
 void WacomGraphireDecoder::set_tool(base::Bytes report) {
@@ -47,8 +45,7 @@ ReportKind WacomGraphireDecoder::decode(base::Bytes report) {
   if (report.size() < size || report[0] != (bluetooth ? 0x03 : 0x02)) return ReportKind::ignored;
 
   const bool near = bit(report, 1, 0x80);
-  const bool pad = decode_pad(report);
-  if (!near && !sample_.in_range) return pad ? ReportKind::pad : ReportKind::ignored;
+  if (!near && !sample_.in_range) return ReportKind::ignored;
   if (near) set_tool(report);
   sample_.x = le16(report, 2);
   sample_.y = le16(report, 4);
@@ -73,34 +70,6 @@ ReportKind WacomGraphireDecoder::decode(base::Bytes report) {
   sample_.tool = near ? tool_ : Tool::none;
   if (!near) sample_.tool_id = 0;
   return ReportKind::pen;
-}
-
-bool WacomGraphireDecoder::decode_pad(base::Bytes report) {
-  bool active = false;
-  pad_.keys = 0;
-  pad_.wheel_delta = 0;
-  pad_.wheel_position = -1;
-  switch (family_) {
-    case WacomFamily::graphire4:
-      active = (report[7] & 0xf8) != 0;
-      pad_.keys = report[7] >> 6;
-      pad_.wheel_delta = ((report[7] & 0x18) >> 3) - ((report[7] & 0x20) >> 3);
-      break;
-    case WacomFamily::bamboo_first:
-      active = (report[7] & 0xf8) != 0 || report[8] != 0;
-      pad_.keys = (report[7] >> 3) & 0x0f;
-      if (bit(report, 8, 0x80)) pad_.wheel_position = report[8] & 0x7f;
-      break;
-    case WacomFamily::graphire_bluetooth:
-      active = (report[7] & 0x03) != 0;
-      pad_.keys = report[7] & 0x03;
-      break;
-    default:
-      break;
-  }
-  const bool told = active || pad_active_;
-  pad_active_ = active;
-  return told;
 }
 
 WacomPenPartnerDecoder::WacomPenPartnerDecoder(const WacomModel& model) : axes_(wacom_axes(model)) {}

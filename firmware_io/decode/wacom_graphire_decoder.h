@@ -17,12 +17,10 @@ class WacomGraphireDecoder final : public PenDecoder {
 
  private:
   void set_tool(base::Bytes report);
-  bool decode_pad(base::Bytes report);
 
   WacomFamily family_;
   PenAxes axes_;
   Tool tool_ = Tool::none;  ///< the last tool, kept for the report that says that it left
-  bool pad_active_ = false;
 };
 
 /// PenPartner: report 1 with proximity, report 2 (of the serial tablet's successors and emulated ones) always near.

@@ -15,7 +15,6 @@ constexpr std::int32_t k_full_pressure = 2047;
 
 bool is_pen_id(std::uint8_t id) { return id == 0x02 || id == 0x10; }
 bool is_proximity_id(std::uint8_t id) { return id == 0x05 || id == 0x06; }
-bool is_pad_id(std::uint8_t id) { return id == 0x0c || id == 0x03 || id == 0x11; }
 
 }  // namespace
 
@@ -40,7 +39,6 @@ WacomIntuosDecoder::WacomIntuosDecoder(const WacomModel& model) : model_(model),
 
 void WacomIntuosDecoder::reset() {
   sample_ = {};
-  pad_ = {};
   tools_ = {};
   reporting_ = false;
 }
@@ -60,8 +58,9 @@ ReportKind WacomIntuosDecoder::decode_bluetooth(base::Bytes report) {
   ReportKind kind = ReportKind::ignored;
   for (std::size_t i = 0; i < count; ++i) {
     const ReportKind one = decode_one(report.subspan(1 + i * k_report_size, k_report_size));
-    if (one == ReportKind::pen) frames_.add(sample_);
-    if (one == ReportKind::pen || kind == ReportKind::ignored) kind = one;
+    if (one != ReportKind::pen) continue;
+    frames_.add(sample_);
+    kind = one;
   }
   return kind;
 }
@@ -69,7 +68,6 @@ ReportKind WacomIntuosDecoder::decode_bluetooth(base::Bytes report) {
 ReportKind WacomIntuosDecoder::decode_one(base::Bytes report) {
   if (report.size() < k_report_size) return ReportKind::ignored;
   const std::uint8_t id = report[0];
-  if (is_pad_id(id)) return decode_pad(report);
   if (!is_pen_id(id) && !is_proximity_id(id)) return ReportKind::ignored;
 
   ToolState& tool = tools_[two_tools_ ? report[1] & 1u : 0u];
@@ -207,38 +205,6 @@ void WacomIntuosDecoder::set_mouse(base::Bytes report, unsigned function, WacomT
   } else if (kind == WacomTool::lens) {
     sample_.buttons = buttons(report[8], {0x01, 0x04, 0x02, 0x10, 0x08});
   }
-}
-
-ReportKind WacomIntuosDecoder::decode_pad(base::Bytes report) {
-  using F = WacomFamily;
-  pad_ = {};
-  const auto ring = [&](std::size_t at) { return (report[at] & 0x80) != 0 ? report[at] & 0x7f : -1; };
-  switch (model_.family) {
-    case F::intuos4:
-    case F::intuos4_large:
-    case F::intuos4_bluetooth:
-      pad_.keys = static_cast<std::uint64_t>((report[3] << 1) | (report[2] & 1));
-      pad_.wheel_position = ring(1);
-      break;
-    case F::intuos5:
-    case F::intuos5_large:
-      pad_.keys = static_cast<std::uint64_t>((report[4] << 1) | (report[3] & 1));
-      pad_.wheel_position = ring(2);
-      break;
-    case F::cintiq_hd:
-      pad_.keys = static_cast<std::uint64_t>(report[6] | (report[8] << 8));
-      pad_.wheel_position = ring(1);
-      break;
-    case F::cintiq_21ux2:
-      pad_.keys =
-          static_cast<std::uint64_t>((report[8] << 10) | ((report[7] & 1) << 9) | (report[6] << 1) | (report[5] & 1));
-      break;
-    default:
-      pad_.keys = static_cast<std::uint64_t>(((report[6] & 0x10) << 5) | ((report[5] & 0x10) << 4) |
-                                             ((report[6] & 0x0f) << 4) | (report[5] & 0x0f));
-      break;
-  }
-  return ReportKind::pad;
 }
 
 }  // namespace penpose::decode

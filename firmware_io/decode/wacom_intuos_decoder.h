@@ -34,7 +34,6 @@ class WacomIntuosDecoder final : public PenDecoder {
 
   ReportKind decode_one(base::Bytes report);
   ReportKind decode_bluetooth(base::Bytes report);
-  ReportKind decode_pad(base::Bytes report);
   void enter(base::Bytes report, ToolState& tool);
   ReportKind leave(ToolState& tool);
   [[nodiscard]] bool is_refused(base::Bytes report, const ToolState& tool) const;

@@ -13,6 +13,7 @@
 #include "replay/trace_source.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/files.h"
+#include "ui/cli/hand_decode.h"
 #include "ui/cli/own_tablets.h"
 #include "ui/cli/sample_printer.h"
 #include "ui/cli/trace_file.h"
@@ -25,6 +26,8 @@ struct DecodeOptions {
   std::string protocol;
   std::string tablets;
   bool csv = false;
+  bool pad = false;
+  bool touch = false;
   bool json = false;
 };
 
@@ -217,6 +220,10 @@ int decode_trace(const DecodeOptions& options) {
   }
   const auto own = read_own_tablets(options.tablets);
   if (!own) return report(own.error(), options.tablets);
+  if (options.pad || options.touch) {
+    const HandPart part = options.pad ? HandPart::pad : HandPart::touch;
+    return decode_hands({options.trace, options.protocol, part, options.json}, &*own);
+  }
   return DecodeRun(options, &*own).run();
 }
 
@@ -224,10 +231,13 @@ int decode_trace(const DecodeOptions& options) {
 
 void add_decode_command(CLI::App& app, int& status) {
   auto options = std::make_shared<DecodeOptions>();
-  CLI::App* command = app.add_subcommand("decode", "Prints the pen samples of a trace of raw HID reports");
+  CLI::App* command = app.add_subcommand("decode", "Prints what pen or hand did in a trace of raw HID reports");
   command->add_option("trace", options->trace, "Trace in hid-recorder's text format")->required();
   auto* csv = command->add_flag("--csv", options->csv, "Comma-separated rows (the default)");
   command->add_flag("--json", options->json, "One JSON object")->excludes(csv);
+  auto* pad =
+      command->add_flag("--pad", options->pad, "Keys, rings, strips and wheels of the tablet instead of its pen");
+  command->add_flag("--touch", options->touch, "Fingers on the tablet instead of its pen")->excludes(pad);
   command->add_option("--protocol", options->protocol,
                       "Read every report with this protocol, whatever the trace's device is");
   command->add_option(k_tablets_option, options->tablets, k_tablets_help);

@@ -1,6 +1,7 @@
 #include "ui/cli/devices_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -47,6 +48,11 @@ Json to_json(const decode::TabletIdentifier& identifier) {
   return out;
 }
 
+std::size_t rings(const decode::Tablet& tablet) {
+  return static_cast<std::size_t>(std::count_if(tablet.wheels.begin(), tablet.wheels.end(),
+                                                [](const decode::TabletWheel& wheel) { return wheel.is_ring; }));
+}
+
 Json to_json(const decode::Tablet& tablet) {
   Json out{{"vendor", tablet.vendor},
            {"name", tablet.name},
@@ -57,11 +63,33 @@ Json to_json(const decode::Tablet& tablet) {
            {"pad_keys", tablet.pad_keys},
            {"mouse_buttons", tablet.mouse_buttons},
            {"wheels", tablet.wheels.size()},
+           {"rings", rings(tablet)},
+           {"strips", tablet.strips},
            {"identifiers", Json::array()},
            {"pads", Json::array()}};
+  if (tablet.touch) {
+    out["touch"] = {{"size_mm", {tablet.touch->width_mm, tablet.touch->height_mm}},
+                    {"max", {tablet.touch->max_x, tablet.touch->max_y}}};
+    if (tablet.touch->contacts > 0) out["touch"]["contacts"] = tablet.touch->contacts;
+  }
   for (const auto& identifier : tablet.identifiers) out["identifiers"].push_back(to_json(identifier));
   for (const auto& pad : tablet.pads) out["pads"].push_back(to_json(pad));
   return out;
+}
+
+/// What the hand finds on it: `; 8 keys, 1 ring, touch`.
+std::string hand_of(const decode::Tablet& tablet) {
+  std::string list;
+  const auto add = [&](std::size_t count, const std::string& what) {
+    if (count == 0) return;
+    list += (list.empty() ? "; " : ", ") + std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+  };
+  add(static_cast<std::size_t>(std::max(tablet.pad_keys, 0)), "key");
+  add(rings(tablet), "ring");
+  add(tablet.wheels.size() - rings(tablet), "dial");
+  add(static_cast<std::size_t>(std::max(tablet.strips, 0)), "strip");
+  if (tablet.touch) list += list.empty() ? "; touch" : ", touch";
+  return list;
 }
 
 void print(const decode::Tablet& tablet) {
@@ -76,6 +104,7 @@ void print(const decode::Tablet& tablet) {
   for (const auto& id : ids) std::cout << ' ' << id;
   std::cout << ',';
   for (const auto& protocol : protocols) std::cout << ' ' << protocol;
+  std::cout << hand_of(tablet);
   std::cout << '\n';
 }
 

@@ -6,8 +6,11 @@
 #include <new>
 
 #include "firmware_io/decode/decoder_factory.h"
+#include "firmware_io/decode/hand_factory.h"
 #include "firmware_io/decode/protocol.h"
+#include "firmware_io/decode/wacom_hands.h"
 #include "firmware_io/decode/wacom_models.h"
+#include "tests/support/hand_descriptors.h"
 #include "tests/support/pen_reports.h"
 
 namespace {
@@ -57,6 +60,15 @@ std::vector<tests::Report> reports_of_all_kinds() {
   return reports;
 }
 
+std::size_t allocations_of(HandDecoders& hand, const std::vector<tests::Report>& reports) {
+  const std::size_t before = allocations;
+  for (const tests::Report& report : reports) {
+    if (hand.pad) hand.pad->decode(report);
+    if (hand.touch) hand.touch->decode(report);
+  }
+  return allocations - before;
+}
+
 TEST(Allocation, CountingWorks) {
   const std::size_t before = allocations;
   const auto* memory = new int(5);
@@ -97,6 +109,34 @@ TEST(Allocation, NoProtocolDecoderAllocates) {
   for (const std::string& name : protocol_names()) {
     const auto decoder = make_protocol_decoder(name);
     EXPECT_EQ(allocations_of(*decoder, reports), 0u) << name;
+  }
+}
+
+TEST(Allocation, NoHandDecoderAllocates) {
+  const auto reports = reports_of_all_kinds();
+  for (const WacomHand& known : wacom_hands()) {
+    for (const std::uint16_t bus : {k_bus_usb, k_bus_bluetooth}) {
+      DeviceIdentity device;
+      device.bus = bus;
+      device.vendor = k_vendor_wacom;
+      device.product = known.product;
+      auto hand = make_hand_decoders(device);
+      EXPECT_EQ(allocations_of(hand, reports), 0u) << std::hex << known.product;
+    }
+  }
+  for (const auto& descriptor : {tests::wacom_pad_descriptor(), tests::touch_descriptor(2)}) {
+    for (const std::uint16_t vendor : {std::uint16_t{0x1b96}, k_vendor_wacom}) {
+      DeviceIdentity device;
+      device.vendor = vendor;
+      device.product = 0xfff0;
+      device.report_descriptor = descriptor;
+      auto hand = make_hand_decoders(device);
+      EXPECT_EQ(allocations_of(hand, reports), 0u);
+    }
+  }
+  for (const std::string& name : protocol_names()) {
+    auto hand = make_protocol_hand_decoders(name);
+    EXPECT_EQ(allocations_of(hand, reports), 0u) << name;
   }
 }
 

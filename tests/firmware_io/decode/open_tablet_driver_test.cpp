@@ -17,7 +17,8 @@ std::string configuration(const std::string& parser, const std::string& more = "
   "Specifications": {
     "Digitizer": {"Width": 200.5, "Height": 100.25, "MaxX": 40100.0, "MaxY": 20050},
     "Pen": {"MaxPressure": 8191, "Buttons": {"ButtonCount": 2}},
-    "AuxiliaryButtons": {"ButtonCount": 6}, "MouseButtons": null, "Touch": null,
+    "AuxiliaryButtons": {"ButtonCount": 6}, "MouseButtons": null,
+    "Touch": {"Width": 150.5, "Height": 90, "MaxX": 4095.0, "MaxY": 2047},
     "Wheel": {"StepCount": 71, "IsRelative": false, "AngleOfZeroReading": 180.0, "Buttons": {"ButtonCount": 1}}},
   "DigitizerIdentifiers": [{"VendorID": 4660, "ProductID": 43981, "InputReportLength": 12, "OutputReportLength": null,
     "ReportParser": "PARSER", "FeatureInitReport": ["AgI=", "BAA="], "OutputInitReport": "ArAE",
@@ -42,6 +43,10 @@ TEST(OpenTabletDriver, ConfigurationAsItIs) {
   EXPECT_EQ(tablet.pen_buttons, 2);
   EXPECT_EQ(tablet.pad_keys, 6);
   EXPECT_TRUE(tablet.hide_from_desktop);
+  ASSERT_TRUE(tablet.touch.has_value());
+  EXPECT_EQ(tablet.touch->width_mm, 150.5);
+  EXPECT_EQ(tablet.touch->max_x, 4095);
+  EXPECT_EQ(tablet.touch->max_y, 2047);
   EXPECT_EQ(tablet.feature_delay_ms, 150);
   ASSERT_EQ(tablet.wheels.size(), 1U);
   EXPECT_TRUE(tablet.wheels[0].is_ring);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "firmware_io/decode/hand_factory.h"
 #include "firmware_io/decode/protocol.h"
 #include "tests/support/shared_data.h"
 
@@ -111,6 +112,31 @@ TEST(SharedTablets, EveryVectorDecodes) {
     }
   }
   EXPECT_GT(reports, 600U);
+}
+
+/// A contact of a vector: its slot, which is the finger's place among all of them, and where it is.
+TEST(SharedTablets, FingersOfEveryVector) {
+  const auto vectors = shared_vectors();
+  unsigned frames = 0;
+  for (const auto& vector : vectors["vectors"]) {
+    auto hand = make_protocol_hand_decoders(vector["family"].get<std::string>());
+    if (!hand.touch) continue;
+    SCOPED_TRACE(vector["id"].get<std::string>());
+    for (const auto& report : vector["reports"]) {
+      const bool ended = hand.touch->decode(from_hex(report["hex"].get<std::string>()));
+      const auto& want = report["expect"];
+      EXPECT_EQ(ended, want["kind"] == "touch");
+      if (want["kind"] != "touch") continue;
+      ++frames;
+      const auto contacts = hand.touch->contacts();
+      ASSERT_EQ(contacts.size(), want["touches"].size());
+      for (std::size_t i = 0; i < contacts.size(); ++i) {
+        EXPECT_EQ(contacts[i].x, want["touches"][i]["x"].get<int>());
+        EXPECT_EQ(contacts[i].y, want["touches"][i]["y"].get<int>());
+      }
+    }
+  }
+  EXPECT_GE(frames, 20U);
 }
 
 }  // namespace

@@ -40,16 +40,6 @@ TEST(WacomGraphireDecoder, TheMouseIsATool) {
   EXPECT_EQ(bamboo.sample().distance, 0x2a);
 }
 
-TEST(WacomGraphireDecoder, KeysOfTheFirstBamboosAreThePads) {
-  auto decoder = decoder_of(0x0017);
-  ASSERT_EQ(decoder.decode(tests::Report{0x02, 0x00, 0, 0, 0, 0, 0, 0x48, 0x85}), ReportKind::pad);
-  EXPECT_EQ(decoder.pad().keys, 0b1001u);
-  EXPECT_EQ(decoder.pad().wheel_position, 5);
-  EXPECT_EQ(decoder.decode(tests::Report{0x02, 0, 0, 0, 0, 0, 0, 0, 0}), ReportKind::pad);
-  EXPECT_EQ(decoder.pad().keys, 0u);
-  EXPECT_EQ(decoder.decode(tests::Report{0x02, 0, 0, 0, 0, 0, 0, 0, 0}), ReportKind::ignored);
-}
-
 TEST(WacomGraphireDecoder, OverBluetoothPressureSitsElsewhere) {
   auto decoder = decoder_of(0x0081, k_bus_bluetooth);
   EXPECT_EQ(decoder.decode(tests::Report{0x02, 0x80, 1, 0, 2, 0, 3, 0, 0}), ReportKind::ignored);

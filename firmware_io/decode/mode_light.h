@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+
+namespace penpose::decode {
+
+/// The lights at a ring or strip, of which one is on and says what the ring does now. Tablets do not tell which; it
+/// follows from the presses of their mode key, each of which moves on to the next light, from the first.
+class ModeLight {
+ public:
+  /// The light after a report in which the mode key is `down`.
+  std::int8_t press(bool down, unsigned lights) {
+    if (down && !held_ && lights > 0) light_ = static_cast<std::int8_t>((static_cast<unsigned>(light_) + 1) % lights);
+    held_ = down;
+    return light_;
+  }
+  /// Where each light has a key of its own: bit i of `down` turns on light i.
+  std::int8_t choose(unsigned down, unsigned lights) {
+    for (unsigned i = 0; i < lights; ++i) {
+      if ((down >> i & 1) == 0) continue;
+      light_ = static_cast<std::int8_t>(i);
+      break;
+    }
+    return light_;
+  }
+  void reset() { *this = {}; }
+
+ private:
+  std::int8_t light_ = 0;
+  bool held_ = false;
+};
+
+}  // namespace penpose::decode

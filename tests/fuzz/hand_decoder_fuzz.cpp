@@ -1,0 +1,108 @@
+// Reports of any content for every way of reading keys, wheels and fingers: the first bytes choose the device and carry
+// its descriptor, the rest are reports with their lengths in front. A length of 255 stands for one of 400 bytes, so
+// that reports over Bluetooth come, too.
+
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+#include "firmware_io/decode/hand_factory.h"
+#include "firmware_io/decode/wacom_hands.h"
+#include "firmware_io/decode/wacom_models.h"
+
+using namespace penpose;
+
+namespace {
+
+constexpr std::size_t k_long_report = 400;
+
+decode::DeviceIdentity chosen_device(base::ByteReader& reader) {
+  decode::DeviceIdentity device;
+  const std::uint8_t choice = reader.read<std::uint8_t>().value_or(0);
+  const auto hands = decode::wacom_hands();
+  device.vendor = decode::k_vendor_wacom;
+  if (choice < hands.size()) {
+    device.product = hands[choice].product;
+    device.bus = decode::find_wacom_hand(decode::k_bus_usb, device.vendor, device.product) != nullptr
+                     ? decode::k_bus_usb
+                     : decode::k_bus_bluetooth;
+  } else if (choice < 240) {
+    const auto tablets = decode::known_tablets().tablets();
+    const auto& identifier = tablets[(choice - hands.size()) * 3 % tablets.size()].identifiers.front();
+    device.vendor = identifier.vendor;
+    device.product = identifier.product;
+    device.input_report_length = identifier.input_report_length;
+  } else {
+    device.product = choice % 4 == 0 ? 0x0357 : 0xfff0;  // described; the first turns its ring round
+    if (choice % 2 == 1) device.vendor = 0x1b96;
+  }
+  const std::size_t length = reader.read<std::uint8_t>().value_or(0) * std::size_t{2};
+  if (const auto descriptor = reader.take(length))
+    device.report_descriptor.assign(descriptor->begin(), descriptor->end());
+  return device;
+}
+
+struct State {
+  decode::PadSample pad;
+  std::vector<decode::TouchContact> touch;
+  friend bool operator==(const State&, const State&) = default;
+};
+
+/// What must hold whatever a device sends.
+void check(const decode::PadDecoder& pad) {
+  const decode::PadSample& sample = pad.sample();
+  const decode::PadFeatures& has = pad.features();
+  if (has.rings > decode::k_pad_sides || has.strips > decode::k_pad_sides || has.wheels > decode::k_pad_sides)
+    std::abort();
+  for (std::size_t i = 0; i < decode::k_pad_sides; ++i) {
+    if (has.modes > i && (sample.mode[i] < 0 || static_cast<unsigned>(sample.mode[i]) >= has.lights)) std::abort();
+  }
+  if (pad.battery().percent < -1) std::abort();
+  if (decode::key_names(sample.keys).empty()) std::abort();
+}
+
+void check(const decode::TouchDecoder& touch) {
+  if (touch.contacts().size() > touch.axes().contacts) std::abort();
+  for (const auto& one : touch.contacts()) {
+    unsigned same = 0;
+    for (const auto& other : touch.contacts()) same += one.id == other.id ? 1 : 0;
+    if (same != 1) std::abort();
+  }
+}
+
+std::vector<State> run(decode::HandDecoders& hand, base::ByteReader reader) {
+  std::vector<State> states;
+  while (const auto given = reader.read<std::uint8_t>()) {
+    const std::size_t wanted = *given == 255 ? k_long_report : *given;
+    // A length beyond the end takes what is left, so that every byte counts.
+    const auto report = reader.take(wanted <= reader.remaining() ? wanted : reader.remaining());
+    State state;
+    if (hand.pad) {
+      hand.pad->decode(*report);
+      check(*hand.pad);
+      state.pad = hand.pad->sample();
+    }
+    if (hand.touch) {
+      hand.touch->decode(*report);
+      check(*hand.touch);
+      state.touch.assign(hand.touch->contacts().begin(), hand.touch->contacts().end());
+    }
+    states.push_back(std::move(state));
+  }
+  return states;
+}
+
+}  // namespace
+
+// NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer looks for
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  base::ByteReader reader(base::Bytes(data, size));
+  auto hand = decode::make_hand_decoders(chosen_device(reader));
+  if (!hand.pad && !hand.touch) return 0;
+  const auto first = run(hand, reader);
+  // A reset leaves nothing behind: the same reports give the same states.
+  if (hand.pad) hand.pad->reset();
+  if (hand.touch) hand.touch->reset();
+  if (run(hand, reader) != first) std::abort();
+  return 0;
+}
