@@ -64,29 +64,11 @@ base::Result<LivePoser> LivePoser::start(const rig::Rig& rig, WholeModel whole, 
   drawn.target = {{0, 0}, {1, 0}};
   if (auto status = check_problem(rig, problem); !status) return status.error();
 
-  posing::PoseProblem only;
-  only.pairs.push_back({drawn.reference, std::vector<ModelPoint>(drawn.reference.size(), ModelPoint{0}), {}});
-  only.start = problem.start;
-  posing::CurveSystem system(rig, only);
-  std::vector<ModelPoint> positions(system.point_count());
-  system.positions(problem.start, positions);
-  std::vector<PxPoint> seen;
-  for (const ModelPoint& p : positions) {
-    const auto px = drawn.camera.project(p);
-    if (!px)
-      return base::Error{"the reference curve lies behind the camera", "", "turn the view so that it is visible"};
-    seen.push_back(*px);
-  }
-  const double length = curve::arc_length<PxPoint>(seen);
-  if (!(length > 0.0)) {
-    return base::Error{"the reference curve has no length in this view", "",
-                       "turn the view so that the curve is visible"};
-  }
-  const auto chain = chain_of(rig, drawn.reference);
   auto state = std::make_unique<State>(rig, std::move(whole), std::move(problem));
+  state->seen = state->reader.seen_at_start(0);
+  state->length = curve::arc_length<PxPoint>(state->seen);
+  const auto chain = chain_of(rig, state->problem.drawn.front().reference);
   if (!chain.empty()) state->reader.restrict_to(chain);
-  state->seen = std::move(seen);
-  state->length = length;
   return LivePoser(std::move(state));
 }
 
@@ -94,7 +76,7 @@ LiveStep LivePoser::follow(std::span<const PxPoint> line) {
   State& s = *state_;
   if (line.size() < 2) return {};
   const double drawn = curve::arc_length(line);
-  if (!(drawn > 0.0) || !std::isfinite(drawn)) return {};
+  if (!(drawn >= k_shortest_px && drawn <= 1e7)) return {};
   Alignment alignment;
   alignment.reversed =
       geometry::distance(line.front(), s.seen.back()) < geometry::distance(line.front(), s.seen.front());
@@ -111,7 +93,7 @@ LiveStep LivePoser::follow_whole(std::span<const PxPoint> line) {
   State& s = *state_;
   if (line.size() < 2) return {};
   const double drawn = curve::arc_length(line);
-  if (!(drawn > 0.0) || !std::isfinite(drawn)) return {};
+  if (!(drawn >= k_shortest_px && drawn <= 1e7)) return {};
   return s.step(line, alignments(s.seen, line, 0.0).front());
 }
 

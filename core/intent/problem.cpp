@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/curve/polyline.h"
+#include "core/posing/curve_system.h"
 
 namespace penpose::intent {
 namespace {
@@ -15,12 +16,37 @@ std::string named(const char* kind, std::size_t index) { return std::string(kind
 posing::PoseProblem as_pose_problem(const IntentProblem& problem) {
   posing::PoseProblem plain;
   for (const DrawnCurve& curve : problem.drawn)
-    plain.pairs.push_back({curve.reference, std::vector<ModelPoint>(curve.reference.size(), ModelPoint{0}), {}});
+    plain.pairs.push_back(
+        {curve.reference, std::vector<ModelPoint>(curve.reference.size(), ModelPoint{0}), curve.weights});
   for (const KnownCurve& curve : problem.known) plain.pairs.push_back({curve.reference, curve.target, {}});
   for (const KnownCurve& curve : problem.kept) plain.constraints.push_back({curve.reference, curve.target});
   plain.free = problem.free;
   plain.start = problem.start;
   return plain;
+}
+
+/// Less is no width: its square has no place in a double.
+constexpr double k_least_doubt = 1e-30;
+
+/// Why the reference of a drawn curve cannot be seen in its view, if it cannot.
+std::optional<base::Error> unseen(const rig::Rig& rig, const rig::Pose& pose, const DrawnCurve& curve) {
+  posing::PoseProblem alone;
+  alone.pairs.push_back({curve.reference, std::vector<ModelPoint>(curve.reference.size(), ModelPoint{0}), {}});
+  alone.start = pose;
+  posing::CurveSystem system(rig, alone);
+  std::vector<ModelPoint> positions(system.point_count());
+  system.positions(pose, positions);
+  std::vector<PxPoint> seen;
+  for (const ModelPoint& p : positions) {
+    const auto px = curve.camera.project(p);
+    if (!px)
+      return base::Error{"the reference curve lies behind the camera", "", "turn the view so that it is visible"};
+    seen.push_back(*px);
+  }
+  if (seen.size() < 2 || !(curve::arc_length<PxPoint>(seen) > 0.0))
+    return base::Error{"the reference curve has no length in this view", "",
+                       "turn the view so that the curve is visible"};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -36,8 +62,12 @@ double stroke_doubt_px(std::span<const PxPoint> line, double hand_px) {
   const auto smooth = curve::triangle_filter<PxPoint>(*even, 7, curve::Ends::fixed);
   double sum = 0;
   for (std::size_t i = 0; i < k_samples; ++i) {
+    // Across the line alone: the filter's cut kernel pulls points along it near the ends.
+    const PxPoint ahead = smooth[std::min(i + 1, k_samples - 1)] - smooth[i > 0 ? i - 1 : 0];
     const PxPoint d = (*even)[i] - smooth[i];
-    sum += d.x * d.x + d.y * d.y;
+    const double length = geometry::distance(ahead, {});
+    const double across = length > 0.0 ? (d.x * ahead.y - d.y * ahead.x) / length : 0.0;
+    sum += across * across;
   }
   // A corner that is meant is rounded by the filter, too: only what passes a half of the hand's own doubt counts.
   const double rough = std::sqrt(sum / k_samples);
@@ -48,22 +78,24 @@ base::Status check_problem(const rig::Rig& rig, const IntentProblem& problem) {
   if (auto status = posing::check_problem(rig, as_pose_problem(problem)); !status) return status.error();
   for (std::size_t i = 0; i < problem.drawn.size(); ++i) {
     const DrawnCurve& curve = problem.drawn[i];
+    if (auto error = unseen(rig, problem.start, curve)) {
+      error->place = named("curve", i);
+      return *error;
+    }
     if (curve.reference.size() < 2)
       return base::Error{"the reference curve has fewer than two points", named("curve", i), "draw a longer line"};
     for (const PxPoint& p : curve.target) {
       if (!(std::abs(p.x) <= 1e6 && std::abs(p.y) <= 1e6))
         return base::Error{"the target lies a million px away", named("curve", i), "draw it on the screen"};
     }
-    if (curve.target.size() < 2 || !(curve::arc_length<PxPoint>(curve.target) > 0.0))
+    if (curve.target.size() < 2 || !(curve::arc_length<PxPoint>(curve.target) >= k_shortest_px))
       return base::Error{"the target has no length", named("curve", i), "draw a longer line"};
-    if (!(curve.doubt_px > 0.0) || !std::isfinite(curve.doubt_px))
+    if (!(curve.doubt_px >= k_least_doubt) || !std::isfinite(curve.doubt_px))
       return base::Error{"the width of doubt is no positive number", named("curve", i), "give some px"};
-    if (!curve.weights.empty() && curve.weights.size() != curve.reference.size())
-      return base::Error{"has another number of weights than of points", named("curve", i), "give one weight a point"};
   }
   for (const auto* curves : {&problem.known, &problem.kept}) {
     for (std::size_t i = 0; i < curves->size(); ++i) {
-      if (!((*curves)[i].doubt > 0.0) || !std::isfinite((*curves)[i].doubt))
+      if (!((*curves)[i].doubt >= k_least_doubt) || !std::isfinite((*curves)[i].doubt))
         return base::Error{"the width of doubt is no positive number", named("curve", i), "give some model units"};
     }
   }

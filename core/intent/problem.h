@@ -14,6 +14,9 @@ using geometry::ModelPoint;
 using geometry::ModelVector;
 using geometry::PxPoint;
 
+/// Strokes shorter than this are dots, px.
+inline constexpr double k_shortest_px = 0.5;
+
 /// How far a practised hand strays from the line that was meant, px of a view 1000 px high. It grows with the height,
 /// so that a dense screen behaves like any other.
 inline constexpr double k_doubt_px = 2.2;

@@ -37,6 +37,8 @@ class Reader {
   [[nodiscard]] const std::vector<Alignment>& alignments(std::size_t c) const { return blocks_[c].alignments; }
   void align(std::size_t c, std::size_t which) { blocks_[c].aligned = which; }
   [[nodiscard]] std::size_t aligned(std::size_t c) const { return blocks_[c].aligned; }
+  /// The points of drawn curve c on its picture, at the start.
+  [[nodiscard]] std::vector<PxPoint> seen_at_start(std::size_t c) const { return seen(blocks_[c], start_); }
   /// Takes another line for drawn curve c. Precondition: at least two points, of positive length.
   void redraw(std::size_t c, std::span<const PxPoint> line, Alignment alignment);
 
@@ -52,6 +54,8 @@ class Reader {
   [[nodiscard]] double energy_of_image(std::span<const double> image, std::size_t rows) const;
   /// D of drawn curve c alone.
   double squares_of(std::size_t c, const Choice& choice);
+  /// All curves weigh fully again.
+  void weigh_evenly();
   /// Curves that are out of reach at a choice weigh less from the next look on.
   void weigh(const Choice& choice);
 

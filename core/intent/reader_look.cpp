@@ -180,6 +180,10 @@ double Reader::squares_of(std::size_t c, const Choice& choice) {
   return squares(blocks_[c], positions_);
 }
 
+void Reader::weigh_evenly() {
+  for (Block& block : blocks_) block.share = 1.0;
+}
+
 void Reader::weigh(const Choice& choice) {
   system_.positions(pose_of(choice), positions_);
   for (Block& block : blocks_) block.share = 1.0 / (1.0 + squares(block, positions_) / k_reach);

@@ -122,9 +122,7 @@ Matching SlidingLine::match(std::span<const PxPoint> seen, const Alignment& alig
       const double closer = std::abs(times(m.modes[i + 1], at) - times(m.modes[i], at));
       if (closer > 0.9 * gap && closer > 0.0) scale = std::min(scale, 0.9 * gap / closer);
     }
-    if (scale > 0.2) {
-      for (double& a : at) a *= scale;
-    }
+    for (double& a : at) a *= scale;
   }
   return m;
 }

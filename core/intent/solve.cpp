@@ -44,6 +44,7 @@ class Solver {
   /// Matching and choosing in turn, from nothing moved.
   Reading read() {
     Choice choice;
+    reader_.weigh_evenly();
     const std::size_t rounds = reader_.linear() ? options_.rounds : options_.general_rounds;
     std::vector<Choice> rivals;
     for (std::size_t round = 0; round < rounds; ++round) {
@@ -117,6 +118,7 @@ class Solver {
 
 /// The best reading over the ways in which single lines may be aligned.
 Reading best_alignment(Reader& reader, Solver& solver, std::size_t drawn) {
+  for (std::size_t c = 0; c < drawn; ++c) reader.align(c, 0);
   Reading best = solver.read();
   for (std::size_t c = 0; c < drawn; ++c) {
     std::size_t chosen = reader.aligned(c);
@@ -166,13 +168,15 @@ base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const
   if (!chain.empty()) reader.restrict_to(chain);
   Reading reading = best_alignment(reader, solver, problem.drawn.size());
   if (!chain.empty() && reading.energy > 2.0 * k_beyond_chain) {
-    const Choices restricted = reader.choices();
+    std::vector<std::size_t> aligned;
+    for (std::size_t c = 0; c < problem.drawn.size(); ++c) aligned.push_back(reader.aligned(c));
     reader.restrict_to({});
     Reading all = best_alignment(reader, solver, problem.drawn.size());
     if (all.energy < reading.energy - k_beyond_chain) {
       reading = std::move(all);
     } else {
       reader.restrict_to(chain);
+      for (std::size_t c = 0; c < aligned.size(); ++c) reader.align(c, aligned[c]);
     }
   }
   solver.search(reading);
