@@ -118,7 +118,7 @@ base::Status App::open(const std::string& path) {
     set_project({});
     return base::Done{};
   }
-  auto document = cli::load_document(path);
+  auto document = cli::load_document(path, cli::NamedBy::file);
   if (!document) return document.error();
   begin_session(std::move(*document), path);
   if (!path.starts_with("builtin:")) {
@@ -130,10 +130,12 @@ base::Status App::open(const std::string& path) {
 }
 
 base::Result<replay::Playback> App::played_session(const std::string& path) {
-  const auto file = cli::open_trace(path);
+  const auto file = cli::open_plain(path);
   if (!file) return file.error();
   replay::PlayerOptions options;
-  options.open = [&](const std::string& named) { return cli::load_document(cli::find_session_model(path, named)); };
+  options.open = [&](const std::string& named) {
+    return cli::load_document(cli::find_session_model(path, named), cli::NamedBy::file);
+  };
   options.own_tablets = options_.own_tablets;
   auto played = replay::play_session(cli::read_from_file(file->get()), options);
   if (!played) return played;
@@ -158,7 +160,7 @@ base::Status App::play_trace(const std::string& path) {
   if (player->is_session()) {
     if (!player->model()) return replay::no_model();
     const std::string model = cli::find_session_model(path, player->model()->path);
-    auto document = cli::load_document(model);
+    auto document = cli::load_document(model, cli::NamedBy::file);
     if (!document) return document.error();
     const base::Hash128 found = document::DocumentHasher()(*document).whole;
     if (!(found == player->model()->hash)) return replay::other_model(model, found, player->model()->hash);

@@ -13,6 +13,7 @@
 #include "core/document/document_hash.h"
 #include "core/model_io/sketch_file.h"
 #include "ui/cli/commands.h"
+#include "ui/cli/file_roles.h"
 #include "ui/cli/files.h"
 #include "ui/cli/load_model.h"
 #include "ui/cli/progress.h"
@@ -109,12 +110,16 @@ std::vector<std::string> notes_on(const Deformer& deformer) {
 }
 
 int articulate(const ArticulateArguments& arguments) {
+  FileRoles files;
+  files.reads(arguments.model);
+  files.reads(arguments.sketch);
+  if (const auto fits = files.writes(arguments.out, "-o"); !fits) return report(fits.error(), arguments.out);
   if (!arguments.out.ends_with(".glb")) {
     return report({"deformers are kept in .glb files only", "", "name the output .glb"}, arguments.out);
   }
   const auto document = load_document(arguments.model);
   if (!document) return report(document.error(), arguments.model);
-  const auto bytes = read_file(arguments.sketch);
+  const auto bytes = read_file(arguments.sketch, k_most_text_bytes);
   if (!bytes) return report(bytes.error(), arguments.sketch);
   const auto file = model_io::read_sketch_file(*bytes);
   if (!file) return report(file.error(), arguments.sketch);

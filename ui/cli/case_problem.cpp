@@ -69,8 +69,11 @@ base::Result<posing::PoseProblem> problem_of_case(const document::Model& model, 
     problem.free.resize(problem.start.size());
     std::iota(problem.free.begin(), problem.free.end(), std::size_t{0});
   } else {
-    for (const std::string& name : pose_case.free)
-      problem.free.push_back(rig::find_parameter(model.rig->parameters(), name).value());
+    for (const std::string& name : pose_case.free) {
+      const auto found = rig::find_parameter(model.rig->parameters(), name);
+      if (!found) return base::Error{"the model has no parameter \"" + name + "\"", "", "choose another name"};
+      problem.free.push_back(*found);
+    }
     std::sort(problem.free.begin(), problem.free.end());
     problem.free.erase(std::unique(problem.free.begin(), problem.free.end()), problem.free.end());
   }

@@ -15,6 +15,7 @@
 #include "core/posing/solve.h"
 #include "ui/cli/case_problem.h"
 #include "ui/cli/commands.h"
+#include "ui/cli/file_roles.h"
 #include "ui/cli/files.h"
 #include "ui/cli/load_model.h"
 #include "ui/cli/progress.h"
@@ -101,10 +102,15 @@ void print_row(const SolvedCase& solved, const document::Model& model) {
 }
 
 int pose(const PoseArguments& arguments) {
+  FileRoles files;
+  files.reads(arguments.model);
+  files.reads(arguments.cases);
+  if (const auto fits = arguments.out.empty() ? base::Done{} : files.writes(arguments.out, "-o"); !fits)
+    return report(fits.error(), arguments.out);
   auto document = load_document(arguments.model);
   if (!document) return report(document.error(), arguments.model);
   const document::Model& model = *document->model;
-  const auto bytes = read_file(arguments.cases);
+  const auto bytes = read_file(arguments.cases, k_most_text_bytes);
   if (!bytes) return report(bytes.error(), arguments.cases);
   const auto file = model_io::read_cases(*bytes);
   if (!file) return report(file.error(), arguments.cases);
@@ -163,12 +169,14 @@ void add_pose_command(CLI::App& app, int& status) {
   command->add_option("MODEL", arguments->model, "Model with blend shapes or joints")->required();
   command->add_option("--cases", arguments->cases, "JSON file of posing cases")->required();
   command->add_option("--case", arguments->name, "Only the case of this name");
-  command->add_option("--free", arguments->free, "Parameters that may move: those of the case, or all (default)")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, FreeSet>{{"all", FreeSet::all}, {"case", FreeSet::of_case}}));
-  command->add_option("--form", arguments->form, "Targets as points, one a vertex (default), or as a drawn line")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, model_io::TargetForm>{
-          {"points", model_io::TargetForm::points}, {"drawn", model_io::TargetForm::drawn}}));
+  command->add_option("--free", "Parameters that may move: those of the case, or all (default)")
+      ->check(CLI::IsMember({"all", "case"}))
+      ->each([arguments](const std::string& set) { arguments->free = set == "all" ? FreeSet::all : FreeSet::of_case; });
+  command->add_option("--form", "Targets as points, one a vertex (default), or as a drawn line")
+      ->check(CLI::IsMember({"points", "drawn"}))
+      ->each([arguments](const std::string& form) {
+        arguments->form = form == "points" ? model_io::TargetForm::points : model_io::TargetForm::drawn;
+      });
   command->add_option("--preset", "Solver: default, or the paper's own")
       ->check(CLI::IsMember({"default", "paper"}))
       ->each([arguments](const std::string& preset) { arguments->paper = preset == "paper"; });

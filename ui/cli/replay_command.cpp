@@ -13,6 +13,7 @@
 #include "replay/session_recorder.h"
 #include "ui/cli/append_file.h"
 #include "ui/cli/commands.h"
+#include "ui/cli/file_roles.h"
 #include "ui/cli/files.h"
 #include "ui/cli/load_model.h"
 #include "ui/cli/own_tablets.h"
@@ -52,10 +53,16 @@ std::string find_model(const ReplayArguments& arguments, const std::string& path
 base::Result<document::Document> open_model(const ReplayArguments& arguments, const std::string& path) {
   const std::string name = find_model(arguments, path);
   std::error_code code;
-  if (arguments.model.empty() && !name.starts_with("builtin:") && !std::filesystem::is_regular_file(name, code)) {
+  const NamedBy named = arguments.model.empty() ? NamedBy::file : NamedBy::user;
+  if (named == NamedBy::file && !name.starts_with("builtin:") && !std::filesystem::is_regular_file(name, code)) {
     return base::Error{"there is no model \"" + name + "\"", "", "name it with --model"};
   }
-  auto document = load_document(name);
+  for (const std::string& output : {arguments.output, arguments.picture}) {
+    if (output.empty() || !same_file(name, output)) continue;
+    return base::Error{"the model \"" + name + "\" is what the session was drawn on and is not written over", "",
+                       "choose another name"};
+  }
+  auto document = load_document(name, named);
   if (!document) {
     base::Error error = document.error();
     error.what = "the model \"" + name + "\" cannot be read: " + error.what;
@@ -169,7 +176,23 @@ void print(const ReplayArguments& arguments, const replay::Playback& played, dou
             << " s of drawing replayed in " << base::format_fixed(seconds, 2) << " s\n";
 }
 
+/// No file that is written is one that is read, or one of the others.
+base::Status take_roles(const ReplayArguments& arguments, FileRoles& files, std::string& blamed) {
+  for (const std::string& path : {arguments.session, arguments.model, arguments.tablets}) files.reads(path);
+  const std::pair<const std::string&, const char*> outputs[] = {
+      {arguments.output, "-o"}, {arguments.picture, "--png"}, {arguments.record, "--session"}};
+  for (const auto& [path, option] : outputs) {
+    if (path.empty()) continue;
+    blamed = path;
+    if (auto fits = files.writes(path, option); !fits) return fits;
+  }
+  return base::Done{};
+}
+
 int replay_session(const ReplayArguments& arguments) {
+  FileRoles files;
+  std::string blamed;
+  if (const auto fits = take_roles(arguments, files, blamed); !fits) return report(fits.error(), blamed);
   const auto own = read_own_tablets(arguments.tablets);
   if (!own) return report(own.error(), arguments.tablets);
   const auto file = open_trace(arguments.session);
