@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <filesystem>
 #include <utility>
 
@@ -27,6 +28,13 @@ bool is_trace(const std::string& path) {
   const std::string extension = extension_of(path);
   return extension == ".session" || extension == ".hid" || extension == ".trace" || extension == ".rec" ||
          extension == ".txt";
+}
+
+/// A folder of this user alone, where there is no home to keep work in; empty where none can be made.
+std::string private_folder() {
+  std::error_code code;
+  std::string name = (fs::temp_directory_path(code) / "penpose-XXXXXX").string();
+  return code || ::mkdtemp(name.data()) == nullptr ? std::string() : name;
 }
 
 }  // namespace
@@ -106,9 +114,9 @@ base::Status App::open(const std::string& path) {
     auto played = played_session(path);
     if (!played) return played.error();
     // A session goes on from a project of its own, so that what is recorded from here on can be replayed too.
+    const std::string folder = options_.folders.state.empty() ? private_folder() : options_.folders.state;
+    if (folder.empty()) return base::Error{"there is no folder to keep work in", "", "set HOME or XDG_STATE_HOME"};
     std::error_code code;
-    const std::string folder =
-        options_.folders.state.empty() ? fs::temp_directory_path(code).string() : options_.folders.state;
     fs::create_directories(folder, code);
     const std::string copy = free_path(folder, fs::path(path).stem().string(), ".glb");
     if (const auto saved = cli::save_document(played->session->editor().document(), copy); !saved) return saved.error();

@@ -9,6 +9,7 @@
 
 #include "core/base/math.h"
 #include "core/base/numbers.h"
+#include "core/base/shown_text.h"
 #include "core/document/animation_building.h"
 #include "core/document/document_hash.h"
 #include "core/geometry/rotation.h"
@@ -314,7 +315,7 @@ int animate(const AnimateArguments& arguments) {
             << animated->held.size() << " held, " << base::format_fixed(animated->solve_us / 1000.0, 2)
             << " ms a frame\n";
   if (!animated->held.empty()) std::cout << "held: " << ranges(animated->held) << '\n';
-  for (const std::string& name : animated->unmatched) std::cout << "no control for " << name << '\n';
+  for (const std::string& name : animated->unmatched) std::cout << "no control for " << base::shown_name(name) << '\n';
   return k_success;
 }
 

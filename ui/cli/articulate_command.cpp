@@ -10,6 +10,7 @@
 
 #include "core/articulation/edit.h"
 #include "core/base/numbers.h"
+#include "core/base/shown_text.h"
 #include "core/document/document_hash.h"
 #include "core/model_io/sketch_file.h"
 #include "ui/cli/commands.h"
@@ -34,6 +35,8 @@ struct ArticulateArguments {
   std::string out;
   bool json = false;
 };
+
+constexpr std::size_t k_longest_line = 4096;
 
 struct Built {
   std::shared_ptr<const Deformer> deformer;
@@ -135,7 +138,7 @@ int articulate(const ArticulateArguments& arguments) {
     return report(saved.error(), arguments.out);
 
   if (!arguments.json) {
-    for (const std::string& note : file_notes) std::cout << "warning: " << arguments.sketch << ": " << note << '\n';
+    for (const std::string& note : file_notes) std::cout << "warning: " << base::shown_line(arguments.sketch + ": " + note, k_longest_line) << '\n';
   }
   Json rows = Json::array();
   for (const Built& one : *built) {
@@ -154,7 +157,7 @@ int articulate(const ArticulateArguments& arguments) {
                     {"build_us", one.build_us}});
     if (arguments.json) continue;
     const bool chosen = deformer.sketch().mode == articulation::Mode::automatic;
-    std::cout << deformer.sketch().name << ": " << mode_name(deformer) << (chosen ? " (chosen), " : ", ")
+    std::cout << base::shown_name(deformer.sketch().name) << ": " << mode_name(deformer) << (chosen ? " (chosen), " : ", ")
               << deformer.vertices().size() << " vertices (" << full << " at full weight), "
               << (deformer.inferred() ? "reference inferred, " : "reference drawn, ")
               << base::format_fixed(one.build_us / 1000.0, 2) << " ms\n";

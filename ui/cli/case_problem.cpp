@@ -77,6 +77,12 @@ base::Result<posing::PoseProblem> problem_of_case(const document::Model& model, 
     std::sort(problem.free.begin(), problem.free.end());
     problem.free.erase(std::unique(problem.free.begin(), problem.free.end()), problem.free.end());
   }
+  // What is searched at once stands in tables of all controls against all.
+  constexpr std::size_t k_most_controls = 2000;
+  if (problem.free.size() > k_most_controls) {
+    return base::Error{std::to_string(problem.free.size()) + " controls are free, and no more than 2000 are searched",
+                       "case " + pose_case.name, "name those that may move under \"free\" and use --free case"};
+  }
   return problem;
 }
 

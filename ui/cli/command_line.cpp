@@ -46,6 +46,9 @@ int run_unguarded(int argc, const char* const* argv, const OpenWindow& open_wind
   int status = k_success;
   for (const auto& add : all_commands()) add(app, status);
   forbid_empty_names(app);
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return "penpose: " + base::Error{error.what(), "", "--help lists what can be given"}.line() + "\n";
+  });
   WindowRequest request;
   if (open_window) {
     app.add_option("MODEL", request.model, "Model, project or session to open; the built-in head by default")

@@ -74,7 +74,7 @@ base::Result<document::Document> load_with_shapes(const ConvertArguments& argume
 }
 
 int run_convert(const ConvertArguments& arguments) {
-  FileRoles files;
+  FileRoles files(FileRoles::Output::silent);
   for (const std::string& shape : arguments.shapes) files.reads(shape);
   if (const auto fits = files.writes(arguments.out, "OUT"); !fits) return report(fits.error(), arguments.out);
   std::string blamed = arguments.in;

@@ -43,6 +43,10 @@ bool FileRoles::is_read(const std::string& path) const {
 }
 
 base::Status FileRoles::writes(const std::string& path, std::string_view option) {
+  if (path == k_standard_stream && prints_) {
+    return base::Error{"the command prints what it did on standard output, so that no file fits in there",
+                       std::string(option), "name a file"};
+  }
   if (path.empty()) return base::Error{"the name of the file to write is empty", std::string(option), "name a file"};
   const auto is_it = [&](const std::string& other) {
     return path == k_standard_stream || other == k_standard_stream ? path == other : same_file(path, other);

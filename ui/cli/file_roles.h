@@ -12,6 +12,10 @@ namespace penpose::cli {
 /// input or another output is refused before anything is read. Files are told apart by what they are, not by name.
 class FileRoles {
  public:
+  /// `prints`: the command prints something on standard output, which can be no file of it then.
+  enum class Output : bool { silent, prints };
+  explicit FileRoles(Output output = Output::prints) : prints_(output == Output::prints) {}
+
   /// Empty and built-in names are no files.
   void reads(const std::string& path);
   /// `option` as the user writes it, for the error. Errors: the name is empty, or the file is read or written already.
@@ -22,6 +26,7 @@ class FileRoles {
  private:
   std::vector<std::string> read_;
   std::vector<std::string> written_;
+  bool prints_;
 };
 
 /// Whether two paths are the same file, or will be once they are there. What is no plain file is nobody's.

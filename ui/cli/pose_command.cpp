@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "core/base/numbers.h"
+#include "core/base/shown_text.h"
 #include "core/document/document_hash.h"
 #include "core/model_io/case_file.h"
 #include "core/posing/solve.h"
@@ -90,14 +91,14 @@ Json to_json(const SolvedCase& solved, document::Document& document, document::D
 
 void print_row(const SolvedCase& solved, const document::Model& model) {
   const posing::Solution& s = solved.solution;
-  std::cout << std::left << std::setw(28) << solved.name << std::right << "  energy " << std::setw(10)
+  std::cout << std::left << std::setw(28) << base::shown_name(solved.name) << std::right << "  energy " << std::setw(10)
             << base::format_fixed(s.energy_start, 4) << " -> " << std::setw(10) << base::format_fixed(s.energy, 4)
             << "  farthest " << base::format_fixed(s.max_distance, 4) << "  " << s.variables << " variables, "
             << s.evaluations << " evaluations, " << base::format_fixed(solved.solve_us / 1000.0, 2) << " ms\n";
   const auto parameters = model.rig->parameters();
   for (std::size_t i = 0; i < s.pose.size(); ++i) {
     if (s.pose[i] != parameters[i].rest)
-      std::cout << "    " << parameters[i].name << " = " << base::format_fixed(s.pose[i], 4) << '\n';
+      std::cout << "    " << base::shown_name(parameters[i].name) << " = " << base::format_fixed(s.pose[i], 4) << '\n';
   }
 }
 
@@ -148,7 +149,7 @@ int pose(const PoseArguments& arguments) {
     document->pose = solved.back().solution.pose;
     const Json result = {
         {"model", arguments.model}, {"cases", std::move(cases)}, {"state", hasher(*document).whole.hex()}};
-    std::cout << result.dump() << '\n';
+    std::cout << result.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
   } else {
     for (const SolvedCase& one : solved) print_row(one, model);
   }

@@ -177,7 +177,7 @@ base::Status make_folder_of(const std::string& output) {
 }
 
 int run_render(const Options& options) {
-  FileRoles files;
+  FileRoles files(options.frames ? FileRoles::Output::prints : FileRoles::Output::silent);
   for (const std::string& input : {options.model, options.camera, options.cases}) files.reads(input);
   if (const auto fits = files.writes(options.output, "-o"); !fits) return report(fits.error(), options.output);
   // Asked for first: what OpenGL needs is much, and not every driver says when it is not there.

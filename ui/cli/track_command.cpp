@@ -31,6 +31,7 @@ base::Result<animation::GreyImage> read_grey(const base::Result<std::vector<std:
   const auto picture = render::decode_png(*bytes);
   if (!picture) return picture.error();
   animation::GreyImage grey{picture->width, picture->height, {}};
+  grey.pixels.reserve(picture->pixels.size() / 4);
   for (std::size_t i = 0; i < picture->pixels.size(); i += 4) {
     // Luma of ITU-R BT.601, in whole numbers.
     const int sum = 299 * picture->pixels[i] + 587 * picture->pixels[i + 1] + 114 * picture->pixels[i + 2];
@@ -56,8 +57,19 @@ struct Learned {
 
 base::Result<Learned> learn(const model_io::LabelFile& file, const std::string& folder) {
   std::vector<animation::LabelledImage> labelled;
+  // All of them are held at once, and small files may be large pictures.
+  constexpr std::uint64_t k_always_px = 20'000'000;
+  constexpr std::uint64_t k_px_of_byte = 32;
+  std::uint64_t most_px = k_always_px;
+  std::uint64_t held_px = 0;
   for (std::size_t k = 0; k < file.images.size(); ++k) {
-    auto image = read_grey(read_beside(folder, file.images[k], k_most_picture_bytes));
+    const auto bytes = read_beside(folder, file.images[k], k_most_picture_bytes);
+    auto image = read_grey(bytes);
+    if (image) {
+      most_px += k_px_of_byte * bytes->size();
+      held_px += image->pixels.size();
+    }
+    if (held_px > most_px) image = base::Error{"the pictures unfold to far more pixels than bytes", "", "label fewer"};
     if (!image) {
       base::Error error = image.error();
       error.place = file.images[k] + (error.place.empty() ? "" : ": " + error.place);
