@@ -11,8 +11,8 @@ struct ReducedAngle {
   std::int64_t quadrant = 0;
 };
 
-/// The reduction of Payne and Hanek (ACM SIGNUM Newsletter 18, 1983) for angles so large that multiples of pi/2 cannot be
-/// taken away in doubles. Precondition: x is finite and 2^20 or more in magnitude.
+/// The reduction of Payne and Hanek (ACM SIGNUM Newsletter 18, 1983) for angles so large that multiples of pi/2 cannot
+/// be taken away in doubles. Precondition: x is finite and 2^20 or more in magnitude.
 [[nodiscard]] ReducedAngle reduce_large_angle(double x);
 
 }  // namespace penpose::base

@@ -1,5 +1,5 @@
-// Posing end to end: a file of cases, from bytes to a pose, on a small model. Nothing in it may crash, hang or give a pose that
-// is no pose.
+// Posing end to end: a file of cases, from bytes to a pose, on a small model. Nothing in it may crash, hang or give a
+// pose that is no pose.
 
 #include <cmath>
 #include <cstddef>

@@ -55,7 +55,8 @@ base::Result<AppendFile> AppendFile::create_new(const std::string& path) {
 base::Result<AppendFile> AppendFile::go_on(const std::string& path) {
   AppendFile there(::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
   struct stat facts {};
-  if (there.file_ < 0 || ::fstat(there.file_, &facts) != 0 || !S_ISREG(facts.st_mode)) return system_error("cannot be written");
+  if (there.file_ < 0 || ::fstat(there.file_, &facts) != 0 || !S_ISREG(facts.st_mode))
+    return system_error("cannot be written");
   off_t end = facts.st_size;
   char last = 0;
   std::string tail;

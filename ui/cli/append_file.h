@@ -7,8 +7,8 @@
 
 namespace penpose::cli {
 
-/// A file that grows: whatever ends the program, the file holds the pieces appended so far. A file that was there before
-/// is never written over.
+/// A file that grows: whatever ends the program, the file holds the pieces appended so far. A file that was there
+/// before is never written over.
 class AppendFile {
  public:
   /// A new file, or a pipe or device that is there. Errors: there is a file of that name; the folder cannot be written

@@ -138,7 +138,8 @@ int articulate(const ArticulateArguments& arguments) {
     return report(saved.error(), arguments.out);
 
   if (!arguments.json) {
-    for (const std::string& note : file_notes) std::cout << "warning: " << base::shown_line(arguments.sketch + ": " + note, k_longest_line) << '\n';
+    for (const std::string& note : file_notes)
+      std::cout << "warning: " << base::shown_line(arguments.sketch + ": " + note, k_longest_line) << '\n';
   }
   Json rows = Json::array();
   for (const Built& one : *built) {
@@ -157,9 +158,9 @@ int articulate(const ArticulateArguments& arguments) {
                     {"build_us", one.build_us}});
     if (arguments.json) continue;
     const bool chosen = deformer.sketch().mode == articulation::Mode::automatic;
-    std::cout << base::shown_name(deformer.sketch().name) << ": " << mode_name(deformer) << (chosen ? " (chosen), " : ", ")
-              << deformer.vertices().size() << " vertices (" << full << " at full weight), "
-              << (deformer.inferred() ? "reference inferred, " : "reference drawn, ")
+    std::cout << base::shown_name(deformer.sketch().name) << ": " << mode_name(deformer)
+              << (chosen ? " (chosen), " : ", ") << deformer.vertices().size() << " vertices (" << full
+              << " at full weight), " << (deformer.inferred() ? "reference inferred, " : "reference drawn, ")
               << base::format_fixed(one.build_us / 1000.0, 2) << " ms\n";
     for (const std::string& note : notes) std::cout << "  warning: " << note << '\n';
   }

@@ -8,8 +8,8 @@
 
 namespace penpose::cli {
 
-/// Which files a command reads and which it writes, so that no model is lost by being written over: an output that is an
-/// input or another output is refused before anything is read. Files are told apart by what they are, not by name.
+/// Which files a command reads and which it writes, so that no model is lost by being written over: an output that is
+/// an input or another output is refused before anything is read. Files are told apart by what they are, not by name.
 class FileRoles {
  public:
   /// `prints`: the command prints something on standard output, which can be no file of it then.

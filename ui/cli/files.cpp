@@ -26,8 +26,8 @@ base::Error system_error(std::string what, std::string remedy) {
 base::Result<std::vector<std::uint8_t>> read_all(const base::Result<File>& file, std::uint64_t most) {
   if (!file) return file.error();
   const auto too_large = [&] {
-    return base::Error{"is larger than " + std::to_string(most >> 20) + " MiB, the most that is read of such a file", "",
-                       "name another file, or make this one smaller"};
+    return base::Error{"is larger than " + std::to_string(most >> 20) + " MiB, the most that is read of such a file",
+                       "", "name another file, or make this one smaller"};
   };
   struct stat facts {};
   if (::fstat(::fileno(file->get()), &facts) != 0) return system_error("cannot be read", "check the disk");

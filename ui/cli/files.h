@@ -29,9 +29,9 @@ inline constexpr std::uint64_t k_most_settings_bytes = std::uint64_t{1} << 20;
 [[nodiscard]] base::Result<std::vector<std::uint8_t>> read_beside(const std::string& folder, const std::string& name,
                                                                   std::uint64_t most = k_most_model_bytes);
 
-/// Writes all bytes to a file without a name and gives it that of `path`, so that `path` holds either its old or its new
-/// content. Who may read it stays as it was; a link of one's own stays one, what is no plain file is written to as it
-/// is, and "-" is standard output.
+/// Writes all bytes to a file without a name and gives it that of `path`, so that `path` holds either its old or its
+/// new content. Who may read it stays as it was; a link of one's own stays one, what is no plain file is written to as
+/// it is, and "-" is standard output.
 [[nodiscard]] base::Status write_file(const std::string& path, base::Bytes bytes);
 
 /// The file that a chain of symbolic links ends at, whether it exists or not; `path` itself where it is no link.

@@ -91,8 +91,7 @@ void print_parameters(const document::Model& model) {
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const rig::Parameter& p = parameters[i];
     std::cout << "  " << std::left << std::setw(static_cast<int>(widest)) << base::shown_name(p.name) << "  "
-              << shown(p.minimum)
-              << " .. " << shown(p.maximum);
+              << shown(p.minimum) << " .. " << shown(p.maximum);
     if (model.pose[i] != p.rest) std::cout << "  at " << shown(model.pose[i]);
     std::cout << '\n';
   }
@@ -100,14 +99,14 @@ void print_parameters(const document::Model& model) {
 
 void print(const document::Model& model, const std::string& path) {
   const geometry::Box box = document::rest_world_box(model);
-  std::cout << base::shown_line(path, k_longest_path) << "\nvertices    " << model.mesh->vertex_count() << "\nfaces       "
-            << model.mesh->triangle_count() << "\ncomponents  " << model.mesh->component_count() << "\nbox         "
-            << shown(box.minimum.x) << ' ' << shown(box.minimum.y) << ' ' << shown(box.minimum.z) << "  to  "
-            << shown(box.maximum.x) << ' ' << shown(box.maximum.y) << ' ' << shown(box.maximum.z) << "\nparts       "
-            << model.mesh->parts().size() << '\n';
+  std::cout << base::shown_line(path, k_longest_path) << "\nvertices    " << model.mesh->vertex_count()
+            << "\nfaces       " << model.mesh->triangle_count() << "\ncomponents  " << model.mesh->component_count()
+            << "\nbox         " << shown(box.minimum.x) << ' ' << shown(box.minimum.y) << ' ' << shown(box.minimum.z)
+            << "  to  " << shown(box.maximum.x) << ' ' << shown(box.maximum.y) << ' ' << shown(box.maximum.z)
+            << "\nparts       " << model.mesh->parts().size() << '\n';
   for (const mesh::Part& part : model.mesh->parts()) {
-    std::cout << "  " << name_or_none(part.name) << "  " << part.vertex_count
-              << " vertices, " << part.triangle_count << " faces\n";
+    std::cout << "  " << name_or_none(part.name) << "  " << part.vertex_count << " vertices, " << part.triangle_count
+              << " faces\n";
   }
   print_parameters(model);
   std::cout << "curves      " << model.curves.size() << '\n';
@@ -116,10 +115,11 @@ void print(const document::Model& model, const std::string& path) {
   }
   std::cout << "animations  " << model.animations.size() << '\n';
   for (const document::Animation& animation : model.animations) {
-    std::cout << "  " << name_or_none(animation.name) << "  "
-              << animation.channels.size() << " channels, " << base::format_fixed(duration_s(animation), 2) << " s\n";
+    std::cout << "  " << name_or_none(animation.name) << "  " << animation.channels.size() << " channels, "
+              << base::format_fixed(duration_s(animation), 2) << " s\n";
   }
-  for (const std::string& note : model.notes) std::cout << "note        " << base::shown_line(note, k_longest_path) << '\n';
+  for (const std::string& note : model.notes)
+    std::cout << "note        " << base::shown_line(note, k_longest_path) << '\n';
 }
 
 int run_info(const InfoArguments& arguments) {

@@ -62,13 +62,14 @@ Json to_json(const device::LiveTablet& tablet) {
 
 void print(const device::LiveTablet& tablet) {
   const auto& identity = tablet.interface.identity;
-  std::cout << tablet.path() << "  " << base::shown_name(identity.name) << " (" << hex(identity.vendor) << ':' << hex(identity.product)
-            << "), " << word(tablet.carries) << ", read as " << tablet.method;
+  std::cout << tablet.path() << "  " << base::shown_name(identity.name) << " (" << hex(identity.vendor) << ':'
+            << hex(identity.product) << "), " << word(tablet.carries) << ", read as " << tablet.method;
   if (tablet.match && tablet.match->certain) {
     std::cout << " (" << base::shown_name(tablet.match->tablet->vendor + " " + tablet.match->tablet->name) << ')';
   }
   std::cout << (tablet.access == device::Access::allowed ? ", can be opened\n" : ", cannot be opened\n");
-  if (const auto why = device::missing(tablet, own_program()); !why.empty()) std::cout << "    " << base::shown_line(why, k_longest_line) << '\n';
+  if (const auto why = device::missing(tablet, own_program()); !why.empty())
+    std::cout << "    " << base::shown_line(why, k_longest_line) << '\n';
 }
 
 /// What is plugged in and carries a pen or keys; nothing where that cannot be told.

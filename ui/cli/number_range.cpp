@@ -17,7 +17,8 @@ std::function<std::string(std::string&)> whole_range(std::int64_t low, std::int6
   return [low, high](const std::string& text) -> std::string {
     const auto value = base::parse_int(text);
     if (value && *value >= low && *value <= high) return {};
-    return "write a whole number from " + std::to_string(low) + " to " + std::to_string(high) + ", not \"" + text + "\"";
+    return "write a whole number from " + std::to_string(low) + " to " + std::to_string(high) + ", not \"" + text +
+           "\"";
   };
 }
 

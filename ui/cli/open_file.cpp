@@ -83,7 +83,8 @@ int open_below_slowly(int folder, std::string_view name, int flags) {
     }
     const bool last = slash == std::string_view::npos;
     if (last) return ::openat(at.get(), piece.c_str(), flags | O_NOFOLLOW | O_CLOEXEC);
-    if (!piece.empty()) at = Descriptor(::openat(at.get(), piece.c_str(), O_PATH | O_NOFOLLOW | O_DIRECTORY | O_CLOEXEC));
+    if (!piece.empty())
+      at = Descriptor(::openat(at.get(), piece.c_str(), O_PATH | O_NOFOLLOW | O_DIRECTORY | O_CLOEXEC));
     name.remove_prefix(slash + 1);
   }
   return -1;

@@ -179,9 +179,9 @@ void print(const ReplayArguments& arguments, const replay::Playback& played, dou
   const document::Document& document = played.session->editor().document();
   const std::size_t deformers = document.model->deformers ? document.model->deformers->size() : 0;
   std::cout << (played.plain ? "plain trace" : "session") << " on "
-            << base::shown_name(find_model(arguments, played.model), k_longest_name) << ": "
-            << played.reports << " reports, " << played.session->stroke_count() << " strokes, " << played.steps
-            << " steps, of which " << played.refused << " changed nothing\n"
+            << base::shown_name(find_model(arguments, played.model), k_longest_name) << ": " << played.reports
+            << " reports, " << played.session->stroke_count() << " strokes, " << played.steps << " steps, of which "
+            << played.refused << " changed nothing\n"
             << "now: " << deformers << " deformers, " << document.curves.size() << " curves, "
             << document.timeline->keys.size() << " keys\n"
             << "state " << played.session->editor().state().whole.hex();

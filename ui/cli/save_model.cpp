@@ -42,15 +42,16 @@ base::Status save(const base::Result<std::vector<std::uint8_t>>& bytes, const mo
 base::Status save_model(const document::Model& model, const std::string& path, SaveNotes say,
                         const model_io::GlbOptions& options) {
   model_io::GlbReport baking;
-  return save(model_io::write_model(model, format_hint(path), options, &baking), baking, options, !model.animations.empty(), path,
-              say);
+  return save(model_io::write_model(model, format_hint(path), options, &baking), baking, options,
+              !model.animations.empty(), path, say);
 }
 
 base::Status save_document(const document::Document& document, const std::string& path, SaveNotes say,
                            const model_io::GlbOptions& options) {
   model_io::GlbReport baking;
   const bool animated = !document.timeline->keys.empty() || !document.model->animations.empty();
-  return save(model_io::write_document(document, format_hint(path), options, &baking), baking, options, animated, path, say);
+  return save(model_io::write_document(document, format_hint(path), options, &baking), baking, options, animated, path,
+              say);
 }
 
 base::Status save_as_it_came(const document::Document& document, const std::string& path, SaveNotes say,

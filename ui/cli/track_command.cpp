@@ -84,8 +84,8 @@ base::Result<Learned> learn(const model_io::LabelFile& file, const std::string& 
   return Learned{std::move(points).value(), std::move(labelled.front().image)};
 }
 
-/// Files as they are named, a folder's pictures in the order of their names, numbers as numbers. An error is that of the
-/// folder `blamed`.
+/// Files as they are named, a folder's pictures in the order of their names, numbers as numbers. An error is that of
+/// the folder `blamed`.
 base::Result<std::vector<std::string>> picture_files(const std::vector<std::string>& named, std::string& blamed) {
   std::vector<std::string> files;
   for (const std::string& path : named) {

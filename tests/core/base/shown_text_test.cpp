@@ -19,8 +19,14 @@ TEST(ShownText, NothingThatMovesATerminalOrHidesGetsThrough) {
   EXPECT_EQ(shown_name(std::string_view("a\0b", 3)), "a\\x00b");
   EXPECT_EQ(shown_name("two\nlines\r"), "two\\x0alines\\x0d");
   EXPECT_EQ(shown_name("\x7f"), "\\x7f");
-  EXPECT_EQ(shown_name("\xc2\x9b" "31m"), "\\u{9b}31m") << "ESC [ in one character";
-  EXPECT_EQ(shown_name("\xe2\x80\xae" "gnp.exe"), "\\u{202e}gnp.exe") << "turns the direction of what follows";
+  EXPECT_EQ(shown_name("\xc2\x9b"
+                       "31m"),
+            "\\u{9b}31m")
+      << "ESC [ in one character";
+  EXPECT_EQ(shown_name("\xe2\x80\xae"
+                       "gnp.exe"),
+            "\\u{202e}gnp.exe")
+      << "turns the direction of what follows";
   EXPECT_EQ(shown_name("a\xe2\x80\x8b"), "a\\u{200b}");
   EXPECT_EQ(shown_name("\xff\xc3"), "\\xff\\xc3") << "no UTF-8";
 }

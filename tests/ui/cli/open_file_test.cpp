@@ -1,8 +1,8 @@
 #include "ui/cli/open_file.h"
 
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
-#include <sys/socket.h>
 #include <thread>
 
 #include "tests/support/command_run.h"
