@@ -1,8 +1,6 @@
 #include "ui/cli/command_line.h"
 
 #include <CLI/CLI.hpp>
-#include <cstdlib>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -82,22 +80,11 @@ int out_of_memory() {
   return k_failure;
 }
 
-[[noreturn]] void end_quietly() {
-  bool no_memory = false;
-  try {
-    if (const auto thrown = std::current_exception()) std::rethrow_exception(thrown);
-  } catch (const std::bad_alloc&) {
-    no_memory = true;
-  } catch (...) {
-  }
-  // Another mistake is one of this program, which a report should show.
-  if (!no_memory) std::abort();
-  ::_exit(out_of_memory());
-}
+[[noreturn]] void end_out_of_memory() { ::_exit(out_of_memory()); }
 
 }  // namespace
 
-void end_quietly_on_terminate() { std::set_terminate(end_quietly); }
+void end_where_memory_ends() { std::set_new_handler(end_out_of_memory); }
 
 int run(int argc, const char* const* argv, const OpenWindow& open_window) {
   int status = k_failure;

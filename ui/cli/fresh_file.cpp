@@ -116,8 +116,9 @@ bool FreshFile::place() {
     if (link_as(name_)) return true;
     if (errno != EEXIST) return false;
     for (int i = 0; i < k_tries && temporary_.empty(); ++i) {
-      const std::string name = random_name();
-      if (!name.empty() && link_as(name)) temporary_ = name;
+      std::string name = random_name();
+      // From here to the end nothing may need memory, or the name would stay.
+      if (!name.empty() && link_as(name)) temporary_ = std::move(name);
       if (temporary_.empty() && errno != EEXIST) return false;
     }
   }

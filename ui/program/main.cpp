@@ -8,6 +8,6 @@ int main(int argc, char** argv) {
   // A file that may not grow is an error like a full disk, and no reason to die.
   std::signal(SIGXFSZ, SIG_IGN);
   penpose::cli::hold_standard_streams();
-  penpose::cli::end_quietly_on_terminate();
+  penpose::cli::end_where_memory_ends();
   return penpose::cli::run(argc, argv, penpose::app::run_app);
 }

@@ -1,7 +1,7 @@
-// Every allocation and every call for a file fails once, in commands that read and write models, sketches, cases,
-// tracks and sessions: each ends with one line that says so, gives all memory back, and leaves the files that were
-// there whole.
+// Allocations and calls for files fail, in commands that read and write models, cases, tracks, pictures and sessions:
+// each ends with one line that says so, and leaves the files that were there whole.
 
+#include <cstdlib>
 #include <fcntl.h>
 #include <sys/wait.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 using Command = std::vector<std::string>;
 
-constexpr int k_memory_lost = 99;
+constexpr std::size_t k_usual_runs = 150;  // of a command, spread over all of its calls
 
 class Faults : public CommandRun {
  protected:
@@ -67,7 +67,7 @@ class Faults : public CommandRun {
         command[0] + ", call " + std::to_string(plan.number) + (plan.stays ? " and all after" : "");
     std::vector<const char*> argv{"penpose"};
     for (const auto& argument : command) argv.push_back(argument.c_str());
-    // In a process of its own, since memory that is missing while memory is given back ends one.
+    // In a process of its own, which memory that is missing ends.
     const std::string log = path("log");
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
@@ -76,20 +76,17 @@ class Faults : public CommandRun {
       const int nothing = ::open("/dev/null", O_WRONLY);
       ::dup2(nothing, STDOUT_FILENO);
       ::dup2(errors, STDERR_FILENO);
-      cli::end_quietly_on_terminate();
-      const long before = live_blocks();
+      cli::end_where_memory_ends();
       begin_faults(plan);
       const int status = cli::run(static_cast<int>(argv.size()), argv.data());
       end_faults();
-      const bool lost = plan.kind == FaultPlan::Kind::memory && live_blocks() > before;
-      ::_exit(lost ? k_memory_lost : status);
+      ::_exit(status);
     }
     int ended = 0;
     ::waitpid(child, &ended, 0);
     ASSERT_TRUE(WIFEXITED(ended)) << what << ": signal " << WTERMSIG(ended);
     const int status = WEXITSTATUS(ended);
     const std::string said = content("log");
-    ASSERT_NE(status, k_memory_lost) << what << ": memory is lost";
     ASSERT_TRUE(status == 0 || status == 1) << what << ": " << status;
     for (const char* name : {"out.glb", "out.obj", "out.json"}) {
       const std::string now = content(name);
@@ -114,7 +111,12 @@ class Faults : public CommandRun {
       ASSERT_EQ(run(command), 0);
       const std::size_t calls = end_faults();
       ASSERT_GT(calls, 0U) << command[0];
-      for (std::size_t n = 1; n <= calls; ++n) {
+      // All of them take a quarter of an hour; PENPOSE_FAULTS=all runs them, and a number that one alone.
+      const char* wanted = std::getenv("PENPOSE_FAULTS");
+      const std::size_t only = wanted == nullptr ? 0 : std::strtoul(wanted, nullptr, 10);
+      const bool all = wanted != nullptr && std::string(wanted) == "all";
+      const std::size_t step = all ? 1 : calls / k_usual_runs + 1;
+      for (std::size_t n = only != 0 ? only : 1; n <= (only != 0 ? only : calls); n += step) {
         for (const bool stays : {false, true}) {
           run_with(command, {kind, n, stays}, whole);
           if (HasFatalFailure()) return;

@@ -17,7 +17,6 @@ std::atomic<FaultPlan::Kind> g_kind{FaultPlan::Kind::none};
 std::atomic<std::size_t> g_number{0};
 std::atomic<bool> g_stays{false};
 std::atomic<std::size_t> g_calls{0};
-std::atomic<long> g_live{0};
 
 bool fails(FaultPlan::Kind kind) {
   if (g_kind != kind) return false;
@@ -39,8 +38,6 @@ std::size_t end_faults() {
   return g_calls;
 }
 
-long live_blocks() { return g_live; }
-
 bool file_call_fails() {
   if (!fails(FaultPlan::Kind::files)) return false;
   errno = ENOSPC;
@@ -48,18 +45,17 @@ bool file_call_fails() {
 }
 
 void* allocate(std::size_t size, std::size_t alignment) {
-  if (fails(FaultPlan::Kind::memory)) throw std::bad_alloc();
+  if (fails(FaultPlan::Kind::memory)) {
+    if (const auto handler = std::get_new_handler()) handler();
+    throw std::bad_alloc();
+  }
   void* block = alignment == 0 ? std::malloc(size == 0 ? 1 : size)
                                : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
   if (block == nullptr) throw std::bad_alloc();
-  ++g_live;
   return block;
 }
 
-void release(void* block) {
-  if (block != nullptr) --g_live;
-  std::free(block);
-}
+void release(void* block) { std::free(block); }
 
 }  // namespace penpose::tests
 

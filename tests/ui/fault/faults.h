@@ -17,7 +17,5 @@ struct FaultPlan {
 void begin_faults(const FaultPlan& plan);
 /// Ends the plan and gives how many calls of its kind there were.
 std::size_t end_faults();
-/// Blocks from new that were not given back yet.
-long live_blocks();
 
 }  // namespace penpose::tests
