@@ -81,17 +81,21 @@ void densify(std::vector<posing::CurvePoint>& points, std::vector<PxPoint>& plac
   places = std::move(dense_places);
 }
 
-Matched match(std::span<const PxPoint> tracked, std::vector<posing::CurvePoint> points, std::vector<PxPoint> places) {
+/// Errors: a curve without length.
+base::Result<Matched> match(std::span<const PxPoint> tracked, std::vector<posing::CurvePoint> points,
+                            std::vector<PxPoint> places) {
   densify(points, places);
-  const auto own = curve::shares_of<PxPoint>(places).value();
-  const auto wanted = curve::shares_of<PxPoint>(tracked).value();
+  const auto own = curve::shares_of<PxPoint>(places);
+  if (!own) return own.error();
+  const auto wanted = curve::shares_of<PxPoint>(tracked);
+  if (!wanted) return wanted.error();
   const bool loop = closed(places) && closed(tracked);
   const std::size_t shifts = loop ? 64 : 1;
   Matched best;
   double least = 0;
   for (std::size_t s = 0; s < shifts; ++s) {
     for (const bool backwards : {false, true}) {
-      const auto chosen = at_shares(own, wanted, static_cast<double>(s) / static_cast<double>(shifts), backwards);
+      const auto chosen = at_shares(*own, *wanted, static_cast<double>(s) / static_cast<double>(shifts), backwards);
       Matched trial;
       trial.tracked.assign(tracked.begin(), tracked.end());
       for (const std::size_t i : chosen) {
@@ -216,7 +220,9 @@ base::Result<Transfer> make_transfer(const rig::Rig& rig, std::span<const double
                   "use a map for this format");
     }
     transfer.anchors.push_back(curve.anchor);
-    matched.push_back(match(tracked, curve.reference, places));
+    auto fitted = match(tracked, curve.reference, places);
+    if (!fitted) return fail(fitted.error().what, fitted.error().remedy);
+    matched.push_back(std::move(fitted).value());
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       transfer.points.push_back(matched.back().points[i]);
       transfer.places.push_back(matched.back().places[i]);

@@ -248,6 +248,14 @@ Guess explain(const EigenFeature& feature, std::span<const double> patch, std::v
 base::Result<EigenPoints> learn_eigen_points(std::span<const LabelledImage> images,
                                              std::span<const LabelledFeature> features, const EigenOptions& options) {
   if (images.size() < 2) return wrong("at least two labelled pictures are needed", "", "label one more");
+  // Learning takes a time that grows with the third power of the pictures.
+  constexpr double k_most_steps = 2e8;
+  const auto count = static_cast<double>(images.size());
+  if (count * count * count * static_cast<double>(features.size()) > k_most_steps) {
+    return base::Error{std::to_string(images.size()) + " labelled pictures are too many for " +
+                           std::to_string(features.size()) + " features",
+                       "", "label fewer pictures, those that differ most"};
+  }
   for (std::size_t k = 0; k < images.size(); ++k) {
     const LabelledImage& one = images[k];
     const std::string place = place_of("picture", one.name, k);

@@ -195,6 +195,13 @@ base::Result<FrameSolver> FrameSolver::make(const rig::Rig& rig, Transfer transf
   geometry::Box box;
   for (const auto& p : s.now) box.add(p);
   s.relevance = posing::relevant_parameters(s.system, s.pose, problem.free, options.relevance * box.diagonal());
+  // What is searched at once stands in tables of all controls against all.
+  constexpr std::size_t k_most_controls = 2000;
+  if (s.relevance.parameters.size() > k_most_controls) {
+    return base::Error{"the curves may move " + std::to_string(s.relevance.parameters.size()) +
+                           " controls, and no more than 2000 are searched at once",
+                       "", "use a model with fewer controls"};
+  }
   posing::Variables variables = posing::make_variables(rig, s.relevance.parameters, s.pose);
   s.u = s.rest_u = variables.opposed_from = variables.start;
   variables.opposed =

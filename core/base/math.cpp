@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "core/base/large_angle.h"
+
 namespace penpose::base {
 namespace {
 
@@ -51,13 +53,11 @@ constexpr std::array<double, 8> k_cos_series = {1.0 / 24,
                                                 1.0 / 20922789888000.0,
                                                 -1.0 / 6402373705728000.0};
 
-struct Reduced {
-  double high;
-  double low;
-  std::int64_t quadrant;
-};
+// From here on k * piece is not exact any more.
+constexpr double k_large_angle = 0x1p20;
 
-Reduced reduce(double x) {
+ReducedAngle reduce(double x) {
+  if (std::abs(x) >= k_large_angle) return reduce_large_angle(x);
   const double k = (x * k_two_over_pi + k_rounder) - k_rounder;
   const double first = x - k * k_half_pi_1;
   const double second = k * k_half_pi_2;
@@ -80,9 +80,7 @@ double cos_kernel(double r, double low) {
   return head + (((1.0 - head) - half) + (t * t * polynomial(k_cos_series, t) - r * low));
 }
 
-bool reducible(double x) { return std::isfinite(x) && std::abs(x) < 0x1p52; }
-
-double sin_of_quadrant(const Reduced& r, std::int64_t quadrant) {
+double sin_of_quadrant(const ReducedAngle& r, std::int64_t quadrant) {
   const double magnitude = (quadrant & 1) != 0 ? cos_kernel(r.high, r.low) : sin_kernel(r.high, r.low);
   return (quadrant & 2) != 0 ? -magnitude : magnitude;
 }
@@ -113,14 +111,14 @@ double atan_unit(double x) {
 }  // namespace
 
 double sin(double x) {
-  if (!reducible(x)) return k_nan;
-  const Reduced r = reduce(x);
+  if (!std::isfinite(x)) return k_nan;
+  const ReducedAngle r = reduce(x);
   return sin_of_quadrant(r, r.quadrant);
 }
 
 double cos(double x) {
-  if (!reducible(x)) return k_nan;
-  const Reduced r = reduce(x);
+  if (!std::isfinite(x)) return k_nan;
+  const ReducedAngle r = reduce(x);
   return sin_of_quadrant(r, r.quadrant + 1);
 }
 

@@ -11,7 +11,7 @@ inline constexpr double k_pi = 3.14159265358979323846;
 [[nodiscard]] constexpr double radians(double degrees) { return degrees * (k_pi / 180.0); }
 [[nodiscard]] constexpr double degrees(double radians) { return radians * (180.0 / k_pi); }
 
-/// Sine and cosine of an angle in radians. Beyond 1e6 in magnitude precision falls off; NaN for infinities and NaN.
+/// Sine and cosine of an angle in radians of any size; NaN for infinities and NaN.
 [[nodiscard]] double sin(double x);
 [[nodiscard]] double cos(double x);
 [[nodiscard]] double tan(double x);

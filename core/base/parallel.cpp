@@ -1,6 +1,8 @@
 #include "core/base/parallel.h"
 
 #include <algorithm>
+#include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -11,12 +13,30 @@ void parallel_for(std::size_t count, std::size_t threads, const std::function<vo
   if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
   threads = std::min(threads, count);
   const auto bound = [&](std::size_t piece) { return count / threads * piece + std::min(piece, count % threads); };
-  std::vector<std::jthread> workers;
-  workers.reserve(threads - 1);
-  for (std::size_t piece = 1; piece < threads; ++piece) {
-    workers.emplace_back([&body, begin = bound(piece), end = bound(piece + 1)] { body(begin, end); });
+  // What a piece throws would end the program where it is; it goes on to the caller instead, the first piece's first.
+  std::vector<std::exception_ptr> thrown(threads);
+  const auto run = [&](std::size_t piece) {
+    try {
+      body(bound(piece), bound(piece + 1));
+    } catch (...) {
+      thrown[piece] = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> workers;
+    workers.reserve(threads - 1);
+    std::size_t piece = 1;
+    try {
+      for (; piece < threads; ++piece) workers.emplace_back([&run, piece] { run(piece); });
+    } catch (const std::system_error&) {
+      // Where the system gives no more threads, this one does their work.
+      for (; piece < threads; ++piece) run(piece);
+    }
+    run(0);
   }
-  body(bound(0), bound(1));
+  for (const std::exception_ptr& one : thrown) {
+    if (one) std::rethrow_exception(one);
+  }
 }
 
 }  // namespace penpose::base

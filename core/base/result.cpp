@@ -1,5 +1,7 @@
 #include "core/base/result.h"
 
+#include "core/base/shown_text.h"
+
 namespace penpose::base {
 
 std::string Error::line(std::string_view file) const {
@@ -9,14 +11,13 @@ std::string Error::line(std::string_view file) const {
     if (!text.empty()) text += separator;
     text += piece;
   };
-  add(file, "");
-  add(place, ": ");
-  add(what, ": ");
-  add(remedy, "; ");
-  // An error is one line whatever a hostile file put into its names.
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-  }
+  // An error is one line that can be read, whatever a hostile file put into its names.
+  constexpr std::size_t k_longest_path = 4096;
+  constexpr std::size_t k_longest_piece = 1500;
+  add(shown_line(file, k_longest_path), "");
+  add(shown_line(place, k_longest_piece), ": ");
+  add(shown_line(what, k_longest_piece), ": ");
+  add(shown_line(remedy, k_longest_piece), "; ");
   return text;
 }
 

@@ -16,28 +16,50 @@ bool taken_out(List& list, const List& copied_from) {
   return true;
 }
 
+/// What a list has in the middle that a neighbour's has not, and how many at the front and at the end are the same.
+template <typename List>
+List middle_of(const List& own, const List& there, std::size_t& first, std::size_t& last) {
+  const auto front = std::mismatch(own.begin(), own.end(), there.begin(), there.end());
+  // Not counted twice where one was added or taken away between the two.
+  const auto back = std::mismatch(own.rbegin(), std::make_reverse_iterator(front.first), there.rbegin(),
+                                  std::make_reverse_iterator(front.second));
+  first = static_cast<std::size_t>(front.first - own.begin());
+  last = static_cast<std::size_t>(back.first - own.rbegin());
+  return List(front.first, back.first.base());
+}
+
+/// Puts around a middle what it has in common with a neighbour.
+template <typename List>
+void complete(List& own, const List& there, std::size_t first, std::size_t last) {
+  own.insert(own.begin(), there.begin(), there.begin() + static_cast<std::ptrdiff_t>(first));
+  own.insert(own.end(), there.end() - static_cast<std::ptrdiff_t>(last), there.end());
+}
+
 }  // namespace
 
 void History::Step::take_out(const Document& neighbour) {
-  auto& own = other.curves;
-  const auto& there = neighbour.curves;
-  const auto front = std::mismatch(own.begin(), own.end(), there.begin(), there.end());
-  // Not counted twice where a curve was added or taken away between the two.
-  const auto back = std::mismatch(own.rbegin(), std::make_reverse_iterator(front.first), there.rbegin(),
-                                  std::make_reverse_iterator(front.second));
-  first_curves = static_cast<std::size_t>(front.first - own.begin());
-  last_curves = static_cast<std::size_t>(back.first - own.rbegin());
-  own = std::vector(front.first, back.first.base());
+  other.curves = middle_of(other.curves, neighbour.curves, first_curves, last_curves);
+  timeline = {};
+  same_timeline = other.timeline == neighbour.timeline;
+  if (!same_timeline) {
+    timeline.interpolation = other.timeline->interpolation;
+    timeline.keys = middle_of(other.timeline->keys, neighbour.timeline->keys, first_keys, last_keys);
+  }
+  // Held by nobody else, an old timeline goes.
+  other.timeline.reset();
   same_pose = taken_out(other.pose, neighbour.pose);
   same_locks = taken_out(other.locked, neighbour.locked);
   same_views = taken_out(other.views, neighbour.views);
 }
 
 void History::Step::put_back(const Document& neighbour) {
-  const auto& there = neighbour.curves;
-  auto& own = other.curves;
-  own.insert(own.begin(), there.begin(), there.begin() + static_cast<std::ptrdiff_t>(first_curves));
-  own.insert(own.end(), there.end() - static_cast<std::ptrdiff_t>(last_curves), there.end());
+  complete(other.curves, neighbour.curves, first_curves, last_curves);
+  if (same_timeline) {
+    other.timeline = neighbour.timeline;
+  } else {
+    complete(timeline.keys, neighbour.timeline->keys, first_keys, last_keys);
+    other.timeline = std::make_shared<const Timeline>(std::move(timeline));
+  }
   if (same_pose) other.pose = neighbour.pose;
   if (same_locks) other.locked = neighbour.locked;
   if (same_views) other.views = neighbour.views;
@@ -46,7 +68,9 @@ void History::Step::put_back(const Document& neighbour) {
 base::Status History::perform(const Command& command, ApplyWorkspace& work) {
   auto changed = apply(current_, command, work);
   if (!changed) return changed.error();
-  Step step{name_of(command), std::exchange(current_, std::move(changed).value())};
+  Step step;
+  step.command = name_of(command);
+  step.other = std::exchange(current_, std::move(changed).value());
   step.take_out(current_);
   done_.push_back(std::move(step));
   undone_.clear();

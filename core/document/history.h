@@ -39,6 +39,10 @@ class History {
     // What `other` has in common with the document on the step's other side is not kept in it.
     std::size_t first_curves = 0;  ///< at the front of the list that are the same
     std::size_t last_curves = 0;   ///< and at its end
+    Timeline timeline;             ///< that of `other`, without the keys that are the same
+    std::size_t first_keys = 0;
+    std::size_t last_keys = 0;
+    bool same_timeline = false;
     bool same_pose = false;
     bool same_locks = false;
     bool same_views = false;

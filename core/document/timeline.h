@@ -24,7 +24,9 @@ class SharedPose {
   [[nodiscard]] std::size_t size() const { return pose_->size(); }
   [[nodiscard]] auto begin() const { return pose_->begin(); }
   [[nodiscard]] auto end() const { return pose_->end(); }
-  friend bool operator==(const SharedPose& a, const SharedPose& b) { return *a.pose_ == *b.pose_; }
+  friend bool operator==(const SharedPose& a, const SharedPose& b) {
+    return a.pose_ == b.pose_ || *a.pose_ == *b.pose_;
+  }
 
  private:
   std::shared_ptr<const rig::Pose> pose_;

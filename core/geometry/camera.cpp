@@ -61,7 +61,10 @@ Ray Camera::ray(PxPoint position) const {
 Camera frame_box(const Box& box, Viewport viewport, double yaw_degrees, double pitch_degrees,
                  double vertical_fov_degrees) {
   viewport = {std::max(1, viewport.width), std::max(1, viewport.height)};
-  vertical_fov_degrees = std::clamp(vertical_fov_degrees, 1.0, 179.0);
+  const auto or_else = [](double number, double other) { return std::isfinite(number) ? number : other; };
+  yaw_degrees = or_else(yaw_degrees, 0);
+  pitch_degrees = or_else(pitch_degrees, 0);
+  vertical_fov_degrees = std::clamp(or_else(vertical_fov_degrees, 30), 1.0, 179.0);
   Box framed = box;
   // Boxes beyond these limits have no view whose numbers are finite and apart from each other.
   const double farthest = std::max(length(framed.minimum), length(framed.maximum));
@@ -91,6 +94,7 @@ Camera frame_box(const Box& box, Viewport viewport, double yaw_degrees, double p
                      near + std::abs(glm::dot(d, up)) / (tan_y * k_fill)});
   }
   CameraPose pose{framed.center() + back * away, framed.center(), {0, 1, 0}, vertical_fov_degrees};
+  // Cannot fail: all numbers are finite, the eye is apart from the middle, and the pitch ends before the pole.
   return Camera::make(pose, viewport).value();
 }
 

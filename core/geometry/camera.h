@@ -60,7 +60,7 @@ class Camera {
 /// A camera that shows the whole box from a direction, turned about +Y by `yaw_degrees` (0: from +Z, 90: from +X) and
 /// raised by `pitch_degrees`, with a margin of a twelfth of the picture. Works for boxes of any size; an empty box
 /// and one that is not finite count as a unit box, one without extent as a unit box around it. The field of view is
-/// clamped to 1..179 degrees.
+/// clamped to 1..179 degrees; an angle that is not finite counts as the one by default.
 [[nodiscard]] Camera frame_box(const Box& box, Viewport viewport, double yaw_degrees, double pitch_degrees = 0,
                                double vertical_fov_degrees = 30);
 

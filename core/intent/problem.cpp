@@ -78,12 +78,12 @@ base::Status check_problem(const rig::Rig& rig, const IntentProblem& problem) {
   if (auto status = posing::check_problem(rig, as_pose_problem(problem)); !status) return status.error();
   for (std::size_t i = 0; i < problem.drawn.size(); ++i) {
     const DrawnCurve& curve = problem.drawn[i];
+    if (curve.reference.size() < 2)
+      return base::Error{"the reference curve has fewer than two points", named("curve", i), "draw a longer line"};
     if (auto error = unseen(rig, problem.start, curve)) {
       error->place = named("curve", i);
       return *error;
     }
-    if (curve.reference.size() < 2)
-      return base::Error{"the reference curve has fewer than two points", named("curve", i), "draw a longer line"};
     for (const PxPoint& p : curve.target) {
       if (!(std::abs(p.x) <= 1e6 && std::abs(p.y) <= 1e6))
         return base::Error{"the target lies a million px away", named("curve", i), "draw it on the screen"};

@@ -176,6 +176,9 @@ Problem read_case(const Json& object, const std::string& pointer, PoseCase& out)
   if (auto problem = read_number(object, "optimum_energy", pointer, out.optimum_energy)) return problem;
   std::optional<double> yaw;
   if (auto problem = read_number(object, "view_yaw_degrees", pointer, yaw)) return problem;
+  if (std::abs(yaw.value_or(0)) > 360) {
+    return wrong("the angle is out of range", child(pointer, "view_yaw_degrees"), "use -360 to 360 degrees");
+  }
   out.view_yaw_degrees = yaw.value_or(0);
   return std::nullopt;
 }

@@ -1,5 +1,6 @@
 #include "core/model_io/gltf_document.h"
 
+#include <map>
 #include <utility>
 
 #include "core/model_io/gltf_schema.h"
@@ -10,6 +11,9 @@ namespace {
 constexpr std::uint32_t k_magic = 0x46546c67;       // "glTF"
 constexpr std::uint32_t k_json_chunk = 0x4e4f534a;  // "JSON"
 constexpr std::uint32_t k_binary_chunk = 0x004e4942;
+// Of files beside the model: more are no model, and all of them are held at once.
+constexpr std::size_t k_most_files = 4096;
+constexpr std::size_t k_most_bytes = std::size_t{1} << 32;
 constexpr const char* k_truncated = "the file is cut off or damaged; copy or export it again";
 
 base::Error at_byte(std::string what, std::size_t offset, std::string remedy = k_truncated) {
@@ -103,6 +107,18 @@ std::string decode_percent(std::string_view uri) {
   return path;
 }
 
+/// The path without pieces that say nothing ("./", "//"), so that one file has one name.
+std::string plain_path(std::string_view path) {
+  std::string plain;
+  while (!path.empty()) {
+    const std::size_t slash = path.find('/');
+    const std::string_view piece = path.substr(0, slash);
+    if (!piece.empty() && piece != ".") plain.append(plain.empty() ? "" : "/").append(piece);
+    path.remove_prefix(slash == std::string_view::npos ? path.size() : slash + 1);
+  }
+  return plain;
+}
+
 /// A model file may name files in its own folder and below, nothing else.
 bool stays_below(std::string_view path) {
   if (path.empty() || path.front() == '/' || path.find_first_of(":\\") != std::string_view::npos) return false;
@@ -115,8 +131,16 @@ bool stays_below(std::string_view path) {
   }
 }
 
-base::Result<std::vector<std::uint8_t>> load_uri(const std::string& uri, const std::string& pointer,
-                                                 const FileResolver& resolve) {
+base::Result<base::Bytes> keep(GltfDocument& document, std::vector<std::uint8_t> bytes) {
+  document.owned.push_back(std::make_unique<std::vector<std::uint8_t>>(std::move(bytes)));
+  return base::Bytes(*document.owned.back());
+}
+
+/// The files that were read already, by name.
+using ReadFiles = std::map<std::string, base::Bytes, std::less<>>;
+
+base::Result<base::Bytes> load_uri(GltfDocument& document, const std::string& uri, const std::string& pointer,
+                                   const FileResolver& resolve, ReadFiles& files) {
   if (uri.starts_with("data:")) {
     const std::size_t comma = uri.find(',');
     if (comma == std::string::npos || !std::string_view(uri).substr(0, comma).ends_with(";base64")) {
@@ -124,10 +148,11 @@ base::Result<std::vector<std::uint8_t>> load_uri(const std::string& uri, const s
     }
     auto bytes = decode_base64(std::string_view(uri).substr(comma + 1));
     if (!bytes) return base::Error{"a data: URI with a character that is not base64", pointer, k_truncated};
-    return std::move(*bytes);
+    return keep(document, std::move(*bytes));
   }
-  const std::string path = decode_percent(uri);
-  if (!stays_below(path)) {
+  const std::string named = decode_percent(uri);
+  const std::string path = plain_path(named);
+  if (!stays_below(named) || path.empty()) {
     return base::Error{"the buffer lies outside the folder of the model", pointer,
                        "export the file as .glb, which holds everything"};
   }
@@ -135,16 +160,30 @@ base::Result<std::vector<std::uint8_t>> load_uri(const std::string& uri, const s
     return base::Error{"the buffer is another file (" + path + ")", pointer,
                        "export the file as .glb, which holds everything"};
   }
+  if (const auto found = files.find(path); found != files.end()) return found->second;
+  if (files.size() == k_most_files) {
+    return base::Error{"the model names more than " + std::to_string(k_most_files) + " files", pointer,
+                       "export the file as .glb, which holds everything"};
+  }
   auto bytes = resolve(path);
   if (!bytes) {
     return base::Error{"the buffer " + path + " " + bytes.error().what, pointer, "put it beside the model"};
   }
-  return bytes;
+  std::size_t held = bytes->size();
+  for (const auto& owned : document.owned) held += owned->size();
+  if (held > k_most_bytes) {
+    return base::Error{"the files of the model are larger than " + std::to_string(k_most_bytes >> 20) + " MiB together",
+                       pointer, "divide the model, or leave something out of it"};
+  }
+  auto kept = keep(document, std::move(bytes).value());
+  if (kept) files.emplace(path, *kept);
+  return kept;
 }
 
 base::Status load_buffers(GltfDocument& document, const Container& container, const FileResolver& resolve) {
   const Json* buffers = find(document.json, "buffers");
   if (buffers == nullptr) return base::Done{};
+  ReadFiles files;
   if (!buffers->is_array()) return base::Error{"a list was expected", "/buffers", k_truncated};
   for (std::size_t i = 0; i < buffers->size(); ++i) {
     const std::string pointer = child("/buffers", i);
@@ -156,10 +195,9 @@ base::Status load_buffers(GltfDocument& document, const Container& container, co
     if (uri == nullptr && i == 0 && container.has_binary) {
       bytes = container.binary;
     } else if (uri != nullptr && uri->is_string()) {
-      auto loaded = load_uri(uri->get_ref<const std::string&>(), child(pointer, "uri"), resolve);
+      const auto loaded = load_uri(document, uri->get_ref<const std::string&>(), child(pointer, "uri"), resolve, files);
       if (!loaded) return loaded.error();
-      document.owned.push_back(std::make_unique<std::vector<std::uint8_t>>(std::move(loaded).value()));
-      bytes = *document.owned.back();
+      bytes = *loaded;
     } else {
       return base::Error{"the buffer has no data", pointer, k_truncated};
     }
@@ -238,7 +276,8 @@ base::Result<GltfDocument> open_gltf(base::Bytes bytes, const FileResolver& reso
   if (const auto parsed = parse_structure(document, *vetted); !parsed) return parsed.error();
   std::size_t data = bytes.size();
   for (const auto& owned : document.owned) data += owned->size();
-  document.budget = (std::size_t{1} << 24) + 8 * data;
+  // A number takes some 14 bytes once it is read: what comes of a file stays below 40 times its size.
+  document.budget = (std::size_t{1} << 21) + 2 * data + data / 2;
   return document;
 }
 

@@ -179,6 +179,12 @@ base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes, FrameOrd
     fps = number(*given).value_or(0);
     if (!(fps > 0) || !(fps <= 10000)) return wrong("a frame rate above 0 and up to 10,000 was expected", "/fps");
   }
+  // A point takes four bytes or more. Looked at before memory is taken for frames that show nothing.
+  const auto empty = std::count_if(frames->begin(), frames->end(), [](const Json& frame) { return frame.is_null(); });
+  if (static_cast<std::size_t>(empty) > most_gap_frames(bytes.size() / 4)) {
+    return base::Error{"far more frames show no face than frames show one: " + std::to_string(empty) + " are empty",
+                       "/frames", "cut the video to where the face is, and track it again"};
+  }
   Reader reader;
   for (std::size_t f = 0; f < frames->size(); ++f) {
     if (auto problem = reader.read_frame((*frames)[f], child("/frames", f))) return *problem;

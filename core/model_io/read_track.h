@@ -16,6 +16,10 @@ namespace penpose::model_io {
 /// Most frames of a track, among them those that a file leaves out.
 inline constexpr std::size_t k_most_track_frames = 1'000'000;
 
+/// How many frames of a track may be there without a word of the file, which shows so many points in all: a short text
+/// could stand for hours otherwise.
+[[nodiscard]] constexpr std::size_t most_gap_frames(std::size_t shown_points) { return 10'000 + shown_points / 6; }
+
 /// OpenFace's CSV, 68 points: columns x_0..x_67 and y_0..y_67 (px), and where present frame, face_id, timestamp,
 /// confidence and success. Times are seconds; those that take_small_units tells are smaller units. Blanks after commas
 /// are taken, as old versions write them. Of several faces one is read as rows_of_best_face says. Frame

@@ -152,6 +152,19 @@ base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::
                               : static_cast<double>(places.size()));
   }
   const auto times = take_times(rows, places, numbered, fps, name, notes, track.rate_note);
+  std::size_t shown = 0;
+  double gaps = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    shown += rows[i].points.size();
+    if (i > 0) gaps += places[i] - places[i - 1] - 1;
+    // A frame of a list may be a word alone, a line has its cells.
+    if (name == RowName::frame && !rows[i].why_held.empty()) ++gaps;
+  }
+  if (gaps > static_cast<double>(most_gap_frames(shown))) {
+    return base::Error{"far more frames show no face than frames show one: " +
+                           std::to_string(static_cast<std::int64_t>(gaps)) + " are left out or empty",
+                       "", "cut the video to where the face is, and track it again"};
+  }
   for (std::size_t i = 0; i < rows.size(); ++i) {
     TrackRow& row = rows[i];
     const double missing = i == 0 ? 0 : places[i] - places[i - 1] - 1;

@@ -39,7 +39,8 @@ enum class RowName : std::uint8_t { line, frame };
 /// no face. Rows whose number comes again or steps back are skipped; rows whose time does are placed by their number,
 /// or held where they have none. Numbers or times of which many do so are not gone by, nor are those of which one leaps
 /// away (find_leap, by more than 10 s): then rows follow each other, and `fps` or the usual step tells the times. All
-/// of that is noted. Errors: no row with a face, more frames than k_most_track_frames.
+/// of that is noted. Errors: no row with a face, more frames than k_most_track_frames, and far more of them without a
+/// face that the file says nothing of than most_gap_frames.
 [[nodiscard]] base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::size_t point_count,
                                                              double fps, RowName name = RowName::line);
 

@@ -106,6 +106,7 @@ std::string udev_rule(const decode::TabletTable& table, const std::vector<LiveTa
 
 base::Status install_udev_rule(const std::string& folder, const std::string& rule) {
   const std::string path = folder + "/" + k_rule_file;
+  if (folder.empty()) return base::Error{"the folder has no name", "--rules-folder", "name a folder"};
   const std::string temporary = path + ".new";
   const auto fail = [&](const char* what) {
     base::Error error{std::string(what) + " (" + std::generic_category().message(errno) + ")", path,
@@ -113,7 +114,9 @@ base::Status install_udev_rule(const std::string& folder, const std::string& rul
     ::unlink(temporary.c_str());
     return error;
   };
-  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  // Made anew and through no link: what was left there by a run that was killed, or by somebody else, goes.
+  ::unlink(temporary.c_str());
+  const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
   if (file < 0) return fail("cannot be written");
   const bool written = ::write(file, rule.data(), rule.size()) == static_cast<ssize_t>(rule.size());
   if (::close(file) != 0 || !written) return fail("cannot be written");

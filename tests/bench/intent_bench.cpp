@@ -37,7 +37,7 @@ struct Subject {
     hand = cli::hand_doubt(model, cases);
   }
   [[nodiscard]] intent::IntentProblem problem(std::size_t index) const {
-    return cli::intent_of_case(model, cases.cases[index], cli::FreeSet::all, model_io::TargetForm::drawn, hand);
+    return cli::intent_of_case(model, cases.cases[index], cli::FreeSet::all, model_io::TargetForm::drawn, hand).value();
   }
 };
 

@@ -54,6 +54,10 @@ EVERYWHERE = [
     (re.compile(r'#include "[^"]*\.\./'), 'no include climbs out of its folder'),
     (re.compile(r'\b(?:TODO|FIXME|XXX)\b'), 'finish it or leave it out'),
 ]
+# What a call gives is looked at before it is used: .value() of an error ends the program. Where the line before says why it
+# "Cannot fail", it may stay.
+UNCHECKED = re.compile(r'\)\s*\.value\(\)|(?<![\w)\]])\*\s*(?:\w+::)+(?:make|read|open|load|parse|create)\w*\(')
+MOVED = re.compile(r'std::move\([^()]*\)$')
 # base/math.cpp makes the functions; threads live in base/parallel.
 EXEMPT = {'core/base/parallel.cpp', 'core/base/math.cpp', 'core/base/math.h', 'core/base/sine_cosine.cpp'}
 
@@ -71,6 +75,16 @@ def code_alone(text):
     return CUT.sub(shortened, text)
 
 
+def unchecked(text):
+    """Lines, counted from 1, that take the value of a call without a look at it, and how they do."""
+    code, lines = code_alone(text), text.split('\n')
+    for match in UNCHECKED.finditer(code):
+        line = code.count('\n', 0, match.start())
+        said = line > 0 and 'Cannot fail' in lines[line - 1]
+        if not said and not MOVED.search(code[:match.start() + 1]):
+            yield line + 1, match.group(0).strip()
+
+
 def faults(root):
     for module in MODULES:
         for folder, folders, files in os.walk(os.path.join(root, module)):
@@ -85,6 +99,9 @@ def faults(root):
                 if path.startswith('core/') and path not in EXEMPT:
                     code = code_alone(text)
                     rules += [(r, why, code) for r, why in IN_CORE]
+                if not path.startswith('tests/'):
+                    for line, what in unchecked(text):
+                        yield '%s:%d: %s: look whether there is a value before it is taken' % (path, line, what)
                 for rule, why, source in rules:
                     for match in rule.finditer(source):
                         yield '%s:%d: %s: %s' % (path, source.count('\n', 0, match.start()) + 1, match.group(0).strip(), why)

@@ -72,6 +72,8 @@ std::thread t(f);
 std::atomic<int> a;
 thread_local int x;
 auto n = glm::normalize(v);
+auto a = shares_of(line).value();
+auto c = *geometry::make_camera(pose);
 #include "../mesh/mesh.h"
 #include "mesh.h"
 '''
@@ -84,6 +86,8 @@ GOOD = {
     'ui/app/b.cpp': '#include <chrono>\n#include <unordered_map>\ndouble g(double x) { return std::sin(x); }\n',
     'core/rig/c.cpp': 'const char* a = "sin(x) rand() time( std::sort(";\nconst char* b = R"(exp(x))";\nchar c = \'"\'; double d = 1\'000; int e = a.exp(1);\n',
     'core/rig/d.cpp': 'std::priority_queue<std::size_t> q; int unit_time(int); double f() { return unit_time(1) + log_of(2); }\n',
+    'replay/e.cpp': 'auto a = std::move(b).value();\n// Cannot fail: the pose is ours.\nauto c = Camera::make(pose).value();\n',
+    'tests/f.cpp': 'auto a = read(b).value();\n',
     'CMakeLists.txt': 'add_compile_options(-ffp-contract=off -fno-fast-math)\n',
     'core/base/math.cpp': 'double sin(double x) { return std::frexp(x, nullptr); }\n',
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <exception>
 #include <utility>
 
 #include "ui/app/said.h"
@@ -40,7 +41,11 @@ App::App(AppOptions options)
   panels_.folder = home != nullptr ? home : "/";
 }
 
-App::~App() { end_session(); }
+App::~App() {
+  // What no memory was left for is offered at the next start, as after a crash.
+  if (std::uncaught_exceptions() > 0) leaves_work_ = true;
+  end_session();
+}
 
 void App::tell(std::string text, bool is_error) {
   const std::int64_t until = options_.clock() + k_notice_us;

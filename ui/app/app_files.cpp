@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <filesystem>
 #include <utility>
 
@@ -27,6 +28,13 @@ bool is_trace(const std::string& path) {
   const std::string extension = extension_of(path);
   return extension == ".session" || extension == ".hid" || extension == ".trace" || extension == ".rec" ||
          extension == ".txt";
+}
+
+/// A folder of this user alone, where there is no home to keep work in; empty where none can be made.
+std::string private_folder() {
+  std::error_code code;
+  std::string name = (fs::temp_directory_path(code) / "penpose-XXXXXX").string();
+  return code || ::mkdtemp(name.data()) == nullptr ? std::string() : name;
 }
 
 }  // namespace
@@ -106,9 +114,9 @@ base::Status App::open(const std::string& path) {
     auto played = played_session(path);
     if (!played) return played.error();
     // A session goes on from a project of its own, so that what is recorded from here on can be replayed too.
+    const std::string folder = options_.folders.state.empty() ? private_folder() : options_.folders.state;
+    if (folder.empty()) return base::Error{"there is no folder to keep work in", "", "set HOME or XDG_STATE_HOME"};
     std::error_code code;
-    const std::string folder =
-        options_.folders.state.empty() ? fs::temp_directory_path(code).string() : options_.folders.state;
     fs::create_directories(folder, code);
     const std::string copy = free_path(folder, fs::path(path).stem().string(), ".glb");
     if (const auto saved = cli::save_document(played->session->editor().document(), copy); !saved) return saved.error();
@@ -118,7 +126,7 @@ base::Status App::open(const std::string& path) {
     set_project({});
     return base::Done{};
   }
-  auto document = cli::load_document(path);
+  auto document = cli::load_document(path, cli::NamedBy::file);
   if (!document) return document.error();
   begin_session(std::move(*document), path);
   if (!path.starts_with("builtin:")) {
@@ -130,10 +138,12 @@ base::Status App::open(const std::string& path) {
 }
 
 base::Result<replay::Playback> App::played_session(const std::string& path) {
-  const auto file = cli::open_trace(path);
+  const auto file = cli::open_plain(path);
   if (!file) return file.error();
   replay::PlayerOptions options;
-  options.open = [&](const std::string& named) { return cli::load_document(cli::find_session_model(path, named)); };
+  options.open = [&](const std::string& named) {
+    return cli::load_document(cli::find_session_model(path, named), cli::NamedBy::file);
+  };
   options.own_tablets = options_.own_tablets;
   auto played = replay::play_session(cli::read_from_file(file->get()), options);
   if (!played) return played;
@@ -158,7 +168,7 @@ base::Status App::play_trace(const std::string& path) {
   if (player->is_session()) {
     if (!player->model()) return replay::no_model();
     const std::string model = cli::find_session_model(path, player->model()->path);
-    auto document = cli::load_document(model);
+    auto document = cli::load_document(model, cli::NamedBy::file);
     if (!document) return document.error();
     const base::Hash128 found = document::DocumentHasher()(*document).whole;
     if (!(found == player->model()->hash)) return replay::other_model(model, found, player->model()->hash);

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <imgui.h>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <thread>
 
@@ -101,8 +102,12 @@ struct DrawThread::State {
       }
       const std::int64_t before = thread_cpu_us();
       base::Status result{base::Done{}};
-      if (now == Job::start) result = begin(picture);
-      if (now == Job::frame) result = show(*picture);
+      try {
+        if (now == Job::start) result = begin(picture);
+        if (now == Job::frame) result = show(*picture);
+      } catch (const std::bad_alloc&) {
+        result = base::Error{"the memory does not suffice for the picture", "", "make the window or the model smaller"};
+      }
       if (now == Job::letters) {
         ImGui_ImplOpenGL3_DestroyFontsTexture();
         ImGui_ImplOpenGL3_CreateFontsTexture();

@@ -30,7 +30,7 @@ std::string below_home(const char* variable, const char* usual) {
 
 /// Takes the lock of a session; -1 where another program has it.
 int take_lock(const std::string& path, int flags) {
-  const int file = ::open((path + k_lock).c_str(), O_RDWR | O_CLOEXEC | flags, 0666);
+  const int file = ::open((path + k_lock).c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK | flags, 0666);
   if (file < 0) return -1;
   if (::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
   ::close(file);
@@ -124,7 +124,7 @@ base::Status SessionFile::keep_model(const std::string& model) {
   const std::string copy = cli::kept_model_of(path_, model);
   std::error_code code;
   if (fs::exists(copy, code)) return base::Done{};
-  const auto bytes = cli::read_file(model);
+  const auto bytes = cli::read_plain_file(model);
   // A file that is gone is not written over.
   if (!bytes) return fs::exists(model, code) ? bytes.error() : base::Status(base::Done{});
   if (auto written = cli::write_file(copy, *bytes); !written) return written;
@@ -150,7 +150,8 @@ std::vector<std::string> past_sessions(const std::string& folder) {
   std::vector<std::string> found;
   std::error_code code;
   for (fs::directory_iterator it(folder, code), end; !code && it != end; it.increment(code)) {
-    if (it->path().extension() == k_extension) found.push_back(it->path().string());
+    std::error_code unknown;
+    if (it->path().extension() == k_extension && it->is_regular_file(unknown)) found.push_back(it->path().string());
   }
   std::sort(found.rbegin(), found.rend());
   return found;

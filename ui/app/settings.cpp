@@ -109,7 +109,7 @@ std::string to_text(const Settings& settings) {
 
 Settings load_settings(const std::string& folder) {
   if (folder.empty()) return {};
-  const auto bytes = cli::read_file(file_of(folder));
+  const auto bytes = cli::read_plain_file(file_of(folder), cli::k_most_settings_bytes);
   if (!bytes) return {};
   return parse_settings(std::string(bytes->begin(), bytes->end()));
 }

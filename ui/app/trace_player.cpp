@@ -15,7 +15,7 @@ constexpr int k_first_device = 100;
 }  // namespace
 
 base::Result<TracePlayer> TracePlayer::load(const std::string& path) {
-  const auto file = cli::open_trace(path);
+  const auto file = cli::open_plain(path);
   if (!file) return file.error();
   TracePlayer player;
   std::int64_t now = 0;

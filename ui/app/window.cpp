@@ -13,6 +13,7 @@
 #include "ui/app/draw_thread.h"
 #include "ui/app/full_screen.h"
 #include "ui/app/stop_watch.h"
+#include "ui/render/offscreen_context.h"
 
 namespace penpose::app {
 namespace {
@@ -182,6 +183,7 @@ Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Window::~Window() = default;
 
 base::Result<std::unique_ptr<Window>> Window::open(bool fullscreen) {
+  if (const auto room = render::check_room_for_gl(); !room) return room.error();
   // Fingers come as fingers alone, and a click into a window that was behind another one counts.
   SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");
   SDL_SetHint(SDL_HINT_MOUSE_TOUCH_EVENTS, "0");

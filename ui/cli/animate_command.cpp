@@ -9,10 +9,12 @@
 
 #include "core/base/math.h"
 #include "core/base/numbers.h"
+#include "core/base/shown_text.h"
 #include "core/document/animation_building.h"
 #include "core/document/document_hash.h"
 #include "core/geometry/rotation.h"
 #include "ui/cli/commands.h"
+#include "ui/cli/file_roles.h"
 #include "ui/cli/files.h"
 #include "ui/cli/head_stand.h"
 #include "ui/cli/load_model.h"
@@ -73,7 +75,7 @@ std::optional<model_io::TrackFormat> format_named(const std::string& name) {
 }
 
 base::Result<LoadedMap> load_map(const std::string& path) {
-  const auto bytes = read_file(path);
+  const auto bytes = read_file(path, k_most_text_bytes);
   if (!bytes) return bytes.error();
   auto map = model_io::read_map_file(*bytes);
   if (!map) return map.error();
@@ -86,19 +88,16 @@ base::Result<LoadedMap> load_bundled(model_io::TrackFormat format) {
   return LoadedMap{std::move(map).value(), true};
 }
 
+base::Result<std::vector<model_io::VertexCurve>> load_landmarks(const std::string& path) {
+  if (path.empty()) return std::vector<model_io::VertexCurve>();
+  const auto bytes = read_file(path, k_most_text_bytes);
+  if (!bytes) return bytes.error();
+  return model_io::read_landmarks(*bytes);
+}
+
 base::Result<Animated> from_points(const document::Model& model, const animation::PointTrack& track,
-                                   const LoadedMap& map, const AnimateArguments& arguments, bool apply_head) {
-  std::vector<model_io::VertexCurve> landmarks;
-  if (!arguments.curves.empty()) {
-    const auto bytes = read_file(arguments.curves);
-    auto read = bytes ? model_io::read_landmarks(*bytes) : bytes.error();
-    if (!read) {
-      base::Error error = read.error();
-      error.place = arguments.curves + (error.place.empty() ? "" : ": " + error.place);
-      return error;
-    }
-    landmarks = std::move(read).value();
-  }
+                                   const LoadedMap& map, const std::vector<model_io::VertexCurve>& landmarks,
+                                   const AnimateArguments& arguments, bool apply_head) {
   Animated animated;
   auto setup = make_setup(model, track, map.map, map.bundled, landmarks, animated.notes);
   if (!setup) return setup.error();
@@ -226,6 +225,12 @@ document::Document with_tracked(const document::Document& document, const docume
 }
 
 int animate(const AnimateArguments& arguments) {
+  FileRoles files;
+  files.reads(arguments.model);
+  files.reads(arguments.track);
+  files.reads(arguments.curves);
+  if (!format_named(arguments.map)) files.reads(arguments.map);
+  if (const auto fits = files.writes(arguments.out, "-o"); !fits) return report(fits.error(), arguments.out);
   if (!arguments.out.ends_with(".glb")) {
     return report({"animations are kept in .glb files only", "", "name the output .glb"}, arguments.out);
   }
@@ -272,7 +277,9 @@ int animate(const AnimateArguments& arguments) {
   } else {
     auto& points = std::get<animation::PointTrack>(input->track);
     retime(points, arguments.fps);
-    animated = from_points(*model, points, **map, arguments, apply_head);
+    const auto landmarks = load_landmarks(arguments.curves);
+    if (!landmarks) return report(landmarks.error(), arguments.curves);
+    animated = from_points(*model, points, **map, *landmarks, arguments, apply_head);
     if (arguments.fps <= 0 && !points.rate_note.empty()) points.notes.push_back(points.rate_note);
     if (animated) animated->notes.insert(animated->notes.begin(), points.notes.begin(), points.notes.end());
   }
@@ -308,7 +315,7 @@ int animate(const AnimateArguments& arguments) {
             << animated->held.size() << " held, " << base::format_fixed(animated->solve_us / 1000.0, 2)
             << " ms a frame\n";
   if (!animated->held.empty()) std::cout << "held: " << ranges(animated->held) << '\n';
-  for (const std::string& name : animated->unmatched) std::cout << "no control for " << name << '\n';
+  for (const std::string& name : animated->unmatched) std::cout << "no control for " << base::shown_name(name) << '\n';
   return k_success;
 }
 

@@ -22,27 +22,23 @@ base::Error system_error(const char* what) {
 
 }  // namespace
 
-base::Result<AppendFile> AppendFile::create(const std::string& name, std::string_view first_piece) {
-  const std::string path = link_target(name);
-  // What is no plain file, a pipe or a device, is written to and never replaced.
+base::Result<AppendFile> AppendFile::create(const std::string& path, std::string_view first_piece) {
+  // What is no plain file, a pipe or a device, is written to as it is.
   struct stat there {};
   if (::stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode)) {
-    AppendFile existing(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+    AppendFile existing(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY));
     if (existing.file_ < 0) return system_error("cannot be written");
     if (const auto status = existing.append(first_piece); !status) return status.error();
     return existing;
   }
-  const std::string temporary = path + ".part-" + std::to_string(::getpid());
-  AppendFile made(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666));
-  if (made.file_ < 0) return system_error("cannot be written");
-  auto status = made.append(first_piece);
-  if (status) status = made.flush();
-  if (status && std::rename(temporary.c_str(), path.c_str()) != 0) status = system_error("cannot be replaced");
+  auto made = create_new(path);
+  if (!made) return made;
+  auto status = made->append(first_piece);
+  if (status) status = made->flush();
   if (!status) {
-    std::remove(temporary.c_str());
+    std::remove(path.c_str());
     return status.error();
   }
-  flush_folder_of(path);
   return made;
 }
 
@@ -57,9 +53,10 @@ base::Result<AppendFile> AppendFile::create_new(const std::string& path) {
 }
 
 base::Result<AppendFile> AppendFile::go_on(const std::string& path) {
-  AppendFile there(::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC));
+  AppendFile there(::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
   struct stat facts {};
-  if (there.file_ < 0 || ::fstat(there.file_, &facts) != 0) return system_error("cannot be written");
+  if (there.file_ < 0 || ::fstat(there.file_, &facts) != 0 || !S_ISREG(facts.st_mode))
+    return system_error("cannot be written");
   off_t end = facts.st_size;
   char last = 0;
   std::string tail;

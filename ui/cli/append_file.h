@@ -7,14 +7,15 @@
 
 namespace penpose::cli {
 
-/// A file that grows: whatever ends the program, the file holds the pieces appended so far. Until the first piece is on
-/// the disk a file that was there before stays as it was.
+/// A file that grows: whatever ends the program, the file holds the pieces appended so far. A file that was there
+/// before is never written over.
 class AppendFile {
  public:
-  /// Errors: the folder cannot be written to.
-  [[nodiscard]] static base::Result<AppendFile> create(const std::string& name, std::string_view first_piece);
+  /// A new file, or a pipe or device that is there. Errors: there is a file of that name; the folder cannot be written
+  /// to, or has no room for the first piece.
+  [[nodiscard]] static base::Result<AppendFile> create(const std::string& path, std::string_view first_piece);
 
-  /// The same with nothing in it yet, and never in place of a file that is there, which is an error.
+  /// A new file with nothing in it yet. Errors: there is anything of that name.
   [[nodiscard]] static base::Result<AppendFile> create_new(const std::string& path);
 
   /// The session that is there, to add to it. What a crash cut off in its last line goes, unless it is a whole report,

@@ -10,9 +10,11 @@
 
 #include "core/articulation/edit.h"
 #include "core/base/numbers.h"
+#include "core/base/shown_text.h"
 #include "core/document/document_hash.h"
 #include "core/model_io/sketch_file.h"
 #include "ui/cli/commands.h"
+#include "ui/cli/file_roles.h"
 #include "ui/cli/files.h"
 #include "ui/cli/load_model.h"
 #include "ui/cli/progress.h"
@@ -33,6 +35,8 @@ struct ArticulateArguments {
   std::string out;
   bool json = false;
 };
+
+constexpr std::size_t k_longest_line = 4096;
 
 struct Built {
   std::shared_ptr<const Deformer> deformer;
@@ -109,12 +113,16 @@ std::vector<std::string> notes_on(const Deformer& deformer) {
 }
 
 int articulate(const ArticulateArguments& arguments) {
+  FileRoles files;
+  files.reads(arguments.model);
+  files.reads(arguments.sketch);
+  if (const auto fits = files.writes(arguments.out, "-o"); !fits) return report(fits.error(), arguments.out);
   if (!arguments.out.ends_with(".glb")) {
     return report({"deformers are kept in .glb files only", "", "name the output .glb"}, arguments.out);
   }
   const auto document = load_document(arguments.model);
   if (!document) return report(document.error(), arguments.model);
-  const auto bytes = read_file(arguments.sketch);
+  const auto bytes = read_file(arguments.sketch, k_most_text_bytes);
   if (!bytes) return report(bytes.error(), arguments.sketch);
   const auto file = model_io::read_sketch_file(*bytes);
   if (!file) return report(file.error(), arguments.sketch);
@@ -130,7 +138,8 @@ int articulate(const ArticulateArguments& arguments) {
     return report(saved.error(), arguments.out);
 
   if (!arguments.json) {
-    for (const std::string& note : file_notes) std::cout << "warning: " << arguments.sketch << ": " << note << '\n';
+    for (const std::string& note : file_notes)
+      std::cout << "warning: " << base::shown_line(arguments.sketch + ": " + note, k_longest_line) << '\n';
   }
   Json rows = Json::array();
   for (const Built& one : *built) {
@@ -149,9 +158,9 @@ int articulate(const ArticulateArguments& arguments) {
                     {"build_us", one.build_us}});
     if (arguments.json) continue;
     const bool chosen = deformer.sketch().mode == articulation::Mode::automatic;
-    std::cout << deformer.sketch().name << ": " << mode_name(deformer) << (chosen ? " (chosen), " : ", ")
-              << deformer.vertices().size() << " vertices (" << full << " at full weight), "
-              << (deformer.inferred() ? "reference inferred, " : "reference drawn, ")
+    std::cout << base::shown_name(deformer.sketch().name) << ": " << mode_name(deformer)
+              << (chosen ? " (chosen), " : ", ") << deformer.vertices().size() << " vertices (" << full
+              << " at full weight), " << (deformer.inferred() ? "reference inferred, " : "reference drawn, ")
               << base::format_fixed(one.build_us / 1000.0, 2) << " ms\n";
     for (const std::string& note : notes) std::cout << "  warning: " << note << '\n';
   }

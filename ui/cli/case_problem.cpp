@@ -23,17 +23,27 @@ base::Result<std::vector<geometry::ModelPoint>> drawn_target(std::span<const geo
 }
 
 /// Ascending, each once.
-std::vector<std::size_t> free_of_case(const document::Model& model, const model_io::PoseCase& pose_case, FreeSet set) {
+base::Result<std::vector<std::size_t>> free_of_case(const document::Model& model, const model_io::PoseCase& pose_case,
+                                                    FreeSet set) {
   std::vector<std::size_t> free;
   if (set == FreeSet::all || pose_case.free.empty()) {
     free.resize(model.rig->parameters().size());
     std::iota(free.begin(), free.end(), std::size_t{0});
-    return free;
+  } else {
+    for (const std::string& name : pose_case.free) {
+      const auto found = rig::find_parameter(model.rig->parameters(), name);
+      if (!found) return base::Error{"the model has no parameter \"" + name + "\"", "", "choose another name"};
+      free.push_back(*found);
+    }
+    std::sort(free.begin(), free.end());
+    free.erase(std::unique(free.begin(), free.end()), free.end());
   }
-  for (const std::string& name : pose_case.free)
-    free.push_back(rig::find_parameter(model.rig->parameters(), name).value());
-  std::sort(free.begin(), free.end());
-  free.erase(std::unique(free.begin(), free.end()), free.end());
+  // What is searched at once stands in tables of all controls against all.
+  constexpr std::size_t k_most_controls = 2000;
+  if (free.size() > k_most_controls) {
+    return base::Error{std::to_string(free.size()) + " controls are free, and no more than 2000 are searched",
+                       "case " + pose_case.name, "name those that may move under \"free\" and use --free case"};
+  }
   return free;
 }
 
@@ -91,7 +101,9 @@ base::Result<posing::PoseProblem> problem_of_case(const document::Model& model, 
     problem.constraints.push_back(std::move(kept));
   }
 
-  problem.free = free_of_case(model, pose_case, free);
+  auto freed = free_of_case(model, pose_case, free);
+  if (!freed) return freed.error();
+  problem.free = std::move(freed).value();
   return problem;
 }
 
@@ -107,11 +119,13 @@ double hand_doubt(const document::Model& model, const model_io::CaseFile& file) 
   return k_hand * std::max(box.empty() ? 0.0 : box.diagonal(), 0.15 * document::rest_world_box(model).diagonal());
 }
 
-intent::IntentProblem intent_of_case(const document::Model& model, const model_io::PoseCase& pose_case, FreeSet free,
-                                     model_io::TargetForm form, double doubt) {
+base::Result<intent::IntentProblem> intent_of_case(const document::Model& model, const model_io::PoseCase& pose_case,
+                                                   FreeSet free, model_io::TargetForm form, double doubt) {
   intent::IntentProblem problem;
   problem.start = rig::rest_pose(*model.rig);
-  problem.free = free_of_case(model, pose_case, free);
+  auto freed = free_of_case(model, pose_case, free);
+  if (!freed) return freed.error();
+  problem.free = std::move(freed).value();
   const auto rest = rest_positions(model);
   const geometry::Box box = document::rest_world_box(model);
   const auto points = [](const std::vector<std::uint32_t>& vertices) {

@@ -26,8 +26,10 @@ enum class FreeSet : std::uint8_t { all, of_case };
 
 /// What a case means (core/intent), from rest. In the drawn form each target is a line in a picture of its own view,
 /// seen from afar, so that nothing is nearer; in the points form it is known where each vertex goes, next to exactly.
-/// `doubt`: of the hand, model units. Precondition: model_io::check_cases passed for this form.
-[[nodiscard]] intent::IntentProblem intent_of_case(const document::Model& model, const model_io::PoseCase& pose_case,
-                                                   FreeSet free, model_io::TargetForm form, double doubt);
+/// `doubt`: of the hand, model units. Precondition: model_io::check_cases passed for this form. Errors: too many
+/// controls.
+[[nodiscard]] base::Result<intent::IntentProblem> intent_of_case(const document::Model& model,
+                                                                 const model_io::PoseCase& pose_case, FreeSet free,
+                                                                 model_io::TargetForm form, double doubt);
 
 }  // namespace penpose::cli

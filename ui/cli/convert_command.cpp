@@ -1,7 +1,6 @@
 #include "ui/cli/convert_command.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -12,9 +11,10 @@
 #include "core/model_io/shape_list.h"
 #include "core/model_io/write_arkit.h"
 #include "ui/cli/commands.h"
+#include "ui/cli/file_roles.h"
 #include "ui/cli/files.h"
+#include "ui/cli/folder_files.h"
 #include "ui/cli/load_model.h"
-#include "ui/cli/natural_order.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/save_model.h"
 #include "ui/cli/tolerance_option.h"
@@ -30,31 +30,32 @@ struct ConvertArguments {
   double fps = 60;
 };
 
-/// The files that --shapes names: each as it is, a folder's models in the order of their names, numbers as numbers.
-base::Result<std::vector<std::string>> shape_files(const std::vector<std::string>& named) {
+/// The files that --shapes names: each as it is, a folder's models in the order of their names, numbers as numbers. An
+/// error is that of the file `blamed`.
+base::Result<std::vector<std::string>> shape_files(const std::vector<std::string>& named, std::string& blamed) {
   std::vector<std::string> files;
   for (const std::string& path : named) {
-    if (!std::filesystem::is_directory(path)) {
+    blamed = path;
+    auto inside = folder_files(path, [](const std::filesystem::path& file) {
+      // What file managers leave beside a file is none.
+      return !file.filename().string().starts_with('.') && model_io::format_of_name(file.string());
+    });
+    if (!inside) return inside.error();
+    if (!*inside) {
       files.push_back(path);
       continue;
     }
-    std::vector<std::string> inside;
-    std::error_code code;
-    for (const auto& entry : std::filesystem::directory_iterator(path, code)) {
-      if (entry.path().filename().string().starts_with('.')) continue;  // what file managers leave beside a file
-      if (model_io::format_of_name(entry.path().string())) inside.push_back(entry.path().string());
-    }
-    if (code || inside.empty()) return base::Error{"has no model", path, "name a folder of .obj files"};
-    std::sort(inside.begin(), inside.end(), natural_less);
-    files.insert(files.end(), inside.begin(), inside.end());
+    if ((*inside)->empty()) return base::Error{"has no model", "", "name a folder of .obj files"};
+    files.insert(files.end(), (*inside)->begin(), (*inside)->end());
   }
   return files;
 }
 
-base::Result<document::Document> load_with_shapes(const ConvertArguments& arguments) {
+/// An error is that of the file `blamed`.
+base::Result<document::Document> load_with_shapes(const ConvertArguments& arguments, std::string& blamed) {
   auto document = load_document(arguments.in);
   if (!document || arguments.shapes.empty()) return document;
-  const auto files = shape_files(arguments.shapes);
+  const auto files = shape_files(arguments.shapes, blamed);
   if (!files) return files.error();
   std::vector<model_io::ShownShape> shapes;
   for (const std::string& file : *files) {
@@ -62,21 +63,23 @@ base::Result<document::Document> load_with_shapes(const ConvertArguments& argume
     std::error_code code;
     if (std::filesystem::equivalent(file, arguments.in, code)) continue;
     auto shape = load_model(file);
-    if (!shape) {
-      base::Error error = shape.error();
-      error.place = file + (error.place.empty() ? "" : ": " + error.place);
-      return error;
-    }
+    blamed = file;
+    if (!shape) return shape.error();
     shapes.push_back({model_io::control_name_of(file), std::move(shape).value()});
   }
+  blamed = arguments.in;
   auto model = model_io::with_shapes(*document->model, shapes);
   if (!model) return model.error();
   return document::with_model(*document, std::move(model).value());
 }
 
 int run_convert(const ConvertArguments& arguments) {
-  const auto document = load_with_shapes(arguments);
-  if (!document) return report(document.error(), arguments.in);
+  FileRoles files(FileRoles::Output::silent);
+  for (const std::string& shape : arguments.shapes) files.reads(shape);
+  if (const auto fits = files.writes(arguments.out, "OUT"); !fits) return report(fits.error(), arguments.out);
+  std::string blamed = arguments.in;
+  const auto document = load_with_shapes(arguments, blamed);
+  if (!document) return report(document.error(), blamed);
   if (arguments.out.ends_with(".csv")) {
     const auto take = model_io::write_arkit(document::model_of(*document), arguments.fps);
     if (!take) return report(take.error(), arguments.in);

@@ -66,11 +66,10 @@ class DecodeRun {
 /// Looks ahead for the `device` column; a pipe cannot be read twice, there only what comes before the first report
 /// counts.
 base::Result<std::size_t> DecodeRun::count_devices() {
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(options_.trace, code)) return std::size_t{0};
   auto file = open_trace(options_.trace);
   if (!file) return file.error();
-  std::error_code code;
-  const bool seekable = std::filesystem::is_regular_file(options_.trace, code);
-  if (!seekable) return std::size_t{0};
   replay::TraceReader reader(read_from_file(file->get()));
   std::map<int, bool> devices;
   int device = 0;

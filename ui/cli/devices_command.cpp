@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/base/numbers.h"
+#include "core/base/shown_text.h"
 #include "firmware_io/decode/tablet_table.h"
 #include "firmware_io/device/permission.h"
 #include "ui/cli/commands.h"
@@ -99,8 +100,8 @@ void print(const decode::Tablet& tablet) {
     ids.insert(device_id(identifier));
     protocols.insert(identifier.protocol->name);
   }
-  std::cout << tablet.vendor << ' ' << tablet.name << ": " << base::format_double(tablet.width_mm) << " x "
-            << base::format_double(tablet.height_mm) << " mm, pressure 0.." << tablet.max_pressure << ',';
+  std::cout << base::shown_name(tablet.vendor + " " + tablet.name) << ": " << base::format_double(tablet.width_mm)
+            << " x " << base::format_double(tablet.height_mm) << " mm, pressure 0.." << tablet.max_pressure << ',';
   for (const auto& id : ids) std::cout << ' ' << id;
   std::cout << ',';
   for (const auto& protocol : protocols) std::cout << ' ' << protocol;

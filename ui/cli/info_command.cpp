@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/base/numbers.h"
+#include "core/base/shown_text.h"
 #include "core/document/document_hash.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/files.h"
@@ -76,18 +77,21 @@ Json to_json(const document::Model& model, const std::string& state, const std::
           {"state", state}};
 }
 
+constexpr std::size_t k_longest_path = 4096;
+
 std::string shown(double value) { return base::format_fixed(value, 4); }
+std::string name_or_none(const std::string& name) { return name.empty() ? "(without a name)" : base::shown_name(name); }
 
 void print_parameters(const document::Model& model) {
   const auto parameters = model.rig->parameters();
   std::cout << "parameters  " << parameters.size() << " (" << shape_count(model) << " blend shapes, "
             << joint_count(model) << " joints)\n";
   std::size_t widest = 0;
-  for (const rig::Parameter& p : parameters) widest = std::max(widest, p.name.size());
+  for (const rig::Parameter& p : parameters) widest = std::max(widest, base::shown_name(p.name).size());
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const rig::Parameter& p = parameters[i];
-    std::cout << "  " << std::left << std::setw(static_cast<int>(widest)) << p.name << "  " << shown(p.minimum)
-              << " .. " << shown(p.maximum);
+    std::cout << "  " << std::left << std::setw(static_cast<int>(widest)) << base::shown_name(p.name) << "  "
+              << shown(p.minimum) << " .. " << shown(p.maximum);
     if (model.pose[i] != p.rest) std::cout << "  at " << shown(model.pose[i]);
     std::cout << '\n';
   }
@@ -95,26 +99,27 @@ void print_parameters(const document::Model& model) {
 
 void print(const document::Model& model, const std::string& path) {
   const geometry::Box box = document::rest_world_box(model);
-  std::cout << path << "\nvertices    " << model.mesh->vertex_count() << "\nfaces       "
-            << model.mesh->triangle_count() << "\ncomponents  " << model.mesh->component_count() << "\nbox         "
-            << shown(box.minimum.x) << ' ' << shown(box.minimum.y) << ' ' << shown(box.minimum.z) << "  to  "
-            << shown(box.maximum.x) << ' ' << shown(box.maximum.y) << ' ' << shown(box.maximum.z) << "\nparts       "
-            << model.mesh->parts().size() << '\n';
+  std::cout << base::shown_line(path, k_longest_path) << "\nvertices    " << model.mesh->vertex_count()
+            << "\nfaces       " << model.mesh->triangle_count() << "\ncomponents  " << model.mesh->component_count()
+            << "\nbox         " << shown(box.minimum.x) << ' ' << shown(box.minimum.y) << ' ' << shown(box.minimum.z)
+            << "  to  " << shown(box.maximum.x) << ' ' << shown(box.maximum.y) << ' ' << shown(box.maximum.z)
+            << "\nparts       " << model.mesh->parts().size() << '\n';
   for (const mesh::Part& part : model.mesh->parts()) {
-    std::cout << "  " << (part.name.empty() ? "(without a name)" : part.name) << "  " << part.vertex_count
-              << " vertices, " << part.triangle_count << " faces\n";
+    std::cout << "  " << name_or_none(part.name) << "  " << part.vertex_count << " vertices, " << part.triangle_count
+              << " faces\n";
   }
   print_parameters(model);
   std::cout << "curves      " << model.curves.size() << '\n';
   for (const document::NamedCurve& curve : model.curves) {
-    std::cout << "  " << curve.name << "  " << curve.points.size() << " points\n";
+    std::cout << "  " << base::shown_name(curve.name) << "  " << curve.points.size() << " points\n";
   }
   std::cout << "animations  " << model.animations.size() << '\n';
   for (const document::Animation& animation : model.animations) {
-    std::cout << "  " << (animation.name.empty() ? "(without a name)" : animation.name) << "  "
-              << animation.channels.size() << " channels, " << base::format_fixed(duration_s(animation), 2) << " s\n";
+    std::cout << "  " << name_or_none(animation.name) << "  " << animation.channels.size() << " channels, "
+              << base::format_fixed(duration_s(animation), 2) << " s\n";
   }
-  for (const std::string& note : model.notes) std::cout << "note        " << note << '\n';
+  for (const std::string& note : model.notes)
+    std::cout << "note        " << base::shown_line(note, k_longest_path) << '\n';
 }
 
 int run_info(const InfoArguments& arguments) {

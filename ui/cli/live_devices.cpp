@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/shown_text.h"
 #include "firmware_io/device/driver_guard.h"
 #include "firmware_io/device/interface_list.h"
 #include "firmware_io/device/live_tablet.h"
@@ -18,6 +19,8 @@ namespace penpose::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::size_t k_longest_line = 4096;
 
 std::string hex(std::uint16_t id) {
   char text[5] = {};
@@ -59,13 +62,14 @@ Json to_json(const device::LiveTablet& tablet) {
 
 void print(const device::LiveTablet& tablet) {
   const auto& identity = tablet.interface.identity;
-  std::cout << tablet.path() << "  " << identity.name << " (" << hex(identity.vendor) << ':' << hex(identity.product)
-            << "), " << word(tablet.carries) << ", read as " << tablet.method;
+  std::cout << tablet.path() << "  " << base::shown_name(identity.name) << " (" << hex(identity.vendor) << ':'
+            << hex(identity.product) << "), " << word(tablet.carries) << ", read as " << tablet.method;
   if (tablet.match && tablet.match->certain) {
-    std::cout << " (" << tablet.match->tablet->vendor << ' ' << tablet.match->tablet->name << ')';
+    std::cout << " (" << base::shown_name(tablet.match->tablet->vendor + " " + tablet.match->tablet->name) << ')';
   }
   std::cout << (tablet.access == device::Access::allowed ? ", can be opened\n" : ", cannot be opened\n");
-  if (const auto why = device::missing(tablet, own_program()); !why.empty()) std::cout << "    " << why << '\n';
+  if (const auto why = device::missing(tablet, own_program()); !why.empty())
+    std::cout << "    " << base::shown_line(why, k_longest_line) << '\n';
 }
 
 /// What is plugged in and carries a pen or keys; nothing where that cannot be told.
@@ -119,7 +123,7 @@ int give_back_devices() {
     if (!bound) {
       status = report(bound.error(), interface.usb_name);
     } else {
-      std::cout << interface.usb_name << "  " << interface.identity.name << " has its driver again\n";
+      std::cout << interface.usb_name << "  " << base::shown_name(interface.identity.name) << " has its driver again\n";
     }
   }
   return status;

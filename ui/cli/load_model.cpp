@@ -23,28 +23,35 @@ base::Result<document::Model> built_in_model(std::string_view name) {
   return base::Error{"there is no such model in the program", "", "use builtin:head or builtin:demo"};
 }
 
-}  // namespace
-
-base::Result<document::Model> load_model(const std::string& path) {
-  if (path.starts_with(k_built_in)) return built_in_model(std::string_view(path).substr(k_built_in.size()));
-  const auto bytes = read_file(path);
-  if (!bytes) return bytes.error();
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  return model_io::read_model(*bytes, path,
-                              [&](const std::string& name) { return read_file((folder / name).string()); });
+base::Result<std::vector<std::uint8_t>> read_named(const std::string& path, NamedBy named) {
+  return named == NamedBy::user ? read_file(path) : read_plain_file(path);
 }
 
-base::Result<document::Document> load_document(const std::string& path) {
+/// Gives the files that a model names.
+model_io::FileResolver files_beside(const std::string& path) {
+  return [folder = std::filesystem::path(path).parent_path().string()](const std::string& name) {
+    return read_beside(folder, name);
+  };
+}
+
+}  // namespace
+
+base::Result<document::Model> load_model(const std::string& path, NamedBy named) {
+  if (path.starts_with(k_built_in)) return built_in_model(std::string_view(path).substr(k_built_in.size()));
+  const auto bytes = read_named(path, named);
+  if (!bytes) return bytes.error();
+  return model_io::read_model(*bytes, path, files_beside(path));
+}
+
+base::Result<document::Document> load_document(const std::string& path, NamedBy named) {
   if (path.starts_with(k_built_in)) {
     auto model = load_model(path);
     if (!model) return model.error();
     return document::make_document(std::move(model).value());
   }
-  const auto bytes = read_file(path);
+  const auto bytes = read_named(path, named);
   if (!bytes) return bytes.error();
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  return model_io::read_document(*bytes, path,
-                                 [&](const std::string& name) { return read_file((folder / name).string()); });
+  return model_io::read_document(*bytes, path, files_beside(path));
 }
 
 base::Status set_parameter(document::Model& model, const std::string& assignment) {

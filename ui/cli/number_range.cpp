@@ -13,4 +13,13 @@ std::function<std::string(std::string&)> number_range(double low, double high) {
   };
 }
 
+std::function<std::string(std::string&)> whole_range(std::int64_t low, std::int64_t high) {
+  return [low, high](const std::string& text) -> std::string {
+    const auto value = base::parse_int(text);
+    if (value && *value >= low && *value <= high) return {};
+    return "write a whole number from " + std::to_string(low) + " to " + std::to_string(high) + ", not \"" + text +
+           "\"";
+  };
+}
+
 }  // namespace penpose::cli

@@ -10,12 +10,14 @@
 #include <optional>
 
 #include "core/base/numbers.h"
+#include "core/base/shown_text.h"
 #include "core/document/document_hash.h"
 #include "core/intent/solve.h"
 #include "core/model_io/case_file.h"
 #include "core/posing/solve.h"
 #include "ui/cli/case_problem.h"
 #include "ui/cli/commands.h"
+#include "ui/cli/file_roles.h"
 #include "ui/cli/files.h"
 #include "ui/cli/load_model.h"
 #include "ui/cli/progress.h"
@@ -84,8 +86,9 @@ base::Result<SolvedCase> solve_case(const document::Model& model, const model_io
   SolvedCase solved{pose_case.name, {}, 0, std::nullopt};
   if (arguments.preset == Preset::meant) {
     const auto problem = intent_of_case(model, pose_case, arguments.free, arguments.form, solvers.hand);
+    if (!problem) return problem.error();
     auto solution = timed(pose_case, solved.solve_us,
-                          [&] { return intent::solve(*model.rig, solvers.whole, problem, {}, solvers.meant); });
+                          [&] { return intent::solve(*model.rig, solvers.whole, *problem, {}, solvers.meant); });
     if (!solution) return solution.error();
     solved.solution.pose = solution->pose;
     solved.solution.energy_start = solution->energy_start;
@@ -126,22 +129,27 @@ Json to_json(const SolvedCase& solved, document::Document& document, document::D
 
 void print_row(const SolvedCase& solved, const document::Model& model) {
   const posing::Solution& s = solved.solution;
-  std::cout << std::left << std::setw(28) << solved.name << std::right << "  energy " << std::setw(10)
+  std::cout << std::left << std::setw(28) << base::shown_name(solved.name) << std::right << "  energy " << std::setw(10)
             << base::format_fixed(s.energy_start, 4) << " -> " << std::setw(10) << base::format_fixed(s.energy, 4)
             << "  farthest " << base::format_fixed(s.max_distance, 4) << "  " << s.variables << " variables, "
             << s.evaluations << " evaluations, " << base::format_fixed(solved.solve_us / 1000.0, 2) << " ms\n";
   const auto parameters = model.rig->parameters();
   for (std::size_t i = 0; i < s.pose.size(); ++i) {
     if (s.pose[i] != parameters[i].rest)
-      std::cout << "    " << parameters[i].name << " = " << base::format_fixed(s.pose[i], 4) << '\n';
+      std::cout << "    " << base::shown_name(parameters[i].name) << " = " << base::format_fixed(s.pose[i], 4) << '\n';
   }
 }
 
 int pose(const PoseArguments& arguments) {
+  FileRoles files;
+  files.reads(arguments.model);
+  files.reads(arguments.cases);
+  if (const auto fits = arguments.out.empty() ? base::Done{} : files.writes(arguments.out, "-o"); !fits)
+    return report(fits.error(), arguments.out);
   auto document = load_document(arguments.model);
   if (!document) return report(document.error(), arguments.model);
   const document::Model& model = *document->model;
-  const auto bytes = read_file(arguments.cases);
+  const auto bytes = read_file(arguments.cases, k_most_text_bytes);
   if (!bytes) return report(bytes.error(), arguments.cases);
   const auto file = model_io::read_cases(*bytes);
   if (!file) return report(file.error(), arguments.cases);
@@ -183,7 +191,7 @@ int pose(const PoseArguments& arguments) {
     document->pose = solved.back().solution.pose;
     const Json result = {
         {"model", arguments.model}, {"cases", std::move(cases)}, {"state", hasher(*document).whole.hex()}};
-    std::cout << result.dump() << '\n';
+    std::cout << result.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
   } else {
     for (const SolvedCase& one : solved) print_row(one, model);
   }
@@ -204,20 +212,24 @@ void add_pose_command(CLI::App& app, int& status) {
   command->add_option("MODEL", arguments->model, "Model with blend shapes or joints")->required();
   command->add_option("--cases", arguments->cases, "JSON file of posing cases")->required();
   command->add_option("--case", arguments->name, "Only the case of this name");
-  command->add_option("--free", arguments->free, "Parameters that may move: those of the case, or all (default)")
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, FreeSet>{{"all", FreeSet::all}, {"case", FreeSet::of_case}}));
-  command->add_option("--form", arguments->form, "Targets as points, one a vertex (default), or as a drawn line")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, model_io::TargetForm>{
-          {"points", model_io::TargetForm::points}, {"drawn", model_io::TargetForm::drawn}}));
+  command->add_option("--free", "Parameters that may move: those of the case, or all (default)")
+      ->check(CLI::IsMember({"all", "case"}))
+      ->each([arguments](const std::string& set) { arguments->free = set == "all" ? FreeSet::all : FreeSet::of_case; });
+  command->add_option("--form", "Targets as points, one a vertex (default), or as a drawn line")
+      ->check(CLI::IsMember({"points", "drawn"}))
+      ->each([arguments](const std::string& form) {
+        arguments->form = form == "points" ? model_io::TargetForm::points : model_io::TargetForm::drawn;
+      });
   command
       ->add_option(
-          "--preset", arguments->preset,
+          "--preset",
           "What is minimised. default: what the strokes mean, squares of distances in widths of doubt plus what "
           "the controls that move cost. exact: the sum of distances, to its least. paper: the same, by the "
           "single simplex of 2006")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Preset>{
-          {"default", Preset::meant}, {"exact", Preset::exact}, {"paper", Preset::paper}}));
+      ->check(CLI::IsMember({"default", "exact", "paper"}))
+      ->each([arguments](const std::string& preset) {
+        arguments->preset = preset == "paper" ? Preset::paper : preset == "exact" ? Preset::exact : Preset::meant;
+      });
   command->add_option("-o", arguments->out, "Write the posed model, .glb or .obj (with one case)");
   command->add_flag("--json", arguments->json, "Print one JSON object");
   add_tolerance_option(*command, arguments->glb);

@@ -10,6 +10,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include "core/base/shown_text.h"
 #include "firmware_io/device/clock.h"
 #include "firmware_io/device/interface_list.h"
 #include "firmware_io/device/live_tablet.h"
@@ -112,7 +113,7 @@ class RecordRun {
 
 /// Opens a tablet and begins to read it; what stands in the way is said on standard error.
 void RecordRun::begin(device::LiveTablet tablet) {
-  const std::string name = tablet.interface.identity.name;
+  const std::string name = base::shown_name(tablet.interface.identity.name);
   const bool allowed = tablet.access == device::Access::allowed;
   auto source = allowed ? device::open_tablet(tablet, own_) : base::Error{"cannot be opened", "", ""};
   if (!source) {

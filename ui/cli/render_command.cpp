@@ -15,6 +15,7 @@
 #include "core/model_io/case_file.h"
 #include "ui/cli/camera_file.h"
 #include "ui/cli/closest_name.h"
+#include "ui/cli/file_roles.h"
 #include "ui/cli/files.h"
 #include "ui/cli/load_model.h"
 #include "ui/cli/number_range.h"
@@ -78,7 +79,7 @@ std::vector<render::CurveDrawing> named_curves(const document::Model& model,
 /// The curves of one case as they lie on the posed model, and where the references should be.
 base::Result<std::vector<render::CurveDrawing>> case_curves(const Options& options, const document::Model& model,
                                                             std::span<const geometry::ModelPoint> positions) {
-  const auto bytes = read_file(options.cases);
+  const auto bytes = read_file(options.cases, k_most_text_bytes);
   if (!bytes) return bytes.error();
   const auto file = model_io::read_cases(*bytes);
   if (!file) return file.error();
@@ -117,7 +118,7 @@ base::Result<geometry::Camera> make_camera(const Options& options, const documen
     if (!options.time_s) rest.pose = rig::rest_pose(*model.rig);
     return render::frame_points(render::posed_mesh(rest).positions, viewport, *render::find_viewpoint(options.view));
   }
-  const auto bytes = read_file(options.camera);
+  const auto bytes = read_file(options.camera, k_most_text_bytes);
   if (!bytes) return bytes.error();
   const auto pose = read_camera(*bytes);
   if (!pose) return pose.error();
@@ -176,6 +177,12 @@ base::Status make_folder_of(const std::string& output) {
 }
 
 int run_render(const Options& options) {
+  FileRoles files(options.frames ? FileRoles::Output::prints : FileRoles::Output::silent);
+  for (const std::string& input : {options.model, options.camera, options.cases}) files.reads(input);
+  if (const auto fits = files.writes(options.output, "-o"); !fits) return report(fits.error(), options.output);
+  // Asked for first: what OpenGL needs is much, and not every driver says when it is not there.
+  auto renderer = render::Renderer::make_offscreen();
+  if (!renderer) return report(renderer.error());
   const auto model = load_model(options.model);
   if (!model) return report(model.error(), options.model);
   const char* needs_animation = options.time_s ? "--time" : options.frames ? "--frames" : nullptr;
@@ -187,8 +194,6 @@ int run_render(const Options& options) {
   if (!first) return report(first.error(), options.model);
   const auto camera = make_camera(options, *first);
   if (!camera) return report(camera.error(), options.camera);
-  auto renderer = render::Renderer::make_offscreen();
-  if (!renderer) return report(renderer.error());
   render::AppearanceOptions look;
   look.recognise = !options.plain;
   const render::Appearance appearance = render::make_appearance(*first, look);
@@ -204,7 +209,9 @@ int run_render(const Options& options) {
   for (std::size_t f = 0; f < count; ++f) {
     const auto moment = moment_of(options, *model, static_cast<double>(f) / options.fps);
     if (!moment) return report(moment.error(), options.model);
-    const int status = draw(options, *moment, **renderer, appearance, *camera, frame_name(options.output, f + 1));
+    const std::string picture = frame_name(options.output, f + 1);
+    if (files.is_read(picture)) return report({"is read by this command", "-o", "choose another name"}, picture);
+    const int status = draw(options, *moment, **renderer, appearance, *camera, picture);
     if (status != k_success) return status;
     progress.advance();
   }

@@ -1,7 +1,9 @@
 #include "ui/cli/replay_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -9,12 +11,15 @@
 #include <optional>
 
 #include "core/base/numbers.h"
+#include "core/base/shown_text.h"
 #include "replay/session_player.h"
 #include "replay/session_recorder.h"
 #include "ui/cli/append_file.h"
 #include "ui/cli/commands.h"
+#include "ui/cli/file_roles.h"
 #include "ui/cli/files.h"
 #include "ui/cli/load_model.h"
+#include "ui/cli/number_range.h"
 #include "ui/cli/own_tablets.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/save_model.h"
@@ -30,6 +35,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t k_longest_name = 4096;
 
 struct ReplayArguments {
   model_io::GlbOptions glb;
@@ -52,10 +59,16 @@ std::string find_model(const ReplayArguments& arguments, const std::string& path
 base::Result<document::Document> open_model(const ReplayArguments& arguments, const std::string& path) {
   const std::string name = find_model(arguments, path);
   std::error_code code;
-  if (arguments.model.empty() && !name.starts_with("builtin:") && !std::filesystem::is_regular_file(name, code)) {
+  const NamedBy named = arguments.model.empty() ? NamedBy::file : NamedBy::user;
+  if (named == NamedBy::file && !name.starts_with("builtin:") && !std::filesystem::is_regular_file(name, code)) {
     return base::Error{"there is no model \"" + name + "\"", "", "name it with --model"};
   }
-  auto document = load_document(name);
+  for (const std::string& output : {arguments.output, arguments.picture}) {
+    if (output.empty() || !same_file(name, output)) continue;
+    return base::Error{"the model \"" + name + "\" is what the session was drawn on and is not written over", "",
+                       "choose another name"};
+  }
+  auto document = load_document(name, named);
   if (!document) {
     base::Error error = document.error();
     error.what = "the model \"" + name + "\" cannot be read: " + error.what;
@@ -101,10 +114,20 @@ class Watcher final : public replay::PlayerObserver {
   long shown_ = 0;
 };
 
+/// A session may say any size of its window; a picture has no more pixels than can be drawn in a few seconds.
+geometry::Viewport picture_size(geometry::Viewport window) {
+  constexpr double k_most_px = 6e6;
+  constexpr double k_longest_px = 8192;
+  const double shrink = std::min({1.0, std::sqrt(k_most_px / window.width / window.height), k_longest_px / window.width,
+                                  k_longest_px / window.height});
+  if (shrink >= 1) return window;
+  return {std::max(1, static_cast<int>(window.width * shrink)), std::max(1, static_cast<int>(window.height * shrink))};
+}
+
 base::Status write_picture(const replay::Session& session, const std::string& path) {
   const document::Document& document = session.editor().document();
   const document::View& view = session.editor().view();
-  const auto camera = geometry::Camera::make(view.camera, view.viewport);
+  const auto camera = geometry::Camera::make(view.camera, picture_size(view.viewport));
   if (!camera) return camera.error();
   auto renderer = render::Renderer::make_offscreen();
   if (!renderer) return renderer.error();
@@ -155,9 +178,10 @@ Json to_json(const ReplayArguments& arguments, const replay::Playback& played, d
 void print(const ReplayArguments& arguments, const replay::Playback& played, double seconds) {
   const document::Document& document = played.session->editor().document();
   const std::size_t deformers = document.model->deformers ? document.model->deformers->size() : 0;
-  std::cout << (played.plain ? "plain trace" : "session") << " on " << find_model(arguments, played.model) << ": "
-            << played.reports << " reports, " << played.session->stroke_count() << " strokes, " << played.steps
-            << " steps, of which " << played.refused << " changed nothing\n"
+  std::cout << (played.plain ? "plain trace" : "session") << " on "
+            << base::shown_name(find_model(arguments, played.model), k_longest_name) << ": " << played.reports
+            << " reports, " << played.session->stroke_count() << " strokes, " << played.steps << " steps, of which "
+            << played.refused << " changed nothing\n"
             << "now: " << deformers << " deformers, " << document.curves.size() << " curves, "
             << document.timeline->keys.size() << " keys\n"
             << "state " << played.session->editor().state().whole.hex();
@@ -169,7 +193,23 @@ void print(const ReplayArguments& arguments, const replay::Playback& played, dou
             << " s of drawing replayed in " << base::format_fixed(seconds, 2) << " s\n";
 }
 
+/// No file that is written is one that is read, or one of the others.
+base::Status take_roles(const ReplayArguments& arguments, FileRoles& files, std::string& blamed) {
+  for (const std::string& path : {arguments.session, arguments.model, arguments.tablets}) files.reads(path);
+  const std::pair<const std::string&, const char*> outputs[] = {
+      {arguments.output, "-o"}, {arguments.picture, "--png"}, {arguments.record, "--session"}};
+  for (const auto& [path, option] : outputs) {
+    if (path.empty()) continue;
+    blamed = path;
+    if (auto fits = files.writes(path, option); !fits) return fits;
+  }
+  return base::Done{};
+}
+
 int replay_session(const ReplayArguments& arguments) {
+  FileRoles files;
+  std::string blamed;
+  if (const auto fits = take_roles(arguments, files, blamed); !fits) return report(fits.error(), blamed);
   const auto own = read_own_tablets(arguments.tablets);
   if (!own) return report(own.error(), arguments.tablets);
   const auto file = open_trace(arguments.session);
@@ -207,8 +247,7 @@ int replay_session(const ReplayArguments& arguments) {
   }
   for (const auto& refusal : played->refusals) std::cerr << "penpose: " << refusal.line(arguments.session) << '\n';
   if (arguments.strokes && played->session->stroke_count() < *arguments.strokes) {
-    std::cerr << "penpose: " << arguments.session << ": it has no more than " << played->session->stroke_count()
-              << " strokes\n";
+    warn("it has no more than " + std::to_string(played->session->stroke_count()) + " strokes", arguments.session);
   }
   int status = k_success;
   if (!arguments.output.empty()) {
@@ -244,7 +283,8 @@ void add_replay_command(CLI::App& app, int& status) {
   command->add_option("--model", arguments->model, "Model to draw on, when it is not where the session says");
   command->add_option("-o,--output", arguments->output, "Project or model file to write at the end (.glb, .obj)");
   command->add_option("--png", arguments->picture, "PNG file of the last view");
-  command->add_option("--stroke", arguments->strokes, "Stop after so many strokes")->check(CLI::NonNegativeNumber);
+  command->add_option("--stroke", arguments->strokes, "Stop after so many strokes")
+      ->check(CLI::Validator(whole_range(0, 1'000'000'000), "0 to 1000000000"));
   command->add_flag("--realtime", arguments->real_time, "At the pace of the recording");
   command->add_option("--session", arguments->record, "Write the replay down as a session of its own");
   command->add_option(k_tablets_option, arguments->tablets, k_tablets_help);

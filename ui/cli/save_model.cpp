@@ -3,13 +3,20 @@
 #include <iostream>
 
 #include "core/base/numbers.h"
+#include "core/base/shown_text.h"
 #include "core/model_io/write_document.h"
 #include "core/model_io/write_model.h"
 #include "ui/cli/files.h"
+#include "ui/cli/open_file.h"
 
 namespace penpose::cli {
 
 namespace {
+
+constexpr std::size_t k_longest_path = 4096;
+
+/// What comes out of standard output has no name that says its format.
+std::string format_hint(const std::string& path) { return path == k_standard_stream ? ".glb" : path; }
 
 base::Status save(const base::Result<std::vector<std::uint8_t>>& bytes, const model_io::GlbReport& baking,
                   const model_io::GlbOptions& options, bool animated, const std::string& path, SaveNotes say) {
@@ -17,14 +24,14 @@ base::Status save(const base::Result<std::vector<std::uint8_t>>& bytes, const mo
   constexpr double k_rounding = 1e-6;  // of the file's numbers; what is off by less needs no word
   if (say == SaveNotes::loud && (baking.baked > 0 || baking.bake_error > k_rounding)) {
     const int digits = baking.bake_error < 1e-4 ? 6 : 3;
-    std::cerr << "penpose: " << path << ": deformers are baked to " << baking.baked
+    std::cerr << "penpose: " << base::shown_name(path, k_longest_path) << ": deformers are baked to " << baking.baked
               << " morph targets more; no vertex is off by over " << base::format_fixed(100 * baking.bake_error, digits)
               << " % of the model's size";
     if (baking.bake_error > options.bake_tolerance) std::cerr << ", which is as near to the tolerance as it gets";
     std::cerr << '\n';
   }
   if (say == SaveNotes::loud && animated && baking.targets > model_io::k_common_targets) {
-    std::cerr << "penpose: " << path << ": it has " << baking.targets
+    std::cerr << "penpose: " << base::shown_name(path, k_longest_path) << ": it has " << baking.targets
               << " morph targets; some viewers show no more than 8 at a time\n";
   }
   return write_file(path, *bytes);
@@ -35,15 +42,16 @@ base::Status save(const base::Result<std::vector<std::uint8_t>>& bytes, const mo
 base::Status save_model(const document::Model& model, const std::string& path, SaveNotes say,
                         const model_io::GlbOptions& options) {
   model_io::GlbReport baking;
-  return save(model_io::write_model(model, path, options, &baking), baking, options, !model.animations.empty(), path,
-              say);
+  return save(model_io::write_model(model, format_hint(path), options, &baking), baking, options,
+              !model.animations.empty(), path, say);
 }
 
 base::Status save_document(const document::Document& document, const std::string& path, SaveNotes say,
                            const model_io::GlbOptions& options) {
   model_io::GlbReport baking;
   const bool animated = !document.timeline->keys.empty() || !document.model->animations.empty();
-  return save(model_io::write_document(document, path, options, &baking), baking, options, animated, path, say);
+  return save(model_io::write_document(document, format_hint(path), options, &baking), baking, options, animated, path,
+              say);
 }
 
 base::Status save_as_it_came(const document::Document& document, const std::string& path, SaveNotes say,

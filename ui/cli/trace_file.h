@@ -1,20 +1,22 @@
 #pragma once
 
 #include <cstdio>
-#include <memory>
 #include <string>
 
 #include "core/base/result.h"
 #include "replay/trace_reader.h"
+#include "ui/cli/open_file.h"
 
 namespace penpose::cli {
 
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+/// Opens a trace or a session that the user names. Errors: as of open_input.
+[[nodiscard]] inline base::Result<File> open_trace(const std::string& path) { return open_input(path); }
 
-/// Opens a trace or a session for reading. Errors: it does not exist, may not be read, is a folder.
-[[nodiscard]] base::Result<File> open_trace(const std::string& path);
+/// The most that is read of a trace that comes through a pipe, which may never end.
+inline constexpr std::uint64_t k_most_piped_bytes = std::uint64_t{1} << 30;
 
-/// Reads an open file from where it stands; the file must outlive what is returned.
+/// Reads an open file from where it stands; the file must outlive what is returned. Errors: the disk, and of a pipe
+/// more than k_most_piped_bytes.
 [[nodiscard]] replay::ReadBytes read_from_file(std::FILE* file);
 
 }  // namespace penpose::cli

@@ -1,7 +1,6 @@
 #include "ui/cli/track_command.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -9,8 +8,9 @@
 #include "core/animation/eigen_points.h"
 #include "core/model_io/label_file.h"
 #include "core/model_io/read_pgm.h"
+#include "ui/cli/file_roles.h"
 #include "ui/cli/files.h"
-#include "ui/cli/natural_order.h"
+#include "ui/cli/folder_files.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/progress.h"
 #include "ui/render/image.h"
@@ -25,13 +25,13 @@ struct TrackArguments {
   double fps = 25;
 };
 
-base::Result<animation::GreyImage> read_grey(const std::string& path) {
-  const auto bytes = read_file(path);
+base::Result<animation::GreyImage> read_grey(const base::Result<std::vector<std::uint8_t>>& bytes) {
   if (!bytes) return bytes.error();
   if (bytes->size() > 1 && (*bytes)[0] == 'P') return model_io::read_pgm(*bytes);
   const auto picture = render::decode_png(*bytes);
   if (!picture) return picture.error();
   animation::GreyImage grey{picture->width, picture->height, {}};
+  grey.pixels.reserve(picture->pixels.size() / 4);
   for (std::size_t i = 0; i < picture->pixels.size(); i += 4) {
     // Luma of ITU-R BT.601, in whole numbers.
     const int sum = 299 * picture->pixels[i] + 587 * picture->pixels[i + 1] + 114 * picture->pixels[i + 2];
@@ -55,10 +55,21 @@ struct Learned {
   animation::GreyImage first;  ///< of the labelled pictures
 };
 
-base::Result<Learned> learn(const model_io::LabelFile& file, const std::filesystem::path& folder) {
+base::Result<Learned> learn(const model_io::LabelFile& file, const std::string& folder) {
   std::vector<animation::LabelledImage> labelled;
+  // All of them are held at once, and small files may be large pictures.
+  constexpr std::uint64_t k_always_px = 20'000'000;
+  constexpr std::uint64_t k_px_of_byte = 32;
+  std::uint64_t most_px = k_always_px;
+  std::uint64_t held_px = 0;
   for (std::size_t k = 0; k < file.images.size(); ++k) {
-    auto image = read_grey((folder / file.images[k]).string());
+    const auto bytes = read_beside(folder, file.images[k], k_most_picture_bytes);
+    auto image = read_grey(bytes);
+    if (image) {
+      most_px += k_px_of_byte * bytes->size();
+      held_px += image->pixels.size();
+    }
+    if (held_px > most_px) image = base::Error{"the pictures unfold to far more pixels than bytes", "", "label fewer"};
     if (!image) {
       base::Error error = image.error();
       error.place = file.images[k] + (error.place.empty() ? "" : ": " + error.place);
@@ -73,36 +84,42 @@ base::Result<Learned> learn(const model_io::LabelFile& file, const std::filesyst
   return Learned{std::move(points).value(), std::move(labelled.front().image)};
 }
 
-/// Files as they are named, a folder's pictures in the order of their names, numbers as numbers.
-std::vector<std::string> picture_files(const std::vector<std::string>& named) {
+/// Files as they are named, a folder's pictures in the order of their names, numbers as numbers. An error is that of
+/// the folder `blamed`.
+base::Result<std::vector<std::string>> picture_files(const std::vector<std::string>& named, std::string& blamed) {
   std::vector<std::string> files;
   for (const std::string& path : named) {
-    if (!std::filesystem::is_directory(path)) {
+    blamed = path;
+    const auto inside = folder_files(path, [](const std::filesystem::path& file) {
+      return file.extension() == ".png" || file.extension() == ".pgm";
+    });
+    if (!inside) return inside.error();
+    if (*inside) {
+      files.insert(files.end(), (*inside)->begin(), (*inside)->end());
+    } else {
       files.push_back(path);
-      continue;
     }
-    std::vector<std::string> inside;
-    std::error_code code;
-    for (const auto& entry : std::filesystem::directory_iterator(path, code)) {
-      const auto extension = entry.path().extension();
-      if (extension == ".png" || extension == ".pgm") inside.push_back(entry.path().string());
-    }
-    std::sort(inside.begin(), inside.end(), natural_less);
-    files.insert(files.end(), inside.begin(), inside.end());
   }
   return files;
 }
 
 int track(const TrackArguments& arguments) {
-  const auto bytes = read_file(arguments.labels);
+  FileRoles roles;
+  roles.reads(arguments.labels);
+  for (const std::string& picture : arguments.pictures) roles.reads(picture);
+  if (const auto fits = roles.writes(arguments.out, "-o"); !fits) return report(fits.error(), arguments.out);
+  std::string blamed;
+  const auto named = picture_files(arguments.pictures, blamed);
+  if (!named) return report(named.error(), blamed);
+  const std::vector<std::string>& files = *named;
+  if (files.empty()) return report({"there is no .png or .pgm picture", "", "name pictures or a folder of them"});
+  const auto bytes = read_file(arguments.labels, k_most_text_bytes);
   if (!bytes) return report(bytes.error(), arguments.labels);
   const auto labels = model_io::read_label_file(*bytes);
   if (!labels) return report(labels.error(), arguments.labels);
   for (const std::string& note : labels->track.notes) warn(note, arguments.labels);
-  const auto learned = learn(*labels, std::filesystem::path(arguments.labels).parent_path());
+  const auto learned = learn(*labels, std::filesystem::path(arguments.labels).parent_path().string());
   if (!learned) return report(learned.error(), arguments.labels);
-  const auto files = picture_files(arguments.pictures);
-  if (files.empty()) return report({"there is no .png or .pgm picture", "", "name pictures or a folder of them"});
   animation::PointTrack result;
   result.point_count = learned->points.point_count;
   result.groups = labels->track.groups;
@@ -110,7 +127,7 @@ int track(const TrackArguments& arguments) {
   std::size_t unseen = 0;
   Progress progress("tracking", files.size());
   for (std::size_t f = 0; f < files.size(); ++f) {
-    const auto image = read_grey(files[f]);
+    const auto image = read_grey(read_file(files[f], k_most_picture_bytes));
     if (!image) return report(image.error(), files[f]);
     if (auto fits = check_size(*image, learned->first, "frame " + std::to_string(f)); !fits)
       return report(fits.error(), files[f]);

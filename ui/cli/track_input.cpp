@@ -6,6 +6,7 @@
 #include "core/base/numbers.h"
 #include "core/model_io/track_format.h"
 #include "ui/cli/files.h"
+#include "ui/cli/folder_files.h"
 
 namespace penpose::cli {
 namespace {
@@ -29,19 +30,16 @@ bool is_points(const std::filesystem::path& file) {
   return (ending == ".pts" || ending == ".PTS") && !file.filename().string().starts_with('.');
 }
 
-base::Result<PointFolder> read_folder(const std::string& path) {
+base::Result<PointFolder> read_folder(const std::vector<std::string>& named) {
   std::vector<std::pair<std::int64_t, std::filesystem::path>> files;
-  std::error_code code;
-  for (const auto& entry : std::filesystem::directory_iterator(path, code)) {
-    if (!is_points(entry.path())) continue;
-    const auto number = number_of(entry.path());
+  for (const std::filesystem::path file : named) {
+    const auto number = number_of(file);
     if (!number) {
-      return base::Error{"the name does not end with a frame's number", entry.path().filename().string(),
+      return base::Error{"the name does not end with a frame's number", file.filename().string(),
                          "name the files face_0001.pts, face_0002.pts, ..."};
     }
-    files.emplace_back(*number, entry.path());
+    files.emplace_back(*number, file);
   }
-  if (code) return base::Error{"cannot be read (" + code.message() + ")", "", "check the folder and its permissions"};
   if (files.empty()) return base::Error{"has no .pts file", "", "name a folder of .pts files, or one file"};
   std::sort(files.begin(), files.end());
   PointFolder all;
@@ -53,19 +51,23 @@ base::Result<PointFolder> read_folder(const std::string& path) {
     all.text.insert(all.text.end(), bytes.begin(), bytes.end());
     all.text.push_back('\n');
   };
+  constexpr std::size_t k_points = 68;
+  const auto most_missing = static_cast<std::int64_t>(model_io::most_gap_frames(k_points * files.size()));
+  std::int64_t left_out = 0;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    constexpr std::int64_t k_most_missing = 100000;
+    // Numbers may be as large as 2^63.
     const std::int64_t missing = i == 0 ? 0 : files[i].first - files[i - 1].first - 1;
-    if (missing > k_most_missing) {
-      return base::Error{"more than 100,000 frames are left out before it", files[i].second.filename().string(),
-                         "number the files as the frames of the video"};
+    left_out += missing;
+    if (missing > most_missing || left_out > most_missing) {
+      return base::Error{"more than " + std::to_string(most_missing) + " frames are left out up to here",
+                         files[i].second.filename().string(), "number the files as the frames of the video"};
     }
     if (missing > 0 && all.notes.size() < k_most_notes) {
       all.notes.push_back(files[i].second.filename().string() +
                           ": frames left out before it: " + std::to_string(missing) + "; they are held");
     }
     for (std::int64_t k = 0; k < missing; ++k) add(base::as_bytes("{\n}"));
-    const auto bytes = read_file(files[i].second.string());
+    const auto bytes = read_plain_file(files[i].second.string(), k_most_text_bytes);
     auto track = bytes ? model_io::read_ibug_track(*bytes) : base::Result<animation::PointTrack>(bytes.error());
     if (!bytes) {
       base::Error error = bytes.error();
@@ -96,15 +98,18 @@ base::Result<TrackInput> packed(TrackFormat format, base::Result<Track> track) {
 
 base::Result<TrackInput> read_track(const std::string& path, std::optional<TrackFormat> format,
                                     std::optional<model_io::PictureSize> picture) {
-  if (std::filesystem::is_directory(path)) {
-    const auto folder = read_folder(path);
+  const auto named = folder_files(path, is_points);
+  if (!named) return named.error();
+  if (*named) {
+    const auto folder = read_folder(**named);
     if (!folder) return folder.error();
     auto track = model_io::read_ibug_track(folder->text);
-    if (!track) return track.error();
+    // Its place would be a line of a text that nobody has.
+    if (!track) return base::Error{track.error().what, "", track.error().remedy};
     track->notes = folder->notes;  // the reader's own count the lines of a text that nobody has
     return TrackInput{TrackFormat::ibug68, std::move(track).value()};
   }
-  const auto bytes = read_file(path);
+  const auto bytes = read_file(path, k_most_track_bytes);
   if (!bytes) return bytes.error();
   if (bytes->empty()) return base::Error{"the file is empty", "line 1", "track the video again"};
   const std::string_view text = base::as_text(*bytes);

@@ -60,6 +60,13 @@ base::Result<Image> decode_png(std::span<const std::uint8_t> bytes) {
     png_image_free(&png);
     return fail("the picture is larger than 16384 px");
   }
+  // A few bytes may say that they are a huge picture.
+  constexpr std::uint64_t k_always_px = 10'000'000;
+  constexpr std::uint64_t k_px_of_byte = 8;
+  if (std::uint64_t{png.width} * png.height > k_always_px + k_px_of_byte * bytes.size()) {
+    png_image_free(&png);
+    return fail("the picture unfolds to far more pixels than the file has bytes");
+  }
   png.format = PNG_FORMAT_RGBA;
   Image image{static_cast<int>(png.width), static_cast<int>(png.height), {}};
   image.pixels.resize(PNG_IMAGE_SIZE(png));

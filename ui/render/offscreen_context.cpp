@@ -3,6 +3,7 @@
 #include <SDL2/SDL.h>
 #include <cstdlib>
 #include <string>
+#include <sys/mman.h>
 
 namespace penpose::render {
 namespace {
@@ -25,7 +26,18 @@ struct Version {
 
 }  // namespace
 
+base::Status check_room_for_gl() {
+  constexpr std::size_t k_room = std::size_t{576} << 20;
+  void* room = ::mmap(nullptr, k_room, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (room == MAP_FAILED) {
+    return base::Error{"pictures need more memory than the program may take", "", "raise its limit (ulimit -v)"};
+  }
+  ::munmap(room, k_room);
+  return base::Done{};
+}
+
 base::Result<std::unique_ptr<OffscreenContext>> OffscreenContext::make() {
+  if (const auto room = check_room_for_gl(); !room) return room.error();
   std::unique_ptr<OffscreenContext> made(new OffscreenContext);
   if (SDL_WasInit(SDL_INIT_VIDEO) != 0) {
     const char* driver = SDL_GetCurrentVideoDriver();

@@ -6,6 +6,10 @@
 
 namespace penpose::render {
 
+/// Whether the address space has room for a driver of OpenGL. Mesa does not survive one that is too small (ulimit -v),
+/// so it is asked for before anything of it is started.
+[[nodiscard]] base::Status check_room_for_gl();
+
 /// An OpenGL context that belongs to no window: SDL's offscreen driver (EGL; Mesa's software renderer where there is no
 /// graphics card). Needs no display. Current on the thread that made it, until it is destroyed.
 class OffscreenContext {

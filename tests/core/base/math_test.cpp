@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <random>
 
 namespace penpose::base {
@@ -41,6 +42,32 @@ TEST(Math, StaysWithinTwoUnitsInTheLastPlace) {
                 [](long double x) { return std::atan2(static_cast<long double>(0.3), x); }),
             2);
   EXPECT_LT(worst(-1, 1, acos, [](long double x) { return std::acos(x); }), 3);
+}
+
+/// An angle of any size: all sizes equally often.
+double any_angle(std::mt19937_64& random) {
+  const int exponent = static_cast<int>(random() % 1000) + 20;
+  const double mantissa = 1.0 + static_cast<double>(random() >> 12) * 0x1p-52;
+  return (random() & 1) != 0 ? std::ldexp(mantissa, exponent) : -std::ldexp(mantissa, exponent);
+}
+
+TEST(Math, LargeAnglesAreAsExactAsSmallOnes) {
+  std::mt19937_64 random(11);
+  double most = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const double x = any_angle(random);
+    most = std::max(most, ulps(sin(x), std::sin(static_cast<long double>(x))));
+    most = std::max(most, ulps(cos(x), std::cos(static_cast<long double>(x))));
+  }
+  EXPECT_LT(most, 2);
+  EXPECT_LT(worst(1e6, 2e6, sin, [](long double x) { return std::sin(x); }), 2) << "where one way ends";
+  // The double that lies nearest to a multiple of pi/2 (Kahan), and the largest there is.
+  const double hard = 6381956970095103.0 * 0x1p797;
+  EXPECT_LT(ulps(cos(hard), std::cos(static_cast<long double>(hard))), 2);
+  EXPECT_NEAR(cos(hard), -4.68716592425462761112e-19, 1e-33);
+  constexpr double k_largest = std::numeric_limits<double>::max();
+  EXPECT_LT(ulps(sin(k_largest), std::sin(static_cast<long double>(k_largest))), 2);
+  EXPECT_NEAR(sin(1e18), -0.99296932074040507620955301726, 1e-15);
 }
 
 TEST(Math, PowerKeepsThirteenDigits) {

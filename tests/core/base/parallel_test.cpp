@@ -1,5 +1,6 @@
 #include "core/base/parallel.h"
 
+#include <atomic>
 #include <gtest/gtest.h>
 #include <mutex>
 #include <set>
@@ -41,6 +42,22 @@ TEST(Parallel, UsesAtMostTheThreadsAskedForAndNeverAnEmptyPiece) {
     ++pieces;
   });
   EXPECT_EQ(pieces, 3U);
+}
+
+// On a thread of its own it would end the program without a word.
+TEST(Parallel, WhatAPieceThrowsReachesTheCaller) {
+  for (const std::size_t bad : {0U, 5U, 7U}) {
+    std::atomic<int> done{0};
+    try {
+      parallel_for(8, 8, [&](std::size_t begin, std::size_t) {
+        if (begin == bad) throw std::bad_alloc();
+        ++done;
+      });
+      ADD_FAILURE() << "nothing came";
+    } catch (const std::bad_alloc&) {
+      EXPECT_EQ(done, 7) << "the others are done by then";
+    }
+  }
 }
 
 TEST(Parallel, OneThreadIsTheCallersOwn) {

@@ -78,6 +78,24 @@ TEST(History, AStepKeepsTheCurvesThatItChangedAlone) {
   EXPECT_EQ(history.document().curves.size(), k_curves - 50);
 }
 
+// A session of a few hundred kilobytes may set thousands of keys; all of them in every step were gigabytes.
+TEST(History, AStepKeepsTheKeysThatItChangedAlone) {
+  ApplyWorkspace work;
+  History history(make_document(tests::sheet_model()));
+  constexpr int k_keys = 300;
+  for (int i = 0; i < k_keys; ++i) ASSERT_TRUE(history.perform(SetKey{i * 0.5, "key"}, work));
+  const auto latest = history.document().timeline;
+  ASSERT_TRUE(history.undo());
+  const std::weak_ptr<const Timeline> before = history.document().timeline;
+  ASSERT_TRUE(history.redo());
+  EXPECT_EQ(*history.document().timeline, *latest);
+  EXPECT_TRUE(before.expired()) << "no step holds a whole timeline";
+  for (int i = 0; i < k_keys; ++i) ASSERT_TRUE(history.undo());
+  EXPECT_TRUE(history.document().timeline->keys.empty());
+  for (int i = 0; i < k_keys; ++i) ASSERT_TRUE(history.redo());
+  EXPECT_EQ(*history.document().timeline, *latest);
+}
+
 TEST(History, ACommandAfterUndoGivesUpWhatWasUndone) {
   ApplyWorkspace work;
   History history(make_document(tests::sheet_model()));

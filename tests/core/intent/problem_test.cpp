@@ -75,7 +75,7 @@ TEST(CheckIntentProblem, NamesWhatIsWrong) {
     EXPECT_EQ(place([&](IntentProblem& p) { p.known[0].doubt = doubt; }), "curve 0");
     EXPECT_EQ(place([&](IntentProblem& p) { p.kept[0].doubt = doubt; }), "curve 0");
   }
-  EXPECT_EQ(place([](IntentProblem& p) { p.drawn[0].weights = {1, 1}; }), "curve 0");
+  EXPECT_EQ(place([](IntentProblem& p) { p.drawn[0].weights = {1, 1}; }), "reference 0");
   EXPECT_EQ(place([](IntentProblem& p) { p.drawn[0].reference[2].vertex[0] = 41 * 41; }), "reference 0");
   EXPECT_EQ(place([](IntentProblem& p) { p.known[0].target.pop_back(); }), "reference 2");
   EXPECT_EQ(place([](IntentProblem& p) { p.kept[0].target[0].z = NAN; }), "constraint 0");

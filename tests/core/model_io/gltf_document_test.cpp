@@ -30,6 +30,51 @@ std::string base64(const std::vector<std::uint8_t>& bytes) {
   return text;
 }
 
+// 20,000 buffers of one file were 20,000 copies of it.
+TEST(GltfDocument, AFileIsReadOnceByWhateverNameItGoes) {
+  tests::GltfSample sample = tests::square_sample();
+  sample.set_buffer();
+  const auto first = sample.json["buffers"][0];
+  sample.json["buffers"] = nlohmann::json::array();
+  const char* const names[] = {"data.bin", "./data.bin", "././data.bin", ".//data%2Ebin", "data.bin"};
+  for (int i = 0; i < 5000; ++i) {
+    sample.json["buffers"].push_back(first);
+    sample.json["buffers"].back()["uri"] = names[i % 5];
+  }
+  int reads = 0;
+  const FileResolver resolve = [&](const std::string& path) -> base::Result<std::vector<std::uint8_t>> {
+    ++reads;
+    EXPECT_EQ(path, "data.bin");
+    return sample.binary;
+  };
+  const std::string text = sample.json.dump();
+  const auto document = open_gltf(base::as_bytes(text), resolve);
+  ASSERT_TRUE(document) << document.error().line();
+  EXPECT_EQ(reads, 1);
+  EXPECT_EQ(document->buffers.size(), 5000U);
+  EXPECT_EQ(document->owned.size(), 1U);
+  EXPECT_EQ(document->buffers.front().data(), document->buffers.back().data());
+}
+
+TEST(GltfDocument, NoMoreFilesAreOpenedThanAModelHas) {
+  tests::GltfSample sample = tests::square_sample();
+  sample.set_buffer();
+  const auto first = sample.json["buffers"][0];
+  for (int i = 0; i < 10000; ++i) {
+    sample.json["buffers"].push_back(first);
+    sample.json["buffers"].back()["uri"] = std::to_string(i) + ".bin";
+  }
+  sample.json["buffers"][0]["uri"] = "data.bin";
+  int reads = 0;
+  const FileResolver resolve = [&](const std::string&) -> base::Result<std::vector<std::uint8_t>> {
+    ++reads;
+    return sample.binary;
+  };
+  const std::string text = sample.json.dump();
+  EXPECT_FALSE(open_gltf(base::as_bytes(text), resolve));
+  EXPECT_LT(reads, 5000);
+}
+
 TEST(GltfDocument, EveryTruncationOfAContainerIsRefused) {
   const auto bytes = tests::square_sample().glb();
   ASSERT_EQ(place(bytes), "(no error)");

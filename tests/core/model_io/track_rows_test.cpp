@@ -118,6 +118,26 @@ TEST(TrackRows, AFaceThatIsGoneForLongIsHeld) {
   EXPECT_EQ(make_track(rows_of(frames, {}), 1, 30).value().frames.size(), 30U * 59 + 1);
 }
 
+// A word of a text is a frame, and each of them is searched, smoothed and written.
+TEST(TrackRows, AShortTextDoesNotStandForHours) {
+  const auto with_empty_frames = [](std::size_t empty, std::size_t shown) {
+    auto rows = rows_of({}, std::vector<double>(shown, 0.0));
+    for (TrackRow& row : rows) row.time_s.reset();
+    TrackRow nobody;
+    nobody.why_held = "the frame has no curves";
+    rows.insert(rows.begin() + 1, empty, nobody);
+    return make_track(std::move(rows), 1, 25, RowName::frame);
+  };
+  EXPECT_TRUE(with_empty_frames(10000, 2));
+  const auto refused = with_empty_frames(10001, 2);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().what.find("10001 are left out or empty"), std::string::npos) << refused.error().what;
+  EXPECT_TRUE(with_empty_frames(10100, 600)) << "what shows more may leave out more";
+  std::vector<int> numbers;
+  for (int i = 0; i < 1200; ++i) numbers.push_back(i < 600 ? i : 11000 + i);
+  EXPECT_FALSE(make_track(rows_of(numbers, {}), 1, 25)) << "numbers that leave out as many";
+}
+
 TEST(TrackRows, LongListsOfNotesAreCut) {
   std::vector<int> frames;
   for (int i = 0; i < 100; ++i) frames.push_back(3 * i);

@@ -140,9 +140,8 @@ TEST(SessionPlay, AProjectIsNotSavedOverWhereItsSessionCouldNotBeReplayedAnyMore
   desk.frames();
   pose_mouth(desk);
   const std::string before = text_of(project);
-  // No file of its name can be made there, as on a full disk.
-  std::filesystem::create_directories(cli::kept_model_of(desk.app->session_path(), project) + ".part-" +
-                                      std::to_string(::getpid()));
+  // No file of its name can be made there, as on a full disk: it is a link into a folder that is not there.
+  std::filesystem::create_symlink("/none/model.glb", cli::kept_model_of(desk.app->session_path(), project));
   const auto saved = desk.app->save(project);
   ASSERT_FALSE(saved);
   EXPECT_NE(saved.error().line().find("save under another name"), std::string::npos) << saved.error().line();

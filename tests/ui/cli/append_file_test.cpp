@@ -28,11 +28,12 @@ TEST_F(AppendFileTest, HoldsEveryPieceAtOnce) {
   EXPECT_EQ(files(), 1u);
 }
 
-TEST_F(AppendFileTest, ReplacesAnOlderFileWhole) {
+TEST_F(AppendFileTest, AnOlderFileIsNotReplaced) {
   save("a.hid", std::string("an older recording"));
-  auto file = AppendFile::create(path("a.hid"), "new\n");
-  ASSERT_TRUE(file);
-  EXPECT_EQ(content("a.hid"), "new\n");
+  const auto file = AppendFile::create(path("a.hid"), "new\n");
+  ASSERT_FALSE(file);
+  EXPECT_EQ(file.error().what, "exists already and is not written over");
+  EXPECT_EQ(content("a.hid"), "an older recording");
 }
 
 TEST_F(AppendFileTest, AFolderThatIsNotThereIsAnError) {

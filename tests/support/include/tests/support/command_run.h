@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cctype>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -32,6 +34,16 @@ class CommandRun : public testing::Test {
   void save(const std::string& name, const Content& bytes) const {
     std::ofstream file(folder_ / name, std::ios::binary);
     file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  }
+  /// The beginning of a session that was drawn on a model.
+  [[nodiscard]] static std::string session_on(const std::string& model) {
+    std::string name;
+    for (const char c : model) {
+      char code[4] = {c, 0};
+      if (std::isalnum(static_cast<unsigned char>(c)) == 0) std::snprintf(code, sizeof code, "%%%02X", c);
+      name += code;
+    }
+    return "# penpose session 1 program=test\n# penpose model 00000000000000000000000000000000 path=" + name + "\n";
   }
   [[nodiscard]] std::size_t files() const {
     const std::filesystem::directory_iterator all(folder_);
