@@ -25,8 +25,8 @@ enum class ToolKind : std::uint8_t {
   none,  ///< strokes do nothing
 };
 
-/// The newest rules. 1: a tap draws nothing; where a target is drawn over the rest of it stays where it is. 2: poses are
-/// solved for what was meant.
+/// The newest rules. 1: a tap draws nothing; where a target is drawn over the rest of it stays where it is. 2: poses
+/// are solved for what was meant.
 inline constexpr std::uint32_t k_rules = 2;
 
 struct Tool {

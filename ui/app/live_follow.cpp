@@ -28,11 +28,6 @@ document::DrawnTarget seen_from(const document::DrawnTarget& target, const docum
   return seen;
 }
 
-geometry::Camera camera_of(const document::View& view) {
-  // Precondition: it was made before.
-  return *geometry::Camera::make(view.camera, view.viewport);
-}
-
 std::optional<document::CurveId> curve_of(const document::Command& command) {
   if (const auto* drawn = std::get_if<document::DrawTarget>(&command)) return drawn->curve;
   if (const auto* over = std::get_if<document::OversketchTarget>(&command)) return over->curve;
@@ -107,8 +102,9 @@ bool LiveFollow::drag(curve::PxPoint by) {
 
 bool LiveFollow::follow_target(const base::Result<document::DrawnTarget>& target) {
   if (!target) return false;
-  return poser_->follow_whole(target->view == view_ ? target->line : seen_from(*target, view_, camera_of(view_)).line)
-      .solved;
+  if (target->view == view_) return poser_->follow_whole(target->line).solved;
+  const auto camera = geometry::Camera::make(view_.camera, view_.viewport);
+  return camera && poser_->follow_whole(seen_from(*target, view_, *camera).line).solved;
 }
 
 void LiveFollow::end() {

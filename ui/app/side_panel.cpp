@@ -36,9 +36,9 @@ void parameter_row(PanelContext& context, std::size_t index) {
   double value = index < shown.size() ? shown[index] : document.pose[index];
   const bool locked = std::binary_search(document.locked.begin(), document.locked.end(), parameter.name);
   ImGui::PushID(static_cast<int>(index));
-  if (lock_button(
-          context, ("##lock " + parameter.name).c_str(), locked,
-          locked ? "Locked: no stroke moves it. Touch to free it" : "Touch to lock it: no stroke will move it, and the last one is solved again without it")) {
+  if (lock_button(context, ("##lock " + parameter.name).c_str(), locked,
+                  locked ? "Locked: no stroke moves it. Touch to free it"
+                         : "Touch to lock it: no stroke will move it, and the last one is solved again without it")) {
     app.workspace().lock({parameter.name}, !locked);
   }
   ImGui::SameLine();
