@@ -18,7 +18,7 @@ using geometry::ModelPoint;
 /// Brings all references to their targets; a document with no target, or nothing that may move, keeps its pose.
 Changed solved(Document document, std::uint32_t rules, Parts& work) {
   if (rules >= k_meant_rules) {
-    const intent::IntentProblem problem = intent_problem(document);
+    const intent::IntentProblem problem = intent_problem(document, rules);
     if ((problem.drawn.empty() && problem.known.empty()) || problem.free.empty()) return document;
     auto solution = intent::solve(*document.model->rig, work.whole_of(document), problem, {}, work.meant);
     if (!solution) return solution.error();

@@ -26,6 +26,8 @@ using curve::PxPoint;
 /// The rules from which on a pose is solved for what was meant (core/intent). Older sessions were drawn for the lowest
 /// sum of distances and replay so, to the bit.
 inline constexpr std::uint32_t k_meant_rules = 2;
+/// The rules from which on it is read by intent::Edition::second, and references stay on one sheet of the surface.
+inline constexpr std::uint32_t k_sheet_rules = 3;
 
 /// A parameter and its value.
 struct NamedValue {

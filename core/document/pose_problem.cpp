@@ -50,8 +50,9 @@ posing::PoseProblem pose_problem(const Document& document) {
   return problem;
 }
 
-intent::IntentProblem intent_problem(const Document& document) {
+intent::IntentProblem intent_problem(const Document& document, std::uint32_t rules) {
   intent::IntentProblem problem;
+  problem.edition = rules >= k_sheet_rules ? intent::Edition::second : intent::Edition::first;
   problem.start = document.pose;
   problem.free = free_parameters(document);
   auto skip = left_out(document, k_most_meant);

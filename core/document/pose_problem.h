@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/document/document.h"
@@ -25,7 +26,8 @@ inline constexpr std::size_t k_most_meant = 16;
 [[nodiscard]] posing::PoseProblem pose_problem(const Document& document);
 
 /// For what was meant: targets as lines in the pictures in which they were drawn, each with the hand's doubt there.
-/// Constraints are doubted like what is drawn, in model units. Targets whose view cannot be are left out.
-[[nodiscard]] intent::IntentProblem intent_problem(const Document& document);
+/// Constraints are doubted like what is drawn, in model units. Targets whose view cannot be are left out. `rules`:
+/// those of the stroke that is solved for.
+[[nodiscard]] intent::IntentProblem intent_problem(const Document& document, std::uint32_t rules);
 
 }  // namespace penpose::document

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -44,6 +45,9 @@ struct KnownCurve {
   double doubt = 0;                ///< model units, > 0
 };
 
+/// How strokes are read. Each edition gives the same bits for ever: sessions replay by the one they were drawn under.
+enum class Edition : std::uint8_t { first, second };
+
 /// What drawing means: which pose was meant by these strokes, starting from this pose.
 struct IntentProblem {
   std::vector<DrawnCurve> drawn;
@@ -51,6 +55,7 @@ struct IntentProblem {
   std::vector<KnownCurve> kept;   ///< constraints: curves that stay where they were when they were set
   std::vector<std::size_t> free;  ///< parameters that may move, ascending
   rig::Pose start;                ///< one value a parameter
+  Edition edition = Edition::second;
 };
 
 /// Errors: nothing to match, lines of fewer than two points or of no length, other numbers of targets than of points,

@@ -66,14 +66,14 @@ void LiveFollow::start(const document::Document& document, const document::PoseC
                        const document::View& view) {
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!camera) return;
-  intent::IntentProblem problem = document::intent_problem(document);
+  intent::IntentProblem problem = document::intent_problem(document, drawing::k_rules);
   problem.drawn.clear();
   const double hand = intent::doubt_px(view.viewport);
   problem.drawn.push_back({document::curve_points(document, curve.points), *camera, {}, hand, {}});
   // Targets of other references hold their curves where they are wanted, as the solve at pen-up will.
   document::Document others = document;
   std::erase_if(others.curves, [&](const auto& one) { return one->id == curve.id; });
-  for (auto& one : document::intent_problem(others).drawn) problem.drawn.push_back(std::move(one));
+  for (auto& one : document::intent_problem(others, drawing::k_rules).drawn) problem.drawn.push_back(std::move(one));
   auto poser = intent::LivePoser::start(*document.model->rig, whole_of(document), std::move(problem));
   if (!poser) return;
   model_ = document.model;

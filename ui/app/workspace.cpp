@@ -107,7 +107,8 @@ void Workspace::measure_left() {
                                   [](const auto& curve) { return curve->target.has_value(); });
   if (drawn == last.curves.rend()) return;
   last.curves = {*drawn};
-  const auto left = intent::left_at_start(*last.model->rig, follow_.whole_of(last), document::intent_problem(last));
+  const auto left =
+      intent::left_at_start(*last.model->rig, follow_.whole_of(last), document::intent_problem(last, drawing::k_rules));
   if (left && !left->empty()) left_px_ = left->front().px;
 }
 
