@@ -20,16 +20,24 @@ const geometry::TriangleBvh& ApplyWorkspace::Parts::surface_of(const Document& d
   if (tree_ && tree_mesh_ == model.mesh && tree_rig_ == model.rig && tree_pose_ == document.pose) return *tree_;
   std::vector<geometry::ModelPoint> posed(model.mesh->vertex_count());
   model.rig->evaluate(document.pose, posed);
-  const std::vector<glm::vec3> positions(posed.begin(), posed.end());
+  tree_positions_.assign(posed.begin(), posed.end());
   if (!tree_ || tree_mesh_ != model.mesh) {
-    tree_ = std::make_unique<geometry::TriangleBvh>(positions, model.mesh->triangles());
+    tree_ = std::make_unique<geometry::TriangleBvh>(tree_positions_, model.mesh->triangles());
   } else {
-    tree_->refit(positions);
+    tree_->refit(tree_positions_);
   }
   tree_mesh_ = model.mesh;
   tree_rig_ = model.rig;
   tree_pose_ = document.pose;
   return *tree_;
+}
+
+curve::Sheets& ApplyWorkspace::Parts::sheets_of(const Document& document) {
+  if (!sheets_ || sheets_mesh_ != document.model->mesh) {
+    sheets_.emplace(*document.model->mesh);
+    sheets_mesh_ = document.model->mesh;
+  }
+  return *sheets_;
 }
 
 const intent::WholeModel& ApplyWorkspace::Parts::whole_of(const Document& document) {

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "core/articulation/canvas.h"
+#include "core/curve/sheets.h"
 #include "core/document/apply.h"
 #include "core/document/command.h"
 #include "core/document/document.h"
@@ -24,6 +27,10 @@ struct ApplyWorkspace::Parts {
 
   /// The search tree over the surface as the document is posed.
   const geometry::TriangleBvh& surface_of(const Document& document);
+  /// All vertices as the last surface_of posed them.
+  [[nodiscard]] std::span<const glm::vec3> surface_positions() const { return tree_positions_; }
+  /// Which triangles of the document's mesh lie beside each other.
+  curve::Sheets& sheets_of(const Document& document);
   /// What strokes of deformers are drawn on.
   base::Result<std::shared_ptr<const articulation::Canvas>> canvas_of(const Document& document);
 
@@ -33,7 +40,10 @@ struct ApplyWorkspace::Parts {
   std::shared_ptr<const mesh::TriangleMesh> tree_mesh_;
   std::shared_ptr<const rig::CharacterRig> tree_rig_;
   rig::Pose tree_pose_;
+  std::vector<glm::vec3> tree_positions_;
   std::unique_ptr<geometry::TriangleBvh> tree_;
+  std::shared_ptr<const mesh::TriangleMesh> sheets_mesh_;
+  std::optional<curve::Sheets> sheets_;
   std::shared_ptr<const mesh::TriangleMesh> canvas_mesh_;
   std::shared_ptr<const rig::Skeleton> canvas_skeleton_;
   std::shared_ptr<const articulation::Canvas> canvas_;

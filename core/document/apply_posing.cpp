@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/curve/pairing.h"
-#include "core/curve/projection.h"
+#include "core/curve/sheet_line.h"
 #include "core/document/apply_parts.h"
 #include "core/document/pose_problem.h"
 #include "core/document/target_line.h"
@@ -34,10 +34,16 @@ Changed solved(Document document, std::uint32_t rules, Parts& work) {
 }
 
 base::Result<std::vector<mesh::MeshPoint>> drawn_on_surface(const Document& document, const View& view,
-                                                            const std::vector<PxPoint>& line, Parts& work) {
+                                                            const std::vector<PxPoint>& line, std::uint32_t rules,
+                                                            Parts& work) {
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!camera) return at("view", camera.error());
-  auto drawn = curve::surface_curve(line, k_pose_curve_points, *camera, work.surface_of(document));
+  const geometry::TriangleBvh& tree = work.surface_of(document);
+  auto drawn = rules >= k_sheet_rules
+                   ? curve::sheet_curve(
+                         line, k_pose_curve_points, *camera,
+                         {tree, work.surface_positions(), document.model->mesh->triangles(), work.sheets_of(document)})
+                   : curve::surface_curve(line, k_pose_curve_points, *camera, tree);
   if (!drawn) return at("line", drawn.error());
   return std::move(drawn->points);
 }
@@ -132,7 +138,7 @@ std::vector<ModelPoint> positions_of(const Document& document, const std::vector
 }
 
 Changed run(const Document& document, const DrawReference& command, Parts& work) {
-  auto points = drawn_on_surface(document, command.view, command.line, work);
+  auto points = drawn_on_surface(document, command.view, command.line, command.rules, work);
   if (!points) return points.error();
   PoseCurve curve;
   curve.points = std::move(points).value();
@@ -176,7 +182,7 @@ Changed run(const Document& document, const DragTarget& command, Parts& work) {
 }
 
 Changed run(const Document& document, const DrawConstraint& command, Parts& work) {
-  auto points = drawn_on_surface(document, command.view, command.line, work);
+  auto points = drawn_on_surface(document, command.view, command.line, command.rules, work);
   if (!points) return points.error();
   PoseCurve curve;
   curve.role = PoseCurveRole::constraint;

@@ -80,10 +80,12 @@ struct DrawReference {
   static constexpr std::string_view k_name = "draw_reference";
   View view;
   std::vector<PxPoint> line;
+  std::uint32_t rules = 0;  ///< from k_sheet_rules on: stays on one sheet of the surface
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("view", self.view);
     visit("line", self.line);
+    visit("rules", self.rules);
   }
   friend bool operator==(const DrawReference&, const DrawReference&) = default;
 };
@@ -144,10 +146,12 @@ struct DrawConstraint {
   static constexpr std::string_view k_name = "draw_constraint";
   View view;
   std::vector<PxPoint> line;
+  std::uint32_t rules = 0;  ///< from k_sheet_rules on: stays on one sheet of the surface
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("view", self.view);
     visit("line", self.line);
+    visit("rules", self.rules);
   }
   friend bool operator==(const DrawConstraint&, const DrawConstraint&) = default;
 };

@@ -72,6 +72,9 @@ document::DrawTarget target_of(CurveId curve, const document::View& view, const 
   return {curve, view, curve::positions_of(stroke), pressure_of(stroke), rules};
 }
 
+/// Older rules know nothing of sheets, and their commands say nothing of rules.
+std::uint32_t sheet_rules(const Tool& tool) { return tool.rules >= document::k_sheet_rules ? tool.rules : 0; }
+
 }  // namespace
 
 std::string to_text(const Tool& tool) {
@@ -106,9 +109,9 @@ base::Result<document::Command> command_of(const Document& document, const Tool&
   switch (tool.kind) {
     case ToolKind::pose:
       if (waiting) return Command(target_of(*waiting, view, stroke, tool.rules));
-      return Command(document::DrawReference{view, std::move(line)});
+      return Command(document::DrawReference{view, std::move(line), sheet_rules(tool)});
     case ToolKind::reference:
-      return Command(document::DrawReference{view, std::move(line)});
+      return Command(document::DrawReference{view, std::move(line), sheet_rules(tool)});
     case ToolKind::target:
       if (tool.curve) return Command(target_of(tool.curve, view, stroke, tool.rules));
       if (waiting) return Command(target_of(*waiting, view, stroke, tool.rules));
@@ -119,7 +122,7 @@ base::Result<document::Command> command_of(const Document& document, const Tool&
       return base::Error{"there is no target to draw over", "", "draw a target first"};
     }
     case ToolKind::constraint:
-      return Command(document::DrawConstraint{view, std::move(line)});
+      return Command(document::DrawConstraint{view, std::move(line), sheet_rules(tool)});
     case ToolKind::pin:
       if (!line.empty()) return Command(document::Pin{view, line.front()});
       break;

@@ -67,7 +67,9 @@ class KnowingHand {
     if (!locked.empty() && random_.chance(0.5)) return document::LockParameters{{any(locked)}, false};
     return document::LockParameters{{parameter()}, true};
   }
-  document::Command make(Tag<document::DrawReference>) { return document::DrawReference{view(), hand_.line()}; }
+  document::Command make(Tag<document::DrawReference>) {
+    return document::DrawReference{view(), hand_.line(), sheets()};
+  }
   document::Command make(Tag<document::DrawTarget>) {
     document::DrawTarget command{curve(false), view(), hand_.line(), {}, meant()};
     for (std::size_t i = 0; pressed_ && i < command.line.size(); ++i) command.pressure.push_back(random_.real(0.1, 1));
@@ -82,7 +84,9 @@ class KnowingHand {
     const double x = random_.real(-30, 30);
     return document::DragTarget{id, {x, random_.real(-30, 30)}, meant()};
   }
-  document::Command make(Tag<document::DrawConstraint>) { return document::DrawConstraint{view(), hand_.line()}; }
+  document::Command make(Tag<document::DrawConstraint>) {
+    return document::DrawConstraint{view(), hand_.line(), sheets()};
+  }
   document::Command make(Tag<document::Pin>) { return document::Pin{view(), hand_.line().front()}; }
   document::Command make(Tag<document::KeepCurve>) { return document::KeepCurve{curve(false)}; }
   document::Command make(Tag<document::DeleteCurve>) {
@@ -181,6 +185,7 @@ class KnowingHand {
   }
 
   /// What the rules of single commands are: those of the solver alone.
+  [[nodiscard]] std::uint32_t sheets() const { return rules_ >= document::k_sheet_rules ? rules_ : 0; }
   [[nodiscard]] std::uint32_t meant() const { return rules_ >= document::k_meant_rules ? rules_ : 0; }
   [[nodiscard]] const document::Document& doc() const { return script_.document(); }
   [[nodiscard]] document::View view() const { return script_.editor().view(); }

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/curve/projection.h"
+#include "core/curve/sheets.h"
+
+namespace penpose::curve {
+
+/// How far from the pen a line may stick to a sheet, px of a view 1000 px high: rims of eyes and mouths are met from
+/// both sides by hands that mean one.
+inline constexpr double k_stick_px = 8.0;
+
+/// A surface that lines are drawn on.
+struct SheetSurface {
+  const geometry::TriangleBvh& tree;
+  std::span<const glm::vec3> positions;  ///< of all vertices, those of the tree
+  std::span<const mesh::Triangle> triangles;
+  Sheets& sheets;
+};
+
+/// A reference curve that stays on one sheet of the surface: `count` points, evenly along the line. Where every sample
+/// of the line hits one sheet, the same as surface_curve. Else each sample may take what lies behind the first hit and
+/// what lies within k_stick_px beside the pen; the sequence with the least cost is found by dynamic programming
+/// (Viterbi 1967): px beside the pen, what is hidden or seen from behind, and above all going over from one sheet to
+/// another. Parts of a model that touch may be crossed at a cost; where a line leaves its sheet all the same it is cut,
+/// and the longest run in px is kept. `dropped` counts samples of the line outside of that run. Errors as
+/// project_stroke.
+[[nodiscard]] base::Result<ProjectedStroke> sheet_curve(std::span<const PxPoint> stroke, std::size_t count,
+                                                        const geometry::Camera& camera, const SheetSurface& surface);
+
+}  // namespace penpose::curve

@@ -1,0 +1,84 @@
+#include "core/curve/sheets.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "core/mesh/topology.h"
+
+namespace penpose::curve {
+
+Sheets::Sheets(const mesh::TriangleMesh& mesh)
+    : triangles_(mesh.triangles().begin(), mesh.triangles().end()),
+      beside_(mesh.triangle_count(), {k_border, k_border, k_border}),
+      seen_(mesh.triangle_count(), 0) {
+  const auto weld = mesh.weld();
+  std::vector<mesh::Triangle> welded = triangles_;
+  for (mesh::Triangle& triangle : welded) {
+    component_.push_back(mesh.components()[triangle[0]]);
+    for (std::uint32_t& vertex : triangle) vertex = weld[vertex];
+  }
+  const auto join = [&](const mesh::EdgeUse& use, std::uint32_t other) {
+    const mesh::Triangle& t = welded[use.triangle];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      if (std::min(a, b) == use.low && std::max(a, b) == use.high) beside_[use.triangle][k] = other;
+    }
+  };
+  const auto edges = mesh::sorted_edges(welded, mesh.vertex_count());
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    if (edges[i].low != edges[i + 1].low || edges[i].high != edges[i + 1].high) continue;
+    join(edges[i], edges[i + 1].triangle);
+    join(edges[i + 1], edges[i].triangle);
+  }
+}
+
+bool Sheets::joined(const Place& a, const Place& b, double reach, std::span<const glm::vec3> positions) {
+  if (a.triangle == b.triangle) return true;
+  if (component_[a.triangle] != component_[b.triangle]) return false;
+  if (++search_ == 0) {
+    std::fill(seen_.begin(), seen_.end(), 0U);
+    search_ = 1;
+  }
+  queue_.assign(1, a.triangle);
+  seen_[a.triangle] = search_;
+  for (std::size_t next = 0; next < queue_.size(); ++next) {
+    const std::uint32_t triangle = queue_[next];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t beside = beside_[triangle][k];
+      if (beside == k_border || seen_[beside] == search_) continue;
+      const ModelPoint from(positions[triangles_[triangle][k]]);
+      const ModelPoint to(positions[triangles_[triangle][(k + 1) % 3]]);
+      if (segment_distance(a.position, b.position, from, to) > reach) continue;
+      if (beside == b.triangle) return true;
+      seen_[beside] = search_;
+      queue_.push_back(beside);
+    }
+  }
+  return false;
+}
+
+double segment_distance(const ModelPoint& a0, const ModelPoint& a1, const ModelPoint& b0, const ModelPoint& b1) {
+  // Ericson 2005, Real-Time Collision Detection, section 5.1.9.
+  const ModelPoint u = a1 - a0, v = b1 - b0, w = a0 - b0;
+  const double uu = glm::dot(u, u), vv = glm::dot(v, v), uv = glm::dot(u, v), uw = glm::dot(u, w), vw = glm::dot(v, w);
+  double s = 0, t = 0;
+  if (uu > 0 && vv > 0) {
+    const double across = uu * vv - uv * uv;
+    if (across > 1e-12 * uu * vv) s = std::clamp((uv * vw - uw * vv) / across, 0.0, 1.0);
+    t = (uv * s + vw) / vv;
+    if (t < 0) {
+      t = 0;
+      s = std::clamp(-uw / uu, 0.0, 1.0);
+    } else if (t > 1) {
+      t = 1;
+      s = std::clamp((uv - uw) / uu, 0.0, 1.0);
+    }
+  } else if (uu > 0) {
+    s = std::clamp(-uw / uu, 0.0, 1.0);
+  } else if (vv > 0) {
+    t = std::clamp(vw / vv, 0.0, 1.0);
+  }
+  return geometry::distance(a0 + u * s, b0 + v * t);
+}
+
+}  // namespace penpose::curve

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/mesh/mesh_point.h"
+#include "core/mesh/triangle_mesh.h"
+
+namespace penpose::curve {
+
+using geometry::ModelPoint;
+
+/// Which triangles lie beside each other over welded edges, to tell whether two places lie on one sheet of the surface:
+/// the upper lip and the lower are near each other in space and far over the surface.
+class Sheets {
+ public:
+  explicit Sheets(const mesh::TriangleMesh& mesh);
+
+  struct Place {
+    std::uint32_t triangle = 0;
+    ModelPoint position;
+  };
+  /// Whether one can walk over the surface from one place to the other without leaving the straight line between them
+  /// by more than `reach`. `positions`: of all vertices as posed.
+  [[nodiscard]] bool joined(const Place& a, const Place& b, double reach, std::span<const glm::vec3> positions);
+
+  /// The connected component of a triangle (TriangleMesh::components).
+  [[nodiscard]] std::uint32_t component(std::uint32_t triangle) const { return component_[triangle]; }
+
+ private:
+  static constexpr std::uint32_t k_border = 0xffffffffU;
+  std::vector<mesh::Triangle> triangles_;
+  std::vector<std::array<std::uint32_t, 3>> beside_;  ///< over the edge that follows corner k
+  std::vector<std::uint32_t> component_;
+  std::vector<std::uint32_t> seen_;  ///< in which search a triangle was reached last
+  std::vector<std::uint32_t> queue_;
+  std::uint32_t search_ = 0;
+};
+
+/// The shortest distance between two segments, both of any length.
+[[nodiscard]] double segment_distance(const ModelPoint& a0, const ModelPoint& a1, const ModelPoint& b0,
+                                      const ModelPoint& b1);
+
+}  // namespace penpose::curve
