@@ -29,6 +29,7 @@ class Reader {
   [[nodiscard]] const Costs& costs() const { return costs_; }
   [[nodiscard]] std::span<const std::size_t> parameters() const { return parameters_; }
   [[nodiscard]] bool linear() const { return linear_; }
+  [[nodiscard]] Edition edition() const { return problem_.edition; }
   [[nodiscard]] std::size_t curve_count() const { return blocks_.size(); }
   /// Only units of these joints may move; empty: all.
   void restrict_to(std::span<const std::size_t> joints);

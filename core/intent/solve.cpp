@@ -44,7 +44,13 @@ class Solver {
   /// Matching and choosing in turn, from nothing moved.
   Reading read() {
     Choice choice;
-    reader_.weigh_evenly();
+    if (reader_.edition() == Edition::first) {
+      reader_.weigh_evenly();
+    } else {
+      // From few controls to many: far from the line each must bring it nearer by a good share of the way.
+      reader_.look(choice, false, b_.quadratic);
+      reader_.weigh(choice);
+    }
     const std::size_t rounds = reader_.linear() ? options_.rounds : options_.general_rounds;
     std::vector<Choice> rivals;
     for (std::size_t round = 0; round < rounds; ++round) {
