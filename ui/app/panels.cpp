@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cfloat>
 
+#include "core/intent/problem.h"
 #include "ui/app/widgets.h"
 
 // The toolbar, the top bar, notices and the radial menu.
@@ -109,6 +110,21 @@ void show_top_bar(PanelContext& context, const Area& area) {
   end_panel();
 }
 
+namespace {
+
+/// Whether what is left of the last target is what a hand leaves.
+bool within_hand(const Workspace& workspace) {
+  return workspace.left_px() <= 2.0 * intent::doubt_px(workspace.editor().view().viewport);
+}
+
+std::string why_nothing_moved(const Workspace& workspace) {
+  if (within_hand(workspace)) return "the curve already is where the line was drawn";
+  return workspace.document().locked.empty() ? "no control of this model brings the curve to the line"
+                                             : "no control that is not locked brings the curve to the line";
+}
+
+}  // namespace
+
 void show_notices(PanelContext& context) {
   const auto& notices = context.app.notices();
   const auto& movements = context.app.workspace().movements();
@@ -134,11 +150,12 @@ void show_notices(PanelContext& context) {
   };
   for (auto it = notices.rbegin(); it != notices.rend(); ++it) line(it->text, it->is_error ? wrong : ink);
   const auto tool = context.app.workspace().editor().tool().kind;
-  if (dialog || movements.empty() || context.app.workspace().document().curves.empty() ||
+  const bool nothing_moved = movements.empty() && context.app.workspace().last_is_solved();
+  if (dialog || (movements.empty() && !nothing_moved) || context.app.workspace().document().curves.empty() ||
       tool == drawing::ToolKind::articulate) {
     return;
   }
-  std::string text = "moved";
+  std::string text = nothing_moved ? "nothing moved: " + why_nothing_moved(context.app.workspace()) : "moved";
   constexpr std::size_t k_named = 4;
   for (std::size_t i = 0; i < std::min(k_named, movements.size()); ++i) {
     char number[32];
@@ -150,6 +167,9 @@ void show_notices(PanelContext& context) {
     char number[32];
     std::snprintf(number, sizeof number, "; %.1f px left", left);
     text += number;
+    const bool short_of_it =
+        std::any_of(movements.begin(), movements.end(), [](const auto& one) { return one.at_limit; });
+    if (short_of_it && !within_hand(context.app.workspace())) text += ", and no control brings it nearer";
   }
   line(text, ink);
 }

@@ -57,6 +57,23 @@ CurveKind kind_of(const drawing::Tool& tool, const document::Document& document,
   return CurveKind::target;
 }
 
+/// How far a point of a curve is from the line that was drawn for it, in the picture it was drawn in: along the line it
+/// may slide, and the picture says nothing of depth. Model units.
+double left_across(const document::DrawnTarget& target, const geometry::ModelPoint& now,
+                   const geometry::ModelPoint& wanted) {
+  const auto camera = geometry::Camera::make(target.view.camera, target.view.viewport);
+  const auto px = camera ? camera->project(now) : std::nullopt;
+  if (!px || target.line.empty()) return geometry::distance(now, wanted);
+  double least = geometry::distance(*px, target.line.front());
+  for (std::size_t i = 0; i + 1 < target.line.size(); ++i) {
+    const PxPoint a = target.line[i], way = target.line[i + 1] - a, to = *px - a;
+    const double length = way.x * way.x + way.y * way.y;
+    const double share = length > 0.0 ? std::clamp((to.x * way.x + to.y * way.y) / length, 0.0, 1.0) : 0.0;
+    least = std::min(least, geometry::distance(*px, a + way * share));
+  }
+  return least * camera->units_per_px(camera->depth(now));
+}
+
 void add_pose_curves(std::vector<CurveDrawing>& out, const Workspace& workspace, const PosedSurface& surface,
                      const CurveLook& look) {
   const bool held = look.dragged.has_value();
@@ -82,7 +99,7 @@ void add_pose_curves(std::vector<CurveDrawing>& out, const Workspace& workspace,
     target.highlighted = lit;
     const auto& pressure = now_wanted->pressure;
     for (std::size_t i = 0; i < target.points.size(); ++i) {
-      target.point_colors.push_back(distance_color(geometry::distance(target.points[i], now[i]), surface.size()));
+      target.point_colors.push_back(distance_color(left_across(*now_wanted, now[i], target.points[i]), surface.size()));
       const std::size_t at =
           pressure.empty() ? 0 : i * (pressure.size() - 1) / std::max<std::size_t>(1, now.size() - 1);
       target.widths_px.push_back(width_of(pressure.empty() ? 0.5 : pressure[at], look.scale));

@@ -28,6 +28,14 @@ bool solves(const replay::SessionLine& line) {
          std::holds_alternative<document::SolvePose>(performed->command);
 }
 
+/// Whether a curve has another target than before.
+bool new_target(const document::Document& before, const document::Document& after) {
+  return std::any_of(after.curves.begin(), after.curves.end(), [&](const auto& curve) {
+    const document::PoseCurve* was = document::find_curve(before, curve->id);
+    return curve->target && (was == nullptr || was->target != curve->target);
+  });
+}
+
 }  // namespace
 
 Workspace::Workspace(Clock clock, Tell tell, const decode::TabletTable* own)
@@ -83,7 +91,7 @@ void Workspace::after_steps(const document::Document& before, bool solved) {
   ++revision_;
   const auto parameters = document().model->rig->parameters();
   const bool same_rig = before.model == document().model;
-  if (!same_rig || before.pose == document().pose) return;
+  if (!same_rig || (before.pose == document().pose && !new_target(before, document()))) return;
   movements_.clear();
   left_px_ = -1;
   // Only a stroke finds parameters; what a slider or the timeline sets is known.
@@ -112,6 +120,8 @@ void Workspace::measure_left() {
   if (left && !left->empty()) left_px_ = left->front().px;
 }
 
+bool Workspace::last_is_solved() const { return left_px_ >= 0 && solved_revision_ == revision_; }
+
 void Workspace::lock(const std::vector<std::string>& names, bool locked) {
   const auto moved = [&](const std::string& name) {
     return std::any_of(movements_.begin(), movements_.end(), [&](const Movement& one) { return one.name == name; });
@@ -119,8 +129,9 @@ void Workspace::lock(const std::vector<std::string>& names, bool locked) {
   const auto& curves = document().curves;
   const auto drawn =
       std::find_if(curves.rbegin(), curves.rend(), [](const auto& curve) { return curve->target.has_value(); });
-  const bool again = locked && solved_revision_ == revision_ && drawn != curves.rend() &&
-                     std::any_of(names.begin(), names.end(), moved);
+  // What is given back may be what the stroke meant.
+  const bool again =
+      last_is_solved() && drawn != curves.rend() && (!locked || std::any_of(names.begin(), names.end(), moved));
   if (!again) {
     perform(document::LockParameters{names, locked});
     return;

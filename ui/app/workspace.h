@@ -83,8 +83,10 @@ class Workspace {
   [[nodiscard]] const std::vector<Movement>& movements() const { return movements_; }
   /// px that the last stroke that solved leaves between its curve and its target, in the mean; negative: not known.
   [[nodiscard]] double left_px() const { return left_px_; }
+  /// Whether the newest thing that happened is a target that was drawn and solved for.
+  [[nodiscard]] bool last_is_solved() const;
   /// Locks parameters against the solver, or frees them. Where one is locked that the last stroke moved ("not this
-  /// one"), that stroke is solved again without it.
+  /// one"), or one is given back, that stroke is solved again.
   void lock(const std::vector<std::string>& names, bool locked);
   /// Grows with every change of the document.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
