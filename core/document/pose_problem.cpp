@@ -55,6 +55,11 @@ intent::IntentProblem intent_problem(const Document& document, std::uint32_t rul
   problem.edition = rules >= k_sheet_rules ? intent::Edition::second : intent::Edition::first;
   problem.start = document.pose;
   problem.free = free_parameters(document);
+  for (std::size_t i = 0, k = 0; i < problem.start.size(); ++i) {
+    const bool free = k < problem.free.size() && problem.free[k] == i;
+    k += free ? 1U : 0U;
+    if (!free) problem.locked.push_back(i);
+  }
   auto skip = left_out(document, k_most_meant);
   // The doubt of the latest view, for what has no picture of its own.
   double doubt = 1e-3 * rest_world_box(*document.model).diagonal();

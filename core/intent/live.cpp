@@ -6,6 +6,7 @@
 #include "core/curve/polyline.h"
 #include "core/intent/chain.h"
 #include "core/intent/reader.h"
+#include "core/intent/solve.h"
 
 namespace penpose::intent {
 namespace {
@@ -29,13 +30,38 @@ struct LivePoser::State {
   rig::Pose pose;
   std::vector<PxPoint> seen;  ///< the reference before the stroke
   double length = 0;          ///< of it, px
+  /// Where controls are locked: what the strokes mean by themselves.
+  std::unique_ptr<State> unlocked;
 
   LiveStep step(std::span<const PxPoint> line, const Alignment& alignment) {
+    if (!unlocked) return step_free(line, alignment, k_most_units);
+    const LiveStep meant = unlocked->step_free(line, alignment, k_most_units);
+    if (!moves_locked(problem, unlocked->pose)) {
+      choice = {};
+      pose = unlocked->pose;
+      return meant;
+    }
+    std::vector<std::size_t> moved;
+    for (std::size_t i = 0; i < pose.size(); ++i) {
+      if (unlocked->pose[i] != problem.start[i]) moved.push_back(i);
+    }
+    if (keeps_a_part_of_each(problem, whole, moved)) {
+      choice = {};
+      pose = unlocked->pose;
+      for (const std::size_t i : problem.locked) pose[i] = problem.start[i];
+      return meant;
+    }
+    const LiveStep without = step_free(line, alignment, std::max<std::size_t>(1, unlocked->choice.units.size()));
+    return {true, meant.evaluations + without.evaluations};
+  }
+
+  LiveStep step_free(std::span<const PxPoint> line, const Alignment& alignment, std::size_t most_units) {
+    if (choice.units.size() > most_units) choice = {};
     reader.redraw(0, line, alignment);
     // Points slide once the curve has come near: before, the nearest places on the line mean nothing.
     reader.look(choice, !choice.units.empty(), quadratic);
     Selection selection(quadratic, reader.choices(), reader.costs());
-    Choice next = selection.select(selection.fit(choice.units), k_most_units);
+    Choice next = selection.select(selection.fit(choice.units), most_units);
     if (!reader.linear()) {
       for (std::size_t i = 0; i < next.variables.size(); ++i) {
         const auto at = std::lower_bound(choice.variables.begin(), choice.variables.end(), next.variables[i]);
@@ -64,11 +90,20 @@ base::Result<LivePoser> LivePoser::start(const rig::Rig& rig, WholeModel whole, 
   drawn.target = {{0, 0}, {1, 0}};
   if (auto status = check_problem(rig, problem); !status) return status.error();
 
+  const bool locked = !problem.locked.empty() && problem.edition != Edition::first;
+  auto unlocked = locked ? std::make_unique<State>(rig, whole, as_if_unlocked(problem)) : nullptr;
+  if (unlocked) {
+    if (auto status = check_problem(rig, unlocked->problem); !status) return status.error();
+  }
   auto state = std::make_unique<State>(rig, std::move(whole), std::move(problem));
   state->seen = state->reader.seen_at_start(0);
   state->length = curve::arc_length<PxPoint>(state->seen);
   const auto chain = chain_of(rig, state->problem.drawn.front().reference);
-  if (!chain.empty()) state->reader.restrict_to(chain);
+  if (!chain.empty()) {
+    state->reader.restrict_to(chain);
+    if (unlocked) unlocked->reader.restrict_to(chain);
+  }
+  state->unlocked = std::move(unlocked);
   return LivePoser(std::move(state));
 }
 

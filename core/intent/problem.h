@@ -54,7 +54,10 @@ struct IntentProblem {
   std::vector<KnownCurve> known;
   std::vector<KnownCurve> kept;   ///< constraints: curves that stay where they were when they were set
   std::vector<std::size_t> free;  ///< parameters that may move, ascending
-  rig::Pose start;                ///< one value a parameter
+  /// Parameters that might be meant but are held by the artist, ascending: without one that the strokes mean, no more
+  /// controls move than would with it. By Edition::second.
+  std::vector<std::size_t> locked;
+  rig::Pose start;  ///< one value a parameter
   Edition edition = Edition::second;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/intent/chain.h"
 #include "core/intent/reader.h"
@@ -156,11 +157,9 @@ std::vector<std::size_t> drawn_chain(const rig::Rig& rig, const IntentProblem& p
   return joints;
 }
 
-}  // namespace
-
-base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
-                             const SolveOptions& options, Workspace& work) {
-  if (auto status = check_problem(rig, problem); !status) return status.error();
+/// A checked problem, whatever is locked. `units`: receives how many moved.
+Solution solve_free(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
+                    const SolveOptions& options, Workspace& work, std::size_t& units) {
   Reader reader(rig, whole, problem);
   Solution solution;
   solution.pose = problem.start;
@@ -186,6 +185,7 @@ base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const
     }
   }
   solver.search(reading);
+  units = reading.choice.units.size();
   solution.evaluations = solver.evaluations;
   solution.doubt_energy = reading.energy;
 
@@ -209,6 +209,58 @@ base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const
     }
   }
   return solution;
+}
+
+}  // namespace
+
+IntentProblem as_if_unlocked(const IntentProblem& problem) {
+  IntentProblem meant = problem;
+  meant.free.insert(meant.free.end(), problem.locked.begin(), problem.locked.end());
+  std::stable_sort(meant.free.begin(), meant.free.end());
+  meant.free.erase(std::unique(meant.free.begin(), meant.free.end()), meant.free.end());
+  meant.locked.clear();
+  return meant;
+}
+
+bool moves_locked(const IntentProblem& problem, const rig::Pose& pose) {
+  return std::any_of(problem.locked.begin(), problem.locked.end(),
+                     [&](std::size_t i) { return pose[i] != problem.start[i]; });
+}
+
+bool keeps_a_part_of_each(const IntentProblem& problem, const WholeModel& whole, std::span<const std::size_t> moved) {
+  const auto locked = [&](std::size_t i) {
+    return std::binary_search(problem.locked.begin(), problem.locked.end(), i);
+  };
+  return std::all_of(moved.begin(), moved.end(), [&](std::size_t i) {
+    return !locked(i) || std::any_of(moved.begin(), moved.end(), [&](std::size_t k) {
+      const bool one_joint = whole.joint[i] != k_no_partner && whole.joint[i] == whole.joint[k];
+      return !locked(k) && (whole.partner[i] == k || one_joint);
+    });
+  });
+}
+
+base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
+                             const SolveOptions& options, Workspace& work) {
+  if (auto status = check_problem(rig, problem); !status) return status.error();
+  std::size_t units = 0;
+  if (problem.locked.empty() || problem.edition == Edition::first)
+    return solve_free(rig, whole, problem, options, work, units);
+  const IntentProblem unlocked = as_if_unlocked(problem);
+  if (auto status = check_problem(rig, unlocked); !status) return status.error();
+  Solution meant = solve_free(rig, whole, unlocked, options, work, units);
+  if (!moves_locked(problem, meant.pose)) return meant;
+  // Of a pair, or of the angles of a joint, the rest does what it was meant to.
+  IntentProblem rest = problem;
+  if (keeps_a_part_of_each(problem, whole, meant.moved)) {
+    rest.free.clear();
+    std::set_difference(meant.moved.begin(), meant.moved.end(), problem.locked.begin(), problem.locked.end(),
+                        std::back_inserter(rest.free));
+  }
+  SolveOptions no_more = options;
+  no_more.most_units = std::min(options.most_units, std::max<std::size_t>(1, units));
+  Solution without = solve_free(rig, whole, rest, no_more, work, units);
+  without.evaluations += meant.evaluations;
+  return without;
 }
 
 base::Result<std::vector<CurveLeft>> left_at_start(const rig::Rig& rig, const WholeModel& whole,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -61,9 +62,20 @@ class Workspace {
 /// taken back (SlidingLine), next to nothing along the ray; nu = 150 makes what no control can reach count little more.
 /// Matching and choosing alternate, the values of a choice by least squares within the ranges; downhill simplex then
 /// searches the values of the best choice on this energy itself, with its logarithms.
+/// Where the strokes mean a control that is locked, the best reading without it that moves no more controls.
 /// Stops count evaluations, never time. Errors: those of check_problem. `whole` is that of the rig.
 [[nodiscard]] base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
                                            const SolveOptions& options, Workspace& work);
+
+/// The problem with what is locked free to move: what the strokes mean by themselves.
+[[nodiscard]] IntentProblem as_if_unlocked(const IntentProblem& problem);
+/// Whether a pose moves what is locked.
+[[nodiscard]] bool moves_locked(const IntentProblem& problem, const rig::Pose& pose);
+
+/// Whether of all that the strokes mean a part is free: of a pair one side, of a joint an angle. `moved`: by the
+/// meaning of the strokes, ascending.
+[[nodiscard]] bool keeps_a_part_of_each(const IntentProblem& problem, const WholeModel& whole,
+                                        std::span<const std::size_t> moved);
 
 /// What is left of each drawn curve at the problem's start, points having slid to where they fit. Errors as solve.
 [[nodiscard]] base::Result<std::vector<CurveLeft>> left_at_start(const rig::Rig& rig, const WholeModel& whole,

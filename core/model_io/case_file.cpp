@@ -142,11 +142,11 @@ Problem read_constraints(const Json& object, const std::string& pointer, std::ve
   return std::nullopt;
 }
 
-Problem read_free(const Json& object, const std::string& pointer, std::vector<std::string>& out) {
+Problem read_names(const Json& object, const char* member, const std::string& pointer, std::vector<std::string>& out) {
   const Json* list = nullptr;
-  if (auto problem = read_array(object, "free", pointer, Need::optional, list)) return problem;
+  if (auto problem = read_array(object, member, pointer, Need::optional, list)) return problem;
   for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
-    if (!(*list)[i].is_string()) return wrong("a parameter name was expected", child(child(pointer, "free"), i));
+    if (!(*list)[i].is_string()) return wrong("a parameter name was expected", child(child(pointer, member), i));
     out.push_back((*list)[i].get<std::string>());
   }
   return std::nullopt;
@@ -168,7 +168,8 @@ Problem read_weights(const Json& object, const std::string& pointer, std::vector
 Problem read_case(const Json& object, const std::string& pointer, PoseCase& out) {
   if (!object.is_object()) return wrong("an object was expected", pointer);
   if (auto problem = read_text(object, "name", pointer, Need::required, out.name)) return problem;
-  if (auto problem = read_free(object, pointer, out.free)) return problem;
+  if (auto problem = read_names(object, "free", pointer, out.free)) return problem;
+  if (auto problem = read_names(object, "locked", pointer, out.locked)) return problem;
   if (auto problem = read_references(object, pointer, out.references)) return problem;
   if (auto problem = read_constraints(object, pointer, out.constraints)) return problem;
   if (auto problem = read_weights(object, pointer, out.weights)) return problem;
@@ -201,10 +202,12 @@ Problem check_vertices(const std::vector<std::uint32_t>& vertices, const std::st
 Problem check_case(const PoseCase& pose_case, const std::string& pointer, const document::Model& model,
                    TargetForm form) {
   const auto parameters = model.rig->parameters();
-  for (std::size_t i = 0; i < pose_case.free.size(); ++i) {
-    if (rig::find_parameter(parameters, pose_case.free[i])) continue;
-    return wrong("the model has no parameter \"" + pose_case.free[i] + "\"", child(child(pointer, "free"), i),
-                 "`penpose info` lists the parameters of a model");
+  for (const auto& [member, names] : {std::pair{"free", &pose_case.free}, std::pair{"locked", &pose_case.locked}}) {
+    for (std::size_t i = 0; i < names->size(); ++i) {
+      if (rig::find_parameter(parameters, (*names)[i])) continue;
+      return wrong("the model has no parameter \"" + (*names)[i] + "\"", child(child(pointer, member), i),
+                   "`penpose info` lists the parameters of a model");
+    }
   }
   for (const auto& [name, value] : pose_case.weights) {
     if (rig::find_parameter(parameters, name)) continue;

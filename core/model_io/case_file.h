@@ -36,7 +36,8 @@ struct CaseConstraint {
 
 struct PoseCase {
   std::string name;
-  std::vector<std::string> free;  ///< parameters that the solver may move; empty: the file names none
+  std::vector<std::string> free;    ///< parameters that the solver may move; empty: the file names none
+  std::vector<std::string> locked;  ///< parameters that stay whatever is free
   std::vector<CaseReference> references;
   std::vector<CaseConstraint> constraints;
   double view_yaw_degrees = 0;                          ///< camera about +y; 0 looks along -z

@@ -22,7 +22,21 @@ base::Result<std::vector<geometry::ModelPoint>> drawn_target(std::span<const geo
   return std::move(paired->points);
 }
 
-/// Ascending, each once.
+/// The parameters of these names, ascending, each once.
+base::Result<std::vector<std::size_t>> parameters_named(const document::Model& model,
+                                                        const std::vector<std::string>& names) {
+  std::vector<std::size_t> found;
+  for (const std::string& name : names) {
+    const auto one = rig::find_parameter(model.rig->parameters(), name);
+    if (!one) return base::Error{"the model has no parameter \"" + name + "\"", "", "choose another name"};
+    found.push_back(*one);
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+/// Ascending, each once; without what is locked.
 base::Result<std::vector<std::size_t>> free_of_case(const document::Model& model, const model_io::PoseCase& pose_case,
                                                     FreeSet set) {
   std::vector<std::size_t> free;
@@ -30,14 +44,13 @@ base::Result<std::vector<std::size_t>> free_of_case(const document::Model& model
     free.resize(model.rig->parameters().size());
     std::iota(free.begin(), free.end(), std::size_t{0});
   } else {
-    for (const std::string& name : pose_case.free) {
-      const auto found = rig::find_parameter(model.rig->parameters(), name);
-      if (!found) return base::Error{"the model has no parameter \"" + name + "\"", "", "choose another name"};
-      free.push_back(*found);
-    }
-    std::sort(free.begin(), free.end());
-    free.erase(std::unique(free.begin(), free.end()), free.end());
+    auto named = parameters_named(model, pose_case.free);
+    if (!named) return named.error();
+    free = std::move(named).value();
   }
+  const auto locked = parameters_named(model, pose_case.locked);
+  if (!locked) return locked.error();
+  std::erase_if(free, [&](std::size_t i) { return std::binary_search(locked->begin(), locked->end(), i); });
   // What is searched at once stands in tables of all controls against all.
   constexpr std::size_t k_most_controls = 2000;
   if (free.size() > k_most_controls) {
@@ -126,6 +139,9 @@ base::Result<intent::IntentProblem> intent_of_case(const document::Model& model,
   auto freed = free_of_case(model, pose_case, free);
   if (!freed) return freed.error();
   problem.free = std::move(freed).value();
+  auto locked = parameters_named(model, pose_case.locked);
+  if (!locked) return locked.error();
+  problem.locked = std::move(locked).value();
   const auto rest = rest_positions(model);
   const geometry::Box box = document::rest_world_box(model);
   const auto points = [](const std::vector<std::uint32_t>& vertices) {

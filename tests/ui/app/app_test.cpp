@@ -138,6 +138,39 @@ TEST(App, ALockedParameterIsNotMovedByAStroke) {
   EXPECT_DOUBLE_EQ(desk.document().pose[index], before);
 }
 
+TEST(App, NotThisOneSolvesTheStrokeAgainAndGivingItBackToo) {
+  Desk desk("not_this_one");
+  desk.begin();
+  pose_mouth(desk);
+  ASSERT_FALSE(desk.app->workspace().movements().empty());
+  const std::string moved = desk.app->workspace().movements().front().name;
+  const auto index = *rig::find_parameter(desk.document().model->rig->parameters(), moved);
+  const rig::Pose meant = desk.document().pose;
+  desk.app->workspace().lock({moved}, true);
+  EXPECT_DOUBLE_EQ(desk.document().pose[index], desk.document().model->rig->parameters()[index].rest);
+  desk.app->workspace().lock({moved}, false);
+  EXPECT_EQ(desk.document().pose, meant);
+}
+
+TEST(App, ATargetWhereItsCurveIsMovesNothingAndSaysSo) {
+  Desk desk("still");
+  desk.begin();
+  const geometry::PxPoint middle = desk.app->free_area().middle();
+  const auto line = [&] {
+    desk.stroke(
+        {middle + geometry::PxPoint{-60, 20}, middle + geometry::PxPoint{0, 24}, middle + geometry::PxPoint{60, 20}});
+  };
+  line();
+  ASSERT_EQ(desk.document().curves.size(), 1U);
+  EXPECT_FALSE(desk.app->workspace().last_is_solved());
+  const rig::Pose before = desk.document().pose;
+  line();
+  EXPECT_EQ(desk.document().pose, before);
+  EXPECT_TRUE(desk.app->workspace().last_is_solved());
+  EXPECT_TRUE(desk.app->workspace().movements().empty());
+  EXPECT_LT(desk.app->workspace().left_px(), 4);
+}
+
 TEST(App, ScrubbingShowsAndLettingGoTakesThePose) {
   Desk desk("scrub");
   desk.begin();
