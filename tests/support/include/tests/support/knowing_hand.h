@@ -170,8 +170,10 @@ class KnowingHand {
     return document::DeleteView{doc().views.empty() ? "side" : any(doc().views)->name};
   }
 
-  /// Holds what the keys move, and something else.
+  /// Holds what the keys move, and something else; without keys there is nothing to suggest, so that it keys first.
   document::Command make(Tag<document::SuggestRest>) {
+    constexpr std::size_t k_enough_keys = 4;
+    if (doc().timeline->keys.size() < k_enough_keys) return make(Tag<document::SetKey>{});
     document::SuggestRest command{{parameter()}, random_.real(0.2, 1)};
     const auto known = doc().model->rig->parameters();
     const auto& keys = doc().timeline->keys;
