@@ -26,6 +26,8 @@ constexpr std::array k_actions{
     ActionInfo{Action::delete_curve, "Delete", "Delete the curve under the pen", plain(k_key_delete), plain('x')},
     ActionInfo{Action::keep_curve, "Keep", "Hold the curve under the pen where it is now", plain('h')},
     ActionInfo{Action::reset_pose, "Rest pose", "Put all parameters at rest", ctrl('r')},
+    ActionInfo{Action::suggest_rest, "Suggest", "Suggest the rest of the face from the poses that are keyed",
+               plain('g')},
     ActionInfo{Action::cancel, "Cancel", "Give up what is being drawn", plain(k_key_escape)},
     ActionInfo{Action::view_front, "Front", "Look from the front", plain('1')},
     ActionInfo{Action::view_side, "Side", "Look from the side", plain('3')},
