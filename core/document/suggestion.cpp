@@ -117,7 +117,7 @@ base::Result<Suggestion> suggest_rest(const Document& document, std::span<const 
   const std::vector<rig::Pose> poses = other_keys(document, keys);
   const auto prior = learned(document, poses, keys.size());
   if (!prior) return prior.error();
-  if (!strength) strength = prior::trust(parameters, poses, [&](const rig::Pose&) { return *numbers; });
+  if (!strength) strength = prior::trust(*document.model->rig, poses, [&](const rig::Pose&) { return *numbers; });
   auto pose = prior::suggest(*prior, parameters, document.pose, *numbers, *strength);
   if (!pose) return pose.error();
   return Suggestion{{std::move(held), *strength}, std::move(pose).value(), prior->keys, prior->shrinkage};

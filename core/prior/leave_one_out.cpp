@@ -53,7 +53,8 @@ double way_between(const std::vector<rig::ModelPoint>& a, const std::vector<rig:
 
 }  // namespace
 
-double trust(std::span<const rig::Parameter> parameters, std::span<const rig::Pose> keys, const HeldOf& held) {
+double trust(const rig::Rig& rig, std::span<const rig::Pose> keys, const HeldOf& held) {
+  const auto parameters = rig.parameters();
   std::vector<rig::Pose> poses = distinct_poses(keys);
   if (poses.size() > k_most_left_out) {
     std::vector<rig::Pose> some;
@@ -66,19 +67,24 @@ double trust(std::span<const rig::Parameter> parameters, std::span<const rig::Po
   const rig::Pose rest = at_rest(parameters);
   double right = 0;
   double all = 0;
+  std::vector<rig::ModelPoint> truth(rig.vertex_count());
+  std::vector<rig::ModelPoint> from(rig.vertex_count());
+  std::vector<rig::ModelPoint> to(rig.vertex_count());
   for (std::size_t k = 0; k < poses.size(); ++k) {
     const std::vector<std::size_t> known = held(poses[k]);
     const rig::Pose start = begun(rest, poses[k], known);
     const auto prior = learn(parameters, without(poses, k));
     if (!prior) continue;
     const auto pose = suggest(*prior, parameters, start, known);
-    if (!pose) continue;
-    for (std::size_t i = 0; i < start.size(); ++i) {
-      const double range = parameters[i].maximum - parameters[i].minimum;
-      if (!(range > 0)) continue;
-      const double moved = ((*pose)[i] - start[i]) / range;
-      right += moved * ((poses[k][i] - start[i]) / range);
-      all += moved * moved;
+    if (!pose || *pose == start) continue;
+    rig.evaluate(poses[k], truth);
+    rig.evaluate(start, from);
+    rig.evaluate(*pose, to);
+    for (std::size_t v = 0; v < truth.size(); ++v) {
+      const rig::ModelVector moved = to[v] - from[v];
+      const rig::ModelVector wanted = truth[v] - from[v];
+      right += moved.x * wanted.x + moved.y * wanted.y + moved.z * wanted.z;
+      all += moved.x * moved.x + moved.y * moved.y + moved.z * moved.z;
     }
   }
   return all > 0 ? std::clamp(right / all, 0.0, 1.0) : 1;
@@ -114,7 +120,7 @@ base::Result<std::vector<LeftOut>> leave_one_out(const rig::Rig& rig, std::span<
       row.mean = way_between(truth, positions(at_mean(others, start, known)));
       row.suggested = row.still;
       if (const auto prior = learn(parameters, others)) {
-        row.strength = strength ? *strength : trust(parameters, others, held);
+        row.strength = strength ? *strength : trust(rig, others, held);
         if (const auto pose = suggest(*prior, parameters, start, known, row.strength)) {
           row.suggested = way_between(truth, positions(*pose));
         }

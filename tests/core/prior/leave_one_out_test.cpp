@@ -62,7 +62,7 @@ TEST_F(LeaveOneOut, MoodsAreForetoldFarBetterThanByNotMovingAndByTheMean) {
     ASSERT_EQ(rows->size(), 12U);
     EXPECT_LT(pooled(*rows, &LeftOut::suggested), 0.25 * pooled(*rows, &LeftOut::still)) << seed;
     EXPECT_LT(pooled(*rows, &LeftOut::suggested), 0.5 * pooled(*rows, &LeftOut::mean)) << seed;
-    EXPECT_GT(trust(rig_->parameters(), keys(12, 0.05, seed), drawn()), 0.9) << seed;
+    EXPECT_GT(trust(*rig_, keys(12, 0.05, seed), drawn()), 0.9) << seed;
   }
 }
 
@@ -95,7 +95,7 @@ TEST_F(LeaveOneOut, ErrorsAreDistancesOfTheWholeModel) {
 TEST_F(LeaveOneOut, TrustIsLowWhereKeysHaveNothingToDoWithEachOther) {
   std::vector<rig::Pose> poses(8, rig::Pose(k_shapes, 0.0));
   for (std::size_t k = 0; k < poses.size(); ++k) poses[k][k] = poses[k][k_shapes / 2 + k] = 0.9;
-  EXPECT_LT(trust(rig_->parameters(), poses, drawn()), 0.3);
+  EXPECT_LT(trust(*rig_, poses, drawn()), 0.3);
   const auto asked = leave_one_out(*rig_, poses, drawn(), std::nullopt).value();
   const auto full = leave_one_out(*rig_, poses, drawn(), 1).value();
   EXPECT_LT(pooled(asked, &LeftOut::suggested), pooled(full, &LeftOut::suggested));
@@ -116,13 +116,13 @@ TEST_F(LeaveOneOut, TooFewKeysAreRefusedAndManyAreNotAllLeftOut) {
   ASSERT_FALSE(two.ok());
   EXPECT_EQ(two.error().line(), "one of two poses cannot be left out: what is left is one; key three different poses");
   EXPECT_FALSE(leave_one_out(*rig_, keys(1, 0.2, 1), drawn(), 1).ok());
-  EXPECT_EQ(trust(rig_->parameters(), keys(2, 0.2, 1), drawn()), 1) << "nothing speaks against it";
+  EXPECT_EQ(trust(*rig_, keys(2, 0.2, 1), drawn()), 1) << "nothing speaks against it";
   std::size_t asked = 0;
   const auto counted = [&](const rig::Pose&) {
     ++asked;
     return first_half_;
   };
-  EXPECT_GT(trust(rig_->parameters(), keys(500, 0.05, 1), counted), 0.9);
+  EXPECT_GT(trust(*rig_, keys(500, 0.05, 1), counted), 0.9);
   EXPECT_EQ(asked, k_most_left_out);
 }
 

@@ -106,13 +106,14 @@ TEST(Suggestion, ThePenAloneTakesHalfOfIt) {
   set(desk, "mouth_corner_L", 0.5);
   desk.click("Suggest");
   ASSERT_TRUE(desk.app->offer().open());
-  const Area* slider = desk.interface->find("slider how much of it");
-  ASSERT_NE(slider, nullptr);
+  const Area* found = desk.interface->find("slider how much of it");
+  ASSERT_NE(found, nullptr);
+  const Area slider = *found;
   const auto pull_to = [&](double share) {
-    desk.app->mouse_moved({slider->right - 4, slider->middle().y});
-    desk.app->mouse_button(MouseButton::left, true, {slider->right - 4, slider->middle().y});
+    desk.app->mouse_moved({slider.right - 4, slider.middle().y});
+    desk.app->mouse_button(MouseButton::left, true, {slider.right - 4, slider.middle().y});
     desk.frames(2);
-    const PxPoint at{slider->left + share * slider->width(), slider->middle().y};
+    const PxPoint at{slider.left + share * slider.width(), slider.middle().y};
     desk.app->mouse_moved(at);
     desk.frames(2);
     desk.app->mouse_button(MouseButton::left, false, at);
