@@ -9,19 +9,19 @@
 namespace penpose::app {
 namespace {
 
-/// The first few controls that would move, and how many more there are.
+/// The first few controls that would move, a line each, and how many more there are.
 std::string moved_text(const SuggestionOffer& offer) {
-  constexpr std::size_t k_named = 6;
+  constexpr std::size_t k_named = 5;
   const auto& movements = offer.movements();
   if (movements.empty()) return "Nothing would move.";
-  std::string text = "Moves ";
+  std::string text;
   for (std::size_t i = 0; i < std::min(k_named, movements.size()); ++i) {
     char number[32];
-    std::snprintf(number, sizeof number, "%+.2f", movements[i].by);
-    text += (i == 0 ? "" : ", ") + movements[i].name + " " + number;
+    std::snprintf(number, sizeof number, "%+.2f  ", movements[i].by);
+    text += (i == 0 ? "" : "\n") + std::string(number) + movements[i].name;
   }
-  if (movements.size() > k_named) text += " and " + std::to_string(movements.size() - k_named) + " more";
-  return text + ".";
+  if (movements.size() > k_named) text += "\nand " + std::to_string(movements.size() - k_named) + " more";
+  return text;
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ void show_suggestion(PanelContext& context) {
   if (!offer.open()) return;
   const Area free = app.free_area();
   const double width =
-      std::min(11.0 * static_cast<double>(context.unit), free.width() - 2 * static_cast<double>(context.gap));
+      std::min(9.0 * static_cast<double>(context.unit), free.width() - 2 * static_cast<double>(context.gap));
   const std::string text = moved_text(offer);
   const std::string title =
       "The rest of the face, as " + std::to_string(offer.suggestion().keys) + " keyed poses suggest it";
@@ -56,8 +56,9 @@ void show_suggestion(PanelContext& context) {
   const double height = static_cast<double>(lines + 2 * context.unit + 3 * ImGui::GetStyle().ItemSpacing.y +
                                             2 * ImGui::GetStyle().WindowPadding.y);
   const double right = free.right - static_cast<double>(context.gap);
-  const double bottom = free.bottom - static_cast<double>(context.gap);
-  if (begin_panel(context, "suggestion", {right - width, std::max(free.top, bottom - height), right, bottom}, true)) {
+  const double top = free.top + static_cast<double>(context.gap);
+  // Away from what is told at the bottom.
+  if (begin_panel(context, "suggestion", {right - width, top, right, std::min(top + height, free.bottom)}, true)) {
     ImGui::TextWrapped("%s", title.c_str());
     double strength = offer.suggestion().command.strength;
     bool released = false;
