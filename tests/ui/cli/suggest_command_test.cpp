@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A grid with eight shapes; in the keyed faces the odd ones go with the even ones.
+/// A grid with eight shapes; the keyed faces mix two moods, in which the odd shapes go with the even ones.
 class SuggestCommand : public tests::CommandRun {
  protected:
   void SetUp() override {
@@ -34,8 +34,9 @@ class SuggestCommand : public tests::CommandRun {
     tests::Random random(5);
     for (int k = 0; k < count; ++k) {
       document::SetParameters set;
+      const double moods[] = {random(0.1, 0.9), random(0.1, 0.9)};
       for (std::size_t pair = 0; pair < 4; ++pair) {
-        const double much = random(0.1, 0.9);
+        const double much = moods[pair % 2];
         set.values.push_back({"shape" + std::to_string(2 * pair), much});
         set.values.push_back({"shape" + std::to_string(2 * pair + 1), 0.9 * much});
       }
@@ -59,7 +60,7 @@ TEST_F(SuggestCommand, SuggestsTheRestOfWhatIsSetAndWritesIt) {
   EXPECT_EQ(out["keys"], 6);
   EXPECT_EQ(out["held"], Json::array({"shape0"}));
   EXPECT_EQ(out["parameters"]["shape0"], 0.8);
-  EXPECT_GT(out["parameters"]["shape1"].get<double>(), 0.55) << "it goes with shape 0";
+  EXPECT_NEAR(out["parameters"]["shape1"].get<double>(), 0.72, 0.2) << "it goes with shape 0";
   EXPECT_FALSE(out["suggested"].contains("shape0"));
   ASSERT_EQ(run({"info", path("out.glb"), "--json"}), k_success);
   const Json info = Json::parse(out_);
@@ -135,8 +136,8 @@ TEST_F(SharedSuggest, ATrackedFaceIsForetoldBetterThanByNotMovingAndByTheMean) {
     ASSERT_EQ(run(arguments), k_success) << error_;
     const Json out = Json::parse(out_);
     EXPECT_GE(out["keys"].size(), 29U);
-    EXPECT_LT(out["all"]["suggested"].get<double>(), 0.75 * out["all"]["not_moving"].get<double>()) << held.front();
-    EXPECT_LT(out["all"]["suggested"].get<double>(), 0.75 * out["all"]["mean"].get<double>()) << held.front();
+    EXPECT_LT(out["all"]["suggested"].get<double>(), 0.9 * out["all"]["not_moving"].get<double>()) << held.front();
+    EXPECT_LT(out["all"]["suggested"].get<double>(), 0.9 * out["all"]["mean"].get<double>()) << held.front();
   }
 }
 
