@@ -18,9 +18,15 @@ std::string moved_text(const SuggestionOffer& offer) {
   for (std::size_t i = 0; i < std::min(k_named, movements.size()); ++i) {
     char number[32];
     std::snprintf(number, sizeof number, "%+.2f  ", movements[i].by);
-    text += (i == 0 ? "" : "\n") + std::string(number) + movements[i].name;
+    if (i > 0) text += '\n';
+    text += number;
+    text += movements[i].name;
   }
-  if (movements.size() > k_named) text += "\nand " + std::to_string(movements.size() - k_named) + " more";
+  if (movements.size() > k_named) {
+    text += "\nand ";
+    text += std::to_string(movements.size() - k_named);
+    text += " more";
+  }
   return text;
 }
 
@@ -46,10 +52,9 @@ void show_suggestion(PanelContext& context) {
   if (!offer.open()) return;
   const Area free = app.free_area();
   const double width =
-      std::min(9.0 * static_cast<double>(context.unit), free.width() - 2 * static_cast<double>(context.gap));
+      std::min(7.5 * static_cast<double>(context.unit), free.width() - 2 * static_cast<double>(context.gap));
   const std::string text = moved_text(offer);
-  const std::string title =
-      "The rest of the face, as " + std::to_string(offer.suggestion().keys) + " keyed poses suggest it";
+  const std::string title = "Suggested by " + std::to_string(offer.suggestion().keys) + " keyed poses";
   const auto inside = static_cast<float>(width) - 2 * ImGui::GetStyle().WindowPadding.x;
   const float lines = ImGui::CalcTextSize(title.c_str(), nullptr, false, inside).y +
                       ImGui::CalcTextSize(text.c_str(), nullptr, false, inside).y;
