@@ -13,7 +13,11 @@ namespace {
 std::string moved_text(const SuggestionOffer& offer) {
   constexpr std::size_t k_named = 5;
   const auto& movements = offer.movements();
-  if (movements.empty()) return "Nothing would move.";
+  if (movements.empty()) {
+    return offer.suggestion().command.strength > 0 ? "Nothing would move."
+                                                   : "Left out one by one, the keys foretell nothing of each other. "
+                                                     "Pull the slider to see it all the same.";
+  }
   std::string text;
   for (std::size_t i = 0; i < std::min(k_named, movements.size()); ++i) {
     char number[32];
@@ -42,8 +46,10 @@ void show_suggest_button(PanelContext& context) {
   const std::string label(info(Action::suggest_rest).label);
   const std::string tip = tooltip_of(Action::suggest_rest) + ". Not yet: " + why_not;
   ImGui::BeginDisabled(true);
-  wide_button(context, label.c_str(), -1, false, tip.c_str());
+  wide_button(context, label.c_str(), -1);
   ImGui::EndDisabled();
+  // After it, so that the reason itself is not grey.
+  tooltip(tip.c_str());
 }
 
 void show_suggestion(PanelContext& context) {
