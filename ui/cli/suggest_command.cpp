@@ -112,6 +112,7 @@ std::vector<std::size_t> greater_half(const rig::Rig& rig, const rig::Pose& key)
   std::sort(ways.begin(), ways.end());
   ways.resize((ways.size() + 1) / 2);
   std::vector<std::size_t> held;
+  held.reserve(ways.size());
   for (const auto& [way, i] : ways) held.push_back(i);
   std::sort(held.begin(), held.end());
   return held;
@@ -129,6 +130,7 @@ int leave_out(const SuggestArguments& arguments, const document::Document& docum
     return found->second;
   };
   std::vector<rig::Pose> poses;
+  poses.reserve(keys.size());
   for (const document::PoseKey& key : keys) poses.push_back(key.pose);
   Progress progress("leaving one out", prior::distinct(poses).size());
   const auto rows = prior::leave_one_out(rig, poses, held, arguments.strength, [&] { progress.advance(); });
