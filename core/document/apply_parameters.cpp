@@ -3,6 +3,7 @@
 
 #include "core/base/numbers.h"
 #include "core/document/apply_parts.h"
+#include "core/document/suggestion.h"
 
 namespace penpose::document {
 namespace {
@@ -60,6 +61,14 @@ Changed run(const Document& document, const LockParameters& command, Parts&) {
     if (command.locked && !there) changed.locked.insert(place, name);
     if (!command.locked && there) changed.locked.erase(place);
   }
+  return changed;
+}
+
+Changed run(const Document& document, const SuggestRest& command, Parts&) {
+  auto suggestion = suggest_rest(document, document.timeline->keys, command.held, command.strength);
+  if (!suggestion) return suggestion.error();
+  Document changed = document;
+  changed.pose = std::move(suggestion->pose);
   return changed;
 }
 

@@ -63,6 +63,7 @@ using Changed = base::Result<Document>;
 Changed run(const Document&, const SetParameters&, Parts&);
 Changed run(const Document&, const ResetParameters&, Parts&);
 Changed run(const Document&, const LockParameters&, Parts&);
+Changed run(const Document&, const SuggestRest&, Parts&);
 
 Changed run(const Document&, const DrawReference&, Parts&);
 Changed run(const Document&, const DrawTarget&, Parts&);

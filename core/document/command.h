@@ -73,6 +73,21 @@ struct LockParameters {
   friend bool operator==(const LockParameters&, const LockParameters&) = default;
 };
 
+/// Moves what is not held to where the keyed poses say that it belongs (core/prior). What is locked is held too.
+/// Errors: no such parameter, nothing held, a strength out of 0..1, fewer than two different keys, held parameters that
+/// no key moves.
+struct SuggestRest {
+  static constexpr std::string_view k_name = "suggest_rest";
+  std::vector<std::string> held;
+  double strength = 1;  ///< 0..1: how much of the way
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("held", self.held);
+    visit("strength", self.strength);
+  }
+  friend bool operator==(const SuggestRest&, const SuggestRest&) = default;
+};
+
 // Posing.
 
 /// Draws a reference curve on the posed surface.
@@ -470,7 +485,7 @@ using Command =
                  DragTarget, DrawConstraint, Pin, KeepCurve, DeleteCurve, EraseCurves, ClearCurves, SolvePose,
                  SetPressureWeighting, NameCurve, DeleteNamedCurve, BeginDeformer, SketchCurve, CancelDeformer,
                  RedrawCurve, ChangeDeformer, MirrorDeformer, RenameDeformer, DeleteDeformer, MoveDeformer, SetKey,
-                 DeleteKey, MoveKey, SetKeyInterpolation, GoToTime, SaveView, DeleteView>;
+                 DeleteKey, MoveKey, SetKeyInterpolation, GoToTime, SaveView, DeleteView, SuggestRest>;
 
 /// The command's name in files.
 [[nodiscard]] inline std::string_view name_of(const Command& command) {

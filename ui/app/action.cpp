@@ -44,6 +44,8 @@ constexpr std::array k_actions{
     ActionInfo{Action::next_key, "Key after", "Go to the key after", plain('.')},
     ActionInfo{Action::play, "Play", "Play from key to key", plain(' ')},
     ActionInfo{Action::onion_skin, "Onion", "Show the curves at the keys before and after", shift('o')},
+    ActionInfo{Action::suggest_rest, "Suggest", "Suggest the rest of the face from the poses that are keyed",
+               plain('g')},
     ActionInfo{Action::open, "Open", "Open a model, a project or a session", ctrl('o')},
     ActionInfo{Action::recent, "Recent", "Open what was opened or saved before", ctrl_shift('o')},
     ActionInfo{Action::save, "Save", "Save the project", ctrl('s')},

@@ -22,6 +22,7 @@ enum class Action : std::uint8_t {
   delete_curve,
   keep_curve,
   reset_pose,
+  suggest_rest,
   cancel,
   view_front,
   view_side,

@@ -108,6 +108,7 @@ void App::advance() {
     std::erase_if(notices_, [](const Notice& one) { return one.text.starts_with(k_nothing_changed); });
   }
   workspace_.follow_pen();
+  offer_.follow(workspace_);
 }
 
 void App::begin_frame() {

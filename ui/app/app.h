@@ -17,6 +17,7 @@
 #include "ui/app/session_files.h"
 #include "ui/app/settings.h"
 #include "ui/app/shown_curves.h"
+#include "ui/app/suggestion_offer.h"
 #include "ui/app/touch_gestures.h"
 #include "ui/app/trace_player.h"
 #include "ui/app/workspace.h"
@@ -163,6 +164,7 @@ class App {
   [[nodiscard]] Workspace& workspace() { return workspace_; }
   [[nodiscard]] const Workspace& workspace() const { return workspace_; }
   [[nodiscard]] PosedSurface& surface() { return surface_; }
+  [[nodiscard]] SuggestionOffer& offer() { return offer_; }
   [[nodiscard]] PanelState& panels() { return panels_; }
   [[nodiscard]] Settings& settings() { return settings_; }
   void settings_changed();
@@ -241,6 +243,7 @@ class App {
   void drag_to(PxPoint at, bool pan, bool zoom);
   void end_barrel(PxPoint at);
   void select_at(PxPoint at);
+  void suggest_rest();
   void step_key(int direction);
   [[nodiscard]] const document::PoseKey* key_at(double time_s) const;
   [[nodiscard]] std::string name_of_key(double time_s) const;
@@ -254,6 +257,7 @@ class App {
   std::unique_ptr<SessionFile> file_;
   bool keep_file_ = false;  ///< a session that was asked for by name is kept, whatever is in it
   Workspace workspace_;
+  SuggestionOffer offer_;
   PosedSurface surface_;
   PanelState panels_;
   HitMap hits_;

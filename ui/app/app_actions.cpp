@@ -4,6 +4,7 @@
 #include "core/document/timeline.h"
 #include "ui/app/app.h"
 #include "ui/app/navigation.h"
+#include "ui/app/said.h"
 
 // What actions do, and the timeline and sliders in hand.
 
@@ -89,6 +90,9 @@ void App::do_action(Action action) {
     case Action::reset_pose:
       workspace_.perform(document::ResetParameters{});
       break;
+    case Action::suggest_rest:
+      suggest_rest();
+      break;
     case Action::cancel:
       if (panels_.radial) {
         panels_.radial.reset();
@@ -101,6 +105,8 @@ void App::do_action(Action action) {
         panels_.dialog = panels_.dialog == Dialog::recover && !settings_.steps_seen ? Dialog::steps : Dialog::none;
         panels_.file_name.clear();
         panels_.saves_first = false;
+      } else if (offer_.open()) {
+        offer_.dismiss(workspace_);
       } else if (playing_) {
         do_action(Action::play);
       } else if (workspace_.document().pending) {
@@ -213,6 +219,14 @@ void App::do_action(Action action) {
       ask_to_quit();
       break;
   }
+}
+
+void App::suggest_rest() {
+  if (offer_.open()) return offer_.dismiss(workspace_);
+  if (pen_is_drawing()) return;
+  playing_ = false;
+  if (panels_.swing) set_swing(false);
+  if (const auto asked = offer_.ask(workspace_); !asked) tell(said(asked.error()), true);
 }
 
 void App::step_key(int direction) {

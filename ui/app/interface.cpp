@@ -130,6 +130,7 @@ void Interface::frame(double passed_s) {
   if (app_.player()) show_player(context, {free.left, free.bottom, free.right, free.bottom + player});
   app_.set_free_area(free);
   show_curve_menu(context);
+  show_suggestion(context);
   show_notices(context);
   show_radial_menu(context);
   show_dialog(context);

@@ -38,6 +38,7 @@ void show_toolbar(PanelContext& context, const Area& area) {
     ImGui::Dummy({1, context.gap});
     action_button(context, Action::clear_curves, -1);
     action_button(context, Action::reset_pose, -1);
+    show_suggest_button(context);
     const bool weighted = context.app.workspace().document().pressure_weighting;
     if (wide_button(context, "Pressure", -1, weighted, "A target pulls harder where the pen pressed harder")) {
       context.app.workspace().perform(document::SetPressureWeighting{!weighted});

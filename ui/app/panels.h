@@ -36,6 +36,10 @@ void show_timeline(PanelContext& context, const Area& area);
 void show_player(PanelContext& context, const Area& area);
 void show_radial_menu(PanelContext& context);
 void show_notices(PanelContext& context);
+/// Asks for the rest of the face; grey, and saying why, while there are too few keys.
+void show_suggest_button(PanelContext& context);
+/// What is suggested, to be taken or dismissed.
+void show_suggestion(PanelContext& context);
 /// What can be done with a curve that was touched, beside it.
 void show_curve_menu(PanelContext& context);
 void show_open_dialog(PanelContext& context);

@@ -11,6 +11,7 @@
 #include "ui/cli/record_command.h"
 #include "ui/cli/render_command.h"
 #include "ui/cli/replay_command.h"
+#include "ui/cli/suggest_command.h"
 #include "ui/cli/track_command.h"
 
 namespace penpose::cli {
@@ -24,6 +25,7 @@ std::vector<AddCommand> all_commands() {
       add_decode_command,      //
       add_replay_command,      //
       add_pose_command,        //
+      add_suggest_command,     //
       add_articulate_command,  //
       add_track_command,       //
       add_animate_command,     //

@@ -51,7 +51,8 @@ std::vector<Command> full_commands() {
           SetKeyInterpolation{KeyInterpolation::linear},
           GoToTime{36000},
           SaveView{k_strange, view},
-          DeleteView{k_strange}};
+          DeleteView{k_strange},
+          SuggestRest{{"jawOpen", k_strange}, 0.1}};
 }
 
 template <std::size_t... I>

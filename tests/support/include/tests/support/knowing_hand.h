@@ -27,9 +27,9 @@ class KnowingHand {
   }
 
   void act() {
-    const std::size_t what = random_.below(std::variant_size_v<document::Command> + 6);
-    if (what >= std::variant_size_v<document::Command> + 4) return stroke();
-    if (what >= std::variant_size_v<document::Command>) {
+    const std::size_t what = random_.below(commands() + 6);
+    if (what >= commands() + 4) return stroke();
+    if (what >= commands()) {
       if (random_.chance(0.6)) {
         static_cast<void>(script_.act(replay::Undone{}));
       } else {
@@ -174,6 +174,21 @@ class KnowingHand {
     return document::DeleteView{doc().views.empty() ? "side" : any(doc().views)->name};
   }
 
+  /// Holds what the keys move, and something else; without keys there is nothing to suggest, so that it keys first.
+  document::Command make(Tag<document::SuggestRest>) {
+    constexpr std::size_t k_enough_keys = 4;
+    if (doc().timeline->keys.size() < k_enough_keys) return make(Tag<document::SetKey>{});
+    document::SuggestRest command{{parameter()}, random_.real(0.2, 1)};
+    const auto known = doc().model->rig->parameters();
+    const auto& keys = doc().timeline->keys;
+    for (std::size_t i = 0; i < known.size() && !keys.empty(); ++i) {
+      if (keys.front().pose[i] == keys.back().pose[i]) continue;
+      command.held.push_back(known[i].name);
+      break;
+    }
+    return command;
+  }
+
   void stroke() {
     const auto kind = static_cast<drawing::ToolKind>(random_.below(9));
     drawing::Tool tool;
@@ -184,6 +199,11 @@ class KnowingHand {
     static_cast<void>(script_.stroke(line, random_.real(0.05, 1)));
   }
 
+  /// How many of the list this hand knows: by older rules those that there were then, so that it does what it did.
+  [[nodiscard]] std::size_t commands() const {
+    constexpr std::size_t k_before_sheet_rules = 33;
+    return rules_ >= document::k_sheet_rules ? std::variant_size_v<document::Command> : k_before_sheet_rules;
+  }
   /// What the rules of single commands are: those of the solver alone.
   [[nodiscard]] std::uint32_t sheets() const { return rules_ >= document::k_sheet_rules ? rules_ : 0; }
   [[nodiscard]] std::uint32_t meant() const { return rules_ >= document::k_meant_rules ? rules_ : 0; }
