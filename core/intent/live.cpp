@@ -70,10 +70,14 @@ struct LivePoser::State {
         next.values[i] = std::clamp(next.values[i], was - k_trust, was + k_trust);
       }
     }
+    std::size_t evaluations = selection.evaluations();
+    if (problem.edition != Edition::first && reader.linear() && stands_at_limit(next, reader.choices())) {
+      if (auto meant = meant_without_limits(reader, quadratic, next, most_units, evaluations)) next = std::move(*meant);
+    }
     choice = std::move(next);
     reader.weigh(choice);
     pose = reader.pose_of(choice);
-    return {true, selection.evaluations()};
+    return {true, evaluations};
   }
 };
 

@@ -147,6 +147,33 @@ void Reader::restrict_to(std::span<const std::size_t> joints) {
   });
 }
 
+void Reader::stretch(double ranges) {
+  for (std::size_t j = 0; j < parameters_.size(); ++j) {
+    const rig::Parameter& parameter = rig_.parameters()[parameters_[j]];
+    const double start = problem_.start[parameters_[j]];
+    const double low = std::min(0.0, (parameter.minimum - start) / ranges_[j]);
+    const double high = std::max(0.0, (parameter.maximum - start) / ranges_[j]);
+    // What only goes one way from rest is stretched that way.
+    choices_.low[j] = parameter.minimum < parameter.rest ? low - ranges : low;
+    choices_.high[j] = parameter.maximum > parameter.rest ? high + ranges : high;
+  }
+}
+
+std::optional<Choice> meant_without_limits(Reader& reader, Quadratic& quadratic, const Choice& within,
+                                           std::size_t most_units, std::size_t& evaluations) {
+  // How far beyond its limits a control is thought to go, ranges.
+  constexpr double k_beyond = 4.0;
+  Selection selection(quadratic, reader.choices(), reader.costs());
+  const double energy = selection.fit(within.units).energy;
+  reader.stretch(k_beyond);
+  const Choice meant = selection.select(selection.fit({}), most_units);
+  reader.stretch(0.0);
+  std::optional<Choice> kept;
+  if (meant.units.size() < within.units.size() && meant.energy < energy) kept = selection.fit(meant.units);
+  evaluations += selection.evaluations();
+  return kept;
+}
+
 void Reader::redraw(std::size_t c, std::span<const PxPoint> line, Alignment alignment) {
   Block& block = blocks_[c];
   block.line.emplace(line);

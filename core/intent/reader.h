@@ -34,6 +34,9 @@ class Reader {
   /// Only units of these joints may move; empty: all.
   void restrict_to(std::span<const std::size_t> joints);
 
+  /// Values may go this many ranges beyond the limits: to see what a line means that asks for more than can be. 0: not.
+  void stretch(double ranges);
+
   /// How drawn curve c is aligned; all of `alignments` are worth trying.
   [[nodiscard]] const std::vector<Alignment>& alignments(std::size_t c) const { return blocks_[c].alignments; }
   void align(std::size_t c, std::size_t which) { blocks_[c].aligned = which; }
@@ -105,5 +108,11 @@ class Reader {
   std::vector<ModelVector> columns_;  ///< one run of points a variable, for its whole range
   std::vector<ModelPoint> start_, positions_, moved_;
 };
+
+/// A line that asks for more than can be: what it means is told by what would explain it were there no limits, and that
+/// goes as far as it can; what else could bring the curve a little nearer stays still. `within`: a choice that stands
+/// at a limit, at which the reader looked last. Nothing where that is meant already. `evaluations` grows.
+[[nodiscard]] std::optional<Choice> meant_without_limits(Reader& reader, Quadratic& quadratic, const Choice& within,
+                                                         std::size_t most_units, std::size_t& evaluations);
 
 }  // namespace penpose::intent

@@ -41,6 +41,15 @@ void solve_factored(const std::vector<double>& l, std::size_t n, std::vector<dou
 
 }  // namespace
 
+bool stands_at_limit(const Choice& choice, const Choices& choices) {
+  for (std::size_t i = 0; i < choice.variables.size(); ++i) {
+    const std::size_t v = choice.variables[i];
+    const double value = choice.values[i];
+    if (value != 0.0 && (value <= choices.low[v] || value >= choices.high[v])) return true;
+  }
+  return false;
+}
+
 bool Selection::overlaps(std::size_t a, std::size_t b) const {
   const Unit& one = choices_.units[a];
   const Unit& other = choices_.units[b];

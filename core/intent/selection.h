@@ -48,6 +48,9 @@ struct Costs {
   double tie = 40.0;       ///< the square of what a pair's two values differ by
 };
 
+/// Whether a value of a choice that is not 0 stands at an end of its range.
+[[nodiscard]] bool stands_at_limit(const Choice& choice, const Choices& choices);
+
 class Selection {
  public:
   Selection(Quadratic& quadratic, const Choices& choices, const Costs& costs)

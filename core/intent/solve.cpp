@@ -95,6 +95,15 @@ class Solver {
     return {choice, reader_.energy(choice, choice.costs)};
   }
 
+  /// As Selection and Reader have it of a line that asks for more than can be.
+  void keep_to_what_is_meant(Reading& reading, std::size_t most_units) {
+    if (!stands_at_limit(reading.choice, reader_.choices())) return;
+    reader_.look(reading.choice, true, b_.quadratic);
+    reader_.weigh(reading.choice);
+    const auto meant = meant_without_limits(reader_, b_.quadratic, reading.choice, most_units, evaluations);
+    if (meant) reading = matched(*meant);
+  }
+
   /// Downhill simplex on the values of the last reading.
   void search(Reading& reading) {
     reader_.look(reading.choice, true, b_.quadratic, reading.choice.variables);
@@ -184,6 +193,7 @@ Solution solve_free(const rig::Rig& rig, const WholeModel& whole, const IntentPr
       for (std::size_t c = 0; c < aligned.size(); ++c) reader.align(c, aligned[c]);
     }
   }
+  if (problem.edition != Edition::first && reader.linear()) solver.keep_to_what_is_meant(reading, options.most_units);
   solver.search(reading);
   units = reading.choice.units.size();
   solution.evaluations = solver.evaluations;

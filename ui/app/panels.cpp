@@ -170,7 +170,7 @@ void show_notices(PanelContext& context) {
     text += number;
     const bool short_of_it =
         std::any_of(movements.begin(), movements.end(), [](const auto& one) { return one.at_limit; });
-    if (short_of_it && !within_hand(context.app.workspace())) text += ", and no control brings it nearer";
+    if (short_of_it && !within_hand(context.app.workspace())) text += ", beyond what the control can";
   }
   line(text, ink);
 }

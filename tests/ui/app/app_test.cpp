@@ -149,7 +149,8 @@ TEST(App, NotThisOneSolvesTheStrokeAgainAndGivingItBackToo) {
   desk.app->workspace().lock({moved}, true);
   EXPECT_DOUBLE_EQ(desk.document().pose[index], desk.document().model->rig->parameters()[index].rest);
   desk.app->workspace().lock({moved}, false);
-  EXPECT_EQ(desk.document().pose, meant);
+  for (std::size_t i = 0; i < meant.size(); ++i)
+    EXPECT_NEAR(desk.document().pose[i], meant[i], 0.01) << "targets keep 64 points of a line";
 }
 
 TEST(App, ATargetWhereItsCurveIsMovesNothingAndSaysSo) {
