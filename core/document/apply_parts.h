@@ -77,6 +77,7 @@ Changed run(const Document&, const EraseCurves&, Parts&);
 Changed run(const Document&, const ClearCurves&, Parts&);
 Changed run(const Document&, const SolvePose&, Parts&);
 Changed run(const Document&, const SetPressureWeighting&, Parts&);
+Changed run(const Document&, const SetHand&, Parts&);
 Changed run(const Document&, const NameCurve&, Parts&);
 Changed run(const Document&, const DeleteNamedCurve&, Parts&);
 

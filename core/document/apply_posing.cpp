@@ -251,6 +251,14 @@ Changed run(const Document& document, const SetPressureWeighting& command, Parts
   return changed;
 }
 
+Changed run(const Document& document, const SetHand& command, Parts&) {
+  if (!(command.unsteadiness >= k_steadiest_hand && command.unsteadiness <= k_shakiest_hand))
+    return base::Error{"no hand is like that", "unsteadiness", "give 0.25 to 4; a usual hand has 1"};
+  Document changed = document;
+  changed.hand = command.unsteadiness;
+  return changed;
+}
+
 Changed run(const Document& document, const NameCurve& command, Parts&) {
   const PoseCurve* curve = find_curve(document, command.curve);
   if (curve == nullptr) return no_curve(command.curve);

@@ -247,6 +247,17 @@ struct SetPressureWeighting {
   friend bool operator==(const SetPressureWeighting&, const SetPressureWeighting&) = default;
 };
 
+/// How unsteady the artist's hand is, as a multiple of a usual one: what drawn lines are doubted by, by k_sheet_rules.
+struct SetHand {
+  static constexpr std::string_view k_name = "set_hand";
+  double unsteadiness = 1;  ///< 0.25..4
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("unsteadiness", self.unsteadiness);
+  }
+  friend bool operator==(const SetHand&, const SetHand&) = default;
+};
+
 /// Gives the points of a drawn curve a name in the model, as maps of tracked curves use it.
 struct NameCurve {
   static constexpr std::string_view k_name = "name_curve";
@@ -485,7 +496,7 @@ using Command =
                  DragTarget, DrawConstraint, Pin, KeepCurve, DeleteCurve, EraseCurves, ClearCurves, SolvePose,
                  SetPressureWeighting, NameCurve, DeleteNamedCurve, BeginDeformer, SketchCurve, CancelDeformer,
                  RedrawCurve, ChangeDeformer, MirrorDeformer, RenameDeformer, DeleteDeformer, MoveDeformer, SetKey,
-                 DeleteKey, MoveKey, SetKeyInterpolation, GoToTime, SaveView, DeleteView, SuggestRest>;
+                 DeleteKey, MoveKey, SetKeyInterpolation, GoToTime, SaveView, DeleteView, SuggestRest, SetHand>;
 
 /// The command's name in files.
 [[nodiscard]] inline std::string_view name_of(const Command& command) {

@@ -39,7 +39,7 @@ Document with_model(const Document& document, Model model) {
 }
 
 bool is_plain(const Document& document) {
-  return document.locked.empty() && !document.pressure_weighting && document.curves.empty() &&
+  return document.locked.empty() && !document.pressure_weighting && document.hand == 1.0 && document.curves.empty() &&
          document.last_curve == 0 && !document.pending && document.timeline->keys.empty() && document.views.empty();
 }
 

@@ -26,13 +26,17 @@ struct NamedView {
   friend bool operator==(const NamedView&, const NamedView&) = default;
 };
 
+/// The range of Document::hand.
+inline constexpr double k_steadiest_hand = 0.25, k_shakiest_hand = 4.0;
+
 /// All that is worked on. A value whose heavy parts are shared and never change, so that a copy costs a few hundred
 /// bytes whatever the size of the mesh. Only commands (core/document/apply.h) make another one.
 struct Document {
-  std::shared_ptr<const Model> model;                    ///< its own pose is not used: `pose` is what counts
-  rig::Pose pose;                                        ///< one value a parameter of the rig
-  std::vector<std::string> locked;                       ///< parameters that no solve may move, in ascending order
-  bool pressure_weighting = false;                       ///< targets pull harder where the pen pressed harder
+  std::shared_ptr<const Model> model;  ///< its own pose is not used: `pose` is what counts
+  rig::Pose pose;                      ///< one value a parameter of the rig
+  std::vector<std::string> locked;     ///< parameters that no solve may move, in ascending order
+  double hand = 1;                     ///< how unsteady the artist's is, a usual one having 1 (SetHand)
+  bool pressure_weighting = false;     ///< targets pull harder where the pen pressed harder
   std::vector<std::shared_ptr<const PoseCurve>> curves;  ///< in the order of drawing
   std::uint32_t last_curve = 0;                          ///< the highest id given out
   std::shared_ptr<const PendingSketch> pending;          ///< null: none

@@ -69,6 +69,8 @@ base::Hash128 hash_parameters(const Document& document) {
   hash.add(std::span<const double>(document.pose));
   for (const std::string& name : document.locked) hash.add(name);
   hash.add(std::uint64_t{document.pressure_weighting});
+  // States of before the hand could be told are hashed as ever.
+  if (document.hand != 1.0) hash.add(document.hand);
   hash.add(document.time_s);
   return hash.digest();
 }

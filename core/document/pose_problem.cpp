@@ -50,6 +50,13 @@ posing::PoseProblem pose_problem(const Document& document) {
   return problem;
 }
 
+double hand_px(const Document& document, geometry::Viewport viewport, std::uint32_t rules) {
+  // A pen on a tablet strays less than the hand that the first edition was made for.
+  constexpr double k_pen = 0.7;
+  const double usual = intent::doubt_px(viewport);
+  return rules >= k_sheet_rules ? k_pen * document.hand * usual : usual;
+}
+
 intent::IntentProblem intent_problem(const Document& document, std::uint32_t rules) {
   intent::IntentProblem problem;
   problem.edition = rules >= k_sheet_rules ? intent::Edition::second : intent::Edition::first;
@@ -71,7 +78,7 @@ intent::IntentProblem intent_problem(const Document& document, std::uint32_t rul
     const bool seen =
         std::all_of(positions.begin(), positions.end(), [&](const auto& p) { return camera->project(p).has_value(); });
     if (!seen) continue;
-    const double hand = intent::doubt_px(camera->viewport());
+    const double hand = hand_px(document, camera->viewport(), rules);
     intent::DrawnCurve drawn{curve_points(document, curve->points),
                              *camera,
                              curve->target->line,

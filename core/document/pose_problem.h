@@ -25,6 +25,9 @@ inline constexpr std::size_t k_most_meant = 16;
 /// that are not locked, starting from the pose as it is.
 [[nodiscard]] posing::PoseProblem pose_problem(const Document& document);
 
+/// The width of doubt of the artist's hand in a view, px.
+[[nodiscard]] double hand_px(const Document& document, geometry::Viewport viewport, std::uint32_t rules);
+
 /// For what was meant: targets as lines in the pictures in which they were drawn, each with the hand's doubt there.
 /// Constraints are doubted like what is drawn, in model units. Targets whose view cannot be are left out. `rules`:
 /// those of the stroke that is solved for.

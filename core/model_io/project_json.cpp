@@ -209,6 +209,12 @@ Problem read_locks(const Json& project, const std::string& pointer, Document& ou
     if (!on->is_boolean()) return wrong("true or false was expected", child(pointer, "pressure_weighting"));
     out.pressure_weighting = on->get<bool>();
   }
+  if (const Json* hand = find(project, "hand"); hand != nullptr) {
+    const auto unsteadiness = number(*hand);
+    if (!unsteadiness || !(*unsteadiness >= document::k_steadiest_hand && *unsteadiness <= document::k_shakiest_hand))
+      return wrong("the unsteadiness of a hand was expected, 0.25 to 4", child(pointer, "hand"));
+    out.hand = *unsteadiness;
+  }
   if (const Json* time = find(project, "time_s"); time != nullptr) {
     const auto seconds = number(*time);
     if (!seconds || !(*seconds >= 0 && *seconds <= document::k_latest_key_s)) {
@@ -310,6 +316,7 @@ Json pending_commands(const articulation::Sketch& sketch) {
 Json project_to_json(const Document& document) {
   Json project = {{"last_curve", document.last_curve}, {"time_s", document.time_s}};
   project["pressure_weighting"] = document.pressure_weighting;
+  if (document.hand != 1.0) project["hand"] = document.hand;
   project["locked"] = document.locked;
   Json curves = Json::array();
   for (const auto& curve : document.curves) curves.push_back(to_json(*curve));

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cfloat>
 
-#include "core/intent/problem.h"
+#include "core/document/pose_problem.h"
 #include "ui/app/widgets.h"
 
 // The toolbar, the top bar, notices and the radial menu.
@@ -26,6 +26,21 @@ constexpr ToolButton k_tools[] = {
     {Action::tool_articulate, drawing::ToolKind::articulate},
 };
 
+/// How much of what is drawn is taken for the hand and not for a wish: a press takes the next of three.
+void show_hand_button(PanelContext& context) {
+  struct Hand {
+    const char* label;
+    double unsteadiness;
+  };
+  constexpr Hand k_hands[] = {{"Steady", 0.5}, {"Usual hand", 1.0}, {"Unsteady", 2.0}};
+  const double now = context.app.workspace().document().hand;
+  std::size_t is = 0;
+  while (is + 1 < std::size(k_hands) && k_hands[is].unsteadiness < now) ++is;
+  const char* tip = "How steady the hand is: what a line strays by is not taken for a wish. Press for the next";
+  if (wide_button(context, k_hands[is].label, -1, now != 1.0, tip))
+    context.app.workspace().perform(document::SetHand{k_hands[(is + 1) % std::size(k_hands)].unsteadiness});
+}
+
 }  // namespace
 
 void show_toolbar(PanelContext& context, const Area& area) {
@@ -43,6 +58,7 @@ void show_toolbar(PanelContext& context, const Area& area) {
     if (wide_button(context, "Pressure", -1, weighted, "A target pulls harder where the pen pressed harder")) {
       context.app.workspace().perform(document::SetPressureWeighting{!weighted});
     }
+    show_hand_button(context);
   }
   end_panel();
 }
@@ -115,7 +131,8 @@ namespace {
 
 /// Whether what is left of the last target is what a hand leaves.
 bool within_hand(const Workspace& workspace) {
-  return workspace.left_px() <= 2.0 * intent::doubt_px(workspace.editor().view().viewport);
+  return workspace.left_px() <=
+         2.0 * document::hand_px(workspace.document(), workspace.editor().view().viewport, drawing::k_rules);
 }
 
 std::string why_nothing_moved(const Workspace& workspace) {

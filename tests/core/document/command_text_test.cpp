@@ -33,6 +33,7 @@ std::vector<Command> full_commands() {
           ClearCurves{},
           SolvePose{},
           SetPressureWeighting{true},
+          SetHand{0.5},
           NameCurve{CurveId{3}, k_strange},
           DeleteNamedCurve{k_strange},
           BeginDeformer{k_strange, Mode::rotate, Sphere{{0.1, 0.2, -0.3}, 1e-3}, -0.5, 1.5},

@@ -76,6 +76,7 @@ std::vector<Change> changes() {
       {"locked name", "parameters", [](D& d) { d.locked[0] = "base.ry"; }},
       {"names run together", "parameters", [](D& d) { d.locked = {"base.rxlean"}; }},
       {"pressure weighting", "parameters", [](D& d) { d.pressure_weighting = true; }},
+      {"hand", "parameters", [](D& d) { d.hand = 2; }},
       {"time", "parameters", [](D& d) { d.time_s = 2; }},
       {"last curve", "curves", [](D& d) { d.last_curve = 9; }},
       {"order of curves", "curves", [](D& d) { std::swap(d.curves[0], d.curves[1]); }},

@@ -99,6 +99,7 @@ class KnowingHand {
   document::Command make(Tag<document::SetPressureWeighting>) {
     return document::SetPressureWeighting{!doc().pressure_weighting};
   }
+  document::Command make(Tag<document::SetHand>) { return document::SetHand{random_.real(0.25, 4)}; }
   document::Command make(Tag<document::NameCurve>) {
     const std::string name = random_.chance(0.5) ? "brow" : "lip";
     return document::NameCurve{doc().curves.empty() ? document::CurveId{1} : any(doc().curves)->id, name};
