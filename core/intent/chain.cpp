@@ -22,7 +22,8 @@ std::size_t carrier(const rig::Skeleton& skeleton, const posing::CurvePoint& poi
 
 }  // namespace
 
-std::vector<std::size_t> chain_of(const rig::Rig& rig, std::span<const posing::CurvePoint> points) {
+std::vector<std::size_t> chain_of(const rig::Rig& rig, std::span<const posing::CurvePoint> points,
+                                  const joints::Body* body) {
   const auto* character = dynamic_cast<const rig::CharacterRig*>(&rig);
   if (character == nullptr || character->skeleton() == nullptr) return {};
   const rig::Skeleton& skeleton = *character->skeleton();
@@ -30,8 +31,10 @@ std::vector<std::size_t> chain_of(const rig::Rig& rig, std::span<const posing::C
   std::vector<bool> carries(joints.size(), false);
   std::size_t count = 0;
   for (const posing::CurvePoint& point : points) {
-    const std::size_t joint = carrier(skeleton, point);
-    if (joint == k_none || carries[joint]) continue;
+    std::size_t joint = carrier(skeleton, point);
+    if (joint == k_none) continue;
+    if (body != nullptr) joint = body->meant(joint);
+    if (carries[joint]) continue;
     carries[joint] = true;
     ++count;
   }

@@ -22,7 +22,10 @@ PxPoint across(PxPoint tangent) { return {-tangent.y, tangent.x}; }
 void Reader::look(const Choice& at, bool slide, Quadratic& quadratic, std::span<const std::size_t> only) {
   const rig::Pose pose = pose_of(at);
   const std::span<const std::size_t> variables = only.empty() ? std::span<const std::size_t>(all_) : only;
-  if (!linear_) make_columns(pose, variables);
+  std::vector<double> z(variable_count(), 0.0);
+  for (std::size_t i = 0; i < at.variables.size(); ++i) z[at.variables[i]] = at.values[i];
+  if (!linear_) make_columns(pose, z, variables);
+  mark_passed_limits(z);
   system_.positions(pose, positions_);
   std::size_t rows = 0;
   std::size_t slides = 0;
@@ -32,9 +35,7 @@ void Reader::look(const Choice& at, bool slide, Quadratic& quadratic, std::span<
     rows += 3 * block.count;
     if (block.drawn) slides += k_modes;
   }
-  quadratic.reset(parameters_.size(), rows, slides);
-  std::vector<double> z(parameters_.size(), 0.0);
-  for (std::size_t i = 0; i < at.variables.size(); ++i) z[at.variables[i]] = at.values[i];
+  quadratic.reset(variable_count(), rows, slides);
   for (Block& block : blocks_) {
     if (block.drawn) {
       look_at_drawn(block, quadratic, z, slide, variables);
@@ -158,6 +159,12 @@ double Reader::energy(const Choice& choice, double costs) {
   }
   for (std::size_t i = 0; i < choice.variables.size(); ++i)
     sum += choices_.stiffness[choice.variables[i]] * choice.values[i] * choice.values[i];
+  if (choices_.limit > 0.0) {
+    for (std::size_t i = 0; i < choice.variables.size(); ++i) {
+      const double beyond = choices_.beyond(choice.variables[i], choice.values[i]);
+      sum += choices_.limit * beyond * beyond;
+    }
+  }
   return sum;
 }
 

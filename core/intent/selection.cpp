@@ -94,6 +94,10 @@ void Selection::set_up(const Choice& choice) {
     pulls_[i] = q_.pull(v);
     for (std::size_t k = 0; k < i; ++k) matrix_[i * n + k] = matrix_[k * n + i] = q_.curvature(choice.variables[k], v);
     matrix_[i * n + i] = q_.curvature(v) + choices_.stiffness[v];
+    if (const auto limit = choices_.held_at(v)) {
+      matrix_[i * n + i] += choices_.limit;
+      pulls_[i] += choices_.limit * *limit;
+    }
   }
   const auto place = [&](std::size_t variable) {
     return static_cast<std::size_t>(std::lower_bound(choice.variables.begin(), choice.variables.end(), variable) -
@@ -167,6 +171,10 @@ Choice Selection::fit(std::vector<std::size_t> units) {
     for (std::size_t k = 0; k < n; ++k)
       image += q_.curvature(choice.variables[i], choice.variables[k]) * choice.values[k];
     image += choices_.stiffness[choice.variables[i]] * choice.values[i];
+    if (const auto limit = choices_.held_at(choice.variables[i])) {
+      image += choices_.limit * choice.values[i];
+      energy += choices_.limit * *limit * *limit;
+    }
     energy += choice.values[i] * (image - 2.0 * pulls_[i]);
   }
   choice.costs = costs_of(choice);

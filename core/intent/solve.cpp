@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/intent/chain.h"
 #include "core/intent/reader.h"
 #include "core/intent/value_search.h"
 
@@ -135,21 +134,6 @@ Reading best_alignment(Reader& reader, Solver& solver, std::size_t drawn) {
   return best;
 }
 
-std::vector<std::size_t> drawn_chain(const rig::Rig& rig, const IntentProblem& problem) {
-  std::vector<std::size_t> joints;
-  for (const DrawnCurve& curve : problem.drawn) {
-    const auto chain = chain_of(rig, curve.reference);
-    joints.insert(joints.end(), chain.begin(), chain.end());
-  }
-  for (const KnownCurve& curve : problem.known) {
-    const auto chain = chain_of(rig, curve.reference);
-    joints.insert(joints.end(), chain.begin(), chain.end());
-  }
-  std::stable_sort(joints.begin(), joints.end());
-  joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
-  return joints;
-}
-
 }  // namespace
 
 base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
@@ -164,7 +148,7 @@ base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const
   solution.energy_start = before.sum;
 
   Solver solver(reader, options, work.buffers());
-  const auto chain = drawn_chain(rig, problem);
+  const std::vector<std::size_t> chain(reader.chain().begin(), reader.chain().end());
   if (!chain.empty()) reader.restrict_to(chain);
   Reading reading = best_alignment(reader, solver, problem.drawn.size());
   if (!chain.empty() && reading.energy > 2.0 * k_beyond_chain) {
