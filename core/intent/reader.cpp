@@ -131,7 +131,11 @@ void Reader::make_units() {
         ++unit.count;
       }
     }
-    choices_.units.push_back(unit);
+    if (turn_of_[j] != k_no_partner) {
+      add_turn_units(j, unit.count, turns_[turn_of_[j]].planar && axis_of_[j] == 0);
+    } else {
+      choices_.units.push_back(unit);
+    }
     j += unit.count;
   }
   for (std::size_t j = 0; j < d; ++j) {

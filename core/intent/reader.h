@@ -96,10 +96,15 @@ class Reader {
   void make_runs();
   void make_run_units();
   void add_turn(std::size_t variable);
+  void add_turn_units(std::size_t first, std::size_t count, bool planar);
   void make_turn_columns(const rig::Pose& pose, std::span<const double> at, std::span<const std::size_t> variables);
   [[nodiscard]] std::vector<glm::dvec3> turned_by(std::span<const double> at) const;
   void turn_pose(std::span<const double> at, rig::Pose& pose) const;
-  void mark_passed_limits(std::span<const double> at);
+  [[nodiscard]] std::size_t lean_count() const;
+  void look_at_leans(Quadratic& quadratic, std::size_t row, std::span<const double> at);
+  [[nodiscard]] double lean_cost(const Choice& choice) const;
+  [[nodiscard]] std::optional<ModelPoint> only_eye() const;
+  [[nodiscard]] double movement_about(std::size_t variable) const;
   /// D of a curve at positions of all points, not yet less for being out of reach.
   [[nodiscard]] double squares(const Block& block, std::span<const ModelPoint> positions) const;
 
@@ -111,7 +116,8 @@ class Reader {
     };
     std::vector<Part> parts;
     double movement = 0;
-    bool twist = false;
+    std::size_t joints = 0;
+    bool planar = false;  ///< of its run
   };
   [[nodiscard]] std::size_t variable_count() const { return parameters_.size() + run_variables_.size(); }
 

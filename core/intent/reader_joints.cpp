@@ -17,8 +17,15 @@ namespace {
 constexpr double k_turn = base::k_pi;
 /// Difference by which a turn's columns are made, radians.
 constexpr double k_step = 1e-4 * base::k_pi;
-/// What a run's twist costs beside that of a joint: each of its joints would be twisted.
-constexpr double k_bend_stiffness = 0.5;
+/// What the square of a bend costs: no more than what keeps undetermined ones where they are.
+constexpr double k_stiffness = 0.5;
+/// Bends out of the picture: the line hardly shows them, and few poses that are drawn in one view go far out of it.
+constexpr double k_depth = 0.26;  ///< width, radians
+constexpr double k_depth_charge = 8.0;
+/// Views whose directions differ by less are one (cosine).
+constexpr double k_one_view = 0.99;
+
+double depth_stiffness(double joints) { return joints * joints * (k_turn / k_depth) * (k_turn / k_depth); }
 
 }  // namespace
 
@@ -41,6 +48,9 @@ void Reader::make_turns() {
   if (problem_.edition != Edition::second || !whole_.body) return;
   const auto* character = dynamic_cast<const rig::CharacterRig*>(&rig_);
   if (character == nullptr || character->skeleton() == nullptr) return;
+  const std::size_t first = character->first_parameter(character->layers().size());
+  const auto places = joints::places_of(*character->skeleton(), std::span(problem_.start).subspan(first));
+  const auto eye = only_eye();
   for (std::size_t j = 0; j + 2 < d; ++j) {
     const std::size_t p = parameters_[j];
     const std::size_t joint = whole_.joint[p];
@@ -53,29 +63,40 @@ void Reader::make_turns() {
       axis_of_[j + axis] = axis;
       ranges_[j + axis] = k_turn;
     }
-    turns_.push_back(joints::make_turn(*whole_.body, one, joint, p, std::span(problem_.start).subspan(p, 3), chain_));
+    std::optional<ModelVector> ray;
+    if (eye) ray = geometry::normalized(places[joint].at - *eye);
+    turns_.push_back(joints::make_turn(*whole_.body, one, joint, p, std::span(problem_.start).subspan(p, 3),
+                                       places[joint], chain_, ray));
   }
 }
 
-void Reader::add_turn(std::size_t variable) {
+std::optional<ModelPoint> Reader::only_eye() const {
+  if (problem_.drawn.empty() || !problem_.known.empty()) return std::nullopt;
+  const geometry::Camera& camera = problem_.drawn.front().camera;
+  for (const DrawnCurve& curve : problem_.drawn) {
+    if (glm::dot(curve.camera.forward(), camera.forward()) < k_one_view) return std::nullopt;
+  }
+  return camera.eye();
+}
+
+/// Near rest the three parameters turn about the joint's own axes, and ways along them add up like lengths.
+double Reader::movement_about(std::size_t variable) const {
   const joints::Turn& turn = turns_[turn_of_[variable]];
-  const auto axis = static_cast<int>(axis_of_[variable]);
-  choices_.limit = joints::k_limit * k_turn * k_turn;
-  choices_.soft_low.resize(variable_count(), -1e300);
-  choices_.soft_high.resize(variable_count(), 1e300);
-  choices_.passed.resize(variable_count(), 0);
-  choices_.soft_low[variable] = turn.low[axis] / k_turn;
-  choices_.soft_high[variable] = turn.high[axis] / k_turn;
-  choices_.low.push_back(-0.75);
-  choices_.high.push_back(0.75);
-  choices_.stiffness.push_back(turn.stiffness[axis] * k_turn * k_turn);
-  // Near rest the three parameters turn about the joint's own axes, and ways along them add up like lengths.
   double square = 0;
   for (int k = 0; k < 3; ++k) {
-    const double part = turn.axes[axis][k] * whole_.movement[turn.first + static_cast<std::size_t>(k)];
+    const double part = turn.axes[static_cast<int>(axis_of_[variable])][k] *
+                        whole_.movement[turn.first + static_cast<std::size_t>(k)];
     square += part * part;
   }
-  choices_.movement.push_back(std::sqrt(square));
+  return std::sqrt(square);
+}
+
+void Reader::add_turn(std::size_t variable) {
+  choices_.low.push_back(-0.75);
+  choices_.high.push_back(0.75);
+  const bool depth = turns_[turn_of_[variable]].planar && axis_of_[variable] == 1;
+  choices_.stiffness.push_back(depth ? depth_stiffness(1) : k_stiffness);
+  choices_.movement.push_back(movement_about(variable));
 }
 
 void Reader::make_runs() {
@@ -84,7 +105,7 @@ void Reader::make_runs() {
   const auto& character = dynamic_cast<const rig::CharacterRig&>(rig_);
   const std::size_t first = character.first_parameter(character.layers().size());
   const auto places = joints::places_of(skeleton, std::span(problem_.start).subspan(first));
-  for (const joints::Run& run : joints::runs_of(*whole_.body, places, chain_)) {
+  for (const joints::Run& run : joints::runs_of(*whole_.body, places, chain_, only_eye())) {
     std::array<RunVariable, 3> made;
     std::size_t joints = 0;
     for (const std::size_t joint : run.joints) {
@@ -101,17 +122,10 @@ void Reader::make_runs() {
     }
     if (joints < 2) continue;
     for (std::size_t k = 0; k < 3; ++k) {
-      made[k].twist = k == 2;
-      for (const RunVariable::Part& part : made[k].parts) {
-        const joints::Turn& turn = turns_[turn_of_[part.variable]];
-        double square = 0;
-        for (int c = 0; c < 3; ++c) {
-          const double one = turn.axes[static_cast<int>(axis_of_[part.variable])][c] *
-                             whole_.movement[turn.first + static_cast<std::size_t>(c)];
-          square += one * one;
-        }
-        made[k].movement += std::abs(part.by) * std::sqrt(square);
-      }
+      made[k].joints = joints;
+      made[k].planar = run.planar;
+      for (const RunVariable::Part& part : made[k].parts)
+        made[k].movement += std::abs(part.by) * movement_about(part.variable);
       run_variables_.push_back(std::move(made[k]));
     }
   }
@@ -123,21 +137,22 @@ void Reader::make_run_units() {
     choices_.low.push_back(-0.5);
     choices_.high.push_back(0.5);
     choices_.movement.push_back(run.movement);
-    double stiffness = k_bend_stiffness;
-    if (run.twist) {
-      for (const RunVariable::Part& part : run.parts) {
-        const joints::Turn& turn = turns_[turn_of_[part.variable]];
-        stiffness += part.by * part.by * turn.stiffness[static_cast<int>(axis_of_[part.variable])] * k_turn * k_turn;
-      }
-    }
-    choices_.stiffness.push_back(stiffness);
-    if (r % 3 != 0) continue;
-    Unit unit;
-    const std::size_t v = parameters_.size() + r;
-    unit.members = {v, v + 1, v + 2};
-    unit.count = 3;
-    choices_.units.push_back(unit);
+    const bool depth = run.planar && r % 3 == 1;
+    choices_.stiffness.push_back(depth ? depth_stiffness(static_cast<double>(run.joints)) : k_stiffness);
+    if (r % 3 == 0) add_turn_units(parameters_.size() + r, 3, run.planar);
   }
+}
+
+void Reader::add_turn_units(std::size_t first, std::size_t count, bool planar) {
+  Unit unit;
+  unit.members = {first, first + 1, first + 2};
+  if (planar) {
+    unit.count = 1;
+    choices_.units.push_back(unit);
+    unit.charge = k_depth_charge;
+  }
+  unit.count = count;
+  choices_.units.push_back(unit);
 }
 
 std::vector<glm::dvec3> Reader::turned_by(std::span<const double> at) const {
@@ -203,10 +218,50 @@ void Reader::make_turn_columns(const rig::Pose& pose, std::span<const double> at
   }
 }
 
-void Reader::mark_passed_limits(std::span<const double> at) {
-  for (std::size_t v = 0; v < choices_.passed.size(); ++v) {
-    choices_.passed[v] = at[v] < choices_.soft_low[v] ? -1 : at[v] > choices_.soft_high[v] ? 1 : 0;
+std::size_t Reader::lean_count() const {
+  std::size_t count = 0;
+  for (const joints::Turn& turn : turns_) count += turn.leans.size();
+  return count;
+}
+
+void Reader::look_at_leans(Quadratic& quadratic, std::size_t row, std::span<const double> at) {
+  if (turns_.empty()) return;
+  const auto w = turned_by(at);
+  std::vector<std::size_t> first_row(turns_.size());
+  for (std::size_t t = 0; t < turns_.size(); ++t) {
+    first_row[t] = row;
+    for (const joints::Lean& lean : turns_[t].leans) {
+      // A limit that is not passed asks for nothing.
+      const double value = glm::dot(lean.along, w[t]);
+      const double to = value < lean.low ? lean.low : lean.high;
+      if (lean.beyond(w[t]) != 0.0) quadratic.right()[row] = std::sqrt(lean.stiffness) * to;
+      ++row;
+    }
   }
+  const auto add = [&](std::size_t variable, std::size_t turning, double by) {
+    const std::size_t t = turn_of_[turning];
+    if (t == k_no_partner) return;
+    std::size_t r = first_row[t];
+    for (const joints::Lean& lean : turns_[t].leans) {
+      if ((lean.low == 0.0 && lean.high == 0.0) || lean.beyond(w[t]) != 0.0)
+        quadratic.column(variable)[r] +=
+            std::sqrt(lean.stiffness) * lean.along[static_cast<int>(axis_of_[turning])] * by * k_turn;
+      ++r;
+    }
+  };
+  for (std::size_t v = 0; v < parameters_.size(); ++v) add(v, v, 1.0);
+  for (std::size_t r = 0; r < run_variables_.size(); ++r) {
+    for (const RunVariable::Part& part : run_variables_[r].parts) add(parameters_.size() + r, part.variable, part.by);
+  }
+}
+
+double Reader::lean_cost(const Choice& choice) const {
+  std::vector<double> at(variable_count(), 0.0);
+  for (std::size_t i = 0; i < choice.variables.size(); ++i) at[choice.variables[i]] = choice.values[i];
+  const auto w = turned_by(at);
+  double sum = 0;
+  for (std::size_t t = 0; t < turns_.size(); ++t) sum += turns_[t].cost(w[t]);
+  return sum;
 }
 
 }  // namespace penpose::intent

@@ -25,7 +25,6 @@ void Reader::look(const Choice& at, bool slide, Quadratic& quadratic, std::span<
   std::vector<double> z(variable_count(), 0.0);
   for (std::size_t i = 0; i < at.variables.size(); ++i) z[at.variables[i]] = at.values[i];
   if (!linear_) make_columns(pose, z, variables);
-  mark_passed_limits(z);
   system_.positions(pose, positions_);
   std::size_t rows = 0;
   std::size_t slides = 0;
@@ -35,7 +34,7 @@ void Reader::look(const Choice& at, bool slide, Quadratic& quadratic, std::span<
     rows += 3 * block.count;
     if (block.drawn) slides += k_modes;
   }
-  quadratic.reset(variable_count(), rows, slides);
+  quadratic.reset(variable_count(), rows + lean_count(), slides);
   for (Block& block : blocks_) {
     if (block.drawn) {
       look_at_drawn(block, quadratic, z, slide, variables);
@@ -43,6 +42,7 @@ void Reader::look(const Choice& at, bool slide, Quadratic& quadratic, std::span<
       look_at_known(block, quadratic, z, variables);
     }
   }
+  look_at_leans(quadratic, rows, z);
   quadratic.finish(only);
 }
 
@@ -159,12 +159,7 @@ double Reader::energy(const Choice& choice, double costs) {
   }
   for (std::size_t i = 0; i < choice.variables.size(); ++i)
     sum += choices_.stiffness[choice.variables[i]] * choice.values[i] * choice.values[i];
-  if (choices_.limit > 0.0) {
-    for (std::size_t i = 0; i < choice.variables.size(); ++i) {
-      const double beyond = choices_.beyond(choice.variables[i], choice.values[i]);
-      sum += choices_.limit * beyond * beyond;
-    }
-  }
+  if (!turns_.empty()) sum += lean_cost(choice);
   return sum;
 }
 

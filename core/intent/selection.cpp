@@ -70,7 +70,7 @@ double Selection::unit_cost(const Unit& unit, const Choice& choice) const {
   }
   if (unit.tied) way /= static_cast<double>(unit.count);
   return costs_.unit + (unit.tied ? costs_.pair : 0.0) + costs_.evidence * base::log(1.0 + std::max(0.0, curvature)) +
-         costs_.movement * base::log(1.0 + way / costs_.usual_way);
+         costs_.movement * base::log(1.0 + way / costs_.usual_way) + unit.charge;
 }
 
 double Selection::costs_of(const Choice& choice) const {
@@ -94,10 +94,6 @@ void Selection::set_up(const Choice& choice) {
     pulls_[i] = q_.pull(v);
     for (std::size_t k = 0; k < i; ++k) matrix_[i * n + k] = matrix_[k * n + i] = q_.curvature(choice.variables[k], v);
     matrix_[i * n + i] = q_.curvature(v) + choices_.stiffness[v];
-    if (const auto limit = choices_.held_at(v)) {
-      matrix_[i * n + i] += choices_.limit;
-      pulls_[i] += choices_.limit * *limit;
-    }
   }
   const auto place = [&](std::size_t variable) {
     return static_cast<std::size_t>(std::lower_bound(choice.variables.begin(), choice.variables.end(), variable) -
@@ -171,10 +167,6 @@ Choice Selection::fit(std::vector<std::size_t> units) {
     for (std::size_t k = 0; k < n; ++k)
       image += q_.curvature(choice.variables[i], choice.variables[k]) * choice.values[k];
     image += choices_.stiffness[choice.variables[i]] * choice.values[i];
-    if (const auto limit = choices_.held_at(choice.variables[i])) {
-      image += choices_.limit * choice.values[i];
-      energy += choices_.limit * *limit * *limit;
-    }
     energy += choice.values[i] * (image - 2.0 * pulls_[i]);
   }
   choice.costs = costs_of(choice);
@@ -193,7 +185,7 @@ Selection::Base Selection::base_of(Choice choice) {
 double Selection::least_with(const Base& base, std::size_t added) {
   const Unit& unit = choices_.units[added];
   const std::size_t n = base.choice.variables.size();
-  double least = base.choice.energy + costs_.unit + (unit.tied ? costs_.pair : 0.0);
+  double least = base.choice.energy + costs_.unit + (unit.tied ? costs_.pair : 0.0) + unit.charge;
   double curvature = 0;
   for (std::size_t m = 0; m < unit.count; ++m) curvature = std::max(curvature, q_.curvature(unit.members[m]));
   least += costs_.evidence * base::log(1.0 + std::max(0.0, curvature));

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +15,7 @@ struct Unit {
   std::array<std::size_t, 3> members{};
   std::size_t count = 1;
   bool tied = false;  ///< left and right: drawn alike they move alike
+  double charge = 0;  ///< what choosing it costs beside what all units cost
 };
 
 /// The variables of a choice: changes of parameters, each as a share of its range.
@@ -25,21 +24,6 @@ struct Choices {
   std::vector<double> low, high;  ///< one a variable, low <= 0 <= high
   std::vector<double> movement;   ///< of the whole model, one a variable (WholeModel::movement)
   std::vector<double> stiffness;  ///< what the square of a variable costs; twists of joints cost more
-  /// Soft limits, low <= 0 <= high: the square of what lies beyond costs `limit`. Empty: none.
-  std::vector<double> soft_low, soft_high;
-  std::vector<int> passed;  ///< which of them a variable was beyond at the last look: -1, 0 (none) or 1
-  double limit = 0;
-
-  /// What lies beyond the soft limits at a value.
-  [[nodiscard]] double beyond(std::size_t variable, double value) const {
-    if (soft_low.empty()) return 0;
-    return std::max({soft_low[variable] - value, value - soft_high[variable], 0.0});
-  }
-  /// The soft limit that a variable had passed at the last look; nothing where it had not.
-  [[nodiscard]] std::optional<double> held_at(std::size_t variable) const {
-    if (passed.empty() || passed[variable] == 0) return std::nullopt;
-    return passed[variable] < 0 ? soft_low[variable] : soft_high[variable];
-  }
 };
 
 /// Some units with their values: what one reading of the strokes comes to.

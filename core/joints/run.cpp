@@ -9,6 +9,8 @@ namespace {
 
 /// Longer ways are cut into this many parts, at which runs begin and end.
 constexpr std::size_t k_parts = 12;
+/// Runs that point more than this towards the eye or away from it do not bend within the picture (sine).
+constexpr double k_least_seen = 0.3;
 
 bool in(std::span<const std::size_t> chain, std::size_t joint) {
   return std::binary_search(chain.begin(), chain.end(), joint);
@@ -21,7 +23,8 @@ std::vector<std::size_t> in_chain(const Body& body, std::span<const std::size_t>
   return out;
 }
 
-Run make_run(std::span<const Place> start, std::span<const std::size_t> joints, const ModelVector& along) {
+Run make_run(std::span<const Place> start, std::span<const std::size_t> joints, const ModelVector& along,
+             const std::optional<ModelPoint>& eye) {
   Run run;
   run.joints.assign(joints.begin(), joints.end());
   const ModelVector way = start[joints.back()].at - start[joints.front()].at;
@@ -30,14 +33,21 @@ Run make_run(std::span<const Place> start, std::span<const std::size_t> joints, 
                                 ? ModelVector{1, 0, 0}
                             : std::abs(bone.y) <= std::abs(bone.z) ? ModelVector{0, 1, 0}
                                                                    : ModelVector{0, 0, 1};
-  const ModelVector first = geometry::normalized(glm::cross(bone, least));
+  ModelVector first = geometry::normalized(glm::cross(bone, least));
+  if (eye) {
+    const ModelVector ray = geometry::normalized(start[joints.front()].at - *eye);
+    const ModelVector part = ray - bone * glm::dot(ray, bone);
+    run.planar = geometry::length(part) > k_least_seen;
+    if (run.planar) first = geometry::normalized(part);
+  }
   run.axes = glm::dmat3(first, glm::cross(bone, first), bone);
   return run;
 }
 
 }  // namespace
 
-std::vector<Run> runs_of(const Body& body, std::span<const Place> start, std::span<const std::size_t> chain) {
+std::vector<Run> runs_of(const Body& body, std::span<const Place> start, std::span<const std::size_t> chain,
+                         const std::optional<ModelPoint>& eye) {
   std::vector<Run> runs;
   for (const std::size_t top : chain) {
     const std::int32_t parent = body.parent(top);
@@ -54,7 +64,7 @@ std::vector<Run> runs_of(const Body& body, std::span<const Place> start, std::sp
         const bool begins = from % step == 0;
         const bool ends = (from + count) % step == 0 || from + count == n;
         if (!begins || !ends) continue;
-        runs.push_back(make_run(start, std::span(way).subspan(from, count), body.bone(way[from], chain)));
+        runs.push_back(make_run(start, std::span(way).subspan(from, count), body.bone(way[from], chain), eye));
       }
     }
   }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <glm/mat3x3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,12 +14,14 @@ namespace penpose::joints {
 /// bend the spine evenly, and a tail curls.
 struct Run {
   std::vector<std::size_t> joints;  ///< from the root on, at least two
-  glm::dmat3 axes{1};               ///< in the world at the start: two across the run, one along it
+  bool planar = false;  ///< the first axis bends the run within the picture
+  glm::dmat3 axes{1};               ///< in the world at the start: the first two across the run, the last along it
 };
 
 /// All runs within a chain (joints, ascending), shorter ones first. Joints from which other limbs part are no part of a
 /// run that would begin there: what they turn is more than what was drawn. Long chains give coarser runs.
+/// `eye`: from where all strokes were drawn, or nothing where several views show the chain.
 [[nodiscard]] std::vector<Run> runs_of(const Body& body, std::span<const Place> start,
-                                       std::span<const std::size_t> chain);
+                                       std::span<const std::size_t> chain, const std::optional<ModelPoint>& eye);
 
 }  // namespace penpose::joints

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include "core/base/math.h"
 #include "core/geometry/rotation.h"
@@ -12,12 +11,14 @@ namespace penpose::joints {
 namespace {
 
 // Widths of what is usual, radians: 1 / width squared is what the square of a turn costs.
-constexpr double k_bend = 4.5;         ///< next to nothing: only what is not drawn stays
-constexpr double k_twist = 0.12;       ///< about the bone's own axis: no stroke along it shows that
-constexpr double k_off_hinge = 0.7;    ///< across a hinge
-constexpr double k_swing_limit = 1.4;  ///< from the rest pose: bends that are usual at all
-constexpr double k_twist_limit = 0.5;
+constexpr double k_twist = 0.12;      ///< about the bone's own axis: no stroke along it shows that
+constexpr double k_off_hinge = 0.7;   ///< across a hinge
+constexpr double k_limit = 0.14;      ///< beyond a limit
+constexpr double k_swing_most = 1.4;  ///< from the rest pose: bends that are usual at all
+constexpr double k_twist_most = 0.5;
 constexpr double k_straight = 0.1;  ///< a hinge gives by this beyond the straight limb
+/// Bones that point more than this towards the eye or away from it do not bend within the picture (sine).
+constexpr double k_least_seen = 0.3;
 
 double cost_of(double width) { return 1.0 / (width * width); }
 
@@ -53,6 +54,20 @@ glm::dvec3 across(const glm::dvec3& unit) {
 
 }  // namespace
 
+double Lean::beyond(const glm::dvec3& w) const {
+  const double value = glm::dot(along, w);
+  return value < low ? value - low : value > high ? value - high : 0.0;
+}
+
+double Turn::cost(const glm::dvec3& w) const {
+  double sum = 0;
+  for (const Lean& lean : leans) {
+    const double beyond = lean.beyond(w);
+    sum += lean.stiffness * beyond * beyond;
+  }
+  return sum;
+}
+
 glm::dvec3 angles_of(const Turn& turn, const glm::dvec3& w) {
   const glm::dquat q = turn.start * exp_of(turn.axes * w);
   const glm::dvec3 one = geometry::xyz_from_quaternion(q);
@@ -71,7 +86,8 @@ bool has_usual_ranges(const rig::Joint& joint) {
 }
 
 Turn make_turn(const Body& body, const rig::Joint& joint, std::size_t number, std::size_t first,
-               std::span<const double> values, std::span<const std::size_t> chain) {
+               std::span<const double> values, const Place& place, std::span<const std::size_t> chain,
+               const std::optional<ModelVector>& ray) {
   Turn turn;
   turn.joint = number;
   turn.first = first;
@@ -81,21 +97,34 @@ Turn make_turn(const Body& body, const rig::Joint& joint, std::size_t number, st
   const glm::dquat to_own = glm::conjugate(body.rest()[number].turn);
   const glm::dvec3 bone = to_own * body.bone(number, chain);
   const auto hinge = body.hinge(number);
-  glm::dvec3 first_axis = hinge ? to_own * hinge->axis : across(bone);
-  first_axis = geometry::normalized(first_axis - bone * glm::dot(first_axis, bone));
-  turn.axes = glm::dmat3(first_axis, glm::cross(bone, first_axis), bone);
-  turn.low = {-k_swing_limit, -k_swing_limit, -k_twist_limit};
-  turn.high = -turn.low;
-  turn.stiffness = {cost_of(k_bend), cost_of(k_bend), cost_of(k_twist)};
-  if (hinge) {
-    turn.low.x = -(hinge->bent + k_straight);
-    turn.high.x = base::k_pi;
-    turn.stiffness.y = cost_of(k_off_hinge);
+  glm::dvec3 axis = hinge ? to_own * hinge->axis : across(bone);
+  if (ray) {
+    const glm::dvec3 seen = glm::conjugate(place.turn) * *ray;
+    const glm::dvec3 part = seen - bone * glm::dot(seen, bone);
+    turn.planar = geometry::length(part) > k_least_seen;
+    if (turn.planar) axis = part;
   }
+  axis = geometry::normalized(axis - bone * glm::dot(axis, bone));
+  turn.axes = glm::dmat3(axis, glm::cross(bone, axis), bone);
+
   // Limits are about the rest pose; where the start lies beyond them they begin there.
-  const glm::dvec3 so_far = glm::transpose(turn.axes) * log_of(turn.start);
-  turn.low = glm::min(turn.low - so_far, glm::dvec3{0});
-  turn.high = glm::max(turn.high - so_far, glm::dvec3{0});
+  const glm::dvec3 so_far = log_of(turn.start);
+  const auto limit = [&](const glm::dvec3& own, double low, double high) {
+    const double start = glm::dot(own, so_far);
+    turn.leans.push_back({glm::transpose(turn.axes) * own, cost_of(k_limit), std::min(low - start, 0.0),
+                          std::max(high - start, 0.0)});
+  };
+  turn.leans.push_back({{0, 0, 1}, cost_of(k_twist), 0, 0});
+  limit(bone, -k_twist_most, k_twist_most);
+  if (hinge) {
+    const glm::dvec3 about = to_own * hinge->axis;
+    const glm::dvec3 off = glm::cross(bone, about);
+    turn.leans.push_back({glm::transpose(turn.axes) * off, cost_of(k_off_hinge), 0, 0});
+    limit(about, -(hinge->bent + k_straight), base::k_pi);
+  } else {
+    limit(turn.axes[0], -k_swing_most, k_swing_most);
+    limit(turn.axes[1], -k_swing_most, k_swing_most);
+  }
   return turn;
 }
 

@@ -2,14 +2,27 @@
 
 #include <cstddef>
 #include <glm/mat3x3.hpp>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "core/joints/body.h"
 
 namespace penpose::joints {
 
+/// A way in which a joint turns with less ease: the square of how far `along . w` lies outside low..high costs
+/// `stiffness` (1 / radians squared).
+struct Lean {
+  glm::dvec3 along{0};
+  double stiffness = 0;
+  double low = 0, high = 0;  ///< radians, low <= 0 <= high
+
+  /// How far outside, with its sign.
+  [[nodiscard]] double beyond(const glm::dvec3& w) const;
+};
+
 /// How one joint turns from where it starts: by a rotation vector w along three axes of its own, two that bend its bone
-/// and one that twists it, so that twists can cost what bends do not. The first axis is the hinge where there is one.
+/// and one that twists it.
 ///
 ///   rotation(w) = start * exp(axes * w)
 struct Turn {
@@ -17,24 +30,25 @@ struct Turn {
   std::size_t first = 0;  ///< its first parameter of three
   glm::dquat start{1, 0, 0, 0};
   glm::dmat3 axes{1};       ///< columns: bend, bend, twist; in the joint's own frame
-  glm::dvec3 low{0};        ///< soft limits of w, radians: <= 0
-  glm::dvec3 high{0};       ///< >= 0
-  glm::dvec3 stiffness{0};  ///< what the square of w costs, 1 / radians squared
+  bool planar = false;      ///< the first axis bends the bone within the picture
+  std::vector<Lean> leans;  ///< twist, limits about the rest pose, a hinge's plane and the way it bends
   glm::dvec3 minimum{0};    ///< of the parameters: hard limits
   glm::dvec3 maximum{0};
-};
 
-/// Beyond a soft limit, the square of the way costs this, 1 / radians squared.
-inline constexpr double k_limit = 50.0;
+  /// What a rotation vector costs.
+  [[nodiscard]] double cost(const glm::dvec3& w) const;
+};
 
 /// The joint's parameters (angles about x, y, z) at a rotation vector: of the ways to write the rotation the one that
 /// the ranges change least, within the ranges.
 [[nodiscard]] glm::dvec3 angles_of(const Turn& turn, const glm::dvec3& w);
 
-/// `chain`: the joints that are drawn, ascending; they tell which way a bone points. `values` of the joint's three
-/// parameters at the start, of which `first` is the first.
+/// `first`: the first of the joint's three parameters, `values` theirs at the start; `place` the joint's there. `chain`:
+/// the joints that are drawn, ascending, which tell where a bone points. `ray`: from the eye towards the joint, or
+/// nothing where several views show it.
 [[nodiscard]] Turn make_turn(const Body& body, const rig::Joint& joint, std::size_t number, std::size_t first,
-                             std::span<const double> values, std::span<const std::size_t> chain);
+                             std::span<const double> values, const Place& place, std::span<const std::size_t> chain,
+                             const std::optional<ModelVector>& ray);
 
 /// Whether the joint turns freely: a file that gives it ranges of its own says more than its shape does.
 [[nodiscard]] bool has_usual_ranges(const rig::Joint& joint);
