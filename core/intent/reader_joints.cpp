@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "core/base/math.h"
 #include "core/intent/chain.h"
@@ -109,16 +110,15 @@ void Reader::make_runs() {
     std::array<RunVariable, 3> made;
     std::size_t joints = 0;
     for (const std::size_t joint : run.joints) {
-      bool turns = false;
+      const auto turn = std::find_if(turns_.begin(), turns_.end(), [&](const auto& t) { return t.joint == joint; });
+      if (turn == turns_.end()) continue;
+      ++joints;
+      const glm::dmat3 own = glm::inverse(turn->axes) * glm::mat3_cast(glm::conjugate(places[joint].turn)) * run.axes;
       for (std::size_t v = 0; v < parameters_.size(); ++v) {
         if (turn_of_[v] == k_no_partner || turns_[turn_of_[v]].joint != joint) continue;
-        turns = true;
-        const joints::Turn& turn = turns_[turn_of_[v]];
-        const glm::dvec3 axis = places[joint].turn * turn.axes[static_cast<int>(axis_of_[v])];
         for (int k = 0; k < 3; ++k)
-          made[static_cast<std::size_t>(k)].parts.push_back({v, glm::dot(axis, run.axes[k])});
+          made[static_cast<std::size_t>(k)].parts.push_back({v, own[k][static_cast<int>(axis_of_[v])]});
       }
-      joints += turns ? 1U : 0U;
     }
     if (joints < 2) continue;
     for (std::size_t k = 0; k < 3; ++k) {

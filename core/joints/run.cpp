@@ -33,14 +33,14 @@ Run make_run(std::span<const Place> start, std::span<const std::size_t> joints, 
                                 ? ModelVector{1, 0, 0}
                             : std::abs(bone.y) <= std::abs(bone.z) ? ModelVector{0, 1, 0}
                                                                    : ModelVector{0, 0, 1};
-  ModelVector first = geometry::normalized(glm::cross(bone, least));
+  const ModelVector first = geometry::normalized(glm::cross(bone, least));
+  run.axes = glm::dmat3(first, glm::cross(bone, first), bone);
   if (eye) {
     const ModelVector ray = geometry::normalized(start[joints.front()].at - *eye);
-    const ModelVector part = ray - bone * glm::dot(ray, bone);
-    run.planar = geometry::length(part) > k_least_seen;
-    if (run.planar) first = geometry::normalized(part);
+    const ModelVector out = glm::cross(bone, ray);
+    run.planar = geometry::length(out) > k_least_seen;
+    if (run.planar) run.axes = glm::dmat3(ray, geometry::normalized(out), bone);
   }
-  run.axes = glm::dmat3(first, glm::cross(bone, first), bone);
   return run;
 }
 

@@ -14,8 +14,8 @@ namespace penpose::joints {
 /// bend the spine evenly, and a tail curls.
 struct Run {
   std::vector<std::size_t> joints;  ///< from the root on, at least two
-  bool planar = false;  ///< the first axis bends the run within the picture
-  glm::dmat3 axes{1};               ///< in the world at the start: the first two across the run, the last along it
+  bool planar = false;  ///< the first axis is the ray from the eye
+  glm::dmat3 axes{1};               ///< in the world at the start: two that bend it and one along it
 };
 
 /// All runs within a chain (joints, ascending), shorter ones first. Joints from which other limbs part are no part of a

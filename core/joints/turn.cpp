@@ -97,15 +97,15 @@ Turn make_turn(const Body& body, const rig::Joint& joint, std::size_t number, st
   const glm::dquat to_own = glm::conjugate(body.rest()[number].turn);
   const glm::dvec3 bone = to_own * body.bone(number, chain);
   const auto hinge = body.hinge(number);
-  glm::dvec3 axis = hinge ? to_own * hinge->axis : across(bone);
+  // Within the picture a bone turns about the ray itself, so that what is drawn turns as a whole.
+  const glm::dvec3 across_bone = hinge ? to_own * hinge->axis : across(bone);
+  turn.axes = glm::dmat3(across_bone, glm::cross(bone, across_bone), bone);
   if (ray) {
     const glm::dvec3 seen = glm::conjugate(place.turn) * *ray;
-    const glm::dvec3 part = seen - bone * glm::dot(seen, bone);
-    turn.planar = geometry::length(part) > k_least_seen;
-    if (turn.planar) axis = part;
+    const glm::dvec3 out = glm::cross(bone, seen);
+    turn.planar = geometry::length(out) > k_least_seen;
+    if (turn.planar) turn.axes = glm::dmat3(seen, geometry::normalized(out), bone);
   }
-  axis = geometry::normalized(axis - bone * glm::dot(axis, bone));
-  turn.axes = glm::dmat3(axis, glm::cross(bone, axis), bone);
 
   // Limits are about the rest pose; where the start lies beyond them they begin there.
   const glm::dvec3 so_far = log_of(turn.start);
@@ -122,8 +122,8 @@ Turn make_turn(const Body& body, const rig::Joint& joint, std::size_t number, st
     turn.leans.push_back({glm::transpose(turn.axes) * off, cost_of(k_off_hinge), 0, 0});
     limit(about, -(hinge->bent + k_straight), base::k_pi);
   } else {
-    limit(turn.axes[0], -k_swing_most, k_swing_most);
-    limit(turn.axes[1], -k_swing_most, k_swing_most);
+    limit(across_bone, -k_swing_most, k_swing_most);
+    limit(glm::cross(bone, across_bone), -k_swing_most, k_swing_most);
   }
   return turn;
 }

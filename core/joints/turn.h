@@ -29,8 +29,8 @@ struct Turn {
   std::size_t joint = 0;
   std::size_t first = 0;  ///< its first parameter of three
   glm::dquat start{1, 0, 0, 0};
-  glm::dmat3 axes{1};       ///< columns: bend, bend, twist; in the joint's own frame
-  bool planar = false;      ///< the first axis bends the bone within the picture
+  glm::dmat3 axes{1};       ///< columns: bend, bend, twist; length one, in the joint's own frame
+  bool planar = false;      ///< the first axis is the ray from the eye, the second takes the bone out of the picture
   std::vector<Lean> leans;  ///< twist, limits about the rest pose, a hinge's plane and the way it bends
   glm::dvec3 minimum{0};    ///< of the parameters: hard limits
   glm::dvec3 maximum{0};
