@@ -33,6 +33,9 @@ class Reader {
   [[nodiscard]] std::span<const std::size_t> chain() const { return chain_; }
   [[nodiscard]] bool linear() const { return linear_; }
   [[nodiscard]] std::size_t curve_count() const { return blocks_.size(); }
+  /// Units that bend one joint of the chain each within the picture, ascending; none where they are more than can be
+  /// chosen from at once.
+  [[nodiscard]] std::vector<std::size_t> all_bends() const;
   /// Only units of these joints may move; empty: all.
   void restrict_to(std::span<const std::size_t> joints);
 

@@ -22,7 +22,8 @@ constexpr double k_step = 1e-4 * base::k_pi;
 constexpr double k_stiffness = 0.5;
 /// Bends out of the picture: the line hardly shows them, and few poses that are drawn in one view go far out of it.
 constexpr double k_depth = 0.26;  ///< width, radians
-constexpr double k_depth_charge = 8.0;
+constexpr double k_depth_charge = 14.0;
+constexpr double k_twist_charge = 8.0;
 /// Views whose directions differ by less are one (cosine).
 constexpr double k_one_view = 0.99;
 
@@ -150,9 +151,27 @@ void Reader::add_turn_units(std::size_t first, std::size_t count, bool planar) {
     unit.count = 1;
     choices_.units.push_back(unit);
     unit.charge = k_depth_charge;
+    if (count > 2) {
+      unit.count = 2;
+      choices_.units.push_back(unit);
+      unit.charge += k_twist_charge;
+    }
   }
   unit.count = count;
   choices_.units.push_back(unit);
+}
+
+std::vector<std::size_t> Reader::all_bends() const {
+  constexpr std::size_t k_most = 12;
+  std::vector<std::size_t> bends;
+  for (std::size_t u = 0; u < choices_.units.size(); ++u) {
+    const Unit& unit = choices_.units[u];
+    const std::size_t v = unit.members[0];
+    if (unit.count != 1 || v >= parameters_.size() || turn_of_[v] == k_no_partner) continue;
+    if (std::binary_search(chain_.begin(), chain_.end(), turns_[turn_of_[v]].joint)) bends.push_back(u);
+  }
+  if (bends.size() < 2 || bends.size() > k_most) bends.clear();
+  return bends;
 }
 
 std::vector<glm::dvec3> Reader::turned_by(std::span<const double> at) const {

@@ -51,7 +51,13 @@ class Solver {
       Selection selection(b_.quadratic, reader_.choices(), reader_.costs());
       if (round + 1 == rounds) selection.set_rivals(options_.rivals, k_rival_window);
       const Choice before = choice;
-      choice = trusted(before, selection.select(selection.fit(before.units), options_.most_units));
+      Choice next = selection.select(selection.fit(before.units), options_.most_units);
+      if (!reader_.all_bends().empty()) {
+        // What bends to and fro gains little by its first bend alone: from all bends on, fewer.
+        Choice other = selection.select(selection.fit(reader_.all_bends()), options_.most_units);
+        if (other.energy < next.energy - 1e-9) next = std::move(other);
+      }
+      choice = trusted(before, std::move(next));
       evaluations += selection.evaluations();
       if (round == 0 || !reader_.linear()) reader_.weigh(choice);
       rivals = selection.rivals();
