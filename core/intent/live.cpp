@@ -67,7 +67,9 @@ base::Result<LivePoser> LivePoser::start(const rig::Rig& rig, WholeModel whole, 
   auto state = std::make_unique<State>(rig, std::move(whole), std::move(problem));
   state->seen = state->reader.seen_at_start(0);
   state->length = curve::arc_length<PxPoint>(state->seen);
-  const auto chain = chain_of(rig, state->problem.drawn.front().reference);
+  auto chain = chain_of(rig, state->problem.drawn.front().reference);
+  if (state->problem.edition != Edition::first)
+    chain.assign(state->reader.chain().begin(), state->reader.chain().end());
   if (!chain.empty()) state->reader.restrict_to(chain);
   return LivePoser(std::move(state));
 }

@@ -59,7 +59,7 @@ void Reader::make_turns() {
     if (joint == k_no_partner || whole_.group[p] != p || parameters_[j + 1] != p + 1 || parameters_[j + 2] != p + 2)
       continue;
     const rig::Joint& one = character->skeleton()->joints()[joint];
-    if (!joints::has_usual_ranges(one)) continue;
+    if (!joints::turns_freely(one)) continue;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       turn_of_[j + axis] = turns_.size();
       axis_of_[j + axis] = axis;

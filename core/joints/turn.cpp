@@ -17,6 +17,7 @@ constexpr double k_limit = 0.14;      ///< beyond a limit
 constexpr double k_swing_most = 1.4;  ///< from the rest pose: bends that are usual at all
 constexpr double k_twist_most = 0.5;
 constexpr double k_straight = 0.1;  ///< a hinge gives by this beyond the straight limb
+constexpr double k_least_room = 0.5;  ///< of a range, radians: joints with less turn by their angles alone
 /// Bones that point more than this towards the eye or away from it do not bend within the picture (sine).
 constexpr double k_least_seen = 0.3;
 
@@ -80,9 +81,9 @@ glm::dvec3 angles_of(const Turn& turn, const glm::dvec3& w) {
   return near_b > near_a ? b : a;
 }
 
-bool has_usual_ranges(const rig::Joint& joint) {
-  const rig::Joint usual;
-  return joint.minimum == usual.minimum && joint.maximum == usual.maximum;
+bool turns_freely(const rig::Joint& joint) {
+  const glm::dvec3 room = joint.maximum - joint.minimum;
+  return std::min({room.x, room.y, room.z}) >= k_least_room;
 }
 
 Turn make_turn(const Body& body, const rig::Joint& joint, std::size_t number, std::size_t first,
@@ -115,6 +116,9 @@ Turn make_turn(const Body& body, const rig::Joint& joint, std::size_t number, st
                           std::max(high - start, 0.0)});
   };
   turn.leans.push_back({{0, 0, 1}, cost_of(k_twist), 0, 0});
+  // A file that gives ranges of its own says more than the shape does.
+  const rig::Joint usual;
+  if (joint.minimum != usual.minimum || joint.maximum != usual.maximum) return turn;
   limit(bone, -k_twist_most, k_twist_most);
   if (hinge) {
     const glm::dvec3 about = to_own * hinge->axis;

@@ -50,7 +50,7 @@ struct Turn {
                              std::span<const double> values, const Place& place, std::span<const std::size_t> chain,
                              const std::optional<ModelVector>& ray);
 
-/// Whether the joint turns freely: a file that gives it ranges of its own says more than its shape does.
-[[nodiscard]] bool has_usual_ranges(const rig::Joint& joint);
+/// Whether the joint has room about all its axes; those whose ranges leave it one or two turn by their angles alone.
+[[nodiscard]] bool turns_freely(const rig::Joint& joint);
 
 }  // namespace penpose::joints
