@@ -14,6 +14,8 @@ namespace {
 constexpr std::size_t k_most_units = 12;
 /// An angle moves by this share of its range at most in one report.
 constexpr double k_trust = 0.1;
+/// Other joints move only where that lowers the energy by this: a limb does not flicker between readings.
+constexpr double k_change = 3.0;
 
 }  // namespace
 
@@ -35,7 +37,13 @@ struct LivePoser::State {
     // Points slide once the curve has come near: before, the nearest places on the line mean nothing.
     reader.look(choice, !choice.units.empty(), quadratic);
     Selection selection(quadratic, reader.choices(), reader.costs());
-    Choice next = selection.select(selection.fit(choice.units), k_most_units);
+    const Choice same = selection.fit(choice.units);
+    Choice next = selection.select(same, k_most_units);
+    if (const auto bends = reader.all_bends(); !bends.empty()) {
+      Choice other = selection.select(selection.fit(bends), k_most_units);
+      if (other.energy < next.energy - 1e-9) next = std::move(other);
+      if (!same.units.empty() && next.energy > same.energy - k_change) next = same;
+    }
     if (!reader.linear()) {
       for (std::size_t i = 0; i < next.variables.size(); ++i) {
         const auto at = std::lower_bound(choice.variables.begin(), choice.variables.end(), next.variables[i]);
