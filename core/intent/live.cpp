@@ -14,8 +14,9 @@ namespace {
 constexpr std::size_t k_most_units = 12;
 /// An angle moves by this share of its range at most in one report.
 constexpr double k_trust = 0.1;
-/// Other joints move only where that lowers the energy by this: a limb does not flicker between readings.
-constexpr double k_change = 3.0;
+/// While a part of the line is drawn other joints move only where that lowers the energy by this: a limb does not
+/// flicker between readings.
+constexpr double k_change = 5.0;
 
 }  // namespace
 
@@ -42,7 +43,8 @@ struct LivePoser::State {
     if (const auto bends = reader.all_bends(); !bends.empty()) {
       Choice other = selection.select(selection.fit(bends), k_most_units);
       if (other.energy < next.energy - 1e-9) next = std::move(other);
-      if (!same.units.empty() && next.energy > same.energy - k_change) next = same;
+      const bool part = alignment.reference_to - alignment.reference_from < 1.0;
+      if (part && !same.units.empty() && next.energy > same.energy - k_change) next = same;
     }
     if (!reader.linear()) {
       for (std::size_t i = 0; i < next.variables.size(); ++i) {
