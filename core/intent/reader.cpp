@@ -132,7 +132,8 @@ void Reader::make_units() {
       }
     }
     if (turn_of_[j] != k_no_partner) {
-      add_turn_units(j, unit.count, turns_[turn_of_[j]].planar && axis_of_[j] == 0);
+      const joints::Turn& turn = turns_[turn_of_[j]];
+      add_turn_units(j, unit.count, turn.planar && axis_of_[j] == 0, turn.bends_in_depth);
     } else {
       choices_.units.push_back(unit);
     }

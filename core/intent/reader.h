@@ -36,6 +36,11 @@ class Reader {
   /// Units that bend one joint of the chain each within the picture, ascending; none where they are more than can be
   /// chosen from at once.
   [[nodiscard]] std::vector<std::size_t> all_bends() const;
+  /// First guesses for lines that are shorter than their limbs: each joint of the chain, and the longest run of it,
+  /// leaning towards the eye and away from it. `costs`: what believing in it costs: away from the eye a little.
+  [[nodiscard]] std::vector<Choice> leans_in_depth() const;
+  /// Whether a choice takes a joint or run out of the picture.
+  [[nodiscard]] bool leans(const Choice& choice) const;
   /// Only units of these joints may move; empty: all.
   void restrict_to(std::span<const std::size_t> joints);
 
@@ -99,7 +104,7 @@ class Reader {
   void make_runs();
   void make_run_units();
   void add_turn(std::size_t variable);
-  void add_turn_units(std::size_t first, std::size_t count, bool planar);
+  void add_turn_units(std::size_t first, std::size_t count, bool planar, bool in_depth);
   void make_turn_columns(const rig::Pose& pose, std::span<const double> at, std::span<const std::size_t> variables);
   [[nodiscard]] std::vector<glm::dvec3> turned_by(std::span<const double> at) const;
   void turn_pose(std::span<const double> at, rig::Pose& pose) const;

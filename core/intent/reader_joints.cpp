@@ -23,7 +23,12 @@ constexpr double k_stiffness = 0.5;
 /// Bends out of the picture: the line hardly shows them, and few poses that are drawn in one view go far out of it.
 constexpr double k_depth = 0.26;  ///< width, radians
 constexpr double k_depth_charge = 14.0;
+constexpr double k_hinge_charge = 4.0;  ///< where the joint is a hinge that bends so
 constexpr double k_twist_charge = 8.0;
+/// A first guess of it, in half circles, and what it costs where it leads away from the eye: limbs that lean forward are
+/// drawn from the front.
+constexpr double k_lean = 0.22;
+constexpr double k_away = 3.0;
 /// Views whose directions differ by less are one (cosine).
 constexpr double k_one_view = 0.99;
 
@@ -96,7 +101,8 @@ double Reader::movement_about(std::size_t variable) const {
 void Reader::add_turn(std::size_t variable) {
   choices_.low.push_back(-0.75);
   choices_.high.push_back(0.75);
-  const bool depth = turns_[turn_of_[variable]].planar && axis_of_[variable] == 1;
+  const joints::Turn& turn = turns_[turn_of_[variable]];
+  const bool depth = turn.planar && axis_of_[variable] == 1 && !turn.bends_in_depth;
   choices_.stiffness.push_back(depth ? depth_stiffness(1) : k_stiffness);
   choices_.movement.push_back(movement_about(variable));
 }
@@ -140,17 +146,17 @@ void Reader::make_run_units() {
     choices_.movement.push_back(run.movement);
     const bool depth = run.planar && r % 3 == 1;
     choices_.stiffness.push_back(depth ? depth_stiffness(static_cast<double>(run.joints)) : k_stiffness);
-    if (r % 3 == 0) add_turn_units(parameters_.size() + r, 3, run.planar);
+    if (r % 3 == 0) add_turn_units(parameters_.size() + r, 3, run.planar, false);
   }
 }
 
-void Reader::add_turn_units(std::size_t first, std::size_t count, bool planar) {
+void Reader::add_turn_units(std::size_t first, std::size_t count, bool planar, bool in_depth) {
   Unit unit;
   unit.members = {first, first + 1, first + 2};
   if (planar) {
     unit.count = 1;
     choices_.units.push_back(unit);
-    unit.charge = k_depth_charge;
+    unit.charge = in_depth ? k_hinge_charge : k_depth_charge;
     if (count > 2) {
       unit.count = 2;
       choices_.units.push_back(unit);
@@ -172,6 +178,45 @@ std::vector<std::size_t> Reader::all_bends() const {
   }
   if (bends.size() < 2 || bends.size() > k_most) bends.clear();
   return bends;
+}
+
+bool Reader::leans(const Choice& choice) const {
+  return std::any_of(choice.units.begin(), choice.units.end(), [&](std::size_t u) {
+    return choices_.units[u].charge > 0.0;
+  });
+}
+
+std::vector<Choice> Reader::leans_in_depth() const {
+  std::vector<Choice> leans;
+  const auto add = [&](std::size_t unit, double by) {
+    const Unit& u = choices_.units[unit];
+    for (const double sign : {-1.0, 1.0}) {
+      Choice lean;
+      lean.units = {unit};
+      lean.variables.assign(u.members.begin(), u.members.begin() + u.count);
+      lean.values.assign(u.count, 0.0);
+      lean.values[1] = sign * by;
+      lean.costs = sign > 0 ? k_away : 0.0;
+      leans.push_back(std::move(lean));
+    }
+  };
+  std::size_t longest = k_no_partner;
+  std::size_t joints = 0;
+  for (std::size_t u = 0; u < choices_.units.size(); ++u) {
+    const Unit& unit = choices_.units[u];
+    const std::size_t v = unit.members[0];
+    if (unit.count != 2) continue;
+    if (v >= parameters_.size()) {
+      if (run_variables_[v - parameters_.size()].joints <= joints) continue;
+      joints = run_variables_[v - parameters_.size()].joints;
+      longest = u;
+    } else if (turn_of_[v] != k_no_partner && turns_[turn_of_[v]].planar &&
+               std::binary_search(chain_.begin(), chain_.end(), turns_[turn_of_[v]].joint)) {
+      add(u, k_lean);
+    }
+  }
+  if (longest != k_no_partner) add(longest, k_lean / static_cast<double>(joints));
+  return leans;
 }
 
 std::vector<glm::dvec3> Reader::turned_by(std::span<const double> at) const {

@@ -26,6 +26,8 @@ constexpr double k_beyond_chain = 60.0;
 constexpr double k_rival_window = 12.0;
 /// A curve with no more squares than this fits as it is aligned: about twice what a steady hand leaves.
 constexpr double k_fits = 24.0;
+/// How much lower the energy has to be before a limb leans out of the picture that need not.
+constexpr double k_lean_gain = 3.0;
 /// A joint's squares hold near the pose where they were taken: most that an angle changes in a round, share of its
 /// range.
 constexpr double k_trust = 0.2;
@@ -40,9 +42,8 @@ class Solver {
   Solver(Reader& reader, const SolveOptions& options, Workspace::Buffers& buffers)
       : reader_(reader), options_(options), b_(buffers) {}
 
-  /// Matching and choosing in turn, from nothing moved.
-  Reading read() {
-    Choice choice;
+  /// Matching and choosing in turn, from nothing moved or from a first guess.
+  Reading read(Choice choice = {}) {
     reader_.weigh_evenly();
     const std::size_t rounds = reader_.linear() ? options_.rounds : options_.general_rounds;
     std::vector<Choice> rivals;
@@ -93,6 +94,11 @@ class Solver {
     return {choice, reader_.energy(choice, choice.costs)};
   }
 
+  /// Matches the curves as a reading leaves them.
+  void match(const Reading& reading) {
+    reader_.look(reading.choice, true, b_.quadratic, reading.choice.variables);
+  }
+
   /// Downhill simplex on the values of the last reading.
   void search(Reading& reading) {
     reader_.look(reading.choice, true, b_.quadratic, reading.choice.variables);
@@ -121,10 +127,35 @@ class Solver {
   Workspace::Buffers& b_;
 };
 
+/// A line that is shorter than its limb may show it leaning towards the eye or away from it. The first order of the
+/// picture does not tell that of a limb that lies across the view, so that other readings have to begin there.
+Reading foreshortened(Reader& reader, Solver& solver, std::size_t drawn, Reading best) {
+  const auto fits = [&](const Reading& one) {
+    bool all = true;
+    for (std::size_t c = 0; c < drawn; ++c) all = all && reader.squares_of(c, one.choice) < k_fits;
+    return all;
+  };
+  if (fits(best) && !reader.leans(best.choice)) return best;
+  const double plain = best.energy - k_lean_gain;
+  bool left = false;
+  for (Choice& lean : reader.leans_in_depth()) {
+    const double charge = lean.costs;
+    Reading one = solver.read(std::move(lean));
+    one.energy += charge;
+    if (one.energy < (left ? best.energy : plain) - 1e-9) {
+      best = std::move(one);
+      left = true;
+    }
+  }
+  solver.match(best);
+  return best;
+}
+
 /// The best reading over the ways in which single lines may be aligned.
 Reading best_alignment(Reader& reader, Solver& solver, std::size_t drawn) {
   for (std::size_t c = 0; c < drawn; ++c) reader.align(c, 0);
   Reading best = solver.read();
+  best = foreshortened(reader, solver, drawn, std::move(best));
   for (std::size_t c = 0; c < drawn; ++c) {
     std::size_t chosen = reader.aligned(c);
     if (reader.alignments(c).size() < 2 || reader.squares_of(c, best.choice) < k_fits) continue;

@@ -18,6 +18,7 @@ constexpr double k_swing_most = 1.4;  ///< from the rest pose: bends that are us
 constexpr double k_twist_most = 0.5;
 constexpr double k_straight = 0.1;  ///< a hinge gives by this beyond the straight limb
 constexpr double k_least_room = 0.5;  ///< of a range, radians: joints with less turn by their angles alone
+constexpr double k_aligned = 0.7;  ///< cosine between a hinge and the axis that it is
 /// Bones that point more than this towards the eye or away from it do not bend within the picture (sine).
 constexpr double k_least_seen = 0.3;
 
@@ -123,6 +124,7 @@ Turn make_turn(const Body& body, const rig::Joint& joint, std::size_t number, st
   if (hinge) {
     const glm::dvec3 about = to_own * hinge->axis;
     const glm::dvec3 off = glm::cross(bone, about);
+    turn.bends_in_depth = turn.planar && std::abs(glm::dot(turn.axes[1], about)) > k_aligned;
     turn.leans.push_back({glm::transpose(turn.axes) * off, cost_of(k_off_hinge), 0, 0});
     limit(about, -(hinge->bent + k_straight), base::k_pi);
   } else {
