@@ -104,7 +104,7 @@ class Reader {
   void make_runs();
   void make_run_units();
   void add_turn(std::size_t variable);
-  void add_turn_units(std::size_t first, std::size_t count, bool planar, bool in_depth);
+  void add_turn_units(std::size_t first, std::size_t count, bool planar, double charge);
   void make_turn_columns(const rig::Pose& pose, std::span<const double> at, std::span<const std::size_t> variables);
   [[nodiscard]] std::vector<glm::dvec3> turned_by(std::span<const double> at) const;
   void turn_pose(std::span<const double> at, rig::Pose& pose) const;
@@ -126,6 +126,7 @@ class Reader {
     double movement = 0;
     std::size_t joints = 0;
     bool planar = false;  ///< of its run
+    double across = 1;
   };
   [[nodiscard]] std::size_t variable_count() const { return parameters_.size() + run_variables_.size(); }
 

@@ -23,7 +23,7 @@ constexpr double k_stiffness = 0.5;
 /// Bends out of the picture: the line hardly shows them, and few poses that are drawn in one view go far out of it.
 constexpr double k_depth = 0.26;  ///< width, radians
 constexpr double k_depth_charge = 14.0;
-constexpr double k_hinge_charge = 4.0;  ///< where the joint is a hinge that bends so
+constexpr double k_least_charge = 4.0;  ///< for hinges that bend so and bones that do not lie across the view
 constexpr double k_twist_charge = 8.0;
 /// A first guess of it, in half circles, and what it costs where it leads away from the eye: limbs that lean forward are
 /// drawn from the front.
@@ -103,7 +103,7 @@ void Reader::add_turn(std::size_t variable) {
   choices_.high.push_back(0.75);
   const joints::Turn& turn = turns_[turn_of_[variable]];
   const bool depth = turn.planar && axis_of_[variable] == 1 && !turn.bends_in_depth;
-  choices_.stiffness.push_back(depth ? depth_stiffness(1) : k_stiffness);
+  choices_.stiffness.push_back(depth ? turn.across * depth_stiffness(1) + k_stiffness : k_stiffness);
   choices_.movement.push_back(movement_about(variable));
 }
 
@@ -131,6 +131,7 @@ void Reader::make_runs() {
     for (std::size_t k = 0; k < 3; ++k) {
       made[k].joints = joints;
       made[k].planar = run.planar;
+      made[k].across = run.across;
       for (const RunVariable::Part& part : made[k].parts)
         made[k].movement += std::abs(part.by) * movement_about(part.variable);
       run_variables_.push_back(std::move(made[k]));
@@ -145,18 +146,18 @@ void Reader::make_run_units() {
     choices_.high.push_back(0.5);
     choices_.movement.push_back(run.movement);
     const bool depth = run.planar && r % 3 == 1;
-    choices_.stiffness.push_back(depth ? depth_stiffness(static_cast<double>(run.joints)) : k_stiffness);
-    if (r % 3 == 0) add_turn_units(parameters_.size() + r, 3, run.planar, false);
+    choices_.stiffness.push_back(depth ? run.across * depth_stiffness(static_cast<double>(run.joints)) + k_stiffness : k_stiffness);
+    if (r % 3 == 0) add_turn_units(parameters_.size() + r, 3, run.planar, run.across);
   }
 }
 
-void Reader::add_turn_units(std::size_t first, std::size_t count, bool planar, bool in_depth) {
+void Reader::add_turn_units(std::size_t first, std::size_t count, bool planar, double across) {
   Unit unit;
   unit.members = {first, first + 1, first + 2};
   if (planar) {
     unit.count = 1;
     choices_.units.push_back(unit);
-    unit.charge = in_depth ? k_hinge_charge : k_depth_charge;
+    unit.charge = k_least_charge + across * (k_depth_charge - k_least_charge);
     if (count > 2) {
       unit.count = 2;
       choices_.units.push_back(unit);

@@ -39,6 +39,7 @@ Run make_run(std::span<const Place> start, std::span<const std::size_t> joints, 
     const ModelVector ray = geometry::normalized(start[joints.front()].at - *eye);
     const ModelVector out = glm::cross(bone, ray);
     run.planar = geometry::length(out) > k_least_seen;
+    run.across = std::max(0.0, 1.0 - 2.0 * std::abs(glm::dot(bone, ray)));
     if (run.planar) run.axes = glm::dmat3(ray, geometry::normalized(out), bone);
   }
   return run;

@@ -15,6 +15,7 @@ namespace penpose::joints {
 struct Run {
   std::vector<std::size_t> joints;  ///< from the root on, at least two
   bool planar = false;  ///< the first axis is the ray from the eye
+  double across = 1;    ///< as of a turn
   glm::dmat3 axes{1};               ///< in the world at the start: two that bend it and one along it
 };
 

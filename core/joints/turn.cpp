@@ -106,6 +106,7 @@ Turn make_turn(const Body& body, const rig::Joint& joint, std::size_t number, st
     const glm::dvec3 seen = glm::conjugate(place.turn) * *ray;
     const glm::dvec3 out = glm::cross(bone, seen);
     turn.planar = geometry::length(out) > k_least_seen;
+    turn.across = std::max(0.0, 1.0 - 2.0 * std::abs(glm::dot(bone, seen)));
     if (turn.planar) turn.axes = glm::dmat3(seen, geometry::normalized(out), bone);
   }
 

@@ -31,6 +31,7 @@ struct Turn {
   glm::dquat start{1, 0, 0, 0};
   glm::dmat3 axes{1};       ///< columns: bend, bend, twist; length one, in the joint's own frame
   bool planar = false;      ///< the first axis is the ray from the eye, the second takes the bone out of the picture
+  double across = 1;        ///< how much the bone lies across the view: 0 where a bend out of the picture shows at once
   bool bends_in_depth = false;  ///< it is a hinge, and so does it bend: about the second axis
   std::vector<Lean> leans;  ///< twist, limits about the rest pose, a hinge's plane and the way it bends
   glm::dvec3 minimum{0};    ///< of the parameters: hard limits
