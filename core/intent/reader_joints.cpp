@@ -57,7 +57,7 @@ void Reader::make_turns() {
   if (character == nullptr || character->skeleton() == nullptr) return;
   const std::size_t first = character->first_parameter(character->layers().size());
   const auto places = joints::places_of(*character->skeleton(), std::span(problem_.start).subspan(first));
-  const auto eye = only_eye();
+  const auto view = only_view();
   for (std::size_t j = 0; j + 2 < d; ++j) {
     const std::size_t p = parameters_[j];
     const std::size_t joint = whole_.joint[p];
@@ -70,20 +70,18 @@ void Reader::make_turns() {
       axis_of_[j + axis] = axis;
       ranges_[j + axis] = k_turn;
     }
-    std::optional<ModelVector> ray;
-    if (eye) ray = geometry::normalized(places[joint].at - *eye);
     turns_.push_back(joints::make_turn(*whole_.body, one, joint, p, std::span(problem_.start).subspan(p, 3),
-                                       places[joint], chain_, ray));
+                                       places[joint], chain_, view));
   }
 }
 
-std::optional<ModelPoint> Reader::only_eye() const {
+std::optional<ModelVector> Reader::only_view() const {
   if (problem_.drawn.empty() || !problem_.known.empty()) return std::nullopt;
   const geometry::Camera& camera = problem_.drawn.front().camera;
   for (const DrawnCurve& curve : problem_.drawn) {
     if (glm::dot(curve.camera.forward(), camera.forward()) < k_one_view) return std::nullopt;
   }
-  return camera.eye();
+  return camera.forward();
 }
 
 /// Near rest the three parameters turn about the joint's own axes, and ways along them add up like lengths.
@@ -113,7 +111,7 @@ void Reader::make_runs() {
   const auto& character = dynamic_cast<const rig::CharacterRig&>(rig_);
   const std::size_t first = character.first_parameter(character.layers().size());
   const auto places = joints::places_of(skeleton, std::span(problem_.start).subspan(first));
-  for (const joints::Run& run : joints::runs_of(*whole_.body, places, chain_, only_eye())) {
+  for (const joints::Run& run : joints::runs_of(*whole_.body, places, chain_, only_view())) {
     std::array<RunVariable, 3> made;
     std::size_t joints = 0;
     for (const std::size_t joint : run.joints) {

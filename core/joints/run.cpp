@@ -24,7 +24,7 @@ std::vector<std::size_t> in_chain(const Body& body, std::span<const std::size_t>
 }
 
 Run make_run(std::span<const Place> start, std::span<const std::size_t> joints, const ModelVector& along,
-             const std::optional<ModelPoint>& eye) {
+             const std::optional<ModelVector>& view) {
   Run run;
   run.joints.assign(joints.begin(), joints.end());
   const ModelVector way = start[joints.back()].at - start[joints.front()].at;
@@ -35,12 +35,11 @@ Run make_run(std::span<const Place> start, std::span<const std::size_t> joints, 
                                                                    : ModelVector{0, 0, 1};
   const ModelVector first = geometry::normalized(glm::cross(bone, least));
   run.axes = glm::dmat3(first, glm::cross(bone, first), bone);
-  if (eye) {
-    const ModelVector ray = geometry::normalized(start[joints.front()].at - *eye);
-    const ModelVector out = glm::cross(bone, ray);
+  if (view) {
+    const ModelVector out = glm::cross(bone, *view);
     run.planar = geometry::length(out) > k_least_seen;
-    run.across = std::max(0.0, 1.0 - 2.0 * std::abs(glm::dot(bone, ray)));
-    if (run.planar) run.axes = glm::dmat3(ray, geometry::normalized(out), bone);
+    run.across = std::max(0.0, 1.0 - 2.0 * std::abs(glm::dot(bone, *view)));
+    if (run.planar) run.axes = glm::dmat3(*view, geometry::normalized(out), bone);
   }
   return run;
 }
@@ -48,7 +47,7 @@ Run make_run(std::span<const Place> start, std::span<const std::size_t> joints, 
 }  // namespace
 
 std::vector<Run> runs_of(const Body& body, std::span<const Place> start, std::span<const std::size_t> chain,
-                         const std::optional<ModelPoint>& eye) {
+                         const std::optional<ModelVector>& view) {
   std::vector<Run> runs;
   for (const std::size_t top : chain) {
     const std::int32_t parent = body.parent(top);
@@ -65,7 +64,7 @@ std::vector<Run> runs_of(const Body& body, std::span<const Place> start, std::sp
         const bool begins = from % step == 0;
         const bool ends = (from + count) % step == 0 || from + count == n;
         if (!begins || !ends) continue;
-        runs.push_back(make_run(start, std::span(way).subspan(from, count), body.bone(way[from], chain), eye));
+        runs.push_back(make_run(start, std::span(way).subspan(from, count), body.bone(way[from], chain), view));
       }
     }
   }

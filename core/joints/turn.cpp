@@ -89,7 +89,7 @@ bool turns_freely(const rig::Joint& joint) {
 
 Turn make_turn(const Body& body, const rig::Joint& joint, std::size_t number, std::size_t first,
                std::span<const double> values, const Place& place, std::span<const std::size_t> chain,
-               const std::optional<ModelVector>& ray) {
+               const std::optional<ModelVector>& view) {
   Turn turn;
   turn.joint = number;
   turn.first = first;
@@ -99,11 +99,11 @@ Turn make_turn(const Body& body, const rig::Joint& joint, std::size_t number, st
   const glm::dquat to_own = glm::conjugate(body.rest()[number].turn);
   const glm::dvec3 bone = to_own * body.bone(number, chain);
   const auto hinge = body.hinge(number);
-  // Within the picture a bone turns about the ray itself, so that what is drawn turns as a whole.
+  // Within the picture a bone turns about the view's direction, so that what is drawn turns as a whole.
   const glm::dvec3 across_bone = hinge ? to_own * hinge->axis : across(bone);
   turn.axes = glm::dmat3(across_bone, glm::cross(bone, across_bone), bone);
-  if (ray) {
-    const glm::dvec3 seen = glm::conjugate(place.turn) * *ray;
+  if (view) {
+    const glm::dvec3 seen = glm::conjugate(place.turn) * *view;
     const glm::dvec3 out = glm::cross(bone, seen);
     turn.planar = geometry::length(out) > k_least_seen;
     turn.across = std::max(0.0, 1.0 - 2.0 * std::abs(glm::dot(bone, seen)));

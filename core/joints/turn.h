@@ -30,7 +30,7 @@ struct Turn {
   std::size_t first = 0;  ///< its first parameter of three
   glm::dquat start{1, 0, 0, 0};
   glm::dmat3 axes{1};       ///< columns: bend, bend, twist; length one, in the joint's own frame
-  bool planar = false;      ///< the first axis is the ray from the eye, the second takes the bone out of the picture
+  bool planar = false;      ///< the first axis is the view's direction, the second takes the bone out of the picture
   double across = 1;        ///< how much the bone lies across the view: 0 where a bend out of the picture shows at once
   bool bends_in_depth = false;  ///< it is a hinge, and so does it bend: about the second axis
   std::vector<Lean> leans;  ///< twist, limits about the rest pose, a hinge's plane and the way it bends
@@ -46,11 +46,11 @@ struct Turn {
 [[nodiscard]] glm::dvec3 angles_of(const Turn& turn, const glm::dvec3& w);
 
 /// `first`: the first of the joint's three parameters, `values` theirs at the start; `place` the joint's there. `chain`:
-/// the joints that are drawn, ascending, which tell where a bone points. `ray`: from the eye towards the joint, or
-/// nothing where several views show it.
+/// the joints that are drawn, ascending, which tell where a bone points. `view`: the
+/// direction in which the one picture looks, or nothing where several views show the joint.
 [[nodiscard]] Turn make_turn(const Body& body, const rig::Joint& joint, std::size_t number, std::size_t first,
                              std::span<const double> values, const Place& place, std::span<const std::size_t> chain,
-                             const std::optional<ModelVector>& ray);
+                             const std::optional<ModelVector>& view);
 
 /// Whether the joint has room about all its axes; those whose ranges leave it one or two turn by their angles alone.
 [[nodiscard]] bool turns_freely(const rig::Joint& joint);

@@ -39,7 +39,7 @@ TEST(Turn, IsARotationAboutTheJointsOwnAxesFromTheStart) {
   }
 }
 
-TEST(Turn, AboutTheRayTurnsTheLimbInThePicture) {
+TEST(Turn, AboutTheViewTurnsTheLimbInThePicture) {
   const Desk desk;
   const Turn turn = desk.turn(6, k_front);
   ASSERT_TRUE(turn.planar);
