@@ -17,6 +17,10 @@ constexpr double k_trust = 0.1;
 /// While a part of the line is drawn other joints move only where that lowers the energy by this: a limb does not
 /// flicker between readings.
 constexpr double k_change = 5.0;
+/// And none at all where it lowers it by this.
+constexpr double k_rest_again = 60.0;
+/// Squares of doubt at which a limb still rests: about what a joint costs.
+constexpr double k_rests = 24.0;
 
 }  // namespace
 
@@ -35,6 +39,11 @@ struct LivePoser::State {
 
   LiveStep step(std::span<const PxPoint> line, const Alignment& alignment) {
     reader.redraw(0, line, alignment);
+    if (choice.units.empty() && !reader.all_bends().empty()) {
+      // A limb rests while what is drawn of the line may well lie where it is.
+      reader.look(choice, true, quadratic);
+      if (quadratic.constant() < k_rests) return {true, 0};
+    }
     // Points slide once the curve has come near: before, the nearest places on the line mean nothing.
     reader.look(choice, !choice.units.empty(), quadratic);
     Selection selection(quadratic, reader.choices(), reader.costs());
@@ -44,7 +53,8 @@ struct LivePoser::State {
       Choice other = selection.select(selection.fit(bends), k_most_units);
       if (other.energy < next.energy - 1e-9) next = std::move(other);
       const bool part = alignment.reference_to - alignment.reference_from < 1.0;
-      if (part && !same.units.empty() && next.energy > same.energy - k_change) next = same;
+      const double change = next.units.empty() ? k_rest_again : k_change;
+      if (part && !same.units.empty() && next.energy > same.energy - change) next = same;
     }
     if (!reader.linear()) {
       for (std::size_t i = 0; i < next.variables.size(); ++i) {
