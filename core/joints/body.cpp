@@ -105,19 +105,30 @@ ModelVector Body::bone(std::size_t joint, std::span<const std::size_t> chain) co
   return geometry::length(sum) > 0.0 ? geometry::normalized(sum) : ModelVector{0, 1, 0};
 }
 
-std::size_t Body::limb_length(std::size_t joint) const {
+double Body::reach(std::size_t joint) const {
+  double longest = 0;
+  for (const std::size_t one : branches_[joint])
+    longest = std::max(longest, geometry::distance(rest_[joint].at, rest_[one].at) + reach(one));
+  return longest;
+}
+
+bool Body::on_limb(std::size_t joint) const {
+  std::size_t first = joint;
+  while (parents_[first] >= 0 && branches_[static_cast<std::size_t>(parents_[first])].size() == 1)
+    first = static_cast<std::size_t>(parents_[first]);
+  std::size_t end = first;
   std::size_t count = 1;
-  for (std::size_t j = joint; parents_[j] >= 0;) {
-    j = static_cast<std::size_t>(parents_[j]);
-    if (branches_[j].size() != 1) break;
-    ++count;
+  double length = 0;
+  for (; branches_[end].size() == 1; ++count) {
+    const std::size_t next = branches_[end].front();
+    length += geometry::distance(rest_[end].at, rest_[next].at);
+    end = next;
   }
-  for (std::size_t j = joint; branches_[j].size() == 1; ++count) j = branches_[j].front();
-  return count;
+  return count <= k_longest_limb && reach(end) <= length;
 }
 
 std::optional<Hinge> Body::hinge(std::size_t joint) const {
-  if (parents_[joint] < 0 || branches_[joint].size() != 1 || limb_length(joint) > k_longest_limb) return std::nullopt;
+  if (parents_[joint] < 0 || branches_[joint].size() != 1 || !on_limb(joint)) return std::nullopt;
   const auto parent = static_cast<std::size_t>(parents_[joint]);
   if (branches_[parent].size() != 1) return std::nullopt;
   const ModelVector before = rest_[joint].at - rest_[parent].at;

@@ -57,6 +57,8 @@ std::vector<Run> runs_of(const Body& body, std::span<const Place> start, std::sp
     for (auto next = in_chain(body, chain, top); next.size() == 1; next = in_chain(body, chain, next.front()))
       way.push_back(next.front());
     if (body.branches(top).size() > 1) way.erase(way.begin());
+    // Elbows and knees bend by themselves.
+    if (std::any_of(way.begin(), way.end(), [&](std::size_t joint) { return body.hinge(joint).has_value(); })) continue;
     const std::size_t n = way.size();
     const std::size_t step = (n + k_parts - 1) / k_parts;
     for (std::size_t count = 2; count <= n; ++count) {

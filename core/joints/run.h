@@ -19,7 +19,7 @@ struct Run {
   glm::dmat3 axes{1};               ///< in the world at the start: two that bend it and one along it
 };
 
-/// All runs within a chain (joints, ascending), shorter ones first. Joints from which other limbs part are no part of a
+/// All runs within a chain (joints, ascending), shorter ones first; none on limbs with a hinge. Joints from which other limbs part are no part of a
 /// run that would begin there: what they turn is more than what was drawn. Long chains give coarser runs.
 /// `view`: the direction in which the one picture looks, or nothing where there are several.
 [[nodiscard]] std::vector<Run> runs_of(const Body& body, std::span<const Place> start,
