@@ -32,6 +32,9 @@ constexpr double k_away = 3.0;
 /// Views whose directions differ by less are one (cosine).
 constexpr double k_one_view = 0.99;
 
+/// Of a joint alone beside a run: what one joint does shows better.
+constexpr double k_alone = 0.4;
+
 double depth_stiffness(double joints) { return joints * joints * (k_turn / k_depth) * (k_turn / k_depth); }
 
 }  // namespace
@@ -101,7 +104,7 @@ void Reader::add_turn(std::size_t variable) {
   choices_.high.push_back(0.75);
   const joints::Turn& turn = turns_[turn_of_[variable]];
   const bool depth = turn.planar && axis_of_[variable] == 1 && !turn.bends_in_depth;
-  choices_.stiffness.push_back(depth ? turn.across * depth_stiffness(1) + k_stiffness : k_stiffness);
+  choices_.stiffness.push_back(depth ? k_alone * turn.across * depth_stiffness(1) + k_stiffness : k_stiffness);
   choices_.movement.push_back(movement_about(variable));
 }
 
