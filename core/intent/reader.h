@@ -112,6 +112,7 @@ class Reader {
   void look_at_leans(Quadratic& quadratic, std::size_t row, std::span<const double> at);
   [[nodiscard]] double lean_cost(const Choice& choice) const;
   [[nodiscard]] std::optional<ModelVector> only_view() const;
+  [[nodiscard]] bool swings_others(std::size_t joint) const;
   [[nodiscard]] double movement_about(std::size_t variable) const;
   /// D of a curve at positions of all points, not yet less for being out of reach.
   [[nodiscard]] double squares(const Block& block, std::span<const ModelPoint> positions) const;

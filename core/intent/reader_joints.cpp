@@ -29,6 +29,8 @@ constexpr double k_twist_charge = 8.0;
 /// drawn from the front.
 constexpr double k_lean = 0.22;
 constexpr double k_away = 3.0;
+/// Turning the joint that a drawn chain begins with swings the limbs that hang on it, too: the legs on the hips.
+constexpr double k_others_charge = 20.0;
 /// Views whose directions differ by less are one (cosine).
 constexpr double k_one_view = 0.99;
 
@@ -152,13 +154,20 @@ void Reader::make_run_units() {
   }
 }
 
+bool Reader::swings_others(std::size_t joint) const {
+  if (chain_.size() < 3 || chain_.front() != joint || whole_.body->branches(joint).size() < 2) return false;
+  const std::int32_t parent = whole_.body->parent(joint);
+  return parent < 0 || !std::binary_search(chain_.begin(), chain_.end(), static_cast<std::size_t>(parent));
+}
+
 void Reader::add_turn_units(std::size_t first, std::size_t count, bool planar, double across) {
   Unit unit;
   unit.members = {first, first + 1, first + 2};
+  if (first < parameters_.size() && swings_others(turns_[turn_of_[first]].joint)) unit.charge = k_others_charge;
   if (planar) {
     unit.count = 1;
     choices_.units.push_back(unit);
-    unit.charge = k_least_charge + across * (k_depth_charge - k_least_charge);
+    unit.charge += k_least_charge + across * (k_depth_charge - k_least_charge);
     if (count > 2) {
       unit.count = 2;
       choices_.units.push_back(unit);
@@ -184,7 +193,7 @@ std::vector<std::size_t> Reader::all_bends() const {
 
 bool Reader::leans(const Choice& choice) const {
   return std::any_of(choice.units.begin(), choice.units.end(), [&](std::size_t u) {
-    return choices_.units[u].charge > 0.0;
+    return choices_.units[u].count > 1 && choices_.units[u].charge > 0.0;
   });
 }
 
