@@ -53,7 +53,8 @@ std::vector<std::size_t> chain_of(const rig::Rig& rig, std::span<const posing::C
     if (carries[i] || (below[i] > 0 && below[i] < count)) chain.push_back(i);
   }
   // The trunk that a stroke along a limb overlaps is not meant.
-  if (body != nullptr && chain.size() > 1 && below[chain.front()] == count && body->branches(chain.front()).size() > 1 &&
+  if (body != nullptr && chain.size() > 1 && below[chain.front()] == count &&
+      body->branches(chain.front()).size() > 1 &&
       static_cast<double>(carried[chain.front()]) < k_overlap * static_cast<double>(points.size()))
     chain.erase(chain.begin());
   return chain;

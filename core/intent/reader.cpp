@@ -133,7 +133,7 @@ void Reader::make_units() {
     }
     if (turn_of_[j] != k_no_partner) {
       const joints::Turn& turn = turns_[turn_of_[j]];
-      add_turn_units(j, unit.count, turn.planar && axis_of_[j] == 0, turn.bends_in_depth ? 0.0 : 0.4 * turn.across);
+      add_turn_units(j, unit.count, turn.planar && axis_of_[j] == 0, turn.bends_in_depth ? 0.0 : turn.across);
     } else {
       choices_.units.push_back(unit);
     }

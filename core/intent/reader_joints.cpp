@@ -25,8 +25,8 @@ constexpr double k_depth = 0.26;  ///< width, radians
 constexpr double k_depth_charge = 14.0;
 constexpr double k_least_charge = 4.0;  ///< for hinges that bend so and bones that do not lie across the view
 constexpr double k_twist_charge = 8.0;
-/// A first guess of it, in half circles, and what it costs where it leads away from the eye: limbs that lean forward are
-/// drawn from the front.
+/// A first guess of it, in half circles, and what it costs where it leads away from the eye: limbs that lean forward
+/// are drawn from the front.
 constexpr double k_lean = 0.22;
 constexpr double k_away = 3.0;
 /// Turning the joint that a drawn chain begins with swings the limbs that hang on it, too: the legs on the hips.
@@ -94,8 +94,8 @@ double Reader::movement_about(std::size_t variable) const {
   const joints::Turn& turn = turns_[turn_of_[variable]];
   double square = 0;
   for (int k = 0; k < 3; ++k) {
-    const double part = turn.axes[static_cast<int>(axis_of_[variable])][k] *
-                        whole_.movement[turn.first + static_cast<std::size_t>(k)];
+    const double part =
+        turn.axes[static_cast<int>(axis_of_[variable])][k] * whole_.movement[turn.first + static_cast<std::size_t>(k)];
     square += part * part;
   }
   return std::sqrt(square);
@@ -149,7 +149,8 @@ void Reader::make_run_units() {
     choices_.high.push_back(0.5);
     choices_.movement.push_back(run.movement);
     const bool depth = run.planar && r % 3 == 1;
-    choices_.stiffness.push_back(depth ? run.across * depth_stiffness(static_cast<double>(run.joints)) + k_stiffness : k_stiffness);
+    choices_.stiffness.push_back(depth ? run.across * depth_stiffness(static_cast<double>(run.joints)) + k_stiffness
+                                       : k_stiffness);
     if (r % 3 == 0) add_turn_units(parameters_.size() + r, 3, run.planar, run.across);
   }
 }
@@ -163,6 +164,7 @@ bool Reader::swings_others(std::size_t joint) const {
 void Reader::add_turn_units(std::size_t first, std::size_t count, bool planar, double across) {
   Unit unit;
   unit.members = {first, first + 1, first + 2};
+  if (first < parameters_.size()) across *= k_alone;
   if (first < parameters_.size() && swings_others(turns_[turn_of_[first]].joint)) unit.charge = k_others_charge;
   if (planar) {
     unit.count = 1;
@@ -192,9 +194,8 @@ std::vector<std::size_t> Reader::all_bends() const {
 }
 
 bool Reader::leans(const Choice& choice) const {
-  return std::any_of(choice.units.begin(), choice.units.end(), [&](std::size_t u) {
-    return choices_.units[u].count > 1 && choices_.units[u].charge > 0.0;
-  });
+  return std::any_of(choice.units.begin(), choice.units.end(),
+                     [&](std::size_t u) { return choices_.units[u].count > 1 && choices_.units[u].charge > 0.0; });
 }
 
 std::vector<Choice> Reader::leans_in_depth() const {

@@ -95,9 +95,7 @@ class Solver {
   }
 
   /// Matches the curves as a reading leaves them.
-  void match(const Reading& reading) {
-    reader_.look(reading.choice, true, b_.quadratic, reading.choice.variables);
-  }
+  void match(const Reading& reading) { reader_.look(reading.choice, true, b_.quadratic, reading.choice.variables); }
 
   /// Downhill simplex on the values of the last reading.
   void search(Reading& reading) {

@@ -49,8 +49,8 @@ class Body {
   [[nodiscard]] std::optional<Hinge> hinge(std::size_t joint) const;
 
  private:
-  /// Whether the way without branches that a joint lies on is a limb: of a few joints, and longer than what hangs on its
-  /// end. The spine, which carries the arms, is none.
+  /// Whether the way without branches that a joint lies on is a limb: of a few joints, and longer than what hangs on
+  /// its end. The spine, which carries the arms, is none.
   [[nodiscard]] bool on_limb(std::size_t joint) const;
   /// The longest way from a joint down.
   [[nodiscard]] double reach(std::size_t joint) const;

@@ -16,9 +16,9 @@ constexpr double k_off_hinge = 0.7;   ///< across a hinge
 constexpr double k_limit = 0.14;      ///< beyond a limit
 constexpr double k_swing_most = 1.4;  ///< from the rest pose: bends that are usual at all
 constexpr double k_twist_most = 0.5;
-constexpr double k_straight = 0.1;  ///< a hinge gives by this beyond the straight limb
+constexpr double k_straight = 0.1;    ///< a hinge gives by this beyond the straight limb
 constexpr double k_least_room = 0.5;  ///< of a range, radians: joints with less turn by their angles alone
-constexpr double k_aligned = 0.7;  ///< cosine between a hinge and the axis that it is
+constexpr double k_aligned = 0.7;     ///< cosine between a hinge and the axis that it is
 /// Bones that point more than this towards the eye or away from it do not bend within the picture (sine).
 constexpr double k_least_seen = 0.3;
 
@@ -114,8 +114,8 @@ Turn make_turn(const Body& body, const rig::Joint& joint, std::size_t number, st
   const glm::dvec3 so_far = log_of(turn.start);
   const auto limit = [&](const glm::dvec3& own, double low, double high) {
     const double start = glm::dot(own, so_far);
-    turn.leans.push_back({glm::transpose(turn.axes) * own, cost_of(k_limit), std::min(low - start, 0.0),
-                          std::max(high - start, 0.0)});
+    turn.leans.push_back(
+        {glm::transpose(turn.axes) * own, cost_of(k_limit), std::min(low - start, 0.0), std::max(high - start, 0.0)});
   };
   turn.leans.push_back({{0, 0, 1}, cost_of(k_twist), 0, 0});
   // A file that gives ranges of its own says more than the shape does.

@@ -1,4 +1,5 @@
-// Strokes along the limbs of a body whose joints stand in odd frames: the limb that was drawn follows, and nothing else.
+// Strokes along the limbs of a body whose joints stand in odd frames: the limb that was drawn follows, and nothing
+// else.
 #include <gtest/gtest.h>
 
 #include "core/base/math.h"
@@ -38,8 +39,10 @@ struct Figure {
   }
   [[nodiscard]] geometry::Camera camera(double yaw) const {
     const double a = base::radians(yaw);
-    return geometry::Camera::make({ModelVector{4 * std::sin(a), 0.9, 4 * std::cos(a)} * unit, ModelVector{0, 0.9, 0} * unit,
-                                   {0, 1, 0}, 35},
+    return geometry::Camera::make({ModelVector{4 * std::sin(a), 0.9, 4 * std::cos(a)} * unit,
+                                   ModelVector{0, 0.9, 0} * unit,
+                                   {0, 1, 0},
+                                   35},
                                   {1000, 1000})
         .value();
   }
