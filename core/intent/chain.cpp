@@ -8,6 +8,8 @@ namespace penpose::intent {
 namespace {
 
 constexpr std::size_t k_none = static_cast<std::size_t>(-1);
+/// A stroke along a limb begins or ends on what the limb hangs on with less than this share of its points.
+constexpr double k_overlap = 0.15;
 
 /// The joint with the greatest share in a point.
 std::size_t carrier(const rig::Skeleton& skeleton, const posing::CurvePoint& point) {
@@ -22,16 +24,21 @@ std::size_t carrier(const rig::Skeleton& skeleton, const posing::CurvePoint& poi
 
 }  // namespace
 
-std::vector<std::size_t> chain_of(const rig::Rig& rig, std::span<const posing::CurvePoint> points) {
+std::vector<std::size_t> chain_of(const rig::Rig& rig, std::span<const posing::CurvePoint> points,
+                                  const joints::Body* body) {
   const auto* character = dynamic_cast<const rig::CharacterRig*>(&rig);
   if (character == nullptr || character->skeleton() == nullptr) return {};
   const rig::Skeleton& skeleton = *character->skeleton();
   const auto joints = skeleton.joints();
   std::vector<bool> carries(joints.size(), false);
+  std::vector<std::size_t> carried(joints.size(), 0);
   std::size_t count = 0;
   for (const posing::CurvePoint& point : points) {
-    const std::size_t joint = carrier(skeleton, point);
-    if (joint == k_none || carries[joint]) continue;
+    std::size_t joint = carrier(skeleton, point);
+    if (joint == k_none) continue;
+    if (body != nullptr) joint = body->meant(joint);
+    ++carried[joint];
+    if (carries[joint]) continue;
     carries[joint] = true;
     ++count;
   }
@@ -45,6 +52,11 @@ std::vector<std::size_t> chain_of(const rig::Rig& rig, std::span<const posing::C
   for (std::size_t i = 0; i < joints.size(); ++i) {
     if (carries[i] || (below[i] > 0 && below[i] < count)) chain.push_back(i);
   }
+  // The trunk that a stroke along a limb overlaps is not meant.
+  if (body != nullptr && chain.size() > 1 && below[chain.front()] == count &&
+      body->branches(chain.front()).size() > 1 &&
+      static_cast<double>(carried[chain.front()]) < k_overlap * static_cast<double>(points.size()))
+    chain.erase(chain.begin());
   return chain;
 }
 

@@ -15,6 +15,13 @@ namespace {
 constexpr std::size_t k_most_units = 12;
 /// An angle moves by this share of its range at most in one report.
 constexpr double k_trust = 0.1;
+/// While a part of the line is drawn other joints move only where that lowers the energy by this: a limb does not
+/// flicker between readings.
+constexpr double k_change = 5.0;
+/// And none at all where it lowers it by this.
+constexpr double k_rest_again = 60.0;
+/// Squares of doubt at which a limb still rests: about what a joint costs.
+constexpr double k_rests = 24.0;
 
 }  // namespace
 
@@ -58,10 +65,23 @@ struct LivePoser::State {
   LiveStep step_free(std::span<const PxPoint> line, const Alignment& alignment, std::size_t most_units) {
     if (choice.units.size() > most_units) choice = {};
     reader.redraw(0, line, alignment);
+    if (choice.units.empty() && !reader.all_bends().empty()) {
+      // A limb rests while what is drawn of the line may well lie where it is.
+      reader.look(choice, true, quadratic);
+      if (quadratic.constant() < k_rests) return {true, 0};
+    }
     // Points slide once the curve has come near: before, the nearest places on the line mean nothing.
     reader.look(choice, !choice.units.empty(), quadratic);
     Selection selection(quadratic, reader.choices(), reader.costs());
-    Choice next = selection.select(selection.fit(choice.units), most_units);
+    const Choice same = selection.fit(choice.units);
+    Choice next = selection.select(same, most_units);
+    if (const auto bends = reader.all_bends(); !bends.empty()) {
+      Choice other = selection.select(selection.fit(bends), most_units);
+      if (other.energy < next.energy - 1e-9) next = std::move(other);
+      const bool part = alignment.reference_to - alignment.reference_from < 1.0;
+      const double change = next.units.empty() ? k_rest_again : k_change;
+      if (part && !same.units.empty() && next.energy > same.energy - change) next = same;
+    }
     if (!reader.linear()) {
       for (std::size_t i = 0; i < next.variables.size(); ++i) {
         const auto at = std::lower_bound(choice.variables.begin(), choice.variables.end(), next.variables[i]);
@@ -102,7 +122,9 @@ base::Result<LivePoser> LivePoser::start(const rig::Rig& rig, WholeModel whole, 
   auto state = std::make_unique<State>(rig, std::move(whole), std::move(problem));
   state->seen = state->reader.seen_at_start(0);
   state->length = curve::arc_length<PxPoint>(state->seen);
-  const auto chain = chain_of(rig, state->problem.drawn.front().reference);
+  auto chain = chain_of(rig, state->problem.drawn.front().reference);
+  if (state->problem.edition != Edition::first)
+    chain.assign(state->reader.chain().begin(), state->reader.chain().end());
   if (!chain.empty()) {
     state->reader.restrict_to(chain);
     if (unlocked) unlocked->reader.restrict_to(chain);

@@ -65,8 +65,10 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
   parameters_ = candidates;
   for (const std::size_t p : parameters_) ranges_.push_back(rig.parameters()[p].maximum - rig.parameters()[p].minimum);
   for (std::size_t j = 0; j < parameters_.size(); ++j) all_.push_back(j);
+  find_chain();
+  make_turns();
   linear_ = true;
-  make_columns(problem.start, all_);
+  make_columns(problem.start, std::vector<double>(parameters_.size(), 0.0), all_);
 
   // Parameters that move no point by a hundred thousandth of the curves' extent are left out.
   geometry::Box box;
@@ -75,6 +77,8 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
   const std::size_t n = start_.size();
   std::vector<std::size_t> kept;
   std::vector<double> kept_ranges;
+  std::vector<std::size_t> kept_turns;
+  std::vector<std::size_t> kept_axes;
   std::vector<ModelVector> kept_columns;
   for (std::size_t j = 0; j < parameters_.size(); ++j) {
     const std::span column(columns_.data() + j * n, n);
@@ -84,12 +88,18 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
     if (!moves) continue;
     kept.push_back(parameters_[j]);
     kept_ranges.push_back(ranges_[j]);
+    kept_turns.push_back(turn_of_[j]);
+    kept_axes.push_back(axis_of_[j]);
     kept_columns.insert(kept_columns.end(), column.begin(), column.end());
   }
   parameters_ = std::move(kept);
   ranges_ = std::move(kept_ranges);
   columns_ = std::move(kept_columns);
+  turn_of_ = std::move(kept_turns);
+  axis_of_ = std::move(kept_axes);
+  make_runs();
   all_.resize(parameters_.size());
+  for (std::size_t v = all_.size(); v < variable_count(); ++v) all_.push_back(v);
   make_units();
 }
 
@@ -97,6 +107,10 @@ void Reader::make_units() {
   const std::size_t d = parameters_.size();
   for (std::size_t j = 0; j < d; ++j) {
     const std::size_t p = parameters_[j];
+    if (turn_of_[j] != k_no_partner) {
+      add_turn(j);
+      continue;
+    }
     const rig::Parameter& parameter = rig_.parameters()[p];
     choices_.low.push_back(std::min(0.0, (parameter.minimum - problem_.start[p]) / ranges_[j]));
     choices_.high.push_back(std::max(0.0, (parameter.maximum - problem_.start[p]) / ranges_[j]));
@@ -117,7 +131,12 @@ void Reader::make_units() {
         ++unit.count;
       }
     }
-    choices_.units.push_back(unit);
+    if (turn_of_[j] != k_no_partner) {
+      const joints::Turn& turn = turns_[turn_of_[j]];
+      add_turn_units(j, unit.count, turn.planar && axis_of_[j] == 0, turn.bends_in_depth ? 0.0 : turn.across);
+    } else {
+      choices_.units.push_back(unit);
+    }
     j += unit.count;
   }
   for (std::size_t j = 0; j < d; ++j) {
@@ -131,17 +150,15 @@ void Reader::make_units() {
     unit.tied = true;
     choices_.units.push_back(unit);
   }
+  make_run_units();
 }
 
 void Reader::restrict_to(std::span<const std::size_t> joints) {
-  choices_.units.clear();
-  choices_.low.clear();
-  choices_.high.clear();
-  choices_.movement.clear();
-  choices_.stiffness.clear();
+  choices_ = {};
   make_units();
   if (joints.empty()) return;
   std::erase_if(choices_.units, [&](const Unit& unit) {
+    if (unit.members[0] >= parameters_.size()) return false;  // runs are within the chain
     const std::size_t joint = whole_.joint[parameters_[unit.members[0]]];
     return joint != k_no_partner && std::find(joints.begin(), joints.end(), joint) == joints.end();
   });
@@ -192,9 +209,9 @@ std::vector<PxPoint> Reader::seen(const Block& block, std::span<const ModelPoint
   return out;
 }
 
-void Reader::make_columns(const rig::Pose& pose, std::span<const std::size_t> variables) {
+void Reader::make_columns(const rig::Pose& pose, std::span<const double> at, std::span<const std::size_t> variables) {
   const std::size_t n = start_.size();
-  columns_.resize(parameters_.size() * n, ModelVector{0});
+  columns_.resize(variable_count() * n, ModelVector{0});
   if (linear_) {
     if (const auto columns = system_.columns(pose, parameters_)) {
       for (std::size_t j = 0; j < parameters_.size(); ++j) {
@@ -213,6 +230,7 @@ void Reader::make_columns(const rig::Pose& pose, std::span<const std::size_t> va
   rig::Pose trial = pose;
   system_.positions(trial, positions_);
   for (const std::size_t j : variables) {
+    if (j >= parameters_.size() || turn_of_[j] != k_no_partner) continue;
     const std::size_t p = parameters_[j];
     const double middle = 0.5 * (rig_.parameters()[p].minimum + rig_.parameters()[p].maximum);
     const double step = pose[p] > middle ? -1e-4 : 1e-4;
@@ -221,16 +239,22 @@ void Reader::make_columns(const rig::Pose& pose, std::span<const std::size_t> va
     trial[p] = pose[p];
     for (std::size_t i = 0; i < n; ++i) columns_[j * n + i] = (moved_[i] - positions_[i]) * (1.0 / step);
   }
+  make_turn_columns(pose, at, variables);
 }
 
 rig::Pose Reader::pose_of(const Choice& choice) const {
   rig::Pose pose = problem_.start;
   for (std::size_t i = 0; i < choice.variables.size(); ++i) {
-    if (choice.values[i] == 0.0) continue;
-    const std::size_t p = parameters_[choice.variables[i]];
+    const std::size_t v = choice.variables[i];
+    if (choice.values[i] == 0.0 || v >= parameters_.size() || turn_of_[v] != k_no_partner) continue;
+    const std::size_t p = parameters_[v];
     const rig::Parameter& parameter = rig_.parameters()[p];
-    pose[p] = std::clamp(problem_.start[p] + choice.values[i] * ranges_[choice.variables[i]], parameter.minimum,
-                         parameter.maximum);
+    pose[p] = std::clamp(problem_.start[p] + choice.values[i] * ranges_[v], parameter.minimum, parameter.maximum);
+  }
+  if (!turns_.empty()) {
+    std::vector<double> at(variable_count(), 0.0);
+    for (std::size_t i = 0; i < choice.variables.size(); ++i) at[choice.variables[i]] = choice.values[i];
+    turn_pose(at, pose);
   }
   return pose;
 }

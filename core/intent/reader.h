@@ -10,6 +10,7 @@
 #include "core/intent/selection.h"
 #include "core/intent/sliding.h"
 #include "core/intent/whole_model.h"
+#include "core/joints/turn.h"
 #include "core/posing/curve_system.h"
 
 namespace penpose::intent {
@@ -28,9 +29,19 @@ class Reader {
   [[nodiscard]] const Choices& choices() const { return choices_; }
   [[nodiscard]] const Costs& costs() const { return costs_; }
   [[nodiscard]] std::span<const std::size_t> parameters() const { return parameters_; }
+  /// The joints that the strokes mean (chain_of), ascending.
+  [[nodiscard]] std::span<const std::size_t> chain() const { return chain_; }
   [[nodiscard]] bool linear() const { return linear_; }
   [[nodiscard]] Edition edition() const { return problem_.edition; }
   [[nodiscard]] std::size_t curve_count() const { return blocks_.size(); }
+  /// Units that bend one joint of the chain each within the picture, ascending; none where they are more than can be
+  /// chosen from at once.
+  [[nodiscard]] std::vector<std::size_t> all_bends() const;
+  /// First guesses for lines that are shorter than their limbs: each joint of the chain, and the longest run of it,
+  /// leaning towards the eye and away from it. `costs`: what believing in it costs: away from the eye a little.
+  [[nodiscard]] std::vector<Choice> leans_in_depth() const;
+  /// Whether a choice takes a joint or run out of the picture.
+  [[nodiscard]] bool leans(const Choice& choice) const;
   /// Only units of these joints may move; empty: all.
   void restrict_to(std::span<const std::size_t> joints);
 
@@ -89,10 +100,40 @@ class Reader {
   void look_at_known(Block& block, Quadratic& quadratic, std::span<const double> at,
                      std::span<const std::size_t> variables);
   [[nodiscard]] std::vector<PxPoint> seen(const Block& block, std::span<const ModelPoint> positions) const;
-  void make_columns(const rig::Pose& pose, std::span<const std::size_t> variables);
+  void make_columns(const rig::Pose& pose, std::span<const double> at, std::span<const std::size_t> variables);
   void make_units();
+  // Joints turn about axes of their own (reader_joints.cpp).
+  void find_chain();
+  void make_turns();
+  void make_runs();
+  void make_run_units();
+  void add_turn(std::size_t variable);
+  void add_turn_units(std::size_t first, std::size_t count, bool planar, double charge);
+  void make_turn_columns(const rig::Pose& pose, std::span<const double> at, std::span<const std::size_t> variables);
+  [[nodiscard]] std::vector<glm::dvec3> turned_by(std::span<const double> at) const;
+  void turn_pose(std::span<const double> at, rig::Pose& pose) const;
+  [[nodiscard]] std::size_t lean_count() const;
+  void look_at_leans(Quadratic& quadratic, std::size_t row, std::span<const double> at);
+  [[nodiscard]] double lean_cost(const Choice& choice) const;
+  [[nodiscard]] std::optional<ModelVector> only_view() const;
+  [[nodiscard]] bool swings_others(std::size_t joint) const;
+  [[nodiscard]] double movement_about(std::size_t variable) const;
   /// D of a curve at positions of all points, not yet less for being out of reach.
   [[nodiscard]] double squares(const Block& block, std::span<const ModelPoint> positions) const;
+
+  /// A variable of a run of joints: the turns that one unit of it makes.
+  struct RunVariable {
+    struct Part {
+      std::size_t variable;  ///< of a turn
+      double by;
+    };
+    std::vector<Part> parts;
+    double movement = 0;
+    std::size_t joints = 0;
+    bool planar = false;  ///< of its run
+    double across = 1;
+  };
+  [[nodiscard]] std::size_t variable_count() const { return parameters_.size() + run_variables_.size(); }
 
   const rig::Rig& rig_;
   const WholeModel& whole_;
@@ -103,6 +144,11 @@ class Reader {
   std::vector<std::size_t> parameters_;
   std::vector<double> ranges_;
   std::vector<std::size_t> all_;  ///< every variable
+  std::vector<std::size_t> chain_;
+  std::vector<joints::Turn> turns_;
+  std::vector<std::size_t> turn_of_;        ///< one a parameter's variable: its turn, or k_no_partner
+  std::vector<std::size_t> axis_of_;        ///< of the turn
+  std::vector<RunVariable> run_variables_;  ///< their numbers come after those of the parameters; three a run
   Choices choices_;
   bool linear_ = false;
   std::vector<ModelVector> columns_;  ///< one run of points a variable, for its whole range

@@ -22,7 +22,9 @@ PxPoint across(PxPoint tangent) { return {-tangent.y, tangent.x}; }
 void Reader::look(const Choice& at, bool slide, Quadratic& quadratic, std::span<const std::size_t> only) {
   const rig::Pose pose = pose_of(at);
   const std::span<const std::size_t> variables = only.empty() ? std::span<const std::size_t>(all_) : only;
-  if (!linear_) make_columns(pose, variables);
+  std::vector<double> z(variable_count(), 0.0);
+  for (std::size_t i = 0; i < at.variables.size(); ++i) z[at.variables[i]] = at.values[i];
+  if (!linear_) make_columns(pose, z, variables);
   system_.positions(pose, positions_);
   std::size_t rows = 0;
   std::size_t slides = 0;
@@ -32,9 +34,7 @@ void Reader::look(const Choice& at, bool slide, Quadratic& quadratic, std::span<
     rows += 3 * block.count;
     if (block.drawn) slides += k_modes;
   }
-  quadratic.reset(parameters_.size(), rows, slides);
-  std::vector<double> z(parameters_.size(), 0.0);
-  for (std::size_t i = 0; i < at.variables.size(); ++i) z[at.variables[i]] = at.values[i];
+  quadratic.reset(variable_count(), rows + lean_count(), slides);
   for (Block& block : blocks_) {
     if (block.drawn) {
       look_at_drawn(block, quadratic, z, slide, variables);
@@ -42,6 +42,7 @@ void Reader::look(const Choice& at, bool slide, Quadratic& quadratic, std::span<
       look_at_known(block, quadratic, z, variables);
     }
   }
+  look_at_leans(quadratic, rows, z);
   quadratic.finish(only);
 }
 
@@ -158,6 +159,7 @@ double Reader::energy(const Choice& choice, double costs) {
   }
   for (std::size_t i = 0; i < choice.variables.size(); ++i)
     sum += choices_.stiffness[choice.variables[i]] * choice.values[i] * choice.values[i];
+  if (!turns_.empty()) sum += lean_cost(choice);
   return sum;
 }
 

@@ -79,7 +79,7 @@ double Selection::unit_cost(const Unit& unit, const Choice& choice) const {
   }
   if (unit.tied) way /= static_cast<double>(unit.count);
   return costs_.unit + (unit.tied ? costs_.pair : 0.0) + costs_.evidence * base::log(1.0 + std::max(0.0, curvature)) +
-         costs_.movement * base::log(1.0 + way / costs_.usual_way);
+         costs_.movement * base::log(1.0 + way / costs_.usual_way) + unit.charge;
 }
 
 double Selection::costs_of(const Choice& choice) const {
@@ -194,7 +194,7 @@ Selection::Base Selection::base_of(Choice choice) {
 double Selection::least_with(const Base& base, std::size_t added) {
   const Unit& unit = choices_.units[added];
   const std::size_t n = base.choice.variables.size();
-  double least = base.choice.energy + costs_.unit + (unit.tied ? costs_.pair : 0.0);
+  double least = base.choice.energy + costs_.unit + (unit.tied ? costs_.pair : 0.0) + unit.charge;
   double curvature = 0;
   for (std::size_t m = 0; m < unit.count; ++m) curvature = std::max(curvature, q_.curvature(unit.members[m]));
   least += costs_.evidence * base::log(1.0 + std::max(0.0, curvature));

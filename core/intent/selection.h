@@ -15,6 +15,7 @@ struct Unit {
   std::array<std::size_t, 3> members{};
   std::size_t count = 1;
   bool tied = false;  ///< left and right: drawn alike they move alike
+  double charge = 0;  ///< what choosing it costs beside what all units cost
 };
 
 /// The variables of a choice: changes of parameters, each as a share of its range.

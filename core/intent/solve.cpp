@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/intent/chain.h"
 #include "core/intent/reader.h"
 #include "core/intent/value_search.h"
 
@@ -28,6 +27,8 @@ constexpr double k_beyond_chain = 60.0;
 constexpr double k_rival_window = 12.0;
 /// A curve with no more squares than this fits as it is aligned: about twice what a steady hand leaves.
 constexpr double k_fits = 24.0;
+/// How much lower the energy has to be before a limb leans out of the picture that need not.
+constexpr double k_lean_gain = 3.0;
 /// A joint's squares hold near the pose where they were taken: most that an angle changes in a round, share of its
 /// range.
 constexpr double k_trust = 0.2;
@@ -42,10 +43,9 @@ class Solver {
   Solver(Reader& reader, const SolveOptions& options, Workspace::Buffers& buffers)
       : reader_(reader), options_(options), b_(buffers) {}
 
-  /// Matching and choosing in turn, from nothing moved.
-  Reading read() {
-    Choice choice;
-    if (reader_.edition() == Edition::first) {
+  /// Matching and choosing in turn, from nothing moved or from a first guess.
+  Reading read(Choice choice = {}) {
+    if (reader_.edition() == Edition::first || !reader_.linear()) {
       reader_.weigh_evenly();
     } else {
       // From few controls to many: far from the line each must bring it nearer by a good share of the way.
@@ -59,7 +59,13 @@ class Solver {
       Selection selection(b_.quadratic, reader_.choices(), reader_.costs());
       if (round + 1 == rounds) selection.set_rivals(options_.rivals, k_rival_window);
       const Choice before = choice;
-      choice = trusted(before, selection.select(selection.fit(before.units), options_.most_units));
+      Choice next = selection.select(selection.fit(before.units), options_.most_units);
+      if (!reader_.all_bends().empty()) {
+        // What bends to and fro gains little by its first bend alone: from all bends on, fewer.
+        Choice other = selection.select(selection.fit(reader_.all_bends()), options_.most_units);
+        if (other.energy < next.energy - 1e-9) next = std::move(other);
+      }
+      choice = trusted(before, std::move(next));
       evaluations += selection.evaluations();
       if (round == 0 || !reader_.linear()) reader_.weigh(choice);
       rivals = selection.rivals();
@@ -104,6 +110,9 @@ class Solver {
     if (meant) reading = matched(*meant);
   }
 
+  /// Matches the curves as a reading leaves them.
+  void match(const Reading& reading) { reader_.look(reading.choice, true, b_.quadratic, reading.choice.variables); }
+
   /// Downhill simplex on the values of the last reading.
   void search(Reading& reading) {
     reader_.look(reading.choice, true, b_.quadratic, reading.choice.variables);
@@ -132,10 +141,35 @@ class Solver {
   Workspace::Buffers& b_;
 };
 
+/// A line that is shorter than its limb may show it leaning towards the eye or away from it. The first order of the
+/// picture does not tell that of a limb that lies across the view, so that other readings have to begin there.
+Reading foreshortened(Reader& reader, Solver& solver, std::size_t drawn, Reading best) {
+  const auto fits = [&](const Reading& one) {
+    bool all = true;
+    for (std::size_t c = 0; c < drawn; ++c) all = all && reader.squares_of(c, one.choice) < k_fits;
+    return all;
+  };
+  if (fits(best) && !reader.leans(best.choice)) return best;
+  const double plain = best.energy - k_lean_gain;
+  bool left = false;
+  for (Choice& lean : reader.leans_in_depth()) {
+    const double charge = lean.costs;
+    Reading one = solver.read(std::move(lean));
+    one.energy += charge;
+    if (one.energy < (left ? best.energy : plain) - 1e-9) {
+      best = std::move(one);
+      left = true;
+    }
+  }
+  solver.match(best);
+  return best;
+}
+
 /// The best reading over the ways in which single lines may be aligned.
 Reading best_alignment(Reader& reader, Solver& solver, std::size_t drawn) {
   for (std::size_t c = 0; c < drawn; ++c) reader.align(c, 0);
   Reading best = solver.read();
+  best = foreshortened(reader, solver, drawn, std::move(best));
   for (std::size_t c = 0; c < drawn; ++c) {
     std::size_t chosen = reader.aligned(c);
     if (reader.alignments(c).size() < 2 || reader.squares_of(c, best.choice) < k_fits) continue;
@@ -151,21 +185,6 @@ Reading best_alignment(Reader& reader, Solver& solver, std::size_t drawn) {
   return best;
 }
 
-std::vector<std::size_t> drawn_chain(const rig::Rig& rig, const IntentProblem& problem) {
-  std::vector<std::size_t> joints;
-  for (const DrawnCurve& curve : problem.drawn) {
-    const auto chain = chain_of(rig, curve.reference);
-    joints.insert(joints.end(), chain.begin(), chain.end());
-  }
-  for (const KnownCurve& curve : problem.known) {
-    const auto chain = chain_of(rig, curve.reference);
-    joints.insert(joints.end(), chain.begin(), chain.end());
-  }
-  std::stable_sort(joints.begin(), joints.end());
-  joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
-  return joints;
-}
-
 /// A checked problem, whatever is locked. `units`: receives how many moved.
 Solution solve_free(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
                     const SolveOptions& options, Workspace& work, std::size_t& units) {
@@ -178,7 +197,7 @@ Solution solve_free(const rig::Rig& rig, const WholeModel& whole, const IntentPr
   solution.energy_start = before.sum;
 
   Solver solver(reader, options, work.buffers());
-  const auto chain = drawn_chain(rig, problem);
+  const std::vector<std::size_t> chain(reader.chain().begin(), reader.chain().end());
   if (!chain.empty()) reader.restrict_to(chain);
   Reading reading = best_alignment(reader, solver, problem.drawn.size());
   if (!chain.empty() && reading.energy > 2.0 * k_beyond_chain) {

@@ -31,6 +31,7 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
   whole.joint.assign(d, k_no_partner);
   for (std::size_t p = 0; p < d; ++p) whole.group[p] = p;
   if (const auto* character = dynamic_cast<const rig::CharacterRig*>(&rig); character && character->skeleton()) {
+    whole.body = std::make_shared<joints::Body>(*character->skeleton());
     const std::size_t first = character->first_parameter(character->layers().size());
     for (std::size_t p = first; p < d; ++p) {
       whole.group[p] = first + (p - first) / 3 * 3;

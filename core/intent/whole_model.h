@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
+#include "core/joints/body.h"
 #include "core/rig/rig.h"
 
 namespace penpose::intent {
@@ -21,6 +23,8 @@ struct WholeModel {
   std::vector<std::size_t> group;
   /// For parameters of joints: the joint's number; k_no_partner for others.
   std::vector<std::size_t> joint;
+  /// The shape of the skeleton; null without one.
+  std::shared_ptr<const joints::Body> body;
   /// Diagonal of the box of the rest pose, model units.
   double size = 0;
 };

@@ -61,6 +61,17 @@ TEST(Chain, FromHandToHandTheTrunkThatCarriesBothIsNotMeant) {
   EXPECT_EQ(chain({5, 4, 3, 1, 6, 7}), (Joints{1, 3, 4, 5, 6, 7})) << "unless the stroke runs over it";
 }
 
+TEST(Chain, TheTrunkThatAStrokeOverlapsIsNotMeant) {
+  const auto one = body();
+  const joints::Body shape(*one->skeleton());
+  std::vector<posing::CurvePoint> points{posing::at_vertex(1)};
+  for (const std::uint32_t v : {3U, 3U, 3U, 4U, 4U, 4U, 5U, 5U}) points.push_back(posing::at_vertex(v));
+  EXPECT_EQ(chain_of(*one, points, &shape), (Joints{3, 4, 5}));
+  EXPECT_EQ(chain_of(*one, points), (Joints{1, 3, 4, 5})) << "as it was";
+  points.push_back(posing::at_vertex(1));
+  EXPECT_EQ(chain_of(*one, points, &shape), (Joints{1, 3, 4, 5})) << "a stroke over both means both";
+}
+
 TEST(Chain, IsEmptyWhereNothingCarries) {
   EXPECT_TRUE(chain({8}).empty());
   EXPECT_TRUE(chain({}).empty());

@@ -196,7 +196,8 @@ TEST(Reader, OnlyTheJointsOfTheChainAreUnits) {
   face.bump("shape", 0, 0, {0, 0.1, 0}).ready(tests::chain_skeleton(*face.mesh, 3, 0.4));
   const WholeModel whole = measure_whole_model(*face.rig);
   const auto row = Face::row(20, 20, 36);
-  const IntentProblem problem = face.problem({face.drawn(row, face.seen(row, rig::rest_pose(*face.rig)))});
+  IntentProblem problem = face.problem({face.drawn(row, face.seen(row, rig::rest_pose(*face.rig)))});
+  problem.edition = Edition::first;
   Reader reader(*face.rig, whole, problem);
   EXPECT_FALSE(reader.linear());
   const std::size_t all = reader.choices().units.size();
