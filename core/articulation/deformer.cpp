@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/articulation/measured_deformer.h"
 #include "core/articulation/reference_curve.h"
 #include "core/articulation/region.h"
 #include "core/curve/pairing.h"
@@ -119,6 +120,7 @@ base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch& sketc
   if (!region) return at("general", region.error());
   const auto weights = specific_region(*region, sketch.specific);
   if (!weights) return at("specific", weights.error());
+  const bool measures = sketch.rules >= k_measured_rules;
   auto reference = reference_of(sketch, canvas, *region, *weights, points);
   if (!reference) return reference.error();
   auto paired = curve::pair_target(*reference, sketch.target, *target_camera);
@@ -127,6 +129,22 @@ base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch& sketc
   lift_onto_surface(*target_camera, *surface, *reference, target);
   if (!all_finite(*reference) || !all_finite(target)) {
     return base::Error{"the target lies too far away for numbers", "target", "draw it nearer to the model"};
+  }
+  if (measures) {
+    const auto general = geometry::Lasso::make(sketch.general);
+    const auto specific = geometry::Lasso::make(sketch.specific);
+    const Patch patch(canvas, *region);
+    const Falloff falloff(patch, {*camera, *general, *specific});
+    auto motion = measured_motion({canvas, *region, patch, falloff, std::move(*reference), std::move(target),
+                                   std::move(*surface)},
+                                  sketch.mode, sketch.minimum, sketch.maximum);
+    if (!motion) return at("general", motion.error());
+    auto deformer = std::make_shared<Deformer>();
+    deformer->sketch_ = sketch;
+    deformer->built_ = std::make_shared<const Deformer::Built>(
+        Deformer::Built{std::move(motion->carriage), std::move(motion->vertices), std::move(motion->weights),
+                        paired->reversed && !sketch.reference.empty(), motion->strain});
+    return std::shared_ptr<const Deformer>(std::move(deformer));
   }
   const Mode mode = choose_mode(sketch, *target_camera, *reference, target);
   if (sketch.reference.empty() && mode == Mode::rotate &&
