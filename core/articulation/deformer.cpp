@@ -7,6 +7,7 @@
 #include "core/articulation/reference_curve.h"
 #include "core/articulation/region.h"
 #include "core/curve/pairing.h"
+#include "core/curve/polyline.h"
 
 namespace penpose::articulation {
 namespace {
@@ -135,9 +136,11 @@ base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch& sketc
     const auto specific = geometry::Lasso::make(sketch.specific);
     const Patch patch(canvas, *region);
     const Falloff falloff(patch, {*camera, *general, *specific});
+    const double length = curve::arc_length<ModelPoint>(*reference);
+    const double target_length = curve::arc_length<ModelPoint>(target);
     auto motion = measured_motion({canvas, *region, patch, falloff, std::move(*reference), std::move(target),
-                                   std::move(*surface)},
-                                  sketch.mode, sketch.minimum, sketch.maximum);
+                                   std::move(*surface), length, target_length},
+                                  sketch.mode, {sketch.minimum, sketch.maximum});
     if (!motion) return at("general", motion.error());
     auto deformer = std::make_shared<Deformer>();
     deformer->sketch_ = sketch;

@@ -14,6 +14,8 @@ namespace {
 constexpr double k_measurably = 0.9;
 /// Shares of the range at which motions are measured.
 constexpr std::array<double, 3> k_amounts{0.35, 0.7, 1.0};
+/// An edge may be stretched by this times the ratio of the target's length to the reference's.
+constexpr double k_bound = 1.95;
 
 /// What the whole curve has to say to every node, without weights.
 struct Bond {
@@ -43,83 +45,161 @@ Bond bond_of(const MeasuredParts& parts, const Swing* swing) {
   return bond;
 }
 
+/// A motion of all inner nodes, measured.
+struct Outcome {
+  std::shared_ptr<const CurveMotion> motion;
+  std::vector<Passenger> passengers;  ///< one an inner node
+  Strain strain;
+};
+
+/// How motions are told apart: what tears nothing comes first, then what stretches nothing beyond the bound, then what
+/// distorts least.
+struct Judge {
+  double bound = 2;
+
+  [[nodiscard]] bool passes(const Strain& strain) const { return strain.turned_over == 0 && strain.stretch <= bound; }
+  [[nodiscard]] bool better(const Strain& a, const Strain& b, double factor) const {
+    if (a.turned_over != b.turned_over) return a.turned_over < b.turned_over;
+    const double excess_a = std::max(a.stretch, bound);
+    const double excess_b = std::max(b.stretch, bound);
+    if (excess_a != excess_b) return excess_a < excess_b;
+    return a.energy < factor * b.energy;
+  }
+};
+
 class Trial {
  public:
-  Trial(const MeasuredParts& parts, double minimum, double maximum)
-      : parts_(parts), meter_(parts.patch), minimum_(minimum), maximum_(maximum) {}
+  Trial(const MeasuredParts& parts, const Bond& bond, Range range)
+      : parts_(parts), bond_(bond), range_(range), meter_(parts.patch), moves_(parts.patch.node_count()) {}
 
-  /// A motion with weights, on all nodes, measured.
-  struct Outcome {
-    std::shared_ptr<const CurveMotion> motion;
-    std::vector<Passenger> passengers;  ///< one an inner node
-    Strain strain;
-  };
-
-  [[nodiscard]] Outcome attempt(const std::shared_ptr<const CurveMotion>& motion, const Bond& bond,
-                                std::span<const double> weights) {
+  [[nodiscard]] Outcome attempt(const std::shared_ptr<const CurveMotion>& motion, std::span<const double> weights) {
     Outcome outcome{motion, {}, {}};
-    const std::size_t n = parts_.patch.inner_count();
     const auto last = static_cast<double>(motion->segment_count() - 1);
-    std::vector<ModelVector> turns;
-    if (motion->swing() != nullptr) turns.assign(parts_.patch.node_count(), ModelVector{0});
-    for (std::size_t node = 0; node < n; ++node) {
+    outcome.passengers.reserve(parts_.patch.inner_count());
+    for (std::size_t node = 0; node < parts_.patch.inner_count(); ++node) {
       Passenger passenger;
-      const double segment = std::min(std::floor(bond.places[node]), last);
+      const double segment = std::min(std::floor(bond_.places[node]), last);
       passenger.segment = static_cast<std::uint32_t>(segment);
-      passenger.fraction = bond.places[node] - segment;
+      passenger.fraction = bond_.places[node] - segment;
       passenger.weight = weights[node];
       passenger.rest = parts_.patch.rests()[node];
-      passenger.move = bond.moves[node] * weights[node];
-      if (motion->swing() != nullptr) turns[node] = passenger.turn = bond.turns[node] * weights[node];
+      passenger.move = bond_.moves[node] * weights[node];
+      if (motion->swing() != nullptr) passenger.turn = bond_.turns[node] * weights[node];
       outcome.passengers.push_back(passenger);
     }
-    const Carriage carriage(motion, parts_.surface, outcome.passengers, false);
-    moves_.assign(parts_.patch.node_count(), ModelVector{0});
-    std::vector<ModelVector> turned(turns.size());
-    const auto at = [&](double amount) {
-      carriage.displacements(amount, work_, std::span(moves_).first(n));
-      for (std::size_t i = 0; i < turns.size(); ++i) turned[i] = turns[i] * amount;
-      outcome.strain = worse(outcome.strain, meter_.measure(moves_, turned));
-    };
-    for (const double share : k_amounts) at(share * maximum_);
-    if (minimum_ < 0.0) at(minimum_);
+    measure(outcome);
     return outcome;
   }
 
+  /// Spreads what is too strong: where triangles are turned over or stretched beyond the bound, and around them, every
+  /// node is brought nearer to what its neighbours do, for as long as that mends anything. Nodes on the curve stay.
+  void relax(Outcome& outcome, const Judge& judge) {
+    std::vector<std::uint8_t> marked(parts_.patch.node_count(), 0);
+    for (int round = 0; round < k_rounds && !judge.passes(outcome.strain); ++round) {
+      // The meter holds the last amount, the whole of the range.
+      at(Carriage(outcome.motion, parts_.surface, outcome.passengers, false), range_.maximum);
+      std::fill(marked.begin(), marked.end(), 0);
+      meter_.mark_worst(judge.bound, marked);
+      for (int ring = 0; ring <= round / 2; ++ring) grow(marked);
+      Outcome relaxed = outcome;
+      for (int pass = 0; pass < k_passes; ++pass) smooth(relaxed.passengers, marked);
+      measure(relaxed);
+      if (judge.better(relaxed.strain, outcome.strain, 1.0)) outcome = std::move(relaxed);
+    }
+  }
+
  private:
+  static constexpr int k_rounds = 8;
+  static constexpr int k_passes = 4;
+
+  Strain at(const Carriage& carriage, double amount) {
+    carriage.displacements(amount, work_, std::span(moves_).first(carriage.size()));
+    return meter_.measure(moves_);
+  }
+
+  void measure(Outcome& outcome) {
+    const Carriage carriage(outcome.motion, parts_.surface, outcome.passengers, false);
+    outcome.strain = {};
+    if (range_.minimum < 0.0) outcome.strain = at(carriage, range_.minimum);
+    for (const double share : k_amounts) outcome.strain = worse(outcome.strain, at(carriage, share * range_.maximum));
+  }
+
+  void grow(std::vector<std::uint8_t>& marked) const {
+    const std::vector<std::uint8_t> before = marked;
+    for (const mesh::Triangle& t : parts_.patch.triangles()) {
+      if (before[t[0]] != 0 || before[t[1]] != 0 || before[t[2]] != 0) marked[t[0]] = marked[t[1]] = marked[t[2]] = 1;
+    }
+  }
+
+  void smooth(std::vector<Passenger>& passengers, std::span<const std::uint8_t> marked) const {
+    const std::vector<Passenger> before = passengers;
+    const double still = 1e-6 * parts_.length;
+    for (std::uint32_t node = 0; node < passengers.size(); ++node) {
+      if (marked[node] == 0 || !(bond_.distances[node] > still)) continue;
+      Passenger& own = passengers[node];
+      double count = 0;
+      double weight = 0;
+      double place = 0;
+      ModelVector move{0};
+      ModelVector turn{0};
+      for (const std::uint32_t t : parts_.patch.star(node)) {
+        for (const std::uint32_t other : parts_.patch.triangles()[t]) {
+          if (other == node) continue;
+          count += 1;
+          // What lies on the rim stays, and goes along with any place of the curve.
+          if (other >= passengers.size()) {
+            place += own.segment + own.fraction;
+            continue;
+          }
+          const Passenger& beside = before[other];
+          weight += beside.weight;
+          place += beside.segment + beside.fraction;
+          move += beside.move;
+          turn += beside.turn;
+        }
+      }
+      if (!(count > 0.0)) continue;
+      const double half = 0.5 / count;
+      own.weight = 0.5 * own.weight + half * weight;
+      own.move = own.move * 0.5 + move * half;
+      own.turn = own.turn * 0.5 + turn * half;
+      place = 0.5 * (own.segment + own.fraction) + half * place;
+      const double segment = std::min(std::floor(place), static_cast<double>(parts_.reference.size() - 2));
+      own.segment = static_cast<std::uint32_t>(segment);
+      own.fraction = place - segment;
+    }
+  }
+
   const MeasuredParts& parts_;
+  const Bond& bond_;
+  Range range_;
   Strainmeter meter_;
-  double minimum_;
-  double maximum_;
   CarriageWorkspace work_;
   std::vector<ModelVector> moves_;
 };
 
-bool better(const Strain& a, const Strain& b, double factor) {
-  if (a.turned_over != b.turned_over) return a.turned_over < b.turned_over;
-  return a.energy < factor * b.energy;
-}
-
 }  // namespace
 
-base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mode, double minimum, double maximum) {
+base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mode, Range range) {
   const auto motion_of = [&](Mode one) {
     return std::make_shared<const CurveMotion>(parts.reference, parts.target, one, Turning::swung);
   };
   const auto straight = mode == Mode::rotate ? nullptr : motion_of(Mode::translate);
   const auto swing = mode == Mode::translate ? nullptr : motion_of(Mode::rotate);
   const Bond bond = bond_of(parts, swing ? swing->swing() : nullptr);
-  Trial trial(parts, minimum, maximum);
-  std::optional<Trial::Outcome> best;
+  const Judge judge{k_bound * std::max(1.0, parts.target_length / parts.length)};
+  Trial trial(parts, bond, range);
+  std::optional<Outcome> best;
   for (const double depth : {0.0, 0.4, 0.8}) {
     const auto weights = depth > 0.0 ? parts.falloff.weights(depth, bond.distances) : parts.falloff.weights();
     for (const auto& [motion, factor] : {std::pair{straight, 1.0}, std::pair{swing, k_measurably}}) {
       if (!motion) continue;
-      auto outcome = trial.attempt(motion, bond, weights);
-      if (!best || better(outcome.strain, best->strain, factor)) best = std::move(outcome);
+      auto outcome = trial.attempt(motion, weights);
+      if (!best || judge.better(outcome.strain, best->strain, factor)) best = std::move(outcome);
     }
-    if (best->strain.turned_over == 0) break;
+    if (judge.passes(best->strain)) break;
   }
+  trial.relax(*best, judge);
 
   MeasuredMotion result;
   std::vector<Passenger> passengers;

@@ -19,6 +19,14 @@ struct MeasuredParts {
   std::vector<ModelPoint> reference;
   std::vector<ModelPoint> target;
   KeptSurface surface;
+  double length = 0;         ///< of the reference
+  double target_length = 0;
+};
+
+/// The range of a deformer's parameter.
+struct Range {
+  double minimum = 0;
+  double maximum = 1;
 };
 
 /// A way of moving that was measured.
@@ -32,6 +40,6 @@ struct MeasuredMotion {
 /// Of both ways of moving (or the one that is asked for) the one that distorts the surface least, and of several depths
 /// to which its weights may reach into the region of specific interest the shallowest that turns no triangle over.
 /// Errors: a vertex whose joints flatten it.
-[[nodiscard]] base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mode, double minimum, double maximum);
+[[nodiscard]] base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mode, Range range);
 
 }  // namespace penpose::articulation

@@ -117,10 +117,28 @@ int run(const char* folder, std::uint32_t rules) {
   return bad + over + missed == 0 ? 0 : 1;
 }
 
+int loop(const char* mesh) {
+  std::vector<double> times;
+  for (const SketchCase& one : sketch_cases()) {
+    if (one.mesh != mesh) continue;
+    Sketch sketch = one.sketch;
+    sketch.rules = 3;
+    double best = 1e9;
+    for (int i = 0; i < 20; ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      static_cast<void>(articulation::build_deformer(sketch, *one.canvas));
+      best = std::min(best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    }
+    std::printf("%s %s %.2f\n", one.feature.c_str(), one.strength.c_str(), best);
+  }
+  return 0;
+}
+
 }  // namespace
 }  // namespace penpose::sketches
 
 int main(int count, char** arguments) {
   const bool old = count > 1 && std::strcmp(arguments[1], "--rules=2") == 0;
+  if (count > 2 && std::strcmp(arguments[1], "--loop") == 0) return penpose::sketches::loop(arguments[2]);
   return penpose::sketches::run(count > 1 && !old ? arguments[1] : nullptr, old ? 2 : 3);
 }
