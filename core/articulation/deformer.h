@@ -31,6 +31,9 @@ class Deformer {
   /// What it does to the surface at the worst within its range; of rules before k_measured_rules nothing is known.
   [[nodiscard]] const Strain& strain() const { return built_->strain; }
 
+  /// Where the region of specific interest reaches over the model beyond the other ("on its left"), or empty.
+  [[nodiscard]] const std::string& reaches_beyond() const { return built_->reaches_beyond; }
+
   /// The curves in world space at rest, equally many points.
   [[nodiscard]] std::span<const ModelPoint> reference() const { return built_->carriage.motion().reference(); }
   [[nodiscard]] std::span<const ModelPoint> target() const { return built_->carriage.motion().target(); }
@@ -52,6 +55,10 @@ class Deformer {
  private:
   friend base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch&, const Canvas&, std::size_t);
 
+  /// By rules from k_measured_rules on. Precondition: the sketch is checked.
+  static base::Result<std::shared_ptr<const Deformer>> measured(const Sketch& sketch, const Canvas& canvas,
+                                                                std::size_t points);
+
   /// What takes memory; name and range are not in it, so that deformers which differ in these alone share it.
   struct Built {
     Carriage carriage;
@@ -59,6 +66,7 @@ class Deformer {
     std::vector<double> weights;
     bool turned_round = false;
     Strain strain;
+    std::string reaches_beyond;
   };
 
   Sketch sketch_;

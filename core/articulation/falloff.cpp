@@ -66,6 +66,7 @@ Falloff::Falloff(const Patch& patch, const DrawnRegions& drawn)
     outer[node] = 0;
     specific_[node] = drawn.specific.contains(seen[node]) ? 1 : 0;
   }
+  find_beyond(drawn, seen);
   to_border_ = geodesic_distances(
       patch, seeds_outside(patch, outer, [&](std::uint32_t node) { return drawn.general.distance(seen[node]); }), inner_);
   std::vector<std::uint8_t> between(patch.node_count(), 0);
@@ -80,6 +81,28 @@ Falloff::Falloff(const Patch& patch, const DrawnRegions& drawn)
   for (const double d : to_specific_) farthest = d < k_far ? std::max(farthest, d) : farthest;
   for (std::size_t node = 0; node < to_border_.size(); ++node) {
     if (specific_[node] == 0 && to_specific_[node] < k_far) to_border_[node] = farthest - to_specific_[node];
+  }
+}
+
+void Falloff::find_beyond(const DrawnRegions& drawn, std::span<const geometry::PxPoint> seen) {
+  geometry::PxPoint inside;
+  geometry::PxPoint beyond;
+  double inside_count = 0;
+  double beyond_count = 0;
+  for (std::uint32_t node = 0; node < patch_.node_count(); ++node) {
+    const bool inner = node < patch_.inner_count();
+    if (inner ? specific_[node] == 0 : !drawn.specific.contains(seen[node])) continue;
+    // Of another piece of the model than the region.
+    if (!inner && drawn.general.contains(seen[node])) continue;
+    (inner ? inside : beyond) = (inner ? inside : beyond) + seen[node];
+    (inner ? inside_count : beyond_count) += 1;
+  }
+  if (beyond_count == 0.0 || inside_count == 0.0) return;
+  const geometry::PxPoint way = beyond * (1.0 / beyond_count) - inside * (1.0 / inside_count);
+  if (std::abs(way.x) > std::abs(way.y)) {
+    reaches_beyond_ = way.x > 0.0 ? "on its right" : "on its left";
+  } else {
+    reaches_beyond_ = way.y > 0.0 ? "at its lower side" : "at its upper side";
   }
 }
 

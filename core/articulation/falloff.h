@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/articulation/patch.h"
@@ -27,6 +28,9 @@ class Falloff {
 
   /// Nodes of the patch that lie inside the region of specific interest; 1 a node.
   [[nodiscard]] std::span<const std::uint8_t> specific() const { return specific_; }
+  /// Where the region of specific interest reaches over the model beyond that of general interest, as seen from the
+  /// middle of what it holds inside ("on its left"); empty where it does not.
+  [[nodiscard]] const std::string& reaches_beyond() const { return reaches_beyond_; }
   /// The weight of every node when all of the region of specific interest is the core.
   [[nodiscard]] std::vector<double> weights() const;
   /// The same with a smaller core: `depth` 0..1 of the way from the border of the region of specific interest to the
@@ -34,12 +38,14 @@ class Falloff {
   [[nodiscard]] std::vector<double> weights(double depth, std::span<const double> to_curve) const;
 
  private:
+  void find_beyond(const DrawnRegions& drawn, std::span<const geometry::PxPoint> seen);
   [[nodiscard]] std::vector<double> blended(std::span<const double> to_core,
                                             std::span<const std::uint8_t> core) const;
 
   const Patch& patch_;
   std::vector<std::uint8_t> inner_;
   std::vector<std::uint8_t> specific_;
+  std::string reaches_beyond_;
   std::vector<double> to_border_;
   std::vector<double> to_specific_;
 };

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/articulation/attachment.h"
+#include "core/curve/polyline.h"
 
 namespace penpose::articulation {
 namespace {
@@ -70,7 +71,12 @@ struct Judge {
 class Trial {
  public:
   Trial(const MeasuredParts& parts, const Bond& bond, Range range)
-      : parts_(parts), bond_(bond), range_(range), meter_(parts.patch), moves_(parts.patch.node_count()) {}
+      : parts_(parts),
+        bond_(bond),
+        range_(range),
+        length_(curve::arc_length<ModelPoint>(parts.reference)),
+        meter_(parts.patch),
+        moves_(parts.patch.node_count()) {}
 
   [[nodiscard]] Outcome attempt(const std::shared_ptr<const CurveMotion>& motion, std::span<const double> weights) {
     Outcome outcome{motion, {}, {}};
@@ -133,7 +139,7 @@ class Trial {
 
   void smooth(std::vector<Passenger>& passengers, std::span<const std::uint8_t> marked) const {
     const std::vector<Passenger> before = passengers;
-    const double still = 1e-6 * parts_.length;
+    const double still = 1e-6 * length_;
     for (std::uint32_t node = 0; node < passengers.size(); ++node) {
       if (marked[node] == 0 || !(bond_.distances[node] > still)) continue;
       Passenger& own = passengers[node];
@@ -173,6 +179,7 @@ class Trial {
   const MeasuredParts& parts_;
   const Bond& bond_;
   Range range_;
+  double length_;  ///< of the reference
   Strainmeter meter_;
   CarriageWorkspace work_;
   std::vector<ModelVector> moves_;
@@ -187,7 +194,8 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
   const auto straight = mode == Mode::rotate ? nullptr : motion_of(Mode::translate);
   const auto swing = mode == Mode::translate ? nullptr : motion_of(Mode::rotate);
   const Bond bond = bond_of(parts, swing ? swing->swing() : nullptr);
-  const Judge judge{k_bound * std::max(1.0, parts.target_length / parts.length)};
+  const double length = curve::arc_length<ModelPoint>(parts.reference);
+  const Judge judge{k_bound * std::max(1.0, curve::arc_length<ModelPoint>(parts.target) / length)};
   Trial trial(parts, bond, range);
   std::optional<Outcome> best;
   for (const double depth : {0.0, 0.4, 0.8}) {

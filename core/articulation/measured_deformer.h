@@ -19,8 +19,6 @@ struct MeasuredParts {
   std::vector<ModelPoint> reference;
   std::vector<ModelPoint> target;
   KeptSurface surface;
-  double length = 0;         ///< of the reference
-  double target_length = 0;
 };
 
 /// The range of a deformer's parameter.
