@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 
 #include "core/articulation/attachment.h"
@@ -15,6 +16,9 @@ namespace {
 constexpr double k_measurably = 0.9;
 /// Shares of the range at which motions are measured.
 constexpr std::array<double, 3> k_amounts{0.35, 0.7, 1.0};
+/// Shares of the way from the border of the region of specific interest to the curve that the falloff may take, tried
+/// in turn.
+constexpr std::array<double, 3> k_depths{0.0, 0.4, 0.8};
 /// An edge may be stretched by this times the ratio of the target's length to the reference's.
 constexpr double k_bound = 1.95;
 
@@ -97,26 +101,37 @@ class Trial {
     return outcome;
   }
 
-  /// Spreads what is too strong: where triangles are turned over or stretched beyond the bound, and around them, every
-  /// node is brought nearer to what its neighbours do, for as long as that mends anything. Nodes on the curve stay.
+  /// Spreads what is too strong: where triangles are turned over or stretched beyond the bound, and ever farther around
+  /// them, every node is brought nearer to what its neighbours do. What came nearest to passing is kept. Nodes on the
+  /// curve stay.
   void relax(Outcome& outcome, const Judge& judge) {
     std::vector<std::uint8_t> marked(parts_.patch.node_count(), 0);
-    for (int round = 0; round < k_rounds && !judge.passes(outcome.strain); ++round) {
-      // The meter holds the last amount, the whole of the range.
-      at(Carriage(outcome.motion, parts_.surface, outcome.passengers, false), range_.maximum);
+    Outcome relaxed = outcome;
+    std::optional<Strain> nearest;
+    std::vector<Passenger> best;
+    for (int round = 0; round <= k_rounds; ++round) {
+      const Strain strain =
+          at(Carriage(relaxed.motion, parts_.surface, relaxed.passengers, false), range_.maximum);
+      if (!nearest || judge.better(strain, *nearest, 1.0)) {
+        nearest = strain;
+        best = relaxed.passengers;
+      }
+      if (judge.passes(strain) || round == k_rounds) break;
       std::fill(marked.begin(), marked.end(), 0);
       meter_.mark_worst(judge.bound, marked);
-      for (int ring = 0; ring <= round / 2; ++ring) grow(marked);
-      Outcome relaxed = outcome;
+      for (int ring = 0; ring <= round / k_rounds_a_ring; ++ring) grow(marked);
       for (int pass = 0; pass < k_passes; ++pass) smooth(relaxed.passengers, marked);
-      measure(relaxed);
-      if (judge.better(relaxed.strain, outcome.strain, 1.0)) outcome = std::move(relaxed);
     }
+    relaxed.passengers = std::move(best);
+    measure(relaxed);
+    if (judge.better(relaxed.strain, outcome.strain, 1.0)) outcome = std::move(relaxed);
   }
 
  private:
-  static constexpr int k_rounds = 8;
-  static constexpr int k_passes = 4;
+  static constexpr int k_rounds = 24;
+  static constexpr int k_rounds_a_ring = 4;
+  static constexpr int k_passes = 3;
+  static constexpr double k_even = 0.03;
 
   Strain at(const Carriage& carriage, double amount) {
     carriage.displacements(amount, work_, std::span(moves_).first(carriage.size()));
@@ -143,7 +158,7 @@ class Trial {
     for (std::uint32_t node = 0; node < passengers.size(); ++node) {
       if (marked[node] == 0 || !(bond_.distances[node] > still)) continue;
       Passenger& own = passengers[node];
-      double count = 0;
+      double count = 0;  // of neighbours, by what they have to say
       double weight = 0;
       double place = 0;
       ModelVector move{0};
@@ -151,17 +166,22 @@ class Trial {
       for (const std::uint32_t t : parts_.patch.star(node)) {
         for (const std::uint32_t other : parts_.patch.triangles()[t]) {
           if (other == node) continue;
-          count += 1;
+          // Along an edge that is stretched or pressed more than others there is more to give way to: what is left over
+          // spreads evenly. The shorter the edge the more it says, as in any mean over a surface.
+          const double off = std::sqrt(meter_.squared_stretch(node, other)) - 1.0;
+          const ModelVector edge = parts_.patch.rests()[other] - own.rest;
+          const double says = (k_even + off * off) / std::max(glm::dot(edge, edge), 1e-12 * length_ * length_);
+          count += says;
           // What lies on the rim stays, and goes along with any place of the curve.
           if (other >= passengers.size()) {
-            place += own.segment + own.fraction;
+            place += says * (own.segment + own.fraction);
             continue;
           }
           const Passenger& beside = before[other];
-          weight += beside.weight;
-          place += beside.segment + beside.fraction;
-          move += beside.move;
-          turn += beside.turn;
+          weight += says * beside.weight;
+          place += says * (beside.segment + beside.fraction);
+          move += beside.move * says;
+          turn += beside.turn * says;
         }
       }
       if (!(count > 0.0)) continue;
@@ -198,7 +218,7 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
   const Judge judge{k_bound * std::max(1.0, curve::arc_length<ModelPoint>(parts.target) / length)};
   Trial trial(parts, bond, range);
   std::optional<Outcome> best;
-  for (const double depth : {0.0, 0.4, 0.8}) {
+  for (const double depth : k_depths) {
     const auto weights = depth > 0.0 ? parts.falloff.weights(depth, bond.distances) : parts.falloff.weights();
     for (const auto& [motion, factor] : {std::pair{straight, 1.0}, std::pair{swing, k_measurably}}) {
       if (!motion) continue;
@@ -207,7 +227,7 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
     }
     if (judge.passes(best->strain)) break;
   }
-  trial.relax(*best, judge);
+  if (!judge.passes(best->strain)) trial.relax(*best, judge);
 
   MeasuredMotion result;
   std::vector<Passenger> passengers;

@@ -9,6 +9,9 @@ namespace {
 
 /// A triangle pressed to this share of its area counts as pressed to nothing.
 constexpr double k_flat = 0.02;
+/// A triangle counts as turned over already where it stands nearly upright on the surface around it (the sum of three
+/// unit normals against its own).
+constexpr double k_steep = 0.15;
 
 }  // namespace
 
@@ -55,14 +58,13 @@ void Strainmeter::find_normals(std::span<const ModelPoint> places) {
     normals_[i] = glm::cross(places[t[1]] - places[t[0]], places[t[2]] - places[t[0]]);
     for (const std::uint32_t node : t) node_normals_[node] += normals_[i];
   }
+  for (ModelVector& normal : node_normals_) normal = geometry::normalized(normal, ModelVector{0});
 }
 
 bool Strainmeter::runs_against(std::size_t triangle) const {
-  for (const std::uint32_t node : patch_.triangles()[triangle]) {
-    // About a node of the rim not all triangles are known.
-    if (node < patch_.inner_count() && glm::dot(normals_[triangle], node_normals_[node]) < 0.0) return true;
-  }
-  return false;
+  const mesh::Triangle& t = patch_.triangles()[triangle];
+  const ModelVector around = node_normals_[t[0]] + node_normals_[t[1]] + node_normals_[t[2]];
+  return glm::dot(normals_[triangle], around) < k_steep * geometry::length(normals_[triangle]);
 }
 
 Strain Strainmeter::measure(std::span<const ModelVector> moves) {

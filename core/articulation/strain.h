@@ -13,7 +13,7 @@ struct Strain {
   double energy = 0;            ///< stretch and shear, the mean over the surface; see Strainmeter
   double stretch = 1;           ///< the largest ratio of an edge's length to that at rest
   std::uint32_t node = 0;       ///< an end of that edge
-  std::size_t turned_over = 0;  ///< triangles that run against the surface around one of their corners, but not at rest
+  std::size_t turned_over = 0;  ///< triangles that run against the surface around them, but not at rest
 };
 /// The worse of the two in everything; energies add.
 [[nodiscard]] Strain worse(const Strain& a, const Strain& b);
@@ -29,6 +29,8 @@ class Strainmeter {
   [[nodiscard]] Strain measure(std::span<const ModelVector> moves);
   /// After `measure`: marks (1) the nodes of triangles that are turned over or have an edge stretched beyond a bound.
   void mark_worst(double bound, std::span<std::uint8_t> nodes) const;
+  /// After `measure`: the square of the ratio of an edge's length to that at rest.
+  [[nodiscard]] double squared_stretch(std::uint32_t a, std::uint32_t b) const;
 
  private:
   struct Cell {
@@ -38,14 +40,13 @@ class Strainmeter {
   };
   void find_normals(std::span<const ModelPoint> places);
   [[nodiscard]] bool runs_against(std::size_t triangle) const;
-  [[nodiscard]] double squared_stretch(std::uint32_t a, std::uint32_t b) const;
 
   const Patch& patch_;
   std::vector<Cell> cells_;
   double area_ = 0;
   std::vector<ModelPoint> places_;
   std::vector<ModelVector> normals_;       ///< of triangles, as long as twice their area
-  std::vector<ModelVector> node_normals_;  ///< sums over the triangles about
+  std::vector<ModelVector> node_normals_;  ///< unit, of the triangles about
   std::vector<std::uint8_t> over_;
 };
 

@@ -216,7 +216,7 @@ void add_elephant(std::vector<SketchCase>& cases) {
   add(cases, stage, {"trunk, inferred", 0, trunk, 0.6 * u, 0.95 * u, curls(-60), false});
   const Line ear = line({{0.15, 0.05, 0.2}, {0.24, -0.15, 0.2}});
   add(cases, stage, {"ear", 0, part(ear, 0.3, 1), 0.5 * u, 1.5 * u, curls(40), true});
-  const Line leg = line({{0.128, -0.26, 0.1}, {0.128, -0.46, 0.1}});
+  const Line leg = line({{0.13, -0.3, 0.0}, {0.13, -0.47, 0.0}});
   add(cases, stage, {"leg", 0, leg, 0.7 * u, 1.2 * u, curls(-35), true});
   const Line hind = line({{-0.12, -0.33, 0}, {-0.12, -0.47, 0}});
   add(cases, stage, {"hind leg", 0, hind, 0.8 * u, 1.3 * u, moves({0.4 * u, -0.1 * u, 10, 0}), true});

@@ -107,6 +107,7 @@ int run(const char* folder, std::uint32_t rules) {
     slowest = std::max(slowest, rows[0].build_ms);
     if (folder == nullptr) continue;
     model_io::SketchFile file{one.mesh, one.sketch.viewport, {one.sketch}, {}};
+    file.sketches[0].rules = rules;
     std::string name = one.mesh + "_" + one.feature + "_" + one.strength;
     std::replace(name.begin(), name.end(), ' ', '_');
     std::ofstream(std::string(folder) + "/" + name + ".json") << model_io::write_sketch_file(file);
