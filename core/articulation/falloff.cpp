@@ -148,8 +148,11 @@ std::vector<double> Falloff::blended(std::span<const double> to_core, std::span<
       for (const std::uint32_t t : patch_.star(node)) {
         for (const std::uint32_t other : patch_.triangles()[t]) {
           if (other == node) continue;
-          sum += weights[other];
-          count += 1;
+          // The shorter the edge the more it says, so that the corners of a sliver do not part.
+          const ModelVector edge = patch_.rests()[other] - patch_.rests()[node];
+          const double says = 1.0 / std::max(geometry::length(edge), 1e-150);
+          sum += weights[other] * says;
+          count += says;
         }
       }
       next[node] = count > 0.0 ? 0.5 * weights[node] + 0.5 * sum / count : weights[node];

@@ -128,8 +128,8 @@ class Trial {
   }
 
  private:
-  static constexpr int k_rounds = 24;
-  static constexpr int k_rounds_a_ring = 4;
+  static constexpr int k_rounds = 14;
+  static constexpr int k_rounds_a_ring = 3;
   static constexpr int k_passes = 3;
   static constexpr double k_even = 0.03;
 

@@ -44,7 +44,9 @@ Strainmeter::Strainmeter(const Patch& patch)
       cell.b = -glm::dot(e, f) / (length * twice);
       cell.c = length / twice;
       cell.area = 0.5 * twice;
-      cell.folded = runs_against(i);
+      const double upright = uprightness(i);
+      // One that is turned over at rest already never counts.
+      cell.limit = upright < 0.0 ? -4.0 : std::min(k_steep, 0.5 * upright);
     }
     area_ += cell.area;
     cells_.push_back(cell);
@@ -61,10 +63,11 @@ void Strainmeter::find_normals(std::span<const ModelPoint> places) {
   for (ModelVector& normal : node_normals_) normal = geometry::normalized(normal, ModelVector{0});
 }
 
-bool Strainmeter::runs_against(std::size_t triangle) const {
+double Strainmeter::uprightness(std::size_t triangle) const {
   const mesh::Triangle& t = patch_.triangles()[triangle];
   const ModelVector around = node_normals_[t[0]] + node_normals_[t[1]] + node_normals_[t[2]];
-  return glm::dot(normals_[triangle], around) < k_steep * geometry::length(normals_[triangle]);
+  const double size = geometry::length(normals_[triangle]);
+  return size > 0.0 ? glm::dot(normals_[triangle], around) / size : 0.0;
 }
 
 Strain Strainmeter::measure(std::span<const ModelVector> moves) {
@@ -87,7 +90,7 @@ Strain Strainmeter::measure(std::span<const ModelVector> moves) {
     const double vv = glm::dot(v, v);
     const double uv = glm::dot(u, v);
     const double size = uu + vv;
-    const bool over = !cell.folded && runs_against(i);
+    const bool over = uprightness(i) < cell.limit;
     over_[i] = over ? 1 : 0;
     strain.turned_over += over ? 1 : 0;
     const double squeeze = over ? k_flat * k_flat : std::max(uu * vv - uv * uv, k_flat * k_flat);

@@ -36,10 +36,11 @@ class Strainmeter {
   struct Cell {
     double a = 0, b = 0, c = 0;  ///< inverse of its two edges in its own plane: [a b; 0 c]
     double area = 0;
-    bool folded = false;  ///< runs against the surface at rest already
+    double limit = 0;  ///< of `uprightness` below which it counts as turned over
   };
   void find_normals(std::span<const ModelPoint> places);
-  [[nodiscard]] bool runs_against(std::size_t triangle) const;
+  /// How much a triangle faces as the surface around it does: 3 where that is flat, below 0 where it is turned over.
+  [[nodiscard]] double uprightness(std::size_t triangle) const;
 
   const Patch& patch_;
   std::vector<Cell> cells_;

