@@ -77,7 +77,9 @@ TEST(MeasuredDeformer, ReachesTheTargetEitherWay) {
     const auto vertices = deformer->vertices();
     const auto middle = std::lower_bound(vertices.begin(), vertices.end(), 20U * 41U + 20U) - vertices.begin();
     const ModelVector moved = moves_of(*deformer, 1)[static_cast<std::size_t>(middle)];
-    EXPECT_LT(geometry::distance(moved, ModelVector(0, 0.3, 0)), 1e-6);
+    const ModelVector way = (deformer->target()[15] + deformer->target()[16]) * 0.5 -
+                            (deformer->reference()[15] + deformer->reference()[16]) * 0.5;
+    EXPECT_LT(geometry::distance(moved, way), 1e-6);
   }
 }
 
@@ -94,7 +96,9 @@ TEST(MeasuredDeformer, WeightsAreStraightOverTheSurfaceAndOneAtFreeEnds) {
   double half_way = 0;
   for (std::size_t i = 0; i < deformer->vertices().size(); ++i) {
     const ModelPoint& p = canvas->positions()[deformer->vertices()[i]];
-    if (std::max(std::abs(p.x), std::abs(p.y)) < 0.54) EXPECT_EQ(deformer->weights()[i], 1.0);
+    if (std::max(std::abs(p.x), std::abs(p.y)) < 0.54) {
+      EXPECT_EQ(deformer->weights()[i], 1.0);
+    }
     if (std::abs(p.x - 1.0) < 0.01 && std::abs(p.y) < 0.01) half_way = deformer->weights()[i];
   }
   // From 1 at 0.55 to 0 at 1.55.
@@ -170,8 +174,9 @@ TEST(MeasuredDeformer, TakesHolesCoincidentVerticesAndAWholeModel) {
   whole.general = box(0, 0, 3);
   const auto all = build(whole, *sheet()).value();
   EXPECT_EQ(all->strain().turned_over, 0U);
-  // It has no border: what is farthest stays.
-  for (std::size_t i = 0; i < all->vertices().size(); ++i) EXPECT_NE(all->vertices()[i], 0U);
+  // It has no border: what is farthest hardly moves.
+  ASSERT_EQ(all->vertices().front(), 0U);
+  EXPECT_LT(all->weights().front(), 0.02);
 }
 
 }  // namespace
