@@ -95,7 +95,7 @@ class Carriage {
   std::vector<double> weights_;
   std::vector<double> turns_;  ///< u times the angle of the segment
   std::vector<Offset> offsets_;
-  std::vector<ModelPoint> bases_;  ///< of a swing: what is left of where it is at rest
+  std::vector<ModelPoint> bases_;     ///< of a swing: what is left of where it is at rest
   std::vector<std::uint8_t> wanted_;  ///< segments that carry anything, up to the last one that does
   std::vector<glm::dmat3> to_rest_;   ///< empty when nothing carries the vertices
 };

@@ -52,8 +52,7 @@ constexpr double k_shortest = 1e-9;
 
 }  // namespace
 
-CurveMotion::CurveMotion(std::vector<ModelPoint> reference, std::vector<ModelPoint> target, Mode mode,
-                         Turning turning)
+CurveMotion::CurveMotion(std::vector<ModelPoint> reference, std::vector<ModelPoint> target, Mode mode, Turning turning)
     : reference_(std::move(reference)), target_(std::move(target)), mode_(mode), segments_(reference_.size() - 1) {
   if (mode_ != Mode::rotate) return;
   if (turning == Turning::swung) {

@@ -163,9 +163,9 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
   if (specific.empty()) return at("specific", outside_error(*region, sketch.specific));
   auto curves = curves_of(sketch, canvas, *region, specific, *target_camera, *surface, points);
   if (!curves) return curves.error();
-  auto motion = measured_motion({canvas, *region, patch, falloff, std::move(curves->reference),
-                                 std::move(curves->target), *surface},
-                                sketch.mode, {sketch.minimum, sketch.maximum});
+  auto motion = measured_motion(
+      {canvas, *region, patch, falloff, std::move(curves->reference), std::move(curves->target), *surface}, sketch.mode,
+      {sketch.minimum, sketch.maximum});
   if (!motion) return at("general", motion.error());
   auto deformer = std::make_shared<Deformer>();
   deformer->sketch_ = sketch;

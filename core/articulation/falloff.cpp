@@ -68,7 +68,8 @@ Falloff::Falloff(const Patch& patch, const DrawnRegions& drawn)
   }
   find_beyond(drawn, seen);
   to_border_ = geodesic_distances(
-      patch, seeds_outside(patch, outer, [&](std::uint32_t node) { return drawn.general.distance(seen[node]); }), inner_);
+      patch, seeds_outside(patch, outer, [&](std::uint32_t node) { return drawn.general.distance(seen[node]); }),
+      inner_);
   std::vector<std::uint8_t> between(patch.node_count(), 0);
   for (std::uint32_t node = 0; node < patch.inner_count(); ++node) between[node] = specific_[node] == 0 ? 1 : 0;
   to_specific_ = geodesic_distances(
@@ -112,7 +113,8 @@ std::vector<double> Falloff::weights(double depth, std::span<const double> to_cu
   // How deep every node of the region of specific interest lies in it: 0 at its border, 1 at the curve.
   std::vector<std::uint8_t> beside(patch_.node_count(), 0);
   for (std::size_t node = 0; node < beside.size(); ++node) beside[node] = specific_[node] == 0 ? 1 : 0;
-  const auto inward = geodesic_distances(patch_, seeds_outside(patch_, beside, [](std::uint32_t) { return 1.0; }), specific_);
+  const auto inward =
+      geodesic_distances(patch_, seeds_outside(patch_, beside, [](std::uint32_t) { return 1.0; }), specific_);
   std::vector<std::uint8_t> core(patch_.node_count(), 0);
   std::vector<std::uint8_t> open(patch_.node_count(), 0);
   bool any = false;
@@ -124,7 +126,8 @@ std::vector<double> Falloff::weights(double depth, std::span<const double> to_cu
     any = any || deep;
   }
   if (!any) return weights();
-  return blended(geodesic_distances(patch_, seeds_outside(patch_, core, [](std::uint32_t) { return 1.0; }), open), core);
+  return blended(geodesic_distances(patch_, seeds_outside(patch_, core, [](std::uint32_t) { return 1.0; }), open),
+                 core);
 }
 
 std::vector<double> Falloff::blended(std::span<const double> to_core, std::span<const std::uint8_t> core) const {

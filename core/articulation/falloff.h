@@ -39,8 +39,7 @@ class Falloff {
 
  private:
   void find_beyond(const DrawnRegions& drawn, std::span<const geometry::PxPoint> seen);
-  [[nodiscard]] std::vector<double> blended(std::span<const double> to_core,
-                                            std::span<const std::uint8_t> core) const;
+  [[nodiscard]] std::vector<double> blended(std::span<const double> to_core, std::span<const std::uint8_t> core) const;
 
   const Patch& patch_;
   std::vector<std::uint8_t> inner_;

@@ -13,8 +13,7 @@ constexpr double k_far = std::numeric_limits<double>::infinity();
 /// The distance at `c` from the source that lies `to_a` from a and `to_b` from b, in the plane of the triangle and on
 /// the other side of a b; along the nearer edge where the straight way leaves the triangle.
 double across(const ModelPoint& a, double to_a, const ModelPoint& b, double to_b, const ModelPoint& c) {
-  const double along_edges =
-      std::min(to_a + geometry::distance(a, c), to_b + geometry::distance(b, c));
+  const double along_edges = std::min(to_a + geometry::distance(a, c), to_b + geometry::distance(b, c));
   const ModelVector ab = b - a;
   const double length = geometry::length(ab);
   if (!(length > 0.0) || !(std::abs(to_a - to_b) < length)) return along_edges;

@@ -110,8 +110,7 @@ class Trial {
     std::optional<Strain> nearest;
     std::vector<Passenger> best;
     for (int round = 0; round <= k_rounds; ++round) {
-      const Strain strain =
-          at(Carriage(relaxed.motion, parts_.surface, relaxed.passengers, false), range_.maximum);
+      const Strain strain = at(Carriage(relaxed.motion, parts_.surface, relaxed.passengers, false), range_.maximum);
       if (!nearest || judge.better(strain, *nearest, 1.0)) {
         nearest = strain;
         best = relaxed.passengers;

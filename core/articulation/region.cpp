@@ -43,8 +43,7 @@ struct Component {
 }  // namespace
 
 base::Result<Region> general_region(const Canvas& canvas, const geometry::Camera& camera,
-                                    std::span<const PxPoint> lasso_px, const KeptSurface& surface,
-                                    Borders borders) {
+                                    std::span<const PxPoint> lasso_px, const KeptSurface& surface, Borders borders) {
   const auto lasso = geometry::Lasso::make(lasso_px);
   if (!lasso) return lasso.error();
   const auto positions = canvas.positions();

@@ -29,7 +29,7 @@ enum class Borders : std::uint8_t { measured, skipped };
 /// Errors: those of the lasso; nothing inside; only scraps inside.
 [[nodiscard]] base::Result<Region> general_region(const Canvas& canvas, const geometry::Camera& camera,
                                                   std::span<const PxPoint> lasso, const KeptSurface& surface = {},
-                                                    Borders borders = Borders::measured);
+                                                  Borders borders = Borders::measured);
 
 /// A region of specific interest within a general one (step 2).
 struct Weights {

@@ -12,8 +12,8 @@ struct SwingWorkspace {
   std::vector<double> angles, sines, cosines;
 };
 
-/// The motion of a curve by turning: every segment turns by its own rotation and scales, evenly with the amount, and the
-/// curve is put together of them. The rotations start from the one that turns the whole curve best, and each is the
+/// The motion of a curve by turning: every segment turns by its own rotation and scales, evenly with the amount, and
+/// the curve is put together of them. The rotations start from the one that turns the whole curve best, and each is the
 /// least turn beyond that of its neighbour, so that they differ along the curve by what the curve bends and not by
 /// twist. Points that move less are held more to their straight way: a curve whose one end stays swings about it, one
 /// that moves as a whole is carried by its middle. Nothing depends on the direction in which the curve was drawn.

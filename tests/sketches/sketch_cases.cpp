@@ -94,8 +94,8 @@ Line curled(const Line& line, double degrees) {
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const double angle = degrees * k_pi / 180 * static_cast<double>(i + 1) / static_cast<double>(line.size() - 1);
     const PxPoint p = line[i + 1] - line[i];
-    out.push_back(out.back() +
-                  PxPoint{p.x * std::cos(angle) - p.y * std::sin(angle), p.x * std::sin(angle) + p.y * std::cos(angle)});
+    out.push_back(out.back() + PxPoint{p.x * std::cos(angle) - p.y * std::sin(angle),
+                                       p.x * std::sin(angle) + p.y * std::cos(angle)});
   }
   return out;
 }
@@ -162,7 +162,8 @@ void add_head(std::vector<SketchCase>& cases, const Stage& stage, const Curves& 
   const PxPoint nose = seen(front, {curves.at("nose_bridge").back()})[0];
   add(cases, stage,
       {"mouth corner", 0, part(lip, 0.6, 1), 0.16 * m, 0.62 * m, moves({0.10 * m, -0.12 * m, -14, 0}), true});
-  add(cases, stage, {"corner, inferred", 0, part(lip, 0.6, 1), 0.16 * m, 0.62 * m, moves({0.10 * m, -0.14 * m}), false});
+  add(cases, stage,
+      {"corner, inferred", 0, part(lip, 0.6, 1), 0.16 * m, 0.62 * m, moves({0.10 * m, -0.14 * m}), false});
   const Line chin = straight(lower.front() + PxPoint{0.1 * m, 0.5 * m}, lower.back() + PxPoint{-0.1 * m, 0.5 * m});
   add(cases, stage, {"jaw", 0, chin, 0.35 * m, 1.3 * m, moves({0, 0.28 * m, 0, 0.1 * m}), true});
   add(cases, stage, {"lower lip", 0, part(lower, 0.1, 0.9), 0.1 * m, 0.6 * m, moves({0, 0.05 * m, 0, 0.12 * m}), true});
@@ -250,15 +251,20 @@ void add_beast(std::vector<SketchCase>& cases) {
   const Line muzzle = seen(front, {{-0.3, -0.5, 1.6}, {0.3, -0.5, 1.6}});
   const double u = geometry::distance(muzzle[0], muzzle[1]);
   const Line ear = seen(front, {{0.85, 0.6, -0.1}, {1.62, 1.1, -0.18}});
-  add(cases, stage, {"mouth corner", 0, straight(muzzle[0] + PxPoint{0.6 * u, 0}, muzzle[1]), 0.2 * u, 0.9 * u,
-                     moves({0.15 * u, -0.2 * u, -15, 0}), true});
-  add(cases, stage, {"jaw", 0, straight(muzzle[0], muzzle[1]), 0.25 * u, 1.1 * u, moves({0, 0.35 * u, 0, 0.1 * u}), true});
+  add(cases, stage,
+      {"mouth corner", 0, straight(muzzle[0] + PxPoint{0.6 * u, 0}, muzzle[1]), 0.2 * u, 0.9 * u,
+       moves({0.15 * u, -0.2 * u, -15, 0}), true});
+  add(cases, stage,
+      {"jaw", 0, straight(muzzle[0], muzzle[1]), 0.25 * u, 1.1 * u, moves({0, 0.35 * u, 0, 0.1 * u}), true});
   add(cases, stage, {"ear", 0, straight(ear[0], ear[1]), 0.6 * u, 1.1 * u, curls(45), true});
   add(cases, stage, {"ear, inferred", 0, straight(ear[0], ear[1]), 0.6 * u, 1.1 * u, curls(45), false});
   const Line ear_side = seen(from_side, {{1.0, 0.65, -0.1}, {1.62, 1.1, -0.18}});
-  add(cases, stage, {"ear from its side", 90, straight(ear_side[0], ear_side[1]), 0.4 * u, 0.9 * u, moves({0.2 * u, 0, 15, 0}), true});
+  add(cases, stage,
+      {"ear from its side", 90, straight(ear_side[0], ear_side[1]), 0.4 * u, 0.9 * u, moves({0.2 * u, 0, 15, 0}),
+       true});
   const Line brow = seen(front, {{0.15, 0.45, 0.9}, {0.6, 0.4, 0.75}});
-  add(cases, stage, {"brow", 0, straight(brow[0], brow[1]), 0.15 * u, 0.9 * u, moves({0, -0.2 * u, -8, -0.1 * u}), true});
+  add(cases, stage,
+      {"brow", 0, straight(brow[0], brow[1]), 0.15 * u, 0.9 * u, moves({0, -0.2 * u, -8, -0.1 * u}), true});
   const Line snout = seen(from_side, {{0, -0.1, 1.0}, {0, -0.25, 1.88}});
   add(cases, stage, {"snout", 90, straight(snout[0], snout[1]), 0.5 * u, 1.1 * u, curls(30), true});
 }

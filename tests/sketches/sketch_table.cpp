@@ -94,8 +94,10 @@ constexpr std::size_t k_stretched = 6;
 
 int run(const char* folder, std::uint32_t rules) {
   const auto cases = sketch_cases();
-  std::printf("turned over, creases, largest stretch (! above the bound), edges over 3, ms\n%-16s %-18s %-7s | %-27s | %-27s | %-27s\n",
-              "mesh", "control", "target", "auto", "translate", "rotate");
+  std::printf(
+      "turned over, creases, largest stretch (! above the bound), edges over 3, ms\n%-16s %-18s %-7s | %-27s | %-27s | "
+      "%-27s\n",
+      "mesh", "control", "target", "auto", "translate", "rotate");
   std::size_t bad = 0;
   std::size_t over = 0;
   std::size_t silent = 0;
@@ -121,9 +123,11 @@ int run(const char* folder, std::uint32_t rules) {
     std::replace(name.begin(), name.end(), ' ', '_');
     std::ofstream(std::string(folder) + "/" + name + ".json") << model_io::write_sketch_file(file);
   }
-  std::printf("%zu sketches: %zu torn or folded, %zu stretched beyond the bound, %zu targets missed by over 1e-9, %zu where auto "
-              "stretches more than the better way, slowest %.1f ms\n",
-              cases.size(), bad, over, missed, worse, slowest);
+  std::printf(
+      "%zu sketches: %zu torn or folded, %zu stretched beyond the bound, %zu targets missed by over 1e-9, %zu where "
+      "auto "
+      "stretches more than the better way, slowest %.1f ms\n",
+      cases.size(), bad, over, missed, worse, slowest);
   std::printf("%zu of those turn triangles over or stretch too far without being told of\n", silent);
   const bool held = bad <= k_torn && over <= k_stretched && missed == 0 && silent == 0;
   if (rules >= articulation::k_measured_rules && !held) std::printf("a bound does not hold\n");
@@ -140,7 +144,8 @@ int loop(const char* mesh) {
     for (int i = 0; i < 20; ++i) {
       const auto start = std::chrono::steady_clock::now();
       static_cast<void>(articulation::build_deformer(sketch, *one.canvas));
-      best = std::min(best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+      best =
+          std::min(best, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
     }
     std::printf("%s %s %.2f\n", one.feature.c_str(), one.strength.c_str(), best);
   }

@@ -17,7 +17,7 @@ struct SurfaceCheck {
   /// Edges at which two triangles now lie on each other (normals at more than 120 degrees) and at rest lay at less than
   /// 90.
   std::size_t creases = 0;
-  double stretch = 1;  ///< the largest ratio of an edge's length to that at rest
+  double stretch = 1;         ///< the largest ratio of an edge's length to that at rest
   std::size_t stretched = 0;  ///< edges over three times
 };
 

@@ -27,8 +27,9 @@ std::vector<ModelVector> moves_of(const Deformer& deformer, double amount) {
 /// A flat sheet around the origin, 4 units wide, that is seen from +z; with a hole where `holed`.
 std::shared_ptr<const Canvas> sheet(bool holed = false) {
   mesh::MeshSource source;
-  tests::add_grid(source, "sheet", 41, 41, false,
-                  [](std::uint32_t r, std::uint32_t c) { return ModelPoint{c * 0.1 - 2, r * 0.1 - 2, 0}; });
+  tests::add_grid(source, "sheet", 41, 41, false, [](std::uint32_t r, std::uint32_t c) {
+    return ModelPoint{c * 0.1 - 2, r * 0.1 - 2, 0};
+  });
   if (holed) {
     std::erase_if(source.triangles, [&](const mesh::Triangle& t) {
       const ModelPoint& p = source.positions[t[0]];
