@@ -50,6 +50,33 @@ Carriage::Carriage(std::shared_ptr<const CurveMotion> motion, KeptSurface surfac
   mark_segments();
 }
 
+Carriage::Carriage(std::shared_ptr<const CurveMotion> motion, KeptSurface surface,
+                   std::span<const Passenger> passengers, bool carried)
+    : motion_(std::move(motion)), surface_(std::move(surface)) {
+  const auto reference = motion_->reference();
+  reserve(passengers.size(), carried);
+  for (const Passenger& passenger : passengers) {
+    rests_.push_back(passenger.rest);
+    if (surface_.exists()) levels_.push_back(surface_.level(passenger.rest));
+    if (carried) to_rest_.push_back(passenger.to_rest);
+    if (!turning()) {
+      columns_.push_back(carried && linear() ? passenger.to_rest * passenger.move : passenger.move);
+      continue;
+    }
+    const std::uint32_t k = passenger.segment;
+    const ModelPoint about = mix(reference[k], reference[k + 1], passenger.fraction);
+    const ModelVector offset = passenger.rest - about;
+    const ModelVector axis = geometry::normalized(passenger.turn);
+    const ModelVector along = axis * glm::dot(axis, offset);
+    segments_.push_back(k);
+    fractions_.push_back(passenger.fraction);
+    weights_.push_back(passenger.weight);
+    turns_.push_back(geometry::length(passenger.turn));
+    offsets_.push_back({along, offset - along, glm::cross(axis, offset)});
+    bases_.push_back(about * passenger.weight + offset - along);
+  }
+}
+
 /// No more than is used: edits of deformers keep many of them for undo.
 void Carriage::reserve(std::size_t riders, bool carried) {
   rests_.reserve(riders);
@@ -61,6 +88,7 @@ void Carriage::reserve(std::size_t riders, bool carried) {
   weights_.reserve(riders);
   turns_.reserve(riders);
   offsets_.reserve(riders);
+  if (motion_->swing() != nullptr) bases_.reserve(riders);
 }
 
 void Carriage::mark_segments() {
@@ -83,7 +111,8 @@ Carriage Carriage::subset(std::span<const std::uint32_t> riders) const {
   some.turns_ = chosen(turns_, riders);
   some.offsets_ = chosen(offsets_, riders);
   some.to_rest_ = chosen(to_rest_, riders);
-  some.mark_segments();
+  some.bases_ = chosen(bases_, riders);
+  if (some.bases_.empty()) some.mark_segments();
   return some;
 }
 
@@ -104,12 +133,32 @@ void Carriage::turned(double amount, CarriageWorkspace& work, std::span<ModelVec
   }
 }
 
+void Carriage::swung(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const {
+  std::vector<ModelPoint>& points = work.motion.points;
+  points.resize(motion_->reference().size());
+  motion_->swing()->points(amount, work.motion.swing, points);
+  const std::size_t n = rests_.size();
+  work.angles.resize(n);
+  work.sines.resize(n);
+  work.cosines.resize(n);
+  for (std::size_t i = 0; i < n; ++i) work.angles[i] = amount * turns_[i];
+  base::sine_cosine(work.angles, work.sines, work.cosines);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint32_t k = segments_[i];
+    const Offset& offset = offsets_[i];
+    out[i] = mix(points[k], points[k + 1], fractions_[i]) * weights_[i] - bases_[i] + offset.level * work.cosines[i] +
+             offset.ahead * work.sines[i];
+  }
+}
+
 void Carriage::displacements(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const {
   if (amount == 0.0) {
     std::fill(out.begin(), out.end(), ModelVector{0});
     return;
   }
-  if (turning()) {
+  if (!bases_.empty()) {
+    swung(amount, work, out);
+  } else if (turning()) {
     turned(amount, work, out);
   } else {
     for (std::size_t i = 0; i < rests_.size(); ++i) out[i] = columns_[i] * amount;

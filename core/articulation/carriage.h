@@ -21,6 +21,17 @@ struct Rider {
   glm::dmat3 to_rest{1};      ///< from a world displacement to one of the rest vertex
 };
 
+/// A vertex that is carried by the whole of a curve instead of by the place on it that is closest.
+struct Passenger {
+  std::uint32_t segment = 0;  ///< the place that it turns about
+  double fraction = 0;
+  double weight = 1;
+  ModelVector move{0};  ///< mode translate: its displacement at amount 1
+  ModelVector turn{0};  ///< mode rotate: its own turn at amount 1, axis times angle
+  ModelPoint rest{0};
+  glm::dmat3 to_rest{1};
+};
+
 /// Scratch memory of evaluations; one for each thread.
 struct CarriageWorkspace {
   MotionWorkspace motion;
@@ -39,6 +50,11 @@ class Carriage {
   Carriage() = default;
   /// Precondition: segments exist, and `carried` tells whether any rider's to_rest is not the identity.
   Carriage(std::shared_ptr<const CurveMotion> motion, KeptSurface surface, std::span<const Rider> riders, bool carried);
+
+  /// Vertices that move by `move`, or each by its own turn: by w (t - r) + turned (v - r) - (v - r). Precondition: a
+  /// motion of mode rotate has a swing.
+  Carriage(std::shared_ptr<const CurveMotion> motion, KeptSurface surface, std::span<const Passenger> passengers,
+           bool carried);
 
   [[nodiscard]] std::size_t size() const { return rests_.size(); }
   /// The same motion for some of the riders, in the order asked for.
@@ -65,6 +81,7 @@ class Carriage {
 
   [[nodiscard]] bool turning() const { return motion_ && motion_->mode() == Mode::rotate; }
   void turned(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const;
+  void swung(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const;
   void reserve(std::size_t riders, bool carried);
   void mark_segments();
 
@@ -78,6 +95,7 @@ class Carriage {
   std::vector<double> weights_;
   std::vector<double> turns_;  ///< u times the angle of the segment
   std::vector<Offset> offsets_;
+  std::vector<ModelPoint> bases_;     ///< of a swing: what is left of where it is at rest
   std::vector<std::uint8_t> wanted_;  ///< segments that carry anything, up to the last one that does
   std::vector<glm::dmat3> to_rest_;   ///< empty when nothing carries the vertices
 };

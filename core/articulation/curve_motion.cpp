@@ -52,9 +52,13 @@ constexpr double k_shortest = 1e-9;
 
 }  // namespace
 
-CurveMotion::CurveMotion(std::vector<ModelPoint> reference, std::vector<ModelPoint> target, Mode mode)
+CurveMotion::CurveMotion(std::vector<ModelPoint> reference, std::vector<ModelPoint> target, Mode mode, Turning turning)
     : reference_(std::move(reference)), target_(std::move(target)), mode_(mode), segments_(reference_.size() - 1) {
   if (mode_ != Mode::rotate) return;
+  if (turning == Turning::swung) {
+    swing_ = std::make_shared<const Swing>(reference_, target_);
+    return;
+  }
   double length = 0;
   for (std::size_t j = 0; j < segments_.size(); ++j) length += geometry::distance(reference_[j], reference_[j + 1]);
   Spin before;
@@ -122,6 +126,11 @@ std::vector<ModelPoint> CurveMotion::points(double amount) const {
     return points;
   }
   MotionWorkspace work;
+  if (swing_) {
+    points.resize(reference_.size());
+    swing_->points(amount, work.swing, points);
+    return points;
+  }
   frames(amount, std::vector<std::uint8_t>(segments_.size(), 1), work);
   for (const SegmentFrame& frame : work.frames) points.push_back(frame.start);
   points.push_back(work.frames.back().start + work.frames.back().turn * work.frames.back().step);

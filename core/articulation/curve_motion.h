@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <glm/mat3x3.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "core/articulation/sketch.h"
+#include "core/articulation/swing.h"
 
 namespace penpose::articulation {
 
@@ -21,7 +23,12 @@ struct SegmentFrame {
 struct MotionWorkspace {
   std::vector<double> angles, sines, cosines;
   std::vector<SegmentFrame> frames;
+  SwingWorkspace swing;
+  std::vector<ModelPoint> points;
 };
+
+/// How a curve turns: each segment relative to those before it, as the paper has it, or as a whole (swing.h).
+enum class Turning : std::uint8_t { chained, swung };
 
 /// The motion of a curve from a reference to a target of as many points (method, section 3, "Curve interpolation").
 ///
@@ -33,12 +40,15 @@ class CurveMotion {
  public:
   CurveMotion() = default;
   /// Precondition: equally many points, at least two, all finite; mode is not automatic.
-  CurveMotion(std::vector<ModelPoint> reference, std::vector<ModelPoint> target, Mode mode);
+  CurveMotion(std::vector<ModelPoint> reference, std::vector<ModelPoint> target, Mode mode,
+              Turning turning = Turning::chained);
 
   [[nodiscard]] Mode mode() const { return mode_; }
   [[nodiscard]] std::span<const ModelPoint> reference() const { return reference_; }
   [[nodiscard]] std::span<const ModelPoint> target() const { return target_; }
   [[nodiscard]] std::size_t segment_count() const { return reference_.size() - 1; }
+  /// The swing of mode rotate when it turns as a whole, else null.
+  [[nodiscard]] const Swing* swing() const { return swing_.get(); }
   /// Axis (unit) and angle of a segment's turn, in the frame that the turns before it made.
   [[nodiscard]] const ModelVector& axis(std::size_t segment) const { return segments_[segment].axis; }
   [[nodiscard]] double angle(std::size_t segment) const { return segments_[segment].angle; }
@@ -64,6 +74,7 @@ class CurveMotion {
   std::vector<ModelPoint> target_;
   Mode mode_ = Mode::translate;
   std::vector<Segment> segments_;
+  std::shared_ptr<const Swing> swing_;
 };
 
 }  // namespace penpose::articulation

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/articulation/measured_deformer.h"
 #include "core/articulation/reference_curve.h"
 #include "core/articulation/region.h"
 #include "core/curve/pairing.h"
@@ -23,9 +24,9 @@ base::Result<geometry::Camera> camera_of(const Sketch& sketch, const std::option
 }
 
 base::Result<Curve> reference_of(const Sketch& sketch, const Canvas& canvas, const Region& region,
-                                 const Weights& weights, std::size_t points) {
+                                 std::span<const std::uint32_t> specific, std::size_t points) {
   if (sketch.reference.empty()) {
-    auto inferred = infer_reference(canvas, region, weights.specific, points);
+    auto inferred = infer_reference(canvas, region, specific, points);
     if (!inferred) return at("specific", inferred.error());
     return inferred;
   }
@@ -89,6 +90,41 @@ Place closest_place(PxPoint p, std::span<const PxPoint> line) {
   return best;
 }
 
+/// The curves of a deformer, with equally many points.
+struct Curves {
+  Curve reference;
+  Curve target;
+  bool turned_round = false;
+};
+
+/// Steps 3 and 4, the same by all rules.
+base::Result<Curves> curves_of(const Sketch& sketch, const Canvas& canvas, const Region& region,
+                               std::span<const std::uint32_t> specific, const geometry::Camera& target_camera,
+                               const KeptSurface& surface, std::size_t points) {
+  auto reference = reference_of(sketch, canvas, region, specific, points);
+  if (!reference) return reference.error();
+  auto paired = curve::pair_target(*reference, sketch.target, target_camera);
+  if (!paired) return at("target", paired.error());
+  Curves curves{std::move(*reference), std::move(paired->points), paired->reversed && !sketch.reference.empty()};
+  lift_onto_surface(target_camera, surface, curves.reference, curves.target);
+  if (!all_finite(curves.reference) || !all_finite(curves.target)) {
+    return base::Error{"the target lies too far away for numbers", "target", "draw it nearer to the model"};
+  }
+  return curves;
+}
+
+/// That the second lasso holds nothing of the region, and on which side of it it was drawn.
+base::Error outside_error(const Region& region, std::span<const PxPoint> lasso) {
+  PxPoint way;
+  for (const PxPoint& p : lasso) way = way + p * (1.0 / static_cast<double>(lasso.size()));
+  for (const PxPoint& p : region.seen) way = way - p * (1.0 / static_cast<double>(region.seen.size()));
+  const bool beside = std::abs(way.x) > std::abs(way.y);
+  const char* side = beside ? (way.x > 0.0 ? "right of" : "left of") : (way.y > 0.0 ? "below" : "above");
+  return {std::string("no vertex of the region of general interest lies inside the curve, which is ") + side +
+              " the middle of that region",
+          "", "draw it inside the first region, around at least one vertex"};
+}
+
 }  // namespace
 
 base::Result<std::shared_ptr<const Deformer>> Deformer::renamed(std::string name) const {
@@ -106,9 +142,43 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::with_range(double minimu
   return std::shared_ptr<const Deformer>(std::move(other));
 }
 
+base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& sketch, const Canvas& canvas,
+                                                                 std::size_t points) {
+  const auto camera = camera_of(sketch, std::nullopt);
+  if (!camera) return at("camera", camera.error());
+  const auto target_camera = camera_of(sketch, sketch.target_camera);
+  if (!target_camera) return at("target_camera", target_camera.error());
+  const auto surface = KeptSurface::make(sketch.surface, canvas);
+  if (!surface) return surface.error();
+  const auto region = general_region(canvas, *camera, sketch.general, *surface, Borders::skipped);
+  if (!region) return at("general", region.error());
+  const auto lasso = geometry::Lasso::make(sketch.specific);
+  if (!lasso) return at("specific", lasso.error());
+  const Patch patch(canvas, *region);
+  const Falloff falloff(patch, {*camera, geometry::Lasso::make(sketch.general).value(), *lasso});
+  std::vector<std::uint32_t> specific;
+  for (std::uint32_t i = 0; i < region->vertices.size(); ++i) {
+    if (falloff.specific()[patch.nodes()[i]] != 0) specific.push_back(i);
+  }
+  if (specific.empty()) return at("specific", outside_error(*region, sketch.specific));
+  auto curves = curves_of(sketch, canvas, *region, specific, *target_camera, *surface, points);
+  if (!curves) return curves.error();
+  auto motion = measured_motion(
+      {canvas, *region, patch, falloff, std::move(curves->reference), std::move(curves->target), *surface}, sketch.mode,
+      {sketch.minimum, sketch.maximum});
+  if (!motion) return at("general", motion.error());
+  auto deformer = std::make_shared<Deformer>();
+  deformer->sketch_ = sketch;
+  deformer->built_ = std::make_shared<const Built>(Built{std::move(motion->carriage), std::move(motion->vertices),
+                                                         std::move(motion->weights), curves->turned_round,
+                                                         motion->strain, falloff.reaches_beyond()});
+  return std::shared_ptr<const Deformer>(std::move(deformer));
+}
+
 base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch& sketch, const Canvas& canvas,
                                                              std::size_t points) {
   if (auto checked = check_sketch(sketch); !checked) return checked.error();
+  if (sketch.rules >= k_measured_rules) return Deformer::measured(sketch, canvas, points);
   const auto camera = camera_of(sketch, std::nullopt);
   if (!camera) return at("camera", camera.error());
   const auto target_camera = camera_of(sketch, sketch.target_camera);
@@ -119,24 +189,19 @@ base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch& sketc
   if (!region) return at("general", region.error());
   const auto weights = specific_region(*region, sketch.specific);
   if (!weights) return at("specific", weights.error());
-  auto reference = reference_of(sketch, canvas, *region, *weights, points);
-  if (!reference) return reference.error();
-  auto paired = curve::pair_target(*reference, sketch.target, *target_camera);
-  if (!paired) return at("target", paired.error());
-  Curve target = std::move(paired->points);
-  lift_onto_surface(*target_camera, *surface, *reference, target);
-  if (!all_finite(*reference) || !all_finite(target)) {
-    return base::Error{"the target lies too far away for numbers", "target", "draw it nearer to the model"};
-  }
-  const Mode mode = choose_mode(sketch, *target_camera, *reference, target);
+  auto curves = curves_of(sketch, canvas, *region, weights->specific, *target_camera, *surface, points);
+  if (!curves) return curves.error();
+  Curve& reference = curves->reference;
+  Curve& target = curves->target;
+  const Mode mode = choose_mode(sketch, *target_camera, reference, target);
   if (sketch.reference.empty() && mode == Mode::rotate &&
-      geometry::distance(reference->back(), target.back()) < geometry::distance(reference->front(), target.front())) {
-    std::reverse(reference->begin(), reference->end());
+      geometry::distance(reference.back(), target.back()) < geometry::distance(reference.front(), target.front())) {
+    std::reverse(reference.begin(), reference.end());
     std::reverse(target.begin(), target.end());
   }
 
   std::vector<PxPoint> seen;
-  for (const ModelPoint& p : *reference) {
+  for (const ModelPoint& p : reference) {
     const auto px = camera->project(p);
     if (!px) {
       return base::Error{"the reference curve lies behind the camera of the regions", "reference",
@@ -158,8 +223,8 @@ base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch& sketc
   }
   built.vertices.shrink_to_fit();
   built.weights.shrink_to_fit();
-  built.turned_round = paired->reversed && !sketch.reference.empty();
-  built.carriage = Carriage(std::make_shared<const CurveMotion>(std::move(*reference), std::move(target), mode),
+  built.turned_round = curves->turned_round;
+  built.carriage = Carriage(std::make_shared<const CurveMotion>(std::move(reference), std::move(target), mode),
                             std::move(*surface), riders, canvas.carried());
   auto deformer = std::make_shared<Deformer>();
   deformer->sketch_ = sketch;

@@ -8,6 +8,7 @@
 #include "core/articulation/canvas.h"
 #include "core/articulation/carriage.h"
 #include "core/articulation/sketch.h"
+#include "core/articulation/strain.h"
 #include "core/base/result.h"
 #include "core/rig/rig.h"
 
@@ -26,6 +27,12 @@ class Deformer {
   /// True when the target was drawn against a drawn reference and was therefore turned round (method, section 1). A
   /// deformer that rotates is torn by it when the target's far end only happens to lie nearer, so a user must be told.
   [[nodiscard]] bool turned_round() const { return built_->turned_round; }
+
+  /// What it does to the surface at the worst within its range; of rules before k_measured_rules nothing is known.
+  [[nodiscard]] const Strain& strain() const { return built_->strain; }
+
+  /// Where the region of specific interest reaches over the model beyond the other ("on its left"), or empty.
+  [[nodiscard]] const std::string& reaches_beyond() const { return built_->reaches_beyond; }
 
   /// The curves in world space at rest, equally many points.
   [[nodiscard]] std::span<const ModelPoint> reference() const { return built_->carriage.motion().reference(); }
@@ -48,12 +55,18 @@ class Deformer {
  private:
   friend base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch&, const Canvas&, std::size_t);
 
+  /// By rules from k_measured_rules on. Precondition: the sketch is checked.
+  static base::Result<std::shared_ptr<const Deformer>> measured(const Sketch& sketch, const Canvas& canvas,
+                                                                std::size_t points);
+
   /// What takes memory; name and range are not in it, so that deformers which differ in these alone share it.
   struct Built {
     Carriage carriage;
     std::vector<std::uint32_t> vertices;
     std::vector<double> weights;
     bool turned_round = false;
+    Strain strain;
+    std::string reaches_beyond;
   };
 
   Sketch sketch_;

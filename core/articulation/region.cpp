@@ -43,7 +43,7 @@ struct Component {
 }  // namespace
 
 base::Result<Region> general_region(const Canvas& canvas, const geometry::Camera& camera,
-                                    std::span<const PxPoint> lasso_px, const KeptSurface& surface) {
+                                    std::span<const PxPoint> lasso_px, const KeptSurface& surface, Borders borders) {
   const auto lasso = geometry::Lasso::make(lasso_px);
   if (!lasso) return lasso.error();
   const auto positions = canvas.positions();
@@ -96,7 +96,7 @@ base::Result<Region> general_region(const Canvas& canvas, const geometry::Camera
     if (inside[v] == 0 || joined.find(weld[v]) != name) continue;
     region.vertices.push_back(v);
     region.seen.push_back(seen[v]);
-    region.border_px.push_back(lasso->distance(seen[v]));
+    if (borders == Borders::measured) region.border_px.push_back(lasso->distance(seen[v]));
   }
   return region;
 }

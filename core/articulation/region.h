@@ -20,12 +20,16 @@ struct Region {
   std::vector<double> border_px;        ///< one a vertex: g_i, distance to the lasso
 };
 
+/// Whether the distances to the lasso are wanted.
+enum class Borders : std::uint8_t { measured, skipped };
+
 /// Of the connected components, within the lasso, of all vertices inside it (hidden ones too), with more than 10
 /// vertices, the one with the vertex closest to the camera. Vertices of a seam count as connected. Vertices of the
 /// surface that the deformer slides over are never meant, though an eyeball bulges nearer to the camera than its lid.
 /// Errors: those of the lasso; nothing inside; only scraps inside.
 [[nodiscard]] base::Result<Region> general_region(const Canvas& canvas, const geometry::Camera& camera,
-                                                  std::span<const PxPoint> lasso, const KeptSurface& surface = {});
+                                                  std::span<const PxPoint> lasso, const KeptSurface& surface = {},
+                                                  Borders borders = Borders::measured);
 
 /// A region of specific interest within a general one (step 2).
 struct Weights {

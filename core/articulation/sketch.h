@@ -35,6 +35,10 @@ struct PartSurface {
 /// What a deformer slides over; nothing for most.
 using Surface = std::variant<std::monostate, Sphere, PartSurface>;
 
+/// The rules of drawing from which on a deformer is measured (weights over the surface, the way of moving that distorts
+/// least, core/articulation/measured_deformer.h); by older rules it is built as the paper says, to the bit.
+inline constexpr std::uint32_t k_measured_rules = 3;
+
 /// The widest range that a deformer's parameter may have.
 inline constexpr double k_widest_amount = 10;
 /// The most points that a curve may have.
@@ -54,8 +58,9 @@ struct Sketch {
   std::optional<geometry::CameraPose> target_camera;     ///< set when the camera moved before the target was drawn
   Mode mode = Mode::automatic;
   Surface surface;
-  double minimum = 0;  ///< range of the parameter, <= 0
-  double maximum = 1;  ///< > 0
+  double minimum = 0;       ///< range of the parameter, <= 0
+  double maximum = 1;       ///< > 0
+  std::uint32_t rules = 0;  ///< of drawing, under which the deformer is built
   friend bool operator==(const Sketch&, const Sketch&) = default;
 };
 

@@ -137,6 +137,7 @@ Changed run(const Document& document, const BeginDeformer& command, Parts&) {
   sketch.surface = command.surface;
   sketch.minimum = command.minimum;
   sketch.maximum = command.maximum;
+  sketch.rules = command.rules;
   // What is wrong already is told before anything is drawn.
   Sketch drawn = sketch;
   drawn.general = drawn.specific = drawn.target = {{}};
@@ -150,6 +151,7 @@ Changed run(const Document& document, const SketchCurve& command, Parts& work) {
     sketch = document.pending->sketch;
   } else {
     sketch.name = free_name(document);
+    sketch.rules = command.rules;
   }
   if (command.line.size() > articulation::k_most_points) {
     return base::Error{"the curve has too many points", "line", "use at most 100,000"};

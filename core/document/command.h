@@ -291,6 +291,7 @@ struct BeginDeformer {
   articulation::Surface surface;
   double minimum = 0;
   double maximum = 1;
+  std::uint32_t rules = 0;  ///< from articulation::k_measured_rules on: measured
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("name", self.name);
@@ -298,6 +299,7 @@ struct BeginDeformer {
     visit("surface", self.surface);
     visit("minimum", self.minimum);
     visit("maximum", self.maximum);
+    visit("rules", self.rules);
   }
   friend bool operator==(const BeginDeformer&, const BeginDeformer&) = default;
 };
@@ -309,11 +311,13 @@ struct SketchCurve {
   articulation::CurveRole role = articulation::CurveRole::general;
   View view;
   std::vector<PxPoint> line;
+  std::uint32_t rules = 0;  ///< as BeginDeformer, of one that no command began
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("role", self.role);
     visit("view", self.view);
     visit("line", self.line);
+    visit("rules", self.rules);
   }
   friend bool operator==(const SketchCurve&, const SketchCurve&) = default;
 };

@@ -127,7 +127,7 @@ base::Result<document::Command> command_of(const Document& document, const Tool&
       if (!line.empty()) return Command(document::Pin{view, line.front()});
       break;
     case ToolKind::articulate:
-      return Command(document::SketchCurve{next_step(document, tool), view, std::move(line)});
+      return Command(document::SketchCurve{next_step(document, tool), view, std::move(line), tool.rules});
     case ToolKind::redraw:
       return Command(document::RedrawCurve{tool.deformer, tool.role, view, std::move(line)});
     case ToolKind::erase:

@@ -300,7 +300,7 @@ Json pending_commands(const articulation::Sketch& sketch) {
   using articulation::CurveRole;
   Json commands = Json::array();
   const auto add = [&](const document::Command& command) { commands.push_back(document::to_text(command)); };
-  add(document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum, sketch.maximum});
+  add(document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum, sketch.maximum, sketch.rules});
   const document::View view{sketch.camera, sketch.viewport};
   if (!sketch.general.empty()) add(document::SketchCurve{CurveRole::general, view, sketch.general});
   if (!sketch.specific.empty()) add(document::SketchCurve{CurveRole::specific, view, sketch.specific});

@@ -13,9 +13,9 @@ namespace {
 constexpr const char* k_see_format = "see the format of sketch files in the manual";
 
 constexpr std::array<std::string_view, 3> k_members = {"model", "viewport", "deformers"};
-constexpr std::array<std::string_view, 12> k_deformer_members = {
+constexpr std::array<std::string_view, 13> k_deformer_members = {
     "name",      "viewport", "camera", "reference_camera", "target_camera", "general", "specific",
-    "reference", "target",   "mode",   "surface",          "range"};
+    "reference", "target",   "mode",   "surface",          "range",         "rules"};
 
 }  // namespace
 
@@ -41,7 +41,8 @@ base::Result<SketchFile> read_sketch_file(base::Bytes bytes) {
   list_unknown(*json, "", k_members, file.skipped);
   for (std::size_t i = 0; i < deformers->size(); ++i) {
     const std::string pointer = child("/deformers", i);
-    if (auto problem = read_sketch((*deformers)[i], pointer, viewport, file.sketches.emplace_back())) return *problem;
+    file.sketches.emplace_back().rules = articulation::k_measured_rules;
+    if (auto problem = read_sketch((*deformers)[i], pointer, viewport, file.sketches.back())) return *problem;
     list_unknown((*deformers)[i], pointer, k_deformer_members, file.skipped);
     if (!names.insert(file.sketches.back().name).second) {
       return base::Error{"another deformer is called '" + file.sketches.back().name + "' too", pointer + "/name",
@@ -57,7 +58,10 @@ std::string write_sketch_file(const SketchFile& file) {
   for (std::size_t i = 0; i < file.sketches.size(); ++i) {
     const Viewports viewports = file.sketches[i].viewport == file.viewport ? Viewports::shared : Viewports::each;
     text += i == 0 ? "\n" : ",\n";
-    text += to_json(file.sketches[i], viewports).dump(-1, ' ', false, Json::error_handler_t::replace);
+    Json one = to_json(file.sketches[i], viewports);
+    one["rules"] = file.sketches[i].rules;
+    if (file.sketches[i].rules == articulation::k_measured_rules) one.erase("rules");
+    text += one.dump(-1, ' ', false, Json::error_handler_t::replace);
   }
   return text + "\n]}\n";
 }

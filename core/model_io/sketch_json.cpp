@@ -12,6 +12,7 @@ using Problem = std::optional<base::Error>;
 
 constexpr const char* k_see_format = "see the format of sketch files in the manual";
 constexpr std::int64_t k_largest_viewport = 100000;
+constexpr std::int64_t k_most_rules = 1000;
 constexpr const char* k_modes[] = {"auto", "translate", "rotate"};
 
 base::Error wrong(std::string what, std::string pointer, std::string remedy = k_see_format) {
@@ -194,6 +195,11 @@ std::optional<base::Error> read_sketch(const Json& value, const std::string& poi
   if (auto problem = read_mode(value, pointer, out.mode)) return problem;
   if (auto problem = read_surface(value, pointer, out.surface)) return problem;
   if (auto problem = read_range(value, pointer, out)) return problem;
+  if (const Json* rules = given(value, "rules")) {
+    const auto n = whole_number(*rules, 0, k_most_rules);
+    if (!n) return wrong("the number of the rules of drawing was expected", child(pointer, "rules"));
+    out.rules = static_cast<std::uint32_t>(*n);
+  }
   const auto checked = articulation::check_sketch(out);
   if (checked) return std::nullopt;
   base::Error error = checked.error();
@@ -220,6 +226,7 @@ Json to_json(const Sketch& sketch, Viewports viewports) {
     value["surface"] = {{"mesh", surface->part}};
   }
   if (sketch.minimum != 0.0 || sketch.maximum != 1.0) value["range"] = Json::array({sketch.minimum, sketch.maximum});
+  if (sketch.rules != 0) value["rules"] = sketch.rules;
   return value;
 }
 

@@ -24,8 +24,8 @@ std::string free_name(const document::Document& document, const std::string& nam
 }  // namespace
 
 void App::begin_control() {
-  workspace_.perform(
-      document::BeginDeformer{free_name(workspace_.document(), "control"), panels_.new_mode, panels_.new_surface});
+  workspace_.perform(document::BeginDeformer{free_name(workspace_.document(), "control"), panels_.new_mode,
+                                             panels_.new_surface, 0, 1, drawing::k_rules});
 }
 
 void App::mirror_control(const std::string& deformer) {
@@ -60,7 +60,8 @@ void App::choose_for_new_control(articulation::Mode mode, const articulation::Su
     return line.empty() || workspace_.perform(document::SketchCurve{role, {camera, sketch.viewport}, line});
   };
   static_cast<void>(
-      workspace_.perform(document::BeginDeformer{sketch.name, mode, surface, sketch.minimum, sketch.maximum}) &&
+      workspace_.perform(
+          document::BeginDeformer{sketch.name, mode, surface, sketch.minimum, sketch.maximum, sketch.rules}) &&
       draw(articulation::CurveRole::general, sketch.general, sketch.camera) &&
       draw(articulation::CurveRole::specific, sketch.specific, sketch.camera) &&
       draw(articulation::CurveRole::reference, sketch.reference, sketch.reference_camera.value_or(sketch.camera)));

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/articulation/doubts.h"
 #include "ui/app/app.h"
 #include "ui/app/navigation.h"
 
@@ -108,6 +109,7 @@ void App::show_new_deformer() {
     panels_.deformer = deformers->deformers().back()->sketch().name;
     panels_.controls_tab = true;
     tell(panels_.deformer + " is ready: its slider is in the panel");
+    for (const std::string& doubt : articulation::doubts_of(*deformers->deformers().back())) tell(doubt);
     if (deformers->deformers().back()->turned_round()) {
       tell("the goal ran against the feature and was turned round; draw it the other way if it twists");
     }

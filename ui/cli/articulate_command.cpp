@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "core/articulation/doubts.h"
 #include "core/articulation/edit.h"
 #include "core/base/numbers.h"
 #include "core/base/shown_text.h"
@@ -34,6 +35,7 @@ struct ArticulateArguments {
   std::string sketch;
   std::string out;
   bool json = false;
+  bool paper = false;  ///< as the paper has it, whatever the file says
 };
 
 constexpr std::size_t k_longest_line = 4096;
@@ -106,7 +108,9 @@ std::vector<std::string> notes_on(const model_io::SketchFile& file, const std::s
 
 /// What a user may not have meant, one line each.
 std::vector<std::string> notes_on(const Deformer& deformer) {
-  if (!deformer.turned_round() || deformer.mode() != articulation::Mode::rotate) return {};
+  auto doubts = articulation::doubts_of(deformer);
+  const bool measured = deformer.sketch().rules >= articulation::k_measured_rules;
+  if (measured || !deformer.turned_round() || deformer.mode() != articulation::Mode::rotate) return doubts;
   return {
       "the target was turned round, because its end lies nearer to the start of the reference than its start does; "
       "if the control tears the model, draw the target so that its start is the nearer end, or use translate"};
@@ -124,8 +128,11 @@ int articulate(const ArticulateArguments& arguments) {
   if (!document) return report(document.error(), arguments.model);
   const auto bytes = read_file(arguments.sketch, k_most_text_bytes);
   if (!bytes) return report(bytes.error(), arguments.sketch);
-  const auto file = model_io::read_sketch_file(*bytes);
+  auto file = model_io::read_sketch_file(*bytes);
   if (!file) return report(file.error(), arguments.sketch);
+  if (arguments.paper) {
+    for (articulation::Sketch& sketch : file->sketches) sketch.rules = 0;
+  }
   if (file->sketches.empty()) {
     return report({"there is no deformer in the file", "/deformers", "draw one"}, arguments.sketch);
   }
@@ -154,6 +161,8 @@ int articulate(const ArticulateArguments& arguments) {
                     {"minimum", deformer.parameter().minimum},
                     {"maximum", deformer.parameter().maximum},
                     {"target_turned_round", deformer.turned_round()},
+                    {"stretch", deformer.strain().stretch},
+                    {"turned_over", deformer.strain().turned_over},
                     {"notes", notes},
                     {"build_us", one.build_us}});
     if (arguments.json) continue;
@@ -184,6 +193,12 @@ void add_articulate_command(CLI::App& app, int& status) {
   command->add_option("--sketch", arguments->sketch, "JSON file of strokes")->required();
   command->add_option("-o", arguments->out, "Write the articulated model, .glb")->required();
   command->add_flag("--json", arguments->json, "Print one JSON object");
+  command
+      ->add_option_function<std::string>(
+          "--preset", [arguments](const std::string& preset) { arguments->paper = preset == "paper"; },
+          "default: weights that fall off over the surface, and of the ways of moving the one that distorts it least. "
+          "paper: as published in 2006")
+      ->check(CLI::IsMember({"default", "paper"}));
   add_tolerance_option(*command, arguments->glb);
   command->callback([arguments, &status] { status = articulate(*arguments); });
 }

@@ -1,0 +1,253 @@
+#include "core/articulation/measured_deformer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "core/articulation/attachment.h"
+#include "core/curve/polyline.h"
+
+namespace penpose::articulation {
+namespace {
+
+/// A rotation has to distort this much less than a translation to be chosen.
+constexpr double k_measurably = 0.9;
+/// Shares of the range at which motions are measured.
+constexpr std::array<double, 3> k_amounts{0.35, 0.7, 1.0};
+/// Shares of the way from the border of the region of specific interest to the curve that the falloff may take, tried
+/// in turn.
+constexpr std::array<double, 3> k_depths{0.0, 0.4, 0.8};
+/// An edge may be stretched by this times the ratio of the target's length to the reference's.
+constexpr double k_bound = 1.95;
+
+/// What the whole curve has to say to every node, without weights.
+struct Bond {
+  std::vector<double> places;
+  std::vector<double> distances;
+  std::vector<ModelVector> moves;
+  std::vector<ModelVector> turns;
+};
+
+Bond bond_of(const MeasuredParts& parts, const Swing* swing) {
+  Bond bond;
+  const std::size_t n = parts.patch.inner_count();
+  bond.places.resize(n);
+  bond.distances.assign(parts.patch.node_count(), 0.0);
+  bond.moves.resize(n);
+  if (swing != nullptr) bond.turns.resize(n);
+  std::vector<ModelVector> ways;
+  for (std::size_t i = 0; i < parts.reference.size(); ++i) ways.push_back(parts.target[i] - parts.reference[i]);
+  Attachment attachment(parts.reference);
+  for (std::size_t node = 0; node < n; ++node) {
+    attachment.attach(parts.patch.rests()[node]);
+    bond.places[node] = attachment.place();
+    bond.distances[node] = attachment.distance();
+    bond.moves[node] = attachment.mean_of_points(ways);
+    if (swing != nullptr) bond.turns[node] = attachment.mean_of_segments(swing->turns());
+  }
+  return bond;
+}
+
+/// A motion of all inner nodes, measured.
+struct Outcome {
+  std::shared_ptr<const CurveMotion> motion;
+  std::vector<Passenger> passengers;  ///< one an inner node
+  Strain strain;
+};
+
+/// How motions are told apart: what tears nothing comes first, then what stretches nothing beyond the bound, then what
+/// distorts least.
+struct Judge {
+  double bound = 2;
+
+  [[nodiscard]] bool passes(const Strain& strain) const { return strain.turned_over == 0 && strain.stretch <= bound; }
+  [[nodiscard]] bool better(const Strain& a, const Strain& b, double factor) const {
+    if (a.turned_over != b.turned_over) return a.turned_over < b.turned_over;
+    const double excess_a = std::max(a.stretch, bound);
+    const double excess_b = std::max(b.stretch, bound);
+    if (excess_a != excess_b) return excess_a < excess_b;
+    return a.energy < factor * b.energy;
+  }
+};
+
+class Trial {
+ public:
+  Trial(const MeasuredParts& parts, const Bond& bond, Range range)
+      : parts_(parts),
+        bond_(bond),
+        range_(range),
+        length_(curve::arc_length<ModelPoint>(parts.reference)),
+        meter_(parts.patch),
+        moves_(parts.patch.node_count()) {}
+
+  [[nodiscard]] Outcome attempt(const std::shared_ptr<const CurveMotion>& motion, std::span<const double> weights) {
+    Outcome outcome{motion, {}, {}};
+    const auto last = static_cast<double>(motion->segment_count() - 1);
+    outcome.passengers.reserve(parts_.patch.inner_count());
+    for (std::size_t node = 0; node < parts_.patch.inner_count(); ++node) {
+      Passenger passenger;
+      const double segment = std::min(std::floor(bond_.places[node]), last);
+      passenger.segment = static_cast<std::uint32_t>(segment);
+      passenger.fraction = bond_.places[node] - segment;
+      passenger.weight = weights[node];
+      passenger.rest = parts_.patch.rests()[node];
+      passenger.move = bond_.moves[node] * weights[node];
+      if (motion->swing() != nullptr) passenger.turn = bond_.turns[node] * weights[node];
+      outcome.passengers.push_back(passenger);
+    }
+    measure(outcome);
+    return outcome;
+  }
+
+  /// Spreads what is too strong: where triangles are turned over or stretched beyond the bound, and ever farther around
+  /// them, every node is brought nearer to what its neighbours do. What came nearest to passing is kept. Nodes on the
+  /// curve stay.
+  void relax(Outcome& outcome, const Judge& judge) {
+    std::vector<std::uint8_t> marked(parts_.patch.node_count(), 0);
+    Outcome relaxed = outcome;
+    std::optional<Strain> nearest;
+    std::vector<Passenger> best;
+    for (int round = 0; round <= k_rounds; ++round) {
+      const Strain strain = at(Carriage(relaxed.motion, parts_.surface, relaxed.passengers, false), range_.maximum);
+      if (!nearest || judge.better(strain, *nearest, 1.0)) {
+        nearest = strain;
+        best = relaxed.passengers;
+      }
+      if (judge.passes(strain) || round == k_rounds) break;
+      std::fill(marked.begin(), marked.end(), 0);
+      meter_.mark_worst(judge.bound, marked);
+      for (int ring = 0; ring <= round / k_rounds_a_ring; ++ring) grow(marked);
+      for (int pass = 0; pass < k_passes; ++pass) smooth(relaxed.passengers, marked);
+    }
+    relaxed.passengers = std::move(best);
+    measure(relaxed);
+    if (judge.better(relaxed.strain, outcome.strain, 1.0)) outcome = std::move(relaxed);
+  }
+
+ private:
+  static constexpr int k_rounds = 14;
+  static constexpr int k_rounds_a_ring = 3;
+  static constexpr int k_passes = 3;
+  static constexpr double k_even = 0.03;
+
+  Strain at(const Carriage& carriage, double amount) {
+    carriage.displacements(amount, work_, std::span(moves_).first(carriage.size()));
+    return meter_.measure(moves_);
+  }
+
+  void measure(Outcome& outcome) {
+    const Carriage carriage(outcome.motion, parts_.surface, outcome.passengers, false);
+    outcome.strain = {};
+    if (range_.minimum < 0.0) outcome.strain = at(carriage, range_.minimum);
+    for (const double share : k_amounts) outcome.strain = worse(outcome.strain, at(carriage, share * range_.maximum));
+  }
+
+  void grow(std::vector<std::uint8_t>& marked) const {
+    const std::vector<std::uint8_t> before = marked;
+    for (const mesh::Triangle& t : parts_.patch.triangles()) {
+      if (before[t[0]] != 0 || before[t[1]] != 0 || before[t[2]] != 0) marked[t[0]] = marked[t[1]] = marked[t[2]] = 1;
+    }
+  }
+
+  void smooth(std::vector<Passenger>& passengers, std::span<const std::uint8_t> marked) const {
+    const std::vector<Passenger> before = passengers;
+    const double still = 1e-6 * length_;
+    for (std::uint32_t node = 0; node < passengers.size(); ++node) {
+      if (marked[node] == 0 || !(bond_.distances[node] > still)) continue;
+      Passenger& own = passengers[node];
+      double count = 0;  // of neighbours, by what they have to say
+      double weight = 0;
+      double place = 0;
+      ModelVector move{0};
+      ModelVector turn{0};
+      for (const std::uint32_t t : parts_.patch.star(node)) {
+        for (const std::uint32_t other : parts_.patch.triangles()[t]) {
+          if (other == node) continue;
+          // Along an edge that is stretched or pressed more than others there is more to give way to: what is left over
+          // spreads evenly. The shorter the edge the more it says, as in any mean over a surface.
+          const double off = std::sqrt(meter_.squared_stretch(node, other)) - 1.0;
+          const ModelVector edge = parts_.patch.rests()[other] - own.rest;
+          const double says = (k_even + off * off) / std::max(glm::dot(edge, edge), 1e-12 * length_ * length_);
+          count += says;
+          // What lies on the rim stays, and goes along with any place of the curve.
+          if (other >= passengers.size()) {
+            place += says * (own.segment + own.fraction);
+            continue;
+          }
+          const Passenger& beside = before[other];
+          weight += says * beside.weight;
+          place += says * (beside.segment + beside.fraction);
+          move += beside.move * says;
+          turn += beside.turn * says;
+        }
+      }
+      if (!(count > 0.0)) continue;
+      const double half = 0.5 / count;
+      own.weight = 0.5 * own.weight + half * weight;
+      own.move = own.move * 0.5 + move * half;
+      own.turn = own.turn * 0.5 + turn * half;
+      place = 0.5 * (own.segment + own.fraction) + half * place;
+      const double segment = std::min(std::floor(place), static_cast<double>(parts_.reference.size() - 2));
+      own.segment = static_cast<std::uint32_t>(segment);
+      own.fraction = place - segment;
+    }
+  }
+
+  const MeasuredParts& parts_;
+  const Bond& bond_;
+  Range range_;
+  double length_;  ///< of the reference
+  Strainmeter meter_;
+  CarriageWorkspace work_;
+  std::vector<ModelVector> moves_;
+};
+
+}  // namespace
+
+base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mode, Range range) {
+  const auto motion_of = [&](Mode one) {
+    return std::make_shared<const CurveMotion>(parts.reference, parts.target, one, Turning::swung);
+  };
+  const auto straight = mode == Mode::rotate ? nullptr : motion_of(Mode::translate);
+  const auto swing = mode == Mode::translate ? nullptr : motion_of(Mode::rotate);
+  const Bond bond = bond_of(parts, swing ? swing->swing() : nullptr);
+  const double length = curve::arc_length<ModelPoint>(parts.reference);
+  const Judge judge{k_bound * std::max(1.0, curve::arc_length<ModelPoint>(parts.target) / length)};
+  Trial trial(parts, bond, range);
+  std::optional<Outcome> best;
+  for (const double depth : k_depths) {
+    const auto weights = depth > 0.0 ? parts.falloff.weights(depth, bond.distances) : parts.falloff.weights();
+    for (const auto& [motion, factor] : {std::pair{straight, 1.0}, std::pair{swing, k_measurably}}) {
+      if (!motion) continue;
+      auto outcome = trial.attempt(motion, weights);
+      if (!best || judge.better(outcome.strain, best->strain, factor)) best = std::move(outcome);
+    }
+    if (judge.passes(best->strain)) break;
+  }
+  if (!judge.passes(best->strain)) trial.relax(*best, judge);
+
+  MeasuredMotion result;
+  std::vector<Passenger> passengers;
+  for (std::size_t i = 0; i < parts.region.vertices.size(); ++i) {
+    Passenger passenger = best->passengers[parts.patch.nodes()[i]];
+    if (!(passenger.weight > 0.0)) continue;
+    const std::uint32_t v = parts.region.vertices[i];
+    auto to_rest = parts.canvas.to_rest(v);
+    if (!to_rest) return to_rest.error();
+    passenger.to_rest = *to_rest;
+    passenger.rest = parts.canvas.positions()[v];
+    passengers.push_back(passenger);
+    result.vertices.push_back(v);
+    result.weights.push_back(passenger.weight);
+  }
+  result.vertices.shrink_to_fit();
+  result.weights.shrink_to_fit();
+  result.strain = best->strain;
+  result.strain.node = parts.patch.vertex(best->strain.node);
+  result.carriage = Carriage(best->motion, parts.surface, passengers, parts.canvas.carried());
+  return result;
+}
+
+}  // namespace penpose::articulation

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/articulation/canvas.h"
+#include "core/articulation/carriage.h"
+#include "core/articulation/falloff.h"
+#include "core/articulation/strain.h"
+
+namespace penpose::articulation {
+
+/// The curves of a deformer and what they move.
+struct MeasuredParts {
+  const Canvas& canvas;
+  const Region& region;
+  const Patch& patch;
+  const Falloff& falloff;
+  std::vector<ModelPoint> reference;
+  std::vector<ModelPoint> target;
+  KeptSurface surface;
+};
+
+/// The range of a deformer's parameter.
+struct Range {
+  double minimum = 0;
+  double maximum = 1;
+};
+
+/// A way of moving that was measured.
+struct MeasuredMotion {
+  Carriage carriage;
+  std::vector<std::uint32_t> vertices;
+  std::vector<double> weights;
+  Strain strain;  ///< the worst at several amounts
+};
+
+/// Of both ways of moving (or the one that is asked for) the one that distorts the surface least, and of several depths
+/// to which its weights may reach into the region of specific interest the shallowest that turns no triangle over.
+/// Errors: a vertex whose joints flatten it.
+[[nodiscard]] base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mode, Range range);
+
+}  // namespace penpose::articulation

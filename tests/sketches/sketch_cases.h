@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/articulation/canvas.h"
+#include "core/articulation/sketch.h"
+
+namespace penpose::sketches {
+
+using articulation::Canvas;
+using articulation::Sketch;
+using geometry::ModelPoint;
+using geometry::PxPoint;
+
+/// One control as a user would sketch it, and how strong its target is.
+struct SketchCase {
+  std::string mesh;
+  std::string feature;   ///< "jaw"
+  std::string strength;  ///< weak, usual or strong
+  std::shared_ptr<const Canvas> canvas;
+  Sketch sketch;
+};
+
+/// Sketches on the built-in head, the heads and the elephant of the shared data (left out where it is missing), and on
+/// a beast of this program's own making. Every feature at three strengths.
+[[nodiscard]] std::vector<SketchCase> sketch_cases();
+
+}  // namespace penpose::sketches
