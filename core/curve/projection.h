@@ -17,7 +17,9 @@ struct ProjectedStroke {
   std::vector<mesh::MeshPoint> points;
   std::vector<ModelPoint> positions;  ///< of the points, on the posed mesh
   std::vector<std::size_t> samples;   ///< sample of the stroke that each point came from, ascending
-  std::size_t dropped = 0;            ///< samples that gave no point: they missed, or lay on a shorter run
+  std::vector<geometry::ModelVector>
+      aside;                ///< from each point to where the pen was, at its depth; empty: under the pen
+  std::size_t dropped = 0;  ///< samples that gave no point: they missed, or lay on a shorter run
 };
 
 /// Projects a stroke onto the mesh (method, section 1): the ray of every sample hits the closest visible face; samples

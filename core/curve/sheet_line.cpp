@@ -275,9 +275,15 @@ base::Result<ProjectedStroke> sheet_curve(std::span<const PxPoint> stroke, std::
     if (place.fraction > 0.0 && place.fraction < 1.0) walk.on_sheet((*even)[i], taken[nearer], step, here);
     result.points.push_back(here.point);
     result.positions.push_back(here.position);
+    const PxPoint off = taken[nearer].offset;
+    const double unit = camera.units_per_px(camera.depth(here.position));
+    result.aside.push_back(camera.right() * (-off.x * unit) + camera.up() * (off.y * unit));
     const double share = static_cast<double>(run.first + nearer) / static_cast<double>(walk.nodes.size() - 1);
     result.samples.push_back(static_cast<std::size_t>(share * static_cast<double>(stroke.size() - 1)));
   }
+  const bool under =
+      std::all_of(taken.begin(), taken.end(), [](const Candidate& one) { return one.offset == PxPoint{}; });
+  if (under) result.aside.clear();
   const double kept = static_cast<double>(run.taken.size()) / static_cast<double>(walk.nodes.size());
   result.dropped = stroke.size() - static_cast<std::size_t>(kept * static_cast<double>(stroke.size()));
   return result;

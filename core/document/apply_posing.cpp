@@ -33,9 +33,9 @@ Changed solved(Document document, std::uint32_t rules, Parts& work) {
   return document;
 }
 
-base::Result<std::vector<mesh::MeshPoint>> drawn_on_surface(const Document& document, const View& view,
-                                                            const std::vector<PxPoint>& line, std::uint32_t rules,
-                                                            Parts& work) {
+base::Result<curve::ProjectedStroke> drawn_on_surface(const Document& document, const View& view,
+                                                      const std::vector<PxPoint>& line, std::uint32_t rules,
+                                                      Parts& work) {
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!camera) return at("view", camera.error());
   const geometry::TriangleBvh& tree = work.surface_of(document);
@@ -45,7 +45,7 @@ base::Result<std::vector<mesh::MeshPoint>> drawn_on_surface(const Document& docu
                          {tree, work.surface_positions(), document.model->mesh->triangles(), work.sheets_of(document)})
                    : curve::surface_curve(line, k_pose_curve_points, *camera, tree);
   if (!drawn) return at("line", drawn.error());
-  return std::move(drawn->points);
+  return drawn;
 }
 
 Changed with_curve(const Document& document, PoseCurve curve) {
@@ -141,7 +141,8 @@ Changed run(const Document& document, const DrawReference& command, Parts& work)
   auto points = drawn_on_surface(document, command.view, command.line, command.rules, work);
   if (!points) return points.error();
   PoseCurve curve;
-  curve.points = std::move(points).value();
+  curve.points = std::move(points->points);
+  curve.aside = std::move(points->aside);
   return with_curve(document, std::move(curve));
 }
 
@@ -186,7 +187,7 @@ Changed run(const Document& document, const DrawConstraint& command, Parts& work
   if (!points) return points.error();
   PoseCurve curve;
   curve.role = PoseCurveRole::constraint;
-  curve.points = std::move(points).value();
+  curve.points = std::move(points->points);
   curve.kept = positions_of(document, curve.points);
   return with_curve(document, std::move(curve));
 }

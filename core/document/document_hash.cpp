@@ -45,6 +45,7 @@ base::Hash128 hash_of(const PoseCurve& curve) {
   hash.add(static_cast<std::uint64_t>(curve.role));
   add_mesh_points(hash, curve.points);
   add_points(hash, curve.kept);
+  if (!curve.aside.empty()) add_points(hash, curve.aside);
   hash.add(std::uint64_t{curve.target.has_value()});
   if (curve.target) add_target(hash, *curve.target);
   return hash.digest();

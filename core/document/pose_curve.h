@@ -51,6 +51,8 @@ struct PoseCurve {
   std::vector<mesh::MeshPoint> points;     ///< a single one is a pin
   std::optional<DrawnTarget> target;       ///< of a reference
   std::vector<geometry::ModelPoint> kept;  ///< of a constraint: one a point
+  /// Of a reference that sticks to a sheet beside the pen: from each point to where the pen was; else empty.
+  std::vector<geometry::ModelVector> aside;
   friend bool operator==(const PoseCurve&, const PoseCurve&) = default;
 };
 

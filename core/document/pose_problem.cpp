@@ -52,7 +52,7 @@ posing::PoseProblem pose_problem(const Document& document) {
 
 double hand_px(const Document& document, geometry::Viewport viewport, std::uint32_t rules) {
   // A pen on a tablet strays less than the hand that the first edition was made for.
-  constexpr double k_pen = 0.7;
+  constexpr double k_pen = 0.5;
   const double usual = intent::doubt_px(viewport);
   return rules >= k_sheet_rules ? k_pen * document.hand * usual : usual;
 }
@@ -84,6 +84,7 @@ intent::IntentProblem intent_problem(const Document& document, std::uint32_t rul
                              curve->target->line,
                              intent::stroke_doubt_px(curve->target->line, hand),
                              {}};
+    drawn.aside = curve->aside;
     if (document.pressure_weighting) drawn.weights = curve->target->weights;
     doubt = hand * camera->units_per_px(camera->depth(positions.front()));
     problem.drawn.push_back(std::move(drawn));

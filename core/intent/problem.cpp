@@ -78,6 +78,11 @@ base::Status check_problem(const rig::Rig& rig, const IntentProblem& problem) {
   if (auto status = posing::check_problem(rig, as_pose_problem(problem)); !status) return status.error();
   for (std::size_t i = 0; i < problem.drawn.size(); ++i) {
     const DrawnCurve& curve = problem.drawn[i];
+    const bool aside = curve.aside.empty() || curve.aside.size() == curve.reference.size();
+    const bool finite = std::all_of(curve.aside.begin(), curve.aside.end(),
+                                    [](const ModelVector& v) { return std::isfinite(v.x + v.y + v.z); });
+    if (!aside || !finite)
+      return base::Error{"what is beside the reference does not fit it", named("curve", i), "give one vector a point"};
     if (curve.reference.size() < 2)
       return base::Error{"the reference curve has fewer than two points", named("curve", i), "draw a longer line"};
     if (auto error = unseen(rig, problem.start, curve)) {

@@ -36,6 +36,9 @@ struct DrawnCurve {
   std::vector<PxPoint> target;  ///< at least two, not all at one place
   double doubt_px = k_doubt_px;
   std::vector<double> weights;  ///< one a reference point, mean 1 (posing::pressure_weights); empty: all 1
+  /// From each reference point to where the pen drew it, model units: a line that sticks to a rim beside it is meant to
+  /// go as far as it was drawn to. Empty: nowhere.
+  std::vector<ModelVector> aside = {};
 };
 
 /// A curve of which it is known where each point goes, or stays.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
+#include "core/base/math.h"
 #include "core/curve/pairing.h"
 
 namespace penpose::intent {
@@ -40,14 +42,15 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
   start_.resize(system_.point_count());
   positions_.resize(start_.size());
   moved_.resize(start_.size());
-  system_.positions(problem.start, start_);
+  place(problem.start, start_);
   for (const DrawnCurve& curve : problem.drawn) {
     Block& block = add(curve.reference);
     block.drawn = &curve;
     block.doubt = curve.doubt_px;
     block.line.emplace(curve.target);
     block.alignments =
-        intent::alignments(seen(block, start_), curve.target, curve::pairing_distance_px(curve.camera.viewport()));
+        intent::alignments(seen(block, start_), curve.target, curve::pairing_distance_px(curve.camera.viewport()),
+                           problem.edition != Edition::first);
   }
   for (const auto* curves : {&problem.known, &problem.kept}) {
     for (const KnownCurve& curve : *curves) {
@@ -98,9 +101,46 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
   turn_of_ = std::move(kept_turns);
   axis_of_ = std::move(kept_axes);
   make_runs();
+  measure_besides();
   all_.resize(parameters_.size());
   for (std::size_t v = all_.size(); v < variable_count(); ++v) all_.push_back(v);
   make_units();
+}
+
+void Reader::place(const rig::Pose& pose, std::vector<ModelPoint>& out) {
+  system_.positions(pose, out);
+  std::size_t first = 0;  // drawn curves come first
+  for (const DrawnCurve& curve : problem_.drawn) {
+    for (std::size_t i = 0; i < curve.aside.size(); ++i) out[first + i] += curve.aside[i];
+    first += curve.reference.size();
+  }
+}
+
+void Reader::measure_besides() {
+  const std::size_t n = start_.size();
+  for (std::size_t j = 0; j < parameters_.size(); ++j) {
+    double most = 0;
+    // What has to stay where it is says nothing.
+    for (std::size_t c = 0; c < problem_.drawn.size() + problem_.known.size(); ++c) {
+      const Block& block = blocks_[c];
+      double sum = 0;
+      for (std::size_t i = block.first; i < block.first + block.count; ++i) {
+        ModelVector way = columns_[j * n + i];
+        if (block.drawn != nullptr) {
+          const ModelVector& ray = block.drawn->camera.forward();
+          way -= ray * glm::dot(ray, way);
+        }
+        sum += glm::dot(way, way);
+      }
+      most = std::max(most, std::sqrt(sum / static_cast<double>(block.count)));
+    }
+    const double stride = whole_.stride[parameters_[j]];
+    besides_.push_back(most > 0.0 ? std::max(1.0, stride / most) : 1e3);
+  }
+}
+
+double Reader::beside_charge(std::size_t variable) const {
+  return problem_.edition == Edition::first ? 0.0 : costs_.beside * base::log(besides_[variable]);
 }
 
 void Reader::make_units() {
@@ -135,6 +175,7 @@ void Reader::make_units() {
       const joints::Turn& turn = turns_[turn_of_[j]];
       add_turn_units(j, unit.count, turn.planar && axis_of_[j] == 0, turn.bends_in_depth ? 0.0 : turn.across);
     } else {
+      if (whole_.joint[p] == k_no_partner) unit.charge = beside_charge(j);
       choices_.units.push_back(unit);
     }
     j += unit.count;
@@ -148,6 +189,7 @@ void Reader::make_units() {
     unit.members = {j, other, 0};
     unit.count = 2;
     unit.tied = true;
+    unit.charge = std::min(beside_charge(j), beside_charge(other));
     choices_.units.push_back(unit);
   }
   make_run_units();
@@ -228,14 +270,14 @@ void Reader::make_columns(const rig::Pose& pose, std::span<const double> at, std
   }
   // Differences over a ten thousandth of the range, inwards.
   rig::Pose trial = pose;
-  system_.positions(trial, positions_);
+  place(trial, positions_);
   for (const std::size_t j : variables) {
     if (j >= parameters_.size() || turn_of_[j] != k_no_partner) continue;
     const std::size_t p = parameters_[j];
     const double middle = 0.5 * (rig_.parameters()[p].minimum + rig_.parameters()[p].maximum);
     const double step = pose[p] > middle ? -1e-4 : 1e-4;
     trial[p] = pose[p] + step * ranges_[j];
-    system_.positions(trial, moved_);
+    place(trial, moved_);
     trial[p] = pose[p];
     for (std::size_t i = 0; i < n; ++i) columns_[j * n + i] = (moved_[i] - positions_[i]) * (1.0 / step);
   }
@@ -260,7 +302,7 @@ rig::Pose Reader::pose_of(const Choice& choice) const {
 }
 
 Reader::Left Reader::left(const rig::Pose& pose) {
-  system_.positions(pose, positions_);
+  place(pose, positions_);
   Left left;
   for (Block& block : blocks_) {
     double px_sum = 0;

@@ -102,6 +102,12 @@ class Reader {
   [[nodiscard]] std::vector<PxPoint> seen(const Block& block, std::span<const ModelPoint> positions) const;
   void make_columns(const rig::Pose& pose, std::span<const double> at, std::span<const std::size_t> variables);
   void make_units();
+  /// All points at a pose, those of drawn curves where the pen drew them.
+  void place(const rig::Pose& pose, std::vector<ModelPoint>& out);
+  /// Fills besides_.
+  void measure_besides();
+  /// What a control costs for moving other things farther than what is drawn.
+  [[nodiscard]] double beside_charge(std::size_t variable) const;
   // Joints turn about axes of their own (reader_joints.cpp).
   void find_chain();
   void make_turns();
@@ -150,6 +156,7 @@ class Reader {
   std::vector<std::size_t> axis_of_;        ///< of the turn
   std::vector<RunVariable> run_variables_;  ///< their numbers come after those of the parameters; three a run
   Choices choices_;
+  std::vector<double> besides_;  ///< WholeModel::stride beside what a variable does to the curves, at least 1
   bool linear_ = false;
   std::vector<ModelVector> columns_;  ///< one run of points a variable, for its whole range
   std::vector<ModelPoint> start_, positions_, moved_;

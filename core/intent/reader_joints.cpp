@@ -270,7 +270,7 @@ void Reader::make_turn_columns(const rig::Pose& pose, std::span<const double> at
   }
   const auto w = turned_by(at);
   rig::Pose trial = pose;
-  system_.positions(trial, positions_);
+  place(trial, positions_);
   for (std::size_t v = 0; v < parameters_.size(); ++v) {
     if (!needed[v]) continue;
     const joints::Turn& turn = turns_[turn_of_[v]];
@@ -280,7 +280,7 @@ void Reader::make_turn_columns(const rig::Pose& pose, std::span<const double> at
     other[axis] += step;
     const glm::dvec3 angles = joints::angles_of(turn, other);
     for (std::size_t k = 0; k < 3; ++k) trial[turn.first + k] = angles[static_cast<int>(k)];
-    system_.positions(trial, moved_);
+    place(trial, moved_);
     for (std::size_t k = 0; k < 3; ++k) trial[turn.first + k] = pose[turn.first + k];
     for (std::size_t i = 0; i < n; ++i) columns_[v * n + i] = (moved_[i] - positions_[i]) * (k_turn / step);
   }

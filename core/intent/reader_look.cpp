@@ -25,7 +25,7 @@ void Reader::look(const Choice& at, bool slide, Quadratic& quadratic, std::span<
   std::vector<double> z(variable_count(), 0.0);
   for (std::size_t i = 0; i < at.variables.size(); ++i) z[at.variables[i]] = at.values[i];
   if (!linear_) make_columns(pose, z, variables);
-  system_.positions(pose, positions_);
+  place(pose, positions_);
   std::size_t rows = 0;
   std::size_t slides = 0;
   for (Block& block : blocks_) {
@@ -151,7 +151,7 @@ double Reader::squares(const Block& block, std::span<const ModelPoint> positions
 }
 
 double Reader::energy(const Choice& choice, double costs) {
-  system_.positions(pose_of(choice), positions_);
+  place(pose_of(choice), positions_);
   double sum = costs;
   for (const Block& block : blocks_) {
     sum += k_reach * base::log(1.0 + squares(block, positions_) / k_reach);
@@ -178,7 +178,7 @@ double Reader::energy_of_image(std::span<const double> image, std::size_t rows) 
 }
 
 double Reader::squares_of(std::size_t c, const Choice& choice) {
-  system_.positions(pose_of(choice), positions_);
+  place(pose_of(choice), positions_);
   return squares(blocks_[c], positions_);
 }
 
@@ -187,7 +187,7 @@ void Reader::weigh_evenly() {
 }
 
 void Reader::weigh(const Choice& choice) {
-  system_.positions(pose_of(choice), positions_);
+  place(pose_of(choice), positions_);
   for (Block& block : blocks_) block.share = 1.0 / (1.0 + squares(block, positions_) / k_reach);
 }
 

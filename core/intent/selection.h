@@ -46,6 +46,7 @@ struct Costs {
   double evidence = 1.0;   ///< times log(1 + curvature)
   double movement = 4.0;   ///< times log(1 + way of the whole model / usual way)
   double usual_way = 0.2;  ///< of the whole model, as a multiple of the median control's
+  double beside = 8.0;     ///< times log(way of what it moves most / way of the curve that it moves most), if positive
   double tie = 40.0;       ///< the square of what a pair's two values differ by
 };
 

@@ -127,7 +127,9 @@ Matching SlidingLine::match(std::span<const PxPoint> seen, const Alignment& alig
   return m;
 }
 
-std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const PxPoint> line, double near_px) {
+std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const PxPoint> line, double near_px,
+                                  bool second) {
+  constexpr double k_one_end = 100.0;
   const double reference = curve::arc_length<PxPoint>(seen);
   const double drawn = curve::arc_length<PxPoint>(line);
   std::vector<Alignment> list;
@@ -201,7 +203,9 @@ std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const
       Alignment one;
       one.line_from = from;
       one.line_to = from + part;
-      one.charge = 8.0;
+      // Both ends overshot alike is how a wide line is drawn; all of it at one end is less likely the longer it is.
+      const bool one_end = one.line_from == 0.0 || one.line_from == 1.0 - part;
+      one.charge = 8.0 + (one_end && second ? k_one_end * std::max(0.0, ratio - 1.22) : 0.0);
       add(one);
     }
   }

@@ -20,6 +20,17 @@ double median_of_positive(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
+/// The mean way of what moves, each vertex weighted by its own way.
+double stride_of(const std::vector<ModelPoint>& rest, const std::vector<ModelPoint>& moved) {
+  double ways = 0, squares = 0;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    const double way = geometry::distance(rest[i], moved[i]);
+    ways += way;
+    squares += way * way;
+  }
+  return ways > 0.0 ? squares / ways : 0.0;
+}
+
 }  // namespace
 
 WholeModel measure_whole_model(const rig::Rig& rig) {
@@ -27,6 +38,7 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
   const std::size_t d = parameters.size();
   WholeModel whole;
   whole.movement.assign(d, 0.0);
+  whole.stride.assign(d, 0.0);
   whole.group.resize(d);
   whole.joint.assign(d, k_no_partner);
   for (std::size_t p = 0; p < d; ++p) whole.group[p] = p;
@@ -61,6 +73,8 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
     moments[p] = moments_of(rest, moved);
     whole.movement[p] = moments[p].way * (parameter.maximum - parameter.minimum) / step;
     if (!std::isfinite(whole.movement[p])) whole.movement[p] = 0;
+    whole.stride[p] = stride_of(rest, moved) * (parameter.maximum - parameter.minimum) / step;
+    if (!std::isfinite(whole.stride[p])) whole.stride[p] = 0;
   }
   const double median = median_of_positive(whole.movement);
   for (double& movement : whole.movement) movement /= median;

@@ -16,6 +16,9 @@ struct WholeModel {
   /// How far each parameter moves the model: the sum over all vertices of the way between the ends of its range, as a
   /// multiple of the median over the parameters that move anything. Without unit, so that it means the same on any rig.
   std::vector<double> movement;
+  /// How far what a parameter moves goes between the ends of its range: the mean over the vertices, each weighted by
+  /// its own way. Model units.
+  std::vector<double> stride;
   /// The parameter that does the same on the model's other side, or k_no_partner. Found by where and how far they move
   /// the model, never by name.
   std::vector<std::size_t> partner;

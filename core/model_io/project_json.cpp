@@ -111,6 +111,13 @@ Problem read_curve(const Json& value, const std::string& pointer, std::size_t tr
     return std::nullopt;
   };
   if (auto problem = read_rows(value, "kept", pointer, 3, articulation::k_most_points, kept)) return problem;
+  const auto aside = [&](const std::vector<double>& row, const std::string&) -> Problem {
+    out.aside.emplace_back(row[0], row[1], row[2]);
+    return std::nullopt;
+  };
+  if (auto problem = read_rows(value, "aside", pointer, 3, articulation::k_most_points, aside)) return problem;
+  if (!out.aside.empty() && out.aside.size() != out.points.size())
+    return wrong("as many vectors as points were expected", child(pointer, "aside"));
   const bool fits = out.kept.size() == (out.role == PoseCurveRole::constraint ? out.points.size() : 0);
   if (out.points.empty() || !fits) return wrong("the curve's lists do not fit each other", pointer);
   if (const Json* target = find(value, "target"); target != nullptr) {
@@ -280,6 +287,11 @@ Json to_json(const PoseCurve& curve) {
     Json kept = Json::array();
     for (const auto& p : curve.kept) kept.push_back(row(p));
     out["kept"] = std::move(kept);
+  }
+  if (!curve.aside.empty()) {
+    Json aside = Json::array();
+    for (const auto& v : curve.aside) aside.push_back(row(v));
+    out["aside"] = std::move(aside);
   }
   if (!curve.target) return out;
   const document::DrawnTarget& target = *curve.target;

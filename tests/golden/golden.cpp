@@ -93,7 +93,7 @@ std::map<std::string, std::string> all_hashes(const std::map<std::string, std::f
     keep(name, replayed(text));
   }
   // As many at a time as there are threads: nothing that one does may show in another.
-  constexpr std::uint64_t k_all = k_random_sessions + 2 * k_knowing_sessions;
+  constexpr std::uint64_t k_all = k_random_sessions + 3 * k_knowing_sessions;
   std::vector<base::Result<std::string>> random(k_all, std::string());
   base::parallel_for(k_all, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -102,7 +102,8 @@ std::map<std::string, std::string> all_hashes(const std::map<std::string, std::f
         continue;
       }
       const std::uint64_t seed = (i - k_random_sessions) % k_knowing_sessions;
-      const std::uint32_t rules = i < k_random_sessions + k_knowing_sessions ? 1 : document::k_meant_rules;
+      // Rules 1, then 2, then 3.
+      const auto rules = static_cast<std::uint32_t>(1 + (i - k_random_sessions) / k_knowing_sessions);
       random[i] = random_session<tests::KnowingHand>(seed, k_knowing_actions, rules);
     }
   });
@@ -110,8 +111,10 @@ std::map<std::string, std::string> all_hashes(const std::map<std::string, std::f
     char name[16];
     const bool knows = i >= k_random_sessions;
     const bool meant = i >= k_random_sessions + k_knowing_sessions;
+    const bool sheets = i >= k_random_sessions + 2 * k_knowing_sessions;
     std::snprintf(name, sizeof name,
-                  meant   ? "meant-%03d"
+                  sheets  ? "sheet-%03d"
+                  : meant ? "meant-%03d"
                   : knows ? "every-%03d"
                           : "random-%03d",
                   static_cast<int>(knows ? (i - k_random_sessions) % k_knowing_sessions : i));

@@ -69,7 +69,7 @@ void LiveFollow::start(const document::Document& document, const document::PoseC
   intent::IntentProblem problem = document::intent_problem(document, drawing::k_rules);
   problem.drawn.clear();
   const double hand = document::hand_px(document, view.viewport, drawing::k_rules);
-  problem.drawn.push_back({document::curve_points(document, curve.points), *camera, {}, hand, {}});
+  problem.drawn.push_back({document::curve_points(document, curve.points), *camera, {}, hand, {}, curve.aside});
   // Targets of other references hold their curves where they are wanted, as the solve at pen-up will.
   document::Document others = document;
   std::erase_if(others.curves, [&](const auto& one) { return one->id == curve.id; });
