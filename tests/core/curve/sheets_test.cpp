@@ -93,6 +93,20 @@ TEST(SheetCurve, RimIsMetFromInsideTheHole) {
   }
 }
 
+TEST(SheetCurve, KnowsHowFarBesideThePenItSticks) {
+  Look look(swept({{{0.0, 0.0}, {0.2, 0.0}, {0.4, 0.0}}, {{1.0, -2.0}, {0.5, -2.0}, {0.0, -2.0}}}));
+  const auto line = wavy(549, 4);
+  const auto drawn = look.draw(line);
+  ASSERT_EQ(drawn.aside.size(), drawn.positions.size());
+  for (std::size_t i = 0; i < drawn.positions.size(); ++i) {
+    const PxPoint pen = look.camera.project(drawn.positions[i] + drawn.aside[i]).value();
+    double nearest = 1e9;
+    for (const PxPoint& p : line) nearest = std::min(nearest, geometry::distance(p, pen));
+    EXPECT_LT(nearest, 4) << "samples of the line are 5 px apart";
+  }
+  EXPECT_TRUE(look.draw(wavy(600, 4)).aside.empty()) << "on the lid itself it lies under the pen";
+}
+
 TEST(SheetCurve, RunsOnBehindWhatOnlyCrossesIt) {
   // A strand of hair in front of a sheet: over a fifth of the line.
   mesh::MeshSource source;

@@ -172,6 +172,25 @@ TEST(ApplyPosing, PressureCountsOnlyWhenItShould) {
   EXPECT_GT(solved(true), solved(false) + 0.1);
 }
 
+TEST(ApplyPosing, WhatASteadyHandMeansAShakyOneOnlyStraysBy) {
+  const auto lifted = [](double unsteadiness) {
+    auto hand = shapes_only();
+    hand.does(SetHand{unsteadiness});
+    hand.does(DrawReference{hand.view, hand.line(-0.5, 0.5, 0.5, 0.5), k_sheet_rules});
+    const auto low = hand.seen(0, 0.5), high = hand.seen(0, 0.6);
+    // Six px on a view 1000 px high.
+    const double to = 0.5 + 0.1 * 6e-3 * hand.view.viewport.height / (low.y - high.y);
+    hand.does(DrawTarget{k_first, hand.view, hand.line(-0.5, to, 0.5, to), {}, k_sheet_rules});
+    return hand.value("lift");
+  };
+  EXPECT_GT(lifted(0.25), 0.01);
+  EXPECT_EQ(lifted(4), 0);
+  auto hand = shapes_only();
+  EXPECT_EQ(hand.refuses(SetHand{0.1}).place, "unsteadiness");
+  EXPECT_EQ(hand.refuses(SetHand{5}).place, "unsteadiness");
+  EXPECT_EQ(hand.refuses(SetHand{std::nan("")}).place, "unsteadiness");
+}
+
 TEST(ApplyPosing, TheEraserTakesWhatIsUnderItAndNothingElse) {
   auto hand = shapes_only();
   draw_lift(hand);

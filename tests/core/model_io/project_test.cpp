@@ -37,6 +37,7 @@ DocumentHand full_hand() {
   hand.does(SetParameters{{{"lift", 0.1}, {"up", 1.0 / 3}, {"base.ry", 0.7}}});
   hand.does(LockParameters{{"base.rx", "up"}, true});
   hand.does(SetPressureWeighting{true});
+  hand.does(SetHand{0.5});
   hand.does(DrawReference{hand.view, hand.line(-0.5, 0.5, 0.5, 0.5)});
   hand.does(NameCurve{CurveId{1}, "brow \xc3\xa9"});
   hand.does(DrawTarget{CurveId{1}, hand.view, hand.line(-0.5, 0.6, 0.5, 0.6), std::vector<double>(21, 0.3)});
