@@ -154,8 +154,10 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
   if (!region) return at("general", region.error());
   const auto lasso = geometry::Lasso::make(sketch.specific);
   if (!lasso) return at("specific", lasso.error());
+  const auto general = geometry::Lasso::make(sketch.general);
+  if (!general) return at("general", general.error());
   const Patch patch(canvas, *region);
-  const Falloff falloff(patch, {*camera, geometry::Lasso::make(sketch.general).value(), *lasso});
+  const Falloff falloff(patch, {*camera, *general, *lasso});
   std::vector<std::uint32_t> specific;
   for (std::uint32_t i = 0; i < region->vertices.size(); ++i) {
     if (falloff.specific()[patch.nodes()[i]] != 0) specific.push_back(i);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <queue>
 
 namespace penpose::articulation {
 namespace {
@@ -37,9 +38,11 @@ struct Waiting {
 };
 
 /// Total, so that equal distances are taken in the same order everywhere.
-bool later(const Waiting& a, const Waiting& b) {
-  return a.distance != b.distance ? a.distance > b.distance : a.node > b.node;
-}
+struct Later {
+  bool operator()(const Waiting& a, const Waiting& b) const {
+    return a.distance != b.distance ? a.distance > b.distance : a.node > b.node;
+  }
+};
 
 }  // namespace
 
@@ -47,20 +50,17 @@ std::vector<double> geodesic_distances(const Patch& patch, std::span<const Geode
                                        std::span<const std::uint8_t> open) {
   std::vector<double> distances(patch.node_count(), k_far);
   std::vector<std::uint8_t> known(patch.node_count(), 0);
-  std::vector<Waiting> heap;
-  heap.reserve(patch.node_count());
+  std::priority_queue<Waiting, std::vector<Waiting>, Later> heap;
   const auto offer = [&](std::uint32_t node, double distance) {
     if (!(distance < distances[node])) return;
     distances[node] = distance;
-    heap.push_back({distance, node});
-    std::push_heap(heap.begin(), heap.end(), later);
+    heap.push({distance, node});
   };
   for (const GeodesicSeed& seed : seeds) offer(seed.node, seed.distance);
   const auto rests = patch.rests();
   while (!heap.empty()) {
-    std::pop_heap(heap.begin(), heap.end(), later);
-    const std::uint32_t at = heap.back().node;
-    heap.pop_back();
+    const std::uint32_t at = heap.top().node;
+    heap.pop();
     if (known[at] != 0) continue;
     known[at] = 1;
     for (const std::uint32_t t : patch.star(at)) {

@@ -55,6 +55,18 @@ class Walk {
       nodes.push_back({(*even)[i], i > 0 ? geometry::distance((*even)[i - 1], (*even)[i]) : 0.0, {}});
       layers(nodes.back(), 1);
     }
+    // A model that is wound inside out is seen from its front all the same.
+    std::size_t behind = 0, hits = 0;
+    for (const Node& node : nodes) {
+      hits += node.candidates.size();
+      for (const Candidate& one : node.candidates) behind += one.cost > 0.0 ? 1U : 0U;
+    }
+    turned_ = 2 * behind > hits;
+    if (turned_) {
+      for (Node& node : nodes) {
+        for (Candidate& one : node.candidates) one.cost = one.cost > 0.0 ? 0.0 : k_from_behind;
+      }
+    }
     return true;
   }
 
@@ -137,7 +149,7 @@ class Walk {
   [[nodiscard]] bool from_behind(std::uint32_t triangle, const geometry::ModelVector& direction) const {
     const auto& t = surface_.triangles[triangle];
     const ModelPoint a(surface_.positions[t[0]]), b(surface_.positions[t[1]]), c(surface_.positions[t[2]]);
-    return glm::dot(glm::cross(b - a, c - a), direction) > 0.0;
+    return (glm::dot(glm::cross(b - a, c - a), direction) > 0.0) != turned_;
   }
 
   void layers(Node& node, int most) {
@@ -243,6 +255,7 @@ class Walk {
   const geometry::Camera& camera_;
   const SheetSurface& surface_;
   double scale_;
+  bool turned_ = false;
   std::uint32_t hint_ = geometry::TriangleBvh::k_no_hint;
 };
 

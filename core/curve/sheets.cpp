@@ -25,10 +25,10 @@ Sheets::Sheets(const mesh::TriangleMesh& mesh)
     }
   };
   const auto edges = mesh::sorted_edges(welded, mesh.vertex_count());
-  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
-    if (edges[i].low != edges[i + 1].low || edges[i].high != edges[i + 1].high) continue;
-    join(edges[i], edges[i + 1].triangle);
-    join(edges[i + 1], edges[i].triangle);
+  for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
+    for (end = i + 1; end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high;) ++end;
+    // All triangles at an edge reach each other, three and more in a ring.
+    for (std::size_t k = i; end - i > 1 && k < end; ++k) join(edges[k], edges[k + 1 < end ? k + 1 : i].triangle);
   }
 }
 
@@ -42,6 +42,8 @@ bool Sheets::joined(const Place& a, const Place& b, double reach, std::span<cons
   queue_.assign(1, a.triangle);
   seen_[a.triangle] = search_;
   for (std::size_t next = 0; next < queue_.size(); ++next) {
+    // On a mesh that is much finer than the hand everything near is one sheet: no walk is to take long.
+    if (queue_.size() > k_most_visited) return geometry::distance(a.position, b.position) <= reach;
     const std::uint32_t triangle = queue_[next];
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t beside = beside_[triangle][k];

@@ -63,12 +63,19 @@ struct LivePoser::State {
   }
 
   LiveStep step_free(std::span<const PxPoint> line, const Alignment& alignment, std::size_t most_units) {
-    if (choice.units.size() > most_units) choice = {};
+    if (choice.units.size() > most_units) {
+      choice = {};
+      reader.weigh_evenly();
+    }
     reader.redraw(0, line, alignment);
     if (choice.units.empty() && !reader.all_bends().empty()) {
       // A limb rests while what is drawn of the line may well lie where it is.
+      reader.weigh_evenly();
       reader.look(choice, true, quadratic);
-      if (quadratic.constant() < k_rests) return {true, 0};
+      if (quadratic.constant() < k_rests) {
+        pose = problem.start;
+        return {true, 0};
+      }
     }
     // Points slide once the curve has come near: before, the nearest places on the line mean nothing.
     reader.look(choice, !choice.units.empty(), quadratic);
@@ -77,7 +84,7 @@ struct LivePoser::State {
     Choice next = selection.select(same, most_units);
     if (const auto bends = reader.all_bends(); !bends.empty()) {
       Choice other = selection.select(selection.fit(bends), most_units);
-      if (other.energy < next.energy - 1e-9) next = std::move(other);
+      if (other.energy < next.energy - 1e-9 && other.units.size() <= most_units) next = std::move(other);
       const bool part = alignment.reference_to - alignment.reference_from < 1.0;
       const double change = next.units.empty() ? k_rest_again : k_change;
       if (part && !same.units.empty() && next.energy > same.energy - change) next = same;
@@ -115,9 +122,11 @@ base::Result<LivePoser> LivePoser::start(const rig::Rig& rig, WholeModel whole, 
   if (auto status = check_problem(rig, problem); !status) return status.error();
 
   const bool locked = !problem.locked.empty() && problem.edition != Edition::first;
-  auto unlocked = locked ? std::make_unique<State>(rig, whole, as_if_unlocked(problem)) : nullptr;
-  if (unlocked) {
-    if (auto status = check_problem(rig, unlocked->problem); !status) return status.error();
+  std::unique_ptr<State> unlocked;
+  if (locked) {
+    IntentProblem meant = as_if_unlocked(problem);
+    if (auto status = check_problem(rig, meant); !status) return status.error();
+    unlocked = std::make_unique<State>(rig, whole, std::move(meant));
   }
   auto state = std::make_unique<State>(rig, std::move(whole), std::move(problem));
   state->seen = state->reader.seen_at_start(0);

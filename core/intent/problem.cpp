@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 
 #include "core/curve/polyline.h"
@@ -76,6 +77,10 @@ double stroke_doubt_px(std::span<const PxPoint> line, double hand_px) {
 
 base::Status check_problem(const rig::Rig& rig, const IntentProblem& problem) {
   if (auto status = posing::check_problem(rig, as_pose_problem(problem)); !status) return status.error();
+  const bool ascending =
+      std::adjacent_find(problem.locked.begin(), problem.locked.end(), std::greater_equal<>()) == problem.locked.end();
+  if (!ascending || (!problem.locked.empty() && problem.locked.back() >= rig.parameters().size()))
+    return base::Error{"what is locked is no list of parameters", "locked", "name parameters of the rig, ascending"};
   for (std::size_t i = 0; i < problem.drawn.size(); ++i) {
     const DrawnCurve& curve = problem.drawn[i];
     const bool aside = curve.aside.empty() || curve.aside.size() == curve.reference.size();

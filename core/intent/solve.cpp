@@ -63,7 +63,7 @@ class Solver {
       if (!reader_.all_bends().empty()) {
         // What bends to and fro gains little by its first bend alone: from all bends on, fewer.
         Choice other = selection.select(selection.fit(reader_.all_bends()), options_.most_units);
-        if (other.energy < next.energy - 1e-9) next = std::move(other);
+        if (other.energy < next.energy - 1e-9 && other.units.size() <= options_.most_units) next = std::move(other);
       }
       choice = trusted(before, std::move(next));
       evaluations += selection.evaluations();
@@ -144,6 +144,7 @@ class Solver {
 /// A line that is shorter than its limb may show it leaning towards the eye or away from it. The first order of the
 /// picture does not tell that of a limb that lies across the view, so that other readings have to begin there.
 Reading foreshortened(Reader& reader, Solver& solver, std::size_t drawn, Reading best) {
+  if (reader.edition() == Edition::first) return best;
   const auto fits = [&](const Reading& one) {
     bool all = true;
     for (std::size_t c = 0; c < drawn; ++c) all = all && reader.squares_of(c, one.choice) < k_fits;

@@ -99,7 +99,9 @@ void add_pose_curves(std::vector<CurveDrawing>& out, const Workspace& workspace,
     target.highlighted = lit;
     const auto& pressure = now_wanted->pressure;
     for (std::size_t i = 0; i < target.points.size(); ++i) {
-      target.point_colors.push_back(distance_color(left_across(*now_wanted, now[i], target.points[i]), surface.size()));
+      target.point_colors.push_back(distance_color(
+          left_across(*now_wanted, i < curve->aside.size() ? now[i] + curve->aside[i] : now[i], target.points[i]),
+          surface.size()));
       const std::size_t at =
           pressure.empty() ? 0 : i * (pressure.size() - 1) / std::max<std::size_t>(1, now.size() - 1);
       target.widths_px.push_back(width_of(pressure.empty() ? 0.5 : pressure[at], look.scale));

@@ -28,12 +28,13 @@ bool solves(const replay::SessionLine& line) {
          std::holds_alternative<document::SolvePose>(performed->command);
 }
 
-/// Whether a curve has another target than before.
-bool new_target(const document::Document& before, const document::Document& after) {
-  return std::any_of(after.curves.begin(), after.curves.end(), [&](const auto& curve) {
+/// The curve that has another target than before; null: none.
+document::CurveId new_target(const document::Document& before, const document::Document& after) {
+  for (const auto& curve : after.curves) {
     const document::PoseCurve* was = document::find_curve(before, curve->id);
-    return curve->target && (was == nullptr || was->target != curve->target);
-  });
+    if (curve->target && (was == nullptr || was->target != curve->target)) return curve->id;
+  }
+  return {};
 }
 
 }  // namespace
@@ -91,7 +92,8 @@ void Workspace::after_steps(const document::Document& before, bool solved) {
   ++revision_;
   const auto parameters = document().model->rig->parameters();
   const bool same_rig = before.model == document().model;
-  if (!same_rig || (before.pose == document().pose && !new_target(before, document()))) return;
+  const document::CurveId drawn = new_target(before, document());
+  if (!same_rig || (before.pose == document().pose && !drawn)) return;
   movements_.clear();
   left_px_ = -1;
   // Only a stroke finds parameters; what a slider or the timeline sets is known.
@@ -106,13 +108,16 @@ void Workspace::after_steps(const document::Document& before, bool solved) {
   std::stable_sort(movements_.begin(), movements_.end(),
                    [](const Movement& a, const Movement& b) { return std::abs(a.by) > std::abs(b.by); });
   solved_revision_ = revision_;
+  solved_curve_ = drawn;
   measure_left();
 }
 
 void Workspace::measure_left() {
   document::Document last = document();
-  const auto drawn = std::find_if(last.curves.rbegin(), last.curves.rend(),
-                                  [](const auto& curve) { return curve->target.has_value(); });
+  // The target that was drawn or dragged; the last one where all were solved again.
+  auto drawn = std::find_if(last.curves.rbegin(), last.curves.rend(), [&](const auto& curve) {
+    return curve->target && (!solved_curve_ || curve->id == solved_curve_);
+  });
   if (drawn == last.curves.rend()) return;
   last.curves = {*drawn};
   const auto left =
@@ -126,21 +131,22 @@ void Workspace::lock(const std::vector<std::string>& names, bool locked) {
   const auto moved = [&](const std::string& name) {
     return std::any_of(movements_.begin(), movements_.end(), [&](const Movement& one) { return one.name == name; });
   };
-  const auto& curves = document().curves;
-  const auto drawn =
-      std::find_if(curves.rbegin(), curves.rend(), [](const auto& curve) { return curve->target.has_value(); });
+  const document::PoseCurve* drawn = solved_curve_ ? document::find_curve(document(), solved_curve_) : nullptr;
   // What is given back may be what the stroke meant.
-  const bool again =
-      last_is_solved() && drawn != curves.rend() && (!locked || std::any_of(names.begin(), names.end(), moved));
+  const bool again = last_is_solved() && drawn != nullptr && drawn->target &&
+                     (!locked || std::any_of(names.begin(), names.end(), moved));
   if (!again) {
     perform(document::LockParameters{names, locked});
     return;
   }
-  const auto curve = *drawn;
+  const document::CurveId curve = drawn->id;
+  const document::DrawnTarget target = *drawn->target;
   undo();
-  if (!perform(document::LockParameters{names, locked})) return;
-  const document::DrawnTarget& target = *curve->target;
-  perform(document::DrawTarget{curve->id, target.view, target.line, target.pressure, drawing::k_rules});
+  if (!perform(document::LockParameters{names, locked})) {
+    redo();
+    return;
+  }
+  perform(document::DrawTarget{curve, target.view, target.line, target.pressure, drawing::k_rules});
 }
 
 bool Workspace::perform(const document::Command& command) { return act(replay::Performed{command}); }

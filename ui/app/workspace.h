@@ -116,6 +116,7 @@ class Workspace {
   std::size_t followed_ = 0;
   std::vector<Movement> movements_;
   double left_px_ = -1;
+  document::CurveId solved_curve_;     ///< whose target that was; null: several
   std::uint64_t solved_revision_ = 0;  ///< what revision_ was when movements_ were found
   std::uint64_t revision_ = 0;
   std::uint64_t saved_revision_ = 0;

@@ -124,6 +124,16 @@ TEST(SheetCurve, RunsOnBehindWhatOnlyCrossesIt) {
   for (const ModelPoint& p : drawn.positions) EXPECT_NEAR(p.z, 0, 1e-6);
 }
 
+TEST(SheetCurve, AModelThatIsWoundInsideOutIsDrawnOnWhereItIsSeen) {
+  auto front = swept({{{0.0, 0.0}, {0.5, 0.0}, {1.0, 0.0}}, {{1.0, -2.0}, {0.5, -2.0}, {0.0, -2.0}}});
+  mesh::MeshSource source;
+  source.positions.assign(front->positions().begin(), front->positions().end());
+  for (const mesh::Triangle& t : front->triangles()) source.triangles.push_back({t[0], t[2], t[1]});
+  Look look(mesh::TriangleMesh::build(std::move(source)).value());
+  const auto drawn = look.draw(wavy(500, 5));
+  for (const ModelPoint& p : drawn.positions) EXPECT_NEAR(p.z, 0, 1e-6);
+}
+
 TEST(SheetCurve, OneSheetIsDrawnOnAsEver) {
   Look look(tests::grid_mesh(8, 8));
   const auto line = wavy(500, 20);
