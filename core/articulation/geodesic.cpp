@@ -4,7 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <queue>
+#include <set>
+#include <utility>
 
 namespace penpose::articulation {
 namespace {
@@ -32,35 +33,24 @@ double across(const ModelPoint& a, double to_a, const ModelPoint& b, double to_b
   return std::sqrt((x - source_x) * (x - source_x) + rise * rise);
 }
 
-struct Waiting {
-  double distance;
-  std::uint32_t node;
-};
-
-/// Total, so that equal distances are taken in the same order everywhere.
-struct Later {
-  bool operator()(const Waiting& a, const Waiting& b) const {
-    return a.distance != b.distance ? a.distance > b.distance : a.node > b.node;
-  }
-};
-
 }  // namespace
 
 std::vector<double> geodesic_distances(const Patch& patch, std::span<const GeodesicSeed> seeds,
                                        std::span<const std::uint8_t> open) {
   std::vector<double> distances(patch.node_count(), k_far);
   std::vector<std::uint8_t> known(patch.node_count(), 0);
-  std::priority_queue<Waiting, std::vector<Waiting>, Later> heap;
+  // Equal distances are taken in the order of their nodes.
+  std::set<std::pair<double, std::uint32_t>> waiting;
   const auto offer = [&](std::uint32_t node, double distance) {
     if (!(distance < distances[node])) return;
     distances[node] = distance;
-    heap.push({distance, node});
+    waiting.insert({distance, node});
   };
   for (const GeodesicSeed& seed : seeds) offer(seed.node, seed.distance);
   const auto rests = patch.rests();
-  while (!heap.empty()) {
-    const std::uint32_t at = heap.top().node;
-    heap.pop();
+  while (!waiting.empty()) {
+    const std::uint32_t at = waiting.begin()->second;
+    waiting.erase(waiting.begin());
     if (known[at] != 0) continue;
     known[at] = 1;
     for (const std::uint32_t t : patch.star(at)) {

@@ -31,7 +31,7 @@ class Sheets {
 
  private:
   static constexpr std::uint32_t k_border = 0xffffffffU;
-  static constexpr std::size_t k_most_visited = 1000;  ///< triangles that a walk looks at
+  static constexpr std::size_t k_most_visited = 4000;  ///< triangles that a walk looks at
   std::vector<mesh::Triangle> triangles_;
   std::vector<std::array<std::uint32_t, 3>> beside_;  ///< over the edge that follows corner k
   std::vector<std::uint32_t> component_;

@@ -52,7 +52,7 @@ posing::PoseProblem pose_problem(const Document& document) {
 
 double hand_px(const Document& document, geometry::Viewport viewport, std::uint32_t rules) {
   // A pen on a tablet strays less than the hand that the first edition was made for.
-  constexpr double k_pen = 0.5;
+  constexpr double k_pen = 0.7;
   const double usual = intent::doubt_px(viewport);
   return rules >= k_sheet_rules ? k_pen * document.hand * usual : usual;
 }
