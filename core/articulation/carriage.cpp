@@ -116,14 +116,23 @@ Carriage Carriage::subset(std::span<const std::uint32_t> riders) const {
   return some;
 }
 
+namespace {
+
+/// Sines and cosines of the riders' own turns.
+void turn_riders(double amount, std::span<const double> turns, CarriageWorkspace& work) {
+  work.angles.resize(turns.size());
+  work.sines.resize(turns.size());
+  work.cosines.resize(turns.size());
+  for (std::size_t i = 0; i < turns.size(); ++i) work.angles[i] = amount * turns[i];
+  base::sine_cosine(work.angles, work.sines, work.cosines);
+}
+
+}  // namespace
+
 void Carriage::turned(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const {
   motion_->frames(amount, wanted_, work.motion);
   const std::size_t n = rests_.size();
-  work.angles.resize(n);
-  work.sines.resize(n);
-  work.cosines.resize(n);
-  for (std::size_t i = 0; i < n; ++i) work.angles[i] = amount * turns_[i];
-  base::sine_cosine(work.angles, work.sines, work.cosines);
+  turn_riders(amount, turns_, work);
   for (std::size_t i = 0; i < n; ++i) {
     const SegmentFrame& frame = work.motion.frames[segments_[i]];
     const Offset& offset = offsets_[i];
@@ -138,11 +147,7 @@ void Carriage::swung(double amount, CarriageWorkspace& work, std::span<ModelVect
   points.resize(motion_->reference().size());
   motion_->swing()->points(amount, work.motion.swing, points);
   const std::size_t n = rests_.size();
-  work.angles.resize(n);
-  work.sines.resize(n);
-  work.cosines.resize(n);
-  for (std::size_t i = 0; i < n; ++i) work.angles[i] = amount * turns_[i];
-  base::sine_cosine(work.angles, work.sines, work.cosines);
+  turn_riders(amount, turns_, work);
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t k = segments_[i];
     const Offset& offset = offsets_[i];
