@@ -28,6 +28,8 @@ using curve::PxPoint;
 inline constexpr std::uint32_t k_meant_rules = 2;
 /// The rules from which on it is read by intent::Edition::second, and references stay on one sheet of the surface.
 inline constexpr std::uint32_t k_sheet_rules = 3;
+/// The rules from which on it is read by intent::Edition::third, and references of deformers stay on one sheet too.
+inline constexpr std::uint32_t k_offset_rules = 4;
 
 /// A parameter and its value.
 struct NamedValue {

@@ -59,7 +59,9 @@ double hand_px(const Document& document, geometry::Viewport viewport, std::uint3
 
 intent::IntentProblem intent_problem(const Document& document, std::uint32_t rules) {
   intent::IntentProblem problem;
-  problem.edition = rules >= k_sheet_rules ? intent::Edition::second : intent::Edition::first;
+  problem.edition = rules >= k_offset_rules  ? intent::Edition::third
+                    : rules >= k_sheet_rules ? intent::Edition::second
+                                             : intent::Edition::first;
   problem.start = document.pose;
   problem.free = free_parameters(document);
   for (std::size_t i = 0, k = 0; i < problem.start.size(); ++i) {

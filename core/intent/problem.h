@@ -49,7 +49,7 @@ struct KnownCurve {
 };
 
 /// How strokes are read. Each edition gives the same bits for ever: sessions replay by the one they were drawn under.
-enum class Edition : std::uint8_t { first, second };
+enum class Edition : std::uint8_t { first, second, third };
 
 /// What drawing means: which pose was meant by these strokes, starting from this pose.
 struct IntentProblem {
@@ -58,10 +58,10 @@ struct IntentProblem {
   std::vector<KnownCurve> kept;   ///< constraints: curves that stay where they were when they were set
   std::vector<std::size_t> free;  ///< parameters that may move, ascending
   /// Parameters that might be meant but are held by the artist, ascending: without one that the strokes mean, no more
-  /// controls move than would with it. By Edition::second.
+  /// controls move than would with it. From Edition::second on.
   std::vector<std::size_t> locked;
   rig::Pose start;  ///< one value a parameter
-  Edition edition = Edition::second;
+  Edition edition = Edition::third;
 };
 
 /// Errors: nothing to match, lines of fewer than two points or of no length, other numbers of targets than of points,

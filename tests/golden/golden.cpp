@@ -93,7 +93,7 @@ std::map<std::string, std::string> all_hashes(const std::map<std::string, std::f
     keep(name, replayed(text));
   }
   // As many at a time as there are threads: nothing that one does may show in another.
-  constexpr std::uint64_t k_all = k_random_sessions + 3 * k_knowing_sessions;
+  constexpr std::uint64_t k_all = k_random_sessions + 4 * k_knowing_sessions;
   std::vector<base::Result<std::string>> random(k_all, std::string());
   base::parallel_for(k_all, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -102,7 +102,7 @@ std::map<std::string, std::string> all_hashes(const std::map<std::string, std::f
         continue;
       }
       const std::uint64_t seed = (i - k_random_sessions) % k_knowing_sessions;
-      // Rules 1, then 2, then 3.
+      // Rules 1, then 2, 3 and 4.
       const auto rules = static_cast<std::uint32_t>(1 + (i - k_random_sessions) / k_knowing_sessions);
       random[i] = random_session<tests::KnowingHand>(seed, k_knowing_actions, rules);
     }
@@ -112,8 +112,10 @@ std::map<std::string, std::string> all_hashes(const std::map<std::string, std::f
     const bool knows = i >= k_random_sessions;
     const bool meant = i >= k_random_sessions + k_knowing_sessions;
     const bool sheets = i >= k_random_sessions + 2 * k_knowing_sessions;
+    const bool offset = i >= k_random_sessions + 3 * k_knowing_sessions;
     std::snprintf(name, sizeof name,
-                  sheets  ? "sheet-%03d"
+                  offset   ? "offset-%03d"
+                  : sheets ? "sheet-%03d"
                   : meant ? "meant-%03d"
                   : knows ? "every-%03d"
                           : "random-%03d",

@@ -23,6 +23,7 @@ TEST(IntentProblem, HoldsTheLatestTargetsAndWhatIsLocked) {
   EXPECT_EQ(problem.locked.size(), 5U);
   EXPECT_EQ(problem.free.size() + problem.locked.size(), problem.start.size());
   EXPECT_EQ(problem.edition, intent::Edition::second);
+  EXPECT_EQ(intent_problem(hand.document(), k_offset_rules).edition, intent::Edition::third);
   EXPECT_EQ(intent_problem(hand.document(), k_meant_rules).edition, intent::Edition::first);
 }
 
