@@ -52,9 +52,9 @@ posing::PoseProblem pose_problem(const Document& document) {
 
 double hand_px(const Document& document, geometry::Viewport viewport, std::uint32_t rules) {
   // A pen on a tablet strays less than the hand that the first edition was made for.
-  constexpr double k_pen = 0.7;
+  const double pen = rules >= k_offset_rules ? 0.9 : 0.7;
   const double usual = intent::doubt_px(viewport);
-  return rules >= k_sheet_rules ? k_pen * document.hand * usual : usual;
+  return rules >= k_sheet_rules ? pen * document.hand * usual : usual;
 }
 
 intent::IntentProblem intent_problem(const Document& document, std::uint32_t rules) {

@@ -164,7 +164,7 @@ LiveStep LivePoser::follow_whole(std::span<const PxPoint> line) {
   if (line.size() < 2) return {};
   const double drawn = curve::arc_length(line);
   if (!(drawn >= k_shortest_px && drawn <= 1e7)) return {};
-  return s.step(line, alignments(s.seen, line, 0.0, s.problem.edition != Edition::first).front());
+  return s.step(line, alignments(s.seen, line, 0.0, s.problem.edition).front());
 }
 
 const rig::Pose& LivePoser::pose() const { return state_->pose; }

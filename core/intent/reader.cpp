@@ -6,6 +6,7 @@
 
 #include "core/base/math.h"
 #include "core/curve/pairing.h"
+#include "core/curve/polyline.h"
 
 namespace penpose::intent {
 namespace {
@@ -30,6 +31,7 @@ posing::PoseProblem points_of(const IntentProblem& problem) {
 
 Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem)
     : rig_(rig), whole_(whole), problem_(problem), system_(rig, points_of(problem)) {
+  if (problem.edition < Edition::third) costs_.limit = 0.0;
   std::size_t first = 0;
   const auto add = [&](const std::vector<posing::CurvePoint>& reference) -> Block& {
     Block block;
@@ -48,9 +50,8 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
     block.drawn = &curve;
     block.doubt = curve.doubt_px;
     block.line.emplace(curve.target);
-    block.alignments =
-        intent::alignments(seen(block, start_), curve.target, curve::pairing_distance_px(curve.camera.viewport()),
-                           problem.edition != Edition::first);
+    block.alignments = intent::alignments(seen(block, start_), curve.target,
+                                          curve::pairing_distance_px(curve.camera.viewport()), problem.edition);
   }
   for (const auto* curves : {&problem.known, &problem.kept}) {
     for (const KnownCurve& curve : *curves) {
@@ -118,29 +119,97 @@ void Reader::place(const rig::Pose& pose, std::vector<ModelPoint>& out) {
 
 void Reader::measure_besides() {
   const std::size_t n = start_.size();
+  const auto apart = ways_apart();
   for (std::size_t j = 0; j < parameters_.size(); ++j) {
     double most = 0;
+    double around = 0;  // of the curve that it moves most
+    double aside = 0;
     // What has to stay where it is says nothing.
     for (std::size_t c = 0; c < problem_.drawn.size() + problem_.known.size(); ++c) {
       const Block& block = blocks_[c];
       double sum = 0;
+      double along = 0;
       for (std::size_t i = block.first; i < block.first + block.count; ++i) {
         ModelVector way = columns_[j * n + i];
+        if (block.drawn != nullptr) {
+          const ModelVector& ray = block.drawn->camera.forward();
+          way -= ray * glm::dot(ray, way);
+          ModelVector chord = start_[block.first + block.count - 1] - start_[block.first];
+          chord -= ray * glm::dot(ray, chord);
+          const double length = geometry::length(chord);
+          if (length > 0.0) along += glm::dot(chord, way) / length;
+        }
+        sum += glm::dot(way, way);
+      }
+      const double way = std::sqrt(sum / static_cast<double>(block.count));
+      if (!(way > most)) continue;
+      most = way;
+      aside = std::sqrt(std::max(0.0, sum - along * along / static_cast<double>(block.count)) /
+                        static_cast<double>(block.count));
+      around = apart.empty() ? 0.0 : apart[c][j];
+    }
+    const double stride = whole_.stride[parameters_[j]];
+    besides_.push_back(most > 0.0 ? std::max(1.0, stride / most) : 1e3);
+    ways_.push_back(most);
+    alongs_.push_back(aside > 0.0 ? std::min(10.0, most / aside) : 10.0);
+    arounds_.push_back(most > 0.0 ? std::max(1.0, around / most) : 1e3);
+  }
+}
+
+double Reader::beside_charge(std::size_t variable) const {
+  if (problem_.edition == Edition::first) return 0.0;
+  const double beside = costs_.beside * base::log(besides_[variable]);
+  return problem_.edition == Edition::second
+             ? beside
+             : beside + costs_.around * base::log(arounds_[variable]) + costs_.along * base::log(alongs_[variable]);
+}
+
+std::vector<std::vector<double>> Reader::ways_apart() const {
+  // Of a curve's length: what lies as near as that is drawn with it.
+  constexpr double k_near = 0.05;
+  constexpr std::size_t k_most_near = 64;
+  std::vector<std::vector<double>> ways;
+  if (problem_.edition < Edition::third || !whole_.surroundings || !linear_) return ways;
+  const std::size_t n = start_.size();
+  const std::span<const ModelPoint> rest = whole_.surroundings->rest();
+  const auto ways_of = [&](const Block& block, std::span<const posing::CurvePoint> reference) {
+    std::vector<double> out(parameters_.size(), 0.0);
+    std::vector<ModelPoint> places;
+    for (const posing::CurvePoint& point : reference) {
+      ModelPoint at{0};
+      for (std::size_t k = 0; k < 3; ++k) at += rest[point.vertex[k]] * point.weight[k];
+      places.push_back(at);
+    }
+    const auto near = whole_.surroundings->near(places, k_near * curve::arc_length<ModelPoint>(places), k_most_near);
+    if (near.empty()) return out;
+    const auto form = rig_.bind(near)->linearize(problem_.start, parameters_);
+    if (!form) return out;
+    std::vector<std::size_t> nearest(near.size(), 0);
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      for (std::size_t k = 1; k < places.size(); ++k) {
+        if (geometry::distance(rest[near[i]], places[k]) < geometry::distance(rest[near[i]], places[nearest[i]]))
+          nearest[i] = k;
+      }
+    }
+    for (std::size_t j = 0; j < parameters_.size(); ++j) {
+      double sum = 0;
+      for (std::size_t i = 0; i < near.size(); ++i) {
+        ModelVector way = form->columns[j * near.size() + i] * ranges_[j] - columns_[j * n + block.first + nearest[i]];
         if (block.drawn != nullptr) {
           const ModelVector& ray = block.drawn->camera.forward();
           way -= ray * glm::dot(ray, way);
         }
         sum += glm::dot(way, way);
       }
-      most = std::max(most, std::sqrt(sum / static_cast<double>(block.count)));
+      out[j] = std::sqrt(sum / static_cast<double>(near.size()));
     }
-    const double stride = whole_.stride[parameters_[j]];
-    besides_.push_back(most > 0.0 ? std::max(1.0, stride / most) : 1e3);
-  }
-}
-
-double Reader::beside_charge(std::size_t variable) const {
-  return problem_.edition == Edition::first ? 0.0 : costs_.beside * base::log(besides_[variable]);
+    return out;
+  };
+  for (std::size_t c = 0; c < problem_.drawn.size(); ++c)
+    ways.push_back(ways_of(blocks_[c], problem_.drawn[c].reference));
+  for (std::size_t c = 0; c < problem_.known.size(); ++c)
+    ways.push_back(ways_of(blocks_[problem_.drawn.size() + c], problem_.known[c].reference));
+  return ways;
 }
 
 void Reader::make_units() {
@@ -185,6 +254,11 @@ void Reader::make_units() {
     if (whole_.joint[parameters_[j]] != k_no_partner || partner == k_no_partner) continue;
     const std::size_t other = variable_of(partner);
     if (other == k_no_partner || other <= j) continue;
+    // Of a pair that the strokes see one side of, that side is meant.
+    constexpr double k_one_side = 0.1;
+    if (problem_.edition >= Edition::third &&
+        std::min(ways_[j], ways_[other]) < k_one_side * std::max(ways_[j], ways_[other]))
+      continue;
     Unit unit;
     unit.members = {j, other, 0};
     unit.count = 2;
@@ -228,7 +302,14 @@ std::optional<Choice> meant_without_limits(Reader& reader, Quadratic& quadratic,
   const Choice meant = selection.select(selection.fit({}), most_units);
   reader.stretch(0.0);
   std::optional<Choice> kept;
-  if (meant.units.size() < within.units.size() && meant.energy < energy) kept = selection.fit(meant.units);
+  if (meant.units.size() < within.units.size() && meant.energy < energy) {
+    kept = selection.fit(meant.units);
+    if (reader.edition() >= Edition::third) {
+      // Within the limits something else may come nearer by itself.
+      Choice other = selection.select(selection.fit({}), meant.units.size());
+      if (other.energy < kept->energy - 1e-9) kept = std::move(other);
+    }
+  }
   evaluations += selection.evaluations();
   return kept;
 }

@@ -67,6 +67,8 @@ class Reader {
   double energy(const Choice& choice, double costs);
   /// The energy without costs, of an image: R z - r and P z - p of the last look.
   [[nodiscard]] double energy_of_image(std::span<const double> image, std::size_t rows) const;
+  /// Whether a choice moves drawn curve c by more than the line lies beside where it was meant.
+  bool takes_shape(std::size_t c, const Choice& choice);
   /// D of drawn curve c alone.
   double squares_of(std::size_t c, const Choice& choice);
   /// All curves weigh fully again.
@@ -95,6 +97,8 @@ class Reader {
     Matching matching;
     ModeMatrix factor{};  ///< Cholesky factor of what sliding costs
   };
+  /// Of a drawn curve, as it is aligned, px.
+  [[nodiscard]] static double doubt_of(const Block& block);
   void look_at_drawn(Block& block, Quadratic& quadratic, std::span<const double> at, bool slide,
                      std::span<const std::size_t> variables);
   void look_at_known(Block& block, Quadratic& quadratic, std::span<const double> at,
@@ -104,7 +108,10 @@ class Reader {
   void make_units();
   /// All points at a pose, those of drawn curves where the pen drew them.
   void place(const rig::Pose& pose, std::vector<ModelPoint>& out);
-  /// Fills besides_.
+  /// How far each parameter moves what lies next to each drawn or known curve away from it, root mean square, model
+  /// units; empty before Edition::third.
+  [[nodiscard]] std::vector<std::vector<double>> ways_apart() const;
+  /// Fills besides_ and arounds_.
   void measure_besides();
   /// What a control costs for moving other things farther than what is drawn.
   [[nodiscard]] double beside_charge(std::size_t variable) const;
@@ -157,6 +164,9 @@ class Reader {
   std::vector<RunVariable> run_variables_;  ///< their numbers come after those of the parameters; three a run
   Choices choices_;
   std::vector<double> besides_;  ///< WholeModel::stride beside what a variable does to the curves, at least 1
+  std::vector<double> ways_;     ///< of the curve that a variable moves most, root mean square, model units
+  std::vector<double> alongs_;   ///< the way of the curve beside its way across the curve, 1 to 10
+  std::vector<double> arounds_;  ///< what it does around the curve beside what it does to it, at least 1
   bool linear_ = false;
   std::vector<ModelVector> columns_;  ///< one run of points a variable, for its whole range
   std::vector<ModelPoint> start_, positions_, moved_;

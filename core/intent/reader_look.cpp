@@ -19,6 +19,8 @@ PxPoint across(PxPoint tangent) { return {-tangent.y, tangent.x}; }
 
 }  // namespace
 
+double Reader::doubt_of(const Block& block) { return block.doubt * block.alignments[block.aligned].rough; }
+
 void Reader::look(const Choice& at, bool slide, Quadratic& quadratic, std::span<const std::size_t> only) {
   const rig::Pose pose = pose_of(at);
   const std::span<const std::size_t> variables = only.empty() ? std::span<const std::size_t>(all_) : only;
@@ -50,13 +52,14 @@ void Reader::look_at_drawn(Block& block, Quadratic& quadratic, std::span<const d
                            std::span<const std::size_t> variables) {
   const std::size_t n = start_.size();
   const std::vector<PxPoint> px = seen(block, positions_);
-  block.matching = block.line->match(px, block.alignments[block.aligned], slide, block.doubt / std::sqrt(block.share));
+  block.matching =
+      block.line->match(px, block.alignments[block.aligned], slide, doubt_of(block) / std::sqrt(block.share));
   Matching& m = block.matching;
   ModeMatrix grown{};
   const auto& weights = block.drawn->weights;
   for (std::size_t i = 0; i < block.count; ++i) {
     if (!weights.empty()) m.weight[i] *= weights[i];
-    const double w = block.share * m.weight[i] * k_looks / (block.doubt * block.doubt);
+    const double w = block.share * m.weight[i] * k_looks / (doubt_of(block) * doubt_of(block));
     const double root = std::sqrt(w);
     const std::size_t row = block.row + 3 * i;
     const auto d = view_derivative(block.drawn->camera, positions_[block.first + i]);
@@ -65,6 +68,7 @@ void Reader::look_at_drawn(Block& block, Quadratic& quadratic, std::span<const d
       continue;
     }
     grow(grown, m.modes[i], w);
+    if (!m.across.empty()) grown.back().back() += w * m.across[i] * m.across[i];
     const ModelVector normal = (d->x * across(m.tangent[i]).x + d->y * across(m.tangent[i]).y) * root;
     const ModelVector along = (d->x * m.tangent[i].x + d->y * m.tangent[i].y) * root;
     const ModelVector ray = d->ray * (root * k_ray);
@@ -91,10 +95,11 @@ void Reader::look_at_drawn(Block& block, Quadratic& quadratic, std::span<const d
   const auto slides = [&](std::span<double> numbers) {
     double* out = numbers.data() + quadratic.rows() + block.slide;
     for (std::size_t i = 0; i < block.count; ++i) {
-      const double w = block.share * m.weight[i] * k_looks / (block.doubt * block.doubt);
+      const double w = block.share * m.weight[i] * k_looks / (doubt_of(block) * doubt_of(block));
       const double t = std::sqrt(w) * numbers[block.row + 3 * i + 1];
-      if (t == 0.0) continue;
+      if (t == 0.0 && m.across.empty()) continue;
       for (std::size_t a = 0; a < k_modes; ++a) out[a] += m.modes[i][a] * t;
+      if (!m.across.empty()) out[k_modes - 1] += m.across[i] * std::sqrt(w) * numbers[block.row + 3 * i];
     }
     solve_forward(block.factor, out);
   };
@@ -136,7 +141,7 @@ double Reader::squares(const Block& block, std::span<const ModelPoint> positions
   Modes back{};
   for (std::size_t i = 0; i < block.count; ++i) {
     if (m.weight[i] == 0.0) continue;
-    const double w = m.weight[i] * k_looks / (block.doubt * block.doubt);
+    const double w = m.weight[i] * k_looks / (doubt_of(block) * doubt_of(block));
     const auto px = block.drawn->camera.project(positions[block.first + i]);
     const PxPoint off = m.goal[i] - (px ? *px : PxPoint{-1e6, -1e6});
     const double normal = dot(off, across(m.tangent[i]));
@@ -144,6 +149,9 @@ double Reader::squares(const Block& block, std::span<const ModelPoint> positions
     sum += w * (normal * normal + along * along);
     for (std::size_t a = 0; a < k_modes; ++a) back[a] += w * m.modes[i][a] * along;
     grow(grown, m.modes[i], w);
+    if (m.across.empty()) continue;
+    back[k_modes - 1] += w * m.across[i] * normal;
+    grown.back().back() += w * m.across[i] * m.across[i];
   }
   solve_forward(factor_of(grown), back.data());
   for (const double b : back) sum -= b * b;
@@ -175,6 +183,27 @@ double Reader::energy_of_image(std::span<const double> image, std::size_t rows) 
     sum += k_reach * base::log(1.0 + std::max(squares, 0.0) / (block.share * k_reach));
   }
   return sum;
+}
+
+bool Reader::takes_shape(std::size_t c, const Choice& choice) {
+  place(pose_of(choice), positions_);
+  const Block& block = blocks_[c];
+  const Matching& m = block.matching;
+  if (m.across.empty()) return true;
+  double moved = 0, all = 0, off = 0, grown = 1;
+  for (std::size_t i = 0; i < block.count; ++i) {
+    const auto before = block.drawn->camera.project(start_[block.first + i]);
+    const auto now = block.drawn->camera.project(positions_[block.first + i]);
+    if (!before || !now || m.weight[i] == 0.0) continue;
+    const PxPoint way = *now - *before;
+    moved += m.weight[i] * dot(way, way);
+    all += m.weight[i];
+    const double w = m.weight[i] * k_looks / (doubt_of(block) * doubt_of(block));
+    off += w * m.across[i] * dot(m.goal[i] - *now, across(m.tangent[i]));
+    grown += w * m.across[i] * m.across[i];
+  }
+  const double offset = block.alignments[block.aligned].offset_px * off / grown;
+  return all > 0.0 && std::sqrt(moved / all) >= std::abs(offset);
 }
 
 double Reader::squares_of(std::size_t c, const Choice& choice) {

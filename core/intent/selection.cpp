@@ -50,6 +50,20 @@ bool stands_at_limit(const Choice& choice, const Choices& choices) {
   return false;
 }
 
+std::size_t Selection::units_at_limit(const Choice& choice) const {
+  std::size_t count = 0;
+  for (const std::size_t u : choice.units) {
+    const Unit& unit = choices_.units[u];
+    bool at = false;
+    for (std::size_t m = 0; m < unit.count; ++m) {
+      const double value = value_of(choice, unit.members[m]);
+      at = at || (value != 0.0 && (value <= choices_.low[unit.members[m]] || value >= choices_.high[unit.members[m]]));
+    }
+    count += at ? 1U : 0U;
+  }
+  return count;
+}
+
 bool Selection::overlaps(std::size_t a, std::size_t b) const {
   const Unit& one = choices_.units[a];
   const Unit& other = choices_.units[b];
@@ -179,6 +193,7 @@ Choice Selection::fit(std::vector<std::size_t> units) {
     energy += choice.values[i] * (image - 2.0 * pulls_[i]);
   }
   choice.costs = costs_of(choice);
+  if (costs_.limit > 0.0) choice.costs += costs_.limit * static_cast<double>(units_at_limit(choice));
   choice.energy = energy + choice.costs;
   return choice;
 }
@@ -222,17 +237,21 @@ double Selection::least_with(const Base& base, std::size_t added) {
   return least - gain * static_cast<double>(unit.count == 1 ? 1 : 2);
 }
 
+double Selection::worth(const Choice& choice) const {
+  return something_ && choice.units.empty() ? 1e300 : choice.energy;
+}
+
 void Selection::consider(std::vector<std::size_t> units, Choice& best) {
   Choice tried = fit(std::move(units));
   if (rival_count_ > 0) rivals_.push_back(tried);
-  if (tried.energy < best.energy - 1e-9) best = std::move(tried);
+  if (tried.energy < worth(best) - 1e-9) best = std::move(tried);
 }
 
 void Selection::try_all(const Base& base, Choice& best, std::size_t most) {
   if (base.choice.units.size() >= most) return;
   for (std::size_t u = 0; u < choices_.units.size(); ++u) {
     if (overlaps(base.choice, u)) continue;
-    if (least_with(base, u) > best.energy + rival_window_) continue;
+    if (least_with(base, u) > worth(best) + rival_window_) continue;
     auto units = base.choice.units;
     units.insert(std::lower_bound(units.begin(), units.end(), u), u);
     consider(std::move(units), best);
@@ -251,10 +270,10 @@ Choice Selection::select(Choice first, std::size_t most) {
       std::erase(fewer, out);
       Choice without = fit(std::move(fewer));
       if (rival_count_ > 0) rivals_.push_back(without);
-      if (without.energy < best.energy - 1e-9) best = without;
+      if (worth(without) < worth(best) - 1e-9) best = without;
       try_all(base_of(std::move(without)), best, most);
     }
-    if (!(best.energy < current.energy - 1e-9)) break;
+    if (!(worth(best) < worth(current) - 1e-9)) break;
     current = std::move(best);
   }
   std::erase_if(rivals_, [&](const Choice& one) {

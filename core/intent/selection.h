@@ -47,6 +47,9 @@ struct Costs {
   double movement = 4.0;   ///< times log(1 + way of the whole model / usual way)
   double usual_way = 0.2;  ///< of the whole model, as a multiple of the median control's
   double beside = 8.0;     ///< times log(way of what it moves most / way of the curve that it moves most), if positive
+  double around = 20.0;    ///< times log(what lies next to the curve goes away from it / way of the curve), if positive
+  double along = 4.0;      ///< times log(way of the curve / its way less that from one of its ends to the other)
+  double limit = 8.0;      ///< each that stands at an end of its range: it is asked for more than it can
   double tie = 40.0;       ///< the square of what a pair's two values differ by
 };
 
@@ -63,6 +66,8 @@ class Selection {
   /// The best choice found from a first one on: units are added, exchanged and taken out, one at a time, while that
   /// lowers the energy. `most`: units at most. Deterministic: equal energies keep the choice that came first.
   [[nodiscard]] Choice select(Choice first, std::size_t most);
+  /// Something has to move: a choice of nothing is none. A selection may yet come to nothing where there is no unit.
+  void forbid_nothing() { something_ = true; }
   /// Other choices that come near the last selection's: one exchange away, at most `window` above it, the best first.
   [[nodiscard]] const std::vector<Choice>& rivals() const { return rivals_; }
   void set_rivals(std::size_t count, double window) {
@@ -79,6 +84,7 @@ class Selection {
     Choice choice;
     std::vector<double> factor;  ///< lower Cholesky factor of the choice's matrix, by rows
   };
+  [[nodiscard]] std::size_t units_at_limit(const Choice& choice) const;
   [[nodiscard]] double unit_cost(const Unit& unit, const Choice& choice) const;
   [[nodiscard]] double value_of(const Choice& choice, std::size_t variable) const;
   [[nodiscard]] bool overlaps(std::size_t a, std::size_t b) const;
@@ -91,6 +97,7 @@ class Selection {
   /// of their range.
   [[nodiscard]] double least_with(const Base& base, std::size_t unit);
   void try_all(const Base& base, Choice& best, std::size_t most);
+  [[nodiscard]] double worth(const Choice& choice) const;
   void consider(std::vector<std::size_t> units, Choice& best);
 
   Quadratic& q_;
@@ -98,6 +105,7 @@ class Selection {
   const Costs& costs_;
   std::vector<Choice> rivals_;
   std::size_t rival_count_ = 0;
+  bool something_ = false;
   double rival_window_ = 0;
   std::size_t evaluations_ = 0;
   std::vector<double> matrix_, pulls_, descent_, solved_;

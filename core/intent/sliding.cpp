@@ -12,6 +12,15 @@ namespace {
 
 /// Strokes begin and end within this share of the line's length of where they were meant to (root mean square).
 constexpr double k_slide = 0.04;
+/// Lines that tell a shape lie beside where they were meant by this share of their length (root mean square).
+constexpr double k_offset = 0.07;
+/// They are drawn the more roughly.
+constexpr double k_rough = 1.3;
+/// Both ends of a line are places of the face, a corner of the mouth or of an eye: they say this much more than what
+/// lies between, over a tenth of the length each.
+constexpr double k_ends = 2.0;
+/// What believing that costs.
+constexpr double k_offset_charge = 4.0;
 
 PxPoint direction(PxPoint v) {
   const double length = geometry::distance(v, {});
@@ -88,6 +97,7 @@ Matching SlidingLine::match(std::span<const PxPoint> seen, const Alignment& alig
   m.modes.resize(n);
   std::vector<double> equal(n);  // the place of equal arc length
   const double span = alignment.reference_to - alignment.reference_from;
+  const bool offset = alignment.offset_px > 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     double share = along.back() > 0.0 ? along[i] / reference : static_cast<double>(i) / static_cast<double>(n - 1);
     // Points just outside belong to the drawn part's end as much as those just inside.
@@ -96,6 +106,9 @@ Matching SlidingLine::match(std::span<const PxPoint> seen, const Alignment& alig
     const double to = alignment.line_from + share * (alignment.line_to - alignment.line_from) + alignment.turned;
     equal[i] = length() * (alignment.reversed ? 1.0 - to : to);
     m.modes[i] = modes_at(share, length() * (alignment.line_to - alignment.line_from), alignment.closed);
+    if (offset) m.modes[i].back() = 0.0;
+    if (alignment.ends > 0.0)
+      m.weight[i] *= 1.0 + alignment.ends * std::max(0.0, (std::abs(2.0 * share - 1.0) - 0.8) / 0.2);
   }
   Modes at{};
   for (int round = 0; round < 3; ++round) {
@@ -124,11 +137,16 @@ Matching SlidingLine::match(std::span<const PxPoint> seen, const Alignment& alig
     }
     for (double& a : at) a *= scale;
   }
+  if (offset) {
+    const PxPoint chord = direction(line_.back() - line_.front());
+    m.across.resize(n);
+    for (std::size_t i = 0; i < n; ++i) m.across[i] = alignment.offset_px * dot(chord, m.tangent[i]);
+  }
   return m;
 }
 
 std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const PxPoint> line, double near_px,
-                                  bool second) {
+                                  Edition edition) {
   constexpr double k_one_end = 100.0;
   const double reference = curve::arc_length<PxPoint>(seen);
   const double drawn = curve::arc_length<PxPoint>(line);
@@ -205,9 +223,17 @@ std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const
       one.line_to = from + part;
       // Both ends overshot alike is how a wide line is drawn; all of it at one end is less likely the longer it is.
       const bool one_end = one.line_from == 0.0 || one.line_from == 1.0 - part;
-      one.charge = 8.0 + (one_end && second ? k_one_end * std::max(0.0, ratio - 1.22) : 0.0);
+      one.charge = 8.0 + (one_end && edition != Edition::first ? k_one_end * std::max(0.0, ratio - 1.22) : 0.0);
       add(one);
     }
+  }
+  if (edition >= Edition::third) {
+    Alignment beside = list.front();
+    beside.offset_px = k_offset * drawn;
+    beside.charge = k_offset_charge;
+    beside.rough = k_rough;
+    list.push_back(beside);
+    for (Alignment& one : list) one.ends = k_ends;
   }
   return list;
 }

@@ -5,10 +5,9 @@
 
 #include "core/geometry/space.h"
 #include "core/intent/mode_algebra.h"
+#include "core/intent/problem.h"
 
 namespace penpose::intent {
-
-using geometry::PxPoint;
 
 /// Independent looks that a curve is worth, whatever the number of its points: the hand's error changes slowly along a
 /// stroke.
@@ -23,6 +22,11 @@ struct Alignment {
   double reference_from = 0, reference_to = 1;
   double line_from = 0, line_to = 1;
   double charge = 0;  ///< what believing in this alignment costs, in the energy's unit
+  /// How far the whole line may lie beside where it was meant, across the way from its one end to its other: px, root
+  /// mean square. 0: not at all.
+  double offset_px = 0;
+  double ends = 0;   ///< how much more a line's ends say than its middle
+  double rough = 1;  ///< what the stroke's doubt is multiplied by
 };
 
 /// Where the points of a reference go on a line, and how sure that is.
@@ -32,6 +36,8 @@ struct Matching {
   std::vector<double> weight;    ///< share of the reference's length that the point stands for; 0: nothing is asked
   std::vector<double> slid;      ///< px that the goal has slid along the line
   std::vector<Modes> modes;      ///< px by which the point slides for one unit of each mode
+  /// Px by which one unit of the last mode moves the point across the line; empty: no mode moves it so.
+  std::vector<double> across;
 };
 
 /// A line as drawn, ready for being matched.
@@ -66,9 +72,10 @@ class SlidingLine {
 
 /// Which alignments of a line with a reference are worth trying, the likeliest first. Which way round it runs is told
 /// by both its ends and its direction together; where they do not tell, both ways are named. Lines much shorter or
-/// longer than the reference may be a part of it, or overshoot it. `near_px`: ends within it meet (loops). `second`: by
-/// Edition::second, where a line that overshoots at one end alone is the less likely the more it does.
+/// longer than the reference may be a part of it, or overshoot it. `near_px`: ends within it meet (loops). From
+/// Edition::second on a line that overshoots at one end alone is the less likely the more it does; from Edition::third
+/// on the last one takes the line for one that tells a shape and lies beside where it was meant.
 [[nodiscard]] std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const PxPoint> line,
-                                                double near_px, bool second);
+                                                double near_px, Edition edition);
 
 }  // namespace penpose::intent

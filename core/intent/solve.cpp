@@ -27,6 +27,8 @@ constexpr double k_beyond_chain = 60.0;
 constexpr double k_rival_window = 12.0;
 /// A curve with no more squares than this fits as it is aligned: about twice what a steady hand leaves.
 constexpr double k_fits = 24.0;
+/// What a reading leaves of a curve's squares at most, where it takes the line for what it is.
+constexpr double k_near_enough = 0.6;
 /// How much lower the energy has to be before a limb leans out of the picture that need not.
 constexpr double k_lean_gain = 3.0;
 /// A joint's squares hold near the pose where they were taken: most that an angle changes in a round, share of its
@@ -59,6 +61,7 @@ class Solver {
       Selection selection(b_.quadratic, reader_.choices(), reader_.costs());
       if (round + 1 == rounds) selection.set_rivals(options_.rivals, k_rival_window);
       const Choice before = choice;
+      if (something) selection.forbid_nothing();
       Choice next = selection.select(selection.fit(before.units), options_.most_units);
       if (!reader_.all_bends().empty()) {
         // What bends to and fro gains little by its first bend alone: from all bends on, fewer.
@@ -73,6 +76,7 @@ class Solver {
     Reading best = matched(choice);
     bool other = false;
     for (const Choice& rival : rivals) {
+      if (something && rival.units.empty()) continue;
       Reading one = matched(rival);
       if (!(one.energy < best.energy - 1e-9)) continue;
       best = std::move(one);
@@ -81,6 +85,7 @@ class Solver {
     if (other) {
       reader_.look(best.choice, true, b_.quadratic);
       Selection selection(b_.quadratic, reader_.choices(), reader_.costs());
+      if (something) selection.forbid_nothing();
       Reading again = matched(selection.select(selection.fit(best.choice.units), options_.most_units));
       evaluations += selection.evaluations();
       if (again.energy < best.energy) best = std::move(again);
@@ -123,6 +128,8 @@ class Solver {
   }
 
   std::size_t evaluations = 0;
+  /// Readings move something (Selection::forbid_nothing).
+  bool something = false;
 
  private:
   Choice trusted(const Choice& before, Choice after) const {
@@ -169,6 +176,11 @@ Reading foreshortened(Reader& reader, Solver& solver, std::size_t drawn, Reading
 /// The best reading over the ways in which single lines may be aligned.
 Reading best_alignment(Reader& reader, Solver& solver, std::size_t drawn) {
   for (std::size_t c = 0; c < drawn; ++c) reader.align(c, 0);
+  std::vector<double> asked;
+  if (reader.edition() >= Edition::third) {
+    solver.match({});
+    for (std::size_t c = 0; c < drawn; ++c) asked.push_back(reader.squares_of(c, {}));
+  }
   Reading best = solver.read();
   best = foreshortened(reader, solver, drawn, std::move(best));
   for (std::size_t c = 0; c < drawn; ++c) {
@@ -176,8 +188,24 @@ Reading best_alignment(Reader& reader, Solver& solver, std::size_t drawn) {
     if (reader.alignments(c).size() < 2 || reader.squares_of(c, best.choice) < k_fits) continue;
     for (std::size_t a = 1; a < reader.alignments(c).size(); ++a) {
       reader.align(c, a);
+      // A line that lies beside where it was meant tells a shape that something takes on; thought of where nothing
+      // brings the curve near to the line itself.
+      solver.something = reader.alignments(c)[a].offset_px > 0.0;
+      if (solver.something) {
+        reader.align(c, chosen);
+        solver.match(best);
+        const bool near = reader.squares_of(c, best.choice) < k_near_enough * asked[c];
+        reader.align(c, a);
+        if (near) {
+          solver.something = false;
+          continue;
+        }
+      }
       Reading one = solver.read();
-      if (!(one.energy < best.energy - 1e-9)) continue;
+      if (solver.something) solver.match(one);
+      const bool nothing = solver.something && (one.choice.units.empty() || !reader.takes_shape(c, one.choice));
+      solver.something = false;
+      if (nothing || !(one.energy < best.energy - 1e-9)) continue;
       best = std::move(one);
       chosen = a;
     }

@@ -78,6 +78,7 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
   }
   const double median = median_of_positive(whole.movement);
   for (double& movement : whole.movement) movement /= median;
+  whole.surroundings = std::make_shared<Surroundings>(rest);
   whole.partner = mirror_pairs(moments, box.empty() ? ModelPoint{0} : box.center(), whole.size);
   return whole;
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/intent/surroundings.h"
 #include "core/joints/body.h"
 #include "core/rig/rig.h"
 
@@ -28,6 +29,8 @@ struct WholeModel {
   std::vector<std::size_t> joint;
   /// The shape of the skeleton; null without one.
   std::shared_ptr<const joints::Body> body;
+  /// Its vertices as they rest.
+  std::shared_ptr<const Surroundings> surroundings;
   /// Diagonal of the box of the rest pose, model units.
   double size = 0;
 };

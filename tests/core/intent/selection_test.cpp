@@ -119,7 +119,12 @@ TEST(Selection, CostsAreWhatTheFormulaSays) {
   c.pair(0, 1);
   Selection s = c.selection();
   const Choice one = s.fit({2});
-  EXPECT_NEAR(one.costs, 8 + std::log(1 + 200.0) + 4 * std::log(1 + 3 * one.values[0] / 0.2), 1e-9);
+  const double usual = 8 + std::log(1 + 200.0) + 4 * std::log(1 + 3 * one.values[0] / 0.2);
+  ASSERT_EQ(one.values[0], 1) << "as far as it can";
+  EXPECT_NEAR(one.costs, usual + 8, 1e-9);
+  EXPECT_NEAR(s.costs_of(one), usual, 1e-9);
+  c.costs.limit = 0;
+  EXPECT_NEAR(c.selection().fit({2}).costs, usual, 1e-9);
   const Choice pair = s.fit({3});
   ASSERT_NEAR(pair.values[0], pair.values[1], 1e-12) << "drawn alike";
   const double way = (0.5 + 2) * pair.values[0] / 2;

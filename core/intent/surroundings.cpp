@@ -1,0 +1,41 @@
+#include "core/intent/surroundings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace penpose::intent {
+
+using geometry::ModelPoint;
+
+Surroundings::Surroundings(std::vector<ModelPoint> rest) : rest_(std::move(rest)) {
+  for (std::uint32_t v = 0; v < rest_.size(); ++v) {
+    if (std::isfinite(rest_[v].x + rest_[v].y + rest_[v].z)) by_x_.push_back(v);
+  }
+  std::stable_sort(by_x_.begin(), by_x_.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return rest_[a].x < rest_[b].x; });
+}
+
+std::vector<std::uint32_t> Surroundings::near(std::span<const ModelPoint> places, double reach,
+                                              std::size_t most) const {
+  geometry::Box box;
+  for (const ModelPoint& p : places) box.add(p);
+  std::vector<std::uint32_t> found;
+  if (box.empty()) return found;
+  const auto first = std::lower_bound(by_x_.begin(), by_x_.end(), box.minimum.x - reach,
+                                      [&](std::uint32_t v, double x) { return rest_[v].x < x; });
+  for (auto at = first; at != by_x_.end() && rest_[*at].x <= box.maximum.x + reach; ++at) {
+    const ModelPoint& p = rest_[*at];
+    if (p.y < box.minimum.y - reach || p.y > box.maximum.y + reach) continue;
+    if (p.z < box.minimum.z - reach || p.z > box.maximum.z + reach) continue;
+    if (std::any_of(places.begin(), places.end(),
+                    [&](const ModelPoint& q) { return geometry::distance(p, q) <= reach; }))
+      found.push_back(*at);
+  }
+  std::stable_sort(found.begin(), found.end());
+  if (found.size() <= most) return found;
+  std::vector<std::uint32_t> fewer(most);
+  for (std::size_t i = 0; i < most; ++i) fewer[i] = found[i * found.size() / most];
+  return fewer;
+}
+
+}  // namespace penpose::intent

@@ -1,0 +1,101 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "core/intent/solve.h"
+#include "tests/core/intent/face.h"
+
+// What Edition::third reads in a line that no control takes on as it is drawn.
+
+namespace penpose::intent {
+namespace {
+
+using tests::Face;
+using tests::Line;
+
+Solution read_by(const Face& face, Edition edition, const tests::Points& points, const Line& line) {
+  IntentProblem problem = face.problem({face.drawn(points, line)});
+  problem.edition = edition;
+  return face.solve(problem);
+}
+
+double fade(double distance) { return std::abs(distance) < 0.25 ? std::pow(1 - std::pow(distance / 0.25, 2), 2) : 0.0; }
+
+/// The mouth's line is lifted as a whole by a smile, the corners more.
+Face smiling_face() {
+  Face face;
+  face.bump("browLeft", -0.4, 0.5, {0, 0.15, 0});
+  face.bump("browRight", 0.4, 0.5, {0, 0.15, 0});
+  face.bump("lipUp", 0, -0.4, {0, 0.15, 0.02});
+  face.control("smile", [](double x, double y) {
+    return geometry::ModelVector{0, (0.06 + x * x) * fade(y + 0.4) * (std::abs(x) < 0.6 ? 1.0 : 0.0), 0};
+  });
+  face.ready();
+  return face;
+}
+
+/// A smile drawn with its middle below where it was: what moves the lips up everywhere cannot be brought there.
+Line deep_smile(const Face& face, double down_px) {
+  Line line = face.seen(Face::mouth(), face.pose({{"smile", 0.8}}));
+  for (auto& p : line) p.y += down_px;
+  return line;
+}
+
+TEST(Shape, ASmileDrawnDeeperThanTheRigsIsASmile) {
+  const Face face = smiling_face();
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    const Line line = tests::shaken(deep_smile(face, 37), 1, seed);
+    const Solution third = read_by(face, Edition::third, Face::mouth(), line);
+    EXPECT_EQ(third.moved, std::vector<std::size_t>{face.number("smile")}) << seed;
+    EXPECT_GT(third.pose[face.number("smile")], 0.5) << seed;
+  }
+}
+
+TEST(Shape, ALineMovedAsAWholeIsStillThat) {
+  const Face face = smiling_face();
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    const rig::Pose answer = face.pose({{"browLeft", 0.7}});
+    const Line line = tests::shaken(face.seen(Face::left_brow(), answer), 1.5, seed);
+    const Solution third = read_by(face, Edition::third, Face::left_brow(), line);
+    EXPECT_EQ(third.moved, std::vector<std::size_t>{face.number("browLeft")}) << seed;
+    EXPECT_LT(face.error(third.pose, answer), 0.15) << seed;
+  }
+}
+
+TEST(Shape, WhatTearsThingsFromTheCurveIsNotMeant) {
+  Face face = tests::usual_face();
+  // Both bring the mouth's line up; one of them drives what lies just below it through it.
+  face.control("tears", [](double x, double y) {
+    const double at = std::abs(x) < 0.6 ? 0.1 * fade(y + 0.4) : 0.0;
+    return geometry::ModelVector{0, std::abs(y + 0.4) < 0.01 ? at : y < -0.4 ? 12 * at : 0.0, 0};
+  });
+  face.control("keeps", [](double x, double y) {
+    return geometry::ModelVector{0, std::abs(x) < 0.6 ? (0.1 + 0.05 * x) * fade(y + 0.4) : 0.0, 0};
+  });
+  face.ready();
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    const Line line = tests::shaken(face.seen(Face::mouth(), face.pose({{"tears", 0.7}})), 1.5, seed);
+    const Solution third = read_by(face, Edition::third, Face::mouth(), line);
+    EXPECT_EQ(third.pose[face.number("tears")], 0) << seed;
+    EXPECT_GT(third.pose[face.number("keeps")], 0.3) << seed;
+  }
+}
+
+TEST(Shape, OfAPairThatTheStrokesSeeOneSideOfThatSideMoves) {
+  Face face(1);
+  const auto raise = [](double side) {
+    return [=](double x, double y) {
+      const double near = fade(0.5 * (y - 0.5)) * (x * side > 0 ? 1.0 : 0.04);
+      return geometry::ModelVector{0, 0.15 * near, 0};
+    };
+  };
+  face.control("raiseLeft", raise(-1)).control("raiseRight", raise(1));
+  face.ready();
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    const Line line = tests::shaken(face.seen(Face::left_brow(), face.pose({{"raiseLeft", 0.9}})), 2, seed);
+    const Solution third = read_by(face, Edition::third, Face::left_brow(), line);
+    EXPECT_EQ(third.moved, std::vector<std::size_t>{face.number("raiseLeft")}) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace penpose::intent
