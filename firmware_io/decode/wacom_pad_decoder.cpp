@@ -17,6 +17,19 @@ constexpr PadKeys k_bamboo_keys =
     key_bit(PadKey::left) | key_bit(PadKey::right) | key_bit(PadKey::forward) | key_bit(PadKey::back);
 constexpr PadKeys k_program_keys = key_bit(PadKey::program1) | key_bit(PadKey::program2) | key_bit(PadKey::program3);
 
+/// The keys that `show` and its like read the lights from.
+PadKeys mode_keys_of(const WacomHand& hand, const PadFeatures& has) {
+  if (has.modes == 0 || hand.pad == P::remote) return 0;
+  if (hand.pad == P::intuos_pro_bluetooth) return key_bit(numbered_key(hand.keys - 1U));
+  PadKeys keys = 0;
+  for (unsigned group = 0; group < has.modes; ++group) {
+    const unsigned first = group * (hand.keys / has.modes);
+    const unsigned count = hand.pad == P::cintiq_24hd ? has.lights : 1;
+    for (unsigned i = 0; i < count; ++i) keys |= key_bit(numbered_key(first + i));
+  }
+  return keys;
+}
+
 PadFeatures features_of(const WacomHand& hand) {
   PadFeatures has;
   has.keys = numbered_keys(~std::uint64_t{0}, hand.keys);
@@ -89,6 +102,7 @@ PadFeatures features_of(const WacomHand& hand) {
       rings(1);  // as Linux has it; no report ever moves it
       break;
   }
+  has.mode_keys = mode_keys_of(hand, has);
   return has;
 }
 
