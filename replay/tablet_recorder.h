@@ -19,7 +19,7 @@ struct RecordingCounts {
   std::uint64_t reports = 0;
   std::uint64_t lost = 0;  ///< did not fit between the tablet and here; a comment stands where they are missing
   std::uint64_t strokes = 0;
-  std::uint64_t keys = 0;  ///< presses of keys on tablets
+  std::uint64_t keys = 0;    ///< presses of keys on tablets
   std::int64_t span_us = 0;  ///< from the first report to the last
 };
 

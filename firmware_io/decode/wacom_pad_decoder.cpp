@@ -1,5 +1,7 @@
 #include "firmware_io/decode/wacom_pad_decoder.h"
 
+#include <algorithm>
+
 #include "firmware_io/decode/report_bytes.h"
 
 namespace penpose::decode {
@@ -106,6 +108,11 @@ PadFeatures features_of(const WacomHand& hand) {
   return has;
 }
 
+constexpr std::uint8_t k_status_report = 0xc0;
+
+/// Models that take a module with a battery, for a receiver.
+bool has_wireless_kit(P pad) { return pad == P::bamboo || pad == P::intuos_ht || pad == P::intuos5; }
+
 PadKeys when(bool holds, PadKey key) { return holds ? key_bit(key) : 0; }
 
 /// The three keys that are areas of one touch strip, or that a model has beside its numbered ones.
@@ -126,6 +133,10 @@ void WacomPadDecoder::reset() {
 
 bool WacomPadDecoder::decode(base::Bytes report) {
   if (report.empty()) return false;
+  if (report[0] == k_status_report && has_wireless_kit(hand_.pad)) {
+    take_status(report);
+    return false;
+  }
   switch (hand_.pad) {
     case P::none:
       return false;
@@ -151,6 +162,16 @@ bool WacomPadDecoder::decode(base::Bytes report) {
     default:
       return decode_intuos(report);
   }
+}
+
+/// What the tablet says of its wireless module, on its cable too: whether there is one, and the charge in 31sts.
+/// Source: Linux, wacom_wac.c, wacom_status_irq.
+void WacomPadDecoder::take_status(base::Bytes report) {
+  constexpr std::size_t k_size = 10;
+  if (report.size() < k_size) return;
+  battery_ = {};
+  if (bit(report, 9, 0x02)) battery_ = {static_cast<std::int8_t>((report[8] & 0x3f) * 100 / 31), bit(report, 8, 0x80)};
+  battery_.percent = std::min<std::int8_t>(battery_.percent, 100);
 }
 
 /// Pen and keys share a report. Keys are told of while one is held, and once more when the last is let go.

@@ -172,9 +172,8 @@ base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* ow
     if (tablet.carries != Carries::other) tablets.push_back(std::move(tablet));
   }
   const std::vector<LiveTablet> all = tablets;
-  std::erase_if(tablets, [&](const LiveTablet& one) {
-    return one.carries == Carries::touch && !belongs_to_a_tablet(one, all);
-  });
+  std::erase_if(tablets,
+                [&](const LiveTablet& one) { return one.carries == Carries::touch && !belongs_to_a_tablet(one, all); });
   return tablets;
 }
 

@@ -75,7 +75,8 @@ Json to_json(const device::LiveTablet& tablet) {
 void print(const device::LiveTablet& tablet) {
   const auto& identity = tablet.interface.identity;
   std::cout << tablet.path() << "  " << base::shown_name(identity.name) << " (" << hex(identity.vendor) << ':'
-            << hex(identity.product) << "), " << word(tablet.carries) << beside(tablet) << ", read as " << tablet.method;
+            << hex(identity.product) << "), " << word(tablet.carries) << beside(tablet) << ", read as "
+            << tablet.method;
   if (tablet.match && tablet.match->certain) {
     std::cout << " (" << base::shown_name(tablet.match->tablet->vendor + " " + tablet.match->tablet->name) << ')';
   }
