@@ -20,15 +20,16 @@ std::int32_t place_of_bits(std::int32_t bits) {
 }  // namespace
 
 std::int32_t PadEvents::ring_steps(std::int32_t from, std::int32_t to) const {
-  const std::int32_t places = features_.ring_maximum + 1;
+  const std::int64_t places = std::int64_t{features_.ring_maximum} + 1;
   if (places <= 1) return 0;
-  std::int32_t by = (to - from) % places;
+  std::int64_t by = (std::int64_t{to} - from) % places;
   if (2 * by > places) by -= places;
   if (2 * by < -places) by += places;
   if (k_farthest_share * std::abs(by) > places) return 0;
   // The place as a part of the whole turn, so that no rest of a division is lost on the way round.
+  const std::int64_t begin = from % places + 2 * places;
   const auto notches = [&](std::int64_t at) { return at * k_ring_notches * k_notch / places; };
-  return static_cast<std::int32_t>(notches(std::int64_t{from} + places + by) - notches(std::int64_t{from} + places));
+  return static_cast<std::int32_t>(notches(begin + by) - notches(begin));
 }
 
 std::int32_t PadEvents::strip_steps(std::int32_t from, std::int32_t to) const {

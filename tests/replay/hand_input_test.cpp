@@ -88,9 +88,7 @@ TEST_F(HandInputTest, AMouseHoldsNoFingersBack) {
 }
 
 TEST_F(HandInputTest, TheChargeIsToldWhenItChanges) {
-  const auto status = [](std::uint8_t charge) {
-    return tests::Report{0xc0, 0, 0, 1, 0x10, 0, 0, 0, charge, 0x03};
-  };
+  const auto status = [](std::uint8_t charge) { return tests::Report{0xc0, 0, 0, 1, 0x10, 0, 0, 0, charge, 0x03}; };
   auto moments = send(1, status(0x92));
   ASSERT_EQ(moments.size(), 1U);
   EXPECT_EQ(moments[0].kind, HandMoment::Kind::battery);
