@@ -80,6 +80,15 @@ void identify(LiveTablet& tablet, const decode::TabletTable* own) {
   tablet.method = tablet.has_keys ? "keys of the tablet" : "fingers on the tablet";
 }
 
+/// What is known of the same interface: between two drivers the system tells neither its name nor its descriptor.
+void take_over(decode::DeviceIdentity& identity, const decode::DeviceIdentity& known) {
+  identity.strings = known.strings;
+  if (identity.name.empty()) identity.name = known.name;
+  if (!identity.report_descriptor.empty()) return;
+  identity.report_descriptor = known.report_descriptor;
+  decode::complete_identity(identity);
+}
+
 /// Fingers alone are those of a tablet on the same device, or of one by Wacom, whose fingers may be a device of their
 /// own beside it. Others are a touch screen's or a laptop's, which the desktop reads.
 bool belongs_to_a_tablet(const LiveTablet& touch, const std::vector<LiveTablet>& all) {
@@ -167,7 +176,7 @@ base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* ow
       tablets.back().access = Access::busy;
       continue;
     }
-    if (known != before.end()) interface.identity.strings = known->interface.identity.strings;
+    if (known != before.end()) take_over(interface.identity, known->interface.identity);
     LiveTablet tablet = recognise(std::move(interface), own);
     if (tablet.carries != Carries::other) tablets.push_back(std::move(tablet));
   }

@@ -108,6 +108,7 @@ struct PanelState {
   Area test_area{};
   std::string pad_tablet;     ///< whose keys are shown, by its key in the settings; empty: the first
   PadControl pad_control;     ///< that something is chosen for
+  float pad_height = 0;       ///< px of the picture of its keys in the last frame
   bool pad_once = false;      ///< actions are offered, else what holds while a key is held
   std::string after_unsaved;  ///< what to open once the question about unsaved work is answered; empty: quit
   bool saves_first = false;   ///< that question was answered with Save: it is done once something was saved

@@ -355,7 +355,8 @@ void App::tell_battery(DeskTablet& tablet) {
   if (pad == nullptr) return;
   tablet.battery = pad->battery();
   const std::int8_t percent = tablet.battery.percent;
-  const bool low = percent >= 0 && percent <= k_low_battery && !tablet.battery.charging;
+  // 0 comes before it has been measured.
+  const bool low = percent > 0 && percent <= k_low_battery && !tablet.battery.charging;
   if (low && !tablet.low_told) tell(tablet.name + ": its battery is at " + std::to_string(percent) + " %", true);
   if (low || percent > k_charged_again || tablet.battery.charging) tablet.low_told = low;
 }

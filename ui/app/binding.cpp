@@ -158,7 +158,7 @@ std::string label_of(const Binding& binding) {
     case Kind::view:
       return std::string(by_value(k_views, binding.view)->label);
     case Kind::tool:
-      if (const auto* tool = by_value(k_tools, binding.tool)) return std::string(tool->label) + " (held)";
+      if (const auto* tool = by_value(k_tools, binding.tool)) return std::string(tool->label) + ", held";
       break;
     case Kind::dial:
       return std::string(by_value(k_dials, binding.dial)->label);
@@ -234,7 +234,9 @@ std::string title_of(const PadControl& control, const decode::PadFeatures& featu
     case PadControl::Kind::key: {
       const auto keys = keys_of(features);
       const auto found = std::find(keys.begin(), keys.end(), static_cast<decode::PadKey>(control.index));
-      return "Key " + std::to_string(found - keys.begin() + 1);
+      const auto is_mode = [&](decode::PadKey key) { return (features.mode_keys & decode::key_bit(key)) != 0; };
+      if (found != keys.end() && is_mode(*found)) return "Key of the lights";
+      return "Key " + std::to_string(found - keys.begin() + 1 - std::count_if(keys.begin(), found, is_mode));
     }
     case PadControl::Kind::ring:
       return dial("Ring", features.rings);

@@ -134,10 +134,15 @@ void show_pad_dialog(PanelContext& context) {
       const auto keys = keys_of(tablet->features);
       if (!has(*tablet, control)) control = keys.empty() ? pen_button_control(0) : key_control(keys.front());
       show_tablets(context, tablets, *tablet);
+      // As high as it is, up to what the window has room for.
+      const float room = static_cast<float>(app.window().height) - 6 * context.unit;
+      const float height = std::clamp(app.panels().pad_height, 10 * context.unit, std::max(room, 10 * context.unit));
+      ImGui::BeginChild("pad", {10.6F * context.unit, height}, false);
       ImGui::BeginGroup();
       show_pad_picture(context, *tablet);
       ImGui::EndGroup();
-      const float height = std::max(ImGui::GetItemRectSize().y, 10 * context.unit);
+      app.panels().pad_height = ImGui::GetItemRectSize().y + context.gap;
+      ImGui::EndChild();
       ImGui::SameLine();
       ImGui::BeginChild("chosen", {0, height}, false);
       Choices(context, *tablet).show();

@@ -198,8 +198,8 @@ TEST(Pads, AKeyHeldWhenItIsUnpluggedIsLetGoAndSaid) {
   desk.app->tablet_left(k_pad, "Wacom Intuos Pro S");
   EXPECT_EQ(desk.tool(), ToolKind::pose);
   EXPECT_TRUE(
-      desk.told("Wacom Intuos Pro S was unplugged; Key 2 (Undo) was held and is let go; "
-                "Key 6 (Erase (held)) was held and is let go"));
+      desk.told("Wacom Intuos Pro S was unplugged; Key 1 (Undo) was held and is let go; "
+                "Key 5 (Erase, held) was held and is let go"));
   desk.app->tablet_arrived(k_pad, tests::intuos_pro());
   EXPECT_TRUE(desk.told("Wacom Intuos Pro S is back"));
   desk.draw(desk.named_curve(any_curve(desk)));
