@@ -1,5 +1,6 @@
 #include "firmware_io/decode/pad_events.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdlib>
 
@@ -28,7 +29,9 @@ std::int32_t PadEvents::ring_steps(std::int32_t from, std::int32_t to) const {
   if (k_farthest_share * std::abs(by) > places) return 0;
   // The place as a part of the whole turn, so that no rest of a division is lost on the way round.
   const std::int64_t begin = from % places + 2 * places;
-  const auto notches = [&](std::int64_t at) { return at * k_ring_notches * k_notch / places; };
+  const auto notches = [&](std::int64_t at) {
+    return at * std::min<std::int64_t>(k_ring_notches, places) * k_notch / places;
+  };
   return static_cast<std::int32_t>(notches(begin + by) - notches(begin));
 }
 

@@ -37,7 +37,8 @@ struct PadEvent {
 
 /// Parts of a notch, as Linux counts them for wheels of high resolution.
 inline constexpr std::int32_t k_notch = 120;
-/// A ring's notches: one for each 10 degrees, about what a finger means by a step.
+/// A ring's notches: one for each 10 degrees, about what a finger means by a step. Of a ring that feels fewer places,
+/// each place is one.
 inline constexpr std::int32_t k_ring_notches = 36;
 
 /// Turns the states of a pad into events: a press and a release for each key, turns by how far they went.

@@ -170,8 +170,8 @@ void WacomPadDecoder::take_status(base::Bytes report) {
   constexpr std::size_t k_size = 10;
   if (report.size() < k_size) return;
   battery_ = {};
-  if (bit(report, 9, 0x02)) battery_ = {static_cast<std::int8_t>((report[8] & 0x3f) * 100 / 31), bit(report, 8, 0x80)};
-  battery_.percent = std::min<std::int8_t>(battery_.percent, 100);
+  const int percent = std::min((report[8] & 0x3f) * 100 / 31, 100);
+  if (bit(report, 9, 0x02)) battery_ = {static_cast<std::int8_t>(percent), bit(report, 8, 0x80)};
 }
 
 /// Pen and keys share a report. Keys are told of while one is held, and once more when the last is let go.

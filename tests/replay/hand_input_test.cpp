@@ -94,6 +94,8 @@ TEST_F(HandInputTest, TheChargeIsToldWhenItChanges) {
   EXPECT_EQ(moments[0].kind, HandMoment::Kind::battery);
   EXPECT_EQ(hands.pad(1)->battery(), (decode::Battery{18 * 100 / 31, true}));
   EXPECT_TRUE(send(1, status(0x92)).empty());
+  send(1, status(0x3f));
+  EXPECT_EQ(hands.pad(1)->battery(), (decode::Battery{100, false})) << "more than full is full";
   send(1, {0xc0, 0, 0, 1, 0x10, 0, 0, 0, 0x92, 0x01});
   EXPECT_EQ(hands.pad(1)->battery().percent, -1) << "without its module there is no battery";
 }

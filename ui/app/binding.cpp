@@ -170,6 +170,40 @@ std::string label_of(const Binding& binding) {
   return "Nothing";
 }
 
+std::string tip_of(const Binding& binding) {
+  switch (binding.kind) {
+    case Kind::none:
+      return {};
+    case Kind::action:
+      return std::string(info(binding.action).tip);
+    case Kind::view:
+      return "While it is held the pen moves the view and draws nothing";
+    case Kind::tool:
+      return "While it is held; then the tool is again the one that it was";
+    case Kind::pen_menu:
+      return "Turns the view while it is held; a click opens the menu around the pen";
+    case Kind::next_mode:
+      return "Rings, strips and wheels do the next of their four things";
+    case Kind::dial:
+      break;
+  }
+  switch (binding.dial) {
+    case DialUse::time:
+      return "The timeline's cursor, a frame for each notch";
+    case DialUse::zoom:
+      return "Nearer and farther, about the pen where it is near";
+    case DialUse::turn:
+      return "The view, about the model";
+    case DialUse::control:
+      return "The value of the control that is selected, or that the last stroke moved most";
+    case DialUse::undo:
+      return "Back and forth through what was done";
+    case DialUse::keys:
+      return "From key to key of the timeline";
+  }
+  return {};
+}
+
 std::span<const Binding> held_choices() {
   static const std::vector<Binding> all = [] {
     std::vector<Binding> made;

@@ -58,6 +58,9 @@ struct Binding {
 /// A word or two for a button.
 [[nodiscard]] std::string label_of(const Binding& binding);
 
+/// What it does, in a line; empty where the label says all.
+[[nodiscard]] std::string tip_of(const Binding& binding);
+
 /// What can be chosen for a key besides actions: what holds while it is held.
 [[nodiscard]] std::span<const Binding> held_choices();
 [[nodiscard]] std::span<const Binding> dial_choices();

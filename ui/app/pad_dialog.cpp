@@ -85,7 +85,7 @@ void Choices::choice(const Binding& binding) {
   const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
   const float width = column_ % 2 != 0 ? half : -1;
   const std::string text = to_text(binding);
-  const std::string tip = binding.kind == Binding::Kind::action ? std::string(info(binding.action).tip) : std::string();
+  const std::string tip = tip_of(binding);
   const bool is = context_.app.bound(tablet_, control_) == binding;
   if (wide_button(context_, (label_of(binding) + "##choose " + text).c_str(), width, is, tip.c_str())) {
     context_.app.bind(tablet_, control_,

@@ -71,6 +71,15 @@ TEST_F(PadEventsTest, AWholeTurnOfARingIsThirtySixNotchesAcrossItsEndToo) {
   EXPECT_EQ(out[0].kind, PadEventKind::let_go);
 }
 
+TEST_F(PadEventsTest, EachPlaceOfACoarseRingIsANotch) {
+  PadFeatures has;
+  has.rings = 1;
+  has.ring_maximum = 11;
+  events = PadEvents(has);
+  EXPECT_EQ(around({0, 1, 2}), 2 * k_notch);
+  EXPECT_EQ(around({0, 11}), -3 * k_notch);
+}
+
 TEST_F(PadEventsTest, WhereAFingerComesDownTurnsNothing) {
   EXPECT_EQ(around({40}), 0);
   add({});
