@@ -16,9 +16,6 @@ import tempfile
 import time
 import zlib
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "vm"))
-import traces  # noqa: E402: found by the line above
-
 WIDTH, HEIGHT = 1280, 800
 
 # A control for a brow: around what may move, around what moves fully, where it should go. Then the mouth.
@@ -357,35 +354,6 @@ def full_screen(program, folder, pictures):
         screen.close()
 
 
-def other_hand(program, screen, folder):
-    """The keys, the ring and the fingers of a tablet, played in its place: what they are bound to is done and recorded, and
-    replays to the same."""
-    settings = os.path.join(folder, ".config", "penpose", "settings")
-    with open(settings) as file:
-        kept = file.read()
-    with open(settings, "w") as file:
-        file.write(kept + "pad=056a:0314|BTN_1|action Key\npad=056a:0314|BTN_2|tool Pin\n")
-    trace = os.path.join(folder, "hand.hid")
-    with open(trace, "w") as file:
-        file.write(traces.made()["hand"])
-    session = os.path.join(folder, "hand.session")
-    process = start(program, screen, session, "--replay", trace)
-    assert process.wait(timeout=60) == 0, process.stdout.read()
-    text = "".join(lines_of(session, "# penpose "))
-    assert text.count("# penpose do set_key") == 1, text
-    assert text.count("kind=pin") == 2, text  # once held and let go, once held when the tablet went
-    assert text.count("kind=erase") == 1, text
-    # The ring's second light zooms, two fingers turn and zoom: each a view of its own.
-    assert len(lines_of(session, "# penpose view")) > 20, text
-    played = subprocess.run([program, "replay", session, "--json"], env=screen.environment, stdout=subprocess.PIPE, text=True)
-    assert played.returncode == 0
-    said = json.loads(played.stdout)
-    assert said["differing"] == 0 and said["checked"] == said["steps"] > 0, said
-    assert said["reports"] == len(lines_of(trace, "E:")), said
-    with open(settings, "w") as file:
-        file.write(kept)
-
-
 def no_display(program, folder):
     environment = {"PATH": os.environ["PATH"], "HOME": folder}
     done = subprocess.run([program], env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=30)
@@ -404,7 +372,6 @@ def main():
         session = use(program, screen, folder)
         play(program, screen, folder, session)
         pen_alone(program, screen, folder, session)
-        other_hand(program, screen, folder)
         asked_to_end(program, screen, folder)
         crash(program, screen, folder)
         killed_twice(program, screen, folder)
@@ -415,4 +382,5 @@ def main():
     shutil.rmtree(folder)
 
 
-main()
+if __name__ == "__main__":
+    main()
