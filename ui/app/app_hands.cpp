@@ -173,14 +173,13 @@ void App::take_hand(std::span<const replay::HandMoment> moments) {
 }
 
 void App::take_pad_event(DeskTablet& tablet, int device, const decode::PadEvent& event) {
-  const bool is_mode_key = (tablet.features.mode_keys & decode::key_bit(event.key)) != 0;
   switch (event.kind) {
     case PadEventKind::key_down:
       press(tablet, device, key_control(event.key));
-      if (is_mode_key) {
+      if (const auto light = mode_key(event.key, tablet.features)) {
         // The light says which, and not what it means.
         const auto dial = tablet.features.rings > 0 ? decode::PadDial::ring : decode::PadDial::strip;
-        const PadControl control = dial_control(dial, 0, dial_mode(tablet, 0));
+        const PadControl control = dial_control(dial, light->side, dial_mode(tablet, light->side));
         tell(title_of(control, tablet.features) + ": " + label_of(bound(tablet, control)));
       }
       break;

@@ -59,13 +59,6 @@ const std::vector<Binding>& wanted_keys() {
   return all;
 }
 
-bool is_numbered(decode::PadKey key) {
-  for (unsigned i = 0; i < decode::k_numbered_keys; ++i) {
-    if (decode::numbered_key(i) == key) return true;
-  }
-  return false;
-}
-
 /// How dials of every kind begin, and in which order they go on with their modes.
 DialUse default_use(const PadControl& control) {
   constexpr std::array k_order{DialUse::time, DialUse::zoom, DialUse::control, DialUse::undo};
@@ -158,7 +151,7 @@ std::string label_of(const Binding& binding) {
     case Kind::view:
       return std::string(by_value(k_views, binding.view)->label);
     case Kind::tool:
-      if (const auto* tool = by_value(k_tools, binding.tool)) return std::string(tool->label) + ", held";
+      if (const auto* tool = by_value(k_tools, binding.tool)) return "Pen: " + std::string(tool->label);
       break;
     case Kind::dial:
       return std::string(by_value(k_dials, binding.dial)->label);
@@ -288,6 +281,13 @@ std::string title_of(const PadControl& control, const decode::PadFeatures& featu
   return {};
 }
 
+bool is_numbered(decode::PadKey key) {
+  for (unsigned i = 0; i < decode::k_numbered_keys; ++i) {
+    if (decode::numbered_key(i) == key) return true;
+  }
+  return false;
+}
+
 std::vector<decode::PadKey> keys_of(const decode::PadFeatures& features) {
   std::vector<decode::PadKey> keys;
   for (decode::PadKeys left = features.keys; left != 0; left &= left - 1) {
@@ -295,6 +295,14 @@ std::vector<decode::PadKey> keys_of(const decode::PadFeatures& features) {
   }
   std::stable_partition(keys.begin(), keys.end(), is_numbered);
   return keys;
+}
+
+std::optional<ModeKey> mode_key(decode::PadKey key, const decode::PadFeatures& features) {
+  if ((features.mode_keys & decode::key_bit(key)) == 0) return std::nullopt;
+  const int place = std::popcount(features.mode_keys & (decode::key_bit(key) - 1));
+  const int each = std::max(1, std::popcount(features.mode_keys) / static_cast<int>(std::max(1U, features.modes)));
+  const auto side = static_cast<std::uint8_t>(std::min(place / each, static_cast<int>(decode::k_pad_sides) - 1));
+  return ModeKey{side, static_cast<std::int8_t>(each > 1 ? place % each : -1)};
 }
 
 std::int8_t modes_of(const decode::PadFeatures& features) {

@@ -90,9 +90,18 @@ struct PadControl {
 /// How it is shown: "Key 3", "Ring, light 2", "Pen's button 1".
 [[nodiscard]] std::string title_of(const PadControl& control, const decode::PadFeatures& features);
 
+/// Whether it is one of those that tablets only number.
+[[nodiscard]] bool is_numbered(decode::PadKey key);
 /// The keys of a pad in the order in which a hand counts them: the numbered ones, then those with a meaning of their
 /// own.
 [[nodiscard]] std::vector<decode::PadKey> keys_of(const decode::PadFeatures& features);
+/// Where a key stands among those that turn on the lights: the dial that it is for, and which of its lights it chooses
+/// where each has a key of its own. Nothing for any other key.
+struct ModeKey {
+  std::uint8_t side = 0;
+  std::int8_t light = -1;  ///< -1: it goes on to the next
+};
+[[nodiscard]] std::optional<ModeKey> mode_key(decode::PadKey key, const decode::PadFeatures& features);
 /// How many things each dial can do: its lights, or as many on a pad without lights, for Kind::next_mode.
 [[nodiscard]] std::int8_t modes_of(const decode::PadFeatures& features);
 

@@ -75,21 +75,22 @@ void Picture::control_button(const PadControl& control, const std::string& text,
 
 void Picture::show_key(decode::PadKey key) {
   const PadControl control = key_control(key);
-  const bool light = (tablet_.features.mode_keys & decode::key_bit(key)) != 0;
-  const bool bare = app_.bound(tablet_, control).kind == Binding::Kind::none;
-  const std::string text = !light ? label(control) : bare ? "Next light" : "Next light, " + label(control);
+  std::string text = label(control);
+  if (const auto light = mode_key(key, tablet_.features)) {
+    const bool bare = app_.bound(tablet_, control).kind == Binding::Kind::none;
+    const std::string which = light->light < 0 ? "Next light" : "Light " + std::to_string(light->light + 1);
+    text = bare ? which : which + ", " + text;
+  }
   control_button(control, text, k_key_units * context_.unit, (now_.keys & decode::key_bit(key)) != 0);
 }
 
 /// Those that turn on the lights of a dial. A single one lies in the middle of its ring.
 std::vector<decode::PadKey> Picture::mode_keys(std::uint8_t side) const {
-  std::vector<decode::PadKey> keys;
   for (const decode::PadKey key : keys_of(tablet_.features)) {
-    if ((tablet_.features.mode_keys & decode::key_bit(key)) != 0) keys.push_back(key);
+    const auto light = mode_key(key, tablet_.features);
+    if (light && light->side == side && light->light < 0) return {key};
   }
-  const std::size_t each = keys.size() / std::max(1U, tablet_.features.modes);
-  if (each != 1 || side >= keys.size()) return {};
-  return {keys[side]};
+  return {};
 }
 
 void Picture::draw_strip(std::uint8_t side, ImVec2 from, ImVec2 to) const {
@@ -222,7 +223,9 @@ void Picture::show() {
   if (keys.size() <= k_column_keys && dials.size() < 2) {
     show_column(each, all, true);
   } else {
-    const std::size_t half = (keys.size() + 1) / 2;
+    // Those with a meaning of their own, which come last, stand on the right.
+    const auto numbered = std::count_if(keys.begin(), keys.end(), is_numbered);
+    const std::size_t half = (static_cast<std::size_t>(numbered) + 1) / 2;
     const std::size_t dials_left = (dials.size() + 1) / 2;
     show_column(each.first(half), all.first(dials_left), false);
     ImGui::SameLine();

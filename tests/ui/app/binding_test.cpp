@@ -52,6 +52,22 @@ TEST(DefaultBinding, TheKeyThatMovesTheLightDoesNothingElseAndTakesNoPlace) {
   EXPECT_EQ(of_key(pad(9, 8), 0), binding_of(Action::undo)) << "where it is the last one";
 }
 
+TEST(ModeKey, EachDialHasItsOwnAndOfSeveralEachChoosesALight) {
+  decode::PadFeatures has = pad(18);
+  has.modes = 2;
+  has.mode_keys = decode::key_bit(decode::numbered_key(0)) | decode::key_bit(decode::numbered_key(9));
+  EXPECT_FALSE(mode_key(decode::numbered_key(1), has));
+  EXPECT_EQ(mode_key(decode::numbered_key(0), has)->side, 0);
+  EXPECT_EQ(mode_key(decode::numbered_key(9), has)->side, 1);
+  EXPECT_EQ(mode_key(decode::numbered_key(9), has)->light, -1);
+  has.mode_keys = 0;
+  for (const unsigned i : {0U, 1U, 2U, 8U, 9U, 10U}) has.mode_keys |= decode::key_bit(decode::numbered_key(i));
+  EXPECT_EQ(mode_key(decode::numbered_key(2), has)->side, 0);
+  EXPECT_EQ(mode_key(decode::numbered_key(2), has)->light, 2);
+  EXPECT_EQ(mode_key(decode::numbered_key(8), has)->side, 1);
+  EXPECT_EQ(mode_key(decode::numbered_key(8), has)->light, 0);
+}
+
 TEST(DefaultBinding, NoTwoKeysOfALargePadDoTheSame) {
   std::set<std::string> texts;
   for (unsigned i = 0; i < 20; ++i) EXPECT_TRUE(texts.insert(to_text(of_key(pad(20), i))).second) << i;

@@ -199,7 +199,7 @@ TEST(Pads, AKeyHeldWhenItIsUnpluggedIsLetGoAndSaid) {
   EXPECT_EQ(desk.tool(), ToolKind::pose);
   EXPECT_TRUE(
       desk.told("Wacom Intuos Pro S was unplugged; Key 1 (Undo) was held and is let go; "
-                "Key 5 (Erase, held) was held and is let go"));
+                "Key 5 (Pen: Erase) was held and is let go"));
   desk.app->tablet_arrived(k_pad, tests::intuos_pro());
   EXPECT_TRUE(desk.told("Wacom Intuos Pro S is back"));
   desk.draw(desk.named_curve(any_curve(desk)));
