@@ -176,7 +176,7 @@ void App::take_pad_event(DeskTablet& tablet, int device, const decode::PadEvent&
   switch (event.kind) {
     case PadEventKind::key_down:
       press(tablet, device, key_control(event.key));
-      if (const auto light = mode_key(event.key, tablet.features)) {
+      if (const auto light = mode_key(event.key, tablet.features); light && panels_.dialog != Dialog::pad) {
         // The light says which, and not what it means.
         const auto dial = tablet.features.rings > 0 ? decode::PadDial::ring : decode::PadDial::strip;
         const PadControl control = dial_control(dial, light->side, dial_mode(tablet, light->side));
