@@ -136,15 +136,14 @@ void App::take_pen_button(int device, const replay::PenMoment& moment) {
   const Binding binding = tablet != nullptr ? bound(*tablet, control) : default_binding(control, {});
   const bool free = hits_.on_canvas(at_) && !pen_is_drawing() && !barrel_ && !pen_view_;
   if (moment.kind == decode::PenEventKind::button_down) {
-    if (panels_.dialog == Dialog::pad && tablet != nullptr) {
-      press(*tablet, device, control);
-    } else if (binding.kind == Kind::pen_menu && free) {
+    const bool chooses = panels_.dialog == Dialog::pad;
+    if (!chooses && binding.kind == Kind::pen_menu && free) {
       barrel_ = true;
       begin_drag(at_);
-    } else if (binding.kind == Kind::view && free) {
+    } else if (!chooses && binding.kind == Kind::view && free) {
       pen_view_ = binding.view;
       begin_drag(at_);
-    } else if (tablet != nullptr && binding.kind != Kind::view) {
+    } else if (tablet != nullptr && (chooses || binding.kind != Kind::view)) {
       press(*tablet, device, control);
     }
     return;

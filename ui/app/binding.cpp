@@ -200,6 +200,7 @@ std::string tip_of(const Binding& binding) {
 std::span<const Binding> held_choices() {
   static const std::vector<Binding> all = [] {
     std::vector<Binding> made;
+    made.reserve(k_views.size() + k_tools.size());
     for (const auto& view : k_views) made.push_back(binding_of(view.value));
     for (const auto& tool : k_tools) made.push_back(binding_of(tool.value));
     return made;
@@ -210,6 +211,7 @@ std::span<const Binding> held_choices() {
 std::span<const Binding> dial_choices() {
   static const std::vector<Binding> all = [] {
     std::vector<Binding> made;
+    made.reserve(k_dials.size());
     for (const auto& dial : k_dials) made.push_back(binding_of(dial.value));
     return made;
   }();

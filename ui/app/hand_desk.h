@@ -58,7 +58,7 @@ class HandDesk {
   [[nodiscard]] DeskTablet* find(int device);
   [[nodiscard]] const DeskTablet* find(int device) const;
 
-  void press(HeldBinding held) { held_.push_back(std::move(held)); }
+  void press(const HeldBinding& held) { held_.push_back(held); }
   /// What was held under that control, nothing when it was not.
   std::optional<Binding> release(int device, const PadControl& control);
   /// What was pressed last of a kind and is still held.
