@@ -118,11 +118,13 @@ void PenInput::take_events(Tablet& tablet) {
     if (!mapping) continue;
     const decode::MappedSample mapped = mapping->map(event.sample);
     const PenMoment moment{
-        event.kind,   {mapped.x_px, mapped.y_px}, mapped.pressure, event.tool == decode::Tool::eraser,
-        event.button, event.sample.buttons,       event.time_us};
+        event.kind,        {mapped.x_px, mapped.y_px}, mapped.pressure, event.tool == decode::Tool::eraser,
+        event.button,      event.sample.buttons,       event.time_us,   event.sample.rotation,
+        event.sample.wheel};
     moments_.push_back(moment);
     if (event.kind == PenEventKind::stroke_begin) {
-      tablet.stroke = DrawnStroke{{}, view_, moment.eraser, on_canvas_ && moment.buttons == 0};
+      tablet.stroke =
+          DrawnStroke{{}, view_, moment.eraser, on_canvas_ && (moment.buttons & ~tablet.setting.drawing_buttons) == 0};
       tablet.stroke_mapping = tablet.mapping;
     }
     if (!tablet.stroke) continue;
@@ -161,6 +163,11 @@ std::vector<int> PenInput::drawing() const {
 bool PenInput::decodes(int device) const {
   const auto found = tablets_.find(device);
   return found != tablets_.end() && found->second.decoder != nullptr;
+}
+
+const decode::PenAxes* PenInput::axes_of(int device) const {
+  const auto found = tablets_.find(device);
+  return found == tablets_.end() || !found->second.decoder ? nullptr : &found->second.decoder->axes();
 }
 
 std::string PenInput::method_of(int device) const {

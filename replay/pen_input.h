@@ -22,6 +22,7 @@ struct TabletSetting {
   std::uint32_t quarter_turns = 0;
   std::vector<double> area;              ///< left, top, right, bottom in fractions; empty: all of the tablet
   std::vector<curve::PxPoint> pressure;  ///< points (pressed, meant) of the pressure curve; empty: straight
+  std::uint32_t drawing_buttons = 0;     ///< of the pen: while only these are held it draws
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("keep_aspect", self.keep_aspect);
@@ -29,6 +30,7 @@ struct TabletSetting {
     visit("quarter_turns", self.quarter_turns);
     visit("area", self.area);
     visit("pressure", self.pressure);
+    visit("drawing_buttons", self.drawing_buttons);
   }
   friend bool operator==(const TabletSetting&, const TabletSetting&) = default;
 };
@@ -42,6 +44,8 @@ struct PenMoment {
   std::uint8_t button = 0;    ///< of button_down and button_up
   std::uint32_t buttons = 0;  ///< held at the moment
   std::int64_t time_us = 0;
+  std::int32_t rotation = 0;  ///< of the pen about itself, and of its own wheel, in the device's units
+  std::int32_t wheel = 0;
 };
 
 /// A stroke with the view under which it began.
@@ -83,6 +87,8 @@ class PenInput {
   /// The devices that are in the middle of a stroke.
   [[nodiscard]] std::vector<int> drawing() const;
   [[nodiscard]] bool decodes(int device) const;
+  /// What a device's pen says; null where it cannot be decoded.
+  [[nodiscard]] const decode::PenAxes* axes_of(int device) const;
   /// How the device is recognised; empty when it cannot be decoded.
   [[nodiscard]] std::string method_of(int device) const;
 

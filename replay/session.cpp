@@ -5,7 +5,7 @@
 namespace penpose::replay {
 
 Session::Session(document::Document document, const decode::TabletTable* own)
-    : editor_(std::move(document)), pens_(own) {
+    : editor_(std::move(document)), pens_(own), hands_(own) {
   pens_.set_view(editor_.view());
 }
 
@@ -21,12 +21,15 @@ void Session::draw_completed() {
 std::span<const PenMoment> Session::report(int device, std::int64_t time_us, base::Bytes bytes) {
   steps_.clear();
   const auto moments = pens_.report(device, time_us, bytes);
+  if (!moments.empty()) hands_.pen(device, moments.back().kind != decode::PenEventKind::away, time_us);
+  hand_moments_ = hands_.report(device, time_us, bytes);
   draw_completed();
   return moments;
 }
 
 base::Status Session::apply(const SessionLine& line, std::int64_t time_us) {
   steps_.clear();
+  hand_moments_ = {};
   base::Status status{base::Done{}};
   if (const auto* view = std::get_if<ViewChanged>(&line)) {
     status = editor_.set_view(view->view);
@@ -37,6 +40,7 @@ base::Status Session::apply(const SessionLine& line, std::int64_t time_us) {
     status = pens_.set_tablet(tablet->device, tablet->setting);
   } else if (const auto* gone = std::get_if<TabletGone>(&line)) {
     pens_.disconnect(gone->device, time_us);
+    hand_moments_ = hands_.disconnect(gone->device, time_us);
     draw_completed();
   } else if (const auto* place = std::get_if<PenPlace>(&line)) {
     pens_.set_on_canvas(place->on_canvas);

@@ -6,6 +6,7 @@
 
 #include "core/base/result.h"
 #include "core/drawing/editor.h"
+#include "replay/hand_input.h"
 #include "replay/pen_input.h"
 #include "replay/session_line.h"
 
@@ -31,7 +32,16 @@ class Session {
   /// Called when a stroke has ended and before it is drawn, which may take a moment: the time to write it down.
   void listen_to_stroke_ends(std::function<void()> listener) { on_stroke_end_ = std::move(listener); }
 
-  void connect(int device, const decode::DeviceIdentity& identity) { pens_.connect(device, identity); }
+  /// The keys, dials and fingers of the tablets. They change no document by themselves: what a key was bound to is in
+  /// the lines that follow.
+  [[nodiscard]] const HandInput& hands() const { return hands_; }
+  /// What the other hand did in the last report, or was made to let go by the last line. Valid until the next call.
+  [[nodiscard]] std::span<const HandMoment> hand_moments() const { return hand_moments_; }
+
+  void connect(int device, const decode::DeviceIdentity& identity) {
+    pens_.connect(device, identity);
+    hands_.connect(device, identity);
+  }
   /// One report: the moments it held, and in `steps` what strokes that ended with it did. Both are valid until the next
   /// call.
   std::span<const PenMoment> report(int device, std::int64_t time_us, base::Bytes bytes);
@@ -48,6 +58,8 @@ class Session {
 
   drawing::Editor editor_;
   PenInput pens_;
+  HandInput hands_;
+  std::span<const HandMoment> hand_moments_;
   std::vector<SessionStep> steps_;
   std::size_t strokes_ = 0;
   std::function<void()> on_stroke_end_;

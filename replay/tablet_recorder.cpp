@@ -10,6 +10,8 @@ int TabletRecorder::add_tablet(const decode::DeviceIdentity& identity, const std
   Tablet& tablet = tablets_[number];
   auto recognition = decode::make_decoder(identity, own);
   if (recognition) tablet.decoder = std::move(recognition->decoder);
+  tablet.hand = decode::make_hand_decoders(identity, own);
+  if (tablet.hand.pad) tablet.pad_events = decode::PadEvents(tablet.hand.pad->features());
   writer_.declare(
       number, {identity.report_descriptor, identity.name, physical, identity.bus, identity.vendor, identity.product});
   for (const auto& [index, text] : identity.strings) {
@@ -52,13 +54,31 @@ void TabletRecorder::add(int number, const device::Record& record) {
     }
     count_strokes();
   }
+  count_keys(tablet, record.bytes);
 }
 
-void TabletRecorder::end(int number) {
+void TabletRecorder::count_keys(Tablet& tablet, base::Bytes report) {
+  if (!tablet.hand.pad || !tablet.hand.pad->decode(report)) return;
+  tablet.pad_events.add(tablet.hand.pad->sample(), counts_.span_us, new_pad_events_);
+  for (const decode::PadEvent& event : new_pad_events_) {
+    if (event.kind == decode::PadEventKind::key_down) ++counts_.keys;
+  }
+  new_pad_events_.clear();
+}
+
+std::string TabletRecorder::end(int number) {
   const auto found = tablets_.find(number);
-  if (found == tablets_.end()) return;
-  found->second.events.finish(counts_.span_us, new_events_);
+  if (found == tablets_.end()) return {};
+  Tablet& tablet = found->second;
+  tablet.events.finish(counts_.span_us, new_events_);
   count_strokes();
+  const decode::PadKeys held = tablet.pad_events.held();
+  tablet.pad_events.finish(counts_.span_us, new_pad_events_);
+  new_pad_events_.clear();
+  if (held == 0) return {};
+  std::string names = decode::key_names(held);
+  writer_.comment(std::to_string(number) + ": held at its end and let go: " + names);
+  return names;
 }
 
 bool TabletRecorder::take_pen_up() {

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "firmware_io/decode/decoder_factory.h"
+#include "firmware_io/decode/hand_factory.h"
+#include "firmware_io/decode/pad_events.h"
 #include "firmware_io/decode/pen_events.h"
 #include "firmware_io/device/report_ring.h"
 #include "replay/trace_writer.h"
@@ -17,6 +19,7 @@ struct RecordingCounts {
   std::uint64_t reports = 0;
   std::uint64_t lost = 0;  ///< did not fit between the tablet and here; a comment stands where they are missing
   std::uint64_t strokes = 0;
+  std::uint64_t keys = 0;    ///< presses of keys on tablets
   std::int64_t span_us = 0;  ///< from the first report to the last
 };
 
@@ -32,8 +35,9 @@ class TabletRecorder {
   /// report of another tablet counts as simultaneous with it, so that a trace never goes back.
   void add(int tablet, const device::Record& record);
 
-  /// The tablet is gone: its open stroke ends.
-  void end(int tablet);
+  /// The tablet is gone: its open stroke ends, and keys that were held are let go; their names as Linux has them, empty
+  /// where none was.
+  std::string end(int tablet);
 
   /// The text since the last call, whole lines.
   [[nodiscard]] std::string take() { return writer_.take(); }
@@ -45,13 +49,17 @@ class TabletRecorder {
   struct Tablet {
     std::unique_ptr<decode::PenDecoder> decoder;  ///< null: nothing known reads it
     decode::PenEvents events;
+    decode::HandDecoders hand;
+    decode::PadEvents pad_events;
   };
 
   void count_strokes();
+  void count_keys(Tablet& tablet, base::Bytes report);
 
   TraceWriter writer_;
   std::map<int, Tablet> tablets_;
   std::vector<decode::PenEvent> new_events_;
+  std::vector<decode::PadEvent> new_pad_events_;
   RecordingCounts counts_;
   std::int64_t first_us_ = 0;
   bool begun_ = false;

@@ -33,6 +33,8 @@ struct PadFeatures {
   unsigned lights = 0;             ///< lights in each group
   std::int32_t ring_maximum = 0;   ///< largest position of a ring
   std::int32_t strip_maximum = 0;  ///< largest value of a strip
+  PadKeys mode_keys = 0;           ///< those of the keys that move on or choose a light
+  bool wheels_clockwise = false;   ///< wheels count clockwise; Linux's count away from oneself
 
   [[nodiscard]] bool any() const { return keys != 0 || rings + strips + wheels != 0; }
 };

@@ -31,6 +31,7 @@ bool has_pad(const Protocol& protocol) {
 
 PadFeatures pad_features(const Protocol& protocol, const Tablet* tablet) {
   PadFeatures has;
+  has.wheels_clockwise = true;
   unsigned buttons = 0;
   for (const Protocol::Rule& rule : protocol.rules) {
     const Layout& layout = *rule.layout;

@@ -70,6 +70,7 @@ std::optional<PadControl> Finder::control_of(const Field& field, Usage usage) {
     if (control.is_mode_key) {
       has.modes = 1;
       has.lights = 4;
+      has.mode_keys |= key_bit(numbered_key(keys_));
     }
     return named(numbered_key(keys_++));
   }

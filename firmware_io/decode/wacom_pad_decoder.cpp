@@ -1,5 +1,7 @@
 #include "firmware_io/decode/wacom_pad_decoder.h"
 
+#include <algorithm>
+
 #include "firmware_io/decode/report_bytes.h"
 
 namespace penpose::decode {
@@ -16,6 +18,19 @@ constexpr std::int32_t k_strip_maximum = 4096;
 constexpr PadKeys k_bamboo_keys =
     key_bit(PadKey::left) | key_bit(PadKey::right) | key_bit(PadKey::forward) | key_bit(PadKey::back);
 constexpr PadKeys k_program_keys = key_bit(PadKey::program1) | key_bit(PadKey::program2) | key_bit(PadKey::program3);
+
+/// The keys that `show` and its like read the lights from.
+PadKeys mode_keys_of(const WacomHand& hand, const PadFeatures& has) {
+  if (has.modes == 0 || hand.pad == P::remote) return 0;
+  if (hand.pad == P::intuos_pro_bluetooth) return key_bit(numbered_key(hand.keys - 1U));
+  PadKeys keys = 0;
+  for (unsigned group = 0; group < has.modes; ++group) {
+    const unsigned first = group * (hand.keys / has.modes);
+    const unsigned count = hand.pad == P::cintiq_24hd ? has.lights : 1;
+    for (unsigned i = 0; i < count; ++i) keys |= key_bit(numbered_key(first + i));
+  }
+  return keys;
+}
 
 PadFeatures features_of(const WacomHand& hand) {
   PadFeatures has;
@@ -89,8 +104,14 @@ PadFeatures features_of(const WacomHand& hand) {
       rings(1);  // as Linux has it; no report ever moves it
       break;
   }
+  has.mode_keys = mode_keys_of(hand, has);
   return has;
 }
+
+constexpr std::uint8_t k_status_report = 0xc0;
+
+/// Models that take a module with a battery, for a receiver.
+bool has_wireless_kit(P pad) { return pad == P::bamboo || pad == P::intuos_ht || pad == P::intuos5; }
 
 PadKeys when(bool holds, PadKey key) { return holds ? key_bit(key) : 0; }
 
@@ -112,6 +133,10 @@ void WacomPadDecoder::reset() {
 
 bool WacomPadDecoder::decode(base::Bytes report) {
   if (report.empty()) return false;
+  if (report[0] == k_status_report && has_wireless_kit(hand_.pad)) {
+    take_status(report);
+    return false;
+  }
   switch (hand_.pad) {
     case P::none:
       return false;
@@ -137,6 +162,16 @@ bool WacomPadDecoder::decode(base::Bytes report) {
     default:
       return decode_intuos(report);
   }
+}
+
+/// What the tablet says of its wireless module, on its cable too: whether there is one, and the charge in 31sts.
+/// Source: Linux, wacom_wac.c, wacom_status_irq.
+void WacomPadDecoder::take_status(base::Bytes report) {
+  constexpr std::size_t k_size = 10;
+  if (report.size() < k_size) return;
+  battery_ = {};
+  const int percent = std::min((report[8] & 0x3f) * 100 / 31, 100);
+  if (bit(report, 9, 0x02)) battery_ = {static_cast<std::int8_t>(percent), bit(report, 8, 0x80)};
 }
 
 /// Pen and keys share a report. Keys are told of while one is held, and once more when the last is let go.

@@ -27,6 +27,7 @@ class WacomPadDecoder final : public PadDecoder {
     std::array<std::int32_t, k_pad_sides> strip{};
   };
 
+  void take_status(base::Bytes report);
   bool decode_graphire(base::Bytes report);
   bool decode_bamboo(base::Bytes report);
   bool decode_dtus(base::Bytes report);

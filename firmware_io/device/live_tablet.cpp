@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "firmware_io/decode/decoder_factory.h"
+#include "firmware_io/decode/hand_factory.h"
 #include "firmware_io/decode/wacom_models.h"
 #include "firmware_io/device/hidraw_source.h"
 #include "firmware_io/device/interface_list.h"
@@ -71,6 +72,32 @@ void identify(LiveTablet& tablet, const decode::TabletTable* own) {
     tablet.method = recognition->method;
     tablet.match = decode::find_tablet(identity, own);
   }
+  const decode::HandDecoders hand = decode::make_hand_decoders(identity, own);
+  tablet.has_keys = hand.pad != nullptr && hand.pad->features().any();
+  tablet.has_touch = hand.touch != nullptr;
+  if (recognition || (!tablet.has_keys && !tablet.has_touch)) return;
+  tablet.carries = tablet.has_keys ? Carries::pad : Carries::touch;
+  tablet.method = tablet.has_keys ? "keys of the tablet" : "fingers on the tablet";
+}
+
+/// What is known of the same interface: between two drivers the system tells neither its name nor its descriptor.
+void take_over(decode::DeviceIdentity& identity, const decode::DeviceIdentity& known) {
+  identity.strings = known.strings;
+  if (identity.name.empty()) identity.name = known.name;
+  if (!identity.report_descriptor.empty()) return;
+  identity.report_descriptor = known.report_descriptor;
+  decode::complete_identity(identity);
+}
+
+/// Fingers alone are those of a tablet on the same device, or of one by Wacom, whose fingers may be a device of their
+/// own beside it. Others are a touch screen's or a laptop's, which the desktop reads.
+bool belongs_to_a_tablet(const LiveTablet& touch, const std::vector<LiveTablet>& all) {
+  return std::any_of(all.begin(), all.end(), [&](const LiveTablet& other) {
+    if (other.carries != Carries::pen && other.carries != Carries::pad) return false;
+    if (!touch.interface.parent.empty() && other.interface.parent == touch.interface.parent) return true;
+    return touch.interface.identity.vendor == decode::k_vendor_wacom && other.carries == Carries::pen &&
+           other.interface.identity.vendor == decode::k_vendor_wacom;
+  });
 }
 
 Transport choose_transport(const LiveTablet& tablet) {
@@ -149,10 +176,13 @@ base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* ow
       tablets.back().access = Access::busy;
       continue;
     }
-    if (known != before.end()) interface.identity.strings = known->interface.identity.strings;
+    if (known != before.end()) take_over(interface.identity, known->interface.identity);
     LiveTablet tablet = recognise(std::move(interface), own);
     if (tablet.carries != Carries::other) tablets.push_back(std::move(tablet));
   }
+  const std::vector<LiveTablet> all = tablets;
+  std::erase_if(tablets,
+                [&](const LiveTablet& one) { return one.carries == Carries::touch && !belongs_to_a_tablet(one, all); });
   return tablets;
 }
 

@@ -21,7 +21,12 @@ enum class Transport : std::uint8_t {
 };
 
 /// What an interface is for.
-enum class Carries : std::uint8_t { pen, pad, other };
+enum class Carries : std::uint8_t {
+  pen,    ///< and perhaps keys and fingers
+  pad,    ///< keys and dials, and perhaps fingers
+  touch,  ///< fingers alone
+  other,
+};
 
 /// Whether an interface may be opened.
 enum class Access : std::uint8_t {
@@ -36,6 +41,8 @@ struct LiveTablet {
   HidInterface interface;
   Carries carries = Carries::other;
   std::string method;                        ///< how it is read: "descriptor", "protocol NAME", ...; empty for `other`
+  bool has_keys = false;                     ///< has keys or dials
+  bool has_touch = false;                    ///< feels fingers
   std::optional<decode::TabletMatch> match;  ///< in the table of tablets; points into it
   bool strings_unread = false;               ///< the table asks for strings that could not be read
   Transport transport = Transport::hidraw;
@@ -60,7 +67,8 @@ using ReadString = std::function<base::Result<std::string>(const std::string& us
 [[nodiscard]] LiveTablet recognise(HidInterface interface, const decode::TabletTable* own = nullptr,
                                    const ReadString& read_string = {});
 
-/// Every interface that carries a pen or the keys of a tablet. Strings of devices that were there `before` are taken
+/// Every interface that carries a pen, the keys or the fingers of a tablet; what feels fingers and belongs to no tablet
+/// is left to the desktop. Strings of devices that were there `before` are taken
 /// over and not asked for again. Errors: those of listing.
 [[nodiscard]] base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* own = nullptr,
                                                                  const std::vector<LiveTablet>& before = {});

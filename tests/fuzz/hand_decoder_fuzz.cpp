@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "firmware_io/decode/hand_factory.h"
+#include "firmware_io/decode/pad_events.h"
+#include "firmware_io/decode/palm_guard.h"
 #include "firmware_io/decode/wacom_hands.h"
 #include "firmware_io/decode/wacom_models.h"
 
@@ -70,25 +72,85 @@ void check(const decode::TouchDecoder& touch) {
   }
 }
 
+/// Follows the keys and dials of a pad through its events: what is pressed was not, what is released was.
+class Follower {
+ public:
+  explicit Follower(const decode::PadFeatures& features) : events_(features) {}
+
+  void add(const decode::PadSample& sample, std::int64_t time_us) {
+    out_.clear();
+    events_.add(sample, time_us, out_);
+    take();
+    if (held_ != sample.keys || events_.held() != held_) std::abort();
+  }
+  void finish() {
+    out_.clear();
+    events_.finish(0, out_);
+    take();
+    if (held_ != 0 || touched_ != 0) std::abort();
+  }
+
+ private:
+  void take() {
+    constexpr std::int32_t k_most = 64 * decode::k_notch;
+    for (const decode::PadEvent& event : out_) {
+      const decode::PadKeys key = decode::key_bit(event.key);
+      const unsigned dial = 1U << (2 * static_cast<unsigned>(event.dial) + event.side);
+      const auto toggle = [](auto& set, auto one, bool on) {
+        if (((set & one) != 0) == on) std::abort();
+        set ^= one;
+      };
+      switch (event.kind) {
+        case decode::PadEventKind::key_down:
+        case decode::PadEventKind::key_up:
+          toggle(held_, key, event.kind == decode::PadEventKind::key_down);
+          break;
+        case decode::PadEventKind::touched:
+        case decode::PadEventKind::let_go:
+          toggle(touched_, dial, event.kind == decode::PadEventKind::touched);
+          break;
+        case decode::PadEventKind::turned:
+          if (event.steps == 0 || event.steps > k_most || event.steps < -k_most) std::abort();
+          if (event.dial != decode::PadDial::wheel && (touched_ & dial) == 0) std::abort();
+          break;
+      }
+    }
+  }
+
+  decode::PadEvents events_;
+  decode::PadKeys held_ = 0;
+  unsigned touched_ = 0;
+  std::vector<decode::PadEvent> out_;
+};
+
 std::vector<State> run(decode::HandDecoders& hand, base::ByteReader reader) {
   std::vector<State> states;
+  Follower follower(hand.pad ? hand.pad->features() : decode::PadFeatures{});
+  decode::PalmGuard palm;
+  std::int64_t time_us = 0;
   while (const auto given = reader.read<std::uint8_t>()) {
     const std::size_t wanted = *given == 255 ? k_long_report : *given;
     // A length beyond the end takes what is left, so that every byte counts.
     const auto report = reader.take(wanted <= reader.remaining() ? wanted : reader.remaining());
     State state;
     if (hand.pad) {
-      hand.pad->decode(*report);
+      if (hand.pad->decode(*report)) follower.add(hand.pad->sample(), time_us);
       check(*hand.pad);
       state.pad = hand.pad->sample();
     }
     if (hand.touch) {
       hand.touch->decode(*report);
       check(*hand.touch);
+      // A pen comes and goes with what was sent; of the fingers only those come through that are there.
+      palm.pen(report->size() % 3 == 0, time_us);
+      if (palm.let_through(hand.touch->contacts(), time_us).size() > hand.touch->contacts().size()) std::abort();
+      if (palm.holds_back(time_us) && !palm.let_through(hand.touch->contacts(), time_us).empty()) std::abort();
       state.touch.assign(hand.touch->contacts().begin(), hand.touch->contacts().end());
     }
+    time_us += 100'000;
     states.push_back(std::move(state));
   }
+  follower.finish();
   return states;
 }
 

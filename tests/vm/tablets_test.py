@@ -173,8 +173,16 @@ class Tablets(unittest.TestCase):
 
     def one_of_many(self, name):
         ids = tuple(int(word, 16) for word in traces.declared(SENT[name])[0].split())
-        tablet, = [t for t in self.listed('many') if (t['vendor'], t['product']) == ids]
+        tablet, = [t for t in self.listed('many') if (t['vendor'], t['product']) == ids and t['carries'] == 'pen']
         return tablet
+
+    def hand(self, name, kind):
+        """What the program makes of the keys or the fingers of a recording, row for row without times and reports."""
+        path = os.path.join(OPTIONS.work, name)
+        with open(path, 'wb') as f:
+            f.write(SENT[name[:-5]].encode() if name.endswith('.sent') else RESULTS[name])
+        out = subprocess.run([OPTIONS.penpose, 'decode', path, '--' + kind, '--csv'], capture_output=True, text=True, check=True).stdout
+        return [row.split(',')[2:] for row in out.splitlines()[1:]]
 
     def samples(self, name, text=None):
         """(x, y, pressure, tip) of every pen sample of a recording, as the program decodes it."""
@@ -245,7 +253,7 @@ class Tablets(unittest.TestCase):
                 self.assert_recorded(name)
 
     def test_many_tablets_at_once_one_pulled_out_while_it_draws_and_one_that_joins(self):
-        self.assertEqual(len(self.listed('many')), len([n for n in SENT if n.startswith('wacom_')]) + 5)
+        self.assertEqual(len(self.listed('many')), sum(len(traces.declared(t)) for n, t in SENT.items() if n.startswith('wacom_')) + 5)
         self.assert_recorded('pulled', count=60)
         self.assertIn('Pulled pen was unplugged', self.text('many.err'))
         self.assert_recorded('late')
@@ -304,15 +312,40 @@ class Tablets(unittest.TestCase):
 
     def test_coming_and_going_is_seen_while_running(self):
         log = self.text('watch.log').splitlines()
-        names = {next(l[3:] for l in SENT[n].splitlines() if l.startswith('N: ')) for n in SENT if n != 'garbage_descriptor'}
-        for name in names:
+        names = [l[3:] for n in SENT if n != 'garbage_descriptor' for l in SENT[n].splitlines() if l.startswith('N: ')]
+        names += ['Wacom Intuos Pro S'] * 2  # plugged in twice, with two interfaces
+        for name in set(names):
             arrived = [i for i, l in enumerate(log) if l.startswith('arrived ') and l.endswith(name)]
             left = [i for i, l in enumerate(log) if l.startswith('left ') and l.endswith(name)]
-            self.assertEqual((len(arrived), len(left)), (1, 1), name)
+            self.assertEqual((len(arrived), len(left)), (names.count(name), names.count(name)), name)
             self.assertLess(arrived[0], left[0], name)
         # Taken from its driver and given back, twice, and killed: it was plugged in and pulled out twice all the same.
         for what in ('arrived', 'left'):
             self.assertEqual(len([l for l in log if l.startswith(what) and 'PenPartner' in l]), 2, what)
+
+    def test_keys_and_fingers_of_a_tablet_with_two_interfaces(self):
+        pen, touch = sorted(self.listed('hand'), key=lambda t: t['interface'])
+        self.assertEqual((pen['carries'], pen['keys'], pen['transport'], pen['driver']), ('pen', True, 'hidraw', 'wacom'))
+        self.assertEqual((touch['carries'], touch['touch'], touch['transport']), ('touch', True, 'hidraw'))
+        self.assertEqual(pen['device'], touch['device'])
+        sent, recorded = traces.reports_of(SENT['hand']), traces.reports_of(self.text('hand.hid'))
+        for number in (0, 1):
+            self.assertEqual([r for n, r in recorded if n == number], [r for n, r in sent if n == number])
+        for kind, rows in (('pad', 40), ('touch', 40)):
+            wanted = self.hand('hand.sent', kind)
+            self.assertGreater(len(wanted), rows)
+            self.assertEqual(self.hand('hand.hid', kind), wanted)
+        self.assertIn(' 8 keys', self.text('hand.out'))
+
+    def test_a_key_that_is_held_when_its_tablet_is_pulled_out_is_let_go_and_said(self):
+        self.assertIn('Wacom Intuos Pro S was unplugged with BTN_2 held: let go', self.text('hand.err'))
+        self.assertIn('held at its end and let go: BTN_2', self.text('hand.hid'))
+        self.assertEqual(self.text('hand.status'), '0')
+
+    def test_fingers_are_read_through_libusb_from_their_own_interface(self):
+        self.assertIn('usb:', self.text('hand_usb.err'))
+        sent = [r for n, r in traces.reports_of(SENT['hand']) if n == 1]
+        self.assertEqual([r for _, r in traces.reports_of(self.text('hand_usb.hid'))], sent)
 
     def test_no_wait_inside_was_in_vain(self):
         self.assertNotIn('GAVE UP', CONSOLE)

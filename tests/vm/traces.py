@@ -9,6 +9,11 @@ INK = bytes.fromhex(
 WACOM = bytes.fromhex(
     '05010902a1018501 0901a100 0509190129031500250195037501 81029501750581030501093009311581257f750895028106c0c0'.replace(' ', '') +
     '050d0901a1018502a100 06 00ff 0901 1500 26ff00 7508 9509 8102 c0 0901 8502 9501 b102 0901 8503 9501 b102 c0'.replace(' ', ''))
+# An Intuos Pro has its pen and its keys on one interface, reports 2 and 3, and its fingers on another.
+PRO_PEN = bytes.fromhex('050d0902a101 8502 0920a100 0932150025017501950181029507 8103 75089508 26ff00 0930 8102c0'.replace(' ', '') +
+                        '06 00ff 8503 0901 15 00 26ff00 7508 9509 8102 c0'.replace(' ', ''))
+PRO_TOUCH = bytes.fromhex('050d0905a101 8502 0922a102 0942150025017501950181029507 8103 050126ff0f 0930 7510 9501 8102 0931 8102 c0'.replace(' ', '') +
+                          '06 00ff 0901 26ff00 7508 953a 8102 c0'.replace(' ', ''))
 # A UC-Logic pen interface: reports of 12 bytes with id 8.
 HUION = bytes.fromhex('06 00ff 0901 a101 8508 7508 950b 1500 26ff00 0901 8102 c0'.replace(' ', ''))
 
@@ -63,6 +68,42 @@ def garbage_reports(count):
         yield bytes([7 if i % 3 else draw.randrange(256)]) + draw.randbytes(draw.randrange(0, 40))
 
 
+def pro_trace():
+    """The hands of somebody at an Intuos Pro: keys one after the other, the ring round, two fingers apart, the pen, and a key
+    that is still held when the plug is pulled."""
+    reports = []
+
+    def pad(keys, ring=-1):
+        reports.append((0, bytes([3, 0, 0x80 | ring if ring >= 0 else 0, keys & 1, keys >> 1, 0, 0, 0, 0, 0])))
+
+    def fingers(*places):
+        body = bytearray(64)
+        body[0], body[1] = 2, len(places)
+        for i, (down, x, y) in enumerate(places):
+            body[2 + 8 * i:10 + 8 * i] = bytes([2 + i, 0x80 if down else 0, x >> 4, y >> 4, (x & 15) << 4 | y & 15, 0, 0, 0])
+        reports.append((1, bytes(body)))
+
+    for key in range(7):
+        pad(1 << key)
+        pad(0)
+    for place in range(30):
+        pad(0, (50 + place) % 72)
+    pad(0)
+    for i in range(40):
+        fingers((True, 1000 + 10 * i, 900), (True, 1500 + 30 * i, 1000 + i))
+    fingers((False, 0, 0), (False, 0, 0))
+    reports += [(0, r) for r in intuos_reports(60)]
+    pad(1 << 2)
+    lines_, last = [], None
+    for i, (number, r) in enumerate(reports):
+        if number != last:
+            lines_.append(f'D: {number}')
+        last = number
+        lines_.append(f'E: {i // 200}.{i % 200 * 5000:06d} {len(r)} {r.hex(" ")}')
+    name, ids = 'Wacom Intuos Pro S', '3 056a 0314'
+    return header(PRO_PEN, name, ids) + header(PRO_TOUCH, name, ids, 1) + '\n'.join(lines_) + '\n'
+
+
 def made():
     """Every trace that needs no recording of a real tablet, by name."""
     draw = random.Random(3)
@@ -76,6 +117,7 @@ def made():
         'garbage_descriptor': header(draw.randbytes(300), 'Nothing', '3 1b96 0023'),
         'parblo': header(PARBLO, 'Parblo A609', '3 0b57 9091') + lines(intuos_reports(200)),
         'huion': header(HUION, 'Huion asleep', '3 256c 006d') + lines(huion_reports(300)),
+        'hand': pro_trace(),
         'uclogic': header(HUION, 'Huion awake', '3 256c 006e') + lines(huion_reports(300)),
     }
 

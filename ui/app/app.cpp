@@ -19,6 +19,9 @@ constexpr double k_mm_per_inch = 25.4;
 constexpr double k_least_dpi = 60;
 constexpr double k_most_dpi = 600;
 constexpr int k_playing_frame_ms = 16;
+/// A wheel that rested for so long was meant to be where it is.
+constexpr std::int64_t k_dial_rest_us = 400'000;
+constexpr int k_dial_look_ms = 50;
 constexpr std::int64_t k_longest_step_us = 200'000;
 
 }  // namespace
@@ -89,17 +92,17 @@ void App::advance() {
   if (player_) {
     // A frame that took long must not swallow the trace: what is due is handed on report by report.
     const bool agreed = !player_->divergence();
-    const auto moments = player_->advance(workspace_, passed);
+    player_->advance(workspace_, passed, *this);
     if (agreed && player_->divergence()) tell(replay::error_of(*player_->divergence()).line(), true);
     if (player_->is_session()) {
       // What its pen did to panels and tools is in its lines, in px of the window that it was drawn in.
       view_.camera = workspace_.editor().view().camera;
       show_new_deformer();
       if (player_->finished()) workspace_.set_tool(workspace_.editor().tool());
-    } else {
-      take_moments(moments);
     }
   }
+  hold_tools();
+  if (dial_ && !dial_touched_ && now - dial_us_ > k_dial_rest_us) end_dial();
   if (playing_) play_on();
   if (panels_.swing) swing();
   // What was said of a stroke is over with the next one that does something, and with another tool.
@@ -133,6 +136,7 @@ int App::next_frame_ms() const {
   if (player_ && player_->playing()) {
     return static_cast<int>(std::clamp<std::int64_t>(player_->next_in_us() / 1000, 1, 1000));
   }
+  if (dial_ && !dial_touched_) return k_dial_look_ms;
   if (notices_.empty()) return -1;
   std::int64_t first = notices_.front().until_us;
   for (const Notice& one : notices_) first = std::min(first, one.until_us);

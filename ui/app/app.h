@@ -12,6 +12,7 @@
 
 #include "replay/session_player.h"
 #include "ui/app/action.h"
+#include "ui/app/hand_desk.h"
 #include "ui/app/hit_map.h"
 #include "ui/app/posed_surface.h"
 #include "ui/app/session_files.h"
@@ -57,6 +58,7 @@ enum class Dialog : std::uint8_t {
   recover,
   steps,
   tablet,
+  pad,
   sessions,
   unsaved,
   number,
@@ -104,15 +106,19 @@ struct PanelState {
   std::vector<PxPoint> test_line;  ///< drawn in the test area of the tablet's settings
   std::vector<double> test_pressure;
   Area test_area{};
+  std::string pad_tablet;     ///< whose keys are shown, by its key in the settings; empty: the first
+  PadControl pad_control;     ///< that something is chosen for
+  float pad_height = 0;       ///< px of the picture of its keys in the last frame
+  bool pad_once = false;      ///< actions are offered, else what holds while a key is held
   std::string after_unsaved;  ///< what to open once the question about unsaved work is answered; empty: quit
   bool saves_first = false;   ///< that question was answered with Save: it is done once something was saved
 };
 
 /// The app without its window: events in, a document and things to show out. SDL, ImGui and OpenGL are elsewhere.
-class App {
+class App : private TracePlayer::Listener {
  public:
   explicit App(AppOptions options);
-  ~App();
+  ~App() override;
   App(const App&) = delete;
   App& operator=(const App&) = delete;
 
@@ -170,6 +176,13 @@ class App {
   void settings_changed();
   /// The tablet's own part of them, which every tablet takes over at once.
   void tablet_setting_changed();
+  [[nodiscard]] HandDesk& desk() { return desk_; }
+  /// What a key, a dial or a button of a pen does.
+  [[nodiscard]] Binding bound(const DeskTablet& tablet, const PadControl& control) const;
+  /// Binds it to something else; nothing: to what it does where nobody has chosen.
+  void bind(const DeskTablet& tablet, const PadControl& control, std::optional<Binding> binding);
+  /// What a tablet's dial does now.
+  [[nodiscard]] std::int8_t dial_mode(const DeskTablet& tablet, std::uint8_t side) const;
   [[nodiscard]] HitMap& hits() { return hits_; }
   [[nodiscard]] std::deque<PanelPointer>& panel_pointer() { return panel_pointer_; }
   [[nodiscard]] double take_wheel() { return std::exchange(panel_wheel_, 0.0); }
@@ -231,7 +244,32 @@ class App {
   void frame_from(const render::Viewpoint& from);
   void commit_view();
   void begin_control();
-  void take_moments(std::span<const replay::PenMoment> moments);
+  void take_moments(int device, std::span<const replay::PenMoment> moments);
+  void take_pen_button(int device, const replay::PenMoment& moment);
+  void turn_pen_dials(int device, const replay::PenMoment& moment);
+  void take_hand(std::span<const replay::HandMoment> moments);
+  void take_pad_event(DeskTablet& tablet, int device, const decode::PadEvent& event);
+  void press(DeskTablet& tablet, int device, const PadControl& control);
+  void let_go(int device, const PadControl& control);
+  void hold_tools();
+  void place_pen();
+  [[nodiscard]] const ViewHold* held_view() const;
+  void turn_dial(DialUse use, int device, const PadControl& control, std::int32_t steps);
+  void turn_control(double notches);
+  void end_dial();
+  void take_fingers(int device);
+  void do_gesture(const TouchAct& act);
+  [[nodiscard]] bool fingers_move_view() const;
+  [[nodiscard]] PxPoint place_of_finger(int device, const decode::TouchContact& contact) const;
+  void tell_battery(DeskTablet& tablet);
+  [[nodiscard]] replay::TabletSetting setting_of(int device) const;
+  [[nodiscard]] std::uint32_t drawing_buttons(int device) const;
+  void forget_tablet(int device, const std::string& name, std::span<const replay::HandMoment> let_go);
+  // What a trace that is played in place of tablets does.
+  void on_device(int device, const decode::DeviceIdentity& identity) override;
+  void on_moments(int device, std::span<const replay::PenMoment> pen,
+                  std::span<const replay::HandMoment> hand) override;
+  void on_gone(int device) override;
   void pen_pressed(PxPoint at);
   void show_new_deformer();
   void pen_moved(PxPoint at);
@@ -277,6 +315,18 @@ class App {
   std::string project_;  ///< where Save writes; empty: it asks
   std::string path_;     ///< what was opened
   std::map<int, std::string> tablets_;
+  HandDesk desk_;
+  std::map<int, TouchGestures> raw_touch_;    ///< by interface
+  std::int64_t raw_gesture_us_ = -1;          ///< when fingers on a tablet last moved the view
+  std::optional<drawing::Tool> tool_before_;  ///< a key holds another one
+  std::optional<drawing::ToolKind> tool_held_;
+  std::optional<ViewHold> pen_view_;    ///< a button of the pen moves the view
+  std::optional<ViewHold> touch_view_;  ///< the pen's tip does, while a key is held
+  std::optional<DialUse> dial_;         ///< a dial is being turned
+  bool dial_touched_ = false;           ///< by a finger that will let go
+  std::int64_t dial_us_ = 0;            ///< when it last was
+  std::string dial_control_;            ///< the control that it changes
+  double dial_value_ = 0;
 
   PxPoint at_;                   ///< the pointer's last place
   bool mouse_draws_ = false;     ///< the left button is held on the canvas

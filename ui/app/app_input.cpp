@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/articulation/doubts.h"
 #include "ui/app/app.h"
@@ -180,29 +181,33 @@ void App::end_barrel(PxPoint at) {
   if (clicked && panels_.dialog == Dialog::none) panels_.radial = at;
 }
 
-void App::take_moments(std::span<const replay::PenMoment> moments) {
+void App::take_moments(int device, std::span<const replay::PenMoment> moments) {
   for (const replay::PenMoment& moment : moments) {
     at_ = moment.position;
+    turn_pen_dials(device, moment);
     switch (moment.kind) {
       case PenEventKind::hover:
         if (barrel_) {
           drag_to(at_, false, false);
+        } else if (pen_view_) {
+          drag_to(at_, *pen_view_ == ViewHold::move, *pen_view_ == ViewHold::zoom);
         } else {
           hover(at_);
         }
-        if (!pen_is_drawing()) workspace_.place_pen(hits_.on_canvas(at_));
+        place_pen();
         break;
       case PenEventKind::button_down:
-        if (moment.button == 1 && !barrel_ && hits_.on_canvas(at_) && !pen_is_drawing()) {
-          barrel_ = true;
-          begin_drag(at_);
-        }
-        break;
       case PenEventKind::button_up:
-        if (moment.button == 1 && barrel_) end_barrel(at_);
+        take_pen_button(device, moment);
         break;
       case PenEventKind::stroke_begin:
-        if (barrel_) break;
+        if (barrel_ || pen_view_) break;
+        if (const ViewHold* held = held_view(); held != nullptr && hits_.on_canvas(at_)) {
+          touch_view_ = *held;
+          drag_ = at_;
+          drag_moved_ = false;
+          break;
+        }
         if (workspace_.session().pens().on_canvas()) {
           pen_pressed(at_);
         } else {
@@ -213,6 +218,8 @@ void App::take_moments(std::span<const replay::PenMoment> moments) {
       case PenEventKind::stroke_point:
         if (barrel_) {
           drag_to(at_, true, false);
+        } else if (const auto& view = pen_view_ ? pen_view_ : touch_view_) {
+          drag_to(at_, *view == ViewHold::move, *view == ViewHold::zoom);
         } else if (mouse_on_panel_) {
           hover_panels(at_, true);
         } else {
@@ -220,7 +227,10 @@ void App::take_moments(std::span<const replay::PenMoment> moments) {
         }
         break;
       case PenEventKind::stroke_end:
-        if (mouse_on_panel_) {
+        if (std::exchange(touch_view_, std::nullopt)) {
+          drag_.reset();
+          place_pen();
+        } else if (mouse_on_panel_) {
           hover_panels(at_, false);
         } else {
           pen_released(at_);
@@ -229,7 +239,9 @@ void App::take_moments(std::span<const replay::PenMoment> moments) {
         break;
       case PenEventKind::away:
         barrel_ = false;
+        pen_view_.reset();
         drag_.reset();
+        desk_.pen_left(device);
         break;
       default:
         break;
@@ -240,10 +252,10 @@ void App::take_moments(std::span<const replay::PenMoment> moments) {
 void App::mouse_moved(PxPoint at) {
   if (tablet_is_near()) return;
   at_ = at;
-  if (drag_) {
+  if (drag_ && !touch_view_) {
     drag_to(at, drag_pans_, drag_zooms_);
   } else if (mouse_draws_) {
-    take_moments(workspace_.pen({at, k_mouse_pressure, true, true, false, false}));
+    take_moments(0, workspace_.pen({at, k_mouse_pressure, true, true, false, false}));
   } else if (mouse_on_panel_) {
     try_pen(at, k_mouse_pressure, false);
     hover_panels(at, true);
@@ -284,12 +296,12 @@ void App::mouse_button(MouseButton button, bool down, PxPoint at, bool shift, bo
     hover_panels(at, true);
     hover_panels(at, false);
     commit_view();
-    workspace_.place_pen(true);
+    workspace_.place_pen(held_view() == nullptr);
     mouse_draws_ = true;
-    take_moments(workspace_.pen({at, k_mouse_pressure, true, true, false, false}));
+    take_moments(0, workspace_.pen({at, k_mouse_pressure, true, true, false, false}));
   } else if (mouse_draws_) {
     mouse_draws_ = false;
-    take_moments(workspace_.pen({at, 0, true, false, false, false}));
+    take_moments(0, workspace_.pen({at, 0, true, false, false, false}));
   } else if (mouse_on_panel_) {
     mouse_on_panel_ = false;
     hover_panels(at, false);
@@ -297,6 +309,8 @@ void App::mouse_button(MouseButton button, bool down, PxPoint at, bool shift, bo
 }
 
 void App::wheel(double steps) {
+  // The desktop turns two fingers on a tablet into a wheel.
+  if (fingers_move_view()) return;
   if (!hits_.on_canvas(at_)) {
     panel_wheel_ += steps;
     return;
@@ -323,18 +337,22 @@ void App::finger(FingerKind kind, std::int64_t finger, PxPoint at) {
       case Kind::orbit:
       case Kind::pan:
       case Kind::zoom:
-        if (pen_is_drawing() || panels_.dialog != Dialog::none) break;
-        framed_ = false;
-        if (act.kind == Kind::orbit) {
-          view_.camera =
-              orbited(view_.camera, -act.by.x * k_degrees_per_px / scale(), act.by.y * k_degrees_per_px / scale());
-        } else if (act.kind == Kind::pan) {
-          view_.camera = panned(view_, act.by);
-        } else {
-          view_.camera = zoomed(view_, std::clamp(act.factor, 0.2, 5.0), act.at, surface_.size());
-        }
+        // The same fingers may come from the tablet itself, too.
+        if (!fingers_move_view()) do_gesture(act);
         break;
     }
+  }
+}
+
+void App::do_gesture(const TouchAct& act) {
+  if (pen_is_drawing() || panels_.dialog != Dialog::none) return;
+  framed_ = false;
+  if (act.kind == TouchAct::Kind::orbit) {
+    view_.camera = orbited(view_.camera, -act.by.x * k_degrees_per_px / scale(), act.by.y * k_degrees_per_px / scale());
+  } else if (act.kind == TouchAct::Kind::pan) {
+    view_.camera = panned(view_, act.by);
+  } else {
+    view_.camera = zoomed(view_, std::clamp(act.factor, 0.2, 5.0), act.at, surface_.size());
   }
 }
 

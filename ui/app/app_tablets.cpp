@@ -18,26 +18,33 @@ bool App::tablet_is_near() const {
 
 void App::tablet_arrived(int device, const decode::DeviceIdentity& identity) {
   workspace_.connect(device, identity);
-  workspace_.set_tablet(device, settings_.tablet);
+  on_device(device, identity);
+  if (workspace_.session().pens().decodes(device)) workspace_.set_tablet(device, setting_of(device));
   const bool again = tablets_.contains(device);
   tablets_[device] = identity.name;
-  tell(identity.name + (again ? " is back" : " is ready"));
+  // Fingers alone are a part of a tablet that says so itself.
+  const DeskTablet* tablet = desk_.find(device);
+  if (tablet == nullptr || tablet->has_anything()) tell(identity.name + (again ? " is back" : " is ready"));
 }
 
 void App::tablet_setting_changed() {
   settings_changed();
-  for (const auto& [device, name] : tablets_) workspace_.set_tablet(device, settings_.tablet);
+  for (const auto& [device, name] : tablets_) {
+    if (workspace_.session().pens().decodes(device)) workspace_.set_tablet(device, setting_of(device));
+  }
 }
 
 void App::tablet_left(int device, const std::string& name) {
   workspace_.disconnect(device);
+  const auto hand = workspace_.session().hand_moments();
+  const std::vector<replay::HandMoment> let_go(hand.begin(), hand.end());
   workspace_.follow_pen();
   tablet_near_ = false;
   barrel_ = false;
   drag_.reset();
   if (mouse_on_panel_) hover_panels(at_, false);
   mouse_on_panel_ = false;
-  tell(name + " was unplugged", true);
+  forget_tablet(device, name, let_go);
 }
 
 void App::try_pen(PxPoint at, double pressure, bool begins) {
@@ -55,6 +62,8 @@ void App::try_pen(PxPoint at, double pressure, bool begins) {
 void App::tablet_report(int device, std::int64_t received_us, base::Bytes bytes) {
   commit_view();
   const auto moments = workspace_.report_at(device, received_us, bytes);
+  const auto hand = workspace_.session().hand_moments();
+  take_hand(std::vector<replay::HandMoment>(hand.begin(), hand.end()));
   if (moments.empty()) return;
   tablet_seen_us_ = options_.clock();
   tablet_near_ = moments.back().kind != PenEventKind::away;
@@ -62,7 +71,7 @@ void App::tablet_report(int device, std::int64_t received_us, base::Bytes bytes)
     if (moment.kind == PenEventKind::stroke_begin) try_pen(moment.position, moment.pressure, true);
     if (moment.kind == PenEventKind::stroke_point) try_pen(moment.position, moment.pressure, false);
   }
-  take_moments(moments);
+  take_moments(device, moments);
 }
 
 }  // namespace penpose::app

@@ -114,6 +114,9 @@ void show_dialog(PanelContext& context) {
     case Dialog::tablet:
       show_tablet_dialog(context);
       break;
+    case Dialog::pad:
+      show_pad_dialog(context);
+      break;
     case Dialog::number:
       show_number_dialog(context);
       break;

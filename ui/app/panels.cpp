@@ -82,6 +82,8 @@ void show_top_bar(PanelContext& context, const Area& area) {
       }
       if (entry("Sessions", "What was drawn before, to play or to go on with")) app.panels().dialog = Dialog::sessions;
       if (entry("Tablet", "The area and the pressure of the tablet")) app.panels().dialog = Dialog::tablet;
+      if (entry("Tablet keys", "What the keys and rings of the tablet and the pen's buttons do"))
+        app.panels().dialog = Dialog::pad;
       if (entry("Pen menu", "What the menu around the pen offers")) app.panels().dialog = Dialog::radial;
       if (app.panels().has_keyboard && entry("Screen keyboard", "Show keys on the screen while a name is typed")) {
         app.panels().has_keyboard = false;

@@ -50,6 +50,7 @@ void show_number_dialog(PanelContext& context);
 void show_key_dialog(PanelContext& context);
 void show_radial_dialog(PanelContext& context);
 void show_tablet_dialog(PanelContext& context);
+void show_pad_dialog(PanelContext& context);
 void show_dialog(PanelContext& context);
 
 }  // namespace penpose::app

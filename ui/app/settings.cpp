@@ -37,6 +37,18 @@ void take_radial(std::array<Action, 8>& radial, std::string_view value) {
   }
 }
 
+/// "TABLET|CONTROL|BINDING".
+void take_pad(Settings& settings, std::string_view value) {
+  const std::size_t first = value.find('|');
+  const std::size_t second = first == std::string_view::npos ? first : value.find('|', first + 1);
+  if (second == std::string_view::npos) return;
+  const auto binding = parse_binding(value.substr(second + 1));
+  const std::string tablet(value.substr(0, first));
+  if (!binding || (settings.pads.size() >= k_most_pads && !settings.pads.contains(tablet))) return;
+  auto& bindings = settings.pads[tablet];
+  if (bindings.size() < k_most_bindings) bindings[std::string(value.substr(first + 1, second - first - 1))] = *binding;
+}
+
 void take(Settings& settings, std::string_view name, std::string_view value) {
   if (name == "scale") {
     const auto number = base::parse_double(value);
@@ -61,6 +73,8 @@ void take(Settings& settings, std::string_view name, std::string_view value) {
     }
   } else if (name == "radial") {
     take_radial(settings.radial, value);
+  } else if (name == "pad") {
+    take_pad(settings, value);
   } else if (name == "recent" && settings.recent.size() < k_most_recent) {
     settings.recent.emplace_back(value);
   }
@@ -101,6 +115,10 @@ std::string to_text(const Settings& settings) {
   text += "radial=";
   for (const Action action : settings.radial) text += std::string(info(action).label) + "|";
   text.back() = '\n';
+  for (const auto& [tablet, bindings] : settings.pads) {
+    for (const auto& [control, binding] : bindings)
+      text += "pad=" + tablet + "|" + control + "|" + to_text(binding) + "\n";
+  }
   for (const std::string& path : settings.recent) {
     if (path.find('\n') == std::string::npos) text += "recent=" + path + "\n";
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "core/base/result.h"
 #include "replay/pen_input.h"
 #include "ui/app/action.h"
+#include "ui/app/binding.h"
 
 namespace penpose::app {
 
@@ -20,11 +22,17 @@ struct Settings {
   std::array<Action, 8> radial{Action::undo,       Action::redo,      Action::tool_pose,  Action::tool_constraint,
                                Action::tool_erase, Action::frame_all, Action::view_front, Action::key_pose};
   replay::TabletSetting tablet;
+  /// What was chosen for the keys, dials and pens of tablets: by tablet, then by what is bound (`name_of`). What is
+  /// missing does what `default_binding` says.
+  std::map<std::string, std::map<std::string, Binding>> pads;
   std::vector<std::string> recent;  ///< files, the last one first
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
 inline constexpr std::size_t k_most_recent = 10;
+/// A file that was written by hand is read up to here.
+inline constexpr std::size_t k_most_pads = 100;
+inline constexpr std::size_t k_most_bindings = 200;
 
 /// "name=value" lines. What cannot be read keeps its default, so that a broken file never keeps the app from starting.
 [[nodiscard]] Settings parse_settings(std::string_view text);

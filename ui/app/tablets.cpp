@@ -54,12 +54,13 @@ struct Tablets::State {
   }
 
   void add(device::LiveTablet tablet) {
-    if (tablet.carries != device::Carries::pen) return;
     const std::string name = tablet.interface.identity.name;
     auto source = tablet.access == device::Access::allowed ? device::open_tablet(tablet, own)
                                                            : base::Error{"cannot be opened", "", ""};
     const std::scoped_lock lock(mutex);
     if (!source) {
+      // Fingers alone are missed by nobody who is told of the pen.
+      if (tablet.carries == device::Carries::touch) return;
       const std::string why = device::missing(tablet, cli::own_program());
       refused.push_back(name + ": " + (why.empty() ? source.error().line() : why));
       return;

@@ -68,9 +68,8 @@ base::Result<TracePlayer> TracePlayer::load(const std::string& path) {
   return player;
 }
 
-std::vector<replay::PenMoment> TracePlayer::advance(Workspace& workspace, std::int64_t by_us) {
-  std::vector<replay::PenMoment> moments;
-  if (!playing()) return moments;
+void TracePlayer::advance(Workspace& workspace, std::int64_t by_us, Listener& listener) {
+  if (!playing()) return;
   time_us_ += static_cast<double>(by_us) * speed_;
   for (; next_ < events_.size() && static_cast<double>(events_[next_].time_us) <= time_us_; ++next_) {
     const Event& event = events_[next_];
@@ -85,18 +84,23 @@ std::vector<replay::PenMoment> TracePlayer::advance(Workspace& workspace, std::i
       workspace.play(*event.line);
     } else if (event.identity) {
       workspace.connect(event.device, *event.identity);
+      listener.on_device(event.device, *event.identity);
     } else {
-      const auto more = workspace.report(event.device, event.bytes);
-      moments.insert(moments.end(), more.begin(), more.end());
+      const auto moments = workspace.report(event.device, event.bytes);
+      const auto hand = workspace.session().hand_moments();
+      const std::vector<replay::HandMoment> kept(hand.begin(), hand.end());
+      listener.on_moments(event.device, moments, kept);
       workspace.follow_pen();
     }
   }
-  if (next_ < events_.size() || ended_) return moments;
+  if (next_ < events_.size() || ended_) return;
   ended_ = true;
   for (const Event& event : events_) {
-    if (event.identity) workspace.disconnect(event.device);
+    if (event.identity) {
+      workspace.disconnect(event.device);
+      listener.on_gone(event.device);
+    }
   }
-  return moments;
 }
 
 double TracePlayer::progress() const {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,21 @@ class TracePlayer {
   [[nodiscard]] const std::optional<replay::ModelNamed>& model() const { return model_; }
   [[nodiscard]] bool is_session() const { return is_session_; }
 
-  /// Hands everything up to `by_us` of playing time on. Gives the moments of the pens. At the end pens have gone.
-  std::vector<replay::PenMoment> advance(Workspace& workspace, std::int64_t by_us);
+  /// Told of a device of the trace: that it came, what its pen and the other hand did, that it is gone.
+  class Listener {
+   public:
+    virtual ~Listener() = default;
+    Listener() = default;
+    Listener(const Listener&) = delete;
+    Listener& operator=(const Listener&) = delete;
+    virtual void on_device(int device, const decode::DeviceIdentity& identity) = 0;
+    virtual void on_moments(int device, std::span<const replay::PenMoment> pen,
+                            std::span<const replay::HandMoment> hand) = 0;
+    virtual void on_gone(int device) = 0;
+  };
+
+  /// Hands everything up to `by_us` of playing time on, report by report. At the end tablets have gone.
+  void advance(Workspace& workspace, std::int64_t by_us, Listener& listener);
   void set_playing(bool playing) { playing_ = playing; }
   [[nodiscard]] bool playing() const { return playing_ && !finished(); }
   void set_speed(double speed) { speed_ = speed; }

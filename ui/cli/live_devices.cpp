@@ -28,7 +28,17 @@ std::string hex(std::uint16_t id) {
   return text;
 }
 
-const char* word(device::Carries carries) { return carries == device::Carries::pad ? "pad" : "pen"; }
+const char* word(device::Carries carries) {
+  return carries == device::Carries::pad ? "pad" : carries == device::Carries::touch ? "touch" : "pen";
+}
+
+/// What else is on the interface: ", keys", ", fingers".
+std::string beside(const device::LiveTablet& tablet) {
+  std::string text;
+  if (tablet.has_keys && tablet.carries != device::Carries::pad) text += ", keys";
+  if (tablet.has_touch && tablet.carries != device::Carries::touch) text += ", fingers";
+  return text;
+}
 
 Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
@@ -42,6 +52,8 @@ Json to_json(const device::LiveTablet& tablet) {
            {"bus", identity.bus},
            {"interface", identity.interface_number ? Json(*identity.interface_number) : Json()},
            {"carries", word(tablet.carries)},
+           {"keys", tablet.has_keys},
+           {"touch", tablet.has_touch},
            {"method", tablet.method},
            {"tablet", nullptr},
            {"certain", tablet.match && tablet.match->certain},
@@ -63,7 +75,8 @@ Json to_json(const device::LiveTablet& tablet) {
 void print(const device::LiveTablet& tablet) {
   const auto& identity = tablet.interface.identity;
   std::cout << tablet.path() << "  " << base::shown_name(identity.name) << " (" << hex(identity.vendor) << ':'
-            << hex(identity.product) << "), " << word(tablet.carries) << ", read as " << tablet.method;
+            << hex(identity.product) << "), " << word(tablet.carries) << beside(tablet) << ", read as "
+            << tablet.method;
   if (tablet.match && tablet.match->certain) {
     std::cout << " (" << base::shown_name(tablet.match->tablet->vendor + " " + tablet.match->tablet->name) << ')';
   }

@@ -41,7 +41,7 @@ constexpr std::int64_t k_batch_us = 4'000;
 constexpr std::int64_t k_progress_us = 250'000;
 constexpr std::int64_t k_flush_us = 1'000'000;
 
-/// The interface that the option names, recognised or not, else every pen that is plugged in.
+/// The interface that the option names, recognised or not, else all of every tablet that is plugged in.
 base::Result<std::vector<device::LiveTablet>> wanted_tablets(const Options& options, const decode::TabletTable* own) {
   if (!options.device.empty()) {
     auto interfaces = device::list_interfaces();
@@ -59,7 +59,6 @@ base::Result<std::vector<device::LiveTablet>> wanted_tablets(const Options& opti
   }
   auto tablets = device::list_tablets(own);
   if (!tablets) return tablets;
-  std::erase_if(*tablets, [](const auto& tablet) { return tablet.carries != device::Carries::pen; });
   if (tablets->empty()) {
     return base::Error{"no tablet is plugged in", "", "plug one in, or name any HID device with --device"};
   }
@@ -153,7 +152,7 @@ void RecordRun::take_arrivals() {
     const bool known = std::any_of(tablets_.begin(), tablets_.end(), [&](const Recorded& recorded) {
       return !recorded.ended && recorded.place == place_of(tablet);
     });
-    if (!known && tablet.carries == device::Carries::pen) begin(std::move(tablet));
+    if (!known) begin(std::move(tablet));
   }
 }
 
@@ -171,9 +170,10 @@ void RecordRun::take_records() {
     if (tablet.ended || !tablet.pump->gone()) continue;
     // It may have sent something between the last `take` and its end.
     while (tablet.pump->take(record)) recorder_.add(tablet.number, record);
-    recorder_.end(tablet.number);
+    const std::string held = recorder_.end(tablet.number);
     tablet.ended = true;
-    std::cerr << (visible_ ? "\r\033[K" : "") << tablet.name << " was unplugged\n";
+    std::cerr << (visible_ ? "\r\033[K" : "") << tablet.name << " was unplugged"
+              << (held.empty() ? "" : " with " + held + " held: let go") << '\n';
   }
 }
 
@@ -232,7 +232,7 @@ void RecordRun::print_summary() const {
   char seconds[32];
   std::snprintf(seconds, sizeof seconds, "%.3f", static_cast<double>(counts.span_us) / 1e6);
   std::cout << options_.output << ": " << counts.reports << " reports in " << seconds << " s, " << counts.strokes
-            << " strokes, " << lost() << " lost\n";
+            << " strokes, " << counts.keys << " keys, " << lost() << " lost\n";
   for (const Recorded& tablet : tablets_) {
     if (tablet.pump->full_queues() == 0) continue;
     std::cerr << "penpose: " << tablet.name << ": the system's queue was full " << tablet.pump->full_queues()
@@ -264,7 +264,7 @@ int RecordRun::run() {
     show_progress(now);
   }
   for (const Recorded& tablet : tablets_) {
-    if (!tablet.ended) recorder_.end(tablet.number);
+    if (!tablet.ended) static_cast<void>(recorder_.end(tablet.number));
   }
   if (status) status = file_->flush();
   if (!status) return report(status.error(), options_.output);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <random>
 #include <string>
 #include <unistd.h>
 
@@ -21,6 +22,38 @@ TEST(Settings, WhatIsWrittenIsReadAgain) {
   remember_file(settings, "/tmp/a b=c.glb");
   remember_file(settings, "/tmp/second.glb");
   EXPECT_EQ(parse_settings(to_text(settings)), settings);
+}
+
+TEST(Settings, BindingsOfTabletsAreKept) {
+  Settings settings;
+  settings.pads["056a:0314"]["BTN_1"] = binding_of(ViewHold::zoom);
+  settings.pads["056a:0314"]["ring 1 light 2"] = binding_of(DialUse::keys);
+  settings.pads["Huion H640P"]["pen button 2"] = binding_of(drawing::ToolKind::erase);
+  EXPECT_EQ(parse_settings(to_text(settings)), settings);
+  EXPECT_TRUE(parse_settings("pad=a|b\npad=a|b|fly\npad=\npad=||\npad=a\n").pads.empty());
+}
+
+TEST(Settings, WhateverIsInTheFileItIsReadAndWrittenTheSame) {
+  Settings full;
+  full.pads["056a:0314"]["BTN_1"] = binding_of(Action::frame_all);
+  full.pads["056a:0314"]["ring 1 light 1"] = binding_of(DialUse::time);
+  remember_file(full, "/tmp/a.glb");
+  const std::string whole = to_text(full);
+  std::mt19937 random(5);
+  for (int i = 0; i < 20000; ++i) {
+    std::string text = whole;
+    for (unsigned n = random() % 4 + 1; n > 0; --n) {
+      const std::size_t at = random() % text.size();
+      if (random() % 3 == 0) {
+        text.erase(at, random() % 8);
+      } else {
+        text[at] = "|=\n ab1\xff"[random() % 8];
+      }
+      if (text.empty()) text = "\n";
+    }
+    const Settings read = parse_settings(text);
+    ASSERT_EQ(parse_settings(to_text(read)), read) << text;
+  }
 }
 
 TEST(Settings, WhatCannotBeReadKeepsItsDefault) {

@@ -55,6 +55,7 @@ for trace in /traces/wacom_*.hid; do
   plug usb "$(basename "$trace" .hid)" --port $((30 * wacoms)) --keep /tmp/keep --pace-us 2000
   wacoms=$((wacoms + 1))
 done
+interfaces=$(cat /traces/wacom_*.hid | grep -c ^R:)
 plug usb huion --port $((30 * wacoms)) --keep /tmp/keep --string 201=HUION_T173_200101 --string 200=waking --asleep-until 200
 # x and y up to 50800 and 31750, pressure up to 8191, 5080 lines an inch
 plug usb uclogic --port $((30 * wacoms + 30)) --keep /tmp/keep --string 201=HUION_T173_200101 --bytes 200=70c600067c00ff1fd81300000000000000
@@ -63,12 +64,12 @@ until_true 20 is_hid 0003:1B96:0023
 plug uhid ink
 plug uhid pulled --unplug-after 60 --pace-us 2000
 plug uhid garbage --keep /tmp/keep
-until_true 30 tablets_are $((wacoms + 5)) || { penpose devices; dmesg | tail -5; }
+until_true 30 tablets_are $((interfaces + 5)) || { penpose devices; dmesg | tail -5; }
 penpose devices --json >/out/many.json
 echo $? >/out/many.devices_status
 usb=$(awk -F'"' '/"name"/ { name = $4 } /"usb"/ && name == "Huion asleep" { print $4 }' /out/many.json)
 record_until_ready many
-until_true 30 all_have $((wacoms + 5)) ^recording /out/many.err
+until_true 30 all_have $((interfaces + 5)) ^recording /out/many.err
 driver_of "$usb" >/out/huion_driver_while
 touch /tmp/go
 until_true 20 all_have 2 unplugged /out/many.err
@@ -93,6 +94,30 @@ kill -INT "$recorder"
 end_record many
 driver_of "$usb" >/out/huion_driver_after
 touch /tmp/keep
+until_true 20 tablets_are 0
+
+# --- Keys, ring and fingers of a tablet with two interfaces, one key of which is held when it is pulled out.
+stage hand
+virtual_tablet usb /traces/hand.hid --go /tmp/go_hand --pace-us 2000 >/out/hand.sent 2>&1 &
+until_true 20 tablets_are 2
+penpose devices --json >/out/hand.json
+record_until_ready hand
+until_true 20 all_have 2 ^recording /out/hand.err
+touch /tmp/go_hand
+end_record hand
+until_true 20 tablets_are 0
+# The fingers' interface through libusb, by its place.
+virtual_tablet usb /traces/hand.hid --go /tmp/go_hand_usb --pace-us 2000 --port 1 >/out/hand_usb.sent 2>&1 &
+until_true 20 tablets_are 2
+penpose devices --json >/out/hand_usb.json
+usb=$(sed -n 's/.*"usb": "\(.*:1.1\)",*/\1/p' /out/hand_usb.json)
+penpose record -o /out/hand_usb.hid --device "usb:$usb" >/out/hand_usb.out 2>/out/hand_usb.err &
+recorder=$!
+until_true 30 grep -q recording /out/hand_usb.err
+# Somebody has to take what the pen's interface sends.
+cat /dev/hidraw* >/dev/null 2>&1 &
+touch /tmp/go_hand_usb
+end_record hand_usb
 until_true 20 tablets_are 0
 
 # --- The machine sleeps while a tablet is recorded: it is woken before its first report and again afterwards.

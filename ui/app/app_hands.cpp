@@ -1,0 +1,300 @@
+#include <algorithm>
+#include <utility>
+
+#include "ui/app/app.h"
+
+// What the hand does that holds no pen: keys and fingers of tablets, and what is bound to them.
+
+namespace penpose::app {
+namespace {
+
+using decode::PadEventKind;
+using Kind = Binding::Kind;
+
+/// So long the desktop's own idea of the same fingers is ignored.
+constexpr std::int64_t k_gesture_quiet_us = 250'000;
+constexpr std::int8_t k_low_battery = 15;
+constexpr std::int8_t k_charged_again = 25;
+
+}  // namespace
+
+Binding App::bound(const DeskTablet& tablet, const PadControl& control) const {
+  const auto chosen = settings_.pads.find(tablet.key);
+  if (chosen != settings_.pads.end()) {
+    const auto found = chosen->second.find(name_of(control));
+    if (found != chosen->second.end()) return found->second;
+  }
+  return default_binding(control, tablet.features);
+}
+
+void App::bind(const DeskTablet& tablet, const PadControl& control, std::optional<Binding> binding) {
+  if (binding) {
+    settings_.pads[tablet.key][name_of(control)] = *binding;
+  } else {
+    settings_.pads[tablet.key].erase(name_of(control));
+  }
+  if (settings_.pads[tablet.key].empty()) settings_.pads.erase(tablet.key);
+  if (control.kind == PadControl::Kind::pen_button) {
+    tablet_setting_changed();
+  } else {
+    settings_changed();
+  }
+}
+
+std::uint32_t App::drawing_buttons(int device) const {
+  constexpr std::uint8_t k_buttons = 8;
+  const DeskTablet* tablet = desk_.find(device);
+  std::uint32_t buttons = 0;
+  for (std::uint8_t i = 0; tablet != nullptr && i < k_buttons; ++i) {
+    const Binding::Kind kind = bound(*tablet, pen_button_control(i)).kind;
+    if (kind == Kind::tool || kind == Kind::action) buttons |= 1U << i;
+  }
+  return buttons;
+}
+
+replay::TabletSetting App::setting_of(int device) const {
+  replay::TabletSetting setting = settings_.tablet;
+  setting.drawing_buttons = drawing_buttons(device);
+  return setting;
+}
+
+std::int8_t App::dial_mode(const DeskTablet& tablet, std::uint8_t side) const {
+  const decode::PadDecoder* pad = workspace_.session().hands().pad(tablet.pad);
+  if (tablet.features.modes == 0 || pad == nullptr) return tablet.next_mode[side];
+  // Where there is one light for two dials it is the light of both.
+  return pad->sample().mode[std::min<std::size_t>(side, tablet.features.modes - 1)];
+}
+
+const ViewHold* App::held_view() const {
+  const Binding* held = desk_.held(Kind::view);
+  return held == nullptr ? nullptr : &held->view;
+}
+
+void App::place_pen() {
+  if (!pen_is_drawing()) workspace_.place_pen(hits_.on_canvas(at_) && held_view() == nullptr);
+}
+
+void App::hold_tools() {
+  const Binding* held = desk_.held(Kind::tool);
+  const auto wanted = held != nullptr ? std::optional(held->tool) : std::nullopt;
+  // A stroke ends as what it began.
+  if (wanted == tool_held_ || pen_is_drawing()) return;
+  if (wanted) {
+    if (!tool_before_) tool_before_ = workspace_.editor().tool();
+    drawing::Tool tool;
+    tool.kind = *wanted;
+    workspace_.set_tool(tool);
+  } else if (tool_before_) {
+    // Somebody who chose another tool meanwhile keeps it.
+    if (workspace_.editor().tool().kind == *tool_held_) workspace_.set_tool(*tool_before_);
+    tool_before_.reset();
+  }
+  tool_held_ = wanted;
+}
+
+void App::press(DeskTablet& tablet, int device, const PadControl& control) {
+  if (panels_.dialog == Dialog::pad) {
+    // Whoever presses a key there means to choose for it.
+    panels_.pad_tablet = tablet.key;
+    panels_.pad_control = control;
+    return;
+  }
+  const Binding binding = bound(tablet, control);
+  const bool open = !hits_.all && panels_.dialog == Dialog::none;
+  switch (binding.kind) {
+    case Kind::none:
+    case Kind::dial:
+    case Kind::pen_menu:
+      break;
+    case Kind::action:
+      if (open || binding.action == Action::cancel) do_action(binding.action);
+      break;
+    case Kind::view:
+    case Kind::tool:
+      desk_.press({device, control, binding});
+      place_pen();
+      hold_tools();
+      break;
+    case Kind::next_mode:
+      for (std::int8_t& mode : tablet.next_mode)
+        mode = static_cast<std::int8_t>((mode + 1) % modes_of(tablet.features));
+      tell("Ring, strip and wheel: " +
+           label_of(bound(tablet, dial_control(decode::PadDial::ring, 0, tablet.next_mode[0]))));
+      break;
+  }
+}
+
+void App::let_go(int device, const PadControl& control) {
+  if (!desk_.release(device, control)) return;
+  place_pen();
+  hold_tools();
+}
+
+void App::take_pen_button(int device, const replay::PenMoment& moment) {
+  const PadControl control = pen_button_control(moment.button);
+  DeskTablet* tablet = desk_.find(device);
+  const Binding binding = tablet != nullptr ? bound(*tablet, control) : default_binding(control, {});
+  const bool free = hits_.on_canvas(at_) && !pen_is_drawing() && !barrel_ && !pen_view_;
+  if (moment.kind == decode::PenEventKind::button_down) {
+    const bool chooses = panels_.dialog == Dialog::pad;
+    if (!chooses && binding.kind == Kind::pen_menu && free) {
+      barrel_ = true;
+      begin_drag(at_);
+    } else if (!chooses && binding.kind == Kind::view && free) {
+      pen_view_ = binding.view;
+      begin_drag(at_);
+    } else if (tablet != nullptr && (chooses || binding.kind != Kind::view)) {
+      press(*tablet, device, control);
+    }
+    return;
+  }
+  if (binding.kind == Kind::pen_menu && barrel_) end_barrel(at_);
+  if (binding.kind == Kind::view && std::exchange(pen_view_, std::nullopt)) drag_.reset();
+  let_go(device, control);
+}
+
+void App::take_hand(std::span<const replay::HandMoment> moments) {
+  for (const replay::HandMoment& moment : moments) {
+    DeskTablet* tablet = desk_.find(moment.device);
+    if (tablet == nullptr) continue;
+    switch (moment.kind) {
+      case replay::HandMoment::Kind::pad:
+        take_pad_event(*tablet, moment.device, moment.event);
+        break;
+      case replay::HandMoment::Kind::fingers:
+        take_fingers(moment.device);
+        break;
+      case replay::HandMoment::Kind::battery:
+        tell_battery(*tablet);
+        break;
+    }
+  }
+}
+
+void App::take_pad_event(DeskTablet& tablet, int device, const decode::PadEvent& event) {
+  switch (event.kind) {
+    case PadEventKind::key_down:
+      press(tablet, device, key_control(event.key));
+      if (const auto light = mode_key(event.key, tablet.features); light && panels_.dialog != Dialog::pad) {
+        // The light says which, and not what it means.
+        const auto dial = tablet.features.rings > 0 ? decode::PadDial::ring : decode::PadDial::strip;
+        const PadControl control = dial_control(dial, light->side, dial_mode(tablet, light->side));
+        tell(title_of(control, tablet.features) + ": " + label_of(bound(tablet, control)));
+      }
+      break;
+    case PadEventKind::key_up:
+      let_go(device, key_control(event.key));
+      break;
+    case PadEventKind::touched:
+      desk_.forget_rest(device);
+      if (panels_.dialog == Dialog::pad) {
+        panels_.pad_tablet = tablet.key;
+        panels_.pad_control = dial_control(event.dial, event.side, dial_mode(tablet, event.side));
+      }
+      break;
+    case PadEventKind::turned: {
+      const PadControl control = dial_control(event.dial, event.side, dial_mode(tablet, event.side));
+      const Binding binding = bound(tablet, control);
+      if (binding.kind == Kind::dial) turn_dial(binding.dial, device, control, event.steps);
+      break;
+    }
+    case PadEventKind::let_go:
+      if (dial_touched_) end_dial();
+      break;
+  }
+}
+
+bool App::fingers_move_view() const {
+  return raw_gesture_us_ >= 0 && options_.clock() - raw_gesture_us_ < k_gesture_quiet_us;
+}
+
+PxPoint App::place_of_finger(int device, const decode::TouchContact& contact) const {
+  const decode::TouchAxes& axes = workspace_.session().hands().touch(device)->axes();
+  const auto share = [](const decode::Axis& axis, std::int32_t at) {
+    const double range = static_cast<double>(axis.maximum) - axis.minimum;
+    return range > 0 ? (static_cast<double>(at) - axis.minimum) / range : 0.0;
+  };
+  double x = share(axes.x, contact.x);
+  double y = share(axes.y, contact.y);
+  if (settings_.tablet.left_handed) {
+    x = 1 - x;
+    y = 1 - y;
+  }
+  const double width = window_.width;
+  // As far in both directions for the same way of the fingers, whatever shape the window has.
+  const double across = (axes.x.maximum - axes.x.minimum) / std::max(axes.x.units_per_mm, 1e-9);
+  const double down = (axes.y.maximum - axes.y.minimum) / std::max(axes.y.units_per_mm, 1e-9);
+  const bool known = axes.x.units_per_mm > 0 && axes.y.units_per_mm > 0;
+  return {x * width, y * (known ? width * down / across : static_cast<double>(window_.height))};
+}
+
+void App::take_fingers(int device) {
+  if (workspace_.session().hands().touch(device) == nullptr) return;
+  TouchGestures& gestures = raw_touch_.try_emplace(device, TouchGestures(4 * scale())).first->second;
+  for (const auto& finger : desk_.fingers_changed(device, workspace_.session().hands().fingers(device))) {
+    for (const TouchAct& act : gestures.add(finger.kind, finger.id, place_of_finger(device, finger.contact))) {
+      using ActKind = TouchAct::Kind;
+      // One finger is the desktop's: on a tablet it moves the pointer, on a display it draws.
+      if (act.kind == ActKind::pen_down || act.kind == ActKind::pen_move || act.kind == ActKind::pen_up) continue;
+      raw_gesture_us_ = options_.clock();
+      do_gesture(act);
+    }
+  }
+}
+
+void App::tell_battery(DeskTablet& tablet) {
+  const auto* pad = workspace_.session().hands().pad(tablet.pad);
+  if (pad == nullptr) return;
+  tablet.battery = pad->battery();
+  const std::int8_t percent = tablet.battery.percent;
+  // 0 comes before it has been measured.
+  const bool low = percent > 0 && percent <= k_low_battery && !tablet.battery.charging;
+  if (low && !tablet.low_told) tell(tablet.name + ": its battery is at " + std::to_string(percent) + " %", true);
+  if (low || percent > k_charged_again || tablet.battery.charging) tablet.low_told = low;
+}
+
+void App::forget_tablet(int device, const std::string& name, std::span<const replay::HandMoment> let_go) {
+  std::string text = name + " was unplugged";
+  if (const DeskTablet* tablet = desk_.find(device)) {
+    for (const replay::HandMoment& moment : let_go) {
+      if (moment.kind != replay::HandMoment::Kind::pad || moment.event.kind != PadEventKind::key_up) continue;
+      const PadControl control = key_control(moment.event.key);
+      text += "; " + title_of(control, tablet->features) + " (" + label_of(bound(*tablet, control)) +
+              ") was held and is let go";
+    }
+  }
+  on_gone(device);
+  // Its other interface may have told more.
+  const bool told = std::any_of(notices_.begin(), notices_.end(),
+                                [&](const Notice& one) { return one.text != text && one.text.starts_with(text); });
+  if (!told) tell(std::move(text), true);
+}
+
+void App::on_device(int device, const decode::DeviceIdentity& identity) {
+  desk_.add(device, identity, workspace_.session().hands(), workspace_.session().pens().axes_of(device),
+            options_.own_tablets);
+  // A trace is drawn as it is, but for what its pen's buttons are bound to.
+  if (tablets_.contains(device) || !player_ || player_->is_session() || drawing_buttons(device) == 0) return;
+  replay::TabletSetting setting;
+  setting.drawing_buttons = drawing_buttons(device);
+  workspace_.set_tablet(device, setting);
+}
+
+void App::on_moments(int device, std::span<const replay::PenMoment> pen, std::span<const replay::HandMoment> hand) {
+  // What a session's keys did is in its lines, in px of the window that it was drawn in.
+  if (player_->is_session()) return;
+  commit_view();
+  take_hand(hand);
+  take_moments(device, pen);
+}
+
+void App::on_gone(int device) {
+  desk_.remove(device);
+  raw_touch_.erase(device);
+  pen_view_.reset();
+  if (dial_) end_dial();
+  place_pen();
+  hold_tools();
+}
+
+}  // namespace penpose::app
