@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/animation/lid_controls.h"
 #include "core/animation/meeting.h"
 #include "core/animation/steady.h"
 #include "core/animation/uncertainty.h"
@@ -113,6 +114,87 @@ void settle_poses(const rig::Rig& rig, std::span<const std::size_t> searched, co
   }
 }
 
+/// The transfer without the curves that are taken care of; empty where that would leave nothing.
+Transfer without_curves(const Transfer& all, const std::vector<bool>& done) {
+  Transfer left;
+  left.anchors = all.anchors;
+  left.turn_cosine = all.turn_cosine;
+  left.turn_sine = all.turn_sine;
+  std::vector<std::size_t> place(all.points.size(), 0);
+  for (std::size_t i = 0; i < all.points.size(); ++i) {
+    place[i] = left.points.size();
+    if (done[all.curve[i]]) continue;
+    left.points.push_back(all.points[i]);
+    left.places.push_back(all.places[i]);
+    left.tracked.push_back(all.tracked[i]);
+    left.curve.push_back(all.curve[i]);
+    left.weights.push_back(all.weights[i]);
+    left.scale.push_back(all.scale[i]);
+    if (i < all.meetings.size()) left.meetings.push_back(all.meetings[i]);
+  }
+  for (Meeting& meeting : left.meetings) {
+    for (std::size_t& across : meeting.across) across = place[across];
+  }
+  return left;
+}
+
+/// The lids of a clip: what they do, and by which controls of the model.
+struct Lids {
+  std::vector<EyeCurves> eyes;
+  std::vector<LidControls> controls;
+  EyeMotion motion;
+  std::vector<bool> done;          ///< curves that the controls take care of
+  std::vector<std::size_t> others; ///< parameters that the rest of the face is searched with
+};
+
+/// What the tracker itself says of the eyes' closing, one a frame, or nothing where it says nothing in most frames.
+std::vector<double> closing_column(const PointTrack& track) {
+  std::vector<double> column;
+  std::size_t told = 0;
+  double last = 0;
+  for (const TrackFrame& frame : track.frames) {
+    if (frame.says.closing) {
+      last = *frame.says.closing;
+      ++told;
+    }
+    column.push_back(last);
+  }
+  if (2 * told < track.frames.size()) column.clear();
+  return column;
+}
+
+std::vector<std::vector<double>> openings_of(std::span<const TrackedCurve> curves, std::span<const EyeCurves> eyes,
+                                             const StillTrack& still, const TrackFrame& neutral) {
+  std::vector<std::vector<double>> all;
+  for (const EyeCurves& eye : eyes) all.push_back(openings(still, neutral, curves[eye.one], curves[eye.other]));
+  return all;
+}
+
+Lids find_lids(const rig::Rig& rig, const TrackSetup& setup, const Transfer& transfer, const geometry::Camera& camera) {
+  Lids lids;
+  lids.done.assign(setup.curves.size(), false);
+  lids.others = setup.free;
+  std::vector<EyeCurves> eyes = eyes_of(setup.curves);
+  const auto controls = find_lid_controls(rig, setup.rest, setup.free, transfer, eyes, camera);
+  for (std::size_t e = 0; e < eyes.size(); ++e) {
+    if (controls[e].close.parameters.empty()) continue;
+    lids.eyes.push_back(eyes[e]);
+    lids.controls.push_back(controls[e]);
+    lids.done[eyes[e].one] = lids.done[eyes[e].other] = true;
+  }
+  if (std::find(lids.done.begin(), lids.done.end(), false) == lids.done.end()) return lids;
+  if (!lids.eyes.empty()) lids.others = without_lid_controls(rig, setup.rest, setup.free, transfer, lids.eyes, camera);
+  std::erase_if(lids.others, [&](std::size_t p) {
+    return std::any_of(lids.controls.begin(), lids.controls.end(), [&](const LidControls& one) {
+      const auto has = [&](const LidTravel& way) {
+        return std::find(way.parameters.begin(), way.parameters.end(), p) != way.parameters.end();
+      };
+      return has(one.close) || has(one.widen);
+    });
+  });
+  return lids;
+}
+
 }  // namespace
 
 base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTrack& track, const TrackSetup& setup,
@@ -126,14 +208,24 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   share_meetings(rig, setup.rest, setup.free, track.frames[still->neutral], setup.curves, camera, *transfer);
   const double span = span_px(setup.curves, track.frames[still->neutral]);
   const double tremor_px = setup.tremor_px.value_or(std::min(1.0, span / k_usual_span_px));
+  Lids lids = find_lids(rig, setup, *transfer, camera);
+  const TrackFrame& neutral = track.frames[still->neutral];
+  const auto seen = openings_of(setup.curves, lids.eyes, *still, neutral);
   steady_curves(setup.curves, tremor_px, *still);
+  const auto calm = openings_of(setup.curves, lids.eyes, *still, neutral);
   measure_from(*still, still->neutral);
   FrameOptions frame = setup.frame;
   frame.tremor_px = tremor_px;
-  auto solver = FrameSolver::make(rig, *transfer, setup.free, setup.rest, camera, frame);
+  const bool all_done = std::find(lids.done.begin(), lids.done.end(), false) == lids.done.end();
+  const Transfer driven = all_done ? *transfer : without_curves(*transfer, lids.done);
+  auto solver = FrameSolver::make(rig, driven, lids.others, setup.rest, camera, frame);
   if (!solver) return solver.error();
 
   TrackedAnimation result;
+  std::vector<double> times_s;
+  for (const TrackFrame& one : track.frames) times_s.push_back(one.time_s);
+  const double fps = frames_per_second(times_s.front(), times_s.back(), times_s.size());
+  result.eyes = find_eye_motion(seen, calm, still->confidence, fps, closing_column(track));
   result.variables = solver->parameters().size();
   for (std::size_t f = 0; f < track.frames.size(); ++f) {
     if (watch) watch(false);
@@ -149,8 +241,13 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   if (tremor_px > 0) {
     const auto searched = solver->parameters();
     const auto doubt =
-        parameter_uncertainty(rig, setup.rest, searched, *transfer, camera, k_tremor_deviation * tremor_px);
+        parameter_uncertainty(rig, setup.rest, searched, driven, camera, k_tremor_deviation * tremor_px);
     settle_poses(rig, searched, doubt, still->confidence, result);
+  }
+  for (std::size_t f = 0; f < result.poses.size(); ++f) {
+    std::vector<double> closed;
+    for (const auto& eye : result.eyes.closed) closed.push_back(eye[f]);
+    if (!closed.empty()) set_lids(rig, lids.controls, closed, result.poses[f]);
   }
   smooth_over_time(result.times_s, setup.smooth_s, result.poses);
   result.still = std::move(still).value();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/animation/frame_solver.h"
+#include "core/animation/lids.h"
 
 namespace penpose::animation {
 
@@ -30,6 +31,7 @@ struct TrackedAnimation {
   StillTrack still;               ///< the head's turns, and what is left without them
   Transfer transfer;              ///< which point of the track drives which of the model
   std::size_t variables = 0;      ///< parameters in the search
+  EyeMotion eyes;                 ///< what the eyes do, where the curves have lids
 };
 
 /// Called around the solving of each frame, before (false) and after (true), for a clock and a progress bar.

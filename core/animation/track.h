@@ -12,6 +12,14 @@ namespace penpose::animation {
 
 using geometry::PxPoint;
 
+/// What a tracker says of a face beside its points.
+struct TrackerSays {
+  std::optional<double> closing = std::nullopt;  ///< how far the eyes close, in its own unit (AU45 of OpenFace)
+  /// Where the eyes look in the picture, radians: to its right and down, 0 into the camera.
+  std::optional<geometry::PxPoint> gaze = std::nullopt;
+  std::vector<double> units = {};  ///< one a name of PointTrack::unit_names, 0..1; empty where it says nothing
+};
+
 /// What a tracker saw in one picture of a video.
 struct TrackFrame {
   double time_s = 0;
@@ -20,6 +28,7 @@ struct TrackFrame {
   std::vector<double> depths;   ///< px towards the camera, one a point; empty where nothing is known of it
   /// How the head is turned, from a face that looks into the camera (x right, y down, z away), where the tracker says.
   std::optional<glm::dmat3> rotation = std::nullopt;
+  TrackerSays says = {};
   std::string why_held = {};  ///< why the frame shows no face; empty where it does or the file leaves it out
 
   [[nodiscard]] bool found() const { return confidence > 0 && !points.empty(); }
@@ -37,6 +46,7 @@ struct PointTrack {
   std::size_t point_count = 0;
   std::vector<TrackFrame> frames;  ///< in order of time
   std::vector<TrackGroup> groups;  ///< for formats that name their curves; empty otherwise
+  std::vector<std::string> unit_names;  ///< of action units ("AU12"); empty where the file has none
   std::vector<std::string> notes;  ///< what was left out or held, one line each
   std::string rate_note;           ///< where the file does not tell the frame rate: which one was taken
 };

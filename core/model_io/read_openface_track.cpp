@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/math.h"
 #include "core/geometry/rotation.h"
 #include "core/model_io/best_face.h"
 #include "core/model_io/face_points.h"
@@ -94,6 +95,55 @@ class OwnTurn {
   bool there_ = false;
 };
 
+/// The columns AU01_r, ..., intensities of action units from 0 to 5, and gaze_0_x, ..., directions of the eyes. Files
+/// without them are common.
+class OwnWords {
+ public:
+  explicit OwnWords(const CsvReader& table) {
+    const auto names = table.columns();
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      const std::string name(names[c]);
+      if (name.size() == 6 && name.starts_with("AU") && name.ends_with("_r")) {
+        unit_names.push_back(name.substr(0, 4));
+        units_.push_back(c);
+      }
+      for (std::size_t k = 0; k < 6; ++k) {
+        if (name != std::string("gaze_") + "01"[k / 3] + "_" + "xyz"[k % 3]) continue;
+        gaze_[k] = c;
+        ++gaze_columns_;
+      }
+    }
+  }
+
+  [[nodiscard]] animation::TrackerSays read(const CsvReader& table, const std::vector<std::string_view>& cells) const {
+    animation::TrackerSays says;
+    const auto at = [&](std::size_t column) {
+      return column < cells.size() ? table.number(cells[column]).value_or(std::nan("")) : std::nan("");
+    };
+    constexpr double k_most = 5;
+    for (std::size_t i = 0; i < units_.size(); ++i) {
+      const double value = at(units_[i]) / k_most;
+      says.units.push_back(std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0.0);
+      if (unit_names[i] == "AU45" && std::isfinite(value)) says.closing = says.units.back();
+    }
+    if (gaze_columns_ == gaze_.size()) {
+      // Both eyes look at one thing; their mean shakes less.
+      std::array<double, 3> sum{};
+      for (std::size_t k = 0; k < 6; ++k) sum[k % 3] += at(gaze_[k]);
+      const bool forward = sum[2] < -0.1 && std::isfinite(sum[0] + sum[1] + sum[2]);
+      if (forward) says.gaze = {base::atan2(sum[0], -sum[2]), base::atan2(sum[1], -sum[2])};
+    }
+    return says;
+  }
+
+  std::vector<std::string> unit_names;
+
+ private:
+  std::vector<std::size_t> units_;
+  std::array<std::size_t, 6> gaze_{};
+  std::size_t gaze_columns_ = 0;
+};
+
 }  // namespace
 
 base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
@@ -106,6 +156,7 @@ base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
   if (!columns) return columns.error();
   const SolidFace solid(*table);
   const OwnTurn turn(*table);
+  const OwnWords words(*table);
   std::vector<FaceRow> rows;
   std::vector<std::string_view> cells;
   while (table->next(cells)) {
@@ -115,6 +166,7 @@ base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
       row->row.depths = solid.depths(*table, cells, row->row.points);
       if (row->row.depths.empty()) row->row.depths = common_depths(row->row.points);
       row->row.rotation = turn.rotation(*table, cells);
+      row->row.says = words.read(*table, cells);
     }
     if (rows.size() >= 4 * k_most_track_frames) return table->error("the table has too many rows", "cut the video");
     rows.push_back(std::move(row).value());
@@ -124,6 +176,7 @@ base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
   take_small_units(best);
   auto track = make_track(std::move(best), k_ibug_points, k_common_fps);
   if (!track) return track;
+  track->unit_names = words.unit_names;
   track->notes.insert(track->notes.begin(), notes.begin(), notes.end());
   return track;
 }

@@ -1,0 +1,335 @@
+#include "core/animation/lids.h"
+
+#include <array>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/animation/statistics.h"
+
+namespace penpose::animation {
+namespace {
+
+constexpr double k_longest_blink_s = 0.45;  ///< at half of its depth
+constexpr double k_window_s = 0.6;          ///< to each side, of what is usual around a frame
+constexpr double k_stands_out = 4.5;        ///< tremors that a dip is deep, to be a blink by itself
+constexpr double k_backed = 2.0;            ///< the same where the tracker's own column rises too
+constexpr double k_least_dip = 0.12;        ///< of the usual opening
+
+/// The straight line between two frames of a signal.
+double between(const std::vector<double>& signal, std::size_t from, std::size_t to, std::size_t at) {
+  if (to == from) return signal[from];
+  const double t = static_cast<double>(at - from) / static_cast<double>(to - from);
+  return signal[from] * (1 - t) + signal[to] * t;
+}
+
+/// How far a signal is below what is usual around each frame.
+std::vector<double> dips_of(const std::vector<double>& signal, std::size_t half) {
+  const std::vector<double> usual = running_median(signal, half);
+  std::vector<double> dips;
+  for (std::size_t f = 0; f < signal.size(); ++f) dips.push_back(usual[f] - signal[f]);
+  return dips;
+}
+
+/// One blink: its frames, and how deep each eye's points go, as a share of the usual opening.
+struct Blink {
+  std::size_t first = 0, peak = 0, last = 0;  ///< the eye is open at first and last
+  std::vector<double> depth;                  ///< one an eye
+  std::vector<double> own_shape;              ///< 0..1, first to last
+  std::vector<bool> calm_shape;               ///< one an eye: the steadied opening keeps its shape
+};
+
+/// Two ramps with a floor between, of height one: the best of those that fit into the frames around the peak.
+class Ramps {
+ public:
+  Ramps(const std::vector<double>& dips, std::size_t first, std::size_t peak, std::size_t last) {
+    for (std::size_t a = first; a < peak; ++a) {
+      for (std::size_t b = std::max(a + 1, peak < first + 2 ? peak : peak - 2); b <= peak; ++b) {
+        for (std::size_t c = peak; c <= std::min(peak + 3, last - 1); ++c) {
+          for (std::size_t d = c + 1; d <= last; ++d) consider(dips, first, last, {a, b, c, d});
+        }
+      }
+    }
+  }
+  [[nodiscard]] double height() const { return height_; }
+  [[nodiscard]] const std::vector<double>& shape() const { return shape_; }
+
+ private:
+  struct Knots {
+    std::size_t a, b, c, d;
+  };
+  static double at(const Knots& k, std::size_t f) {
+    if (f <= k.a || f >= k.d) return 0;
+    if (f < k.b) return static_cast<double>(f - k.a) / static_cast<double>(k.b - k.a);
+    if (f <= k.c) return 1;
+    return static_cast<double>(k.d - f) / static_cast<double>(k.d - k.c);
+  }
+  void consider(const std::vector<double>& dips, std::size_t first, std::size_t last, const Knots& k) {
+    double along = 0;
+    double square = 0;
+    for (std::size_t f = first; f <= last; ++f) {
+      const double s = at(k, f);
+      along += s * dips[f];
+      square += s * s;
+    }
+    if (!(along > 0)) return;
+    const double gain = along * along / square;
+    if (!(gain > gain_)) return;
+    gain_ = gain;
+    height_ = along / square;
+    shape_.clear();
+    for (std::size_t f = first; f <= last; ++f) shape_.push_back(at(k, f));
+  }
+  double gain_ = 0;
+  double height_ = 0;
+  std::vector<double> shape_;
+};
+
+/// Finds the blinks of a clip.
+class Blinks {
+ public:
+  Blinks(const std::vector<std::vector<double>>& seen, const std::vector<std::vector<double>>& calm,
+         std::span<const double> confidence, double fps, std::span<const double> column)
+      : seen_(seen), calm_(calm), confidence_(confidence), frames_(confidence.size()),
+        half_(std::max<std::size_t>(2, static_cast<std::size_t>(k_window_s * fps + 0.5))),
+        longest_(std::max<std::size_t>(3, static_cast<std::size_t>(k_longest_blink_s * fps + 0.5))) {
+    if (column.size() == frames_) measure_column(column);
+    std::vector<double> both(frames_, 0.0);
+    for (const auto& eye : seen_) {
+      for (std::size_t f = 0; f < frames_; ++f) both[f] += eye[f] / static_cast<double>(seen_.size());
+    }
+    find(both, 1.0);
+    // A wink dips one eye alone; it has to stand out more, for there are more chances to be taken in.
+    for (const auto& eye : seen_) find(eye, 1.3);
+    std::stable_sort(all.begin(), all.end(), [](const Blink& a, const Blink& b) { return a.peak < b.peak; });
+  }
+
+  std::vector<Blink> all;
+
+ private:
+  void measure_column(std::span<const double> column) {
+    const std::vector<double> values(column.begin(), column.end());
+    std::vector<double> rises = dips_of(values, half_);
+    for (double& rise : rises) rise = -rise;
+    const double most = quantile(rises, 0.98);
+    if (!(most > 0)) return;
+    for (double& rise : rises) rise = std::clamp(rise / most, 0.0, 1.0);
+    rises_ = std::move(rises);
+  }
+
+  [[nodiscard]] double rise_near(std::size_t frame) const {
+    double most = 0;
+    const std::size_t reach = std::max<std::size_t>(2, longest_ / 4);
+    for (std::size_t f = frame < reach ? 0 : frame - reach; f <= std::min(frame + reach, frames_ - 1); ++f) {
+      most = std::max(most, rises_[f]);
+    }
+    return most;
+  }
+
+  void find(const std::vector<double>& opening, double strictness) {
+    const std::vector<double> dips = dips_of(opening, half_);
+    std::vector<double> soft(frames_);  // a blink is no single frame
+    for (std::size_t f = 0; f < frames_; ++f) {
+      soft[f] = 0.25 * dips[f == 0 ? 0 : f - 1] + 0.5 * dips[f] + 0.25 * dips[f + 1 == frames_ ? f : f + 1];
+    }
+    const double tremor = spread(soft);
+    for (std::size_t f = 1; f + 1 < frames_; ++f) {
+      const bool peak = soft[f] > soft[f - 1] && soft[f] >= soft[f + 1] && confidence_[f] > 0;
+      if (!peak || soft[f] < (rises_.empty() ? 0.75 : 0.5) * k_least_dip) continue;
+      const double rise = rises_.empty() ? 0.0 : rise_near(f);
+      const bool alone = soft[f] > k_stands_out * strictness * tremor && (rises_.empty() || rise > 0.1);
+      const bool backed = rise > 0.35 && soft[f] > k_backed * strictness * tremor;
+      if (alone || backed) add(dips, f);
+    }
+  }
+
+  void add(const std::vector<double>& dips, std::size_t peak) {
+    const double half_depth = 0.5 * dips[peak];
+    std::size_t first = peak;
+    std::size_t last = peak;
+    while (first > 0 && peak - first <= longest_ && dips[first] > half_depth) --first;
+    while (last + 1 < frames_ && last - peak <= longest_ && dips[last] > half_depth) ++last;
+    if (last - first > longest_ + 1) return;  // eyes that stay narrow
+    const std::size_t reach = std::max<std::size_t>(3, last - first);
+    first = peak < reach ? 0 : peak - reach;
+    last = std::min(peak + reach, frames_ - 1);
+    if (first + 1 > peak || last < peak + 1) return;
+    for (const Blink& other : all) {
+      if (first < other.last && other.first < last) return;
+    }
+    const Ramps ramps(dips, first, peak, last);
+    if (!(ramps.height() >= 0.5 * k_least_dip)) return;
+    Blink blink{first, peak, last, {}, ramps.shape(), {}};
+    for (std::size_t e = 0; e < seen_.size(); ++e) measure(e, blink);
+    all.push_back(std::move(blink));
+  }
+
+  /// How deep an eye goes in the blink: by least squares of the blink's own shape.
+  void measure(std::size_t eye, Blink& blink) const {
+    double seen = 0;
+    double calm = 0;
+    double square = 0;
+    for (std::size_t f = blink.first; f <= blink.last; ++f) {
+      const double shape = blink.own_shape[f - blink.first];
+      seen += shape * (between(calm_[eye], blink.first, blink.last, f) - seen_[eye][f]);
+      calm += shape * (between(calm_[eye], blink.first, blink.last, f) - calm_[eye][f]);
+      square += shape * shape;
+    }
+    blink.depth.push_back(std::max(0.0, seen / square));
+    constexpr double k_kept = 0.75;
+    blink.calm_shape.push_back(calm > k_kept * seen);
+  }
+
+  const std::vector<std::vector<double>>& seen_;
+  const std::vector<std::vector<double>>& calm_;
+  std::span<const double> confidence_;
+  std::size_t frames_;
+  std::size_t half_;
+  std::size_t longest_;
+  std::vector<double> rises_;  ///< of the tracker's column, 0..1
+};
+
+/// How far an eye closes in each frame of a blink, 0..1.
+double closed_at(const Blink& blink, const std::vector<double>& calm, std::size_t eye, double strength, std::size_t f) {
+  if (!blink.calm_shape[eye]) return strength * blink.own_shape[f - blink.first];
+  double most = 0;
+  for (std::size_t k = blink.first; k <= blink.last; ++k) {
+    most = std::max(most, between(calm, blink.first, blink.last, k) - calm[k]);
+  }
+  const double here = between(calm, blink.first, blink.last, f) - calm[f];
+  return most > 0 ? strength * std::clamp(here / most, 0.0, 1.0) : 0.0;
+}
+
+/// What lasts: the calm opening without its blinks, in what the lids should do.
+std::vector<double> lasting(const std::vector<double>& calm, const std::vector<Blink>& blinks, double full) {
+  std::vector<double> rest = calm;
+  for (const Blink& blink : blinks) {
+    for (std::size_t f = blink.first + 1; f < blink.last; ++f) rest[f] = between(calm, blink.first, blink.last, f);
+  }
+  std::vector<double> narrow;
+  for (const double opening : rest) narrow.push_back(1.0 - opening);
+  double gain = 1;
+  if (full > 0) {
+    // Where lasting dips go beyond what a blink shows, the points follow them, whatever they do in blinks.
+    const double beyond = std::clamp((quantile(narrow, 0.98) / full - 1.0) / 0.5, 0.0, 1.0);
+    gain = beyond + (1 - beyond) / std::min(full, 1.0);
+  }
+  // What is told larger than it was seen has to stand out of how the opening varies anyway.
+  const double idle = (1 - 1 / gain) * spread(narrow);
+  for (double& n : narrow) n = n > 0 ? gain * std::max(0.0, n - idle) : n;
+  return narrow;
+}
+
+}  // namespace
+
+std::vector<EyeCurves> eyes_of(std::span<const TrackedCurve> curves) {
+  std::vector<EyeCurves> eyes;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    if (curves[c].meets && *curves[c].meets > c && *curves[c].meets < curves.size() &&
+        curves[*curves[c].meets].meets == c) {
+      eyes.push_back({c, *curves[c].meets});
+    }
+  }
+  return eyes;
+}
+
+std::vector<double> openings(const StillTrack& still, const TrackFrame& neutral, const TrackedCurve& one,
+                             const TrackedCurve& other) {
+  const auto& p = neutral.points;
+  const auto apart = [&](std::size_t a, std::size_t b) { return geometry::distance(p[a], p[b]); };
+  std::vector<std::size_t> across = other.points;
+  const auto& from = one.points;
+  if (apart(from.front(), across.front()) + apart(from.back(), across.back()) >
+      apart(from.front(), across.back()) + apart(from.back(), across.front())) {
+    std::reverse(across.begin(), across.end());
+  }
+  const PxPoint line = p[from.back()] - p[from.front()];
+  const double length = std::sqrt(line.x * line.x + line.y * line.y);
+  const PxPoint normal = length > 0 ? PxPoint{-line.y / length, line.x / length} : PxPoint{0, 1};
+  // Inner points of the shorter list, each against the one as far along the other list.
+  std::vector<std::array<std::size_t, 2>> pairs;
+  const std::size_t n = std::min(from.size(), across.size());
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    const auto along = [&](const std::vector<std::size_t>& list) { return list[i * (list.size() - 1) / (n - 1)]; };
+    pairs.push_back({along(from), along(across)});
+  }
+  if (pairs.empty()) pairs.push_back({from[from.size() / 2], across[across.size() / 2]});
+  std::vector<double> result;
+  double last = 0;
+  double sign = 0;
+  for (const auto& [a, b] : pairs) {
+    const PxPoint d = p[b] - p[a];
+    sign += d.x * normal.x + d.y * normal.y;
+    last += std::abs(d.x * normal.x + d.y * normal.y) / static_cast<double>(pairs.size());
+  }
+  sign = sign < 0 ? -1 : 1;
+  for (const auto& offsets : still.offsets) {
+    if (!offsets.empty()) {
+      double sum = 0;
+      for (const auto& [a, b] : pairs) {
+        const PxPoint d = p[b] + offsets[b] - p[a] - offsets[a];
+        sum += d.x * normal.x + d.y * normal.y;
+      }
+      last = sign * sum / static_cast<double>(pairs.size());
+    }
+    result.push_back(last);
+  }
+  return result;
+}
+
+EyeMotion find_eye_motion(std::span<const std::vector<double>> seen, std::span<const std::vector<double>> calm,
+                          std::span<const double> confidence, double frames_per_s, std::span<const double> column) {
+  EyeMotion motion;
+  std::vector<std::vector<double>> seen_shares;
+  std::vector<std::vector<double>> calm_shares;
+  for (std::size_t e = 0; e < seen.size(); ++e) {
+    std::vector<double> open;
+    for (std::size_t f = 0; f < calm[e].size(); ++f) {
+      if (confidence[f] > 0) open.push_back(calm[e][f]);
+    }
+    const double usual = quantile(open, 0.5);
+    motion.usual_px.push_back(usual);
+    const auto shares = [&](const std::vector<double>& px) {
+      std::vector<double> result;
+      for (const double one : px) result.push_back(usual > 0 ? one / usual : 1.0);
+      return result;
+    };
+    seen_shares.push_back(shares(seen[e]));
+    calm_shares.push_back(shares(calm[e]));
+  }
+  motion.closed.resize(seen.size());
+  if (seen.empty() || confidence.size() < 3) {
+    for (auto& eye : motion.closed) eye.assign(confidence.size(), 0.0);
+    return motion;
+  }
+  const Blinks blinks(seen_shares, calm_shares, confidence, frames_per_s > 0 ? frames_per_s : 30.0, column);
+  std::vector<double> depths;
+  for (const Blink& blink : blinks.all) {
+    motion.blinks.push_back(blink.peak);
+    depths.push_back(*std::max_element(blink.depth.begin(), blink.depth.end()));
+  }
+  constexpr double k_usual_blink = 0.75;  // of all depths: most blinks close, some stop half-way
+  motion.full_dip = depths.empty() ? 0.0 : std::min(1.0, quantile(depths, k_usual_blink));
+  for (std::size_t e = 0; e < seen.size(); ++e) {
+    motion.closed[e] = lasting(calm_shares[e], blinks.all, motion.full_dip);
+    for (const Blink& blink : blinks.all) {
+      const double most = *std::max_element(blink.depth.begin(), blink.depth.end());
+      double mean = 0;
+      for (const double depth : blink.depth) mean += depth / static_cast<double>(blink.depth.size());
+      constexpr double k_takes_part = 0.4;
+      const double depth = blink.depth[e] < k_takes_part * most ? 0.0 : mean > k_takes_part * most ? mean : most;
+      const bool wink = *std::min_element(blink.depth.begin(), blink.depth.end()) < k_takes_part * most;
+      const double strength = std::min(1.0, (wink && depth > 0 ? most : depth) / motion.full_dip);
+      if (!(depth > 0)) continue;
+      for (std::size_t f = blink.first; f <= blink.last; ++f) {
+        const double here = closed_at(blink, calm_shares[e], e, strength, f);
+        double& closed = motion.closed[e][f];
+        closed = closed < 0 ? closed * (1 - here) + here : 1 - (1 - std::min(closed, 1.0)) * (1 - here);
+      }
+    }
+    for (double& closed : motion.closed[e]) closed = std::min(closed, 1.0);
+  }
+  return motion;
+}
+
+}  // namespace penpose::animation
