@@ -114,7 +114,7 @@ void settle_poses(const rig::Rig& rig, std::span<const std::size_t> searched, co
   }
 }
 
-/// The transfer without the curves that are taken care of; empty where that would leave nothing.
+/// The transfer without the curves that are taken care of.
 Transfer without_curves(const Transfer& all, const std::vector<bool>& done) {
   Transfer left;
   left.anchors = all.anchors;
@@ -182,7 +182,13 @@ Lids find_lids(const rig::Rig& rig, const TrackSetup& setup, const Transfer& tra
     lids.controls.push_back(controls[e]);
     lids.done[eyes[e].one] = lids.done[eyes[e].other] = true;
   }
-  if (std::find(lids.done.begin(), lids.done.end(), false) == lids.done.end()) return lids;
+  // Where nothing but lids is tracked, they are curves like any other.
+  if (std::find(lids.done.begin(), lids.done.end(), false) == lids.done.end()) {
+    lids.eyes.clear();
+    lids.controls.clear();
+    lids.done.assign(setup.curves.size(), false);
+    return lids;
+  }
   if (!lids.eyes.empty()) lids.others = without_lid_controls(rig, setup.rest, setup.free, transfer, lids.eyes, camera);
   std::erase_if(lids.others, [&](std::size_t p) {
     return std::any_of(lids.controls.begin(), lids.controls.end(), [&](const LidControls& one) {
@@ -216,8 +222,7 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   measure_from(*still, still->neutral);
   FrameOptions frame = setup.frame;
   frame.tremor_px = tremor_px;
-  const bool all_done = std::find(lids.done.begin(), lids.done.end(), false) == lids.done.end();
-  const Transfer driven = all_done ? *transfer : without_curves(*transfer, lids.done);
+  const Transfer driven = without_curves(*transfer, lids.done);
   auto solver = FrameSolver::make(rig, driven, lids.others, setup.rest, camera, frame);
   if (!solver) return solver.error();
 
@@ -225,7 +230,8 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   std::vector<double> times_s;
   for (const TrackFrame& one : track.frames) times_s.push_back(one.time_s);
   const double fps = frames_per_second(times_s.front(), times_s.back(), times_s.size());
-  result.eyes = find_eye_motion(seen, calm, still->confidence, fps, closing_column(track));
+  result.eyes = find_eye_motion(seen, calm, still->confidence, fps, closing_column(track),
+                                 k_tremor_deviation * tremor_px);
   result.variables = solver->parameters().size();
   for (std::size_t f = 0; f < track.frames.size(); ++f) {
     if (watch) watch(false);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/animation/statistics.h"
+#include "core/animation/steady.h"
 
 namespace penpose::animation {
 namespace {
@@ -36,6 +37,7 @@ struct Blink {
   std::size_t first = 0, peak = 0, last = 0;  ///< the eye is open at first and last
   std::vector<double> depth;                  ///< one an eye
   std::vector<double> own_shape;              ///< 0..1, first to last
+  std::vector<double> calm_depth;             ///< the same of the steadied opening
   std::vector<bool> calm_shape;               ///< one an eye: the steadied opening keeps its shape
 };
 
@@ -150,7 +152,7 @@ class Blinks {
     while (first > 0 && peak - first <= longest_ && dips[first] > half_depth) --first;
     while (last + 1 < frames_ && last - peak <= longest_ && dips[last] > half_depth) ++last;
     if (last - first > longest_ + 1) return;  // eyes that stay narrow
-    const std::size_t reach = std::max<std::size_t>(3, last - first);
+    const std::size_t reach = std::max<std::size_t>(4, (last - first) * 3 / 2 + 1);
     first = peak < reach ? 0 : peak - reach;
     last = std::min(peak + reach, frames_ - 1);
     if (first + 1 > peak || last < peak + 1) return;
@@ -159,7 +161,7 @@ class Blinks {
     }
     const Ramps ramps(dips, first, peak, last);
     if (!(ramps.height() >= 0.5 * k_least_dip)) return;
-    Blink blink{first, peak, last, {}, ramps.shape(), {}};
+    Blink blink{first, peak, last, {}, ramps.shape(), {}, {}};
     for (std::size_t e = 0; e < seen_.size(); ++e) measure(e, blink);
     all.push_back(std::move(blink));
   }
@@ -175,9 +177,11 @@ class Blinks {
       calm += shape * (between(calm_[eye], blink.first, blink.last, f) - calm_[eye][f]);
       square += shape * shape;
     }
-    blink.depth.push_back(std::max(0.0, seen / square));
     constexpr double k_kept = 0.75;
-    blink.calm_shape.push_back(calm > k_kept * seen);
+    const bool kept = calm > k_kept * seen && calm > 0;
+    blink.calm_shape.push_back(kept);
+    blink.calm_depth.push_back(calm / square);
+    blink.depth.push_back(std::max(0.0, (kept ? calm : seen) / square));
   }
 
   const std::vector<std::vector<double>>& seen_;
@@ -189,19 +193,15 @@ class Blinks {
   std::vector<double> rises_;  ///< of the tracker's column, 0..1
 };
 
-/// How far an eye closes in each frame of a blink, 0..1.
+/// How far an eye closes in a frame of a blink, 0..1: `strength` at its deepest.
 double closed_at(const Blink& blink, const std::vector<double>& calm, std::size_t eye, double strength, std::size_t f) {
   if (!blink.calm_shape[eye]) return strength * blink.own_shape[f - blink.first];
-  double most = 0;
-  for (std::size_t k = blink.first; k <= blink.last; ++k) {
-    most = std::max(most, between(calm, blink.first, blink.last, k) - calm[k]);
-  }
-  const double here = between(calm, blink.first, blink.last, f) - calm[f];
-  return most > 0 ? strength * std::clamp(here / most, 0.0, 1.0) : 0.0;
+  return strength / blink.calm_depth[eye] * (between(calm, blink.first, blink.last, f) - calm[f]);
 }
 
 /// What lasts: the calm opening without its blinks, in what the lids should do.
-std::vector<double> lasting(const std::vector<double>& calm, const std::vector<Blink>& blinks, double full) {
+std::vector<double> lasting(const std::vector<double>& calm, const std::vector<Blink>& blinks, double full,
+                            double tremor, std::size_t half) {
   std::vector<double> rest = calm;
   for (const Blink& blink : blinks) {
     for (std::size_t f = blink.first + 1; f < blink.last; ++f) rest[f] = between(calm, blink.first, blink.last, f);
@@ -215,8 +215,14 @@ std::vector<double> lasting(const std::vector<double>& calm, const std::vector<B
     gain = beyond + (1 - beyond) / std::min(full, 1.0);
   }
   // What is told larger than it was seen has to stand out of how the opening varies anyway.
-  const double idle = (1 - 1 / gain) * spread(narrow);
-  for (double& n : narrow) n = n > 0 ? gain * std::max(0.0, n - idle) : n;
+  const double varies = spread(narrow);
+  const double idle = (1 - 1 / gain) * varies;
+  // Eyes are opened wide for a while, and beyond what is usual; what overshoots beside a blink is nothing of the kind.
+  const std::vector<double> steady = running_median(narrow, half);
+  for (std::size_t f = 0; f < narrow.size(); ++f) {
+    const double wide = std::max(0.0, -steady[f] - varies - tremor);
+    narrow[f] = narrow[f] > 0 ? gain * std::max(0.0, narrow[f] - idle) : -wide;
+  }
   return narrow;
 }
 
@@ -278,7 +284,8 @@ std::vector<double> openings(const StillTrack& still, const TrackFrame& neutral,
 }
 
 EyeMotion find_eye_motion(std::span<const std::vector<double>> seen, std::span<const std::vector<double>> calm,
-                          std::span<const double> confidence, double frames_per_s, std::span<const double> column) {
+                          std::span<const double> confidence, double frames_per_s, std::span<const double> column,
+                          double tremor_px) {
   EyeMotion motion;
   std::vector<std::vector<double>> seen_shares;
   std::vector<std::vector<double>> calm_shares;
@@ -302,7 +309,8 @@ EyeMotion find_eye_motion(std::span<const std::vector<double>> seen, std::span<c
     for (auto& eye : motion.closed) eye.assign(confidence.size(), 0.0);
     return motion;
   }
-  const Blinks blinks(seen_shares, calm_shares, confidence, frames_per_s > 0 ? frames_per_s : 30.0, column);
+  const double fps = frames_per_s > 0 ? frames_per_s : 30.0;
+  const Blinks blinks(seen_shares, calm_shares, confidence, fps, column);
   std::vector<double> depths;
   for (const Blink& blink : blinks.all) {
     motion.blinks.push_back(blink.peak);
@@ -311,7 +319,9 @@ EyeMotion find_eye_motion(std::span<const std::vector<double>> seen, std::span<c
   constexpr double k_usual_blink = 0.75;  // of all depths: most blinks close, some stop half-way
   motion.full_dip = depths.empty() ? 0.0 : std::min(1.0, quantile(depths, k_usual_blink));
   for (std::size_t e = 0; e < seen.size(); ++e) {
-    motion.closed[e] = lasting(calm_shares[e], blinks.all, motion.full_dip);
+    const double tremor = motion.usual_px[e] > 0 ? tremor_px / motion.usual_px[e] : 0.0;
+    motion.closed[e] = lasting(calm_shares[e], blinks.all, motion.full_dip, tremor,
+                               std::max<std::size_t>(1, static_cast<std::size_t>(0.35 * fps + 0.5)));
     for (const Blink& blink : blinks.all) {
       const double most = *std::max_element(blink.depth.begin(), blink.depth.end());
       double mean = 0;
@@ -324,10 +334,15 @@ EyeMotion find_eye_motion(std::span<const std::vector<double>> seen, std::span<c
       for (std::size_t f = blink.first; f <= blink.last; ++f) {
         const double here = closed_at(blink, calm_shares[e], e, strength, f);
         double& closed = motion.closed[e][f];
-        closed = closed < 0 ? closed * (1 - here) + here : 1 - (1 - std::min(closed, 1.0)) * (1 - here);
+        closed += here;
       }
     }
-    for (double& closed : motion.closed[e]) closed = std::min(closed, 1.0);
+    std::vector<std::vector<double>> rows;
+    for (const double closed : motion.closed[e]) rows.push_back({std::min(closed, 1.0)});
+    constexpr double k_sharp = 5;  // tremors; a blink bends by more
+    const std::array<double, 1> sharp{k_sharp * tremor};
+    round_corners(sharp, rows);
+    for (std::size_t f = 0; f < rows.size(); ++f) motion.closed[e][f] = rows[f][0];
   }
   return motion;
 }
