@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/animation/head_fit.h"
 #include "core/animation/lid_controls.h"
 #include "core/animation/meeting.h"
+#include "core/animation/statistics.h"
 #include "core/animation/steady.h"
 #include "core/animation/uncertainty.h"
 
@@ -14,6 +16,8 @@ namespace {
 
 /// A face of which the curves span so many px trembles by a px, as trackers go; smaller ones by less.
 constexpr double k_usual_span_px = 250;
+/// So many frames that are near rest are a better rest than one.
+constexpr std::size_t k_enough_alike = 3;
 
 std::vector<std::size_t> lid_points(std::span<const TrackedCurve> curves) {
   std::vector<std::size_t> lids;
@@ -132,6 +136,11 @@ Transfer without_curves(const Transfer& all, const std::vector<bool>& done) {
     left.scale.push_back(all.scale[i]);
     if (i < all.meetings.size()) left.meetings.push_back(all.meetings[i]);
   }
+  for (const auto& pair : all.contacts) {
+    if (!done[all.curve[pair[0]]] && !done[all.curve[pair[1]]]) {
+      left.contacts.push_back({place[pair[0]], place[pair[1]]});
+    }
+  }
   for (Meeting& meeting : left.meetings) {
     for (std::size_t& across : meeting.across) across = place[across];
   }
@@ -161,6 +170,67 @@ std::vector<double> closing_column(const PointTrack& track) {
   }
   if (2 * told < track.frames.size()) column.clear();
   return column;
+}
+
+/// Errors (place "/curves/N"): a point that the track has not. make_transfer says what else may be wrong.
+base::Status check_points(const PointTrack& track, std::span<const TrackedCurve> curves) {
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    for (const std::size_t i : curves[c].points) {
+      if (i < track.point_count) continue;
+      return base::Error{"tracked point " + std::to_string(i) + " does not exist; the track has " +
+                             std::to_string(track.point_count) + " points",
+                         "/curves/" + std::to_string(c), "use a map for this format"};
+    }
+  }
+  return base::Done{};
+}
+
+/// Lips are as far apart as they are seen, not as much farther than at rest: what is left between them in the chosen frame
+/// stands between them in all. The lower lip, which is farther from the middle of the stable points, goes down by that.
+void part_lips(std::span<const TrackedCurve> curves, const TrackFrame& neutral, const RestChoice& rest,
+               StillTrack& still) {
+  const auto lips = lips_of(curves);
+  if (!lips) return;
+  const auto& gap = openings(still, neutral, curves[lips->one], curves[lips->other]);
+  std::vector<double> at_rest;
+  for (const std::size_t f : rest.like_it) at_rest.push_back(gap[f]);
+  const double apart = quantile(at_rest, 0.5) - rest.lips_together;
+  if (!(apart > 0)) return;
+  const auto mean = [&](const TrackedCurve& curve) {
+    std::vector<PxPoint> places;
+    for (const std::size_t i : curve.points) places.push_back(neutral.points[i]);
+    return middle(places);
+  };
+  const TrackedCurve* upper = &curves[lips->one];
+  const TrackedCurve* lower = &curves[lips->other];
+  if (geometry::distance(mean(*upper), still.pivot) > geometry::distance(mean(*lower), still.pivot)) {
+    std::swap(upper, lower);
+  }
+  const PxPoint corner = neutral.points[lower->points.front()];
+  const PxPoint line = neutral.points[lower->points.back()] - corner;
+  const double width = std::sqrt(line.x * line.x + line.y * line.y);
+  if (!(width > 0)) return;
+  PxPoint down{-line.y / width, line.x / width};
+  const PxPoint below = mean(*lower) - mean(*upper);
+  if (down.x * below.x + down.y * below.y < 0) down = down * -1.0;
+  const auto height = [&](const PxPoint& p) { return (p.x - corner.x) * down.x + (p.y - corner.y) * down.y; };
+  const double line_of_lips = height(mean(*upper));
+  // The lower lip's other edge goes along: any curve that lies under its inner one and is about as wide.
+  for (const TrackedCurve& curve : curves) {
+    if (curve.meets || &curve == upper) continue;
+    const double wide = geometry::distance(neutral.points[curve.points.front()], neutral.points[curve.points.back()]);
+    const bool is_lower = &curve == lower || (height(mean(curve)) > line_of_lips && wide < 2 * width &&
+                                              height(mean(curve)) < line_of_lips + width);
+    if (!is_lower || curve.points.size() < 3) continue;
+    for (std::size_t k = 1; k + 1 < curve.points.size(); ++k) {
+      // The corners stay.
+      const double t = static_cast<double>(k) / static_cast<double>(curve.points.size() - 1);
+      const double share = std::min(1.0, 6 * t * (1 - t));
+      for (auto& offsets : still.offsets) {
+        if (!offsets.empty()) offsets[curve.points[k]] = offsets[curve.points[k]] + down * (share * apart);
+      }
+    }
+  }
 }
 
 std::vector<std::vector<double>> openings_of(std::span<const TrackedCurve> curves, std::span<const EyeCurves> eyes,
@@ -209,6 +279,16 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   points.openings = lid_points(setup.curves);
   auto still = take_head_motion_out(track, points, setup.neutral, setup.least_confidence);
   if (!still) return still.error();
+  if (auto known = check_points(track, setup.curves); !known) return known.error();
+  std::optional<RestChoice> rest;
+  if (!setup.neutral) {
+    const double first_span = setup.curves.empty() ? 0.0 : span_px(setup.curves, track.frames[still->neutral]);
+    rest = choose_rest(track, *still, setup.curves, setup.tremor_px.value_or(std::min(1.0, first_span / k_usual_span_px)));
+    if (rest && rest->frame != still->neutral) {
+      still = take_head_motion_out(track, points, rest->frame, setup.least_confidence);
+      if (!still) return still.error();
+    }
+  }
   auto transfer = make_transfer(rig, setup.rest, track, *still, setup.curves, camera);
   if (!transfer) return transfer.error();
   share_meetings(rig, setup.rest, setup.free, track.frames[still->neutral], setup.curves, camera, *transfer);
@@ -219,7 +299,12 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   const auto seen = openings_of(setup.curves, lids.eyes, *still, neutral);
   steady_curves(setup.curves, tremor_px, *still);
   const auto calm = openings_of(setup.curves, lids.eyes, *still, neutral);
-  measure_from(*still, still->neutral);
+  if (rest && rest->like_it.size() >= k_enough_alike) {
+    measure_from(*still, rest->like_it);
+  } else {
+    measure_from(*still, still->neutral);
+  }
+  if (rest && rest->lips) part_lips(setup.curves, neutral, *rest, *still);
   FrameOptions frame = setup.frame;
   frame.tremor_px = tremor_px;
   const Transfer driven = without_curves(*transfer, lids.done);
@@ -227,11 +312,12 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   if (!solver) return solver.error();
 
   TrackedAnimation result;
+  result.rest = std::move(rest);
   std::vector<double> times_s;
   for (const TrackFrame& one : track.frames) times_s.push_back(one.time_s);
   const double fps = frames_per_second(times_s.front(), times_s.back(), times_s.size());
   result.eyes = find_eye_motion(seen, calm, still->confidence, fps, closing_column(track),
-                                 k_tremor_deviation * tremor_px);
+                                 k_tremor_deviation * tremor_px, still->doubt);
   result.variables = solver->parameters().size();
   for (std::size_t f = 0; f < track.frames.size(); ++f) {
     if (watch) watch(false);
@@ -250,12 +336,13 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
         parameter_uncertainty(rig, setup.rest, searched, driven, camera, k_tremor_deviation * tremor_px);
     settle_poses(rig, searched, doubt, still->confidence, result);
   }
+  smooth_over_time(result.times_s, setup.smooth_s, result.poses);
   for (std::size_t f = 0; f < result.poses.size(); ++f) {
+    take_apart(rig, setup.rest, solver->opposed(), result.poses[f]);
     std::vector<double> closed;
     for (const auto& eye : result.eyes.closed) closed.push_back(eye[f]);
     if (!closed.empty()) set_lids(rig, lids.controls, closed, result.poses[f]);
   }
-  smooth_over_time(result.times_s, setup.smooth_s, result.poses);
   result.still = std::move(still).value();
   result.transfer = std::move(transfer).value();
   return result;

@@ -6,6 +6,7 @@
 
 #include "core/animation/frame_solver.h"
 #include "core/animation/lids.h"
+#include "core/animation/rest_choice.h"
 
 namespace penpose::animation {
 
@@ -15,7 +16,7 @@ struct TrackSetup {
   StablePoints points;
   std::vector<std::size_t> free;       ///< parameters that may move, ascending
   rig::Pose rest;                      ///< the pose of the neutral frame
-  std::optional<std::size_t> neutral;  ///< a frame; by default the first that shows a face
+  std::optional<std::size_t> neutral;  ///< a frame; by default as choose_rest says, else the first that shows a face
   double least_confidence = 0.2;       ///< frames below show no face
   /// How far points shake, px of the track (`steady`); by default 1, or less where the face is smaller than 320 px.
   std::optional<double> tremor_px;
@@ -31,6 +32,7 @@ struct TrackedAnimation {
   StillTrack still;               ///< the head's turns, and what is left without them
   Transfer transfer;              ///< which point of the track drives which of the model
   std::size_t variables = 0;      ///< parameters in the search
+  std::optional<RestChoice> rest; ///< where it was chosen from the clip
   EyeMotion eyes;                 ///< what the eyes do, where the curves have lids
 };
 

@@ -135,14 +135,18 @@ class Blinks {
       soft[f] = 0.25 * dips[f == 0 ? 0 : f - 1] + 0.5 * dips[f] + 0.25 * dips[f + 1 == frames_ ? f : f + 1];
     }
     const double tremor = spread(soft);
+    std::vector<std::size_t> found;
     for (std::size_t f = 1; f + 1 < frames_; ++f) {
       const bool peak = soft[f] > soft[f - 1] && soft[f] >= soft[f + 1] && confidence_[f] > 0;
       if (!peak || soft[f] < (rises_.empty() ? 0.75 : 0.5) * k_least_dip) continue;
       const double rise = rises_.empty() ? 0.0 : rise_near(f);
       const bool alone = soft[f] > k_stands_out * strictness * tremor && (rises_.empty() || rise > 0.1);
       const bool backed = rise > 0.35 && soft[f] > k_backed * strictness * tremor;
-      if (alone || backed) add(dips, f);
+      if (alone || backed) found.push_back(f);
     }
+    // The deepest first: what lies beside it is a part of it.
+    std::stable_sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) { return soft[a] > soft[b]; });
+    for (const std::size_t f : found) add(dips, f);
   }
 
   void add(const std::vector<double>& dips, std::size_t peak) {
@@ -285,7 +289,7 @@ std::vector<double> openings(const StillTrack& still, const TrackFrame& neutral,
 
 EyeMotion find_eye_motion(std::span<const std::vector<double>> seen, std::span<const std::vector<double>> calm,
                           std::span<const double> confidence, double frames_per_s, std::span<const double> column,
-                          double tremor_px) {
+                          double tremor_px, std::span<const double> doubt) {
   EyeMotion motion;
   std::vector<std::vector<double>> seen_shares;
   std::vector<std::vector<double>> calm_shares;
@@ -336,6 +340,10 @@ EyeMotion find_eye_motion(std::span<const std::vector<double>> seen, std::span<c
         double& closed = motion.closed[e][f];
         closed += here;
       }
+    }
+    // A head that nods or looks up shows its eyes otherwise open, which is no fright.
+    for (std::size_t f = 0; f < doubt.size(); ++f) {
+      if (motion.closed[e][f] < 0) motion.closed[e][f] *= 1 - std::min(doubt[f], 1.0);
     }
     std::vector<std::vector<double>> rows;
     for (const double closed : motion.closed[e]) rows.push_back({std::min(closed, 1.0)});

@@ -38,10 +38,11 @@ struct EyeMotion {
 /// close lids by a part of what people do, and steadying takes from what is left; so a blink is as deep as the points of
 /// that clip usually go in a blink, that is closed. Its shape is that of the steadied opening where most of it is left there,
 /// and else two ramps fitted to what was seen. An eye that dips by far less than the other does not take part: a wink.
-/// `tremor_px`: the standard deviation of the opening's tremor, as far as it is known beforehand.
+/// `doubt`: of the head, one a frame (StillTrack); eyes are not widened where it is in doubt. `tremor_px`: the standard deviation of the opening's tremor, as far as it is known beforehand.
 /// What lasts longer is no blink: it keeps its own share, by the same measure as long as that stays within the range.
 [[nodiscard]] EyeMotion find_eye_motion(std::span<const std::vector<double>> seen,
                                         std::span<const std::vector<double>> calm, std::span<const double> confidence,
-                                        double frames_per_s, std::span<const double> column, double tremor_px);
+                                        double frames_per_s, std::span<const double> column, double tremor_px,
+                                        std::span<const double> doubt);
 
 }  // namespace penpose::animation

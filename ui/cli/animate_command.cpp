@@ -54,6 +54,8 @@ struct Animated {
   std::vector<rig::Pose> poses;
   std::vector<std::size_t> held;
   std::vector<std::string> notes;
+  std::optional<animation::RestChoice> rest;
+  animation::EyeMotion eyes;
   std::vector<std::string> unmatched;  ///< names of the track that the model has no control for
   std::vector<document::Stand> stands;
   std::vector<animation::HeadTurn> head;  ///< as seen in the picture; empty for tracks of values
@@ -143,6 +145,12 @@ base::Result<Animated> from_points(const document::Model& model, const animation
   animated.times_s = std::move(result->times_s);
   animated.poses = std::move(result->poses);
   animated.held = std::move(result->held);
+  animated.rest = std::move(result->rest);
+  animated.eyes = std::move(result->eyes);
+  if (animated.rest && !animated.rest->near_rest) {
+    animated.notes.emplace_back(
+        "nothing in the clip is near rest: the lips never touch; if they do in a frame, name it with --neutral");
+  }
   animated.head = std::move(result->still.turns);
   return animated;
 }
@@ -189,6 +197,9 @@ Json to_json(const Animated& animated, const document::Document& document, doubl
           {"fps", fps},
           {"solve_us", animated.solve_us},
           {"unmatched", animated.unmatched},
+          {"blinks", animated.eyes.blinks},
+          {"blink_dip", animated.eyes.full_dip},
+          {"rest", animated.rest ? Json(animated.rest->frame) : Json()},
           {"parameters", std::move(parameters)},
           {"head", head_to_json(animated.head)},
           {"state", document::DocumentHasher()(document).whole.hex()}};
@@ -315,6 +326,11 @@ int animate(const AnimateArguments& arguments) {
             << animated->held.size() << " held, " << base::format_fixed(animated->solve_us / 1000.0, 2)
             << " ms a frame\n";
   if (!animated->held.empty()) std::cout << "held: " << ranges(animated->held) << '\n';
+  if (animated->rest) std::cout << animation::explain(*animated->rest) << '\n';
+  if (!animated->eyes.blinks.empty()) {
+    std::cout << animated->eyes.blinks.size() << " blinks, in which the points close by "
+              << base::format_fixed(100 * animated->eyes.full_dip, 0) << " % of the usual opening\n";
+  }
   for (const std::string& name : animated->unmatched) std::cout << "no control for " << base::shown_name(name) << '\n';
   return k_success;
 }
@@ -341,7 +357,7 @@ void add_animate_command(CLI::App& app, int& status) {
   command->add_option("--head", arguments->head, "Turn of the head: drop it or apply it (default: as the map says)")
       ->check(CLI::IsMember({"drop", "apply"}));
   command
-      ->add_option("--neutral", arguments->neutral, "Frame, from 0, in which the face is at rest (default: the first)")
+      ->add_option("--neutral", arguments->neutral, "Frame, from 0, in which the face is at rest (default: chosen from the clip)")
       ->check(CLI::Validator(number_range(0, 1e6), "0 to 1000000"));
   command
       ->add_option("--tremor", arguments->tremor_px,

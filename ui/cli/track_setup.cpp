@@ -202,6 +202,7 @@ base::Result<animation::TrackSetup> make_setup(const document::Model& model, con
   animation::TrackSetup setup;
   std::optional<base::Error> left_out;
   std::vector<std::string> meets;  // one a curve that is kept, as the next
+  std::vector<std::string> touches;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < map.curves.size(); ++i) {
     const model_io::MapCurve& curve = map.curves[i];
@@ -230,16 +231,23 @@ base::Result<animation::TrackSetup> make_setup(const document::Model& model, con
     tracked.reference = std::move(reference).value();
     setup.curves.push_back(std::move(tracked));
     meets.push_back(curve.meets);
+    touches.push_back(curve.touches);
     const auto* name = std::get_if<std::string>(&curve.reference);
     names.push_back(name == nullptr ? "" : *name);
   }
   for (std::size_t i = 0; i < meets.size(); ++i) {
-    const auto at = std::find(names.begin(), names.end(), meets[i]);
-    if (!meets[i].empty() && at == names.end() && !bundled) {
-      return base::Error{"no curve of the map has the reference '" + meets[i] + "'",
-                         "/curves/" + std::to_string(i) + "/meets", "name the reference of another curve"};
+    for (const bool meet : {true, false}) {
+      const std::string& wanted = meet ? meets[i] : touches[i];
+      if (wanted.empty()) continue;
+      const auto at = std::find(names.begin(), names.end(), wanted);
+      if (at == names.end() && !bundled) {
+        return base::Error{"no curve of the map has the reference '" + wanted + "'",
+                           "/curves/" + std::to_string(i) + (meet ? "/meets" : "/touches"),
+                           "name the reference of another curve"};
+      }
+      if (at == names.end()) continue;
+      (meet ? setup.curves[i].meets : setup.curves[i].touches) = static_cast<std::size_t>(at - names.begin());
     }
-    if (!meets[i].empty() && at != names.end()) setup.curves[i].meets = static_cast<std::size_t>(at - names.begin());
   }
   if (setup.curves.empty() && left_out) {
     left_out->what = "the model has none of the curves that the bundled map names";
