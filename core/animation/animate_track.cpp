@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/animation/face_depths.h"
 #include "core/animation/head_fit.h"
 #include "core/animation/lid_controls.h"
 #include "core/animation/meeting.h"
@@ -172,6 +173,17 @@ std::vector<double> closing_column(const PointTrack& track) {
   return column;
 }
 
+/// Root mean square distance of the points from their middle, px; 0 of none.
+double extent_of_points(const TrackFrame& frame, std::span<const std::size_t> points) {
+  std::vector<PxPoint> places;
+  for (const std::size_t i : points) places.push_back(frame.points[i]);
+  if (places.empty()) return 0;
+  const PxPoint centre = middle(places);
+  double sum = 0;
+  for (const PxPoint& p : places) sum += (p.x - centre.x) * (p.x - centre.x) + (p.y - centre.y) * (p.y - centre.y);
+  return std::sqrt(sum / static_cast<double>(places.size()));
+}
+
 /// Errors (place "/curves/N"): a point that the track has not. make_transfer says what else may be wrong.
 base::Status check_points(const PointTrack& track, std::span<const TrackedCurve> curves) {
   for (std::size_t c = 0; c < curves.size(); ++c) {
@@ -183,6 +195,30 @@ base::Status check_points(const PointTrack& track, std::span<const TrackedCurve>
     }
   }
   return base::Done{};
+}
+
+/// Lips that touch are seen to touch from everywhere, whatever depths are taken for them: what lies between the curves is
+/// taken from the picture, turned back, and only where their middle is from the head's shape.
+void see_contacts(const PointTrack& track, std::span<const TrackedCurve> curves, StillTrack& still) {
+  const auto lips = lips_of(curves);
+  if (!lips) return;
+  const auto& neutral = track.frames[still.neutral].points;
+  for (const auto& [a, b] : points_across(curves[lips->one], curves[lips->other], track.frames[still.neutral])) {
+    if (a == b) continue;
+    for (std::size_t f = 0; f < still.offsets.size(); ++f) {
+      auto& offsets = still.offsets[f];
+      if (offsets.empty()) continue;
+      const auto& p = track.frames[f].points;
+      const auto& r = still.turns[f].rotation;
+      const double determinant = (r[0][0] * r[1][1] - r[1][0] * r[0][1]) * still.turns[f].scale;
+      if (!(std::abs(determinant) > 0.1 * still.turns[f].scale)) continue;
+      const PxPoint d = p[b] - p[a];
+      const PxPoint turned{(r[1][1] * d.x - r[1][0] * d.y) / determinant, (r[0][0] * d.y - r[0][1] * d.x) / determinant};
+      const PxPoint more = (turned - (neutral[b] - neutral[a]) - (offsets[b] - offsets[a])) * 0.5;
+      offsets[a] = offsets[a] - more;
+      offsets[b] = offsets[b] + more;
+    }
+  }
 }
 
 /// Lips are as far apart as they are seen, not as much farther than at rest: what is left between them in the chosen frame
@@ -280,6 +316,7 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   auto still = take_head_motion_out(track, points, setup.neutral, setup.least_confidence);
   if (!still) return still.error();
   if (auto known = check_points(track, setup.curves); !known) return known.error();
+  see_contacts(track, setup.curves, *still);
   std::optional<RestChoice> rest;
   if (!setup.neutral) {
     const double first_span = setup.curves.empty() ? 0.0 : span_px(setup.curves, track.frames[still->neutral]);
@@ -289,6 +326,8 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
       if (!still) return still.error();
     }
   }
+  learn_depths(*still, points.openings, extent_of_points(track.frames[still->neutral], points.stable));
+  see_contacts(track, setup.curves, *still);
   auto transfer = make_transfer(rig, setup.rest, track, *still, setup.curves, camera);
   if (!transfer) return transfer.error();
   share_meetings(rig, setup.rest, setup.free, track.frames[still->neutral], setup.curves, camera, *transfer);

@@ -15,12 +15,13 @@
 
 namespace penpose::animation {
 namespace {
+double KD() { return 0.9; }
 
 /// How much more a frame of no trust is held near the one before, in the unit of FrameOptions::near_last.
 constexpr double k_distrust = 0.2;
 
 /// Weight of what lies between two points that touch, beside the sum of theirs.
-const double k_contact = std::getenv("KC") ? std::atof(std::getenv("KC")) : 1.0;
+constexpr double k_contact = 1.0;
 
 /// Evaluations of the simplex, a frame, that a rig may cost that is not linear.
 constexpr std::size_t k_evaluations_a_variable = 100;
@@ -83,8 +84,8 @@ std::vector<double> costs_of_leaving(const rig::Rig& rig, const rig::Pose& rest,
   }
   const double usual = quantile(ratios, 0.5);
   constexpr double k_least = 0.5;
-  const double k_most = std::getenv("KM") ? std::atof(std::getenv("KM")) : 20;
-  for (double& ratio : ratios) ratio = usual > 0 ? std::clamp(std::getenv("SQ") ? (ratio / usual) * (ratio / usual) : ratio / usual, k_least, k_most) : 1.0;
+  constexpr double k_most = 20;
+  for (double& ratio : ratios) ratio = usual > 0 ? std::clamp(ratio / usual, k_least, k_most) : 1.0;
   return ratios;
 }
 
@@ -118,6 +119,7 @@ struct FrameSolver::State {
   geometry::ModelVector right{1, 0, 0};  ///< axes of the picture
   geometry::ModelVector up{0, 1, 0};
   std::vector<OpposedParameters> opposed;
+  std::vector<bool> of_lips;  ///< points of curves that lie about those that touch
 
   void aim(std::size_t point, const geometry::ModelPoint& target, double weight) {
     system.set_target(point, target);
@@ -166,6 +168,26 @@ struct FrameSolver::State {
     out[1] = seen.x * up.x + seen.y * up.y + seen.z * up.z;
   }
 
+  /// A mouth is where its lips are: all points that are no farther from the middle of the contacts than they are wide.
+  void find_lips() {
+    of_lips.assign(sight.size(), false);
+    if (transfer.contacts.empty()) return;
+    geometry::PxPoint centre;
+    double reach = 0;
+    for (const auto& pair : transfer.contacts) {
+      centre = centre + transfer.places[pair[0]] * (1.0 / static_cast<double>(transfer.contacts.size()));
+    }
+    for (std::size_t i = 0; i < sight.size(); ++i) {
+      const bool own = std::any_of(transfer.contacts.begin(), transfer.contacts.end(), [&](const auto& pair) {
+        return transfer.curve[pair[0]] == transfer.curve[i] || transfer.curve[pair[1]] == transfer.curve[i];
+      });
+      if (own) reach = std::max(reach, geometry::distance(transfer.places[i], centre));
+    }
+    for (std::size_t i = 0; i < sight.size(); ++i) {
+      of_lips[i] = geometry::distance(transfer.places[i], centre) < 1.5 * reach;
+    }
+  }
+
   /// What lies between points of lips that touch, behind the points themselves: how far lips are apart is seen better
   /// than where both of them are, which a nod moves too.
   void add_contacts(double* numbers) const {
@@ -176,6 +198,7 @@ struct FrameSolver::State {
   }
 
   void make_fit() {
+    find_lips();
     const std::size_t n = sight.size();
     const std::size_t all = n + transfer.contacts.size();
     fit.points = all;
@@ -193,20 +216,20 @@ struct FrameSolver::State {
       add_contacts(&fit.columns[2 * k * all]);
     }
     for (const double cost : costs_of_leaving(rig, at_rest, model.variables.parameter, fit.columns, 2 * all)) {
-      fit.cost.push_back(pull_unit * (std::getenv("LR") ? std::atof(std::getenv("LR")) : options.leave_rest) * cost);
+      fit.cost.push_back(pull_unit * options.leave_rest * cost);
     }
     fit.rest = rest_u;
     fit.rounds = options.max_finish_iterations;
     fit.softness = std::max(model.softness, 1e-9 * extent);
   }
 
-  void fit_linear(double confidence, double near_last) {
+  void fit_linear(double confidence, double doubt, double near_last) {
     for (std::size_t point = 0; point < sight.size(); ++point) {
       geometry::ModelVector v;
       for (std::size_t axis = 0; axis < 3; ++axis)
         v[static_cast<int>(axis)] = model.at_zero[posing::residual_index(point, axis)];
       put_seen(v, point, &fit.at_zero[2 * point]);
-      fit.weights[point] = model.weights[point];
+      fit.weights[point] = model.weights[point] * (of_lips[point] ? 1 - KD() * doubt : 1);
     }
     add_contacts(fit.at_zero.data());
     for (std::size_t c = 0; c < transfer.contacts.size(); ++c) {
@@ -220,7 +243,7 @@ struct FrameSolver::State {
     for (std::size_t k = 0; k < fit.cost.size() && confidence > 0; ++k) fit.cost[k] /= confidence;
   }
 
-  void solve(double confidence) {
+  void solve(double confidence, double doubt) {
     // Two pulls to two places are one pull to the place between them. A frame of no trust tells no more of rest than
     // of anything else.
     const double near_rest = options.near_rest * confidence;
@@ -232,7 +255,7 @@ struct FrameSolver::State {
       model.variables.start[i] = both > 0 ? (near_last * u[i] + near_rest * rest_u[i]) / both : u[i];
     }
     if (linear) {
-      fit_linear(confidence, near_last);
+      fit_linear(confidence, doubt, near_last);
     } else {
       posing::StageOptions search;
       search.first_step = 0.06;
@@ -352,10 +375,10 @@ const rig::Pose& FrameSolver::follow(std::span<const PxPoint> offsets, double do
     s.aim(i, curve::lift(s.targets[i], s.now[i], s.camera), s.transfer.weights[i] * confidence);
   }
   const std::vector<double> before = s.u;
-  s.solve(confidence);
+  s.solve(confidence, doubt);
   if (s.take_over(confidence)) {
     s.u = before;
-    s.solve(confidence);
+    s.solve(confidence, doubt);
   }
   return s.pose;
 }

@@ -12,9 +12,12 @@ namespace penpose::animation {
 namespace {
 
 constexpr double k_longest_blink_s = 0.45;  ///< at half of its depth
+constexpr double k_longest_onset_s = 0.25;  ///< eyes close faster than they open
 constexpr double k_window_s = 0.6;          ///< to each side, of what is usual around a frame
 constexpr double k_stands_out = 4.5;        ///< tremors that a dip is deep, to be a blink by itself
 constexpr double k_backed = 2.0;            ///< the same where the tracker's own column rises too
+constexpr double k_brief = 0.7;             ///< of a dip, that has to be over within the longest blink
+constexpr double k_column = 0.5;            ///< of what the tracker's own column says of eyes that stay narrow
 constexpr double k_least_dip = 0.12;        ///< of the usual opening
 
 /// The straight line between two frames of a signal.
@@ -94,6 +97,7 @@ class Blinks {
          std::span<const double> confidence, double fps, std::span<const double> column)
       : seen_(seen), calm_(calm), confidence_(confidence), frames_(confidence.size()),
         half_(std::max<std::size_t>(2, static_cast<std::size_t>(k_window_s * fps + 0.5))),
+        onset_(std::max<std::size_t>(2, static_cast<std::size_t>(k_longest_onset_s * fps + 0.5))),
         longest_(std::max<std::size_t>(3, static_cast<std::size_t>(k_longest_blink_s * fps + 0.5))) {
     if (column.size() == frames_) measure_column(column);
     std::vector<double> both(frames_, 0.0);
@@ -128,19 +132,54 @@ class Blinks {
     return most;
   }
 
+  /// Each number a little of its neighbours: a blink is no single frame.
+  static std::vector<double> softened(const std::vector<double>& numbers) {
+    std::vector<double> soft(numbers.size());
+    for (std::size_t f = 0; f < numbers.size(); ++f) {
+      soft[f] = 0.25 * numbers[f == 0 ? 0 : f - 1] + 0.5 * numbers[f] +
+                0.25 * numbers[f + 1 == numbers.size() ? f : f + 1];
+    }
+    return soft;
+  }
+
+  /// How far the eye is wider both shortly before and shortly after.
+  [[nodiscard]] std::vector<double> brief_dips(const std::vector<double>& soft) const {
+    std::vector<double> dips;
+    for (std::size_t f = 0; f < frames_; ++f) {
+      const auto at = soft.begin() + static_cast<std::ptrdiff_t>(f);
+      const auto before = std::min(f, onset_);
+      const auto after = std::min(frames_ - 1 - f, longest_);
+      const double widest_before = *std::max_element(at - static_cast<std::ptrdiff_t>(before), at + 1);
+      const double widest_after = *std::max_element(at, at + static_cast<std::ptrdiff_t>(after) + 1);
+      dips.push_back(std::min(widest_before, widest_after) - soft[f]);
+    }
+    return dips;
+  }
+
+  /// Whether the eye is narrow around the frame for longer than a blink is.
+  [[nodiscard]] bool stays_narrow(const std::vector<double>& soft, const std::vector<double>& brief,
+                                  std::size_t peak) const {
+    const double half_open = soft[peak] + 0.5 * brief[peak];
+    std::size_t first = peak;
+    std::size_t last = peak;
+    while (first > 0 && soft[first - 1] < half_open) --first;
+    while (last + 1 < frames_ && soft[last + 1] < half_open) ++last;
+    return last - first > longest_;
+  }
+
   void find(const std::vector<double>& opening, double strictness) {
     const std::vector<double> dips = dips_of(opening, half_);
-    std::vector<double> soft(frames_);  // a blink is no single frame
-    for (std::size_t f = 0; f < frames_; ++f) {
-      soft[f] = 0.25 * dips[f == 0 ? 0 : f - 1] + 0.5 * dips[f] + 0.25 * dips[f + 1 == frames_ ? f : f + 1];
-    }
-    const double tremor = spread(soft);
+    const std::vector<double> soft = softened(dips);
+    const std::vector<double> soft_opening = softened(opening);
+    const std::vector<double> brief = brief_dips(soft_opening);
+    const double tremor = std::max(spread(soft), spread(brief));
     std::vector<std::size_t> found;
     for (std::size_t f = 1; f + 1 < frames_; ++f) {
       const bool peak = soft[f] > soft[f - 1] && soft[f] >= soft[f + 1] && confidence_[f] > 0;
-      if (!peak || soft[f] < (rises_.empty() ? 0.75 : 0.5) * k_least_dip) continue;
+      // What opens or closes at one side alone is no blink.
+      if (!peak || brief[f] < k_brief * soft[f] || stays_narrow(soft_opening, brief, f) || soft[f] < (rises_.empty() ? 0.75 : 0.5) * k_least_dip) continue;
       const double rise = rises_.empty() ? 0.0 : rise_near(f);
-      const bool alone = soft[f] > k_stands_out * strictness * tremor && (rises_.empty() || rise > 0.1);
+      const bool alone = soft[f] > k_stands_out * strictness * tremor && (rises_.empty() || rise > 0.25);
       const bool backed = rise > 0.35 && soft[f] > k_backed * strictness * tremor;
       if (alone || backed) found.push_back(f);
     }
@@ -193,6 +232,7 @@ class Blinks {
   std::span<const double> confidence_;
   std::size_t frames_;
   std::size_t half_;
+  std::size_t onset_;
   std::size_t longest_;
   std::vector<double> rises_;  ///< of the tracker's column, 0..1
 };
@@ -243,8 +283,8 @@ std::vector<EyeCurves> eyes_of(std::span<const TrackedCurve> curves) {
   return eyes;
 }
 
-std::vector<double> openings(const StillTrack& still, const TrackFrame& neutral, const TrackedCurve& one,
-                             const TrackedCurve& other) {
+std::vector<std::array<std::size_t, 2>> points_across(const TrackedCurve& one, const TrackedCurve& other,
+                                                      const TrackFrame& neutral) {
   const auto& p = neutral.points;
   const auto apart = [&](std::size_t a, std::size_t b) { return geometry::distance(p[a], p[b]); };
   std::vector<std::size_t> across = other.points;
@@ -253,10 +293,6 @@ std::vector<double> openings(const StillTrack& still, const TrackFrame& neutral,
       apart(from.front(), across.back()) + apart(from.back(), across.front())) {
     std::reverse(across.begin(), across.end());
   }
-  const PxPoint line = p[from.back()] - p[from.front()];
-  const double length = std::sqrt(line.x * line.x + line.y * line.y);
-  const PxPoint normal = length > 0 ? PxPoint{-line.y / length, line.x / length} : PxPoint{0, 1};
-  // Inner points of the shorter list, each against the one as far along the other list.
   std::vector<std::array<std::size_t, 2>> pairs;
   const std::size_t n = std::min(from.size(), across.size());
   for (std::size_t i = 1; i + 1 < n; ++i) {
@@ -264,6 +300,16 @@ std::vector<double> openings(const StillTrack& still, const TrackFrame& neutral,
     pairs.push_back({along(from), along(across)});
   }
   if (pairs.empty()) pairs.push_back({from[from.size() / 2], across[across.size() / 2]});
+  return pairs;
+}
+
+std::vector<double> openings(const StillTrack& still, const TrackFrame& neutral, const TrackedCurve& one,
+                             const TrackedCurve& other) {
+  const auto& p = neutral.points;
+  const auto pairs = points_across(one, other, neutral);
+  const PxPoint line = p[one.points.back()] - p[one.points.front()];
+  const double length = std::sqrt(line.x * line.x + line.y * line.y);
+  const PxPoint normal = length > 0 ? PxPoint{-line.y / length, line.x / length} : PxPoint{0, 1};
   std::vector<double> result;
   double last = 0;
   double sign = 0;
@@ -326,6 +372,13 @@ EyeMotion find_eye_motion(std::span<const std::vector<double>> seen, std::span<c
     const double tremor = motion.usual_px[e] > 0 ? tremor_px / motion.usual_px[e] : 0.0;
     motion.closed[e] = lasting(calm_shares[e], blinks.all, motion.full_dip, tremor,
                                std::max<std::size_t>(1, static_cast<std::size_t>(0.35 * fps + 0.5)));
+    if (column.size() == confidence.size()) {
+      const double usual = quantile(column, 0.5) + spread(column);
+      for (std::size_t f = 0; f < column.size(); ++f) {
+        double& closed = motion.closed[e][f];
+        if (closed >= 0) closed += k_column * std::max(0.0, column[f] - usual) * (1 - std::min(closed, 1.0));
+      }
+    }
     for (const Blink& blink : blinks.all) {
       const double most = *std::max_element(blink.depth.begin(), blink.depth.end());
       double mean = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,10 @@ struct EyeCurves {
   std::size_t other = 0;
 };
 [[nodiscard]] std::vector<EyeCurves> eyes_of(std::span<const TrackedCurve> curves);
+
+/// Inner points of a curve, each with the one across from it on another curve: as far along, whichever way that runs.
+[[nodiscard]] std::vector<std::array<std::size_t, 2>> points_across(const TrackedCurve& one, const TrackedCurve& other,
+                                                                    const TrackFrame& neutral);
 
 /// How wide an eye stands open in every frame: the mean distance between its lids, but for the corners, across the line
 /// between the corners, px of the neutral frame. Frames without a face repeat the one before.
