@@ -17,7 +17,7 @@ constexpr double k_window_s = 0.6;          ///< to each side, of what is usual 
 constexpr double k_stands_out = 4.5;        ///< tremors that a dip is deep, to be a blink by itself
 constexpr double k_backed = 2.0;            ///< the same where the tracker's own column rises too
 constexpr double k_brief = 0.7;             ///< of a dip, that has to be over within the longest blink
-constexpr double k_column = 0.5;            ///< of what the tracker's own column says of eyes that stay narrow
+constexpr double k_column = 0.45;          ///< of what the tracker's own column says of eyes that stay narrow
 constexpr double k_least_dip = 0.12;        ///< of the usual opening
 
 /// The straight line between two frames of a signal.
@@ -42,6 +42,7 @@ struct Blink {
   std::vector<double> own_shape;              ///< 0..1, first to last
   std::vector<double> calm_depth;             ///< the same of the steadied opening
   std::vector<bool> calm_shape;               ///< one an eye: the steadied opening keeps its shape
+  double backing = 1;                         ///< 0.5 to 1: how far the tracker's own column agrees
 };
 
 /// Two ramps with a floor between, of height one: the best of those that fit into the frames around the peak.
@@ -151,7 +152,12 @@ class Blinks {
       const auto after = std::min(frames_ - 1 - f, longest_);
       const double widest_before = *std::max_element(at - static_cast<std::ptrdiff_t>(before), at + 1);
       const double widest_after = *std::max_element(at, at + static_cast<std::ptrdiff_t>(after) + 1);
-      dips.push_back(std::min(widest_before, widest_after) - soft[f]);
+      const double before_that = widest_before - soft[f];
+      const double after_that = widest_after - soft[f];
+      // An eye that stays narrow beyond it, or was so before, has not blinked.
+      constexpr double k_comes_back = 0.6;
+      const double less = std::min(before_that, after_that);
+      dips.push_back(less < k_comes_back * std::max(before_that, after_that) ? 0.0 : less);
     }
     return dips;
   }
@@ -204,8 +210,9 @@ class Blinks {
     }
     const Ramps ramps(dips, first, peak, last);
     if (!(ramps.height() >= 0.5 * k_least_dip)) return;
-    Blink blink{first, peak, last, {}, ramps.shape(), {}, {}};
+    Blink blink{first, peak, last, {}, ramps.shape(), {}, {}, 1};
     for (std::size_t e = 0; e < seen_.size(); ++e) measure(e, blink);
+    if (!rises_.empty()) blink.backing = std::clamp(2 * rise_near(peak), 0.5, 1.0);
     all.push_back(std::move(blink));
   }
 
@@ -367,7 +374,8 @@ EyeMotion find_eye_motion(std::span<const std::vector<double>> seen, std::span<c
     depths.push_back(*std::max_element(blink.depth.begin(), blink.depth.end()));
   }
   constexpr double k_usual_blink = 0.75;  // of all depths: most blinks close, some stop half-way
-  motion.full_dip = depths.empty() ? 0.0 : std::min(1.0, quantile(depths, k_usual_blink));
+  constexpr double k_least_full = 0.25;    // no tracker closes lids by less, and one blink of a clip may be half a one
+  motion.full_dip = depths.empty() ? 0.0 : std::clamp(quantile(depths, k_usual_blink), k_least_full, 1.0);
   for (std::size_t e = 0; e < seen.size(); ++e) {
     const double tremor = motion.usual_px[e] > 0 ? tremor_px / motion.usual_px[e] : 0.0;
     motion.closed[e] = lasting(calm_shares[e], blinks.all, motion.full_dip, tremor,
@@ -386,7 +394,8 @@ EyeMotion find_eye_motion(std::span<const std::vector<double>> seen, std::span<c
       constexpr double k_takes_part = 0.4;
       const double depth = blink.depth[e] < k_takes_part * most ? 0.0 : mean > k_takes_part * most ? mean : most;
       const bool wink = *std::min_element(blink.depth.begin(), blink.depth.end()) < k_takes_part * most;
-      const double strength = std::min(1.0, (wink && depth > 0 ? most : depth) / motion.full_dip);
+      const double strength =
+          blink.backing * std::min(1.0, (wink && depth > 0 ? most : depth) / motion.full_dip);
       if (!(depth > 0)) continue;
       for (std::size_t f = blink.first; f <= blink.last; ++f) {
         const double here = closed_at(blink, calm_shares[e], e, strength, f);
