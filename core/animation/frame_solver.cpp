@@ -15,7 +15,8 @@
 
 namespace penpose::animation {
 namespace {
-double KD() { return 0.9; }
+/// How much less the mouth's points say of where it is in a frame whose head is all in doubt; how far open it is, they say as well as ever.
+constexpr double k_lips_in_doubt = 0.9;
 
 /// How much more a frame of no trust is held near the one before, in the unit of FrameOptions::near_last.
 constexpr double k_distrust = 0.2;
@@ -229,7 +230,7 @@ struct FrameSolver::State {
       for (std::size_t axis = 0; axis < 3; ++axis)
         v[static_cast<int>(axis)] = model.at_zero[posing::residual_index(point, axis)];
       put_seen(v, point, &fit.at_zero[2 * point]);
-      fit.weights[point] = model.weights[point] * (of_lips[point] ? 1 - KD() * doubt : 1);
+      fit.weights[point] = model.weights[point] * (of_lips[point] ? 1 - k_lips_in_doubt * doubt : 1);
     }
     add_contacts(fit.at_zero.data());
     for (std::size_t c = 0; c < transfer.contacts.size(); ++c) {

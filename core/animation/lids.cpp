@@ -17,7 +17,8 @@ constexpr double k_window_s = 0.6;          ///< to each side, of what is usual 
 constexpr double k_stands_out = 4.5;        ///< tremors that a dip is deep, to be a blink by itself
 constexpr double k_backed = 2.0;            ///< the same where the tracker's own column rises too
 constexpr double k_brief = 0.7;             ///< of a dip, that has to be over within the longest blink
-constexpr double k_column = 0.45;          ///< of what the tracker's own column says of eyes that stay narrow
+constexpr double k_least_rise = 0.08;       ///< of all that the tracker's own column can say
+constexpr double k_column = 0.42;          ///< of what the tracker's own column says of eyes that stay narrow
 constexpr double k_least_dip = 0.12;        ///< of the usual opening
 
 /// The straight line between two frames of a signal.
@@ -120,6 +121,7 @@ class Blinks {
     for (double& rise : rises) rise = -rise;
     const double most = quantile(rises, 0.98);
     if (!(most > 0)) return;
+    least_rise_ = std::max(least_rise_, k_least_rise / most);
     for (double& rise : rises) rise = std::clamp(rise / most, 0.0, 1.0);
     rises_ = std::move(rises);
   }
@@ -185,8 +187,8 @@ class Blinks {
       // What opens or closes at one side alone is no blink.
       if (!peak || brief[f] < k_brief * soft[f] || stays_narrow(soft_opening, brief, f) || soft[f] < (rises_.empty() ? 0.75 : 0.5) * k_least_dip) continue;
       const double rise = rises_.empty() ? 0.0 : rise_near(f);
-      const bool alone = soft[f] > k_stands_out * strictness * tremor && (rises_.empty() || rise > 0.25);
-      const bool backed = rise > 0.35 && soft[f] > k_backed * strictness * tremor;
+      const bool alone = soft[f] > k_stands_out * strictness * tremor && (rises_.empty() || rise > least_rise_);
+      const bool backed = rise > std::max(0.35, least_rise_) && soft[f] > k_backed * strictness * tremor;
       if (alone || backed) found.push_back(f);
     }
     // The deepest first: what lies beside it is a part of it.
@@ -241,6 +243,7 @@ class Blinks {
   std::size_t half_;
   std::size_t onset_;
   std::size_t longest_;
+  double least_rise_ = 0.25;   ///< of the usual rise: where the column rises by less, there is no blink
   std::vector<double> rises_;  ///< of the tracker's column, 0..1
 };
 
