@@ -343,7 +343,7 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   } else {
     measure_from(*still, still->neutral);
   }
-  if (rest && rest->lips) part_lips(setup.curves, neutral, *rest, *still);
+  if (rest) part_lips(setup.curves, neutral, *rest, *still);
   FrameOptions frame = setup.frame;
   frame.tremor_px = tremor_px;
   const Transfer driven = without_curves(*transfer, lids.done);

@@ -21,6 +21,9 @@ constexpr double k_lips_in_doubt = 0.9;
 /// How much more a frame of no trust is held near the one before, in the unit of FrameOptions::near_last.
 constexpr double k_distrust = 0.2;
 
+/// What leaving rest by the whole range costs, in units of FrameOptions::near_rest.
+constexpr double k_leave = 2.5;
+
 /// Weight of what lies between two points that touch, beside the sum of theirs.
 constexpr double k_contact = 1.0;
 
@@ -117,6 +120,7 @@ struct FrameSolver::State {
   posing::StageWorkspace stages;
   SparseFit fit;  ///< where the rig is linear
   SparseWorkspace sparse;
+  std::vector<Twins> twins;
   geometry::ModelVector right{1, 0, 0};  ///< axes of the picture
   geometry::ModelVector up{0, 1, 0};
   std::vector<OpposedParameters> opposed;
@@ -217,10 +221,12 @@ struct FrameSolver::State {
       add_contacts(&fit.columns[2 * k * all]);
     }
     for (const double cost : costs_of_leaving(rig, at_rest, model.variables.parameter, fit.columns, 2 * all)) {
-      fit.cost.push_back(pull_unit * options.leave_rest * cost);
+      fit.cost.push_back(k_leave * pull_unit * options.near_rest * cost);
     }
     fit.rest = rest_u;
+    fit.even = pull_unit * options.near_rest;
     fit.rounds = options.max_finish_iterations;
+    twins = find_twins(fit);
     fit.softness = std::max(model.softness, 1e-9 * extent);
   }
 
@@ -241,6 +247,7 @@ struct FrameSolver::State {
     fit.hold = pull_unit * near_last;
     for (std::size_t k = 0; k < fit.cost.size(); ++k) fit.cost[k] *= confidence;
     fit_sparsely(fit, u, sparse);
+    share_evenly(twins, u);
     for (std::size_t k = 0; k < fit.cost.size() && confidence > 0; ++k) fit.cost[k] /= confidence;
   }
 

@@ -16,11 +16,10 @@ struct FrameOptions {
   std::size_t max_finish_iterations = 6;
   /// How strongly parameters are held near the frame before and near rest, as shares of the energy that moving every
   /// point by a tenth of the curves' extent would cost, for a parameter that goes through its whole range.
+  /// Where the rig is linear, near_rest is no square: leaving rest costs by its way, times how much of the whole model a
+  /// control moves for what it moves of the curves (as a multiple of what is usual), so that few controls leave it.
   double near_last = 1e-3;
   double near_rest = 4e-3;
-  /// What leaving rest costs, in the same unit, for a control that goes through its whole range: as much for every
-  /// control, times how much of the whole model it moves for what it moves of the curves, as a multiple of what is usual.
-  double leave_rest = 1e-2;
   double relevance = 1e-5;  ///< as posing::SolveOptions
   /// How far points tremble, px of the track: distances below it count as squares. Sums of plain distances would follow
   /// few points closely, which others from frame to frame, and tremor of a single point would be a jump.

@@ -94,7 +94,7 @@ std::optional<RestChoice> choose_rest(const PointTrack& track, const StillTrack&
   const auto lips = lips_of(curves);
   const std::vector<EyeCurves> eyes = eyes_of(curves);
   const std::vector<std::size_t> frames = level_frames(track, still);
-  if (frames.size() < k_least_frames || (!lips && eyes.empty())) return std::nullopt;
+  if (frames.size() < k_least_frames || !lips) return std::nullopt;
   const TrackFrame& seen_from = track.frames[still.neutral];
   const auto at_frames = [&](const std::vector<double>& all) {
     std::vector<double> result;
@@ -104,25 +104,19 @@ std::optional<RestChoice> choose_rest(const PointTrack& track, const StillTrack&
 
   RestChoice choice;
   std::vector<std::size_t> together;  // places in `frames`
-  std::vector<double> gaps(frames.size(), 0.0);
-  if (lips) {
-    choice.lips = true;
-    const double width = width_of(curves[lips->one], seen_from);
-    gaps = at_frames(openings(still, seen_from, curves[lips->one], curves[lips->other]));
-    const double low = quantile(gaps, 0.05);
-    const double high = quantile(gaps, 0.95);
-    constexpr double k_touch = 0.1;  // of how far the lips open in the clip
-    const double most = low + std::max(k_touch * (high - low), 0.5 * tremor_px);
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-      if (gaps[i] <= most) together.push_back(i);
-    }
-    // Points of lips that touch lie a tremor apart; more is a gap.
-    choice.lips_together = std::min(std::max(low, 0.0), std::max(tremor_px, 0.01 * width));
-    constexpr double k_gap = 0.05;  // of the mouth's width
-    choice.near_rest = low <= std::max(k_gap * width, 2 * tremor_px);
-  } else {
-    for (std::size_t i = 0; i < frames.size(); ++i) together.push_back(i);
+  const double width = width_of(curves[lips->one], seen_from);
+  const std::vector<double> gaps = at_frames(openings(still, seen_from, curves[lips->one], curves[lips->other]));
+  const double low = quantile(gaps, 0.05);
+  const double high = quantile(gaps, 0.95);
+  constexpr double k_touch = 0.1;  // of how far the lips open in the clip
+  const double most = low + std::max(k_touch * (high - low), 0.5 * tremor_px);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (gaps[i] <= most) together.push_back(i);
   }
+  // Points of lips that touch lie a tremor apart; more is a gap.
+  choice.lips_together = std::min(std::max(low, 0.0), std::max(tremor_px, 0.01 * width));
+  constexpr double k_gap = 0.05;  // of the mouth's width
+  choice.near_rest = low <= std::max(k_gap * width, 2 * tremor_px);
 
   Distances distances(frames, 0.5 * tremor_px);
   std::vector<double> open(frames.size(), 1.0);
@@ -165,10 +159,8 @@ std::optional<RestChoice> choose_rest(const PointTrack& track, const StillTrack&
   const std::size_t best = together.front();
   choice.frame = frames[best];
   choice.eyes_open = open[best];
-  if (lips) {
-    const double width = width_of(curves[lips->one], seen_from);
-    choice.lips_apart = width > 0 ? std::max(0.0, gaps[best] - choice.lips_together) / width : 0.0;
-  }
+  choice.lips_apart =
+      width > 0 ? std::max(0.0, gaps[best] - choice.lips_together) / width : 0.0;
   constexpr std::size_t k_most_alike = 15;
   constexpr double k_alike = 1.0;  // farther from rest than the best, in the sum
   for (std::size_t i = 0; i < std::min(together.size(), k_most_alike); ++i) {
@@ -180,13 +172,10 @@ std::optional<RestChoice> choose_rest(const PointTrack& track, const StillTrack&
 
 std::string explain(const RestChoice& choice) {
   std::string text = "rest is frame " + std::to_string(choice.frame);
-  if (choice.lips) {
-    text += choice.lips_apart < 0.01
-                ? ": the lips are together"
-                : ": the lips are nearest to each other (" + base::format_fixed(100 * choice.lips_apart, 0) +
-                      " % of the mouth's width apart)";
-  }
-  text += choice.lips ? ", " : ": ";
+  text += choice.lips_apart < 0.01
+              ? ": the lips are together, "
+              : ": the lips are nearest to each other (" + base::format_fixed(100 * choice.lips_apart, 0) +
+                    " % of the mouth's width apart), ";
   text += "the eyes " + base::format_fixed(100 * choice.eyes_open, 0) +
           " % as open as usual, the brows and the head near where they mostly are; --neutral FRAME takes another";
   return text;

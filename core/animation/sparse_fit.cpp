@@ -50,14 +50,14 @@ void fit_sparsely(const SparseFit& fit, std::span<double> u, SparseWorkspace& wo
       for (std::size_t k = 0; k < n; ++k) {
         const double* column = &fit.columns[k * length];
         const double told = fit.told.empty() ? 0.0 : fit.told[k];
-        const double curvature = work.curvature[k] + 2 * fit.hold + 2 * told;
+        const double curvature = work.curvature[k] + 2 * (fit.hold + fit.even + told);
         if (!(curvature > 0)) continue;
         double slope = 0;
         for (std::size_t p = 0; p < fit.points; ++p) {
           slope += work.weight[p] *
                    (column[2 * p] * work.residual[2 * p] + column[2 * p + 1] * work.residual[2 * p + 1]);
         }
-        slope += 2 * fit.hold * (u[k] - fit.last[k]);
+        slope += 2 * fit.hold * (u[k] - fit.last[k]) + 2 * fit.even * (u[k] - fit.rest[k]);
         if (told > 0) slope += 2 * told * (u[k] - fit.wish[k]);
         const double to = shrunk(u[k] - slope / curvature, fit.rest[k], fit.cost[k], curvature);
         const double step = to - u[k];
@@ -70,6 +70,34 @@ void fit_sparsely(const SparseFit& fit, std::span<double> u, SparseWorkspace& wo
       if (largest < k_settled) break;
     }
     if (changed < k_round_settled) break;
+  }
+}
+
+std::vector<Twins> find_twins(const SparseFit& fit) {
+  constexpr double k_alike = 0.05;
+  const std::size_t length = 2 * fit.points;
+  std::vector<Twins> twins;
+  for (std::size_t a = 0; a < fit.cost.size(); ++a) {
+    for (std::size_t b = a + 1; b < fit.cost.size(); ++b) {
+      double apart = 0;
+      double both = 0;
+      for (std::size_t i = 0; i < length; ++i) {
+        const double x = fit.columns[a * length + i];
+        const double y = fit.columns[b * length + i];
+        apart += (x - y) * (x - y);
+        both += x * x + y * y;
+      }
+      const bool same_cost = std::abs(fit.cost[a] - fit.cost[b]) <= k_alike * std::max(fit.cost[a], fit.cost[b]);
+      if (same_cost && both > 0 && apart < k_alike * k_alike * both) twins.push_back({a, b});
+    }
+  }
+  return twins;
+}
+
+void share_evenly(std::span<const Twins> twins, std::span<double> u) {
+  for (const Twins& pair : twins) {
+    const double mean = 0.5 * (u[pair.a] + u[pair.b]);
+    u[pair.a] = u[pair.b] = mean;
   }
 }
 
