@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <glm/mat3x3.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -67,5 +68,11 @@ struct WeightTrack {
 
 /// Frames a second of evenly spaced times; 0 for fewer than two frames or times that do not grow.
 [[nodiscard]] double frames_per_second(double first_s, double last_s, std::size_t frames);
+
+/// The frame rate of which all these times (ascending, s) are whole frames to within a share of one: one that video is
+/// made in where one fits, else what most steps say; 0 where there is none.
+[[nodiscard]] double whole_frame_rate(std::span<const double> times_s, double within);
+/// The times at whole frames of that rate.
+[[nodiscard]] std::vector<double> at_whole_frames(std::span<const double> times_s, double fps);
 
 }  // namespace penpose::animation

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -300,7 +301,11 @@ int animate(const AnimateArguments& arguments) {
   const std::string map_name = arguments.map.empty() ? arguments.track : arguments.map;
   if (!animated) return report(animated.error(), map_name);
 
-  const double fps =
+  // Keys between two frames of the video would be shown by no program that plays it frame by frame.
+  constexpr double k_off_frame = 0.3;
+  const double whole_fps = animation::whole_frame_rate(animated->times_s, k_off_frame);
+  if (whole_fps > 0) animated->times_s = animation::at_whole_frames(animated->times_s, whole_fps);
+  const double fps = whole_fps > 0 ? whole_fps :
       animation::frames_per_second(animated->times_s.front(), animated->times_s.back(), animated->times_s.size());
   model->animations.insert(model->animations.begin(),
                            document::make_animation(*model, "tracked", animated->times_s, animated->poses));
@@ -326,6 +331,10 @@ int animate(const AnimateArguments& arguments) {
             << animated->held.size() << " held, " << base::format_fixed(animated->solve_us / 1000.0, 2)
             << " ms a frame\n";
   if (!animated->held.empty()) std::cout << "held: " << ranges(animated->held) << '\n';
+  if (whole_fps > 0) {
+    std::cout << base::format_fixed(whole_fps, whole_fps == std::floor(whole_fps) ? 0 : 3)
+              << " fps: set it in Blender before importing, then keys are on whole frames\n";
+  }
   if (animated->rest) std::cout << animation::explain(*animated->rest) << '\n';
   if (!animated->eyes.blinks.empty()) {
     std::cout << animated->eyes.blinks.size() << " blinks, in which the points close by "
