@@ -153,9 +153,21 @@ struct Lids {
   std::vector<EyeCurves> eyes;
   std::vector<LidControls> controls;
   EyeMotion motion;
-  std::vector<bool> done;          ///< curves that the controls take care of
-  std::vector<std::size_t> others; ///< parameters that the rest of the face is searched with
+  std::vector<bool> done;           ///< curves that the controls take care of
+  std::vector<std::size_t> others;  ///< parameters that the rest of the face is searched with
 };
+
+/// What the action units of a frame say of the controls.
+std::vector<Evidence> evidence_of(const rig::Rig& rig, const TrackSetup& setup, const TrackFrame& frame) {
+  std::vector<Evidence> evidence;
+  for (const UnitControl& one : setup.units) {
+    if (one.unit >= frame.says.units.size()) continue;
+    const rig::Parameter& range = rig.parameters()[one.parameter];
+    const double rest = setup.rest[one.parameter];
+    evidence.push_back({one.parameter, rest + frame.says.units[one.unit] * (range.maximum - rest), setup.unit_weight});
+  }
+  return evidence;
+}
 
 /// What the tracker itself says of the eyes' closing, one a frame, or nothing where it says nothing in most frames.
 std::vector<double> closing_column(const PointTrack& track) {
@@ -197,8 +209,8 @@ base::Status check_points(const PointTrack& track, std::span<const TrackedCurve>
   return base::Done{};
 }
 
-/// Lips that touch are seen to touch from everywhere, whatever depths are taken for them: what lies between the curves is
-/// taken from the picture, turned back, and only where their middle is from the head's shape.
+/// Lips that touch are seen to touch from everywhere, whatever depths are taken for them: what lies between the curves
+/// is taken from the picture, turned back, and only where their middle is from the head's shape.
 void see_contacts(const PointTrack& track, std::span<const TrackedCurve> curves, StillTrack& still) {
   const auto lips = lips_of(curves);
   if (!lips) return;
@@ -213,7 +225,8 @@ void see_contacts(const PointTrack& track, std::span<const TrackedCurve> curves,
       const double determinant = (r[0][0] * r[1][1] - r[1][0] * r[0][1]) * still.turns[f].scale;
       if (!(std::abs(determinant) > 0.1 * still.turns[f].scale)) continue;
       const PxPoint d = p[b] - p[a];
-      const PxPoint turned{(r[1][1] * d.x - r[1][0] * d.y) / determinant, (r[0][0] * d.y - r[0][1] * d.x) / determinant};
+      const PxPoint turned{(r[1][1] * d.x - r[1][0] * d.y) / determinant,
+                           (r[0][0] * d.y - r[0][1] * d.x) / determinant};
       const PxPoint more = (turned - (neutral[b] - neutral[a]) - (offsets[b] - offsets[a])) * 0.5;
       offsets[a] = offsets[a] - more;
       offsets[b] = offsets[b] + more;
@@ -221,8 +234,9 @@ void see_contacts(const PointTrack& track, std::span<const TrackedCurve> curves,
   }
 }
 
-/// Lips are as far apart as they are seen, not as much farther than at rest: what is left between them in the chosen frame
-/// stands between them in all. The lower lip, which is farther from the middle of the stable points, goes down by that.
+/// Lips are as far apart as they are seen, not as much farther than at rest: what is left between them in the chosen
+/// frame stands between them in all. The lower lip, which is farther from the middle of the stable points, goes down by
+/// that.
 void part_lips(std::span<const TrackedCurve> curves, const TrackFrame& neutral, const RestChoice& rest,
                StillTrack& still) {
   const auto lips = lips_of(curves);
@@ -320,7 +334,8 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   std::optional<RestChoice> rest;
   if (!setup.neutral) {
     const double first_span = setup.curves.empty() ? 0.0 : span_px(setup.curves, track.frames[still->neutral]);
-    rest = choose_rest(track, *still, setup.curves, setup.tremor_px.value_or(std::min(1.0, first_span / k_usual_span_px)));
+    rest =
+        choose_rest(track, *still, setup.curves, setup.tremor_px.value_or(std::min(1.0, first_span / k_usual_span_px)));
     if (rest && rest->frame != still->neutral) {
       still = take_head_motion_out(track, points, rest->frame, setup.least_confidence);
       if (!still) return still.error();
@@ -356,12 +371,13 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   for (const TrackFrame& one : track.frames) times_s.push_back(one.time_s);
   const double fps = frames_per_second(times_s.front(), times_s.back(), times_s.size());
   result.eyes = find_eye_motion(seen, calm, still->confidence, fps, closing_column(track),
-                                 k_tremor_deviation * tremor_px, still->doubt);
+                                k_tremor_deviation * tremor_px, still->doubt);
   result.variables = solver->parameters().size();
   for (std::size_t f = 0; f < track.frames.size(); ++f) {
     if (watch) watch(false);
     if (still->confidence[f] > 0) {
-      solver->follow(still->offsets[f], still->doubt[f], still->confidence[f]);
+      const auto told = evidence_of(rig, setup, track.frames[f]);
+      solver->follow(still->offsets[f], still->doubt[f], still->confidence[f], told);
     } else {
       result.held.push_back(f);
     }
@@ -371,8 +387,7 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   }
   if (tremor_px > 0) {
     const auto searched = solver->parameters();
-    const auto doubt =
-        parameter_uncertainty(rig, setup.rest, searched, driven, camera, k_tremor_deviation * tremor_px);
+    const auto doubt = parameter_uncertainty(rig, setup.rest, searched, driven, camera, k_tremor_deviation * tremor_px);
     settle_poses(rig, searched, doubt, still->confidence, result);
   }
   smooth_over_time(result.times_s, setup.smooth_s, result.poses);

@@ -182,9 +182,8 @@ void find_contacts(std::span<const TrackedCurve> curves, std::span<const Matched
     if (!other || *other <= c || *other >= curves.size()) continue;
     const auto& a = matched[c].tracked;
     const auto& b = matched[*other].tracked;
-    const bool backwards =
-        geometry::distance(a.front(), b.front()) + geometry::distance(a.back(), b.back()) >
-        geometry::distance(a.front(), b.back()) + geometry::distance(a.back(), b.front());
+    const bool backwards = geometry::distance(a.front(), b.front()) + geometry::distance(a.back(), b.back()) >
+                           geometry::distance(a.front(), b.back()) + geometry::distance(a.back(), b.front());
     const std::size_t n = std::min(a.size(), b.size());
     for (std::size_t i = 1; i + 1 < n; ++i) {
       const std::size_t from = i * (a.size() - 1) / (n - 1);

@@ -15,7 +15,8 @@
 
 namespace penpose::animation {
 namespace {
-/// How much less the mouth's points say of where it is in a frame whose head is all in doubt; how far open it is, they say as well as ever.
+/// How much less the mouth's points say of where it is in a frame whose head is all in doubt; how far open it is, they
+/// say as well as ever.
 constexpr double k_lips_in_doubt = 0.9;
 
 /// How much more a frame of no trust is held near the one before, in the unit of FrameOptions::near_last.
@@ -64,8 +65,9 @@ std::vector<posing::Opposed> opposed_pairs(std::span<const double> told, std::sp
 /// How much of the whole model each control moves for what it moves of the curves' points, as a multiple of the median:
 /// what barely touches the curves is a poor reading of them. Linear rigs.
 /// `columns`: two numbers a point, one run of `length` a control.
-std::vector<double> costs_of_leaving(const rig::Rig& rig, const rig::Pose& rest, std::span<const std::size_t> parameters,
-                                     std::span<const double> columns, std::size_t length) {
+std::vector<double> costs_of_leaving(const rig::Rig& rig, const rig::Pose& rest,
+                                     std::span<const std::size_t> parameters, std::span<const double> columns,
+                                     std::size_t length) {
   std::vector<geometry::ModelPoint> still(rig.vertex_count());
   std::vector<geometry::ModelPoint> moved(rig.vertex_count());
   rig.evaluate(rest, still);

@@ -16,8 +16,8 @@ struct FrameOptions {
   std::size_t max_finish_iterations = 6;
   /// How strongly parameters are held near the frame before and near rest, as shares of the energy that moving every
   /// point by a tenth of the curves' extent would cost, for a parameter that goes through its whole range.
-  /// Where the rig is linear, near_rest is no square: leaving rest costs by its way, times how much of the whole model a
-  /// control moves for what it moves of the curves (as a multiple of what is usual), so that few controls leave it.
+  /// Where the rig is linear, near_rest is no square: leaving rest costs by its way, times how much of the whole model
+  /// a control moves for what it moves of the curves (as a multiple of what is usual), so that few controls leave it.
   double near_last = 1e-3;
   double near_rest = 4e-3;
   double relevance = 1e-5;  ///< as posing::SolveOptions

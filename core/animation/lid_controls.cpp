@@ -112,8 +112,8 @@ double price(const Push& push, std::size_t eye) {
   return push.way / done;
 }
 
-LidTravel travel(const rig::Rig&, std::span<const double> rest, ModelEye& eye,
-                 const std::vector<const Push*>& pushes, double sign) {
+LidTravel travel(const rig::Rig&, std::span<const double> rest, ModelEye& eye, const std::vector<const Push*>& pushes,
+                 double sign) {
   LidTravel way;
   rig::Pose pose(rest.begin(), rest.end());
   for (const Push* push : pushes) {
@@ -174,8 +174,8 @@ LidTravel find_widen(const rig::Rig& rig, std::span<const double> rest, std::vec
   for (const Push& push : pushes) {
     // The same control the other way, or one that leaves the other eye alone or widens it too.
     if (!(push.closing[eye] < -k_helps)) continue;
-    const bool both_ways = std::find(close.parameters.begin(), close.parameters.end(), push.parameter) !=
-                           close.parameters.end();
+    const bool both_ways =
+        std::find(close.parameters.begin(), close.parameters.end(), push.parameter) != close.parameters.end();
     if (best == nullptr || both_ways || price(push, eye) < price(*best, eye)) best = &push;
     if (both_ways) break;
   }

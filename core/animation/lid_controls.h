@@ -14,8 +14,9 @@ namespace penpose::animation {
 /// Controls that go together from rest to `full`, and how far the lids close on the way.
 struct LidTravel {
   std::vector<std::size_t> parameters;
-  std::vector<double> full;     ///< their values at the end of the way
-  std::vector<double> reached;  ///< at even steps of the way: the closing, 0 at rest, growing (LidTravel of opening: widening)
+  std::vector<double> full;  ///< their values at the end of the way
+  std::vector<double>
+      reached;  ///< at even steps of the way: the closing, 0 at rest, growing (LidTravel of opening: widening)
 };
 
 /// What closes and what widens one eye of a model.
@@ -25,8 +26,8 @@ struct LidControls {
 };
 
 /// Finds by what they move, never by name, the controls that bring the lids of each eye together: the one that does so
-/// while it moves the rest of the model least, and others with it where it does not do alone. Eyes that nothing can close
-/// by half have none. One entry an eye.
+/// while it moves the rest of the model least, and others with it where it does not do alone. Eyes that nothing can
+/// close by half have none. One entry an eye.
 [[nodiscard]] std::vector<LidControls> find_lid_controls(const rig::Rig& rig, std::span<const double> rest,
                                                          std::span<const std::size_t> free, const Transfer& transfer,
                                                          std::span<const EyeCurves> eyes,

@@ -1,8 +1,7 @@
 #include "core/animation/lids.h"
 
-#include <array>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/animation/statistics.h"
@@ -18,7 +17,7 @@ constexpr double k_stands_out = 4.5;        ///< tremors that a dip is deep, to 
 constexpr double k_backed = 2.0;            ///< the same where the tracker's own column rises too
 constexpr double k_brief = 0.7;             ///< of a dip, that has to be over within the longest blink
 constexpr double k_least_rise = 0.08;       ///< of all that the tracker's own column can say
-constexpr double k_column = 0.42;          ///< of what the tracker's own column says of eyes that stay narrow
+constexpr double k_column = 0.42;           ///< of what the tracker's own column says of eyes that stay narrow
 constexpr double k_least_dip = 0.12;        ///< of the usual opening
 
 /// The straight line between two frames of a signal.
@@ -97,7 +96,10 @@ class Blinks {
  public:
   Blinks(const std::vector<std::vector<double>>& seen, const std::vector<std::vector<double>>& calm,
          std::span<const double> confidence, double fps, std::span<const double> column)
-      : seen_(seen), calm_(calm), confidence_(confidence), frames_(confidence.size()),
+      : seen_(seen),
+        calm_(calm),
+        confidence_(confidence),
+        frames_(confidence.size()),
         half_(std::max<std::size_t>(2, static_cast<std::size_t>(k_window_s * fps + 0.5))),
         onset_(std::max<std::size_t>(2, static_cast<std::size_t>(k_longest_onset_s * fps + 0.5))),
         longest_(std::max<std::size_t>(3, static_cast<std::size_t>(k_longest_blink_s * fps + 0.5))) {
@@ -139,8 +141,8 @@ class Blinks {
   static std::vector<double> softened(const std::vector<double>& numbers) {
     std::vector<double> soft(numbers.size());
     for (std::size_t f = 0; f < numbers.size(); ++f) {
-      soft[f] = 0.25 * numbers[f == 0 ? 0 : f - 1] + 0.5 * numbers[f] +
-                0.25 * numbers[f + 1 == numbers.size() ? f : f + 1];
+      soft[f] =
+          0.25 * numbers[f == 0 ? 0 : f - 1] + 0.5 * numbers[f] + 0.25 * numbers[f + 1 == numbers.size() ? f : f + 1];
     }
     return soft;
   }
@@ -185,7 +187,9 @@ class Blinks {
     for (std::size_t f = 1; f + 1 < frames_; ++f) {
       const bool peak = soft[f] > soft[f - 1] && soft[f] >= soft[f + 1] && confidence_[f] > 0;
       // What opens or closes at one side alone is no blink.
-      if (!peak || brief[f] < k_brief * soft[f] || stays_narrow(soft_opening, brief, f) || soft[f] < (rises_.empty() ? 0.75 : 0.5) * k_least_dip) continue;
+      if (!peak || brief[f] < k_brief * soft[f] || stays_narrow(soft_opening, brief, f) ||
+          soft[f] < (rises_.empty() ? 0.75 : 0.5) * k_least_dip)
+        continue;
       const double rise = rises_.empty() ? 0.0 : rise_near(f);
       const bool alone = soft[f] > k_stands_out * strictness * tremor && (rises_.empty() || rise > least_rise_);
       const bool backed = rise > std::max(0.35, least_rise_) && soft[f] > k_backed * strictness * tremor;
@@ -377,7 +381,7 @@ EyeMotion find_eye_motion(std::span<const std::vector<double>> seen, std::span<c
     depths.push_back(*std::max_element(blink.depth.begin(), blink.depth.end()));
   }
   constexpr double k_usual_blink = 0.75;  // of all depths: most blinks close, some stop half-way
-  constexpr double k_least_full = 0.25;    // no tracker closes lids by less, and one blink of a clip may be half a one
+  constexpr double k_least_full = 0.25;   // no tracker closes lids by less, and one blink of a clip may be half a one
   motion.full_dip = depths.empty() ? 0.0 : std::clamp(quantile(depths, k_usual_blink), k_least_full, 1.0);
   for (std::size_t e = 0; e < seen.size(); ++e) {
     const double tremor = motion.usual_px[e] > 0 ? tremor_px / motion.usual_px[e] : 0.0;
@@ -397,8 +401,7 @@ EyeMotion find_eye_motion(std::span<const std::vector<double>> seen, std::span<c
       constexpr double k_takes_part = 0.4;
       const double depth = blink.depth[e] < k_takes_part * most ? 0.0 : mean > k_takes_part * most ? mean : most;
       const bool wink = *std::min_element(blink.depth.begin(), blink.depth.end()) < k_takes_part * most;
-      const double strength =
-          blink.backing * std::min(1.0, (wink && depth > 0 ? most : depth) / motion.full_dip);
+      const double strength = blink.backing * std::min(1.0, (wink && depth > 0 ? most : depth) / motion.full_dip);
       if (!(depth > 0)) continue;
       for (std::size_t f = blink.first; f <= blink.last; ++f) {
         const double here = closed_at(blink, calm_shares[e], e, strength, f);

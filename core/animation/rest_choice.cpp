@@ -159,8 +159,7 @@ std::optional<RestChoice> choose_rest(const PointTrack& track, const StillTrack&
   const std::size_t best = together.front();
   choice.frame = frames[best];
   choice.eyes_open = open[best];
-  choice.lips_apart =
-      width > 0 ? std::max(0.0, gaps[best] - choice.lips_together) / width : 0.0;
+  choice.lips_apart = width > 0 ? std::max(0.0, gaps[best] - choice.lips_together) / width : 0.0;
   constexpr std::size_t k_most_alike = 15;
   constexpr double k_alike = 1.0;  // farther from rest than the best, in the sum
   for (std::size_t i = 0; i < std::min(together.size(), k_most_alike); ++i) {

@@ -54,8 +54,8 @@ void fit_sparsely(const SparseFit& fit, std::span<double> u, SparseWorkspace& wo
         if (!(curvature > 0)) continue;
         double slope = 0;
         for (std::size_t p = 0; p < fit.points; ++p) {
-          slope += work.weight[p] *
-                   (column[2 * p] * work.residual[2 * p] + column[2 * p + 1] * work.residual[2 * p + 1]);
+          slope +=
+              work.weight[p] * (column[2 * p] * work.residual[2 * p] + column[2 * p + 1] * work.residual[2 * p + 1]);
         }
         slope += 2 * fit.hold * (u[k] - fit.last[k]) + 2 * fit.even * (u[k] - fit.rest[k]);
         if (told > 0) slope += 2 * told * (u[k] - fit.wish[k]);

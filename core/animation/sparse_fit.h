@@ -8,11 +8,13 @@ namespace penpose::animation {
 
 /// A pose as a sum of few controls. Minimises, over u within 0..1,
 ///
-///   sum_i w_i phi(|r_i(u)|)  +  sum_k (cost_k |u_k - rest_k| + even (u_k - rest_k)^2 + hold (u_k - last_k)^2 + told_k (u_k - wish_k)^2)
+///   sum_i w_i phi(|r_i(u)|)  +  sum_k (cost_k |u_k - rest_k| + even (u_k - rest_k)^2 + hold (u_k - last_k)^2 + told_k
+///   (u_k - wish_k)^2)
 ///
-/// where r_i are the points' ways to their targets, linear in u, and phi(r) = sqrt(r^2 + softness^2), a square for short ways
-/// and a length for long ones. The costs are not squared, so that what is little use stays exactly at rest. Convex. Iteratively
-/// reweighted least squares outside, coordinate descent inside, from the u that is given; steps are counted, not timed.
+/// where r_i are the points' ways to their targets, linear in u, and phi(r) = sqrt(r^2 + softness^2), a square for
+/// short ways and a length for long ones. The costs are not squared, so that what is little use stays exactly at rest.
+/// Convex. Iteratively reweighted least squares outside, coordinate descent inside, from the u that is given; steps are
+/// counted, not timed.
 struct SparseFit {
   std::size_t points = 0;
   std::vector<double> columns;  ///< two numbers a point, one run of them a control: how it moves them
@@ -21,7 +23,7 @@ struct SparseFit {
   std::vector<double> cost;     ///< one a control, as the others below
   std::vector<double> rest;
   std::vector<double> last;
-  std::vector<double> told;     ///< or empty
+  std::vector<double> told;  ///< or empty
   std::vector<double> wish;
   double hold = 0;
   double even = 0;

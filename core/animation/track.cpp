@@ -33,8 +33,8 @@ double whole_frame_rate(std::span<const double> times_s, double within) {
   for (std::size_t i = 1; i < times_s.size(); ++i) steps.push_back(times_s[i] - times_s[i - 1]);
   const double step = quantile(steps, 0.5);
   if (!(step > 0) || !std::isfinite(1 / step)) return 0;
-  constexpr std::array<double, 13> k_rates{24,  25,  30,  50,  60, 15, 12.5, 10, 100, 120, 24000 / 1001.0, 30000 / 1001.0,
-                                           60000 / 1001.0};
+  constexpr std::array<double, 13> k_rates{
+      24, 25, 30, 50, 60, 15, 12.5, 10, 100, 120, 24000 / 1001.0, 30000 / 1001.0, 60000 / 1001.0};
   constexpr double k_near = 0.04;  // times in milliseconds leave steps of 33 and 34
   for (const double rate : k_rates) {
     if (std::abs(step * rate - 1) < k_near && whole(times_s, rate, within)) return rate;

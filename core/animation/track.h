@@ -16,8 +16,6 @@ using geometry::PxPoint;
 /// What a tracker says of a face beside its points.
 struct TrackerSays {
   std::optional<double> closing = std::nullopt;  ///< how far the eyes close, in its own unit (AU45 of OpenFace)
-  /// Where the eyes look in the picture, radians: to its right and down, 0 into the camera.
-  std::optional<geometry::PxPoint> gaze = std::nullopt;
   std::vector<double> units = {};  ///< one a name of PointTrack::unit_names, 0..1; empty where it says nothing
 };
 
@@ -45,11 +43,11 @@ struct TrackGroup {
 /// Tracked points over time. Every frame that was found has `point_count` points.
 struct PointTrack {
   std::size_t point_count = 0;
-  std::vector<TrackFrame> frames;  ///< in order of time
-  std::vector<TrackGroup> groups;  ///< for formats that name their curves; empty otherwise
+  std::vector<TrackFrame> frames;       ///< in order of time
+  std::vector<TrackGroup> groups;       ///< for formats that name their curves; empty otherwise
   std::vector<std::string> unit_names;  ///< of action units ("AU12"); empty where the file has none
-  std::vector<std::string> notes;  ///< what was left out or held, one line each
-  std::string rate_note;           ///< where the file does not tell the frame rate: which one was taken
+  std::vector<std::string> notes;       ///< what was left out or held, one line each
+  std::string rate_note;                ///< where the file does not tell the frame rate: which one was taken
 };
 
 struct WeightFrame {

@@ -38,9 +38,9 @@ struct RootExtras {
   std::vector<std::vector<std::string>> baked;  ///< one list a deformer: targets that only show it to other programs
 };
 
-/// "one_way": [[NAME, TARGET, 1 or -1], ...] names targets that take what goes above 1 or below 0 of the weight of another
-/// (one_way_targets.h): the weight is the sum of theirs, turned round for -1. Animation: {"fps": F}, whose frames its keys
-/// are.
+/// "one_way": [[NAME, TARGET, 1 or -1], ...] names targets that take what goes above 1 or below 0 of the weight of
+/// another (one_way_targets.h): the weight is the sum of theirs, turned round for -1. Animation: {"fps": F}, whose
+/// frames its keys are.
 ///
 /// Sampler of weights: {"added": [key, ...]}, keys that are there for other programs alone (dense_keys.h).
 ///

@@ -77,7 +77,8 @@ std::vector<VertexCurve> known_head_curves(const document::Model& model) {
   });
   constexpr double k_surely = 0.9;
   constexpr double k_with_names = 0.6;
-  if (static_cast<double>(edges) < (named ? k_with_names : k_surely) * static_cast<double>(k_ict_edges.size())) return {};
+  if (static_cast<double>(edges) < (named ? k_with_names : k_surely) * static_cast<double>(k_ict_edges.size()))
+    return {};
   auto curves = ict_curves();
   // From the brows down to the mouth come the eyes, however the head is turned and whatever its form.
   const auto brows = middle_of(positions, curves, 0, 1);

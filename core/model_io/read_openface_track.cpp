@@ -3,7 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "core/base/math.h"
 #include "core/geometry/rotation.h"
 #include "core/model_io/best_face.h"
 #include "core/model_io/face_points.h"
@@ -95,8 +94,7 @@ class OwnTurn {
   bool there_ = false;
 };
 
-/// The columns AU01_r, ..., intensities of action units from 0 to 5, and gaze_0_x, ..., directions of the eyes. Files
-/// without them are common.
+/// The columns AU01_r, ..., intensities of action units from 0 to 5. Files without them are common.
 class OwnWords {
  public:
   explicit OwnWords(const CsvReader& table) {
@@ -106,11 +104,6 @@ class OwnWords {
       if (name.size() == 6 && name.starts_with("AU") && name.ends_with("_r")) {
         unit_names.push_back(name.substr(0, 4));
         units_.push_back(c);
-      }
-      for (std::size_t k = 0; k < 6; ++k) {
-        if (name != std::string("gaze_") + "01"[k / 3] + "_" + "xyz"[k % 3]) continue;
-        gaze_[k] = c;
-        ++gaze_columns_;
       }
     }
   }
@@ -126,13 +119,6 @@ class OwnWords {
       says.units.push_back(std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0.0);
       if (unit_names[i] == "AU45" && std::isfinite(value)) says.closing = says.units.back();
     }
-    if (gaze_columns_ == gaze_.size()) {
-      // Both eyes look at one thing; their mean shakes less.
-      std::array<double, 3> sum{};
-      for (std::size_t k = 0; k < 6; ++k) sum[k % 3] += at(gaze_[k]);
-      const bool forward = sum[2] < -0.1 && std::isfinite(sum[0] + sum[1] + sum[2]);
-      if (forward) says.gaze = {base::atan2(sum[0], -sum[2]), base::atan2(sum[1], -sum[2])};
-    }
     return says;
   }
 
@@ -140,8 +126,6 @@ class OwnWords {
 
  private:
   std::vector<std::size_t> units_;
-  std::array<std::size_t, 6> gaze_{};
-  std::size_t gaze_columns_ = 0;
 };
 
 }  // namespace

@@ -465,7 +465,8 @@ class GlbWriter {
   }
 
   void write_weight_keys(const document::Channel& channel, Json& channels, Json& samplers) {
-    const auto found = std::find_if(keys_.begin(), keys_.end(), [&](const auto& one) { return one.channel == &channel; });
+    const auto found =
+        std::find_if(keys_.begin(), keys_.end(), [&](const auto& one) { return one.channel == &channel; });
     const DenseKeys& keys = found->keys;
     between_error_ = std::max(between_error_, keys.error);
     std::optional<Times> times;
@@ -498,9 +499,9 @@ class GlbWriter {
     DenseKeys keys;
   };
   std::vector<KeysOf> keys_;
-  std::vector<double> pose_weights_;      ///< of the targets of morphs_
-  std::vector<OneWayTarget> one_way_;     ///< behind those
-  std::vector<bool> helped_;              ///< one a target of morphs_: some of one_way_ are for it
+  std::vector<double> pose_weights_;   ///< of the targets of morphs_
+  std::vector<OneWayTarget> one_way_;  ///< behind those
+  std::vector<bool> helped_;           ///< one a target of morphs_: some of one_way_ are for it
   std::vector<const rig::BlendShape*> targets_;
   GltfBuilder builder_;
   std::vector<Json> nodes_;

@@ -46,6 +46,7 @@ struct AnimateArguments {
   double least_confidence = 0.2;
   double fps = 0;
   std::string picture;
+  bool units = false;
   bool json = false;
 };
 
@@ -117,6 +118,12 @@ base::Result<Animated> from_points(const document::Model& model, const animation
     return base::Error{"there is no frame " + std::to_string(*arguments.neutral) + "; the track has " +
                            std::to_string(track.frames.size()),
                        "--neutral", "frames count from 0"};
+  }
+  if (arguments.units) {
+    setup->units = unit_controls(model, track);
+    if (setup->units.empty()) {
+      animated.notes.emplace_back("--units: the track has no action units that the model has controls for");
+    }
   }
   setup->neutral = arguments.neutral;
   setup->tremor_px = arguments.tremor_px;
@@ -305,8 +312,9 @@ int animate(const AnimateArguments& arguments) {
   constexpr double k_off_frame = 0.3;
   const double whole_fps = animation::whole_frame_rate(animated->times_s, k_off_frame);
   if (whole_fps > 0) animated->times_s = animation::at_whole_frames(animated->times_s, whole_fps);
-  const double fps = whole_fps > 0 ? whole_fps :
-      animation::frames_per_second(animated->times_s.front(), animated->times_s.back(), animated->times_s.size());
+  const double fps = whole_fps > 0 ? whole_fps
+                                   : animation::frames_per_second(animated->times_s.front(), animated->times_s.back(),
+                                                                  animated->times_s.size());
   model->animations.insert(model->animations.begin(),
                            document::make_animation(*model, "tracked", animated->times_s, animated->poses));
   // Joints are turned by the animation itself; a pose of theirs would be added to it.
@@ -366,7 +374,8 @@ void add_animate_command(CLI::App& app, int& status) {
   command->add_option("--head", arguments->head, "Turn of the head: drop it or apply it (default: as the map says)")
       ->check(CLI::IsMember({"drop", "apply"}));
   command
-      ->add_option("--neutral", arguments->neutral, "Frame, from 0, in which the face is at rest (default: chosen from the clip)")
+      ->add_option("--neutral", arguments->neutral,
+                   "Frame, from 0, in which the face is at rest (default: chosen from the clip)")
       ->check(CLI::Validator(number_range(0, 1e6), "0 to 1000000"));
   command
       ->add_option("--tremor", arguments->tremor_px,
@@ -382,6 +391,8 @@ void add_animate_command(CLI::App& app, int& status) {
       ->check(CLI::Validator(number_range(0.1, 10000.0), "0.1 to 10000"));
   command->add_option("--picture", arguments->picture, "WIDTHxHEIGHT of the video in px, for normalised coordinates")
       ->check(CLI::Validator(check_picture, "WxH"));
+  command->add_flag("--units", arguments->units,
+                    "Take what the tracker says of action units (AU12, ...) as evidence beside its points");
   command->add_flag("--json", arguments->json, "Print one JSON object");
   add_tolerance_option(*command, arguments->glb);
   command->callback([arguments, &status] { status = animate(*arguments); });

@@ -1,6 +1,7 @@
 #include "ui/cli/track_setup.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "core/model_io/known_heads.h"
@@ -268,6 +269,40 @@ base::Result<animation::TrackSetup> make_setup(const document::Model& model, con
   setup.free = free_parameters(model, map);
   setup.rest = rig::rest_pose(*model.rig);
   return setup;
+}
+
+std::vector<animation::UnitControl> unit_controls(const document::Model& model, const animation::PointTrack& track) {
+  // What each unit of the Facial Action Coding System (Ekman and Friesen 1978) does, in ARKit's words.
+  constexpr std::array<std::pair<const char*, const char*>, 16> k_units{{{"AU01", "browInnerUp"},
+                                                                         {"AU02", "browOuterUp"},
+                                                                         {"AU04", "browDown"},
+                                                                         {"AU06", "cheekSquint"},
+                                                                         {"AU09", "noseSneer"},
+                                                                         {"AU10", "mouthUpperUp"},
+                                                                         {"AU12", "mouthSmile"},
+                                                                         {"AU14", "mouthDimple"},
+                                                                         {"AU15", "mouthFrown"},
+                                                                         {"AU17", "mouthShrugLower"},
+                                                                         {"AU18", "mouthPucker"},
+                                                                         {"AU20", "mouthStretch"},
+                                                                         {"AU22", "mouthFunnel"},
+                                                                         {"AU24", "mouthPress"},
+                                                                         {"AU26", "jawOpen"},
+                                                                         {"AU28", "mouthRollLower"}}};
+  std::vector<animation::UnitControl> controls;
+  for (std::size_t u = 0; u < track.unit_names.size(); ++u) {
+    for (const auto& [unit, name] : k_units) {
+      if (track.unit_names[u] != unit) continue;
+      for (const std::string side : {"", "_L", "_R"}) {
+        for (const std::size_t p : rig::controls_named(model.rig->parameters(), name + side)) {
+          const bool there =
+              std::any_of(controls.begin(), controls.end(), [&](const auto& one) { return one.parameter == p; });
+          if (!there) controls.push_back({u, p});
+        }
+      }
+    }
+  }
+  return controls;
 }
 
 }  // namespace penpose::cli
