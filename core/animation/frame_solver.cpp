@@ -226,7 +226,7 @@ struct FrameSolver::State {
       fit.cost.push_back(k_leave * pull_unit * options.near_rest * cost);
     }
     fit.rest = rest_u;
-    fit.even = 3 * pull_unit * options.near_rest;
+    fit.even = pull_unit * options.near_rest;
     fit.rounds = options.max_finish_iterations;
     twins = find_twins(fit);
     fit.softness = std::max(model.softness, 1e-9 * extent);

@@ -165,7 +165,7 @@ std::optional<RestChoice> choose_rest(const PointTrack& track, const StillTrack&
   for (std::size_t i = 0; i < std::min(together.size(), k_most_alike); ++i) {
     if (sums[together[i]] <= sums[best] + k_alike) choice.like_it.push_back(frames[together[i]]);
   }
-  std::sort(choice.like_it.begin(), choice.like_it.end());
+  std::stable_sort(choice.like_it.begin(), choice.like_it.end());
   return choice;
 }
 

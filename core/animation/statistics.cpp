@@ -8,7 +8,7 @@ namespace penpose::animation {
 double quantile(std::span<const double> numbers, double share) {
   if (numbers.empty()) return 0;
   std::vector<double> sorted(numbers.begin(), numbers.end());
-  std::sort(sorted.begin(), sorted.end());
+  std::stable_sort(sorted.begin(), sorted.end());
   const double at = std::clamp(share, 0.0, 1.0) * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(at);
   const double part = at - static_cast<double>(below);

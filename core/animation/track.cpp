@@ -15,14 +15,17 @@ double frames_per_second(double first_s, double last_s, std::size_t frames) {
 
 namespace {
 
-bool whole(std::span<const double> times_s, double fps, double within) {
+/// How far the times are from whole frames, in frames; 2 where two of them would be one frame.
+double off_frames(std::span<const double> times_s, double fps) {
+  double most = 0;
   double last = -1;
-  return std::all_of(times_s.begin(), times_s.end(), [&](double time) {
+  for (const double time : times_s) {
     const double frame = std::floor(time * fps + 0.5);
-    const bool grows = frame > last;
+    if (!(frame > last)) return 2;
     last = frame;
-    return grows && std::abs(time * fps - frame) <= within;
-  });
+    most = std::max(most, std::abs(time * fps - frame));
+  }
+  return most;
 }
 
 }  // namespace
@@ -36,10 +39,17 @@ double whole_frame_rate(std::span<const double> times_s, double within) {
   constexpr std::array<double, 13> k_rates{
       24, 25, 30, 50, 60, 15, 12.5, 10, 100, 120, 24000 / 1001.0, 30000 / 1001.0, 60000 / 1001.0};
   constexpr double k_near = 0.04;  // times in milliseconds leave steps of 33 and 34
+  double best = 0;
+  double least = within;
   for (const double rate : k_rates) {
-    if (std::abs(step * rate - 1) < k_near && whole(times_s, rate, within)) return rate;
+    if (!(std::abs(step * rate - 1) < k_near)) continue;
+    const double off = off_frames(times_s, rate);
+    if (off > least || (best > 0 && off == least)) continue;
+    best = rate;
+    least = off;
   }
-  return whole(times_s, 1 / step, within) ? 1 / step : 0.0;
+  if (best > 0) return best;
+  return off_frames(times_s, 1 / step) <= within ? 1 / step : 0.0;
 }
 
 std::vector<double> at_whole_frames(std::span<const double> times_s, double fps) {

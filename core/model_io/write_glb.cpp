@@ -401,7 +401,7 @@ class GlbWriter {
     for (const document::Channel& channel : animation.channels) {
       times_s.insert(times_s.end(), channel.times_s.begin(), channel.times_s.end());
     }
-    std::sort(times_s.begin(), times_s.end());
+    std::stable_sort(times_s.begin(), times_s.end());
     times_s.erase(std::unique(times_s.begin(), times_s.end()), times_s.end());
     constexpr double k_whole = 1e-3;  // of a frame
     return animation::whole_frame_rate(times_s, k_whole);

@@ -308,7 +308,6 @@ int animate(const AnimateArguments& arguments) {
   const std::string map_name = arguments.map.empty() ? arguments.track : arguments.map;
   if (!animated) return report(animated.error(), map_name);
 
-  // Keys between two frames of the video would be shown by no program that plays it frame by frame.
   constexpr double k_off_frame = 0.3;
   const double whole_fps = animation::whole_frame_rate(animated->times_s, k_off_frame);
   if (whole_fps > 0) animated->times_s = animation::at_whole_frames(animated->times_s, whole_fps);
