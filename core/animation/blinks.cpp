@@ -216,7 +216,11 @@ class Blinks {
     constexpr double k_kept = 0.75;
     const bool kept = calm > k_kept * seen && calm > 0;
     blink.calm_shape.push_back(kept);
-    blink.calm_depth.push_back(calm / square);
+    double deepest = 0;
+    for (std::size_t f = blink.first; f <= blink.last; ++f) {
+      deepest = std::max(deepest, between(calm_[eye], blink.first, blink.last, f) - calm_[eye][f]);
+    }
+    blink.calm_depth.push_back(deepest);
     blink.depth.push_back(std::max(0.0, (kept ? calm : seen) / square));
   }
 

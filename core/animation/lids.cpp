@@ -180,7 +180,14 @@ EyeMotion find_eye_motion(std::span<const std::vector<double>> seen, std::span<c
     constexpr double k_sharp = 5;  // tremors; a blink bends by more
     const std::array<double, 1> sharp{k_sharp * tremor};
     round_corners(sharp, rows);
+    std::vector<double> sharp_peaks = motion.closed[e];
     for (std::size_t f = 0; f < rows.size(); ++f) motion.closed[e][f] = rows[f][0];
+    // A blink keeps its peak, however much else trembles.
+    for (const Blink& blink : blinks) {
+      for (std::size_t f = blink.peak - 1; f <= blink.peak + 1; ++f) {
+        motion.closed[e][f] = std::max(motion.closed[e][f], std::min(sharp_peaks[f], 1.0));
+      }
+    }
   }
   return motion;
 }
