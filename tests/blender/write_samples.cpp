@@ -108,12 +108,9 @@ int main(int argc, char** argv) {
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   bool good = write(folder, "trunk", animated(trunk()));
-  // The built-in head, through the whole ranges of its controls, which go below 0 and above 1; and what `demo` writes.
+  // The built-in head, through the whole ranges of its controls, which go below 0 and above 1.
   const auto demo = demo::run_demo().value();
   good = write(folder, "head_clip", animated(document::model_of(demo.document))) && good;
-  document::Model told = document::model_of(demo.document);
-  told.animations = {document::to_animation(*demo.document.model, *demo.document.timeline)};
-  good = write(folder, "demo", told) && good;
   if (!tests::has_shared()) return good ? 0 : 1;
   for (const char* name : {"ict_face.glb", "ict_face_narrow.glb"}) {
     const auto file = tests::shared_dir() / "meshes" / name;
