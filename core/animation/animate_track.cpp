@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/animation/face_depths.h"
+#include "core/animation/head_fit.h"
+#include "core/animation/lid_controls.h"
+#include "core/animation/lips.h"
 #include "core/animation/meeting.h"
 #include "core/animation/steady.h"
 #include "core/animation/uncertainty.h"
@@ -13,6 +17,8 @@ namespace {
 
 /// A face of which the curves span so many px trembles by a px, as trackers go; smaller ones by less.
 constexpr double k_usual_span_px = 250;
+/// So many frames that are near rest are a better rest than one.
+constexpr std::size_t k_enough_alike = 3;
 
 std::vector<std::size_t> lid_points(std::span<const TrackedCurve> curves) {
   std::vector<std::size_t> lids;
@@ -113,6 +119,134 @@ void settle_poses(const rig::Rig& rig, std::span<const std::size_t> searched, co
   }
 }
 
+/// The transfer without the curves that are taken care of.
+Transfer without_curves(const Transfer& all, const std::vector<bool>& done) {
+  Transfer left;
+  left.anchors = all.anchors;
+  left.turn_cosine = all.turn_cosine;
+  left.turn_sine = all.turn_sine;
+  std::vector<std::size_t> place(all.points.size(), 0);
+  for (std::size_t i = 0; i < all.points.size(); ++i) {
+    place[i] = left.points.size();
+    if (done[all.curve[i]]) continue;
+    left.points.push_back(all.points[i]);
+    left.places.push_back(all.places[i]);
+    left.tracked.push_back(all.tracked[i]);
+    left.curve.push_back(all.curve[i]);
+    left.weights.push_back(all.weights[i]);
+    left.scale.push_back(all.scale[i]);
+    if (i < all.meetings.size()) left.meetings.push_back(all.meetings[i]);
+  }
+  for (const auto& pair : all.contacts) {
+    if (!done[all.curve[pair[0]]] && !done[all.curve[pair[1]]]) {
+      left.contacts.push_back({place[pair[0]], place[pair[1]]});
+    }
+  }
+  for (Meeting& meeting : left.meetings) {
+    for (std::size_t& across : meeting.across) across = place[across];
+  }
+  return left;
+}
+
+/// The lids of a clip: what they do, and by which controls of the model.
+struct Lids {
+  std::vector<EyeCurves> eyes;
+  std::vector<LidControls> controls;
+  EyeMotion motion;
+  std::vector<bool> done;           ///< curves that the controls take care of
+  std::vector<std::size_t> others;  ///< parameters that the rest of the face is searched with
+};
+
+/// What the action units of a frame say of the controls.
+std::vector<Evidence> evidence_of(const rig::Rig& rig, const TrackSetup& setup, const TrackFrame& frame) {
+  std::vector<Evidence> evidence;
+  for (const UnitControl& one : setup.units) {
+    if (one.unit >= frame.says.units.size()) continue;
+    const rig::Parameter& range = rig.parameters()[one.parameter];
+    const double rest = setup.rest[one.parameter];
+    evidence.push_back({one.parameter, rest + frame.says.units[one.unit] * (range.maximum - rest), setup.unit_weight});
+  }
+  return evidence;
+}
+
+/// What the tracker itself says of the eyes' closing, one a frame, or nothing where it says nothing in most frames.
+std::vector<double> closing_column(const PointTrack& track) {
+  std::vector<double> column;
+  std::size_t told = 0;
+  double last = 0;
+  for (const TrackFrame& frame : track.frames) {
+    if (frame.says.closing) {
+      last = *frame.says.closing;
+      ++told;
+    }
+    column.push_back(last);
+  }
+  if (2 * told < track.frames.size()) column.clear();
+  return column;
+}
+
+/// Root mean square distance of the points from their middle, px; 0 of none.
+double extent_of_points(const TrackFrame& frame, std::span<const std::size_t> points) {
+  std::vector<PxPoint> places;
+  for (const std::size_t i : points) places.push_back(frame.points[i]);
+  if (places.empty()) return 0;
+  const PxPoint centre = middle(places);
+  double sum = 0;
+  for (const PxPoint& p : places) sum += (p.x - centre.x) * (p.x - centre.x) + (p.y - centre.y) * (p.y - centre.y);
+  return std::sqrt(sum / static_cast<double>(places.size()));
+}
+
+/// Errors (place "/curves/N"): a point that the track has not. make_transfer says what else may be wrong.
+base::Status check_points(const PointTrack& track, std::span<const TrackedCurve> curves) {
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    for (const std::size_t i : curves[c].points) {
+      if (i < track.point_count) continue;
+      return base::Error{"tracked point " + std::to_string(i) + " does not exist; the track has " +
+                             std::to_string(track.point_count) + " points",
+                         "/curves/" + std::to_string(c), "use a map for this format"};
+    }
+  }
+  return base::Done{};
+}
+
+std::vector<std::vector<double>> openings_of(std::span<const TrackedCurve> curves, std::span<const EyeCurves> eyes,
+                                             const StillTrack& still, const TrackFrame& neutral) {
+  std::vector<std::vector<double>> all;
+  for (const EyeCurves& eye : eyes) all.push_back(openings(still, neutral, curves[eye.one], curves[eye.other]));
+  return all;
+}
+
+Lids find_lids(const rig::Rig& rig, const TrackSetup& setup, const Transfer& transfer, const geometry::Camera& camera) {
+  Lids lids;
+  lids.done.assign(setup.curves.size(), false);
+  lids.others = setup.free;
+  std::vector<EyeCurves> eyes = eyes_of(setup.curves);
+  const auto controls = find_lid_controls(rig, setup.rest, setup.free, transfer, eyes, camera);
+  for (std::size_t e = 0; e < eyes.size(); ++e) {
+    if (controls[e].close.parameters.empty()) continue;
+    lids.eyes.push_back(eyes[e]);
+    lids.controls.push_back(controls[e]);
+    lids.done[eyes[e].one] = lids.done[eyes[e].other] = true;
+  }
+  // Where nothing but lids is tracked, they are curves like any other.
+  if (std::find(lids.done.begin(), lids.done.end(), false) == lids.done.end()) {
+    lids.eyes.clear();
+    lids.controls.clear();
+    lids.done.assign(setup.curves.size(), false);
+    return lids;
+  }
+  if (!lids.eyes.empty()) lids.others = without_lid_controls(rig, setup.rest, setup.free, transfer, lids.eyes, camera);
+  std::erase_if(lids.others, [&](std::size_t p) {
+    return std::any_of(lids.controls.begin(), lids.controls.end(), [&](const LidControls& one) {
+      const auto has = [&](const LidTravel& way) {
+        return std::find(way.parameters.begin(), way.parameters.end(), p) != way.parameters.end();
+      };
+      return has(one.close) || has(one.widen);
+    });
+  });
+  return lids;
+}
+
 }  // namespace
 
 base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTrack& track, const TrackSetup& setup,
@@ -121,24 +255,55 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   points.openings = lid_points(setup.curves);
   auto still = take_head_motion_out(track, points, setup.neutral, setup.least_confidence);
   if (!still) return still.error();
+  if (auto known = check_points(track, setup.curves); !known) return known.error();
+  see_contacts(track, setup.curves, *still);
+  std::optional<RestChoice> rest;
+  if (!setup.neutral) {
+    const double first_span = setup.curves.empty() ? 0.0 : span_px(setup.curves, track.frames[still->neutral]);
+    rest =
+        choose_rest(track, *still, setup.curves, setup.tremor_px.value_or(std::min(1.0, first_span / k_usual_span_px)));
+    if (rest && rest->frame != still->neutral) {
+      still = take_head_motion_out(track, points, rest->frame, setup.least_confidence);
+      if (!still) return still.error();
+    }
+  }
+  learn_depths(*still, points.openings, extent_of_points(track.frames[still->neutral], points.stable));
+  see_contacts(track, setup.curves, *still);
   auto transfer = make_transfer(rig, setup.rest, track, *still, setup.curves, camera);
   if (!transfer) return transfer.error();
   share_meetings(rig, setup.rest, setup.free, track.frames[still->neutral], setup.curves, camera, *transfer);
   const double span = span_px(setup.curves, track.frames[still->neutral]);
   const double tremor_px = setup.tremor_px.value_or(std::min(1.0, span / k_usual_span_px));
+  Lids lids = find_lids(rig, setup, *transfer, camera);
+  const TrackFrame& neutral = track.frames[still->neutral];
+  const auto seen = openings_of(setup.curves, lids.eyes, *still, neutral);
   steady_curves(setup.curves, tremor_px, *still);
-  measure_from(*still, still->neutral);
+  const auto calm = openings_of(setup.curves, lids.eyes, *still, neutral);
+  if (rest && rest->like_it.size() >= k_enough_alike) {
+    measure_from(*still, rest->like_it);
+  } else {
+    measure_from(*still, still->neutral);
+  }
+  if (rest) part_lips(setup.curves, neutral, *rest, *still);
   FrameOptions frame = setup.frame;
   frame.tremor_px = tremor_px;
-  auto solver = FrameSolver::make(rig, *transfer, setup.free, setup.rest, camera, frame);
+  const Transfer driven = without_curves(*transfer, lids.done);
+  auto solver = FrameSolver::make(rig, driven, lids.others, setup.rest, camera, frame);
   if (!solver) return solver.error();
 
   TrackedAnimation result;
+  result.rest = std::move(rest);
+  std::vector<double> times_s;
+  for (const TrackFrame& one : track.frames) times_s.push_back(one.time_s);
+  const double fps = frames_per_second(times_s.front(), times_s.back(), times_s.size());
+  result.eyes = find_eye_motion(seen, calm, still->confidence, fps, closing_column(track),
+                                k_tremor_deviation * tremor_px, still->doubt);
   result.variables = solver->parameters().size();
   for (std::size_t f = 0; f < track.frames.size(); ++f) {
     if (watch) watch(false);
     if (still->confidence[f] > 0) {
-      solver->follow(still->offsets[f], still->doubt[f], still->confidence[f]);
+      const auto told = evidence_of(rig, setup, track.frames[f]);
+      solver->follow(still->offsets[f], still->doubt[f], still->confidence[f], told);
     } else {
       result.held.push_back(f);
     }
@@ -148,11 +313,16 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   }
   if (tremor_px > 0) {
     const auto searched = solver->parameters();
-    const auto doubt =
-        parameter_uncertainty(rig, setup.rest, searched, *transfer, camera, k_tremor_deviation * tremor_px);
+    const auto doubt = parameter_uncertainty(rig, setup.rest, searched, driven, camera, k_tremor_deviation * tremor_px);
     settle_poses(rig, searched, doubt, still->confidence, result);
   }
   smooth_over_time(result.times_s, setup.smooth_s, result.poses);
+  for (std::size_t f = 0; f < result.poses.size(); ++f) {
+    take_apart(rig, setup.rest, solver->opposed(), result.poses[f]);
+    std::vector<double> closed;
+    for (const auto& eye : result.eyes.closed) closed.push_back(eye[f]);
+    if (!closed.empty()) set_lids(rig, lids.controls, closed, result.poses[f]);
+  }
   result.still = std::move(still).value();
   result.transfer = std::move(transfer).value();
   return result;

@@ -169,6 +169,30 @@ void find_roll(std::span<const Matched> curves, Transfer& out) {
   out.turn_sine = imaginary / size;
 }
 
+/// Pairs the inner points of curves that touch, each with the one as far along the other.
+void find_contacts(std::span<const TrackedCurve> curves, std::span<const Matched> matched, Transfer& out) {
+  std::vector<std::size_t> firsts;
+  std::size_t next = 0;
+  for (const TrackedCurve& curve : curves) {
+    firsts.push_back(next);
+    next += curve.points.size();
+  }
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const auto& other = curves[c].touches;
+    if (!other || *other <= c || *other >= curves.size()) continue;
+    const auto& a = matched[c].tracked;
+    const auto& b = matched[*other].tracked;
+    const bool backwards = geometry::distance(a.front(), b.front()) + geometry::distance(a.back(), b.back()) >
+                           geometry::distance(a.front(), b.back()) + geometry::distance(a.back(), b.front());
+    const std::size_t n = std::min(a.size(), b.size());
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+      const std::size_t from = i * (a.size() - 1) / (n - 1);
+      const std::size_t to = i * (b.size() - 1) / (n - 1);
+      out.contacts.push_back({firsts[c] + from, firsts[*other] + (backwards ? b.size() - 1 - to : to)});
+    }
+  }
+}
+
 }  // namespace
 
 base::Result<Transfer> make_transfer(const rig::Rig& rig, std::span<const double> rest, const PointTrack& track,
@@ -239,6 +263,7 @@ base::Result<Transfer> make_transfer(const rig::Rig& rig, std::span<const double
       transfer.scale[i] *= meeting_gain(matched[transfer.curve[i]], matched[*meets]);
   }
   find_roll(matched, transfer);
+  find_contacts(curves, matched, transfer);
   return transfer;
 }
 

@@ -17,10 +17,11 @@ namespace penpose::animation {
 struct TrackedCurve {
   std::vector<std::size_t> points;            ///< numbers of the track's points along the curve, at least two
   std::vector<posing::CurvePoint> reference;  ///< the model's curve, at least two points, in either direction
-  std::vector<std::size_t> anchor;   ///< points of the track that the curve rides on where the head is in doubt
-  double weight = 1;                 ///< of its points in the energy
-  std::optional<std::size_t> meets;  ///< the curve that it closes on, as one lid on the other
-  double gain = 1;                   ///< its movement is this many times the tracked one
+  std::vector<std::size_t> anchor;     ///< points of the track that the curve rides on where the head is in doubt
+  double weight = 1;                   ///< of its points in the energy
+  std::optional<std::size_t> meets;    ///< the curve that it closes on, as one lid on the other
+  std::optional<std::size_t> touches;  ///< the curve that it lies on at rest, as one lip on the other
+  double gain = 1;                     ///< its movement is this many times the tracked one
 };
 
 /// What a point does for the curve that its own one meets (share_meetings).
@@ -38,9 +39,10 @@ struct Transfer {
   std::vector<std::size_t> curve;                 ///< which curve each is of
   std::vector<std::vector<std::size_t>> anchors;  ///< one list a curve
   std::vector<double> weights;
-  std::vector<double> scale;      ///< |C_u| / |C_v0| times the gain, one a point
-  std::vector<Meeting> meetings;  ///< one a point, or none
-  double turn_cosine = 1;         ///< the neutral frame's own roll, taken out of every movement
+  std::vector<double> scale;                         ///< |C_u| / |C_v0| times the gain, one a point
+  std::vector<Meeting> meetings;                     ///< one a point, or none
+  std::vector<std::array<std::size_t, 2>> contacts;  ///< points of curves that touch at rest, across from each other
+  double turn_cosine = 1;                            ///< the neutral frame's own roll, taken out of every movement
   double turn_sine = 0;
 };
 

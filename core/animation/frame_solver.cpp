@@ -2,20 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
+#include "core/animation/sparse_fit.h"
+#include "core/animation/statistics.h"
 #include "core/animation/uncertainty.h"
 #include "core/curve/pairing.h"
 #include "core/posing/curve_system.h"
-#include "core/posing/finish.h"
 #include "core/posing/pose_objective.h"
 #include "core/posing/relevance.h"
 #include "core/posing/staged_simplex.h"
 
 namespace penpose::animation {
 namespace {
+/// How much less the mouth's points say of where it is in a frame whose head is all in doubt; how far open it is, they
+/// say as well as ever.
+constexpr double k_lips_in_doubt = 0.9;
 
 /// How much more a frame of no trust is held near the one before, in the unit of FrameOptions::near_last.
 constexpr double k_distrust = 0.2;
+
+/// What leaving rest by the whole range costs, in units of FrameOptions::near_rest.
+constexpr double k_leave = 2.5;
+
+/// Weight of what lies between two points that touch, beside the sum of theirs.
+constexpr double k_contact = 1.0;
 
 /// Evaluations of the simplex, a frame, that a rig may cost that is not linear.
 constexpr std::size_t k_evaluations_a_variable = 100;
@@ -51,6 +62,39 @@ std::vector<posing::Opposed> opposed_pairs(std::span<const double> told, std::sp
   return pairs;
 }
 
+/// How much of the whole model each control moves for what it moves of the curves' points, as a multiple of the median:
+/// what barely touches the curves is a poor reading of them. Linear rigs.
+/// `columns`: two numbers a point, one run of `length` a control.
+std::vector<double> costs_of_leaving(const rig::Rig& rig, const rig::Pose& rest,
+                                     std::span<const std::size_t> parameters, std::span<const double> columns,
+                                     std::size_t length) {
+  std::vector<geometry::ModelPoint> still(rig.vertex_count());
+  std::vector<geometry::ModelPoint> moved(rig.vertex_count());
+  rig.evaluate(rest, still);
+  rig::Pose pose = rest;
+  std::vector<double> ratios;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const rig::Parameter& range = rig.parameters()[parameters[k]];
+    const double middle = 0.5 * (range.minimum + range.maximum);
+    pose[parameters[k]] = rest[parameters[k]] < middle ? range.maximum : range.minimum;
+    rig.evaluate(pose, moved);
+    const double share = std::abs(pose[parameters[k]] - rest[parameters[k]]) / (range.maximum - range.minimum);
+    pose[parameters[k]] = rest[parameters[k]];
+    double whole = 0;
+    for (std::size_t v = 0; v < still.size(); ++v) whole += geometry::distance(still[v], moved[v]);
+    double seen = 0;
+    for (std::size_t i = k * length; i < (k + 1) * length; i += 2) {
+      seen += std::sqrt(columns[i] * columns[i] + columns[i + 1] * columns[i + 1]);
+    }
+    ratios.push_back(seen > 0 && share > 0 ? whole / share / seen : 0.0);
+  }
+  const double usual = quantile(ratios, 0.5);
+  constexpr double k_least = 0.5;
+  constexpr double k_most = 20;
+  for (double& ratio : ratios) ratio = usual > 0 ? std::clamp(ratio / usual, k_least, k_most) : 1.0;
+  return ratios;
+}
+
 }  // namespace
 
 struct FrameSolver::State {
@@ -72,10 +116,17 @@ struct FrameSolver::State {
   std::vector<double> rest_u;
   std::vector<double> u;
   rig::Pose pose;
+  rig::Pose at_rest;
   std::vector<geometry::PxPoint> targets;
   std::vector<geometry::ModelPoint> now;
   posing::StageWorkspace stages;
-  posing::FinishWorkspace finish;
+  SparseFit fit;  ///< where the rig is linear
+  SparseWorkspace sparse;
+  std::vector<Twins> twins;
+  geometry::ModelVector right{1, 0, 0};  ///< axes of the picture
+  geometry::ModelVector up{0, 1, 0};
+  std::vector<OpposedParameters> opposed;
+  std::vector<bool> of_lips;  ///< points of curves that lie about those that touch
 
   void aim(std::size_t point, const geometry::ModelPoint& target, double weight) {
     system.set_target(point, target);
@@ -99,23 +150,6 @@ struct FrameSolver::State {
     return v - d * (v.x * d.x + v.y * d.y + v.z * d.z);
   }
 
-  /// A video says nothing of depth, so that movements along the line of sight cost nothing: the model's columns are
-  /// freed of them.
-  void look_along_sight() {
-    for (posing::Column& column : model.columns) {
-      posing::Residuals values = column.values();
-      for (std::size_t point = 0; point < sight.size(); ++point) {
-        geometry::ModelVector v;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          v[static_cast<int>(axis)] = values[posing::residual_index(point, axis)];
-        v = seen_part(v, point);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          values[posing::residual_index(point, axis)] = v[static_cast<int>(axis)];
-      }
-      column = posing::Column(std::move(values));
-    }
-  }
-
   /// Lets points that meet others go beyond their targets by what those fell short of. False: there are none.
   bool take_over(double confidence) {
     bool any = false;
@@ -134,7 +168,92 @@ struct FrameSolver::State {
     return any;
   }
 
-  void solve(double confidence) {
+  /// A vector as the picture shows it: without what goes along the line of sight.
+  void put_seen(const geometry::ModelVector& v, std::size_t point, double* out) const {
+    const geometry::ModelVector seen = seen_part(v, point);
+    out[0] = seen.x * right.x + seen.y * right.y + seen.z * right.z;
+    out[1] = seen.x * up.x + seen.y * up.y + seen.z * up.z;
+  }
+
+  /// A mouth is where its lips are: all points that are no farther from the middle of the contacts than they are wide.
+  void find_lips() {
+    of_lips.assign(sight.size(), false);
+    if (transfer.contacts.empty()) return;
+    geometry::PxPoint centre;
+    double reach = 0;
+    for (const auto& pair : transfer.contacts) {
+      centre = centre + transfer.places[pair[0]] * (1.0 / static_cast<double>(transfer.contacts.size()));
+    }
+    for (std::size_t i = 0; i < sight.size(); ++i) {
+      const bool own = std::any_of(transfer.contacts.begin(), transfer.contacts.end(), [&](const auto& pair) {
+        return transfer.curve[pair[0]] == transfer.curve[i] || transfer.curve[pair[1]] == transfer.curve[i];
+      });
+      if (own) reach = std::max(reach, geometry::distance(transfer.places[i], centre));
+    }
+    for (std::size_t i = 0; i < sight.size(); ++i) {
+      of_lips[i] = geometry::distance(transfer.places[i], centre) < 1.5 * reach;
+    }
+  }
+
+  /// What lies between points of lips that touch, behind the points themselves: how far lips are apart is seen better
+  /// than where both of them are, which a nod moves too.
+  void add_contacts(double* numbers) const {
+    double* out = numbers + 2 * sight.size();
+    for (const auto& pair : transfer.contacts) {
+      for (int axis = 0; axis < 2; ++axis) *out++ = numbers[2 * pair[1] + axis] - numbers[2 * pair[0] + axis];
+    }
+  }
+
+  void make_fit() {
+    find_lips();
+    const std::size_t n = sight.size();
+    const std::size_t all = n + transfer.contacts.size();
+    fit.points = all;
+    fit.weights.resize(all);
+    fit.at_zero.resize(2 * all);
+    fit.columns.resize(2 * all * u.size());
+    for (std::size_t k = 0; k < u.size(); ++k) {
+      const posing::Residuals values = model.columns[k].values();
+      for (std::size_t point = 0; point < n; ++point) {
+        geometry::ModelVector v;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          v[static_cast<int>(axis)] = values[posing::residual_index(point, axis)];
+        put_seen(v, point, &fit.columns[2 * (k * all + point)]);
+      }
+      add_contacts(&fit.columns[2 * k * all]);
+    }
+    for (const double cost : costs_of_leaving(rig, at_rest, model.variables.parameter, fit.columns, 2 * all)) {
+      fit.cost.push_back(k_leave * pull_unit * options.near_rest * cost);
+    }
+    fit.rest = rest_u;
+    fit.even = pull_unit * options.near_rest;
+    fit.rounds = options.max_finish_iterations;
+    twins = find_twins(fit);
+    fit.softness = std::max(model.softness, 1e-9 * extent);
+  }
+
+  void fit_linear(double confidence, double doubt, double near_last) {
+    for (std::size_t point = 0; point < sight.size(); ++point) {
+      geometry::ModelVector v;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        v[static_cast<int>(axis)] = model.at_zero[posing::residual_index(point, axis)];
+      put_seen(v, point, &fit.at_zero[2 * point]);
+      fit.weights[point] = model.weights[point] * (of_lips[point] ? 1 - k_lips_in_doubt * doubt : 1);
+    }
+    add_contacts(fit.at_zero.data());
+    for (std::size_t c = 0; c < transfer.contacts.size(); ++c) {
+      const auto& pair = transfer.contacts[c];
+      fit.weights[sight.size() + c] = k_contact * (model.weights[pair[0]] + model.weights[pair[1]]);
+    }
+    fit.last = u;
+    fit.hold = pull_unit * near_last;
+    for (std::size_t k = 0; k < fit.cost.size(); ++k) fit.cost[k] *= confidence;
+    fit_sparsely(fit, u, sparse);
+    share_evenly(twins, u);
+    for (std::size_t k = 0; k < fit.cost.size() && confidence > 0; ++k) fit.cost[k] /= confidence;
+  }
+
+  void solve(double confidence, double doubt) {
     // Two pulls to two places are one pull to the place between them. A frame of no trust tells no more of rest than
     // of anything else.
     const double near_rest = options.near_rest * confidence;
@@ -145,26 +264,26 @@ struct FrameSolver::State {
     for (std::size_t i = 0; i < u.size(); ++i) {
       model.variables.start[i] = both > 0 ? (near_last * u[i] + near_rest * rest_u[i]) / both : u[i];
     }
-    posing::StageOptions search;
-    search.first_step = 0.06;
-    search.max_sweeps = 1;
-    search.gain_tolerance = 0.02;
-    search.max_evaluations = options.max_evaluations;
-    // Without finishing the simplex has to come to the last of its stages by itself.
-    if (!linear) search.max_evaluations = std::max(search.max_evaluations, k_evaluations_a_variable * u.size());
-    const auto objective = linear ? posing::make_linear_objective(model)
-                                  : posing::make_general_objective(system, model.variables, pose, model.near_weight);
-    posing::run_stages(*objective, relevance.effects, search, u, stages);
     if (linear) {
-      posing::FinishOptions finishing;
-      finishing.max_iterations = options.max_finish_iterations;
-      finishing.gain_tolerance = 1e-4;
-      posing::finish_linear(model, finishing, u, finish);
+      fit_linear(confidence, doubt, near_last);
+    } else {
+      posing::StageOptions search;
+      search.first_step = 0.06;
+      search.max_sweeps = 1;
+      search.gain_tolerance = 0.02;
+      // The simplex has to come to the last of its stages by itself.
+      search.max_evaluations = std::max(options.max_evaluations, k_evaluations_a_variable * u.size());
+      const auto objective = posing::make_general_objective(system, model.variables, pose, model.near_weight);
+      posing::run_stages(*objective, relevance.effects, search, u, stages);
     }
     for (std::size_t i = 0; i < u.size(); ++i) {
       const std::size_t p = model.variables.parameter[i];
       const rig::Parameter& range = rig.parameters()[p];
       pose[p] = std::clamp(model.variables.value(i, u[i]), range.minimum, range.maximum);
+    }
+    take_apart(rig, at_rest, opposed, pose);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      u[i] = (pose[model.variables.parameter[i]] - model.variables.minimum[i]) / model.variables.range[i];
     }
   }
 };
@@ -187,7 +306,7 @@ base::Result<FrameSolver> FrameSolver::make(const rig::Rig& rig, Transfer transf
   auto state = std::make_unique<State>(rig, std::move(transfer), camera, problem);
   State& s = *state;
   s.options = options;
-  s.pose = problem.start;
+  s.pose = s.at_rest = problem.start;
   s.now.resize(n);
   s.targets.resize(n);
   s.system.positions(s.pose, s.now);
@@ -206,6 +325,14 @@ base::Result<FrameSolver> FrameSolver::make(const rig::Rig& rig, Transfer transf
   s.u = s.rest_u = variables.opposed_from = variables.start;
   variables.opposed =
       opposed_pairs(seen_information(rig, s.pose, variables.parameter, s.transfer, camera, 1.0), s.rest_u);
+  {
+    const auto told = seen_information(rig, s.pose, variables.parameter, s.transfer, camera, 1.0);
+    const std::size_t m = variables.parameter.size();
+    for (const posing::Opposed& pair : variables.opposed) {
+      s.opposed.push_back({variables.parameter[pair.a], variables.parameter[pair.b],
+                           std::sqrt(told[pair.b * m + pair.b] / told[pair.a * m + pair.a])});
+    }
+  }
   double weight = 0;
   for (const double w : s.transfer.weights) weight += w;
   s.extent = box.diagonal();
@@ -215,15 +342,42 @@ base::Result<FrameSolver> FrameSolver::make(const rig::Rig& rig, Transfer transf
     s.model = posing::make_linear_model(s.system, s.pose, std::move(variables), std::move(*s.relevance.columns), 0);
     s.points_at_zero = s.model.at_zero;
     for (const auto& p : s.now) s.sight.push_back(geometry::normalized(p - camera.eye()));
-    s.look_along_sight();
+    s.right = camera.right();
+    s.up = camera.up();
+    s.make_fit();
   } else {
     s.model.variables = std::move(variables);
   }
   return FrameSolver(std::move(state));
 }
 
-const rig::Pose& FrameSolver::follow(std::span<const PxPoint> offsets, double doubt, double confidence) {
+void take_apart(const rig::Rig& rig, std::span<const double> rest, std::span<const OpposedParameters> opposed,
+                std::span<double> pose) {
+  const auto range = [&](std::size_t p) { return rig.parameters()[p].maximum - rig.parameters()[p].minimum; };
+  for (const OpposedParameters& pair : opposed) {
+    const double a = (pose[pair.a] - rest[pair.a]) / range(pair.a);
+    const double b = (pose[pair.b] - rest[pair.b]) / range(pair.b);
+    if (!(a * b > 0)) continue;
+    const double left = std::abs(a) - pair.ratio * std::abs(b);
+    const double sign = a > 0 ? 1 : -1;
+    pose[pair.a] = left > 0 ? rest[pair.a] + sign * left * range(pair.a) : rest[pair.a];
+    pose[pair.b] = left > 0 ? rest[pair.b] : rest[pair.b] - sign * left / pair.ratio * range(pair.b);
+  }
+}
+
+const rig::Pose& FrameSolver::follow(std::span<const PxPoint> offsets, double doubt, double confidence,
+                                     std::span<const Evidence> evidence) {
   State& s = *state_;
+  s.fit.told.assign(evidence.empty() ? 0 : s.u.size(), 0.0);
+  s.fit.wish.assign(s.fit.told.size(), 0.0);
+  for (const Evidence& one : evidence) {
+    const auto& all = s.model.variables.parameter;
+    const auto at = std::find(all.begin(), all.end(), one.parameter);
+    if (at == all.end()) continue;
+    const auto k = static_cast<std::size_t>(at - all.begin());
+    s.fit.told[k] = s.pull_unit * one.weight;
+    s.fit.wish[k] = (one.value - s.model.variables.minimum[k]) / s.model.variables.range[k];
+  }
   if (s.u.empty()) return s.pose;
   target_places(s.transfer, offsets, doubt, s.targets);
   s.system.positions(s.pose, s.now);
@@ -231,15 +385,16 @@ const rig::Pose& FrameSolver::follow(std::span<const PxPoint> offsets, double do
     s.aim(i, curve::lift(s.targets[i], s.now[i], s.camera), s.transfer.weights[i] * confidence);
   }
   const std::vector<double> before = s.u;
-  s.solve(confidence);
+  s.solve(confidence, doubt);
   if (s.take_over(confidence)) {
     s.u = before;
-    s.solve(confidence);
+    s.solve(confidence, doubt);
   }
   return s.pose;
 }
 
 const rig::Pose& FrameSolver::pose() const { return state_->pose; }
+std::span<const OpposedParameters> FrameSolver::opposed() const { return state_->opposed; }
 std::span<const std::size_t> FrameSolver::parameters() const { return state_->relevance.parameters; }
 
 }  // namespace penpose::animation

@@ -103,6 +103,18 @@ void measure_from(StillTrack& track, std::size_t frame) {
   }
 }
 
+void measure_from(StillTrack& track, std::span<const std::size_t> frames) {
+  std::vector<geometry::PxPoint> mean(track.offsets[frames[0]].size());
+  for (const std::size_t f : frames) {
+    for (std::size_t i = 0; i < mean.size(); ++i) {
+      mean[i] = mean[i] + track.offsets[f][i] * (1.0 / static_cast<double>(frames.size()));
+    }
+  }
+  for (auto& offsets : track.offsets) {
+    for (std::size_t i = 0; i < offsets.size() && i < mean.size(); ++i) offsets[i] = offsets[i] - mean[i];
+  }
+}
+
 void settle(std::span<const double> tremor, std::span<const double> confidence,
             std::vector<std::vector<double>>& rows) {
   std::vector<std::size_t> moving;

@@ -20,6 +20,8 @@ void steady(StillTrack& track, std::span<const std::size_t> points, double tremo
 /// Offsets are taken from a frame that trembles as all others do. Once steadied, what they say of that frame is its
 /// tremor, which every other frame is off by, and as much doubt of their own: half of it is taken out of all.
 void measure_from(StillTrack& track, std::size_t frame);
+/// The same from several frames that show the same: their mean trembles less, and all of it is taken out.
+void measure_from(StillTrack& track, std::span<const std::size_t> frames);
 
 /// As steady() on single values, one row a frame and one column a parameter: what remains of the tremor where
 /// parameters work against each other. `tremor`: in units of the column, one a column; 0 leaves a column alone.

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <glm/mat3x3.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,12 @@ namespace penpose::animation {
 
 using geometry::PxPoint;
 
+/// What a tracker says of a face beside its points.
+struct TrackerSays {
+  std::optional<double> closing = std::nullopt;  ///< how far the eyes close, in its own unit (AU45 of OpenFace)
+  std::vector<double> units = {};  ///< one a name of PointTrack::unit_names, 0..1; empty where it says nothing
+};
+
 /// What a tracker saw in one picture of a video.
 struct TrackFrame {
   double time_s = 0;
@@ -20,6 +27,7 @@ struct TrackFrame {
   std::vector<double> depths;   ///< px towards the camera, one a point; empty where nothing is known of it
   /// How the head is turned, from a face that looks into the camera (x right, y down, z away), where the tracker says.
   std::optional<glm::dmat3> rotation = std::nullopt;
+  TrackerSays says = {};
   std::string why_held = {};  ///< why the frame shows no face; empty where it does or the file leaves it out
 
   [[nodiscard]] bool found() const { return confidence > 0 && !points.empty(); }
@@ -35,10 +43,11 @@ struct TrackGroup {
 /// Tracked points over time. Every frame that was found has `point_count` points.
 struct PointTrack {
   std::size_t point_count = 0;
-  std::vector<TrackFrame> frames;  ///< in order of time
-  std::vector<TrackGroup> groups;  ///< for formats that name their curves; empty otherwise
-  std::vector<std::string> notes;  ///< what was left out or held, one line each
-  std::string rate_note;           ///< where the file does not tell the frame rate: which one was taken
+  std::vector<TrackFrame> frames;       ///< in order of time
+  std::vector<TrackGroup> groups;       ///< for formats that name their curves; empty otherwise
+  std::vector<std::string> unit_names;  ///< of action units ("AU12"); empty where the file has none
+  std::vector<std::string> notes;       ///< what was left out or held, one line each
+  std::string rate_note;                ///< where the file does not tell the frame rate: which one was taken
 };
 
 struct WeightFrame {
@@ -57,5 +66,11 @@ struct WeightTrack {
 
 /// Frames a second of evenly spaced times; 0 for fewer than two frames or times that do not grow.
 [[nodiscard]] double frames_per_second(double first_s, double last_s, std::size_t frames);
+
+/// The frame rate of which all these times (ascending, s) are whole frames to within a share of one: one that video is
+/// made in where one fits, else what most steps say; 0 where there is none.
+[[nodiscard]] double whole_frame_rate(std::span<const double> times_s, double within);
+/// The times at whole frames of that rate.
+[[nodiscard]] std::vector<double> at_whole_frames(std::span<const double> times_s, double fps);
 
 }  // namespace penpose::animation

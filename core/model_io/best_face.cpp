@@ -102,6 +102,7 @@ class Joining {
     row.row.points.clear();
     row.row.depths.clear();
     row.row.rotation.reset();
+    row.row.says = {};
   }
 
   /// Whether the frames of each face come in order; then they can be put in order all together, as in a table of one

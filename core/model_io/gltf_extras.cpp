@@ -123,6 +123,14 @@ std::optional<base::Error> read_node(const Json& object, const std::string& poin
   return std::nullopt;
 }
 
+std::optional<base::Error> read_one_way(const Json& value, const std::string& pointer, OneWayName& out) {
+  const bool known = value.is_array() && value.size() == 3 && value[0].is_string() && value[1].is_string() &&
+                     value[2].is_number() && (value[2] == 1.0 || value[2] == -1.0);
+  if (!known) return wrong("[name, target, 1 or -1] was expected", pointer);
+  out = {value[0].get<std::string>(), value[1].get<std::string>(), value[2].get<double>()};
+  return std::nullopt;
+}
+
 /// Calls `read` for every item of the list of that name; a list that is missing is empty.
 template <typename Item, typename Read>
 std::optional<base::Error> read_list(const Json& object, const char* name, const std::string& pointer, Read read,
@@ -172,6 +180,7 @@ base::Result<RootExtras> read_root_extras(const Json& document) {
   };
   if (auto error = read_list(*own, "baked", pointer, read_names, extras.baked)) return *error;
   extras.baked.resize(extras.deformers.size());
+  if (auto error = read_list(*own, "one_way", pointer, read_one_way, extras.one_way)) return *error;
   return extras;
 }
 
@@ -202,7 +211,7 @@ base::Status check_curves(const RootExtras& root, std::size_t triangle_count) {
 }
 
 Json write_root_extras(const document::Model& model, const std::vector<std::vector<std::string>>& baked,
-                       const Json& project) {
+                       const std::vector<OneWayName>& one_way, const Json& project) {
   Json own = {{"version", k_extras_version}};
   if (!project.is_null()) own["project"] = project;
   if (model.shapes) {
@@ -221,6 +230,7 @@ Json write_root_extras(const document::Model& model, const std::vector<std::vect
     const bool any = std::any_of(baked.begin(), baked.end(), [](const auto& names) { return !names.empty(); });
     if (any) own["baked"] = baked;
   }
+  for (const OneWayName& one : one_way) own["one_way"].push_back({one.name, one.target, one.factor});
   if (!model.curves.empty()) {
     Json curves = Json::array();
     for (const document::NamedCurve& curve : model.curves) {

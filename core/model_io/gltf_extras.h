@@ -22,14 +22,26 @@ inline constexpr std::int64_t k_extras_version = 2;  ///< 1 had no "project"
 /// b0, b1, b2], ...]}], "deformers": [a deformer as sketch files have it, with its own "viewport", ...]}. Deformers are
 /// also morph targets of their names, sampled at amount 1, after those of the shapes, and "baked": [[NAME, ...], ...]
 /// names those that show the rest of each (baked_deformer.h).
+/// A target that takes a part of the weight of another.
+struct OneWayName {
+  std::string name;
+  std::string target;
+  double factor = 1;
+};
+
 struct RootExtras {
   bool present = false;
   std::vector<rig::Parameter> shapes;  ///< in the order of the rig
   std::vector<document::NamedCurve> curves;
   std::vector<articulation::Sketch> deformers;
+  std::vector<OneWayName> one_way;
   std::vector<std::vector<std::string>> baked;  ///< one list a deformer: targets that only show it to other programs
 };
 
+/// "one_way": [[NAME, TARGET, 1 or -1], ...] names targets that take what goes above 1 or below 0 of the weight of
+/// another (one_way_targets.h): the weight is the sum of theirs, turned round for -1. Animation: {"fps": F}, whose
+/// frames its keys are.
+///
 /// Sampler of weights: {"added": [key, ...]}, keys that are there for other programs alone (dense_keys.h).
 ///
 /// Node: {"joint": true, "posable": true, "rest_rotation": [x, y, z, w], "minimum": [x, y, z], "maximum": [x, y, z],
@@ -58,6 +70,6 @@ struct NodeExtras {
 /// `baked`: names of the targets that were made for each deformer beside its own. `project`: the member "project"
 /// (core/model_io/project_json.h), or null for a model alone.
 [[nodiscard]] Json write_root_extras(const document::Model& model, const std::vector<std::vector<std::string>>& baked,
-                                     const Json& project);
+                                     const std::vector<OneWayName>& one_way, const Json& project);
 
 }  // namespace penpose::model_io

@@ -70,10 +70,11 @@ Problem read_curve(const Json& value, const std::string& pointer, MapCurve& out)
   if (reference == nullptr) return wrong("the key \"reference\" is missing", pointer);
   if (auto problem = read_numbers_or_name(*track, child(pointer, "track"), out.track)) return problem;
   if (auto problem = read_numbers_or_name(*reference, child(pointer, "reference"), out.reference)) return problem;
-  if (const Json* meets = find(value, "meets")) {
-    if (!meets->is_string())
-      return wrong("the name of another curve's reference was expected", child(pointer, "meets"));
-    out.meets = meets->get<std::string>();
+  for (const auto& [name, to] : {std::pair{"meets", &out.meets}, std::pair{"touches", &out.touches}}) {
+    const Json* other = find(value, name);
+    if (other == nullptr) continue;
+    if (!other->is_string()) return wrong("the name of another curve's reference was expected", child(pointer, name));
+    *to = other->get<std::string>();
   }
   if (const Json* anchor = find(value, "anchor")) {
     if (auto problem = read_points(*anchor, child(pointer, "anchor"), out.anchor)) return problem;
@@ -84,7 +85,8 @@ Problem read_curve(const Json& value, const std::string& pointer, MapCurve& out)
 
 constexpr std::array<std::string_view, 7> k_members = {"format", "curves", "stable", "turning",
                                                        "head",   "free",   "names"};
-constexpr std::array<std::string_view, 6> k_curve_members = {"track", "reference", "anchor", "meets", "weight", "gain"};
+constexpr std::array<std::string_view, 7> k_curve_members = {"track",   "reference", "anchor", "meets",
+                                                             "touches", "weight",    "gain"};
 
 Problem read_curves(const Json& json, MapFile& out) {
   const Json* curves = find(json, "curves");

@@ -43,6 +43,32 @@ void drop_weights(document::Animation& animation, std::size_t all, std::size_t k
   }
 }
 
+std::optional<std::size_t> shape_named(const GltfShapes& shapes, const std::string& name) {
+  for (std::size_t i = 0; i < shapes.shapes.size(); ++i) {
+    if (shapes.shapes[i].parameter.name == name) return i;
+  }
+  return std::nullopt;
+}
+
+/// Gives a target's weight back to the one of which it is a part.
+void put_together(const OneWayName& one, GltfShapes& shapes, std::vector<document::Animation>& animations) {
+  const std::size_t to = *shape_named(shapes, one.name);
+  const std::size_t from = *shape_named(shapes, one.target);
+  shapes.values[to] += one.factor * shapes.values[from];
+  rig::Parameter& range = shapes.shapes[to].parameter;
+  range.minimum = std::min(range.minimum, shapes.values[to]);
+  range.maximum = std::max(range.maximum, shapes.values[to]);
+  const std::size_t width = shapes.shapes.size();
+  for (document::Animation& animation : animations) {
+    for (document::Channel& channel : animation.channels) {
+      if (channel.target != document::ChannelTarget::weights) continue;
+      for (std::size_t row = 0; row + width <= channel.values.size(); row += width) {
+        channel.values[row + to] += one.factor * channel.values[row + from];
+      }
+    }
+  }
+}
+
 base::Result<document::Model> read_opened(GltfDocument& document) {
   const auto root = read_root_extras(document.json);
   if (!root) return root.error();
@@ -88,10 +114,18 @@ base::Result<document::Model> read_opened(GltfDocument& document) {
         not_shapes.push_back(name);
     }
   }
+  std::vector<OneWayName> one_way;
+  for (const OneWayName& one : root->one_way) {
+    const bool there = shape_named(*shapes, one.target) && shape_named(*shapes, one.name);
+    if (!there || std::find(not_shapes.begin(), not_shapes.end(), one.target) != not_shapes.end()) continue;
+    not_shapes.push_back(one.target);
+    one_way.push_back(one);
+  }
   const std::size_t shape_count = order_shapes(*shapes, *root, not_shapes);
   const std::size_t weights = shape_count + deformer_names.size();
   auto animations = read_animations(document, *meshes, *shapes, joints->joint_of_node);
   if (!animations) return animations.error();
+  for (const OneWayName& one : one_way) put_together(one, *shapes, *animations);
   widen_ranges(*animations, *root, *shapes);
   for (document::Animation& animation : *animations) drop_weights(animation, shapes->shapes.size(), weights);
   shapes->values.resize(weights);

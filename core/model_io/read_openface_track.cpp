@@ -94,6 +94,40 @@ class OwnTurn {
   bool there_ = false;
 };
 
+/// The columns AU01_r, ..., intensities of action units from 0 to 5. Files without them are common.
+class OwnWords {
+ public:
+  explicit OwnWords(const CsvReader& table) {
+    const auto names = table.columns();
+    for (std::size_t c = 0; c < names.size(); ++c) {
+      const std::string name(names[c]);
+      if (name.size() == 6 && name.starts_with("AU") && name.ends_with("_r")) {
+        unit_names.push_back(name.substr(0, 4));
+        units_.push_back(c);
+      }
+    }
+  }
+
+  [[nodiscard]] animation::TrackerSays read(const CsvReader& table, const std::vector<std::string_view>& cells) const {
+    animation::TrackerSays says;
+    const auto at = [&](std::size_t column) {
+      return column < cells.size() ? table.number(cells[column]).value_or(std::nan("")) : std::nan("");
+    };
+    constexpr double k_most = 5;
+    for (std::size_t i = 0; i < units_.size(); ++i) {
+      const double value = at(units_[i]) / k_most;
+      says.units.push_back(std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0.0);
+      if (unit_names[i] == "AU45" && std::isfinite(value)) says.closing = says.units.back();
+    }
+    return says;
+  }
+
+  std::vector<std::string> unit_names;
+
+ private:
+  std::vector<std::size_t> units_;
+};
+
 }  // namespace
 
 base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
@@ -106,6 +140,7 @@ base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
   if (!columns) return columns.error();
   const SolidFace solid(*table);
   const OwnTurn turn(*table);
+  const OwnWords words(*table);
   std::vector<FaceRow> rows;
   std::vector<std::string_view> cells;
   while (table->next(cells)) {
@@ -115,6 +150,7 @@ base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
       row->row.depths = solid.depths(*table, cells, row->row.points);
       if (row->row.depths.empty()) row->row.depths = common_depths(row->row.points);
       row->row.rotation = turn.rotation(*table, cells);
+      row->row.says = words.read(*table, cells);
     }
     if (rows.size() >= 4 * k_most_track_frames) return table->error("the table has too many rows", "cut the video");
     rows.push_back(std::move(row).value());
@@ -124,6 +160,7 @@ base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
   take_small_units(best);
   auto track = make_track(std::move(best), k_ibug_points, k_common_fps);
   if (!track) return track;
+  track->unit_names = words.unit_names;
   track->notes.insert(track->notes.begin(), notes.begin(), notes.end());
   return track;
 }

@@ -191,6 +191,7 @@ base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::
       frame.points = std::move(row.points);
       frame.depths = std::move(row.depths);
       frame.rotation = row.rotation;
+      frame.says = std::move(row.says);
     } else {
       notes.add(text_of(row, name) + ": " + row.why_held + "; the frame is held");
       frame.why_held = std::move(row.why_held);

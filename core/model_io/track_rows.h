@@ -19,6 +19,7 @@ struct TrackRow {
   std::vector<animation::PxPoint> points;  ///< empty where held
   std::vector<double> depths;              ///< or empty
   std::optional<glm::dmat3> rotation;      ///< of the head, as TrackFrame
+  animation::TrackerSays says = {};
 };
 
 /// Notes on single frames: the first of them, and how many more there are.

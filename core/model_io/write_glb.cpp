@@ -7,12 +7,14 @@
 #include <numeric>
 #include <optional>
 
+#include "core/animation/track.h"
 #include "core/geometry/rotation.h"
 #include "core/model_io/dense_keys.h"
 #include "core/model_io/glb_targets.h"
 #include "core/model_io/gltf_builder.h"
 #include "core/model_io/gltf_extras.h"
 #include "core/model_io/normals.h"
+#include "core/model_io/one_way_targets.h"
 #include "core/model_io/project_json.h"
 #include "core/model_io/write_document.h"
 #include "core/model_io/write_model.h"
@@ -42,11 +44,14 @@ enum class Carriage : std::uint8_t { free, rigid, skinned };
 class GlbWriter {
  public:
   GlbWriter(const document::Model& model, const GlbOptions& options, Json project)
-      : model_(model), project_(std::move(project)), morphs_(model, options.bake_tolerance) {}
+      : model_(model), project_(std::move(project)), morphs_(model, options.bake_tolerance) {
+    find_keys();
+    find_one_way_targets();
+  }
 
   base::Result<std::vector<std::uint8_t>> write() {
     builder_.root["asset"] = {{"version", "2.0"}, {"generator", "penpose"}};
-    builder_.root["extras"] = write_root_extras(model_, morphs_.baked_names(), project_);
+    builder_.root["extras"] = write_root_extras(model_, morphs_.baked_names(), one_way_names(), project_);
     find_carriage();
     write_joints();
     write_skin();
@@ -58,7 +63,7 @@ class GlbWriter {
     builder_.root["scene"] = 0;
     write_animations();
     const double size = morphs_.size();
-    report = {targets_.size(), targets_.size() - morphs_.own_count(),
+    report = {targets_.size(), morphs_.all().size() - morphs_.own_count(),
               morphs_.bake_error() + (size > 0 ? between_error_ / size : 0.0)};
     return builder_.finish();
   }
@@ -68,6 +73,76 @@ class GlbWriter {
  private:
   [[nodiscard]] std::span<const rig::Joint> joints() const {
     return model_.skeleton ? model_.skeleton->joints() : std::span<const rig::Joint>();
+  }
+
+  [[nodiscard]] bool is_weight_channel(const document::Channel& channel) const {
+    const std::size_t rows = channel.interpolation == document::Interpolation::cubic_spline ? 3 : 1;
+    return channel.target == document::ChannelTarget::weights && !channel.times_s.empty() && morphs_.own_count() > 0 &&
+           channel.values.size() == channel.times_s.size() * rows * morphs_.own_count();
+  }
+
+  /// The keys of all weights, before the targets are written, which depend on them.
+  void find_keys() {
+    for (const document::Animation& animation : model_.animations) {
+      for (const document::Channel& channel : animation.channels) {
+        if (!is_weight_channel(channel)) continue;
+        keys_.push_back({&channel, dense_keys(channel, morphs_, morphs_.between_tolerance())});
+      }
+    }
+  }
+
+  void find_one_way_targets() {
+    pose_weights_ = morphs_.weights(model_.pose);
+    std::vector<double> low = pose_weights_;
+    std::vector<double> high = pose_weights_;
+    for (const auto& [channel, keys] : keys_) {
+      const bool cubic = channel->interpolation == document::Interpolation::cubic_spline;
+      for (std::size_t row = 0; row < keys.rows.size(); ++row) {
+        if (cubic && row % 3 != 1) continue;
+        for (std::size_t t = 0; t < low.size(); ++t) {
+          low[t] = std::min(low[t], keys.rows[row][t]);
+          high[t] = std::max(high[t], keys.rows[row][t]);
+        }
+      }
+    }
+    one_way_ = one_way_targets(morphs_.all(), low, high);
+    targets_.assign(morphs_.all().begin(), morphs_.all().end());
+    helped_.assign(targets_.size(), false);
+    for (const OneWayTarget& one : one_way_) {
+      targets_.push_back(&one.shape);
+      helped_[one.of] = true;
+    }
+  }
+
+  [[nodiscard]] std::vector<OneWayName> one_way_names() const {
+    std::vector<OneWayName> names;
+    for (const OneWayTarget& one : one_way_) {
+      names.push_back({targets_[one.of]->parameter.name, one.shape.parameter.name, one.turned ? -1.0 : 1.0});
+    }
+    return names;
+  }
+
+  /// The weight of a target where the targets' weights, before some were parted, are these.
+  [[nodiscard]] double weight_of(std::size_t target, const std::vector<double>& weights) const {
+    if (target >= weights.size()) {
+      const OneWayTarget& one = one_way_[target - weights.size()];
+      return one.part(weights[one.of]);
+    }
+    return helped_[target] ? std::clamp(weights[target], 0.0, 1.0) : weights[target];
+  }
+
+  /// The same of a tangent: all of it is that of the part in which the weight is.
+  [[nodiscard]] double tangent_of(std::size_t target, const std::vector<double>& tangents,
+                                  const std::vector<double>& weights) const {
+    if (target >= weights.size()) {
+      const OneWayTarget& one = one_way_[target - weights.size()];
+      const double part = one.part(weights[one.of]);
+      return part > 0 && (part < 1 || is_last(one, weights[one.of])) ? (one.turned ? -1 : 1) * tangents[one.of] : 0.0;
+    }
+    return !helped_[target] || (weights[target] >= 0 && weights[target] <= 1) ? tangents[target] : 0.0;
+  }
+  static bool is_last(const OneWayTarget& one, double weight) {
+    return (one.turned ? -weight : weight) <= one.from + 1;
   }
 
   void find_carriage() {
@@ -282,7 +357,6 @@ class GlbWriter {
     if (shapes_of_part_[index].empty()) return;
     Json names = Json::array();
     Json weights = Json::array();
-    const std::vector<double> pose_weights = morphs_.weights(model_.pose);
     for (const std::size_t s : shapes_of_part_[index]) {
       const rig::BlendShape& shape = *targets_[s];
       const auto [first, last] = entries_in(shape, part);
@@ -301,7 +375,7 @@ class GlbWriter {
       }
       primitive["targets"].push_back(std::move(target));
       names.push_back(shape.parameter.name);
-      weights.push_back(pose_weights[s]);
+      weights.push_back(weight_of(s, pose_weights_));
     }
     mesh["weights"] = std::move(weights);
     mesh["extras"] = {{"targetNames", std::move(names)}};
@@ -321,6 +395,18 @@ class GlbWriter {
     return builder_.add("materials", std::move(object));
   }
 
+  /// The rate of which all keys are whole frames, or 0. glTF itself knows seconds alone.
+  static double rate_of(const document::Animation& animation) {
+    std::vector<double> times_s;
+    for (const document::Channel& channel : animation.channels) {
+      times_s.insert(times_s.end(), channel.times_s.begin(), channel.times_s.end());
+    }
+    std::stable_sort(times_s.begin(), times_s.end());
+    times_s.erase(std::unique(times_s.begin(), times_s.end()), times_s.end());
+    constexpr double k_whole = 1e-3;  // of a frame
+    return animation::whole_frame_rate(times_s, k_whole);
+  }
+
   void write_animations() {
     for (const document::Animation& animation : model_.animations) {
       Json channels = Json::array();
@@ -329,6 +415,8 @@ class GlbWriter {
       if (channels.empty()) continue;
       Json object = {{"channels", std::move(channels)}, {"samplers", std::move(samplers)}};
       if (!animation.name.empty()) object["name"] = animation.name;
+      const double fps = rate_of(animation);
+      if (fps > 0) object["extras"] = {{k_extras_key, {{"fps", fps}}}};
       builder_.add("animations", std::move(object));
     }
   }
@@ -361,9 +449,7 @@ class GlbWriter {
   void write_channel(const document::Channel& channel, Json& channels, Json& samplers) {
     if (channel.times_s.empty()) return;
     if (channel.target == document::ChannelTarget::weights) {
-      const std::size_t rows = channel.interpolation == document::Interpolation::cubic_spline ? 3 : 1;
-      const bool fits = channel.values.size() == channel.times_s.size() * rows * morphs_.own_count();
-      if (fits && morphs_.own_count() > 0) write_weight_keys(channel, channels, samplers);
+      if (is_weight_channel(channel)) write_weight_keys(channel, channels, samplers);
       return;
     }
     if (channel.joint >= joints().size()) return;
@@ -379,18 +465,26 @@ class GlbWriter {
   }
 
   void write_weight_keys(const document::Channel& channel, Json& channels, Json& samplers) {
-    DenseKeys keys = dense_keys(channel, morphs_, morphs_.between_tolerance());
+    const auto found =
+        std::find_if(keys_.begin(), keys_.end(), [&](const auto& one) { return one.channel == &channel; });
+    const DenseKeys& keys = found->keys;
     between_error_ = std::max(between_error_, keys.error);
     std::optional<Times> times;
     for (std::size_t i = 0; i < shapes_of_part_.size(); ++i) {
       if (shapes_of_part_[i].empty()) continue;
       if (!times) {
         times = write_times(keys.times_s, channel);
-        times->added = std::move(keys.added);
+        times->added = keys.added;
       }
       std::vector<float> values;
-      for (const auto& row : keys.rows) {
-        for (const std::size_t s : shapes_of_part_[i]) values.push_back(static_cast<float>(row[s]));
+      const bool cubic = channel.interpolation == document::Interpolation::cubic_spline;
+      for (std::size_t row = 0; row < keys.rows.size(); ++row) {
+        const auto& numbers = keys.rows[row];
+        for (const std::size_t s : shapes_of_part_[i]) {
+          const bool tangent = cubic && row % 3 != 1;
+          values.push_back(static_cast<float>(tangent ? tangent_of(s, numbers, keys.rows[row - row % 3 + 1])
+                                                      : weight_of(s, numbers)));
+        }
       }
       write_sampler(*times, node_of_part_[i], "weights", values, "SCALAR", channels, samplers);
     }
@@ -399,7 +493,16 @@ class GlbWriter {
   const document::Model& model_;
   Json project_;  ///< null: the file is a model and no project
   GlbTargets morphs_;
-  std::span<const rig::BlendShape* const> targets_ = morphs_.all();
+  /// A channel of weights and its keys in the file.
+  struct KeysOf {
+    const document::Channel* channel;
+    DenseKeys keys;
+  };
+  std::vector<KeysOf> keys_;
+  std::vector<double> pose_weights_;   ///< of the targets of morphs_
+  std::vector<OneWayTarget> one_way_;  ///< behind those
+  std::vector<bool> helped_;           ///< one a target of morphs_: some of one_way_ are for it
+  std::vector<const rig::BlendShape*> targets_;
   GltfBuilder builder_;
   std::vector<Json> nodes_;
   Json scene_ = Json::array();  ///< nodes at the root

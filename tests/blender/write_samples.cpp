@@ -13,6 +13,7 @@
 #include "tests/support/model_samples.h"
 #include "tests/support/rendered_track.h"
 #include "tests/support/shared_data.h"
+#include "ui/demo/run_demo.h"
 
 namespace {
 
@@ -107,6 +108,9 @@ int main(int argc, char** argv) {
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   bool good = write(folder, "trunk", animated(trunk()));
+  // The built-in head, through the whole ranges of its controls, which go below 0 and above 1.
+  const auto demo = demo::run_demo().value();
+  good = write(folder, "head_clip", animated(document::model_of(demo.document))) && good;
   if (!tests::has_shared()) return good ? 0 : 1;
   for (const char* name : {"ict_face.glb", "ict_face_narrow.glb"}) {
     const auto file = tests::shared_dir() / "meshes" / name;

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -45,6 +46,7 @@ struct AnimateArguments {
   double least_confidence = 0.2;
   double fps = 0;
   std::string picture;
+  bool units = false;
   bool json = false;
 };
 
@@ -54,6 +56,8 @@ struct Animated {
   std::vector<rig::Pose> poses;
   std::vector<std::size_t> held;
   std::vector<std::string> notes;
+  std::optional<animation::RestChoice> rest;
+  animation::EyeMotion eyes;
   std::vector<std::string> unmatched;  ///< names of the track that the model has no control for
   std::vector<document::Stand> stands;
   std::vector<animation::HeadTurn> head;  ///< as seen in the picture; empty for tracks of values
@@ -115,6 +119,12 @@ base::Result<Animated> from_points(const document::Model& model, const animation
                            std::to_string(track.frames.size()),
                        "--neutral", "frames count from 0"};
   }
+  if (arguments.units) {
+    setup->units = unit_controls(model, track);
+    if (setup->units.empty()) {
+      animated.notes.emplace_back("--units: the track has no action units that the model has controls for");
+    }
+  }
   setup->neutral = arguments.neutral;
   setup->tremor_px = arguments.tremor_px;
   setup->smooth_s = arguments.smooth_s;
@@ -143,6 +153,12 @@ base::Result<Animated> from_points(const document::Model& model, const animation
   animated.times_s = std::move(result->times_s);
   animated.poses = std::move(result->poses);
   animated.held = std::move(result->held);
+  animated.rest = std::move(result->rest);
+  animated.eyes = std::move(result->eyes);
+  if (animated.rest && !animated.rest->near_rest) {
+    animated.notes.emplace_back(
+        "nothing in the clip is near rest: the lips never touch; if they do in a frame, name it with --neutral");
+  }
   animated.head = std::move(result->still.turns);
   return animated;
 }
@@ -189,6 +205,9 @@ Json to_json(const Animated& animated, const document::Document& document, doubl
           {"fps", fps},
           {"solve_us", animated.solve_us},
           {"unmatched", animated.unmatched},
+          {"blinks", animated.eyes.blinks},
+          {"blink_dip", animated.eyes.full_dip},
+          {"rest", animated.rest ? Json(animated.rest->frame) : Json()},
           {"parameters", std::move(parameters)},
           {"head", head_to_json(animated.head)},
           {"state", document::DocumentHasher()(document).whole.hex()}};
@@ -289,8 +308,12 @@ int animate(const AnimateArguments& arguments) {
   const std::string map_name = arguments.map.empty() ? arguments.track : arguments.map;
   if (!animated) return report(animated.error(), map_name);
 
-  const double fps =
-      animation::frames_per_second(animated->times_s.front(), animated->times_s.back(), animated->times_s.size());
+  constexpr double k_off_frame = 0.3;
+  const double whole_fps = animation::whole_frame_rate(animated->times_s, k_off_frame);
+  if (whole_fps > 0) animated->times_s = animation::at_whole_frames(animated->times_s, whole_fps);
+  const double fps = whole_fps > 0 ? whole_fps
+                                   : animation::frames_per_second(animated->times_s.front(), animated->times_s.back(),
+                                                                  animated->times_s.size());
   model->animations.insert(model->animations.begin(),
                            document::make_animation(*model, "tracked", animated->times_s, animated->poses));
   // Joints are turned by the animation itself; a pose of theirs would be added to it.
@@ -315,6 +338,15 @@ int animate(const AnimateArguments& arguments) {
             << animated->held.size() << " held, " << base::format_fixed(animated->solve_us / 1000.0, 2)
             << " ms a frame\n";
   if (!animated->held.empty()) std::cout << "held: " << ranges(animated->held) << '\n';
+  if (whole_fps > 0) {
+    std::cout << base::format_fixed(whole_fps, whole_fps == std::floor(whole_fps) ? 0 : 3)
+              << " fps: set it in Blender before importing, then keys are on whole frames\n";
+  }
+  if (animated->rest) std::cout << animation::explain(*animated->rest) << '\n';
+  if (!animated->eyes.blinks.empty()) {
+    std::cout << animated->eyes.blinks.size() << " blinks, in which the points close by "
+              << base::format_fixed(100 * animated->eyes.full_dip, 0) << " % of the usual opening\n";
+  }
   for (const std::string& name : animated->unmatched) std::cout << "no control for " << base::shown_name(name) << '\n';
   return k_success;
 }
@@ -341,7 +373,8 @@ void add_animate_command(CLI::App& app, int& status) {
   command->add_option("--head", arguments->head, "Turn of the head: drop it or apply it (default: as the map says)")
       ->check(CLI::IsMember({"drop", "apply"}));
   command
-      ->add_option("--neutral", arguments->neutral, "Frame, from 0, in which the face is at rest (default: the first)")
+      ->add_option("--neutral", arguments->neutral,
+                   "Frame, from 0, in which the face is at rest (default: chosen from the clip)")
       ->check(CLI::Validator(number_range(0, 1e6), "0 to 1000000"));
   command
       ->add_option("--tremor", arguments->tremor_px,
@@ -357,6 +390,8 @@ void add_animate_command(CLI::App& app, int& status) {
       ->check(CLI::Validator(number_range(0.1, 10000.0), "0.1 to 10000"));
   command->add_option("--picture", arguments->picture, "WIDTHxHEIGHT of the video in px, for normalised coordinates")
       ->check(CLI::Validator(check_picture, "WxH"));
+  command->add_flag("--units", arguments->units,
+                    "Take what the tracker says of action units (AU12, ...) as evidence beside its points");
   command->add_flag("--json", arguments->json, "Print one JSON object");
   add_tolerance_option(*command, arguments->glb);
   command->callback([arguments, &status] { status = animate(*arguments); });

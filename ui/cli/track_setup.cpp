@@ -1,6 +1,7 @@
 #include "ui/cli/track_setup.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "core/model_io/known_heads.h"
@@ -202,6 +203,7 @@ base::Result<animation::TrackSetup> make_setup(const document::Model& model, con
   animation::TrackSetup setup;
   std::optional<base::Error> left_out;
   std::vector<std::string> meets;  // one a curve that is kept, as the next
+  std::vector<std::string> touches;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < map.curves.size(); ++i) {
     const model_io::MapCurve& curve = map.curves[i];
@@ -230,16 +232,23 @@ base::Result<animation::TrackSetup> make_setup(const document::Model& model, con
     tracked.reference = std::move(reference).value();
     setup.curves.push_back(std::move(tracked));
     meets.push_back(curve.meets);
+    touches.push_back(curve.touches);
     const auto* name = std::get_if<std::string>(&curve.reference);
     names.push_back(name == nullptr ? "" : *name);
   }
   for (std::size_t i = 0; i < meets.size(); ++i) {
-    const auto at = std::find(names.begin(), names.end(), meets[i]);
-    if (!meets[i].empty() && at == names.end() && !bundled) {
-      return base::Error{"no curve of the map has the reference '" + meets[i] + "'",
-                         "/curves/" + std::to_string(i) + "/meets", "name the reference of another curve"};
+    for (const bool meet : {true, false}) {
+      const std::string& wanted = meet ? meets[i] : touches[i];
+      if (wanted.empty()) continue;
+      const auto at = std::find(names.begin(), names.end(), wanted);
+      if (at == names.end() && !bundled) {
+        return base::Error{"no curve of the map has the reference '" + wanted + "'",
+                           "/curves/" + std::to_string(i) + (meet ? "/meets" : "/touches"),
+                           "name the reference of another curve"};
+      }
+      if (at == names.end()) continue;
+      (meet ? setup.curves[i].meets : setup.curves[i].touches) = static_cast<std::size_t>(at - names.begin());
     }
-    if (!meets[i].empty() && at != names.end()) setup.curves[i].meets = static_cast<std::size_t>(at - names.begin());
   }
   if (setup.curves.empty() && left_out) {
     left_out->what = "the model has none of the curves that the bundled map names";
@@ -260,6 +269,40 @@ base::Result<animation::TrackSetup> make_setup(const document::Model& model, con
   setup.free = free_parameters(model, map);
   setup.rest = rig::rest_pose(*model.rig);
   return setup;
+}
+
+std::vector<animation::UnitControl> unit_controls(const document::Model& model, const animation::PointTrack& track) {
+  // What each unit of the Facial Action Coding System (Ekman and Friesen 1978) does, in ARKit's words.
+  constexpr std::array<std::pair<const char*, const char*>, 16> k_units{{{"AU01", "browInnerUp"},
+                                                                         {"AU02", "browOuterUp"},
+                                                                         {"AU04", "browDown"},
+                                                                         {"AU06", "cheekSquint"},
+                                                                         {"AU09", "noseSneer"},
+                                                                         {"AU10", "mouthUpperUp"},
+                                                                         {"AU12", "mouthSmile"},
+                                                                         {"AU14", "mouthDimple"},
+                                                                         {"AU15", "mouthFrown"},
+                                                                         {"AU17", "mouthShrugLower"},
+                                                                         {"AU18", "mouthPucker"},
+                                                                         {"AU20", "mouthStretch"},
+                                                                         {"AU22", "mouthFunnel"},
+                                                                         {"AU24", "mouthPress"},
+                                                                         {"AU26", "jawOpen"},
+                                                                         {"AU28", "mouthRollLower"}}};
+  std::vector<animation::UnitControl> controls;
+  for (std::size_t u = 0; u < track.unit_names.size(); ++u) {
+    for (const auto& [unit, name] : k_units) {
+      if (track.unit_names[u] != unit) continue;
+      for (const std::string side : {"", "_L", "_R"}) {
+        for (const std::size_t p : rig::controls_named(model.rig->parameters(), name + side)) {
+          const bool there =
+              std::any_of(controls.begin(), controls.end(), [&](const auto& one) { return one.parameter == p; });
+          if (!there) controls.push_back({u, p});
+        }
+      }
+    }
+  }
+  return controls;
 }
 
 }  // namespace penpose::cli

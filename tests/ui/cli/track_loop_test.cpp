@@ -221,6 +221,58 @@ TEST_F(SharedTrackLoop, AMovingHeadIsNoExpression) {
   for (const auto& pose : silent.poses) EXPECT_LT(pose[jaw], 0.03);
 }
 
+TEST_F(SharedTrackLoop, ABlinkClosesTheLidsHoweverLittleTheTrackersPointsClose) {
+  const auto left = parameter("eyeBlink_L");
+  const auto right = parameter("eyeBlink_R");
+  for (const double closing : {0.3, 0.6}) {
+    auto seen = poses_;
+    for (auto& pose : seen) {
+      pose[left] *= closing;
+      pose[right] *= closing;
+    }
+    const auto result = animate(tests::track_of(*model_.rig, seen, points_, *video_, 0.5));
+    for (const std::size_t f : {30U, 105U, 180U, 255U}) {
+      EXPECT_NEAR(result.poses[f][left], 1.0, 0.15) << closing << " at " << f;
+      EXPECT_NEAR(result.poses[f][right], 1.0, 0.15) << closing << " at " << f;
+    }
+  }
+  for (auto& pose : poses_) pose[left] = pose[right] = 0;
+  const auto awake = animate(tests::track_of(*model_.rig, poses_, points_, *video_, 0.5));
+  for (const auto& pose : awake.poses) EXPECT_LT(pose[left], 0.15);
+}
+
+TEST_F(SharedTrackLoop, ControlsOfOtherNamesAndInAnotherOrderDoTheSame) {
+  const auto track = tests::track_of(*model_.rig, poses_, points_, *video_, 0.5);
+  const auto named = animate(track);
+  std::vector<rig::BlendShape> shapes(model_.shapes->shapes().rbegin(), model_.shapes->shapes().rend());
+  for (std::size_t i = 0; i < shapes.size(); ++i) shapes[i].parameter.name = "k" + std::to_string(i);
+  const std::size_t n = shapes.size();
+  auto made = rig::BlendShapes::make(std::move(shapes), model_.mesh->vertex_count()).value();
+  model_ = document::make_model(model_.mesh, std::move(made), nullptr).value();
+  const auto renamed = animate(track);
+  for (std::size_t f = 0; f < poses_.size(); ++f) {
+    for (std::size_t i = 0; i < n; ++i)
+      EXPECT_NEAR(renamed.poses[f][n - 1 - i], named.poses[f][i], 0.05) << f << " " << i;
+  }
+}
+
+TEST_F(SharedTrackLoop, LipsThatAreOpenInTheFirstFrameAreNoRest) {
+  for (std::size_t f = 0; f < 8; ++f) poses_[f][parameter("jawOpen")] = 0.4;
+  const auto result = animate(tests::track_of(*model_.rig, poses_, points_, *video_, 0.5));
+  ASSERT_TRUE(result.rest.has_value());
+  EXPECT_GE(result.rest->frame, 8U);
+  EXPECT_TRUE(result.rest->near_rest);
+  EXPECT_NEAR(result.poses[3][parameter("jawOpen")], 0.4, 0.1);
+}
+
+TEST_F(SharedTrackLoop, LipsThatNeverTouchAreTold) {
+  for (auto& pose : poses_) pose[parameter("jawOpen")] = std::max(0.3, pose[parameter("jawOpen")]);
+  const auto result = animate(tests::track_of(*model_.rig, poses_, points_, *video_));
+  ASSERT_TRUE(result.rest.has_value());
+  EXPECT_FALSE(result.rest->near_rest);
+  EXPECT_GT(result.poses[150][parameter("jawOpen")], 0.2);  // they are as far apart as they are seen
+}
+
 /// A real tracker's output for a head that moves a lot.
 class SharedRealTrack : public testing::Test {
  protected:
@@ -304,6 +356,23 @@ TEST_F(SharedRealTrack, TheEyesCloseWhenThePersonsDo) {
   EXPECT_GT(blink[247], 0.25);
   EXPECT_LT(blink[126], 0.05);
   EXPECT_LT(blink[232], 0.15);
+}
+
+TEST_F(SharedRealTrack, NoTwoControlsThatUndoEachOtherAreUp) {
+  const auto left = values("mouthLeft");
+  const auto right = values("mouthRight");
+  for (std::size_t f = 0; f < 300; ++f) EXPECT_FALSE(left[f] > 0.1 && right[f] > 0.1) << f;
+}
+
+TEST_F(SharedRealTrack, TheLidsAgreeWithTheTrackersOwnWordOnBlinking) {
+  auto blink = values("eyeBlink_R");
+  const auto left = values("eyeBlink_L");
+  std::vector<double> told;
+  for (std::size_t f = 0; f < 300; ++f) {
+    blink[f] += left[f];
+    told.push_back(track_.frames[f].says.closing.value_or(0));
+  }
+  EXPECT_GT(correlation(blink, told), 0.6);
 }
 
 TEST_F(SharedRealTrack, TheHeadsTurnIsKeptApart) {
