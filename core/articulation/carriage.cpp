@@ -55,8 +55,13 @@ Carriage::Carriage(std::shared_ptr<const CurveMotion> motion, KeptSurface surfac
     : motion_(std::move(motion)), surface_(std::move(surface)) {
   const auto reference = motion_->reference();
   reserve(passengers.size(), carried);
+  const bool more = turning() && std::any_of(passengers.begin(), passengers.end(), [](const Passenger& one) {
+                      return one.more != ModelVector{0};
+                    });
+  if (more) mores_.reserve(passengers.size());
   for (const Passenger& passenger : passengers) {
     rests_.push_back(passenger.rest);
+    if (more) mores_.push_back(passenger.more);
     if (surface_.exists()) levels_.push_back(surface_.level(passenger.rest));
     if (carried) to_rest_.push_back(passenger.to_rest);
     if (!turning()) {
@@ -112,6 +117,7 @@ Carriage Carriage::subset(std::span<const std::uint32_t> riders) const {
   some.offsets_ = chosen(offsets_, riders);
   some.to_rest_ = chosen(to_rest_, riders);
   some.bases_ = chosen(bases_, riders);
+  some.mores_ = chosen(mores_, riders);
   if (some.bases_.empty()) some.mark_segments();
   return some;
 }
@@ -154,6 +160,7 @@ void Carriage::swung(double amount, CarriageWorkspace& work, std::span<ModelVect
     out[i] = mix(points[k], points[k + 1], fractions_[i]) * weights_[i] - bases_[i] + offset.level * work.cosines[i] +
              offset.ahead * work.sines[i];
   }
+  for (std::size_t i = 0; i < mores_.size(); ++i) out[i] += mores_[i] * amount;
 }
 
 void Carriage::displacements(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const {

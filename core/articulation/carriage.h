@@ -28,6 +28,7 @@ struct Passenger {
   double weight = 1;
   ModelVector move{0};  ///< mode translate: its displacement at amount 1
   ModelVector turn{0};  ///< mode rotate: its own turn at amount 1, axis times angle
+  ModelVector more{0};  ///< mode rotate: what it moves beside that at amount 1
   ModelPoint rest{0};
   glm::dmat3 to_rest{1};
 };
@@ -96,6 +97,7 @@ class Carriage {
   std::vector<double> turns_;  ///< u times the angle of the segment
   std::vector<Offset> offsets_;
   std::vector<ModelPoint> bases_;     ///< of a swing: what is left of where it is at rest
+  std::vector<ModelVector> mores_;    ///< of a swing: beside it, at amount 1; empty where nothing is
   std::vector<std::uint8_t> wanted_;  ///< segments that carry anything, up to the last one that does
   std::vector<glm::dmat3> to_rest_;   ///< empty when nothing carries the vertices
 };

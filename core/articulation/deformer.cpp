@@ -156,7 +156,8 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
   if (!lasso) return at("specific", lasso.error());
   const auto general = geometry::Lasso::make(sketch.general);
   if (!general) return at("general", general.error());
-  const Patch patch(canvas, *region);
+  const bool held = sketch.rules >= k_held_rules;
+  const Patch patch(canvas, *region, held ? 2 : 1);
   const Falloff falloff(patch, {*camera, *general, *lasso});
   std::vector<std::uint32_t> specific;
   for (std::uint32_t i = 0; i < region->vertices.size(); ++i) {
@@ -166,7 +167,8 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
   auto curves = curves_of(sketch, canvas, *region, specific, *target_camera, *surface, points);
   if (!curves) return curves.error();
   auto motion = measured_motion(
-      {canvas, *region, patch, falloff, std::move(curves->reference), std::move(curves->target), *surface}, sketch.mode,
+      {canvas, *region, patch, falloff, std::move(curves->reference), std::move(curves->target), *surface, held},
+      sketch.mode,
       {sketch.minimum, sketch.maximum});
   if (!motion) return at("general", motion.error());
   auto deformer = std::make_shared<Deformer>();

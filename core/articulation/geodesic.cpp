@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <functional>
 #include <limits>
-#include <set>
+#include <queue>
 #include <utility>
 
 namespace penpose::articulation {
@@ -40,17 +41,18 @@ std::vector<double> geodesic_distances(const Patch& patch, std::span<const Geode
   std::vector<double> distances(patch.node_count(), k_far);
   std::vector<std::uint8_t> known(patch.node_count(), 0);
   // Equal distances are taken in the order of their nodes.
-  std::set<std::pair<double, std::uint32_t>> waiting;
+  using Waiting = std::pair<double, std::uint32_t>;
+  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting;
   const auto offer = [&](std::uint32_t node, double distance) {
     if (!(distance < distances[node])) return;
     distances[node] = distance;
-    waiting.insert({distance, node});
+    waiting.push({distance, node});
   };
   for (const GeodesicSeed& seed : seeds) offer(seed.node, seed.distance);
   const auto rests = patch.rests();
   while (!waiting.empty()) {
-    const std::uint32_t at = waiting.begin()->second;
-    waiting.erase(waiting.begin());
+    const std::uint32_t at = waiting.top().second;
+    waiting.pop();
     if (known[at] != 0) continue;
     known[at] = 1;
     for (const std::uint32_t t : patch.star(at)) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/articulation/attachment.h"
+#include "core/articulation/relaxation.h"
 #include "core/curve/polyline.h"
 
 namespace penpose::articulation {
@@ -62,9 +63,13 @@ struct Outcome {
 struct Judge {
   double bound = 2;
 
-  [[nodiscard]] bool passes(const Strain& strain) const { return strain.turned_over == 0 && strain.stretch <= bound; }
+  [[nodiscard]] bool passes(const Strain& strain) const {
+    return strain.turned_over + strain.creased == 0 && strain.stretch <= bound;
+  }
   [[nodiscard]] bool better(const Strain& a, const Strain& b, double factor) const {
-    if (a.turned_over != b.turned_over) return a.turned_over < b.turned_over;
+    const std::size_t torn_a = a.turned_over + a.creased;
+    const std::size_t torn_b = b.turned_over + b.creased;
+    if (torn_a != torn_b) return torn_a < torn_b;
     const double excess_a = std::max(a.stretch, bound);
     const double excess_b = std::max(b.stretch, bound);
     if (excess_a != excess_b) return excess_a < excess_b;
@@ -79,7 +84,7 @@ class Trial {
         bond_(bond),
         range_(range),
         length_(curve::arc_length<ModelPoint>(parts.reference)),
-        meter_(parts.patch),
+        meter_(parts.patch, parts.held ? Strainmeter::Creases::counted : Strainmeter::Creases::ignored),
         moves_(parts.patch.node_count()) {}
 
   [[nodiscard]] Outcome attempt(const std::shared_ptr<const CurveMotion>& motion, std::span<const double> weights) {
@@ -126,7 +131,61 @@ class Trial {
     if (judge.better(relaxed.strain, outcome.strain, 1.0)) outcome = std::move(relaxed);
   }
 
+  /// Gives way where the surface is torn or stretched beyond the bound, ever farther around (relaxation.h): what is
+  /// near the curve hardly, what lies on it not at all. What came nearest to passing is kept.
+  void hold(Outcome& outcome, const Judge& judge) {
+    const std::size_t n = parts_.patch.inner_count();
+    const double near = k_near * length_;
+    std::vector<double> give(n);
+    for (std::size_t node = 0; node < n; ++node) {
+      const double square = bond_.distances[node] * bond_.distances[node];
+      give[node] = square > 1e-12 * length_ * length_ ? square / (square + near * near) : 0.0;
+    }
+    const Relaxation relaxation(parts_.patch, std::move(give));
+    Carriage(outcome.motion, parts_.surface, outcome.passengers, false)
+        .displacements(range_.maximum, work_, std::span(moves_).first(n));
+    const std::vector<ModelVector> before(moves_.begin(), moves_.begin() + static_cast<std::ptrdiff_t>(n));
+    std::vector<ModelPoint> places(parts_.patch.rests().begin(), parts_.patch.rests().end());
+    for (std::size_t node = 0; node < n; ++node) places[node] += moves_[node];
+    std::vector<std::uint8_t> marked(places.size(), 0);
+    std::optional<Strain> nearest;
+    std::vector<ModelVector> best;
+    for (int round = 0; round <= k_hold_rounds; ++round) {
+      for (std::size_t node = 0; node < n; ++node) moves_[node] = places[node] - parts_.patch.rests()[node];
+      const Strain strain = meter_.measure(moves_);
+      if (!nearest || judge.better(strain, *nearest, 1.0)) {
+        nearest = strain;
+        best.assign(moves_.begin(), moves_.begin() + static_cast<std::ptrdiff_t>(n));
+      }
+      if (judge.passes(strain) || round == k_hold_rounds) break;
+      if (strain.turned_over + strain.creased > 0) {
+        std::fill(marked.begin(), marked.end(), 0);
+        meter_.mark_worst(1e9, marked);
+        for (int ring = 0; ring <= round / 2; ++ring) grow(marked);
+        relaxation.unfold(marked, k_unfold_sweeps, places);
+      }
+      if (strain.stretch > judge.bound) relaxation.limit_stretch(judge.bound, k_limit_sweeps, places);
+    }
+    Outcome held = outcome;
+    const double scale = 1.0 / range_.maximum;
+    for (std::size_t node = 0; node < n; ++node) {
+      Passenger& own = held.passengers[node];
+      if (best[node] == before[node]) continue;
+      if (held.motion->swing() != nullptr) {
+        own.more = (best[node] - before[node]) * scale;
+      } else {
+        own.move = best[node] * scale;
+      }
+    }
+    measure(held);
+    if (judge.better(held.strain, outcome.strain, 1.0)) outcome = std::move(held);
+  }
+
  private:
+  static constexpr double k_near = 0.05;
+  static constexpr int k_hold_rounds = 8;
+  static constexpr int k_unfold_sweeps = 6;
+  static constexpr int k_limit_sweeps = 10;
   static constexpr int k_rounds = 14;
   static constexpr int k_rounds_a_ring = 3;
   static constexpr int k_passes = 3;
@@ -226,7 +285,8 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
     }
     if (judge.passes(best->strain)) break;
   }
-  if (!judge.passes(best->strain)) trial.relax(*best, judge);
+  if (!judge.passes(best->strain) && !parts.held) trial.relax(*best, judge);
+  if (!judge.passes(best->strain) && parts.held) trial.hold(*best, judge);
 
   MeasuredMotion result;
   std::vector<Passenger> passengers;
@@ -245,6 +305,7 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
   result.vertices.shrink_to_fit();
   result.weights.shrink_to_fit();
   result.strain = best->strain;
+  result.passes = judge.passes(best->strain);
   result.strain.node = parts.patch.vertex(best->strain.node);
   result.carriage = Carriage(best->motion, parts.surface, passengers, parts.canvas.carried());
   return result;

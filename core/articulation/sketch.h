@@ -38,6 +38,10 @@ using Surface = std::variant<std::monostate, Sphere, PartSurface>;
 /// The rules of drawing from which on a deformer is measured (weights over the surface, the way of moving that distorts
 /// least, core/articulation/measured_deformer.h); by older rules it is built as the paper says, to the bit.
 inline constexpr std::uint32_t k_measured_rules = 3;
+/// The rules from which on a measured deformer is held together (folds are smoothed out, a region that is too narrow
+/// for its target is widened), its reference stays on one sheet of the surface, and what slides over a ball does so on
+/// great circles.
+inline constexpr std::uint32_t k_held_rules = 4;
 
 /// The widest range that a deformer's parameter may have.
 inline constexpr double k_widest_amount = 10;

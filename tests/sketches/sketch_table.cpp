@@ -1,5 +1,6 @@
 // The controls of sketch_cases as a table: what each way of moving does to the surface.
 //   sketch_table            the table, an error where a bound does not hold
+//   sketch_table --rules=N  the same by older rules
 //   sketch_table FOLDER     also a sketch file a case, for pictures
 
 #include <algorithm>
@@ -139,7 +140,7 @@ int loop(const char* mesh) {
   for (const SketchCase& one : sketch_cases()) {
     if (one.mesh != mesh) continue;
     Sketch sketch = one.sketch;
-    sketch.rules = 3;
+    sketch.rules = articulation::k_held_rules;
     double best = 1e9;
     for (int i = 0; i < 20; ++i) {
       const auto start = std::chrono::steady_clock::now();
@@ -156,7 +157,9 @@ int loop(const char* mesh) {
 }  // namespace penpose::sketches
 
 int main(int count, char** arguments) {
-  const bool old = count > 1 && std::strcmp(arguments[1], "--rules=2") == 0;
+  std::uint32_t rules = penpose::articulation::k_held_rules;
+  const bool named = count > 1 && std::strncmp(arguments[1], "--rules=", 8) == 0;
+  if (named) rules = static_cast<std::uint32_t>(arguments[1][8] - '0');
   if (count > 2 && std::strcmp(arguments[1], "--loop") == 0) return penpose::sketches::loop(arguments[2]);
-  return penpose::sketches::run(count > 1 && !old ? arguments[1] : nullptr, old ? 2 : 3);
+  return penpose::sketches::run(count > 1 && !named ? arguments[1] : nullptr, rules);
 }
