@@ -148,6 +148,7 @@ class Trial {
     std::vector<ModelPoint> places(parts_.patch.rests().begin(), parts_.patch.rests().end());
     for (std::size_t node = 0; node < n; ++node) places[node] += moves_[node];
     std::vector<std::uint8_t> marked(places.size(), 0);
+    std::vector<std::uint8_t> stiff;
     std::optional<Strain> nearest;
     std::vector<ModelVector> best;
     for (int round = 0; round <= k_hold_rounds; ++round) {
@@ -161,8 +162,10 @@ class Trial {
       if (strain.turned_over + strain.creased > 0) {
         std::fill(marked.begin(), marked.end(), 0);
         meter_.mark_worst(1e9, marked);
+        grow(marked);
+        stiff = marked;
         for (int ring = 0; ring <= round / 2; ++ring) grow(marked);
-        relaxation.unfold(marked, k_unfold_sweeps, places);
+        relaxation.unfold(stiff, marked, k_unfold_sweeps, places);
       }
       if (strain.stretch > judge.bound) relaxation.limit_stretch(judge.bound, k_limit_sweeps, places);
     }
@@ -182,9 +185,9 @@ class Trial {
   }
 
  private:
-  static constexpr double k_near = 0.05;
-  static constexpr int k_hold_rounds = 8;
-  static constexpr int k_unfold_sweeps = 6;
+  static constexpr double k_near = 0.0;
+  static constexpr int k_hold_rounds = 20;
+  static constexpr int k_unfold_sweeps = 12;
   static constexpr int k_limit_sweeps = 10;
   static constexpr int k_rounds = 14;
   static constexpr int k_rounds_a_ring = 3;

@@ -14,6 +14,8 @@ constexpr double k_below = 0.995;
 /// Steps by which a rotation is found from the one before.
 constexpr int k_first_steps = 24;
 constexpr int k_steps = 3;
+/// How much more the edges within a fold say than those around it.
+constexpr double k_stiff = 25;
 
 glm::dquat unit(const glm::dquat& q) {
   const double length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
@@ -81,7 +83,8 @@ bool Relaxation::limit_stretch(double bound, int sweeps, std::span<ModelPoint> p
   return false;
 }
 
-void Relaxation::unfold(std::span<const std::uint8_t> marked, int sweeps, std::span<ModelPoint> places) const {
+void Relaxation::unfold(std::span<const std::uint8_t> stiff, std::span<const std::uint8_t> marked, int sweeps,
+                        std::span<ModelPoint> places) const {
   const auto rests = patch_.rests();
   std::vector<std::uint32_t> nodes;
   for (std::uint32_t node = 0; node < patch_.inner_count(); ++node) {
@@ -90,11 +93,15 @@ void Relaxation::unfold(std::span<const std::uint8_t> marked, int sweeps, std::s
   std::vector<glm::dquat> turns(patch_.node_count(), glm::dquat{1, 0, 0, 0});
   std::vector<glm::dmat3> matrices(patch_.node_count(), glm::dmat3{1});
   std::vector<std::uint8_t> turned(patch_.node_count(), 0);
+  const auto weight = [&](std::uint32_t node, const Neighbour& beside) {
+    const double says = beside.says * beside.says;
+    return stiff[node] != 0 && stiff[beside.node] != 0 ? k_stiff * says : says;
+  };
   const auto find_turn = [&](std::uint32_t node, int steps) {
     glm::dmat3 to{0};
     for (const Neighbour& beside : around(node)) {
       const ModelVector was = rests[beside.node] - rests[node];
-      const ModelVector is = (places[beside.node] - places[node]) * (beside.says * beside.says);
+      const ModelVector is = (places[beside.node] - places[node]) * weight(node, beside);
       to[0] += is * was.x;
       to[1] += is * was.y;
       to[2] += is * was.z;
@@ -121,7 +128,7 @@ void Relaxation::unfold(std::span<const std::uint8_t> marked, int sweeps, std::s
         const ModelVector was = rests[node] - rests[beside.node];
         // A node of the rim stays as it is.
         const glm::dmat3& other = beside.node < patch_.inner_count() ? matrices[beside.node] : matrices[node];
-        const double says = beside.says * beside.says;
+        const double says = weight(node, beside);
         place += (places[beside.node] + (matrices[node] * was + other * was) * 0.5) * says;
         count += says;
       }

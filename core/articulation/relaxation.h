@@ -21,8 +21,9 @@ class Relaxation {
   /// Sweeps over the edges until none is longer than `bound` times its length at rest, at most `sweeps` times. True
   /// when none is.
   bool limit_stretch(double bound, int sweeps, std::span<ModelPoint> places) const;
-  /// Brings the marked nodes (1) as near to rigid motions of their rest shape as may be, in `sweeps` sweeps.
-  void unfold(std::span<const std::uint8_t> marked, int sweeps, std::span<ModelPoint> places) const;
+  /// Brings the marked nodes (1) as near to rigid motions of their rest shape as may be, in `sweeps` sweeps; those that
+  /// are `stiff` (1) before all.
+  void unfold(std::span<const std::uint8_t> stiff, std::span<const std::uint8_t> marked, int sweeps, std::span<ModelPoint> places) const;
 
  private:
   struct Neighbour {
