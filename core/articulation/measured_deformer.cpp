@@ -185,7 +185,7 @@ class Trial {
   }
 
  private:
-  static constexpr double k_near = 0.0;
+  static constexpr double k_near = 0.025;
   static constexpr int k_hold_rounds = 20;
   static constexpr int k_unfold_sweeps = 12;
   static constexpr int k_limit_sweeps = 10;
@@ -287,9 +287,13 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
       if (!best || judge.better(outcome.strain, best->strain, factor)) best = std::move(outcome);
     }
     if (judge.passes(best->strain)) break;
+    if (!parts.held) continue;
+    Outcome held = *best;
+    trial.hold(held, judge);
+    if (judge.better(held.strain, best->strain, 1.0)) best = std::move(held);
+    if (judge.passes(best->strain)) break;
   }
   if (!judge.passes(best->strain) && !parts.held) trial.relax(*best, judge);
-  if (!judge.passes(best->strain) && parts.held) trial.hold(*best, judge);
 
   MeasuredMotion result;
   std::vector<Passenger> passengers;

@@ -132,7 +132,7 @@ void Relaxation::unfold(std::span<const std::uint8_t> stiff, std::span<const std
         place += (places[beside.node] + (matrices[node] * was + other * was) * 0.5) * says;
         count += says;
       }
-      if (count > 0.0) places[node] += (place / count - places[node]) * give_[node];
+      if (count > 0.0) places[node] = place / count;
     }
   }
 }

@@ -15,7 +15,7 @@ namespace penpose::articulation {
 /// rigid motion of their rest shape as what lies about them lets them be (Sorkine and Alexa 2007), which no fold is.
 class Relaxation {
  public:
-  /// `give` 0..1, one an inner node: how much it gives way, 0 for what is held. Nodes of the rim are held.
+  /// `give` 0..1, one an inner node: how much it gives way to stretch, 0 for what is held. Nodes of the rim are held.
   Relaxation(const Patch& patch, std::vector<double> give);
 
   /// Sweeps over the edges until none is longer than `bound` times its length at rest, at most `sweeps` times. True
