@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "core/articulation/slide.h"
 #include "core/base/sine_cosine.h"
 
 namespace penpose::articulation {
@@ -55,7 +56,8 @@ Carriage::Carriage(std::shared_ptr<const CurveMotion> motion, KeptSurface surfac
     : motion_(std::move(motion)), surface_(std::move(surface)) {
   const auto reference = motion_->reference();
   reserve(passengers.size(), carried);
-  const bool more = turning() && std::any_of(passengers.begin(), passengers.end(), [](const Passenger& one) {
+  const bool slides = motion_->slide() != nullptr;
+  const bool more = (turning() || slides) && std::any_of(passengers.begin(), passengers.end(), [](const Passenger& one) {
                       return one.more != ModelVector{0};
                     });
   if (more) mores_.reserve(passengers.size());
@@ -64,6 +66,7 @@ Carriage::Carriage(std::shared_ptr<const CurveMotion> motion, KeptSurface surfac
     if (more) mores_.push_back(passenger.more);
     if (surface_.exists()) levels_.push_back(surface_.level(passenger.rest));
     if (carried) to_rest_.push_back(passenger.to_rest);
+    if (slides) slides_.push_back(passenger.turn);
     if (!turning()) {
       columns_.push_back(carried && linear() ? passenger.to_rest * passenger.move : passenger.move);
       continue;
@@ -118,6 +121,7 @@ Carriage Carriage::subset(std::span<const std::uint32_t> riders) const {
   some.to_rest_ = chosen(to_rest_, riders);
   some.bases_ = chosen(bases_, riders);
   some.mores_ = chosen(mores_, riders);
+  some.slides_ = chosen(slides_, riders);
   if (some.bases_.empty()) some.mark_segments();
   return some;
 }
@@ -163,6 +167,15 @@ void Carriage::swung(double amount, CarriageWorkspace& work, std::span<ModelVect
   for (std::size_t i = 0; i < mores_.size(); ++i) out[i] += mores_[i] * amount;
 }
 
+void Carriage::slid(double amount, std::span<ModelVector> out) const {
+  const ModelPoint& center = motion_->slide()->center();
+  for (std::size_t i = 0; i < rests_.size(); ++i) {
+    const ModelVector from = rests_[i] - center;
+    out[i] = turned_by(columns_[i] * amount, turned_by(slides_[i] * amount, from)) - from;
+  }
+  for (std::size_t i = 0; i < mores_.size(); ++i) out[i] += mores_[i] * amount;
+}
+
 void Carriage::displacements(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const {
   if (amount == 0.0) {
     std::fill(out.begin(), out.end(), ModelVector{0});
@@ -172,6 +185,8 @@ void Carriage::displacements(double amount, CarriageWorkspace& work, std::span<M
     swung(amount, work, out);
   } else if (turning()) {
     turned(amount, work, out);
+  } else if (!slides_.empty()) {
+    slid(amount, out);
   } else {
     for (std::size_t i = 0; i < rests_.size(); ++i) out[i] = columns_[i] * amount;
     if (!surface_.exists()) return;

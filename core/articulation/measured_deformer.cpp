@@ -8,6 +8,7 @@
 
 #include "core/articulation/attachment.h"
 #include "core/articulation/relaxation.h"
+#include "core/articulation/slide.h"
 #include "core/curve/polyline.h"
 
 namespace penpose::articulation {
@@ -29,9 +30,11 @@ struct Bond {
   std::vector<double> distances;
   std::vector<ModelVector> moves;
   std::vector<ModelVector> turns;
+  std::vector<ModelVector> slides;  ///< over a ball: turns, and the tilts after them
+  std::vector<ModelVector> tilts;
 };
 
-Bond bond_of(const MeasuredParts& parts, const Swing* swing) {
+Bond bond_of(const MeasuredParts& parts, const Swing* swing, const Slide* slide) {
   Bond bond;
   const std::size_t n = parts.patch.inner_count();
   bond.places.resize(n);
@@ -46,6 +49,10 @@ Bond bond_of(const MeasuredParts& parts, const Swing* swing) {
     bond.places[node] = attachment.place();
     bond.distances[node] = attachment.distance();
     bond.moves[node] = attachment.mean_of_points(ways);
+    if (slide != nullptr) {
+      bond.slides.push_back(attachment.mean_of_points(slide->turns()));
+      bond.tilts.push_back(attachment.mean_of_points(slide->tilts()));
+    }
     if (swing != nullptr) bond.turns[node] = attachment.mean_of_segments(swing->turns());
   }
   return bond;
@@ -100,6 +107,10 @@ class Trial {
       passenger.rest = parts_.patch.rests()[node];
       passenger.move = bond_.moves[node] * weights[node];
       if (motion->swing() != nullptr) passenger.turn = bond_.turns[node] * weights[node];
+      if (motion->slide() != nullptr) {
+        passenger.turn = bond_.slides[node] * weights[node];
+        passenger.move = bond_.tilts[node] * weights[node];
+      }
       outcome.passengers.push_back(passenger);
     }
     measure(outcome);
@@ -174,7 +185,7 @@ class Trial {
     for (std::size_t node = 0; node < n; ++node) {
       Passenger& own = held.passengers[node];
       if (best[node] == before[node]) continue;
-      if (held.motion->swing() != nullptr) {
+      if (held.motion->swing() != nullptr || held.motion->slide() != nullptr) {
         own.more = (best[node] - before[node]) * scale;
       } else {
         own.move = best[node] * scale;
@@ -270,11 +281,17 @@ class Trial {
 
 base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mode, Range range) {
   const auto motion_of = [&](Mode one) {
-    return std::make_shared<const CurveMotion>(parts.reference, parts.target, one, Turning::swung);
+    auto motion = std::make_shared<CurveMotion>(parts.reference, parts.target, one, Turning::swung);
+    const Sphere* ball = parts.surface.ball();
+    if (parts.held && ball != nullptr && one == Mode::translate) {
+      motion->set_slide(std::make_shared<const Slide>(ball->center, parts.reference, parts.target));
+    }
+    return std::shared_ptr<const CurveMotion>(std::move(motion));
   };
   const auto straight = mode == Mode::rotate ? nullptr : motion_of(Mode::translate);
-  const auto swing = mode == Mode::translate ? nullptr : motion_of(Mode::rotate);
-  const Bond bond = bond_of(parts, swing ? swing->swing() : nullptr);
+  const bool slides = straight && straight->slide() != nullptr && mode == Mode::automatic;
+  const auto swing = mode == Mode::translate || slides ? nullptr : motion_of(Mode::rotate);
+  const Bond bond = bond_of(parts, swing ? swing->swing() : nullptr, straight ? straight->slide() : nullptr);
   const double length = curve::arc_length<ModelPoint>(parts.reference);
   const Judge judge{k_bound * std::max(1.0, curve::arc_length<ModelPoint>(parts.target) / length)};
   Trial trial(parts, bond, range);
