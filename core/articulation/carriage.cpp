@@ -57,13 +57,16 @@ Carriage::Carriage(std::shared_ptr<const CurveMotion> motion, KeptSurface surfac
   const auto reference = motion_->reference();
   reserve(passengers.size(), carried);
   const bool slides = motion_->slide() != nullptr;
-  const bool more = (turning() || slides) && std::any_of(passengers.begin(), passengers.end(), [](const Passenger& one) {
-                      return one.more != ModelVector{0};
-                    });
-  if (more) mores_.reserve(passengers.size());
+  for (const Passenger& one : passengers) {
+    if (one.more == ModelVector{0} && one.less == ModelVector{0}) continue;
+    for (const Passenger& each : passengers) {
+      mores_.push_back(each.more);
+      lesses_.push_back(each.less);
+    }
+    break;
+  }
   for (const Passenger& passenger : passengers) {
     rests_.push_back(passenger.rest);
-    if (more) mores_.push_back(passenger.more);
     if (surface_.exists()) levels_.push_back(surface_.level(passenger.rest));
     if (carried) to_rest_.push_back(passenger.to_rest);
     if (slides) slides_.push_back(passenger.turn);
@@ -121,6 +124,7 @@ Carriage Carriage::subset(std::span<const std::uint32_t> riders) const {
   some.to_rest_ = chosen(to_rest_, riders);
   some.bases_ = chosen(bases_, riders);
   some.mores_ = chosen(mores_, riders);
+  some.lesses_ = chosen(lesses_, riders);
   some.slides_ = chosen(slides_, riders);
   if (some.bases_.empty()) some.mark_segments();
   return some;
@@ -164,7 +168,11 @@ void Carriage::swung(double amount, CarriageWorkspace& work, std::span<ModelVect
     out[i] = mix(points[k], points[k + 1], fractions_[i]) * weights_[i] - bases_[i] + offset.level * work.cosines[i] +
              offset.ahead * work.sines[i];
   }
-  for (std::size_t i = 0; i < mores_.size(); ++i) out[i] += mores_[i] * amount;
+}
+
+void Carriage::add_more(double amount, std::span<ModelVector> out) const {
+  const std::vector<ModelVector>& more = amount < 0.0 ? lesses_ : mores_;
+  for (std::size_t i = 0; i < more.size(); ++i) out[i] += more[i] * amount;
 }
 
 void Carriage::slid(double amount, std::span<ModelVector> out) const {
@@ -173,7 +181,6 @@ void Carriage::slid(double amount, std::span<ModelVector> out) const {
     const ModelVector from = rests_[i] - center;
     out[i] = turned_by(columns_[i] * amount, turned_by(slides_[i] * amount, from)) - from;
   }
-  for (std::size_t i = 0; i < mores_.size(); ++i) out[i] += mores_[i] * amount;
 }
 
 void Carriage::displacements(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const {
@@ -189,8 +196,9 @@ void Carriage::displacements(double amount, CarriageWorkspace& work, std::span<M
     slid(amount, out);
   } else {
     for (std::size_t i = 0; i < rests_.size(); ++i) out[i] = columns_[i] * amount;
-    if (!surface_.exists()) return;
+    if (linear()) return;
   }
+  add_more(amount, out);
   if (surface_.exists()) {
     for (std::size_t i = 0; i < rests_.size(); ++i) {
       out[i] = surface_.keep(rests_[i] + out[i], rests_[i], levels_[i]) - rests_[i];

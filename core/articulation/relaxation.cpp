@@ -11,6 +11,8 @@ namespace {
 
 /// The edges are brought a little below the bound, so that sweeps end.
 constexpr double k_below = 0.995;
+/// ... and farther than that at a time, which sweeps need less of.
+constexpr double k_over = 1.3;
 /// Steps by which a rotation is found from the one before.
 constexpr int k_first_steps = 24;
 constexpr int k_steps = 3;
@@ -74,7 +76,7 @@ bool Relaxation::limit_stretch(double bound, int sweeps, std::span<ModelPoint> p
       const double sum = give_[a] + give_[b];
       if (!(sum > 0.0)) continue;
       held = false;
-      const ModelVector pull = way * ((1.0 - k_below * most / std::sqrt(square)) / sum);
+      const ModelVector pull = way * (k_over * (1.0 - k_below * most / std::sqrt(square)) / sum);
       places[a] += pull * give_[a];
       places[b] -= pull * give_[b];
     }
