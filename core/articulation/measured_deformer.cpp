@@ -313,17 +313,22 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
   std::optional<Outcome> best;
   for (const double depth : k_depths) {
     const auto weights = depth > 0.0 ? parts.falloff.weights(depth, bond.distances) : parts.falloff.weights();
+    std::vector<Outcome> tried;
     for (const auto& [motion, factor] : {std::pair{straight, 1.0}, std::pair{swing, k_measurably}}) {
       if (!motion) continue;
       auto outcome = trial.attempt(motion, weights);
+      if (parts.held) tried.push_back(outcome);
       if (!best || judge.better(outcome.strain, best->strain, factor)) best = std::move(outcome);
     }
     if (judge.passes(best->strain)) break;
-    if (!parts.held) continue;
-    Outcome held = *best;
-    trial.hold(held, judge);
-    if (judge.better(held.strain, best->strain, 1.0)) best = std::move(held);
-    if (judge.holds(best->strain)) break;
+    // What distorts less gives way first; the other way of moving only where that does not do.
+    if (tried.size() == 2 && judge.better(tried[1].strain, tried[0].strain, k_measurably)) std::swap(tried[0], tried[1]);
+    for (Outcome& held : tried) {
+      trial.hold(held, judge);
+      if (judge.better(held.strain, best->strain, 1.0)) best = std::move(held);
+      if (judge.holds(best->strain)) break;
+    }
+    if (parts.held && judge.holds(best->strain)) break;
   }
   if (!judge.passes(best->strain) && !parts.held) trial.relax(*best, judge);
 

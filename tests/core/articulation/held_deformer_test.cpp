@@ -83,7 +83,7 @@ TEST(HeldDeformer, StretchesNothingTwiceAndTurnsNothingOverWhereOlderRulesDo) {
   const auto canvas = tests::canvas_of(sheet_source());
   Sketch sketch = lift(0.9);
   sketch.mode = Mode::translate;
-  sketch.specific = box(0, 0.4, 0.95);  // hardly any room above
+  sketch.general = box(0, 0, 1.0);  // hardly any room
   sketch.rules = k_measured_rules;
   const auto before = build_deformer(sketch, *canvas).value();
   const auto torn = posed(*canvas, *before, 1);
@@ -222,8 +222,8 @@ TEST(SheetReference, SaysWhatWasCutOff) {
   });
   const auto canvas = tests::canvas_of(std::move(source));
   Sketch sketch = lift(0.2);
-  sketch.reference = {px(-0.5, 0), px(0.8, 0)};
-  sketch.target = {px(-0.5, 0.2), px(0.35, 0.2)};
+  sketch.reference = {px(-1.5, 0), px(0.6, 0)};
+  sketch.target = {px(-1.5, 0.2), px(0.35, 0.2)};
   const auto deformer = build_deformer(sketch, *canvas);
   ASSERT_TRUE(deformer.ok()) << deformer.error().line();
   for (const ModelPoint& p : (*deformer)->reference()) EXPECT_NEAR(p.z, 0, 1e-9);

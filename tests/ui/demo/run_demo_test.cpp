@@ -10,8 +10,12 @@
 namespace penpose::demo {
 namespace {
 
-TEST(RunDemo, ReplaysThePenToSixExpressionsOrMore) {
-  const auto made = run_demo();
+/// Both sessions: the first stays as it was recorded.
+class RunDemo : public testing::TestWithParam<head::HeadEdition> {};
+INSTANTIATE_TEST_SUITE_P(Editions, RunDemo, testing::Values(head::HeadEdition::first, head::HeadEdition::second));
+
+TEST_P(RunDemo, ReplaysThePenToSixExpressionsOrMore) {
+  const auto made = run_demo(GetParam());
   ASSERT_TRUE(made.ok()) << made.error().line();
   EXPECT_GT(made->reports, 3000U);
   EXPECT_GT(made->states_checked, made->strokes) << "a state after every stroke and command";
@@ -25,8 +29,8 @@ TEST(RunDemo, ReplaysThePenToSixExpressionsOrMore) {
   EXPECT_EQ(poses.size(), made->poses.size());
 }
 
-TEST(RunDemo, TheProjectReadsBackEqual) {
-  const auto made = run_demo();
+TEST_P(RunDemo, TheProjectReadsBackEqual) {
+  const auto made = run_demo(GetParam());
   ASSERT_TRUE(made.ok());
   const auto bytes = model_io::write_project(made->document);
   ASSERT_TRUE(bytes.ok()) << bytes.error().line();
@@ -38,8 +42,8 @@ TEST(RunDemo, TheProjectReadsBackEqual) {
   EXPECT_EQ(read->timeline->keys.size(), 1 + 3 * made->poses.size());
 }
 
-TEST(RunDemo, ShowsOtherProgramsItsTimeline) {
-  const auto made = run_demo();
+TEST_P(RunDemo, ShowsOtherProgramsItsTimeline) {
+  const auto made = run_demo(GetParam());
   ASSERT_TRUE(made.ok());
   const auto model = model_io::read_model(model_io::write_project(made->document).value(), "demo.glb");
   ASSERT_TRUE(model.ok());
