@@ -190,15 +190,13 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
   if (!curves) return curves.error();
   auto motion = measured_motion(
       {canvas, *region, patch, falloff, std::move(curves->reference), std::move(curves->target), *surface, held},
-      sketch.mode,
-      {sketch.minimum, sketch.maximum});
+      sketch.mode, {sketch.minimum, sketch.maximum});
   if (!motion) return at("general", motion.error());
   auto deformer = std::make_shared<Deformer>();
   deformer->sketch_ = sketch;
   deformer->built_ = std::make_shared<const Built>(Built{std::move(motion->carriage), std::move(motion->vertices),
                                                          std::move(motion->weights), curves->turned_round,
-                                                         motion->strain, falloff.reaches_beyond(),
-                                                         curves->kept});
+                                                         motion->strain, falloff.reaches_beyond(), curves->kept});
   return std::shared_ptr<const Deformer>(std::move(deformer));
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <functional>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <queue>
 #include <utility>

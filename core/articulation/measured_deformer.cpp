@@ -322,7 +322,8 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
     }
     if (judge.passes(best->strain)) break;
     // What distorts less gives way first; the other way of moving only where that does not do.
-    if (tried.size() == 2 && judge.better(tried[1].strain, tried[0].strain, k_measurably)) std::swap(tried[0], tried[1]);
+    if (tried.size() == 2 && judge.better(tried[1].strain, tried[0].strain, k_measurably))
+      std::swap(tried[0], tried[1]);
     for (Outcome& held : tried) {
       trial.hold(held, judge);
       if (judge.better(held.strain, best->strain, 1.0)) best = std::move(held);

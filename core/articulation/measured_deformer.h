@@ -33,7 +33,7 @@ struct MeasuredMotion {
   Carriage carriage;
   std::vector<std::uint32_t> vertices;
   std::vector<double> weights;
-  Strain strain;  ///< the worst at several amounts
+  Strain strain;       ///< the worst at several amounts
   bool passes = true;  ///< it turns nothing over and stretches nothing beyond the bound
 };
 

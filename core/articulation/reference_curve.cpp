@@ -102,8 +102,7 @@ base::Result<SheetReference> sheet_reference(const Canvas& canvas, const geometr
   for (const ModelPoint& p : canvas.positions()) positions.emplace_back(p);
   const geometry::TriangleBvh tree(positions, triangles);
   curve::Sheets sheets(canvas.mesh(), triangles);
-  const auto drawn =
-      curve::sheet_curve(stroke, k_drawn_samples, camera, {tree, positions, triangles, sheets}, choice);
+  const auto drawn = curve::sheet_curve(stroke, k_drawn_samples, camera, {tree, positions, triangles, sheets}, choice);
   if (!drawn) return drawn.error();
   const auto smooth = curve::triangle_filter<ModelPoint>(drawn->positions, k_light_kernel, curve::Ends::fixed);
   auto even = curve::resample<ModelPoint>(smooth, count);

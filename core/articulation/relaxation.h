@@ -23,7 +23,8 @@ class Relaxation {
   bool limit_stretch(double bound, int sweeps, std::span<ModelPoint> places) const;
   /// Brings the marked nodes (1) as near to rigid motions of their rest shape as may be, in `sweeps` sweeps; those that
   /// are `stiff` (1) before all.
-  void unfold(std::span<const std::uint8_t> stiff, std::span<const std::uint8_t> marked, int sweeps, std::span<ModelPoint> places) const;
+  void unfold(std::span<const std::uint8_t> stiff, std::span<const std::uint8_t> marked, int sweeps,
+              std::span<ModelPoint> places) const;
 
  private:
   struct Neighbour {

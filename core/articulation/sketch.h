@@ -62,8 +62,8 @@ struct Sketch {
   std::optional<geometry::CameraPose> target_camera;     ///< set when the camera moved before the target was drawn
   Mode mode = Mode::automatic;
   Surface surface;
-  double minimum = 0;       ///< range of the parameter, <= 0
-  double maximum = 1;       ///< > 0
+  double minimum = 0;        ///< range of the parameter, <= 0
+  double maximum = 1;        ///< > 0
   std::uint32_t rules = 0;   ///< of drawing, under which the deformer is built
   bool other_sheet = false;  ///< a drawn reference lies on the other of two sheets; from k_held_rules on
   friend bool operator==(const Sketch&, const Sketch&) = default;

@@ -65,11 +65,11 @@ void Strainmeter::find_hinges() {
     for (end = i + 1; end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high;) ++end;
     if (end - i != 2) continue;
     const Hinge hinge{edges[i].triangle, edges[i + 1].triangle};
-    const bool moves = edges[i].low < patch_.inner_count() ||  // the lowest nodes are those of the region
-                       std::min({patch_.triangles()[hinge.first][0], patch_.triangles()[hinge.first][1],
-                                 patch_.triangles()[hinge.first][2], patch_.triangles()[hinge.second][0],
-                                 patch_.triangles()[hinge.second][1], patch_.triangles()[hinge.second][2]}) <
-                           patch_.inner_count();
+    const bool moves =
+        edges[i].low < patch_.inner_count() ||  // the lowest nodes are those of the region
+        std::min({patch_.triangles()[hinge.first][0], patch_.triangles()[hinge.first][1],
+                  patch_.triangles()[hinge.first][2], patch_.triangles()[hinge.second][0],
+                  patch_.triangles()[hinge.second][1], patch_.triangles()[hinge.second][2]}) < patch_.inner_count();
     if (moves && glm::dot(normals_[hinge.first], normals_[hinge.second]) > 0.0) hinges_.push_back(hinge);
   }
 }

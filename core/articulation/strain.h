@@ -30,8 +30,8 @@ class Strainmeter {
 
   /// `moves` displaces the nodes.
   [[nodiscard]] Strain measure(std::span<const ModelVector> moves);
-  /// After `measure`: marks (1) the nodes of triangles that are turned over, lie on each other or have an edge stretched
-  /// beyond a bound.
+  /// After `measure`: marks (1) the nodes of triangles that are turned over, lie on each other or have an edge
+  /// stretched beyond a bound.
   void mark_worst(double bound, std::span<std::uint8_t> nodes) const;
   /// After `measure`: the square of the ratio of an edge's length to that at rest.
   [[nodiscard]] double squared_stretch(std::uint32_t a, std::uint32_t b) const;

@@ -30,7 +30,8 @@ enum class HeadEdition : std::uint8_t { first, second };
 
 /// The built-in head: metres, y up, facing +z, symmetric to the plane x = 0, at rest with open eyes and closed lips.
 /// Parts: those of the skin (k_skin_parts; together one manifold, open at the neck only), eye, iris_rim, iris and pupil
-/// of each side (_L, _R), teeth and hair; of the second edition also teeth_lower and tongue. Named curves: see make_curves in core/head/curves.h. Same bits every time.
+/// of each side (_L, _R), teeth and hair; of the second edition also teeth_lower and tongue. Named curves: see
+/// make_curves in core/head/curves.h. Same bits every time.
 [[nodiscard]] document::Model make_head(HeadEdition edition = HeadEdition::first);
 
 }  // namespace penpose::head

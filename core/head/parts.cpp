@@ -43,8 +43,8 @@ Surface make_eye_cap(double radius, double from_degrees, double to_degrees, int 
 
 namespace {
 
-/// The arch of a row of teeth, an ellipse in the plane of `y`; the band closes at its ends.
-Surface arch(double y, double width, double back, double depth, double thick, double high) {
+/// The arch of a row of teeth, an ellipse in the plane of `y` whose ends lie lower by `dip`; the band closes there.
+Surface arch(double y, double width, double back, double depth, double thick, double high, double dip = 0) {
   constexpr std::size_t k_along = 19;
   constexpr std::size_t k_around = 8;
   Surface teeth;
@@ -52,11 +52,12 @@ Surface arch(double y, double width, double back, double depth, double thick, do
     const double t = (static_cast<double>(i) - 9.0) / 9.0;
     const double angle = base::radians(78) * t;
     const double end = std::sqrt(std::max(1 - t * t * t * t * t * t, 1e-4));
-    const ModelPoint middle{width * base::sin(angle), y, back + depth * base::cos(angle)};
+    const ModelPoint middle{width * base::sin(angle), y - dip * t * t * t * t, back + depth * base::cos(angle)};
     const ModelVector out = geometry::normalized({base::sin(angle) * depth, 0, base::cos(angle) * width});
     for (std::size_t j = 0; j < k_around; ++j) {
       const double turn = 2 * base::k_pi * static_cast<double>(j) / k_around;
-      teeth.points.push_back(middle + (out * (thick * base::cos(turn)) + ModelVector{0, high * base::sin(turn), 0}) * end);
+      teeth.points.push_back(middle +
+                             (out * (thick * base::cos(turn)) + ModelVector{0, high * base::sin(turn), 0}) * end);
     }
   }
   const auto at = [](std::size_t i, std::size_t j) { return static_cast<std::uint32_t>(i * k_around + j % k_around); };
@@ -77,7 +78,7 @@ Surface arch(double y, double width, double back, double depth, double thick, do
 
 Surface make_teeth() { return arch(k_mouth_y + 0.28, 2.05, 5.35, 2.45, 0.2, 0.5); }
 
-Surface make_teeth_lower() { return arch(k_mouth_y - 0.72, 1.85, 5.25, 2.25, 0.18, 0.42); }
+Surface make_teeth_lower() { return arch(k_mouth_y - 0.72, 1.85, 5.25, 2.25, 0.18, 0.42, 0.9); }
 
 Surface make_tongue() {
   constexpr std::size_t k_rings = 9;

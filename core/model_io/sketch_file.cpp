@@ -15,8 +15,7 @@ constexpr const char* k_see_format = "see the format of sketch files in the manu
 constexpr std::array<std::string_view, 3> k_members = {"model", "viewport", "deformers"};
 constexpr std::array<std::string_view, 14> k_deformer_members = {
     "name",      "viewport", "camera", "reference_camera", "target_camera", "general", "specific",
-    "reference", "target",   "mode",   "surface",          "range",         "rules",
-    "sheet"};
+    "reference", "target",   "mode",   "surface",          "range",         "rules",   "sheet"};
 
 }  // namespace
 

@@ -13,8 +13,8 @@ namespace {
 
 mesh::MeshSource source_of(std::vector<ModelPoint> positions, std::vector<mesh::Triangle> triangles) {
   mesh::MeshSource source;
-  source.parts.push_back({"other", 0, static_cast<std::uint32_t>(positions.size()), 0,
-                          static_cast<std::uint32_t>(triangles.size())});
+  source.parts.push_back(
+      {"other", 0, static_cast<std::uint32_t>(positions.size()), 0, static_cast<std::uint32_t>(triangles.size())});
   source.positions = std::move(positions);
   source.triangles = std::move(triangles);
   return source;
@@ -124,8 +124,8 @@ std::shared_ptr<const Canvas> coarser(const Canvas& canvas, double share) {
         }
         const auto normal = [](const std::array<ModelPoint, 3>& c) {
           const ModelPoint e = c[1] - c[0], f = c[2] - c[0];
-          return geometry::normalized(
-              ModelPoint{e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x}, {0, 0, 0});
+          return geometry::normalized(ModelPoint{e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x},
+                                      {0, 0, 0});
         };
         const ModelPoint m = normal(was), n = normal(is);
         turns = turns || m.x * n.x + m.y * n.y + m.z * n.z < 0.3;

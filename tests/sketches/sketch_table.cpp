@@ -163,5 +163,5 @@ int main(int count, char** arguments) {
   if (named && !others) rules = static_cast<std::uint32_t>(arguments[1][8] - '0');
   if (count > 2 && std::strcmp(arguments[1], "--loop") == 0) return penpose::sketches::loop(arguments[2]);
   return penpose::sketches::run(count > 1 && !named ? arguments[1] : nullptr, rules,
-                                 others ? penpose::sketches::other_sketch_cases() : penpose::sketches::sketch_cases());
+                                others ? penpose::sketches::other_sketch_cases() : penpose::sketches::sketch_cases());
 }

@@ -45,8 +45,9 @@ class DemoHand {
   }
 
   void sketch(const articulation::Sketch& sketch) {
-    perform(document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum, sketch.maximum, sketch.rules},
-            sketch.name);
+    perform(
+        document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum, sketch.maximum, sketch.rules},
+        sketch.name);
     drawing::Tool tool;
     tool.kind = drawing::ToolKind::articulate;
     tool.draw_reference = !sketch.reference.empty();
@@ -97,8 +98,7 @@ std::string demo_session(const char* sketch_file, const char* expression_file) {
   if (!sketches) stop(sketches.error(), sketch_file);
   const auto expressions = tests::read_expressions(read(expression_file));
   if (!expressions) stop(expressions.error(), expression_file);
-  tests::SessionScript script(document::make_document(head::make_head(head::HeadEdition::second)),
-                              "builtin:head-2");
+  tests::SessionScript script(document::make_document(head::make_head(head::HeadEdition::second)), "builtin:head-2");
   DemoHand hand(script);
   for (const articulation::Sketch& sketch : sketches->sketches) hand.sketch(sketch);
   double now_s = 0;

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -64,7 +66,7 @@ std::vector<PxPoint> box(double x, double y, double half) {
 }
 
 /// A line across the middle is brought up, by the newest rules.
-Sketch lift(double up) {
+Sketch lift(double up, double turn = 0) {
   Sketch sketch;
   sketch.name = "lift";
   sketch.viewport = {1000, 1000};
@@ -73,7 +75,8 @@ Sketch lift(double up) {
   sketch.specific = box(0, 0, 0.55);
   for (int i = -4; i <= 4; ++i) {
     sketch.reference.push_back(px(0.1 * i, 0));
-    sketch.target.push_back(px(0.1 * i, up));
+    const double angle = turn * tests::k_degree;
+    sketch.target.push_back(px(0.1 * i * std::cos(angle), up + 0.1 * i * std::sin(angle)));
   }
   sketch.rules = k_held_rules;
   return sketch;
@@ -81,9 +84,8 @@ Sketch lift(double up) {
 
 TEST(HeldDeformer, StretchesNothingTwiceAndTurnsNothingOverWhereOlderRulesDo) {
   const auto canvas = tests::canvas_of(sheet_source());
-  Sketch sketch = lift(0.9);
-  sketch.mode = Mode::translate;
-  sketch.general = box(0, 0, 1.0);  // hardly any room
+  Sketch sketch = lift(0.9, 50);
+  sketch.general = box(0, 0, 1.3);  // hardly any room
   sketch.rules = k_measured_rules;
   const auto before = build_deformer(sketch, *canvas).value();
   const auto torn = posed(*canvas, *before, 1);

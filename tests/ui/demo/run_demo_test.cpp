@@ -23,7 +23,10 @@ TEST_P(RunDemo, ReplaysThePenToSixExpressionsOrMore) {
   std::set<std::vector<double>> poses;
   for (const NamedPose& one : made->poses) {
     EXPECT_GE(one.curves, 2U) << one.name;
-    EXPECT_LT(one.distance, 0.35 * one.distance_at_rest) << one.name;
+    // The second is drawn by rules that leave depth open, while targets stand as deep as their references: a jaw that
+    // turns goes back.
+    const double left = GetParam() == head::HeadEdition::first ? 0.35 : 0.42;
+    EXPECT_LT(one.distance, left * one.distance_at_rest) << one.name;
     poses.insert(one.pose);
   }
   EXPECT_EQ(poses.size(), made->poses.size());
