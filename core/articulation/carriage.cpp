@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "core/articulation/slide.h"
 #include "core/base/sine_cosine.h"
 
 namespace penpose::articulation {
@@ -55,10 +56,20 @@ Carriage::Carriage(std::shared_ptr<const CurveMotion> motion, KeptSurface surfac
     : motion_(std::move(motion)), surface_(std::move(surface)) {
   const auto reference = motion_->reference();
   reserve(passengers.size(), carried);
+  const bool slides = motion_->slide() != nullptr;
+  for (const Passenger& one : passengers) {
+    if (one.more == ModelVector{0} && one.less == ModelVector{0}) continue;
+    for (const Passenger& each : passengers) {
+      mores_.push_back(each.more);
+      lesses_.push_back(each.less);
+    }
+    break;
+  }
   for (const Passenger& passenger : passengers) {
     rests_.push_back(passenger.rest);
     if (surface_.exists()) levels_.push_back(surface_.level(passenger.rest));
     if (carried) to_rest_.push_back(passenger.to_rest);
+    if (slides) slides_.push_back(passenger.turn);
     if (!turning()) {
       columns_.push_back(carried && linear() ? passenger.to_rest * passenger.move : passenger.move);
       continue;
@@ -112,6 +123,9 @@ Carriage Carriage::subset(std::span<const std::uint32_t> riders) const {
   some.offsets_ = chosen(offsets_, riders);
   some.to_rest_ = chosen(to_rest_, riders);
   some.bases_ = chosen(bases_, riders);
+  some.mores_ = chosen(mores_, riders);
+  some.lesses_ = chosen(lesses_, riders);
+  some.slides_ = chosen(slides_, riders);
   if (some.bases_.empty()) some.mark_segments();
   return some;
 }
@@ -156,6 +170,19 @@ void Carriage::swung(double amount, CarriageWorkspace& work, std::span<ModelVect
   }
 }
 
+void Carriage::add_more(double amount, std::span<ModelVector> out) const {
+  const std::vector<ModelVector>& more = amount < 0.0 ? lesses_ : mores_;
+  for (std::size_t i = 0; i < more.size(); ++i) out[i] += more[i] * amount;
+}
+
+void Carriage::slid(double amount, std::span<ModelVector> out) const {
+  const ModelPoint& center = motion_->slide()->center();
+  for (std::size_t i = 0; i < rests_.size(); ++i) {
+    const ModelVector from = rests_[i] - center;
+    out[i] = turned_by(columns_[i] * amount, turned_by(slides_[i] * amount, from)) - from;
+  }
+}
+
 void Carriage::displacements(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const {
   if (amount == 0.0) {
     std::fill(out.begin(), out.end(), ModelVector{0});
@@ -165,10 +192,13 @@ void Carriage::displacements(double amount, CarriageWorkspace& work, std::span<M
     swung(amount, work, out);
   } else if (turning()) {
     turned(amount, work, out);
+  } else if (!slides_.empty()) {
+    slid(amount, out);
   } else {
     for (std::size_t i = 0; i < rests_.size(); ++i) out[i] = columns_[i] * amount;
-    if (!surface_.exists()) return;
+    if (linear()) return;
   }
+  add_more(amount, out);
   if (surface_.exists()) {
     for (std::size_t i = 0; i < rests_.size(); ++i) {
       out[i] = surface_.keep(rests_[i] + out[i], rests_[i], levels_[i]) - rests_[i];

@@ -26,8 +26,10 @@ struct Passenger {
   std::uint32_t segment = 0;  ///< the place that it turns about
   double fraction = 0;
   double weight = 1;
-  ModelVector move{0};  ///< mode translate: its displacement at amount 1
-  ModelVector turn{0};  ///< mode rotate: its own turn at amount 1, axis times angle
+  ModelVector move{0};  ///< mode translate: its displacement at amount 1; over a ball its tilt, axis times angle
+  ModelVector turn{0};  ///< mode rotate, and over a ball: its own turn at amount 1, axis times angle
+  ModelVector more{0};  ///< what it moves beside that at amount 1, and going below 0 ...
+  ModelVector less{0};  ///< ... instead of that, by as much as the amount
   ModelPoint rest{0};
   glm::dmat3 to_rest{1};
 };
@@ -62,7 +64,7 @@ class Carriage {
   [[nodiscard]] const CurveMotion& motion() const { return *motion_; }
 
   /// True when displacements are the amount times `columns()`: mode translate without a surface.
-  [[nodiscard]] bool linear() const { return !turning() && !surface_.exists(); }
+  [[nodiscard]] bool linear() const { return !turning() && !surface_.exists() && mores_.empty(); }
   /// Displacements at amount 1. Precondition: linear().
   [[nodiscard]] std::span<const ModelVector> columns() const { return columns_; }
 
@@ -82,6 +84,8 @@ class Carriage {
   [[nodiscard]] bool turning() const { return motion_ && motion_->mode() == Mode::rotate; }
   void turned(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const;
   void swung(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const;
+  void slid(double amount, std::span<ModelVector> out) const;
+  void add_more(double amount, std::span<ModelVector> out) const;
   void reserve(std::size_t riders, bool carried);
   void mark_segments();
 
@@ -96,6 +100,9 @@ class Carriage {
   std::vector<double> turns_;  ///< u times the angle of the segment
   std::vector<Offset> offsets_;
   std::vector<ModelPoint> bases_;     ///< of a swing: what is left of where it is at rest
+  std::vector<ModelVector> mores_;    ///< beside all that, at amount 1; empty where nothing is
+  std::vector<ModelVector> lesses_;   ///< the same below 0; as many
+  std::vector<ModelVector> slides_;   ///< of a slide: turns, whose tilts stand in columns_
   std::vector<std::uint8_t> wanted_;  ///< segments that carry anything, up to the last one that does
   std::vector<glm::dmat3> to_rest_;   ///< empty when nothing carries the vertices
 };

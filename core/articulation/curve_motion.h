@@ -27,6 +27,8 @@ struct MotionWorkspace {
   std::vector<ModelPoint> points;
 };
 
+class Slide;
+
 /// How a curve turns: each segment relative to those before it, as the paper has it, or as a whole (swing.h).
 enum class Turning : std::uint8_t { chained, swung };
 
@@ -49,6 +51,9 @@ class CurveMotion {
   [[nodiscard]] std::size_t segment_count() const { return reference_.size() - 1; }
   /// The swing of mode rotate when it turns as a whole, else null.
   [[nodiscard]] const Swing* swing() const { return swing_.get(); }
+  /// How mode translate goes over a ball (slide.h), where it does; the curve's own points go straight all the same.
+  [[nodiscard]] const Slide* slide() const { return slide_.get(); }
+  void set_slide(std::shared_ptr<const Slide> slide) { slide_ = std::move(slide); }
   /// Axis (unit) and angle of a segment's turn, in the frame that the turns before it made.
   [[nodiscard]] const ModelVector& axis(std::size_t segment) const { return segments_[segment].axis; }
   [[nodiscard]] double angle(std::size_t segment) const { return segments_[segment].angle; }
@@ -75,6 +80,7 @@ class CurveMotion {
   Mode mode_ = Mode::translate;
   std::vector<Segment> segments_;
   std::shared_ptr<const Swing> swing_;
+  std::shared_ptr<const Slide> slide_;
 };
 
 }  // namespace penpose::articulation

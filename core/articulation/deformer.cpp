@@ -95,17 +95,39 @@ struct Curves {
   Curve reference;
   Curve target;
   bool turned_round = false;
+  double kept = 1;
 };
 
-/// Steps 3 and 4, the same by all rules.
+/// What reference_of does by rules from k_held_rules on, where one was drawn.
+base::Result<SheetReference> sheet_reference_of(const Sketch& sketch, const Canvas& canvas, std::size_t points) {
+  const auto camera = camera_of(sketch, sketch.reference_camera);
+  if (!camera) return at("reference_camera", camera.error());
+  auto drawn = sheet_reference(canvas, *camera, sketch.reference, points,
+                               sketch.other_sheet ? curve::SheetChoice::other : curve::SheetChoice::nearer);
+  if (!drawn) return at("reference", drawn.error());
+  return drawn;
+}
+
+/// Steps 3 and 4, the same by all rules but for the sheet of the reference.
 base::Result<Curves> curves_of(const Sketch& sketch, const Canvas& canvas, const Region& region,
                                std::span<const std::uint32_t> specific, const geometry::Camera& target_camera,
                                const KeptSurface& surface, std::size_t points) {
-  auto reference = reference_of(sketch, canvas, region, specific, points);
-  if (!reference) return reference.error();
-  auto paired = curve::pair_target(*reference, sketch.target, target_camera);
+  SheetReference drawn;
+  if (sketch.rules >= k_held_rules && !sketch.reference.empty()) {
+    auto on_sheet = sheet_reference_of(sketch, canvas, points);
+    if (!on_sheet) return on_sheet.error();
+    drawn = std::move(*on_sheet);
+  } else {
+    auto reference = reference_of(sketch, canvas, region, specific, points);
+    if (!reference) return reference.error();
+    drawn.points = std::move(*reference);
+  }
+  auto paired = curve::pair_target(drawn.points, sketch.target, target_camera);
   if (!paired) return at("target", paired.error());
-  Curves curves{std::move(*reference), std::move(paired->points), paired->reversed && !sketch.reference.empty()};
+  Curves curves{std::move(drawn.points), std::move(paired->points), paired->reversed && !sketch.reference.empty(),
+                drawn.kept};
+  // A line that sticks to a rim beside the pen is meant to go as far as the pen went.
+  for (std::size_t i = 0; i < drawn.aside.size(); ++i) curves.target[i] -= drawn.aside[i];
   lift_onto_surface(target_camera, surface, curves.reference, curves.target);
   if (!all_finite(curves.reference) || !all_finite(curves.target)) {
     return base::Error{"the target lies too far away for numbers", "target", "draw it nearer to the model"};
@@ -156,7 +178,8 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
   if (!lasso) return at("specific", lasso.error());
   const auto general = geometry::Lasso::make(sketch.general);
   if (!general) return at("general", general.error());
-  const Patch patch(canvas, *region);
+  const bool held = sketch.rules >= k_held_rules;
+  const Patch patch(canvas, *region, held ? 2 : 1);
   const Falloff falloff(patch, {*camera, *general, *lasso});
   std::vector<std::uint32_t> specific;
   for (std::uint32_t i = 0; i < region->vertices.size(); ++i) {
@@ -166,14 +189,14 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
   auto curves = curves_of(sketch, canvas, *region, specific, *target_camera, *surface, points);
   if (!curves) return curves.error();
   auto motion = measured_motion(
-      {canvas, *region, patch, falloff, std::move(curves->reference), std::move(curves->target), *surface}, sketch.mode,
-      {sketch.minimum, sketch.maximum});
+      {canvas, *region, patch, falloff, std::move(curves->reference), std::move(curves->target), *surface, held},
+      sketch.mode, {sketch.minimum, sketch.maximum});
   if (!motion) return at("general", motion.error());
   auto deformer = std::make_shared<Deformer>();
   deformer->sketch_ = sketch;
   deformer->built_ = std::make_shared<const Built>(Built{std::move(motion->carriage), std::move(motion->vertices),
                                                          std::move(motion->weights), curves->turned_round,
-                                                         motion->strain, falloff.reaches_beyond()});
+                                                         motion->strain, falloff.reaches_beyond(), curves->kept});
   return std::shared_ptr<const Deformer>(std::move(deformer));
 }
 

@@ -31,6 +31,9 @@ class Deformer {
   /// What it does to the surface at the worst within its range; of rules before k_measured_rules nothing is known.
   [[nodiscard]] const Strain& strain() const { return built_->strain; }
 
+  /// The share of a drawn reference that lies on one sheet of the surface; what is below 1 was cut off.
+  [[nodiscard]] double kept_of_reference() const { return built_->kept; }
+
   /// Where the region of specific interest reaches over the model beyond the other ("on its left"), or empty.
   [[nodiscard]] const std::string& reaches_beyond() const { return built_->reaches_beyond; }
 
@@ -67,6 +70,7 @@ class Deformer {
     bool turned_round = false;
     Strain strain;
     std::string reaches_beyond;
+    double kept = 1;
   };
 
   Sketch sketch_;

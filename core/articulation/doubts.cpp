@@ -14,6 +14,10 @@ std::vector<std::string> doubts_of(const Deformer& deformer) {
     doubts.push_back("the second region reaches beyond the first " + deformer.reaches_beyond() +
                      ": what lies outside of the first stays where it is");
   }
+  if (deformer.kept_of_reference() < 0.98) {
+    doubts.push_back("the reference leaves its sheet of the surface and was cut to its longest part, " +
+                     base::format_fixed(100.0 * deformer.kept_of_reference(), 0) + " % of the line");
+  }
   const double ratio =
       curve::arc_length<ModelPoint>(deformer.target()) / curve::arc_length<ModelPoint>(deformer.reference());
   if (ratio > k_told_length || ratio < 1.0 / k_told_length) {

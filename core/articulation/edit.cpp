@@ -106,6 +106,7 @@ base::Result<Sketch> redrawn(const Sketch& sketch, CurveRole role, std::vector<P
       own(other.reference_camera);
       if (points.empty()) other.reference_camera.reset();
       other.reference = std::move(points);
+      other.other_sheet = false;
       return other;
     case CurveRole::target:
       own(other.target_camera);

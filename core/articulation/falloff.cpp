@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "core/articulation/geodesic.h"
@@ -142,23 +143,39 @@ std::vector<double> Falloff::blended(std::span<const double> to_core, std::span<
       weights[node] = eased(sum > 0.0 ? to_border_[node] / sum : 0.0);
     }
   }
+  struct Neighbour {
+    std::uint32_t node;
+    double says;
+  };
+  struct Fan {
+    std::uint32_t node;
+    std::size_t end;  ///< of its neighbours
+    double count;
+  };
+  std::vector<Neighbour> neighbours;
+  std::vector<Fan> fans;
+  for (std::uint32_t node = 0; node < patch_.inner_count(); ++node) {
+    if (core[node] != 0) continue;
+    double count = 0;
+    for (const std::uint32_t t : patch_.star(node)) {
+      for (const std::uint32_t other : patch_.triangles()[t]) {
+        if (other == node) continue;
+        // The shorter the edge the more it says, so that the corners of a sliver do not part.
+        const ModelVector edge = patch_.rests()[other] - patch_.rests()[node];
+        const double says = 1.0 / std::max(std::sqrt(glm::dot(edge, edge)), 1e-150);
+        neighbours.push_back({other, says});
+        count += says;
+      }
+    }
+    fans.push_back({node, neighbours.size(), count});
+  }
   std::vector<double> next = weights;
   for (int pass = 0; pass < k_smoothings; ++pass) {
-    for (std::uint32_t node = 0; node < patch_.inner_count(); ++node) {
-      if (core[node] != 0) continue;
+    std::size_t at = 0;
+    for (const Fan& fan : fans) {
       double sum = 0;
-      double count = 0;
-      for (const std::uint32_t t : patch_.star(node)) {
-        for (const std::uint32_t other : patch_.triangles()[t]) {
-          if (other == node) continue;
-          // The shorter the edge the more it says, so that the corners of a sliver do not part.
-          const ModelVector edge = patch_.rests()[other] - patch_.rests()[node];
-          const double says = 1.0 / std::max(geometry::length(edge), 1e-150);
-          sum += weights[other] * says;
-          count += says;
-        }
-      }
-      next[node] = count > 0.0 ? 0.5 * weights[node] + 0.5 * sum / count : weights[node];
+      for (; at < fan.end; ++at) sum += weights[neighbours[at].node] * neighbours[at].says;
+      next[fan.node] = fan.count > 0.0 ? 0.5 * weights[fan.node] + 0.5 * sum / fan.count : weights[fan.node];
     }
     std::swap(weights, next);
   }

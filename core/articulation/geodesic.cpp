@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <set>
+#include <queue>
 #include <utility>
 
 namespace penpose::articulation {
@@ -12,12 +13,18 @@ namespace {
 
 constexpr double k_far = std::numeric_limits<double>::infinity();
 
+/// The same as geometry::distance, here where it is asked for most.
+inline double apart(const ModelPoint& a, const ModelPoint& b) {
+  const ModelVector way = a - b;
+  return std::sqrt(glm::dot(way, way));
+}
+
 /// The distance at `c` from the source that lies `to_a` from a and `to_b` from b, in the plane of the triangle and on
 /// the other side of a b; along the nearer edge where the straight way leaves the triangle.
 double across(const ModelPoint& a, double to_a, const ModelPoint& b, double to_b, const ModelPoint& c) {
-  const double along_edges = std::min(to_a + geometry::distance(a, c), to_b + geometry::distance(b, c));
+  const double along_edges = std::min(to_a + apart(a, c), to_b + apart(b, c));
   const ModelVector ab = b - a;
-  const double length = geometry::length(ab);
+  const double length = std::sqrt(glm::dot(ab, ab));
   if (!(length > 0.0) || !(std::abs(to_a - to_b) < length)) return along_edges;
   const double source_x = (to_a * to_a - to_b * to_b + length * length) / (2.0 * length);
   const double source_square = to_a * to_a - source_x * source_x;
@@ -40,17 +47,18 @@ std::vector<double> geodesic_distances(const Patch& patch, std::span<const Geode
   std::vector<double> distances(patch.node_count(), k_far);
   std::vector<std::uint8_t> known(patch.node_count(), 0);
   // Equal distances are taken in the order of their nodes.
-  std::set<std::pair<double, std::uint32_t>> waiting;
+  using Waiting = std::pair<double, std::uint32_t>;
+  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting;
   const auto offer = [&](std::uint32_t node, double distance) {
     if (!(distance < distances[node])) return;
     distances[node] = distance;
-    waiting.insert({distance, node});
+    waiting.push({distance, node});
   };
   for (const GeodesicSeed& seed : seeds) offer(seed.node, seed.distance);
   const auto rests = patch.rests();
   while (!waiting.empty()) {
-    const std::uint32_t at = waiting.begin()->second;
-    waiting.erase(waiting.begin());
+    const std::uint32_t at = waiting.top().second;
+    waiting.pop();
     if (known[at] != 0) continue;
     known[at] = 1;
     for (const std::uint32_t t : patch.star(at)) {
@@ -62,7 +70,7 @@ std::vector<double> geodesic_distances(const Patch& patch, std::span<const Geode
         if (known[wanted] != 0 || open[wanted] == 0) continue;
         offer(wanted, known[other] != 0
                           ? across(rests[at], distances[at], rests[other], distances[other], rests[wanted])
-                          : distances[at] + geometry::distance(rests[at], rests[wanted]));
+                          : distances[at] + apart(rests[at], rests[wanted]));
       }
     }
   }

@@ -21,6 +21,8 @@ class KeptSurface {
   static base::Result<KeptSurface> make(const Surface& surface, const Canvas& canvas);
 
   [[nodiscard]] bool exists() const { return surface_.index() != 0; }
+  /// The ball, where it is one.
+  [[nodiscard]] const Sphere* ball() const { return std::get_if<Sphere>(&surface_); }
   /// True for a vertex of the surface itself: of the part, or on or inside the ball (within a thousandth of its
   /// radius).
   [[nodiscard]] bool consists_of(std::uint32_t vertex, const ModelPoint& rest) const;

@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "core/articulation/attachment.h"
+#include "core/articulation/relaxation.h"
+#include "core/articulation/slide.h"
 #include "core/curve/polyline.h"
 
 namespace penpose::articulation {
@@ -21,6 +23,8 @@ constexpr std::array<double, 3> k_amounts{0.35, 0.7, 1.0};
 constexpr std::array<double, 3> k_depths{0.0, 0.4, 0.8};
 /// An edge may be stretched by this times the ratio of the target's length to the reference's.
 constexpr double k_bound = 1.95;
+/// Above which what was given way to is still right, times that: 2, but for rounding.
+constexpr double k_held = 1.999 / 1.95;
 
 /// What the whole curve has to say to every node, without weights.
 struct Bond {
@@ -28,9 +32,11 @@ struct Bond {
   std::vector<double> distances;
   std::vector<ModelVector> moves;
   std::vector<ModelVector> turns;
+  std::vector<ModelVector> slides;  ///< over a ball: turns, and the tilts after them
+  std::vector<ModelVector> tilts;
 };
 
-Bond bond_of(const MeasuredParts& parts, const Swing* swing) {
+Bond bond_of(const MeasuredParts& parts, const Swing* swing, const Slide* slide) {
   Bond bond;
   const std::size_t n = parts.patch.inner_count();
   bond.places.resize(n);
@@ -45,6 +51,10 @@ Bond bond_of(const MeasuredParts& parts, const Swing* swing) {
     bond.places[node] = attachment.place();
     bond.distances[node] = attachment.distance();
     bond.moves[node] = attachment.mean_of_points(ways);
+    if (slide != nullptr) {
+      bond.slides.push_back(attachment.mean_of_points(slide->turns()));
+      bond.tilts.push_back(attachment.mean_of_points(slide->tilts()));
+    }
     if (swing != nullptr) bond.turns[node] = attachment.mean_of_segments(swing->turns());
   }
   return bond;
@@ -62,9 +72,17 @@ struct Outcome {
 struct Judge {
   double bound = 2;
 
-  [[nodiscard]] bool passes(const Strain& strain) const { return strain.turned_over == 0 && strain.stretch <= bound; }
+  [[nodiscard]] bool passes(const Strain& strain) const {
+    return strain.turned_over + strain.creased == 0 && strain.stretch <= bound;
+  }
+  /// The bound itself, which is a little more than what is aimed at.
+  [[nodiscard]] bool holds(const Strain& strain) const {
+    return strain.turned_over + strain.creased == 0 && strain.stretch <= k_held * bound;
+  }
   [[nodiscard]] bool better(const Strain& a, const Strain& b, double factor) const {
-    if (a.turned_over != b.turned_over) return a.turned_over < b.turned_over;
+    const std::size_t torn_a = a.turned_over + a.creased;
+    const std::size_t torn_b = b.turned_over + b.creased;
+    if (torn_a != torn_b) return torn_a < torn_b;
     const double excess_a = std::max(a.stretch, bound);
     const double excess_b = std::max(b.stretch, bound);
     if (excess_a != excess_b) return excess_a < excess_b;
@@ -79,7 +97,7 @@ class Trial {
         bond_(bond),
         range_(range),
         length_(curve::arc_length<ModelPoint>(parts.reference)),
-        meter_(parts.patch),
+        meter_(parts.patch, parts.held ? Strainmeter::Creases::counted : Strainmeter::Creases::ignored),
         moves_(parts.patch.node_count()) {}
 
   [[nodiscard]] Outcome attempt(const std::shared_ptr<const CurveMotion>& motion, std::span<const double> weights) {
@@ -95,6 +113,10 @@ class Trial {
       passenger.rest = parts_.patch.rests()[node];
       passenger.move = bond_.moves[node] * weights[node];
       if (motion->swing() != nullptr) passenger.turn = bond_.turns[node] * weights[node];
+      if (motion->slide() != nullptr) {
+        passenger.turn = bond_.slides[node] * weights[node];
+        passenger.move = bond_.tilts[node] * weights[node];
+      }
       outcome.passengers.push_back(passenger);
     }
     measure(outcome);
@@ -126,7 +148,22 @@ class Trial {
     if (judge.better(relaxed.strain, outcome.strain, 1.0)) outcome = std::move(relaxed);
   }
 
+  /// Gives way where the surface is torn or stretched beyond the bound at either end of the range (relaxation.h): what
+  /// is near the curve hardly, what lies on it not at all. What came nearest to passing is kept.
+  void hold(Outcome& outcome, const Judge& judge) {
+    Outcome held = outcome;
+    hold_at(range_.maximum, held, judge);
+    if (range_.minimum < 0.0) hold_at(range_.minimum, held, judge);
+    measure(held);
+    if (judge.better(held.strain, outcome.strain, 1.0)) outcome = std::move(held);
+  }
+
  private:
+  static constexpr double k_near = 0.025;
+  static constexpr double k_safe = 0.97;  ///< other amounts stretch a little more
+  static constexpr int k_hold_rounds = 20;
+  static constexpr int k_unfold_sweeps = 12;
+  static constexpr int k_limit_sweeps = 10;
   static constexpr int k_rounds = 14;
   static constexpr int k_rounds_a_ring = 3;
   static constexpr int k_passes = 3;
@@ -142,6 +179,56 @@ class Trial {
     outcome.strain = {};
     if (range_.minimum < 0.0) outcome.strain = at(carriage, range_.minimum);
     for (const double share : k_amounts) outcome.strain = worse(outcome.strain, at(carriage, share * range_.maximum));
+  }
+
+  void hold_at(double amount, Outcome& held, const Judge& judge) {
+    const std::size_t n = parts_.patch.inner_count();
+    if (!relaxation_) {
+      const double near = k_near * length_;
+      std::vector<double> give(n);
+      for (std::size_t node = 0; node < n; ++node) {
+        const double square = bond_.distances[node] * bond_.distances[node];
+        give[node] = square > 1e-12 * length_ * length_ ? square / (square + near * near) : 0.0;
+      }
+      relaxation_.emplace(parts_.patch, std::move(give));
+    }
+    Strain strain = at(Carriage(held.motion, parts_.surface, held.passengers, false), amount);
+    if (judge.passes(strain)) return;
+    const std::vector<ModelVector> before(moves_.begin(), moves_.begin() + static_cast<std::ptrdiff_t>(n));
+    std::vector<ModelVector> best = before;
+    Strain nearest = strain;
+    std::vector<ModelPoint> places(parts_.patch.rests().begin(), parts_.patch.rests().end());
+    for (std::size_t node = 0; node < n; ++node) places[node] += moves_[node];
+    std::vector<std::uint8_t> marked(places.size(), 0);
+    std::vector<std::uint8_t> stiff;
+    for (int round = 0; round < k_hold_rounds && !judge.passes(nearest); ++round) {
+      if (strain.turned_over + strain.creased > 0) {
+        std::fill(marked.begin(), marked.end(), 0);
+        meter_.mark_worst(1e9, marked);
+        grow(marked);
+        stiff = marked;
+        for (int ring = 0; ring <= round / 2; ++ring) grow(marked);
+        relaxation_->unfold(stiff, marked, k_unfold_sweeps, places);
+      }
+      if (strain.stretch > judge.bound) relaxation_->limit_stretch(k_safe * judge.bound, k_limit_sweeps, places);
+      for (std::size_t node = 0; node < n; ++node) moves_[node] = places[node] - parts_.patch.rests()[node];
+      strain = meter_.measure(moves_);
+      if (!judge.better(strain, nearest, 1.0)) continue;
+      nearest = strain;
+      best.assign(moves_.begin(), moves_.begin() + static_cast<std::ptrdiff_t>(n));
+    }
+    for (std::size_t node = 0; node < n; ++node) {
+      Passenger& own = held.passengers[node];
+      if (best[node] == before[node]) continue;
+      const ModelVector more = (best[node] - before[node]) / amount;
+      if (amount < 0.0) {
+        own.less = more;
+      } else if (held.motion->swing() != nullptr || held.motion->slide() != nullptr || range_.minimum < 0.0) {
+        own.more = more;
+      } else {
+        own.move = best[node] / amount;
+      }
+    }
   }
 
   void grow(std::vector<std::uint8_t>& marked) const {
@@ -202,31 +289,49 @@ class Trial {
   Strainmeter meter_;
   CarriageWorkspace work_;
   std::vector<ModelVector> moves_;
+  std::optional<Relaxation> relaxation_;
 };
 
 }  // namespace
 
 base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mode, Range range) {
   const auto motion_of = [&](Mode one) {
-    return std::make_shared<const CurveMotion>(parts.reference, parts.target, one, Turning::swung);
+    auto motion = std::make_shared<CurveMotion>(parts.reference, parts.target, one, Turning::swung);
+    const Sphere* ball = parts.surface.ball();
+    if (parts.held && ball != nullptr && one == Mode::translate) {
+      motion->set_slide(std::make_shared<const Slide>(ball->center, parts.reference, parts.target));
+    }
+    return std::shared_ptr<const CurveMotion>(std::move(motion));
   };
   const auto straight = mode == Mode::rotate ? nullptr : motion_of(Mode::translate);
-  const auto swing = mode == Mode::translate ? nullptr : motion_of(Mode::rotate);
-  const Bond bond = bond_of(parts, swing ? swing->swing() : nullptr);
+  const bool slides = straight && straight->slide() != nullptr && mode == Mode::automatic;
+  const auto swing = mode == Mode::translate || slides ? nullptr : motion_of(Mode::rotate);
+  const Bond bond = bond_of(parts, swing ? swing->swing() : nullptr, straight ? straight->slide() : nullptr);
   const double length = curve::arc_length<ModelPoint>(parts.reference);
   const Judge judge{k_bound * std::max(1.0, curve::arc_length<ModelPoint>(parts.target) / length)};
   Trial trial(parts, bond, range);
   std::optional<Outcome> best;
   for (const double depth : k_depths) {
     const auto weights = depth > 0.0 ? parts.falloff.weights(depth, bond.distances) : parts.falloff.weights();
+    std::vector<Outcome> tried;
     for (const auto& [motion, factor] : {std::pair{straight, 1.0}, std::pair{swing, k_measurably}}) {
       if (!motion) continue;
       auto outcome = trial.attempt(motion, weights);
+      if (parts.held) tried.push_back(outcome);
       if (!best || judge.better(outcome.strain, best->strain, factor)) best = std::move(outcome);
     }
     if (judge.passes(best->strain)) break;
+    // What distorts less gives way first; the other way of moving only where that does not do.
+    if (tried.size() == 2 && judge.better(tried[1].strain, tried[0].strain, k_measurably))
+      std::swap(tried[0], tried[1]);
+    for (Outcome& held : tried) {
+      trial.hold(held, judge);
+      if (judge.better(held.strain, best->strain, 1.0)) best = std::move(held);
+      if (judge.holds(best->strain)) break;
+    }
+    if (parts.held && judge.holds(best->strain)) break;
   }
-  if (!judge.passes(best->strain)) trial.relax(*best, judge);
+  if (!judge.passes(best->strain) && !parts.held) trial.relax(*best, judge);
 
   MeasuredMotion result;
   std::vector<Passenger> passengers;
@@ -245,6 +350,7 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
   result.vertices.shrink_to_fit();
   result.weights.shrink_to_fit();
   result.strain = best->strain;
+  result.passes = judge.holds(best->strain);
   result.strain.node = parts.patch.vertex(best->strain.node);
   result.carriage = Carriage(best->motion, parts.surface, passengers, parts.canvas.carried());
   return result;

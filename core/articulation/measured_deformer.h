@@ -19,6 +19,7 @@ struct MeasuredParts {
   std::vector<ModelPoint> reference;
   std::vector<ModelPoint> target;
   KeptSurface surface;
+  bool held = false;  ///< by rules from k_held_rules on: what is torn or stretched is given way to
 };
 
 /// The range of a deformer's parameter.
@@ -32,7 +33,8 @@ struct MeasuredMotion {
   Carriage carriage;
   std::vector<std::uint32_t> vertices;
   std::vector<double> weights;
-  Strain strain;  ///< the worst at several amounts
+  Strain strain;       ///< the worst at several amounts
+  bool passes = true;  ///< it turns nothing over and stretches nothing beyond the bound
 };
 
 /// Of both ways of moving (or the one that is asked for) the one that distorts the surface least, and of several depths

@@ -2,7 +2,7 @@
 
 namespace penpose::articulation {
 
-Patch::Patch(const Canvas& canvas, const Region& region) {
+Patch::Patch(const Canvas& canvas, const Region& region, int rings) {
   constexpr std::uint32_t k_none = ~0U;
   const auto weld = canvas.mesh().weld();
   std::vector<std::uint32_t> node_of(canvas.positions().size(), k_none);
@@ -18,13 +18,20 @@ Patch::Patch(const Canvas& canvas, const Region& region) {
   nodes_.reserve(region.vertices.size());
   for (const std::uint32_t v : region.vertices) nodes_.push_back(add(v));
   inner_count_ = rests_.size();
-  for (const mesh::Triangle& t : canvas.mesh().triangles()) {
-    const auto inner = [&](std::uint32_t v) { return node_of[weld[v]] < inner_count_; };
-    if (!inner(t[0]) && !inner(t[1]) && !inner(t[2])) continue;
-    const mesh::Triangle triangle{add(t[0]), add(t[1]), add(t[2])};
-    // Welding may leave a triangle without a surface.
-    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
-    triangles_.push_back(triangle);
+  std::size_t before = 0;
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::size_t reached = rests_.size();
+    for (const mesh::Triangle& t : canvas.mesh().triangles()) {
+      const auto within = [&](std::size_t end) {
+        return node_of[weld[t[0]]] < end || node_of[weld[t[1]]] < end || node_of[weld[t[2]]] < end;
+      };
+      if (!within(reached) || within(before)) continue;
+      const mesh::Triangle triangle{add(t[0]), add(t[1]), add(t[2])};
+      // Welding may leave a triangle without a surface.
+      if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
+      triangles_.push_back(triangle);
+    }
+    before = reached;
   }
   star_begins_.assign(rests_.size() + 1, 0);
   for (const mesh::Triangle& t : triangles_) {

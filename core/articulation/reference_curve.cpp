@@ -30,11 +30,11 @@ struct PxBox {
 
 /// The triangles that the stroke could hit, so that a tree is built over a few instead of all.
 std::vector<mesh::Triangle> triangles_under(const Canvas& canvas, const geometry::Camera& camera,
-                                            std::span<const PxPoint> stroke) {
+                                            std::span<const PxPoint> stroke, double around = 1) {
   PxBox drawn;
   for (const PxPoint& p : stroke) drawn.add(p);
-  drawn.add(drawn.minimum - PxPoint{1, 1});
-  drawn.add(drawn.maximum + PxPoint{1, 1});
+  drawn.add(drawn.minimum - PxPoint{around, around});
+  drawn.add(drawn.maximum + PxPoint{around, around});
   std::vector<std::optional<PxPoint>> seen;
   seen.reserve(canvas.positions().size());
   for (const ModelPoint& p : canvas.positions()) seen.push_back(camera.project(p));
@@ -89,6 +89,36 @@ base::Result<std::vector<ModelPoint>> drawn_reference(const Canvas& canvas, cons
   if (!projected) return projected.error();
   const auto smooth = curve::triangle_filter<ModelPoint>(projected->positions, k_light_kernel, curve::Ends::fixed);
   return curve::resample<ModelPoint>(smooth, count);
+}
+
+base::Result<SheetReference> sheet_reference(const Canvas& canvas, const geometry::Camera& camera,
+                                             std::span<const PxPoint> stroke, std::size_t count,
+                                             curve::SheetChoice choice) {
+  const double around = 4.0 * curve::k_stick_px * camera.viewport().height / 1000.0;
+  const auto triangles = triangles_under(canvas, camera, stroke, around);
+  if (triangles.empty()) return base::Error{"the line does not touch the mesh", "", "draw it over the model"};
+  std::vector<glm::vec3> positions;
+  positions.reserve(canvas.positions().size());
+  for (const ModelPoint& p : canvas.positions()) positions.emplace_back(p);
+  const geometry::TriangleBvh tree(positions, triangles);
+  curve::Sheets sheets(canvas.mesh(), triangles);
+  const auto drawn = curve::sheet_curve(stroke, k_drawn_samples, camera, {tree, positions, triangles, sheets}, choice);
+  if (!drawn) return drawn.error();
+  const auto smooth = curve::triangle_filter<ModelPoint>(drawn->positions, k_light_kernel, curve::Ends::fixed);
+  auto even = curve::resample<ModelPoint>(smooth, count);
+  if (!even) return even.error();
+  SheetReference reference{std::move(*even), {}, 1};
+  const auto along = curve::cumulative_length<ModelPoint>(smooth);
+  for (std::size_t i = 0; i < count; ++i) {
+    ModelVector aside{0};
+    if (!drawn->aside.empty()) {
+      const auto place = curve::place_at(along, static_cast<double>(i) / static_cast<double>(count - 1));
+      aside = drawn->aside[place.segment] * (1.0 - place.fraction) + drawn->aside[place.segment + 1] * place.fraction;
+    }
+    reference.aside.push_back(aside);
+  }
+  reference.kept = 1.0 - static_cast<double>(drawn->dropped) / static_cast<double>(stroke.size());
+  return reference;
 }
 
 }  // namespace penpose::articulation

@@ -7,6 +7,7 @@
 #include "core/articulation/canvas.h"
 #include "core/articulation/region.h"
 #include "core/base/result.h"
+#include "core/curve/sheet_line.h"
 #include "core/geometry/camera.h"
 
 namespace penpose::articulation {
@@ -26,5 +27,18 @@ inline constexpr std::size_t k_light_kernel = 5;
 [[nodiscard]] base::Result<std::vector<ModelPoint>> drawn_reference(const Canvas& canvas,
                                                                     const geometry::Camera& camera,
                                                                     std::span<const PxPoint> stroke, std::size_t count);
+
+/// A drawn reference that stays on one sheet of the surface.
+struct SheetReference {
+  std::vector<ModelPoint> points;
+  std::vector<ModelVector> aside;  ///< from each point to where the pen was
+  double kept = 1;                 ///< share of the line; what is below 1 was cut off
+};
+
+/// The same by rules from k_held_rules on: on one sheet (core/curve/sheet_line.h), or on the other one of two. Errors:
+/// as drawn_reference; no other sheet.
+[[nodiscard]] base::Result<SheetReference> sheet_reference(const Canvas& canvas, const geometry::Camera& camera,
+                                                           std::span<const PxPoint> stroke, std::size_t count,
+                                                           curve::SheetChoice choice);
 
 }  // namespace penpose::articulation

@@ -104,6 +104,7 @@ void add_to_hash(base::StateHash& hash, const Sketch& sketch) {
   hash.add(sketch.maximum);
   // Only where it says something, so that older documents keep their hash.
   if (sketch.rules >= k_measured_rules) hash.add(std::uint64_t{sketch.rules});
+  if (sketch.other_sheet) hash.add("other sheet");
 }
 
 }  // namespace penpose::articulation

@@ -38,6 +38,10 @@ using Surface = std::variant<std::monostate, Sphere, PartSurface>;
 /// The rules of drawing from which on a deformer is measured (weights over the surface, the way of moving that distorts
 /// least, core/articulation/measured_deformer.h); by older rules it is built as the paper says, to the bit.
 inline constexpr std::uint32_t k_measured_rules = 3;
+/// The rules from which on a measured deformer is held together (folds are smoothed out, a region that is too narrow
+/// for its target is widened), its reference stays on one sheet of the surface, and what slides over a ball does so on
+/// great circles.
+inline constexpr std::uint32_t k_held_rules = 4;
 
 /// The widest range that a deformer's parameter may have.
 inline constexpr double k_widest_amount = 10;
@@ -58,9 +62,10 @@ struct Sketch {
   std::optional<geometry::CameraPose> target_camera;     ///< set when the camera moved before the target was drawn
   Mode mode = Mode::automatic;
   Surface surface;
-  double minimum = 0;       ///< range of the parameter, <= 0
-  double maximum = 1;       ///< > 0
-  std::uint32_t rules = 0;  ///< of drawing, under which the deformer is built
+  double minimum = 0;        ///< range of the parameter, <= 0
+  double maximum = 1;        ///< > 0
+  std::uint32_t rules = 0;   ///< of drawing, under which the deformer is built
+  bool other_sheet = false;  ///< a drawn reference lies on the other of two sheets; from k_held_rules on
   friend bool operator==(const Sketch&, const Sketch&) = default;
 };
 

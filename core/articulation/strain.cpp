@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/mesh/topology.h"
+
 namespace penpose::articulation {
 namespace {
 
@@ -12,6 +14,8 @@ constexpr double k_flat = 0.02;
 /// A triangle counts as turned over already where it stands nearly upright on the surface around it (the sum of three
 /// unit normals against its own).
 constexpr double k_steep = 0.15;
+/// Cosine between the normals at an edge below which two triangles count as lying on each other: 110 degrees.
+constexpr double k_folded = -0.34;
 
 }  // namespace
 
@@ -19,10 +23,11 @@ Strain worse(const Strain& a, const Strain& b) {
   Strain both = a.stretch >= b.stretch ? a : b;
   both.energy = a.energy + b.energy;
   both.turned_over = std::max(a.turned_over, b.turned_over);
+  both.creased = std::max(a.creased, b.creased);
   return both;
 }
 
-Strainmeter::Strainmeter(const Patch& patch)
+Strainmeter::Strainmeter(const Patch& patch, Creases creases)
     : patch_(patch),
       places_(patch.rests().begin(), patch.rests().end()),
       normals_(patch.triangles().size()),
@@ -51,6 +56,29 @@ Strainmeter::Strainmeter(const Patch& patch)
     area_ += cell.area;
     cells_.push_back(cell);
   }
+  if (creases == Creases::counted) find_hinges();
+}
+
+void Strainmeter::find_hinges() {
+  const auto edges = mesh::sorted_edges(patch_.triangles(), patch_.node_count());
+  for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
+    for (end = i + 1; end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high;) ++end;
+    if (end - i != 2) continue;
+    const Hinge hinge{edges[i].triangle, edges[i + 1].triangle};
+    const bool moves =
+        edges[i].low < patch_.inner_count() ||  // the lowest nodes are those of the region
+        std::min({patch_.triangles()[hinge.first][0], patch_.triangles()[hinge.first][1],
+                  patch_.triangles()[hinge.first][2], patch_.triangles()[hinge.second][0],
+                  patch_.triangles()[hinge.second][1], patch_.triangles()[hinge.second][2]}) < patch_.inner_count();
+    if (moves && glm::dot(normals_[hinge.first], normals_[hinge.second]) > 0.0) hinges_.push_back(hinge);
+  }
+}
+
+bool Strainmeter::folded(const Hinge& hinge) const {
+  const ModelVector& a = normals_[hinge.first];
+  const ModelVector& b = normals_[hinge.second];
+  const double dot = glm::dot(a, b);
+  return dot < 0.0 && dot * dot > k_folded * k_folded * glm::dot(a, a) * glm::dot(b, b);
 }
 
 void Strainmeter::find_normals(std::span<const ModelPoint> places) {
@@ -106,6 +134,7 @@ Strain Strainmeter::measure(std::span<const ModelVector> moves) {
       }
     }
   }
+  for (const Hinge& hinge : hinges_) strain.creased += folded(hinge) ? 1 : 0;
   strain.stretch = std::sqrt(worst);
   strain.energy = area_ > 0.0 ? strain.energy / area_ : 0.0;
   return strain;
@@ -125,6 +154,11 @@ void Strainmeter::mark_worst(double bound, std::span<std::uint8_t> nodes) const 
     for (std::size_t k = 0; k < 3 && !bad; ++k) bad = squared_stretch(t[k], t[(k + 1) % 3]) > bound * bound;
     if (!bad) continue;
     for (const std::uint32_t node : t) nodes[node] = 1;
+  }
+  for (const Hinge& hinge : hinges_) {
+    if (!folded(hinge)) continue;
+    for (const std::uint32_t node : patch_.triangles()[hinge.first]) nodes[node] = 1;
+    for (const std::uint32_t node : patch_.triangles()[hinge.second]) nodes[node] = 1;
   }
 }
 

@@ -14,6 +14,7 @@ struct Strain {
   double stretch = 1;           ///< the largest ratio of an edge's length to that at rest
   std::uint32_t node = 0;       ///< an end of that edge
   std::size_t turned_over = 0;  ///< triangles that run against the surface around them, but not at rest
+  std::size_t creased = 0;      ///< edges at which two triangles lie on each other, but not at rest; where asked for
 };
 /// The worse of the two in everything; energies add.
 [[nodiscard]] Strain worse(const Strain& a, const Strain& b);
@@ -23,11 +24,14 @@ struct Strain {
 /// stretched or pressed by one factor; one that is turned over counts as pressed to nothing.
 class Strainmeter {
  public:
-  explicit Strainmeter(const Patch& patch);
+  /// Rules before k_held_rules do not look at creases.
+  enum class Creases : std::uint8_t { ignored, counted };
+  explicit Strainmeter(const Patch& patch, Creases creases = Creases::ignored);
 
   /// `moves` displaces the nodes.
   [[nodiscard]] Strain measure(std::span<const ModelVector> moves);
-  /// After `measure`: marks (1) the nodes of triangles that are turned over or have an edge stretched beyond a bound.
+  /// After `measure`: marks (1) the nodes of triangles that are turned over, lie on each other or have an edge
+  /// stretched beyond a bound.
   void mark_worst(double bound, std::span<std::uint8_t> nodes) const;
   /// After `measure`: the square of the ratio of an edge's length to that at rest.
   [[nodiscard]] double squared_stretch(std::uint32_t a, std::uint32_t b) const;
@@ -38,6 +42,12 @@ class Strainmeter {
     double area = 0;
     double limit = 0;  ///< of `uprightness` below which it counts as turned over
   };
+  /// An edge and the triangles at it, which at rest lie at less than a right angle.
+  struct Hinge {
+    std::uint32_t first = 0, second = 0;
+  };
+  void find_hinges();
+  [[nodiscard]] bool folded(const Hinge& hinge) const;
   void find_normals(std::span<const ModelPoint> places);
   /// How much a triangle faces as the surface around it does: 3 where that is flat, below 0 where it is turned over.
   [[nodiscard]] double uprightness(std::size_t triangle) const;
@@ -49,6 +59,7 @@ class Strainmeter {
   std::vector<ModelVector> normals_;       ///< of triangles, as long as twice their area
   std::vector<ModelVector> node_normals_;  ///< unit, of the triangles about
   std::vector<std::uint8_t> over_;
+  std::vector<Hinge> hinges_;
 };
 
 }  // namespace penpose::articulation

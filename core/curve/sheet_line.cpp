@@ -104,6 +104,21 @@ class Walk {
     return best;
   }
 
+  /// Takes the sheet of a run away: what is joined to it is no candidate any more, nor what is hidden behind it or seen
+  /// from behind, which is its own other side.
+  void leave(const Run& run) {
+    for (std::size_t i = 0; i < run.taken.size(); ++i) {
+      Node& node = nodes[run.first + i];
+      const Candidate taken = node.candidates[run.taken[i]];
+      std::erase_if(node.candidates, [&](const Candidate& one) {
+        return one.cost >= k_from_behind || joined(taken, one, 2.0 * k_stick_px * scale_);
+      });
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (i < run.first || i >= run.first + run.taken.size()) nodes[i].candidates.clear();
+    }
+  }
+
   /// Nearer to the pen, where a place beside it was taken: as near as its sheet comes.
   void refine(const Node& node, Candidate& taken) {
     if (taken.offset == PxPoint{}) return;
@@ -262,11 +277,23 @@ class Walk {
 }  // namespace
 
 base::Result<ProjectedStroke> sheet_curve(std::span<const PxPoint> stroke, std::size_t count,
-                                          const geometry::Camera& camera, const SheetSurface& surface) {
+                                          const geometry::Camera& camera, const SheetSurface& surface,
+                                          SheetChoice choice) {
   Walk walk(camera, surface);
-  if (!walk.set_up(stroke) || walk.whole()) return surface_curve(stroke, count, camera, surface.tree);
+  const bool set_up = walk.set_up(stroke);
+  if (!set_up || (choice == SheetChoice::nearer && walk.whole())) {
+    return surface_curve(stroke, count, camera, surface.tree);
+  }
   walk.widen();
-  const Walk::Run run = walk.longest();
+  Walk::Run run = walk.longest();
+  if (choice == SheetChoice::other) {
+    walk.leave(run);
+    run = walk.longest();
+    if (run.taken.size() < 2 || !(run.length > 0.0)) {
+      return base::Error{"there is no other sheet of the surface near the line", "",
+                         "draw the line nearer to the other sheet"};
+    }
+  }
   if (run.taken.size() < 2 || !(run.length > 0.0)) return surface_curve(stroke, count, camera, surface.tree);
   std::vector<Candidate> taken;
   std::vector<PxPoint> line;

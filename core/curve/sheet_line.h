@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -22,14 +23,18 @@ struct SheetSurface {
   Sheets& sheets;
 };
 
+/// Of two sheets that a line may belong to: the one that is nearer to most of it, or the next one.
+enum class SheetChoice : std::uint8_t { nearer, other };
+
 /// A reference curve that stays on one sheet of the surface: `count` points, evenly along the line. Where every sample
 /// of the line hits one sheet, the same as surface_curve. Else each sample may take what lies behind the first hit and
 /// what lies within k_stick_px beside the pen; the sequence with the least cost is found by dynamic programming
 /// (Viterbi 1967): px beside the pen, what is hidden or seen from behind, and above all going over from one sheet to
 /// another. Parts of a model that touch may be crossed at a cost; where a line leaves its sheet all the same it is cut,
 /// and the longest run in px is kept. `dropped` counts samples of the line outside of that run. Errors as
-/// project_stroke.
+/// project_stroke; no other sheet near the line where that is asked for.
 [[nodiscard]] base::Result<ProjectedStroke> sheet_curve(std::span<const PxPoint> stroke, std::size_t count,
-                                                        const geometry::Camera& camera, const SheetSurface& surface);
+                                                        const geometry::Camera& camera, const SheetSurface& surface,
+                                                        SheetChoice choice = SheetChoice::nearer);
 
 }  // namespace penpose::curve

@@ -7,10 +7,12 @@
 
 namespace penpose::curve {
 
-Sheets::Sheets(const mesh::TriangleMesh& mesh)
-    : triangles_(mesh.triangles().begin(), mesh.triangles().end()),
-      beside_(mesh.triangle_count(), {k_border, k_border, k_border}),
-      seen_(mesh.triangle_count(), 0) {
+Sheets::Sheets(const mesh::TriangleMesh& mesh) : Sheets(mesh, mesh.triangles()) {}
+
+Sheets::Sheets(const mesh::TriangleMesh& mesh, std::span<const mesh::Triangle> triangles)
+    : triangles_(triangles.begin(), triangles.end()),
+      beside_(triangles.size(), {k_border, k_border, k_border}),
+      seen_(triangles.size(), 0) {
   const auto weld = mesh.weld();
   std::vector<mesh::Triangle> welded = triangles_;
   for (mesh::Triangle& triangle : welded) {

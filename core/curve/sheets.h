@@ -17,6 +17,8 @@ using geometry::ModelPoint;
 class Sheets {
  public:
   explicit Sheets(const mesh::TriangleMesh& mesh);
+  /// Of some triangles of a mesh, numbered as they are given.
+  Sheets(const mesh::TriangleMesh& mesh, std::span<const mesh::Triangle> triangles);
 
   struct Place {
     std::uint32_t triangle = 0;

@@ -173,7 +173,11 @@ Changed run(const Document& document, const SketchCurve& command, Parts& work) {
   if (!canvas) return canvas.error();
   const auto camera = geometry::Camera::make(command.view.camera, sketch.viewport);
   if (!camera) return at("view", camera.error());
-  if (!line.empty()) {
+  if (!line.empty() && sketch.rules >= articulation::k_held_rules) {
+    const auto reference =
+        sheet_reference(**canvas, *camera, line, articulation::k_curve_points, curve::SheetChoice::nearer);
+    if (!reference) return at("line", reference.error());
+  } else if (!line.empty()) {
     const auto reference = drawn_reference(**canvas, *camera, line, articulation::k_curve_points);
     if (!reference) return at("line", reference.error());
   }
@@ -208,7 +212,14 @@ Changed run(const Document& document, const ChangeDeformer& command, Parts& work
   if (command.surface) sketch.surface = *command.surface;
   if (command.minimum) sketch.minimum = *command.minimum;
   if (command.maximum) sketch.maximum = *command.maximum;
-  const bool moves_as_before = !command.mode && !command.surface;
+  if (command.other_sheet) {
+    if (sketch.rules < articulation::k_held_rules || sketch.reference.empty()) {
+      return base::Error{"the reference was not drawn on a sheet of the surface", "other_sheet",
+                         "draw the reference, by the rules of today"};
+    }
+    sketch.other_sheet = *command.other_sheet;
+  }
+  const bool moves_as_before = !command.mode && !command.surface && !command.other_sheet;
   if (moves_as_before)
     return with_set(document, with_range(*set_of(document), *number, sketch.minimum, sketch.maximum));
   return rebuilt(document, *number, sketch, work);

@@ -348,7 +348,7 @@ struct RedrawCurve {
   friend bool operator==(const RedrawCurve&, const RedrawCurve&) = default;
 };
 
-/// Changes how a deformer moves, what it slides over, or its range; what is not given stays.
+/// Changes how a deformer moves, what it slides over, the sheet that its reference lies on, or its range; what is not given stays.
 struct ChangeDeformer {
   static constexpr std::string_view k_name = "change_deformer";
   std::string deformer;
@@ -356,6 +356,7 @@ struct ChangeDeformer {
   std::optional<articulation::Surface> surface;
   std::optional<double> minimum;
   std::optional<double> maximum;
+  std::optional<bool> other_sheet = {};  ///< the drawn reference goes over to the other sheet of the surface, or back
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("deformer", self.deformer);
@@ -363,6 +364,7 @@ struct ChangeDeformer {
     visit("surface", self.surface);
     visit("minimum", self.minimum);
     visit("maximum", self.maximum);
+    visit("other_sheet", self.other_sheet);
   }
   friend bool operator==(const ChangeDeformer&, const ChangeDeformer&) = default;
 };

@@ -1,6 +1,7 @@
 #include "core/head/parts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/base/math.h"
@@ -40,20 +41,23 @@ Surface make_eye_cap(double radius, double from_degrees, double to_degrees, int 
   return cap;
 }
 
-Surface make_teeth() {
+namespace {
+
+/// The arch of a row of teeth, an ellipse in the plane of `y` whose ends lie lower by `dip`; the band closes there.
+Surface arch(double y, double width, double back, double depth, double thick, double high, double dip = 0) {
   constexpr std::size_t k_along = 19;
   constexpr std::size_t k_around = 8;
   Surface teeth;
   for (std::size_t i = 0; i < k_along; ++i) {
     const double t = (static_cast<double>(i) - 9.0) / 9.0;
     const double angle = base::radians(78) * t;
-    // The arch of the jaw, an ellipse; the band closes at its ends.
     const double end = std::sqrt(std::max(1 - t * t * t * t * t * t, 1e-4));
-    const ModelPoint middle{2.05 * base::sin(angle), k_mouth_y + 0.28, 5.35 + 2.45 * base::cos(angle)};
-    const ModelVector out = geometry::normalized({base::sin(angle) * 2.45, 0, base::cos(angle) * 2.05});
+    const ModelPoint middle{width * base::sin(angle), y - dip * t * t * t * t, back + depth * base::cos(angle)};
+    const ModelVector out = geometry::normalized({base::sin(angle) * depth, 0, base::cos(angle) * width});
     for (std::size_t j = 0; j < k_around; ++j) {
       const double turn = 2 * base::k_pi * static_cast<double>(j) / k_around;
-      teeth.points.push_back(middle + (out * (0.2 * base::cos(turn)) + ModelVector{0, 0.5 * base::sin(turn), 0}) * end);
+      teeth.points.push_back(middle +
+                             (out * (thick * base::cos(turn)) + ModelVector{0, high * base::sin(turn), 0}) * end);
     }
   }
   const auto at = [](std::size_t i, std::size_t j) { return static_cast<std::uint32_t>(i * k_around + j % k_around); };
@@ -68,6 +72,83 @@ Surface make_teeth() {
     teeth.triangles.push_back({at(k_along - 1, 0), at(k_along - 1, j + 1), at(k_along - 1, j)});
   }
   return teeth;
+}
+
+}  // namespace
+
+Surface make_teeth() { return arch(k_mouth_y + 0.28, 2.05, 5.35, 2.45, 0.2, 0.5); }
+
+Surface make_teeth_lower() { return arch(k_mouth_y - 0.72, 1.85, 5.25, 2.25, 0.18, 0.42, 0.9); }
+
+Surface make_tongue() {
+  constexpr std::size_t k_rings = 9;
+  constexpr std::size_t k_segments = 16;
+  Surface tongue;
+  const ModelPoint middle{0, k_mouth_y - 0.78, 6.0};
+  // Rings from the tip to the root, with a furrow along the top.
+  for (std::size_t i = 0; i < k_rings; ++i) {
+    const double polar = base::k_pi * (static_cast<double>(i) + 0.35) / (static_cast<double>(k_rings) - 0.3);
+    for (std::size_t j = 0; j < k_segments; ++j) {
+      const double around = 2 * base::k_pi * static_cast<double>(j) / k_segments;
+      const double up = base::sin(around);
+      const double furrow = up > 0 ? 0.12 * up * bump(base::cos(around) * base::cos(around) * 9.0) : 0.0;
+      tongue.points.push_back(middle + ModelVector{1.15 * base::sin(polar) * base::cos(around),
+                                                   (0.42 * up - furrow) * base::sin(polar), 1.25 * base::cos(polar)});
+    }
+  }
+  const auto at = [](std::size_t i, std::size_t j) {
+    return static_cast<std::uint32_t>(i * k_segments + j % k_segments);
+  };
+  for (std::size_t i = 0; i + 1 < k_rings; ++i) {
+    for (std::size_t j = 0; j < k_segments; ++j) {
+      tongue.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      tongue.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  for (std::size_t j = 1; j + 1 < k_segments; ++j) {
+    tongue.triangles.push_back({at(0, 0), at(0, j), at(0, j + 1)});
+    tongue.triangles.push_back({at(k_rings - 1, 0), at(k_rings - 1, j + 1), at(k_rings - 1, j)});
+  }
+  return tongue;
+}
+
+void hang_on(Surface& wall, Surface& thing) {
+  const auto middle = [](const Surface& surface, const mesh::Triangle& t) {
+    return (surface.points[t[0]] + surface.points[t[1]] + surface.points[t[2]]) / 3.0;
+  };
+  // The nearest two triangles, of which the thing's looks down.
+  std::size_t own = 0;
+  std::size_t other = 0;
+  double nearest = 1e300;
+  for (std::size_t i = 0; i < thing.triangles.size(); ++i) {
+    const mesh::Triangle& t = thing.triangles[i];
+    const ModelVector e = thing.points[t[1]] - thing.points[t[0]];
+    const ModelVector f = thing.points[t[2]] - thing.points[t[0]];
+    if (!(e.z * f.x - e.x * f.z < 0)) continue;
+    for (std::size_t k = 0; k < wall.triangles.size(); ++k) {
+      const double distance = geometry::distance(middle(thing, t), middle(wall, wall.triangles[k]));
+      if (distance >= nearest) continue;
+      nearest = distance;
+      own = i;
+      other = k;
+    }
+  }
+  const mesh::Triangle hole = wall.triangles[other];
+  const mesh::Triangle end = thing.triangles[own];
+  wall.triangles.erase(wall.triangles.begin() + static_cast<std::ptrdiff_t>(other));
+  thing.triangles.erase(thing.triangles.begin() + static_cast<std::ptrdiff_t>(own));
+  std::array<std::uint32_t, 3> ring{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    ring[k] = static_cast<std::uint32_t>(thing.points.size());
+    thing.points.push_back(wall.points[hole[k]]);
+  }
+  // The wall's edges one way round, the thing's the other.
+  const std::array<std::uint32_t, 3> facing{end[1], end[0], end[2]};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    thing.triangles.push_back({ring[k], ring[next], facing[next]});
+    thing.triangles.push_back({ring[k], facing[next], facing[k]});
+  }
 }
 
 }  // namespace penpose::head

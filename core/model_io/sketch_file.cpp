@@ -13,9 +13,9 @@ namespace {
 constexpr const char* k_see_format = "see the format of sketch files in the manual";
 
 constexpr std::array<std::string_view, 3> k_members = {"model", "viewport", "deformers"};
-constexpr std::array<std::string_view, 13> k_deformer_members = {
+constexpr std::array<std::string_view, 14> k_deformer_members = {
     "name",      "viewport", "camera", "reference_camera", "target_camera", "general", "specific",
-    "reference", "target",   "mode",   "surface",          "range",         "rules"};
+    "reference", "target",   "mode",   "surface",          "range",         "rules",   "sheet"};
 
 }  // namespace
 
@@ -41,7 +41,7 @@ base::Result<SketchFile> read_sketch_file(base::Bytes bytes) {
   list_unknown(*json, "", k_members, file.skipped);
   for (std::size_t i = 0; i < deformers->size(); ++i) {
     const std::string pointer = child("/deformers", i);
-    file.sketches.emplace_back().rules = articulation::k_measured_rules;
+    file.sketches.emplace_back().rules = articulation::k_held_rules;
     if (auto problem = read_sketch((*deformers)[i], pointer, viewport, file.sketches.back())) return *problem;
     list_unknown((*deformers)[i], pointer, k_deformer_members, file.skipped);
     if (!names.insert(file.sketches.back().name).second) {
@@ -60,7 +60,7 @@ std::string write_sketch_file(const SketchFile& file) {
     text += i == 0 ? "\n" : ",\n";
     Json one = to_json(file.sketches[i], viewports);
     one["rules"] = file.sketches[i].rules;
-    if (file.sketches[i].rules == articulation::k_measured_rules) one.erase("rules");
+    if (file.sketches[i].rules == articulation::k_held_rules) one.erase("rules");
     text += one.dump(-1, ' ', false, Json::error_handler_t::replace);
   }
   return text + "\n]}\n";

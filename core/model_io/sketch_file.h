@@ -12,7 +12,7 @@ namespace penpose::model_io {
 /// A file of strokes, as `penpose articulate --sketch` takes it: {"model", "viewport": [w, h], "deformers": [...]}. A
 /// deformer has "name", "camera", "general", "specific", "target" and may have "reference", "mode", "surface",
 /// "target_camera", and beyond what scripts rely on "reference_camera", "range": [minimum, maximum] and its own
-/// "viewport", and "rules", the rules of drawing it is built by, k_measured_rules where it has none.
+/// "viewport", and "rules", the rules of drawing it is built by, k_held_rules where it has none.
 struct SketchFile {
   std::string model;  ///< the model that was drawn on; may be empty
   geometry::Viewport viewport;

@@ -200,6 +200,13 @@ std::optional<base::Error> read_sketch(const Json& value, const std::string& poi
     if (!n) return wrong("the number of the rules of drawing was expected", child(pointer, "rules"));
     out.rules = static_cast<std::uint32_t>(*n);
   }
+  if (const Json* sheet = given(value, "sheet")) {
+    const bool other = sheet->is_string() && sheet->get<std::string>() == "other";
+    if (!other && !(sheet->is_string() && sheet->get<std::string>() == "nearer")) {
+      return wrong("'nearer' or 'other' was expected", child(pointer, "sheet"));
+    }
+    out.other_sheet = other;
+  }
   const auto checked = articulation::check_sketch(out);
   if (checked) return std::nullopt;
   base::Error error = checked.error();
@@ -227,6 +234,7 @@ Json to_json(const Sketch& sketch, Viewports viewports) {
   }
   if (sketch.minimum != 0.0 || sketch.maximum != 1.0) value["range"] = Json::array({sketch.minimum, sketch.maximum});
   if (sketch.rules != 0) value["rules"] = sketch.rules;
+  if (sketch.other_sheet) value["sheet"] = "other";
   return value;
 }
 

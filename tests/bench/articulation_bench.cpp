@@ -199,7 +199,7 @@ BENCHMARK(solve_two_curves)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 // The same on what the issue names: the built-in head with its fifteen deformers, and the face of 26,719 vertices.
 
 const document::Model& demo_head() {
-  static const document::Model model = demo::make_demo_head().value();
+  static const document::Model model = demo::make_demo_head(head::HeadEdition::first).value();
   return model;
 }
 
@@ -238,7 +238,7 @@ void solve_demo_head(benchmark::State& state) {
       if (named && (all.empty() || all.back().timeline != document.timeline)) all.push_back(document);
       return false;
     };
-    static_cast<void>(replay::play_session(replay::read_from(base::as_bytes(demo::embedded_session())), options));
+    static_cast<void>(replay::play_session(replay::read_from(base::as_bytes(demo::embedded_session(head::HeadEdition::first))), options));
     return all;
   }();
   const document::Document& document = documents[static_cast<std::size_t>(state.range(0))];

@@ -7,6 +7,7 @@
 
 #include "core/head/head.h"
 #include "core/model_io/read_model.h"
+#include "tests/sketches/other_meshes.h"
 #include "tests/support/articulation_models.h"
 #include "tests/support/shared_data.h"
 
@@ -224,7 +225,7 @@ void add_elephant(std::vector<SketchCase>& cases) {
 }
 
 /// A beast: a ball of a head with a muzzle, two ears that stand off and a horn, in one grid.
-Stage beast() {
+Stage beast(double ears = 38, double muzzle = 0.9, double aside = 0) {
   constexpr std::uint32_t k_rows = 90;
   constexpr std::uint32_t k_columns = 140;
   const auto bump = [](const ModelPoint& d, ModelPoint toward, double sharp) {
@@ -237,15 +238,14 @@ Stage beast() {
     const double e = k_pi * ((r + 0.3) / (k_rows - 0.4) - 0.5);
     const double a = 2 * k_pi * c / k_columns;
     const ModelPoint d{std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
-    const double size = 1 + 0.9 * bump(d, {0, -0.15, 1}, 9) + 1.1 * bump(d, {0.9, 0.6, -0.1}, 38) +
-                        1.1 * bump(d, {-0.9, 0.6, -0.1}, 38) + 0.05 * bump(d, {0.35, 0.3, 1}, 60);
+    const double size = 1 + muzzle * bump(d, {aside, -0.15, 1}, 9) + 1.1 * bump(d, {0.9, 0.6, -0.1}, ears) +
+                        1.1 * bump(d, {-0.9, 0.6, -0.1}, ears) + 0.05 * bump(d, {0.35, 0.3, 1}, 60);
     return d * size;
   });
-  return {"beast", tests::canvas_of(std::move(source))};
+  return {ears == 38 ? "beast" : "other beast", tests::canvas_of(std::move(source))};
 }
 
-void add_beast(std::vector<SketchCase>& cases) {
-  const Stage stage = beast();
+void add_beast(std::vector<SketchCase>& cases, const Stage& stage) {
   const auto front = stage.camera(0);
   const auto from_side = stage.camera(90);
   const Line muzzle = seen(front, {{-0.3, -0.5, 1.6}, {0.3, -0.5, 1.6}});
@@ -285,7 +285,7 @@ std::vector<SketchCase> sketch_cases() {
     }
   }
   add_head(cases, built_in, curves);
-  add_beast(cases);
+  add_beast(cases, beast());
   if (!tests::has_shared()) return cases;
   for (const char* name : {"ict_face", "ict_face_narrow"}) {
     const Stage stage = stage_of(name, (std::string(name) + ".glb").c_str());
@@ -294,6 +294,24 @@ std::vector<SketchCase> sketch_cases() {
   const Stage other = stage_of("carry_head", "carry_head.glb");
   add_head(cases, other, landmarks(other, "carry_head_landmarks.json"));
   add_elephant(cases);
+  return cases;
+}
+
+std::vector<SketchCase> other_sketch_cases() {
+  std::vector<SketchCase> cases;
+  add_beast(cases, beast(24, 1.2, 0.25));
+  if (!tests::has_shared()) return cases;
+  const Stage face = stage_of("coarse face", "ict_face.glb");
+  const Curves of_face = landmarks(face, "ict_face_landmarks.json");
+  add_head(cases, {"coarse face", coarser(*face.canvas, 0.3)}, of_face);
+  const Stage head = stage_of("warped head", "carry_head.glb");
+  Curves of_head = landmarks(head, "carry_head_landmarks.json");
+  const Warp warp(*head.canvas);
+  for (auto& [name, points] : of_head) {
+    for (ModelPoint& p : points) p = warp(p);
+  }
+  add_head(cases, {"warped head", warped(*head.canvas, warp)}, of_head);
+  add_head(cases, {"coarse warped", coarser(*warped(*head.canvas, warp), 0.15)}, of_head);
   return cases;
 }
 

@@ -27,5 +27,8 @@ struct SketchCase {
 /// Sketches on the built-in head, the heads and the elephant of the shared data (left out where it is missing), and on
 /// a beast of this program's own making. Every feature at three strengths.
 [[nodiscard]] std::vector<SketchCase> sketch_cases();
+/// The same features on four meshes more, which no constant of the program was chosen on: another beast, a face with a
+/// third of its vertices, a head that was warped out of shape, and that one with a sixth of its vertices.
+[[nodiscard]] std::vector<SketchCase> other_sketch_cases();
 
 }  // namespace penpose::sketches

@@ -45,11 +45,14 @@ class DemoHand {
   }
 
   void sketch(const articulation::Sketch& sketch) {
-    perform(document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum, sketch.maximum},
-            sketch.name);
+    perform(
+        document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum, sketch.maximum, sketch.rules},
+        sketch.name);
     drawing::Tool tool;
     tool.kind = drawing::ToolKind::articulate;
     tool.draw_reference = !sketch.reference.empty();
+    tool.rules = sketch.rules;
+    rules_ = sketch.rules;
     if (!(tool == script_.editor().tool())) static_cast<void>(script_.act(replay::ToolChosen{tool}));
     look(sketch.camera, sketch.viewport);
     draw(closed(sketch.general), sketch.name + ", general");
@@ -68,7 +71,10 @@ class DemoHand {
     perform(document::ResetParameters{}, expression.name);
     perform(document::SetKey{from_s, ""}, expression.name);
     for (const auto kind : {drawing::ToolKind::reference, drawing::ToolKind::target}) {
-      script_.choose(kind);
+      drawing::Tool tool;
+      tool.kind = kind;
+      tool.rules = rules_;
+      static_cast<void>(script_.act(replay::ToolChosen{tool}));
       for (const tests::DrawnPair& pair : expression.curves) {
         look(pair.camera.value_or(expression.camera), viewport);
         draw(kind == drawing::ToolKind::reference ? pair.reference : pair.target, expression.name);
@@ -83,6 +89,7 @@ class DemoHand {
   static std::vector<PxPoint> closed(std::vector<PxPoint> line) { return line; }
 
   tests::SessionScript& script_;
+  std::uint32_t rules_ = 0;
 };
 
 std::string demo_session(const char* sketch_file, const char* expression_file) {
@@ -91,7 +98,7 @@ std::string demo_session(const char* sketch_file, const char* expression_file) {
   if (!sketches) stop(sketches.error(), sketch_file);
   const auto expressions = tests::read_expressions(read(expression_file));
   if (!expressions) stop(expressions.error(), expression_file);
-  tests::SessionScript script(document::make_document(head::make_head()), "builtin:head");
+  tests::SessionScript script(document::make_document(head::make_head(head::HeadEdition::second)), "builtin:head-2");
   DemoHand hand(script);
   for (const articulation::Sketch& sketch : sketches->sketches) hand.sketch(sketch);
   double now_s = 0;

@@ -250,7 +250,13 @@ void show_chosen(PanelContext& context, const articulation::SketchedDeformers& s
     return fitted_ball(points);
   };
   change.surface = surface_button(context, deformer.sketch().surface, ball);
-  if (change.mode || change.surface) workspace.perform(change);
+  const articulation::Sketch& sketch = deformer.sketch();
+  if (sketch.rules >= articulation::k_held_rules && !sketch.reference.empty() &&
+      wide_button(context, "Other sheet", -1, sketch.other_sheet,
+                  "Where two sheets of the surface meet, such as lips: the feature lies on the other one")) {
+    change.other_sheet = !sketch.other_sheet;
+  }
+  if (change.mode || change.surface || change.other_sheet) workspace.perform(change);
   show_redraws(context, deformer);
   show_place(context, name, number, set.deformers().size());
 }

@@ -18,9 +18,12 @@ namespace {
 constexpr std::string_view k_built_in = "builtin:";
 
 base::Result<document::Model> built_in_model(std::string_view name) {
+  using head::HeadEdition;
   if (name == "head") return head::make_head();
-  if (name == "demo") return demo::make_demo_head();
-  return base::Error{"there is no such model in the program", "", "use builtin:head or builtin:demo"};
+  if (name == "demo") return demo::make_demo_head(HeadEdition::first);
+  if (name == "head-2") return head::make_head(HeadEdition::second);
+  if (name == "demo-2") return demo::make_demo_head(HeadEdition::second);
+  return base::Error{"there is no such model in the program", "", "use builtin:head-2 or builtin:demo-2"};
 }
 
 base::Result<std::vector<std::uint8_t>> read_named(const std::string& path, NamedBy named) {

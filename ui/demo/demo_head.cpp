@@ -8,15 +8,15 @@
 
 namespace penpose::demo {
 
-base::Result<document::Model> make_demo_head() {
+base::Result<document::Model> make_demo_head(head::HeadEdition edition) {
   replay::PlayerOptions options;
-  options.open = [](const std::string&) {
-    return base::Result<document::Document>(document::make_document(head::make_head()));
+  options.open = [edition](const std::string&) {
+    return base::Result<document::Document>(document::make_document(head::make_head(edition)));
   };
   options.stop_when = [](const replay::Session& session) {
     return !session.editor().document().timeline->keys.empty();
   };
-  auto played = replay::play_session(replay::read_from(base::as_bytes(embedded_session())), options);
+  auto played = replay::play_session(replay::read_from(base::as_bytes(embedded_session(edition))), options);
   if (!played) return played.error();
   document::Model model = *played->session->editor().document().model;
   model.pose = rig::rest_pose(*model.rig);

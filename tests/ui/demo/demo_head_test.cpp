@@ -18,7 +18,7 @@ using geometry::ModelPoint;
 class DemoHead : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    auto made = make_demo_head();
+    auto made = make_demo_head(head::HeadEdition::first);
     ASSERT_TRUE(made.ok()) << made.error().line();
     model_ = new document::Model(std::move(made).value());
   }

@@ -16,7 +16,7 @@ namespace {
 class EigenLoop : public testing::Test {
  protected:
   void SetUp() override {
-    head_ = make_demo_head().value();
+    head_ = make_demo_head(head::HeadEdition::first).value();
     auto renderer = render::Renderer::make_offscreen();
     if (!renderer) GTEST_SKIP() << renderer.error().line();
     renderer_ = std::move(renderer).value();

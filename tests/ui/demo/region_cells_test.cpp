@@ -10,7 +10,7 @@ namespace penpose::demo {
 namespace {
 
 TEST(RegionCells, FadeFromTheColourToBlackWithTheWeight) {
-  const auto model = make_demo_head();
+  const auto model = make_demo_head(head::HeadEdition::first);
   ASSERT_TRUE(model.ok());
   const auto cells = region_cells(*model);
   ASSERT_FALSE(cells.empty());

@@ -10,8 +10,12 @@
 namespace penpose::demo {
 namespace {
 
-TEST(RunDemo, ReplaysThePenToSixExpressionsOrMore) {
-  const auto made = run_demo();
+/// Both sessions: the first stays as it was recorded.
+class RunDemo : public testing::TestWithParam<head::HeadEdition> {};
+INSTANTIATE_TEST_SUITE_P(Editions, RunDemo, testing::Values(head::HeadEdition::first, head::HeadEdition::second));
+
+TEST_P(RunDemo, ReplaysThePenToSixExpressionsOrMore) {
+  const auto made = run_demo(GetParam());
   ASSERT_TRUE(made.ok()) << made.error().line();
   EXPECT_GT(made->reports, 3000U);
   EXPECT_GT(made->states_checked, made->strokes) << "a state after every stroke and command";
@@ -19,14 +23,17 @@ TEST(RunDemo, ReplaysThePenToSixExpressionsOrMore) {
   std::set<std::vector<double>> poses;
   for (const NamedPose& one : made->poses) {
     EXPECT_GE(one.curves, 2U) << one.name;
-    EXPECT_LT(one.distance, 0.35 * one.distance_at_rest) << one.name;
+    // The second is drawn by rules that leave depth open, while targets stand as deep as their references: a jaw that
+    // turns goes back.
+    const double left = GetParam() == head::HeadEdition::first ? 0.35 : 0.42;
+    EXPECT_LT(one.distance, left * one.distance_at_rest) << one.name;
     poses.insert(one.pose);
   }
   EXPECT_EQ(poses.size(), made->poses.size());
 }
 
-TEST(RunDemo, TheProjectReadsBackEqual) {
-  const auto made = run_demo();
+TEST_P(RunDemo, TheProjectReadsBackEqual) {
+  const auto made = run_demo(GetParam());
   ASSERT_TRUE(made.ok());
   const auto bytes = model_io::write_project(made->document);
   ASSERT_TRUE(bytes.ok()) << bytes.error().line();
@@ -38,8 +45,8 @@ TEST(RunDemo, TheProjectReadsBackEqual) {
   EXPECT_EQ(read->timeline->keys.size(), 1 + 3 * made->poses.size());
 }
 
-TEST(RunDemo, ShowsOtherProgramsItsTimeline) {
-  const auto made = run_demo();
+TEST_P(RunDemo, ShowsOtherProgramsItsTimeline) {
+  const auto made = run_demo(GetParam());
   ASSERT_TRUE(made.ok());
   const auto model = model_io::read_model(model_io::write_project(made->document).value(), "demo.glb");
   ASSERT_TRUE(model.ok());
