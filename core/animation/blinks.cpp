@@ -187,7 +187,9 @@ class Blinks {
     while (first > 0 && peak - first <= longest_ && dips[first] > half_depth) --first;
     while (last + 1 < frames_ && last - peak <= longest_ && dips[last] > half_depth) ++last;
     if (last - first > longest_ + 1) return;  // eyes that stay narrow
-    const std::size_t reach = std::max<std::size_t>(4, (last - first) * 3 / 2 + 1);
+    // A ramp is told by some tens of frames; at a thousand a second the rest of it would only cost time.
+    constexpr std::size_t k_most_reach = 60;
+    const std::size_t reach = std::clamp<std::size_t>((last - first) * 3 / 2 + 1, 4, k_most_reach);
     first = peak < reach ? 0 : peak - reach;
     last = std::min(peak + reach, frames_ - 1);
     if (first + 1 > peak || last < peak + 1) return;

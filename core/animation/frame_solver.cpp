@@ -247,10 +247,11 @@ struct FrameSolver::State {
     }
     fit.last = u;
     fit.hold = pull_unit * near_last;
-    for (std::size_t k = 0; k < fit.cost.size(); ++k) fit.cost[k] *= confidence;
+    const std::vector<double> costs = fit.cost;
+    for (double& cost : fit.cost) cost *= confidence;
     fit_sparsely(fit, u, sparse);
     share_evenly(twins, u);
-    for (std::size_t k = 0; k < fit.cost.size() && confidence > 0; ++k) fit.cost[k] /= confidence;
+    fit.cost = costs;
   }
 
   void solve(double confidence, double doubt) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/animation/symmetric_eigen.h"
 #include "core/animation/trend.h"
@@ -103,10 +104,15 @@ void measure_from(StillTrack& track, std::size_t frame) {
   }
 }
 
-void measure_from(StillTrack& track, std::span<const std::size_t> frames) {
+void measure_from(StillTrack& track, std::span<const std::size_t> like) {
+  // Frames in which the head was not found hold nothing.
+  std::vector<std::size_t> frames;
+  std::copy_if(like.begin(), like.end(), std::back_inserter(frames),
+               [&](std::size_t f) { return f < track.offsets.size() && !track.offsets[f].empty(); });
+  if (frames.empty()) return;
   std::vector<geometry::PxPoint> mean(track.offsets[frames[0]].size());
   for (const std::size_t f : frames) {
-    for (std::size_t i = 0; i < mean.size(); ++i) {
+    for (std::size_t i = 0; i < std::min(mean.size(), track.offsets[f].size()); ++i) {
       mean[i] = mean[i] + track.offsets[f][i] * (1.0 / static_cast<double>(frames.size()));
     }
   }

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <queue>
+#include <set>
 #include <utility>
 
 namespace penpose::articulation {
@@ -48,17 +47,17 @@ std::vector<double> geodesic_distances(const Patch& patch, std::span<const Geode
   std::vector<std::uint8_t> known(patch.node_count(), 0);
   // Equal distances are taken in the order of their nodes.
   using Waiting = std::pair<double, std::uint32_t>;
-  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting;
+  std::set<Waiting> waiting;
   const auto offer = [&](std::uint32_t node, double distance) {
     if (!(distance < distances[node])) return;
     distances[node] = distance;
-    waiting.push({distance, node});
+    waiting.emplace(distance, node);
   };
   for (const GeodesicSeed& seed : seeds) offer(seed.node, seed.distance);
   const auto rests = patch.rests();
   while (!waiting.empty()) {
-    const std::uint32_t at = waiting.top().second;
-    waiting.pop();
+    const std::uint32_t at = waiting.begin()->second;
+    waiting.erase(waiting.begin());
     if (known[at] != 0) continue;
     known[at] = 1;
     for (const std::uint32_t t : patch.star(at)) {

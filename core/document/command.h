@@ -348,7 +348,8 @@ struct RedrawCurve {
   friend bool operator==(const RedrawCurve&, const RedrawCurve&) = default;
 };
 
-/// Changes how a deformer moves, what it slides over, the sheet that its reference lies on, or its range; what is not given stays.
+/// Changes how a deformer moves, what it slides over, the sheet that its reference lies on, or its range; what is not
+/// given stays.
 struct ChangeDeformer {
   static constexpr std::string_view k_name = "change_deformer";
   std::string deformer;

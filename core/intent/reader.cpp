@@ -137,7 +137,7 @@ void Reader::measure_besides() {
           ModelVector chord = start_[block.first + block.count - 1] - start_[block.first];
           chord -= ray * glm::dot(ray, chord);
           const double length = geometry::length(chord);
-          if (length > 0.0) along += glm::dot(chord, way) / length;
+          if (length > 0.0 && !block.alignments.front().closed) along += glm::dot(chord, way) / length;
         }
         sum += glm::dot(way, way);
       }
@@ -302,12 +302,14 @@ std::optional<Choice> meant_without_limits(Reader& reader, Quadratic& quadratic,
   const Choice meant = selection.select(selection.fit({}), most_units);
   reader.stretch(0.0);
   std::optional<Choice> kept;
-  if (meant.units.size() < within.units.size() && meant.energy < energy) {
+  const bool nothing = reader.edition() >= Edition::third && meant.units.empty();
+  if (!nothing && meant.units.size() < within.units.size() && meant.energy < energy) {
     kept = selection.fit(meant.units);
     if (reader.edition() >= Edition::third) {
       // Within the limits something else may come nearer by itself.
+      selection.forbid_nothing();
       Choice other = selection.select(selection.fit({}), meant.units.size());
-      if (other.energy < kept->energy - 1e-9) kept = std::move(other);
+      if (!other.units.empty() && other.energy < kept->energy - 1e-9) kept = std::move(other);
     }
   }
   evaluations += selection.evaluations();

@@ -64,6 +64,10 @@ std::size_t Selection::units_at_limit(const Choice& choice) const {
   return count;
 }
 
+double Selection::limit_costs(const Choice& choice) const {
+  return costs_.limit > 0.0 ? costs_.limit * static_cast<double>(units_at_limit(choice)) : 0.0;
+}
+
 bool Selection::overlaps(std::size_t a, std::size_t b) const {
   const Unit& one = choices_.units[a];
   const Unit& other = choices_.units[b];
@@ -193,7 +197,7 @@ Choice Selection::fit(std::vector<std::size_t> units) {
     energy += choice.values[i] * (image - 2.0 * pulls_[i]);
   }
   choice.costs = costs_of(choice);
-  if (costs_.limit > 0.0) choice.costs += costs_.limit * static_cast<double>(units_at_limit(choice));
+  choice.costs += limit_costs(choice);
   choice.energy = energy + choice.costs;
   return choice;
 }

@@ -75,7 +75,9 @@ class Selection {
     rival_window_ = window;
   }
   [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
-  /// What the units of a choice cost at its values, with what pairs differ by.
+  /// What those units cost more that stand at an end of a range.
+  [[nodiscard]] double limit_costs(const Choice& choice) const;
+  /// What the units of a choice cost at its values, with what pairs differ by, without limit_costs.
   [[nodiscard]] double costs_of(const Choice& choice) const;
 
  private:

@@ -77,7 +77,7 @@ std::size_t search_values(Reader& reader, const Quadratic& quadratic, const Sele
   const auto found = posing::run_simplex(objective, options, u, image, work);
   if (found.value < before) {
     for (std::size_t i = 0; i < n; ++i) choice.values[i] = objective.value(i, u[i]);
-    choice.costs = selection.costs_of(choice);
+    choice.costs = selection.costs_of(choice) + selection.limit_costs(choice);
   }
   return found.evaluations;
 }

@@ -23,9 +23,9 @@ struct MapCurve {
   std::variant<std::vector<std::uint32_t>, std::string> reference;  ///< vertices of the model, or a curve's name
   MapPoints anchor;                                                 ///< what the curve rides on
   double weight = 1;                                                ///< above 0
-  std::string meets;  ///< name of the reference of the curve that it closes on; may be empty
+  std::string meets;    ///< name of the reference of the curve that it closes on; may be empty
   std::string touches;  ///< name of the reference of the curve that it lies on at rest, as lips do; may be empty
-  double gain = 1;    ///< the model's curve moves this many times as far as the tracked one
+  double gain = 1;      ///< the model's curve moves this many times as far as the tracked one
 };
 
 /// Which tracked curve drives which curve of a model (cli.md, "Map files").
@@ -41,10 +41,10 @@ struct MapFile {
   std::vector<std::string> skipped;  ///< JSON pointers of members that no reader knows
 };
 
-/// Reads {"format", "curves": [{"track", "reference", "anchor", "meets", "touches", "weight", "gain"}], "stable", "turning",
-/// "head": "drop" | "apply", "free", "names": {TRACKED: CONTROL}}. "curves" is needed but for "arkit"; all else is
-/// optional. Errors (place: JSON pointer): a member that is missing, unknown in value or of another type, curves of one
-/// point, weights not above 0.
+/// Reads {"format", "curves": [{"track", "reference", "anchor", "meets", "touches", "weight", "gain"}], "stable",
+/// "turning", "head": "drop" | "apply", "free", "names": {TRACKED: CONTROL}}. "curves" is needed but for "arkit"; all
+/// else is optional. Errors (place: JSON pointer): a member that is missing, unknown in value or of another type,
+/// curves of one point, weights not above 0.
 [[nodiscard]] base::Result<MapFile> read_map_file(base::Bytes bytes);
 
 /// The map that the program brings for a format, for models with curves of the names that the built-in head has:

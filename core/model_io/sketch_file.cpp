@@ -60,7 +60,6 @@ std::string write_sketch_file(const SketchFile& file) {
     text += i == 0 ? "\n" : ",\n";
     Json one = to_json(file.sketches[i], viewports);
     one["rules"] = file.sketches[i].rules;
-    if (file.sketches[i].rules == articulation::k_held_rules) one.erase("rules");
     text += one.dump(-1, ' ', false, Json::error_handler_t::replace);
   }
   return text + "\n]}\n";

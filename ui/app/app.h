@@ -311,10 +311,11 @@ class App : private TracePlayer::Listener {
   Area free_{0, 0, 1280, 800};
   document::View view_;
   render::Viewpoint viewpoint_;
-  bool framed_ = false;  ///< the view still frames the model: it follows the window's size
-  std::string project_;  ///< where Save writes; empty: it asks
-  std::string path_;     ///< what was opened
-  std::map<int, std::string> tablets_;
+  bool framed_ = false;                            ///< the view still frames the model: it follows the window's size
+  std::string project_;                            ///< where Save writes; empty: it asks
+  std::string path_;                               ///< what was opened
+  std::map<int, decode::DeviceIdentity> tablets_;  ///< that were ever there
+  std::set<int> plugged_;                          ///< those of them that are
   HandDesk desk_;
   std::map<int, TouchGestures> raw_touch_;    ///< by interface
   std::int64_t raw_gesture_us_ = -1;          ///< when fingers on a tablet last moved the view

@@ -106,7 +106,21 @@ void App::show_anew() {
   surface_.update(workspace_.shown_model(), workspace_.shown_pose());
   frame_from(*render::find_viewpoint("front"));
   workspace_.set_tablet(0, {});
-  for (const auto& [device, name] : tablets_) workspace_.set_tablet(device, settings_.tablet);
+  // The session is another: tablets are plugged in anew, and nothing is held or being turned.
+  dial_.reset();
+  dial_control_.clear();
+  tool_before_.reset();
+  tool_held_.reset();
+  touch_view_.reset();
+  pen_view_.reset();
+  for (const int device : plugged_) {
+    const decode::DeviceIdentity& tablet = tablets_.at(device);
+    desk_.remove(device);
+    raw_touch_.erase(device);
+    workspace_.connect(device, tablet);
+    on_device(device, tablet);
+    if (workspace_.session().pens().decodes(device)) workspace_.set_tablet(device, setting_of(device));
+  }
 }
 
 base::Status App::open(const std::string& path) {

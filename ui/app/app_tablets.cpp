@@ -21,7 +21,8 @@ void App::tablet_arrived(int device, const decode::DeviceIdentity& identity) {
   on_device(device, identity);
   if (workspace_.session().pens().decodes(device)) workspace_.set_tablet(device, setting_of(device));
   const bool again = tablets_.contains(device);
-  tablets_[device] = identity.name;
+  tablets_[device] = identity;
+  plugged_.insert(device);
   // Fingers alone are a part of a tablet that says so itself.
   const DeskTablet* tablet = desk_.find(device);
   if (tablet == nullptr || tablet->has_anything()) tell(identity.name + (again ? " is back" : " is ready"));
@@ -36,12 +37,14 @@ void App::tablet_setting_changed() {
 
 void App::tablet_left(int device, const std::string& name) {
   workspace_.disconnect(device);
+  plugged_.erase(device);
   const auto hand = workspace_.session().hand_moments();
   const std::vector<replay::HandMoment> let_go(hand.begin(), hand.end());
   workspace_.follow_pen();
   tablet_near_ = false;
   barrel_ = false;
   drag_.reset();
+  touch_view_.reset();
   if (mouse_on_panel_) hover_panels(at_, false);
   mouse_on_panel_ = false;
   forget_tablet(device, name, let_go);

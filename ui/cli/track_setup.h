@@ -21,7 +21,8 @@ namespace penpose::cli {
                                                              const std::vector<model_io::VertexCurve>& landmarks,
                                                              std::vector<std::string>& notes);
 
-/// The controls that the track's action units name by ARKit's names for what they do (AU12: mouthSmile), left and right.
+/// The controls that the track's action units name by ARKit's names for what they do (AU12: mouthSmile), left and
+/// right.
 [[nodiscard]] std::vector<animation::UnitControl> unit_controls(const document::Model& model,
                                                                 const animation::PointTrack& track);
 

@@ -1,6 +1,7 @@
 #include "ui/demo/contact_sheet.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "ui/demo/label.h"
@@ -46,7 +47,10 @@ base::Result<render::Image> draw_contact_sheet(const document::Model& model, std
   render::Image sheet;
   sheet.width = k_sheet_columns * k_sheet_cell.width;
   sheet.height = rows * k_sheet_cell.height;
-  sheet.pixels.assign(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height) * 4, 255);
+  // Where there is no picture it is as dark as they are.
+  constexpr std::array<std::uint8_t, 4> k_empty{0x2b, 0x30, 0x37, 0xff};
+  sheet.pixels.resize(static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height) * k_empty.size());
+  for (std::size_t i = 0; i < sheet.pixels.size(); ++i) sheet.pixels[i] = k_empty[i % k_empty.size()];
 
   document::Model posed_model = model;
   render::Scene scene;

@@ -20,7 +20,7 @@ struct SheetCell {
 /// Where the sheet's pictures look from.
 [[nodiscard]] geometry::CameraPose sheet_camera();
 
-inline constexpr int k_sheet_columns = 4;
+inline constexpr int k_sheet_columns = 5;
 inline constexpr geometry::Viewport k_sheet_cell{300, 330};
 
 /// All pictures side by side with their titles, row by row. Works without a display. Errors: no OpenGL.
