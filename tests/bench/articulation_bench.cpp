@@ -238,7 +238,8 @@ void solve_demo_head(benchmark::State& state) {
       if (named && (all.empty() || all.back().timeline != document.timeline)) all.push_back(document);
       return false;
     };
-    static_cast<void>(replay::play_session(replay::read_from(base::as_bytes(demo::embedded_session(head::HeadEdition::first))), options));
+    static_cast<void>(replay::play_session(
+        replay::read_from(base::as_bytes(demo::embedded_session(head::HeadEdition::first))), options));
     return all;
   }();
   const document::Document& document = documents[static_cast<std::size_t>(state.range(0))];

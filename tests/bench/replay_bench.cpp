@@ -76,7 +76,8 @@ void replay_drawing(benchmark::State& state) {
   const auto reports = static_cast<std::uint64_t>(state.range(0)) * 60 * k_rate;
   replay::PlayerOptions options;
   options.open = [](const std::string&) {
-    return base::Result<document::Document>(document::make_document(demo::make_demo_head(head::HeadEdition::first).value()));
+    return base::Result<document::Document>(
+        document::make_document(demo::make_demo_head(head::HeadEdition::first).value()));
   };
   // As it was recorded: with the state after every stroke, in a file.
   const cli::File file(std::tmpfile(), &std::fclose);

@@ -117,9 +117,9 @@ std::map<std::string, std::string> all_hashes(const std::map<std::string, std::f
     std::snprintf(name, sizeof name,
                   offset   ? "offset-%03d"
                   : sheets ? "sheet-%03d"
-                  : meant ? "meant-%03d"
-                  : knows ? "every-%03d"
-                          : "random-%03d",
+                  : meant  ? "meant-%03d"
+                  : knows  ? "every-%03d"
+                           : "random-%03d",
                   static_cast<int>(knows ? (i - k_random_sessions) % k_knowing_sessions : i));
     keep(name, random[i]);
   }
