@@ -9,9 +9,9 @@ namespace {
 
 TEST(ContactSheet, ShowsEveryCellInItsPlace) {
   const document::Model model = head::make_head();
-  std::vector<SheetCell> cells(5, SheetCell{"a", model.pose, {}});
-  cells[4].title = "";
-  cells[4].regions.overlay.assign(model.mesh->vertex_count(), render::Color{0, 1, 0, 1});
+  std::vector<SheetCell> cells(k_sheet_columns + 1, SheetCell{"a", model.pose, {}});
+  cells.back().title = "";
+  cells.back().regions.overlay.assign(model.mesh->vertex_count(), render::Color{0, 1, 0, 1});
   const auto sheet = draw_contact_sheet(model, cells);
   ASSERT_TRUE(sheet.ok()) << sheet.error().line();
   EXPECT_EQ(sheet->width, k_sheet_columns * k_sheet_cell.width);
@@ -24,6 +24,9 @@ TEST(ContactSheet, ShowsEveryCellInItsPlace) {
   const std::uint8_t* green = sheet->at(x, y + k_sheet_cell.height);
   EXPECT_GT(green[1], 2 * green[0]);
   EXPECT_GT(first[0], first[1]);
+  const std::uint8_t* empty = sheet->at(x + k_sheet_cell.width, y + k_sheet_cell.height);
+  EXPECT_LT(empty[0], 80) << "as dark as the pictures' own ground";
+  EXPECT_EQ(empty[3], 255);
 }
 
 }  // namespace
