@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <set>
 #include <utility>
 
 namespace penpose::articulation {
@@ -39,25 +38,50 @@ double across(const ModelPoint& a, double to_a, const ModelPoint& b, double to_b
   return std::sqrt((x - source_x) * (x - source_x) + rise * rise);
 }
 
+/// Nodes that wait, the nearest first; equal distances come in the order of their nodes, so that there is one order.
+class Waiting {
+ public:
+  [[nodiscard]] bool empty() const { return heap_.empty(); }
+  void add(double distance, std::uint32_t node) {
+    heap_.emplace_back(distance, node);
+    for (std::size_t i = heap_.size() - 1; i > 0 && heap_[i] < heap_[(i - 1) / 2]; i = (i - 1) / 2)
+      std::swap(heap_[i], heap_[(i - 1) / 2]);
+  }
+  std::uint32_t take() {
+    const std::uint32_t node = heap_.front().second;
+    heap_.front() = heap_.back();
+    heap_.pop_back();
+    for (std::size_t i = 0;;) {
+      std::size_t least = i;
+      for (std::size_t child = 2 * i + 1; child <= 2 * i + 2 && child < heap_.size(); ++child) {
+        if (heap_[child] < heap_[least]) least = child;
+      }
+      if (least == i) return node;
+      std::swap(heap_[i], heap_[least]);
+      i = least;
+    }
+  }
+
+ private:
+  std::vector<std::pair<double, std::uint32_t>> heap_;
+};
+
 }  // namespace
 
 std::vector<double> geodesic_distances(const Patch& patch, std::span<const GeodesicSeed> seeds,
                                        std::span<const std::uint8_t> open) {
   std::vector<double> distances(patch.node_count(), k_far);
   std::vector<std::uint8_t> known(patch.node_count(), 0);
-  // Equal distances are taken in the order of their nodes.
-  using Waiting = std::pair<double, std::uint32_t>;
-  std::set<Waiting> waiting;
+  Waiting waiting;
   const auto offer = [&](std::uint32_t node, double distance) {
     if (!(distance < distances[node])) return;
     distances[node] = distance;
-    waiting.emplace(distance, node);
+    waiting.add(distance, node);
   };
   for (const GeodesicSeed& seed : seeds) offer(seed.node, seed.distance);
   const auto rests = patch.rests();
   while (!waiting.empty()) {
-    const std::uint32_t at = waiting.begin()->second;
-    waiting.erase(waiting.begin());
+    const std::uint32_t at = waiting.take();
     if (known[at] != 0) continue;
     known[at] = 1;
     for (const std::uint32_t t : patch.star(at)) {
