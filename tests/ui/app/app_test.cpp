@@ -250,6 +250,28 @@ TEST(App, UnpluggingInTheMiddleOfAStrokeEndsItAndSaysSo) {
   EXPECT_TRUE(desk.document().curves.front()->target.has_value());
 }
 
+TEST(App, TabletsThatArePluggedInDrawOnTheNextModelToo) {
+  Desk desk("reopened");
+  desk.begin();
+  auto gone = replay::virtual_pen_identity();
+  gone.name = "Gone";
+  desk.app->tablet_arrived(2, gone);
+  desk.app->tablet_left(2, "Gone");
+  desk.app->tablet_arrived(1, replay::virtual_pen_identity());
+  ASSERT_TRUE(desk.app->open("builtin:head").ok());
+  desk.frames();
+  EXPECT_FALSE(desk.app->workspace().session().pens().decodes(2)) << "what was unplugged stays so";
+  const auto viewport = desk.app->workspace().editor().view().viewport;
+  const PxPoint middle{viewport.width * 0.5, viewport.height * 0.5};
+  desk.now_us += 2'000'000;
+  for (int i = 0; i < 40; ++i) {
+    desk.now_us += 3333;
+    const PxPoint at{middle.x - 40 + 2 * i, middle.y};
+    desk.app->tablet_report(1, desk.now_us, replay::virtual_pen_report({at, 0.7, true, true, false, false}, viewport));
+  }
+  EXPECT_TRUE(desk.app->workspace().session().pens().draws(1)) << "its stroke has begun";
+}
+
 TEST(App, WhileATabletsPenIsNearTheDesktopsOwnPointerIsIgnored) {
   Desk desk("near");
   desk.begin();
