@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "core/animation/sparse_fit.h"
 #include "core/animation/statistics.h"

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "core/base/math.h"
 #include "core/curve/pairing.h"
-#include "core/curve/polyline.h"
 
 namespace penpose::intent {
 namespace {
@@ -115,101 +113,6 @@ void Reader::place(const rig::Pose& pose, std::vector<ModelPoint>& out) {
     for (std::size_t i = 0; i < curve.aside.size(); ++i) out[first + i] += curve.aside[i];
     first += curve.reference.size();
   }
-}
-
-void Reader::measure_besides() {
-  const std::size_t n = start_.size();
-  const auto apart = ways_apart();
-  for (std::size_t j = 0; j < parameters_.size(); ++j) {
-    double most = 0;
-    double around = 0;  // of the curve that it moves most
-    double aside = 0;
-    // What has to stay where it is says nothing.
-    for (std::size_t c = 0; c < problem_.drawn.size() + problem_.known.size(); ++c) {
-      const Block& block = blocks_[c];
-      double sum = 0;
-      double along = 0;
-      for (std::size_t i = block.first; i < block.first + block.count; ++i) {
-        ModelVector way = columns_[j * n + i];
-        if (block.drawn != nullptr) {
-          const ModelVector& ray = block.drawn->camera.forward();
-          way -= ray * glm::dot(ray, way);
-          ModelVector chord = start_[block.first + block.count - 1] - start_[block.first];
-          chord -= ray * glm::dot(ray, chord);
-          const double length = geometry::length(chord);
-          if (length > 0.0 && !block.alignments.front().closed) along += glm::dot(chord, way) / length;
-        }
-        sum += glm::dot(way, way);
-      }
-      const double way = std::sqrt(sum / static_cast<double>(block.count));
-      if (!(way > most)) continue;
-      most = way;
-      aside = std::sqrt(std::max(0.0, sum - along * along / static_cast<double>(block.count)) /
-                        static_cast<double>(block.count));
-      around = apart.empty() ? 0.0 : apart[c][j];
-    }
-    const double stride = whole_.stride[parameters_[j]];
-    besides_.push_back(most > 0.0 ? std::max(1.0, stride / most) : 1e3);
-    ways_.push_back(most);
-    alongs_.push_back(aside > 0.0 ? std::min(10.0, most / aside) : 10.0);
-    arounds_.push_back(most > 0.0 ? std::max(1.0, around / most) : 1e3);
-  }
-}
-
-double Reader::beside_charge(std::size_t variable) const {
-  if (problem_.edition == Edition::first) return 0.0;
-  const double beside = costs_.beside * base::log(besides_[variable]);
-  return problem_.edition == Edition::second
-             ? beside
-             : beside + costs_.around * base::log(arounds_[variable]) + costs_.along * base::log(alongs_[variable]);
-}
-
-std::vector<std::vector<double>> Reader::ways_apart() const {
-  // Of a curve's length: what lies as near as that is drawn with it.
-  constexpr double k_near = 0.05;
-  constexpr std::size_t k_most_near = 64;
-  std::vector<std::vector<double>> ways;
-  if (problem_.edition < Edition::third || !whole_.surroundings || !linear_) return ways;
-  const std::size_t n = start_.size();
-  const std::span<const ModelPoint> rest = whole_.surroundings->rest();
-  const auto ways_of = [&](const Block& block, std::span<const posing::CurvePoint> reference) {
-    std::vector<double> out(parameters_.size(), 0.0);
-    std::vector<ModelPoint> places;
-    for (const posing::CurvePoint& point : reference) {
-      ModelPoint at{0};
-      for (std::size_t k = 0; k < 3; ++k) at += rest[point.vertex[k]] * point.weight[k];
-      places.push_back(at);
-    }
-    const auto near = whole_.surroundings->near(places, k_near * curve::arc_length<ModelPoint>(places), k_most_near);
-    if (near.empty()) return out;
-    const auto form = rig_.bind(near)->linearize(problem_.start, parameters_);
-    if (!form) return out;
-    std::vector<std::size_t> nearest(near.size(), 0);
-    for (std::size_t i = 0; i < near.size(); ++i) {
-      for (std::size_t k = 1; k < places.size(); ++k) {
-        if (geometry::distance(rest[near[i]], places[k]) < geometry::distance(rest[near[i]], places[nearest[i]]))
-          nearest[i] = k;
-      }
-    }
-    for (std::size_t j = 0; j < parameters_.size(); ++j) {
-      double sum = 0;
-      for (std::size_t i = 0; i < near.size(); ++i) {
-        ModelVector way = form->columns[j * near.size() + i] * ranges_[j] - columns_[j * n + block.first + nearest[i]];
-        if (block.drawn != nullptr) {
-          const ModelVector& ray = block.drawn->camera.forward();
-          way -= ray * glm::dot(ray, way);
-        }
-        sum += glm::dot(way, way);
-      }
-      out[j] = std::sqrt(sum / static_cast<double>(near.size()));
-    }
-    return out;
-  };
-  for (std::size_t c = 0; c < problem_.drawn.size(); ++c)
-    ways.push_back(ways_of(blocks_[c], problem_.drawn[c].reference));
-  for (std::size_t c = 0; c < problem_.known.size(); ++c)
-    ways.push_back(ways_of(blocks_[problem_.drawn.size() + c], problem_.known[c].reference));
-  return ways;
 }
 
 void Reader::make_units() {
