@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/intent/held_lines.h"
 #include "core/intent/reader.h"
 #include "core/intent/value_search.h"
 
@@ -31,6 +32,8 @@ constexpr double k_fits = 24.0;
 constexpr double k_near_enough = 0.6;
 /// How much lower the energy has to be before a limb leans out of the picture that need not.
 constexpr double k_lean_gain = 3.0;
+/// How much lower the energy has to be before what was drawn before is read anew.
+constexpr double k_stay = 3.0;
 /// A joint's squares hold near the pose where they were taken: most that an angle changes in a round, share of its
 /// range.
 constexpr double k_trust = 0.2;
@@ -130,6 +133,8 @@ class Solver {
   std::size_t evaluations = 0;
   /// Readings move something (Selection::forbid_nothing).
   bool something = false;
+  /// What readings of other alignments begin with.
+  Choice from;
 
  private:
   Choice trusted(const Choice& before, Choice after) const {
@@ -173,45 +178,124 @@ Reading foreshortened(Reader& reader, Solver& solver, std::size_t drawn, Reading
   return best;
 }
 
+/// D of each drawn curve as last matched.
+std::vector<double> squares_of_all(Reader& reader, const Choice& choice, std::size_t drawn) {
+  std::vector<double> squares;
+  for (std::size_t c = 0; c < drawn; ++c) squares.push_back(reader.squares_of(c, choice));
+  return squares;
+}
+
+/// Tries the other ways in which line c may be aligned. `asked`: its squares before anything moved.
+void realign(Reader& reader, Solver& solver, std::size_t c, double asked, Reading& best) {
+  std::size_t chosen = reader.aligned(c);
+  if (reader.alignments(c).size() < 2 || reader.squares_of(c, best.choice) < k_fits) return;
+  const Choice from = solver.from;
+  for (std::size_t a = 1; a < reader.alignments(c).size(); ++a) {
+    reader.align(c, a);
+    // A line that lies beside where it was meant tells a shape that something takes on; thought of where nothing
+    // brings the curve near to the line itself.
+    solver.something = reader.alignments(c)[a].offset_px > 0.0;
+    if (solver.something) {
+      reader.align(c, chosen);
+      solver.match(best);
+      const bool near = reader.squares_of(c, best.choice) < k_near_enough * asked;
+      reader.align(c, a);
+      if (near) {
+        solver.something = false;
+        continue;
+      }
+    }
+    Reading one = solver.read(from);
+    if (solver.something) solver.match(one);
+    const bool nothing = solver.something && (one.choice.units.empty() || !reader.takes_shape(c, one.choice));
+    solver.something = false;
+    if (nothing || !(one.energy < best.energy - 1e-9)) continue;
+    best = std::move(one);
+    chosen = a;
+  }
+  reader.align(c, chosen);
+}
+
 /// The best reading over the ways in which single lines may be aligned.
 Reading best_alignment(Reader& reader, Solver& solver, std::size_t drawn) {
   for (std::size_t c = 0; c < drawn; ++c) reader.align(c, 0);
-  std::vector<double> asked;
+  std::vector<double> asked(drawn, 0.0);
   if (reader.edition() >= Edition::third) {
     solver.match({});
-    for (std::size_t c = 0; c < drawn; ++c) asked.push_back(reader.squares_of(c, {}));
+    asked = squares_of_all(reader, {}, drawn);
   }
   Reading best = solver.read();
   best = foreshortened(reader, solver, drawn, std::move(best));
+  for (std::size_t c = 0; c < drawn; ++c) realign(reader, solver, c, asked[c], best);
+  return best;
+}
+
+/// The reading that goes on from the pose that what was drawn before came to: the same controls, with more for what is
+/// new. Each line is aligned as that pose fits it best.
+Reading from_posed(Reader& reader, Solver& solver, const IntentProblem& problem) {
+  const std::size_t drawn = problem.drawn.size();
+  for (std::size_t c = 0; c < drawn; ++c) reader.align(c, 0);
+  const Choice posed = reader.choice_of(problem.posed);
+  Reading best = solver.matched(posed);
   for (std::size_t c = 0; c < drawn; ++c) {
-    std::size_t chosen = reader.aligned(c);
-    if (reader.alignments(c).size() < 2 || reader.squares_of(c, best.choice) < k_fits) continue;
+    if (!problem.drawn[c].before || reader.squares_of(c, best.choice) < k_fits) continue;
+    std::size_t chosen = 0;
     for (std::size_t a = 1; a < reader.alignments(c).size(); ++a) {
       reader.align(c, a);
-      // A line that lies beside where it was meant tells a shape that something takes on; thought of where nothing
-      // brings the curve near to the line itself.
-      solver.something = reader.alignments(c)[a].offset_px > 0.0;
-      if (solver.something) {
-        reader.align(c, chosen);
-        solver.match(best);
-        const bool near = reader.squares_of(c, best.choice) < k_near_enough * asked[c];
-        reader.align(c, a);
-        if (near) {
-          solver.something = false;
-          continue;
-        }
-      }
-      Reading one = solver.read();
-      if (solver.something) solver.match(one);
-      const bool nothing = solver.something && (one.choice.units.empty() || !reader.takes_shape(c, one.choice));
-      solver.something = false;
-      if (nothing || !(one.energy < best.energy - 1e-9)) continue;
+      Reading one = solver.matched(posed);
+      if (!(one.energy < best.energy - 1e-9)) continue;
       best = std::move(one);
       chosen = a;
     }
     reader.align(c, chosen);
   }
+  solver.match(best);
+  const std::vector<double> asked = squares_of_all(reader, best.choice, drawn);
+  solver.from = best.choice;
+  best = solver.read(best.choice);
+  for (std::size_t c = 0; c < drawn; ++c) {
+    if (!problem.drawn[c].before) realign(reader, solver, c, asked[c], best);
+  }
+  solver.from = {};
   return best;
+}
+
+/// The best reading of a problem of which a part was solved for already.
+Reading best_with_posed(Reader& reader, Solver& solver, const IntentProblem& problem) {
+  const std::size_t drawn = problem.drawn.size();
+  Reading stays = from_posed(reader, solver, problem);
+  std::vector<std::size_t> aligned;
+  for (std::size_t c = 0; c < drawn; ++c) aligned.push_back(reader.aligned(c));
+  Reading anew = best_alignment(reader, solver, drawn);
+  if (anew.energy < stays.energy - k_stay) return anew;
+  for (std::size_t c = 0; c < drawn; ++c) reader.align(c, aligned[c]);
+  return stays;
+}
+
+/// Fills in what a pose comes to.
+void describe(const rig::Rig& rig, const IntentProblem& problem, Reader& reader, Solution& solution) {
+  solution.moved.clear();
+  solution.at_limit.clear();
+  solution.drawn.clear();
+  solution.known.clear();
+  for (std::size_t i = 0; i < solution.pose.size(); ++i) {
+    if (solution.pose[i] == problem.start[i]) continue;
+    solution.moved.push_back(i);
+    const rig::Parameter& parameter = rig.parameters()[i];
+    if (solution.pose[i] == parameter.minimum || solution.pose[i] == parameter.maximum) solution.at_limit.push_back(i);
+  }
+  const Reader::Left left = reader.left(solution.pose);
+  solution.energy = left.sum;
+  solution.max_distance = left.longest;
+  for (std::size_t c = 0; c < problem.drawn.size() + problem.known.size(); ++c) {
+    CurveLeft one{left.px[c], left.units[c], false};
+    if (c < problem.drawn.size()) {
+      one.reversed = reader.alignments(c)[reader.aligned(c)].reversed;
+      solution.drawn.push_back(one);
+    } else {
+      solution.known.push_back(one);
+    }
+  }
 }
 
 /// A checked problem, whatever is locked. `units`: receives how many moved.
@@ -228,7 +312,9 @@ Solution solve_free(const rig::Rig& rig, const WholeModel& whole, const IntentPr
   Solver solver(reader, options, work.buffers());
   const std::vector<std::size_t> chain(reader.chain().begin(), reader.chain().end());
   if (!chain.empty()) reader.restrict_to(chain);
-  Reading reading = best_alignment(reader, solver, problem.drawn.size());
+  const bool posed = !problem.posed.empty() && problem.posed != problem.start;
+  Reading reading =
+      posed ? best_with_posed(reader, solver, problem) : best_alignment(reader, solver, problem.drawn.size());
   if (!chain.empty() && reading.energy > 2.0 * k_beyond_chain) {
     std::vector<std::size_t> aligned;
     for (std::size_t c = 0; c < problem.drawn.size(); ++c) aligned.push_back(reader.aligned(c));
@@ -248,24 +334,7 @@ Solution solve_free(const rig::Rig& rig, const WholeModel& whole, const IntentPr
   solution.doubt_energy = reading.energy;
 
   solution.pose = reader.pose_of(reading.choice);
-  for (std::size_t i = 0; i < solution.pose.size(); ++i) {
-    if (solution.pose[i] == problem.start[i]) continue;
-    solution.moved.push_back(i);
-    const rig::Parameter& parameter = rig.parameters()[i];
-    if (solution.pose[i] == parameter.minimum || solution.pose[i] == parameter.maximum) solution.at_limit.push_back(i);
-  }
-  const Reader::Left left = reader.left(solution.pose);
-  solution.energy = left.sum;
-  solution.max_distance = left.longest;
-  for (std::size_t c = 0; c < problem.drawn.size() + problem.known.size(); ++c) {
-    CurveLeft one{left.px[c], left.units[c], false};
-    if (c < problem.drawn.size()) {
-      one.reversed = reader.alignments(c)[reader.aligned(c)].reversed;
-      solution.drawn.push_back(one);
-    } else {
-      solution.known.push_back(one);
-    }
-  }
+  describe(rig, problem, reader, solution);
   return solution;
 }
 
@@ -297,9 +366,11 @@ bool keeps_a_part_of_each(const IntentProblem& problem, const WholeModel& whole,
   });
 }
 
-base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
-                             const SolveOptions& options, Workspace& work) {
-  if (auto status = check_problem(rig, problem); !status) return status.error();
+namespace {
+
+/// A checked problem, what is locked being heeded.
+base::Result<Solution> solve_whole(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
+                                   const SolveOptions& options, Workspace& work) {
   std::size_t units = 0;
   if (problem.locked.empty() || problem.edition == Edition::first)
     return solve_free(rig, whole, problem, options, work, units);
@@ -319,6 +390,21 @@ base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const
   Solution without = solve_free(rig, whole, rest, no_more, work, units);
   without.evaluations += meant.evaluations;
   return without;
+}
+
+}  // namespace
+
+base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
+                             const SolveOptions& options, Workspace& work) {
+  if (auto status = check_problem(rig, problem); !status) return status.error();
+  if (problem.edition < Edition::fourth || problem.posed.empty())
+    return solve_whole(rig, whole, problem, options, work);
+  Reader reader(rig, whole, problem);
+  const IntentProblem part =
+      reader.chain().empty() ? with_others_held(rig, reader, problem) : with_the_rest_held(rig, problem);
+  auto solution = solve_whole(rig, whole, part, options, work);
+  if (solution) describe(rig, problem, reader, *solution);
+  return solution;
 }
 
 base::Result<std::vector<CurveLeft>> left_at_start(const rig::Rig& rig, const WholeModel& whole,

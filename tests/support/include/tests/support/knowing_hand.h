@@ -203,9 +203,9 @@ class KnowingHand {
   /// How many of the list this hand knows: by older rules those that there were then, so that it does what it did.
   [[nodiscard]] std::size_t commands() const {
     constexpr std::size_t k_before_sheet_rules = 33;
-    constexpr std::size_t k_before_offset_rules = 35;
+    constexpr std::size_t k_before_moment_rules = 35;
     if (rules_ < document::k_sheet_rules) return k_before_sheet_rules;
-    return rules_ < document::k_offset_rules ? k_before_offset_rules : std::variant_size_v<document::Command>;
+    return rules_ < document::k_moment_rules ? k_before_moment_rules : std::variant_size_v<document::Command>;
   }
   /// What the rules of single commands are: those of the solver alone.
   [[nodiscard]] std::uint32_t sheets() const { return rules_ >= document::k_sheet_rules ? rules_ : 0; }
