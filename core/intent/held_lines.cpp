@@ -63,6 +63,14 @@ IntentProblem with_the_rest_held(const rig::Rig& rig, const IntentProblem& probl
   return held;
 }
 
+IntentProblem without_the_rest(const IntentProblem& problem) {
+  IntentProblem alone = problem;
+  alone.start = problem.posed;
+  alone.posed.clear();
+  std::erase_if(alone.drawn, [](const DrawnCurve& curve) { return curve.before; });
+  return alone;
+}
+
 IntentProblem with_others_held(const rig::Rig& rig, const Reader& reader, const IntentProblem& problem) {
   const auto ways = reader.ways_of_curves();
   const auto shares = shares_of_units(reader, ways);
@@ -98,6 +106,33 @@ IntentProblem with_others_held(const rig::Rig& rig, const Reader& reader, const 
   }
   hold(rig, problem.posed, others, part);
   return part;
+}
+
+Fit fit_of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem, const rig::Pose& pose,
+           Quadratic& quadratic) {
+  Reader reader(rig, whole, problem);
+  const Choice choice = reader.choice_of(pose);
+  const auto energy = [&] {
+    reader.weigh_evenly();
+    reader.look(choice, true, quadratic, choice.variables);
+    const Selection selection(quadratic, reader.choices(), reader.costs());
+    return reader.energy(choice, selection.costs_of(choice) + selection.limit_costs(choice));
+  };
+  Fit fit{energy(), {}};
+  for (std::size_t c = 0; c < problem.drawn.size(); ++c) {
+    std::size_t chosen = 0;
+    for (std::size_t a = 1; a < reader.alignments(c).size(); ++a) {
+      reader.align(c, a);
+      const double one = energy();
+      if (!(one < fit.energy - 1e-9)) continue;
+      fit.energy = one;
+      chosen = a;
+    }
+    reader.align(c, chosen);
+  }
+  energy();
+  for (std::size_t c = 0; c < problem.drawn.size(); ++c) fit.squares.push_back(reader.squares_of(c, choice));
+  return fit;
 }
 
 }  // namespace penpose::intent

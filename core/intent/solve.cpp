@@ -33,7 +33,10 @@ constexpr double k_near_enough = 0.6;
 /// How much lower the energy has to be before a limb leans out of the picture that need not.
 constexpr double k_lean_gain = 3.0;
 /// How much lower the energy has to be before what was drawn before is read anew.
-constexpr double k_stay = 3.0;
+constexpr double k_stay = 8.0;
+/// Then its lines have to fit about as well as they did: by this factor of their squares, and this much beyond.
+constexpr double k_as_near = 1.2;
+constexpr double k_as_near_beyond = 6.0;
 /// A joint's squares hold near the pose where they were taken: most that an angle changes in a round, share of its
 /// range.
 constexpr double k_trust = 0.2;
@@ -133,8 +136,6 @@ class Solver {
   std::size_t evaluations = 0;
   /// Readings move something (Selection::forbid_nothing).
   bool something = false;
-  /// What readings of other alignments begin with.
-  Choice from;
 
  private:
   Choice trusted(const Choice& before, Choice after) const {
@@ -189,7 +190,6 @@ std::vector<double> squares_of_all(Reader& reader, const Choice& choice, std::si
 void realign(Reader& reader, Solver& solver, std::size_t c, double asked, Reading& best) {
   std::size_t chosen = reader.aligned(c);
   if (reader.alignments(c).size() < 2 || reader.squares_of(c, best.choice) < k_fits) return;
-  const Choice from = solver.from;
   for (std::size_t a = 1; a < reader.alignments(c).size(); ++a) {
     reader.align(c, a);
     // A line that lies beside where it was meant tells a shape that something takes on; thought of where nothing
@@ -205,7 +205,7 @@ void realign(Reader& reader, Solver& solver, std::size_t c, double asked, Readin
         continue;
       }
     }
-    Reading one = solver.read(from);
+    Reading one = solver.read();
     if (solver.something) solver.match(one);
     const bool nothing = solver.something && (one.choice.units.empty() || !reader.takes_shape(c, one.choice));
     solver.something = false;
@@ -228,48 +228,6 @@ Reading best_alignment(Reader& reader, Solver& solver, std::size_t drawn) {
   best = foreshortened(reader, solver, drawn, std::move(best));
   for (std::size_t c = 0; c < drawn; ++c) realign(reader, solver, c, asked[c], best);
   return best;
-}
-
-/// The reading that goes on from the pose that what was drawn before came to: the same controls, with more for what is
-/// new. Each line is aligned as that pose fits it best.
-Reading from_posed(Reader& reader, Solver& solver, const IntentProblem& problem) {
-  const std::size_t drawn = problem.drawn.size();
-  for (std::size_t c = 0; c < drawn; ++c) reader.align(c, 0);
-  const Choice posed = reader.choice_of(problem.posed);
-  Reading best = solver.matched(posed);
-  for (std::size_t c = 0; c < drawn; ++c) {
-    if (!problem.drawn[c].before || reader.squares_of(c, best.choice) < k_fits) continue;
-    std::size_t chosen = 0;
-    for (std::size_t a = 1; a < reader.alignments(c).size(); ++a) {
-      reader.align(c, a);
-      Reading one = solver.matched(posed);
-      if (!(one.energy < best.energy - 1e-9)) continue;
-      best = std::move(one);
-      chosen = a;
-    }
-    reader.align(c, chosen);
-  }
-  solver.match(best);
-  const std::vector<double> asked = squares_of_all(reader, best.choice, drawn);
-  solver.from = best.choice;
-  best = solver.read(best.choice);
-  for (std::size_t c = 0; c < drawn; ++c) {
-    if (!problem.drawn[c].before) realign(reader, solver, c, asked[c], best);
-  }
-  solver.from = {};
-  return best;
-}
-
-/// The best reading of a problem of which a part was solved for already.
-Reading best_with_posed(Reader& reader, Solver& solver, const IntentProblem& problem) {
-  const std::size_t drawn = problem.drawn.size();
-  Reading stays = from_posed(reader, solver, problem);
-  std::vector<std::size_t> aligned;
-  for (std::size_t c = 0; c < drawn; ++c) aligned.push_back(reader.aligned(c));
-  Reading anew = best_alignment(reader, solver, drawn);
-  if (anew.energy < stays.energy - k_stay) return anew;
-  for (std::size_t c = 0; c < drawn; ++c) reader.align(c, aligned[c]);
-  return stays;
 }
 
 /// Fills in what a pose comes to.
@@ -312,9 +270,7 @@ Solution solve_free(const rig::Rig& rig, const WholeModel& whole, const IntentPr
   Solver solver(reader, options, work.buffers());
   const std::vector<std::size_t> chain(reader.chain().begin(), reader.chain().end());
   if (!chain.empty()) reader.restrict_to(chain);
-  const bool posed = !problem.posed.empty() && problem.posed != problem.start;
-  Reading reading =
-      posed ? best_with_posed(reader, solver, problem) : best_alignment(reader, solver, problem.drawn.size());
+  Reading reading = best_alignment(reader, solver, problem.drawn.size());
   if (!chain.empty() && reading.energy > 2.0 * k_beyond_chain) {
     std::vector<std::size_t> aligned;
     for (std::size_t c = 0; c < problem.drawn.size(); ++c) aligned.push_back(reader.aligned(c));
@@ -392,6 +348,31 @@ base::Result<Solution> solve_whole(const rig::Rig& rig, const WholeModel& whole,
   return without;
 }
 
+/// A checked problem of which a part was solved for already. What is new moves what it moves, and what was drawn before
+/// is read anew with it only where that is clearly better.
+base::Result<Solution> solve_with_posed(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
+                                        const Reader& reader, const SolveOptions& options, Workspace& work) {
+  if (!reader.chain().empty()) return solve_whole(rig, whole, with_the_rest_held(rig, problem), options, work);
+  const IntentProblem part = with_others_held(rig, reader, problem);
+  if (part.start == problem.posed) return solve_whole(rig, whole, part, options, work);
+  auto anew = solve_whole(rig, whole, part, options, work);
+  auto held = solve_whole(rig, whole, with_the_rest_held(rig, part), options, work);
+  auto alone = solve_whole(rig, whole, without_the_rest(part), options, work);
+  if (!anew || !held || !alone) return anew;
+  const Fit by_held = fit_of(rig, whole, part, held->pose, work.buffers().quadratic);
+  const Fit by_alone = fit_of(rig, whole, part, alone->pose, work.buffers().quadratic);
+  const Fit by_anew = fit_of(rig, whole, part, anew->pose, work.buffers().quadratic);
+  const bool stays_held = by_held.energy <= by_alone.energy;
+  const Fit& stays = stays_held ? by_held : by_alone;
+  bool as_near = true;
+  for (std::size_t c = 0; c < part.drawn.size(); ++c)
+    as_near =
+        as_near && (!part.drawn[c].before || by_anew.squares[c] <= k_as_near * stays.squares[c] + k_as_near_beyond);
+  anew->evaluations += held->evaluations + alone->evaluations;
+  if (as_near && by_anew.energy < stays.energy - k_stay) return anew;
+  return stays_held ? held : alone;
+}
+
 }  // namespace
 
 base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
@@ -400,9 +381,7 @@ base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const
   if (problem.edition < Edition::fourth || problem.posed.empty())
     return solve_whole(rig, whole, problem, options, work);
   Reader reader(rig, whole, problem);
-  const IntentProblem part =
-      reader.chain().empty() ? with_others_held(rig, reader, problem) : with_the_rest_held(rig, problem);
-  auto solution = solve_whole(rig, whole, part, options, work);
+  auto solution = solve_with_posed(rig, whole, problem, reader, options, work);
   if (solution) describe(rig, problem, reader, *solution);
   return solution;
 }
