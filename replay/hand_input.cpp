@@ -10,9 +10,7 @@ constexpr std::uint16_t k_bus_virtual = 6;  ///< BUS_VIRTUAL of Linux
 }  // namespace
 
 void HandInput::connect(int device, const decode::DeviceIdentity& identity) {
-  auto& touch_switch = switches_[identity.vendor];
-  if (!touch_switch) touch_switch = std::make_shared<decode::TouchSwitch>();
-  auto hand = decode::make_hand_decoders(identity, own_, touch_switch);
+  auto hand = decode::make_hand_decoders(identity, own_, switches_.join(device, identity));
   interfaces_.erase(device);
   pens_.erase(device);
   if (identity.bus == k_bus_virtual) virtual_.insert(device);
@@ -77,6 +75,12 @@ std::span<const HandMoment> HandInput::report(int device, std::int64_t time_us, 
   }
   if (interface.hand.touch && interface.hand.touch->decode(bytes)) end_frame(device, interface, time_us);
   return moments_;
+}
+
+void HandInput::set_lights(int device, const decode::Lights& lights) {
+  const auto found = interfaces_.find(device);
+  if (found == interfaces_.end() || !found->second.hand.pad) return;
+  for (std::size_t side = 0; side < lights.size(); ++side) found->second.hand.pad->set_light(side, lights[side]);
 }
 
 const decode::PadDecoder* HandInput::pad(int device) const {

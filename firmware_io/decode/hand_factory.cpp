@@ -12,6 +12,7 @@
 #include "firmware_io/decode/wacom_generic_touch_decoder.h"
 #include "firmware_io/decode/wacom_models.h"
 #include "firmware_io/decode/wacom_pad_decoder.h"
+#include "firmware_io/decode/wacom_receiver.h"
 #include "firmware_io/decode/wacom_touch_decoder.h"
 #include "firmware_io/decode/wacom_usages.h"
 
@@ -185,6 +186,11 @@ HandDecoders make_hand_decoders(const DeviceIdentity& device, const TabletTable*
     if (const auto match = own->find(completed)) {
       return {make_table_pad(*match, device, own), make_table_touch(match->identifier->protocol, match->tablet)};
     }
+  }
+  if (is_wacom_receiver(completed)) {
+    HandDecoders made;
+    if (is_receiver_monitor(completed)) made.pad = std::make_unique<ReceiverMonitor>();
+    return made;
   }
   if (const WacomHand* hand = find_wacom_hand(device.bus, device.vendor, device.product))
     return make_fixed_wacom(*hand, device, descriptor);

@@ -16,7 +16,7 @@ const DeskTablet* shown_tablet(App& app, std::span<const DeskTablet> tablets) {
     return found == tablets.end() ? nullptr : &*found;
   };
   if (const auto* chosen =
-          first([&](const DeskTablet& one) { return one.key == app.panels().pad_tablet && one.has_anything(); }))
+          first([&](const DeskTablet& one) { return one.is(app.panels().pad_tablet) && one.has_anything(); }))
     return chosen;
   if (const auto* keys = first([](const DeskTablet& one) { return one.features.any(); })) return keys;
   return first([](const DeskTablet& one) { return one.has_anything(); });
@@ -49,8 +49,8 @@ void show_tablets(PanelContext& context, std::span<const DeskTablet> tablets, co
   if (count > 1) {
     for (const DeskTablet& one : tablets) {
       if (!one.has_anything()) continue;
-      if (wide_button(context, (one.name + "##tablet " + one.key).c_str(), 0, &one == &shown))
-        context.app.panels().pad_tablet = one.key;
+      if (wide_button(context, (one.name + "##tablet " + one.key + " " + one.unit).c_str(), 0, &one == &shown))
+        context.app.panels().pad_tablet = {one.key, one.unit};
       ImGui::SameLine();
     }
     ImGui::NewLine();
