@@ -19,6 +19,7 @@ void HandInput::connect(int device, const decode::DeviceIdentity& identity) {
   Interface& interface = interfaces_[device];
   if (hand.pad) interface.events = decode::PadEvents(hand.pad->features());
   interface.hand = std::move(hand);
+  if (const auto lights = lights_.find(device); lights != lights_.end()) apply_lights(device, lights->second);
 }
 
 void HandInput::take_events(int device) {
@@ -28,6 +29,7 @@ void HandInput::take_events(int device) {
 
 std::span<const HandMoment> HandInput::disconnect(int device, std::int64_t time_us) {
   moments_.clear();
+  lights_.erase(device);
   pen(device, false, time_us);
   const auto found = interfaces_.find(device);
   if (found == interfaces_.end()) return moments_;
@@ -60,6 +62,7 @@ void HandInput::end_frame(int device, Interface& interface, std::int64_t time_us
 
 std::span<const HandMoment> HandInput::report(int device, std::int64_t time_us, base::Bytes bytes) {
   moments_.clear();
+  if (!lights_.empty()) lights_.erase(device);
   const auto found = interfaces_.find(device);
   if (found == interfaces_.end()) return moments_;
   Interface& interface = found->second;
@@ -78,6 +81,11 @@ std::span<const HandMoment> HandInput::report(int device, std::int64_t time_us, 
 }
 
 void HandInput::set_lights(int device, const decode::Lights& lights) {
+  lights_[device] = lights;
+  apply_lights(device, lights);
+}
+
+void HandInput::apply_lights(int device, const decode::Lights& lights) {
   const auto found = interfaces_.find(device);
   if (found == interfaces_.end() || !found->second.hand.pad) return;
   for (std::size_t side = 0; side < lights.size(); ++side) found->second.hand.pad->set_light(side, lights[side]);

@@ -44,7 +44,8 @@ class HandInput {
   /// One report. What is returned is valid until the next call.
   std::span<const HandMoment> report(int device, std::int64_t time_us, base::Bytes bytes);
 
-  /// Which lights are on beside the dials of a device.
+  /// Which lights are on beside the dials of a device, also of one that is connected before its next report: a replay
+  /// learns of a device with its first report only.
   void set_lights(int device, const decode::Lights& lights);
 
   /// The state of a device's pad, null where it has none.
@@ -62,14 +63,16 @@ class HandInput {
     std::vector<decode::TouchContact> fingers;
   };
 
+  void apply_lights(int device, const decode::Lights& lights);
   void take_events(int device);
   void end_frame(int device, Interface& interface, std::int64_t time_us);
 
   const decode::TabletTable* own_;
   std::map<int, Interface> interfaces_;
   TouchSwitches switches_;
-  std::map<int, bool> pens_;  ///< whether one is near, by device
-  std::set<int> virtual_;     ///< devices that stand for a mouse, which holds no fingers back
+  std::map<int, decode::Lights> lights_;  ///< seen since the last report, by device
+  std::map<int, bool> pens_;              ///< whether one is near, by device
+  std::set<int> virtual_;                 ///< devices that stand for a mouse, which holds no fingers back
   std::vector<decode::PadEvent> events_;
   std::vector<HandMoment> moments_;
 };

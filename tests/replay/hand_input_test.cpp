@@ -187,6 +187,7 @@ TEST_F(ReceiverInSession, AReplayHearsItToo) {
   send(2, tests::pad_report(0b0110, 33));
   const decode::PadSample here = session().hands().pad(2)->sample();
   EXPECT_NE(here.keys, 0U);
+  ASSERT_TRUE(script.act(PenPlace{true}).ok()) << "with which the reports are handed over";
   const auto playback = play_session(read_from(base::as_bytes(script.text())), on_the_sheet());
   ASSERT_TRUE(playback.ok());
   ASSERT_NE(playback->session->hands().pad(2), nullptr);
@@ -201,6 +202,7 @@ TEST(HandsInSessions, LightsThatWereOnAlreadyAreReplayed) {
   EXPECT_EQ(script.live().session().hands().pad(3)->sample().mode[0], 2);
   script.live().report(3, 1000, tests::pad_report(1));
   EXPECT_EQ(script.live().session().hands().pad(3)->sample().mode[0], 3);
+  ASSERT_TRUE(script.act(PenPlace{true}).ok()) << "with which the reports are handed over";
   const auto playback = play_session(read_from(base::as_bytes(script.text())), on_the_sheet());
   ASSERT_TRUE(playback.ok());
   ASSERT_NE(playback->session->hands().pad(3), nullptr);
