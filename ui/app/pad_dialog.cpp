@@ -56,7 +56,8 @@ void show_tablets(PanelContext& context, std::span<const DeskTablet> tablets, co
     ImGui::NewLine();
   }
   std::string text = shown.name;
-  if (shown.battery.percent >= 0) {
+  // 0 comes before it has been measured.
+  if (shown.battery.percent > 0) {
     text += "   battery " + std::to_string(shown.battery.percent) + " %";
     if (shown.battery.charging) text += ", charging";
   }
@@ -120,6 +121,17 @@ void Choices::show() {
   ImGui::EndChild();
 }
 
+/// Whoever goes to another key sees what it does now among what is offered.
+void follow_control(App& app, const DeskTablet& tablet) {
+  const PadControl& control = app.panels().pad_control;
+  const int now = 1 + static_cast<int>(control.kind) * 65536 + control.index * 256 + control.mode;
+  ImGuiStorage& kept = *ImGui::GetStateStorage();
+  const ImGuiID place = ImGui::GetID("control that was shown");
+  if (kept.GetInt(place) == now) return;
+  kept.SetInt(place, now);
+  app.panels().pad_once = app.bound(tablet, control).kind == Binding::Kind::action;
+}
+
 }  // namespace
 
 void show_pad_dialog(PanelContext& context) {
@@ -133,6 +145,7 @@ void show_pad_dialog(PanelContext& context) {
       PadControl& control = app.panels().pad_control;
       const auto keys = keys_of(tablet->features);
       if (!has(*tablet, control)) control = keys.empty() ? pen_button_control(0) : key_control(keys.front());
+      follow_control(app, *tablet);
       show_tablets(context, tablets, *tablet);
       // As high as it is, up to what the window has room for.
       const float room = static_cast<float>(app.window().height) - 6 * context.unit;
