@@ -107,7 +107,8 @@ std::optional<HidInterface> from_usb(udev_device* device) {
   HidInterface found;
   take_usb(found, device);
   found.driver = text(udev_device_get_driver(device));
-  found.physical = found.usb_name;
+  // Without the interface, as the kernel names the places of those that it has.
+  found.physical = std::filesystem::path(found.parent).filename().string();
   if (found.usb_node.empty()) return std::nullopt;
   return found;
 }

@@ -135,8 +135,8 @@ until_true 20 tablets_are 0
 
 # --- The light of a ring: the kernel's driver switches it where it has the tablet, and where it has not, we do.
 stage lights
-lights() { # lights NAME PORT
-  virtual_tablet usb /traces/lights.hid --go "/tmp/go_$1" --keep "/tmp/keep_$1" --pace-us 200000 --port "$2" >"/out/$1.sent" 2>&1 &
+lights() { # lights NAME PORT PACE_US
+  virtual_tablet usb /traces/lights.hid --go "/tmp/go_$1" --keep "/tmp/keep_$1" --pace-us "$3" --port "$2" >"/out/$1.sent" 2>&1 &
   until_true 20 tablets_are 1
   # The driver sets up what it found a second later.
   sleep 2
@@ -152,9 +152,10 @@ lights() { # lights NAME PORT
   touch "/tmp/keep_$1"
   until_true 20 tablets_are 0
 }
-lights lights_kernel 3
+# The driver counts presses by the light that it has on, and sets that in its own time.
+lights lights_kernel 3 1000000
 rmmod wacom
-lights lights_bare 4
+lights lights_bare 4 200000
 load wacom
 
 # --- The machine sleeps while a tablet is recorded: it is woken before its first report and again afterwards.
