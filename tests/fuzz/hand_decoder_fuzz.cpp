@@ -1,10 +1,9 @@
 // Reports of any content for every way of reading keys, wheels and fingers: the first bytes choose the device and carry
-// its descriptor, the rest are reports (hand_reports.h).
+// its descriptor, the rest are reports (tests/support/hand_reports.h).
 
 #include "firmware_io/decode/wacom_hands.h"
 #include "firmware_io/decode/wacom_models.h"
-
-#include "hand_reports.h"
+#include "tests/support/hand_reports.h"
 
 using namespace penpose;
 

@@ -2,8 +2,7 @@
 
 #include "firmware_io/decode/multitouch_decoder.h"
 #include "firmware_io/hid/report_descriptor.h"
-
-#include "hand_reports.h"
+#include "tests/support/hand_reports.h"
 
 using namespace penpose;
 

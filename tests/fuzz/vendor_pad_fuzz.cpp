@@ -1,8 +1,7 @@
 // Reports of any content for the keys and wheels of every protocol of the table: the first byte chooses one.
 
 #include "firmware_io/decode/protocol.h"
-
-#include "hand_reports.h"
+#include "tests/support/hand_reports.h"
 
 using namespace penpose;
 

@@ -2,8 +2,7 @@
 
 #include "firmware_io/decode/wacom_hands.h"
 #include "firmware_io/decode/wacom_pad_decoder.h"
-
-#include "hand_reports.h"
+#include "tests/support/hand_reports.h"
 
 using namespace penpose;
 

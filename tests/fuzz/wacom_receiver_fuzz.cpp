@@ -6,8 +6,7 @@
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/decode/wacom_models.h"
 #include "firmware_io/decode/wacom_receiver.h"
-
-#include "hand_reports.h"
+#include "tests/support/hand_reports.h"
 
 using namespace penpose;
 

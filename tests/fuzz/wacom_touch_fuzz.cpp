@@ -3,8 +3,7 @@
 
 #include "firmware_io/decode/wacom_hands.h"
 #include "firmware_io/decode/wacom_models.h"
-
-#include "hand_reports.h"
+#include "tests/support/hand_reports.h"
 
 using namespace penpose;
 

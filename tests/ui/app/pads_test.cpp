@@ -1,11 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "replay/virtual_pen.h"
-#include "tests/support/app_desk.h"
 #include "tests/support/hand_descriptors.h"
+#include "tests/support/pad_desk.h"
 #include "tests/support/shared_data.h"
-#include "tests/support/wacom_hand.h"
-#include "tests/support/wacom_receiver.h"
 
 // The hand that holds no pen: what keys, rings and fingers of tablets do in the window.
 
@@ -13,62 +10,6 @@ namespace penpose::app {
 namespace {
 
 using drawing::ToolKind;
-
-constexpr int k_pad = 1;
-constexpr int k_pen = 2;
-
-/// A desk with an Intuos Pro for the left hand and a pen for the right one.
-class PadDesk : public Desk {
- public:
-  explicit PadDesk(const std::string& name, bool fresh = true) : Desk(name, "builtin:demo", fresh) {
-    begin();
-    app->tablet_arrived(k_pad, tests::intuos_pro());
-    auto pen = replay::virtual_pen_identity();
-    pen.vendor = 0x1b96;
-    pen.bus = decode::k_bus_usb;
-    pen.name = "Pen display";
-    app->tablet_arrived(k_pen, pen);
-    frames();
-  }
-  void hold(unsigned keys, int ring = -1) {
-    now_us += 5000;
-    app->tablet_report(k_pad, now_us, tests::pad_report(keys, ring));
-    frames(2);
-  }
-  void tap(unsigned key) {
-    hold(1U << key);
-    hold(0);
-  }
-  /// A finger that goes over the ring from place to place, and leaves it.
-  void ring(int from, int to, bool lift = true) {
-    hold(0, from);
-    for (int at = from; at != to; at += to > from ? 1 : -1) hold(0, ((at + (to > from ? 1 : -1)) % 72 + 72) % 72);
-    if (lift) hold(0);
-  }
-  void pen(PxPoint at, bool tip, bool barrel = false, bool near = true) {
-    now_us += 3000;
-    const auto viewport = app->workspace().editor().view().viewport;
-    app->tablet_report(k_pen, now_us, replay::virtual_pen_report({at, 0.5, near, tip, false, barrel}, viewport));
-    app->begin_frame();
-  }
-  void draw(const std::vector<PxPoint>& line, bool lift = true) {
-    pen(line.front(), false);
-    for (const PxPoint& at : line) pen(at, true);
-    if (lift) pen(line.back(), false);
-  }
-  void bind(const PadControl& control, const Binding& binding) {
-    app->bind(*app->desk().find(k_pad), control, binding);
-  }
-  [[nodiscard]] ToolKind tool() const { return app->workspace().editor().tool().kind; }
-  [[nodiscard]] bool told(const std::string& text) const {
-    for (const Notice& one : app->notices()) {
-      if (one.text == text) return true;
-    }
-    return false;
-  }
-};
-
-PadControl key(unsigned number) { return key_control(decode::numbered_key(number)); }
 
 TEST(Pads, KeysUndoAndRedoAndKeyThePose) {
   PadDesk desk("pad-actions");
@@ -278,93 +219,6 @@ TEST(Pads, EachTabletHasBindingsOfItsOwn) {
   desk.app->tablet_report(7, desk.now_us += 1000, report);
   EXPECT_EQ(desk.app->workspace().editor().history().undo_count(), 0U)
       << "its first key is Undo, for the same document";
-}
-
-TEST(Pads, TwoTabletsOfOneModelShareBindingsAndNothingElse) {
-  Desk desk("pad-twins");
-  desk.begin();
-  for (int i = 0; i < 2; ++i) {
-    auto twin = tests::intuos_pro();
-    twin.unit = "usb-" + std::to_string(i);
-    desk.app->tablet_arrived(10 + i, twin);
-  }
-  const auto tablet = [&](int i) -> const DeskTablet& { return *desk.app->desk().find(10 + i); };
-  ASSERT_NE(&tablet(0), &tablet(1));
-  EXPECT_EQ(tablet(0).name, "Wacom Intuos Pro S");
-  EXPECT_EQ(tablet(1).name, "Wacom Intuos Pro S (2)");
-  const auto send = [&](int i, unsigned keys) {
-    desk.app->tablet_report(10 + i, desk.now_us += 5000, tests::pad_report(keys));
-    desk.frames(2);
-  };
-  desk.app->bind(tablet(0), key(2), binding_of(ToolKind::pin));
-  EXPECT_EQ(desk.app->bound(tablet(1), key(2)), binding_of(ToolKind::pin)) << "chosen for the model";
-  send(1, 1);
-  send(1, 0);
-  const auto light = [&](int i) { return desk.app->lights_of(10 + i)->front(); };
-  EXPECT_EQ(light(0), 0);
-  EXPECT_EQ(light(1), 1);
-  tests::Report status{0xc0, 0, 0, 1, 0x10, 0, 0, 0, 0x0a, 0x03};
-  desk.app->tablet_report(10, desk.now_us += 5000, status);
-  EXPECT_EQ(tablet(0).battery.percent, 10 * 100 / 31);
-  EXPECT_EQ(tablet(1).battery.percent, -1);
-  // Held on both; one is pulled out, and the other holds on.
-  send(0, 1U << 2);
-  send(1, 1U << 2);
-  desk.app->tablet_left(10, "Wacom Intuos Pro S");
-  desk.frames(2);
-  EXPECT_EQ(desk.app->workspace().editor().tool().kind, ToolKind::pin);
-  EXPECT_EQ(desk.app->desk().find(10), nullptr);
-  send(1, 0);
-  EXPECT_NE(desk.app->workspace().editor().tool().kind, ToolKind::pin);
-  desk.click("Menu");
-  desk.click("Tablet keys");
-  EXPECT_NE(desk.interface->find("BTN_3"), nullptr);
-}
-
-TEST(Pads, ATabletBehindAReceiverIsItselfWithTheBindingsItHasByCable) {
-  PadDesk desk("pad-receiver");
-  desk.bind(key(2), binding_of(ToolKind::pin));
-  desk.app->tablet_left(k_pad, "Wacom Intuos Pro S");
-  for (int i = 0; i < 3; ++i) desk.app->tablet_arrived(20 + i, tests::receiver(i));
-  EXPECT_TRUE(desk.told("Wacom Wireless Receiver is ready"));
-  const auto send = [&](int device, const tests::Report& report) {
-    desk.app->tablet_report(device, desk.now_us += 5000, report);
-    desk.frames(2);
-  };
-  send(21, tests::pad_report(1U << 2));
-  EXPECT_EQ(desk.tool(), ToolKind::pose) << "nothing is heard yet";
-  send(20, tests::receiver_status(0x0314, 4));
-  EXPECT_TRUE(desk.told("Wacom Intuos Pro S (wireless) is ready"));
-  EXPECT_TRUE(desk.told("Wacom Intuos Pro S (wireless): its battery is at 12 %"));
-  ASSERT_EQ(desk.app->desk().find(20), desk.app->desk().find(21)) << "one tablet of three interfaces";
-  EXPECT_EQ(desk.app->desk().find(21)->battery.percent, 12);
-  send(21, tests::pad_report(0));
-  send(21, tests::pad_report(1U << 2));
-  EXPECT_EQ(desk.tool(), ToolKind::pin);
-  // Another model in the window is another session, which hears the receiver all the same.
-  ASSERT_TRUE(desk.app->open("builtin:demo").ok());
-  desk.frames(2);
-  EXPECT_EQ(desk.app->desk().find(21)->key, "056a:0314");
-  send(21, tests::pad_report(0));
-  send(21, tests::pad_report(1U << 2));
-  EXPECT_EQ(desk.tool(), ToolKind::pin);
-  send(20, tests::receiver_status(0));
-  EXPECT_EQ(desk.tool(), ToolKind::pose);
-  EXPECT_TRUE(desk.told("Wacom Intuos Pro S (wireless) is out of reach; Key 2 (Pen: Pin) was held and is let go"));
-  EXPECT_FALSE(desk.app->desk().find(21)->has_anything());
-}
-
-TEST(Pads, TheLightThatWasOnAlreadyIsTheOneThatIsShown) {
-  PadDesk desk("pad-light");
-  desk.app->lights_seen(k_pad, {2, 0});
-  EXPECT_EQ(desk.app->lights_of(k_pad)->front(), 2);
-  desk.tap(0);
-  EXPECT_EQ(desk.app->lights_of(k_pad)->front(), 3);
-  EXPECT_TRUE(desk.told("Ring, light 4: Undo and redo"));
-  ASSERT_TRUE(desk.app->open("builtin:demo").ok());
-  desk.frames(2);
-  EXPECT_EQ(desk.app->lights_of(k_pad)->front(), 3) << "the tablet did not change with the model";
-  EXPECT_EQ(desk.app->lights_of(k_pen), std::nullopt);
 }
 
 TEST(Pads, AButtonOfThePenCanHoldATool) {
