@@ -2,6 +2,7 @@
 //   sketch_table            the table, an error where a bound does not hold
 //   sketch_table --rules=N  the same by older rules
 //   sketch_table --others   the same on other meshes
+//   sketch_table --loop MESH [CONTROL]  the least time of 20 builds of each
 //   sketch_table FOLDER     also a sketch file a case, for pictures
 
 #include <algorithm>
@@ -135,10 +136,9 @@ int run(const char* folder, std::uint32_t rules, const std::vector<SketchCase>& 
   return held ? 0 : 1;
 }
 
-int loop(const char* mesh) {
-  std::vector<double> times;
+int loop(const char* mesh, const char* feature) {
   for (const SketchCase& one : sketch_cases()) {
-    if (one.mesh != mesh) continue;
+    if (one.mesh != mesh || (feature != nullptr && one.feature != feature)) continue;
     Sketch sketch = one.sketch;
     sketch.rules = articulation::k_held_rules;
     double best = 1e9;
@@ -161,7 +161,9 @@ int main(int count, char** arguments) {
   const bool others = count > 1 && std::strcmp(arguments[1], "--others") == 0;
   const bool named = others || (count > 1 && std::strncmp(arguments[1], "--rules=", 8) == 0);
   if (named && !others) rules = static_cast<std::uint32_t>(arguments[1][8] - '0');
-  if (count > 2 && std::strcmp(arguments[1], "--loop") == 0) return penpose::sketches::loop(arguments[2]);
+  if (count > 2 && std::strcmp(arguments[1], "--loop") == 0) {
+    return penpose::sketches::loop(arguments[2], count > 3 ? arguments[3] : nullptr);
+  }
   return penpose::sketches::run(count > 1 && !named ? arguments[1] : nullptr, rules,
                                 others ? penpose::sketches::other_sketch_cases() : penpose::sketches::sketch_cases());
 }
