@@ -249,6 +249,10 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
   if (!lasso) return at("specific", lasso.error());
   const auto general = geometry::Lasso::make(sketch.general);
   if (!general) return at("general", general.error());
+  if (sketch.rules >= k_ranged_rules) {
+    if (const auto whole = check_crossing(sketch.general); !whole) return at("general", whole.error());
+    if (const auto whole = check_crossing(sketch.specific); !whole) return at("specific", whole.error());
+  }
   const bool held = sketch.rules >= k_held_rules;
   const Patch patch(canvas, *region, held ? 2 : 1);
   const Falloff falloff(patch, {*camera, *general, *lasso});

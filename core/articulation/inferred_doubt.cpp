@@ -4,7 +4,6 @@
 #include <map>
 
 #include "core/articulation/reference_curve.h"
-#include "core/curve/polyline.h"
 
 namespace penpose::articulation {
 namespace {
@@ -13,11 +12,11 @@ namespace {
 constexpr std::array<double, 9> k_places{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
 /// At so many of them two sheets are more than chance.
 constexpr std::size_t k_many = 4;
-/// Farther than that from everything that it was found from, as a share of its length, it runs beside the surface.
-constexpr double k_beside = 0.1;
+/// Farther than that from everything that it was found from, as a share of its extent, it runs beside the surface.
+constexpr double k_beside = 0.2;
 /// A core that reaches that far to either side of the curve (root mean square), as a share of the curve's length, tells
 /// no direction.
-constexpr double k_wide = 0.3;
+constexpr double k_wide = 0.33;
 /// Steps over edges that a walk on one sheet takes, and how near the other sheet must lie, in edges.
 constexpr int k_steps = 7;
 constexpr double k_near = 1.6;
@@ -103,7 +102,10 @@ double distance_to(std::span<const ModelPoint> curve, const ModelPoint& p) {
 std::string doubt_of_inferred(const Canvas& canvas, const Region& region, std::span<const std::uint32_t> specific,
                               std::span<const ModelPoint> inferred) {
   const Core core(canvas, region, specific);
-  const double length = curve::arc_length<ModelPoint>(inferred);
+  // Not its length: what is left of a zigzag would make a blob long.
+  geometry::Box box;
+  for (const ModelPoint& point : inferred) box.add(point);
+  const double length = box.diagonal();
   if (core.places.size() < 3 || !(core.edge > 0.0) || !(length > 0.0)) return {};
   std::size_t between = 0;
   for (const double place : k_places) {

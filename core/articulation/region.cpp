@@ -152,6 +152,33 @@ base::Result<Region> general_region(const Canvas& canvas, const geometry::Camera
   return region;
 }
 
+base::Status check_crossing(std::span<const PxPoint> lasso_px) {
+  constexpr int k_cells = 48;
+  constexpr double k_unlike = 0.35;
+  const auto lasso = geometry::Lasso::make(lasso_px);
+  if (!lasso) return lasso.error();
+  PxPoint least = lasso_px[0];
+  PxPoint most = lasso_px[0];
+  double turned = 0;
+  for (std::size_t i = 0; i < lasso_px.size(); ++i) {
+    const PxPoint& a = lasso_px[i];
+    const PxPoint& b = lasso_px[(i + 1) % lasso_px.size()];
+    turned += 0.5 * (a.x * b.y - b.x * a.y);
+    least = {std::min(least.x, a.x), std::min(least.y, a.y)};
+    most = {std::max(most.x, a.x), std::max(most.y, a.y)};
+  }
+  const PxPoint cell = (most - least) * (1.0 / k_cells);
+  double inside = 0;
+  for (int r = 0; r < k_cells; ++r) {
+    for (int c = 0; c < k_cells; ++c) {
+      if (lasso->contains(least + PxPoint{(c + 0.5) * cell.x, (r + 0.5) * cell.y})) inside += cell.x * cell.y;
+    }
+  }
+  if (std::abs(std::abs(turned) - inside) <= k_unlike * std::max(std::abs(turned), inside)) return base::Done{};
+  return base::Error{"the curve crosses itself, so that it is not known what it encloses", "",
+                     "draw once around the part, without crossing the line"};
+}
+
 base::Error core_outside(const Region& region, std::span<const PxPoint> lasso) {
   PxPoint way;
   for (const PxPoint& p : lasso) way = way + p * (1.0 / static_cast<double>(lasso.size()));

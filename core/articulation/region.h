@@ -47,6 +47,10 @@ struct Weights {
   std::vector<std::uint32_t> specific;  ///< places in Region::vertices of V_s, ascending
 };
 
+/// An error where a lasso crosses itself in earnest (an eight, or twice around): where the area that it runs around,
+/// counted by its turns, is not about the area inside. Ends that overlap are no crossing.
+[[nodiscard]] base::Status check_crossing(std::span<const PxPoint> lasso);
+
 /// That the second lasso holds nothing of the region, and on which side of it it was drawn.
 [[nodiscard]] base::Error core_outside(const Region& region, std::span<const PxPoint> lasso);
 

@@ -43,7 +43,8 @@ inline constexpr std::uint32_t k_measured_rules = 3;
 /// great circles.
 inline constexpr std::uint32_t k_held_rules = 4;
 
-/// The rules from which on a changed range builds a deformer again, as reading its file does.
+/// The rules from which on a changed range builds a deformer again, as reading its file does, and a lasso that crosses
+/// itself so that it is not known what it encloses is refused.
 inline constexpr std::uint32_t k_ranged_rules = 5;
 
 /// How far into the model a lasso reaches: to what lies behind, or only to what the camera sees.

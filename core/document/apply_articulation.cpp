@@ -97,6 +97,11 @@ Changed draw_region(const Document& document, Sketch sketch, const SketchCurve& 
   const auto surface = articulation::KeptSurface::make(sketch.surface, **canvas);
   if (!surface) return surface.error();
   (general ? sketch.general : sketch.specific) = command.line;
+  if (sketch.rules >= articulation::k_ranged_rules) {
+    if (const auto whole = articulation::check_crossing(command.line); !whole) {
+      return at("line", at(general ? "general" : "core", whole.error()));
+    }
+  }
   const auto region = general_region(**canvas, *camera, sketch.general, *surface, articulation::Borders::measured,
                                      {sketch.reach, sketch.piece});
   if (!region) return at("line", region.error());

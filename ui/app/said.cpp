@@ -73,7 +73,7 @@ std::string said(const base::Error& error) {
 
 std::string said_of_stroke(const base::Error& error, const drawing::Tool& tool, const document::Document& before) {
   if (error.place == "view" && before.pending) return "The view has turned: draw both lines around it in one view";
-  if (error.place.starts_with("line/core")) return said(error);
+  if (error.place.starts_with("line/core") || error.place.starts_with("line/general")) return said(error);
   if (error.place != "line" && error.place != "at" && error.place != "role" && !error.place.empty()) return said(error);
   return k_nothing_changed + what_to_draw(tool, before);
 }
