@@ -6,6 +6,7 @@
 #include "core/curve/pairing.h"
 #include "core/curve/sheet_line.h"
 #include "core/document/apply_parts.h"
+#include "core/document/moment.h"
 #include "core/document/pose_problem.h"
 #include "core/document/pulled_target.h"
 #include "core/document/target_line.h"
@@ -31,6 +32,36 @@ Changed solved(Document document, std::uint32_t rules, Parts& work) {
   auto solution = posing::solve(*document.model->rig, problem, {}, work.solve);
   if (!solution) return solution.error();
   document.pose = std::move(solution->pose);
+  return document;
+}
+
+/// Brings the references of a moment to their targets, one of which was just drawn.
+Changed solved_for(Document document, CurveId drawn, std::uint32_t rules, Parts& work) {
+  if (rules < k_moment_rules) return solved(std::move(document), rules, work);
+  Moment moment = moment_of(document, drawn, rules);
+  intent::IntentProblem problem = moment_problem(document, moment, rules);
+  if (problem.free.empty()) return document;
+  const auto asks = [&] { return !problem.drawn.empty() && !problem.drawn.back().before; };
+  const auto solve = [&] {
+    return intent::solve(*document.model->rig, work.whole_of(document), problem, {}, work.meant);
+  };
+  base::Result<intent::Solution> solution = base::Error{};
+  if (asks()) solution = solve();
+  if (!solution) {
+    // A reference that is seen in the pose alone, not in the one before, for one.
+    moment = lone_moment(document, drawn);
+    problem = moment_problem(document, moment, rules);
+    if (!asks()) return document;
+    solution = solve();
+    if (!solution) return solution.error();
+  }
+  document.pose = std::move(solution->pose);
+  moment.posed = document.pose;
+  for (const CurveId anew : drawn_anew(moment)) {
+    std::erase_if(document.curves, [&](const auto& curve) { return curve->id == anew; });
+    std::erase_if(moment.lines, [&](const auto& line) { return line.curve == anew; });
+  }
+  document.moment = std::make_shared<const Moment>(std::move(moment));
   return document;
 }
 
@@ -90,7 +121,7 @@ Changed retargeted(const Document& document, const PoseCurve& curve, const View&
   if (!target) return target.error();
   PoseCurve other = curve;
   other.target = std::move(target).value();
-  return solved(with_replaced(document, std::move(other)), rules, work);
+  return solved_for(with_replaced(document, std::move(other)), curve.id, rules, work);
 }
 
 /// The drawn line of a target as another view shows it, through its points in space where the view has changed.
@@ -162,7 +193,7 @@ Changed run(const Document& document, const OversketchTarget& command, Parts& wo
     if (!over) return over.error();
     PoseCurve other = **curve;
     other.target = std::move(over).value();
-    return solved(with_replaced(document, std::move(other)), command.rules, work);
+    return solved_for(with_replaced(document, std::move(other)), command.curve, command.rules, work);
   }
   const auto before = line_in(*(*curve)->target, command.view);
   if (!before) return before.error();
@@ -254,7 +285,9 @@ Changed run(const Document& document, const ClearCurves&, Parts&) {
 }
 
 Changed run(const Document& document, const SolvePose& command, Parts& work) {
-  return solved(document, command.rules, work);
+  auto changed = solved(document, command.rules, work);
+  if (changed && command.rules >= k_moment_rules) changed->moment = moment_of_all(document, changed->pose);
+  return changed;
 }
 
 Changed run(const Document& document, const SetPressureWeighting& command, Parts&) {

@@ -31,6 +31,9 @@ inline constexpr std::uint32_t k_meant_rules = 2;
 inline constexpr std::uint32_t k_sheet_rules = 3;
 /// The rules from which on it is read by intent::Edition::third, and references of deformers stay on one sheet too.
 inline constexpr std::uint32_t k_offset_rules = 4;
+/// The rules from which on it is read by intent::Edition::fourth, and from the pose before the first of the lines that
+/// belong together (Moment).
+inline constexpr std::uint32_t k_moment_rules = 5;
 
 /// A parameter and its value.
 struct NamedValue {

@@ -20,6 +20,26 @@ struct PendingSketch {
   friend bool operator==(const PendingSketch&, const PendingSketch&) = default;
 };
 
+/// Lines that are read together: those that were drawn one after the other, with nothing else in between but values
+/// that were set. What all of them mean is read from the pose before the first of them.
+struct Moment {
+  struct Line {
+    CurveId curve;
+    /// Points of the reference that a later line in about the same view was drawn for: they ask for nothing. Empty:
+    /// none.
+    std::vector<bool> covered;
+    /// Where the reference stood in the target's picture when the moment began, of lines from before: they ask for no
+    /// more. Empty: the target as it was drawn.
+    std::vector<curve::PxPoint> held;
+    friend bool operator==(const Line&, const Line&) = default;
+  };
+  std::shared_ptr<const rig::CharacterRig> rig;
+  double time_s = 0;        ///< Document::time_s
+  rig::Pose base;           ///< before the first line
+  rig::Pose posed;          ///< that the last solve came to
+  std::vector<Line> lines;  ///< in the order in which their targets were drawn
+};
+
 /// A view that has a name.
 struct NamedView {
   std::string name;
@@ -43,6 +63,7 @@ struct Document {
   std::shared_ptr<const PendingSketch> pending;          ///< null: none
   std::shared_ptr<const Timeline> timeline;              ///< never null
   double time_s = 0;                                     ///< where on the timeline the pose was last taken from
+  std::shared_ptr<const Moment> moment;                  ///< null: none since rules 5
   std::vector<std::shared_ptr<const NamedView>> views;
 };
 

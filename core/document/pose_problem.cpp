@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/document/apply.h"
+#include "core/document/moment.h"
 
 namespace penpose::document {
 namespace {
@@ -57,11 +58,15 @@ double hand_px(const Document& document, geometry::Viewport viewport, std::uint3
   return rules >= k_sheet_rules ? pen * document.hand * usual : usual;
 }
 
-intent::IntentProblem intent_problem(const Document& document, std::uint32_t rules) {
+namespace {
+
+/// What does not depend on the curves: where it starts, what is free and what is locked.
+intent::IntentProblem problem_without_curves(const Document& document, std::uint32_t rules) {
   intent::IntentProblem problem;
-  problem.edition = rules >= k_offset_rules  ? intent::Edition::third
-                    : rules >= k_sheet_rules ? intent::Edition::second
-                                             : intent::Edition::first;
+  problem.edition = rules >= k_moment_rules   ? intent::Edition::fourth
+                    : rules >= k_offset_rules ? intent::Edition::third
+                    : rules >= k_sheet_rules  ? intent::Edition::second
+                                              : intent::Edition::first;
   problem.start = document.pose;
   problem.free = free_parameters(document);
   for (std::size_t i = 0, k = 0; i < problem.start.size(); ++i) {
@@ -69,32 +74,79 @@ intent::IntentProblem intent_problem(const Document& document, std::uint32_t rul
     k += free ? 1U : 0U;
     if (!free) problem.locked.push_back(i);
   }
-  auto skip = left_out(document, k_most_meant);
-  // The doubt of the latest view, for what has no picture of its own.
-  double doubt = 1e-3 * rest_world_box(*document.model).diagonal();
-  for (const auto& curve : document.curves) {
-    if (!curve->target || skip-- > 0) continue;
-    const auto camera = geometry::Camera::make(curve->target->view.camera, curve->target->view.viewport);
-    if (!camera) continue;
-    const auto positions = positions_of(document, curve->points);
-    const bool seen =
-        std::all_of(positions.begin(), positions.end(), [&](const auto& p) { return camera->project(p).has_value(); });
-    if (!seen) continue;
-    const double hand = hand_px(document, camera->viewport(), rules);
-    intent::DrawnCurve drawn{curve_points(document, curve->points),
-                             *camera,
-                             curve->target->line,
-                             intent::stroke_doubt_px(curve->target->line, hand),
-                             {}};
-    drawn.aside = curve->aside;
-    if (document.pressure_weighting) drawn.weights = curve->target->weights;
-    doubt = hand * camera->units_per_px(camera->depth(positions.front()));
-    problem.drawn.push_back(std::move(drawn));
-  }
+  return problem;
+}
+
+/// A target as what its line asks for, unless its view cannot be or does not see the reference. `doubt`: becomes the
+/// hand's there, model units.
+std::optional<intent::DrawnCurve> drawn_curve(const Document& document, const PoseCurve& curve, std::uint32_t rules,
+                                              double& doubt) {
+  const auto camera = geometry::Camera::make(curve.target->view.camera, curve.target->view.viewport);
+  if (!camera) return std::nullopt;
+  const auto positions = positions_of(document, curve.points);
+  const bool seen =
+      std::all_of(positions.begin(), positions.end(), [&](const auto& p) { return camera->project(p).has_value(); });
+  if (!seen) return std::nullopt;
+  const double hand = hand_px(document, camera->viewport(), rules);
+  intent::DrawnCurve drawn{curve_points(document, curve.points),
+                           *camera,
+                           curve.target->line,
+                           intent::stroke_doubt_px(curve.target->line, hand),
+                           {}};
+  drawn.aside = curve.aside;
+  if (document.pressure_weighting) drawn.weights = curve.target->weights;
+  doubt = hand * camera->units_per_px(camera->depth(positions.front()));
+  return drawn;
+}
+
+void add_kept(const Document& document, double doubt, intent::IntentProblem& problem) {
   for (const auto& curve : document.curves) {
     if (curve->role == PoseCurveRole::constraint)
       problem.kept.push_back({curve_points(document, curve->points), curve->kept, doubt});
   }
+}
+
+/// The doubt of the latest view, for what has no picture of its own.
+double usual_doubt(const Document& document) { return 1e-3 * rest_world_box(*document.model).diagonal(); }
+
+}  // namespace
+
+intent::IntentProblem intent_problem(const Document& document, std::uint32_t rules) {
+  intent::IntentProblem problem = problem_without_curves(document, rules);
+  auto skip = left_out(document, k_most_meant);
+  double doubt = usual_doubt(document);
+  for (const auto& curve : document.curves) {
+    if (!curve->target || skip-- > 0) continue;
+    if (auto drawn = drawn_curve(document, *curve, rules, doubt)) problem.drawn.push_back(std::move(*drawn));
+  }
+  add_kept(document, doubt, problem);
+  return problem;
+}
+
+intent::IntentProblem moment_problem(const Document& document, const Moment& moment, std::uint32_t rules) {
+  Document base = document;
+  base.pose = moment.base;
+  intent::IntentProblem problem = problem_without_curves(base, rules);
+  problem.posed = document.pose;
+  const std::vector<CurveId> anew = drawn_anew(moment);
+  double doubt = usual_doubt(document);
+  const std::size_t oldest = moment.lines.size() - std::min(moment.lines.size(), k_most_meant);
+  for (std::size_t l = oldest; l < moment.lines.size(); ++l) {
+    const Moment::Line& line = moment.lines[l];
+    if (std::find(anew.begin(), anew.end(), line.curve) != anew.end()) continue;
+    auto drawn = drawn_curve(base, *find_curve(document, line.curve), rules, doubt);
+    if (!drawn) continue;
+    drawn->before = l + 1 < moment.lines.size();
+    if (!line.held.empty()) drawn->target = line.held;
+    if (!line.covered.empty()) {
+      if (drawn->weights.empty()) drawn->weights.assign(line.covered.size(), 1.0);
+      for (std::size_t i = 0; i < line.covered.size(); ++i) {
+        if (line.covered[i]) drawn->weights[i] = 0.0;
+      }
+    }
+    problem.drawn.push_back(std::move(*drawn));
+  }
+  add_kept(document, doubt, problem);
   return problem;
 }
 

@@ -33,4 +33,8 @@ inline constexpr std::size_t k_most_meant = 16;
 /// those of the stroke that is solved for.
 [[nodiscard]] intent::IntentProblem intent_problem(const Document& document, std::uint32_t rules);
 
+/// The same for the lines of a moment, from the pose before them; the last one is new. Lines that were drawn anew are
+/// left out.
+[[nodiscard]] intent::IntentProblem moment_problem(const Document& document, const Moment& moment, std::uint32_t rules);
+
 }  // namespace penpose::document

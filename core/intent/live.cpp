@@ -5,6 +5,7 @@
 
 #include "core/curve/polyline.h"
 #include "core/intent/chain.h"
+#include "core/intent/held_lines.h"
 #include "core/intent/reader.h"
 #include "core/intent/solve.h"
 
@@ -120,6 +121,10 @@ base::Result<LivePoser> LivePoser::start(const rig::Rig& rig, WholeModel whole, 
   DrawnCurve& drawn = problem.drawn.front();
   drawn.target = {{0, 0}, {1, 0}};
   if (auto status = check_problem(rig, problem); !status) return status.error();
+  if (problem.edition >= Edition::fourth && !problem.posed.empty()) {
+    problem = with_the_rest_held(rig, problem);
+    if (auto status = check_problem(rig, problem); !status) return status.error();
+  }
 
   const bool locked = !problem.locked.empty() && problem.edition != Edition::first;
   std::unique_ptr<State> unlocked;

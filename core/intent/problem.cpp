@@ -81,6 +81,11 @@ base::Status check_problem(const rig::Rig& rig, const IntentProblem& problem) {
       std::adjacent_find(problem.locked.begin(), problem.locked.end(), std::greater_equal<>()) == problem.locked.end();
   if (!ascending || (!problem.locked.empty() && problem.locked.back() >= rig.parameters().size()))
     return base::Error{"what is locked is no list of parameters", "locked", "name parameters of the rig, ascending"};
+  if (!problem.posed.empty()) {
+    posing::PoseProblem plain = as_pose_problem(problem);
+    plain.start = problem.posed;
+    if (auto status = posing::check_problem(rig, plain); !status) return status.error();
+  }
   for (std::size_t i = 0; i < problem.drawn.size(); ++i) {
     const DrawnCurve& curve = problem.drawn[i];
     const bool aside = curve.aside.empty() || curve.aside.size() == curve.reference.size();

@@ -39,6 +39,8 @@ struct DrawnCurve {
   /// From each reference point to where the pen drew it, model units: a line that sticks to a rim beside it is meant to
   /// go as far as it was drawn to. Empty: nowhere.
   std::vector<ModelVector> aside = {};
+  /// Drawn before the others, and solved for: where the whole is not read anew, it stays as far as it came.
+  bool before = false;
 };
 
 /// A curve of which it is known where each point goes, or stays.
@@ -49,7 +51,7 @@ struct KnownCurve {
 };
 
 /// How strokes are read. Each edition gives the same bits for ever: sessions replay by the one they were drawn under.
-enum class Edition : std::uint8_t { first, second, third };
+enum class Edition : std::uint8_t { first, second, third, fourth };
 
 /// What drawing means: which pose was meant by these strokes, starting from this pose.
 struct IntentProblem {
@@ -61,7 +63,10 @@ struct IntentProblem {
   /// controls move than would with it. From Edition::second on.
   std::vector<std::size_t> locked;
   rig::Pose start;  ///< one value a parameter
-  Edition edition = Edition::third;
+  /// The pose that an earlier solve came to from the same start, one value a parameter; empty: none. A reading that
+  /// goes on from it is kept unless another one is clearly better. From Edition::fourth on.
+  rig::Pose posed = {};
+  Edition edition = Edition::fourth;
 };
 
 /// Errors: nothing to match, lines of fewer than two points or of no length, other numbers of targets than of points,

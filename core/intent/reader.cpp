@@ -270,6 +270,33 @@ void Reader::make_columns(const rig::Pose& pose, std::span<const double> at, std
   make_turn_columns(pose, at, variables);
 }
 
+Choice Reader::choice_of(const rig::Pose& pose) const {
+  const auto value = [&](std::size_t v) {
+    return (pose[parameters_[v]] - problem_.start[parameters_[v]]) / ranges_[v];
+  };
+  std::vector<bool> left(parameters_.size());
+  for (std::size_t v = 0; v < left.size(); ++v) left[v] = value(v) != 0.0;
+  Choice choice;
+  // Single controls are listed before pairs.
+  for (std::size_t u = choices_.units.size(); u-- > 0;) {
+    const Unit& unit = choices_.units[u];
+    const std::span members(unit.members.data(), unit.count);
+    const auto is_left = [&](std::size_t v) { return left[v]; };
+    if (unit.tied ? !std::all_of(members.begin(), members.end(), is_left)
+                  : std::none_of(members.begin(), members.end(), is_left))
+      continue;
+    choice.units.push_back(u);
+    for (const std::size_t v : members) {
+      left[v] = false;
+      choice.variables.push_back(v);
+    }
+  }
+  std::reverse(choice.units.begin(), choice.units.end());
+  std::stable_sort(choice.variables.begin(), choice.variables.end());
+  for (const std::size_t v : choice.variables) choice.values.push_back(value(v));
+  return choice;
+}
+
 rig::Pose Reader::pose_of(const Choice& choice) const {
   rig::Pose pose = problem_.start;
   for (std::size_t i = 0; i < choice.variables.size(); ++i) {

@@ -57,6 +57,8 @@ class Reader {
   /// Takes another line for drawn curve c. Precondition: at least two points, of positive length.
   void redraw(std::size_t c, std::span<const PxPoint> line, Alignment alignment);
 
+  /// What takes the start to a pose: pairs where both sides moved. Its energy is not known. Precondition: no chain.
+  [[nodiscard]] Choice choice_of(const rig::Pose& pose) const;
   /// The pose of a choice: within all ranges.
   [[nodiscard]] rig::Pose pose_of(const Choice& choice) const;
   /// Sets up the squares around a choice; `slide`: points slide to where they fit (not in the first round, when the
@@ -67,6 +69,9 @@ class Reader {
   double energy(const Choice& choice, double costs);
   /// The energy without costs, of an image: R z - r and P z - p of the last look.
   [[nodiscard]] double energy_of_image(std::span<const double> image, std::size_t rows) const;
+  /// How far each variable's whole range moves each drawn curve in its picture, root mean square, model units; one row
+  /// a curve. Precondition: no chain.
+  [[nodiscard]] std::vector<std::vector<double>> ways_of_curves() const;
   /// Whether a choice moves drawn curve c by more than the line lies beside where it was meant.
   bool takes_shape(std::size_t c, const Choice& choice);
   /// D of drawn curve c alone.

@@ -49,6 +49,25 @@ void Reader::measure_besides() {
   }
 }
 
+std::vector<std::vector<double>> Reader::ways_of_curves() const {
+  const std::size_t n = start_.size();
+  std::vector<std::vector<double>> ways;
+  for (std::size_t c = 0; c < problem_.drawn.size(); ++c) {
+    const Block& block = blocks_[c];
+    const ModelVector& ray = block.drawn->camera.forward();
+    auto& row = ways.emplace_back();
+    for (std::size_t j = 0; j < parameters_.size(); ++j) {
+      double sum = 0;
+      for (std::size_t i = block.first; i < block.first + block.count; ++i) {
+        const ModelVector way = columns_[j * n + i] - ray * glm::dot(ray, columns_[j * n + i]);
+        sum += glm::dot(way, way);
+      }
+      row.push_back(std::sqrt(sum / static_cast<double>(block.count)));
+    }
+  }
+  return ways;
+}
+
 double Reader::beside_charge(std::size_t variable) const {
   if (problem_.edition == Edition::first) return 0.0;
   const double beside = costs_.beside * base::log(besides_[variable]);

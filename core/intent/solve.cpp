@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/intent/held_lines.h"
 #include "core/intent/reader.h"
 #include "core/intent/value_search.h"
 
@@ -31,6 +32,11 @@ constexpr double k_fits = 24.0;
 constexpr double k_near_enough = 0.6;
 /// How much lower the energy has to be before a limb leans out of the picture that need not.
 constexpr double k_lean_gain = 3.0;
+/// How much lower the energy has to be before what was drawn before is read anew.
+constexpr double k_stay = 8.0;
+/// Then its lines have to fit about as well as they did: by this factor of their squares, and this much beyond.
+constexpr double k_as_near = 1.2;
+constexpr double k_as_near_beyond = 6.0;
 /// A joint's squares hold near the pose where they were taken: most that an angle changes in a round, share of its
 /// range.
 constexpr double k_trust = 0.2;
@@ -173,45 +179,81 @@ Reading foreshortened(Reader& reader, Solver& solver, std::size_t drawn, Reading
   return best;
 }
 
+/// D of each drawn curve as last matched.
+std::vector<double> squares_of_all(Reader& reader, const Choice& choice, std::size_t drawn) {
+  std::vector<double> squares;
+  for (std::size_t c = 0; c < drawn; ++c) squares.push_back(reader.squares_of(c, choice));
+  return squares;
+}
+
+/// Tries the other ways in which line c may be aligned. `asked`: its squares before anything moved.
+void realign(Reader& reader, Solver& solver, std::size_t c, double asked, Reading& best) {
+  std::size_t chosen = reader.aligned(c);
+  if (reader.alignments(c).size() < 2 || reader.squares_of(c, best.choice) < k_fits) return;
+  for (std::size_t a = 1; a < reader.alignments(c).size(); ++a) {
+    reader.align(c, a);
+    // A line that lies beside where it was meant tells a shape that something takes on; thought of where nothing
+    // brings the curve near to the line itself.
+    solver.something = reader.alignments(c)[a].offset_px > 0.0;
+    if (solver.something) {
+      reader.align(c, chosen);
+      solver.match(best);
+      const bool near = reader.squares_of(c, best.choice) < k_near_enough * asked;
+      reader.align(c, a);
+      if (near) {
+        solver.something = false;
+        continue;
+      }
+    }
+    Reading one = solver.read();
+    if (solver.something) solver.match(one);
+    const bool nothing = solver.something && (one.choice.units.empty() || !reader.takes_shape(c, one.choice));
+    solver.something = false;
+    if (nothing || !(one.energy < best.energy - 1e-9)) continue;
+    best = std::move(one);
+    chosen = a;
+  }
+  reader.align(c, chosen);
+}
+
 /// The best reading over the ways in which single lines may be aligned.
 Reading best_alignment(Reader& reader, Solver& solver, std::size_t drawn) {
   for (std::size_t c = 0; c < drawn; ++c) reader.align(c, 0);
-  std::vector<double> asked;
+  std::vector<double> asked(drawn, 0.0);
   if (reader.edition() >= Edition::third) {
     solver.match({});
-    for (std::size_t c = 0; c < drawn; ++c) asked.push_back(reader.squares_of(c, {}));
+    asked = squares_of_all(reader, {}, drawn);
   }
   Reading best = solver.read();
   best = foreshortened(reader, solver, drawn, std::move(best));
-  for (std::size_t c = 0; c < drawn; ++c) {
-    std::size_t chosen = reader.aligned(c);
-    if (reader.alignments(c).size() < 2 || reader.squares_of(c, best.choice) < k_fits) continue;
-    for (std::size_t a = 1; a < reader.alignments(c).size(); ++a) {
-      reader.align(c, a);
-      // A line that lies beside where it was meant tells a shape that something takes on; thought of where nothing
-      // brings the curve near to the line itself.
-      solver.something = reader.alignments(c)[a].offset_px > 0.0;
-      if (solver.something) {
-        reader.align(c, chosen);
-        solver.match(best);
-        const bool near = reader.squares_of(c, best.choice) < k_near_enough * asked[c];
-        reader.align(c, a);
-        if (near) {
-          solver.something = false;
-          continue;
-        }
-      }
-      Reading one = solver.read();
-      if (solver.something) solver.match(one);
-      const bool nothing = solver.something && (one.choice.units.empty() || !reader.takes_shape(c, one.choice));
-      solver.something = false;
-      if (nothing || !(one.energy < best.energy - 1e-9)) continue;
-      best = std::move(one);
-      chosen = a;
-    }
-    reader.align(c, chosen);
-  }
+  for (std::size_t c = 0; c < drawn; ++c) realign(reader, solver, c, asked[c], best);
   return best;
+}
+
+/// Fills in what a pose comes to.
+void describe(const rig::Rig& rig, const IntentProblem& problem, Reader& reader, Solution& solution) {
+  solution.moved.clear();
+  solution.at_limit.clear();
+  solution.drawn.clear();
+  solution.known.clear();
+  for (std::size_t i = 0; i < solution.pose.size(); ++i) {
+    if (solution.pose[i] == problem.start[i]) continue;
+    solution.moved.push_back(i);
+    const rig::Parameter& parameter = rig.parameters()[i];
+    if (solution.pose[i] == parameter.minimum || solution.pose[i] == parameter.maximum) solution.at_limit.push_back(i);
+  }
+  const Reader::Left left = reader.left(solution.pose);
+  solution.energy = left.sum;
+  solution.max_distance = left.longest;
+  for (std::size_t c = 0; c < problem.drawn.size() + problem.known.size(); ++c) {
+    CurveLeft one{left.px[c], left.units[c], false};
+    if (c < problem.drawn.size()) {
+      one.reversed = reader.alignments(c)[reader.aligned(c)].reversed;
+      solution.drawn.push_back(one);
+    } else {
+      solution.known.push_back(one);
+    }
+  }
 }
 
 /// A checked problem, whatever is locked. `units`: receives how many moved.
@@ -248,24 +290,7 @@ Solution solve_free(const rig::Rig& rig, const WholeModel& whole, const IntentPr
   solution.doubt_energy = reading.energy;
 
   solution.pose = reader.pose_of(reading.choice);
-  for (std::size_t i = 0; i < solution.pose.size(); ++i) {
-    if (solution.pose[i] == problem.start[i]) continue;
-    solution.moved.push_back(i);
-    const rig::Parameter& parameter = rig.parameters()[i];
-    if (solution.pose[i] == parameter.minimum || solution.pose[i] == parameter.maximum) solution.at_limit.push_back(i);
-  }
-  const Reader::Left left = reader.left(solution.pose);
-  solution.energy = left.sum;
-  solution.max_distance = left.longest;
-  for (std::size_t c = 0; c < problem.drawn.size() + problem.known.size(); ++c) {
-    CurveLeft one{left.px[c], left.units[c], false};
-    if (c < problem.drawn.size()) {
-      one.reversed = reader.alignments(c)[reader.aligned(c)].reversed;
-      solution.drawn.push_back(one);
-    } else {
-      solution.known.push_back(one);
-    }
-  }
+  describe(rig, problem, reader, solution);
   return solution;
 }
 
@@ -297,9 +322,11 @@ bool keeps_a_part_of_each(const IntentProblem& problem, const WholeModel& whole,
   });
 }
 
-base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
-                             const SolveOptions& options, Workspace& work) {
-  if (auto status = check_problem(rig, problem); !status) return status.error();
+namespace {
+
+/// A checked problem, what is locked being heeded.
+base::Result<Solution> solve_whole(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
+                                   const SolveOptions& options, Workspace& work) {
   std::size_t units = 0;
   if (problem.locked.empty() || problem.edition == Edition::first)
     return solve_free(rig, whole, problem, options, work, units);
@@ -319,6 +346,44 @@ base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const
   Solution without = solve_free(rig, whole, rest, no_more, work, units);
   without.evaluations += meant.evaluations;
   return without;
+}
+
+/// A checked problem of which a part was solved for already. What is new moves what it moves, and what was drawn before
+/// is read anew with it only where that is clearly better.
+base::Result<Solution> solve_with_posed(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
+                                        const Reader& reader, const SolveOptions& options, Workspace& work) {
+  if (!reader.chain().empty()) return solve_whole(rig, whole, with_the_rest_held(rig, problem), options, work);
+  const IntentProblem part = with_others_held(rig, reader, problem);
+  if (part.start == problem.posed) return solve_whole(rig, whole, part, options, work);
+  auto anew = solve_whole(rig, whole, part, options, work);
+  auto held = solve_whole(rig, whole, with_the_rest_held(rig, part), options, work);
+  auto alone = solve_whole(rig, whole, without_the_rest(part), options, work);
+  if (!anew || !held || !alone) return anew;
+  const Fit by_held = fit_of(rig, whole, part, held->pose, work.buffers().quadratic);
+  const Fit by_alone = fit_of(rig, whole, part, alone->pose, work.buffers().quadratic);
+  const Fit by_anew = fit_of(rig, whole, part, anew->pose, work.buffers().quadratic);
+  const bool stays_held = by_held.energy <= by_alone.energy;
+  const Fit& stays = stays_held ? by_held : by_alone;
+  bool as_near = true;
+  for (std::size_t c = 0; c < part.drawn.size(); ++c)
+    as_near =
+        as_near && (!part.drawn[c].before || by_anew.squares[c] <= k_as_near * stays.squares[c] + k_as_near_beyond);
+  anew->evaluations += held->evaluations + alone->evaluations;
+  if (as_near && by_anew.energy < stays.energy - k_stay) return anew;
+  return stays_held ? held : alone;
+}
+
+}  // namespace
+
+base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
+                             const SolveOptions& options, Workspace& work) {
+  if (auto status = check_problem(rig, problem); !status) return status.error();
+  if (problem.edition < Edition::fourth || problem.posed.empty())
+    return solve_whole(rig, whole, problem, options, work);
+  Reader reader(rig, whole, problem);
+  auto solution = solve_with_posed(rig, whole, problem, reader, options, work);
+  if (solution) describe(rig, problem, reader, *solution);
+  return solution;
 }
 
 base::Result<std::vector<CurveLeft>> left_at_start(const rig::Rig& rig, const WholeModel& whole,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/document/apply.h"
+#include "core/document/moment.h"
 #include "core/document/pose_problem.h"
 #include "core/document/pulled_target.h"
 #include "core/document/target_line.h"
@@ -71,20 +72,32 @@ void LiveFollow::start(const document::Document& document, const document::PoseC
                        const document::View& view) {
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!camera) return;
-  intent::IntentProblem problem = document::intent_problem(document, drawing::k_rules);
-  problem.drawn.clear();
-  const double hand = document::hand_px(document, view.viewport, drawing::k_rules);
-  problem.drawn.push_back({document::curve_points(document, curve.points), *camera, {}, hand, {}, curve.aside});
-  // Targets of other references hold their curves where they are wanted, as the solve at pen-up will.
-  document::Document others = document;
-  std::erase_if(others.curves, [&](const auto& one) { return one->id == curve.id; });
-  for (auto& one : document::intent_problem(others, drawing::k_rules).drawn) problem.drawn.push_back(std::move(one));
+  const auto reference = document::positions_of(document, curve.points);
+  // As if its target had been drawn: lines of the same moment hold their curves, as the solve at pen-up will.
+  document::Document drawn = document;
+  for (auto& one : drawn.curves) {
+    if (one->id != curve.id) continue;
+    auto with_target = *one;
+    with_target.target = document::DrawnTarget{view, {{0, 0}, {1, 0}}, {1, 1}, reference, {}};
+    one = std::make_shared<const document::PoseCurve>(std::move(with_target));
+  }
+  const auto asked_in = [&](const document::Moment& moment) {
+    intent::IntentProblem problem = document::moment_problem(drawn, moment, drawing::k_rules);
+    if (problem.drawn.empty() || problem.drawn.back().before) problem.drawn.clear();
+    std::rotate(problem.drawn.begin(), problem.drawn.end() - (problem.drawn.empty() ? 0 : 1), problem.drawn.end());
+    return problem;
+  };
+  auto problem = asked_in(document::moment_of(drawn, curve.id, drawing::k_rules));
+  if (problem.drawn.empty()) problem = asked_in(document::lone_moment(drawn, curve.id));
+  if (problem.drawn.empty()) return;
+  problem.drawn.front().doubt_px = document::hand_px(document, view.viewport, drawing::k_rules);
+  problem.drawn.front().weights.clear();
   auto poser = intent::LivePoser::start(*document.model->rig, whole_of(document), std::move(problem));
   if (!poser) return;
   model_ = document.model;
   curve_ = curve.id;
   view_ = view;
-  reference_ = document::positions_of(document, curve.points);
+  reference_ = reference;
   if (curve.target) whole_ = seen_from(*curve.target, view, *camera);
   poser_.emplace(std::move(*poser));
 }

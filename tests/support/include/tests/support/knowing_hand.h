@@ -14,8 +14,11 @@ namespace penpose::tests {
 /// something. A command that is added to the list and is not made here does not compile.
 class KnowingHand {
  public:
-  KnowingHand(SessionScript& script, std::uint64_t seed, std::uint32_t rules = drawing::k_rules)
-      : script_(script), random_(seed), hand_(script, seed + 7777), rules_(rules) {
+  /// All commands of the list, or those that there were when golden sessions by the rules were first drawn.
+  enum class Commands : std::uint8_t { all, first };
+  KnowingHand(SessionScript& script, std::uint64_t seed) : KnowingHand(script, seed, drawing::k_rules, Commands::all) {}
+  KnowingHand(SessionScript& script, std::uint64_t seed, std::uint32_t rules, Commands commands = Commands::first)
+      : script_(script), random_(seed), hand_(script, seed + 7777), rules_(rules), commands_(commands) {
     // As the app draws: taps mean nothing, and what is not drawn over stays where it is.
     drawing::Tool tool;
     tool.rules = rules_;
@@ -237,10 +240,10 @@ class KnowingHand {
   /// How many of the list this hand knows: by older rules those that there were then, so that it does what it did.
   [[nodiscard]] std::size_t commands() const {
     constexpr std::size_t k_before_sheet_rules = 33;
-    if (rules_ < document::k_sheet_rules) return k_before_sheet_rules;
-    // The third and the fourth rules came without new commands.
-    constexpr std::size_t k_before_ranged_rules = 35;
-    return rules_ < articulation::k_ranged_rules ? k_before_ranged_rules : std::variant_size_v<document::Command>;
+    // Rules 3 to 5 came without new commands; those of other targets and corrections came after them.
+    constexpr std::size_t k_before_other_targets = 35;
+    if (commands_ == Commands::all) return std::variant_size_v<document::Command>;
+    return rules_ < document::k_sheet_rules ? k_before_sheet_rules : k_before_other_targets;
   }
   /// What the rules of single commands are: those of the solver alone.
   [[nodiscard]] std::uint32_t sheets() const { return rules_ >= document::k_sheet_rules ? rules_ : 0; }
@@ -284,6 +287,7 @@ class KnowingHand {
   Random random_;
   RandomHand hand_;
   std::uint32_t rules_;
+  Commands commands_;
   int names_ = 0;
   bool pressed_ = false;
 };

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "core/intent/problem.h"
+#include "core/intent/reader.h"
+#include "core/intent/whole_model.h"
+
+// Lines that were drawn before, and what of them is read anew.
+
+namespace penpose::intent {
+
+/// The problem from the pose that an earlier solve came to: the references of what was drawn before stay where they are
+/// there. The problem itself where there is no such pose. Precondition: check_problem passed.
+[[nodiscard]] IntentProblem with_the_rest_held(const rig::Rig& rig, const IntentProblem& problem);
+
+/// The same without what was drawn before.
+[[nodiscard]] IntentProblem without_the_rest(const IntentProblem& problem);
+
+/// The part of a problem that is read anew: what is new, and of what was drawn before those lines that tell of the same
+/// controls. Their controls start where they started; the rest stays as posed, its references where they are.
+/// Precondition: a pose that an earlier solve came to; the reader is that of the problem and has no chain.
+[[nodiscard]] IntentProblem with_others_held(const rig::Rig& rig, const Reader& reader, const IntentProblem& problem);
+
+/// What a pose comes to in a problem, each line aligned as the pose fits it best.
+struct Fit {
+  double energy = 0;
+  std::vector<double> squares;  ///< of each drawn curve
+};
+[[nodiscard]] Fit fit_of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
+                         const rig::Pose& pose, Quadratic& quadratic);
+
+}  // namespace penpose::intent
