@@ -221,7 +221,7 @@ Changed run(const Document& document, const PullTarget& command, Parts& work) {
   if (!pulled) return pulled.error();
   PoseCurve other = **curve;
   other.target = std::move(pulled).value();
-  return solved(with_replaced(document, std::move(other)), command.rules, work);
+  return solved_for(with_replaced(document, std::move(other)), command.curve, command.rules, work);
 }
 
 Changed run(const Document& document, const DrawConstraint& command, Parts& work) {

@@ -204,14 +204,14 @@ TEST_F(Correction, IsThereWhereBothControlsComeTogetherAndNowhereElse) {
 TEST_F(Correction, GoesAlongWithItsControls) {
   correct();
   const auto named = hand.state();
-  hand.does(RenameDeformer{"up", "lift"});
+  hand.does(RenameDeformer{"up", "raise"});
   EXPECT_NE(hand.state(), named);
-  EXPECT_EQ(hand.document().model->corrections->all()[0]->drawn.drivers[0].control, "lift");
-  const double before = middle(posed(hand, {{"lift", 1}, {"aside", 1}}));
+  EXPECT_EQ(hand.document().model->corrections->all()[0]->drawn.drivers[0].control, "raise");
+  const double before = middle(posed(hand, {{"raise", 1}, {"aside", 1}}));
   // What it was drawn on has changed: it is built again from its strokes.
   hand.does(RedrawCurve{"aside", CurveRole::target, hand.view, hand.line(0.2, -0.2, 0.2, 0.2)});
   ASSERT_NE(hand.document().model->corrections, nullptr);
-  EXPECT_NEAR(middle(posed(hand, {{"lift", 1}, {"aside", 1}})), before, 0.1);
+  EXPECT_NEAR(middle(posed(hand, {{"raise", 1}, {"aside", 1}})), before, 0.1);
   hand.does(DeleteDeformer{"aside"});
   EXPECT_EQ(hand.document().model->corrections, nullptr) << "without one of its controls it means nothing";
 }
@@ -228,7 +228,7 @@ TEST_F(Correction, IsDrawnOnThePoseThatItCorrects) {
   EXPECT_EQ(hand.document().pending->sketch.name, "correction 1");
   EXPECT_EQ(hand.document().pending->drivers.size(), 2U);
   hand.refuses(DeleteDeformer{"up"});
-  hand.refuses(RenameDeformer{"up", "lift"});
+  hand.refuses(RenameDeformer{"up", "raise"});
   hand.does(SetParameters{{{"up", 0.5}}});
   EXPECT_NE(hand.refuses(SketchCurve{CurveRole::general, hand.view, hand.diamond(0.8)}).what.find("pose"),
             std::string::npos);
