@@ -8,9 +8,16 @@ namespace penpose::articulation {
 
 base::Result<std::shared_ptr<const Canvas>> Canvas::make(std::shared_ptr<const mesh::TriangleMesh> mesh,
                                                          const rig::Skeleton* skeleton) {
+  return make_posed(std::move(mesh), skeleton, {});
+}
+
+base::Result<std::shared_ptr<const Canvas>> Canvas::make_posed(std::shared_ptr<const mesh::TriangleMesh> mesh,
+                                                               const rig::Skeleton* skeleton,
+                                                               std::span<const ModelVector> displacements) {
   auto canvas = std::make_shared<Canvas>();
-  const auto rest = mesh->positions();
-  canvas->positions_.assign(rest.begin(), rest.end());
+  std::vector<ModelPoint> rest(mesh->positions().begin(), mesh->positions().end());
+  for (std::size_t v = 0; v < displacements.size(); ++v) rest[v] += displacements[v];
+  canvas->positions_ = rest;
   canvas->mesh_ = std::move(mesh);
   if (skeleton == nullptr) return std::shared_ptr<const Canvas>(std::move(canvas));
   if (skeleton->vertex_count() != rest.size()) {

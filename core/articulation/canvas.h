@@ -24,8 +24,13 @@ class Canvas {
   static base::Result<std::shared_ptr<const Canvas>> make(std::shared_ptr<const mesh::TriangleMesh> mesh,
                                                           const rig::Skeleton* skeleton);
 
+  /// The model posed: vertices displaced from rest (one displacement a vertex), joints at rest.
+  static base::Result<std::shared_ptr<const Canvas>> make_posed(std::shared_ptr<const mesh::TriangleMesh> mesh,
+                                                                const rig::Skeleton* skeleton,
+                                                                std::span<const ModelVector> displacements);
+
   [[nodiscard]] const mesh::TriangleMesh& mesh() const { return *mesh_; }
-  /// World positions of all vertices at rest.
+  /// World positions of all vertices, at rest or as posed.
   [[nodiscard]] std::span<const ModelPoint> positions() const { return positions_; }
   /// True when the vertices are carried by anything.
   [[nodiscard]] bool carried() const { return !carriers_.empty(); }

@@ -126,6 +126,7 @@ Carriage Carriage::subset(std::span<const std::uint32_t> riders) const {
   some.mores_ = chosen(mores_, riders);
   some.lesses_ = chosen(lesses_, riders);
   some.slides_ = chosen(slides_, riders);
+  for (const Between& one : betweens_) some.betweens_.push_back({one.knot, chosen(one.differences, riders)});
   if (some.bases_.empty()) some.mark_segments();
   return some;
 }
@@ -188,6 +189,31 @@ void Carriage::displacements(double amount, CarriageWorkspace& work, std::span<M
     std::fill(out.begin(), out.end(), ModelVector{0});
     return;
   }
+  moved(amount, work, out);
+  for (const Between& between : betweens_) {
+    const double weight = between.knot.weight(amount);
+    if (weight == 0.0) continue;
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] += between.differences[i] * weight;
+  }
+}
+
+void Carriage::add_betweens(std::vector<CarriageBetween> betweens) {
+  std::vector<double> amounts;
+  for (const CarriageBetween& one : betweens) amounts.push_back(one.amount);
+  const std::vector<Knot> knots = knots_of(amounts);
+  CarriageWorkspace work;
+  std::vector<ModelVector> before(size());
+  std::vector<Between> added;
+  for (std::size_t i = 0; i < betweens.size(); ++i) {
+    displacements(amounts[i], work, before);
+    Between one{knots[i], std::move(betweens[i].moves)};
+    for (std::size_t k = 0; k < before.size(); ++k) one.differences[k] -= before[k];
+    added.push_back(std::move(one));
+  }
+  betweens_ = std::move(added);
+}
+
+void Carriage::moved(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const {
   if (!bases_.empty()) {
     swung(amount, work, out);
   } else if (turning()) {
@@ -196,7 +222,7 @@ void Carriage::displacements(double amount, CarriageWorkspace& work, std::span<M
     slid(amount, out);
   } else {
     for (std::size_t i = 0; i < rests_.size(); ++i) out[i] = columns_[i] * amount;
-    if (linear()) return;
+    if (!surface_.exists() && mores_.empty()) return;
   }
   add_more(amount, out);
   if (surface_.exists()) {

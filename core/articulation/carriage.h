@@ -9,6 +9,7 @@
 
 #include "core/articulation/curve_motion.h"
 #include "core/articulation/kept_surface.h"
+#include "core/articulation/knots.h"
 
 namespace penpose::articulation {
 
@@ -32,6 +33,12 @@ struct Passenger {
   ModelVector less{0};  ///< ... instead of that, by as much as the amount
   ModelPoint rest{0};
   glm::dmat3 to_rest{1};
+};
+
+/// Where vertices are at another amount than 1 than their motion has them.
+struct CarriageBetween {
+  double amount = 0.5;             ///< neither 0 nor 1
+  std::vector<ModelVector> moves;  ///< one a rider: its displacement there, in the space of the rest vertices
 };
 
 /// Scratch memory of evaluations; one for each thread.
@@ -58,13 +65,17 @@ class Carriage {
   Carriage(std::shared_ptr<const CurveMotion> motion, KeptSurface surface, std::span<const Passenger> passengers,
            bool carried);
 
+  /// Leads the riders through other displacements on their way: what these differ by from the motion comes in and goes
+  /// straight between the neighbouring amounts (knots.h). Precondition: ascending amounts, none added before.
+  void add_betweens(std::vector<CarriageBetween> betweens);
+
   [[nodiscard]] std::size_t size() const { return rests_.size(); }
   /// The same motion for some of the riders, in the order asked for.
   [[nodiscard]] Carriage subset(std::span<const std::uint32_t> riders) const;
   [[nodiscard]] const CurveMotion& motion() const { return *motion_; }
 
   /// True when displacements are the amount times `columns()`: mode translate without a surface.
-  [[nodiscard]] bool linear() const { return !turning() && !surface_.exists() && mores_.empty(); }
+  [[nodiscard]] bool linear() const { return !turning() && !surface_.exists() && mores_.empty() && betweens_.empty(); }
   /// Displacements at amount 1. Precondition: linear().
   [[nodiscard]] std::span<const ModelVector> columns() const { return columns_; }
 
@@ -85,6 +96,7 @@ class Carriage {
   void turned(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const;
   void swung(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const;
   void slid(double amount, std::span<ModelVector> out) const;
+  void moved(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const;
   void add_more(double amount, std::span<ModelVector> out) const;
   void reserve(std::size_t riders, bool carried);
   void mark_segments();
@@ -105,6 +117,11 @@ class Carriage {
   std::vector<ModelVector> slides_;   ///< of a slide: turns, whose tilts stand in columns_
   std::vector<std::uint8_t> wanted_;  ///< segments that carry anything, up to the last one that does
   std::vector<glm::dmat3> to_rest_;   ///< empty when nothing carries the vertices
+  struct Between {
+    Knot knot;
+    std::vector<ModelVector> differences;
+  };
+  std::vector<Between> betweens_;
 };
 
 }  // namespace penpose::articulation

@@ -7,6 +7,7 @@
 #include "core/articulation/reference_curve.h"
 #include "core/articulation/region.h"
 #include "core/curve/pairing.h"
+#include "core/curve/polyline.h"
 
 namespace penpose::articulation {
 namespace {
@@ -135,19 +136,88 @@ base::Result<Curves> curves_of(const Sketch& sketch, const Canvas& canvas, const
   return curves;
 }
 
-/// That the second lasso holds nothing of the region, and on which side of it it was drawn.
-base::Error outside_error(const Region& region, std::span<const PxPoint> lasso) {
-  PxPoint way;
-  for (const PxPoint& p : lasso) way = way + p * (1.0 / static_cast<double>(lasso.size()));
-  for (const PxPoint& p : region.seen) way = way - p * (1.0 / static_cast<double>(region.seen.size()));
-  const bool beside = std::abs(way.x) > std::abs(way.y);
-  const char* side = beside ? (way.x > 0.0 ? "right of" : "left of") : (way.y > 0.0 ? "below" : "above");
-  return {std::string("no vertex of the region of general interest lies inside the curve, which is ") + side +
-              " the middle of that region",
-          "", "draw it inside the first region, around at least one vertex"};
+base::Error region_error(base::Error error) { return error.place == "piece" ? error : at("general", std::move(error)); }
+
+/// Where the curve is at the values of the other targets, one list a target, from what was drawn for each: the motion's
+/// own place there tells which way round the line runs and how deep it lies.
+base::Result<std::vector<Curve>> between_targets(const Sketch& sketch, const CurveMotion& motion,
+                                                 const KeptSurface& surface) {
+  std::vector<Curve> targets;
+  for (std::size_t i = 0; i < sketch.betweens.size(); ++i) {
+    const InBetween& one = sketch.betweens[i];
+    const std::string key = "betweens/" + std::to_string(i);
+    const auto camera = camera_of(sketch, one.camera);
+    if (!camera) return at((key + "/camera").c_str(), camera.error());
+    const Curve there = motion.points(one.value);
+    auto paired = curve::pair_target(there, one.target, *camera);
+    if (!paired) return at((key + "/target").c_str(), paired.error());
+    const auto reference = motion.reference();
+    lift_onto_surface(*camera, surface, {reference.begin(), reference.end()}, paired->points);
+    if (!all_finite(paired->points)) {
+      return base::Error{"the target lies too far away for numbers", key + "/target", "draw it nearer to the model"};
+    }
+    targets.push_back(std::move(paired->points));
+  }
+  return targets;
+}
+
+/// Amounts at which a deformer with other targets is measured: at all of them, its ends, and half-way between.
+std::vector<double> measured_amounts(const Sketch& sketch) {
+  std::vector<double> ends{sketch.minimum, sketch.maximum, 0.0, 1.0};
+  for (const InBetween& one : sketch.betweens) ends.push_back(one.value);
+  std::stable_sort(ends.begin(), ends.end());
+  std::vector<double> amounts{ends.front()};
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    if (!(ends[i] > ends[i - 1])) continue;
+    amounts.push_back(0.5 * (ends[i - 1] + ends[i]));
+    amounts.push_back(ends[i]);
+  }
+  return amounts;
+}
+
+/// Leads a motion through the other targets. Each is a motion of its own from the same reference, which is held
+/// together as any.
+base::Result<std::vector<Curve>> add_betweens(const Sketch& sketch, const MeasuredParts& parts,
+                                              MeasuredMotion& motion) {
+  auto targets = between_targets(sketch, motion.carriage.motion(), parts.surface);
+  if (!targets) return targets.error();
+  std::vector<CarriageBetween> riders;
+  std::vector<CarriageBetween> nodes;
+  CarriageWorkspace work;
+  for (std::size_t i = 0; i < targets->size(); ++i) {
+    MeasuredParts own = parts;
+    own.target = (*targets)[i];
+    const auto there = measured_motion(own, sketch.mode, {});
+    if (!there) return at("general", there.error());
+    const double amount = sketch.betweens[i].value;
+    riders.push_back({amount, std::vector<ModelVector>(there->carriage.size())});
+    there->carriage.displacements(1.0, work, riders.back().moves);
+    nodes.push_back({amount, std::vector<ModelVector>(there->of_nodes.size())});
+    there->of_nodes.displacements(1.0, work, nodes.back().moves);
+  }
+  motion.carriage.add_betweens(std::move(riders));
+  motion.of_nodes.add_betweens(std::move(nodes));
+  motion.strain = strain_at(parts, motion.of_nodes, measured_amounts(sketch));
+  return targets;
 }
 
 }  // namespace
+
+std::vector<ModelPoint> Deformer::curve_at(double amount) const {
+  const CurveMotion& motion = built_->carriage.motion();
+  std::vector<ModelPoint> points = motion.points(amount);
+  if (sketch_.betweens.empty()) return points;
+  std::vector<double> amounts;
+  for (const InBetween& one : sketch_.betweens) amounts.push_back(one.value);
+  const std::vector<Knot> knots = knots_of(amounts);
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    const double weight = knots[i].weight(amount);
+    if (weight == 0.0) continue;
+    const std::vector<ModelPoint> there = motion.points(amounts[i]);
+    for (std::size_t k = 0; k < points.size(); ++k) points[k] += (built_->betweens[i][k] - there[k]) * weight;
+  }
+  return points;
+}
 
 base::Result<std::shared_ptr<const Deformer>> Deformer::renamed(std::string name) const {
   auto other = std::make_shared<Deformer>(*this);
@@ -172,12 +242,17 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
   if (!target_camera) return at("target_camera", target_camera.error());
   const auto surface = KeptSurface::make(sketch.surface, canvas);
   if (!surface) return surface.error();
-  const auto region = general_region(canvas, *camera, sketch.general, *surface, Borders::skipped);
-  if (!region) return at("general", region.error());
+  const auto region =
+      general_region(canvas, *camera, sketch.general, *surface, Borders::skipped, {sketch.reach, sketch.piece});
+  if (!region) return region_error(region.error());
   const auto lasso = geometry::Lasso::make(sketch.specific);
   if (!lasso) return at("specific", lasso.error());
   const auto general = geometry::Lasso::make(sketch.general);
   if (!general) return at("general", general.error());
+  if (sketch.rules >= k_ranged_rules) {
+    if (const auto whole = check_crossing(sketch.general); !whole) return at("general", whole.error());
+    if (const auto whole = check_crossing(sketch.specific); !whole) return at("specific", whole.error());
+  }
   const bool held = sketch.rules >= k_held_rules;
   const Patch patch(canvas, *region, held ? 2 : 1);
   const Falloff falloff(patch, {*camera, *general, *lasso});
@@ -185,18 +260,34 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
   for (std::uint32_t i = 0; i < region->vertices.size(); ++i) {
     if (falloff.specific()[patch.nodes()[i]] != 0) specific.push_back(i);
   }
-  if (specific.empty()) return at("specific", outside_error(*region, sketch.specific));
+  if (specific.empty()) return at("specific", core_outside(*region, sketch.specific));
   auto curves = curves_of(sketch, canvas, *region, specific, *target_camera, *surface, points);
   if (!curves) return curves.error();
-  auto motion = measured_motion(
-      {canvas, *region, patch, falloff, std::move(curves->reference), std::move(curves->target), *surface, held},
-      sketch.mode, {sketch.minimum, sketch.maximum});
+  std::string doubtful =
+      sketch.reference.empty() ? doubt_of_inferred(canvas, *region, specific, curves->reference) : std::string();
+  const MeasuredParts parts{canvas,
+                            *region,
+                            patch,
+                            falloff,
+                            std::move(curves->reference),
+                            std::move(curves->target),
+                            *surface,
+                            held,
+                            !sketch.betweens.empty()};
+  auto motion = measured_motion(parts, sketch.mode, {sketch.minimum, sketch.maximum});
   if (!motion) return at("general", motion.error());
+  std::vector<Curve> betweens;
+  if (!sketch.betweens.empty()) {
+    auto added = add_betweens(sketch, parts, *motion);
+    if (!added) return added.error();
+    betweens = std::move(*added);
+  }
   auto deformer = std::make_shared<Deformer>();
   deformer->sketch_ = sketch;
   deformer->built_ = std::make_shared<const Built>(Built{std::move(motion->carriage), std::move(motion->vertices),
                                                          std::move(motion->weights), curves->turned_round,
-                                                         motion->strain, falloff.reaches_beyond(), curves->kept});
+                                                         motion->strain, falloff.reaches_beyond(), curves->kept,
+                                                         std::move(betweens), region->pieces, std::move(doubtful)});
   return std::shared_ptr<const Deformer>(std::move(deformer));
 }
 
@@ -210,8 +301,9 @@ base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch& sketc
   if (!target_camera) return at("target_camera", target_camera.error());
   auto surface = KeptSurface::make(sketch.surface, canvas);
   if (!surface) return surface.error();
-  const auto region = general_region(canvas, *camera, sketch.general, *surface);
-  if (!region) return at("general", region.error());
+  const auto region =
+      general_region(canvas, *camera, sketch.general, *surface, Borders::measured, {sketch.reach, sketch.piece});
+  if (!region) return region_error(region.error());
   const auto weights = specific_region(*region, sketch.specific);
   if (!weights) return at("specific", weights.error());
   auto curves = curves_of(sketch, canvas, *region, weights->specific, *target_camera, *surface, points);

@@ -40,12 +40,17 @@ class Deformer {
   /// The curves in world space at rest, equally many points.
   [[nodiscard]] std::span<const ModelPoint> reference() const { return built_->carriage.motion().reference(); }
   [[nodiscard]] std::span<const ModelPoint> target() const { return built_->carriage.motion().target(); }
-  /// The curve at an amount: the reference at 0, the target at 1. Without the surface.
-  [[nodiscard]] std::vector<ModelPoint> curve_at(double amount) const {
-    return built_->carriage.motion().points(amount);
-  }
+  /// The curve at an amount: the reference at 0, the target at 1, its other targets at their values. Without the
+  /// surface.
+  [[nodiscard]] std::vector<ModelPoint> curve_at(double amount) const;
+  /// Its other targets, one an entry of Sketch::betweens, with as many points as the reference.
+  [[nodiscard]] const std::vector<std::vector<ModelPoint>>& betweens() const { return built_->betweens; }
+  /// How many pieces of the model the first lasso encloses; 1 for deformers of older rules.
+  [[nodiscard]] std::uint32_t pieces() const { return built_->pieces; }
+  /// Of an inferred reference, what makes it doubtful; empty where nothing does, or where it was drawn.
+  [[nodiscard]] const std::string& doubtful_reference() const { return built_->doubtful; }
 
-  /// The vertices that it moves (weight above 0), ascending, and their weights.
+  /// The vertices that it moves (weight above 0; with other targets all of its region), ascending, and their weights.
   [[nodiscard]] std::span<const std::uint32_t> vertices() const { return built_->vertices; }
   [[nodiscard]] std::span<const double> weights() const { return built_->weights; }
   /// Their displacements.
@@ -71,6 +76,9 @@ class Deformer {
     Strain strain;
     std::string reaches_beyond;
     double kept = 1;
+    std::vector<std::vector<ModelPoint>> betweens;
+    std::uint32_t pieces = 1;
+    std::string doubtful;
   };
 
   Sketch sketch_;

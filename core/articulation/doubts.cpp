@@ -24,11 +24,17 @@ std::vector<std::string> doubts_of(const Deformer& deformer) {
     doubts.push_back("the target is " + base::format_fixed(ratio, 1) +
                      " times as long as the feature, and what lies along it is stretched by as much");
   }
+  if (!deformer.doubtful_reference().empty()) {
+    doubts.push_back("the feature was found by itself, but " + deformer.doubtful_reference() + ": draw it by hand");
+  }
   const Strain& strain = deformer.strain();
   if (strain.turned_over > 0) {
     doubts.push_back("no smooth motion reaches the target: " + std::to_string(strain.turned_over) +
                      (strain.turned_over == 1 ? " triangle turns over" : " triangles turn over") +
                      "; draw a larger first region, or a nearer target");
+  } else if (strain.creased > 0) {
+    doubts.push_back("the surface is creased at " + std::to_string(strain.creased) +
+                     (strain.creased == 1 ? " edge" : " edges") + "; draw a larger first region, or a nearer target");
   } else if (strain.stretch > k_told_stretch * std::max(1.0, ratio)) {
     doubts.push_back("the surface is stretched up to " + base::format_fixed(strain.stretch, 1) +
                      " times; draw a larger first region, or a nearer target");

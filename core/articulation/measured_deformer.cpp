@@ -337,7 +337,7 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
   std::vector<Passenger> passengers;
   for (std::size_t i = 0; i < parts.region.vertices.size(); ++i) {
     Passenger passenger = best->passengers[parts.patch.nodes()[i]];
-    if (!(passenger.weight > 0.0)) continue;
+    if (!(passenger.weight > 0.0) && !parts.whole) continue;
     const std::uint32_t v = parts.region.vertices[i];
     auto to_rest = parts.canvas.to_rest(v);
     if (!to_rest) return to_rest.error();
@@ -353,7 +353,21 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
   result.passes = judge.holds(best->strain);
   result.strain.node = parts.patch.vertex(best->strain.node);
   result.carriage = Carriage(best->motion, parts.surface, passengers, parts.canvas.carried());
+  if (parts.whole) result.of_nodes = Carriage(best->motion, parts.surface, best->passengers, false);
   return result;
+}
+
+Strain strain_at(const MeasuredParts& parts, const Carriage& of_nodes, std::span<const double> amounts) {
+  Strainmeter meter(parts.patch, parts.held ? Strainmeter::Creases::counted : Strainmeter::Creases::ignored);
+  CarriageWorkspace work;
+  std::vector<ModelVector> moves(parts.patch.node_count());
+  Strain strain;
+  for (const double amount : amounts) {
+    of_nodes.displacements(amount, work, std::span(moves).first(of_nodes.size()));
+    strain = worse(strain, meter.measure(moves));
+  }
+  strain.node = parts.patch.vertex(strain.node);
+  return strain;
 }
 
 }  // namespace penpose::articulation

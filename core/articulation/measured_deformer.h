@@ -19,7 +19,8 @@ struct MeasuredParts {
   std::vector<ModelPoint> reference;
   std::vector<ModelPoint> target;
   KeptSurface surface;
-  bool held = false;  ///< by rules from k_held_rules on: what is torn or stretched is given way to
+  bool held = false;   ///< by rules from k_held_rules on: what is torn or stretched is given way to
+  bool whole = false;  ///< vertices that do not move are kept, and the motion of the nodes
 };
 
 /// The range of a deformer's parameter.
@@ -35,11 +36,15 @@ struct MeasuredMotion {
   std::vector<double> weights;
   Strain strain;       ///< the worst at several amounts
   bool passes = true;  ///< it turns nothing over and stretches nothing beyond the bound
+  Carriage of_nodes;   ///< where the whole is wanted: the inner nodes of the patch, as they are seen
 };
 
 /// Of both ways of moving (or the one that is asked for) the one that distorts the surface least, and of several depths
 /// to which its weights may reach into the region of specific interest the shallowest that turns no triangle over.
 /// Errors: a vertex whose joints flatten it.
 [[nodiscard]] base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mode, Range range);
+
+/// The worst at several amounts of what a carriage of the patch's inner nodes does.
+[[nodiscard]] Strain strain_at(const MeasuredParts& parts, const Carriage& of_nodes, std::span<const double> amounts);
 
 }  // namespace penpose::articulation

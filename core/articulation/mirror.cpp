@@ -113,6 +113,10 @@ Sketch mirrored(const Sketch& sketch, const SymmetryPlane& plane) {
   for (auto* curve : {&other.general, &other.specific, &other.reference, &other.target}) {
     reflect(*curve, sketch.viewport);
   }
+  for (InBetween& one : other.betweens) {
+    reflect(one.target, sketch.viewport);
+    if (one.camera) reflect(*one.camera, plane);
+  }
   if (auto* ball = std::get_if<Sphere>(&other.surface)) reflect(ball->center, plane);
   if (auto* surface = std::get_if<PartSurface>(&other.surface)) {
     const std::string part = mirrored_name(surface->part);

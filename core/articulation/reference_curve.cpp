@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/articulation/under_stroke.h"
 #include "core/curve/polyline.h"
 #include "core/curve/projection.h"
 #include "core/geometry/bvh.h"
@@ -13,46 +14,6 @@ namespace {
 /// A drawn line is cast onto the mesh at this many places, whatever the pen's rate was: what is light smoothing then
 /// does not depend on the tablet, and a line given by a few corners follows the surface between them.
 constexpr std::size_t k_drawn_samples = 128;
-
-struct PxBox {
-  PxPoint minimum{1e300, 1e300};
-  PxPoint maximum{-1e300, -1e300};
-
-  void add(PxPoint p) {
-    minimum = {std::min(minimum.x, p.x), std::min(minimum.y, p.y)};
-    maximum = {std::max(maximum.x, p.x), std::max(maximum.y, p.y)};
-  }
-  [[nodiscard]] bool touches(const PxBox& other) const {
-    return minimum.x <= other.maximum.x && maximum.x >= other.minimum.x && minimum.y <= other.maximum.y &&
-           maximum.y >= other.minimum.y;
-  }
-};
-
-/// The triangles that the stroke could hit, so that a tree is built over a few instead of all.
-std::vector<mesh::Triangle> triangles_under(const Canvas& canvas, const geometry::Camera& camera,
-                                            std::span<const PxPoint> stroke, double around = 1) {
-  PxBox drawn;
-  for (const PxPoint& p : stroke) drawn.add(p);
-  drawn.add(drawn.minimum - PxPoint{around, around});
-  drawn.add(drawn.maximum + PxPoint{around, around});
-  std::vector<std::optional<PxPoint>> seen;
-  seen.reserve(canvas.positions().size());
-  for (const ModelPoint& p : canvas.positions()) seen.push_back(camera.project(p));
-  std::vector<mesh::Triangle> under;
-  for (const mesh::Triangle& triangle : canvas.mesh().triangles()) {
-    PxBox box;
-    bool whole = true;  // a triangle that reaches behind the eye may appear anywhere
-    for (const std::uint32_t v : triangle) {
-      if (seen[v]) {
-        box.add(*seen[v]);
-      } else {
-        whole = false;
-      }
-    }
-    if (!whole || box.touches(drawn)) under.push_back(triangle);
-  }
-  return under;
-}
 
 }  // namespace
 
@@ -84,7 +45,7 @@ base::Result<std::vector<ModelPoint>> drawn_reference(const Canvas& canvas, cons
   std::vector<glm::vec3> positions;
   positions.reserve(canvas.positions().size());
   for (const ModelPoint& p : canvas.positions()) positions.emplace_back(p);
-  const geometry::TriangleBvh surface(positions, triangles);
+  const geometry::TriangleBvh surface(positions, triangles, geometry::TriangleBvh::Build::quick);
   const auto projected = curve::project_stroke(*dense, camera, surface);
   if (!projected) return projected.error();
   const auto smooth = curve::triangle_filter<ModelPoint>(projected->positions, k_light_kernel, curve::Ends::fixed);
@@ -100,7 +61,7 @@ base::Result<SheetReference> sheet_reference(const Canvas& canvas, const geometr
   std::vector<glm::vec3> positions;
   positions.reserve(canvas.positions().size());
   for (const ModelPoint& p : canvas.positions()) positions.emplace_back(p);
-  const geometry::TriangleBvh tree(positions, triangles);
+  const geometry::TriangleBvh tree(positions, triangles, geometry::TriangleBvh::Build::quick);
   curve::Sheets sheets(canvas.mesh(), triangles);
   const auto drawn = curve::sheet_curve(stroke, k_drawn_samples, camera, {tree, positions, triangles, sheets}, choice);
   if (!drawn) return drawn.error();

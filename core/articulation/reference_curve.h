@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/articulation/canvas.h"
@@ -21,6 +22,12 @@ inline constexpr std::size_t k_light_kernel = 5;
 [[nodiscard]] base::Result<std::vector<ModelPoint>> infer_reference(const Canvas& canvas, const Region& region,
                                                                     std::span<const std::uint32_t> specific,
                                                                     std::size_t count);
+
+/// Why a reference that was inferred is not to be trusted, in words for a user; empty where it is: its vertices lie on
+/// two sheets of the surface (both lips), or it runs far beside what it was inferred from.
+[[nodiscard]] std::string doubt_of_inferred(const Canvas& canvas, const Region& region,
+                                            std::span<const std::uint32_t> specific,
+                                            std::span<const ModelPoint> inferred);
 
 /// The reference curve drawn by hand: the stroke projected onto the visible surface, lightly smoothed with its ends
 /// fixed, and spaced evenly as `count` points in world space. Errors: the line does not touch the mesh.

@@ -8,6 +8,9 @@
 namespace penpose::articulation {
 namespace {
 
+/// Targets of values nearer to each other than that would leap.
+constexpr double k_apart = 1e-3;
+
 std::optional<base::Error> check_curve(std::span<const PxPoint> curve, const std::string& key) {
   if (curve.size() > k_most_points) return base::Error{"the curve has too many points", key, "use at most 100,000"};
   for (std::size_t i = 0; i < curve.size(); ++i) {
@@ -27,6 +30,33 @@ std::optional<base::Error> check_ball(const Surface& surface) {
   }
   if (!(ball->radius > 0.0) || !std::isfinite(ball->radius)) {
     return base::Error{"the ball has no radius", "surface/sphere/radius", "give a radius above 0"};
+  }
+  return std::nullopt;
+}
+
+std::optional<base::Error> check_betweens(const Sketch& sketch) {
+  if (sketch.betweens.empty()) return std::nullopt;
+  if (sketch.rules < k_held_rules) {
+    return base::Error{"a control of older rules has one target only", "betweens", "draw the control anew"};
+  }
+  if (sketch.betweens.size() > k_most_betweens) {
+    return base::Error{"the control has too many targets", "betweens", "use at most 64 beside its own"};
+  }
+  for (std::size_t i = 0; i < sketch.betweens.size(); ++i) {
+    const InBetween& one = sketch.betweens[i];
+    const std::string key = "betweens/" + std::to_string(i);
+    if (!(std::abs(one.value) > k_apart && std::abs(one.value - 1.0) > k_apart)) {
+      return base::Error{"at 0 the control rests and at 1 it has its own target", key + "/value", "use another value"};
+    }
+    if (!(one.value >= sketch.minimum && one.value <= sketch.maximum)) {
+      return base::Error{"the value lies outside of the control's range", key + "/value",
+                         "use one within it, or widen the range first"};
+    }
+    if (i > 0 && !(one.value - sketch.betweens[i - 1].value > k_apart)) {
+      return base::Error{"the values do not ascend", key + "/value", "order the targets by their values"};
+    }
+    if (one.target.empty()) return base::Error{"the target curve is missing", key + "/target", "draw it"};
+    if (auto error = check_curve(one.target, key + "/target")) return error;
   }
   return std::nullopt;
 }
@@ -77,6 +107,7 @@ base::Status check_sketch(const Sketch& sketch) {
     return base::Error{"the range does not start at or below 0 and end above it", "range",
                        "use 0 to 1, or a wider range within -10 to 10"};
   }
+  if (auto error = check_betweens(sketch)) return *error;
   return base::Done{};
 }
 
@@ -105,6 +136,14 @@ void add_to_hash(base::StateHash& hash, const Sketch& sketch) {
   // Only where it says something, so that older documents keep their hash.
   if (sketch.rules >= k_measured_rules) hash.add(std::uint64_t{sketch.rules});
   if (sketch.other_sheet) hash.add("other sheet");
+  if (sketch.reach == Reach::front) hash.add("front only");
+  if (sketch.piece != 0) hash.add(std::uint64_t{sketch.piece});
+  for (const InBetween& one : sketch.betweens) {
+    hash.add("between");
+    hash.add(one.value);
+    add_curve(hash, one.target);
+    add_camera(hash, one.camera);
+  }
 }
 
 }  // namespace penpose::articulation

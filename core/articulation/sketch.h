@@ -43,10 +43,27 @@ inline constexpr std::uint32_t k_measured_rules = 3;
 /// great circles.
 inline constexpr std::uint32_t k_held_rules = 4;
 
+/// The rules from which on a changed range builds a deformer again, as reading its file does, and a lasso that crosses
+/// itself so that it is not known what it encloses is refused.
+inline constexpr std::uint32_t k_ranged_rules = 5;
+
+/// How far into the model a lasso reaches: to what lies behind, or only to what the camera sees.
+enum class Reach : std::uint8_t { through, front };
+
 /// The widest range that a deformer's parameter may have.
 inline constexpr double k_widest_amount = 10;
 /// The most points that a curve may have.
 inline constexpr std::size_t k_most_points = 100000;
+/// The most targets that a deformer may have beside its own.
+inline constexpr std::size_t k_most_betweens = 64;
+
+/// Another target of a deformer: where its curve is at a value other than 0 and 1.
+struct InBetween {
+  double value = 0.5;
+  std::vector<PxPoint> target;
+  std::optional<geometry::CameraPose> camera;  ///< set when it was drawn under another camera than the regions
+  friend bool operator==(const InBetween&, const InBetween&) = default;
+};
 
 /// What was drawn to make one deformer: all that is needed to build it again, and what a user can draw anew. Curves are
 /// px of the viewport. Strokes are drawn on the model at rest.
@@ -66,12 +83,16 @@ struct Sketch {
   double maximum = 1;        ///< > 0
   std::uint32_t rules = 0;   ///< of drawing, under which the deformer is built
   bool other_sheet = false;  ///< a drawn reference lies on the other of two sheets; from k_held_rules on
+  Reach reach = Reach::through;
+  std::uint32_t piece = 0;          ///< of the pieces inside the first lasso which one, the nearest being 0
+  std::vector<InBetween> betweens;  ///< ascending by their values; from k_held_rules on
   friend bool operator==(const Sketch&, const Sketch&) = default;
 };
 
 /// Checks what can be checked without a model. Errors carry the key of the sketch file as their place ("target",
 /// "target/3", "surface/sphere/radius"): no name, a missing curve, too many points, coordinates that are not finite or
-/// beyond a million px, a ball without radius, a range without 0.
+/// beyond a million px, a ball without radius, a range without 0, other targets that are not in ascending order within
+/// the range or stand where the deformer's own do.
 [[nodiscard]] base::Status check_sketch(const Sketch& sketch);
 
 /// Adds everything that was drawn to a canonical hash.

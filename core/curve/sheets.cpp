@@ -1,11 +1,18 @@
 #include "core/curve/sheets.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/mesh/topology.h"
 
 namespace penpose::curve {
+namespace {
+
+/// Of the reach, so that no rounding counts.
+constexpr double k_beyond = 1.000001;
+
+}  // namespace
 
 Sheets::Sheets(const mesh::TriangleMesh& mesh) : Sheets(mesh, mesh.triangles()) {}
 
@@ -43,6 +50,16 @@ bool Sheets::joined(const Place& a, const Place& b, double reach, std::span<cons
   }
   queue_.assign(1, a.triangle);
   seen_[a.triangle] = search_;
+  // An edge that lies beside the box about the line is farther than that from the line itself; most are.
+  const ModelPoint least = glm::min(a.position, b.position) - k_beyond * reach;
+  const ModelPoint most = glm::max(a.position, b.position) + k_beyond * reach;
+  const auto beside_box = [&](const glm::vec3& from, const glm::vec3& to) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (static_cast<double>(std::min(from[axis], to[axis])) > most[axis]) return true;
+      if (static_cast<double>(std::max(from[axis], to[axis])) < least[axis]) return true;
+    }
+    return false;
+  };
   for (std::size_t next = 0; next < queue_.size(); ++next) {
     // On a mesh that is much finer than the hand everything near is one sheet: no walk is to take long.
     if (queue_.size() > k_most_visited) return geometry::distance(a.position, b.position) <= reach;
@@ -50,9 +67,10 @@ bool Sheets::joined(const Place& a, const Place& b, double reach, std::span<cons
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t beside = beside_[triangle][k];
       if (beside == k_border || seen_[beside] == search_) continue;
-      const ModelPoint from(positions[triangles_[triangle][k]]);
-      const ModelPoint to(positions[triangles_[triangle][(k + 1) % 3]]);
-      if (segment_distance(a.position, b.position, from, to) > reach) continue;
+      const glm::vec3& from = positions[triangles_[triangle][k]];
+      const glm::vec3& to = positions[triangles_[triangle][(k + 1) % 3]];
+      if (beside_box(from, to)) continue;
+      if (segment_distance(a.position, b.position, ModelPoint(from), ModelPoint(to)) > reach) continue;
       if (beside == b.triangle) return true;
       seen_[beside] = search_;
       queue_.push_back(beside);

@@ -111,7 +111,7 @@ base::Result<Model> with_stand(Model model, std::size_t animation, const geometr
   auto skeleton = carry_all(model.skeleton.get(), model.mesh->vertex_count());
   if (!skeleton) return skeleton.error();
   if (*skeleton) {
-    auto made = make_model(model.mesh, model.shapes, std::move(skeleton).value(), model.deformers);
+    auto made = make_model(model.mesh, model.shapes, std::move(skeleton).value(), model.deformers, model.corrections);
     if (!made) return made;
     made->materials = std::move(model.materials);
     made->pose = std::move(model.pose);

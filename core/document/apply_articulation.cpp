@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <string>
 
-#include "core/articulation/edit.h"
 #include "core/articulation/mirror.h"
 #include "core/articulation/reference_curve.h"
 #include "core/articulation/region.h"
-#include "core/document/apply_parts.h"
+#include "core/document/apply_deformers.h"
+#include "core/geometry/lasso.h"
 
 namespace penpose::document {
 
@@ -13,26 +13,36 @@ using articulation::CurveRole;
 using articulation::Sketch;
 using articulation::SketchedDeformers;
 
-namespace {
-
-/// The set that edits start from; the one without deformers where there is none.
-SketchedDeformers::Shared set_of(const Document& document) {
+SketchedDeformers::Shared deformers_of(const Document& document) {
   if (document.model->deformers) return document.model->deformers;
   return std::make_shared<const SketchedDeformers>();
 }
 
-base::Result<std::size_t> number_of(const Document& document, const std::string& name) {
-  const auto number = find_deformer(*set_of(document), name);
+base::Result<std::size_t> deformer_number(const Document& document, const std::string& name) {
+  const auto number = find_deformer(*deformers_of(document), name);
   if (!number)
     return base::Error{"there is no deformer \"" + name + "\"", "deformer", "look at the names in the model"};
   return *number;
 }
 
-/// A control may not take the name of the deformer that is being sketched: the sketch could not be completed, nor read
-/// again from a file.
+Document with_pending(const Document& document, PendingSketch pending) {
+  Document changed = document;
+  changed.pending = std::make_shared<const PendingSketch>(std::move(pending));
+  return changed;
+}
+
+namespace {
+
+/// A control may not take the name of the deformer that is being sketched, nor go while a correction is drawn at a pose
+/// of it: the sketch could not be completed, nor read again from a file.
 std::optional<base::Error> check_pending_name(const Document& document) {
   if (!document.pending) return std::nullopt;
   const std::string& name = document.pending->sketch.name;
+  for (const articulation::Driver& driver : document.pending->drivers) {
+    if (rig::find_parameter(document.model->rig->parameters(), driver.control)) continue;
+    return base::Error{"the correction that is being sketched is drawn at a pose of \"" + driver.control + "\"", "",
+                       "complete or cancel it first"};
+  }
   if (!rig::find_parameter(document.model->rig->parameters(), name)) return std::nullopt;
   return base::Error{"the deformer that is being sketched has the name \"" + name + "\"", "",
                      "complete or cancel it first"};
@@ -56,9 +66,9 @@ std::string free_name(const Document& document) {
 base::Error not_yet(const char* what, const char* remedy) { return {what, "role", remedy}; }
 
 Document with_pending(const Document& document, Sketch sketch) {
-  Document changed = document;
-  changed.pending = std::make_shared<const PendingSketch>(PendingSketch{std::move(sketch)});
-  return changed;
+  std::vector<articulation::Driver> drivers;
+  if (document.pending) drivers = document.pending->drivers;
+  return with_pending(document, PendingSketch{std::move(sketch), std::move(drivers)});
 }
 
 /// Step 1 or 2 (method, section 3); a region that holds nothing is told at once.
@@ -68,6 +78,7 @@ Changed draw_region(const Document& document, Sketch sketch, const SketchCurve& 
     sketch.camera = command.view.camera;
     sketch.viewport = command.view.viewport;
     sketch.specific.clear();
+    sketch.piece = 0;
     sketch.reference.clear();
     sketch.reference_camera.reset();
   } else {
@@ -81,37 +92,47 @@ Changed draw_region(const Document& document, Sketch sketch, const SketchCurve& 
   }
   const auto camera = geometry::Camera::make(sketch.camera, sketch.viewport);
   if (!camera) return at("view", camera.error());
-  const auto canvas = work.canvas_of(document);
+  const auto canvas = pending_canvas(document, work);
   if (!canvas) return canvas.error();
   const auto surface = articulation::KeptSurface::make(sketch.surface, **canvas);
   if (!surface) return surface.error();
   (general ? sketch.general : sketch.specific) = command.line;
-  const auto region = general_region(**canvas, *camera, sketch.general, *surface);
+  if (sketch.rules >= articulation::k_ranged_rules) {
+    if (const auto whole = articulation::check_crossing(command.line); !whole) {
+      return at("line", at(general ? "general" : "core", whole.error()));
+    }
+  }
+  const auto region = general_region(**canvas, *camera, sketch.general, *surface, articulation::Borders::measured,
+                                     {sketch.reach, sketch.piece});
   if (!region) return at("line", region.error());
   if (!general) {
     const auto weights = specific_region(*region, sketch.specific);
+    if (!weights && geometry::Lasso::make(sketch.specific)) {
+      return at("line", at("core", core_outside(*region, sketch.specific)));
+    }
     if (!weights) return at("line", weights.error());
   }
   return with_pending(document, std::move(sketch));
 }
 
 Changed complete(const Document& document, const Sketch& sketch, Parts& work) {
+  if (document.pending && !document.pending->drivers.empty()) return with_correction(document, sketch);
   const auto canvas = work.canvas_of(document);
   if (!canvas) return canvas.error();
   auto deformer = build_deformer(sketch, **canvas);
   if (!deformer) return deformer.error();
   Document completed = document;
   completed.pending.reset();
-  return with_set(completed, with_added(*set_of(document), std::move(deformer).value()));
-}
-
-Changed rebuilt(const Document& document, std::size_t number, const Sketch& sketch, Parts& work) {
-  const auto canvas = work.canvas_of(document);
-  if (!canvas) return canvas.error();
-  return with_set(document, with_sketch(*set_of(document), number, sketch, **canvas));
+  return with_set(completed, with_added(*deformers_of(document), std::move(deformer).value()));
 }
 
 }  // namespace
+
+Changed with_deformer_from(const Document& document, std::size_t number, const Sketch& sketch, Parts& work) {
+  const auto canvas = work.canvas_of(document);
+  if (!canvas) return canvas.error();
+  return with_set(document, with_sketch(*deformers_of(document), number, sketch, **canvas));
+}
 
 std::vector<PxPoint> rescaled(const std::vector<PxPoint>& line, geometry::Viewport from, geometry::Viewport to) {
   if (from == to) return line;
@@ -146,6 +167,7 @@ Changed run(const Document& document, const BeginDeformer& command, Parts&) {
 }
 
 Changed run(const Document& document, const SketchCurve& command, Parts& work) {
+  if (const auto posed = check_pending_pose(document); !posed) return posed.error();
   Sketch sketch;
   if (document.pending) {
     sketch = document.pending->sketch;
@@ -169,7 +191,7 @@ Changed run(const Document& document, const SketchCurve& command, Parts& work) {
   auto drawn = redrawn(sketch, command.role, line, command.view.camera);
   if (!drawn) return drawn.error();
   if (command.role == CurveRole::target) return complete(document, *drawn, work);
-  const auto canvas = work.canvas_of(document);
+  const auto canvas = pending_canvas(document, work);
   if (!canvas) return canvas.error();
   const auto camera = geometry::Camera::make(command.view.camera, sketch.viewport);
   if (!camera) return at("view", camera.error());
@@ -192,7 +214,7 @@ Changed run(const Document& document, const CancelDeformer&, Parts&) {
 }
 
 Changed run(const Document& document, const RedrawCurve& command, Parts& work) {
-  const auto number = number_of(document, command.deformer);
+  const auto number = deformer_number(document, command.deformer);
   if (!number) return number.error();
   const Sketch& sketch = document.model->deformers->deformers()[*number]->sketch();
   if (const auto own = geometry::Camera::make(command.view.camera, command.view.viewport); !own) {
@@ -201,11 +223,11 @@ Changed run(const Document& document, const RedrawCurve& command, Parts& work) {
   auto drawn = redrawn(sketch, command.role, rescaled(command.line, command.view.viewport, sketch.viewport),
                        command.view.camera);
   if (!drawn) return drawn.error();
-  return rebuilt(document, *number, *drawn, work);
+  return with_deformer_from(document, *number, *drawn, work);
 }
 
 Changed run(const Document& document, const ChangeDeformer& command, Parts& work) {
-  const auto number = number_of(document, command.deformer);
+  const auto number = deformer_number(document, command.deformer);
   if (!number) return number.error();
   Sketch sketch = document.model->deformers->deformers()[*number]->sketch();
   if (command.mode) sketch.mode = *command.mode;
@@ -219,27 +241,43 @@ Changed run(const Document& document, const ChangeDeformer& command, Parts& work
     }
     sketch.other_sheet = *command.other_sheet;
   }
-  const bool moves_as_before = !command.mode && !command.surface && !command.other_sheet;
-  if (moves_as_before)
-    return with_set(document, with_range(*set_of(document), *number, sketch.minimum, sketch.maximum));
-  return rebuilt(document, *number, sketch, work);
+  if (command.reach) {
+    sketch.reach = *command.reach;
+    sketch.piece = 0;
+  }
+  if (command.piece) sketch.piece = *command.piece;
+  const bool moves_as_before =
+      !command.mode && !command.surface && !command.other_sheet && !command.reach && !command.piece;
+  // Both ends of the range of what is held together are mended, so that another range is another motion.
+  const bool ranged = sketch.rules >= articulation::k_held_rules && command.rules >= articulation::k_ranged_rules;
+  if (moves_as_before && !ranged)
+    return with_set(document, with_range(*deformers_of(document), *number, sketch.minimum, sketch.maximum));
+  return with_deformer_from(document, *number, sketch, work);
 }
 
 Changed run(const Document& document, const MirrorDeformer& command, Parts& work) {
-  const auto number = number_of(document, command.deformer);
+  const auto number = deformer_number(document, command.deformer);
   if (!number) return number.error();
   const auto canvas = work.canvas_of(document);
   if (!canvas) return canvas.error();
-  return with_set(document, with_mirrored(*set_of(document), *number, **canvas, command.to));
+  return with_set(document, with_mirrored(*deformers_of(document), *number, **canvas, command.to));
 }
 
 Changed run(const Document& document, const RenameDeformer& command, Parts&) {
-  const auto number = number_of(document, command.deformer);
+  const auto number = deformer_number(document, command.deformer);
   if (!number) return number.error();
-  const auto set = with_name(*set_of(document), *number, command.to);
+  const auto set = with_name(*deformers_of(document), *number, command.to);
   if (!set) return set.error();
   Model before = *document.model;
+  std::vector<articulation::CorrectionSketch> corrections = correction_sketches(before);
+  for (articulation::CorrectionSketch& one : corrections) {
+    for (articulation::Driver& driver : one.drivers) {
+      if (driver.control == command.deformer) driver.control = command.to;
+    }
+  }
+  before.corrections = nullptr;
   auto model = with_deformers(before, *set);
+  if (model && !corrections.empty()) model = with_corrections(std::move(*model), corrections);
   if (!model) return model.error();
   // The parameters keep their places, so that poses and animations fit as they are.
   model->pose = document.pose;
@@ -256,15 +294,15 @@ Changed run(const Document& document, const RenameDeformer& command, Parts&) {
 }
 
 Changed run(const Document& document, const DeleteDeformer& command, Parts&) {
-  const auto number = number_of(document, command.deformer);
+  const auto number = deformer_number(document, command.deformer);
   if (!number) return number.error();
-  return with_set(document, without(*set_of(document), *number));
+  return with_set(document, without(*deformers_of(document), *number));
 }
 
 Changed run(const Document& document, const MoveDeformer& command, Parts&) {
-  const auto number = number_of(document, command.deformer);
+  const auto number = deformer_number(document, command.deformer);
   if (!number) return number.error();
-  return with_set(document, moved(*set_of(document), *number, command.to));
+  return with_set(document, moved(*deformers_of(document), *number, command.to));
 }
 
 }  // namespace penpose::document

@@ -8,6 +8,7 @@
 #include "core/document/apply_parts.h"
 #include "core/document/moment.h"
 #include "core/document/pose_problem.h"
+#include "core/document/pulled_target.h"
 #include "core/document/target_line.h"
 #include "core/geometry/lasso.h"
 
@@ -211,6 +212,16 @@ Changed run(const Document& document, const DragTarget& command, Parts& work) {
   std::vector<PxPoint> line = target.line;
   for (PxPoint& p : line) p = p + command.by;
   return retargeted(document, **curve, target.view, line, target.pressure, command.rules, work);
+}
+
+Changed run(const Document& document, const PullTarget& command, Parts& work) {
+  const auto curve = reference_named(document, command.curve, true);
+  if (!curve) return curve.error();
+  auto pulled = pulled_target(*(*curve)->target, command);
+  if (!pulled) return pulled.error();
+  PoseCurve other = **curve;
+  other.target = std::move(pulled).value();
+  return solved_for(with_replaced(document, std::move(other)), command.curve, command.rules, work);
 }
 
 Changed run(const Document& document, const DrawConstraint& command, Parts& work) {

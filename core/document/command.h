@@ -12,6 +12,7 @@
 
 #include "core/articulation/edit.h"
 #include "core/articulation/sketch.h"
+#include "core/curve/bend.h"
 #include "core/document/pose_curve.h"
 #include "core/document/timeline.h"
 
@@ -159,6 +160,28 @@ struct DragTarget {
     visit("rules", self.rules);
   }
   friend bool operator==(const DragTarget&, const DragTarget&) = default;
+};
+
+/// Pulls a target at a place: what is near it along the line follows, less the farther (curve/bend.h); what does not
+/// follow stays to the bit. Then solves.
+struct PullTarget {
+  static constexpr std::string_view k_name = "pull_target";
+  CurveId curve;
+  View view;
+  PxPoint at;  ///< where it is held
+  PxPoint by;
+  double reach = curve::k_usual_reach;  ///< share of the line's length to either side; 0: the whole line
+  std::uint32_t rules = 0;              ///< as DrawTarget
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("curve", self.curve);
+    visit("view", self.view);
+    visit("at", self.at);
+    visit("by", self.by);
+    visit("reach", self.reach);
+    visit("rules", self.rules);
+  }
+  friend bool operator==(const PullTarget&, const PullTarget&) = default;
 };
 
 /// Draws a curve that should stay where it is now.
@@ -309,6 +332,99 @@ struct BeginDeformer {
   friend bool operator==(const BeginDeformer&, const BeginDeformer&) = default;
 };
 
+/// Begins a correction of the pose that several controls make together; its curves are drawn on the model so posed, as
+/// those of a deformer are at rest. Errors: fewer than two controls or more than eight away from rest, a control that
+/// no correction can follow.
+struct BeginCorrection {
+  static constexpr std::string_view k_name = "begin_correction";
+  std::string name;                 ///< empty: "correction N" with the first free N
+  std::vector<NamedValue> drivers;  ///< empty: all controls that are away from rest, as they are
+  articulation::Mode mode = articulation::Mode::automatic;
+  std::uint32_t rules = articulation::k_ranged_rules;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("name", self.name);
+    visit("drivers", self.drivers);
+    visit("mode", self.mode);
+    visit("rules", self.rules);
+  }
+  friend bool operator==(const BeginCorrection&, const BeginCorrection&) = default;
+};
+
+struct DeleteCorrection {
+  static constexpr std::string_view k_name = "delete_correction";
+  std::string correction;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("correction", self.correction);
+  }
+  friend bool operator==(const DeleteCorrection&, const DeleteCorrection&) = default;
+};
+
+/// What the first lasso of the deformer that was begun takes. Errors: none was begun; what general_region says.
+struct TakeRegion {
+  static constexpr std::string_view k_name = "take_region";
+  std::optional<articulation::Reach> reach = {};
+  std::optional<std::uint32_t> piece = {};  ///< of those inside the lasso, the nearest being 0
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("reach", self.reach);
+    visit("piece", self.piece);
+  }
+  friend bool operator==(const TakeRegion&, const TakeRegion&) = default;
+};
+
+/// Draws where the feature of a deformer is at a value other than 0 and 1: another target, or that one again. Errors: a
+/// value out of its range; those of build_deformer.
+struct DrawBetween {
+  static constexpr std::string_view k_name = "draw_between";
+  std::string deformer;
+  double value = 0.5;
+  View view;
+  std::vector<PxPoint> line;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("deformer", self.deformer);
+    visit("value", self.value);
+    visit("view", self.view);
+    visit("line", self.line);
+  }
+  friend bool operator==(const DrawBetween&, const DrawBetween&) = default;
+};
+
+struct DeleteBetween {
+  static constexpr std::string_view k_name = "delete_between";
+  std::string deformer;
+  double value = 0.5;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("deformer", self.deformer);
+    visit("value", self.value);
+  }
+  friend bool operator==(const DeleteBetween&, const DeleteBetween&) = default;
+};
+
+/// Pulls a target of a deformer at a place: what is near it along the line follows, less the farther (curve/bend.h).
+struct PullBetween {
+  static constexpr std::string_view k_name = "pull_between";
+  std::string deformer;
+  double value = 1;  ///< 1: its own target
+  View view;
+  PxPoint at;
+  PxPoint by;
+  double reach = curve::k_usual_reach;  ///< 0: the whole line
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("deformer", self.deformer);
+    visit("value", self.value);
+    visit("view", self.view);
+    visit("at", self.at);
+    visit("by", self.by);
+    visit("reach", self.reach);
+  }
+  friend bool operator==(const PullBetween&, const PullBetween&) = default;
+};
+
 /// Draws a curve of the deformer that was begun; the target completes it. Errors: no deformer was begun, a curve before
 /// its turn, the second region under another camera than the first; with the target those of build_deformer.
 struct SketchCurve {
@@ -351,8 +467,8 @@ struct RedrawCurve {
   friend bool operator==(const RedrawCurve&, const RedrawCurve&) = default;
 };
 
-/// Changes how a deformer moves, what it slides over, the sheet that its reference lies on, or its range; what is not
-/// given stays.
+/// Changes how a deformer moves, what it slides over, the sheet that its reference lies on, what its first lasso takes,
+/// or its range; what is not given stays.
 struct ChangeDeformer {
   static constexpr std::string_view k_name = "change_deformer";
   std::string deformer;
@@ -361,6 +477,9 @@ struct ChangeDeformer {
   std::optional<double> minimum;
   std::optional<double> maximum;
   std::optional<bool> other_sheet = {};  ///< the drawn reference goes over to the other sheet of the surface, or back
+  std::optional<articulation::Reach> reach = {};
+  std::optional<std::uint32_t> piece = {};
+  std::uint32_t rules = 0;  ///< from articulation::k_ranged_rules on: another range builds it again
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("deformer", self.deformer);
@@ -369,6 +488,9 @@ struct ChangeDeformer {
     visit("minimum", self.minimum);
     visit("maximum", self.maximum);
     visit("other_sheet", self.other_sheet);
+    visit("reach", self.reach);
+    visit("piece", self.piece);
+    visit("rules", self.rules);
   }
   friend bool operator==(const ChangeDeformer&, const ChangeDeformer&) = default;
 };
@@ -508,7 +630,8 @@ using Command =
                  DragTarget, DrawConstraint, Pin, KeepCurve, DeleteCurve, EraseCurves, ClearCurves, SolvePose,
                  SetPressureWeighting, NameCurve, DeleteNamedCurve, BeginDeformer, SketchCurve, CancelDeformer,
                  RedrawCurve, ChangeDeformer, MirrorDeformer, RenameDeformer, DeleteDeformer, MoveDeformer, SetKey,
-                 DeleteKey, MoveKey, SetKeyInterpolation, GoToTime, SaveView, DeleteView, SuggestRest, SetHand>;
+                 DeleteKey, MoveKey, SetKeyInterpolation, GoToTime, SaveView, DeleteView, SuggestRest, SetHand,
+                 BeginCorrection, DeleteCorrection, TakeRegion, DrawBetween, DeleteBetween, PullBetween, PullTarget>;
 
 /// The command's name in files.
 [[nodiscard]] inline std::string_view name_of(const Command& command) {

@@ -15,7 +15,8 @@ namespace penpose::document {
 
 /// A deformer whose four steps are not all drawn yet.
 struct PendingSketch {
-  articulation::Sketch sketch;  ///< curves are empty until they are drawn
+  articulation::Sketch sketch;                     ///< curves are empty until they are drawn
+  std::vector<articulation::Driver> drivers = {};  ///< of a correction: the pose that it is drawn at; else empty
   friend bool operator==(const PendingSketch&, const PendingSketch&) = default;
 };
 

@@ -61,6 +61,12 @@ base::Hash128 hash_deformers(const Document& document) {
   if (document.model->deformers) articulation::add_to_hash(hash, *document.model->deformers);
   hash.add(std::uint64_t{document.pending != nullptr});
   if (document.pending) articulation::add_to_hash(hash, document.pending->sketch);
+  if (document.model->corrections) {
+    for (const auto& one : document.model->corrections->all()) articulation::add_to_hash(hash, one->drawn);
+  }
+  if (document.pending && !document.pending->drivers.empty()) {
+    articulation::add_to_hash(hash, articulation::CorrectionSketch{{}, document.pending->drivers});
+  }
   return hash.digest();
 }
 

@@ -2,13 +2,60 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <utility>
 
 namespace penpose::document {
+namespace {
+
+using articulation::CorrectionSketch;
+
+/// Those that are there already are not built again where what they were drawn on is the same, to the bit.
+base::Result<Model> with_corrections(Model model, std::span<const CorrectionSketch> corrections,
+                                     const articulation::Corrections* known) {
+  std::vector<std::shared_ptr<const articulation::Correction>> built;
+  const auto in_place = [](std::size_t i, base::Error error) {
+    error.place = std::to_string(i) + (error.place.empty() ? "" : "/" + error.place);
+    return error;
+  };
+  for (std::size_t i = 0; i < corrections.size(); ++i) {
+    const CorrectionSketch& drawn = corrections[i];
+    if (rig::find_parameter(model.rig->parameters(), drawn.sketch.name)) {
+      return base::Error{"a control has the name \"" + drawn.sketch.name + "\" already", std::to_string(i) + "/name",
+                         "give the correction another name"};
+    }
+    auto canvas = make_posed_canvas(model, drawn.drivers);
+    if (!canvas) return in_place(i, canvas.error());
+    std::shared_ptr<const articulation::Correction> same;
+    for (std::size_t k = 0; known != nullptr && k < known->size(); ++k) {
+      const articulation::Correction& one = *known->all()[k];
+      const auto was = one.canvas->positions();
+      const auto is = (*canvas)->positions();
+      if (one.drawn == drawn && std::equal(was.begin(), was.end(), is.begin(), is.end())) same = known->all()[k];
+    }
+    if (!same) {
+      auto made = articulation::build_correction(drawn, *canvas);
+      if (!made) return in_place(i, made.error());
+      same = std::move(*made);
+    }
+    built.push_back(std::move(same));
+    auto layer = articulation::Corrections::make(built, model.rig->parameters());
+    if (!layer) return layer.error();
+    auto made = make_model(model.mesh, model.shapes, model.skeleton, model.deformers, *layer);
+    if (!made) return made;
+    model.corrections = made->corrections;
+    model.rig = made->rig;
+  }
+  return model;
+}
+
+}  // namespace
 
 base::Result<Model> make_model(std::shared_ptr<const mesh::TriangleMesh> mesh,
                                std::shared_ptr<const rig::BlendShapes> shapes,
                                std::shared_ptr<const rig::Skeleton> skeleton,
-                               std::shared_ptr<const articulation::SketchedDeformers> deformers) {
+                               std::shared_ptr<const articulation::SketchedDeformers> deformers,
+                               std::shared_ptr<const articulation::Corrections> corrections) {
   if (shapes && shapes->vertex_count() != mesh->vertex_count()) {
     return base::Error{"the blend shapes are for another number of vertices", "", "make them for this mesh"};
   }
@@ -16,6 +63,8 @@ base::Result<Model> make_model(std::shared_ptr<const mesh::TriangleMesh> mesh,
   std::vector<std::shared_ptr<const rig::DisplacementLayer>> layers;
   if (shapes) layers.push_back(shapes);
   if (deformers) layers.push_back(deformers);
+  if (corrections && corrections->size() == 0) corrections.reset();
+  if (corrections) layers.push_back(corrections);
   auto rig = rig::CharacterRig::make(mesh, std::move(layers), skeleton);
   if (!rig) return rig.error();
   Model model;
@@ -23,6 +72,7 @@ base::Result<Model> make_model(std::shared_ptr<const mesh::TriangleMesh> mesh,
   model.mesh = std::move(mesh);
   model.shapes = std::move(shapes);
   model.deformers = std::move(deformers);
+  model.corrections = std::move(corrections);
   model.skeleton = std::move(skeleton);
   model.rig = std::move(rig).value();
   model.pose = rig::rest_pose(*model.rig);
@@ -64,7 +114,63 @@ base::Result<Model> with_controls(Model model, std::shared_ptr<const rig::BlendS
   made->curves = std::move(model.curves);
   made->animations = std::move(model.animations);
   made->notes = std::move(model.notes);
-  return made;
+  if (!model.corrections) return made;
+  std::vector<CorrectionSketch> kept = correction_sketches(model);
+  std::erase_if(kept, [&](const CorrectionSketch& one) {
+    return std::any_of(one.drivers.begin(), one.drivers.end(), [&](const articulation::Driver& driver) {
+      return !rig::find_parameter(parameters, driver.control);
+    });
+  });
+  auto corrected = with_corrections(std::move(made).value(), kept, model.corrections.get());
+  if (corrected) return corrected;
+  base::Error error = corrected.error();
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < error.place.size() && error.place[i] >= '0' && error.place[i] <= '9'; ++i) {
+    number = 10 * number + static_cast<std::size_t>(error.place[i] - '0');
+  }
+  const std::string name = number < kept.size() ? kept[number].sketch.name : kept.front().sketch.name;
+  return base::Error{"the correction \"" + name + "\" does not fit any more: " + error.what, "",
+                     "delete the correction first"};
+}
+
+base::Result<Model> with_corrections(Model model, std::span<const CorrectionSketch> corrections) {
+  auto bare = make_model(model.mesh, model.shapes, model.skeleton, model.deformers);
+  if (!bare) return bare;
+  const auto known = std::exchange(model.corrections, nullptr);
+  model.rig = bare->rig;
+  return with_corrections(std::move(model), corrections, known.get());
+}
+
+std::vector<CorrectionSketch> correction_sketches(const Model& model) {
+  std::vector<CorrectionSketch> sketches;
+  if (!model.corrections) return sketches;
+  for (const auto& one : model.corrections->all()) sketches.push_back(one->drawn);
+  return sketches;
+}
+
+base::Result<std::shared_ptr<const articulation::Canvas>> make_posed_canvas(
+    const Model& model, std::span<const articulation::Driver> drivers) {
+  rig::Pose pose = rig::rest_pose(*model.rig);
+  const std::size_t weights = weight_count(model);
+  for (std::size_t i = 0; i < drivers.size(); ++i) {
+    const auto parameter = rig::find_parameter(model.rig->parameters(), drivers[i].control);
+    const std::string place = "drivers/" + std::to_string(i);
+    if (!parameter) {
+      return base::Error{"there is no control \"" + drivers[i].control + "\"", place, "look at the names in the model"};
+    }
+    if (*parameter >= weights) {
+      return base::Error{"\"" + drivers[i].control + "\" turns a joint, which brings in no correction", place,
+                         "put joints at rest and correct what shapes and sketched controls do"};
+    }
+    pose[*parameter] = drivers[i].value;
+  }
+  std::vector<geometry::ModelVector> moves(model.mesh->vertex_count(), geometry::ModelVector{0});
+  const std::span<const double> values(pose);
+  const std::size_t shapes = model.shapes ? model.shapes->parameters().size() : 0;
+  if (model.shapes) model.shapes->add(values.first(shapes), moves);
+  if (model.deformers) model.deformers->add(values.subspan(shapes, model.deformers->size()), moves);
+  if (model.corrections) model.corrections->add(values, moves);
+  return articulation::Canvas::make_posed(model.mesh, model.skeleton.get(), moves);
 }
 
 base::Result<Model> with_deformers(Model model, std::shared_ptr<const articulation::SketchedDeformers> deformers) {

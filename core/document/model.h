@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/articulation/canvas.h"
+#include "core/articulation/corrections.h"
 #include "core/articulation/sketched_deformers.h"
 #include "core/base/result.h"
 #include "core/base/state_hash.h"
@@ -58,6 +59,7 @@ struct Model {
   std::vector<Material> materials;                                   ///< one a part, in the order of the parts
   std::shared_ptr<const rig::BlendShapes> shapes;                    ///< null: none
   std::shared_ptr<const articulation::SketchedDeformers> deformers;  ///< null: none
+  std::shared_ptr<const articulation::Corrections> corrections;      ///< of the combinations of both; null: none
   std::shared_ptr<const rig::Skeleton> skeleton;                     ///< null: none
   std::shared_ptr<const rig::CharacterRig> rig;                      ///< the sum of all, parameters in this order
   rig::Pose pose;                                                    ///< one value a parameter of the rig
@@ -71,15 +73,28 @@ struct Model {
 [[nodiscard]] base::Result<Model> make_model(std::shared_ptr<const mesh::TriangleMesh> mesh,
                                              std::shared_ptr<const rig::BlendShapes> shapes,
                                              std::shared_ptr<const rig::Skeleton> skeleton,
-                                             std::shared_ptr<const articulation::SketchedDeformers> deformers = {});
+                                             std::shared_ptr<const articulation::SketchedDeformers> deformers = {},
+                                             std::shared_ptr<const articulation::Corrections> corrections = {});
 
 /// The model with other blend shapes and sketched deformers (null: none). Pose and animations are kept by the names of
-/// the parameters; new ones are at rest. Errors: those of make_model, such as a name that there are two of.
+/// the parameters; new ones are at rest. Corrections are built again where what they were drawn on has changed, and go
+/// with any of the controls that brought them in. Errors: those of make_model, such as a name that there are two of; a
+/// correction that does not fit any more (place: "correction NAME").
 [[nodiscard]] base::Result<Model> with_controls(Model model, std::shared_ptr<const rig::BlendShapes> shapes,
                                                 std::shared_ptr<const articulation::SketchedDeformers> deformers);
 /// The model with other sketched deformers and the blend shapes that it has.
 [[nodiscard]] base::Result<Model> with_deformers(Model model,
                                                  std::shared_ptr<const articulation::SketchedDeformers> deformers);
+/// The model with these corrections and no others. Each is built on the model as the ones before it have it. Errors
+/// (place "N/..."): those of build_correction and Corrections::make; a name that a control has.
+[[nodiscard]] base::Result<Model> with_corrections(Model model,
+                                                   std::span<const articulation::CorrectionSketch> corrections);
+/// What a correction at a pose of these controls is drawn on: all others at rest. Errors (place "drivers/N"): no such
+/// control, or one that is a joint's.
+[[nodiscard]] base::Result<std::shared_ptr<const articulation::Canvas>> make_posed_canvas(
+    const Model& model, std::span<const articulation::Driver> drivers);
+[[nodiscard]] std::vector<articulation::CorrectionSketch> correction_sketches(const Model& model);
+
 /// What strokes are drawn on.
 [[nodiscard]] base::Result<std::shared_ptr<const articulation::Canvas>> make_canvas(const Model& model);
 /// Number of parameters that are weights in an animation: blend shapes and deformers.

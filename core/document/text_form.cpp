@@ -43,6 +43,8 @@ using articulation::Mode;
 constexpr std::array<std::pair<Mode, std::string_view>, 3> k_modes{
     {{Mode::automatic, "auto"}, {Mode::translate, "translate"}, {Mode::rotate, "rotate"}}};
 using Role = articulation::CurveRole;
+constexpr std::array<std::pair<articulation::Reach, std::string_view>, 2> k_reaches{
+    {{articulation::Reach::through, "through"}, {articulation::Reach::front, "front"}}};
 constexpr std::array<std::pair<Role, std::string_view>, 4> k_roles{{{Role::general, "general"},
                                                                     {Role::specific, "specific"},
                                                                     {Role::reference, "reference"},
@@ -229,6 +231,12 @@ void TextForm<articulation::CurveRole>::write(std::string& out, articulation::Cu
 }
 std::optional<articulation::CurveRole> TextForm<articulation::CurveRole>::read(std::string_view text) {
   return read_enum<Role>(text, k_roles);
+}
+void TextForm<articulation::Reach>::write(std::string& out, articulation::Reach value) {
+  write_enum<articulation::Reach>(out, value, k_reaches);
+}
+std::optional<articulation::Reach> TextForm<articulation::Reach>::read(std::string_view text) {
+  return read_enum<articulation::Reach>(text, k_reaches);
 }
 void TextForm<KeyInterpolation>::write(std::string& out, KeyInterpolation value) {
   write_enum<KeyInterpolation>(out, value, k_interpolations);

@@ -79,6 +79,11 @@ struct TextForm<articulation::CurveRole> {
   static std::optional<articulation::CurveRole> read(std::string_view text);
 };
 template <>
+struct TextForm<articulation::Reach> {
+  static void write(std::string& out, articulation::Reach value);
+  static std::optional<articulation::Reach> read(std::string_view text);
+};
+template <>
 struct TextForm<KeyInterpolation> {
   static void write(std::string& out, KeyInterpolation value);
   static std::optional<KeyInterpolation> read(std::string_view text);

@@ -12,7 +12,7 @@ namespace penpose::document {
 
 template <>
 struct TextForm<drawing::ToolKind> {
-  static constexpr std::array<std::pair<drawing::ToolKind, std::string_view>, 10> k_names{
+  static constexpr std::array<std::pair<drawing::ToolKind, std::string_view>, 11> k_names{
       {{drawing::ToolKind::pose, "pose"},
        {drawing::ToolKind::reference, "reference"},
        {drawing::ToolKind::target, "target"},
@@ -22,7 +22,8 @@ struct TextForm<drawing::ToolKind> {
        {drawing::ToolKind::articulate, "articulate"},
        {drawing::ToolKind::redraw, "redraw"},
        {drawing::ToolKind::erase, "erase"},
-       {drawing::ToolKind::none, "none"}}};
+       {drawing::ToolKind::none, "none"},
+       {drawing::ToolKind::between, "between"}}};
   static void write(std::string& out, drawing::ToolKind value) {
     for (const auto& [kind, name] : k_names) {
       if (kind == value) out += name;
@@ -130,6 +131,8 @@ base::Result<document::Command> command_of(const Document& document, const Tool&
       return Command(document::SketchCurve{next_step(document, tool), view, std::move(line), tool.rules});
     case ToolKind::redraw:
       return Command(document::RedrawCurve{tool.deformer, tool.role, view, std::move(line)});
+    case ToolKind::between:
+      return Command(document::DrawBetween{tool.deformer, tool.value, view, std::move(line)});
     case ToolKind::erase:
     case ToolKind::none:
       break;

@@ -22,7 +22,8 @@ enum class ToolKind : std::uint8_t {
   articulate,  ///< the curves of a deformer in their order
   redraw,      ///< one curve of a deformer that exists
   erase,
-  none,  ///< strokes do nothing
+  none,     ///< strokes do nothing
+  between,  ///< another target of a deformer, at `value`
 };
 
 /// The newest rules. 1: a tap draws nothing; where a target is drawn over the rest of it stays where it is. 2: poses
@@ -35,8 +36,9 @@ struct Tool {
   ToolKind kind = ToolKind::pose;
   document::CurveId curve;      ///< for target and oversketch; null: chosen by the rule of the kind
   bool draw_reference = false;  ///< articulate: the reference is drawn and not inferred
-  std::string deformer;         ///< redraw: of which deformer
+  std::string deformer;         ///< redraw, between: of which deformer
   articulation::CurveRole role = articulation::CurveRole::target;  ///< redraw: which of its curves
+  double value = 0.5;                                              ///< between: at which value
   std::uint32_t rules = 0;  ///< what strokes mean; sessions replay by the rules under which they were drawn
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
@@ -46,6 +48,7 @@ struct Tool {
     visit("deformer", self.deformer);
     visit("role", self.role);
     visit("rules", self.rules);
+    visit("value", self.value);
   }
   friend bool operator==(const Tool&, const Tool&) = default;
 };

@@ -60,16 +60,19 @@ struct TriangleBvh::Builder {
   static constexpr std::uint32_t k_deepest_costed_level = 40;
 
   TriangleBvh& bvh;
+  Build build;
   std::vector<FloatBox> boxes;
   std::vector<Float4> centroids;
   std::vector<std::uint32_t> order;
+  std::vector<std::uint32_t> aside;  ///< scratch of `parted`
   std::vector<Binary> tree;
 
-  Builder(TriangleBvh& target, std::span<const glm::vec3> positions) : bvh(target) {
+  Builder(TriangleBvh& target, std::span<const glm::vec3> positions, Build how) : bvh(target), build(how) {
     const std::size_t count = bvh.triangles_.size();
     boxes.resize(count);
     centroids.resize(count);
     order.resize(count);
+    aside.resize(count);
     std::iota(order.begin(), order.end(), 0U);
     for (std::size_t t = 0; t < count; ++t) {
       for (const std::uint32_t v : bvh.triangles_[t]) boxes[t].add(load(positions[v]));
@@ -111,6 +114,7 @@ struct TriangleBvh::Builder {
     FloatBox spread;
     for (std::uint32_t i = node.begin; i < node.end; ++i) spread.add(centroids[order[i]]);
     const Float4 size = spread.maximum - spread.minimum;
+    if (build == Build::quick) return split_quickly(node, spread);
     std::size_t best_axis = 3;
     std::size_t best_bin = 0;
     float best_cost = k_infinity;
@@ -146,16 +150,43 @@ struct TriangleBvh::Builder {
         }
       }
     }
-    const auto first = order.begin() + node.begin;
-    const auto last = order.begin() + node.end;
     if (best_axis < 3) {
       const float scale = static_cast<float>(k_bins) / size[best_axis];
-      const auto middle = std::stable_partition(first, last, [&](std::uint32_t t) {
+      const std::uint32_t middle = parted(node, [&](std::uint32_t t) {
         return bin_of(centroids[t][best_axis], spread.minimum[best_axis], scale) <= best_bin;
       });
-      if (middle != first && middle != last) return static_cast<std::uint32_t>(middle - order.begin());
+      if (middle != node.begin && middle != node.end) return middle;
     }
     return node.begin + count / 2;  // all centroids in one place: any halves do
+  }
+
+  /// Half-way along the longest side of the centroids' box.
+  std::uint32_t split_quickly(const Binary& node, const FloatBox& spread) {
+    const std::uint32_t half = node.begin + (node.end - node.begin) / 2;
+    const Float4 size = spread.maximum - spread.minimum;
+    const std::size_t axis = size[0] > size[1] ? (size[0] > size[2] ? 0 : 2) : (size[1] > size[2] ? 1 : 2);
+    if (!(size[axis] > 0.0F) || node.level > k_deepest_costed_level) return half;
+    const float at = (spread.minimum[axis] + spread.maximum[axis]) * 0.5F;
+    const std::uint32_t middle = parted(node, [&](std::uint32_t t) { return centroids[t][axis] <= at; });
+    return middle != node.begin && middle != node.end ? middle : half;
+  }
+
+  /// Brings those of the run to its front that are wanted there; either part keeps its order. Returns where the other
+  /// part begins.
+  template <typename Wanted>
+  std::uint32_t parted(const Binary& node, const Wanted& wanted) {
+    std::uint32_t front = node.begin;
+    std::size_t behind = 0;
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      const std::uint32_t t = order[i];
+      if (wanted(t)) {
+        order[front++] = t;
+      } else {
+        aside[behind++] = t;
+      }
+    }
+    std::copy_n(aside.begin(), behind, order.begin() + front);
+    return front;
   }
 
   static std::size_t bin_of(float value, float minimum, float scale) {
@@ -164,30 +195,30 @@ struct TriangleBvh::Builder {
 
   /// Makes a node of the subtree: opens the child with the largest surface until there are four. Returns its number.
   std::uint32_t fold(std::uint32_t root) {
-    std::vector<std::uint32_t> children;
-    if (tree[root].left == 0) {
-      children = {root};
-    } else {
+    std::array<std::uint32_t, 4> children{root};
+    std::size_t count = 1;
+    if (tree[root].left != 0) {
       children = {tree[root].left, tree[root].right};
+      count = 2;
     }
-    while (children.size() < 4) {
-      std::size_t widest = children.size();
-      for (std::size_t i = 0; i < children.size(); ++i) {
+    while (count < 4) {
+      std::size_t widest = count;
+      for (std::size_t i = 0; i < count; ++i) {
         const Binary& child = tree[children[i]];
-        if (child.left != 0 && (widest == children.size() || child.box.area() > tree[children[widest]].box.area()))
-          widest = i;
+        if (child.left != 0 && (widest == count || child.box.area() > tree[children[widest]].box.area())) widest = i;
       }
-      if (widest == children.size()) break;
-      const Binary opened = tree[children[widest]];
-      children[widest] = opened.left;
-      children.insert(children.begin() + static_cast<std::ptrdiff_t>(widest) + 1, opened.right);
+      if (widest == count) break;
+      const std::uint32_t opened = children[widest];
+      children[widest] = tree[opened].left;
+      for (std::size_t i = count++; i > widest + 1; --i) children[i] = children[i - 1];
+      children[widest + 1] = tree[opened].right;
     }
     const auto number = static_cast<std::uint32_t>(bvh.nodes_.size());
     bvh.nodes_.emplace_back();
     std::array<std::uint32_t, 4> child{};
     child.fill(k_empty);
-    for (std::size_t i = 0; i < children.size(); ++i) {
-      const Binary binary = tree[children[i]];
+    for (std::size_t i = 0; i < count; ++i) {
+      const Binary& binary = tree[children[i]];
       child[i] = binary.left == 0 ? k_leaf | make_block(binary) : fold(children[i]);
     }
     bvh.nodes_[number].child = child;
@@ -266,12 +297,13 @@ void TriangleBvh::test_block(const Block& block, Query& q) {
   }
 }
 
-TriangleBvh::TriangleBvh(std::span<const glm::vec3> positions, std::span<const std::array<std::uint32_t, 3>> triangles)
+TriangleBvh::TriangleBvh(std::span<const glm::vec3> positions, std::span<const std::array<std::uint32_t, 3>> triangles,
+                         Build build)
     : triangles_(triangles.begin(), triangles.end()), slot_of_(triangles.size(), 0) {
   if (triangles_.empty()) return;
   nodes_.reserve(triangles_.size() / 6 + 1);
   blocks_.reserve(triangles_.size() / 2 + 1);
-  Builder builder(*this, positions);
+  Builder builder(*this, positions, build);
   refit(positions);
 }
 

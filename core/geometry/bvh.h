@@ -28,8 +28,11 @@ class TriangleBvh {
  public:
   static constexpr std::uint32_t k_no_hint = 0xffffffffU;
 
+  /// For many rays, or quickly for those of one stroke. The answers are the same.
+  enum class Build : std::uint8_t { careful, quick };
   /// Precondition: every index is below positions.size(); the positions are finite.
-  TriangleBvh(std::span<const glm::vec3> positions, std::span<const std::array<std::uint32_t, 3>> triangles);
+  TriangleBvh(std::span<const glm::vec3> positions, std::span<const std::array<std::uint32_t, 3>> triangles,
+              Build build = Build::careful);
 
   /// Updates all boxes. Precondition: as many positions as at the start.
   void refit(std::span<const glm::vec3> positions);

@@ -99,6 +99,21 @@ void weld_seams(const MeshSource& source, std::vector<std::uint32_t>& weld) {
   for (std::uint32_t v = 0; v < weld.size(); ++v) weld[v] = find_root(joined, v);
 }
 
+/// The edges of one vertex: by insertion while they are few, which needs no memory.
+void sort_run(std::span<EdgeUse> run) {
+  constexpr std::size_t k_few = 32;
+  const auto before = [](const EdgeUse& a, const EdgeUse& b) {
+    return a.high != b.high ? a.high < b.high : a.triangle < b.triangle;
+  };
+  if (run.size() > k_few) return std::stable_sort(run.begin(), run.end(), before);
+  for (std::size_t i = 1; i < run.size(); ++i) {
+    const EdgeUse edge = run[i];
+    std::size_t k = i;
+    for (; k > 0 && before(edge, run[k - 1]); --k) run[k] = run[k - 1];
+    run[k] = edge;
+  }
+}
+
 }  // namespace
 
 std::vector<EdgeUse> sorted_edges(std::span<const Triangle> triangles, std::size_t vertex_count) {
@@ -118,9 +133,7 @@ std::vector<EdgeUse> sorted_edges(std::span<const Triangle> triangles, std::size
   std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
   each_edge([&](const EdgeUse& edge) { edges[next[edge.low]++] = edge; });
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    std::stable_sort(edges.begin() + start[v], edges.begin() + start[v + 1], [](const EdgeUse& a, const EdgeUse& b) {
-      return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle);
-    });
+    sort_run(std::span(edges).subspan(start[v], start[v + 1] - start[v]));
   }
   return edges;
 }

@@ -1,6 +1,7 @@
 #include "core/model_io/glb_targets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "core/model_io/deformer_sample.h"
@@ -12,13 +13,33 @@ GlbTargets::GlbTargets(const document::Model& model, double tolerance)
   if (model.shapes) {
     for (const rig::BlendShape& shape : model.shapes->shapes()) targets_.push_back(&shape);
   }
-  if (!model.deformers) return;
+  if (!model.deformers) {
+    add_corrections(model);
+    return;
+  }
   samples_.reserve(model.deformers->size());
   for (const auto& deformer : model.deformers->deformers()) {
     samples_.push_back(sample_deformer(*deformer));
     targets_.push_back(&samples_.back());
   }
   bake(model, tolerance);
+  add_corrections(model);
+}
+
+void GlbTargets::add_corrections(const document::Model& model) {
+  if (!model.corrections) return;
+  amounts_ = model.corrections;
+  std::set<std::string> taken;
+  for (const rig::BlendShape* target : targets_) taken.insert(target->parameter.name);
+  for (const auto& one : model.corrections->all()) {
+    rig::BlendShape& shape = corrections_.emplace_back();
+    shape.parameter.name = one->drawn.sketch.name;
+    // A target that baking made may have been given that name.
+    while (!taken.insert(shape.parameter.name).second) shape.parameter.name += "~";
+    shape.vertices = one->vertices;
+    for (const geometry::ModelVector& move : one->moves) shape.deltas.emplace_back(move);
+  }
+  for (const rig::BlendShape& shape : corrections_) targets_.push_back(&shape);
 }
 
 void GlbTargets::bake(const document::Model& model, double tolerance) {
@@ -47,6 +68,7 @@ std::vector<double> GlbTargets::weights(std::span<const double> values) const {
   for (const Place& place : places_) {
     weights.push_back(baked_[place.deformer].weight(place.target, values[place.parameter]));
   }
+  for (std::size_t i = 0; i < corrections_.size(); ++i) weights.push_back(amounts_->amount(i, values));
   return weights;
 }
 
@@ -58,6 +80,21 @@ std::vector<double> GlbTargets::tangents(std::span<const double> tangents, std::
     const double at = values[place.parameter];
     const double slope = (baked.weight(place.target, at + step) - baked.weight(place.target, at - step)) / (2 * step);
     all.push_back(slope * tangents[place.parameter]);
+  }
+  constexpr double k_step = 1e-4;
+  std::vector<double> there(values.begin(), values.end());
+  for (std::size_t i = 0; i < corrections_.size(); ++i) {
+    double slope = 0;
+    for (const auto& lever : amounts_->levers(i)) {
+      const double at = values[lever.parameter];
+      const double step = k_step * std::abs(lever.value - lever.rest);
+      there[lever.parameter] = at + step;
+      const double after = amounts_->amount(i, there);
+      there[lever.parameter] = at - step;
+      slope += (after - amounts_->amount(i, there)) / (2 * step) * tangents[lever.parameter];
+      there[lever.parameter] = at;
+    }
+    all.push_back(slope);
   }
   return all;
 }

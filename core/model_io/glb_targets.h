@@ -10,7 +10,8 @@
 namespace penpose::model_io {
 
 /// The morph targets that a file needs to show a model: its blend shapes, a sample of each deformer at amount 1, and
-/// what baking adds to the samples (baked_deformer.h), in this order. Neither copied nor moved: `all` points into it.
+/// what baking adds to the samples (baked_deformer.h) and the corrections, whose weights follow from those of others,
+/// in this order. Neither copied nor moved: `all` points into it.
 class GlbTargets {
  public:
   /// `tolerance`: of baking, share of the model's size. A quarter of it is left to keys (dense_keys.h). The model must
@@ -21,7 +22,7 @@ class GlbTargets {
 
   [[nodiscard]] std::span<const rig::BlendShape* const> all() const { return targets_; }
   /// Blend shapes and samples: the targets whose weights are the model's own parameters.
-  [[nodiscard]] std::size_t own_count() const { return targets_.size() - places_.size(); }
+  [[nodiscard]] std::size_t own_count() const { return targets_.size() - made_count(); }
   /// Names of the targets that baking made, one list a deformer.
   [[nodiscard]] const std::vector<std::vector<std::string>>& baked_names() const { return names_; }
   /// The diagonal of the model at rest.
@@ -37,6 +38,9 @@ class GlbTargets {
   [[nodiscard]] std::vector<double> tangents(std::span<const double> tangents, std::span<const double> values) const;
 
  private:
+  [[nodiscard]] std::size_t made_count() const { return places_.size() + corrections_.size(); }
+  void add_corrections(const document::Model& model);
+
   /// Where a target that baking made comes from.
   struct Place {
     std::size_t parameter;
@@ -46,7 +50,9 @@ class GlbTargets {
   void bake(const document::Model& model, double tolerance);
 
   std::vector<rig::BlendShape> samples_;
-  std::vector<BakedDeformer> baked_;  ///< one a deformer
+  std::vector<rig::BlendShape> corrections_;
+  std::shared_ptr<const articulation::Corrections> amounts_;  ///< of those
+  std::vector<BakedDeformer> baked_;                          ///< one a deformer
   std::vector<Place> places_;
   std::vector<std::vector<std::string>> names_;
   std::vector<const rig::BlendShape*> targets_;

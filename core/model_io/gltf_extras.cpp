@@ -169,6 +169,15 @@ base::Result<RootExtras> read_root_extras(const Json& document) {
     return read_sketch(value, at, std::nullopt, out);
   };
   if (auto error = read_list(*own, "deformers", pointer, read_deformer, extras.deformers)) return *error;
+  const Json* corrections = find(*own, "corrections");
+  if (corrections != nullptr && corrections->size() > k_most_corrections) {
+    return wrong("a model has at most 100 corrections", child(pointer, "corrections"));
+  }
+  const auto read_correction = [](const Json& value, const std::string& at, articulation::CorrectionSketch& out) {
+    auto error = read_sketch(value, at, std::nullopt, out.sketch);
+    return error ? error : read_drivers(value, at, out.drivers);
+  };
+  if (auto error = read_list(*own, "corrections", pointer, read_correction, extras.corrections)) return *error;
   const auto read_names = [](const Json& value, const std::string& at,
                              std::vector<std::string>& out) -> std::optional<base::Error> {
     if (!value.is_array()) return wrong("a list of names was expected", at);
@@ -229,6 +238,11 @@ Json write_root_extras(const document::Model& model, const std::vector<std::vect
     own["deformers"] = std::move(deformers);
     const bool any = std::any_of(baked.begin(), baked.end(), [](const auto& names) { return !names.empty(); });
     if (any) own["baked"] = baked;
+  }
+  if (model.corrections) {
+    for (const auto& one : model.corrections->all()) {
+      own["corrections"].push_back(to_json(one->drawn, Viewports::each));
+    }
   }
   for (const OneWayName& one : one_way) own["one_way"].push_back({one.name, one.target, one.factor});
   if (!model.curves.empty()) {

@@ -21,7 +21,7 @@ inline constexpr std::int64_t k_extras_version = 2;  ///< 1 had no "project"
 /// Root: {"version": 2, "shapes": [{"name", "rest", "minimum", "maximum"}], "curves": [{"name", "points": [[triangle,
 /// b0, b1, b2], ...]}], "deformers": [a deformer as sketch files have it, with its own "viewport", ...]}. Deformers are
 /// also morph targets of their names, sampled at amount 1, after those of the shapes, and "baked": [[NAME, ...], ...]
-/// names those that show the rest of each (baked_deformer.h).
+/// names those that show the rest of each (baked_deformer.h). "corrections": [a deformer with its "drivers", ...].
 /// A target that takes a part of the weight of another.
 struct OneWayName {
   std::string name;
@@ -35,6 +35,7 @@ struct RootExtras {
   std::vector<document::NamedCurve> curves;
   std::vector<articulation::Sketch> deformers;
   std::vector<OneWayName> one_way;
+  std::vector<articulation::CorrectionSketch> corrections;  ///< also morph targets of their names, behind "baked"
   std::vector<std::vector<std::string>> baked;  ///< one list a deformer: targets that only show it to other programs
 };
 

@@ -263,9 +263,11 @@ Problem read_pending(const Json& project, const std::string& pointer, Document& 
     const Json& text = (*pending)[i];
     const auto command = document::parse_command(text.is_string() ? text.get<std::string>() : std::string());
     if (!command) return wrong(command.error().what, child(here, i));
-    const bool begins = std::holds_alternative<document::BeginDeformer>(*command);
+    const bool begins = std::holds_alternative<document::BeginDeformer>(*command) ||
+                        std::holds_alternative<document::BeginCorrection>(*command);
     const auto* draws = std::get_if<document::SketchCurve>(&*command);
-    const bool fits = i == 0 ? begins : draws != nullptr && draws->role != articulation::CurveRole::target;
+    const bool takes = std::holds_alternative<document::TakeRegion>(*command);
+    const bool fits = i == 0 ? begins : takes || (draws != nullptr && draws->role != articulation::CurveRole::target);
     if (!fits) return wrong("the beginning of a deformer and its first curves were expected", child(here, i));
     auto changed = document::apply(out, *command, work);
     if (!changed) return wrong(changed.error().what, child(here, i));
@@ -308,13 +310,23 @@ Json to_json(const PoseCurve& curve) {
   return out;
 }
 
-Json pending_commands(const articulation::Sketch& sketch) {
+Json pending_commands(const document::PendingSketch& pending) {
+  const articulation::Sketch& sketch = pending.sketch;
   using articulation::CurveRole;
   Json commands = Json::array();
   const auto add = [&](const document::Command& command) { commands.push_back(document::to_text(command)); };
-  add(document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum, sketch.maximum, sketch.rules});
+  if (pending.drivers.empty()) {
+    add(document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum, sketch.maximum,
+                                sketch.rules});
+  } else {
+    document::BeginCorrection begin{sketch.name, {}, sketch.mode, sketch.rules};
+    for (const articulation::Driver& one : pending.drivers) begin.drivers.push_back({one.control, one.value});
+    add(begin);
+  }
   const document::View view{sketch.camera, sketch.viewport};
+  if (sketch.reach != articulation::Reach::through) add(document::TakeRegion{sketch.reach, {}});
   if (!sketch.general.empty()) add(document::SketchCurve{CurveRole::general, view, sketch.general});
+  if (sketch.piece != 0) add(document::TakeRegion{{}, sketch.piece});
   if (!sketch.specific.empty()) add(document::SketchCurve{CurveRole::specific, view, sketch.specific});
   if (!sketch.reference.empty()) {
     const document::View own{sketch.reference_camera.value_or(sketch.camera), sketch.viewport};
@@ -346,7 +358,7 @@ Json project_to_json(const Document& document) {
     views.push_back({{"name", named->name}, {"view", document::to_text(named->view)}});
   }
   project["views"] = std::move(views);
-  if (document.pending) project["pending"] = pending_commands(document.pending->sketch);
+  if (document.pending) project["pending"] = pending_commands(*document.pending);
   return project;
 }
 

@@ -69,6 +69,23 @@ void put_together(const OneWayName& one, GltfShapes& shapes, std::vector<documen
   }
 }
 
+/// Builds the corrections of a file again. One that does not fit any more, or whose controls are gone, is left out with
+/// a note.
+void add_corrections(const RootExtras& root, document::Model& model) {
+  std::vector<articulation::CorrectionSketch> kept;
+  for (const articulation::CorrectionSketch& one : root.corrections) {
+    kept.push_back(one);
+    auto made = document::with_corrections(model, kept);
+    if (made) {
+      model = std::move(made).value();
+      continue;
+    }
+    kept.pop_back();
+    model.notes.push_back("correction " + one.sketch.name +
+                          " cannot be built again from its strokes and was left out: " + made.error().what);
+  }
+}
+
 base::Result<document::Model> read_opened(GltfDocument& document) {
   const auto root = read_root_extras(document.json);
   if (!root) return root.error();
@@ -114,6 +131,11 @@ base::Result<document::Model> read_opened(GltfDocument& document) {
         not_shapes.push_back(name);
     }
   }
+  for (const articulation::CorrectionSketch& one : root->corrections) {
+    const bool free = shape_named(*shapes, one.sketch.name) &&
+                      std::find(not_shapes.begin(), not_shapes.end(), one.sketch.name) == not_shapes.end();
+    if (free) not_shapes.push_back(one.sketch.name);
+  }
   std::vector<OneWayName> one_way;
   for (const OneWayName& one : root->one_way) {
     const bool there = shape_named(*shapes, one.target) && shape_named(*shapes, one.name);
@@ -149,6 +171,7 @@ base::Result<document::Model> read_opened(GltfDocument& document) {
   model->curves = root->curves;
   model->animations = std::move(animations).value();
   model->notes = std::move(document.notes);
+  add_corrections(*root, *model);
   if ((*mesh)->dropped_triangles() > 0) {
     model->notes.push_back(std::to_string((*mesh)->dropped_triangles()) + " triangles without area were left out");
   }

@@ -12,10 +12,11 @@ namespace {
 
 constexpr const char* k_see_format = "see the format of sketch files in the manual";
 
-constexpr std::array<std::string_view, 3> k_members = {"model", "viewport", "deformers"};
-constexpr std::array<std::string_view, 14> k_deformer_members = {
-    "name",      "viewport", "camera", "reference_camera", "target_camera", "general", "specific",
-    "reference", "target",   "mode",   "surface",          "range",         "rules",   "sheet"};
+constexpr std::array<std::string_view, 4> k_members = {"model", "viewport", "deformers", "corrections"};
+constexpr std::array<std::string_view, 18> k_deformer_members = {
+    "name",      "viewport", "camera",   "reference_camera", "target_camera", "general", "specific",
+    "reference", "target",   "mode",     "surface",          "range",         "rules",   "sheet",
+    "reach",     "piece",    "betweens", "drivers"};
 
 }  // namespace
 
@@ -49,6 +50,24 @@ base::Result<SketchFile> read_sketch_file(base::Bytes bytes) {
                          "rename one of them"};
     }
   }
+  const Json* corrections = find(*json, "corrections");
+  if (corrections == nullptr) return file;
+  if (!corrections->is_array()) return base::Error{"a list was expected", "/corrections", k_see_format};
+  if (corrections->size() > k_most_corrections) {
+    return base::Error{"a model has at most 100 corrections", "/corrections", "split the file"};
+  }
+  for (std::size_t i = 0; i < corrections->size(); ++i) {
+    const std::string pointer = child("/corrections", i);
+    articulation::CorrectionSketch& one = file.corrections.emplace_back();
+    one.sketch.rules = articulation::k_held_rules;
+    if (auto problem = read_sketch((*corrections)[i], pointer, viewport, one.sketch)) return *problem;
+    if (auto problem = read_drivers((*corrections)[i], pointer, one.drivers)) return *problem;
+    list_unknown((*corrections)[i], pointer, k_deformer_members, file.skipped);
+    if (!names.insert(one.sketch.name).second) {
+      return base::Error{"another control or correction is called '" + one.sketch.name + "' too", pointer + "/name",
+                         "rename one of them"};
+    }
+  }
   return file;
 }
 
@@ -61,6 +80,15 @@ std::string write_sketch_file(const SketchFile& file) {
     Json one = to_json(file.sketches[i], viewports);
     one["rules"] = file.sketches[i].rules;
     text += one.dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+  if (file.corrections.empty()) return text + "\n]}\n";
+  text += "\n], \"corrections\": [";
+  for (std::size_t i = 0; i < file.corrections.size(); ++i) {
+    const auto& sketch = file.corrections[i].sketch;
+    const Viewports viewports = sketch.viewport == file.viewport ? Viewports::shared : Viewports::each;
+    Json one = to_json(file.corrections[i], viewports);
+    one["rules"] = sketch.rules;
+    text += (i == 0 ? "\n" : ",\n") + one.dump(-1, ' ', false, Json::error_handler_t::replace);
   }
   return text + "\n]}\n";
 }

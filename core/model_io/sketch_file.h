@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/articulation/sketch.h"
+#include "core/articulation/corrections.h"
 #include "core/base/byte_reader.h"
 #include "core/base/result.h"
 
@@ -12,12 +12,16 @@ namespace penpose::model_io {
 /// A file of strokes, as `penpose articulate --sketch` takes it: {"model", "viewport": [w, h], "deformers": [...]}. A
 /// deformer has "name", "camera", "general", "specific", "target" and may have "reference", "mode", "surface",
 /// "target_camera", and beyond what scripts rely on "reference_camera", "range": [minimum, maximum] and its own
-/// "viewport", and "rules", the rules of drawing it is built by, k_held_rules where it has none.
+/// "viewport", "rules", the rules of drawing it is built by, k_held_rules where it has none, "reach" ("through" or
+/// "front") and "piece", what the first lasso takes, and "betweens": [{"value", "target", "camera"}, ...], its other
+/// targets. "corrections" holds such objects, each with "drivers": [[CONTROL, VALUE], ...], the pose that it was drawn
+/// at.
 struct SketchFile {
   std::string model;  ///< the model that was drawn on; may be empty
   geometry::Viewport viewport;
   std::vector<articulation::Sketch> sketches;
   std::vector<std::string> skipped;  ///< JSON pointers of members that no reader knows
+  std::vector<articulation::CorrectionSketch> corrections = {};
 };
 
 /// Members that are not known are skipped and listed. Errors (place: JSON pointer): no JSON, a key that is missing or

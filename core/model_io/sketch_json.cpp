@@ -13,6 +13,7 @@ using Problem = std::optional<base::Error>;
 constexpr const char* k_see_format = "see the format of sketch files in the manual";
 constexpr std::int64_t k_largest_viewport = 100000;
 constexpr std::int64_t k_most_rules = 1000;
+constexpr std::int64_t k_most_pieces = 1000000;
 constexpr const char* k_modes[] = {"auto", "translate", "rotate"};
 
 base::Error wrong(std::string what, std::string pointer, std::string remedy = k_see_format) {
@@ -137,6 +138,43 @@ Problem read_range(const Json& value, const std::string& pointer, Sketch& out) {
   return std::nullopt;
 }
 
+Problem read_taken(const Json& value, const std::string& pointer, Sketch& out) {
+  if (const Json* reach = given(value, "reach")) {
+    const bool front = reach->is_string() && reach->get<std::string>() == "front";
+    if (!front && !(reach->is_string() && reach->get<std::string>() == "through")) {
+      return wrong("'through' or 'front' was expected", child(pointer, "reach"));
+    }
+    out.reach = front ? articulation::Reach::front : articulation::Reach::through;
+  }
+  if (const Json* piece = given(value, "piece")) {
+    const auto n = whole_number(*piece, 0, k_most_pieces);
+    if (!n) return wrong("the number of a piece, from 0, was expected", child(pointer, "piece"));
+    out.piece = static_cast<std::uint32_t>(*n);
+  }
+  return std::nullopt;
+}
+
+Problem read_betweens(const Json& value, const std::string& pointer, Sketch& out) {
+  const Json* list = given(value, "betweens");
+  if (list == nullptr) return std::nullopt;
+  const std::string here = child(pointer, "betweens");
+  if (!list->is_array()) return wrong("a list of targets was expected", here);
+  if (list->size() > articulation::k_most_betweens) return wrong("there are too many targets", here, "use at most 64");
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const std::string at = child(here, i);
+    const Json& one = (*list)[i];
+    const Json* amount = one.is_object() ? given(one, "value") : nullptr;
+    const auto n = amount == nullptr ? std::nullopt : number(*amount);
+    if (!n) return wrong("a target with its \"value\" was expected", at);
+    articulation::InBetween& between = out.betweens.emplace_back();
+    between.value = *n;
+    if (given(one, "target") == nullptr) return missing("target", at);
+    if (auto problem = read_curve(one, "target", at, between.target)) return problem;
+    if (auto problem = read_own_camera(one, "camera", at, between.camera)) return problem;
+  }
+  return std::nullopt;
+}
+
 Json to_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 Json to_json(const geometry::CameraPose& camera) {
@@ -207,11 +245,39 @@ std::optional<base::Error> read_sketch(const Json& value, const std::string& poi
     }
     out.other_sheet = other;
   }
+  if (auto problem = read_taken(value, pointer, out)) return problem;
+  if (auto problem = read_betweens(value, pointer, out)) return problem;
   const auto checked = articulation::check_sketch(out);
   if (checked) return std::nullopt;
   base::Error error = checked.error();
   error.place = pointer + "/" + error.place;
   return error;
+}
+
+std::optional<base::Error> read_drivers(const Json& value, const std::string& pointer,
+                                        std::vector<articulation::Driver>& out) {
+  const Json* drivers = given(value, "drivers");
+  if (drivers == nullptr) return missing("drivers", pointer);
+  const std::string here = child(pointer, "drivers");
+  if (!drivers->is_array()) return wrong("a list of [control, value] was expected", here);
+  if (drivers->size() < articulation::k_fewest_drivers || drivers->size() > articulation::k_most_drivers) {
+    return wrong("a correction is for a pose of 2 to 8 controls", here);
+  }
+  for (std::size_t i = 0; i < drivers->size(); ++i) {
+    const Json& one = (*drivers)[i];
+    const auto n = one.is_array() && one.size() == 2 && one[0].is_string() ? number(one[1]) : std::nullopt;
+    if (!n) return wrong("[control, value] was expected", child(here, i));
+    out.push_back({one[0].get<std::string>(), *n});
+  }
+  return std::nullopt;
+}
+
+Json to_json(const articulation::CorrectionSketch& correction, Viewports viewports) {
+  Json value = to_json(correction.sketch, viewports);
+  Json drivers = Json::array();
+  for (const articulation::Driver& one : correction.drivers) drivers.push_back(Json::array({one.control, one.value}));
+  value["drivers"] = std::move(drivers);
+  return value;
 }
 
 Json to_json(const geometry::Viewport& viewport) { return Json::array({viewport.width, viewport.height}); }
@@ -235,6 +301,13 @@ Json to_json(const Sketch& sketch, Viewports viewports) {
   if (sketch.minimum != 0.0 || sketch.maximum != 1.0) value["range"] = Json::array({sketch.minimum, sketch.maximum});
   if (sketch.rules != 0) value["rules"] = sketch.rules;
   if (sketch.other_sheet) value["sheet"] = "other";
+  if (sketch.reach == articulation::Reach::front) value["reach"] = "front";
+  if (sketch.piece != 0) value["piece"] = sketch.piece;
+  for (const articulation::InBetween& one : sketch.betweens) {
+    Json between = {{"value", one.value}, {"target", to_json(one.target)}};
+    if (one.camera) between["camera"] = to_json(*one.camera);
+    value["betweens"].push_back(std::move(between));
+  }
   return value;
 }
 

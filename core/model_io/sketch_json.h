@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "core/articulation/sketch.h"
+#include "core/articulation/corrections.h"
 #include "core/base/result.h"
 #include "core/model_io/json.h"
 
@@ -11,6 +11,8 @@ namespace penpose::model_io {
 
 /// No rig needs more; the bound keeps what a small file can ask for small.
 inline constexpr std::size_t k_most_deformers = 1000;
+/// Each is built on what the ones before it made.
+inline constexpr std::size_t k_most_corrections = 100;
 
 /// Reads one deformer of a sketch file into `out`; the error, or nothing. `viewport` is that of the file; a member
 /// "viewport" of the deformer counts before it. Errors (place: JSON pointer): a key that is missing or of another type,
@@ -25,5 +27,11 @@ inline constexpr std::size_t k_most_deformers = 1000;
 enum class Viewports : std::uint8_t { shared, each };
 [[nodiscard]] Json to_json(const articulation::Sketch& sketch, Viewports viewports);
 [[nodiscard]] Json to_json(const geometry::Viewport& viewport);
+
+/// "drivers" of a correction: [[CONTROL, VALUE], ...]. Errors (place: JSON pointer): missing, another form, too few or
+/// too many.
+[[nodiscard]] std::optional<base::Error> read_drivers(const Json& value, const std::string& pointer,
+                                                      std::vector<articulation::Driver>& out);
+[[nodiscard]] Json to_json(const articulation::CorrectionSketch& correction, Viewports viewports);
 
 }  // namespace penpose::model_io

@@ -34,6 +34,9 @@ class BoundCharacter final : public BoundVertices {
   }
 
   [[nodiscard]] bool moves(std::size_t parameter) const override {
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+      if (rig_.layers()[i]->driven() && layers_[i]->moves(parameter)) return true;
+    }
     const std::size_t layer = layer_of(parameter);
     if (layer < layers_.size()) return layers_[layer]->moves(parameter - rig_.first_parameter(layer));
     return carries_[rig_.skeleton()->joint_of(parameter - rig_.first_parameter(layer))];
@@ -48,6 +51,9 @@ class BoundCharacter final : public BoundVertices {
     for (std::size_t i = 0; i < free.size(); ++i) {
       const std::size_t layer = layer_of(free[i]);
       const std::span column = std::span(form.columns).subspan(i * n, n);
+      for (std::size_t k = 0; k < layers_.size(); ++k) {
+        if (rig_.layers()[k]->driven() && layers_[k]->moves(free[i])) return std::nullopt;
+      }
       if (layer == layers_.size()) {
         if (moves(free[i])) return std::nullopt;
         continue;
@@ -75,6 +81,7 @@ class BoundCharacter final : public BoundVertices {
     return layer;
   }
   [[nodiscard]] std::span<const double> layer_values(std::span<const double> pose, std::size_t layer) const {
+    if (layer < layers_.size() && rig_.layers()[layer]->driven()) return pose;
     return pose.subspan(rig_.first_parameter(layer), rig_.first_parameter(layer + 1) - rig_.first_parameter(layer));
   }
   /// A joint carries the bound vertices when it or a joint below it has a share in one of them.
@@ -131,7 +138,8 @@ base::Result<std::shared_ptr<const CharacterRig>> CharacterRig::make(
 void CharacterRig::evaluate(std::span<const double> pose, std::span<ModelPoint> positions) const {
   std::fill(positions.begin(), positions.end(), ModelVector{0});
   for (std::size_t i = 0; i < layers_.size(); ++i) {
-    layers_[i]->add(pose.subspan(first_parameter_[i], first_parameter_[i + 1] - first_parameter_[i]), positions);
+    const std::size_t own = first_parameter_[i + 1] - first_parameter_[i];
+    layers_[i]->add(layers_[i]->driven() ? pose : pose.subspan(first_parameter_[i], own), positions);
   }
   const auto rest = mesh_->positions();
   for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = rest[v] + positions[v];

@@ -35,6 +35,9 @@ class DisplacementLayer {
   DisplacementLayer& operator=(const DisplacementLayer&) = delete;
 
   [[nodiscard]] virtual std::span<const Parameter> parameters() const = 0;
+  /// A layer without parameters of its own that what others are set to brings in: it and what is bound of it are given
+  /// the values of the whole rig, by whose numbers `moves` and `column` go.
+  [[nodiscard]] virtual bool driven() const { return false; }
   /// Adds to all vertices.
   virtual void add(std::span<const double> values, std::span<ModelVector> displacements) const = 0;
   [[nodiscard]] virtual std::unique_ptr<BoundLayer> bind(std::span<const std::uint32_t> vertices) const = 0;

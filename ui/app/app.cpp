@@ -6,6 +6,7 @@
 #include <exception>
 #include <utility>
 
+#include "core/base/numbers.h"
 #include "ui/app/said.h"
 
 namespace penpose::app {
@@ -117,11 +118,23 @@ void App::advance() {
 void App::begin_frame() {
   advance();
   surface_.update(workspace_.shown_model(), workspace_.shown_pose());
-  CurveLook look{static_cast<float>(scale()), highlighted_, {}, {}, panels_.onion_skin, panels_.time_s, {}, window_};
+  CurveLook look;
+  look.scale = static_cast<float>(scale());
+  look.highlighted = highlighted_;
+  look.onion_skin = panels_.onion_skin;
+  look.time_s = panels_.time_s;
+  look.window = window_;
+  look.handles = workspace_.editor().tool().kind == drawing::ToolKind::none;
+  if (goal_drag_) {
+    look.goal = goal_drag_->first;
+    look.dragged_by = at_ - goal_drag_->second;
+    look.pulled = pull_;
+  }
   if (panels_.controls_tab) look.deformer = panels_.deformer;
   if (target_drag_) {
     look.dragged = target_drag_->first;
     look.dragged_by = at_ - target_drag_->second;
+    look.pulled = pull_;
   }
   curves_ = shown_curves(workspace_, surface_, look);
   if (file_ && file_->writer().broken() && !broken_told_) {
@@ -199,7 +212,9 @@ std::string App::hint() const {
       }
       break;
     case drawing::ToolKind::none:
-      return "Drag a target, touch a curve for what can be done with it, or the face to pick its control";
+      return "Pull at a target, or move all of it by its middle; touch a curve, or the face to pick its control";
+    case drawing::ToolKind::between:
+      return "Draw where " + tool.deformer + " has the feature at " + base::format_fixed(tool.value, 2);
     case drawing::ToolKind::redraw:
       switch (tool.role) {
         case articulation::CurveRole::general:

@@ -232,6 +232,10 @@ class App : private TracePlayer::Listener {
   /// The next stroke draws a curve of a control again; regions in the view in which they were drawn.
   void redraw_control(const std::string& deformer, articulation::CurveRole role);
   void set_swing(bool on);
+  /// The next stroke draws another goal of a control, at the value that it shows.
+  void draw_between(const std::string& deformer, double value);
+  /// Begins to correct the pose as it stands.
+  void correct_pose();
   /// Makes the same control on the other side, and takes it in hand.
   void mirror_control(const std::string& deformer);
   void rename_control(const std::string& deformer, const std::string& to);
@@ -289,6 +293,8 @@ class App : private TracePlayer::Listener {
   void drag_to(PxPoint at, bool pan, bool zoom);
   void end_barrel(PxPoint at);
   void select_at(PxPoint at);
+  [[nodiscard]] bool take_goal(PxPoint at);
+  void hold_line(const std::vector<geometry::ModelPoint>& line, PxPoint at);
   void suggest_rest();
   void step_key(int direction);
   [[nodiscard]] const document::PoseKey* key_at(double time_s) const;
@@ -349,6 +355,10 @@ class App : private TracePlayer::Listener {
   bool barrel_ = false;  ///< dragged by the pen's or the right button: a click opens the radial menu
   std::optional<document::CurveId> highlighted_;
   std::optional<std::pair<document::CurveId, PxPoint>> target_drag_;
+  std::optional<PullHold> pull_;  ///< the target or the goal in hand is held at a place; nothing: all of it
+  /// A goal of the chosen control in hand: its value, and where it was taken.
+  std::optional<std::pair<double, PxPoint>> goal_drag_;
+  bool whole_ = false;                              ///< a modifier is held: lines are moved as a whole
   std::optional<document::CurveId> touched_curve_;  ///< by the tool select
   std::int64_t tablet_seen_us_ = -1;
   bool tablet_near_ = false;
@@ -356,7 +366,8 @@ class App : private TracePlayer::Listener {
   bool playing_ = false;
   double play_from_s_ = 0;
   std::int64_t play_from_us_ = 0;
-  std::size_t deformer_count_ = 0;  ///< to tell a new one
+  std::size_t deformer_count_ = 0;    ///< to tell a new one
+  std::size_t correction_count_ = 0;  ///< likewise
   bool fullscreen_ = false;
   bool quit_ = false;
   bool leaves_work_ = false;  ///< the session stays as after a crash

@@ -53,6 +53,10 @@ void App::choose_for_new_control(articulation::Mode mode, const articulation::Su
   // A ball was fitted to one region and is none for the next.
   panels_.new_surface = std::holds_alternative<articulation::Sphere>(surface) ? articulation::Surface() : surface;
   const auto pending = workspace_.document().pending;
+  if (pending && !pending->drivers.empty() && !(pending->sketch.mode == mode)) {
+    tell("how it moves is chosen before a correction is begun: give it up and begin it anew");
+    return;
+  }
   if (!pending || (pending->sketch.mode == mode && pending->sketch.surface == surface)) return;
   const articulation::Sketch& sketch = pending->sketch;
   const auto draw = [&](articulation::CurveRole role, const std::vector<PxPoint>& line,
@@ -62,7 +66,9 @@ void App::choose_for_new_control(articulation::Mode mode, const articulation::Su
   static_cast<void>(
       workspace_.perform(
           document::BeginDeformer{sketch.name, mode, surface, sketch.minimum, sketch.maximum, sketch.rules}) &&
+      (sketch.reach == articulation::Reach::through || workspace_.perform(document::TakeRegion{sketch.reach, {}})) &&
       draw(articulation::CurveRole::general, sketch.general, sketch.camera) &&
+      (sketch.piece == 0 || workspace_.perform(document::TakeRegion{{}, sketch.piece})) &&
       draw(articulation::CurveRole::specific, sketch.specific, sketch.camera) &&
       draw(articulation::CurveRole::reference, sketch.reference, sketch.reference_camera.value_or(sketch.camera)));
 }
@@ -83,6 +89,30 @@ void App::redraw_control(const std::string& deformer, articulation::CurveRole ro
   tool.role = role;
   workspace_.preview(std::nullopt);
   workspace_.set_tool(tool);
+}
+
+void App::draw_between(const std::string& deformer, double value) {
+  set_swing(false);
+  drawing::Tool tool;
+  tool.kind = drawing::ToolKind::between;
+  tool.deformer = deformer;
+  tool.value = value;
+  const auto index = rig::find_parameter(workspace_.document().model->rig->parameters(), deformer);
+  if (index) set_parameter(*index, value);
+  workspace_.set_tool(tool);
+}
+
+void App::correct_pose() {
+  set_swing(false);
+  workspace_.preview(std::nullopt);
+  if (workspace_.document().pending && !workspace_.perform(document::CancelDeformer{})) return;
+  drawing::Tool tool;
+  tool.kind = drawing::ToolKind::articulate;
+  panels_.deformer.clear();
+  panels_.controls_tab = true;
+  if (workspace_.perform(document::BeginCorrection{{}, {}, panels_.new_mode, drawing::k_rules})) {
+    workspace_.set_tool(tool);
+  }
 }
 
 void App::set_swing(bool on) {

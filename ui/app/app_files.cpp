@@ -99,10 +99,13 @@ void App::show_anew() {
   panels_.deformer.clear();
   highlighted_.reset();
   target_drag_.reset();
+  goal_drag_.reset();
   panels_.curve_menu.reset();
   panels_.new_surface = {};
   const auto& deformers = workspace_.document().model->deformers;
   deformer_count_ = deformers ? deformers->size() : 0;
+  const auto& corrections = workspace_.document().model->corrections;
+  correction_count_ = corrections ? corrections->size() : 0;
   surface_.update(workspace_.shown_model(), workspace_.shown_pose());
   frame_from(*render::find_viewpoint("front"));
   workspace_.set_tablet(0, {});

@@ -1,8 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "core/articulation/doubts.h"
+#include "core/articulation/edit.h"
+#include "core/document/target_line.h"
 #include "ui/app/app.h"
 #include "ui/app/navigation.h"
 
@@ -17,6 +20,8 @@ constexpr double k_degrees_per_px = 0.35;
 constexpr double k_zoom_per_px = 0.005;
 constexpr double k_zoom_per_notch = 0.9;
 constexpr double k_click_px = 5;
+/// Of the middle of a target, which moves all of it.
+constexpr double k_handle_px = 14;
 /// A mouse and a finger press neither hard nor softly.
 constexpr double k_mouse_pressure = 0.5;
 
@@ -72,17 +77,55 @@ void App::pen_pressed(PxPoint at) {
   if (workspace_.editor().tool().kind == drawing::ToolKind::none) select_at(at);
 }
 
+void App::hold_line(const std::vector<geometry::ModelPoint>& line, PxPoint at) {
+  pull_ = PullHold{at, curve::k_usual_reach};
+  const auto camera = geometry::Camera::make(view_.camera, view_.viewport);
+  const auto middle = camera && !line.empty() ? camera->project(line[line.size() / 2]) : std::nullopt;
+  if (whole_ || (middle && geometry::distance(*middle, at) < k_handle_px * scale())) pull_.reset();
+}
+
+bool App::take_goal(PxPoint at) {
+  const auto& deformers = workspace_.document().model->deformers;
+  const auto number =
+      deformers && panels_.controls_tab ? articulation::find_deformer(*deformers, panels_.deformer) : std::nullopt;
+  const auto camera = geometry::Camera::make(view_.camera, view_.viewport);
+  if (!number || !camera) return false;
+  const articulation::Deformer& deformer = *deformers->deformers()[*number];
+  const auto near = [&](std::span<const geometry::ModelPoint> line) {
+    std::vector<PxPoint> seen;
+    for (const auto& point : line) {
+      if (const auto px = camera->project(point)) seen.push_back(*px);
+    }
+    return document::come_near(seen, std::array<PxPoint, 1>{at}, 10 * scale());
+  };
+  for (std::size_t i = 0; i < deformer.betweens().size(); ++i) {
+    if (!near(deformer.betweens()[i])) continue;
+    goal_drag_.emplace(deformer.sketch().betweens[i].value, at);
+    hold_line(deformer.betweens()[i], at);
+    return true;
+  }
+  if (!near(deformer.target())) return false;
+  goal_drag_.emplace(1.0, at);
+  hold_line({deformer.target().begin(), deformer.target().end()}, at);
+  return true;
+}
+
 void App::select_at(PxPoint at) {
   target_drag_.reset();
+  goal_drag_.reset();
   touched_curve_.reset();
   panels_.curve_menu.reset();
   highlighted_ = curve_near(workspace_, surface_, at, 10 * scale());
   if (highlighted_) {
     const auto* curve = document::find_curve(workspace_.document(), *highlighted_);
-    if (curve != nullptr && curve->target) target_drag_.emplace(*highlighted_, at);
+    if (curve != nullptr && curve->target) {
+      target_drag_.emplace(*highlighted_, at);
+      hold_line(curve->target->points, at);
+    }
     touched_curve_ = *highlighted_;
     return;
   }
+  if (take_goal(at)) return;
   const auto camera = geometry::Camera::make(view_.camera, view_.viewport);
   if (!camera) return;
   const auto hit = surface_.pick(*camera, at);
@@ -116,6 +159,14 @@ void App::show_new_deformer() {
     }
   }
   deformer_count_ = count;
+  const auto& corrections = workspace_.document().model->corrections;
+  const std::size_t corrected = corrections ? corrections->size() : 0;
+  if (corrected == correction_count_ + 1 && !workspace_.document().pending) {
+    const articulation::Correction& one = *corrections->all().back();
+    tell(one.drawn.sketch.name + " is there wherever its controls come together");
+    for (const std::string& doubt : articulation::doubts_of(*one.deformer)) tell(doubt);
+  }
+  correction_count_ = corrected;
 }
 
 void App::pen_moved(PxPoint at) {
@@ -129,11 +180,22 @@ void App::pen_moved(PxPoint at) {
   }
   if (!target_drag_) return;
   const PxPoint by = at - target_drag_->second;
-  if (std::hypot(by.x, by.y) > k_click_px * scale()) workspace_.hold_target(target_drag_->first, by);
+  if (std::hypot(by.x, by.y) > k_click_px * scale()) workspace_.hold_target(target_drag_->first, by, pull_);
 }
 
 void App::pen_released(PxPoint at) {
   show_new_deformer();
+  if (goal_drag_) {
+    const PxPoint by = at - goal_drag_->second;
+    const double value = goal_drag_->first;
+    const PxPoint from = goal_drag_->second;
+    goal_drag_.reset();
+    if (std::hypot(by.x, by.y) > k_click_px * scale()) {
+      workspace_.perform(document::PullBetween{panels_.deformer, value, workspace_.editor().view(), from, by,
+                                               pull_ ? pull_->reach : 0.0});
+    }
+    return;
+  }
   if (target_drag_) {
     const PxPoint by = at - target_drag_->second;
     const auto id = target_drag_->first;
@@ -141,7 +203,7 @@ void App::pen_released(PxPoint at) {
     workspace_.hold_target(std::nullopt);
     const auto* curve = document::find_curve(workspace_.document(), id);
     if (curve != nullptr && std::hypot(by.x, by.y) > k_click_px * scale()) {
-      workspace_.perform(drag_command(*curve, workspace_.editor().view(), by));
+      workspace_.perform(drag_command(*curve, workspace_.editor().view(), by, pull_));
       return;
     }
   }
@@ -297,10 +359,12 @@ void App::mouse_button(MouseButton button, bool down, PxPoint at, bool shift, bo
     hover_panels(at, false);
     commit_view();
     workspace_.place_pen(held_view() == nullptr);
+    whole_ = shift || ctrl;
     mouse_draws_ = true;
     take_moments(0, workspace_.pen({at, k_mouse_pressure, true, true, false, false}));
   } else if (mouse_draws_) {
     mouse_draws_ = false;
+    whole_ = false;
     take_moments(0, workspace_.pen({at, 0, true, false, false, false}));
   } else if (mouse_on_panel_) {
     mouse_on_panel_ = false;

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
 #include "core/articulation/edit.h"
+#include "core/base/numbers.h"
 #include "ui/app/fitted_ball.h"
 #include "ui/app/panels.h"
 #include "ui/app/widgets.h"
@@ -65,6 +67,31 @@ std::optional<articulation::Mode> mode_buttons(PanelContext& context, articulati
   return pressed;
 }
 
+/// What the first line takes: what was pressed, if anything.
+document::TakeRegion take_buttons(PanelContext& context, articulation::Reach reach, std::uint32_t piece,
+                                  std::uint32_t pieces) {
+  using articulation::Reach;
+  document::TakeRegion take;
+  const float width = share(2);
+  if (wide_button(context, "Through", width, reach == Reach::through,
+                  "The first line takes all that lies inside it, also behind") &&
+      reach != Reach::through) {
+    take.reach = Reach::through;
+  }
+  ImGui::SameLine();
+  if (wide_button(context, "Front only", width, reach == Reach::front, "The first line takes only what is seen") &&
+      reach != Reach::front) {
+    take.reach = Reach::front;
+  }
+  if (pieces < 2) return take;
+  const std::string label =
+      "Piece " + std::to_string(piece + 1) + " of " + std::to_string(pieces) + ": take the next##piece";
+  if (wide_button(context, label.c_str(), -1, false, "Several pieces of the model lie inside the first line")) {
+    take.piece = (piece + 1) % pieces;
+  }
+  return take;
+}
+
 /// The surface that was chosen, if one was. `ball`: one that fits the region, where there is one.
 std::optional<Surface> surface_button(PanelContext& context, const Surface& now,
                                       const std::function<std::optional<articulation::Sphere>()>& ball) {
@@ -106,6 +133,20 @@ void swing_button(PanelContext& context, float width) {
   }
 }
 
+/// Corrects the pose as it stands.
+void show_correct_button(PanelContext& context) {
+  const document::Document& document = context.app.workspace().document();
+  const auto parameters = document.model->rig->parameters();
+  std::size_t posed = 0;
+  for (std::size_t i = 0; i < parameters.size(); ++i) posed += document.pose[i] != parameters[i].rest ? 1 : 0;
+  ImGui::BeginDisabled(posed < articulation::k_fewest_drivers);
+  if (wide_button(context, "Correct this pose", -1, false,
+                  "Sketch what the controls that are away from rest should do where they come together")) {
+    context.app.correct_pose();
+  }
+  ImGui::EndDisabled();
+}
+
 void show_new(PanelContext& context) {
   App& app = context.app;
   Workspace& workspace = app.workspace();
@@ -116,9 +157,13 @@ void show_new(PanelContext& context) {
     return;
   }
   const bool none_chosen = app.panels().deformer.empty();
+  if (!pending) show_correct_button(context);
   if (!pending && (workspace.editor().tool().kind != drawing::ToolKind::articulate || !none_chosen)) return;
   if (pending) {
-    ImGui::Text("Sketching %s", pending->sketch.name.c_str());
+    ImGui::Text(pending->drivers.empty() ? "Sketching %s" : "Sketching %s, of the pose", pending->sketch.name.c_str());
+    for (const articulation::Driver& driver : pending->drivers) {
+      ImGui::TextDisabled("  %s %.2f", driver.control.c_str(), driver.value);
+    }
     show_step_list(context, *pending, workspace.editor().tool());
   }
   const articulation::Mode mode = pending ? pending->sketch.mode : app.panels().new_mode;
@@ -126,6 +171,10 @@ void show_new(PanelContext& context) {
   if (const auto pressed = mode_buttons(context, mode)) app.choose_for_new_control(*pressed, surface);
   const auto ball = [&] { return workspace.sketch().ball(); };
   if (const auto chosen = surface_button(context, surface, ball)) app.choose_for_new_control(mode, *chosen);
+  if (pending) {
+    const auto take = take_buttons(context, pending->sketch.reach, pending->sketch.piece, workspace.sketch().pieces());
+    if (take.reach || take.piece) workspace.perform(take);
+  }
   drawing::Tool tool = workspace.editor().tool();
   if (wide_button(context, tool.draw_reference ? "Find the feature by itself" : "Draw the feature myself", -1, false,
                   "The green line: found in the middle of what moves fully, or drawn by you")) {
@@ -204,6 +253,33 @@ void show_redraws(PanelContext& context, const articulation::Deformer& deformer)
   }
 }
 
+/// The other goals of a control: one more at the value that it shows, and those that there are.
+void show_betweens(PanelContext& context, const articulation::Deformer& deformer, double value) {
+  App& app = context.app;
+  const std::string name = deformer.sketch().name;
+  if (deformer.sketch().rules < articulation::k_held_rules) return;
+  const std::string at = base::format_fixed(value, 2);
+  const bool rests = std::abs(value) < 1e-3 || std::abs(value - 1) < 1e-3;
+  ImGui::BeginDisabled(rests);
+  if (wide_button(context, ("Another goal at " + at + "##between").c_str(), -1, false,
+                  "The next stroke goes where the feature is at this value: set the slider between rest and goal")) {
+    app.draw_between(name, value);
+  }
+  ImGui::EndDisabled();
+  for (const articulation::InBetween& one : deformer.sketch().betweens) {
+    const std::string shown = base::format_fixed(one.value, 2);
+    const float half = share(2);
+    if (wide_button(context, ("Goal at " + shown + "##again" + shown).c_str(), half, false, "Draw this goal again")) {
+      app.draw_between(name, one.value);
+    }
+    ImGui::SameLine();
+    if (wide_button(context, ("Remove##between" + shown).c_str(), half, false, "Forget this goal")) {
+      app.workspace().perform(document::DeleteBetween{name, one.value});
+      return;
+    }
+  }
+}
+
 void show_chosen(PanelContext& context, const articulation::SketchedDeformers& set, std::size_t number) {
   App& app = context.app;
   Workspace& workspace = app.workspace();
@@ -256,9 +332,33 @@ void show_chosen(PanelContext& context, const articulation::SketchedDeformers& s
                   "Where two sheets of the surface meet, such as lips: the feature lies on the other one")) {
     change.other_sheet = !sketch.other_sheet;
   }
-  if (change.mode || change.surface || change.other_sheet) workspace.perform(change);
+  const auto take = take_buttons(context, sketch.reach, sketch.piece, deformer.pieces());
+  change.reach = take.reach;
+  change.piece = take.piece;
+  if (change.mode || change.surface || change.other_sheet || change.reach || change.piece) workspace.perform(change);
   show_redraws(context, deformer);
+  if (index && *index < workspace.shown_pose().size()) {
+    show_betweens(context, deformer, workspace.shown_pose()[*index]);
+  }
   show_place(context, name, number, set.deformers().size());
+}
+
+/// The corrections that there are.
+void show_corrections(PanelContext& context) {
+  // Held, because what is pressed may put others in their place.
+  const auto corrections = context.app.workspace().document().model->corrections;
+  if (!corrections || context.app.workspace().document().pending) return;
+  for (const auto& one : corrections->all()) {
+    const std::string& name = one->drawn.sketch.name;
+    std::string tip = "Corrects";
+    for (const articulation::Driver& driver : one->drawn.drivers) {
+      tip += " " + driver.control + " " + base::format_fixed(driver.value, 2);
+    }
+    if (wide_button(context, ("Remove " + name + "##correction").c_str(), -1, false, tip.c_str())) {
+      context.app.workspace().perform(document::DeleteCorrection{name});
+      return;
+    }
+  }
 }
 
 }  // namespace
@@ -266,13 +366,14 @@ void show_chosen(PanelContext& context, const articulation::SketchedDeformers& s
 void show_deformers(PanelContext& context) {
   App& app = context.app;
   show_new(context);
+  show_corrections(context);
   // Held, because what is pressed may put another set in its place.
   const auto deformers = app.workspace().document().model->deformers;
   if (!deformers) return;
   const auto chosen = app.workspace().document().pending
                           ? std::nullopt
                           : articulation::find_deformer(*deformers, app.panels().deformer);
-  const float below = chosen ? 9.0F * context.unit : 0;
+  const float below = chosen ? 12.0F * context.unit : 0;
   const float list_height = std::max(2.5F * context.unit, ImGui::GetContentRegionAvail().y - below);
   ImGui::BeginChild("controls", {0, list_height});
   for (const auto& deformer : deformers->deformers()) {

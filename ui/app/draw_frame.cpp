@@ -46,6 +46,7 @@ void FrameMaker::update_overlay(App& app) {
     std::vector<render::Color> overlay(count, render::Color{0, 0, 0, 0});
     for (std::size_t i = 0; i < std::min(count, sketch.weights().size()); ++i) {
       if (sketch.weights()[i] >= 0) overlay[i] = colored(sketch.weights()[i]);
+      if (sketch.weights()[i] == -2.0F) overlay[i] = render::from_srgb(0xe8402a, k_overlay_alpha);
     }
     last_.overlay = std::make_shared<const std::vector<render::Color>>(std::move(overlay));
     ++last_.overlay_number;

@@ -5,6 +5,7 @@
 #include "core/document/apply.h"
 #include "core/document/moment.h"
 #include "core/document/pose_problem.h"
+#include "core/document/pulled_target.h"
 #include "core/document/target_line.h"
 
 namespace penpose::app {
@@ -49,10 +50,14 @@ void LiveFollow::begin(const document::Document& document, const drawing::Tool& 
   if (std::holds_alternative<document::OversketchTarget>(*command)) before_ = curve->target;
 }
 
-void LiveFollow::begin_drag(const document::Document& document, document::CurveId curve, const document::View& view) {
+void LiveFollow::begin_drag(const document::Document& document, document::CurveId curve, const document::View& view,
+                            const std::optional<PullHold>& pull) {
   end();
   const document::PoseCurve* found = document::find_curve(document, curve);
-  if (found != nullptr && found->target) start(document, *found, view);
+  if (found == nullptr || !found->target) return;
+  start(document, *found, view);
+  pull_ = pull;
+  if (pull_) pulled_ = found->target;
 }
 
 const intent::WholeModel& LiveFollow::whole_of(const document::Document& document) {
@@ -108,6 +113,10 @@ bool LiveFollow::follow(const curve::Stroke& stroke) {
 
 bool LiveFollow::drag(curve::PxPoint by) {
   if (!poser_ || !whole_) return false;
+  if (pull_ && pulled_) {
+    return follow_target(
+        document::pulled_target(*pulled_, {curve_, view_, pull_->at, by, pull_->reach, drawing::k_rules}));
+  }
   auto line = whole_->line;
   for (curve::PxPoint& p : line) p = p + by;
   return follow_target(document::make_target(reference_, view_, line, whole_->pressure));
@@ -123,13 +132,17 @@ bool LiveFollow::follow_target(const base::Result<document::DrawnTarget>& target
 void LiveFollow::end() {
   poser_.reset();
   whole_.reset();
+  pull_.reset();
+  pulled_.reset();
   before_.reset();
   target_.reset();
   model_.reset();
   curve_ = {};
 }
 
-document::Command drag_command(const document::PoseCurve& curve, const document::View& view, curve::PxPoint by) {
+document::Command drag_command(const document::PoseCurve& curve, const document::View& view, curve::PxPoint by,
+                               const std::optional<PullHold>& pull) {
+  if (pull) return document::PullTarget{curve.id, view, pull->at, by, pull->reach, drawing::k_rules};
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!curve.target || curve.target->view == view || !camera)
     return document::DragTarget{curve.id, by, drawing::k_rules};

@@ -12,6 +12,12 @@
 
 namespace penpose::app {
 
+/// How a target is held: where, and how far along it the pull is felt (curve/bend.h).
+struct PullHold {
+  curve::PxPoint at;
+  double reach = curve::k_usual_reach;
+};
+
 /// What the face does while a stroke is being drawn: a preview alone, made anew for every stroke; the command that the
 /// stroke becomes has the last word.
 class LiveFollow {
@@ -21,8 +27,9 @@ class LiveFollow {
              const curve::Stroke& stroke);
   /// The stroke so far. True when the pose moved.
   bool follow(const curve::Stroke& stroke);
-  /// A target that is there is taken in hand, as this view shows it.
-  void begin_drag(const document::Document& document, document::CurveId curve, const document::View& view);
+  /// A target that is there is taken in hand, as this view shows it: all of it, or at a place.
+  void begin_drag(const document::Document& document, document::CurveId curve, const document::View& view,
+                  const std::optional<PullHold>& pull = std::nullopt);
   /// How far it was moved since, px of that view.
   bool drag(curve::PxPoint by);
   void end();
@@ -44,6 +51,8 @@ class LiveFollow {
   std::shared_ptr<const document::Model> model_;  ///< keeps the rig alive, whatever is undone meanwhile
   document::CurveId curve_;
   std::optional<document::DrawnTarget> whole_;   ///< drag: the target, as a line of this view
+  std::optional<PullHold> pull_;                 ///< drag: at a place, of the target
+  std::optional<document::DrawnTarget> pulled_;  ///< as it was
   std::optional<document::DrawnTarget> before_;  ///< oversketch: the target as it was
   std::optional<document::DrawnTarget> target_;  ///< and as it would be
   document::View view_;
@@ -55,6 +64,6 @@ class LiveFollow {
 
 /// What dropping a target that was dragged by some px of a view means.
 [[nodiscard]] document::Command drag_command(const document::PoseCurve& curve, const document::View& view,
-                                             curve::PxPoint by);
+                                             curve::PxPoint by, const std::optional<PullHold>& pull = std::nullopt);
 
 }  // namespace penpose::app

@@ -36,6 +36,8 @@ std::string what_to_draw(const drawing::Tool& tool, const document::Document& be
       return of_step(drawing::next_step(before, tool));
     case drawing::ToolKind::redraw:
       return of_step(tool.role);
+    case drawing::ToolKind::between:
+      return of_step(CurveRole::target);
     case drawing::ToolKind::oversketch: {
       const bool has = std::any_of(before.curves.begin(), before.curves.end(), [](const auto& c) { return c->target; });
       return has ? "draw over the part of the blue line that should change" : "draw where a feature should go first";
@@ -71,6 +73,7 @@ std::string said(const base::Error& error) {
 
 std::string said_of_stroke(const base::Error& error, const drawing::Tool& tool, const document::Document& before) {
   if (error.place == "view" && before.pending) return "The view has turned: draw both lines around it in one view";
+  if (error.place.starts_with("line/core") || error.place.starts_with("line/general")) return said(error);
   if (error.place != "line" && error.place != "at" && error.place != "role" && !error.place.empty()) return said(error);
   return k_nothing_changed + what_to_draw(tool, before);
 }

@@ -4,6 +4,8 @@
 #include <array>
 
 #include "core/articulation/edit.h"
+#include "core/curve/bend.h"
+#include "core/curve/pairing.h"
 #include "core/document/apply.h"
 #include "core/document/target_line.h"
 
@@ -74,6 +76,29 @@ double left_across(const document::DrawnTarget& target, const geometry::ModelPoi
   return least * camera->units_per_px(camera->depth(now));
 }
 
+/// A line in hand, as far as it was moved or pulled.
+void move_line(std::vector<PxPoint>& line, const Workspace& workspace, const CurveLook& look) {
+  const double near = curve::pairing_distance_px(workspace.editor().view().viewport);
+  const auto bent = look.pulled ? curve::bent(line, look.pulled->at, look.dragged_by, look.pulled->reach,
+                                              curve::is_closed(line, near))
+                                : std::nullopt;
+  if (bent) {
+    line = *bent;
+    return;
+  }
+  for (PxPoint& p : line) p = p + look.dragged_by;
+}
+
+/// The middle of a target, by which all of it is moved.
+void add_handle(std::vector<CurveDrawing>& out, const std::vector<ModelPoint>& line, const CurveLook& look) {
+  if (line.empty()) return;
+  CurveDrawing handle;
+  handle.points = {line[line.size() / 2]};
+  handle.kind = CurveKind::target;
+  handle.width_px = 11 * look.scale;
+  out.push_back(std::move(handle));
+}
+
 void add_pose_curves(std::vector<CurveDrawing>& out, const Workspace& workspace, const PosedSurface& surface,
                      const CurveLook& look) {
   const bool held = look.dragged.has_value();
@@ -111,8 +136,9 @@ void add_pose_curves(std::vector<CurveDrawing>& out, const Workspace& workspace,
       target.kind = CurveKind::target;
       target.highlighted = true;
       target.points_px = seen_in_view(curve->target->points, workspace.editor().view());
-      for (PxPoint& p : target.points_px) p = p + look.dragged_by;
+      move_line(target.points_px, workspace, look);
     }
+    if (look.handles && !held) add_handle(out, target.points, look);
     out.push_back(std::move(target));
   }
 }
@@ -143,6 +169,19 @@ void add_sketch(std::vector<CurveDrawing>& out, const Workspace& workspace, cons
   };
   add(sketch.general, CurveKind::constraint, true);
   add(sketch.specific, CurveKind::reference, true);
+  // One that was refused, so that it is seen where it was drawn.
+  if (sketch.specific.empty()) add(workspace.sketch().refused_core(), CurveKind::constraint, true);
+}
+
+/// The border of what the first lasso took, light over dark, so that it is seen on any material.
+void add_outline(std::vector<CurveDrawing>& out, const Workspace& workspace, const CurveLook& look) {
+  for (const auto& line : workspace.sketch().outline()) {
+    CurveDrawing drawing;
+    drawing.points = line;
+    drawing.color = render::from_srgb(0xfff7d0, 0.95F);
+    drawing.width_px = 2.5F * look.scale;
+    out.push_back(std::move(drawing));
+  }
 }
 
 /// A control's feature where the control has brought it, and where it goes at most.
@@ -155,11 +194,24 @@ void add_deformer(std::vector<CurveDrawing>& out, const Workspace& workspace, co
       number ? rig::find_parameter(model->rig->parameters(), look.deformer) : std::optional<std::size_t>();
   if (!parameter || *parameter >= workspace.shown_pose().size()) return;
   const articulation::Deformer& deformer = *model->deformers->deformers()[*number];
-  CurveDrawing goal;
-  goal.points.assign(deformer.target().begin(), deformer.target().end());
-  goal.kind = CurveKind::target;
-  goal.width_px = k_thin_px * look.scale;
-  out.push_back(std::move(goal));
+  const auto add_goal = [&](double value, std::span<const ModelPoint> points) {
+    CurveDrawing goal;
+    goal.points.assign(points.begin(), points.end());
+    goal.kind = CurveKind::target;
+    goal.width_px = k_thin_px * look.scale;
+    if (look.goal == value) {
+      goal.points_px = seen_in_view(goal.points, workspace.editor().view());
+      move_line(goal.points_px, workspace, look);
+      goal.highlighted = true;
+    } else if (look.handles) {
+      add_handle(out, goal.points, look);
+    }
+    out.push_back(std::move(goal));
+  };
+  add_goal(1.0, deformer.target());
+  for (std::size_t i = 0; i < deformer.betweens().size(); ++i) {
+    add_goal(deformer.sketch().betweens[i].value, deformer.betweens()[i]);
+  }
   CurveDrawing feature;
   feature.points = deformer.curve_at(workspace.shown_pose()[*parameter]);
   feature.kind = CurveKind::reference;
@@ -234,6 +286,7 @@ std::vector<CurveDrawing> shown_curves(const Workspace& workspace, const PosedSu
   std::vector<CurveDrawing> out;
   if (look.onion_skin) add_onion_skins(out, workspace, look);
   if (workspace.editor().tool().kind == drawing::ToolKind::articulate) {
+    add_outline(out, workspace, look);
     add_sketch(out, workspace, look);
   } else {
     add_pose_curves(out, workspace, surface, look);

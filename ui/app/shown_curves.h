@@ -14,7 +14,10 @@ struct CurveLook {
   float scale = 1;  ///< px of the display for each px of an ordinary one
   std::optional<document::CurveId> highlighted;
   std::optional<document::CurveId> dragged;  ///< a target in hand
-  geometry::PxPoint dragged_by;              ///< how far, in px of its own view
+  geometry::PxPoint dragged_by;              ///< how far, px
+  std::optional<PullHold> pulled;            ///< it, or the goal in hand, at a place; nothing: all of it
+  std::optional<double> goal;                ///< the goal of `deformer` at that value is in hand
+  bool handles = false;                      ///< the middles by which whole targets are moved
   bool onion_skin = false;                   ///< the model's curves at the neighbouring keys
   double time_s = 0;                         ///< of which moment
   std::string deformer;                      ///< whose reference and target are shown; empty: of none

@@ -1,11 +1,15 @@
 #include "ui/app/sketch_preview.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "core/articulation/border.h"
 #include "core/articulation/edit.h"
 #include "core/articulation/kept_surface.h"
 #include "core/articulation/reference_curve.h"
 #include "core/document/apply.h"
+#include "core/geometry/lasso.h"
 #include "ui/app/fitted_ball.h"
 
 namespace penpose::app {
@@ -15,6 +19,7 @@ using articulation::CurveRole;
 void SketchPreview::end() { *this = SketchPreview{}; }
 
 void SketchPreview::stroke_ended() {
+  refused_core_ = std::exchange(core_, {});
   model_.reset();
   drawn_.reset();
   region_of_.reset();
@@ -22,11 +27,17 @@ void SketchPreview::stroke_ended() {
 }
 
 void SketchPreview::show(const document::Document& document, const drawing::Tool& tool) {
-  if (!document.pending && tool.kind != drawing::ToolKind::redraw) {
+  const bool at_rest = tool.kind == drawing::ToolKind::redraw;
+  if (!document.pending && !at_rest) {
     // Between two controls the face is as it was posed.
     model_.reset();
     pose_.reset();
     rested_.reset();
+  } else if (tool.kind == drawing::ToolKind::articulate && document.pending && !document.pending->drivers.empty()) {
+    // A correction is drawn on the pose that it corrects.
+    rested_.reset();
+    model_.reset();
+    pose_ = document.pose;
   } else if (rested_ != document.model || !pose_ || model_) {
     rested_ = document.model;
     model_.reset();
@@ -35,6 +46,8 @@ void SketchPreview::show(const document::Document& document, const drawing::Tool
   if (region_of_ == document.pending && (document.pending || weights_.empty())) return;
   region_of_ = document.pending;
   reference_.clear();
+  if (!document.pending || !document.pending->sketch.specific.empty()) refused_core_.clear();
+  outline_.clear();
   if (!document.pending || document.pending->sketch.general.empty() ||
       !set_region(document, document.pending->sketch)) {
     if (!weights_.empty()) ++revision_;
@@ -44,38 +57,61 @@ void SketchPreview::show(const document::Document& document, const drawing::Tool
   const auto& sketch = document.pending->sketch;
   const auto weights = sketch.specific.empty() ? base::Result<articulation::Weights>(base::Error{})
                                                : articulation::specific_region(region_, sketch.specific);
-  show_weights(document.model->mesh->vertex_count(), weights ? &weights->weights : nullptr);
+  const auto& core = sketch.specific.empty() ? refused_core_ : sketch.specific;
+  show_weights(document.model->mesh->vertex_count(), weights ? &weights->weights : nullptr, &core);
   if (weights) find_reference(sketch, weights->specific);
 }
 
 bool SketchPreview::set_canvas(const document::Document& document) {
-  if (canvas_of_ == document.model) return true;
-  auto canvas = document::make_canvas(*document.model);
+  std::vector<articulation::Driver> drivers;
+  if (document.pending) drivers = document.pending->drivers;
+  if (canvas_of_ == document.model && canvas_pose_ == drivers) return true;
+  auto canvas =
+      drivers.empty() ? document::make_canvas(*document.model) : document::make_posed_canvas(*document.model, drivers);
   if (!canvas) return false;
   canvas_ = std::move(*canvas);
   canvas_of_ = document.model;
+  canvas_pose_ = std::move(drivers);
   region_lasso_.clear();
   return true;
 }
 
 bool SketchPreview::set_region(const document::Document& document, const articulation::Sketch& sketch) {
   if (!set_canvas(document)) return false;
-  if (region_lasso_ == sketch.general && region_surface_ == sketch.surface && !region_.vertices.empty()) return true;
+  const articulation::Taken taken{sketch.reach, sketch.piece};
+  const bool same = region_lasso_ == sketch.general && region_surface_ == sketch.surface && region_taken_ == taken;
+  if (same && !region_.vertices.empty()) return true;
   const auto camera = geometry::Camera::make(sketch.camera, sketch.viewport);
   const auto surface = articulation::KeptSurface::make(sketch.surface, *canvas_);
   if (!camera || !surface) return false;
-  auto region = articulation::general_region(*canvas_, *camera, sketch.general, *surface);
+  auto region =
+      articulation::general_region(*canvas_, *camera, sketch.general, *surface, articulation::Borders::measured, taken);
   if (!region) return false;
+  region_taken_ = taken;
+  region_camera_ = *camera;
   region_ = std::move(*region);
   region_lasso_ = sketch.general;
   region_surface_ = sketch.surface;
   return true;
 }
 
-void SketchPreview::show_weights(std::size_t vertex_count, const std::vector<double>* weights) {
+void SketchPreview::show_weights(std::size_t vertex_count, const std::vector<double>* weights,
+                                 const std::vector<geometry::PxPoint>* core) {
   weights_.assign(vertex_count, -1.0F);
   for (std::size_t i = 0; i < region_.vertices.size(); ++i) {
     weights_[region_.vertices[i]] = weights != nullptr ? static_cast<float>((*weights)[i]) : 0.0F;
+  }
+  outline_ = canvas_ ? articulation::border_of(*canvas_, region_) : decltype(outline_)();
+  const auto lasso =
+      core != nullptr && core->size() > 2 ? geometry::Lasso::make(*core) : base::Result<geometry::Lasso>(base::Error{});
+  if (lasso && region_camera_ && canvas_) {
+    // Of what is hidden behind the face nobody thinks.
+    const auto general = geometry::Lasso::make(region_lasso_);
+    for (std::uint32_t v = 0; v < std::min(vertex_count, canvas_->positions().size()); ++v) {
+      if (weights_[v] != -1.0F) continue;
+      const auto px = region_camera_->project(canvas_->positions()[v]);
+      if (px && lasso->contains(*px) && !(general && general->contains(*px))) weights_[v] = -2.0F;
+    }
   }
   ++revision_;
 }
@@ -111,7 +147,7 @@ void SketchPreview::follow(const document::Document& document, const drawing::To
                            const curve::Stroke& stroke) {
   if (!pose_) show(document, tool);
   const auto line = curve::positions_of(stroke);
-  if (tool.kind == drawing::ToolKind::redraw) {
+  if (tool.kind == drawing::ToolKind::redraw || tool.kind == drawing::ToolKind::between) {
     if (line.size() > 3) follow_redraw(document, tool, view, line);
     return;
   }
@@ -126,13 +162,15 @@ void SketchPreview::follow(const document::Document& document, const drawing::To
   } else if (step == CurveRole::specific) {
     if (line.size() < 3 || !set_region(document, sketch)) return;
     const auto weights = articulation::specific_region(region_, line);
+    core_ = weights ? std::vector<geometry::PxPoint>() : line;
+    show_weights(document.model->mesh->vertex_count(), weights ? &weights->weights : nullptr, &line);
     if (!weights) return;
-    show_weights(document.model->mesh->vertex_count(), &weights->weights);
     sketch.reference.clear();
     find_reference(sketch, weights->specific);
   } else if (step == CurveRole::target && line.size() > 3) {
     sketch.target = document::rescaled(line, view.viewport, sketch.viewport);
     if (!(view.camera == sketch.camera)) sketch.target_camera = view.camera;
+    if (document.pending && !document.pending->drivers.empty()) return build_correction(document, std::move(sketch));
     build(document, std::move(sketch), std::nullopt);
   }
 }
@@ -143,13 +181,23 @@ void SketchPreview::follow_redraw(const document::Document& document, const draw
   const auto number = articulation::find_deformer(*document.model->deformers, tool.deformer);
   if (!number) return;
   const articulation::Sketch& before = document.model->deformers->deformers()[*number]->sketch();
+  if (tool.kind == drawing::ToolKind::between) {
+    articulation::Sketch other = before;
+    std::erase_if(other.betweens, [&](const auto& one) { return std::abs(one.value - tool.value) < 1e-3; });
+    articulation::InBetween one{tool.value, document::rescaled(line, view.viewport, before.viewport), std::nullopt};
+    if (!(view.camera == before.camera)) one.camera = view.camera;
+    const auto after = std::find_if(other.betweens.begin(), other.betweens.end(),
+                                    [&](const auto& each) { return each.value > tool.value; });
+    other.betweens.insert(after, std::move(one));
+    return build(document, std::move(other), number, tool.value);
+  }
   auto sketch =
       articulation::redrawn(before, tool.role, document::rescaled(line, view.viewport, before.viewport), view.camera);
   if (sketch) build(document, std::move(*sketch), number);
 }
 
 void SketchPreview::build(const document::Document& document, articulation::Sketch sketch,
-                          std::optional<std::size_t> in_place_of) {
+                          std::optional<std::size_t> in_place_of, std::optional<double> at) {
   if (sketch.name.empty()) sketch.name = "deformer being drawn";
   if (!set_canvas(document)) return;
   static const articulation::SketchedDeformers none;
@@ -165,9 +213,20 @@ void SketchPreview::build(const document::Document& document, articulation::Sket
   if (!model) return;
   rig::Pose pose = rig::rest_pose(*model->rig);
   drawn_ = rig::find_parameter(model->rig->parameters(), sketch.name);
-  if (drawn_) pose[*drawn_] = amount_ * sketch.maximum;
+  if (drawn_) pose[*drawn_] = at ? *at : amount_ * sketch.maximum;
+  if (at) drawn_.reset();
   model_ = std::make_shared<const document::Model>(std::move(*model));
   pose_ = std::move(pose);
+}
+
+void SketchPreview::build_correction(const document::Document& document, articulation::Sketch sketch) {
+  auto sketches = document::correction_sketches(*document.model);
+  sketches.push_back({std::move(sketch), document.pending->drivers});
+  auto model = document::with_corrections(*document.model, sketches);
+  if (!model) return;
+  drawn_.reset();
+  model_ = std::make_shared<const document::Model>(std::move(*model));
+  pose_ = document.pose;
 }
 
 }  // namespace penpose::app

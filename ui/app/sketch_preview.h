@@ -28,10 +28,17 @@ class SketchPreview {
   [[nodiscard]] const std::shared_ptr<const document::Model>& model() const { return model_; }
   /// Of `model`, or of the document's model: at rest, with the deformer that is drawn at `amount`.
   [[nodiscard]] const rig::Pose* pose() const { return pose_ ? &*pose_ : nullptr; }
-  /// One a vertex, -1 outside of the region; empty when there is nothing to show.
+  /// One a vertex, -1 outside of the region, -2 where the second lasso holds what the first does not; empty when there
+  /// is nothing to show.
   [[nodiscard]] const std::vector<float>& weights() const { return weights_; }
   /// Grows when the weights change.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
+  /// The border of the region, in world space as the model is shown.
+  [[nodiscard]] const std::vector<std::vector<geometry::ModelPoint>>& outline() const { return outline_; }
+  /// How many pieces of the model the first lasso holds.
+  [[nodiscard]] std::uint32_t pieces() const { return weights_.empty() ? 0 : region_.pieces; }
+  /// The second lasso where it was drawn last but holds nothing of the region; else empty.
+  [[nodiscard]] const std::vector<geometry::PxPoint>& refused_core() const { return refused_core_; }
   /// The reference of the deformer being drawn, found by itself or drawn, in world space at rest; empty before step 3.
   [[nodiscard]] const std::vector<geometry::ModelPoint>& reference() const { return reference_; }
   /// A ball under the region, for a deformer that slides over one; nothing before step 2 or for a flat region.
@@ -43,9 +50,12 @@ class SketchPreview {
  private:
   bool set_canvas(const document::Document& document);
   bool set_region(const document::Document& document, const articulation::Sketch& sketch);
-  void show_weights(std::size_t vertex_count, const std::vector<double>* weights);
+  void show_weights(std::size_t vertex_count, const std::vector<double>* weights,
+                    const std::vector<geometry::PxPoint>* core = nullptr);
   void find_reference(const articulation::Sketch& sketch, const std::vector<std::uint32_t>& specific);
-  void build(const document::Document& document, articulation::Sketch sketch, std::optional<std::size_t> in_place_of);
+  void build(const document::Document& document, articulation::Sketch sketch, std::optional<std::size_t> in_place_of,
+             std::optional<double> at = std::nullopt);
+  void build_correction(const document::Document& document, articulation::Sketch sketch);
   void follow_redraw(const document::Document& document, const drawing::Tool& tool, const document::View& view,
                      const std::vector<geometry::PxPoint>& line);
 
@@ -55,6 +65,12 @@ class SketchPreview {
   std::shared_ptr<const document::PendingSketch> region_of_;
   std::vector<geometry::PxPoint> region_lasso_;
   articulation::Surface region_surface_;
+  articulation::Taken region_taken_;
+  std::optional<geometry::Camera> region_camera_;
+  std::vector<articulation::Driver> canvas_pose_;
+  std::vector<std::vector<geometry::ModelPoint>> outline_;
+  std::vector<geometry::PxPoint> core_;  ///< as it is being drawn
+  std::vector<geometry::PxPoint> refused_core_;
   articulation::Region region_;
   std::vector<float> weights_;
   std::uint64_t revision_ = 0;

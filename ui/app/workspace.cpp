@@ -16,7 +16,8 @@ namespace {
 
 /// Strokes of these tools are drawn on the model at rest.
 bool sketches(const drawing::Tool& tool) {
-  return tool.kind == drawing::ToolKind::articulate || tool.kind == drawing::ToolKind::redraw;
+  return tool.kind == drawing::ToolKind::articulate || tool.kind == drawing::ToolKind::redraw ||
+         tool.kind == drawing::ToolKind::between;
 }
 
 /// Whether a line of a session brings the face to a target.
@@ -25,6 +26,7 @@ bool solves(const replay::SessionLine& line) {
   if (performed == nullptr) return std::holds_alternative<replay::TabletGone>(line);
   return std::holds_alternative<document::DragTarget>(performed->command) ||
          std::holds_alternative<document::DrawTarget>(performed->command) ||
+         std::holds_alternative<document::PullTarget>(performed->command) ||
          std::holds_alternative<document::SolvePose>(performed->command);
 }
 
@@ -205,7 +207,9 @@ std::vector<PenMoment> Workspace::report_at(int device, std::int64_t received_us
   return out;
 }
 
-void Workspace::hold_target(std::optional<document::CurveId> curve, geometry::PxPoint by) {
+void Workspace::hold_target(std::optional<document::CurveId> curve, geometry::PxPoint by,
+                            const std::optional<PullHold>& pull) {
+  held_pull_ = pull;
   held_ = curve;
   held_by_ = by;
   if (!held_) follow_.end();
@@ -214,7 +218,7 @@ void Workspace::hold_target(std::optional<document::CurveId> curve, geometry::Px
 void Workspace::follow_pen() {
   if (held_) {
     if (!follow_.active() || !(follow_.curve() == *held_)) {
-      follow_.begin_drag(document(), *held_, editor().view());
+      follow_.begin_drag(document(), *held_, editor().view(), held_pull_);
       followed_by_ = {};
     }
     if (!(followed_by_ == held_by_)) follow_.drag(held_by_);

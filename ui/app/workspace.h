@@ -69,7 +69,8 @@ class Workspace {
   void follow_pen();
 
   /// A target in hand, moved by px of the view as it is: the face follows. Nothing: it was let go.
-  void hold_target(std::optional<document::CurveId> curve, geometry::PxPoint by = {});
+  void hold_target(std::optional<document::CurveId> curve, geometry::PxPoint by = {},
+                   const std::optional<PullHold>& pull = std::nullopt);
 
   /// A pose to show in place of the document's until another or none is given: a slider or the timeline in hand.
   void preview(std::optional<rig::Pose> pose) { preview_ = std::move(pose); }
@@ -114,6 +115,7 @@ class Workspace {
   bool stroke_seen_ = false;
   std::optional<document::CurveId> held_;
   geometry::PxPoint held_by_;
+  std::optional<PullHold> held_pull_;
   geometry::PxPoint followed_by_;
   std::size_t followed_ = 0;
   std::vector<Movement> movements_;

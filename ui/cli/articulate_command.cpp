@@ -89,6 +89,23 @@ base::Result<document::Document> articulated(const document::Document& document,
   return document::with_model(document, std::move(changed).value());
 }
 
+/// The corrections that the model has, then those of the file. Errors: their place is a JSON pointer in it.
+base::Result<document::Document> corrected(const document::Document& document, const model_io::SketchFile& file) {
+  if (file.corrections.empty()) return document;
+  auto sketches = document::correction_sketches(*document.model);
+  const std::size_t before = sketches.size();
+  sketches.insert(sketches.end(), file.corrections.begin(), file.corrections.end());
+  auto changed = document::with_corrections(*document.model, sketches);
+  if (changed) return document::with_model(document, std::move(changed).value());
+  base::Error error = changed.error();
+  const std::size_t end = std::min(error.place.find('/'), error.place.size());
+  const auto number = base::parse_uint(std::string_view(error.place).substr(0, end));
+  if (number && *number >= before) {
+    error.place = "/corrections/" + std::to_string(*number - before) + error.place.substr(end);
+  }
+  return error;
+}
+
 const char* mode_name(const Deformer& deformer) {
   return deformer.mode() == articulation::Mode::translate ? "translate" : "rotate";
 }
@@ -131,16 +148,21 @@ int articulate(const ArticulateArguments& arguments) {
   auto file = model_io::read_sketch_file(*bytes);
   if (!file) return report(file.error(), arguments.sketch);
   if (arguments.paper) {
-    for (articulation::Sketch& sketch : file->sketches) sketch.rules = 0;
+    for (articulation::Sketch& sketch : file->sketches) {
+      sketch.rules = 0;
+      sketch.betweens.clear();
+    }
   }
-  if (file->sketches.empty()) {
+  if (file->sketches.empty() && file->corrections.empty()) {
     return report({"there is no deformer in the file", "/deformers", "draw one"}, arguments.sketch);
   }
   const std::vector<std::string> file_notes = notes_on(*file, arguments.model);
   const auto built = build_all(*document, *file);
   if (!built) return report(built.error(), arguments.sketch);
-  const auto result = articulated(*document, *built);
-  if (!result) return report(result.error(), arguments.model);
+  const auto bare = articulated(*document, *built);
+  if (!bare) return report(bare.error(), arguments.model);
+  const auto result = corrected(*bare, *file);
+  if (!result) return report(result.error(), arguments.sketch);
   if (auto saved = save_as_it_came(*result, arguments.out, SaveNotes::loud, arguments.glb); !saved)
     return report(saved.error(), arguments.out);
 
@@ -163,6 +185,7 @@ int articulate(const ArticulateArguments& arguments) {
                     {"target_turned_round", deformer.turned_round()},
                     {"stretch", deformer.strain().stretch},
                     {"turned_over", deformer.strain().turned_over},
+                    {"targets", 1 + deformer.betweens().size()},
                     {"notes", notes},
                     {"build_us", one.build_us}});
     if (arguments.json) continue;
@@ -173,11 +196,32 @@ int articulate(const ArticulateArguments& arguments) {
               << base::format_fixed(one.build_us / 1000.0, 2) << " ms\n";
     for (const std::string& note : notes) std::cout << "  warning: " << note << '\n';
   }
+  Json corrections = Json::array();
+  const auto& all = result->model->corrections;
+  for (std::size_t i = all ? all->size() - file->corrections.size() : 0; all && i < all->size(); ++i) {
+    const articulation::Correction& one = *all->all()[i];
+    const auto notes = notes_on(*one.deformer);
+    Json drivers = Json::object();
+    std::string names;
+    for (const articulation::Driver& driver : one.drawn.drivers) {
+      drivers[driver.control] = driver.value;
+      names += (names.empty() ? "" : " and ") + base::shown_name(driver.control);
+    }
+    corrections.push_back({{"name", one.drawn.sketch.name},
+                           {"drivers", std::move(drivers)},
+                           {"vertices", one.vertices.size()},
+                           {"notes", notes}});
+    if (arguments.json) continue;
+    std::cout << base::shown_name(one.drawn.sketch.name) << ": corrects " << names << ", " << one.vertices.size()
+              << " vertices\n";
+    for (const std::string& note : notes) std::cout << "  warning: " << note << '\n';
+  }
   if (arguments.json) {
     const Json object = {{"model", arguments.model},
                          {"out", arguments.out},
                          {"notes", file_notes},
                          {"deformers", std::move(rows)},
+                         {"corrections", std::move(corrections)},
                          {"state", document::DocumentHasher()(*result).whole.hex()}};
     std::cout << object.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
   }

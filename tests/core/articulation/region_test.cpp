@@ -37,6 +37,40 @@ TEST(Region, TakesHiddenVerticesOfTheSamePiece) {
   EXPECT_GT(behind, 100U);
 }
 
+TEST(Region, TheOtherPieceIsTheNextOne) {
+  mesh::MeshSource source;
+  for (const double z : {-2.0, 0.0}) {
+    tests::add_grid(source, z == 0.0 ? "front" : "back", 10, 10, false,
+                    [&](std::uint32_t r, std::uint32_t c) { return ModelPoint(c * 0.1, r * 0.1, z); });
+  }
+  const auto canvas = tests::canvas_of(std::move(source));
+  const auto camera = geometry::Camera::make({{0.45, 0.45, 5}, {0.45, 0.45, 0}, {0, 1, 0}, 30}, {}).value();
+  const std::vector<PxPoint> all{{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}};
+  const auto near = general_region(*canvas, camera, all).value();
+  EXPECT_EQ(near.pieces, 2U);
+  EXPECT_GE(near.vertices.front(), 100U);
+  const auto far = general_region(*canvas, camera, all, {}, Borders::measured, {Reach::through, 1}).value();
+  EXPECT_LT(far.vertices.back(), 100U);
+  EXPECT_EQ(general_region(*canvas, camera, all, {}, Borders::measured, {Reach::through, 2}).error().place, "piece");
+  // What is hidden behind the first piece is not seen at all.
+  const auto seen = general_region(*canvas, camera, all, {}, Borders::measured, {Reach::front, 0}).value();
+  EXPECT_EQ(seen.vertices.size(), 100U);
+  EXPECT_GE(seen.vertices.front(), 100U);
+}
+
+TEST(Region, TheFrontAloneLeavesWhatIsNotSeen) {
+  const tests::Trunk trunk = tests::make_trunk();
+  const auto camera = geometry::Camera::make(trunk.camera, trunk.viewport).value();
+  const auto lasso = trunk.box(1, 3.5, 0.6);
+  const auto through = general_region(*trunk.canvas, camera, lasso).value();
+  const auto front = general_region(*trunk.canvas, camera, lasso, {}, Borders::measured, {Reach::front, 0}).value();
+  EXPECT_GT(front.vertices.size(), through.vertices.size() / 3);
+  EXPECT_LT(front.vertices.size(), 2 * through.vertices.size() / 3);
+  for (const std::uint32_t v : front.vertices) EXPECT_GT(trunk.canvas->positions()[v].z, -0.12) << v;
+  EXPECT_TRUE(
+      std::includes(through.vertices.begin(), through.vertices.end(), front.vertices.begin(), front.vertices.end()));
+}
+
 TEST(Region, IgnoresScrapsNearerToTheCamera) {
   mesh::MeshSource source;
   tests::add_grid(source, "wall", 10, 10, false,

@@ -113,5 +113,49 @@ TEST(SketchFile, TakesNullForWhatIsAbsent) {
   EXPECT_FALSE(file->sketches[0].target_camera.has_value());
 }
 
+TEST(SketchFile, OtherTargetsAndCorrectionsComeBackAsTheyWereWritten) {
+  auto file = read(k_small).value();
+  file.skipped.clear();
+  articulation::Sketch& sketch = file.sketches[0];
+  sketch.reach = articulation::Reach::front;
+  sketch.piece = 2;
+  sketch.betweens = {{0.25, {{1, 2}, {3, 4}}, std::nullopt}, {0.5, {{5, 6}, {7, 8}}, sketch.camera}};
+  articulation::CorrectionSketch correction{sketch, {{"jaw", 1}, {"smile", 0.75}}};
+  correction.sketch.name = "both";
+  correction.sketch.betweens.clear();
+  file.corrections = {correction};
+  const auto again = read(write_sketch_file(file));
+  ASSERT_TRUE(again.ok()) << again.error().line();
+  EXPECT_EQ(again->sketches, file.sketches);
+  EXPECT_EQ(again->corrections, file.corrections);
+  EXPECT_TRUE(again->skipped.empty());
+}
+
+TEST(SketchFile, BadTargetsAndCorrectionsAreToldWithTheirPlace) {
+  const auto place = [](const std::string& member) {
+    const auto file = read(changed("\"target\": [[0", member + ", \"target\": [[0"));
+    return file ? std::string("none") : file.error().place;
+  };
+  EXPECT_EQ(place(R"("reach": "behind")"), "/deformers/0/reach");
+  EXPECT_EQ(place(R"("piece": -1)"), "/deformers/0/piece");
+  EXPECT_EQ(place(R"("betweens": 3)"), "/deformers/0/betweens");
+  EXPECT_EQ(place(R"("betweens": [{"value": 0.5}])"), "/deformers/0/betweens/0");
+  EXPECT_EQ(place(R"("betweens": [{"value": 5, "target": [[1, 2], [3, 4]]}])"), "/deformers/0/betweens/0/value");
+  const auto with = [](const std::string& drivers) {
+    std::string text = k_small;
+    const std::string one = text.substr(text.find("[{\"name\": \"jaw\""));
+    const std::string list = one.substr(0, one.rfind('}'));
+    std::string correction = list.substr(0, list.rfind('}')) + drivers + "}]";
+    correction.replace(correction.find("jaw"), 3, "fix");
+    text.insert(text.rfind('}'), ", \"corrections\": " + correction);
+    const auto file = read(text);
+    return file ? std::string("none") : file.error().place;
+  };
+  EXPECT_EQ(with(R"(, "drivers": [["jaw", 1], ["smile", 1]])"), "none");
+  EXPECT_EQ(with(""), "/corrections/0");
+  EXPECT_EQ(with(R"(, "drivers": [["jaw", 1]])"), "/corrections/0/drivers");
+  EXPECT_EQ(with(R"(, "drivers": [["jaw", 1], ["smile"]])"), "/corrections/0/drivers/1");
+}
+
 }  // namespace
 }  // namespace penpose::model_io

@@ -14,8 +14,11 @@ namespace penpose::tests {
 /// something. A command that is added to the list and is not made here does not compile.
 class KnowingHand {
  public:
-  KnowingHand(SessionScript& script, std::uint64_t seed, std::uint32_t rules = drawing::k_rules)
-      : script_(script), random_(seed), hand_(script, seed + 7777), rules_(rules) {
+  /// All commands of the list, or those that there were when golden sessions by the rules were first drawn.
+  enum class Commands : std::uint8_t { all, first };
+  KnowingHand(SessionScript& script, std::uint64_t seed) : KnowingHand(script, seed, drawing::k_rules, Commands::all) {}
+  KnowingHand(SessionScript& script, std::uint64_t seed, std::uint32_t rules, Commands commands = Commands::first)
+      : script_(script), random_(seed), hand_(script, seed + 7777), rules_(rules), commands_(commands) {
     // As the app draws: taps mean nothing, and what is not drawn over stays where it is.
     drawing::Tool tool;
     tool.rules = rules_;
@@ -190,6 +193,40 @@ class KnowingHand {
     return command;
   }
 
+  document::Command make(Tag<document::BeginCorrection>) { return document::BeginCorrection{}; }
+  document::Command make(Tag<document::DeleteCorrection>) {
+    const auto& corrections = doc().model->corrections;
+    return document::DeleteCorrection{corrections ? any(corrections->all())->drawn.sketch.name : "correction 1"};
+  }
+  document::Command make(Tag<document::TakeRegion>) {
+    if (random_.chance(0.5)) return document::TakeRegion{articulation::Reach::front, {}};
+    return document::TakeRegion{articulation::Reach::through, {}};
+  }
+  document::Command make(Tag<document::DrawBetween>) {
+    const std::string name = deformer();
+    const double value = random_.real(0.2, 0.8);
+    return document::DrawBetween{name, value, view(), hand_.line()};
+  }
+  document::Command make(Tag<document::DeleteBetween>) {
+    const std::string name = deformer();
+    const auto& set = doc().model->deformers;
+    const auto number = set ? articulation::find_deformer(*set, name) : std::nullopt;
+    if (!number || set->deformers()[*number]->sketch().betweens.empty()) return document::DeleteBetween{name, 0.5};
+    return document::DeleteBetween{name, set->deformers()[*number]->sketch().betweens.front().value};
+  }
+  document::Command make(Tag<document::PullBetween>) {
+    const std::string name = deformer();
+    const auto line = hand_.line();
+    const double x = random_.real(-20, 20);
+    return document::PullBetween{name, 1, view(), line.front(), {x, random_.real(-20, 20)}, random_.real(0, 0.6)};
+  }
+  document::Command make(Tag<document::PullTarget>) {
+    const document::CurveId id = curve(true);
+    const auto line = along_target();
+    const double x = random_.real(-30, 30);
+    return document::PullTarget{id, view(), line.front(), {x, random_.real(-30, 30)}, random_.real(0, 0.6), meant()};
+  }
+
   void stroke() {
     const auto kind = static_cast<drawing::ToolKind>(random_.below(9));
     drawing::Tool tool;
@@ -203,9 +240,10 @@ class KnowingHand {
   /// How many of the list this hand knows: by older rules those that there were then, so that it does what it did.
   [[nodiscard]] std::size_t commands() const {
     constexpr std::size_t k_before_sheet_rules = 33;
-    constexpr std::size_t k_before_moment_rules = 35;
-    if (rules_ < document::k_sheet_rules) return k_before_sheet_rules;
-    return rules_ < document::k_moment_rules ? k_before_moment_rules : std::variant_size_v<document::Command>;
+    // Rules 3 to 5 came without new commands; those of other targets and corrections came after them.
+    constexpr std::size_t k_before_other_targets = 35;
+    if (commands_ == Commands::all) return std::variant_size_v<document::Command>;
+    return rules_ < document::k_sheet_rules ? k_before_sheet_rules : k_before_other_targets;
   }
   /// What the rules of single commands are: those of the solver alone.
   [[nodiscard]] std::uint32_t sheets() const { return rules_ >= document::k_sheet_rules ? rules_ : 0; }
@@ -249,6 +287,7 @@ class KnowingHand {
   Random random_;
   RandomHand hand_;
   std::uint32_t rules_;
+  Commands commands_;
   int names_ = 0;
   bool pressed_ = false;
 };

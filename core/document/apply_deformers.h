@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "core/articulation/edit.h"
+#include "core/document/apply_parts.h"
+
+// What the commands of deformers and corrections have in common.
+
+namespace penpose::document {
+
+/// The set that edits start from; the one without deformers where there is none.
+[[nodiscard]] articulation::SketchedDeformers::Shared deformers_of(const Document& document);
+
+/// The number of the deformer of that name. Error (place "deformer"): there is none.
+[[nodiscard]] base::Result<std::size_t> deformer_number(const Document& document, const std::string& name);
+
+/// The document with deformer `number` built again from another sketch.
+[[nodiscard]] Changed with_deformer_from(const Document& document, std::size_t number,
+                                         const articulation::Sketch& sketch, Parts& work);
+
+/// The document with another sketch in the making.
+[[nodiscard]] Document with_pending(const Document& document, PendingSketch pending);
+
+/// What the deformer or correction in the making is drawn on.
+[[nodiscard]] base::Result<std::shared_ptr<const articulation::Canvas>> pending_canvas(const Document& document,
+                                                                                       Parts& work);
+
+/// Error: a correction is drawn at another pose than the model stands in.
+[[nodiscard]] base::Status check_pending_pose(const Document& document);
+
+/// The correction that was begun, with its last curve drawn.
+[[nodiscard]] Changed with_correction(const Document& document, const articulation::Sketch& sketch);
+
+}  // namespace penpose::document
