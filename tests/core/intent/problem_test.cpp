@@ -39,6 +39,23 @@ TEST(StrokeDoubt, ACornerThatIsMeantIsNotRough) {
   EXPECT_LT(stroke_doubt_px(Line{{0, 0}, {250, 0}, {250, 250}}, 2.0), 2.5);
 }
 
+TEST(StrokeDoubt, ATabletOfCoarseStepsIsDoubtedMore) {
+  // The same arc as devices report it whose steps are so many px wide.
+  const auto arc = [](double step) {
+    Line line;
+    for (int i = 0; i <= 200; ++i) {
+      const double x = 2.0 * i;
+      const double y = 120.0 - 0.003 * (x - 200.0) * (x - 200.0);
+      line.push_back({std::round(x / step) * step, std::round(y / step) * step});
+    }
+    return stroke_doubt_px(line, 2.0);
+  };
+  EXPECT_NEAR(arc(0.02), 2.0, 0.01) << "a pen tablet's";
+  EXPECT_NEAR(arc(1), 2.0, 0.1) << "a px";
+  EXPECT_GT(arc(6), 2.4) << "a matrix of coarse fingers";
+  EXPECT_GT(arc(12), arc(6) + 0.8);
+}
+
 TEST(CheckIntentProblem, NamesWhatIsWrong) {
   const Face face = tests::usual_face();
   const rig::Pose rest = rig::rest_pose(*face.rig);
