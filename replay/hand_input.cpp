@@ -10,9 +10,7 @@ constexpr std::uint16_t k_bus_virtual = 6;  ///< BUS_VIRTUAL of Linux
 }  // namespace
 
 void HandInput::connect(int device, const decode::DeviceIdentity& identity) {
-  auto& touch_switch = switches_[identity.vendor];
-  if (!touch_switch) touch_switch = std::make_shared<decode::TouchSwitch>();
-  auto hand = decode::make_hand_decoders(identity, own_, touch_switch);
+  auto hand = decode::make_hand_decoders(identity, own_, switches_.join(device, identity));
   interfaces_.erase(device);
   pens_.erase(device);
   if (identity.bus == k_bus_virtual) virtual_.insert(device);
@@ -21,6 +19,7 @@ void HandInput::connect(int device, const decode::DeviceIdentity& identity) {
   Interface& interface = interfaces_[device];
   if (hand.pad) interface.events = decode::PadEvents(hand.pad->features());
   interface.hand = std::move(hand);
+  if (const auto lights = lights_.find(device); lights != lights_.end()) apply_lights(device, lights->second);
 }
 
 void HandInput::take_events(int device) {
@@ -30,6 +29,7 @@ void HandInput::take_events(int device) {
 
 std::span<const HandMoment> HandInput::disconnect(int device, std::int64_t time_us) {
   moments_.clear();
+  lights_.erase(device);
   pen(device, false, time_us);
   const auto found = interfaces_.find(device);
   if (found == interfaces_.end()) return moments_;
@@ -62,6 +62,7 @@ void HandInput::end_frame(int device, Interface& interface, std::int64_t time_us
 
 std::span<const HandMoment> HandInput::report(int device, std::int64_t time_us, base::Bytes bytes) {
   moments_.clear();
+  if (!lights_.empty()) lights_.erase(device);
   const auto found = interfaces_.find(device);
   if (found == interfaces_.end()) return moments_;
   Interface& interface = found->second;
@@ -77,6 +78,17 @@ std::span<const HandMoment> HandInput::report(int device, std::int64_t time_us, 
   }
   if (interface.hand.touch && interface.hand.touch->decode(bytes)) end_frame(device, interface, time_us);
   return moments_;
+}
+
+void HandInput::set_lights(int device, const decode::Lights& lights) {
+  lights_[device] = lights;
+  apply_lights(device, lights);
+}
+
+void HandInput::apply_lights(int device, const decode::Lights& lights) {
+  const auto found = interfaces_.find(device);
+  if (found == interfaces_.end() || !found->second.hand.pad) return;
+  for (std::size_t side = 0; side < lights.size(); ++side) found->second.hand.pad->set_light(side, lights[side]);
 }
 
 const decode::PadDecoder* HandInput::pad(int device) const {

@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "firmware_io/decode/hand_factory.h"
+#include "firmware_io/decode/light_report.h"
 #include "firmware_io/decode/pad_events.h"
 #include "firmware_io/decode/palm_guard.h"
+#include "replay/touch_switches.h"
 
 namespace penpose::replay {
 
@@ -19,6 +21,7 @@ struct HandMoment {
     pad,      ///< `event`
     fingers,  ///< a frame of fingers ended: they are in HandInput::fingers
     battery,  ///< the charge is another one
+    tablet,   ///< a receiver hears another tablet: what the device stands for has changed
   };
   Kind kind = Kind::pad;
   int device = 0;
@@ -30,7 +33,7 @@ struct HandMoment {
 class HandInput {
  public:
   /// `own` (may be null) are the user's tablets; it must outlive this.
-  explicit HandInput(const decode::TabletTable* own = nullptr) : own_(own) {}
+  explicit HandInput(const decode::TabletTable* own = nullptr) : own_(own), switches_(own) {}
 
   /// An interface came, or came again under its number.
   void connect(int device, const decode::DeviceIdentity& identity);
@@ -40,6 +43,10 @@ class HandInput {
   void pen(int device, bool near, std::int64_t time_us);
   /// One report. What is returned is valid until the next call.
   std::span<const HandMoment> report(int device, std::int64_t time_us, base::Bytes bytes);
+
+  /// Which lights are on beside the dials of a device, also of one that is connected before its next report: a replay
+  /// learns of a device with its first report only.
+  void set_lights(int device, const decode::Lights& lights);
 
   /// The state of a device's pad, null where it has none.
   [[nodiscard]] const decode::PadDecoder* pad(int device) const;
@@ -56,14 +63,16 @@ class HandInput {
     std::vector<decode::TouchContact> fingers;
   };
 
+  void apply_lights(int device, const decode::Lights& lights);
   void take_events(int device);
   void end_frame(int device, Interface& interface, std::int64_t time_us);
 
   const decode::TabletTable* own_;
   std::map<int, Interface> interfaces_;
-  std::map<std::uint16_t, std::shared_ptr<decode::TouchSwitch>> switches_;  ///< by vendor
-  std::map<int, bool> pens_;                                                ///< whether one is near, by device
-  std::set<int> virtual_;  ///< devices that stand for a mouse, which holds no fingers back
+  TouchSwitches switches_;
+  std::map<int, decode::Lights> lights_;  ///< seen since the last report, by device
+  std::map<int, bool> pens_;              ///< whether one is near, by device
+  std::set<int> virtual_;                 ///< devices that stand for a mouse, which holds no fingers back
   std::vector<decode::PadEvent> events_;
   std::vector<HandMoment> moments_;
 };

@@ -9,6 +9,38 @@ Session::Session(document::Document document, const decode::TabletTable* own)
   pens_.set_view(editor_.view());
 }
 
+void Session::connect(int device, const decode::DeviceIdentity& identity) {
+  const decode::DeviceIdentity decoded = receivers_.connect(device, identity);
+  identities_[device] = identity;
+  pens_.connect(device, decoded);
+  hands_.connect(device, decoded);
+}
+
+const decode::DeviceIdentity* Session::identity_of(int device) const {
+  if (const decode::DeviceIdentity* shown = receivers_.shown(device)) return shown;
+  const auto found = identities_.find(device);
+  return found == identities_.end() ? nullptr : &found->second;
+}
+
+/// What was held on the tablet before is let go, its stroke ends, and the next one's reports follow.
+void Session::hear(std::span<const decode::WacomReceivers::Change> changes, std::int64_t time_us) {
+  if (changes.empty()) return;
+  const std::vector<HandMoment> charge(hand_moments_.begin(), hand_moments_.end());
+  heard_moments_.clear();
+  for (const auto& [device, identity] : changes) {
+    if (!decode::is_receiver_monitor(identity)) {
+      pens_.disconnect(device, time_us);
+      const auto let_go = hands_.disconnect(device, time_us);
+      heard_moments_.insert(heard_moments_.end(), let_go.begin(), let_go.end());
+      pens_.connect(device, identity);
+      hands_.connect(device, identity);
+    }
+    heard_moments_.push_back({HandMoment::Kind::tablet, device, {}});
+  }
+  heard_moments_.insert(heard_moments_.end(), charge.begin(), charge.end());
+  hand_moments_ = heard_moments_;
+}
+
 void Session::draw_completed() {
   for (const DrawnStroke& stroke : pens_.take_strokes()) {
     ++strokes_;
@@ -23,6 +55,7 @@ std::span<const PenMoment> Session::report(int device, std::int64_t time_us, bas
   const auto moments = pens_.report(device, time_us, bytes);
   if (!moments.empty()) hands_.pen(device, moments.back().kind != decode::PenEventKind::away, time_us);
   hand_moments_ = hands_.report(device, time_us, bytes);
+  hear(receivers_.report(device, bytes), time_us);
   draw_completed();
   return moments;
 }
@@ -42,6 +75,8 @@ base::Status Session::apply(const SessionLine& line, std::int64_t time_us) {
     pens_.disconnect(gone->device, time_us);
     hand_moments_ = hands_.disconnect(gone->device, time_us);
     draw_completed();
+  } else if (const auto* seen = std::get_if<LightsSeen>(&line)) {
+    hands_.set_lights(seen->device, seen->lights);
   } else if (const auto* place = std::get_if<PenPlace>(&line)) {
     pens_.set_on_canvas(place->on_canvas);
   } else if (const auto* performed = std::get_if<Performed>(&line)) {

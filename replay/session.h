@@ -1,11 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/drawing/editor.h"
+#include "firmware_io/decode/wacom_receiver.h"
 #include "replay/hand_input.h"
 #include "replay/pen_input.h"
 #include "replay/session_line.h"
@@ -38,10 +40,11 @@ class Session {
   /// What the other hand did in the last report, or was made to let go by the last line. Valid until the next call.
   [[nodiscard]] std::span<const HandMoment> hand_moments() const { return hand_moments_; }
 
-  void connect(int device, const decode::DeviceIdentity& identity) {
-    pens_.connect(device, identity);
-    hands_.connect(device, identity);
-  }
+  void connect(int device, const decode::DeviceIdentity& identity);
+  /// The tablet that a device is part of: behind a wireless receiver the one that it hears. Null for unknown devices.
+  [[nodiscard]] const decode::DeviceIdentity* identity_of(int device) const;
+  /// What a receiver said last, to be given to a session that goes on with its devices.
+  [[nodiscard]] base::Bytes receiver_status(int device) const { return receivers_.last_status(device); }
   /// One report: the moments it held, and in `steps` what strokes that ended with it did. Both are valid until the next
   /// call.
   std::span<const PenMoment> report(int device, std::int64_t time_us, base::Bytes bytes);
@@ -55,11 +58,15 @@ class Session {
 
  private:
   void draw_completed();
+  void hear(std::span<const decode::WacomReceivers::Change> changes, std::int64_t time_us);
 
   drawing::Editor editor_;
   PenInput pens_;
   HandInput hands_;
+  decode::WacomReceivers receivers_;
+  std::map<int, decode::DeviceIdentity> identities_;
   std::span<const HandMoment> hand_moments_;
+  std::vector<HandMoment> heard_moments_;  ///< those that came with another tablet
   std::vector<SessionStep> steps_;
   std::size_t strokes_ = 0;
   std::function<void()> on_stroke_end_;

@@ -18,6 +18,15 @@ struct HashMember {
     visit("path", self.path);
   }
 };
+struct LightMembers {
+  std::uint32_t left = 0;
+  std::uint32_t right = 0;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("left", self.left);
+    visit("right", self.right);
+  }
+};
 struct ProgramMember {
   std::string program;
   template <typename Self>
@@ -53,6 +62,12 @@ std::string text_of(const TabletSet& line) {
   return out;
 }
 std::string text_of(const TabletGone& line) { return "gone " + std::to_string(line.device); }
+std::string text_of(const LightsSeen& line) {
+  std::string out = "lights " + std::to_string(line.device);
+  document::append_members(
+      out, LightMembers{static_cast<std::uint32_t>(line.lights[0]), static_cast<std::uint32_t>(line.lights[1])});
+  return out;
+}
 std::string text_of(const PenPlace& line) { return line.on_canvas ? "canvas" : "panel"; }
 std::string text_of(const Performed& line) { return "do " + document::to_text(line.command); }
 std::string text_of(const Undone&) { return "undo"; }
@@ -133,11 +148,23 @@ Line parse_tablet(std::string_view text) {
   return parsed(TabletSet{*device, std::move(setting).value()});
 }
 
+Line parse_lights(std::string_view text) {
+  const auto device = read_device(take_piece(text, ' '));
+  if (!device) return malformed("lights");
+  const auto members = document::parse_members<LightMembers>(text);
+  if (!members) return members.error();
+  constexpr std::uint32_t k_most = 3;
+  if (members->left > k_most || members->right > k_most) return malformed("lights");
+  return parsed(
+      LightsSeen{*device, {static_cast<std::int8_t>(members->left), static_cast<std::int8_t>(members->right)}});
+}
+
 Line parse_what(std::string_view what, std::string_view text) {
   if (what == "session") return parse_header(text);
   if (what == "model") return parse_model(text);
   if (what == "state") return parse_state(text);
   if (what == "tablet") return parse_tablet(text);
+  if (what == "lights") return parse_lights(text);
   if (what == "view") {
     const auto view = document::parse_view(text);
     if (!view) return view.error();

@@ -10,6 +10,7 @@
 #include "core/document/command.h"
 #include "core/document/document_hash.h"
 #include "core/drawing/tool.h"
+#include "firmware_io/decode/light_report.h"
 #include "replay/pen_input.h"
 
 namespace penpose::replay {
@@ -50,6 +51,12 @@ struct TabletGone {
   int device = 0;
   friend bool operator==(const TabletGone&, const TabletGone&) = default;
 };
+/// "lights DEVICE left=1 right=0": which lights are on beside the rings of a tablet, where its reports do not tell.
+struct LightsSeen {
+  int device = 0;
+  decode::Lights lights{};
+  friend bool operator==(const LightsSeen&, const LightsSeen&) = default;
+};
 /// "canvas" or "panel": where strokes that begin from now on belong to.
 struct PenPlace {
   bool on_canvas = true;
@@ -73,8 +80,8 @@ struct StateReached {
   friend bool operator==(const StateReached&, const StateReached&) = default;
 };
 
-using SessionLine = std::variant<SessionBegins, ModelNamed, ViewChanged, ToolChosen, TabletSet, TabletGone, PenPlace,
-                                 Performed, Undone, Redone, StateReached>;
+using SessionLine = std::variant<SessionBegins, ModelNamed, ViewChanged, ToolChosen, TabletSet, TabletGone, LightsSeen,
+                                 PenPlace, Performed, Undone, Redone, StateReached>;
 
 /// The text of a comment line, without its "# ".
 [[nodiscard]] std::string to_text(const SessionLine& line);

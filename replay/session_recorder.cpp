@@ -28,7 +28,12 @@ TraceDevice trace_device(const decode::DeviceIdentity& identity) {
   TraceDevice device;
   device.report_descriptor = identity.report_descriptor;
   device.name = identity.name.empty() ? "unknown" : identity.name;  // readers of traces expect one
-  if (identity.interface_number) device.physical = "penpose/input" + std::to_string(*identity.interface_number);
+  const std::string unit = identity.unit.empty() ? "penpose" : identity.unit;
+  if (identity.interface_number) {
+    device.physical = unit + "/input" + std::to_string(*identity.interface_number);
+  } else if (!identity.unit.empty()) {
+    device.physical = unit;
+  }
   device.bus = identity.bus;
   device.vendor = identity.vendor;
   device.product = identity.product;

@@ -7,17 +7,21 @@ namespace penpose::replay {
 int TabletRecorder::add_tablet(const decode::DeviceIdentity& identity, const std::string& physical,
                                const decode::TabletTable* own) {
   const int number = static_cast<int>(tablets_.size());
-  Tablet& tablet = tablets_[number];
-  auto recognition = decode::make_decoder(identity, own);
-  if (recognition) tablet.decoder = std::move(recognition->decoder);
-  tablet.hand = decode::make_hand_decoders(identity, own);
-  if (tablet.hand.pad) tablet.pad_events = decode::PadEvents(tablet.hand.pad->features());
+  own_ = own;
+  read_as(tablets_[number], receivers_.connect(number, identity));
   writer_.declare(
       number, {identity.report_descriptor, identity.name, physical, identity.bus, identity.vendor, identity.product});
   for (const auto& [index, text] : identity.strings) {
     writer_.comment("string " + std::to_string(index) + ": \"" + text + "\"");
   }
   return number;
+}
+
+void TabletRecorder::read_as(Tablet& tablet, const decode::DeviceIdentity& identity) {
+  auto recognition = decode::make_decoder(identity, own_);
+  tablet.decoder = recognition ? std::move(recognition->decoder) : nullptr;
+  tablet.hand = decode::make_hand_decoders(identity, own_);
+  tablet.pad_events = tablet.hand.pad ? decode::PadEvents(tablet.hand.pad->features()) : decode::PadEvents();
 }
 
 void TabletRecorder::count_strokes() {
@@ -48,6 +52,10 @@ void TabletRecorder::add(int number, const device::Record& record) {
   counts_.span_us = std::max(counts_.span_us, record.time_us - first_us_);
   ++counts_.reports;
   writer_.report(number, counts_.span_us, record.bytes);
+  for (const auto& [part, heard] : receivers_.report(number, record.bytes)) {
+    static_cast<void>(end(part));
+    read_as(tablets_[part], heard);
+  }
   if (tablet.decoder && tablet.decoder->decode(record.bytes) == decode::ReportKind::pen) {
     for (const decode::PenSample& sample : tablet.decoder->frames()) {
       tablet.events.add(sample, counts_.span_us, new_events_);

@@ -10,6 +10,7 @@
 #include "firmware_io/decode/hand_factory.h"
 #include "firmware_io/decode/pad_events.h"
 #include "firmware_io/decode/pen_events.h"
+#include "firmware_io/decode/wacom_receiver.h"
 #include "firmware_io/device/report_ring.h"
 #include "replay/trace_writer.h"
 
@@ -53,10 +54,13 @@ class TabletRecorder {
     decode::PadEvents pad_events;
   };
 
+  void read_as(Tablet& tablet, const decode::DeviceIdentity& identity);
   void count_strokes();
   void count_keys(Tablet& tablet, base::Bytes report);
 
   TraceWriter writer_;
+  const decode::TabletTable* own_ = nullptr;
+  decode::WacomReceivers receivers_;
   std::map<int, Tablet> tablets_;
   std::vector<decode::PenEvent> new_events_;
   std::vector<decode::PadEvent> new_pad_events_;

@@ -89,6 +89,7 @@ base::Result<std::optional<TraceReport>> TraceSource::read_on() {
           device.name = line.value;
         } else if (line.kind == TraceLineKind::physical) {
           device.interface_number = interface_of(line.value);
+          device.unit = decode::unit_of_path(line.value);
         } else {
           device.bus = line.bus;
           device.vendor = line.vendor;

@@ -2,11 +2,16 @@
 
 #include <algorithm>
 
+#include "core/base/math.h"
+
 namespace penpose::intent {
 namespace {
 
 /// Two lines tell of the same control where it moves both by at least this share of what anything moves each.
 constexpr double k_tells = 0.45;
+
+/// nu of the energy for what was drawn before: beyond this it gives way to what is new.
+constexpr double k_gives_way = 12.0;
 
 /// A drawn curve that stays where it is at a pose.
 KnownCurve held_at(const rig::Rig& rig, const rig::Pose& pose, const DrawnCurve& curve) {
@@ -132,6 +137,11 @@ Fit fit_of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& pr
   }
   energy();
   for (std::size_t c = 0; c < problem.drawn.size(); ++c) fit.squares.push_back(reader.squares_of(c, choice));
+  for (std::size_t c = 0; c < problem.drawn.size(); ++c) {
+    if (!problem.drawn[c].before) continue;
+    const auto beyond = [&](double reach) { return reach * base::log(1.0 + fit.squares[c] / reach); };
+    fit.energy += beyond(k_gives_way) - beyond(k_reach);
+  }
   return fit;
 }
 

@@ -20,7 +20,8 @@ namespace penpose::intent {
 /// Precondition: a pose that an earlier solve came to; the reader is that of the problem and has no chain.
 [[nodiscard]] IntentProblem with_others_held(const rig::Rig& rig, const Reader& reader, const IntentProblem& problem);
 
-/// What a pose comes to in a problem, each line aligned as the pose fits it best.
+/// What a pose comes to in a problem, each line aligned as the pose fits it best. Lines that were drawn before give way
+/// to those that are new.
 struct Fit {
   double energy = 0;
   std::vector<double> squares;  ///< of each drawn curve

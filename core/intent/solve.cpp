@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 #include "core/intent/held_lines.h"
 #include "core/intent/reader.h"
-#include "core/intent/value_search.h"
+#include "core/intent/reading.h"
 
 namespace penpose::intent {
-
-struct Workspace::Buffers {
-  Quadratic quadratic;
-  posing::SimplexWorkspace simplex;
-};
 
 Workspace::Workspace() : buffers_(std::make_unique<Buffers>()) {}
 Workspace::~Workspace() = default;
@@ -24,8 +20,6 @@ namespace {
 
 /// How much lower the energy has to be before joints outside of the drawn chain may move.
 constexpr double k_beyond_chain = 60.0;
-/// Rivals are those within this of the best energy.
-constexpr double k_rival_window = 12.0;
 /// A curve with no more squares than this fits as it is aligned: about twice what a steady hand leaves.
 constexpr double k_fits = 24.0;
 /// What a reading leaves of a curve's squares at most, where it takes the line for what it is.
@@ -37,122 +31,6 @@ constexpr double k_stay = 8.0;
 /// Then its lines have to fit about as well as they did: by this factor of their squares, and this much beyond.
 constexpr double k_as_near = 1.2;
 constexpr double k_as_near_beyond = 6.0;
-/// A joint's squares hold near the pose where they were taken: most that an angle changes in a round, share of its
-/// range.
-constexpr double k_trust = 0.2;
-
-struct Reading {
-  Choice choice;
-  double energy = 0;
-};
-
-class Solver {
- public:
-  Solver(Reader& reader, const SolveOptions& options, Workspace::Buffers& buffers)
-      : reader_(reader), options_(options), b_(buffers) {}
-
-  /// Matching and choosing in turn, from nothing moved or from a first guess.
-  Reading read(Choice choice = {}) {
-    if (reader_.edition() == Edition::first || !reader_.linear()) {
-      reader_.weigh_evenly();
-    } else {
-      // From few controls to many: far from the line each must bring it nearer by a good share of the way.
-      reader_.look(choice, false, b_.quadratic);
-      reader_.weigh(choice);
-    }
-    const std::size_t rounds = reader_.linear() ? options_.rounds : options_.general_rounds;
-    std::vector<Choice> rivals;
-    for (std::size_t round = 0; round < rounds; ++round) {
-      reader_.look(choice, round > 0, b_.quadratic);
-      Selection selection(b_.quadratic, reader_.choices(), reader_.costs());
-      if (round + 1 == rounds) selection.set_rivals(options_.rivals, k_rival_window);
-      const Choice before = choice;
-      if (something) selection.forbid_nothing();
-      Choice next = selection.select(selection.fit(before.units), options_.most_units);
-      if (!reader_.all_bends().empty()) {
-        // What bends to and fro gains little by its first bend alone: from all bends on, fewer.
-        Choice other = selection.select(selection.fit(reader_.all_bends()), options_.most_units);
-        if (other.energy < next.energy - 1e-9 && other.units.size() <= options_.most_units) next = std::move(other);
-      }
-      choice = trusted(before, std::move(next));
-      evaluations += selection.evaluations();
-      if (round == 0 || !reader_.linear()) reader_.weigh(choice);
-      rivals = selection.rivals();
-    }
-    Reading best = matched(choice);
-    bool other = false;
-    for (const Choice& rival : rivals) {
-      if (something && rival.units.empty()) continue;
-      Reading one = matched(rival);
-      if (!(one.energy < best.energy - 1e-9)) continue;
-      best = std::move(one);
-      other = true;
-    }
-    if (other) {
-      reader_.look(best.choice, true, b_.quadratic);
-      Selection selection(b_.quadratic, reader_.choices(), reader_.costs());
-      if (something) selection.forbid_nothing();
-      Reading again = matched(selection.select(selection.fit(best.choice.units), options_.most_units));
-      evaluations += selection.evaluations();
-      if (again.energy < best.energy) best = std::move(again);
-    }
-    return best;
-  }
-
-  /// A choice of units with matching of its own, and what it comes to.
-  Reading matched(Choice choice) {
-    for (int k = 0; k < 2; ++k) {
-      if (choice.variables.empty()) break;
-      reader_.look(choice, true, b_.quadratic, choice.variables);
-      Selection selection(b_.quadratic, reader_.choices(), reader_.costs());
-      choice = trusted(choice, selection.fit(choice.units));
-      evaluations += selection.evaluations();
-    }
-    reader_.look(choice, true, b_.quadratic, choice.variables);
-    return {choice, reader_.energy(choice, choice.costs)};
-  }
-
-  /// As Selection and Reader have it of a line that asks for more than can be.
-  void keep_to_what_is_meant(Reading& reading, std::size_t most_units) {
-    if (!stands_at_limit(reading.choice, reader_.choices())) return;
-    reader_.look(reading.choice, true, b_.quadratic);
-    reader_.weigh(reading.choice);
-    const auto meant = meant_without_limits(reader_, b_.quadratic, reading.choice, most_units, evaluations);
-    if (meant) reading = matched(*meant);
-  }
-
-  /// Matches the curves as a reading leaves them.
-  void match(const Reading& reading) { reader_.look(reading.choice, true, b_.quadratic, reading.choice.variables); }
-
-  /// Downhill simplex on the values of the last reading.
-  void search(Reading& reading) {
-    reader_.look(reading.choice, true, b_.quadratic, reading.choice.variables);
-    const Selection selection(b_.quadratic, reader_.choices(), reader_.costs());
-    evaluations += search_values(reader_, b_.quadratic, selection, reading.choice,
-                                 60 * (reading.choice.variables.size() + 1), b_.simplex);
-    reading.energy = reader_.energy(reading.choice, reading.choice.costs);
-  }
-
-  std::size_t evaluations = 0;
-  /// Readings move something (Selection::forbid_nothing).
-  bool something = false;
-
- private:
-  Choice trusted(const Choice& before, Choice after) const {
-    if (reader_.linear()) return after;
-    for (std::size_t i = 0; i < after.variables.size(); ++i) {
-      const auto at = std::lower_bound(before.variables.begin(), before.variables.end(), after.variables[i]);
-      const bool had = at != before.variables.end() && *at == after.variables[i];
-      const double was = had ? before.values[static_cast<std::size_t>(at - before.variables.begin())] : 0.0;
-      after.values[i] = std::clamp(after.values[i], was - k_trust, was + k_trust);
-    }
-    return after;
-  }
-
-  Reader& reader_;
-  const SolveOptions& options_;
-  Workspace::Buffers& b_;
-};
 
 /// A line that is shorter than its limb may show it leaning towards the eye or away from it. The first order of the
 /// picture does not tell that of a limb that lies across the view, so that other readings have to begin there.
@@ -186,8 +64,9 @@ std::vector<double> squares_of_all(Reader& reader, const Choice& choice, std::si
   return squares;
 }
 
-/// Tries the other ways in which line c may be aligned. `asked`: its squares before anything moved.
-void realign(Reader& reader, Solver& solver, std::size_t c, double asked, Reading& best) {
+/// Tries the other ways in which line c may be aligned. Its squares: `asked` before anything moved, `met` by the best
+/// reading of all of it; -1: by the best reading so far.
+void realign(Reader& reader, Solver& solver, std::size_t c, double asked, double met, Reading& best) {
   std::size_t chosen = reader.aligned(c);
   if (reader.alignments(c).size() < 2 || reader.squares_of(c, best.choice) < k_fits) return;
   for (std::size_t a = 1; a < reader.alignments(c).size(); ++a) {
@@ -198,14 +77,16 @@ void realign(Reader& reader, Solver& solver, std::size_t c, double asked, Readin
     if (solver.something) {
       reader.align(c, chosen);
       solver.match(best);
-      const bool near = reader.squares_of(c, best.choice) < k_near_enough * asked;
+      const bool near = (met >= 0.0 ? met : reader.squares_of(c, best.choice)) < k_near_enough * asked;
       reader.align(c, a);
       if (near) {
         solver.something = false;
         continue;
       }
     }
+    if (solver.something && reader.edition() >= Edition::fourth) solver.shape = c;
     Reading one = solver.read();
+    solver.shape.reset();
     if (solver.something) solver.match(one);
     const bool nothing = solver.something && (one.choice.units.empty() || !reader.takes_shape(c, one.choice));
     solver.something = false;
@@ -226,7 +107,13 @@ Reading best_alignment(Reader& reader, Solver& solver, std::size_t drawn) {
   }
   Reading best = solver.read();
   best = foreshortened(reader, solver, drawn, std::move(best));
-  for (std::size_t c = 0; c < drawn; ++c) realign(reader, solver, c, asked[c], best);
+  // Whether a line is met is told by all of it.
+  std::vector<double> met(drawn, -1.0);
+  if (reader.edition() >= Edition::fourth) {
+    solver.match(best);
+    met = squares_of_all(reader, best.choice, drawn);
+  }
+  for (std::size_t c = 0; c < drawn; ++c) realign(reader, solver, c, asked[c], met[c], best);
   return best;
 }
 

@@ -13,6 +13,7 @@
 #include "firmware_io/decode/wacom_graphire_decoder.h"
 #include "firmware_io/decode/wacom_intuos_decoder.h"
 #include "firmware_io/decode/wacom_models.h"
+#include "firmware_io/decode/wacom_receiver.h"
 
 namespace penpose::decode {
 namespace {
@@ -121,6 +122,10 @@ base::Result<Recognition> make_decoder(const DeviceIdentity& device, const Table
     }
   }
 
+  if (is_wacom_receiver(completed)) {
+    return base::Error{"the wireless receiver has not said which tablet it hears", device.name,
+                       "record its first interface as well, and begin before the pen does"};
+  }
   if (const WacomModel* known = find_wacom_model(device.bus, device.vendor, device.product)) {
     if (!carries_wacom_pen(*known, descriptor)) return unreadable(device, descriptor_error);
     WacomModel model = *known;

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace penpose::decode {
@@ -20,6 +21,8 @@ struct DeviceIdentity {
   std::uint16_t product = 0;
   std::optional<int> interface_number;  ///< USB interface number
   std::string name;
+  /// What its interfaces have in common and those of another tablet have not: where it is plugged in. Empty: unknown.
+  std::string unit;
 
   /// Bytes of the longest report of each kind, the report id byte included (0: the interface has no such report).
   std::optional<std::uint16_t> input_report_length;
@@ -31,5 +34,11 @@ struct DeviceIdentity {
 
   std::vector<std::uint8_t> report_descriptor;  ///< raw bytes, may be empty
 };
+
+/// The unit that a physical path names: all of "usb-0000:00:14.0-2/input1" but its end.
+[[nodiscard]] inline std::string unit_of_path(std::string_view physical) {
+  const std::size_t end = physical.rfind("/input");
+  return std::string(physical.substr(0, end));
+}
 
 }  // namespace penpose::decode

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "firmware_io/decode/battery_decoder.h"
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/decode/layout_decoder.h"
 #include "firmware_io/decode/multitouch_decoder.h"
@@ -12,6 +13,7 @@
 #include "firmware_io/decode/wacom_generic_touch_decoder.h"
 #include "firmware_io/decode/wacom_models.h"
 #include "firmware_io/decode/wacom_pad_decoder.h"
+#include "firmware_io/decode/wacom_receiver.h"
 #include "firmware_io/decode/wacom_touch_decoder.h"
 #include "firmware_io/decode/wacom_usages.h"
 
@@ -159,7 +161,8 @@ HandDecoders make_described_wacom(const DeviceIdentity& device, const ReportDesc
 
 std::unique_ptr<PadDecoder> make_table_pad(const TabletMatch& match, const DeviceIdentity& device,
                                            const TabletTable* own) {
-  if (!has_pad(*match.identifier->protocol)) return nullptr;
+  const Protocol& protocol = *match.identifier->protocol;
+  if (!has_pad(protocol) && !has_battery(protocol)) return nullptr;
   auto reports = make_decoder(device, own);
   if (!reports) return nullptr;
   return std::make_unique<VendorPadDecoder>(std::move(reports->decoder), *match.identifier->protocol, match.tablet);
@@ -186,6 +189,11 @@ HandDecoders make_hand_decoders(const DeviceIdentity& device, const TabletTable*
       return {make_table_pad(*match, device, own), make_table_touch(match->identifier->protocol, match->tablet)};
     }
   }
+  if (is_wacom_receiver(completed)) {
+    HandDecoders made;
+    if (is_receiver_monitor(completed)) made.pad = std::make_unique<ReceiverMonitor>();
+    return made;
+  }
   if (const WacomHand* hand = find_wacom_hand(device.bus, device.vendor, device.product))
     return make_fixed_wacom(*hand, device, descriptor);
   if (find_wacom_model(device.bus, device.vendor, device.product) != nullptr) return {};
@@ -201,6 +209,8 @@ HandDecoders make_hand_decoders(const DeviceIdentity& device, const TabletTable*
     made.pad = make_table_pad(*match, device, nullptr);
     if (!made.touch) made.touch = make_table_touch(match->identifier->protocol, match->tablet);
   }
+  if (auto power = find_battery(descriptor); power && !made.pad && !wacom)
+    made.pad = std::make_unique<BatteryDecoder>(std::move(*power));
   return made;
 }
 

@@ -87,6 +87,9 @@ struct Layout {
   std::optional<BitNumber> wheel_buttons;
   std::optional<StepField> dial, second_dial;
 
+  std::optional<BitNumber> battery;  ///< of reports that are of nothing else
+  std::int64_t battery_full = 100;
+
   std::optional<ContactList> contacts;
 };
 

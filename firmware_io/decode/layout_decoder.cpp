@@ -1,5 +1,6 @@
 #include "firmware_io/decode/layout_decoder.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 
@@ -52,6 +53,11 @@ PenAxes axes_of(const Protocol& protocol, PenAxes axes) {
   return axes;
 }
 
+std::int8_t percent_of(const Layout& layout, base::Bytes report) {
+  const std::int64_t value = layout.battery->read(report);
+  return static_cast<std::int8_t>(std::clamp<std::int64_t>(value * 100 / layout.battery_full, 0, 100));
+}
+
 }  // namespace
 
 LayoutDecoder::LayoutDecoder(std::shared_ptr<const Protocol> protocol, const PenAxes& axes)
@@ -77,6 +83,8 @@ ReportKind LayoutDecoder::decode(base::Bytes report) {
 ReportKind LayoutDecoder::apply(const Layout& layout, base::Bytes report) {
   switch (layout.gives) {
     case Gives::ignored:
+      if (layout.battery) pad_.battery = percent_of(layout, report);
+      return ReportKind::ignored;
     case Gives::touch:
       return ReportKind::ignored;
     case Gives::pen:

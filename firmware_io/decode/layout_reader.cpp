@@ -175,12 +175,12 @@ Layout read_layout(const JsonPlace& place) {
     return layout;
   }
   layout.gives = known->gives;
-  place.allow_only({"when",    "gives",       "shortest",      "x",           "y",        "pressure",
-                    "tilt_x",  "tilt_y",      "distance",      "wheel",       "rotation", "buttons",
-                    "tip",     "eraser",      "near",          "scroll",      "tool_id",  "serial",
-                    "keys",    "key_codes",   "key_changed",   "key_down",    "ring",     "wheel_buttons",
-                    "dial",    "second_dial", "eraser_button", "second_ring", "strip",    "second_strip",
-                    "contacts"});
+  place.allow_only({"when",     "gives",       "shortest",      "x",           "y",        "pressure",
+                    "tilt_x",   "tilt_y",      "distance",      "wheel",       "rotation", "buttons",
+                    "tip",      "eraser",      "near",          "scroll",      "tool_id",  "serial",
+                    "keys",     "key_codes",   "key_changed",   "key_down",    "ring",     "wheel_buttons",
+                    "dial",     "second_dial", "eraser_button", "second_ring", "strip",    "second_strip",
+                    "contacts", "battery",     "battery_full"});
   LayoutReader fields(place, layout);
   fields.number("x", layout.x);
   fields.number("y", layout.y);
@@ -216,6 +216,10 @@ Layout read_layout(const JsonPlace& place) {
   fields.number("wheel_buttons", layout.wheel_buttons);
   fields.steps("dial", layout.dial);
   fields.steps("second_dial", layout.second_dial);
+  fields.number("battery", layout.battery);
+  if (layout.battery && layout.gives != Gives::ignored)
+    place.at("battery").fail("stands in a report of something else", "give it a report of kind ignored");
+  if (const auto full = place.at("battery_full"); full.present()) layout.battery_full = full.integer(1, 65535);
   if (layout.gives == Gives::touch_pad) fields.needs(3);
   if (const auto shortest = place.at("shortest"); shortest.present()) {
     fields.needs(static_cast<std::size_t>(shortest.integer(0, k_longest_report)));

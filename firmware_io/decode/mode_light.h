@@ -23,6 +23,10 @@ class ModeLight {
     }
     return light_;
   }
+  [[nodiscard]] std::int8_t now() const { return light_; }
+  void set(std::int8_t light, unsigned lights) {
+    if (light >= 0 && static_cast<unsigned>(light) < lights) light_ = light;
+  }
   void reset() { *this = {}; }
 
  private:

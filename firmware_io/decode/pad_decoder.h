@@ -24,6 +24,12 @@ class PadDecoder {
     battery_ = {};
   }
 
+  /// The light that is on at a side, where something else than the reports tells it.
+  virtual void set_light(std::size_t side, std::int8_t light) {
+    static_cast<void>(side);
+    static_cast<void>(light);
+  }
+
   [[nodiscard]] const PadSample& sample() const { return sample_; }
   [[nodiscard]] const PadFeatures& features() const { return features_; }
   [[nodiscard]] const Battery& battery() const { return battery_; }

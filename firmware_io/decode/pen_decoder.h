@@ -25,6 +25,7 @@ struct PadState {
   std::int32_t strip = 0;  ///< position on a touch strip, 0 while not touched
   std::int32_t second_strip = 0;
   std::uint32_t wheel_buttons = 0;  ///< bit i: the button in wheel i is down
+  std::int8_t battery = -1;         ///< percent; -1: nothing was said
 };
 
 /// Turns the raw input reports of one interface into pen samples. Stateful: feed every report of the interface in

@@ -21,6 +21,11 @@ unsigned number_of_keys(const Tablet* tablet) {
 
 }  // namespace
 
+bool has_battery(const Protocol& protocol) {
+  return std::any_of(protocol.rules.begin(), protocol.rules.end(),
+                     [](const Protocol::Rule& rule) { return rule.layout->battery.has_value(); });
+}
+
 bool has_pad(const Protocol& protocol) {
   return std::any_of(protocol.rules.begin(), protocol.rules.end(), [](const Protocol::Rule& rule) {
     const Layout& layout = *rule.layout;
@@ -77,6 +82,7 @@ bool VendorPadDecoder::decode(base::Bytes report) {
   const bool same =
       pad.keys == last_.keys && pad.wheel_position == last_.wheel_position && pad.wheel_buttons == last_.wheel_buttons;
   sample_.wheel = {};
+  battery_.percent = pad.battery;
   if (kind == ReportKind::ignored || (kind == ReportKind::pen && same)) return false;
   last_ = pad;
   sample_.keys = numbered_keys(pad.keys | std::uint64_t{pad.wheel_buttons} << first_wheel_button_, k_numbered_keys);

@@ -9,6 +9,7 @@
 namespace penpose::decode {
 
 /// Whether any report of a protocol tells of keys or wheels.
+[[nodiscard]] bool has_battery(const Protocol& protocol);
 [[nodiscard]] bool has_pad(const Protocol& protocol);
 
 /// What the pad of a tablet of the table has; of a protocol alone (`tablet` null) all that its reports have room for.

@@ -187,13 +187,19 @@ std::optional<PadLayout> find_wacom_pad(const ReportDescriptor& descriptor, std:
 
 WacomGenericPadDecoder::WacomGenericPadDecoder(PadLayout layout, std::shared_ptr<TouchSwitch> touch)
     : PadDecoder(layout.features), layout_(std::move(layout)), touch_(std::move(touch)) {
-  if (touch_ == nullptr) return;
-  for (const PadControl& control : layout_.controls) {
-    if (control.role != PadRole::touch_on && control.role != PadRole::mute_touch) continue;
-    touch_->present = true;
-    // A key turns off what was on; of a slide nothing is known before it tells.
-    if (control.role == PadRole::mute_touch) touch_->on = true;
-  }
+  reset_switch();
+}
+
+void WacomGenericPadDecoder::reset_switch() {
+  const auto has = [this](PadRole role) {
+    return std::any_of(layout_.controls.begin(), layout_.controls.end(),
+                       [role](const PadControl& control) { return control.role == role; });
+  };
+  const bool key = has(PadRole::mute_touch);
+  if (touch_ == nullptr || (!key && !has(PadRole::touch_on))) return;
+  touch_->present = true;
+  // A key turns off what was on; of a slide nothing is known before it tells.
+  touch_->on = key;
 }
 
 void WacomGenericPadDecoder::reset() {
@@ -201,6 +207,13 @@ void WacomGenericPadDecoder::reset() {
   pending_ = {};
   light_.reset();
   in_use_ = false;
+  reset_switch();
+}
+
+void WacomGenericPadDecoder::set_light(std::size_t side, std::int8_t light) {
+  if (side >= features_.modes) return;
+  light_.set(light, features_.lights);
+  sample_.mode[side] = pending_.mode[side] = light_.now();
 }
 
 bool WacomGenericPadDecoder::decode(base::Bytes report) {

@@ -58,8 +58,10 @@ class WacomGenericPadDecoder final : public PadDecoder {
 
   bool decode(base::Bytes report) override;
   void reset() override;
+  void set_light(std::size_t side, std::int8_t light) override;
 
  private:
+  void reset_switch();
   void apply(const PadControl& control, std::int64_t value);
 
   PadLayout layout_;

@@ -131,6 +131,13 @@ void WacomPadDecoder::reset() {
   for (ModeLight& light : lights_) light.reset();
 }
 
+void WacomPadDecoder::set_light(std::size_t side, std::int8_t light) {
+  // A remote tells of its own.
+  if (side >= features_.modes || hand_.pad == P::remote) return;
+  lights_[side].set(light, features_.lights);
+  sample_.mode[side] = lights_[side].now();
+}
+
 bool WacomPadDecoder::decode(base::Bytes report) {
   if (report.empty()) return false;
   if (report[0] == k_status_report && has_wireless_kit(hand_.pad)) {

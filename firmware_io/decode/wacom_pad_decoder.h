@@ -17,6 +17,7 @@ class WacomPadDecoder final : public PadDecoder {
 
   bool decode(base::Bytes report) override;
   void reset() override;
+  void set_light(std::size_t side, std::int8_t light) override;
 
  private:
   /// Numbered keys, keys with a name, rings with their touch bit, and strips, as the formats have them.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "firmware_io/decode/device_identity.h"
@@ -9,11 +10,12 @@ namespace penpose::device {
 /// A HID interface that is plugged in, as the system shows it.
 struct HidInterface {
   decode::DeviceIdentity identity;
-  std::string hidraw_node;  ///< "/dev/hidraw3"; empty where the system made none
-  std::string usb_node;     ///< "/dev/bus/usb/001/004"; empty where it is no USB device
-  std::string usb_name;     ///< of a USB interface: "1-2:1.0"
-  std::string physical;     ///< where it is plugged in
-  std::string driver;       ///< of the kernel: "wacom", "hid-generic", "usbfs" (a program has it); empty where none
+  std::string hidraw_node;      ///< "/dev/hidraw3"; empty where the system made none
+  std::uint64_t node_made = 0;  ///< tells a node from another one of the same name that was there before
+  std::string usb_node;         ///< "/dev/bus/usb/001/004"; empty where it is no USB device
+  std::string usb_name;         ///< of a USB interface: "1-2:1.0"
+  std::string physical;         ///< where it is plugged in
+  std::string driver;           ///< of the kernel: "wacom", "hid-generic", "usbfs" (a program has it); empty where none
   std::string hid_name;  ///< of the kernel's HID device, another one each time a driver is bound: "0003:056A:00B8.0002"
   std::string parent;    ///< the same for all interfaces of one device, and while it is plugged in
 

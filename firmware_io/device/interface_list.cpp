@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string_view>
+#include <sys/stat.h>
 #include <tuple>
 
 #include "firmware_io/decode/decoder_factory.h"
@@ -92,7 +93,11 @@ std::optional<HidInterface> from_hidraw(udev_device* device) {
   const char* node = udev_device_get_devnode(device);
   if (hid == nullptr || node == nullptr) return std::nullopt;
   auto found = from_hid(hid);
-  if (found) found->hidraw_node = node;
+  if (!found) return found;
+  found->hidraw_node = node;
+  // The kernel numbers its entries as they come.
+  struct stat entry {};
+  if (::stat(udev_device_get_syspath(device), &entry) == 0) found->node_made = entry.st_ino;
   return found;
 }
 
@@ -102,7 +107,8 @@ std::optional<HidInterface> from_usb(udev_device* device) {
   HidInterface found;
   take_usb(found, device);
   found.driver = text(udev_device_get_driver(device));
-  found.physical = found.usb_name;
+  // Without the interface, as the kernel names the places of those that it has.
+  found.physical = std::filesystem::path(found.parent).filename().string();
   if (found.usb_node.empty()) return std::nullopt;
   return found;
 }
@@ -136,6 +142,13 @@ void scan_bus(udev* library, const std::string& folder, const Want& want, const 
     if (!device) continue;
     if (auto found = make(device.get())) list.push_back(std::move(*found));
   }
+}
+
+std::string unit_of(const HidInterface& found) {
+  // A path that ends so is of USB or stands for it; over Bluetooth it is the adapter's.
+  if (!found.usb_name.empty()) return std::filesystem::path(found.parent).filename().string();
+  if (found.physical.find("/input") != std::string::npos) return decode::unit_of_path(found.physical);
+  return found.hid_name;
 }
 
 bool is_hid_class(const std::string& usb_name) {
@@ -174,7 +187,10 @@ base::Result<std::vector<HidInterface>> list_interfaces() {
   for (HidInterface& found : bare) {
     if (!found.usb_name.empty() && known.insert(found.usb_name).second) list.push_back(std::move(found));
   }
-  for (HidInterface& found : list) decode::complete_identity(found.identity);
+  for (HidInterface& found : list) {
+    decode::complete_identity(found.identity);
+    found.identity.unit = unit_of(found);
+  }
   std::sort(list.begin(), list.end(), [](const HidInterface& a, const HidInterface& b) {
     return std::tie(a.parent, a.identity.interface_number, a.hidraw_node) <
            std::tie(b.parent, b.identity.interface_number, b.hidraw_node);

@@ -7,6 +7,7 @@
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/decode/hand_factory.h"
 #include "firmware_io/decode/wacom_models.h"
+#include "firmware_io/decode/wacom_receiver.h"
 #include "firmware_io/device/hidraw_source.h"
 #include "firmware_io/device/interface_list.h"
 #include "firmware_io/device/libusb_source.h"
@@ -66,6 +67,16 @@ bool read_strings(LiveTablet& tablet, const decode::TabletTable* own, const Read
 
 void identify(LiveTablet& tablet, const decode::TabletTable* own) {
   const decode::DeviceIdentity& identity = tablet.interface.identity;
+  if (decode::is_wacom_receiver(identity)) {
+    // What comes here is known once it says which tablet it hears; pen and fingers have an interface each.
+    constexpr int k_pen_interface = 1;
+    const bool monitor = decode::is_receiver_monitor(identity);
+    tablet.has_touch = !monitor && identity.interface_number != k_pen_interface;
+    tablet.has_keys = !monitor;
+    tablet.carries = monitor ? Carries::receiver : tablet.has_touch ? Carries::touch : Carries::pen;
+    tablet.method = "the tablet that the receiver hears";
+    return;
+  }
   const auto recognition = decode::make_decoder(identity, own);
   if (recognition) {
     tablet.carries = recognition->is_pad ? Carries::pad : Carries::pen;

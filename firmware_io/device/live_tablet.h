@@ -22,9 +22,10 @@ enum class Transport : std::uint8_t {
 
 /// What an interface is for.
 enum class Carries : std::uint8_t {
-  pen,    ///< and perhaps keys and fingers
-  pad,    ///< keys and dials, and perhaps fingers
-  touch,  ///< fingers alone
+  pen,       ///< and perhaps keys and fingers
+  pad,       ///< keys and dials, and perhaps fingers
+  touch,     ///< fingers alone
+  receiver,  ///< says which tablet the other interfaces of a wireless receiver bring
   other,
 };
 

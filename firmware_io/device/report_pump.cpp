@@ -51,6 +51,23 @@ void ReportPump::note(std::string_view text) {
   signal();
 }
 
+void ReportPump::send_feature(std::vector<std::uint8_t> report) {
+  const std::scoped_lock lock(to_send_mutex_);
+  to_send_ = std::move(report);
+  has_to_send_.store(true, std::memory_order_release);
+}
+
+void ReportPump::send_waiting() {
+  if (!has_to_send_.load(std::memory_order_acquire)) return;
+  std::vector<std::uint8_t> report;
+  {
+    const std::scoped_lock lock(to_send_mutex_);
+    report.swap(to_send_);
+    has_to_send_.store(false, std::memory_order_relaxed);
+  }
+  if (!source_->send_feature(report)) refused_.fetch_add(1, std::memory_order_relaxed);
+}
+
 void ReportPump::wake_tablet() {
   if (options_.wake_up.empty()) return;
   const int refused = wake(
@@ -65,6 +82,7 @@ void ReportPump::run() {
   std::int64_t slept = options_.slept_us();
   wake_tablet();
   while (!stop_.load(std::memory_order_relaxed)) {
+    send_waiting();
     const ReadOutcome outcome = source_->read(buffer, k_read_ms);
     if (const std::int64_t now = options_.slept_us(); now - slept > k_sleep_us) {
       note("the system slept for " + std::to_string((now - slept) / 1000) + " ms");

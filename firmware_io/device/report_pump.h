@@ -3,7 +3,9 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <thread>
+#include <vector>
 
 #include "firmware_io/device/report_ring.h"
 #include "firmware_io/device/report_source.h"
@@ -32,6 +34,8 @@ class ReportPump {
   bool take(Record& into) { return ring_.pop(into); }
   /// Waits until there is a record, the tablet is gone or the time is over. True unless the time is over.
   bool wait(int timeout_ms);
+  /// Sends a feature report as soon as the thread comes to it, within 50 ms; of several that wait, the last alone.
+  void send_feature(std::vector<std::uint8_t> report);
   /// Becomes readable when a record comes; `wait(0)` makes it unreadable again.
   [[nodiscard]] int wake_fd() const { return event_; }
 
@@ -43,7 +47,7 @@ class ReportPump {
   [[nodiscard]] std::uint64_t full_queues() const { return full_queues_.load(std::memory_order_relaxed); }
   /// The tablet is gone; what it sent before may still be in the ring.
   [[nodiscard]] bool gone() const { return gone_.load(std::memory_order_acquire); }
-  /// Reports of waking that the tablet refused.
+  /// Reports of waking and of lights that the tablet refused.
   [[nodiscard]] int refused() const { return refused_.load(std::memory_order_relaxed); }
 
  private:
@@ -51,6 +55,7 @@ class ReportPump {
   void wake_tablet();
   void note(std::string_view text);
   void signal();
+  void send_waiting();
 
   std::unique_ptr<ReportSource> source_;
   Options options_;
@@ -61,6 +66,9 @@ class ReportPump {
   std::atomic<std::uint64_t> received_{0};
   std::atomic<std::uint64_t> full_queues_{0};
   std::atomic<int> refused_{0};
+  std::mutex to_send_mutex_;
+  std::vector<std::uint8_t> to_send_;
+  std::atomic<bool> has_to_send_{false};
   std::thread thread_;
 };
 

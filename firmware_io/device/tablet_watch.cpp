@@ -45,6 +45,7 @@ bool same(const LiveTablet& a, const LiveTablet& b) {
   if (!a.interface.usb_name.empty() && (a.access == Access::busy || b.access == Access::busy)) return true;
   // Bound anew, its node is another one although it has the same name.
   if (a.transport == Transport::hidraw && a.interface.hid_name != b.interface.hid_name) return false;
+  if (a.transport == Transport::hidraw && a.interface.node_made != b.interface.node_made) return false;
   return a.path() == b.path() && a.access == b.access && a.method == b.method;
 }
 

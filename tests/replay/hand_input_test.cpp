@@ -8,6 +8,7 @@
 #include "tests/support/session_script.h"
 #include "tests/support/sheet_model.h"
 #include "tests/support/wacom_hand.h"
+#include "tests/support/wacom_receiver.h"
 
 namespace penpose::replay {
 namespace {
@@ -121,6 +122,92 @@ TEST(HandsInSessions, ARecordedSessionKeepsTheReportsAndComesToTheSameStates) {
   EXPECT_EQ(playback->session->editor().state(), script.editor().state());
   ASSERT_NE(playback->session->hands().pad(3), nullptr);
   EXPECT_EQ(playback->session->hands().pad(3)->sample(), here);
+}
+
+PlayerOptions on_the_sheet() {
+  PlayerOptions options;
+  options.open = [](const std::string&) {
+    return base::Result<document::Document>(document::make_document(tests::sheet_model()));
+  };
+  return options;
+}
+
+/// A wireless receiver at a session, its interfaces as devices 1 to 3.
+class ReceiverInSession : public testing::Test {
+ protected:
+  ReceiverInSession() {
+    for (int i = 0; i < 3; ++i) script.live().connect(1 + i, tests::receiver(i));
+  }
+  std::vector<HandMoment> send(int device, const tests::Report& report) {
+    script.live().report(device, time_us += 1000, report);
+    const auto moments = session().hand_moments();
+    return {moments.begin(), moments.end()};
+  }
+  [[nodiscard]] const Session& session() { return script.live().session(); }
+  static std::size_t count(const std::vector<HandMoment>& moments, HandMoment::Kind kind) {
+    std::size_t number = 0;
+    for (const HandMoment& one : moments) number += one.kind == kind ? 1 : 0;
+    return number;
+  }
+
+  tests::SessionScript script{document::make_document(tests::sheet_model())};
+  std::int64_t time_us = 0;
+};
+
+constexpr unsigned k_intuos_pro_s = 0x0314;
+
+TEST_F(ReceiverInSession, ItsTabletIsReadOnceItIsHeard) {
+  EXPECT_TRUE(send(2, tests::pad_report(2)).empty());
+  EXPECT_FALSE(session().pens().decodes(2));
+  const auto heard = send(1, tests::receiver_status(k_intuos_pro_s, 15));
+  EXPECT_EQ(count(heard, HandMoment::Kind::tablet), 3U);
+  ASSERT_EQ(count(heard, HandMoment::Kind::battery), 1U);
+  EXPECT_EQ(heard.back().kind, HandMoment::Kind::battery) << "that of the tablet, so after it";
+  EXPECT_EQ(session().hands().pad(1)->battery().percent, 48);
+  EXPECT_TRUE(session().pens().decodes(2));
+  EXPECT_EQ(session().identity_of(1)->product, k_intuos_pro_s) << "the charge is that tablet's";
+  const auto pressed = send(2, tests::pad_report(2));
+  ASSERT_EQ(pressed.size(), 1U);
+  EXPECT_EQ(pressed[0].event.key, decode::PadKey::button1);
+}
+
+TEST_F(ReceiverInSession, WhatIsHeldWhenItGoesOutOfReachIsLetGo) {
+  send(1, tests::receiver_status(k_intuos_pro_s));
+  send(2, tests::pad_report(2));
+  const auto lost = send(1, tests::receiver_status(0));
+  ASSERT_EQ(count(lost, HandMoment::Kind::pad), 1U);
+  EXPECT_EQ(count(lost, HandMoment::Kind::tablet), 3U);
+  EXPECT_EQ(session().identity_of(2)->product, decode::k_wacom_receiver);
+  EXPECT_FALSE(session().pens().decodes(2));
+  EXPECT_TRUE(send(2, tests::pad_report(4)).empty());
+}
+
+TEST_F(ReceiverInSession, AReplayHearsItToo) {
+  send(1, tests::receiver_status(k_intuos_pro_s, 20));
+  send(2, tests::pad_report(0b0110, 33));
+  const decode::PadSample here = session().hands().pad(2)->sample();
+  EXPECT_NE(here.keys, 0U);
+  ASSERT_TRUE(script.act(PenPlace{true}).ok()) << "with which the reports are handed over";
+  const auto playback = play_session(read_from(base::as_bytes(script.text())), on_the_sheet());
+  ASSERT_TRUE(playback.ok());
+  ASSERT_NE(playback->session->hands().pad(2), nullptr);
+  EXPECT_EQ(playback->session->hands().pad(2)->sample(), here);
+  EXPECT_EQ(playback->session->hands().pad(1)->battery().percent, 20 * 100 / 31);
+}
+
+TEST(HandsInSessions, LightsThatWereOnAlreadyAreReplayed) {
+  tests::SessionScript script(document::make_document(tests::sheet_model()));
+  script.live().connect(3, tests::intuos_pro());
+  ASSERT_TRUE(script.act(LightsSeen{3, {2, 0}}).ok());
+  EXPECT_EQ(script.live().session().hands().pad(3)->sample().mode[0], 2);
+  script.live().report(3, 1000, tests::pad_report(1));
+  EXPECT_EQ(script.live().session().hands().pad(3)->sample().mode[0], 3);
+  ASSERT_TRUE(script.act(PenPlace{true}).ok()) << "with which the reports are handed over";
+  const auto playback = play_session(read_from(base::as_bytes(script.text())), on_the_sheet());
+  ASSERT_TRUE(playback.ok());
+  ASSERT_NE(playback->session->hands().pad(3), nullptr);
+  EXPECT_EQ(playback->session->hands().pad(3)->sample().mode[0], 3);
+  EXPECT_TRUE(script.act(LightsSeen{9, {1, 1}}).ok()) << "of a device that is not there: nothing";
 }
 
 }  // namespace

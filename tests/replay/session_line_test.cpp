@@ -29,6 +29,8 @@ std::vector<SessionLine> full_lines() {
           TabletSet{3, setting},
           TabletSet{},
           TabletGone{9999},
+          LightsSeen{7, {3, 1}},
+          LightsSeen{},
           PenPlace{true},
           PenPlace{false},
           Performed{document::SetKey{0.5, "x y"}},
@@ -52,7 +54,14 @@ TEST(SessionLine, EveryLineReadsBackAsItWas) {
   EXPECT_EQ(seen.size(), std::variant_size_v<SessionLine>) << "a line without an example here";
 }
 
+TEST(SessionLine, ThereAreNoMoreThanFourLights) {
+  EXPECT_TRUE(parse_session_line("# penpose lights 1 left=3").ok());
+  EXPECT_FALSE(parse_session_line("# penpose lights 1 left=4").ok());
+  EXPECT_FALSE(parse_session_line("# penpose lights left=1").ok());
+}
+
 TEST(SessionLine, IsWrittenAsTheFormatSays) {
+  EXPECT_EQ(to_text(LightsSeen{7, {2, 0}}), "penpose lights 7 left=2");
   EXPECT_EQ(to_text(SessionBegins{"penpose"}), "penpose session 1 program=penpose");
   EXPECT_EQ(to_text(ModelNamed{{1, 2}, "head.glb"}), "penpose model 00000000000000010000000000000002 path=head.glb");
   EXPECT_EQ(to_text(Performed{document::DeleteKey{1.5}}), "penpose do delete_key time_s=1.5");

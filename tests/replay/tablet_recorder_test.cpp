@@ -5,6 +5,8 @@
 #include "replay/trace_source.h"
 #include "tests/support/pen_path.h"
 #include "tests/support/pen_reports.h"
+#include "tests/support/wacom_hand.h"
+#include "tests/support/wacom_receiver.h"
 
 namespace penpose::replay {
 namespace {
@@ -98,6 +100,19 @@ TEST(TabletRecorder, TwoTabletsShareOneClockThatNeverGoesBack) {
   recorder.add(second, report(4000, {2}));
   recorder.add(first, report(3000, {3}));
   EXPECT_EQ(recorder.take(), "D: 0\nE: 0.000000 1 01\nD: 1\nE: 0.003000 1 02\nD: 0\nE: 0.003000 1 03\n");
+}
+
+TEST(TabletRecorder, CountsTheKeysOfATabletBehindAReceiver) {
+  TabletRecorder recorder;
+  for (int i = 0; i < 3; ++i) recorder.add_tablet(tests::receiver(i), "usb-1/input" + std::to_string(i));
+  recorder.add(1, report(1000, tests::pad_report(2)));
+  EXPECT_EQ(recorder.counts().keys, 0U) << "nobody knows yet whose it is";
+  recorder.add(0, report(2000, tests::receiver_status(0x0314)));
+  recorder.add(1, report(3000, tests::pad_report(2)));
+  EXPECT_EQ(recorder.counts().keys, 1U);
+  recorder.add(0, report(4000, tests::receiver_status(0)));
+  EXPECT_NE(recorder.take().find("# 1: held at its end and let go: BTN_1"), std::string::npos);
+  EXPECT_EQ(recorder.end(1), "");
 }
 
 }  // namespace

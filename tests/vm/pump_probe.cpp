@@ -1,5 +1,6 @@
 // What the live chain does inside the virtual machine:
 //   pump_probe burst SECONDS RATE   a pen of RATE reports a second, from the report to the sample in its stroke
+//   pump_probe lights STOP_FILE     follows the lights of the first tablet that has some, until the file exists
 //   pump_probe watch STOP_FILE      prints what comes and goes until the file exists
 #include <algorithm>
 #include <atomic>
@@ -7,13 +8,16 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <thread>
 #include <vector>
 
 #include "firmware_io/decode/decoder_factory.h"
+#include "firmware_io/decode/hand_factory.h"
 #include "firmware_io/decode/stroke_recorder.h"
 #include "firmware_io/device/clock.h"
 #include "firmware_io/device/report_pump.h"
+#include "firmware_io/device/tablet_lights.h"
 #include "firmware_io/device/tablet_watch.h"
 #include "tests/support/pen_reports.h"
 #include "tests/vm/virtual_device.h"
@@ -137,6 +141,43 @@ int burst(double seconds, double rate) {
   return 0;
 }
 
+void print_seen(const device::LiveTablet& tablet) {
+  const auto seen = device::seen_lights(tablet.interface);
+  std::cout << "seen " << (seen ? std::to_string((*seen)[0]) : "none") << std::endl;
+}
+
+/// As the window does: the kernel's driver switches the light, or else this program.
+int lights(const char* stop_file) {
+  auto tablets = device::list_tablets();
+  if (!tablets) return fail(tablets.error());
+  for (auto& tablet : *tablets) {
+    auto hand = decode::make_hand_decoders(tablet.interface.identity);
+    if (!hand.pad || hand.pad->features().modes == 0) continue;
+    auto source = device::open_tablet(tablet);
+    if (!source) return fail(source.error());
+    const bool by_kernel = device::kernel_switches_lights(tablet);
+    print_seen(tablet);
+    device::ReportPump pump(std::move(*source), device::ReportPump::Options{tablet.wake_up()});
+    std::optional<decode::Lights> shown;
+    device::Record record;
+    std::cout << (by_kernel ? "kernel" : "ready") << std::endl;
+    while (!pump.gone() && !std::filesystem::exists(stop_file)) {
+      if (const decode::Lights now = hand.pad->sample().mode; shown != now) {
+        shown = now;
+        std::cout << "light " << static_cast<int>(now[0]) << std::endl;
+        const auto report = decode::light_report(tablet.interface.identity, now);
+        if (!by_kernel && report) pump.send_feature(*report);
+      }
+      pump.wait(100);
+      // One at a time, so that each light is shown.
+      if (pump.take(record) && record.kind == device::RecordKind::report) hand.pad->decode(record.bytes);
+    }
+    print_seen(tablet);
+    return 0;
+  }
+  return fail({"no tablet has lights", "", ""});
+}
+
 int watch(const char* stop_file) {
   auto watching = device::TabletWatch::start();
   if (!watching) return fail(watching.error());
@@ -158,6 +199,7 @@ int watch(const char* stop_file) {
 int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "";
   if (what == "burst" && argc == 4) return burst(std::strtod(argv[2], nullptr), std::strtod(argv[3], nullptr));
+  if (what == "lights" && argc == 3) return lights(argv[2]);
   if (what == "watch" && argc == 3) return watch(argv[2]);
   return 2;
 }

@@ -104,6 +104,40 @@ def pro_trace():
     return header(PRO_PEN, name, ids) + header(PRO_TOUCH, name, ids, 1) + '\n'.join(lines_) + '\n'
 
 
+# The three interfaces of Wacom's wireless receiver, as `lsusb -v` shows them (tests/support/wacom_receiver.h).
+RECEIVER = [bytes.fromhex(t.replace(' ', '')) for t in (
+    '0601ff 0980 a102 1500 26ff00 8580 7508 951f 8101 0901 8502 9503 b102 0901 8503 950c b102 0901 8504 960201 b102 0901 8505 9501 b102 c0',
+    '050d 0901 a101 8502 0900 1500 26ff00 7508 9509 8102 8503 0900 7508 9509 8102 8504 0900 7508 9509 8102 c0',
+    '0600ff 0901 a101 8502 0901 1500 26ff00 7508 953f 8102 c0')]
+# An Intuos Pro's pen interface with the feature report of its lights.
+LIGHTS = PRO_PEN[:-1] + bytes.fromhex('8520 0901 7508 9508 b102 c0'.replace(' ', ''))
+
+
+def receiver_status(product):
+    return bytes([0x80, 1 if product else 0, 0, 0, 0, 20, product >> 8, product & 255]) + bytes(24)
+
+
+def receiver_trace():
+    """The same hands behind the receiver, which says for a while that it hears the tablet and at last that it does not. The kernel
+    makes the nodes of the other two interfaces anew when it learns of the tablet."""
+    hand = reports_of(pro_trace())
+    reports = [(0, receiver_status(0x0314).hex())] * 150
+    reports += [(number + 1, r) for number, r in hand]
+    reports += [(0, receiver_status(0).hex())] * 3
+    head = ''.join(header(d, 'Wacom Wireless Receiver', '3 056a 0084', i) for i, d in enumerate(RECEIVER))
+    return head + ''.join(f'D: {n}\nE: {i // 200}.{i % 200 * 5000:06d} {len(r.split())} {r}\n' for i, (n, r) in enumerate(spaced(reports)))
+
+
+def spaced(reports):
+    return [(n, bytes.fromhex(r).hex(' ')) for n, r in reports]
+
+
+def lights_trace():
+    """Three presses of the key in the middle of the ring."""
+    press, rest = bytes([3, 0, 0, 1, 0, 0, 0, 0, 0, 0]), bytes([3, 0, 0, 0, 0, 0, 0, 0, 0, 0])
+    return header(LIGHTS, 'Wacom Intuos Pro M', '3 056a 0315') + lines([press, rest] * 3)
+
+
 def made():
     """Every trace that needs no recording of a real tablet, by name."""
     draw = random.Random(3)
@@ -118,6 +152,8 @@ def made():
         'parblo': header(PARBLO, 'Parblo A609', '3 0b57 9091') + lines(intuos_reports(200)),
         'huion': header(HUION, 'Huion asleep', '3 256c 006d') + lines(huion_reports(300)),
         'hand': pro_trace(),
+        'receiver': receiver_trace(),
+        'lights': lights_trace(),
         'uclogic': header(HUION, 'Huion awake', '3 256c 006e') + lines(huion_reports(300)),
     }
 

@@ -5,9 +5,11 @@
 #include <cerrno>
 #include <chrono>
 #include <condition_variable>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <initializer_list>
+#include <iostream>
 #include <mutex>
 #include <poll.h>
 #include <sys/socket.h>
@@ -168,6 +170,16 @@ class UsbDevice final : public VirtualDevice {
     advance_queue();
   }
 
+  static void tell(const Buffer& report) {
+    std::string text = "took report";
+    for (std::size_t i = 0; i < std::min<std::size_t>(report.size(), 16); ++i) {
+      char byte[4];
+      std::snprintf(byte, sizeof byte, " %02x", report[i]);
+      text += byte;
+    }
+    std::cerr << text << std::endl;
+  }
+
   bool submit(const Header& header) {
     const bool in = header[3] != 0;
     const std::uint32_t endpoint = header[4];
@@ -180,6 +192,8 @@ class UsbDevice final : public VirtualDevice {
     const std::uint32_t words[2] = {htonl(header[10]), htonl(header[11])};
     std::memcpy(setup.data(), words, sizeof setup);
     if (endpoint == 0) {
+      // A class request that sets a report (HID 1.11, 7.2.2).
+      if (!in && setup[0] == 0x21 && setup[1] == 9) tell(data);
       control(header[1], in, setup, length);
     } else if (in && endpoint <= interfaces_.size()) {
       queue_.push_back({endpoint - 1, header[1], length});

@@ -106,10 +106,10 @@ struct PanelState {
   std::vector<PxPoint> test_line;  ///< drawn in the test area of the tablet's settings
   std::vector<double> test_pressure;
   Area test_area{};
-  std::string pad_tablet;     ///< whose keys are shown, by its key in the settings; empty: the first
-  PadControl pad_control;     ///< that something is chosen for
-  float pad_height = 0;       ///< px of the picture of its keys in the last frame
-  bool pad_once = false;      ///< actions are offered, else what holds while a key is held
+  std::pair<std::string, std::string> pad_tablet;  ///< whose keys are shown, by key and unit; empty: the first
+  PadControl pad_control;                          ///< that something is chosen for
+  float pad_height = 0;                            ///< px of the picture of its keys in the last frame
+  bool pad_once = false;                           ///< actions are offered, else what holds while a key is held
   std::string after_unsaved;  ///< what to open once the question about unsaved work is answered; empty: quit
   bool saves_first = false;   ///< that question was answered with Save: it is done once something was saved
 };
@@ -150,6 +150,10 @@ class App : private TracePlayer::Listener {
   /// A key that no text field wants.
   void key(const KeyStroke& key);
   void tablet_arrived(int device, const decode::DeviceIdentity& identity);
+  /// The lights that are on beside the dials of a tablet that has arrived.
+  void lights_seen(int device, const decode::Lights& lights);
+  /// The lights that a device is to show, nothing where it has none.
+  [[nodiscard]] std::optional<decode::Lights> lights_of(int device) const;
   void tablet_left(int device, const std::string& name);
   void tablet_report(int device, std::int64_t received_us, base::Bytes bytes);
   void pointer_left();
@@ -265,7 +269,11 @@ class App : private TracePlayer::Listener {
   void do_gesture(const TouchAct& act);
   [[nodiscard]] bool fingers_move_view() const;
   [[nodiscard]] PxPoint place_of_finger(int device, const decode::TouchContact& contact) const;
-  void tell_battery(DeskTablet& tablet);
+  void tell_battery(DeskTablet& tablet, int device);
+  /// A wireless receiver hears another tablet, or none any more.
+  void change_tablets(std::span<const replay::HandMoment> moments);
+  /// What was held on a device that goes, for the message: "; Key 2 (Undo) was held and is let go".
+  [[nodiscard]] std::string held_until_now(int device, std::span<const replay::HandMoment> let_go) const;
   [[nodiscard]] replay::TabletSetting setting_of(int device) const;
   [[nodiscard]] std::uint32_t drawing_buttons(int device) const;
   void forget_tablet(int device, const std::string& name, std::span<const replay::HandMoment> let_go);
@@ -321,7 +329,9 @@ class App : private TracePlayer::Listener {
   std::string project_;                            ///< where Save writes; empty: it asks
   std::string path_;                               ///< what was opened
   std::map<int, decode::DeviceIdentity> tablets_;  ///< that were ever there
-  std::set<int> plugged_;                          ///< those of them that are
+  std::map<int, std::vector<std::uint8_t>> receiver_status_;  ///< what receivers said last
+  std::map<int, decode::Lights> lights_;                      ///< that are on beside the dials of tablets
+  std::set<int> plugged_;                                     ///< those of them that are
   HandDesk desk_;
   std::map<int, TouchGestures> raw_touch_;    ///< by interface
   std::int64_t raw_gesture_us_ = -1;          ///< when fingers on a tablet last moved the view

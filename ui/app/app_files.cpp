@@ -123,6 +123,13 @@ void App::show_anew() {
     workspace_.connect(device, tablet);
     on_device(device, tablet);
     if (workspace_.session().pens().decodes(device)) workspace_.set_tablet(device, setting_of(device));
+    if (const auto on = lights_.find(device); on != lights_.end()) lights_seen(device, on->second);
+  }
+  // What a receiver hears is for this session to know from its reports, too.
+  for (const auto& [device, status] : receiver_status_) {
+    workspace_.report(device, status);
+    const auto hand = workspace_.session().hand_moments();
+    take_hand(std::vector<replay::HandMoment>(hand.begin(), hand.end()));
   }
 }
 

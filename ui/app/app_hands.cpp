@@ -95,7 +95,7 @@ void App::hold_tools() {
 void App::press(DeskTablet& tablet, int device, const PadControl& control) {
   if (panels_.dialog == Dialog::pad) {
     // Whoever presses a key there means to choose for it.
-    panels_.pad_tablet = tablet.key;
+    panels_.pad_tablet = {tablet.key, tablet.unit};
     panels_.pad_control = control;
     return;
   }
@@ -154,6 +154,7 @@ void App::take_pen_button(int device, const replay::PenMoment& moment) {
 }
 
 void App::take_hand(std::span<const replay::HandMoment> moments) {
+  bool changed = false;
   for (const replay::HandMoment& moment : moments) {
     DeskTablet* tablet = desk_.find(moment.device);
     if (tablet == nullptr) continue;
@@ -165,7 +166,10 @@ void App::take_hand(std::span<const replay::HandMoment> moments) {
         take_fingers(moment.device);
         break;
       case replay::HandMoment::Kind::battery:
-        tell_battery(*tablet);
+        tell_battery(*tablet, moment.device);
+        break;
+      case replay::HandMoment::Kind::tablet:
+        if (!std::exchange(changed, true)) change_tablets(moments);
         break;
     }
   }
@@ -188,7 +192,7 @@ void App::take_pad_event(DeskTablet& tablet, int device, const decode::PadEvent&
     case PadEventKind::touched:
       desk_.forget_rest(device);
       if (panels_.dialog == Dialog::pad) {
-        panels_.pad_tablet = tablet.key;
+        panels_.pad_tablet = {tablet.key, tablet.unit};
         panels_.pad_control = dial_control(event.dial, event.side, dial_mode(tablet, event.side));
       }
       break;
@@ -242,8 +246,8 @@ void App::take_fingers(int device) {
   }
 }
 
-void App::tell_battery(DeskTablet& tablet) {
-  const auto* pad = workspace_.session().hands().pad(tablet.pad);
+void App::tell_battery(DeskTablet& tablet, int device) {
+  const auto* pad = workspace_.session().hands().pad(device);
   if (pad == nullptr) return;
   tablet.battery = pad->battery();
   const std::int8_t percent = tablet.battery.percent;
@@ -253,17 +257,54 @@ void App::tell_battery(DeskTablet& tablet) {
   if (low || percent > k_charged_again || tablet.battery.charging) tablet.low_told = low;
 }
 
-void App::forget_tablet(int device, const std::string& name, std::span<const replay::HandMoment> let_go) {
-  std::string text = name + " was unplugged";
-  if (const DeskTablet* tablet = desk_.find(device)) {
-    for (const replay::HandMoment& moment : let_go) {
-      if (moment.kind != replay::HandMoment::Kind::pad || moment.event.kind != PadEventKind::key_up) continue;
-      const PadControl control = key_control(moment.event.key);
-      text += "; " + title_of(control, tablet->features) + " (" + label_of(bound(*tablet, control)) +
-              ") was held and is let go";
-    }
+std::string App::held_until_now(int device, std::span<const replay::HandMoment> let_go) const {
+  std::string text;
+  const DeskTablet* tablet = desk_.find(device);
+  for (const replay::HandMoment& moment : let_go) {
+    if (tablet == nullptr || moment.device != device || moment.kind != replay::HandMoment::Kind::pad) continue;
+    if (moment.event.kind != PadEventKind::key_up) continue;
+    const PadControl control = key_control(moment.event.key);
+    text += "; " + title_of(control, tablet->features) + " (" + label_of(bound(*tablet, control)) +
+            ") was held and is let go";
   }
+  return text;
+}
+
+void App::change_tablets(std::span<const replay::HandMoment> moments) {
+  std::string gone;
+  std::string held;
+  std::string ready;
+  const auto changed = [](const replay::HandMoment& one) { return one.kind == replay::HandMoment::Kind::tablet; };
+  for (const replay::HandMoment& moment : moments) {
+    const DeskTablet* before = changed(moment) ? desk_.find(moment.device) : nullptr;
+    if (before == nullptr) continue;
+    if (before->has_anything()) gone = before->name;
+    held += held_until_now(moment.device, moments);
+  }
+  tablet_near_ = false;
+  barrel_ = false;
+  for (const replay::HandMoment& moment : moments) {
+    if (!changed(moment) || desk_.find(moment.device) == nullptr) continue;
+    const int device = moment.device;
+    on_gone(device);
+    on_device(device, *workspace_.session().identity_of(device));
+    if (!workspace_.session().pens().decodes(device)) continue;
+    ready = workspace_.session().identity_of(device)->name;
+    if (tablets_.contains(device)) workspace_.set_tablet(device, setting_of(device));
+  }
+  if (!gone.empty()) tell(gone + " is out of reach" + held, true);
+  if (!ready.empty()) tell(ready + " is ready");
+}
+
+void App::forget_tablet(int device, const std::string& name, std::span<const replay::HandMoment> let_go) {
+  const std::string held = held_until_now(device, let_go);
+  std::string text = name + " was unplugged" + held;
   on_gone(device);
+  // A receiver's other interfaces come and go with the tablet that it hears.
+  const auto identity = tablets_.find(device);
+  if (held.empty() && identity != tablets_.end() && decode::is_wacom_receiver(identity->second) &&
+      !decode::is_receiver_monitor(identity->second))
+    return;
   // Its other interface may have told more.
   const bool told = std::any_of(notices_.begin(), notices_.end(),
                                 [&](const Notice& one) { return one.text != text && one.text.starts_with(text); });
@@ -271,8 +312,9 @@ void App::forget_tablet(int device, const std::string& name, std::span<const rep
 }
 
 void App::on_device(int device, const decode::DeviceIdentity& identity) {
-  desk_.add(device, identity, workspace_.session().hands(), workspace_.session().pens().axes_of(device),
-            options_.own_tablets);
+  const decode::DeviceIdentity* shown = workspace_.session().identity_of(device);
+  desk_.add(device, shown != nullptr ? *shown : identity, workspace_.session().hands(),
+            workspace_.session().pens().axes_of(device), options_.own_tablets);
   // A trace is drawn as it is, but for what its pen's buttons are bound to.
   if (tablets_.contains(device) || !player_ || player_->is_session() || drawing_buttons(device) == 0) return;
   replay::TabletSetting setting;

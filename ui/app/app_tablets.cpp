@@ -25,7 +25,23 @@ void App::tablet_arrived(int device, const decode::DeviceIdentity& identity) {
   plugged_.insert(device);
   // Fingers alone are a part of a tablet that says so itself.
   const DeskTablet* tablet = desk_.find(device);
+  if (decode::is_wacom_receiver(identity)) {
+    // Its tablet says so itself once it is heard.
+    if (decode::is_receiver_monitor(identity)) tell(identity.name + (again ? " is back" : " is ready"));
+    return;
+  }
   if (tablet == nullptr || tablet->has_anything()) tell(identity.name + (again ? " is back" : " is ready"));
+}
+
+void App::lights_seen(int device, const decode::Lights& lights) {
+  if (lights_of(device).value_or(lights) != lights) workspace_.see_lights(device, lights);
+  lights_[device] = lights;
+}
+
+std::optional<decode::Lights> App::lights_of(int device) const {
+  const decode::PadDecoder* pad = workspace_.session().hands().pad(device);
+  if (pad == nullptr || pad->features().modes == 0) return std::nullopt;
+  return pad->sample().mode;
 }
 
 void App::tablet_setting_changed() {
@@ -38,6 +54,8 @@ void App::tablet_setting_changed() {
 void App::tablet_left(int device, const std::string& name) {
   workspace_.disconnect(device);
   plugged_.erase(device);
+  receiver_status_.erase(device);
+  lights_.erase(device);
   const auto hand = workspace_.session().hand_moments();
   const std::vector<replay::HandMoment> let_go(hand.begin(), hand.end());
   workspace_.follow_pen();
@@ -67,6 +85,9 @@ void App::tablet_report(int device, std::int64_t received_us, base::Bytes bytes)
   const auto moments = workspace_.report_at(device, received_us, bytes);
   const auto hand = workspace_.session().hand_moments();
   take_hand(std::vector<replay::HandMoment>(hand.begin(), hand.end()));
+  if (const base::Bytes status = workspace_.session().receiver_status(device); !status.empty())
+    receiver_status_[device].assign(status.begin(), status.end());
+  if (const auto lights = lights_of(device)) lights_[device] = *lights;
   if (moments.empty()) return;
   tablet_seen_us_ = options_.clock();
   tablet_near_ = moments.back().kind != PenEventKind::away;

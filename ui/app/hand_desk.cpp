@@ -54,12 +54,17 @@ void HandDesk::add(int device, const decode::DeviceIdentity& identity, const rep
                    const decode::PenAxes* pen, const decode::TabletTable* own) {
   remove(device);
   const std::string key = tablet_key(identity, own);
-  auto found = std::find_if(tablets_.begin(), tablets_.end(), [&](const DeskTablet& one) { return one.key == key; });
+  auto found = std::find_if(tablets_.begin(), tablets_.end(), [&](const DeskTablet& one) {
+    return one.is({key, identity.unit});
+  });
   if (found == tablets_.end()) {
+    const auto twins =
+        std::count_if(tablets_.begin(), tablets_.end(), [&](const DeskTablet& one) { return one.key == key; });
     tablets_.push_back({});
     found = tablets_.end() - 1;
     found->key = key;
-    found->name = identity.name;
+    found->unit = identity.unit;
+    found->name = identity.name + (twins > 0 ? " (" + std::to_string(twins + 1) + ")" : "");
   }
   found->devices.push_back(device);
   if (const auto* pad = hands.pad(device); pad != nullptr && pad->features().any()) {

@@ -19,7 +19,8 @@ namespace penpose::app {
 
 /// A tablet as its user sees it: all of its interfaces are one, a remote is one of its own.
 struct DeskTablet {
-  std::string key;  ///< of its bindings in the settings
+  std::string key;   ///< of its bindings in the settings, the same for all of one model
+  std::string unit;  ///< tells it from another one of its model
   std::string name;
   std::vector<int> devices;  ///< its interfaces
   int pad = -1;              ///< the interface that has the keys; -1: none
@@ -32,6 +33,9 @@ struct DeskTablet {
   bool low_told = false;  ///< that its battery is low
 
   [[nodiscard]] bool has_anything() const { return features.any() || has_pen; }
+  [[nodiscard]] bool is(const std::pair<std::string, std::string>& which) const {
+    return key == which.first && unit == which.second;
+  }
 };
 
 /// Names the settings of a tablet: the table's name where it is one for certain, else its ids and its own name. A

@@ -16,7 +16,7 @@ const DeskTablet* shown_tablet(App& app, std::span<const DeskTablet> tablets) {
     return found == tablets.end() ? nullptr : &*found;
   };
   if (const auto* chosen =
-          first([&](const DeskTablet& one) { return one.key == app.panels().pad_tablet && one.has_anything(); }))
+          first([&](const DeskTablet& one) { return one.is(app.panels().pad_tablet) && one.has_anything(); }))
     return chosen;
   if (const auto* keys = first([](const DeskTablet& one) { return one.features.any(); })) return keys;
   return first([](const DeskTablet& one) { return one.has_anything(); });
@@ -49,14 +49,15 @@ void show_tablets(PanelContext& context, std::span<const DeskTablet> tablets, co
   if (count > 1) {
     for (const DeskTablet& one : tablets) {
       if (!one.has_anything()) continue;
-      if (wide_button(context, (one.name + "##tablet " + one.key).c_str(), 0, &one == &shown))
-        context.app.panels().pad_tablet = one.key;
+      if (wide_button(context, (one.name + "##tablet " + one.key + " " + one.unit).c_str(), 0, &one == &shown))
+        context.app.panels().pad_tablet = {one.key, one.unit};
       ImGui::SameLine();
     }
     ImGui::NewLine();
   }
   std::string text = shown.name;
-  if (shown.battery.percent >= 0) {
+  // 0 comes before it has been measured.
+  if (shown.battery.percent > 0) {
     text += "   battery " + std::to_string(shown.battery.percent) + " %";
     if (shown.battery.charging) text += ", charging";
   }
@@ -120,6 +121,17 @@ void Choices::show() {
   ImGui::EndChild();
 }
 
+/// Whoever goes to another key sees what it does now among what is offered.
+void follow_control(App& app, const DeskTablet& tablet) {
+  const PadControl& control = app.panels().pad_control;
+  const int now = 1 + static_cast<int>(control.kind) * 65536 + control.index * 256 + control.mode;
+  ImGuiStorage& kept = *ImGui::GetStateStorage();
+  const ImGuiID place = ImGui::GetID("control that was shown");
+  if (kept.GetInt(place) == now) return;
+  kept.SetInt(place, now);
+  app.panels().pad_once = app.bound(tablet, control).kind == Binding::Kind::action;
+}
+
 }  // namespace
 
 void show_pad_dialog(PanelContext& context) {
@@ -133,6 +145,7 @@ void show_pad_dialog(PanelContext& context) {
       PadControl& control = app.panels().pad_control;
       const auto keys = keys_of(tablet->features);
       if (!has(*tablet, control)) control = keys.empty() ? pen_button_control(0) : key_control(keys.front());
+      follow_control(app, *tablet);
       show_tablets(context, tablets, *tablet);
       // As high as it is, up to what the window has room for.
       const float room = static_cast<float>(app.window().height) - 6 * context.unit;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
+#include <optional>
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <thread>
@@ -10,6 +11,7 @@
 
 #include "firmware_io/device/permission.h"
 #include "firmware_io/device/report_pump.h"
+#include "firmware_io/device/tablet_lights.h"
 #include "ui/app/said.h"
 #include "ui/cli/own_program.h"
 
@@ -21,10 +23,12 @@ struct Tablets::State {
     int number = 0;
     device::LiveTablet tablet;
     std::unique_ptr<device::ReportPump> pump;
+    std::optional<decode::Lights> shown;  ///< the lights that it was told to show
   };
   struct Opened {
     Open open;
     decode::DeviceIdentity identity;
+    std::optional<decode::Lights> lights;  ///< that are on already
   };
 
   std::function<void()> wake;
@@ -65,11 +69,20 @@ struct Tablets::State {
       refused.push_back(name + ": " + (why.empty() ? source.error().line() : why));
       return;
     }
-    Opened made{{number_of(tablet), tablet, nullptr}, tablet.interface.identity};
-    made.open.pump =
-        std::make_unique<device::ReportPump>(std::move(*source), device::ReportPump::Options{tablet.wake_up()});
-    open.push_back(std::move(made.open));
-    arrived.push_back({{open.back().number, tablet, nullptr}, tablet.interface.identity});
+    auto pump = std::make_unique<device::ReportPump>(std::move(*source), device::ReportPump::Options{tablet.wake_up()});
+    std::optional<decode::Lights> lights;
+    if (device::kernel_switches_lights(tablet)) lights = device::seen_lights(tablet.interface);
+    open.push_back({number_of(tablet), tablet, std::move(pump), {}});
+    arrived.push_back({{open.back().number, tablet, nullptr, {}}, tablet.interface.identity, lights});
+  }
+
+  /// A tablet that the kernel's driver does not serve shows the lights that the app has.
+  static void show_lights(Open& one, const App& app) {
+    const auto lights = app.lights_of(one.number);
+    if (!lights || one.shown == lights || device::kernel_switches_lights(one.tablet)) return;
+    one.shown = lights;
+    if (auto report = decode::light_report(one.tablet.interface.identity, *lights))
+      one.pump->send_feature(std::move(*report));
   }
 
   void run() {
@@ -125,7 +138,10 @@ void Tablets::take(App& app) {
   std::vector<std::pair<int, device::Record>> records;
   {
     const std::scoped_lock lock(state_->mutex);
-    for (const auto& one : state_->arrived) app.tablet_arrived(one.open.number, one.identity);
+    for (const auto& one : state_->arrived) {
+      app.tablet_arrived(one.open.number, one.identity);
+      if (one.lights) app.lights_seen(one.open.number, *one.lights);
+    }
     state_->arrived.clear();
     for (const std::string& text : state_->refused) app.tell(text, true);
     state_->refused.clear();
@@ -141,6 +157,10 @@ void Tablets::take(App& app) {
                    [](const auto& a, const auto& b) { return a.second.time_us < b.second.time_us; });
   for (const auto& [number, record] : records) {
     if (record.kind == device::RecordKind::report) app.tablet_report(number, record.time_us, record.bytes);
+  }
+  {
+    const std::scoped_lock lock(state_->mutex);
+    for (State::Open& one : state_->open) State::show_lights(one, app);
   }
   for (const State::Open& one : gone) app.tablet_left(one.number, one.tablet.interface.identity.name);
 }

@@ -41,6 +41,7 @@ base::Result<TracePlayer> TracePlayer::load(const std::string& path) {
     }
     if (auto* set = std::get_if<replay::TabletSet>(&what)) set->device += k_first_device;
     if (auto* gone = std::get_if<replay::TabletGone>(&what)) gone->device += k_first_device;
+    if (auto* lights = std::get_if<replay::LightsSeen>(&what)) lights->device += k_first_device;
     player.events_.push_back(
         {now, 0, {}, {}, std::make_shared<const replay::SessionLine>(std::move(what)), line.number});
   };

@@ -186,6 +186,8 @@ void Workspace::connect(int device, const decode::DeviceIdentity& identity) {
   after_steps(before);
 }
 
+void Workspace::see_lights(int device, const decode::Lights& lights) { act(replay::LightsSeen{device, lights}); }
+
 void Workspace::disconnect(int device) { act(replay::TabletGone{device}); }
 
 std::vector<PenMoment> Workspace::report(int device, base::Bytes bytes) { return report_at(device, clock_(), bytes); }

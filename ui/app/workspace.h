@@ -60,6 +60,8 @@ class Workspace {
   void connect(int device, const decode::DeviceIdentity& identity);
   /// Its stroke ends.
   void disconnect(int device);
+  /// Which lights are on beside the dials of a tablet.
+  void see_lights(int device, const decode::Lights& lights);
   std::vector<replay::PenMoment> report(int device, base::Bytes bytes);
   /// The same of a report that came at a moment of the clock.
   std::vector<replay::PenMoment> report_at(int device, std::int64_t received_us, base::Bytes bytes);

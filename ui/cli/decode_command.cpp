@@ -10,6 +10,7 @@
 
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/decode/protocol.h"
+#include "firmware_io/decode/wacom_receiver.h"
 #include "replay/trace_source.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/files.h"
@@ -47,6 +48,8 @@ class DecodeRun {
   base::Result<std::size_t> count_devices();
   base::Status decode(replay::TraceSource& source);
   Interface& interface_for(const replay::TraceSource& source, int device);
+  void read_as(Interface& interface, const decode::DeviceIdentity& identity);
+  void hear(const replay::TraceReport& report);
   void print(const replay::TraceReport& report, Interface& interface);
   void begin_output(const decode::PenAxes& axes);
   void end_output(const replay::TraceSource& source);
@@ -54,6 +57,7 @@ class DecodeRun {
 
   const DecodeOptions& options_;
   const decode::TabletTable* own_;
+  decode::WacomReceivers receivers_;
   std::map<int, Interface> interfaces_;
   std::string out_;
   std::vector<base::Error> refusals_;
@@ -96,15 +100,27 @@ Interface& DecodeRun::interface_for(const replay::TraceSource& source, int devic
     return made;
   }
   const auto declared = source.devices().find(device);
-  auto recognition =
-      decode::make_decoder(declared == source.devices().end() ? decode::DeviceIdentity{} : declared->second, own_);
+  read_as(made,
+          declared == source.devices().end() ? decode::DeviceIdentity{} : receivers_.connect(device, declared->second));
+  return made;
+}
+
+void DecodeRun::read_as(Interface& interface, const decode::DeviceIdentity& identity) {
+  auto recognition = decode::make_decoder(identity, own_);
   if (recognition) {
-    made.decoder = std::move(recognition->decoder);
-    made.method = recognition->method;
+    interface.decoder = std::move(recognition->decoder);
+    interface.method = recognition->method;
   } else {
+    interface.decoder.reset();
     refusals_.push_back(recognition.error());
   }
-  return made;
+}
+
+/// Behind a wireless receiver is another tablet from now on.
+void DecodeRun::hear(const replay::TraceReport& report) {
+  for (const auto& [device, identity] : receivers_.report(report.device, report.bytes)) {
+    if (!decode::is_receiver_monitor(identity)) read_as(interfaces_[device], identity);
+  }
 }
 
 void DecodeRun::flush(std::size_t keep) {
@@ -182,6 +198,7 @@ base::Status DecodeRun::decode(replay::TraceSource& source) {
     if (!report->has_value()) return base::Done{};
     ++reports_;
     Interface& interface = interface_for(source, (*report)->device);
+    hear(**report);
     if (interface.decoder && interface.decoder->decode((*report)->bytes) == decode::ReportKind::pen) {
       print(**report, interface);
     }
@@ -196,6 +213,10 @@ int DecodeRun::run() {
   replay::TraceSource source(read_from_file(file->get()));
   if (const auto header = source.read_header(); !header) return report(header.error(), options_.trace);
   with_device_ = *devices > 1 || source.devices().size() > 1;
+  for (const auto& [number, device] : source.devices()) {
+    // Those of a receiver first: one of them says what the others bring.
+    if (decode::is_wacom_receiver(device)) (void)interface_for(source, number);
+  }
   const auto done = decode(source);
   if (!done) return report(done.error(), options_.trace);
   end_output(source);

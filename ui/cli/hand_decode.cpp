@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "firmware_io/decode/hand_factory.h"
+#include "firmware_io/decode/wacom_receiver.h"
 #include "replay/trace_source.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/files.h"
@@ -32,6 +33,7 @@ class HandRun {
   void print_pad(const replay::TraceReport& report, Interface& interface);
   void print_touch(const replay::TraceReport& report, const Interface& interface);
   void end_frames_early(const replay::TraceReport& report);
+  void hear(const replay::TraceReport& report);
   void begin_row();
   void end_output(const replay::TraceSource& source);
   void flush(std::size_t keep);
@@ -39,6 +41,7 @@ class HandRun {
   const HandDecodeOptions& options_;
   const decode::TabletTable* own_;
   std::shared_ptr<decode::TouchSwitch> touch_switch_ = std::make_shared<decode::TouchSwitch>();
+  decode::WacomReceivers receivers_;
   std::map<int, Interface> interfaces_;
   std::string out_;
   bool with_device_ = false;
@@ -54,7 +57,7 @@ Interface& HandRun::interface_for(const replay::TraceSource& source, int device)
   if (!options_.protocol.empty()) {
     made.hand = decode::make_protocol_hand_decoders(options_.protocol);
   } else if (declared != source.devices().end()) {
-    made.hand = decode::make_hand_decoders(declared->second, own_, touch_switch_);
+    made.hand = decode::make_hand_decoders(receivers_.connect(device, declared->second), own_, touch_switch_);
   }
   return made;
 }
@@ -107,6 +110,15 @@ void HandRun::end_frames_early(const replay::TraceReport& report) {
   }
 }
 
+/// Behind a wireless receiver is another tablet from now on.
+void HandRun::hear(const replay::TraceReport& report) {
+  if (!options_.protocol.empty()) return;
+  for (const auto& [device, identity] : receivers_.report(report.device, report.bytes)) {
+    if (decode::is_receiver_monitor(identity)) continue;
+    interfaces_[device].hand = decode::make_hand_decoders(identity, own_, touch_switch_);
+  }
+}
+
 base::Status HandRun::decode(replay::TraceSource& source) {
   for (;;) {
     const auto report = source.next();
@@ -115,6 +127,7 @@ base::Status HandRun::decode(replay::TraceSource& source) {
     ++reports_;
     Interface& interface = interface_for(source, (*report)->device);
     // Both get every report: a key of the pad may turn off the fingers.
+    hear(**report);
     const unsigned told = touch_switch_->told;
     const bool pad = interface.hand.pad && interface.hand.pad->decode((*report)->bytes);
     const bool touch = interface.hand.touch && interface.hand.touch->decode((*report)->bytes);

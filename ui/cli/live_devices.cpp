@@ -29,6 +29,7 @@ std::string hex(std::uint16_t id) {
 }
 
 const char* word(device::Carries carries) {
+  if (carries == device::Carries::receiver) return "receiver";
   return carries == device::Carries::pad ? "pad" : carries == device::Carries::touch ? "touch" : "pen";
 }
 

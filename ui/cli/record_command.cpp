@@ -76,7 +76,10 @@ struct Recorded {
 
 /// The same for an interface as long as it is plugged in, whoever has it.
 std::string place_of(const device::LiveTablet& tablet) {
-  return tablet.interface.parent + " " + tablet.interface.usb_node + " " + tablet.interface.usb_name;
+  // A receiver's nodes are made anew when it hears another tablet.
+  const bool has_node = tablet.transport == device::Transport::hidraw;
+  return tablet.interface.parent + " " + tablet.interface.usb_node + " " + tablet.interface.usb_name + " " +
+         (has_node ? std::to_string(tablet.interface.node_made) : "");
 }
 
 class RecordRun {

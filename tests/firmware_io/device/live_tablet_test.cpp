@@ -9,6 +9,7 @@
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/device/permission.h"
 #include "tests/support/pen_reports.h"
+#include "tests/support/wacom_receiver.h"
 
 namespace penpose::device {
 namespace {
@@ -131,6 +132,22 @@ TEST(Recognise, WithoutANodeOfItsOwnAnInterfaceIsReadThroughUsb) {
   const LiveTablet tablet = recognise(std::move(interface));
   EXPECT_EQ(tablet.transport, Transport::libusb);
   EXPECT_EQ(tablet.access, Access::absent);
+}
+
+TEST(Recognise, AllInterfacesOfAWirelessReceiverAreRead) {
+  const auto of = [](int number) {
+    HidInterface interface;
+    interface.identity = tests::receiver(number);
+    interface.hidraw_node = "/nowhere/hidraw" + std::to_string(number);
+    return recognise(std::move(interface));
+  };
+  EXPECT_EQ(of(0).carries, Carries::receiver);
+  EXPECT_EQ(of(1).carries, Carries::pen);
+  EXPECT_EQ(of(2).carries, Carries::touch);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_FALSE(of(i).method.empty());
+    EXPECT_TRUE(of(i).wake_up().empty());
+  }
 }
 
 TEST(Recognise, AMouseCarriesNoPen) {

@@ -1,6 +1,8 @@
 #include "firmware_io/device/report_pump.h"
 
+#include <chrono>
 #include <gtest/gtest.h>
+#include <thread>
 
 #include "firmware_io/device/queue_gauge.h"
 #include "tests/support/fake_source.h"
@@ -170,6 +172,38 @@ TEST_F(ReportPumpTest, ClosesTheTabletWhenItEnds) {
   EXPECT_FALSE(tablet_->closed);
   pump.reset();
   EXPECT_TRUE(tablet_->closed);
+}
+
+TEST_F(ReportPumpTest, SendsAFeatureReportFromItsOwnThreadTheLastOfSeveral) {
+  auto pump = start();
+  pump->send_feature({0x20, 0x01});
+  const auto wait_for = [&](std::size_t count) {
+    for (int i = 0; i < 2000 && tablet_->all_asked().size() < count; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  };
+  wait_for(1);
+  EXPECT_EQ(tablet_->all_asked(), (std::vector<std::string>{"feature 2001"}));
+  {
+    // While the thread cannot come to it.
+    const std::lock_guard lock(tablet_->mutex);
+    pump->send_feature({0x20, 0x02});
+    pump->send_feature({0x20, 0x03});
+  }
+  wait_for(2);
+  const auto asked = tablet_->all_asked();
+  EXPECT_EQ(asked.back(), "feature 2003");
+  tablet_->send({7, 1});
+  EXPECT_EQ(next(*pump).bytes, (std::vector<std::uint8_t>{7, 1})) << "and reports come as before";
+}
+
+TEST_F(ReportPumpTest, AFeatureReportThatIsRefusedIsCountedAndNotTriedAgain) {
+  tablet_->refuses = true;
+  auto pump = start();
+  pump->send_feature({0x20, 0x01});
+  for (int i = 0; i < 2000 && pump->refused() == 0; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  EXPECT_EQ(pump->refused(), 1);
+  EXPECT_EQ(tablet_->all_asked().size(), 1U);
 }
 
 }  // namespace

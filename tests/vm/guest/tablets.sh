@@ -120,6 +120,44 @@ touch /tmp/go_hand_usb
 end_record hand_usb
 until_true 20 tablets_are 0
 
+# --- A tablet behind a wireless receiver, which says which one it is; the kernel's driver makes two nodes anew then.
+stage receiver
+virtual_tablet usb /traces/receiver.hid --go /tmp/go_receiver --keep /tmp/keep_receiver --pace-us 10000 --port 2 >/out/receiver.sent 2>&1 &
+until_true 20 tablets_are 3
+penpose devices --json >/out/receiver.json
+record_until_ready receiver
+until_true 20 all_have 3 ^recording /out/receiver.err
+touch /tmp/go_receiver
+until_true 60 grep -q ^sent /out/receiver.sent
+touch /tmp/keep_receiver
+end_record receiver
+until_true 20 tablets_are 0
+
+# --- The light of a ring: the kernel's driver switches it where it has the tablet, and where it has not, we do.
+stage lights
+lights() { # lights NAME PORT PACE_US
+  virtual_tablet usb /traces/lights.hid --go "/tmp/go_$1" --keep "/tmp/keep_$1" --pace-us "$3" --port "$2" >"/out/$1.sent" 2>&1 &
+  until_true 20 tablets_are 1
+  # The driver sets up what it found a second later.
+  sleep 2
+  pump_probe lights "/tmp/stop_$1" >"/out/$1.log" 2>&1 &
+  probe=$!
+  until_true 20 grep -q ^light "/out/$1.log"
+  touch "/tmp/go_$1"
+  until_true 30 grep -q "^light 3" "/out/$1.log"
+  sleep 0.5
+  touch "/tmp/stop_$1"
+  wait "$probe"
+  pump_probe lights "/tmp/stop_$1" >"/out/$1.again" 2>&1
+  touch "/tmp/keep_$1"
+  until_true 20 tablets_are 0
+}
+# The driver counts presses by the light that it has on, and sets that in its own time.
+lights lights_kernel 3 1000000
+rmmod wacom
+lights lights_bare 4 200000
+load wacom
+
 # --- The machine sleeps while a tablet is recorded: it is woken before its first report and again afterwards.
 stage sleep
 virtual_tablet uhid /traces/parblo.hid --go /tmp/go_parblo >/out/parblo.sent 2>&1 &

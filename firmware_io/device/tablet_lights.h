@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "firmware_io/decode/light_report.h"
+#include "firmware_io/device/live_tablet.h"
+
+namespace penpose::device {
+
+/// Whether the kernel's driver has the tablet and so switches its lights itself, with every press of their key.
+[[nodiscard]] bool kernel_switches_lights(const LiveTablet& tablet);
+
+/// The lights that the kernel's driver has on; nothing where it has none. `folder` is replaced in tests.
+[[nodiscard]] std::optional<decode::Lights> seen_lights(const HidInterface& interface,
+                                                        const std::string& folder = "/sys/bus/hid/devices");
+
+}  // namespace penpose::device
