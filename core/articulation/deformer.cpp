@@ -249,7 +249,7 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
   if (!lasso) return at("specific", lasso.error());
   const auto general = geometry::Lasso::make(sketch.general);
   if (!general) return at("general", general.error());
-  if (sketch.rules >= k_ranged_rules) {
+  if (sketch.rules >= k_crossing_rules) {
     if (const auto whole = check_crossing(sketch.general); !whole) return at("general", whole.error());
     if (const auto whole = check_crossing(sketch.specific); !whole) return at("specific", whole.error());
   }

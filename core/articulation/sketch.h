@@ -43,9 +43,10 @@ inline constexpr std::uint32_t k_measured_rules = 3;
 /// great circles.
 inline constexpr std::uint32_t k_held_rules = 4;
 
-/// The rules from which on a changed range builds a deformer again, as reading its file does, and a lasso that crosses
-/// itself so that it is not known what it encloses is refused.
+/// The rules from which on a changed range builds a deformer again, as reading its file does.
 inline constexpr std::uint32_t k_ranged_rules = 5;
+/// The rules from which on a lasso that crosses itself, so that it is not known what it encloses, is refused.
+inline constexpr std::uint32_t k_crossing_rules = 6;
 
 /// How far into the model a lasso reaches: to what lies behind, or only to what the camera sees.
 enum class Reach : std::uint8_t { through, front };

@@ -97,7 +97,7 @@ Changed draw_region(const Document& document, Sketch sketch, const SketchCurve& 
   const auto surface = articulation::KeptSurface::make(sketch.surface, **canvas);
   if (!surface) return surface.error();
   (general ? sketch.general : sketch.specific) = command.line;
-  if (sketch.rules >= articulation::k_ranged_rules) {
+  if (sketch.rules >= articulation::k_crossing_rules) {
     if (const auto whole = articulation::check_crossing(command.line); !whole) {
       return at("line", at(general ? "general" : "core", whole.error()));
     }
