@@ -277,8 +277,11 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   Lids lids = find_lids(rig, setup, *transfer, camera);
   const TrackFrame& neutral = track.frames[still->neutral];
   const auto seen = openings_of(setup.curves, lids.eyes, *still, neutral);
+  std::vector<LidPoints> points_of_eyes;
+  for (const EyeCurves& eye : lids.eyes) {
+    points_of_eyes.push_back(points_of_lids(*still, neutral, setup.curves[eye.one], setup.curves[eye.other]));
+  }
   steady_curves(setup.curves, tremor_px, *still);
-  const auto calm = openings_of(setup.curves, lids.eyes, *still, neutral);
   if (rest && rest->like_it.size() >= k_enough_alike) {
     measure_from(*still, rest->like_it);
   } else {
@@ -296,7 +299,7 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   std::vector<double> times_s;
   for (const TrackFrame& one : track.frames) times_s.push_back(one.time_s);
   const double fps = frames_per_second(times_s.front(), times_s.back(), times_s.size());
-  result.eyes = find_eye_motion(seen, calm, still->confidence, fps, closing_column(track),
+  result.eyes = find_eye_motion(seen, points_of_eyes, still->confidence, fps, closing_column(track),
                                 k_tremor_deviation * tremor_px, still->doubt);
   result.variables = solver->parameters().size();
   for (std::size_t f = 0; f < track.frames.size(); ++f) {
