@@ -10,7 +10,6 @@ namespace penpose::animation {
 namespace {
 
 constexpr double k_longest_blink_s = 0.45;  ///< at half of its depth
-constexpr double k_longest_onset_s = 0.25;  ///< eyes close faster than they open
 constexpr double k_window_s = 0.6;          ///< to each side, of what is usual around a frame
 constexpr double k_stands_out = 4.5;        ///< tremors that a dip is deep, to be a blink by itself
 constexpr double k_backed = 2.0;            ///< the same where the tracker's own column rises too
@@ -59,7 +58,6 @@ class Blinks {
         confidence_(confidence),
         frames_(confidence.size()),
         half_(std::max<std::size_t>(2, static_cast<std::size_t>(k_window_s * fps + 0.5))),
-        onset_(std::max<std::size_t>(2, static_cast<std::size_t>(k_longest_onset_s * fps + 0.5))),
         longest_(std::max<std::size_t>(3, static_cast<std::size_t>(k_longest_blink_s * fps + 0.5))) {
     if (column.size() == frames_) measure_column(column);
     std::vector<double> both(frames_, 0.0);
@@ -112,7 +110,7 @@ class Blinks {
     std::vector<Brief> dips;
     for (std::size_t f = 0; f < frames_; ++f) {
       const auto at = soft.begin() + static_cast<std::ptrdiff_t>(f);
-      const auto before = std::min(f, onset_);
+      const auto before = std::min(f, longest_);
       const auto after = std::min(frames_ - 1 - f, longest_);
       const double widest_before = *std::max_element(at - static_cast<std::ptrdiff_t>(before), at + 1) - soft[f];
       const double widest_after = *std::max_element(at, at + static_cast<std::ptrdiff_t>(after) + 1) - soft[f];
@@ -316,7 +314,6 @@ class Blinks {
   std::span<const double> confidence_;
   std::size_t frames_;
   std::size_t half_;
-  std::size_t onset_;
   std::size_t longest_;
   double least_rise_ = 0.25;   ///< of the usual rise: where the column rises by less, there is no blink
   std::vector<double> rises_;  ///< of the tracker's column, 0..1
