@@ -11,7 +11,7 @@
 namespace penpose::animation {
 namespace {
 
-constexpr double k_column = 0.5;        ///< of what the tracker's own column says of eyes that stay narrow
+constexpr double k_column = 0.51;       ///< of what the tracker's own column says of eyes that stay narrow
 constexpr double k_usual_open = 0.6;    ///< of the clip the eyes are no wider than usual: they blink, and look down
 constexpr double k_surely_full = 0.85;  ///< of the usual depth of a blink closes: trackers are no surer
 
