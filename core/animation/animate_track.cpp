@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/animation/face_depths.h"
+#include "core/animation/gaze.h"
 #include "core/animation/head_fit.h"
 #include "core/animation/lid_controls.h"
 #include "core/animation/lips.h"
@@ -128,7 +129,7 @@ void settle_poses(const rig::Rig& rig, std::span<const std::size_t> searched, co
   constexpr double k_sharp = 10;    // times the tremor: lips of speech bend by more from one frame to the next
   constexpr double k_trembles = 8;  // times what a control trembles in most frames: what it is in doubt beyond that,
                                     // the few controls that move have settled
-  constexpr double k_near = 8;  // deviations: beyond what settling does to controls that do not repeat one another
+  constexpr double k_near = 8;      // deviations: beyond what settling does to controls that do not repeat one another
   std::size_t first = 0;
   while (first < confidence.size() && !(confidence[first] > 0)) ++first;
   const auto solved = shares_of_range(rig, searched, std::span(result.poses).subspan(first));
@@ -191,8 +192,9 @@ struct Lids {
   std::vector<EyeCurves> eyes;
   std::vector<LidControls> controls;
   EyeMotion motion;
-  std::vector<bool> done;           ///< curves that the controls take care of
-  std::vector<std::size_t> others;  ///< parameters that the rest of the face is searched with
+  std::vector<std::vector<GazeControl>> gaze;  ///< one an eye
+  std::vector<bool> done;                      ///< curves that the controls take care of
+  std::vector<std::size_t> others;             ///< parameters that the rest of the face is searched with
 };
 
 /// What the action units of a frame say of the controls.
@@ -274,7 +276,11 @@ Lids find_lids(const rig::Rig& rig, const TrackSetup& setup, const Transfer& tra
     return lids;
   }
   if (!lids.eyes.empty()) lids.others = without_lid_controls(rig, setup.rest, setup.free, transfer, lids.eyes, camera);
+  lids.gaze = find_gaze_controls(rig, setup.rest, setup.components, transfer, lids.eyes);
   std::erase_if(lids.others, [&](std::size_t p) {
+    for (const auto& eye : lids.gaze) {
+      if (std::any_of(eye.begin(), eye.end(), [&](const GazeControl& one) { return one.parameter == p; })) return true;
+    }
     return std::any_of(lids.controls.begin(), lids.controls.end(), [&](const LidControls& one) {
       const auto has = [&](const LidTravel& way) {
         return std::find(way.parameters.begin(), way.parameters.end(), p) != way.parameters.end();
@@ -283,6 +289,38 @@ Lids find_lids(const rig::Rig& rig, const TrackSetup& setup, const Transfer& tra
     });
   });
   return lids;
+}
+
+/// Lets the eyes look where the person's do. What a look does to the lids by itself, the controls that close them need
+/// not do.
+void look_about(const rig::Rig& rig, const TrackSetup& setup, const PointTrack& track, const Transfer& transfer,
+                const geometry::Camera& camera, const Lids& lids, const StillTrack& still, TrackedAnimation& result) {
+  std::size_t controls = 0;
+  for (const auto& eye : lids.gaze) controls += eye.size();
+  constexpr std::size_t k_eyes = 2;
+  if (controls == 0 || lids.eyes.size() != k_eyes) return;
+  const auto gaze = gaze_of(track, still, result.eyes.closed);
+  if (gaze.empty()) return;
+  result.gaze_controls = controls;
+  const TrackFrame& neutral = track.frames[still.neutral];
+  const auto place = [&](std::size_t e) { return neutral.points[setup.curves[lids.eyes[e].one].points[0]].x; };
+  const std::size_t left = place(0) <= place(1) ? 0 : 1;
+  LidsOfModel model(rig, setup.rest, transfer, lids.eyes, camera);
+  for (std::size_t f = 0; f < result.poses.size(); ++f) {
+    rig::Pose alone = setup.rest;
+    for (std::size_t e = 0; e < k_eyes; ++e) {
+      const Gaze& at = gaze[e == left ? 0 : 1][f];
+      look(rig, setup.rest, lids.gaze[e], at, alone);
+    }
+    const std::vector<double> closing = model.closing(alone);
+    for (std::size_t e = 0; e < k_eyes; ++e) {
+      for (const GazeControl& one : lids.gaze[e]) result.poses[f][one.parameter] = alone[one.parameter];
+      double& closed = result.eyes.closed[e][f];
+      const double own = std::clamp(closing[e], -0.5, 0.8);
+      if (own > 0 && closed > 0) closed = std::max(0.0, closed - own) / (1 - own);
+      if (own < 0 && closed < 0) closed = std::min(0.0, closed - own);
+    }
+  }
 }
 
 }  // namespace
@@ -358,6 +396,7 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
     const auto doubt = parameter_uncertainty(rig, setup.rest, searched, driven, camera, k_tremor_deviation * tremor_px);
     settle_poses(rig, searched, doubt, still->confidence, result);
   }
+  look_about(rig, setup, track, *transfer, camera, lids, *still, result);
   smooth_over_time(result.times_s, setup.smooth_s, result.poses);
   for (std::size_t f = 0; f < result.poses.size(); ++f) {
     take_apart(rig, setup.rest, solver->opposed(), result.poses[f]);
