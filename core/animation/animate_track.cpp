@@ -101,32 +101,11 @@ double trembles(std::span<const std::vector<double>> rows, std::size_t column) {
   return spread(bends) / of_a_bend;
 }
 
-/// How far the tracker's points shake, px: what differs from frame to frame once the head's motion is out of it, in the
-/// middle of all points that drive something. No less than most of what is usual, for a clip that stands still says
-/// nothing of how it shakes when it moves, and no more.
-double shakes_px(std::span<const TrackedCurve> curves, const StillTrack& still, double usual_px) {
-  std::vector<std::vector<double>> rows;
-  for (const auto& offsets : still.offsets) {
-    if (offsets.empty()) continue;
-    std::vector<double>& row = rows.emplace_back();
-    for (const TrackedCurve& curve : curves) {
-      for (const std::size_t i : curve.points) {
-        row.push_back(offsets[i].x);
-        row.push_back(offsets[i].y);
-      }
-    }
-  }
-  if (rows.empty()) return usual_px;
-  std::vector<double> all;
-  for (std::size_t c = 0; c < rows[0].size(); ++c) all.push_back(trembles(rows, c));
-  return std::clamp(quantile(all, 0.5) / k_tremor_deviation, 0.7 * usual_px, usual_px);
-}
-
 /// Takes what is left of the tremor out of the solved parameters `searched`. A frame without a face keeps the pose
 /// before it; those before the first face stay at rest.
 void settle_poses(const rig::Rig& rig, std::span<const std::size_t> searched, const Uncertainty& doubt,
                   std::span<const double> confidence, TrackedAnimation& result) {
-  constexpr double k_sharp = 10;    // times the tremor: lips of speech bend by more from one frame to the next
+  constexpr double k_sharp = 12;    // times the tremor: lips of speech bend by more from one frame to the next
   constexpr double k_trembles = 8;  // times what a control trembles in most frames: what it is in doubt beyond that,
                                     // the few controls that move have settled
   constexpr double k_near = 8;      // deviations: beyond what settling does to controls that do not repeat one another
@@ -349,8 +328,7 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   if (!transfer) return transfer.error();
   share_meetings(rig, setup.rest, setup.free, track.frames[still->neutral], setup.curves, camera, *transfer);
   const double span = span_px(setup.curves, track.frames[still->neutral]);
-  const double tremor_px =
-      setup.tremor_px.value_or(shakes_px(setup.curves, *still, std::min(1.0, span / k_usual_span_px)));
+  const double tremor_px = setup.tremor_px.value_or(std::min(1.0, span / k_usual_span_px));
   Lids lids = find_lids(rig, setup, *transfer, camera);
   const TrackFrame& neutral = track.frames[still->neutral];
   const auto seen = openings_of(setup.curves, lids.eyes, *still, neutral);

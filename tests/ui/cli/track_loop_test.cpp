@@ -241,6 +241,81 @@ TEST_F(SharedTrackLoop, ABlinkClosesTheLidsHoweverLittleTheTrackersPointsClose) 
   for (const auto& pose : awake.poses) EXPECT_LT(pose[left], 0.15);
 }
 
+/// Where the eyeball that lies under the eye at this corner looks in a pose, degrees from where it does at rest: to the
+/// picture's right, and down. By the vertex in front of it and the middle of it.
+geometry::PxPoint look_of(const document::Model& model, std::uint32_t outer_corner, const rig::Pose& pose) {
+  std::vector<geometry::ModelPoint> rest(model.mesh->vertex_count());
+  std::vector<geometry::ModelPoint> posed(model.mesh->vertex_count());
+  model.rig->evaluate(rig::rest_pose(*model.rig), rest);
+  model.rig->evaluate(pose, posed);
+  // The eyeball turns when the model's own eyeLook shapes are up.
+  auto looks = rig::rest_pose(*model.rig);
+  for (const char* name : {"eyeLookIn_L", "eyeLookOut_R"}) {
+    looks[rig::find_parameter(model.rig->parameters(), name).value()] = 1;
+  }
+  std::vector<geometry::ModelPoint> turned_eyes(model.mesh->vertex_count());
+  model.rig->evaluate(looks, turned_eyes);
+  const auto components = model.mesh->components();
+  std::vector<std::size_t> count(model.mesh->component_count(), 0);
+  std::vector<std::size_t> moves(count);
+  std::vector<geometry::ModelPoint> middle(count.size(), geometry::ModelPoint(0));
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    ++count[components[v]];
+    middle[components[v]] += rest[v];
+    if (geometry::distance(rest[v], turned_eyes[v]) > 1e-6) ++moves[components[v]];
+  }
+  std::size_t eye = count.size();
+  for (std::size_t c = 0; c < count.size(); ++c) {
+    middle[c] = middle[c] * (1.0 / static_cast<double>(count[c]));
+    const bool near = geometry::distance(middle[c], rest[outer_corner]) < 4;
+    if (near && 10 * moves[c] > 9 * count[c] && (eye == count.size() || count[c] > count[eye])) eye = c;
+  }
+  if (eye == count.size()) return {-999, -999};
+  std::size_t front = rest.size();
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    if (components[v] == eye && (front == rest.size() || rest[v].z > rest[front].z)) front = v;
+  }
+  geometry::ModelPoint now(0);
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    if (components[v] == eye) now += posed[v] * (1.0 / static_cast<double>(count[eye]));
+  }
+  const geometry::ModelVector from = rest[front] - middle[eye];
+  const geometry::ModelVector to = posed[front] - now;
+  const auto angle = [](double side, double ahead) { return std::atan2(side, ahead) * 57.29578; };
+  return {angle(to.x, to.z) - angle(from.x, from.z), angle(from.y, from.z) - angle(to.y, to.z)};
+}
+
+TEST_F(SharedTrackLoop, TheEyesLookWhereThePersonsDo) {
+  auto track = tests::track_of(*model_.rig, poses_, points_, *video_, 0.5, nodding);
+  tests::Shaker shake(4);
+  std::vector<animation::Gaze> truth;
+  for (std::size_t f = 0; f < track.frames.size(); ++f) {
+    // From one place to the next; a tracker is off by a degree.
+    const auto k = static_cast<double>(f / 20);
+    truth.push_back({0.3 * std::sin(2.4 * k), 0.2 * std::sin(1.7 * k + 1)});
+    for (int eye = 0; eye < 2; ++eye) {
+      track.frames[f].says.gaze.push_back({truth[f].right + 0.017 * shake(), truth[f].down + 0.017 * shake()});
+    }
+  }
+  const auto result = animate(track);
+  EXPECT_GE(result.gaze_controls, 8U);
+  double sum = 0;
+  double count = 0;
+  for (std::size_t f = 5; f < track.frames.size(); f += 5) {
+    // In blinks eyes show nothing, and where they jump the frame before is as good as the next.
+    if (f % 20 < 5 || result.eyes.closed[0][f] > 0.5) continue;
+    for (const std::size_t corner : {36U, 45U}) {
+      const auto seen = look_of(model_, points_[corner], result.poses[f]);
+      EXPECT_NEAR(seen.x, truth[f].right * 57.29578, 4.0) << f;
+      EXPECT_NEAR(seen.y, truth[f].down * 57.29578, 4.0) << f;
+      sum += std::abs(seen.x - truth[f].right * 57.29578) + std::abs(seen.y - truth[f].down * 57.29578);
+      count += 2;
+    }
+  }
+  EXPECT_LT(sum / count, 1.5);
+  RecordProperty("mean_degrees", std::to_string(sum / count));
+}
+
 TEST_F(SharedTrackLoop, ControlsOfOtherNamesAndInAnotherOrderDoTheSame) {
   const auto track = tests::track_of(*model_.rig, poses_, points_, *video_, 0.5);
   const auto named = animate(track);
