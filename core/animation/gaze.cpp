@@ -10,6 +10,7 @@
 #include "core/animation/statistics.h"
 #include "core/animation/steady.h"
 #include "core/base/math.h"
+#include "core/rig/control_names.h"
 
 namespace penpose::animation {
 namespace {
@@ -72,6 +73,27 @@ std::vector<std::vector<std::uint32_t>> pieces_near(const std::vector<ModelPoint
   return all;
 }
 
+/// ARKit's shapes of looks, by their names: on heads whose eyeballs they do not turn, or that have none.
+std::vector<GazeControl> named_controls(const rig::Rig& rig, bool persons_left) {
+  constexpr double k_full = 30 * base::k_pi / 180;  // as far as eyes go without the head
+  struct Named {
+    const char* left;
+    const char* right;
+    Gaze way;
+  };
+  constexpr std::array<Named, 4> k_names{{{"eyeLookOut_L", "eyeLookIn_R", {k_full, 0}},
+                                          {"eyeLookIn_L", "eyeLookOut_R", {-k_full, 0}},
+                                          {"eyeLookDown_L", "eyeLookDown_R", {0, k_full}},
+                                          {"eyeLookUp_L", "eyeLookUp_R", {0, -k_full}}}};
+  std::vector<GazeControl> controls;
+  for (const Named& one : k_names) {
+    for (const std::size_t p : rig::controls_named(rig.parameters(), persons_left ? one.left : one.right)) {
+      controls.push_back({p, one.way});
+    }
+  }
+  return controls;
+}
+
 struct Iris {
   std::size_t centre, one_corner, other_corner;
 };
@@ -115,6 +137,7 @@ std::vector<std::vector<GazeControl>> find_gaze_controls(const rig::Rig& rig, st
   geometry::Box box;
   for (const ModelPoint& p : still) box.add(p);
   std::vector<std::vector<std::vector<std::uint32_t>>> pieces;
+  std::vector<double> places;
   for (const EyeCurves& eye : eyes) {
     geometry::Box lids;
     for (std::size_t i = 0; i < transfer.points.size(); ++i) {
@@ -123,6 +146,7 @@ std::vector<std::vector<GazeControl>> find_gaze_controls(const rig::Rig& rig, st
       for (std::size_t k = 0; k < 3; ++k) p += still[transfer.points[i].vertex[k]] * transfer.points[i].weight[k];
       lids.add(p);
     }
+    places.push_back(lids.center().x);
     pieces.push_back(pieces_near(still, components, lids.center(), lids.diagonal()));
   }
   rig::Pose pose(rest.begin(), rest.end());
@@ -158,6 +182,10 @@ std::vector<std::vector<GazeControl>> find_gaze_controls(const rig::Rig& rig, st
         break;
       }
     }
+  }
+  for (std::size_t e = 0; e < eyes.size(); ++e) {
+    const bool persons_left = std::all_of(places.begin(), places.end(), [&](double x) { return places[e] >= x; });
+    if (controls[e].empty()) controls[e] = named_controls(rig, persons_left);
   }
   return controls;
 }
