@@ -270,10 +270,9 @@ Lids find_lids(const rig::Rig& rig, const TrackSetup& setup, const Transfer& tra
   return lids;
 }
 
-/// Lets the eyes look where the person's do. What a look does to the lids by itself, the controls that close them need
-/// not do.
-void look_about(const rig::Rig& rig, const TrackSetup& setup, const PointTrack& track, const Transfer& transfer,
-                const geometry::Camera& camera, const Lids& lids, const StillTrack& still, TrackedAnimation& result) {
+/// Lets the eyes look where the person's do, behind lids that are open. The lids follow what is seen of them.
+void look_about(const rig::Rig& rig, const TrackSetup& setup, const PointTrack& track, const Lids& lids,
+                const StillTrack& still, TrackedAnimation& result) {
   std::size_t controls = 0;
   for (const auto& eye : lids.gaze) controls += eye.size();
   constexpr std::size_t k_eyes = 2;
@@ -284,20 +283,13 @@ void look_about(const rig::Rig& rig, const TrackSetup& setup, const PointTrack& 
   const TrackFrame& neutral = track.frames[still.neutral];
   const auto place = [&](std::size_t e) { return neutral.points[setup.curves[lids.eyes[e].one].points[0]].x; };
   const std::size_t left = place(0) <= place(1) ? 0 : 1;
-  LidsOfModel model(rig, setup.rest, transfer, lids.eyes, camera);
   for (std::size_t f = 0; f < result.poses.size(); ++f) {
-    rig::Pose alone = setup.rest;
     for (std::size_t e = 0; e < k_eyes; ++e) {
-      const Gaze& at = gaze[e == left ? 0 : 1][f];
-      look(rig, setup.rest, lids.gaze[e], at, alone);
-    }
-    const std::vector<double> closing = model.closing(alone);
-    for (std::size_t e = 0; e < k_eyes; ++e) {
-      for (const GazeControl& one : lids.gaze[e]) result.poses[f][one.parameter] = alone[one.parameter];
-      double& closed = result.eyes.closed[e][f];
-      const double own = std::clamp(closing[e], -0.5, 0.8);
-      if (own > 0 && closed > 0) closed = std::max(0.0, closed - own) / (1 - own);
-      if (own < 0 && closed < 0) closed = std::min(0.0, closed - own);
+      Gaze at = gaze[e == left ? 0 : 1][f];
+      // A look down closes lids too, on most heads; those that a blink closes need not be closed twice.
+      constexpr double k_half = 0.5;
+      at.down *= std::clamp((1 - result.eyes.closed[e][f]) / k_half, 0.0, 1.0);
+      look(rig, setup.rest, lids.gaze[e], at, result.poses[f]);
     }
   }
 }
@@ -374,7 +366,7 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
     const auto doubt = parameter_uncertainty(rig, setup.rest, searched, driven, camera, k_tremor_deviation * tremor_px);
     settle_poses(rig, searched, doubt, still->confidence, result);
   }
-  look_about(rig, setup, track, *transfer, camera, lids, *still, result);
+  look_about(rig, setup, track, lids, *still, result);
   smooth_over_time(result.times_s, setup.smooth_s, result.poses);
   for (std::size_t f = 0; f < result.poses.size(); ++f) {
     take_apart(rig, setup.rest, solver->opposed(), result.poses[f]);

@@ -21,7 +21,8 @@ struct GazeControl {
 
 /// Finds by what they move the controls that turn the eyeball of each eye: a piece of the mesh of its own
 /// (`components`: one a vertex, triangle_mesh.h) near the eye's lids that goes round as a whole, while most of the
-/// model stays. One list an eye; a control that turns both eyes is in both.
+/// model stays. Where nothing does so, ARKit's eyeLook shapes by their names, which are taken to look 30 degrees at
+/// their full. One list an eye; a control that turns both eyes is in both.
 [[nodiscard]] std::vector<std::vector<GazeControl>> find_gaze_controls(const rig::Rig& rig,
                                                                        std::span<const double> rest,
                                                                        std::span<const std::uint32_t> components,

@@ -249,21 +249,6 @@ std::vector<std::size_t> without_lid_controls(const rig::Rig& rig, std::span<con
   return left;
 }
 
-struct LidsOfModel::Eyes {
-  std::vector<ModelEye> all;
-};
-
-LidsOfModel::LidsOfModel(const rig::Rig& rig, std::span<const double> rest, const Transfer& transfer,
-                         std::span<const EyeCurves> eyes, const geometry::Camera& camera)
-    : eyes_(std::make_unique<Eyes>(Eyes{model_eyes(rig, rest, transfer, eyes, camera)})) {}
-LidsOfModel::~LidsOfModel() = default;
-
-std::vector<double> LidsOfModel::closing(std::span<const double> pose) {
-  std::vector<double> result;
-  for (ModelEye& eye : eyes_->all) result.push_back(eye.closing(pose));
-  return result;
-}
-
 void set_lids(const rig::Rig& rig, std::span<const LidControls> controls, std::span<const double> closed,
               std::span<double> pose) {
   std::vector<std::size_t> set;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -39,21 +38,6 @@ struct LidControls {
                                                             std::span<const std::size_t> free, const Transfer& transfer,
                                                             std::span<const EyeCurves> eyes,
                                                             const geometry::Camera& camera);
-
-/// How far the lids of each eye are closed in a pose, 0 as at rest, 1 closed.
-class LidsOfModel {
- public:
-  LidsOfModel(const rig::Rig& rig, std::span<const double> rest, const Transfer& transfer,
-              std::span<const EyeCurves> eyes, const geometry::Camera& camera);
-  ~LidsOfModel();
-  LidsOfModel(const LidsOfModel&) = delete;
-  LidsOfModel& operator=(const LidsOfModel&) = delete;
-  [[nodiscard]] std::vector<double> closing(std::span<const double> pose);
-
- private:
-  struct Eyes;
-  std::unique_ptr<Eyes> eyes_;
-};
 
 /// Sets the controls of the eyes: `closed` one an eye as EyeMotion has it. Controls that serve several eyes take the
 /// mean.
