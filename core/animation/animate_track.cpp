@@ -4,10 +4,12 @@
 #include <cmath>
 
 #include "core/animation/face_depths.h"
+#include "core/animation/gaze.h"
 #include "core/animation/head_fit.h"
 #include "core/animation/lid_controls.h"
 #include "core/animation/lips.h"
 #include "core/animation/meeting.h"
+#include "core/animation/statistics.h"
 #include "core/animation/steady.h"
 #include "core/animation/uncertainty.h"
 
@@ -87,21 +89,37 @@ void hold_near(std::span<const double> solved, const Uncertainty& doubt, double 
   }
 }
 
+/// The deviation of what differs from row to row in a column, from how it bends in most rows; rows in which it rests
+/// say nothing.
+double trembles(std::span<const std::vector<double>> rows, std::size_t column) {
+  std::vector<double> bends;
+  for (std::size_t f = 1; f + 1 < rows.size(); ++f) {
+    const double bend = rows[f - 1][column] - 2 * rows[f][column] + rows[f + 1][column];
+    if (bend != 0) bends.push_back(bend);
+  }
+  const double of_a_bend = std::sqrt(6.0);
+  return spread(bends) / of_a_bend;
+}
+
 /// Takes what is left of the tremor out of the solved parameters `searched`. A frame without a face keeps the pose
 /// before it; those before the first face stay at rest.
 void settle_poses(const rig::Rig& rig, std::span<const std::size_t> searched, const Uncertainty& doubt,
                   std::span<const double> confidence, TrackedAnimation& result) {
-  constexpr double k_sharp = 5;  // times the tremor: a lid of a blink bends by more from one frame to the next
-  constexpr double k_near = 8;   // deviations: beyond what settling does to controls that do not repeat one another
+  constexpr double k_sharp = 12;    // times the tremor: lips of speech bend by more from one frame to the next
+  constexpr double k_trembles = 8;  // times what a control trembles in most frames: what it is in doubt beyond that,
+                                    // the few controls that move have settled
+  constexpr double k_near = 8;      // deviations: beyond what settling does to controls that do not repeat one another
   std::size_t first = 0;
   while (first < confidence.size() && !(confidence[first] > 0)) ++first;
   const auto solved = shares_of_range(rig, searched, std::span(result.poses).subspan(first));
   auto rows = solved;
   std::vector<double> sharp;
-  for (const double deviation : doubt.parameters) {
-    sharp.push_back(k_sharp * deviation);
+  std::vector<double> tremor;
+  for (std::size_t i = 0; i < searched.size(); ++i) {
+    tremor.push_back(std::min(doubt.parameters[i], k_trembles * trembles(rows, i)));
+    sharp.push_back(k_sharp * doubt.parameters[i]);
   }
-  settle(doubt.parameters, confidence.subspan(first), rows);
+  settle(tremor, confidence.subspan(first), rows);
   round_corners(sharp, rows);
   for (std::size_t f = first; f < result.poses.size(); ++f) {
     std::vector<double>& row = rows[f - first];
@@ -153,8 +171,9 @@ struct Lids {
   std::vector<EyeCurves> eyes;
   std::vector<LidControls> controls;
   EyeMotion motion;
-  std::vector<bool> done;           ///< curves that the controls take care of
-  std::vector<std::size_t> others;  ///< parameters that the rest of the face is searched with
+  std::vector<std::vector<GazeControl>> gaze;  ///< one an eye
+  std::vector<bool> done;                      ///< curves that the controls take care of
+  std::vector<std::size_t> others;             ///< parameters that the rest of the face is searched with
 };
 
 /// What the action units of a frame say of the controls.
@@ -236,7 +255,11 @@ Lids find_lids(const rig::Rig& rig, const TrackSetup& setup, const Transfer& tra
     return lids;
   }
   if (!lids.eyes.empty()) lids.others = without_lid_controls(rig, setup.rest, setup.free, transfer, lids.eyes, camera);
+  lids.gaze = find_gaze_controls(rig, setup.rest, setup.components, transfer, lids.eyes);
   std::erase_if(lids.others, [&](std::size_t p) {
+    for (const auto& eye : lids.gaze) {
+      if (std::any_of(eye.begin(), eye.end(), [&](const GazeControl& one) { return one.parameter == p; })) return true;
+    }
     return std::any_of(lids.controls.begin(), lids.controls.end(), [&](const LidControls& one) {
       const auto has = [&](const LidTravel& way) {
         return std::find(way.parameters.begin(), way.parameters.end(), p) != way.parameters.end();
@@ -245,6 +268,30 @@ Lids find_lids(const rig::Rig& rig, const TrackSetup& setup, const Transfer& tra
     });
   });
   return lids;
+}
+
+/// Lets the eyes look where the person's do, behind lids that are open. The lids follow what is seen of them.
+void look_about(const rig::Rig& rig, const TrackSetup& setup, const PointTrack& track, const Lids& lids,
+                const StillTrack& still, TrackedAnimation& result) {
+  std::size_t controls = 0;
+  for (const auto& eye : lids.gaze) controls += eye.size();
+  constexpr std::size_t k_eyes = 2;
+  if (controls == 0 || lids.eyes.size() != k_eyes) return;
+  const auto gaze = gaze_of(track, still, result.eyes.closed);
+  if (gaze.empty()) return;
+  result.gaze_controls = controls;
+  const TrackFrame& neutral = track.frames[still.neutral];
+  const auto place = [&](std::size_t e) { return neutral.points[setup.curves[lids.eyes[e].one].points[0]].x; };
+  const std::size_t left = place(0) <= place(1) ? 0 : 1;
+  for (std::size_t f = 0; f < result.poses.size(); ++f) {
+    for (std::size_t e = 0; e < k_eyes; ++e) {
+      Gaze at = gaze[e == left ? 0 : 1][f];
+      // A look down closes lids too, on most heads; those that a blink closes need not be closed twice.
+      constexpr double k_half = 0.5;
+      at.down *= std::clamp((1 - result.eyes.closed[e][f]) / k_half, 0.0, 1.0);
+      look(rig, setup.rest, lids.gaze[e], at, result.poses[f]);
+    }
+  }
 }
 
 }  // namespace
@@ -277,8 +324,11 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   Lids lids = find_lids(rig, setup, *transfer, camera);
   const TrackFrame& neutral = track.frames[still->neutral];
   const auto seen = openings_of(setup.curves, lids.eyes, *still, neutral);
+  std::vector<LidPoints> points_of_eyes;
+  for (const EyeCurves& eye : lids.eyes) {
+    points_of_eyes.push_back(points_of_lids(*still, neutral, setup.curves[eye.one], setup.curves[eye.other]));
+  }
   steady_curves(setup.curves, tremor_px, *still);
-  const auto calm = openings_of(setup.curves, lids.eyes, *still, neutral);
   if (rest && rest->like_it.size() >= k_enough_alike) {
     measure_from(*still, rest->like_it);
   } else {
@@ -296,7 +346,7 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   std::vector<double> times_s;
   for (const TrackFrame& one : track.frames) times_s.push_back(one.time_s);
   const double fps = frames_per_second(times_s.front(), times_s.back(), times_s.size());
-  result.eyes = find_eye_motion(seen, calm, still->confidence, fps, closing_column(track),
+  result.eyes = find_eye_motion(seen, points_of_eyes, still->confidence, fps, closing_column(track),
                                 k_tremor_deviation * tremor_px, still->doubt);
   result.variables = solver->parameters().size();
   for (std::size_t f = 0; f < track.frames.size(); ++f) {
@@ -316,6 +366,7 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
     const auto doubt = parameter_uncertainty(rig, setup.rest, searched, driven, camera, k_tremor_deviation * tremor_px);
     settle_poses(rig, searched, doubt, still->confidence, result);
   }
+  look_about(rig, setup, track, lids, *still, result);
   smooth_over_time(result.times_s, setup.smooth_s, result.poses);
   for (std::size_t f = 0; f < result.poses.size(); ++f) {
     take_apart(rig, setup.rest, solver->opposed(), result.poses[f]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -29,7 +30,8 @@ struct TrackSetup {
   std::vector<UnitControl> units;  ///< what action units say, as evidence beside the curves; linear rigs alone take it
   double unit_weight = 0.02;       ///< of it, in the unit of FrameOptions::near_last
   double smooth_s = 0;             ///< as smooth_over_time, for parameters and the head's turn
-  FrameOptions frame;              ///< but for its tremor_px, which follows from the above
+  std::vector<std::uint32_t> components;  ///< of the mesh, one a vertex, to know eyeballs by; or none
+  FrameOptions frame;                     ///< but for its tremor_px, which follows from the above
 };
 
 /// What came out: one entry a frame of the track.
@@ -42,6 +44,7 @@ struct TrackedAnimation {
   std::size_t variables = 0;       ///< parameters in the search
   std::optional<RestChoice> rest;  ///< where it was chosen from the clip
   EyeMotion eyes;                  ///< what the eyes do, where the curves have lids
+  std::size_t gaze_controls = 0;   ///< how many controls the gaze drives
 };
 
 /// Called around the solving of each frame, before (false) and after (true), for a clock and a progress bar.

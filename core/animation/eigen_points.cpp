@@ -288,6 +288,22 @@ base::Result<EigenPoints> learn_eigen_points(std::span<const LabelledImage> imag
   return learned;
 }
 
+std::vector<PxPoint> shifts_for(const EigenPoints& learned, std::span<const PxPoint> points) {
+  std::vector<PxPoint> shifts;
+  const std::size_t samples = learned.patch * learned.patch;
+  for (const EigenFeature& feature : learned.features) {
+    PxPoint shift;
+    const double share = 1.0 / static_cast<double>(feature.points.size());
+    for (std::size_t i = 0; i < feature.points.size(); ++i) {
+      const PxPoint usual{feature.mean[samples + 2 * i] / feature.point_weight,
+                          feature.mean[samples + 2 * i + 1] / feature.point_weight};
+      shift = shift + (points[feature.points[i]] - usual) * share;
+    }
+    shifts.push_back(shift);
+  }
+  return shifts;
+}
+
 base::Result<EigenFound> find_eigen_points(const EigenPoints& learned, const GreyImage& image,
                                            std::span<const PxPoint> shifts) {
   const auto pixels =

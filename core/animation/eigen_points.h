@@ -71,6 +71,9 @@ struct EigenPoints {
                                                            std::span<const LabelledFeature> features,
                                                            const EigenOptions& options = {});
 
+/// Where a feature's patch would lie for its points to be in the middle of these.
+[[nodiscard]] std::vector<PxPoint> shifts_for(const EigenPoints& learned, std::span<const PxPoint> points);
+
 /// What was found in one picture.
 struct EigenFound {
   std::vector<PxPoint> points;

@@ -25,7 +25,7 @@ constexpr double k_distrust = 0.2;
 constexpr double k_leave = 2.5;
 
 /// Weight of what lies between two points that touch, beside the sum of theirs.
-constexpr double k_contact = 1.0;
+constexpr double k_contact = 1.5;
 
 /// Evaluations of the simplex, a frame, that a rig may cost that is not linear.
 constexpr std::size_t k_evaluations_a_variable = 100;

@@ -11,23 +11,61 @@
 namespace penpose::animation {
 namespace {
 
-constexpr double k_column = 0.42;  ///< of what the tracker's own column says of eyes that stay narrow
+constexpr double k_column = 0.51;       ///< of what the tracker's own column says of eyes that stay narrow
+constexpr double k_usual_open = 0.6;    ///< of the clip the eyes are no wider than usual: they blink, and look down
+constexpr double k_surely_full = 0.85;  ///< of the usual depth of a blink closes: trackers are no surer
 
-/// How far an eye closes in a frame of a blink, 0..1: `strength` at its deepest.
-double closed_at(const Blink& blink, const std::vector<double>& calm, std::size_t eye, double strength, std::size_t f) {
-  if (!blink.calm_shape[eye]) return strength * blink.own_shape[f - blink.first];
-  return strength / blink.calm_depth[eye] * (between(calm, blink.first, blink.last, f) - calm[f]);
+/// What a blink does to each eye, 0..1.
+std::vector<double> strengths_of(const Blink& blink, double full) {
+  const double most = *std::max_element(blink.depth.begin(), blink.depth.end());
+  std::vector<double> part;
+  double depth = 0;
+  double parts = 0;
+  for (const double one : blink.depth) {
+    // An eye that dips by far less than the other does not take part: a wink.
+    part.push_back(most > 0 ? std::clamp((one / most - 0.3) / 0.2, 0.0, 1.0) : 0.0);
+    depth += part.back() * one;
+    parts += part.back();
+  }
+  if (!(parts > 0) || !(full > 0)) return part;
+  const double strength = blink.sure * std::min(1.0, depth / parts / (k_surely_full * full));
+  for (double& one : part) one *= strength;
+  return part;
 }
 
-/// What lasts: the calm opening without its blinks, in what the lids should do.
-std::vector<double> lasting(const std::vector<double>& calm, const std::vector<Blink>& blinks, double full,
-                            double tremor, std::size_t half) {
-  std::vector<double> rest = calm;
+/// What lasts of the openings without the blinks: their trends. What all eyes do together is told by all of them.
+std::vector<std::vector<double>> lasting_openings(const std::vector<std::vector<double>>& seen,
+                                                  const std::vector<Blink>& blinks, std::span<const double> confidence,
+                                                  double tremor) {
+  constexpr double k_strength = 2;  // times the deviation: what costs no more is taken for tremor
+  const std::size_t eyes = seen.size();
+  std::vector<std::vector<double>> rest = seen;
   for (const Blink& blink : blinks) {
-    for (std::size_t f = blink.first + 1; f < blink.last; ++f) rest[f] = between(calm, blink.first, blink.last, f);
+    for (std::size_t e = 0; e < eyes; ++e) {
+      for (std::size_t f = blink.first; f <= blink.last; ++f) {
+        rest[e][f] += blink.depth[e] * blink.shape[f - blink.first];
+      }
+    }
   }
+  std::vector<std::vector<double>> rows;
+  const double all = std::sqrt(static_cast<double>(eyes));
+  for (std::size_t f = 0; f < confidence.size(); ++f) {
+    std::vector<double>& row = rows.emplace_back(eyes + 1, 0.0);
+    for (std::size_t e = 0; e < eyes; ++e) row[eyes] += rest[e][f] / static_cast<double>(eyes);
+    for (std::size_t e = 0; e < eyes; ++e) row[e] = rest[e][f] - row[eyes];
+    row[eyes] *= all;
+  }
+  steady_rows(confidence, k_strength * tremor, rows);
+  for (std::size_t f = 0; f < rows.size(); ++f) {
+    for (std::size_t e = 0; e < eyes; ++e) rest[e][f] = rows[f][e] + rows[f][eyes] / all;
+  }
+  return rest;
+}
+
+/// What lasts, in what the lids should do.
+std::vector<double> lasting(const std::vector<double>& calm, double full, double tremor, std::size_t half) {
   std::vector<double> narrow;
-  for (const double opening : rest) narrow.push_back(1.0 - opening);
+  for (const double opening : calm) narrow.push_back(1.0 - opening);
   double gain = 1;
   if (full > 0) {
     // Where lasting dips go beyond what a blink shows, the points follow them, whatever they do in blinks.
@@ -103,32 +141,58 @@ std::vector<double> openings(const StillTrack& still, const TrackFrame& neutral,
         sum += d.x * normal.x + d.y * normal.y;
       }
       last = sign * sum / static_cast<double>(pairs.size());
+      // In widths of the eye, of which less depends on how large the head is thought to be.
+      const PxPoint now = line + offsets[one.points.back()] - offsets[one.points.front()];
+      const double width = std::sqrt(now.x * now.x + now.y * now.y);
+      constexpr double k_least_width = 0.5;
+      if (length > 0) last *= length / std::max(width, k_least_width * length);
     }
     result.push_back(last);
   }
   return result;
 }
 
-EyeMotion find_eye_motion(std::span<const std::vector<double>> seen, std::span<const std::vector<double>> calm,
+LidPoints points_of_lids(const StillTrack& still, const TrackFrame& neutral, const TrackedCurve& one,
+                         const TrackedCurve& other) {
+  const auto& p = neutral.points;
+  const PxPoint line = p[one.points.back()] - p[one.points.front()];
+  const double length = std::sqrt(line.x * line.x + line.y * line.y);
+  const PxPoint normal = length > 0 ? PxPoint{-line.y / length, line.x / length} : PxPoint{0, 1};
+  LidPoints points;
+  for (const TrackedCurve* curve : {&one, &other}) {
+    for (std::size_t k = 1; k + 1 < curve->points.size(); ++k) {
+      std::vector<double>& across = points.emplace_back();
+      double last = 0;
+      for (const auto& offsets : still.offsets) {
+        if (!offsets.empty()) {
+          // From the middle between the corners: less of it depends on where the head is thought to be.
+          const PxPoint corners = (offsets[one.points.front()] + offsets[one.points.back()]) * 0.5;
+          const PxPoint moved = offsets[curve->points[k]] - corners;
+          last = moved.x * normal.x + moved.y * normal.y;
+        }
+        across.push_back(last);
+      }
+    }
+  }
+  return points;
+}
+
+EyeMotion find_eye_motion(std::span<const std::vector<double>> seen, std::span<const LidPoints> points,
                           std::span<const double> confidence, double frames_per_s, std::span<const double> column,
                           double tremor_px, std::span<const double> doubt) {
   EyeMotion motion;
-  std::vector<std::vector<double>> seen_shares;
-  std::vector<std::vector<double>> calm_shares;
-  for (std::size_t e = 0; e < seen.size(); ++e) {
+  std::vector<std::vector<double>> shares;
+  double usual_px = 0;
+  for (const auto& eye : seen) {
     std::vector<double> open;
-    for (std::size_t f = 0; f < calm[e].size(); ++f) {
-      if (confidence[f] > 0) open.push_back(calm[e][f]);
+    for (std::size_t f = 0; f < eye.size(); ++f) {
+      if (confidence[f] > 0) open.push_back(eye[f]);
     }
     const double usual = quantile(open, 0.5);
     motion.usual_px.push_back(usual);
-    const auto shares = [&](const std::vector<double>& px) {
-      std::vector<double> result;
-      for (const double one : px) result.push_back(usual > 0 ? one / usual : 1.0);
-      return result;
-    };
-    seen_shares.push_back(shares(seen[e]));
-    calm_shares.push_back(shares(calm[e]));
+    usual_px += usual / static_cast<double>(seen.size());
+    std::vector<double>& share = shares.emplace_back();
+    for (const double one : eye) share.push_back(usual > 0 ? one / usual : 1.0);
   }
   motion.closed.resize(seen.size());
   if (seen.empty() || confidence.size() < 3) {
@@ -136,7 +200,21 @@ EyeMotion find_eye_motion(std::span<const std::vector<double>> seen, std::span<c
     return motion;
   }
   const double fps = frames_per_s > 0 ? frames_per_s : 30.0;
-  const std::vector<Blink> blinks = find_blinks(seen_shares, calm_shares, confidence, fps, column);
+  const double tremor = usual_px > 0 ? tremor_px / usual_px : 0.0;
+  std::vector<Blink> blinks = find_blinks(shares, points, confidence, fps, column);
+  auto calm = lasting_openings(shares, blinks, confidence, tremor);
+  for (std::size_t e = 0; e < seen.size(); ++e) {
+    // Blinks and tremor do not count in what is usual.
+    std::vector<double> open;
+    for (std::size_t f = 0; f < calm[e].size(); ++f) {
+      if (confidence[f] > 0) open.push_back(calm[e][f]);
+    }
+    const double usual = quantile(open, k_usual_open);
+    if (!(usual > 0)) continue;
+    motion.usual_px[e] *= usual;
+    for (double& one : calm[e]) one /= usual;
+    for (Blink& blink : blinks) blink.depth[e] /= usual;
+  }
   std::vector<double> depths;
   for (const Blink& blink : blinks) {
     motion.blinks.push_back(blink.peak);
@@ -145,47 +223,33 @@ EyeMotion find_eye_motion(std::span<const std::vector<double>> seen, std::span<c
   constexpr double k_usual_blink = 0.75;  // of all depths: most blinks close, some stop half-way
   constexpr double k_least_full = 0.25;   // no tracker closes lids by less, and one blink of a clip may be half a one
   motion.full_dip = depths.empty() ? 0.0 : std::clamp(quantile(depths, k_usual_blink), k_least_full, 1.0);
+  const auto half = std::max<std::size_t>(1, static_cast<std::size_t>(0.35 * fps + 0.5));
   for (std::size_t e = 0; e < seen.size(); ++e) {
-    const double tremor = motion.usual_px[e] > 0 ? tremor_px / motion.usual_px[e] : 0.0;
-    motion.closed[e] = lasting(calm_shares[e], blinks, motion.full_dip, tremor,
-                               std::max<std::size_t>(1, static_cast<std::size_t>(0.35 * fps + 0.5)));
+    std::vector<double>& closed = motion.closed[e];
+    closed = lasting(calm[e], motion.full_dip, tremor, half);
     if (column.size() == confidence.size()) {
       const double usual = quantile(column, 0.5) + spread(column);
       for (std::size_t f = 0; f < column.size(); ++f) {
-        double& closed = motion.closed[e][f];
-        if (closed >= 0) closed += k_column * std::max(0.0, column[f] - usual) * (1 - std::min(closed, 1.0));
-      }
-    }
-    for (const Blink& blink : blinks) {
-      const double most = *std::max_element(blink.depth.begin(), blink.depth.end());
-      double mean = 0;
-      for (const double depth : blink.depth) mean += depth / static_cast<double>(blink.depth.size());
-      constexpr double k_takes_part = 0.4;
-      const double depth = blink.depth[e] < k_takes_part * most ? 0.0 : mean > k_takes_part * most ? mean : most;
-      const bool wink = *std::min_element(blink.depth.begin(), blink.depth.end()) < k_takes_part * most;
-      const double strength = blink.backing * std::min(1.0, (wink && depth > 0 ? most : depth) / motion.full_dip);
-      if (!(depth > 0)) continue;
-      for (std::size_t f = blink.first; f <= blink.last; ++f) {
-        const double here = closed_at(blink, calm_shares[e], e, strength, f);
-        double& closed = motion.closed[e][f];
-        closed += here;
+        if (closed[f] >= 0) closed[f] += k_column * std::max(0.0, column[f] - usual) * (1 - std::min(closed[f], 1.0));
       }
     }
     // A head that nods or looks up shows its eyes otherwise open, which is no fright.
     for (std::size_t f = 0; f < doubt.size(); ++f) {
-      if (motion.closed[e][f] < 0) motion.closed[e][f] *= 1 - std::min(doubt[f], 1.0);
+      if (closed[f] < 0) closed[f] *= 1 - std::min(doubt[f], 1.0);
     }
     std::vector<std::vector<double>> rows;
-    for (const double closed : motion.closed[e]) rows.push_back({std::min(closed, 1.0)});
-    constexpr double k_sharp = 5;  // tremors; a blink bends by more
+    for (const double one : closed) rows.push_back({std::min(one, 1.0)});
+    constexpr double k_sharp = 5;  // tremors
     const std::array<double, 1> sharp{k_sharp * tremor};
     round_corners(sharp, rows);
-    std::vector<double> sharp_peaks = motion.closed[e];
-    for (std::size_t f = 0; f < rows.size(); ++f) motion.closed[e][f] = rows[f][0];
-    // A blink keeps its peak, however much else trembles.
-    for (const Blink& blink : blinks) {
-      for (std::size_t f = blink.peak - 1; f <= blink.peak + 1; ++f) {
-        motion.closed[e][f] = std::max(motion.closed[e][f], std::min(sharp_peaks[f], 1.0));
+    for (std::size_t f = 0; f < rows.size(); ++f) closed[f] = rows[f][0];
+  }
+  for (const Blink& blink : blinks) {
+    const std::vector<double> strength = strengths_of(blink, motion.full_dip);
+    for (std::size_t e = 0; e < seen.size(); ++e) {
+      for (std::size_t f = blink.first; f <= blink.last; ++f) {
+        double& closed = motion.closed[e][f];
+        closed += strength[e] * blink.lids[f - blink.first] * (1 - std::clamp(closed, 0.0, 1.0));
       }
     }
   }

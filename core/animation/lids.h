@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/animation/blinks.h"
 #include "core/animation/curve_transfer.h"
 #include "core/animation/head_motion.h"
 #include "core/animation/track.h"
@@ -22,9 +23,14 @@ struct EyeCurves {
                                                                     const TrackFrame& neutral);
 
 /// How wide an eye stands open in every frame: the mean distance between its lids, but for the corners, across the line
-/// between the corners, px of the neutral frame. Frames without a face repeat the one before.
+/// between the corners, as a multiple of that line's own length, times its length in the neutral frame, px. Frames
+/// without a face repeat the one before.
 [[nodiscard]] std::vector<double> openings(const StillTrack& still, const TrackFrame& neutral, const TrackedCurve& one,
                                            const TrackedCurve& other);
+
+/// Where the points of both lids but for the corners are across the eye, px of the neutral frame.
+[[nodiscard]] LidPoints points_of_lids(const StillTrack& still, const TrackFrame& neutral, const TrackedCurve& one,
+                                       const TrackedCurve& other);
 
 /// What the eyes do, told in what the model's lids should do.
 struct EyeMotion {
@@ -36,19 +42,18 @@ struct EyeMotion {
   std::vector<std::size_t> blinks;  ///< frames in which blinks of both eyes or of one are deepest, ascending
 };
 
-/// Finds what the eyes do. `seen` and `calm` are the openings of each eye before and after they were steadied.
+/// Finds what the eyes do. `seen`: the openings of each eye; `points`: of each eye, or none.
 ///
 /// Blinks are events: dips of the opening that are over within half a second and stand out of the clip's own tremor, or
-/// less deep ones at which the tracker's own column of closing (`column`, one value a frame, or none) rises too.
-/// Trackers close lids by a part of what people do, and steadying takes from what is left; so a blink is as deep as the
-/// points of that clip usually go in a blink, that is closed. Its shape is that of the steadied opening where most of
-/// it is left there, and else two ramps fitted to what was seen. An eye that dips by far less than the other does not
-/// take part: a wink. `doubt`: of the head, one a frame (StillTrack); eyes are not widened where it is in doubt.
-/// `tremor_px`: the standard deviation of the opening's tremor, as far as it is known beforehand. What lasts longer is
-/// no blink: it keeps its own share, by the same measure as long as that stays within the range.
-[[nodiscard]] EyeMotion find_eye_motion(std::span<const std::vector<double>> seen,
-                                        std::span<const std::vector<double>> calm, std::span<const double> confidence,
-                                        double frames_per_s, std::span<const double> column, double tremor_px,
+/// less deep ones at which the tracker's own column of closing (`column`, one value a frame, or none) rises too
+/// (find_blinks). Trackers close lids by a part of what people do; so a blink is as deep as the points of that clip
+/// usually go in a blink, that is closed. An eye that dips by far less than the other does not take part: a wink. What
+/// is left of the openings without blinks is steadied and lasts: it keeps its own share, by the same measure as long as
+/// that stays within the range. `doubt`: of the head, one a frame (StillTrack); eyes are not widened where it is in
+/// doubt. `tremor_px`: the standard deviation of the opening's tremor, as far as it is known beforehand.
+[[nodiscard]] EyeMotion find_eye_motion(std::span<const std::vector<double>> seen, std::span<const LidPoints> points,
+                                        std::span<const double> confidence, double frames_per_s,
+                                        std::span<const double> column, double tremor_px,
                                         std::span<const double> doubt);
 
 }  // namespace penpose::animation

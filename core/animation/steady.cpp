@@ -94,6 +94,10 @@ void steady(StillTrack& track, std::span<const std::size_t> points, double tremo
   }
 }
 
+void steady_rows(std::span<const double> confidence, double strength, std::vector<std::vector<double>>& rows) {
+  follow_trend(trust_in(confidence), strength, rows);
+}
+
 void measure_from(StillTrack& track, std::size_t frame) {
   constexpr double k_believed = 0.5;
   const std::vector<geometry::PxPoint> zero = track.offsets[frame];

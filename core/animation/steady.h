@@ -17,6 +17,10 @@ constexpr double k_tremor_deviation = 0.58;
 /// still may seem to move along each axis, px of the track; 0 changes nothing.
 void steady(StillTrack& track, std::span<const std::size_t> points, double tremor_px);
 
+/// Takes tremor out of rows of numbers, one row a frame, each column for itself: they follow their trends. `strength`:
+/// what bends by no more is taken for tremor; 0 changes nothing. `confidence`: one a frame, 0 to 1.
+void steady_rows(std::span<const double> confidence, double strength, std::vector<std::vector<double>>& rows);
+
 /// Offsets are taken from a frame that trembles as all others do. Once steadied, what they say of that frame is its
 /// tremor, which every other frame is off by, and as much doubt of their own: half of it is taken out of all.
 void measure_from(StillTrack& track, std::size_t frame);

@@ -13,9 +13,16 @@ namespace penpose::animation {
 
 using geometry::PxPoint;
 
+/// Where an eye looks, radians from straight out of the face: to the picture's right, and down.
+struct Gaze {
+  double right = 0;
+  double down = 0;
+};
+
 /// What a tracker says of a face beside its points.
 struct TrackerSays {
   std::optional<double> closing = std::nullopt;  ///< how far the eyes close, in its own unit (AU45 of OpenFace)
+  std::vector<Gaze> gaze = {};     ///< one an eye, the picture's left one first; empty where it says nothing
   std::vector<double> units = {};  ///< one a name of PointTrack::unit_names, 0..1; empty where it says nothing
 };
 

@@ -12,6 +12,9 @@ namespace {
 
 using Row = std::vector<double>;
 
+/// Numbers of a spline, keys times targets, that a file has beside its straight lines.
+constexpr std::size_t k_most_straightened = 50'000;
+
 /// A key of a file: the weights of all targets; slopes a second where the channel is a cubic spline.
 struct Key {
   float time_s = 0;
@@ -41,9 +44,11 @@ class Densifier {
         targets_(targets),
         tolerance_(tolerance),
         own_(targets.own_count()),
-        cubic_(channel.interpolation == document::Interpolation::cubic_spline) {
+        cubic_(channel.interpolation == document::Interpolation::cubic_spline),
+        straight_(cubic_ && channel.times_s.size() * targets.all().size() <= k_most_straightened),
+        first_(straight_ ? 0 : own_) {
     const auto all = targets.all();
-    for (std::size_t k = own_; k < all.size(); ++k) {
+    for (std::size_t k = first_; k < all.size(); ++k) {
       double most = 0;
       for (const glm::vec3& delta : all[k]->deltas)
         most = std::max(most, geometry::length(geometry::ModelVector(delta)));
@@ -54,13 +59,18 @@ class Densifier {
 
   DenseKeys run() {
     DenseKeys keys;
+    keys.straightened = straight_;
     for (std::size_t k = 0; k < channel_.times_s.size(); ++k) {
       auto time = static_cast<float>(channel_.times_s[k]);
       // Moments that are too close for floats must still ascend (glTF 2.0, section 3.11).
       if (k > 0 && !(time > keys.times_s.back()))
         time = std::nextafter(keys.times_s.back(), std::numeric_limits<float>::infinity());
       Key key = own_key(k, time);
-      if (k > 0 && targets_.all().size() > own_ && channel_.interpolation != document::Interpolation::step) {
+      if (straight_) {
+        keys.spline.times_s.push_back(time);
+        for (const Row* row : {&key.in, &key.value, &key.out}) keys.spline.rows.push_back(*row);
+      }
+      if (k > 0 && targets_.all().size() > first_ && channel_.interpolation != document::Interpolation::step) {
         constexpr int k_halvings = 7;
         before_ = k - 1;
         fill(last_, key, k_halvings, keys);
@@ -119,9 +129,9 @@ class Densifier {
       const Row wanted = key_at(from + span_s * t).value;
       double bound = 0;
       for (std::size_t k = 0; k < off.size(); ++k) {
-        const std::size_t i = own_ + k;
-        const double shown = cubic_ ? hermite(a.value[i], a.out[i], b.value[i], b.in[i], span_s, t).value
-                                    : a.value[i] + (b.value[i] - a.value[i]) * t;
+        const std::size_t i = first_ + k;
+        const double shown = cubic_ && !straight_ ? hermite(a.value[i], a.out[i], b.value[i], b.in[i], span_s, t).value
+                                                  : a.value[i] + (b.value[i] - a.value[i]) * t;
         off[k] = wanted[i] - shown;
         bound += std::abs(off[k]) * reach_[k];
       }
@@ -135,7 +145,7 @@ class Densifier {
     std::fill(moved_.begin(), moved_.end(), geometry::ModelVector(0));
     for (std::size_t k = 0; k < off.size(); ++k) {
       if (off[k] == 0) continue;
-      const rig::BlendShape& target = *targets_.all()[own_ + k];
+      const rig::BlendShape& target = *targets_.all()[first_ + k];
       for (std::size_t i = 0; i < target.vertices.size(); ++i) {
         moved_[target.vertices[i]] += geometry::ModelVector(target.deltas[i]) * off[k];
       }
@@ -161,9 +171,9 @@ class Densifier {
 
   void push(const Key& key, DenseKeys& keys) const {
     keys.times_s.push_back(key.time_s);
-    if (cubic_) keys.rows.push_back(key.in);
+    if (cubic_ && !straight_) keys.rows.push_back(key.in);
     keys.rows.push_back(key.value);
-    if (cubic_) keys.rows.push_back(key.out);
+    if (cubic_ && !straight_) keys.rows.push_back(key.out);
   }
 
   const document::Channel& channel_;
@@ -171,7 +181,9 @@ class Densifier {
   double tolerance_;
   std::size_t own_;
   bool cubic_;
-  std::vector<double> reach_;                 ///< one a baked target: how far it moves a vertex
+  bool straight_;
+  std::size_t first_;  ///< of the targets that are looked at between keys: all of them, or those that are not its own
+  std::vector<double> reach_;                 ///< one a target that is looked at: how far it moves a vertex
   std::vector<geometry::ModelVector> moved_;  ///< scratch, one a vertex
   std::size_t before_ = 0;
   Key last_;

@@ -59,6 +59,7 @@ class AnimationReader {
         }
         auto keys = read_keys(sampler, TINYGLTF_TYPE_SCALAR, shapes_.of_target[*part].size(), pointer);
         if (!keys) return keys.error();
+        take_spline(a, static_cast<std::size_t>(channel.sampler), shapes_.of_target[*part].size(), *keys);
         drop_added(a, static_cast<std::size_t>(channel.sampler), *keys);
         if (auto status = add_weights(*keys, *part, weights_channel, animation); !status) return status;
         continue;
@@ -126,6 +127,36 @@ class AnimationReader {
       keys.values.push_back(static_cast<double>(value));
     }
     return keys;
+  }
+
+  /// Takes the spline that the sampler's keys are straight lines of, where the file has a sound one (dense_keys.h).
+  void take_spline(std::size_t a, std::size_t sampler, std::size_t targets, Keys& keys) const {
+    const Json* extras = find(document_.json["animations"][a]["samplers"][sampler], "extras");
+    const Json* own = extras == nullptr ? nullptr : find(*extras, k_extras_key);
+    const Json* spline = own == nullptr ? nullptr : find(*own, "spline");
+    const Json* times = spline == nullptr ? nullptr : find(*spline, "times");
+    const Json* values = spline == nullptr ? nullptr : find(*spline, "values");
+    if (times == nullptr || values == nullptr || !times->is_array() || !values->is_array()) return;
+    if (times->empty() || values->size() != 3 * times->size() * targets) return;
+    Keys whole{document::Interpolation::cubic_spline, {}, {}};
+    const auto number = [](const Json& json) {
+      const double value = json.is_number() ? json.get<double>() : std::nan("");
+      return static_cast<double>(static_cast<float>(value));
+    };
+    for (const Json& time : *times) {
+      const double at = number(time);
+      if (!(at >= 0) || !std::isfinite(at) || (!whole.times_s.empty() && !(at > whole.times_s.back()))) return;
+      whole.times_s.push_back(at);
+    }
+    for (const Json& value : *values) {
+      whole.values.push_back(number(value));
+      if (!std::isfinite(whole.values.back())) return;
+    }
+    // Of another clip: somebody has changed the keys since.
+    if (keys.times_s.empty() || whole.times_s.front() != keys.times_s.front() ||
+        whole.times_s.back() != keys.times_s.back())
+      return;
+    keys = std::move(whole);
   }
 
   /// Drops keys that were added for other programs alone (dense_keys.h).

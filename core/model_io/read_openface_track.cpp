@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/math.h"
 #include "core/geometry/rotation.h"
 #include "core/model_io/best_face.h"
 #include "core/model_io/face_points.h"
@@ -94,6 +95,47 @@ class OwnTurn {
   bool there_ = false;
 };
 
+/// The columns gaze_0_x, ... of the two eyes: unit vectors from them to what they look at, x right, y down, z away.
+class OwnGaze {
+ public:
+  explicit OwnGaze(const CsvReader& table) {
+    const auto names = table.columns();
+    for (std::size_t eye = 0; eye < 2; ++eye) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::string name = "gaze_" + std::to_string(eye) + "_" + "xyz"[axis];
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found == names.end()) return;
+        columns_[eye][axis] = static_cast<std::size_t>(found - names.begin());
+      }
+    }
+    there_ = true;
+  }
+
+  /// Relative to the head, which stands as the tracker says, or looks into the camera where it says nothing.
+  [[nodiscard]] std::vector<animation::Gaze> read(const CsvReader& table, const std::vector<std::string_view>& cells,
+                                                  const std::optional<glm::dmat3>& head) const {
+    std::vector<animation::Gaze> gaze;
+    for (std::size_t eye = 0; eye < 2 && there_; ++eye) {
+      glm::dvec3 way(0);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t column = columns_[eye][axis];
+        way[static_cast<int>(axis)] =
+            column < cells.size() ? table.number(cells[column]).value_or(std::nan("")) : std::nan("");
+      }
+      if (head) way = glm::transpose(*head) * way;
+      // Nobody looks backwards; a file of zeros says nothing.
+      constexpr double k_least = 0.1;
+      if (!(-way.z > k_least) || !(std::abs(way.x) < 2) || !(std::abs(way.y) < 2)) return {};
+      gaze.push_back({base::atan2(way.x, -way.z), base::atan2(way.y, -way.z)});
+    }
+    return gaze;
+  }
+
+ private:
+  std::array<std::array<std::size_t, 3>, 2> columns_{};
+  bool there_ = false;
+};
+
 /// The columns AU01_r, ..., intensities of action units from 0 to 5. Files without them are common.
 class OwnWords {
  public:
@@ -141,6 +183,7 @@ base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
   const SolidFace solid(*table);
   const OwnTurn turn(*table);
   const OwnWords words(*table);
+  const OwnGaze gaze(*table);
   std::vector<FaceRow> rows;
   std::vector<std::string_view> cells;
   while (table->next(cells)) {
@@ -151,6 +194,7 @@ base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
       if (row->row.depths.empty()) row->row.depths = common_depths(row->row.points);
       row->row.rotation = turn.rotation(*table, cells);
       row->row.says = words.read(*table, cells);
+      row->row.says.gaze = gaze.read(*table, cells, row->row.rotation);
     }
     if (rows.size() >= 4 * k_most_track_frames) return table->error("the table has too many rows", "cut the video");
     rows.push_back(std::move(row).value());

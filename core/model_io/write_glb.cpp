@@ -96,7 +96,7 @@ class GlbWriter {
     std::vector<double> low = pose_weights_;
     std::vector<double> high = pose_weights_;
     for (const auto& [channel, keys] : keys_) {
-      const bool cubic = channel->interpolation == document::Interpolation::cubic_spline;
+      const bool cubic = is_cubic(*channel, keys);
       for (std::size_t row = 0; row < keys.rows.size(); ++row) {
         if (cubic && row % 3 != 1) continue;
         for (std::size_t t = 0; t < low.size(); ++t) {
@@ -112,6 +112,10 @@ class GlbWriter {
       targets_.push_back(&one.shape);
       helped_[one.of] = true;
     }
+  }
+
+  static bool is_cubic(const document::Channel& channel, const DenseKeys& keys) {
+    return channel.interpolation == document::Interpolation::cubic_spline && !keys.straightened;
   }
 
   [[nodiscard]] std::vector<OneWayName> one_way_names() const {
@@ -426,6 +430,7 @@ class GlbWriter {
     std::size_t input = k_none;
     document::Interpolation interpolation = document::Interpolation::linear;
     std::vector<std::size_t> added;  ///< keys that are there for other programs alone
+    Json spline;                     ///< what the keys are straight lines of, or null
   };
   Times write_times(std::vector<float> times_s, const document::Channel& channel) {
     // Moments that are too close for floats must still ascend (glTF 2.0, section 3.11).
@@ -433,7 +438,7 @@ class GlbWriter {
       if (!(times_s[i] > times_s[i - 1]))
         times_s[i] = std::nextafter(times_s[i - 1], std::numeric_limits<float>::infinity());
     }
-    return {builder_.add_floats(times_s, "SCALAR", BufferUse::plain, true), channel.interpolation, {}};
+    return {builder_.add_floats(times_s, "SCALAR", BufferUse::plain, true), channel.interpolation, {}, {}};
   }
   void write_sampler(const Times& times, std::size_t node, const char* path, std::span<const float> values,
                      const char* type, Json& channels, Json& samplers) {
@@ -441,7 +446,11 @@ class GlbWriter {
     Json sampler = {{"input", times.input},
                     {"interpolation", k_interpolations[static_cast<std::size_t>(times.interpolation)]},
                     {"output", builder_.add_floats(values, type, BufferUse::plain, false)}};
-    if (!times.added.empty()) sampler["extras"] = {{k_extras_key, {{"added", times.added}}}};
+    if (!times.spline.is_null()) {
+      sampler["extras"] = {{k_extras_key, {{"spline", times.spline}}}};
+    } else if (!times.added.empty()) {
+      sampler["extras"] = {{k_extras_key, {{"added", times.added}}}};
+    }
     samplers.push_back(std::move(sampler));
     channels.push_back({{"sampler", samplers.size() - 1}, {"target", {{"node", node}, {"path", path}}}});
   }
@@ -464,6 +473,20 @@ class GlbWriter {
                   values, rotation ? "VEC4" : "VEC3", channels, samplers);
   }
 
+  /// Rows of weights of all targets, or of those and their tangents, as a sampler of some of the targets has them.
+  [[nodiscard]] std::vector<float> values_of(const std::vector<std::vector<double>>& rows, bool cubic,
+                                             std::span<const std::size_t> shapes) const {
+    std::vector<float> values;
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      for (const std::size_t s : shapes) {
+        const bool tangent = cubic && row % 3 != 1;
+        values.push_back(
+            static_cast<float>(tangent ? tangent_of(s, rows[row], rows[row - row % 3 + 1]) : weight_of(s, rows[row])));
+      }
+    }
+    return values;
+  }
+
   void write_weight_keys(const document::Channel& channel, Json& channels, Json& samplers) {
     const auto found =
         std::find_if(keys_.begin(), keys_.end(), [&](const auto& one) { return one.channel == &channel; });
@@ -475,16 +498,12 @@ class GlbWriter {
       if (!times) {
         times = write_times(keys.times_s, channel);
         times->added = keys.added;
+        if (keys.straightened) times->interpolation = document::Interpolation::linear;
       }
-      std::vector<float> values;
-      const bool cubic = channel.interpolation == document::Interpolation::cubic_spline;
-      for (std::size_t row = 0; row < keys.rows.size(); ++row) {
-        const auto& numbers = keys.rows[row];
-        for (const std::size_t s : shapes_of_part_[i]) {
-          const bool tangent = cubic && row % 3 != 1;
-          values.push_back(static_cast<float>(tangent ? tangent_of(s, numbers, keys.rows[row - row % 3 + 1])
-                                                      : weight_of(s, numbers)));
-        }
+      const std::vector<float> values = values_of(keys.rows, is_cubic(channel, keys), shapes_of_part_[i]);
+      if (keys.straightened) {
+        times->spline = {{"times", keys.spline.times_s},
+                         {"values", values_of(keys.spline.rows, true, shapes_of_part_[i])}};
       }
       write_sampler(*times, node_of_part_[i], "weights", values, "SCALAR", channels, samplers);
     }

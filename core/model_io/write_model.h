@@ -19,7 +19,7 @@ namespace penpose::model_io {
 /// for what they are. Viewers mix weights evenly between keys, which deformers do not: where that shows, keys are added
 /// in between, and reading drops them again.
 struct GlbOptions {
-  double bake_tolerance = 1e-3;
+  double bake_tolerance = 1e-4;
 };
 /// What came of it, for whoever wants to say so.
 struct GlbReport {

@@ -8,6 +8,7 @@
 #include "core/document/animation_building.h"
 #include "core/document/animation_sampling.h"
 #include "core/model_io/read_model.h"
+#include "core/model_io/write_document.h"
 #include "core/model_io/write_model.h"
 #include "tests/support/articulation_models.h"
 #include "tests/support/model_samples.h"
@@ -47,9 +48,9 @@ document::Model animated(document::Model model) {
   return document::with_stand(std::move(model), 0, document::rest_world_box(model).center(), times, stands).value();
 }
 
-bool write(const std::filesystem::path& folder, const std::string& name, const document::Model& model) {
-  // Deformers between amounts are as exact as they are baked: finer than the comparison here.
-  const auto bytes = model_io::write_glb(model, {5e-6});
+/// Writes the file and where its vertices should be: at times of all kinds, or at keys.
+bool write_file(const std::filesystem::path& folder, const std::string& name,
+                const base::Result<std::vector<std::uint8_t>>& bytes, bool at_keys) {
   if (!bytes) {
     std::fprintf(stderr, "%s: %s\n", name.c_str(), bytes.error().line().c_str());
     return false;
@@ -66,9 +67,8 @@ bool write(const std::filesystem::path& folder, const std::string& name, const d
   tests::Shaker random(3);
   const double duration = document::duration_s(read.animations[0]);
   for (int k = 0; k < 20; ++k) {
-    // A sketched deformer mixes exactly at keys only.
     double time = duration * (0.5 + 0.5 * random());
-    if (read.deformers) time = std::round(time * 30) / 30;
+    if (at_keys) time = std::round(time * 30) / 30;
     wanted["times"].push_back(time);
     const auto moment = document::model_at(read, document::sample(read, read.animations[0], time)).value();
     const auto positions = document::posed_positions(moment);
@@ -83,6 +83,12 @@ bool write(const std::filesystem::path& folder, const std::string& name, const d
   }
   std::ofstream(folder / (name + ".json")) << wanted.dump();
   return true;
+}
+
+bool write(const std::filesystem::path& folder, const std::string& name, const document::Model& model) {
+  // Deformers between amounts are as exact as they are baked: finer than the comparison here. They mix exactly at keys
+  // only.
+  return write_file(folder, name, model_io::write_glb(model, {5e-6}), model.deformers != nullptr);
 }
 
 document::Model trunk() {
@@ -111,6 +117,8 @@ int main(int argc, char** argv) {
   // The built-in head, through the whole ranges of its controls, which go below 0 and above 1.
   const auto demo = demo::run_demo().value();
   good = write(folder, "head_clip", animated(document::model_of(demo.document))) && good;
+  // The demo as it is written, its timeline of smooth keys and all.
+  good = write_file(folder, "demo", model_io::write_project(demo.document), false) && good;
   if (!tests::has_shared()) return good ? 0 : 1;
   for (const char* name : {"ict_face.glb", "ict_face_narrow.glb"}) {
     const auto file = tests::shared_dir() / "meshes" / name;

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/animation/eigen_points.h"
+#include "core/animation/face_layout.h"
 #include "core/model_io/label_file.h"
 #include "core/model_io/read_pgm.h"
 #include "ui/cli/file_roles.h"
@@ -52,6 +53,7 @@ base::Status check_size(const animation::GreyImage& image, const animation::Grey
 
 struct Learned {
   animation::EigenPoints points;
+  animation::FaceLayout layout;
   animation::GreyImage first;  ///< of the labelled pictures
 };
 
@@ -81,7 +83,8 @@ base::Result<Learned> learn(const model_io::LabelFile& file, const std::string& 
   }
   auto points = animation::learn_eigen_points(labelled, file.features);
   if (!points) return points.error();
-  return Learned{std::move(points).value(), std::move(labelled.front().image)};
+  animation::FaceLayout layout = animation::learn_layout(labelled);
+  return Learned{std::move(points).value(), std::move(layout), std::move(labelled.front().image)};
 }
 
 /// Files as they are named, a folder's pictures in the order of their names, numbers as numbers. An error is that of
@@ -125,16 +128,22 @@ int track(const TrackArguments& arguments) {
   result.groups = labels->track.groups;
   std::vector<geometry::PxPoint> shifts;
   std::size_t unseen = 0;
+  std::vector<std::size_t> poor;
+  constexpr double k_least_trust = 0.2;  // what animate holds by itself
   Progress progress("tracking", files.size());
   for (std::size_t f = 0; f < files.size(); ++f) {
     const auto image = read_grey(read_file(files[f], k_most_picture_bytes));
     if (!image) return report(image.error(), files[f]);
     if (auto fits = check_size(*image, learned->first, "frame " + std::to_string(f)); !fits)
       return report(fits.error(), files[f]);
-    auto found = animation::find_eigen_points(learned->points, *image, shifts);
+    auto found = animation::find_face(learned->points, learned->layout, *image, shifts);
     if (!found) return report(found.error(), files[f]);
     shifts = std::move(found->shifts);
-    if (!(found->confidence > 0)) ++unseen;
+    if (!(found->confidence > 0)) {
+      ++unseen;
+    } else if (found->confidence < k_least_trust) {
+      poor.push_back(f);
+    }
     result.frames.push_back({static_cast<double>(f) / arguments.fps, found->confidence, std::move(found->points), {}});
     progress.advance();
   }
@@ -146,6 +155,12 @@ int track(const TrackArguments& arguments) {
             << " curves";
   if (unseen > 0) std::cout << ", " << unseen << " pictures that show none of them";
   std::cout << '\n';
+  if (!poor.empty()) {
+    constexpr std::size_t k_most_listed = 40;
+    std::cout << poor.size() << " pictures in which what was found does not fit together, which animate holds:";
+    for (std::size_t i = 0; i < std::min(poor.size(), k_most_listed); ++i) std::cout << ' ' << poor[i];
+    std::cout << (poor.size() > k_most_listed ? " ...; " : "; ") << "label some of them\n";
+  }
   return k_success;
 }
 

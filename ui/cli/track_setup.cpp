@@ -268,6 +268,7 @@ base::Result<animation::TrackSetup> make_setup(const document::Model& model, con
   if (auto found = check_free(model, map); !bundled && !found) return found.error();
   setup.free = free_parameters(model, map);
   setup.rest = rig::rest_pose(*model.rig);
+  setup.components.assign(model.mesh->components().begin(), model.mesh->components().end());
   return setup;
 }
 

@@ -29,7 +29,7 @@ class Eyes {
     }
   }
   [[nodiscard]] EyeMotion motion(std::span<const double> column = {}) const {
-    return find_eye_motion(seen, seen, confidence, k_fps, column, 0.3, doubt);
+    return find_eye_motion(seen, {}, confidence, k_fps, column, 0.3, doubt);
   }
 
   std::vector<std::vector<double>> seen;

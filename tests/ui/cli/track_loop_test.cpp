@@ -241,6 +241,41 @@ TEST_F(SharedTrackLoop, ABlinkClosesTheLidsHoweverLittleTheTrackersPointsClose) 
   for (const auto& pose : awake.poses) EXPECT_LT(pose[left], 0.15);
 }
 
+TEST_F(SharedTrackLoop, TheEyesLookWhereThePersonsDo) {
+  auto track = tests::track_of(*model_.rig, poses_, points_, *video_, 0.5, nodding);
+  tests::Shaker shake(4);
+  std::vector<animation::Gaze> truth;
+  for (std::size_t f = 0; f < track.frames.size(); ++f) {
+    // From one place to the next; a tracker is off by a degree.
+    const auto k = static_cast<double>(f / 20);
+    truth.push_back({0.3 * std::sin(2.4 * k), 0.2 * std::sin(1.7 * k + 1)});
+    for (int eye = 0; eye < 2; ++eye) {
+      track.frames[f].says.gaze.push_back({truth[f].right + 0.017 * shake(), truth[f].down + 0.017 * shake()});
+    }
+  }
+  const auto result = animate(track);
+  EXPECT_GE(result.gaze_controls, 8U);
+  double sum = 0;
+  double count = 0;
+  for (std::size_t f = 5; f < track.frames.size(); f += 5) {
+    // In blinks eyes show nothing, and where they jump the frame before is as good as the next.
+    if (f % 20 < 5 || result.eyes.closed[0][f] > 0.5) continue;
+    for (const bool left : {true, false}) {
+      const auto value = [&](const char* of_left, const char* of_right) {
+        return result.poses[f][parameter(left ? of_left : of_right)];
+      };
+      const double right = 30 * (value("eyeLookOut_L", "eyeLookIn_R") - value("eyeLookIn_L", "eyeLookOut_R"));
+      const double down = 30 * (value("eyeLookDown_L", "eyeLookDown_R") - value("eyeLookUp_L", "eyeLookUp_R"));
+      EXPECT_NEAR(right, truth[f].right * 57.29578, 3.0) << f;
+      EXPECT_NEAR(down, truth[f].down * 57.29578, 3.0) << f;
+      sum += std::abs(right - truth[f].right * 57.29578) + std::abs(down - truth[f].down * 57.29578);
+      count += 2;
+    }
+  }
+  EXPECT_LT(sum / count, 1.0);
+  RecordProperty("mean_degrees", std::to_string(sum / count));
+}
+
 TEST_F(SharedTrackLoop, ControlsOfOtherNamesAndInAnotherOrderDoTheSame) {
   const auto track = tests::track_of(*model_.rig, poses_, points_, *video_, 0.5);
   const auto named = animate(track);
