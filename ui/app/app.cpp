@@ -85,12 +85,14 @@ void App::set_free_area(const Area& area) {
 void App::advance() {
   const std::int64_t now = options_.clock();
   // A frame that took long does not make a recording jump: what its pen pressed has to be seen first.
-  const std::int64_t passed = last_frame_us_ == 0 ? 0 : std::min(now - last_frame_us_, k_longest_step_us);
+  const bool shown = last_frame_us_ != 0;
+  const std::int64_t passed = !shown ? 0 : std::min(now - last_frame_us_, k_longest_step_us);
   last_frame_us_ = now;
   std::erase_if(notices_, [&](const Notice& one) { return one.until_us <= now; });
   if (tablet_near_ && !tablet_is_near()) tablet_near_ = false;
   commit_view();
-  if (player_) {
+  // Before the first frame nothing is known of what is hit, and keys would do nothing.
+  if (player_ && shown) {
     // A frame that took long must not swallow the trace: what is due is handed on report by report.
     const bool agreed = !player_->divergence();
     player_->advance(workspace_, passed, *this);

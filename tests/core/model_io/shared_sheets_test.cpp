@@ -15,7 +15,9 @@ TEST_P(SharedSheets, LinesNeverLeaveTheSheetThatTheyAreOn) {
   ASSERT_TRUE(model.ok());
   tests::SheetLines lines(*model->mesh);
   EXPECT_GT(lines.draw(400, 11, false), 200);
-  if (lines.seam_count() > 50) EXPECT_GT(lines.draw(400, 12, true), 100) << "along seams";
+  if (lines.seam_count() > 50) {
+    EXPECT_GT(lines.draw(400, 12, true), 100) << "along seams";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, SharedSheets,
