@@ -354,11 +354,15 @@ int shared(const Desk& desk) {
   std::printf("\n");
   if (std::getenv("DUMP") != nullptr) {
     for (std::size_t f = 0; f < track.frames.size(); ++f) {
-      std::printf("%zu lips %.2f jaw %.3f open %.3f blink %.3f told %.2f pitch %.2f doubt %.2f gap %.4f seen %.4f ld %.2f uu %.2f sm %.2f fu %.2f pu %.2f pr %.2f st %.2f\n", f, lips[f], jaw[f],
-                  open[f], blink[f], told[f],
-                  std::atan2(-result.still.turns[f].rotation[2][1], result.still.turns[f].rotation[2][2]),
-                  result.still.doubt[f], gaps(shown)[f], gaps(track)[f], desk.values(result.poses, "mouthLowerDown_L")[f], desk.values(result.poses, "mouthUpperUp_L")[f],
-                  desk.values(result.poses, "mouthSmile_L")[f], desk.values(result.poses, "mouthFunnel")[f], desk.values(result.poses, "mouthPucker")[f], desk.values(result.poses, "mouthPress_L")[f], desk.values(result.poses, "mouthStretch_L")[f]);
+      std::printf(
+          "%zu lips %.2f jaw %.3f open %.3f blink %.3f told %.2f pitch %.2f doubt %.2f gap %.4f seen %.4f ld %.2f uu "
+          "%.2f sm %.2f fu %.2f pu %.2f pr %.2f st %.2f\n",
+          f, lips[f], jaw[f], open[f], blink[f], told[f],
+          std::atan2(-result.still.turns[f].rotation[2][1], result.still.turns[f].rotation[2][2]),
+          result.still.doubt[f], gaps(shown)[f], gaps(track)[f], desk.values(result.poses, "mouthLowerDown_L")[f],
+          desk.values(result.poses, "mouthUpperUp_L")[f], desk.values(result.poses, "mouthSmile_L")[f],
+          desk.values(result.poses, "mouthFunnel")[f], desk.values(result.poses, "mouthPucker")[f],
+          desk.values(result.poses, "mouthPress_L")[f], desk.values(result.poses, "mouthStretch_L")[f]);
     }
   }
   return 0;
