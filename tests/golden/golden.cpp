@@ -1,9 +1,8 @@
 // golden HASHES THREADS SESSION|FOLDER...: replays every session named or in a folder named, 200 random ones, and for
-// each of the rules 1 to 5 another 40 in which every command of the list comes as often as any other (by rules 5 another
-// 40 with the commands that came later), prints the hash
-// of the state at each session's end, and compares them with a file of lines "NAME HASH". With --print in place of the
-// file it prints such a file. The text of a random session holds the state after each of its strokes and commands, so
-// that its hash stands for all.
+// each of the rules 1 to 5 another 40 in which every command of the list comes as often as any other (by rules 5
+// another 40 with the commands that came later), prints the hash of the state at each session's end, and compares them
+// with a file of lines "NAME HASH". With --print in place of the file it prints such a file. The text of a random
+// session holds the state after each of its strokes and commands, so that its hash stands for all.
 
 #include <algorithm>
 #include <array>

@@ -118,7 +118,8 @@ int run(const char* folder, std::uint32_t rules, const std::vector<SketchCase>& 
     for (const Row& row : rows) print(row);
     std::printf(" %5zu%s\n", rows[0].vertices, rows[0].told.empty() ? "" : (" " + rows[0].told.front()).c_str());
     bad += !rows[0].built || rows[0].against + rows[0].creases > 0 ? 1 : 0;
-    silent += rows[0].built && rows[0].told.empty() && (rows[0].against > 0 || rows[0].stretch > rows[0].allowed) ? 1 : 0;
+    silent +=
+        rows[0].built && rows[0].told.empty() && (rows[0].against > 0 || rows[0].stretch > rows[0].allowed) ? 1 : 0;
     over += rows[0].stretch > rows[0].allowed ? 1 : 0;
     missed += rows[0].miss > 1e-9 ? 1 : 0;
     worse += rows[0].stretch > 1.02 * std::min(rows[1].stretch, rows[2].stretch) ? 1 : 0;
