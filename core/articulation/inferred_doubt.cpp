@@ -16,7 +16,7 @@ constexpr std::size_t k_many = 4;
 constexpr double k_beside = 0.2;
 /// A core that reaches that far to either side of the curve (root mean square), as a share of the curve's length, tells
 /// no direction.
-constexpr double k_wide = 0.33;
+constexpr double k_wide = 0.27;
 /// Steps over edges that a walk on one sheet takes, and how near the other sheet must lie, in edges.
 constexpr int k_steps = 7;
 constexpr double k_near = 1.6;

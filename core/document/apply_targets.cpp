@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/articulation/region.h"
+#include "core/base/numbers.h"
 #include "core/curve/bend.h"
 #include "core/curve/pairing.h"
 #include "core/curve/polyline.h"
@@ -27,7 +28,7 @@ std::vector<InBetween>::iterator find_between(Sketch& sketch, double value) {
 
 base::Error no_such_target(const std::string& deformer, double value) {
   return {"\"" + deformer + "\" has no target at that value", "value",
-          "draw one there first; its own stands at 1, not at " + std::to_string(value)};
+          "draw one there first; its own stands at 1, not at " + base::format_fixed(value, 2)};
 }
 
 base::Status check_pull(PxPoint at, PxPoint by, double reach) {

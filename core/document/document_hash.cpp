@@ -70,24 +70,6 @@ base::Hash128 hash_deformers(const Document& document) {
   return hash.digest();
 }
 
-/// What of a moment does not follow from what else is hashed.
-void add_moment(StateHash& hash, const Moment& moment) {
-  hash.add(moment.time_s);
-  hash.add(std::span<const double>(static_cast<const rig::Pose&>(moment.base)));
-  hash.add(std::span<const double>(static_cast<const rig::Pose&>(moment.posed)));
-  hash.add(std::uint64_t{moment.lines.size()});
-  for (const Moment::Line& line : moment.lines) {
-    hash.add(std::uint64_t{line.curve.value});
-    hash.add(std::uint64_t{line.covered.size()});
-    for (const bool one : line.covered) hash.add(std::uint64_t{one});
-    hash.add(std::uint64_t{line.held.size()});
-    for (const curve::PxPoint& p : line.held) {
-      hash.add(p.x);
-      hash.add(p.y);
-    }
-  }
-}
-
 base::Hash128 hash_parameters(const Document& document) {
   StateHash hash;
   add_parameters(hash, *document.model->rig);
@@ -97,7 +79,6 @@ base::Hash128 hash_parameters(const Document& document) {
   // States of before the hand could be told are hashed as ever.
   if (document.hand != 1.0) hash.add(document.hand);
   hash.add(document.time_s);
-  if (document.moment) add_moment(hash, *document.moment);
   return hash.digest();
 }
 

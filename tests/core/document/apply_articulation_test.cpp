@@ -62,7 +62,7 @@ TEST(ApplyArticulation, ARegionThatHoldsNothingIsToldAtOnce) {
   EXPECT_EQ(hand.refuses(SketchCurve{CurveRole::general, hand.view, corner}).place, "line");
   EXPECT_EQ(hand.refuses(SketchCurve{CurveRole::general, hand.view, {}}).place, "line");
   hand.does(SketchCurve{CurveRole::general, hand.view, hand.diamond(0.8)});
-  EXPECT_EQ(hand.refuses(SketchCurve{CurveRole::specific, hand.view, corner}).place, "line");
+  EXPECT_EQ(hand.refuses(SketchCurve{CurveRole::specific, hand.view, corner}).place, "line/core");
   hand.does(SketchCurve{CurveRole::specific, hand.view, hand.diamond(0.4)});
   EXPECT_EQ(hand.refuses(SketchCurve{CurveRole::reference, hand.view, corner}).place, "line");
   hand.refuses(SketchCurve{CurveRole::target, hand.view, {{500, 500}}});

@@ -53,7 +53,14 @@ std::vector<Command> full_commands() {
           GoToTime{36000},
           SaveView{k_strange, view},
           DeleteView{k_strange},
-          SuggestRest{{"jawOpen", k_strange}, 0.1}};
+          SuggestRest{{"jawOpen", k_strange}, 0.1},
+          PullTarget{CurveId{9}, view, {1.5, -2}, {0.25, 1e-9}, 0.5, 5},
+          TakeRegion{articulation::Reach::front, 4294967295U},
+          DrawBetween{k_strange, 0.25, view, some_line()},
+          DeleteBetween{k_strange, -0.5},
+          PullBetween{k_strange, 2, view, {1, 2}, {-3, 4}, 0},
+          BeginCorrection{k_strange, {{"jawOpen", 0.5}, {k_strange, 1}}, Mode::rotate, 4},
+          DeleteCorrection{k_strange}};
 }
 
 template <std::size_t... I>

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/document/document_hash.h"
+#include "tests/support/document_hand.h"
 #include "tests/support/knowing_hand.h"
 
 namespace penpose::document {
@@ -48,6 +49,35 @@ TEST(History, EveryCommandOfTheListCanBeUndone) {
     for (; script.editor().history().undo_count() > 0; static_cast<void>(script.editor().undo())) {
       undone.emplace(script.editor().history().next_undo());
     }
+  }
+  // What needs two controls, or a control that is there, a random hand hardly comes to.
+  tests::SessionScript script(make_document(tests::sheet_model()));
+  const DocumentState first = script.editor().state();
+  const tests::DocumentHand place;
+  const auto does = [&](const Command& command) { EXPECT_TRUE(script.perform(command).ok()) << name_of(command); };
+  does(BeginDeformer{"up", articulation::Mode::translate, {}, 0, 1, articulation::k_ranged_rules});
+  does(SketchCurve{articulation::CurveRole::general, place.view, place.diamond(0.8)});
+  does(SketchCurve{articulation::CurveRole::specific, place.view, place.diamond(0.4)});
+  does(SketchCurve{articulation::CurveRole::reference, place.view, place.line(-0.3, 0, 0.3, 0)});
+  does(SketchCurve{articulation::CurveRole::target, place.view, place.line(-0.3, 0.3, 0.3, 0.3)});
+  does(DrawBetween{"up", 0.5, place.view, place.line(-0.3, -0.2, 0.3, -0.2)});
+  does(DeleteBetween{"up", 0.5});
+  does(BeginDeformer{"aside", articulation::Mode::translate, {}, 0, 1, articulation::k_ranged_rules});
+  does(SketchCurve{articulation::CurveRole::general, place.view, place.diamond(0.7)});
+  does(TakeRegion{articulation::Reach::front, {}});
+  does(SketchCurve{articulation::CurveRole::specific, place.view, place.diamond(0.3)});
+  does(SketchCurve{articulation::CurveRole::reference, place.view, place.line(0, -0.2, 0, 0.2)});
+  does(SketchCurve{articulation::CurveRole::target, place.view, place.line(0.15, -0.2, 0.15, 0.2)});
+  does(SetParameters{{{"up", 1}, {"aside", 1}}});
+  does(BeginCorrection{"both", {}});
+  does(SketchCurve{articulation::CurveRole::general, place.view, place.diamond(0.8)});
+  does(SketchCurve{articulation::CurveRole::specific, place.view, place.diamond(0.5)});
+  does(SketchCurve{articulation::CurveRole::reference, place.view, place.line(-0.1, 0.25, 0.4, 0.25)});
+  does(SketchCurve{articulation::CurveRole::target, place.view, place.line(-0.1, 0.05, 0.4, 0.05)});
+  does(DeleteCorrection{"both"});
+  undo_and_redo_all(script, first, "other targets");
+  for (; script.editor().history().undo_count() > 0; static_cast<void>(script.editor().undo())) {
+    undone.emplace(script.editor().history().next_undo());
   }
   EXPECT_EQ(undone.size(), std::variant_size_v<Command>) << testing::PrintToString(undone);
 }

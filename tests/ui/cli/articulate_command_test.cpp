@@ -117,9 +117,9 @@ Baked baked_of(const std::string& error) {
 
 TEST_F(ArticulateCommand, BakesAsExactlyAsAsked) {
   ASSERT_EQ(articulate({path("model.glb"), "--sketch", path("sketch.json"), "-o", path("out.glb")}), k_success);
-  const Baked usual = baked_of(error_);
-  EXPECT_GT(usual.targets, 0) << error_;
-  EXPECT_LE(usual.error, 1e-3) << error_;
+  const Baked first = baked_of(error_);
+  EXPECT_GT(first.targets, 0) << error_;
+  EXPECT_LE(first.error, 1e-4) << error_;
   const auto again = [&](const char* command, const char* tolerance) {
     const std::string to = path("again.glb");
     std::vector<std::string> arguments{"penpose", command};
@@ -140,6 +140,9 @@ TEST_F(ArticulateCommand, BakesAsExactlyAsAsked) {
   };
   write("take.csv", "Timecode,BlendShapeCount,curl\n0:0:0:0,1,0\n0:0:1:0,1,1\n");
   for (const char* command : {"articulate", "convert", "animate"}) {
+    ASSERT_EQ(again(command, "1e-3"), k_success) << error_;
+    const Baked usual = baked_of(error_);
+    EXPECT_LE(usual.error, 1e-3) << command << error_;
     ASSERT_EQ(again(command, "0.02"), k_success) << error_;
     const Baked loose = baked_of(error_);
     EXPECT_LT(loose.targets, usual.targets) << command << error_;
