@@ -3,7 +3,6 @@
 
 #include "core/animation/animate_track.h"
 #include "core/animation/eigen_points.h"
-#include "core/animation/face_layout.h"
 #include "tests/support/rendered_track.h"
 #include "ui/demo/demo_head.h"
 #include "ui/render/appearance.h"
@@ -75,9 +74,6 @@ class EigenLoop : public testing::Test {
 
   /// A picture with light that falls from `from` (-1 left .. 1 right) and is `strong` times as bright.
   animation::LabelledImage shoot(const rig::Pose& pose, double from, double strong) {
-    return shoot(pose, from, strong, *camera_);
-  }
-  animation::LabelledImage shoot(const rig::Pose& pose, double from, double strong, const geometry::Camera& camera) {
     document::Model moment = head_;
     moment.pose = pose;
     const render::PosedMesh posed = render::posed_mesh(moment);
@@ -86,7 +82,7 @@ class EigenLoop : public testing::Test {
     scene.normals = posed.normals;
     scene.triangles = moment.mesh->triangles();
     scene.appearance = &*appearance_;
-    const render::Image picture = renderer_->render(scene, camera).value();
+    const render::Image picture = renderer_->render(scene, *camera_).value();
     animation::LabelledImage shot;
     shot.image = {picture.width, picture.height, {}};
     for (int y = 0; y < picture.height; ++y) {
@@ -99,7 +95,7 @@ class EigenLoop : public testing::Test {
     }
     const auto positions = document::posed_positions(moment);
     for (const auto& p : points_) {
-      shot.points.push_back(camera.project(mesh::position_of(p, head_.mesh->triangles(), positions)).value());
+      shot.points.push_back(camera_->project(mesh::position_of(p, head_.mesh->triangles(), positions)).value());
     }
     return shot;
   }
@@ -111,62 +107,6 @@ class EigenLoop : public testing::Test {
   std::vector<mesh::MeshPoint> points_;
   std::vector<animation::TrackedCurve> curves_;
 };
-
-TEST_F(EigenLoop, AHeadThatTurnsIsFoundWithinTwoPxOrHeld) {
-  // The camera goes round the head by 25 degrees to either side.
-  constexpr int k_frames = 120;
-  const geometry::ModelPoint eye = camera_->eye();
-  geometry::Box box;
-  const auto rest = document::posed_positions(head_);
-  for (const auto& p : points_) box.add(mesh::position_of(p, head_.mesh->triangles(), rest));
-  const geometry::ModelPoint middle = box.center();
-  const auto picture_at = [&](int f) {
-    const double angle = 0.436 * std::sin(0.08 * f);
-    const geometry::ModelVector away = eye - middle;
-    const geometry::ModelPoint from =
-        middle + geometry::ModelVector(std::cos(angle) * away.x + std::sin(angle) * away.z, away.y,
-                                       std::cos(angle) * away.z - std::sin(angle) * away.x);
-    const auto camera =
-        geometry::Camera::make({from, middle, {0, 1, 0}, camera_->pose().vertical_fov_degrees}, {480, 480});
-    return shoot(pose_at(f / 15.0), 0.3, 0.9, camera.value());
-  };
-  std::vector<animation::LabelledImage> labelled;
-  for (int k = 0; k < 16; ++k) labelled.push_back(picture_at(k * k_frames / 16));
-  std::vector<animation::LabelledFeature> features(5);
-  const std::size_t of_curve[] = {0, 0, 1, 2, 3, 4};
-  for (std::size_t c = 0; c < 6; ++c) {
-    auto& feature = features[of_curve[c]].points;
-    feature.insert(feature.end(), curves_[c].points.begin(), curves_[c].points.end());
-  }
-  const auto learned = animation::learn_eigen_points(labelled, features).value();
-  const auto layout = animation::learn_layout(labelled);
-  std::vector<geometry::PxPoint> shifts;
-  double square = 0;
-  double all = 0;
-  double count = 0;
-  int held = 0;
-  for (int f = 0; f < k_frames; ++f) {
-    const auto truth = picture_at(f);
-    const auto found = animation::find_face(learned, layout, truth.image, shifts).value();
-    shifts = found.shifts;
-    double own = 0;
-    for (std::size_t i = 0; i < truth.points.size(); ++i) {
-      const double off = geometry::distance(found.points[i], truth.points[i]);
-      own += off * off / static_cast<double>(truth.points.size());
-    }
-    all += own / k_frames;
-    if (found.confidence < 0.2) {
-      ++held;
-      continue;
-    }
-    square += own;
-    count += 1;
-  }
-  RecordProperty("rms_px", std::to_string(std::sqrt(square / count)));
-  EXPECT_LT(std::sqrt(square / count), 2.0) << held << " held; all " << std::sqrt(all);
-  EXPECT_LT(held, k_frames / 2);
-  std::printf("rms %.2f px of %.0f, %d held, all %.2f px\n", std::sqrt(square / count), count, held, std::sqrt(all));
-}
 
 TEST_F(EigenLoop, FindsTheCurvesWithinTwoPxAndClosesTheLoop) {
   std::vector<animation::LabelledImage> labelled;
