@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "core/document/apply.h"
 #include "core/document/pose_problem.h"
@@ -11,8 +12,10 @@ namespace {
 
 /// Views whose directions differ by no more than this see the same: cosine of 20 degrees.
 constexpr double k_same_view = 0.94;
-/// Who draws a reference again comes this near to the first one, in doubts of the hand.
-constexpr double k_covers = 3.0;
+/// Who draws a reference again comes this near to the first one, in doubts of the hand, as both were before the moment.
+constexpr double k_covers = 4.0;
+/// And as they are now: two lips that are pressed together come apart a little.
+constexpr double k_covers_now = 5.0;
 
 bool has_target(const PoseCurve* curve) {
   return curve != nullptr && curve->role == PoseCurveRole::reference && curve->target.has_value();
@@ -22,32 +25,52 @@ geometry::ModelVector direction_of(const View& view) {
   return geometry::normalized(view.camera.look_at - view.camera.eye);
 }
 
-double distance_to(std::span<const geometry::ModelPoint> line, const geometry::ModelPoint& p) {
+double distance_to(std::span<const PxPoint> line, PxPoint p) {
   double nearest = geometry::distance(line.front(), p);
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const geometry::ModelVector along = line[i + 1] - line[i];
-    const double square = glm::dot(along, along);
-    const double share = square > 0.0 ? std::clamp(glm::dot(p - line[i], along) / square, 0.0, 1.0) : 0.0;
+    const PxPoint along = line[i + 1] - line[i];
+    const PxPoint from = p - line[i];
+    const double square = along.x * along.x + along.y * along.y;
+    const double share = square > 0.0 ? std::clamp((from.x * along.x + from.y * along.y) / square, 0.0, 1.0) : 0.0;
     nearest = std::min(nearest, geometry::distance(line[i] + along * share, p));
   }
   return nearest;
 }
 
-/// Marks what of an earlier line's reference the last one covers.
-void cover(const Document& document, Moment::Line& line, const PoseCurve& last, std::uint32_t rules) {
+/// Where a view shows the points of a reference at the document's pose; empty where it does not.
+std::vector<PxPoint> seen_in(const geometry::Camera& camera, const Document& document, const PoseCurve& curve) {
+  std::vector<PxPoint> out;
+  for (const geometry::ModelPoint& p : positions_of(document, curve.points)) {
+    const auto px = camera.project(p);
+    if (!px) return {};
+    out.push_back(*px);
+  }
+  return out;
+}
+
+/// Marks what of an earlier line's reference the last one covers: what lies along it both before the moment and now, so
+/// that a closed mouth is one line and an open one two, whichever lip a line is on.
+void cover(const Document& document, const rig::Pose& base, Moment::Line& line, const PoseCurve& last,
+           std::uint32_t rules) {
   const PoseCurve& earlier = *find_curve(document, line.curve);
   const View& view = last.target->view;
   if (glm::dot(direction_of(earlier.target->view), direction_of(view)) < k_same_view) return;
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!camera) return;
-  const auto over = positions_of(document, last.points);
-  const auto points = positions_of(document, earlier.points);
-  const double reach = k_covers * hand_px(document, view.viewport, rules);
-  line.covered.resize(points.size(), false);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double px = camera->units_per_px(std::max(0.0, camera->depth(points[i])));
-    if (distance_to(over, points[i]) <= reach * px) line.covered[i] = true;
+  const double hand = hand_px(document, view.viewport, rules);
+  Document before = document;
+  before.pose = base;
+  line.covered.resize(earlier.points.size(), false);
+  std::vector<bool> covers(earlier.points.size(), true);
+  const std::pair<const Document*, double> looks[] = {{&document, k_covers_now}, {&before, k_covers}};
+  for (const auto& [posed, reach] : looks) {
+    const auto over = seen_in(*camera, *posed, last);
+    const auto points = seen_in(*camera, *posed, earlier);
+    if (over.empty() || points.empty()) return;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      covers[i] = covers[i] && distance_to(over, points[i]) <= reach * hand;
   }
+  for (std::size_t i = 0; i < covers.size(); ++i) line.covered[i] = line.covered[i] || covers[i];
 }
 
 /// Where the reference of a curve stands in the picture of its target; empty where it cannot be seen.
@@ -106,7 +129,7 @@ Moment moment_before(const Document& document, CurveId drawn) {
 
 Moment moment_of(const Document& document, CurveId drawn, std::uint32_t rules) {
   Moment moment = moment_before(document, drawn);
-  for (Moment::Line& line : moment.lines) cover(document, line, *find_curve(document, drawn), rules);
+  for (Moment::Line& line : moment.lines) cover(document, moment.base, line, *find_curve(document, drawn), rules);
   moment.lines.push_back({drawn, {}, {}});
   return moment;
 }

@@ -114,7 +114,7 @@ IntentProblem with_others_held(const rig::Rig& rig, const Reader& reader, const 
 }
 
 Fit fit_of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem, const rig::Pose& pose,
-           Quadratic& quadratic) {
+           Quadratic& quadratic, const Fit* as) {
   Reader reader(rig, whole, problem);
   const Choice choice = reader.choice_of(pose);
   const auto energy = [&] {
@@ -123,8 +123,13 @@ Fit fit_of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& pr
     const Selection selection(quadratic, reader.choices(), reader.costs());
     return reader.energy(choice, selection.costs_of(choice) + selection.limit_costs(choice));
   };
-  Fit fit{energy(), {}};
+  const auto is_set = [&](std::size_t c) { return as != nullptr && problem.drawn[c].before; };
   for (std::size_t c = 0; c < problem.drawn.size(); ++c) {
+    if (is_set(c)) reader.align(c, as->aligned[c]);
+  }
+  Fit fit{energy(), {}, {}};
+  for (std::size_t c = 0; c < problem.drawn.size(); ++c) {
+    if (is_set(c)) continue;
     std::size_t chosen = 0;
     for (std::size_t a = 1; a < reader.alignments(c).size(); ++a) {
       reader.align(c, a);
@@ -136,7 +141,10 @@ Fit fit_of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& pr
     reader.align(c, chosen);
   }
   energy();
-  for (std::size_t c = 0; c < problem.drawn.size(); ++c) fit.squares.push_back(reader.squares_of(c, choice));
+  for (std::size_t c = 0; c < problem.drawn.size(); ++c) {
+    fit.squares.push_back(reader.squares_of(c, choice));
+    fit.aligned.push_back(reader.aligned(c));
+  }
   for (std::size_t c = 0; c < problem.drawn.size(); ++c) {
     if (!problem.drawn[c].before) continue;
     const auto beyond = [&](double reach) { return reach * base::log(1.0 + fit.squares[c] / reach); };

@@ -24,9 +24,11 @@ namespace penpose::intent {
 /// to those that are new.
 struct Fit {
   double energy = 0;
-  std::vector<double> squares;  ///< of each drawn curve
+  std::vector<double> squares;       ///< of each drawn curve
+  std::vector<std::size_t> aligned;  ///< and how it is aligned (Reader::align)
 };
+/// `as`: lines that were drawn before are aligned as there.
 [[nodiscard]] Fit fit_of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
-                         const rig::Pose& pose, Quadratic& quadratic);
+                         const rig::Pose& pose, Quadratic& quadratic, const Fit* as = nullptr);
 
 }  // namespace penpose::intent

@@ -26,7 +26,8 @@ constexpr double k_fits = 24.0;
 constexpr double k_near_enough = 0.6;
 /// How much lower the energy has to be before a limb leans out of the picture that need not.
 constexpr double k_lean_gain = 3.0;
-/// How much lower the energy has to be before what was drawn before is read anew.
+/// How much lower the energy has to be before what was drawn before is read anew, and again for each control taken
+/// back.
 constexpr double k_stay = 8.0;
 /// Then its lines have to fit about as well as they did: by this factor of their squares, and this much beyond.
 constexpr double k_as_near = 1.2;
@@ -248,15 +249,20 @@ base::Result<Solution> solve_with_posed(const rig::Rig& rig, const WholeModel& w
   if (!anew || !held || !alone) return anew;
   const Fit by_held = fit_of(rig, whole, part, held->pose, work.buffers().quadratic);
   const Fit by_alone = fit_of(rig, whole, part, alone->pose, work.buffers().quadratic);
-  const Fit by_anew = fit_of(rig, whole, part, anew->pose, work.buffers().quadratic);
   const bool stays_held = by_held.energy <= by_alone.energy;
   const Fit& stays = stays_held ? by_held : by_alone;
+  const Fit by_anew = fit_of(rig, whole, part, anew->pose, work.buffers().quadratic, &stays);
   bool as_near = true;
   for (std::size_t c = 0; c < part.drawn.size(); ++c)
     as_near =
         as_near && (!part.drawn[c].before || by_anew.squares[c] <= k_as_near * stays.squares[c] + k_as_near_beyond);
   anew->evaluations += held->evaluations + alone->evaluations;
-  if (as_near && by_anew.energy < stays.energy - k_stay) return anew;
+  // Each control that it takes back has to be worth it.
+  double gain = k_stay;
+  for (std::size_t i = 0; i < part.start.size(); ++i) {
+    if (part.posed[i] != part.start[i] && anew->pose[i] == part.start[i]) gain += k_stay;
+  }
+  if (as_near && by_anew.energy < stays.energy - gain) return anew;
   return stays_held ? held : alone;
 }
 
