@@ -1,3 +1,5 @@
+// One file above the usual size: what pen, mouse and fingers do to the canvas is one set of rules about who has it.
+
 #include <algorithm>
 #include <array>
 #include <cmath>
