@@ -12,7 +12,7 @@ import tempfile
 import unittest
 
 PENPOSE, MAKE_FILES, SESSION, TRACE = [os.path.abspath(a) for a in sys.argv[1:5]]
-WRITES = re.compile(r'(?:-o|--png) (\S+)')
+WRITES = re.compile(r'(?:-o|--png|^penpose convert \S+) (\S+)')
 
 
 def examples(*command):
@@ -49,17 +49,20 @@ class Examples(unittest.TestCase):
     def run_example(self, call):
         if call.startswith('penpose record'):
             return self.run_record(call)
-        written = [path for path in WRITES.findall(call)]
+        # Each begins with the same files.
+        folder = tempfile.mkdtemp(prefix='penpose_example_')
+        self.addCleanup(shutil.rmtree, folder)
+        shutil.copytree(self.folder, folder, symlinks=True, dirs_exist_ok=True)
+        written = WRITES.findall(call)
         for path in written:
-            full = os.path.join(self.folder, path)
+            full = os.path.join(folder, path)
             if os.path.isfile(full):
                 os.remove(full)
-        done = subprocess.run(['bash', '-c', call], cwd=self.folder, env=self.environment, capture_output=True, text=True)
+        done = subprocess.run(['bash', '-c', call], cwd=folder, env=self.environment, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, call + '\n' + done.stderr)
         for path in written:
-            there = os.path.exists(os.path.join(self.folder, path)) or os.path.exists(os.path.join(self.folder, path + '0001.png'))
+            there = os.path.exists(os.path.join(folder, path)) or os.path.exists(os.path.join(folder, path + '0001.png'))
             self.assertTrue(there, '%s wrote no %s' % (call, path))
-        # A trace of pens has no keys, devices may be none; everything else says something or writes something.
         self.assertTrue(written or done.stdout, call + ' did nothing')
 
     def run_record(self, call):

@@ -145,7 +145,7 @@ void write_pictures(const fs::path& folder) {
 }
 
 void write_shapes(const fs::path& folder) {
-  write(folder / "face.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  write(folder / "scan.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
   write(folder / "shapes" / "lift.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n"));
 }
 

@@ -42,8 +42,8 @@ constexpr auto k_rows = std::to_array<Row>({
      {{{"penpose articulate elephant.glb --sketch trunk.json -o rigged.glb", "controls from strokes"},
        {"penpose articulate elephant.glb --sketch trunk.json -o paper.glb --preset paper", "as published in 2006"}}}},
     {"track",
-     {{{"penpose track frames --labels labels.json -o track.json", "curves in a folder of pictures"},
-       {"penpose track frames --labels labels.json -o track.json --fps 30", "of a faster camera"}}}},
+     {{{"penpose track frames --labels labels.json -o lips.json", "curves in a folder of pictures"},
+       {"penpose track frames --labels labels.json -o lips.json --fps 30", "of a faster camera"}}}},
     {"animate",
      {{{"penpose animate face.glb --track track.json -o clip.glb", "keyframes from a tracked face"},
        {"penpose animate face.glb --track track.json --smooth 0.1 -o clip.glb --json", "steadier, and for scripts"}}}},
@@ -51,7 +51,7 @@ constexpr auto k_rows = std::to_array<Row>({
      {{{"penpose render builtin:demo-2 --set jaw=0.4 --view front -o jaw.png", "a picture"},
        {"penpose render clip.glb --frames --size 320x320 -o frames/clip", "frames/clip0001.png, ... for ffmpeg"}}}},
     {"convert",
-     {{{"penpose convert face.obj face.glb --shapes shapes", "OBJ files as blend shapes"},
+     {{{"penpose convert scan.obj scan.glb --shapes shapes", "OBJ files as blend shapes"},
        {"penpose convert posed.glb posed.obj", "the pose as it stands"}}}},
 });
 

@@ -36,7 +36,7 @@ std::string offer(const OptionRow& row) {
       break;
   }
   if (row.extensions.empty()) return " -r -F";
-  return " -k -x -a '(__fish_complete_suffix " + joined(row.extensions) + ")'";
+  return " -k -x -a '(__penpose_files " + joined(row.extensions) + ")'";
 }
 
 std::string line(const CommandRow& command, const OptionRow& row) {
@@ -51,10 +51,30 @@ std::string line(const CommandRow& command, const OptionRow& row) {
   return out + "\n";
 }
 
+constexpr std::string_view k_head = R"(# fish completion for penpose
+
+# Files with one of the endings, and folders; every file where none has one.
+function __penpose_files
+    set -l files (complete -C "__fish_command_without_completions "(commandline -ct))
+    set -l fitting
+    for ending in $argv
+        set -a fitting (string match -- "*$ending" $files)
+    end
+    if set -q fitting[1]
+        printf '%s\n' $fitting
+        string match -- '*/' $files
+    else
+        printf '%s\n' $files
+    end
+end
+
+complete -c penpose -f
+)";
+
 }  // namespace
 
 std::string fish_completion(std::span<const CommandRow> table) {
-  std::string out = "# fish completion for penpose\n\ncomplete -c penpose -f\n";
+  std::string out(k_head);
   for (const CommandRow& command : table) {
     if (!command.name.empty()) {
       out += "complete -c penpose -n __fish_use_subcommand -a " + command.name + " -d " + quoted(command.help) + "\n";

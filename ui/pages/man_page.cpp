@@ -1,6 +1,8 @@
 #include "ui/pages/man_page.h"
 
+#include <algorithm>
 #include <cctype>
+#include <sstream>
 #include <string_view>
 
 namespace penpose::pages {
@@ -43,21 +45,44 @@ std::string plain(std::string_view text) {
   return out;
 }
 
-std::string bold(std::string_view text) { return "\\fB" + plain(text) + "\\fR"; }
-std::string italic(std::string_view text) { return "\\fI" + plain(text) + "\\fR"; }
+std::string in_font(char font, std::string_view text) {
+  std::string out = "\\f";
+  out += font;
+  out += plain(text);
+  out += "\\fR";
+  return out;
+}
+std::string bold(std::string_view text) { return in_font('B', text); }
+std::string italic(std::string_view text) { return in_font('I', text); }
 
 std::string upper(std::string text) {
   for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   return text;
 }
 
-/// A help text as a sentence.
+/// A help text as a sentence. A name keeps its letters.
 std::string sentence(std::string text) {
-  const bool word = text.size() > 1 && std::islower(static_cast<unsigned char>(text[0])) != 0 &&
-                    std::islower(static_cast<unsigned char>(text[1])) != 0;
-  if (word) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  const std::string_view word = std::string_view(text).substr(0, text.find_first_of(" ,:"));
+  const bool is_name = std::any_of(word.begin(), word.end(), [](char c) { return c < 'a' || c > 'z'; });
+  if (!is_name && !text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   if (!text.empty() && text.back() != '.') text += '.';
   return text;
+}
+
+/// The same in lines of at most 72 signs, each ready for roff.
+std::string filled(const std::string& text) {
+  constexpr std::size_t k_widest = 72;
+  std::string out;
+  std::string line;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!line.empty() && line.size() + 1 + word.size() > k_widest) {
+      out += plain(line) + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return out + plain(line) + "\n";
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -94,12 +119,13 @@ std::string head_of(const OptionRow& row) {
 }
 
 std::string describe(const OptionRow& row) {
-  std::string out = ".TP\n" + head_of(row) + "\n" + plain(sentence(row.help)) + "\n";
+  std::string out = ".TP\n" + head_of(row) + "\n" + filled(sentence(row.help));
   if (!row.choices.empty()) out += "One of " + listed(row.choices) + ".\n";
   if (!row.range.empty()) out += "From " + plain(row.range) + ".\n";
   if (!row.fallback.empty()) out += "Without it " + bold(row.fallback) + ".\n";
   if (row.required && !row.positional) out += "Has to be given.\n";
-  if (row.many && !row.positional) out += "May be given many times.\n";
+  if (row.many && !row.positional && row.help.find("many times") == std::string::npos)
+    out += "May be given many times.\n";
   if (!row.excludes.empty()) out += "Not with " + listed(row.excludes) + ".\n";
   if (!row.needs.empty()) out += "Only with " + listed(row.needs) + ".\n";
   return out;
@@ -118,7 +144,7 @@ std::string options(const CommandRow& command) {
 std::string subcommands(std::span<const CommandRow> table) {
   std::string out = ".SH COMMANDS\nEach has a page of its own, such as\n.BR penpose\\-render (1).\n";
   for (const CommandRow& command : table) {
-    if (!command.name.empty()) out += ".TP\n" + bold(command.name) + "\n" + plain(sentence(command.help)) + "\n";
+    if (!command.name.empty()) out += ".TP\n" + bold(command.name) + "\n" + filled(sentence(command.help));
   }
   return out;
 }
@@ -127,7 +153,7 @@ std::string examples(const CommandRow& command) {
   if (command.examples.empty()) return "";
   std::string out = ".SH EXAMPLES\n";
   for (const cli::Example& example : command.examples) {
-    out += ".TP\n" + bold(example.call) + "\n" + plain(sentence(std::string(example.does))) + "\n";
+    out += ".TP\n" + bold(example.call) + "\n" + filled(sentence(std::string(example.does)));
   }
   return out;
 }
@@ -138,7 +164,8 @@ constexpr std::string_view k_end = R"(.SH EXIT STATUS
 It was done.
 .TP
 .B 1
-The work failed; one line on standard error names the file, the place in it and the remedy.
+The work failed; one line on standard error names the file, the place in
+it and the remedy.
 .TP
 .B 2
 It was called in a wrong way.
@@ -169,7 +196,7 @@ std::string man_page(std::span<const CommandRow> table, const CommandRow& comman
   out += ".SH NAME\n" + plain(full_name(command, '-')) + " \\- " + plain(summary) + "\n";
   out += ".SH SYNOPSIS\n" + synopsis(command) + "\n";
   if (command.name.empty()) out += ".br\n" + bold("penpose") + " " + italic("COMMAND") + " ...\n";
-  out += ".SH DESCRIPTION\n" + plain(sentence(command.help)) + "\n";
+  out += ".SH DESCRIPTION\n" + filled(sentence(command.help));
   if (command.name.empty()) out += subcommands(table);
   return out + options(command) + examples(command) + std::string(k_end) + see_also(table, command);
 }

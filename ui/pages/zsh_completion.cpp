@@ -37,6 +37,8 @@ std::string action(const OptionRow& row) {
       break;
   }
   if (row.extensions.empty()) return "_files";
+  // One ending in brackets would be read as qualifiers.
+  if (row.extensions.size() == 1) return "_files -g \"*" + row.extensions.front() + "\"";
   std::string endings;
   for (const std::string& extension : row.extensions) endings += (endings.empty() ? "" : "|") + extension.substr(1);
   return "_files -g \"*.(" + endings + ")\"";
