@@ -30,7 +30,6 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME penpose)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_CONTACT "${PENPOSE_MAINTAINER}")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "pose and rig 3D characters by drawing")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
@@ -65,9 +64,8 @@ function(penpose_package component section summary text)
 endfunction()
 
 set(c_library "libc6 (>= 2.36)" "libgcc-s1 (>= 3.5)" "libstdc++6 (>= 12)")
-set(solver "libxxhash0 (>= 0.8.0)" "libtinygltf2d")
-set(tablets "libhidapi-hidraw0 (>= 0.8.0~rc1+git20140201.3a66d4e+dfsg)" "libhidapi-libusb0 (>= 0.8.0~rc1+git20140201.3a66d4e+dfsg)"
-    "libudev1 (>= 183)" "libusb-1.0-0 (>= 2:1.0.16)")
+set(solver "libtinygltf2d (>= 2.7.0+dfsg)")
+set(tablets "libhidapi-hidraw0 (>= 0.8.0~rc1+git20140201.3a66d4e+dfsg)" "libudev1 (>= 183)" "libusb-1.0-0 (>= 2:1.0.23~)")
 penpose_package(penpose graphics "pose and rig 3D characters by drawing"
 "A line is drawn where a feature of a character is, and another where it should
 be: penpose finds the values of the rig that bring the one to the other. It
@@ -75,7 +73,7 @@ works with blend shapes, with joints, and with controls that were sketched on a
 bare mesh, and reads pen tablets directly.
 .
 With the window and the drawing of pictures." DEPENDS ${c_library} ${solver} ${tablets} "libepoxy0 (>= 1.5.10)" "libpng16-16 (>= 1.6.2-1)"
-  "libsdl2-2.0-0 (>= 2.26.0)" libegl1 libgl1 fonts-dejavu-core RECOMMENDS libgl1-mesa-dri CONFLICTS penpose-nogui)
+  "libsdl2-2.0-0 (>= 2.26.0)" "libstb0 (>= 0.0~git20180212.15.e6afb9c)" libegl1 libgl1 fonts-dejavu-core RECOMMENDS libgl1-mesa-dri CONFLICTS penpose-nogui)
 penpose_package(penpose-nogui graphics "pose and rig 3D characters by drawing, without a window"
 "A line is drawn where a feature of a character is, and another where it should
 be: penpose finds the values of the rig that bring the one to the other. It
