@@ -56,7 +56,7 @@ fi
 cp /etc/resolv.conf "$root/etc/resolv.conf"
 mount -t proc proc "$root/proc"
 inside() { env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive chroot "$root" "$@"; }
-# All paths but those of the package tools' own records.
+# All paths but those of the package tools' own records; what a program keeps in a home is its user's.
 listed() { (cd "$root" && find . -xdev \( -path ./var/lib/apt -o -path ./var/cache -o -path ./var/log -o -path ./var/lib/dpkg -o -path ./proc -o -path ./tmp -o -path ./root \) -prune -o -print | sort); }
 
 inside apt-get -o Acquire::Check-Valid-Until=false -o Acquire::Check-Date=false update -qq >/dev/null 2>&1 || leave_out "no packages can be had in the root"
@@ -68,7 +68,8 @@ for package in "$@"; do names+=("$(dpkg-deb -f "$package" Package)"); done
 inside sh -c 'apt-get install -y -qq --no-install-recommends /tmp/packages/*.deb' >"$folder/apt-$architecture.log" 2>&1 ||
   { tail -n 15 "$folder/apt-$architecture.log"; echo "FAILED: the packages do not install"; exit 1; }
 
-inside sh -c 'cd /tmp && penpose demo -o demo && ls -l demo'
+inside sh -c 'cd /tmp && penpose demo -o demo' >"$folder/demo-$architecture.log" || { echo "FAILED: the demo"; exit 1; }
+tail -n 1 "$folder/demo-$architecture.log"
 state=$(inside penpose replay /usr/share/penpose/sessions/demo.session --json | sed -n 's/.*"state": *"\([0-9a-f]*\)".*/\1/p')
 golden=$(awk '$1 == "demo_2.session" {print $2}' "$hashes")
 [ "$state" = "$golden" ] || { echo "FAILED: the session ends in $state, golden is $golden"; exit 1; }
