@@ -26,6 +26,8 @@ rm -rf "$folder"
 mkdir -p "$folder"
 for package in "$downloads"/var/cache/apt/archives/*.deb; do
   case ${package##*/} in
+    # The cross compiler has its own, and these name files of a machine that runs.
+    libc6-dev_*|linux-libc-dev_*|libcrypt-dev_*|libnsl-dev_*|libtirpc-dev_*) continue ;;
     # Drivers of graphics cards, sound and print servers: nothing is linked with them, and they are most of it.
     libllvm*|libgl1-mesa-dri*|libicu*|libx265*|perl*|coreutils*|python*|gcc-*) continue ;;
   esac
