@@ -238,6 +238,8 @@ class Walk {
       const auto& before = nodes[i - 1].candidates;
       for (Candidate& one : nodes[i].candidates) {
         for (std::size_t k = 0; k < before.size(); ++k) {
+          // Going over costs something or nothing; most need not be asked.
+          if (k > 0 && before[k].best + one.cost >= one.best) continue;
           const double over = step_cost(before[k], one, nodes[i].step);
           const double cost = before[k].best + over + one.cost;
           if (k > 0 && cost >= one.best) continue;
