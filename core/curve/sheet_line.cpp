@@ -138,6 +138,31 @@ class Walk {
     taken.offset = taken.offset * far;
   }
 
+  /// Puts back what came nearer to the pen and is not beside its neighbours any more, until all are.
+  void keep_beside(const Run& run, std::vector<Candidate>& taken) {
+    const auto as_found = [&](std::size_t i) -> const Candidate& {
+      return nodes[run.first + i].candidates[run.taken[i]];
+    };
+    const auto beside = [&](std::size_t i) {
+      const double step = nodes[run.first + i].step;
+      return taken[i - 1].point.triangle == taken[i].point.triangle || joined(taken[i - 1], taken[i], step) ||
+             (surface_.sheets.component(taken[i - 1].point.triangle) !=
+                  surface_.sheets.component(taken[i].point.triangle) &&
+              geometry::distance(taken[i - 1].position, taken[i].position) <= reach(taken[i - 1], taken[i], step));
+    };
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t i = 1; i < taken.size(); ++i) {
+        if ((taken[i - 1].offset == as_found(i - 1).offset && taken[i].offset == as_found(i).offset) || beside(i)) {
+          continue;
+        }
+        taken[i - 1] = as_found(i - 1);
+        taken[i] = as_found(i);
+        changed = true;
+      }
+    }
+  }
+
   [[nodiscard]] bool joined(const Candidate& a, const Candidate& b, double px) {
     return surface_.sheets.joined({a.point.triangle, a.position}, {b.point.triangle, b.position}, reach(a, b, px),
                                   surface_.positions);
@@ -303,18 +328,26 @@ base::Result<ProjectedStroke> sheet_curve(std::span<const PxPoint> stroke, std::
     const Node& node = walk.nodes[run.first + i];
     taken.push_back(node.candidates[run.taken[i]]);
     walk.refine(node, taken.back());
-    line.push_back(node.px + taken.back().offset);
   }
+  if (surface.close) walk.keep_beside(run, taken);
+  for (std::size_t i = 0; i < taken.size(); ++i) line.push_back(walk.nodes[run.first + i].px + taken[i].offset);
   const auto even = resample<PxPoint>(line, count);
   if (!even) return even.error();
   const auto cumulative = cumulative_length<PxPoint>(line);
   ProjectedStroke result;
+  Candidate before;
   for (std::size_t i = 0; i < count; ++i) {
     const PolylinePlace place = place_at(cumulative, static_cast<double>(i) / static_cast<double>(count - 1));
     const std::size_t nearer = place.segment + (place.fraction > 0.5 ? 1 : 0);
     Candidate here = taken[nearer];
     const double step = geometry::distance(line[place.segment], line[place.segment + 1]);
     if (place.fraction > 0.0 && place.fraction < 1.0) walk.on_sheet((*even)[i], taken[nearer], step, here);
+    if (surface.close && i > 0) {
+      // What lies between two samples is on their sheet and on that of the point before, or the sample itself is taken.
+      const double apart = geometry::distance((*even)[i - 1], (*even)[i]);
+      if (!walk.joined(before, here, apart)) here = taken[nearer];
+    }
+    before = here;
     result.points.push_back(here.point);
     result.positions.push_back(here.position);
     const PxPoint off = taken[nearer].offset;

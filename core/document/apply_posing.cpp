@@ -72,9 +72,9 @@ base::Result<curve::ProjectedStroke> drawn_on_surface(const Document& document, 
   if (!camera) return at("view", camera.error());
   const geometry::TriangleBvh& tree = work.surface_of(document);
   auto drawn = rules >= k_sheet_rules
-                   ? curve::sheet_curve(
-                         line, k_pose_curve_points, *camera,
-                         {tree, work.surface_positions(), document.model->mesh->triangles(), work.sheets_of(document)})
+                   ? curve::sheet_curve(line, k_pose_curve_points, *camera,
+                                        {tree, work.surface_positions(), document.model->mesh->triangles(),
+                                         work.sheets_of(document), rules >= curve::k_close_rules})
                    : curve::surface_curve(line, k_pose_curve_points, *camera, tree);
   if (!drawn) return at("line", drawn.error());
   return drawn;
