@@ -15,8 +15,10 @@ constexpr int k_layers = 4;       ///< hits behind each other that are looked at
 constexpr double k_hidden = 0.7;  ///< cost of each surface in front
 constexpr double k_from_behind = 1.5;
 constexpr double k_other_part = 8.0;  ///< cost of going over to a part that touches
-constexpr double k_leap = 40.0;       ///< of going over to what does not, or is far over the surface
-constexpr double k_reach = 2.0;       ///< how far a walk may stray, steps between samples
+/// By rules from k_close_rules on: to a part and on to another sheet costs more than a leap, which it is.
+constexpr double k_close_part = 20.5;
+constexpr double k_leap = 40.0;  ///< of going over to what does not, or is far over the surface
+constexpr double k_reach = 2.0;  ///< how far a walk may stray, steps between samples
 
 struct Candidate {
   mesh::MeshPoint point;
@@ -254,7 +256,8 @@ class Walk {
     if (joined(a, b, px)) return 0.0;
     const bool near = geometry::distance(a.position, b.position) <= reach(a, b, px);
     const bool parts = surface_.sheets.component(a.point.triangle) != surface_.sheets.component(b.point.triangle);
-    return near && parts ? k_other_part : k_leap;
+    if (!near || !parts) return k_leap;
+    return surface_.close ? k_close_part : k_other_part;
   }
 
   void keep_longest(std::size_t begin, std::size_t end, Run& best) {
@@ -344,8 +347,7 @@ base::Result<ProjectedStroke> sheet_curve(std::span<const PxPoint> stroke, std::
     if (place.fraction > 0.0 && place.fraction < 1.0) walk.on_sheet((*even)[i], taken[nearer], step, here);
     if (surface.close && i > 0) {
       // What lies between two samples is on their sheet and on that of the point before, or the sample itself is taken.
-      const double apart = geometry::distance((*even)[i - 1], (*even)[i]);
-      if (!walk.joined(before, here, apart)) here = taken[nearer];
+      if (!walk.joined(before, here, step)) here = taken[nearer];
     }
     before = here;
     result.points.push_back(here.point);
