@@ -11,8 +11,7 @@ namespace penpose::mesh {
 /// its parent; the vertex opposite to it is the one it shares with the cage. Errors: an index out of range, or quads
 /// that are no manifold (place "quad N").
 ///
-/// Sums are rounded in the order in which OpenMesh 9 forms them, with which the first sessions on the built-in head
-/// were recorded; a test compares the two bit for bit.
+/// By OpenMesh where there is one, else by catmull_clark_by_halfedges: the bits are the same.
 [[nodiscard]] base::Result<QuadMesh> catmull_clark(const QuadMesh& mesh);
 
 }  // namespace penpose::mesh

@@ -1,4 +1,4 @@
-#include "core/mesh/subdivision.h"
+#include "core/mesh/subdivision_by_halfedges.h"
 
 #include <algorithm>
 #include <string>
@@ -71,7 +71,7 @@ ModelPoint border_point(const QuadMesh& mesh, const Halfedges& edges, const std:
 
 }  // namespace
 
-base::Result<QuadMesh> catmull_clark(const QuadMesh& mesh) {
+base::Result<QuadMesh> catmull_clark_by_halfedges(const QuadMesh& mesh) {
   const std::size_t count = mesh.quads.size();
   Halfedges edges(mesh.positions.size());
   for (std::size_t q = 0; q < count; ++q) {
