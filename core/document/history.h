@@ -31,6 +31,11 @@ class History {
   /// The name of the command that undo takes back, or redo brings back. Precondition: there is one.
   [[nodiscard]] std::string_view next_undo() const { return done_.back().command; }
   [[nodiscard]] std::string_view next_redo() const { return undone_.back().command; }
+  /// The name of any step: those that are done come first, those that redo would bring back after them. Precondition:
+  /// step < undo_count() + redo_count().
+  [[nodiscard]] std::string_view name_of_step(std::size_t step) const {
+    return step < done_.size() ? done_[step].command : undone_[undone_.size() - 1 - (step - done_.size())].command;
+  }
 
  private:
   struct Step {

@@ -8,14 +8,18 @@
 
 #include "core/base/numbers.h"
 #include "ui/app/said.h"
+#include "ui/app/toast_place.h"
 
 namespace penpose::app {
 namespace {
 
-constexpr std::int64_t k_notice_us = 6'000'000;
+constexpr std::int64_t k_notice_us = 4'000'000;
 constexpr std::size_t k_most_notices = 4;
 constexpr double k_target_mm = 9;
 constexpr double k_mm_per_inch = 25.4;
+/// Sizes of what is hit by density, where the usual is 1.
+constexpr double k_compact = 0.72;
+constexpr double k_touch = 1.3;
 /// Displays that say less or more than this say nonsense.
 constexpr double k_least_dpi = 60;
 constexpr double k_most_dpi = 600;
@@ -23,6 +27,7 @@ constexpr int k_playing_frame_ms = 16;
 /// A wheel that rested for so long was meant to be where it is.
 constexpr std::int64_t k_dial_rest_us = 400'000;
 constexpr int k_dial_look_ms = 50;
+constexpr int k_film_look_ms = 200;
 constexpr std::int64_t k_longest_step_us = 200'000;
 
 }  // namespace
@@ -71,7 +76,10 @@ double App::scale() const {
 
 double App::target_px() const {
   const double dpi = dpi_ >= k_least_dpi && dpi_ <= k_most_dpi ? dpi_ : 96;
-  return std::ceil(k_target_mm / k_mm_per_inch * dpi * std::max(1.0, settings_.scale));
+  const double density = settings_.density == Density::compact ? k_compact
+                         : settings_.density == Density::touch ? k_touch
+                                                               : 1.0;
+  return std::ceil(k_target_mm / k_mm_per_inch * dpi * std::max(1.0, settings_.scale) * density);
 }
 
 Area App::free_area() const { return free_; }
@@ -105,6 +113,8 @@ void App::advance() {
     }
   }
   hold_tools();
+  follow_habits();
+  follow_film();
   if (dial_ && !dial_touched_ && now - dial_us_ > k_dial_rest_us) end_dial();
   if (playing_) play_on();
   if (panels_.swing) swing();
@@ -126,6 +136,7 @@ void App::begin_frame() {
   look.onion_skin = panels_.onion_skin;
   look.time_s = panels_.time_s;
   look.window = window_;
+  look.stabiliser = settings_.stabiliser;
   look.handles = workspace_.editor().tool().kind == drawing::ToolKind::none;
   if (goal_drag_) {
     look.goal = goal_drag_->first;
@@ -152,9 +163,14 @@ int App::next_frame_ms() const {
     return static_cast<int>(std::clamp<std::int64_t>(player_->next_in_us() / 1000, 1, 1000));
   }
   if (dial_ && !dial_touched_) return k_dial_look_ms;
+  if (film_) return k_film_look_ms;
   if (notices_.empty()) return -1;
   std::int64_t first = notices_.front().until_us;
   for (const Notice& one : notices_) first = std::min(first, one.until_us);
+  // From then on it fades.
+  const std::int64_t fades = first - static_cast<std::int64_t>(k_fade_s * 1e6);
+  if (fades <= options_.clock()) return 2 * k_playing_frame_ms;
+  first = fades;
   return static_cast<int>(std::max<std::int64_t>(1, (first - options_.clock()) / 1000 + 1));
 }
 

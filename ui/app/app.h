@@ -12,8 +12,12 @@
 
 #include "replay/session_player.h"
 #include "ui/app/action.h"
+#include "ui/app/film_job.h"
 #include "ui/app/hand_desk.h"
 #include "ui/app/hit_map.h"
+#include "ui/app/loop_range.h"
+#include "ui/app/pose_clipboard.h"
+#include "ui/app/pose_library.h"
 #include "ui/app/posed_surface.h"
 #include "ui/app/session_files.h"
 #include "ui/app/settings.h"
@@ -63,7 +67,11 @@ enum class Dialog : std::uint8_t {
   unsaved,
   number,
   key_name,
-  radial
+  radial,
+  shortcuts,
+  search,
+  history,
+  film
 };
 
 /// A number being typed for a parameter.
@@ -79,6 +87,9 @@ struct PanelState {
   bool shown = true;
   bool controls_tab = false;  ///< of the side panel: sketched controls, else all parameters
   Dialog dialog = Dialog::none;
+  bool poses_tab = false;               ///< the poses that are keyed, in place of both
+  PoseChoice chosen_pose;               ///< of them
+  bool blending = false;                ///< it is being blended in
   std::string filter;                   ///< of the parameters
   std::string deformer;                 ///< the one that is selected
   std::string scrolled_to;              ///< the one that its list was last scrolled to
@@ -94,6 +105,16 @@ struct PanelState {
   double span_s = 0;                                  ///< how much of it; 0: all
   std::optional<std::pair<double, double>> key_drag;  ///< a key in hand: from, to
   bool onion_skin = true;
+  int rate = k_usual_rate;  ///< frames a second
+  LoopRange loop;
+  bool auto_key = false;    ///< every change of the pose is keyed
+  bool mirrors = false;     ///< strokes work on both sides
+  bool moved_only = false;  ///< only controls that are not at rest are listed
+  std::optional<PoseClipboard> clipboard;
+  geometry::Viewport film_size{1280, 720};
+  std::string frame_text;         ///< what is being typed as a frame
+  std::string search_text;        ///< in the search, and in the list of shortcuts
+  std::size_t search_chosen = 0;  ///< of what was found
   bool wireframe = false;
   bool swing = false;                                           ///< the control in hand plays to and fro
   articulation::Mode new_mode = articulation::Mode::automatic;  ///< of the next control
@@ -131,6 +152,8 @@ class App : private TracePlayer::Listener {
   base::Status save(const std::string& path);
   /// Writes a copy for other programs; the work stays where it is saved.
   base::Status export_to(const std::string& path);
+  /// Writes a film of what is keyed, seen from where one looks; it goes on beside.
+  void write_film(const std::string& path);
   /// Saves, and goes on with what waited for it.
   void save_from_dialog(const std::string& path);
   // Answers to the question about unsaved work.
@@ -222,6 +245,13 @@ class App : private TracePlayer::Listener {
   void move_key(double from_s, double to_s);
   /// Opens a file, after asking about unsaved work.
   void ask_to_open(const std::string& path);
+  void undo();
+  void redo();
+  /// Undoes or redoes until so many commands are done.
+  void go_to_step(std::size_t commands);
+  /// Goes to a moment at once, as scrubbing and letting go does.
+  void go_to(double time_s);
+  void set_rate(int rate);
   void scrub(double time_s);
   void end_scrub();
   void preview_parameter(std::size_t parameter, double value);
@@ -300,6 +330,9 @@ class App : private TracePlayer::Listener {
   [[nodiscard]] const document::PoseKey* key_at(double time_s) const;
   [[nodiscard]] std::string name_of_key(double time_s) const;
   void play_on();
+  void follow_habits();
+  void follow_film();
+  void follow_time(double was_s);
   void swing();
   [[nodiscard]] bool pen_is_drawing() const;
   [[nodiscard]] bool tablet_is_near() const;
@@ -318,6 +351,7 @@ class App : private TracePlayer::Listener {
   std::vector<Notice> notices_;
   std::vector<render::CurveDrawing> curves_;
   std::optional<TracePlayer> player_;
+  std::unique_ptr<FilmJob> film_;
   std::vector<std::string> abandoned_;
   TouchGestures touch_;
   geometry::Viewport window_{1280, 800};

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/document/timeline.h"
+#include "ui/app/action_rows.h"
 #include "ui/app/app.h"
 #include "ui/app/navigation.h"
 #include "ui/app/said.h"
@@ -38,6 +39,7 @@ drawing::ToolKind tool_of(Action action) {
 }  // namespace
 
 void App::do_action(Action action) {
+  if (run_row(*this, action)) return;
   const auto turn = [&](double yaw, double pitch) {
     framed_ = false;
     if (!pen_is_drawing()) view_.camera = orbited(view_.camera, yaw, pitch);
@@ -71,12 +73,6 @@ void App::do_action(Action action) {
           action == Action::tool_articulate || (action == Action::tool_select && panels_.controls_tab);
       break;
     }
-    case Action::undo:
-      workspace_.undo();
-      break;
-    case Action::redo:
-      workspace_.redo();
-      break;
     case Action::clear_curves:
       if (!workspace_.document().curves.empty()) workspace_.perform(document::ClearCurves{});
       break;
@@ -167,7 +163,9 @@ void App::do_action(Action action) {
         end_scrub();
       } else {
         playing_ = true;
-        if (panels_.time_s >= workspace_.document().timeline->keys.back().time_s) panels_.time_s = 0;
+        const LoopRange& loop = panels_.loop;
+        const double end = loop.end_s(workspace_.document().timeline->keys.back().time_s);
+        if (panels_.time_s >= end || panels_.time_s < loop.begin_s()) panels_.time_s = loop.begin_s();
         play_from_s_ = panels_.time_s;
         play_from_us_ = options_.clock();
       }
@@ -218,7 +216,56 @@ void App::do_action(Action action) {
     case Action::quit:
       ask_to_quit();
       break;
+    default:  // a row of action_rows.cpp
+      break;
   }
+}
+
+void App::follow_time(double was_s) {
+  // The playhead returns with the pose.
+  if (workspace_.document().time_s != was_s) panels_.time_s = workspace_.document().time_s;
+}
+
+void App::undo() {
+  const double was = workspace_.document().time_s;
+  workspace_.preview(std::nullopt);
+  if (workspace_.can_undo() > 0) workspace_.undo();
+  follow_time(was);
+}
+
+void App::redo() {
+  const double was = workspace_.document().time_s;
+  workspace_.preview(std::nullopt);
+  if (workspace_.can_redo() > 0) workspace_.redo();
+  follow_time(was);
+}
+
+void App::go_to_step(std::size_t commands) {
+  const double was = workspace_.document().time_s;
+  workspace_.preview(std::nullopt);
+  workspace_.go_to_step(commands);
+  follow_time(was);
+}
+
+void App::go_to(double time_s) {
+  playing_ = false;
+  scrub(time_s);
+  end_scrub();
+}
+
+void App::set_rate(int rate) {
+  panels_.rate = settings_.rate = rate;
+  settings_changed();
+}
+
+void App::follow_habits() {
+  Habits habits;
+  // What is played has its own commands.
+  if (!player_ || !player_->is_session() || player_->finished()) {
+    habits.mirrors = panels_.mirrors;
+    if (panels_.auto_key && !playing_) habits.keys.emplace(panels_.time_s, name_of_key(panels_.time_s));
+  }
+  workspace_.set_habits(habits);
 }
 
 void App::suggest_rest() {
@@ -305,14 +352,15 @@ void App::play_on() {
     workspace_.preview(std::nullopt);
     return;
   }
-  const double end = keys.back().time_s;
+  const double begin = panels_.loop.begin_s();
+  const double end = panels_.loop.end_s(keys.back().time_s);
   panels_.time_s = play_from_s_ + static_cast<double>(last_frame_us_ - play_from_us_) * 1e-6;
-  if (end <= 0) {
-    panels_.time_s = 0;
+  if (end <= begin) {
+    panels_.time_s = begin;
   } else if (panels_.time_s > end) {
     // Round and round, as an animator watches it.
     play_from_us_ = last_frame_us_;
-    play_from_s_ = panels_.time_s = 0;
+    play_from_s_ = panels_.time_s = begin;
   }
   workspace_.preview(document::sample(*workspace_.document().timeline, panels_.time_s));
 }

@@ -13,7 +13,6 @@ namespace {
 
 using Kind = Binding::Kind;
 
-constexpr double k_frame_s = 1.0 / 24;
 constexpr double k_zoom_per_notch = 0.95;
 constexpr double k_degrees_per_notch = 5;
 /// A control goes from end to end with one and a half turns of a ring.
@@ -55,7 +54,7 @@ void App::turn_dial(DialUse use, int device, const PadControl& control, std::int
     case DialUse::time:
       if (const int frames = whole(1); frames != 0) {
         playing_ = false;
-        scrub(std::round(panels_.time_s / k_frame_s + frames) * k_frame_s);
+        scrub(on_frame(panels_.time_s, panels_.rate) + time_of_frame(frames, panels_.rate));
       }
       break;
     case DialUse::zoom:

@@ -6,6 +6,7 @@
 #include "core/document/timeline.h"
 #include "replay/session_player.h"
 #include "ui/app/app.h"
+#include "ui/app/navigation.h"
 #include "ui/cli/load_model.h"
 #include "ui/cli/save_model.h"
 #include "ui/cli/session_model.h"
@@ -96,6 +97,10 @@ void App::show_anew() {
   broken_told_ = false;
   playing_ = false;
   panels_.time_s = workspace_.document().time_s;
+  std::vector<double> moments;
+  for (const auto& key : workspace_.document().timeline->keys) moments.push_back(key.time_s);
+  panels_.rate = rate_of(moments).value_or(settings_.rate);
+  panels_.loop = {};
   panels_.deformer.clear();
   highlighted_.reset();
   target_drag_.reset();
@@ -234,6 +239,34 @@ base::Status App::export_to(const std::string& path) {
   auto written = cli::save_document(workspace_.document(), path, cli::SaveNotes::quiet);
   if (written) tell("exported " + path);
   return written;
+}
+
+void App::write_film(const std::string& path) {
+  if (film_) return tell("another film is being written still: " + film_->output(), true);
+  FilmOrder order;
+  order.output = path;
+  order.size = panels_.film_size;
+  order.rate = panels_.rate;
+  const Area all{0, 0, static_cast<double>(order.size.width), static_cast<double>(order.size.height)};
+  order.camera = framed(surface_.positions(), order.size, all, viewpoint_of(view_.camera)).camera;
+  auto job = FilmJob::start(workspace_.document(), order);
+  if (!job) return tell(job.error().line(path), true);
+  film_ = std::make_unique<FilmJob>(std::move(*job));
+  panels_.dialog = Dialog::none;
+  panels_.file_name.clear();
+  tell("writing " + path + "; drawing goes on meanwhile");
+}
+
+void App::follow_film() {
+  const auto ended = film_ ? film_->advance() : std::nullopt;
+  if (!ended) return;
+  const std::string path = film_->output();
+  film_.reset();
+  if (ended->ok()) {
+    tell("written: " + path);
+  } else {
+    tell(ended->error().line(path), true);
+  }
 }
 
 void App::save_from_dialog(const std::string& chosen) {

@@ -129,6 +129,18 @@ void show_dialog(PanelContext& context) {
     case Dialog::sessions:
       sessions_dialog(context);
       break;
+    case Dialog::shortcuts:
+      show_shortcuts_dialog(context);
+      break;
+    case Dialog::search:
+      show_search_dialog(context);
+      break;
+    case Dialog::history:
+      show_history_dialog(context);
+      break;
+    case Dialog::film:
+      show_film_dialog(context);
+      break;
     case Dialog::unsaved:
       unsaved_dialog(context);
       break;

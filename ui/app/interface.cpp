@@ -1,26 +1,34 @@
 #include "ui/app/interface.h"
 
 #include <algorithm>
+#include <array>
 #include <cfloat>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
+#include "ui/app/font_file.h"
 #include "ui/app/panels.h"
+#include "ui/app/pose_picture.h"
+#include "ui/app/theme.h"
 #include "ui/app/widgets.h"
 
 namespace penpose::app {
 namespace {
 
-constexpr float k_font_px = 15;
+/// A pointer that rests so long wants to know more.
+constexpr double k_tip_s = 0.55;
+/// Px that it may tremble by meanwhile.
+constexpr float k_still_px = 3;
 constexpr int k_settle_frames = 3;
-/// Latin, and the signs that the panels use.
-constexpr ImWchar k_letters[] = {0x20, 0x17f, 0x21ba, 0x21ba, 0x25b6, 0x25be, 0x2713, 0x2713, 0x270e, 0x270e, 0};
-constexpr const char* k_font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+/// Latin, dashes, dots and arrows; and the signs that the panels use, which not every font has.
+constexpr ImWchar k_letters[] = {0x20, 0x17f, 0x2013, 0x2026, 0x2190, 0x2193, 0x2212, 0x2212, 0};
+constexpr ImWchar k_signs[] = {0x21ba, 0x21ba, 0x25b6, 0x25be, 0x2713, 0x2713, 0x270e, 0x270e, 0};
+constexpr std::array k_families{"Inter", "Noto Sans", "DejaVu Sans", "Liberation Sans"};
+constexpr std::array k_sign_families{"DejaVu Sans"};
 
 }  // namespace
 
-Interface::Interface(App& app) : app_(app) {
+Interface::Interface(App& app) : app_(app), pictures_(std::make_unique<PosePictures>()) {
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -38,47 +46,55 @@ void Interface::disturb() { unsettled_ = k_settle_frames; }
 void Interface::apply_look() {
   const double scale = app_.scale();
   const bool light = app_.settings().light;
-  if (scale == look_scale_ && light == look_light_) return;
-  ImGuiIO& io = ImGui::GetIO();
-  if (scale != look_scale_) {
-    io.Fonts->Clear();
-    std::error_code code;
-    const auto px = static_cast<float>(std::round(k_font_px * scale));
-    if (!std::filesystem::exists(k_font, code) ||
-        io.Fonts->AddFontFromFileTTF(k_font, px, nullptr, k_letters) == nullptr) {
-      ImFontConfig config;
-      config.SizePixels = px;
-      io.Fonts->AddFontDefault(&config);
-    }
-    unsigned char* pixels = nullptr;
-    int width = 0;
-    int height = 0;
-    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    ++font_revision_;
-  }
+  const bool pictures = app_.panels().poses_tab && !pictures_->reserved();
+  if (scale == look_scale_ && light == look_light_ && !pictures) return;
+  if (scale != look_scale_ || pictures) load_fonts(scale);
   look_scale_ = scale;
   look_light_ = light;
-  ImGuiStyle style;
-  if (light) {
-    ImGui::StyleColorsLight(&style);
-  } else {
-    ImGui::StyleColorsDark(&style);
-    style.Colors[ImGuiCol_WindowBg] = {0.13F, 0.14F, 0.16F, 0.97F};
-    style.Colors[ImGuiCol_Button] = {0.24F, 0.27F, 0.32F, 1};
-    style.Colors[ImGuiCol_ButtonHovered] = {0.30F, 0.36F, 0.44F, 1};
-    style.Colors[ImGuiCol_ButtonActive] = {0.16F, 0.46F, 0.72F, 1};
-    style.Colors[ImGuiCol_FrameBg] = {0.19F, 0.21F, 0.24F, 1};
+  ImGui::GetStyle() = theme_style(light, static_cast<float>(scale));
+}
+
+void Interface::load_fonts(double scale) {
+  static const std::string text_file = font_file(k_families);
+  static const std::string sign_file = font_file(k_sign_families);
+  ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+  fonts.Clear();
+  for (const float size : {k_text_px, k_small_px, k_title_px}) {
+    const float px = std::round(size * static_cast<float>(scale));
+    if (text_file.empty() || fonts.AddFontFromFileTTF(text_file.c_str(), px, nullptr, k_letters) == nullptr) {
+      ImFontConfig config;
+      config.SizePixels = px;
+      fonts.AddFontDefault(&config);
+    }
+    if (sign_file.empty() || size != k_text_px) continue;
+    ImFontConfig config;
+    config.MergeMode = true;
+    fonts.AddFontFromFileTTF(sign_file.c_str(), px, &config, k_signs);
   }
-  style.Colors[ImGuiCol_PopupBg].w = 1;
-  style.WindowRounding = 0;
-  style.FrameRounding = 4;
-  style.WindowBorderSize = 0;
-  style.ScrollbarSize = 18;
-  style.ItemSpacing = {6, 6};
-  style.WindowPadding = {6, 6};
-  style.FramePadding = {8, 6};
-  style.ScaleAllSizes(static_cast<float>(scale));
-  ImGui::GetStyle() = style;
+  // Poses are pictured only where somebody looks at them.
+  if (app_.panels().poses_tab || pictures_->reserved()) pictures_->reserve(fonts);
+  unsigned char* pixels = nullptr;
+  int width = 0;
+  int height = 0;
+  fonts.GetTexDataAsRGBA32(&pixels, &width, &height);
+  ++font_revision_;
+}
+
+void Interface::rest_pointer(double passed_s) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool moved = std::abs(io.MousePos.x - rested_at_.first) > k_still_px ||
+                     std::abs(io.MousePos.y - rested_at_.second) > k_still_px;
+  if (moved || io.MouseDown[0]) {
+    rested_at_ = {io.MousePos.x, io.MousePos.y};
+    rested_s_ = 0;
+  } else {
+    rested_s_ += passed_s;
+  }
+}
+
+int Interface::next_frame_ms() const {
+  if (!tip_waits_) return -1;
+  return std::max(1, static_cast<int>(std::ceil(1000 * (k_tip_s - rested_s_))));
 }
 
 void Interface::frame(double passed_s) {
@@ -97,12 +113,15 @@ void Interface::frame(double passed_s) {
   }
   take_pointer();
   take_typed();
+  rest_pointer(passed_s);
   ImGui::NewFrame();
   targets_.clear();
   app_.hits() = {};
   const auto unit = static_cast<float>(app_.target_px());
-  PanelContext context{app_, targets_, unit, static_cast<float>(6 * app_.scale())};
+  pictures_->begin_frame();
+  PanelContext context{app_, targets_, *pictures_, unit, static_cast<float>(6 * app_.scale())};
   context.dialog_opens = opens;
+  context.tip_due = rested_s_ >= k_tip_s;
   context.accepts = std::exchange(accepts_, false);
   context.cancels = std::exchange(cancels_, false);
   context.field_first = !wants_keys() && !io.MouseDown[0] && (types_ || opening_ > 0);
@@ -112,14 +131,16 @@ void Interface::frame(double passed_s) {
   const double top = unit + 2 * context.gap;
   const double left = 2.6 * unit + 2 * context.gap;
   const double right = std::min(9.5 * unit, 0.4 * width);
-  const double bottom = 2 * unit + 3 * context.gap;
+  const double bottom = 3 * unit + 4 * context.gap;
+  const double status = 0.7 * unit;
   const double player = app_.player() ? unit + 2 * context.gap : 0;
   Area free{0, 0, width, height};
   if (app_.panels().shown) {
-    free = {left, top, width - right, height - bottom - player};
+    free = {left, top, width - right, height - bottom - player - status};
     show_top_bar(context, {0, 0, width, top});
     show_toolbar(context, {0, top, left, height - bottom});
     show_side_panel(context, {width - right, top, width, height - bottom});
+    show_status(context, {left, height - bottom - player - status, width - right, height - bottom - player});
     show_timeline(context, {0, height - bottom, width, height});
   } else {
     // The way back, for whoever has no keyboard at hand.
@@ -127,7 +148,9 @@ void Interface::frame(double passed_s) {
     if (begin_panel(context, "back", {0, 0, side, top})) action_button(context, Action::panels, -1);
     end_panel();
   }
-  if (app_.player()) show_player(context, {free.left, free.bottom, free.right, free.bottom + player});
+  if (app_.player())
+    show_player(context, {free.left, height - (app_.panels().shown ? bottom : 0) - player, free.right,
+                          height - (app_.panels().shown ? bottom : 0)});
   app_.set_free_area(free);
   show_curve_menu(context);
   show_suggestion(context);
@@ -135,7 +158,10 @@ void Interface::frame(double passed_s) {
   show_radial_menu(context);
   show_dialog(context);
   show_keyboard(context);
+  if (pictures_->take_changed()) ++font_revision_;
+  if (pictures_->waits()) disturb();
   menu_open_ = context.menu_open;
+  tip_waits_ = context.tip_waits && !context.tip_due && !io.MouseDown[0];
   has_field_ = context.has_field;
   dialog_area_ = context.dialog_area;
   ImGui::Render();

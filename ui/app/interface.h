@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "ui/app/app.h"
 #include "ui/app/screen_keyboard.h"
@@ -13,6 +14,7 @@
 namespace penpose::app {
 
 struct PanelContext;
+class PosePictures;
 
 /// Panels, menus and dialogs of the app, in ImGui. Knows no window and no OpenGL: it takes what the app knows of the
 /// pointer and leaves ImGui's draw lists for whoever draws them.
@@ -28,6 +30,8 @@ class Interface {
   void frame(double passed_s);
   /// Whether the next frame will differ from this one though no event comes: a press has to be seen, then a release.
   [[nodiscard]] bool unsettled() const { return unsettled_ > 0; }
+  /// Milliseconds until a tooltip is due without any event; -1: none is.
+  [[nodiscard]] int next_frame_ms() const;
   /// Something happened that may take panels a few frames to show.
   void disturb();
 
@@ -57,6 +61,8 @@ class Interface {
   };
 
   void apply_look();
+  void load_fonts(double scale);
+  void rest_pointer(double passed_s);
   void take_pointer();
   void take_typed();
   /// Presses on the keyboard of the screen go to the text field and to nothing else.
@@ -64,9 +70,13 @@ class Interface {
   void show_keyboard(PanelContext& context);
 
   App& app_;
+  std::unique_ptr<PosePictures> pictures_;
   double look_scale_ = 0;
   bool look_light_ = false;
   int unsettled_ = 0;
+  std::pair<float, float> rested_at_{};  ///< where the pointer is
+  double rested_s_ = 0;                  ///< and for how long
+  bool tip_waits_ = false;               ///< something below it has a tooltip, which is not shown yet
   int font_revision_ = 0;
   ScreenKeyboard keyboard_;
   bool keyboard_held_ = false;  ///< a press on it goes on

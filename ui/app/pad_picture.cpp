@@ -134,7 +134,7 @@ void Picture::show_mode_key(std::uint8_t side, ImVec2 middle) {
   ImGui::SetCursorScreenPos({middle.x - radius, middle.y - radius});
   if (ImGui::InvisibleButton(name_of(control).c_str(), {2 * radius, 2 * radius})) app_.panels().pad_control = control;
   note(context_, name_of(control).c_str());
-  tooltip(title_of(control, tablet_.features).c_str());
+  tooltip(context_, title_of(control, tablet_.features).c_str());
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool down = (now_.keys & decode::key_bit(keys.front())) != 0;
   const auto color = ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered : ImGuiCol_Button;

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <initializer_list>
 
-#include "core/document/pose_problem.h"
+#include "ui/app/button_row.h"
+#include "ui/app/icon.h"
 #include "ui/app/widgets.h"
 
-// The toolbar, the top bar, notices and the radial menu.
+// The toolbar, the top bar and the radial menu.
 
 namespace penpose::app {
 namespace {
@@ -63,135 +65,105 @@ void show_toolbar(PanelContext& context, const Area& area) {
   end_panel();
 }
 
+namespace {
+
+/// A line between two groups of a menu's column.
+void rule(const PanelContext& context) {
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddLine(from, {from.x + 9 * context.unit, from.y},
+                                      ImGui::GetColorU32(ImGuiCol_Separator));
+  ImGui::Dummy({9 * context.unit, 1});
+}
+
+/// All that is neither a tool nor of the timeline, in groups.
+void show_menu(PanelContext& context, const Area& bar) {
+  App& app = context.app;
+  const float below = static_cast<float>(app.window().height - bar.bottom);
+  ImGui::SetNextWindowPos({context.gap, static_cast<float>(bar.bottom)});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, std::max(below, 3 * context.unit)});
+  // A menu may reach over the canvas: while it is open nothing else is hit.
+  if (!begin_menu(context, "menu")) return;
+  const auto entry = [&](const char* label, std::string_view drawn, const char* tip) {
+    const bool pressed = menu_entry(context, label, drawn, {}, tip);
+    if (pressed) ImGui::CloseCurrentPopup();
+    return pressed;
+  };
+  const auto actions = [&](std::initializer_list<Action> group) {
+    for (const Action action : group) {
+      const std::string label = action == Action::theme ? app.settings().light ? "Dark colours" : "Light colours"
+                                                        : std::string(info(action).label);
+      const std::string key = shortcut_text(info(action).key);
+      if (!menu_entry(context, label.c_str(), icon_of(action), key, std::string(info(action).tip).c_str())) continue;
+      ImGui::CloseCurrentPopup();
+      app.do_action(action);
+    }
+  };
+  // Two columns, so that it ends above the window's foot.
+  ImGui::BeginGroup();
+  actions({Action::open, Action::recent, Action::save, Action::save_as, Action::export_as, Action::film});
+  if (entry("Sessions", icon::k_session, "What was drawn before, to play or to go on with")) {
+    app.panels().dialog = Dialog::sessions;
+  }
+  rule(context);
+  actions({Action::history, Action::library, Action::flip_pose, Action::copy_to_right, Action::copy_to_left});
+  ImGui::EndGroup();
+  ImGui::SameLine();
+  ImGui::BeginGroup();
+  actions({Action::stabiliser, Action::density, Action::theme, Action::larger, Action::smaller, Action::fullscreen});
+  rule(context);
+  if (entry("Tablet", icon::k_tablet, "The area and the pressure of the tablet")) app.panels().dialog = Dialog::tablet;
+  if (entry("Tablet keys", icon::k_keys, "What the keys and rings of the tablet and the pen's buttons do"))
+    app.panels().dialog = Dialog::pad;
+  if (entry("Pen menu", icon::k_radial, "What the menu around the pen offers")) app.panels().dialog = Dialog::radial;
+  if (app.panels().has_keyboard &&
+      entry("Screen keyboard", icon_of(Action::shortcuts), "Show keys on the screen while a name is typed")) {
+    app.panels().has_keyboard = false;
+  }
+  rule(context);
+  actions({Action::search, Action::shortcuts, Action::help, Action::quit});
+  ImGui::EndGroup();
+  ImGui::EndPopup();
+}
+
+}  // namespace
+
 void show_top_bar(PanelContext& context, const Area& area) {
   App& app = context.app;
   if (begin_panel(context, "top", area)) {
-    if (wide_button(context, "Menu", 0, false, "Files, settings and sessions")) ImGui::OpenPopup("menu");
-    const float below = static_cast<float>(app.window().height - area.bottom);
-    ImGui::SetNextWindowPos({context.gap, static_cast<float>(area.bottom)});
-    ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, std::max(below, 3 * context.unit)});
-    // A menu may reach over the canvas: while it is open nothing else is hit.
-    if (begin_menu(context, "menu")) {
-      const auto entry = [&](const char* label, const std::string& tip) {
-        const bool pressed = wide_button(context, label, 9 * context.unit, false, tip.c_str());
-        if (pressed) ImGui::CloseCurrentPopup();
-        return pressed;
-      };
-      for (const Action action : {Action::open, Action::recent, Action::save, Action::save_as, Action::export_as}) {
-        if (entry(std::string(info(action).label).c_str(), tooltip_of(action))) app.do_action(action);
-      }
-      if (entry("Sessions", "What was drawn before, to play or to go on with")) app.panels().dialog = Dialog::sessions;
-      if (entry("Tablet", "The area and the pressure of the tablet")) app.panels().dialog = Dialog::tablet;
-      if (entry("Tablet keys", "What the keys and rings of the tablet and the pen's buttons do"))
-        app.panels().dialog = Dialog::pad;
-      if (entry("Pen menu", "What the menu around the pen offers")) app.panels().dialog = Dialog::radial;
-      if (app.panels().has_keyboard && entry("Screen keyboard", "Show keys on the screen while a name is typed")) {
-        app.panels().has_keyboard = false;
-      }
-      const char* theme = app.settings().light ? "Dark colours" : "Light colours";
-      if (entry(theme, "")) app.do_action(Action::theme);
-      for (const Action action : {Action::fullscreen, Action::larger, Action::smaller, Action::help, Action::quit}) {
-        if (entry(std::string(info(action).label).c_str(), tooltip_of(action))) app.do_action(action);
-      }
-      ImGui::EndPopup();
+    if (icon_button(context, "Menu", {0, false, "Files, settings and sessions", icon::k_menu})) {
+      ImGui::OpenPopup("menu");
     }
-    ImGui::SameLine();
-    const document::History& history = app.workspace().editor().history();
-    ImGui::BeginDisabled(history.undo_count() == 0);
-    action_button(context, Action::undo);
-    ImGui::EndDisabled();
-    ImGui::SameLine();
-    ImGui::BeginDisabled(history.redo_count() == 0);
-    action_button(context, Action::redo);
-    ImGui::EndDisabled();
-    for (const Action action : {Action::view_front, Action::view_three_quarter, Action::view_side, Action::frame_all}) {
-      ImGui::SameLine();
-      action_button(context, action);
-    }
-    ImGui::SameLine();
-    action_button(context, Action::wireframe, 0, app.panels().wireframe);
-    ImGui::SameLine();
-    action_button(context, Action::panels);
+    show_menu(context, area);
     ImGui::SameLine();
     const float radius = 0.16F * context.unit;
     const ImVec2 middle{static_cast<float>(area.right) - 0.7F * context.unit, 0.5F * static_cast<float>(area.height())};
-    ImGui::PushClipRect({0, 0}, {middle.x - 2 * radius, static_cast<float>(area.bottom)}, true);
-    text_beside(context, app.hint().c_str());
-    ImGui::PopClipRect();
+    ButtonRow row(context, "more views");
+    // Icons that everybody knows stand alone.
+    row.add(Action::undo, false, app.workspace().can_undo() > 0, false);
+    row.add(Action::redo, false, app.workspace().can_redo() > 0, false);
+    row.add(Action::history, false, true, false);
+    for (const Action action : {Action::view_front, Action::view_three_quarter, Action::view_side}) row.add(action);
+    row.add(Action::frame_all, false, true, false);
+    row.add(Action::mirror_strokes, app.panels().mirrors);
+    row.add(Action::search, false, true, false);
+    row.add(Action::wireframe, app.panels().wireframe, true, false);
+    row.add(Action::panels);
+    // What to do next is worth a third of the bar.
+    const float room = ImGui::GetContentRegionAvail().x - 1.2F * context.unit;
+    row.show(room - std::min(0.3F * room, ImGui::CalcTextSize(app.hint().c_str()).x + 3 * context.gap));
+    ImGui::SameLine();
+    text_line(context, app.hint(), middle.x - 2 * radius - ImGui::GetCursorScreenPos().x,
+              ImGui::GetColorU32(ImGuiCol_Text));
+    tooltip(context, app.hint().c_str());
     // The recording light.
     ImGui::GetWindowDrawList()->AddCircleFilled(
         middle, radius, app.recording() ? IM_COL32(225, 60, 50, 255) : IM_COL32(120, 120, 120, 255));
     ImGui::SetCursorScreenPos({middle.x - 0.5F * context.unit, middle.y - 0.5F * context.unit});
     ImGui::Dummy({context.unit, context.unit});
-    tooltip(app.recording() ? ("Recorded as it happens: " + app.session_path()).c_str()
-                            : "This session is not recorded");
+    tooltip(context, app.recording() ? ("Recorded as it happens: " + app.session_path()).c_str()
+                                     : "This session is not recorded");
   }
   end_panel();
-}
-
-namespace {
-
-/// Whether what is left of the last target is what a hand leaves.
-bool within_hand(const Workspace& workspace) {
-  return workspace.left_px() <=
-         2.0 * document::hand_px(workspace.document(), workspace.editor().view().viewport, drawing::k_rules);
-}
-
-std::string why_nothing_moved(const Workspace& workspace) {
-  if (within_hand(workspace)) return "the curve already is where the line was drawn";
-  return workspace.document().locked.empty() ? "no control of this model brings the curve to the line"
-                                             : "no control that is not locked brings the curve to the line";
-}
-
-}  // namespace
-
-void show_notices(PanelContext& context) {
-  const auto& notices = context.app.notices();
-  const auto& movements = context.app.workspace().movements();
-  const Area free = context.app.free_area();
-  // What a dialog has to tell is not to lie in its shade.
-  const bool dialog = context.app.panels().dialog != Dialog::none;
-  ImDrawList& list = dialog ? *ImGui::GetForegroundDrawList() : *ImGui::GetBackgroundDrawList();
-  const bool light = context.app.settings().light;
-  const ImU32 back = light ? IM_COL32(250, 250, 250, 225) : IM_COL32(24, 26, 30, 225);
-  const ImU32 ink = light ? IM_COL32(20, 20, 20, 255) : IM_COL32(235, 235, 235, 255);
-  const ImU32 wrong = light ? IM_COL32(170, 30, 20, 255) : IM_COL32(255, 150, 120, 255);
-  float y = static_cast<float>(free.bottom) - context.gap;
-  const float x = static_cast<float>(free.left) + context.gap;
-  const float width = std::min(static_cast<float>(free.width()) - 2 * context.gap, 26 * context.unit);
-  const auto line = [&](const std::string& text, ImU32 color) {
-    const float pad = context.gap;
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width - 2 * pad);
-    y -= size.y + 2 * pad;
-    list.AddRectFilled({x, y}, {x + size.x + 2 * pad, y + size.y + 2 * pad}, back, 4);
-    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x + pad, y + pad}, color, text.c_str(), nullptr,
-                 width - 2 * pad);
-    y -= context.gap;
-  };
-  for (auto it = notices.rbegin(); it != notices.rend(); ++it) line(it->text, it->is_error ? wrong : ink);
-  const auto tool = context.app.workspace().editor().tool().kind;
-  const bool nothing_moved = movements.empty() && context.app.workspace().last_is_solved();
-  if (dialog || (movements.empty() && !nothing_moved) || context.app.workspace().document().curves.empty() ||
-      tool == drawing::ToolKind::articulate) {
-    return;
-  }
-  std::string text = nothing_moved ? "nothing moved: " + why_nothing_moved(context.app.workspace()) : "moved";
-  constexpr std::size_t k_named = 4;
-  for (std::size_t i = 0; i < std::min(k_named, movements.size()); ++i) {
-    char number[32];
-    std::snprintf(number, sizeof number, "%+.2f", movements[i].by);
-    text += (i == 0 ? " " : ", ") + movements[i].name + " " + number + (movements[i].at_limit ? " (its limit)" : "");
-  }
-  if (movements.size() > k_named) text += " and " + std::to_string(movements.size() - k_named) + " more";
-  if (const double left = context.app.workspace().left_px(); left >= 0) {
-    char number[32];
-    std::snprintf(number, sizeof number, "; %.1f px left", left);
-    text += number;
-    const bool short_of_it =
-        std::any_of(movements.begin(), movements.end(), [](const auto& one) { return one.at_limit; });
-    if (short_of_it && !within_hand(context.app.workspace())) text += ", beyond what the control can";
-  }
-  line(text, ink);
 }
 
 void show_radial_menu(PanelContext& context) {

@@ -11,10 +11,13 @@
 
 namespace penpose::app {
 
+class PosePictures;
+
 /// What every piece works with.
 struct PanelContext {
   App& app;
   std::map<std::string, Area, std::less<>>& targets;
+  PosePictures& pictures;
   float unit = 34;  ///< px of a target that a pen hits for certain
   float gap = 6;
   std::optional<Area> typed_into = {};   ///< the text field that has the keyboard
@@ -25,6 +28,8 @@ struct PanelContext {
   bool dialog_opens = false;             ///< it is in its first frame
   bool menu_open = false;                ///< a menu is
   std::optional<Area> dialog_area = {};  ///< where the dialog is
+  bool tip_due = false;                  ///< the pointer has rested long enough for a tooltip
+  bool tip_waits = false;                ///< it rests on something that has one
 };
 
 void show_toolbar(PanelContext& context, const Area& area);
@@ -32,7 +37,11 @@ void show_top_bar(PanelContext& context, const Area& area);
 void show_side_panel(PanelContext& context, const Area& area);
 void show_parameters(PanelContext& context);
 void show_deformers(PanelContext& context);
+/// What came of the last stroke, and what colours mean.
+void show_status(PanelContext& context, const Area& area);
 void show_timeline(PanelContext& context, const Area& area);
+/// Poses that are keyed, to be taken again.
+void show_poses(PanelContext& context);
 void show_player(PanelContext& context, const Area& area);
 void show_radial_menu(PanelContext& context);
 void show_notices(PanelContext& context);
@@ -52,5 +61,9 @@ void show_radial_dialog(PanelContext& context);
 void show_tablet_dialog(PanelContext& context);
 void show_pad_dialog(PanelContext& context);
 void show_dialog(PanelContext& context);
+void show_shortcuts_dialog(PanelContext& context);
+void show_search_dialog(PanelContext& context);
+void show_history_dialog(PanelContext& context);
+void show_film_dialog(PanelContext& context);
 
 }  // namespace penpose::app

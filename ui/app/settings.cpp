@@ -49,6 +49,13 @@ void take_pad(Settings& settings, std::string_view value) {
   if (bindings.size() < k_most_bindings) bindings[std::string(value.substr(first + 1, second - first - 1))] = *binding;
 }
 
+/// One of a few that are numbered from 0.
+template <typename Enum>
+void take_one(Enum& value, std::string_view text, std::int64_t count) {
+  const auto number = base::parse_int(text);
+  if (number && *number >= 0 && *number < count) value = static_cast<Enum>(*number);
+}
+
 void take(Settings& settings, std::string_view name, std::string_view value) {
   if (name == "scale") {
     const auto number = base::parse_double(value);
@@ -57,6 +64,13 @@ void take(Settings& settings, std::string_view name, std::string_view value) {
     settings.light = value == "1";
   } else if (name == "steps_seen") {
     settings.steps_seen = value == "1";
+  } else if (name == "density") {
+    take_one(settings.density, value, 3);
+  } else if (name == "stabiliser") {
+    take_one(settings.stabiliser, value, 3);
+  } else if (name == "rate") {
+    const auto number = base::parse_int(value);
+    for (const int rate : k_frame_rates) settings.rate = number && *number == rate ? rate : settings.rate;
   } else if (name == "tablet_keep_aspect") {
     settings.tablet.keep_aspect = value == "1";
   } else if (name == "tablet_left_handed") {
@@ -99,6 +113,9 @@ std::string to_text(const Settings& settings) {
   std::string text = "scale=" + base::format_double(settings.scale) + "\n";
   text += "light=" + flag(settings.light);
   text += "steps_seen=" + flag(settings.steps_seen);
+  text += "density=" + std::to_string(static_cast<int>(settings.density)) + "\n";
+  text += "stabiliser=" + std::to_string(static_cast<int>(settings.stabiliser)) + "\n";
+  text += "rate=" + std::to_string(settings.rate) + "\n";
   text += "tablet_keep_aspect=" + flag(settings.tablet.keep_aspect);
   text += "tablet_left_handed=" + flag(settings.tablet.left_handed);
   if (!settings.tablet.area.empty()) {

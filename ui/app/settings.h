@@ -10,14 +10,22 @@
 #include "replay/pen_input.h"
 #include "ui/app/action.h"
 #include "ui/app/binding.h"
+#include "ui/app/frames.h"
+#include "ui/app/ink.h"
 
 namespace penpose::app {
+
+/// How large what is hit is: `usual` is 9 mm, which a finger and a pen hit for certain.
+enum class Density : std::uint8_t { compact, usual, touch };
 
 /// What somebody chose once and finds again.
 struct Settings {
   double scale = 1;  ///< on top of the display's own, 0.5..3
   bool light = false;
   bool steps_seen = false;  ///< the first steps were shown
+  Density density = Density::usual;
+  Stabiliser stabiliser = Stabiliser::light;
+  int rate = k_usual_rate;  ///< frames a second of what has none of its own
   /// The menu around the pen, clockwise from the top.
   std::array<Action, 8> radial{Action::undo,       Action::redo,      Action::tool_pose,  Action::tool_constraint,
                                Action::tool_erase, Action::frame_all, Action::view_front, Action::key_pose};

@@ -27,6 +27,10 @@ float width_of(double pressure, float scale) {
   return scale * (k_thin_px + (k_most_width_px - k_thin_px) * static_cast<float>(std::clamp(pressure, 0.0, 1.0)));
 }
 
+InkLook ink_look(const CurveLook& look, bool done) {
+  return {look.stabiliser, look.scale, k_thin_px, k_most_width_px, done};
+}
+
 std::vector<ModelPoint> points_now(const PoseCurve& curve, const PosedSurface& surface) {
   std::vector<ModelPoint> points;
   for (const auto& point : curve.points) points.emplace_back(surface.at(point));
@@ -123,13 +127,20 @@ void add_pose_curves(std::vector<CurveDrawing>& out, const Workspace& workspace,
     target.points = now_wanted->points;
     target.highlighted = lit;
     const auto& pressure = now_wanted->pressure;
+    std::vector<double> pressed;
     for (std::size_t i = 0; i < target.points.size(); ++i) {
       target.point_colors.push_back(distance_color(
           left_across(*now_wanted, i < curve->aside.size() ? now[i] + curve->aside[i] : now[i], target.points[i]),
           surface.size()));
       const std::size_t at =
           pressure.empty() ? 0 : i * (pressure.size() - 1) / std::max<std::size_t>(1, now.size() - 1);
-      target.widths_px.push_back(width_of(pressure.empty() ? 0.5 : pressure[at], look.scale));
+      pressed.push_back(pressure.empty() ? 0.5 : pressure[at]);
+    }
+    const auto seen = seen_in_view(target.points, workspace.editor().view());
+    if (seen.size() == target.points.size()) {
+      target.widths_px = ink_widths(seen, pressed, ink_look(look, true));
+    } else {
+      target.width_px = width_of(0.5, look.scale);
     }
     if (look.dragged == curve->id) {
       target = {};
@@ -228,10 +239,16 @@ void add_stroke(std::vector<CurveDrawing>& out, const Workspace& workspace, cons
   const bool erases = stroke->eraser || tool.kind == drawing::ToolKind::erase;
   drawing.kind = kind_of(tool, workspace.document(), stroke->view, stroke->samples);
   if (erases) drawing.color = render::from_srgb(0xf2efe8, 0.7F);
+  std::vector<PxPoint> line;
+  std::vector<double> pressures;
   for (const auto& sample : stroke->samples) {
-    drawing.points_px.push_back(sample.position);
-    drawing.widths_px.push_back(erases ? 10 * look.scale : width_of(sample.pressure, look.scale));
+    line.push_back(sample.position);
+    pressures.push_back(sample.pressure);
   }
+  InkLine ink = ink_line(line, pressures, ink_look(look, false));
+  drawing.points_px = std::move(ink.points);
+  drawing.widths_px = std::move(ink.widths_px);
+  if (erases) drawing.widths_px.assign(drawing.points_px.size(), 10 * look.scale);
   out.push_back(std::move(drawing));
 }
 
@@ -270,9 +287,8 @@ void add_onion_skins(std::vector<CurveDrawing>& out, const Workspace& workspace,
       for (const auto& curve : document.curves) draw(curve->points);
     }
   };
-  // Unlike skin, and unlike what is drawn.
-  add(before, 0xc04bff);
-  add(after, 0x19c8d8);
+  add(before, k_before_color);
+  add(after, k_after_color);
 }
 
 }  // namespace

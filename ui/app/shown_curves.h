@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "ui/app/ink.h"
 #include "ui/app/posed_surface.h"
 #include "ui/app/workspace.h"
 #include "ui/render/scene.h"
@@ -21,6 +23,7 @@ struct CurveLook {
   bool onion_skin = false;                   ///< the model's curves at the neighbouring keys
   double time_s = 0;                         ///< of which moment
   std::string deformer;                      ///< whose reference and target are shown; empty: of none
+  Stabiliser stabiliser = Stabiliser::off;   ///< of lines as they are shown
   geometry::Viewport window;                 ///< in whose px curves on the glass are given
 };
 
@@ -28,6 +31,10 @@ struct CurveLook {
 /// the curves of the deformer that is being drawn; those of the neighbouring keys; the stroke under the pen.
 [[nodiscard]] std::vector<render::CurveDrawing> shown_curves(const Workspace& workspace, const PosedSurface& surface,
                                                              const CurveLook& look);
+
+/// Lines at the key before this moment, and at the one after it; sRGB. Unlike skin, and unlike what is drawn.
+inline constexpr std::uint32_t k_before_color = 0xc04bff;
+inline constexpr std::uint32_t k_after_color = 0x19c8d8;
 
 /// From blue, where a target is reached, to amber from a fiftieth of the model's size on.
 [[nodiscard]] render::Color distance_color(double distance, double model_size);

@@ -49,7 +49,7 @@ void show_suggest_button(PanelContext& context) {
   wide_button(context, label.c_str(), -1);
   ImGui::EndDisabled();
   // After it, so that the reason itself is not grey.
-  tooltip(tip.c_str());
+  tooltip(context, tip.c_str());
 }
 
 void show_suggestion(PanelContext& context) {

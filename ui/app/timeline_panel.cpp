@@ -1,8 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <utility>
 
+#include "ui/app/button_row.h"
+#include "ui/app/frames.h"
+#include "ui/app/icon.h"
 #include "ui/app/panels.h"
 #include "ui/app/widgets.h"
 
@@ -11,10 +15,6 @@ namespace {
 
 constexpr double k_least_range_s = 4;
 constexpr double k_least_span_s = 0.5;
-constexpr double k_snap_s = 1.0 / 24;
-
-/// Moments between keys lie on frames of a film.
-double on_frame(double time_s) { return std::round(time_s / k_snap_s) * k_snap_s; }
 
 /// The moments that the track shows.
 struct Shown {
@@ -56,9 +56,95 @@ void pan_track(App& app, double share) {
   app.panels().from_s = std::max(0.0, now.from + share * now.span);
 }
 
-/// What the pen does on the track: a key that it takes along, or the cursor. `time_of` and `x_of` map px to moments.
-template <typename TimeOf, typename XOf>
-void use_track(PanelContext& context, const TimeOf& time_of, const XOf& x_of) {
+/// Where moments lie on a strip of the panel.
+struct Strip {
+  ImVec2 from;
+  ImVec2 size;
+  float inset = 0;
+  Shown shown;
+  [[nodiscard]] float width() const { return size.x - 2 * inset; }
+  [[nodiscard]] ImVec2 to() const { return {from.x + size.x, from.y + size.y}; }
+  [[nodiscard]] float x_of(double time_s) const {
+    return from.x + inset + static_cast<float>((time_s - shown.from) / shown.span) * width();
+  }
+  [[nodiscard]] double time_of(float x) const {
+    const double share = static_cast<double>((x - from.x - inset) / width());
+    return std::max(0.0, shown.from + std::clamp(share, -0.02, 1.02) * shown.span);
+  }
+};
+
+/// A strip as wide as the panel, which is hit under a name.
+Strip begin_strip(PanelContext& context, const char* name, const char* tip) {
+  Strip strip;
+  strip.shown = shown_moments(context.app);
+  strip.from = ImGui::GetCursorScreenPos();
+  strip.size = {std::max(context.unit, ImGui::GetContentRegionAvail().x), context.unit};
+  strip.inset = 0.3F * context.unit;
+  ImGui::InvisibleButton(name, strip.size);
+  note(context, name);
+  tooltip(context, tip);
+  if (ImGui::IsItemHovered() && ImGui::GetIO().MouseWheel != 0) {
+    zoom_track(context.app, std::pow(0.8, static_cast<double>(ImGui::GetIO().MouseWheel)));
+  }
+  ImGui::GetWindowDrawList()->AddRectFilled(strip.from, strip.to(), ImGui::GetColorU32(ImGuiCol_FrameBg), 4);
+  return strip;
+}
+
+/// Frames from one number to the next, so that numbers have room.
+int frames_apart(const Strip& strip, int rate, float room) {
+  const double px = static_cast<double>(strip.width()) / (strip.shown.span * rate);
+  for (const int frames : {1, 2, 5, 10, rate, 2 * rate, 5 * rate, 10 * rate, 60 * rate, 600 * rate}) {
+    if (px * frames >= static_cast<double>(room)) return frames;
+  }
+  return 3600 * rate;
+}
+
+/// The part that is played, where it is not all.
+void show_loop(const Strip& strip, const LoopRange& loop, double last_s) {
+  if (!loop.any()) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float from = strip.x_of(loop.begin_s());
+  const float to = strip.x_of(loop.end_s(last_s));
+  list.AddRectFilled({from, strip.from.y}, {to, strip.to().y}, ImGui::GetColorU32(ImGuiCol_ButtonActive, 0.25F));
+  list.AddLine({from, strip.from.y}, {from, strip.to().y}, ImGui::GetColorU32(ImGuiCol_ButtonActive), 2);
+  list.AddLine({to, strip.from.y}, {to, strip.to().y}, ImGui::GetColorU32(ImGuiCol_ButtonActive), 2);
+}
+
+/// Frames by number. Dragged along it, the playhead goes along, and nothing else.
+void show_ruler(PanelContext& context) {
+  App& app = context.app;
+  const int rate = app.panels().rate;
+  const Strip strip = begin_strip(context, "ruler", "Drag to go through time");
+  if (ImGui::IsItemActive()) app.scrub(on_frame(strip.time_of(ImGui::GetIO().MousePos.x), rate));
+  if (ImGui::IsItemDeactivated()) app.end_scrub();
+  const auto held = app.workspace().document().timeline;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+  list.PushClipRect(strip.from, strip.to(), true);
+  show_loop(strip, app.panels().loop, held->keys.empty() ? 0 : held->keys.back().time_s);
+  const int apart = frames_apart(strip, rate, 1.3F * context.unit);
+  const int marks = frames_apart(strip, rate, 0.2F * context.unit);
+  const auto first = static_cast<int>(std::floor(strip.shown.from * rate / apart)) * apart;
+  const auto last = static_cast<int>(std::ceil((strip.shown.from + strip.shown.span) * rate));
+  for (int frame = first; frame <= last; frame += std::min(marks, apart)) {
+    const float x = strip.x_of(time_of_frame(frame, rate));
+    const bool numbered = frame % apart == 0;
+    list.AddLine({x, strip.from.y + (numbered ? 0.55F : 0.8F) * strip.size.y}, {x, strip.to().y}, faint);
+    if (!numbered) continue;
+    const std::string number = std::to_string(frame);
+    list.AddText({x + 3, strip.from.y + 2}, faint, number.c_str());
+  }
+  // The playhead, with a handle to see it by.
+  const float x = strip.x_of(app.panels().time_s);
+  const float half = 0.22F * context.unit;
+  const ImU32 accent = ImGui::GetColorU32(ImGuiCol_ButtonActive);
+  list.AddTriangleFilled({x - half, strip.from.y}, {x + half, strip.from.y}, {x, strip.from.y + 1.6F * half}, accent);
+  list.AddLine({x, strip.from.y}, {x, strip.to().y}, accent, 2);
+  list.PopClipRect();
+}
+
+/// What the pen does on the row of keys: a touch of a key goes to it, a pull takes it along.
+void use_keys(PanelContext& context, const Strip& strip) {
   App& app = context.app;
   PanelState& panels = app.panels();
   const document::Timeline& timeline = *app.workspace().document().timeline;
@@ -67,16 +153,15 @@ void use_track(PanelContext& context, const TimeOf& time_of, const XOf& x_of) {
     panels.key_drag.reset();
     float nearest = 0.5F * context.unit;
     for (const auto& key : timeline.keys) {
-      if (std::abs(x_of(key.time_s) - x) >= nearest) continue;
-      nearest = std::abs(x_of(key.time_s) - x);
+      if (std::abs(strip.x_of(key.time_s) - x) >= nearest) continue;
+      nearest = std::abs(strip.x_of(key.time_s) - x);
       panels.key_drag = {key.time_s, key.time_s};
     }
   }
   if (ImGui::IsItemActive()) {
-    const double time = on_frame(std::max(0.0, time_of(x)));
+    const double time = on_frame(strip.time_of(x), panels.rate);
     if (panels.key_drag) {
       auto& [from, to] = *panels.key_drag;
-      // A touch goes to the key; only a pull takes it along.
       const bool pulled = std::abs(ImGui::GetMouseDragDelta(0, 0).x) > 0.4F * context.unit;
       to = pulled || to != from ? time : from;
       if (to == from) app.scrub(from);
@@ -93,112 +178,144 @@ void use_track(PanelContext& context, const TimeOf& time_of, const XOf& x_of) {
   }
 }
 
-void show_track(PanelContext& context) {
+void show_keys(PanelContext& context) {
   App& app = context.app;
-  const Shown shown = shown_moments(app);
-  const ImVec2 from = ImGui::GetCursorScreenPos();
-  const ImVec2 size{std::max(context.unit, ImGui::GetContentRegionAvail().x), context.unit};
-  const float inset = 0.3F * context.unit;
-  const float width = size.x - 2 * inset;
-  const auto x_of = [&](double time_s) {
-    return from.x + inset + static_cast<float>((time_s - shown.from) / shown.span) * width;
-  };
-  const auto time_of = [&](float x) {
-    return shown.from + std::clamp(static_cast<double>((x - from.x - inset) / width), -0.02, 1.02) * shown.span;
-  };
-  ImGui::InvisibleButton("track", size);
-  note(context, "track");
-  tooltip("Drag to scrub, drag a key to move it; the pose at this moment is kept with Key");
-  if (ImGui::IsItemHovered() && ImGui::GetIO().MouseWheel != 0) {
-    zoom_track(app, std::pow(0.8, static_cast<double>(ImGui::GetIO().MouseWheel)));
-  }
-  use_track(context, time_of, x_of);
+  const Strip strip = begin_strip(context, "track", "Touch a key to go to it, drag it to move it; Key makes one here");
+  use_keys(context, strip);
   const auto held = app.workspace().document().timeline;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
-  const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
-  const ImVec2 to{from.x + size.x, from.y + size.y};
-  list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), 4);
-  list.PushClipRect(from, to, true);
-  double step = 0.1;
-  for (const double wider : {0.5, 1.0, 5.0, 10.0, 60.0, 600.0, 3600.0}) {
-    if (width * step / shown.span < 1.8 * static_cast<double>(context.unit)) step = wider;
-  }
-  for (double t = std::floor(shown.from / step) * step; t <= shown.from + shown.span + 1e-9; t += step) {
-    list.AddLine({x_of(t), from.y + 0.7F * size.y}, {x_of(t), to.y}, faint);
-    char text[24];
-    std::snprintf(text, sizeof text, step < 1 ? "%.1f s" : "%.0f s", t);
-    list.AddText({x_of(t) + 3, to.y - ImGui::GetFontSize()}, faint, text);
-  }
-  const float middle = from.y + 0.38F * size.y;
-  const float half = 0.22F * context.unit;
-  for (const auto& key : held->keys) {
+  list.PushClipRect(strip.from, strip.to(), true);
+  const float middle = strip.from.y + 0.5F * strip.size.y;
+  const float half = 0.24F * context.unit;
+  const float cursor = strip.x_of(app.panels().time_s);
+  list.AddLine({cursor, strip.from.y}, {cursor, strip.to().y}, ImGui::GetColorU32(ImGuiCol_ButtonActive), 2);
+  for (std::size_t i = 0; i < held->keys.size(); ++i) {
+    const auto& key = held->keys[i];
     const auto& drag = app.panels().key_drag;
-    const float x = x_of(drag && drag->first == key.time_s ? drag->second : key.time_s);
+    const bool dragged = drag && drag->first == key.time_s;
+    const float x = strip.x_of(dragged ? drag->second : key.time_s);
+    const bool here = std::abs(key.time_s - app.panels().time_s) < 1e-9;
     list.AddQuadFilled({x - half, middle}, {x, middle - half}, {x + half, middle}, {x, middle + half},
-                       IM_COL32(255, 176, 0, 255));
-    list.AddText({x + half + 2, from.y}, ink, key.name.c_str());
+                       dragged || here ? IM_COL32(255, 214, 92, 255) : IM_COL32(255, 168, 0, 255));
+    list.AddQuad({x - half, middle}, {x, middle - half}, {x + half, middle}, {x, middle + half},
+                 IM_COL32(60, 40, 0, 255), here ? 2.5F : 1);
+    // Its name, as far as there is room up to the next key.
+    const float room = i + 1 < held->keys.size() ? strip.x_of(held->keys[i + 1].time_s) - x - 2 * half - 4 : 1e6F;
+    if (key.name.empty() || room < half) continue;
+    list.AddText({x + half + 3, middle - 0.5F * ImGui::GetFontSize()}, ImGui::GetColorU32(ImGuiCol_Text),
+                 fitted_text(key.name, room).c_str());
   }
-  const float cursor = x_of(app.panels().time_s);
-  list.AddLine({cursor, from.y}, {cursor, to.y}, ink, 2);
   list.PopClipRect();
+}
+
+/// The frame of the playhead, to be typed over.
+void show_frame_field(PanelContext& context, float width) {
+  App& app = context.app;
+  PanelState& panels = app.panels();
+  bool accepted = false;
+  text_field(context, "##frame", panels.frame_text, width, "frame", &accepted);
+  tooltip(context, "The frame; type one to go there, or seconds as in 1.5s");
+  if (accepted) {
+    if (const auto moment = typed_moment(panels.frame_text, panels.rate)) {
+      app.go_to(*moment);
+    } else {
+      app.tell("\"" + panels.frame_text + "\" is no frame: type a number of one, or seconds as in 1.5s", true);
+    }
+  }
+  if (!ImGui::IsItemActive()) panels.frame_text = frame_text(panels.time_s, panels.rate);
+}
+
+void show_rate(PanelContext& context, float width) {
+  App& app = context.app;
+  const std::string label = std::to_string(app.panels().rate) + " fps##rate";
+  if (wide_button(context, label.c_str(), width, false, "Frames a second")) ImGui::OpenPopup("rates");
+  if (!begin_menu(context, "rates")) return;
+  for (const int rate : k_frame_rates) {
+    const std::string one = std::to_string(rate) + "##choose rate";
+    if (!wide_button(context, one.c_str(), 4 * context.unit, rate == app.panels().rate)) continue;
+    app.set_rate(rate);
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+void show_buttons(PanelContext& context) {
+  App& app = context.app;
+  // A button may put another timeline in its place.
+  const auto held = app.workspace().document().timeline;
+  const document::Timeline& timeline = *held;
+  const auto here = std::find_if(timeline.keys.begin(), timeline.keys.end(),
+                                 [&](const auto& key) { return std::abs(key.time_s - app.panels().time_s) < 1e-9; });
+  const bool on_key = here != timeline.keys.end();
+  ButtonRow row(context, "more of time");
+  row.add(Action::previous_key, false, true, false);
+  row.add(Action::previous_frame, false, true, false);
+  ButtonRow::Button play{app.playing() ? "Stop" : "Play", app.playing() ? icon::k_stop : icon_of(Action::play),
+                         tooltip_of(Action::play)};
+  play.chosen = app.playing();
+  play.does = [&] { app.do_action(Action::play); };
+  row.add(std::move(play));
+  row.add(Action::next_frame, false, true, false);
+  row.add(Action::next_key, false, true, false);
+  ButtonRow::Button frame{"##frame"};
+  frame.shows = [](PanelContext& panel, float width) { show_frame_field(panel, width); };
+  frame.width = 2 * context.unit;
+  row.add(std::move(frame));
+  ButtonRow::Button rate{"##rates"};
+  rate.shows = [](PanelContext& panel, float width) { show_rate(panel, width); };
+  rate.width = 2.1F * context.unit;
+  row.add(std::move(rate));
+  row.add(Action::key_pose);
+  row.add(Action::delete_key, false, on_key, false);
+  ButtonRow::Button name{"Name##key", {}, "Give the pose of this key a name"};
+  name.enabled = on_key;
+  name.does = [&app, named = on_key ? here->name : std::string()] {
+    app.panels().key_name = named;
+    app.panels().dialog = Dialog::key_name;
+  };
+  row.add(std::move(name));
+  row.add(Action::auto_key, app.panels().auto_key, true, false);
+  row.add(Action::copy_key, false, true, false);
+  row.add(Action::paste_key, false, app.panels().clipboard.has_value(), false);
+  row.add(Action::loop_from, app.panels().loop.from_s.has_value(), true, false);
+  row.add(Action::loop_to, app.panels().loop.to_s.has_value(), true, false);
+  row.add(Action::loop_off, false, app.panels().loop.any(), false);
+  const bool smooth = timeline.interpolation == document::KeyInterpolation::smooth;
+  ButtonRow::Button between{smooth ? "Smooth" : "Linear", {}, "How poses between keys are made"};
+  between.does = [&app, smooth] {
+    app.workspace().perform(document::SetKeyInterpolation{smooth ? document::KeyInterpolation::linear
+                                                                 : document::KeyInterpolation::smooth});
+  };
+  row.add(std::move(between));
+  row.add(Action::onion_skin, app.panels().onion_skin);
+  const auto view = [&](const char* label, std::string_view drawn, const char* tip, bool enabled, auto does) {
+    ButtonRow::Button button{label, drawn, tip, false};
+    button.enabled = enabled;
+    button.does = does;
+    row.add(std::move(button));
+  };
+  const bool part = app.panels().span_s > 0;
+  view("-##track", icon::k_minus, "Show more of the timeline", true, [&app] { zoom_track(app, 1.6); });
+  view("+##track", icon::k_plus, "Show less of the timeline, about the playhead", true,
+       [&app] { zoom_track(app, 1 / 1.6); });
+  view("<##track", icon::k_left, "Show what comes before", part, [&app] { pan_track(app, -0.5); });
+  view(">##track", icon::k_right, "Show what comes after", part, [&app] { pan_track(app, 0.5); });
+  const float used = row.show(ImGui::GetContentRegionAvail().x);
+  const float left = ImGui::GetContentRegionAvail().x - used;
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.2f s   %zu keys", app.panels().time_s, timeline.keys.size());
+  if (left < ImGui::CalcTextSize(text.data()).x + 3 * context.gap) return;
+  ImGui::SameLine();
+  text_beside(context, text.data());
 }
 
 }  // namespace
 
 void show_timeline(PanelContext& context, const Area& area) {
-  App& app = context.app;
   if (begin_panel(context, "timeline", area)) {
-    action_button(context, Action::previous_key, 0, false, "|<");
-    ImGui::SameLine();
-    action_button(context, Action::play, 2 * context.unit, app.playing(), app.playing() ? "Stop" : "Play");
-    ImGui::SameLine();
-    action_button(context, Action::next_key, 0, false, ">|");
-    ImGui::SameLine();
-    action_button(context, Action::key_pose, 2 * context.unit);
-    ImGui::SameLine();
-    // A button may put another timeline in its place.
-    const auto held = app.workspace().document().timeline;
-    const document::Timeline& timeline = *held;
-    const bool on_key = std::any_of(timeline.keys.begin(), timeline.keys.end(),
-                                    [&](const auto& key) { return std::abs(key.time_s - app.panels().time_s) < 1e-9; });
-    ImGui::BeginDisabled(!on_key);
-    action_button(context, Action::delete_key);
-    ImGui::SameLine();
-    if (wide_button(context, "Name##key", 0, false, "Give the pose of this key a name")) {
-      app.panels().key_name.clear();
-      for (const auto& key : timeline.keys) {
-        if (std::abs(key.time_s - app.panels().time_s) < 1e-9) app.panels().key_name = key.name;
-      }
-      app.panels().dialog = Dialog::key_name;
-    }
-    ImGui::EndDisabled();
-    ImGui::SameLine();
-    const bool smooth = timeline.interpolation == document::KeyInterpolation::smooth;
-    if (wide_button(context, smooth ? "Smooth" : "Linear", 2.4F * context.unit, false,
-                    "How poses between keys are made")) {
-      app.workspace().perform(document::SetKeyInterpolation{smooth ? document::KeyInterpolation::linear
-                                                                   : document::KeyInterpolation::smooth});
-    }
-    ImGui::SameLine();
-    action_button(context, Action::onion_skin, 0, app.panels().onion_skin);
-    ImGui::SameLine();
-    if (wide_button(context, "-##track", context.unit, false, "Show more of the timeline")) zoom_track(app, 1.6);
-    ImGui::SameLine();
-    if (wide_button(context, "+##track", context.unit, false, "Show less of the timeline, about its cursor")) {
-      zoom_track(app, 1 / 1.6);
-    }
-    ImGui::SameLine();
-    ImGui::BeginDisabled(app.panels().span_s <= 0);
-    if (wide_button(context, "<##track", context.unit, false, "Show what comes before")) pan_track(app, -0.5);
-    ImGui::SameLine();
-    if (wide_button(context, ">##track", context.unit, false, "Show what comes after")) pan_track(app, 0.5);
-    ImGui::EndDisabled();
-    ImGui::SameLine();
-    char text[48];
-    std::snprintf(text, sizeof text, "%.2f s   %zu keys", app.panels().time_s, timeline.keys.size());
-    text_beside(context, text);
-    show_track(context);
+    show_buttons(context);
+    show_ruler(context);
+    show_keys(context);
   }
   end_panel();
 }

@@ -1,9 +1,13 @@
 #include "ui/app/widgets.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <imgui_stdlib.h>
-#include <string_view>
 #include <utility>
+
+#include "ui/app/icon.h"
+#include "ui/app/theme.h"
 
 namespace penpose::app {
 namespace {
@@ -24,12 +28,8 @@ int place_cursor(ImGuiInputTextCallbackData* data) {
   return 0;
 }
 
-/// A name in a format of printf.
-std::string escaped(std::string_view name) {
-  std::string out;
-  for (const char c : name) out += c == '%' ? std::string("%%") : std::string(1, c);
-  return out;
-}
+/// Part of a target's height that an icon takes.
+constexpr float k_icon = 0.56F;
 
 }  // namespace
 
@@ -40,13 +40,59 @@ void note(PanelContext& context, const char* label) {
   context.targets[label] = {least.x, least.y, most.x, most.y};
 }
 
-void tooltip(const char* text) {
+void tooltip(PanelContext& context, const char* text) {
   if (text == nullptr || *text == 0 || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  context.tip_waits = true;
+  if (!context.tip_due) return;
+  // Over the canvas beside the panel that the item is on, else below it.
+  const ImVec2 least = ImGui::GetItemRectMin();
+  const ImVec2 most = ImGui::GetItemRectMax();
+  const Area free = context.app.free_area();
+  const auto left = static_cast<float>(free.left);
+  const auto right = static_cast<float>(free.right);
+  const auto top = static_cast<float>(free.top);
+  const auto bottom = static_cast<float>(free.bottom);
+  ImVec2 at{least.x, most.y + context.gap};
+  ImVec2 pivot{0, 0};
+  const bool panels = context.app.panels().shown && !context.menu_open && !context.dialog_area;
+  if (panels && most.x <= left) at = {left + context.gap, least.y};
+  if (panels && least.x >= right) {
+    at = {right - context.gap, least.y};
+    pivot.x = 1;
+  }
+  if (panels && most.y <= top) at = {least.x, top + context.gap};
+  if (panels && least.y >= bottom) {
+    at = {least.x, bottom - context.gap};
+    pivot.y = 1;
+  }
+  ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 20);
   ImGui::TextUnformatted(text);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
+}
+
+std::string fitted_text(std::string_view text, float width) {
+  const auto wide = [](std::string_view part) { return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x; };
+  if (wide(text) <= width) return std::string(text);
+  constexpr std::string_view k_ellipsis = "\u2026";
+  std::size_t end = text.size();
+  const float room = width - wide(k_ellipsis);
+  while (end > 0 && wide(text.substr(0, end)) > room) {
+    --end;
+    // Not in the middle of a letter.
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  }
+  return std::string(text.substr(0, end)) + std::string(k_ellipsis);
+}
+
+void text_line(PanelContext& context, std::string_view text, float width, ImU32 color) {
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const std::string shown = fitted_text(text, std::max(0.0F, width - 2 * context.gap));
+  ImGui::GetWindowDrawList()->AddText({from.x + context.gap, from.y + 0.5F * (context.unit - ImGui::GetFontSize())},
+                                      color, shown.c_str());
+  ImGui::Dummy({std::max(1.0F, width), context.unit});
 }
 
 void text_beside(PanelContext& context, const char* text) {
@@ -57,17 +103,65 @@ void text_beside(PanelContext& context, const char* text) {
   ImGui::Dummy({size.x + 2 * context.gap, context.unit});
 }
 
-bool wide_button(PanelContext& context, const char* label, float width, bool chosen, const char* tip) {
-  if (width == 0) width = std::max(context.unit, ImGui::CalcTextSize(label, nullptr, true).x + 0.6F * context.unit);
+float button_width(const PanelContext& context, const char* label, std::string_view icon, bool text) {
+  const float wide = text ? ImGui::CalcTextSize(label, nullptr, true).x : 0;
+  const float drawn = icon.empty() ? 0 : k_icon * context.unit + (text ? 0.5F * context.gap : 0);
+  return std::max(context.unit, wide + drawn + 0.6F * context.unit);
+}
+
+bool icon_button(PanelContext& context, const char* label, const ButtonLook& look) {
+  const float width = look.width != 0 ? look.width : button_width(context, label, look.icon, look.text);
   // What is on is seen to be on under the pen, too.
-  if (chosen) {
+  if (look.chosen) {
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
   }
-  const bool pressed = ImGui::Button(label, {width, context.unit});
-  if (chosen) ImGui::PopStyleColor(2);
+  ImGui::PushID(label);
+  const bool pressed = ImGui::Button("##button", {width, context.unit});
+  ImGui::PopID();
+  if (look.chosen) ImGui::PopStyleColor(2);
   note(context, label);
-  tooltip(tip);
+  const ImVec2 least = ImGui::GetItemRectMin();
+  const ImVec2 most = ImGui::GetItemRectMax();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(least, most, true);
+  const ImU32 ink =
+      look.chosen || ImGui::IsItemActive() ? ImGui::GetColorU32(chosen_ink()) : ImGui::GetColorU32(ImGuiCol_Text);
+  const std::string_view whole(label);
+  const std::string_view said = look.text ? whole.substr(0, whole.find("##")) : std::string_view();
+  float icon_px = look.icon.empty() ? 0 : k_icon * context.unit;
+  float between = icon_px > 0 && !said.empty() ? 0.5F * context.gap : 0;
+  const float key_px = look.key.empty() ? 0 : ImGui::CalcTextSize(look.key.data(), look.key.data() + look.key.size()).x;
+  const float pad = 0.22F * context.unit;
+  // A word that is whole says more than a part of it beside a picture.
+  const float word_px = ImGui::CalcTextSize(said.data(), said.data() + said.size()).x;
+  if (word_px > most.x - least.x - icon_px - between - 2 * pad - key_px + 1) icon_px = between = 0;
+  const std::string text = fitted_text(said, most.x - least.x - icon_px - between - 2 * pad - key_px + 1);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  float x = look.left_aligned ? least.x + pad : 0.5F * (least.x + most.x - icon_px - between - size.x);
+  const float middle = 0.5F * (least.y + most.y);
+  if (icon_px > 0) draw_icon(list, look.icon, {x + 0.5F * icon_px, middle}, icon_px, ink);
+  x += icon_px + between;
+  list.AddText({x, middle - 0.5F * size.y}, ink, text.c_str());
+  if (key_px > 0) {
+    list.AddText({most.x - pad - key_px, middle - 0.5F * size.y},
+                 look.chosen ? ink : ImGui::GetColorU32(ImGuiCol_TextDisabled), look.key.data(),
+                 look.key.data() + look.key.size());
+  }
+  list.PopClipRect();
+  tooltip(context, look.tip);
+  return pressed;
+}
+
+bool wide_button(PanelContext& context, const char* label, float width, bool chosen, const char* tip) {
+  return icon_button(context, label, {width, chosen, tip});
+}
+
+bool menu_entry(PanelContext& context, const char* label, std::string_view icon, std::string_view key,
+                const char* tip) {
+  ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
+  const bool pressed = icon_button(context, label, {9 * context.unit, false, tip, icon, true, true, key});
+  ImGui::PopStyleColor();
   return pressed;
 }
 
@@ -96,7 +190,10 @@ bool lock_button(PanelContext& context, const char* label, bool locked, const ch
 bool action_button(PanelContext& context, Action action, float width, bool chosen, const char* label) {
   const std::string own(info(action).label);
   const std::string tip = tooltip_of(action);
-  if (!wide_button(context, label != nullptr ? label : own.c_str(), width, chosen, tip.c_str())) return false;
+  const std::string_view icon = label == nullptr ? icon_of(action) : std::string_view();
+  ButtonLook look{width, chosen, tip.c_str(), icon};
+  look.left_aligned = width == -1 && !icon.empty();
+  if (!icon_button(context, label != nullptr ? label : own.c_str(), look)) return false;
   context.app.do_action(action);
   return true;
 }
@@ -131,16 +228,26 @@ bool begin_dialog(PanelContext& context, const char* title, float width_units) {
   const float width = std::min(width_units * context.unit, size.x - 2 * context.gap);
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, size.y - 2 * context.gap});
   ImGui::SetNextWindowFocus();
-  const bool shown = ImGui::Begin(title, nullptr,
+  bool stays = true;
+  ImGui::PushFont(title_font());
+  const bool shown = ImGui::Begin(title, &stays,
                                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+  // A font is pushed and popped in one window.
+  ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[0]);
+  // The cross does what Escape does.
+  if (!stays) context.cancels = true;
   const ImVec2 from = ImGui::GetWindowPos();
   const ImVec2 to{from.x + ImGui::GetWindowWidth(), from.y + ImGui::GetWindowHeight()};
   context.dialog_area = {from.x, from.y, to.x, to.y};
   return shown;
 }
 
-void end_dialog() { ImGui::End(); }
+void end_dialog() {
+  ImGui::PopFont();
+  ImGui::End();
+  ImGui::PopFont();
+}
 
 void note_field(PanelContext& context, const char* label) {
   note(context, label);
@@ -183,18 +290,44 @@ bool text_field(PanelContext& context, const char* label, std::string& text, flo
   return changed;
 }
 
-bool tall_slider(PanelContext& context, const char* id, double& value, double least, double most, float width,
-                 const std::string& name, bool& released) {
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5F * (context.unit - ImGui::GetFontSize())});
-  ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, 0.5F * context.unit);
-  ImGui::SetNextItemWidth(width);
-  const std::string format = escaped(name) + "  %.2f";
-  const bool moved =
-      ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &least, &most, format.c_str(), ImGuiSliderFlags_NoInput);
+bool control_slider(PanelContext& context, const char* id, double& value, double least, double most,
+                    const SliderLook& look, bool& released) {
+  const float unit = context.unit;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5F * (unit - ImGui::GetFontSize())});
+  ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, 0.12F * unit);
+  ImGui::SetNextItemWidth(look.width);
+  ImGui::BeginDisabled(look.locked);
+  const bool moved = ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &least, &most, "", ImGuiSliderFlags_NoInput);
   released = ImGui::IsItemDeactivatedAfterEdit();
   ImGui::PopStyleVar(2);
-  note(context, (std::string("slider ") + name).c_str());
-  return moved;
+  note(context, ("slider " + look.name).c_str());
+  const ImVec2 from = ImGui::GetItemRectMin();
+  const ImVec2 to = ImGui::GetItemRectMax();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto x_of = [&](double at) {
+    const double share = most > least ? std::clamp((at - least) / (most - least), 0.0, 1.0) : 0.0;
+    return from.x + 3 + static_cast<float>(share) * (to.x - from.x - 6);
+  };
+  const float rest = x_of(look.rest);
+  const float now = x_of(value);
+  list.AddRectFilled({std::min(rest, now), from.y + 1}, {std::max(rest, now), to.y - 1},
+                     ImGui::GetColorU32(ImGuiCol_SliderGrab, 0.35F));
+  std::array<char, 32> number{};
+  std::snprintf(number.data(), number.size(), "%.2f", value);
+  const float pad = 0.3F * unit;
+  const float wide = ImGui::CalcTextSize(number.data()).x;
+  const float y = 0.5F * (from.y + to.y - ImGui::GetFontSize());
+  const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
+  list.AddText({from.x + pad, y}, ink, fitted_text(look.shown, to.x - from.x - wide - 3 * pad).c_str());
+  list.AddText({to.x - pad - wide, y}, ink, number.data());
+  ImGui::EndDisabled();
+  return moved && !look.locked;
+}
+
+bool tall_slider(PanelContext& context, const char* id, double& value, double least, double most, float width,
+                 const std::string& name, bool& released) {
+  return control_slider(context, id, value, least, most, {width, name, name, std::max(least, std::min(0.0, most))},
+                        released);
 }
 
 }  // namespace penpose::app

@@ -246,6 +246,8 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     // While a frame is being drawn the next one waits, and reports do not.
     const bool busy = thread.busy();
     int wait_ms = interface.unsettled() || due ? 0 : app.next_frame_ms();
+    if (const int tip_ms = interface.next_frame_ms(); tip_ms >= 0 && (wait_ms < 0 || wait_ms > tip_ms))
+      wait_ms = tip_ms;
     if (thread.refining() && (wait_ms < 0 || wait_ms > k_refine_ms)) wait_ms = k_refine_ms;
     if (full_screen.waits() && (wait_ms < 0 || wait_ms > k_look_again_ms)) wait_ms = k_look_again_ms;
     if (busy) wait_ms = app.player() && app.player()->playing() ? std::max(1, app.next_frame_ms()) : -1;

@@ -48,6 +48,9 @@ void Workspace::forget() {
   follow_.end();
   sketch_.end();
   preview_.reset();
+  mirrored_.reset();
+  joined_.clear();
+  habits_ = {};
   held_.reset();
   movements_.clear();
   stroke_seen_ = false;
@@ -74,7 +77,10 @@ void Workspace::open(document::Document document, replay::SessionWriter* writer,
 
 bool Workspace::act(const replay::SessionLine& line) {
   const document::Document before = document();
+  const std::size_t count = editor().history().undo_count();
   const base::Status status = live_->act(line, now());
+  if (std::holds_alternative<replay::Performed>(line) && editor().history().undo_count() > count)
+    joined_.performed(count, joins_);
   after_steps(before, solves(line));
   if (!status && live_->session().steps().empty()) tell_(said(status.error()), true);
   return status.ok();
@@ -151,9 +157,66 @@ void Workspace::lock(const std::vector<std::string>& names, bool locked) {
   perform(document::DrawTarget{curve, target.view, target.line, target.pressure, drawing::k_rules});
 }
 
-bool Workspace::perform(const document::Command& command) { return act(replay::Performed{command}); }
-void Workspace::undo() { act(replay::Undone{}); }
-void Workspace::redo() { act(replay::Redone{}); }
+bool Workspace::perform(const document::Command& command) {
+  const document::Document before = document();
+  const replay::SessionLine line = replay::Performed{command};
+  if (!act(line)) return false;
+  const bool poses = std::holds_alternative<document::SetParameters>(command) ||
+                     std::holds_alternative<document::ResetParameters>(command) ||
+                     std::holds_alternative<document::SuggestRest>(command) || solves(line);
+  if (poses) follow_habits(before, solves(line));
+  return true;
+}
+
+bool Workspace::perform_with(const document::Command& command) {
+  joins_ = true;
+  const bool done = act(replay::Performed{command});
+  joins_ = false;
+  return done;
+}
+
+const std::vector<std::size_t>& Workspace::two_sided_pairs() {
+  if (paired_rig_ != document().model->rig) {
+    paired_rig_ = document().model->rig;
+    pairs_ = two_sided(side_pairs(paired_rig_->parameters()), follow_.whole_of(document()).partner);
+  }
+  return pairs_;
+}
+
+void Workspace::follow_habits(const document::Document& before, bool solved) {
+  const document::Document& now = document();
+  if (before.model != now.model || before.pose == now.pose) return;
+  // What the stroke moved is still what there is to say.
+  const auto movements = movements_;
+  const double left = left_px_;
+  const bool tells = solved_revision_ == revision_;
+  if (habits_.mirrors && solved) {
+    const auto parameters = now.model->rig->parameters();
+    const auto both =
+        on_both_sides(parameters, two_sided_pairs(), before.pose, now.pose, document::weight_count(*now.model));
+    if (both) perform_with(values_between(parameters, now.pose, *both));
+  }
+  if (habits_.keys) perform_with(document::SetKey{habits_.keys->first, habits_.keys->second});
+  if (!tells) return;
+  movements_ = movements;
+  left_px_ = left;
+  solved_revision_ = revision_;
+}
+
+void Workspace::undo() {
+  for (std::size_t n = can_undo(); n > 0; --n) act(replay::Undone{});
+}
+
+void Workspace::redo() {
+  for (std::size_t n = can_redo(); n > 0; --n) act(replay::Redone{});
+}
+
+void Workspace::go_to_step(std::size_t commands) {
+  while (editor().history().undo_count() > commands && act(replay::Undone{})) {
+  }
+  while (editor().history().undo_count() < commands && editor().history().redo_count() > 0 && act(replay::Redone{})) {
+  }
+}
 
 void Workspace::set_tool(drawing::Tool tool) {
   tool.rules = drawing::k_rules;
@@ -195,15 +258,19 @@ std::vector<PenMoment> Workspace::report(int device, base::Bytes bytes) { return
 std::vector<PenMoment> Workspace::report_at(int device, std::int64_t received_us, base::Bytes bytes) {
   const std::int64_t time_us = std::max<std::int64_t>(0, received_us - began_us_);
   const document::Document before = document();
+  const std::size_t count = editor().history().undo_count();
   const auto moments = live_->report(device, time_us, bytes);
   std::vector<PenMoment> out(moments.begin(), moments.end());
+  if (editor().history().undo_count() > count) joined_.performed(count, false);
   after_steps(before);
   // The stroke has ended: what is shown is the document again.
   if (session().pens().current() == nullptr) {
     follow_.end();
     sketch_.stroke_ended();
     stroke_seen_ = false;
+    mirrored_.reset();
   }
+  if (editor().history().undo_count() > count) follow_habits(before, true);
   return out;
 }
 
@@ -213,9 +280,19 @@ void Workspace::hold_target(std::optional<document::CurveId> curve, geometry::Px
   held_ = curve;
   held_by_ = by;
   if (!held_) follow_.end();
+  if (!held_) mirrored_.reset();
 }
 
 void Workspace::follow_pen() {
+  follow_stroke();
+  mirrored_.reset();
+  if (!habits_.mirrors || !follow_.active()) return;
+  const auto& model = *document().model;
+  mirrored_ = on_both_sides(model.rig->parameters(), two_sided_pairs(), document().pose, follow_.pose(),
+                            document::weight_count(model));
+}
+
+void Workspace::follow_stroke() {
   if (held_) {
     if (!follow_.active() || !(follow_.curve() == *held_)) {
       follow_.begin_drag(document(), *held_, editor().view(), held_pull_);
@@ -246,7 +323,7 @@ void Workspace::follow_pen() {
 }
 
 const rig::Pose& Workspace::shown_pose() const {
-  if (follow_.active()) return follow_.pose();
+  if (follow_.active()) return mirrored_ ? *mirrored_ : follow_.pose();
   if (preview_ && preview_->size() == document().pose.size() && !sketch_.model()) return *preview_;
   if (sketch_.pose()) return *sketch_.pose();
   return document().pose;

@@ -9,7 +9,9 @@
 #include "replay/live_session.h"
 #include "replay/virtual_pen.h"
 #include "ui/app/live_follow.h"
+#include "ui/app/side_pairs.h"
 #include "ui/app/sketch_preview.h"
+#include "ui/app/step_list.h"
 
 namespace penpose::app {
 
@@ -18,6 +20,12 @@ struct Movement {
   std::string name;
   double by = 0;
   bool at_limit = false;  ///< it stands at an end of its range
+};
+
+/// What is done besides with a change of the pose.
+struct Habits {
+  bool mirrors = false;                                ///< what a stroke does on one side is done on both
+  std::optional<std::pair<double, std::string>> keys;  ///< the pose is keyed at a moment, under a name
 };
 
 /// The document being worked on and what is shown of it: a session, the pose under the pen before it is a command, and
@@ -45,8 +53,20 @@ class Workspace {
 
   // What the user does. What is refused is told, and changes nothing.
   bool perform(const document::Command& command);
+  /// The same as a part of what was performed before it: one step of undo takes back both.
+  bool perform_with(const document::Command& command);
+  /// One step, as an animator counts them (step_list.h), and the moves in time on the way.
   void undo();
   void redo();
+  /// Undoes or redoes until so many commands are done.
+  void go_to_step(std::size_t commands);
+  [[nodiscard]] std::size_t can_undo() const { return commands_to_undo(editor().history(), joined_); }
+  [[nodiscard]] std::size_t can_redo() const { return commands_to_redo(editor().history(), joined_); }
+  [[nodiscard]] std::vector<ListedStep> steps() const { return listed_steps(editor().history(), joined_); }
+  /// What is done besides with every change of the pose from now on.
+  void set_habits(const Habits& habits) { habits_ = habits; }
+  /// Controls of one side and the other that do the same, by their numbers (side_pairs.h).
+  [[nodiscard]] const std::vector<std::size_t>& two_sided_pairs();
   void set_tool(drawing::Tool tool);
   void set_view(const document::View& view);
   void set_tablet(int device, const replay::TabletSetting& setting);
@@ -100,8 +120,10 @@ class Workspace {
  private:
   [[nodiscard]] std::int64_t now() const { return clock_() - began_us_; }
   void forget();
+  void follow_stroke();
   bool act(const replay::SessionLine& line);
   void after_steps(const document::Document& before, bool solved = true);
+  void follow_habits(const document::Document& before, bool solved);
   void measure_left();
 
   Clock clock_;
@@ -110,6 +132,12 @@ class Workspace {
   std::int64_t began_us_ = 0;
   std::unique_ptr<replay::LiveSession> live_;
   std::optional<rig::Pose> preview_;
+  Habits habits_;
+  JoinedCommands joined_;
+  bool joins_ = false;                                   ///< what is performed now belongs to what was before it
+  std::shared_ptr<const rig::CharacterRig> paired_rig_;  ///< what pairs_ were found on
+  std::vector<std::size_t> pairs_;
+  std::optional<rig::Pose> mirrored_;  ///< of the pose that follows the pen
   LiveFollow follow_;
   SketchPreview sketch_;
   bool stroke_seen_ = false;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "core/document/document_hash.h"
 #include "tests/support/document_hand.h"
@@ -37,6 +39,24 @@ TEST(History, UndoingAllGivesTheFirstStateAndRedoingAllTheLast) {
     tests::RandomHand(script, seed).run(40);
     undo_and_redo_all(script, first, "seed " + std::to_string(seed));
   }
+}
+
+TEST(History, StepsKeepTheirNamesAndPlacesWhetherDoneOrUndone) {
+  tests::SessionScript script(make_document(tests::sheet_model()));
+  ASSERT_TRUE(script.editor().perform(SetKey{0, {}}));
+  ASSERT_TRUE(script.editor().perform(GoToTime{0.5}));
+  ASSERT_TRUE(script.editor().perform(SetHand{2}));
+  const auto names = [&] {
+    const History& history = script.editor().history();
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < history.undo_count() + history.redo_count(); ++i) {
+      all.emplace_back(history.name_of_step(i));
+    }
+    return all;
+  };
+  const std::vector<std::string> expected{"set_key", "go_to_time", "set_hand"};
+  EXPECT_EQ(names(), expected);
+  while (script.editor().undo()) EXPECT_EQ(names(), expected);
 }
 
 TEST(History, EveryCommandOfTheListCanBeUndone) {

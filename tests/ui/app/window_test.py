@@ -26,6 +26,13 @@ MOUTH = [(470, 464), (490, 468), (505, 471), (517, 472), (530, 471), (545, 468),
 SMILE = [(462, 446), (480, 458), (500, 470), (517, 476), (534, 470), (550, 461), (560, 452), (572, 446)]
 
 
+def on_canvas(points, player=False):
+    """Strokes that were measured where the canvas was 665 px high: the head follows the canvas's size."""
+    height, middle = (553.5, 323.5) if player else (600.5, 347)
+    share = height / 665
+    return [(round(525 + (x - 525) * share), round(middle + (y - 379.5) * share)) for x, y in points]
+
+
 def write_png(source, path):
     """Xvfb's picture of its screen (X window dump, 32 bits a pixel) as a PNG."""
     with open(source, "rb") as file:
@@ -80,6 +87,7 @@ class Screen:
         time.sleep(0.4)
 
     def stroke(self, points):
+        points = on_canvas(points)
         self.do("mousemove", *points[0])
         time.sleep(0.1)
         self.do("mousedown", 1)
@@ -206,8 +214,8 @@ class PenTrace:
         self.hold(x, y, False, 0.5)
 
     def stroke(self, points):
-        # The player's row below the canvas makes the head this much smaller than in the strokes of the mouse.
-        points = [(525 + (x - 525) * 0.927, 100 + (y - 103) * 0.925) for x, y in points]
+        # The player's row below the canvas makes the head smaller still.
+        points = on_canvas(points, player=True)
         self.hold(*points[0], False, 0.3)
         for (x0, y0), (x1, y1) in zip(points, points[1:]):
             for i in range(20):
@@ -228,7 +236,7 @@ def pen_alone(program, screen, folder, session):
     pen.tap(50, 70)  # Pose
     for line in (MOUTH, SMILE):
         pen.stroke(line)
-    pen.tap(202, 735)  # Key
+    pen.tap(459, 694)  # Key
     pen.tap(34, 23)  # Menu
     pen.tap(168, 151)  # Save
     pen.tap(417, 562)  # the button of that name

@@ -1,0 +1,144 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "tests/support/app_desk.h"
+
+// The list of controls: pairs in one row, locks that hold, what moved; and both sides of a face at once.
+
+namespace penpose::app {
+namespace {
+
+std::size_t index_of(const Desk& desk, const std::string& name) {
+  return *rig::find_parameter(desk.document().model->rig->parameters(), name);
+}
+double value_of(const Desk& desk, const std::string& name) { return desk.document().pose[index_of(desk, name)]; }
+
+void drag_slider(Desk& desk, const std::string& name, double to) {
+  const Area* area = desk.interface->find("slider " + name);
+  ASSERT_NE(area, nullptr) << name;
+  const Area slider = *area;
+  const auto at = [&](double share) { return PxPoint{slider.left + share * slider.width(), slider.middle().y}; };
+  desk.app->mouse_moved(at(0.3));
+  desk.app->mouse_button(MouseButton::left, true, at(0.3));
+  desk.frames();
+  desk.app->mouse_moved(at(to));
+  desk.frames();
+  desk.app->mouse_button(MouseButton::left, false, at(to));
+  desk.frames();
+}
+
+TEST(Sides, LeftAndRightStandInOneRow) {
+  Desk desk("pair-row");
+  desk.begin();
+  const Area* left = desk.interface->find("slider brow_inner_L");
+  const Area* right = desk.interface->find("slider brow_inner_R");
+  ASSERT_TRUE(left != nullptr && right != nullptr);
+  EXPECT_EQ(left->top, right->top);
+  EXPECT_LE(left->right, right->left);
+  drag_slider(desk, "brow_inner_R", 0.8);
+  const rig::Parameter brow = desk.document().model->rig->parameters()[index_of(desk, "brow_inner_R")];
+  const double range = brow.maximum - brow.minimum;
+  EXPECT_NEAR(value_of(desk, "brow_inner_R"), brow.minimum + 0.8 * range, 0.05 * range);
+  EXPECT_EQ(value_of(desk, "brow_inner_L"), 0);
+  desk.click("more##pair brow_inner");
+  desk.click("Right to left##pair");
+  EXPECT_EQ(value_of(desk, "brow_inner_L"), value_of(desk, "brow_inner_R"));
+}
+
+TEST(Sides, ALockedSliderDoesNotMove) {
+  Desk desk("locked-slider");
+  desk.begin();
+  desk.click("##lock jaw");
+  const auto state = desk.app->workspace().state();
+  drag_slider(desk, "jaw", 0.9);
+  EXPECT_EQ(value_of(desk, "jaw"), 0);
+  EXPECT_FALSE(desk.app->workspace().previews());
+  EXPECT_EQ(desk.app->workspace().state(), state);
+  desk.click("##lock jaw");
+  drag_slider(desk, "jaw", 0.9);
+  EXPECT_GT(value_of(desk, "jaw"), 0.5);
+}
+
+TEST(Sides, OnlyWhatMovedIsListedWhereThatIsAskedFor) {
+  Desk desk("moved-only");
+  desk.begin();
+  desk.app->set_parameter(index_of(desk, "jaw"), 0.5);
+  desk.click("Moved");
+  EXPECT_NE(desk.interface->find("slider jaw"), nullptr);
+  EXPECT_EQ(desk.interface->find("slider brow_inner_L"), nullptr);
+  desk.click("Moved");
+  EXPECT_NE(desk.interface->find("slider brow_inner_L"), nullptr);
+}
+
+TEST(Sides, APoseIsFlippedAndCopiedByKeys) {
+  Desk desk("flip");
+  desk.begin();
+  desk.app->set_parameter(index_of(desk, "brow_inner_L"), 0.7);
+  desk.press('m', false, true);
+  EXPECT_EQ(value_of(desk, "brow_inner_L"), 0);
+  EXPECT_DOUBLE_EQ(value_of(desk, "brow_inner_R"), 0.7);
+  desk.press('m', true, true);
+  EXPECT_DOUBLE_EQ(value_of(desk, "brow_inner_L"), 0.7) << "right to left";
+  const auto state = desk.app->workspace().state();
+  desk.press('m', true);
+  EXPECT_EQ(desk.app->workspace().state(), state) << "they are the same already, and that is told";
+  EXPECT_FALSE(desk.app->notices().empty());
+}
+
+TEST(Sides, AStrokeOnOneSideWorksOnBothAndIsOneStep) {
+  Desk desk("x-mirror");
+  desk.begin();
+  desk.press('m');
+  ASSERT_TRUE(desk.app->panels().mirrors);
+  std::string brow;
+  for (const auto& curve : desk.document().model->curves) {
+    if (curve.name.find("brow") != std::string::npos && curve.name.find("_L") != std::string::npos) brow = curve.name;
+  }
+  ASSERT_FALSE(brow.empty());
+  const auto count = desk.app->workspace().editor().history().undo_count();
+  desk.stroke(desk.named_curve(brow));
+  const auto raised = desk.named_curve(brow, {0, -10});
+  desk.stroke(raised, false);
+  desk.frames();
+  const rig::Pose shown = desk.app->workspace().shown_pose();
+  desk.app->mouse_button(MouseButton::left, false, raised.back());
+  desk.frames();
+  double moved = 0;
+  for (const char* name : {"brow_inner", "brow_outer"}) {
+    const double left = value_of(desk, std::string(name) + "_L");
+    EXPECT_DOUBLE_EQ(left, value_of(desk, std::string(name) + "_R")) << name;
+    moved = std::max(moved, std::abs(left));
+  }
+  EXPECT_GT(moved, 0.05);
+  EXPECT_NEAR(shown[index_of(desk, "brow_inner_L")], shown[index_of(desk, "brow_inner_R")], 1e-12)
+      << "the other side follows the pen, too";
+  EXPECT_GE(desk.app->workspace().left_px(), 0) << "what the stroke came to is still told";
+  desk.press('z', true);
+  EXPECT_EQ(desk.app->workspace().editor().history().undo_count(), count + 1) << "both sides go back in one step";
+  EXPECT_EQ(value_of(desk, "brow_inner_R"), 0);
+}
+
+TEST(Sides, AMirroredSessionReplaysToTheSameState) {
+  document::DocumentState state;
+  {
+    Desk desk("mirror-replay");
+    desk.begin();
+    desk.press('m');
+    desk.press('k', false, true);
+    pose_mouth(desk);
+    state = desk.app->workspace().state();
+    std::filesystem::copy_file(desk.app->session_path(), desk.path("recorded.session"));
+  }
+  Desk desk("mirror-replay", "builtin:demo", false);
+  if (desk.app->panels().dialog == Dialog::recover) desk.click("Start anew");
+  // Habits are not what a recording is played with.
+  desk.app->panels().mirrors = desk.app->panels().auto_key = true;
+  ASSERT_TRUE(desk.app->play_trace(desk.path("recorded.session")).ok());
+  desk.app->player()->set_speed(16);
+  for (int i = 0; i < 2000 && !desk.app->player()->finished(); ++i) desk.frames(1);
+  ASSERT_TRUE(desk.app->player()->finished());
+  EXPECT_EQ(desk.app->workspace().state(), state);
+}
+
+}  // namespace
+}  // namespace penpose::app

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <imgui.h>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/document/document.h"
+
+// Small pictures of poses. Private to the module: ImGui's types show.
+
+namespace penpose::app {
+
+/// Draws a posed surface from the front, lit from above the eye, into a square of `px` by `px` grey values with alpha
+/// (two bytes a pixel). `frame`: what the picture shows is framed as these positions at rest are.
+[[nodiscard]] std::vector<std::uint8_t> surface_picture(std::span<const geometry::ModelPoint> positions,
+                                                        std::span<const mesh::Triangle> triangles,
+                                                        std::span<const geometry::ModelPoint> frame, int px);
+
+/// Pictures of keyed poses beside the letters in ImGui's one texture. One is drawn a frame, so that no frame is late.
+class PosePictures {
+ public:
+  static constexpr int k_px = 96;
+  static constexpr int k_across = 5;
+
+  /// Sets room aside in the atlas; before it is built. What was drawn is drawn again.
+  void reserve(ImFontAtlas& atlas);
+  void begin_frame() { drew_ = false; }
+  /// Where the picture of a key is in the texture (two corners); nothing while there is none yet.
+  [[nodiscard]] std::optional<std::pair<ImVec2, ImVec2>> place_of(const document::Document& document,
+                                                                  const document::PoseKey& key);
+  [[nodiscard]] bool reserved() const { return rect_ >= 0; }
+  /// Something was drawn into the texture since it was last asked.
+  [[nodiscard]] bool take_changed() { return std::exchange(changed_, false); }
+  /// There is more to draw in the next frame.
+  [[nodiscard]] bool waits() const { return drew_; }
+
+ private:
+  struct Picture {
+    std::shared_ptr<const document::Model> model;
+    document::SharedPose pose;
+  };
+  int rect_ = -1;
+  std::deque<Picture> pictures_;  ///< by place; as many as there is room for
+  std::size_t next_ = 0;          ///< the place that is taken next where all are
+  bool drew_ = false;
+  bool changed_ = false;
+};
+
+}  // namespace penpose::app
