@@ -107,7 +107,7 @@ std::map<std::string, std::string> all_hashes(const std::map<std::string, std::f
       // Rules 1, then 2 to 5, then 5 with the commands that came after them.
       const auto rules = static_cast<std::uint32_t>(1 + (i - k_random_sessions) / k_knowing_sessions);
       using Commands = tests::KnowingHand::Commands;
-      random[i] = rules > 5 ? random_session<tests::KnowingHand>(seed, k_knowing_actions, 5U, Commands::all)
+      random[i] = rules > 5 ? random_session<tests::KnowingHand>(seed, k_knowing_actions, 5U, Commands::targets)
                             : random_session<tests::KnowingHand>(seed, k_knowing_actions, rules);
     }
   });

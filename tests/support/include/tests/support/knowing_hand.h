@@ -14,8 +14,9 @@ namespace penpose::tests {
 /// something. A command that is added to the list and is not made here does not compile.
 class KnowingHand {
  public:
-  /// All commands of the list, or those that there were when golden sessions by the rules were first drawn.
-  enum class Commands : std::uint8_t { all, first };
+  /// All commands of the list, those that there were when golden sessions by the rules were first drawn, or those up to
+  /// the ones of other targets and corrections.
+  enum class Commands : std::uint8_t { all, first, targets };
   KnowingHand(SessionScript& script, std::uint64_t seed) : KnowingHand(script, seed, drawing::k_rules, Commands::all) {}
   KnowingHand(SessionScript& script, std::uint64_t seed, std::uint32_t rules, Commands commands = Commands::first)
       : script_(script), random_(seed), hand_(script, seed + 7777), rules_(rules), commands_(commands) {
@@ -226,6 +227,29 @@ class KnowingHand {
     const double x = random_.real(-30, 30);
     return document::PullTarget{id, view(), line.front(), {x, random_.real(-30, 30)}, random_.real(0, 0.6), meant()};
   }
+  document::Command make(Tag<document::PlaceCurve>) {
+    document::PlaceCurve place;
+    const std::size_t count = 1 + random_.below(5);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double a = random_.real(0, 1);
+      const double b = random_.real(0, 1 - a);
+      place.points.push_back(
+          {static_cast<std::uint32_t>(random_.below(doc().model->mesh->triangle_count())), {a, b, 1 - a - b}});
+    }
+    place.constraint = random_.chance(0.3);
+    return place;
+  }
+  document::Command make(Tag<document::PlaceTarget>) {
+    document::PlaceTarget place;
+    place.curve = curve(false);
+    const document::PoseCurve* known = document::find_curve(doc(), place.curve);
+    if (known == nullptr) return place;
+    for (const auto& p : document::positions_of(doc(), known->points)) {
+      const double x = random_.real(-0.1, 0.1);
+      place.points.push_back(p + geometry::ModelVector(x, random_.real(-0.1, 0.1), 0.05));
+    }
+    return place;
+  }
 
   void stroke() {
     const auto kind = static_cast<drawing::ToolKind>(random_.below(9));
@@ -242,7 +266,9 @@ class KnowingHand {
     constexpr std::size_t k_before_sheet_rules = 33;
     // Rules 3 to 5 came without new commands; those of other targets and corrections came after them.
     constexpr std::size_t k_before_other_targets = 35;
+    constexpr std::size_t k_before_placed_curves = 42;
     if (commands_ == Commands::all) return std::variant_size_v<document::Command>;
+    if (commands_ == Commands::targets) return k_before_placed_curves;
     return rules_ < document::k_sheet_rules ? k_before_sheet_rules : k_before_other_targets;
   }
   /// What the rules of single commands are: those of the solver alone.
