@@ -69,8 +69,8 @@ base::Result<Character> Character::make(Pieces pieces) {
   }
   std::shared_ptr<const rig::Skeleton> skeleton;
   if (!pieces.joints.empty()) {
-    auto made = rig::Skeleton::make(std::move(pieces.joints), std::move(pieces.first_influence),
-                                    std::move(pieces.influences));
+    auto made =
+        rig::Skeleton::make(std::move(pieces.joints), std::move(pieces.first_influence), std::move(pieces.influences));
     if (!made) return made.error();
     skeleton = std::move(made).value();
   }
@@ -167,8 +167,8 @@ base::Status Character::sketch(const articulation::Sketch& sketch) {
     return View{own.value_or(sketch.camera), sketch.viewport};
   };
   std::vector<Command> commands;
-  commands.emplace_back(document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum,
-                                                sketch.maximum, k_rules});
+  commands.emplace_back(
+      document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum, sketch.maximum, k_rules});
   if (sketch.reach != articulation::Reach::through) commands.emplace_back(document::TakeRegion{sketch.reach, {}});
   commands.emplace_back(document::SketchCurve{CurveRole::general, view, sketch.general});
   if (sketch.piece != 0) commands.emplace_back(document::TakeRegion{{}, sketch.piece});
@@ -217,8 +217,7 @@ base::Result<std::vector<double>> Character::distances_of(CurveId curve) const {
   std::vector<double> distances;
   if (constraint || found->target->line.empty()) {
     const auto& places = constraint ? found->kept : found->target->points;
-    for (std::size_t i = 0; i < positions.size(); ++i)
-      distances.push_back(geometry::distance(positions[i], places[i]));
+    for (std::size_t i = 0; i < positions.size(); ++i) distances.push_back(geometry::distance(positions[i], places[i]));
     return distances;
   }
   const auto camera = geometry::Camera::make(found->target->view.camera, found->target->view.viewport);

@@ -13,6 +13,7 @@
 #include "core/document/command.h"
 #include "core/document/document.h"
 #include "core/document/document_hash.h"
+#include "core/intent/whole_model.h"
 #include "core/model_io/write_model.h"
 
 namespace penpose::character {
@@ -30,9 +31,9 @@ enum class Preset : std::uint8_t { meant, exact, paper };
 /// What a character is made of, when no file holds it.
 struct Pieces {
   mesh::MeshSource mesh;
-  std::vector<rig::BlendShape> shapes;            ///< may be empty
-  std::vector<rig::Joint> joints;                 ///< may be empty; then no influences either
-  std::vector<std::uint32_t> first_influence;     ///< rig::Skeleton::make
+  std::vector<rig::BlendShape> shapes;         ///< may be empty
+  std::vector<rig::Joint> joints;              ///< may be empty; then no influences either
+  std::vector<std::uint32_t> first_influence;  ///< rig::Skeleton::make
   std::vector<rig::Influence> influences;
 };
 

@@ -36,9 +36,9 @@ Changed run(const Document& document, const PlaceCurve& command, Parts&) {
   const mesh::TriangleMesh& mesh = *document.model->mesh;
   for (std::size_t i = 0; i < command.points.size(); ++i) {
     if (is_on(command.points[i], mesh)) continue;
-    return wrong_point(i, "the point is not on the mesh",
-                       "give a triangle below " + std::to_string(mesh.triangle_count()) +
-                           " and three shares of 0 to 1 that sum to 1");
+    return wrong_point(
+        i, "the point is not on the mesh",
+        "give a triangle below " + std::to_string(mesh.triangle_count()) + " and three shares of 0 to 1 that sum to 1");
   }
   PoseCurve curve;
   curve.points = command.points;

@@ -656,14 +656,13 @@ struct DeleteView {
   friend bool operator==(const DeleteView&, const DeleteView&) = default;
 };
 
-using Command =
-    std::variant<SetParameters, ResetParameters, LockParameters, DrawReference, DrawTarget, OversketchTarget,
-                 DragTarget, DrawConstraint, Pin, KeepCurve, DeleteCurve, EraseCurves, ClearCurves, SolvePose,
-                 SetPressureWeighting, NameCurve, DeleteNamedCurve, BeginDeformer, SketchCurve, CancelDeformer,
-                 RedrawCurve, ChangeDeformer, MirrorDeformer, RenameDeformer, DeleteDeformer, MoveDeformer, SetKey,
-                 DeleteKey, MoveKey, SetKeyInterpolation, GoToTime, SaveView, DeleteView, SuggestRest, SetHand,
-                 BeginCorrection, DeleteCorrection, TakeRegion, DrawBetween, DeleteBetween, PullBetween, PullTarget,
-                 PlaceCurve, PlaceTarget>;
+using Command = std::variant<SetParameters, ResetParameters, LockParameters, DrawReference, DrawTarget,
+                             OversketchTarget, DragTarget, DrawConstraint, Pin, KeepCurve, DeleteCurve, EraseCurves,
+                             ClearCurves, SolvePose, SetPressureWeighting, NameCurve, DeleteNamedCurve, BeginDeformer,
+                             SketchCurve, CancelDeformer, RedrawCurve, ChangeDeformer, MirrorDeformer, RenameDeformer,
+                             DeleteDeformer, MoveDeformer, SetKey, DeleteKey, MoveKey, SetKeyInterpolation, GoToTime,
+                             SaveView, DeleteView, SuggestRest, SetHand, BeginCorrection, DeleteCorrection, TakeRegion,
+                             DrawBetween, DeleteBetween, PullBetween, PullTarget, PlaceCurve, PlaceTarget>;
 
 /// The command's name in files.
 [[nodiscard]] inline std::string_view name_of(const Command& command) {

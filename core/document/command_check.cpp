@@ -57,9 +57,8 @@ const char* wrong(const articulation::Surface& surface) {
   return nullptr;
 }
 template <typename T>
-  requires(std::is_enum_v<T> || std::is_same_v<T, bool> || std::is_same_v<T, std::uint32_t> ||
-           std::is_same_v<T, CurveId>)
-const char* wrong(const T&) {
+requires(std::is_enum_v<T> || std::is_same_v<T, bool> || std::is_same_v<T, std::uint32_t> ||
+         std::is_same_v<T, CurveId>) const char* wrong(const T&) {
   return nullptr;
 }
 template <typename T>

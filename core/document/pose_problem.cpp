@@ -128,8 +128,8 @@ void add_known(const Document& document, double& doubt, intent::IntentProblem& p
   if (problem.drawn.empty()) doubt = hand;
   for (const auto& curve : document.curves) {
     if (is_known(*curve))
-      problem.known.push_back({curve_points(document, curve->points), curve->target->points,
-                               hand * (k_known_share / k_hand_share)});
+      problem.known.push_back(
+          {curve_points(document, curve->points), curve->target->points, hand * (k_known_share / k_hand_share)});
   }
 }
 

@@ -60,9 +60,7 @@ std::span<T> array(T* first, std::size_t count, const char* name) {
 }
 
 /// A caller's text. `name`: of the argument.
-inline std::string_view text(const char* pointer, const char* name) {
-  return {&needed(pointer, name)};
-}
+inline std::string_view text(const char* pointer, const char* name) { return {&needed(pointer, name)}; }
 
 /// Makes a call: nothing gets out of it but a status.
 template <typename Body>

@@ -2,6 +2,7 @@
 
 #include "core/base/byte_reader.h"
 #include "ui/capi/from_c.h"
+#include "ui/demo/demo_head.h"
 
 using namespace penpose;        // NOLINT(google-build-using-namespace): functions of C have no namespace of their own
 using namespace penpose::capi;  // NOLINT(google-build-using-namespace)
@@ -82,6 +83,15 @@ character::Pieces pieces_of(const penpose_arrays& arrays) {
   return out;
 }
 
+character::Character built_in(std::string_view name) {
+  using head::HeadEdition;
+  if (name == "builtin:demo-2" || name == "builtin:demo") {
+    const auto edition = name == "builtin:demo" ? HeadEdition::first : HeadEdition::second;
+    return character::Character(document::make_document(taken(demo::make_demo_head(edition))));
+  }
+  return taken(character::Character::built_in(name));
+}
+
 }  // namespace
 
 int32_t penpose_character_read(penpose_library* library, const void* bytes, size_t size, const char* hint,
@@ -100,17 +110,16 @@ int32_t penpose_character_built_in(penpose_library* library, const char* name, p
   return call(error, [&] {
     needed(library, "library");
     needed(character, "character");
-    give<CharacterObject>(*library, *character, taken(character::Character::built_in(text(name, "name"))));
+    give<CharacterObject>(*library, *character, built_in(text(name, "name")));
   });
 }
 
-int32_t penpose_character_from_arrays(penpose_library* library, const penpose_arrays* arrays,
-                                      penpose_handle* character, penpose_error* error) {
+int32_t penpose_character_from_arrays(penpose_library* library, const penpose_arrays* arrays, penpose_handle* character,
+                                      penpose_error* error) {
   return call(error, [&] {
     needed(library, "library");
     needed(character, "character");
-    give<CharacterObject>(*library, *character,
-                          taken(character::Character::make(pieces_of(needed(arrays, "arrays")))));
+    give<CharacterObject>(*library, *character, taken(character::Character::make(pieces_of(needed(arrays, "arrays")))));
   });
 }
 
@@ -135,8 +144,8 @@ int32_t penpose_triangles(penpose_library* library, penpose_handle character, ui
   return call_character(library, character, error, [&](const character::Character& one, CharacterObject&) {
     const auto triangles = one.document().model->mesh->triangles();
     if (count < triangles.size()) {
-      fail(PENPOSE_TOO_SMALL, {"there are " + std::to_string(triangles.size()) + " triangles", "count",
-                               "give room for all of them"});
+      fail(PENPOSE_TOO_SMALL,
+           {"there are " + std::to_string(triangles.size()) + " triangles", "count", "give room for all of them"});
     }
     std::uint32_t* out = array(corners, 3 * triangles.size(), "corners").data();
     for (const mesh::Triangle& triangle : triangles) out = std::copy(triangle.begin(), triangle.end(), out);

@@ -52,8 +52,7 @@ int32_t penpose_curve_from_points(penpose_library* library, penpose_handle chara
 }
 
 int32_t penpose_curve_from_stroke(penpose_library* library, penpose_handle character, const penpose_view* view,
-                                  const double* px, size_t count, int32_t role, uint32_t* curve,
-                                  penpose_error* error) {
+                                  const double* px, size_t count, int32_t role, uint32_t* curve, penpose_error* error) {
   return call_character(library, character, error, [&](character::Character& one, CharacterObject&) {
     needed(curve, "curve");
     const bool constraint = is_constraint(role);
@@ -95,8 +94,7 @@ int32_t penpose_curve_distances(penpose_library* library, penpose_handle charact
   });
 }
 
-int32_t penpose_curve_delete(penpose_library* library, penpose_handle character, uint32_t curve,
-                             penpose_error* error) {
+int32_t penpose_curve_delete(penpose_library* library, penpose_handle character, uint32_t curve, penpose_error* error) {
   return call_character(library, character, error, [&](character::Character& one, CharacterObject&) {
     done(one.perform(document::DeleteCurve{{curve}}));
   });
@@ -133,8 +131,7 @@ int32_t penpose_live_begin(penpose_library* library, penpose_handle character, u
                            penpose_handle* live, penpose_error* error) {
   return call_character(library, character, error, [&](character::Character& one, CharacterObject&) {
     needed(live, "live");
-    give<LiveObject>(*library, *live,
-                     taken(character::LiveTarget::begin(one, {curve}, view_of(needed(view, "view")))));
+    give<LiveObject>(*library, *live, taken(character::LiveTarget::begin(one, {curve}, view_of(needed(view, "view")))));
   });
 }
 
@@ -142,9 +139,9 @@ int32_t penpose_live_follow(penpose_library* library, penpose_handle live, const
                             double* values, size_t value_count, int32_t* moved, penpose_error* error) {
   return call_with<LiveObject>(library, live, error, [&](LiveObject& object) {
     if (value_count != object.live.pose().size()) {
-      fail_argument("room for " + std::to_string(value_count) + " values of " +
-                        std::to_string(object.live.pose().size()),
-                    "value_count", "give room for one value a parameter");
+      fail_argument(
+          "room for " + std::to_string(value_count) + " values of " + std::to_string(object.live.pose().size()),
+          "value_count", "give room for one value a parameter");
     }
     const auto out = array(values, value_count, "values");
     const auto line = line_of(px, count, "px");

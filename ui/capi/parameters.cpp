@@ -52,8 +52,8 @@ int32_t penpose_parameter(penpose_library* library, penpose_handle character, si
     const auto room = array(name, capacity, "name");
     if (room.empty()) return;
     if (room.size() <= found.name.size()) {
-      fail(PENPOSE_TOO_SMALL, {"the name has " + std::to_string(found.name.size()) + " bytes", "capacity",
-                               "give room for it and a 0"});
+      fail(PENPOSE_TOO_SMALL,
+           {"the name has " + std::to_string(found.name.size()) + " bytes", "capacity", "give room for it and a 0"});
     }
     std::copy_n(found.name.c_str(), found.name.size() + 1, room.begin());
   });

@@ -12,8 +12,8 @@
  * 3. Different handles may be used by different threads at the same time; calls with one handle wait for each other. A
  *    handle may be freed while another thread uses it: that call ends first.
  * 4. Arrays are the caller's. xyz is three numbers a point, px two (origin top left, x to the right, y down), all one
- *    after the other. Model space is right-handed, y up, in the model's own unit of length (glTF says metres). Angles of
- *    joints are radians, those of views degrees. A text is UTF-8 and ends with 0.
+ *    after the other. Model space is right-handed, y up, in the model's own unit of length (glTF says metres). Angles
+ * of joints are radians, those of views degrees. A text is UTF-8 and ends with 0.
  * 5. What is asked for becomes a command of the document by the newest rules of drawing, so that the program's window,
  *    a recorded session and a caller come to the same bits.
  *
@@ -24,7 +24,7 @@
  *     uint32_t lip = 0;
  *     penpose_error error;
  *     if (penpose_open(&library, &error) ||
- *         penpose_character_built_in(library, "builtin:head-2", &head, &error) ||
+ *         penpose_character_built_in(library, "builtin:demo-2", &head, &error) ||
  *         penpose_curve_named(library, head, "lip_upper", PENPOSE_REFERENCE, &lip, &error) ||
  *         penpose_target_points(library, head, lip, xyz, count, &error) ||
  *         penpose_solve(library, head, PENPOSE_PRESET_DEFAULT, &error) ||
@@ -97,14 +97,15 @@ PENPOSE_API int32_t penpose_handle_count(penpose_library* library, size_t* count
  * file must hold its buffers itself. */
 PENPOSE_API int32_t penpose_character_read(penpose_library* library, const void* bytes, size_t size, const char* hint,
                                            penpose_handle* character, penpose_error* error);
-/* "builtin:head-2", the program's own head, or "builtin:head", as older sessions have it. */
+/* "builtin:head-2", the program's own head, which has nothing to pose yet, or "builtin:demo-2", the same with sixteen
+ * sketched deformers. Older sessions have "builtin:head" and "builtin:demo". */
 PENPOSE_API int32_t penpose_character_built_in(penpose_library* library, const char* name, penpose_handle* character,
                                                penpose_error* error);
 
 /* A blend shape: vertex vertices[i] moves by deltas[3 i .. 3 i + 2] at value one. */
 typedef struct penpose_shape {
-  const char* name;         /* of its parameter; no other has it */
-  double minimum;           /* range of the parameter; 0 lies in it */
+  const char* name; /* of its parameter; no other has it */
+  double minimum;   /* range of the parameter; 0 lies in it */
   double maximum;
   size_t count;             /* entries */
   const uint32_t* vertices; /* ascending, each once; NULL: vertex i is i, and `count` is the number of vertices */
@@ -116,10 +117,10 @@ typedef struct penpose_shape {
  * axes, after `rotation`). */
 typedef struct penpose_joint {
   const char* name;
-  int32_t parent;          /* comes before it; -1: none */
-  int32_t posable;         /* 0: has no parameters */
+  int32_t parent;  /* comes before it; -1: none */
+  int32_t posable; /* 0: has no parameters */
   double translation[3];
-  double rotation[4];      /* at rest, x y z w, of length one */
+  double rotation[4]; /* at rest, x y z w, of length one */
   double scale[3];
   double inverse_bind[16]; /* column after column, as in glTF */
   double minimum[3];       /* radians about x, y, z; 0 lies in the range */
@@ -129,16 +130,16 @@ typedef struct penpose_joint {
 /* What a character is made of. Counts of 0 go with null pointers. All is copied. */
 typedef struct penpose_arrays {
   size_t vertex_count;
-  const double* positions;     /* at rest, 3 a vertex; rounded to float */
+  const double* positions; /* at rest, 3 a vertex; rounded to float */
   size_t triangle_count;
-  const uint32_t* triangles;   /* 3 a triangle, counter-clockwise from outside */
+  const uint32_t* triangles; /* 3 a triangle, counter-clockwise from outside */
   size_t shape_count;
   const penpose_shape* shapes;
   size_t joint_count;
   const penpose_joint* joints;
-  size_t influences;           /* a vertex; 0 without joints */
-  const uint32_t* joint_of;    /* `influences` a vertex: numbers of joints */
-  const double* weight_of;     /* the same: their shares, >= 0; scaled to sum to one; all 0: the vertex stays */
+  size_t influences;        /* a vertex; 0 without joints */
+  const uint32_t* joint_of; /* `influences` a vertex: numbers of joints */
+  const double* weight_of;  /* the same: their shares, >= 0; scaled to sum to one; all 0: the vertex stays */
 } penpose_arrays;
 
 PENPOSE_API int32_t penpose_character_from_arrays(penpose_library* library, const penpose_arrays* arrays,
@@ -299,12 +300,12 @@ typedef struct penpose_sketch {
   size_t general_count;
   const double* specific;
   size_t specific_count;
-  const double* reference;         /* NULL with 0: inferred */
+  const double* reference; /* NULL with 0: inferred */
   size_t reference_count;
   const double* target;
   size_t target_count;
   int32_t mode;
-  double minimum;                  /* range of the parameter: minimum <= 0 < maximum <= 10 */
+  double minimum; /* range of the parameter: minimum <= 0 < maximum <= 10 */
   double maximum;
 } penpose_sketch;
 
@@ -320,18 +321,18 @@ PENPOSE_API int32_t penpose_perform(penpose_library* library, penpose_handle cha
 
 /* What replaying a session came to. */
 typedef struct penpose_playback {
-  uint64_t reports;  /* of tablets */
+  uint64_t reports; /* of tablets */
   uint64_t strokes;
-  uint64_t steps;    /* strokes on the canvas and commands */
-  uint64_t refused;  /* of these, how many changed nothing */
-  uint64_t checked;  /* states that the session holds */
+  uint64_t steps;   /* strokes on the canvas and commands */
+  uint64_t refused; /* of these, how many changed nothing */
+  uint64_t checked; /* states that the session holds */
   uint64_t differing;
-  uint64_t line;     /* of the first that differs, from 1; 0: none */
-  char state[33];    /* at the end */
+  uint64_t line;  /* of the first that differs, from 1; 0: none */
+  char state[33]; /* at the end */
 } penpose_playback;
 
 /* Replays a session or a plain trace as fast as it goes. `on`: the character that it was recorded on, whose document is
- * not changed; 0: the built-in head that it names. `character` takes the document at the end, `playback` (may be NULL)
+ * not changed; 0: the built-in one that it names. `character` takes the document at the end, `playback` (may be NULL)
  * what it came to. PENPOSE_DIVERGED with `playback` written, and no character, where a state differs. */
 PENPOSE_API int32_t penpose_session_play(penpose_library* library, const void* bytes, size_t size, penpose_handle on,
                                          penpose_handle* character, penpose_playback* playback, penpose_error* error);

@@ -6,7 +6,7 @@
 // A character is posed so: make it, give it a curve, say where the curve should go, solve, evaluate.
 //
 //   #include <penpose.hpp>
-//   auto head = penpose::Character::built_in();                          // or read(bytes), make(pieces)
+//   auto head = penpose::Character::read(bytes);                         // or built_in(), make(pieces)
 //   auto lip = head->place_reference(*head->points_of("lip_upper"));     // or points_at(vertices), draw_reference(view, px)
 //   auto places = *head->positions_of(*lip);
 //   for (auto& p : places) p.y += 0.002;
@@ -49,3 +49,6 @@ using articulation::Sketch;  // a deformer in four strokes
 // Character's listener feeds, writes one.
 #include "replay/command_recorder.h"
 #include "replay/session_player.h"
+
+// And `demo::make_demo_head()`: the built-in head with sixteen sketched deformers.
+#include "ui/demo/demo_head.h"

@@ -106,7 +106,7 @@ class Character(_c.Handle):
 
     @classmethod
     def built_in(cls, name: str = 'builtin:head-2') -> 'Character':
-        """The program's own head."""
+        """The program's own head, with nothing to pose yet; 'builtin:demo-2': with sixteen sketched deformers."""
         return cls(made(C.penpose_character_built_in, LIBRARY.pointer, text(name), None))
 
     @classmethod

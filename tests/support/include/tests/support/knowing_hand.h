@@ -293,7 +293,8 @@ class KnowingHand {
   document::CurveId curve(bool with_target) {
     std::vector<document::CurveId> found;
     for (const auto& one : doc().curves) {
-      const bool wanted = one->role == document::PoseCurveRole::reference && (!with_target || one->target);
+      const bool wanted = one->role == document::PoseCurveRole::reference &&
+                          (!with_target || (one->target && !one->target->line.empty()));
       if (wanted) found.push_back(one->id);
     }
     return found.empty() ? document::CurveId{1} : any(found);
