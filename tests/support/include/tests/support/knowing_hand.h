@@ -302,7 +302,7 @@ class KnowingHand {
   /// A line near a part of a target that is there, or any line.
   std::vector<geometry::PxPoint> along_target() {
     const document::PoseCurve* found = document::find_curve(doc(), curve(true));
-    if (found == nullptr || !found->target) return hand_.line();
+    if (found == nullptr || !found->target || found->target->line.empty()) return hand_.line();
     const auto& line = found->target->line;
     const std::size_t from = random_.below(line.size() / 2);
     std::vector<geometry::PxPoint> out;
