@@ -35,6 +35,8 @@ inline constexpr std::uint32_t k_offset_rules = 4;
 /// The rules from which on it is read by intent::Edition::fourth, and from the pose before the first of the lines that
 /// belong together (Moment).
 inline constexpr std::uint32_t k_moment_rules = 5;
+/// The rules from which on it is read by intent::Edition::fifth.
+inline constexpr std::uint32_t k_whole_rules = 6;
 
 /// A parameter and its value.
 struct NamedValue {

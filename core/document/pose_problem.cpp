@@ -65,7 +65,8 @@ namespace {
 /// What does not depend on the curves: where it starts, what is free and what is locked.
 intent::IntentProblem problem_without_curves(const Document& document, std::uint32_t rules) {
   intent::IntentProblem problem;
-  problem.edition = rules >= k_moment_rules   ? intent::Edition::fourth
+  problem.edition = rules >= k_whole_rules    ? intent::Edition::fifth
+                    : rules >= k_moment_rules ? intent::Edition::fourth
                     : rules >= k_offset_rules ? intent::Edition::third
                     : rules >= k_sheet_rules  ? intent::Edition::second
                                               : intent::Edition::first;

@@ -29,8 +29,9 @@ enum class ToolKind : std::uint8_t {
 /// The newest rules. 1: a tap draws nothing; where a target is drawn over the rest of it stays where it is. 2: poses
 /// are solved for what was meant. 3: a reference stays on one sheet of the surface, and what was meant is read by
 /// intent::Edition::second. 4: it is read by intent::Edition::third, and references of deformers stay on one sheet too.
-/// 5: it is read by intent::Edition::fourth, from the pose before the first of the lines that belong together.
-inline constexpr std::uint32_t k_rules = 5;
+/// 5: it is read by intent::Edition::fourth, from the pose before the first of the lines that belong together. 6: it is
+/// read by intent::Edition::fifth.
+inline constexpr std::uint32_t k_rules = 6;
 
 struct Tool {
   ToolKind kind = ToolKind::pose;

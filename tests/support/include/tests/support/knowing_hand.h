@@ -14,8 +14,8 @@ namespace penpose::tests {
 /// something. A command that is added to the list and is not made here does not compile.
 class KnowingHand {
  public:
-  /// All commands of the list, those that there were when golden sessions by the rules were first drawn, or those up to
-  /// the ones of other targets and corrections.
+  /// All commands of the list; those that there were when golden sessions by the rules were first drawn; or those of
+  /// the day on which controls came to have several targets.
   enum class Commands : std::uint8_t { all, first, targets };
   KnowingHand(SessionScript& script, std::uint64_t seed) : KnowingHand(script, seed, drawing::k_rules, Commands::all) {}
   KnowingHand(SessionScript& script, std::uint64_t seed, std::uint32_t rules, Commands commands = Commands::first)
@@ -266,9 +266,9 @@ class KnowingHand {
     constexpr std::size_t k_before_sheet_rules = 33;
     // Rules 3 to 5 came without new commands; those of other targets and corrections came after them.
     constexpr std::size_t k_before_other_targets = 35;
-    constexpr std::size_t k_before_placed_curves = 42;
+    constexpr std::size_t k_with_other_targets = 42;
     if (commands_ == Commands::all) return std::variant_size_v<document::Command>;
-    if (commands_ == Commands::targets) return k_before_placed_curves;
+    if (commands_ == Commands::targets || rules_ > document::k_moment_rules) return k_with_other_targets;
     return rules_ < document::k_sheet_rules ? k_before_sheet_rules : k_before_other_targets;
   }
   /// What the rules of single commands are: those of the solver alone.
