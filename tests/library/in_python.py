@@ -1,4 +1,4 @@
-"""in_python.py SESSION...: replays sessions through the Python package and prints "NAME STATE" of each; then poses the demo's head and
+"""in_python.py SESSION[@MODEL]...: replays sessions through the Python package and prints "NAME STATE" of each; then poses the demo's head and
 prints how far it came."""
 import os
 import sys
@@ -7,9 +7,14 @@ import penpose
 
 
 def main():
-    for path in sys.argv[1:]:
+    for argument in sys.argv[1:]:
+        path, _, model = argument.partition('@')
+        on = None
+        if model:
+            with open(model, 'rb') as file:
+                on = penpose.Character.read(file.read())
         with open(path, 'rb') as file:
-            character, playback = penpose.play(file.read())
+            character, playback = penpose.play(file.read(), on)
         assert character.state == playback.state and playback.differing == 0
         print(os.path.basename(path), character.state)
     head = penpose.Character.built_in('builtin:demo-2')

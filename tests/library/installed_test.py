@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 SESSIONS = ('ui/demo/demo.session', 'ui/demo/demo_2.session', 'tests/data/sessions/penpartner.session',
-            'tests/data/sessions/suggest.session')
+            'tests/data/sessions/suggest.session@tests/data/models/test_sheet.glb')
 
 
 def run(*command, **more):
@@ -34,10 +34,11 @@ def main():
             lib = folder
     with open(os.path.join(source, 'tests/golden/hashes.txt'), encoding='utf-8') as file:
         golden = dict(line.split() for line in file)
-    sessions = [os.path.join(source, path) for path in SESSIONS]
-    expected = ['%s %s' % (os.path.basename(path), golden[os.path.basename(path)]) for path in sessions]
+    sessions = ['@'.join(os.path.join(source, piece) for piece in path.split('@')) for path in SESSIONS]
+    names = [os.path.basename(path.split('@')[0]) for path in SESSIONS]
+    expected = ['%s %s' % (name, golden[name]) for name in names]
 
-    mine = here = os.path.dirname(os.path.abspath(__file__))
+    here = os.path.dirname(os.path.abspath(__file__))
     compilers = ['-DCMAKE_CXX_COMPILER=' + arguments.cxx, '-DCMAKE_BUILD_TYPE=Release']
     poses = set()
 
@@ -60,7 +61,7 @@ def main():
     run('cc', '-std=c99', '-o', plain, os.path.join(here, 'c', 'main.c'), *flags.split(), '-lm', '-Wl,-rpath,' + lib)
     check('pkg-config', run(plain, *sessions))
 
-    script = os.path.join(mine, 'in_python.py')
+    script = os.path.join(here, 'in_python.py')
     environment = {key: value for key, value in os.environ.items() if not key.startswith('PYTHON') and key != 'PENPOSE_LIBRARY'}
     environment['PYTHONDONTWRITEBYTECODE'] = '1'
     installed = os.path.join(prefix, 'lib/python3/dist-packages')

@@ -1,4 +1,4 @@
-/* in_c SESSION...: replays sessions through the C library and prints "NAME STATE" of each; then poses the demo's head and prints how
+/* in_c SESSION[@MODEL]...: replays sessions through the C library and prints "NAME STATE" of each; then poses the demo's head and prints how
  * far it came. C99 and nothing else. */
 #include <math.h>
 #include <penpose.h>
@@ -28,20 +28,28 @@ static char* read_file(const char* path, size_t* size) {
   return bytes;
 }
 
-static int replay(penpose_library* library, const char* path) {
+static int replay(penpose_library* library, char* path) {
   penpose_error error;
   penpose_playback playback;
-  penpose_handle character = 0;
+  penpose_handle character = 0, on = 0;
   size_t size = 0;
-  char* bytes = read_file(path, &size);
+  char* model = strchr(path, '@');
+  char* bytes;
   char state[33];
-  const char* name = strrchr(path, '/') ? strrchr(path, '/') + 1 : path;
+  if (model != NULL) {
+    *model++ = '\0';
+    bytes = read_file(model, &size);
+    if (bytes == NULL) return 1;
+    if (penpose_character_read(library, bytes, size, NULL, &on, &error)) return fail(model, &error);
+    free(bytes);
+  }
+  bytes = read_file(path, &size);
   if (bytes == NULL) return 1;
-  if (penpose_session_play(library, bytes, size, 0, &character, &playback, &error)) return fail(path, &error);
+  if (penpose_session_play(library, bytes, size, on, &character, &playback, &error)) return fail(path, &error);
   free(bytes);
   if (penpose_state(library, character, state, &error)) return fail(path, &error);
   if (strcmp(state, playback.state) != 0 || playback.differing != 0) return 1;
-  printf("%s %s\n", name, state);
+  printf("%s %s\n", strrchr(path, '/') ? strrchr(path, '/') + 1 : path, state);
   return penpose_free(library, character, &error) ? fail(path, &error) : 0;
 }
 

@@ -1,5 +1,5 @@
-// in_cpp SESSION...: replays sessions through the C++ libraries and prints "NAME STATE" of each; then poses the demo's
-// head and prints how far it came.
+// in_cpp SESSION[@MODEL]...: replays sessions through the C++ libraries and prints "NAME STATE" of each; then poses the
+// demo's head and prints how far it came.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
@@ -15,12 +15,20 @@ int fail(const std::string& line) {
   return 1;
 }
 
-int replay(const std::string& path) {
+std::string read_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+int replay(const std::string& argument) {
+  const std::string path = argument.substr(0, argument.find('@'));
+  const std::string model = path == argument ? "" : argument.substr(path.size() + 1);
+  const std::string text = read_text(path);
   penpose::replay::PlayerOptions options;
-  options.open = [](const std::string& name) -> penpose::base::Result<penpose::document::Document> {
-    auto made = penpose::Character::built_in(name);
+  options.open = [&](const std::string& name) -> penpose::base::Result<penpose::document::Document> {
+    const std::string bytes = model.empty() ? "" : read_text(model);
+    auto made =
+        model.empty() ? penpose::Character::built_in(name) : penpose::Character::read(penpose::base::as_bytes(bytes));
     if (!made) return made.error();
     return made->document();
   };

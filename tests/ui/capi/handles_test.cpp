@@ -43,7 +43,9 @@ TEST(CHandles, AThousandCharactersOfTheirOwnAreMadeAndFreed) {
     penpose_handle made = 0;
     ASSERT_EQ(penpose_character_from_arrays(desk.library, &desk.sheet_arrays.arrays, &made, nullptr), PENPOSE_OK);
     // Every other one is left for the library's end.
-    if (i % 2 == 0) ASSERT_EQ(penpose_free(desk.library, made, nullptr), PENPOSE_OK);
+    if (i % 2 == 0) {
+      ASSERT_EQ(penpose_free(desk.library, made, nullptr), PENPOSE_OK);
+    }
   }
   std::size_t count = 0;
   EXPECT_EQ(penpose_handle_count(desk.library, &count, nullptr), PENPOSE_OK);

@@ -30,7 +30,7 @@ TEST(CSessions, GoldenSessionsComeToTheirStates) {
     const std::string text = read_text(PENPOSE_SOURCE + std::string(path));
     penpose_handle made = 0;
     penpose_playback playback{};
-    ASSERT_EQ(penpose_session_play(desk.library, text.data(), text.size(), 0, &made, &playback, &desk.error),
+    ASSERT_EQ(penpose_session_play(desk.library, text.data(), text.size(), on, &made, &playback, &desk.error),
               PENPOSE_OK)
         << path << ": " << desk.error.message;
     const std::string name = std::string(path).substr(std::string(path).rfind('/') + 1);

@@ -50,5 +50,6 @@ for axis, name in zip(axes, curves):
     axis.set_title(name)
     axis.set_xlabel('along the curve')
 axes[0].set_ylabel('distance to the target, mm')
+axes[0].set_ylim(bottom=0)
 axes[0].legend(frameon=False)
 figure.savefig(sys.argv[1] if len(sys.argv) > 1 else 'residual.png', dpi=120)
