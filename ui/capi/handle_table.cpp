@@ -46,19 +46,23 @@ std::shared_ptr<Object> HandleTable::find(std::uint64_t handle) const {
 }
 
 bool HandleTable::remove(std::uint64_t handle) {
-  std::shared_ptr<Object> gone;  // outlives the lock: freeing a character takes a while
-  const std::unique_lock guard(lock_);
-  const std::uint32_t number = place_of(handle);
-  if (number >= places_.size()) return false;
-  Place& place = places_[number];
-  if (!place.object || handle_of(place.object->kind, place.generation, number) != handle) return false;
-  gone = std::move(place.object);
-  place.object = nullptr;
-  // A place whose numbers are used up is never used again.
-  if (place.generation < std::numeric_limits<std::uint32_t>::max()) {
-    ++place.generation;
-    unused_.push_back(number);
+  std::shared_ptr<Object> gone;
+  {
+    const std::unique_lock guard(lock_);
+    const std::uint32_t number = place_of(handle);
+    if (number >= places_.size()) return false;
+    Place& place = places_[number];
+    if (!place.object || handle_of(place.object->kind, place.generation, number) != handle) return false;
+    gone = std::move(place.object);
+    place.object = nullptr;
+    // A place whose numbers are used up is never used again.
+    if (place.generation < std::numeric_limits<std::uint32_t>::max()) {
+      ++place.generation;
+      unused_.push_back(number);
+    }
   }
+  // A call that has it ends first. Freeing it takes a while, and holds up no other handle.
+  { const std::lock_guard wait(gone->busy); }
   return true;
 }
 

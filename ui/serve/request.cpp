@@ -83,10 +83,10 @@ std::vector<double> Request::rows(const char* name, std::size_t width) const {
   std::vector<double> out;
   const Json& list = list_at(need(name), at(name));
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::string place = model_io::child(at(name), i);
+    const std::string where = model_io::child(at(name), i);
     if (!list[i].is_array() || list[i].size() != width)
-      refuse("a list of " + std::to_string(width) + " numbers was expected", place, "give one");
-    for (const Json& value : list[i]) out.push_back(number_at(value, place));
+      refuse("a list of " + std::to_string(width) + " numbers was expected", where, "give one");
+    for (const Json& value : list[i]) out.push_back(number_at(value, where));
   }
   return out;
 }

@@ -25,8 +25,15 @@ std::string golden(const std::string& name) {
 
 TEST(CSessions, GoldenSessionsComeToTheirStates) {
   CDesk desk;
-  for (const char* path : {"/ui/demo/demo.session", "/ui/demo/demo_2.session",
-                           "/tests/data/sessions/penpartner.session", "/tests/data/sessions/suggest.session"}) {
+  const std::string glb = read_text(PENPOSE_SOURCE + std::string("/tests/data/models/test_sheet.glb"));
+  penpose_handle sheet = 0;
+  ASSERT_EQ(penpose_character_read(desk.library, glb.data(), glb.size(), nullptr, &sheet, &desk.error), PENPOSE_OK)
+      << desk.error.message;
+  const std::pair<const char*, penpose_handle> sessions[] = {{"/ui/demo/demo.session", 0},
+                                                             {"/ui/demo/demo_2.session", 0},
+                                                             {"/tests/data/sessions/penpartner.session", 0},
+                                                             {"/tests/data/sessions/suggest.session", sheet}};
+  for (const auto& [path, on] : sessions) {
     const std::string text = read_text(PENPOSE_SOURCE + std::string(path));
     penpose_handle made = 0;
     penpose_playback playback{};

@@ -76,7 +76,8 @@ TEST(Serve, ACharacterIsPosed) {
   }
   const Json positions = talk.does(R"({"do":"evaluate"})")["positions"];
   EXPECT_EQ(positions.size(), 225U);
-  EXPECT_EQ(talk.does(R"({"do":"save","path":"out.glb"})")["bytes"], talk.saved.size());
+  const Json saved = talk.does(R"({"do":"save","path":"out.glb"})");
+  EXPECT_EQ(saved["bytes"], talk.saved.size());
   EXPECT_EQ(character::Character::read(talk.saved)->state().whole.hex(), talk.state());
 }
 
