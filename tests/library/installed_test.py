@@ -39,7 +39,7 @@ def main():
     expected = ['%s %s' % (name, golden[name]) for name in names]
 
     here = os.path.dirname(os.path.abspath(__file__))
-    compilers = ['-DCMAKE_CXX_COMPILER=' + arguments.cxx, '-DCMAKE_BUILD_TYPE=Release']
+    compilers = {'c': [], 'cpp': ['-DCMAKE_CXX_COMPILER=' + arguments.cxx]}
     poses = set()
 
     def check(name, said):
@@ -51,7 +51,8 @@ def main():
 
     for name in ('c', 'cpp'):
         out = os.path.join(work, name)
-        run(arguments.cmake, '-S', os.path.join(here, name), '-B', out, '-DCMAKE_PREFIX_PATH=' + prefix, *compilers)
+        run(arguments.cmake, '-S', os.path.join(here, name), '-B', out, '-DCMAKE_PREFIX_PATH=' + prefix, '-DCMAKE_BUILD_TYPE=Release',
+            *compilers[name])
         run(arguments.cmake, '--build', out)
         check(name, run(os.path.join(out, 'in_' + name), *sessions))
     print('decode', run(os.path.join(work, 'cpp', 'samples')).strip())

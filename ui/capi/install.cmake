@@ -9,6 +9,8 @@ install(TARGETS penpose_c
 option(PENPOSE_INSTALL_CPP "Install the C++ libraries, penpose::core and its like" ON)
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/penpose)
 install(FILES penpose.h penpose.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT libpenpose-dev)
+# Found wherever the prefix goes.
+file(RELATIVE_PATH PENPOSE_PC_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(penpose.pc.in ${CMAKE_CURRENT_BINARY_DIR}/penpose.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/penpose.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT libpenpose-dev)
 
