@@ -21,6 +21,12 @@ Sheets::Sheets(const mesh::TriangleMesh& mesh, std::span<const mesh::Triangle> t
       beside_(triangles.size(), {k_border, k_border, k_border}),
       seen_(triangles.size(), 0) {
   const auto weld = mesh.weld();
+  areas_.assign(mesh.component_count(), 0.0);
+  for (const mesh::Triangle& t : triangles_) {
+    const ModelPoint a(mesh.positions()[t[0]]), b(mesh.positions()[t[1]]), c(mesh.positions()[t[2]]);
+    areas_[mesh.components()[t[0]]] += 0.5 * geometry::length(glm::cross(b - a, c - a));
+  }
+  for (const double area : areas_) largest_area_ = std::max(largest_area_, area);
   std::vector<mesh::Triangle> welded = triangles_;
   for (mesh::Triangle& triangle : welded) {
     component_.push_back(mesh.components()[triangle[0]]);

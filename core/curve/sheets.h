@@ -30,6 +30,10 @@ class Sheets {
 
   /// The connected component of a triangle (TriangleMesh::components).
   [[nodiscard]] std::uint32_t component(std::uint32_t triangle) const { return component_[triangle]; }
+  /// The area of that component as it rests, model units squared.
+  [[nodiscard]] double area(std::uint32_t triangle) const { return areas_[component_[triangle]]; }
+  /// The area of the largest component.
+  [[nodiscard]] double largest_area() const { return largest_area_; }
 
  private:
   static constexpr std::uint32_t k_border = 0xffffffffU;
@@ -37,6 +41,8 @@ class Sheets {
   std::vector<mesh::Triangle> triangles_;
   std::vector<std::array<std::uint32_t, 3>> beside_;  ///< over the edge that follows corner k
   std::vector<std::uint32_t> component_;
+  std::vector<double> areas_;  ///< one a component
+  double largest_area_ = 0;
   std::vector<std::uint32_t> seen_;  ///< in which search a triangle was reached last
   std::vector<std::uint32_t> queue_;
   std::uint32_t search_ = 0;

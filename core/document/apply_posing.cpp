@@ -5,6 +5,7 @@
 
 #include "core/curve/pairing.h"
 #include "core/curve/sheet_line.h"
+#include "core/curve/slight_parts.h"
 #include "core/document/apply_parts.h"
 #include "core/document/moment.h"
 #include "core/document/pose_problem.h"
@@ -73,12 +74,16 @@ base::Result<curve::ProjectedStroke> drawn_on_surface(const Document& document, 
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!camera) return at("view", camera.error());
   const geometry::TriangleBvh& tree = work.surface_of(document);
-  auto drawn = rules >= k_sheet_rules
-                   ? curve::sheet_curve(
-                         line, k_pose_curve_points, *camera,
-                         {tree, work.surface_positions(), document.model->mesh->triangles(), work.sheets_of(document)})
-                   : curve::surface_curve(line, k_pose_curve_points, *camera, tree);
+  if (rules < k_sheet_rules) {
+    auto drawn = curve::surface_curve(line, k_pose_curve_points, *camera, tree);
+    if (!drawn) return at("line", drawn.error());
+    return drawn;
+  }
+  const curve::SheetSurface surface{tree, work.surface_positions(), document.model->mesh->triangles(),
+                                    work.sheets_of(document)};
+  auto drawn = curve::sheet_curve(line, k_pose_curve_points, *camera, surface);
   if (!drawn) return at("line", drawn.error());
+  if (rules >= k_whole_rules) curve::stand_on_body(*drawn, surface);
   return drawn;
 }
 

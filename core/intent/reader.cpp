@@ -11,6 +11,11 @@ namespace {
 
 /// What the square of a variable costs, as shares of ranges: no more than what keeps undetermined ones where they are.
 constexpr double k_stiffness = 0.5;
+/// The farther a line is from where the curve was seen, the less exactly its shape is meant: width of doubt beside the
+/// way that was drawn (a hand's error grows with its way: Weber's law; Schmidt et al., Psychological Review 86, 1979).
+constexpr double k_farther = 0.1;
+/// But no more than this, beside the width of doubt near by.
+constexpr double k_farthest = 1.5;
 
 posing::PoseProblem points_of(const IntentProblem& problem) {
   posing::PoseProblem plain;
@@ -25,11 +30,33 @@ posing::PoseProblem points_of(const IntentProblem& problem) {
   return plain;
 }
 
+/// How far a line lies from a curve, root mean square over its points to the nearest place of the curve, px.
+double way_across(std::span<const PxPoint> curve, std::span<const PxPoint> line) {
+  double sum = 0;
+  for (const PxPoint& p : line) {
+    double least = 1e300;
+    for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+      const PxPoint chord = curve[i + 1] - curve[i];
+      const double square = chord.x * chord.x + chord.y * chord.y;
+      const PxPoint to = p - curve[i];
+      const double at = square > 0.0 ? std::clamp((to.x * chord.x + to.y * chord.y) / square, 0.0, 1.0) : 0.0;
+      const PxPoint off = to - chord * at;
+      least = std::min(least, off.x * off.x + off.y * off.y);
+    }
+    sum += least;
+  }
+  return std::sqrt(sum / static_cast<double>(line.size()));
+}
+
 }  // namespace
 
 Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem)
     : rig_(rig), whole_(whole), problem_(problem), system_(rig, points_of(problem)) {
   if (problem.edition < Edition::third) costs_.limit = 0.0;
+  if (problem.edition >= Edition::fifth) {
+    costs_.limit_from = 0.8;
+    costs_.pair = 0.0;
+  }
   std::size_t first = 0;
   const auto add = [&](const std::vector<posing::CurvePoint>& reference) -> Block& {
     Block block;
@@ -104,6 +131,21 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
   all_.resize(parameters_.size());
   for (std::size_t v = all_.size(); v < variable_count(); ++v) all_.push_back(v);
   make_units();
+
+  // Limbs go far, and their lines are as exact as others.
+  if (problem.edition < Edition::fifth || !chain_.empty()) return;
+  if (!problem.posed.empty()) place(problem.posed, positions_);
+  for (Block& block : blocks_) {
+    if (block.drawn == nullptr) continue;
+    block.shown = seen(block, problem.posed.empty() ? start_ : positions_);
+    doubt_what_is_far(block, block.drawn->target);
+  }
+}
+
+void Reader::doubt_what_is_far(Block& block, std::span<const PxPoint> line) const {
+  if (block.shown.empty()) return;
+  const double far = std::min(k_farther * way_across(block.shown, line), k_farthest * block.drawn->doubt_px);
+  block.doubt = std::sqrt(block.drawn->doubt_px * block.drawn->doubt_px + far * far);
 }
 
 void Reader::place(const rig::Pose& pose, std::vector<ModelPoint>& out) {
@@ -197,6 +239,8 @@ void Reader::stretch(double ranges) {
 
 std::optional<Choice> meant_without_limits(Reader& reader, Quadratic& quadratic, const Choice& within,
                                            std::size_t most_units, std::size_t& evaluations) {
+  // What else comes nearer within the limits has to do so by this, or is not what was meant.
+  constexpr double k_clearly = 0.8;
   // How far beyond its limits a control is thought to go, ranges.
   constexpr double k_beyond = 4.0;
   Selection selection(quadratic, reader.choices(), reader.costs());
@@ -212,7 +256,8 @@ std::optional<Choice> meant_without_limits(Reader& reader, Quadratic& quadratic,
       // Within the limits something else may come nearer by itself.
       selection.forbid_nothing();
       Choice other = selection.select(selection.fit({}), meant.units.size());
-      if (!other.units.empty() && other.energy < kept->energy - 1e-9) kept = std::move(other);
+      const double least = reader.edition() >= Edition::fifth ? k_clearly * kept->energy : kept->energy - 1e-9;
+      if (!other.units.empty() && other.energy < least) kept = std::move(other);
     }
   }
   evaluations += selection.evaluations();
@@ -222,6 +267,7 @@ std::optional<Choice> meant_without_limits(Reader& reader, Quadratic& quadratic,
 void Reader::redraw(std::size_t c, std::span<const PxPoint> line, Alignment alignment) {
   Block& block = blocks_[c];
   block.line.emplace(line);
+  doubt_what_is_far(block, line);
   block.alignments.assign(1, alignment);
   block.aligned = 0;
 }

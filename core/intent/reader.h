@@ -96,14 +96,17 @@ class Reader {
     std::optional<SlidingLine> line;
     std::vector<Alignment> alignments;
     std::size_t aligned = 0;
-    double doubt = 1;  ///< px or model units
-    double share = 1;  ///< 1 / (1 + D / nu) of the last weigh
+    double doubt = 1;            ///< px or model units
+    std::vector<PxPoint> shown;  ///< of a drawn curve: where the hand saw it; empty where that does not matter
+    double share = 1;            ///< 1 / (1 + D / nu) of the last weigh
     std::size_t row = 0, slide = 0;
     Matching matching;
     ModeMatrix factor{};  ///< Cholesky factor of what sliding costs
   };
   /// Of a drawn curve, as it is aligned, px.
   [[nodiscard]] static double doubt_of(const Block& block);
+  /// From Edition::fifth on a line is the less exact the farther it is from where the hand saw the curve.
+  void doubt_what_is_far(Block& block, std::span<const PxPoint> line) const;
   void look_at_drawn(Block& block, Quadratic& quadratic, std::span<const double> at, bool slide,
                      std::span<const std::size_t> variables);
   void look_at_known(Block& block, Quadratic& quadratic, std::span<const double> at,
@@ -116,6 +119,8 @@ class Reader {
   /// How far each parameter moves what lies next to each drawn or known curve away from it, root mean square, model
   /// units; empty before Edition::third.
   [[nodiscard]] std::vector<std::vector<double>> ways_apart() const;
+  /// The connected pieces of the surface that a reference lies on, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> pieces_of(std::span<const posing::CurvePoint> reference) const;
   /// Fills besides_ and arounds_.
   void measure_besides();
   /// What a control costs for moving other things farther than what is drawn.

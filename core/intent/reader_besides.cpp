@@ -32,7 +32,10 @@ void Reader::measure_besides() {
           const double length = geometry::length(chord);
           if (length > 0.0 && !block.alignments.front().closed) along += glm::dot(chord, way) / length;
         }
-        sum += glm::dot(way, way);
+        // What the pen left out by its pressure is not seen.
+        const bool weighs =
+            problem_.edition >= Edition::fifth && block.drawn != nullptr && !block.drawn->weights.empty();
+        sum += glm::dot(way, way) * (weighs ? block.drawn->weights[i - block.first] : 1.0);
       }
       const double way = std::sqrt(sum / static_cast<double>(block.count));
       if (!(way > most)) continue;
@@ -76,6 +79,14 @@ double Reader::beside_charge(std::size_t variable) const {
              : beside + costs_.around * base::log(arounds_[variable]) + costs_.along * base::log(alongs_[variable]);
 }
 
+std::vector<std::uint32_t> Reader::pieces_of(std::span<const posing::CurvePoint> reference) const {
+  std::vector<std::uint32_t> pieces;
+  for (const posing::CurvePoint& point : reference) pieces.push_back(whole_.surroundings->piece(point.vertex[0]));
+  std::stable_sort(pieces.begin(), pieces.end());
+  pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+  return pieces;
+}
+
 std::vector<std::vector<double>> Reader::ways_apart() const {
   // Of a curve's length: what lies as near as that is drawn with it.
   constexpr double k_near = 0.05;
@@ -92,7 +103,10 @@ std::vector<std::vector<double>> Reader::ways_apart() const {
       for (std::size_t k = 0; k < 3; ++k) at += rest[point.vertex[k]] * point.weight[k];
       places.push_back(at);
     }
-    const auto near = whole_.surroundings->near(places, k_near * curve::arc_length<ModelPoint>(places), k_most_near);
+    std::vector<std::uint32_t> pieces;  // a lid glides over an eye that is another thing
+    if (problem_.edition >= Edition::fifth) pieces = pieces_of(reference);
+    const auto near =
+        whole_.surroundings->near(places, k_near * curve::arc_length<ModelPoint>(places), k_most_near, pieces);
     if (near.empty()) return out;
     const auto form = rig_.bind(near)->linearize(problem_.start, parameters_);
     if (!form) return out;

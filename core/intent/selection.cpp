@@ -64,7 +64,25 @@ std::size_t Selection::units_at_limit(const Choice& choice) const {
   return count;
 }
 
+double share_of_range(double value, std::size_t variable, const Choices& choices) {
+  const double end = value < 0.0 ? choices.low[variable] : choices.high[variable];
+  return end != 0.0 ? std::clamp(value / end, 0.0, 1.0) : value != 0.0 ? 1.0 : 0.0;
+}
+
+double Selection::units_near_limit(const Choice& choice) const {
+  double sum = 0;
+  for (const std::size_t u : choice.units) {
+    const Unit& unit = choices_.units[u];
+    double most = 0;
+    for (std::size_t m = 0; m < unit.count; ++m)
+      most = std::max(most, share_of_range(value_of(choice, unit.members[m]), unit.members[m], choices_));
+    sum += std::max(0.0, (most - costs_.limit_from) / (1.0 - costs_.limit_from));
+  }
+  return sum;
+}
+
 double Selection::limit_costs(const Choice& choice) const {
+  if (costs_.limit_from < 1.0) return costs_.limit * units_near_limit(choice);
   return costs_.limit > 0.0 ? costs_.limit * static_cast<double>(units_at_limit(choice)) : 0.0;
 }
 

@@ -32,6 +32,16 @@ constexpr double k_stay = 8.0;
 /// Then its lines have to fit about as well as they did: by this factor of their squares, and this much beyond.
 constexpr double k_as_near = 1.2;
 constexpr double k_as_near_beyond = 6.0;
+/// From Edition::fifth on: what takes the place of k_stay, and how much less is asked where what stays needs a control
+/// at its limit.
+constexpr double k_stay_fifth = 10.0;
+constexpr double k_stay_at_limit = 16.0;
+/// How near a limit that is, share of the range.
+constexpr double k_at_limit = 0.02;
+/// A control that is asked for this share of what it can or more hardly is what was meant: a shape that something else
+/// takes on is thought of then, even though the line is met, and taken where it is better by this.
+constexpr double k_strained = 0.85;
+constexpr double k_unstrained_gain = 4.0;
 
 /// A line that is shorter than its limb may show it leaning towards the eye or away from it. The first order of the
 /// picture does not tell that of a limb that lies across the view, so that other readings have to begin there.
@@ -58,6 +68,22 @@ Reading foreshortened(Reader& reader, Solver& solver, std::size_t drawn, Reading
   return best;
 }
 
+/// Whether something is asked for nearly as much as it can.
+bool strained(const Reader& reader, const Choice& choice) {
+  for (std::size_t i = 0; i < choice.variables.size(); ++i) {
+    if (share_of_range(choice.values[i], choice.variables[i], reader.choices()) >= k_strained) return true;
+  }
+  return false;
+}
+
+/// Whether a reading takes the place of one that meets its line at the end of what it can: clearly better, by other
+/// controls, which need not go as far.
+bool clearly_other(const Reader& reader, const Reading& met, const Reading& other) {
+  const auto& units = met.choice.units;
+  return other.energy <= met.energy - k_unstrained_gain && !strained(reader, other.choice) &&
+         !std::includes(units.begin(), units.end(), other.choice.units.begin(), other.choice.units.end());
+}
+
 /// D of each drawn curve as last matched.
 std::vector<double> squares_of_all(Reader& reader, const Choice& choice, std::size_t drawn) {
   std::vector<double> squares;
@@ -69,29 +95,34 @@ std::vector<double> squares_of_all(Reader& reader, const Choice& choice, std::si
 /// reading of all of it; -1: by the best reading so far.
 void realign(Reader& reader, Solver& solver, std::size_t c, double asked, double met, Reading& best) {
   std::size_t chosen = reader.aligned(c);
-  if (reader.alignments(c).size() < 2 || reader.squares_of(c, best.choice) < k_fits) return;
+  const bool beyond = reader.edition() >= Edition::fifth && strained(reader, best.choice);
+  const bool fits = reader.squares_of(c, best.choice) < k_fits;
+  if (reader.alignments(c).size() < 2 || (fits && !beyond)) return;
   for (std::size_t a = 1; a < reader.alignments(c).size(); ++a) {
-    reader.align(c, a);
     // A line that lies beside where it was meant tells a shape that something takes on; thought of where nothing
-    // brings the curve near to the line itself.
-    solver.something = reader.alignments(c)[a].offset_px > 0.0;
-    if (solver.something) {
-      reader.align(c, chosen);
+    // brings the curve near to the line itself, or only at the end of what it can.
+    const bool beside = reader.alignments(c)[a].offset_px > 0.0;
+    bool is_met = fits;
+    if (fits && !beside) continue;
+    if (beside) {
       solver.match(best);
-      const bool near = (met >= 0.0 ? met : reader.squares_of(c, best.choice)) < k_near_enough * asked;
-      reader.align(c, a);
-      if (near) {
-        solver.something = false;
-        continue;
-      }
+      is_met = is_met || (met >= 0.0 ? met : reader.squares_of(c, best.choice)) < k_near_enough * asked;
+      if (is_met && !beyond) continue;
     }
-    if (solver.something && reader.edition() >= Edition::fourth) solver.shape = c;
+    reader.align(c, a);
+    solver.something = beside;
+    if (beside && reader.edition() >= Edition::fourth) solver.shape = c;
     Reading one = solver.read();
     solver.shape.reset();
-    if (solver.something) solver.match(one);
-    const bool nothing = solver.something && (one.choice.units.empty() || !reader.takes_shape(c, one.choice));
+    if (beside) solver.match(one);
+    const bool nothing = beside && (one.choice.units.empty() || !reader.takes_shape(c, one.choice));
     solver.something = false;
-    if (nothing || !(one.energy < best.energy - 1e-9)) continue;
+    const bool better =
+        !nothing && one.energy < best.energy - 1e-9 && (!beside || !is_met || clearly_other(reader, best, one));
+    if (!better) {
+      reader.align(c, chosen);
+      continue;
+    }
     best = std::move(one);
     chosen = a;
   }
@@ -236,6 +267,17 @@ base::Result<Solution> solve_whole(const rig::Rig& rig, const WholeModel& whole,
   return without;
 }
 
+/// Whether a pose takes to the end of its range what an earlier solve did not.
+bool goes_to_limit(const rig::Rig& rig, const IntentProblem& problem, const rig::Pose& pose) {
+  for (std::size_t i = 0; i < pose.size(); ++i) {
+    const rig::Parameter& parameter = rig.parameters()[i];
+    if (pose[i] == problem.posed[i]) continue;
+    const double end = pose[i] < problem.start[i] ? parameter.minimum : parameter.maximum;
+    if (std::abs(pose[i] - end) <= k_at_limit * (parameter.maximum - parameter.minimum)) return true;
+  }
+  return false;
+}
+
 /// A checked problem of which a part was solved for already. What is new moves what it moves, and what was drawn before
 /// is read anew with it only where that is clearly better.
 base::Result<Solution> solve_with_posed(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
@@ -258,10 +300,13 @@ base::Result<Solution> solve_with_posed(const rig::Rig& rig, const WholeModel& w
         as_near && (!part.drawn[c].before || by_anew.squares[c] <= k_as_near * stays.squares[c] + k_as_near_beyond);
   anew->evaluations += held->evaluations + alone->evaluations;
   // Each control that it takes back has to be worth it.
-  double gain = k_stay;
+  const double stay = problem.edition >= Edition::fifth ? k_stay_fifth : k_stay;
+  double gain = stay;
   for (std::size_t i = 0; i < part.start.size(); ++i) {
-    if (part.posed[i] != part.start[i] && anew->pose[i] == part.start[i]) gain += k_stay;
+    if (part.posed[i] != part.start[i] && anew->pose[i] == part.start[i]) gain += stay;
   }
+  if (problem.edition >= Edition::fifth && goes_to_limit(rig, part, (stays_held ? held : alone)->pose))
+    gain -= k_stay_at_limit;
   if (as_near && by_anew.energy < stays.energy - gain) return anew;
   return stays_held ? held : alone;
 }

@@ -7,7 +7,8 @@ namespace penpose::intent {
 
 using geometry::ModelPoint;
 
-Surroundings::Surroundings(std::vector<ModelPoint> rest) : rest_(std::move(rest)) {
+Surroundings::Surroundings(std::vector<ModelPoint> rest, std::vector<std::uint32_t> pieces)
+    : rest_(std::move(rest)), pieces_(std::move(pieces)) {
   for (std::uint32_t v = 0; v < rest_.size(); ++v) {
     if (std::isfinite(rest_[v].x + rest_[v].y + rest_[v].z)) by_x_.push_back(v);
   }
@@ -15,8 +16,8 @@ Surroundings::Surroundings(std::vector<ModelPoint> rest) : rest_(std::move(rest)
                    [&](std::uint32_t a, std::uint32_t b) { return rest_[a].x < rest_[b].x; });
 }
 
-std::vector<std::uint32_t> Surroundings::near(std::span<const ModelPoint> places, double reach,
-                                              std::size_t most) const {
+std::vector<std::uint32_t> Surroundings::near(std::span<const ModelPoint> places, double reach, std::size_t most,
+                                              std::span<const std::uint32_t> pieces) const {
   geometry::Box box;
   for (const ModelPoint& p : places) box.add(p);
   std::vector<std::uint32_t> found;
@@ -27,6 +28,7 @@ std::vector<std::uint32_t> Surroundings::near(std::span<const ModelPoint> places
     const ModelPoint& p = rest_[*at];
     if (p.y < box.minimum.y - reach || p.y > box.maximum.y + reach) continue;
     if (p.z < box.minimum.z - reach || p.z > box.maximum.z + reach) continue;
+    if (!pieces.empty() && !std::binary_search(pieces.begin(), pieces.end(), piece(*at))) continue;
     if (std::any_of(places.begin(), places.end(),
                     [&](const ModelPoint& q) { return geometry::distance(p, q) <= reach; }))
       found.push_back(*at);

@@ -78,7 +78,12 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
   }
   const double median = median_of_positive(whole.movement);
   for (double& movement : whole.movement) movement /= median;
-  whole.surroundings = std::make_shared<Surroundings>(rest);
+  std::vector<std::uint32_t> pieces;
+  if (const auto* character = dynamic_cast<const rig::CharacterRig*>(&rig)) {
+    const auto known = character->mesh().components();
+    pieces.assign(known.begin(), known.end());
+  }
+  whole.surroundings = std::make_shared<Surroundings>(rest, std::move(pieces));
   whole.partner = mirror_pairs(moments, box.empty() ? ModelPoint{0} : box.center(), whole.size);
   return whole;
 }

@@ -20,6 +20,7 @@ struct Desk {
     const rig::Pose answer = face.pose({{"cornerLeft", 0.6}, {"jawOpen", 0.4}});
     problem = face.problem({face.drawn(Face::mouth(), tests::shaken(face.seen(Face::mouth(), answer), 3, 1))});
     problem.known.push_back({Face::left_brow(), face.at(Face::left_brow(), face.pose({{"browLeft", 0.3}})), 0.01});
+    problem.edition = Edition::fourth;
   }
   [[nodiscard]] Reader reader() const { return {*face.rig, whole, problem}; }
 };
@@ -94,6 +95,28 @@ TEST(Reader, TheEnergyIsItsDefinitionWithTheSlidesAtTheirLeast) {
   }
   const auto reach = [](double squares) { return 150.0 * std::log(1 + squares / 150.0); };
   EXPECT_NEAR(reader.energy(choice, 5), 5 + reach(drawn) + reach(known) + 0.5 * 0.45 * 0.45, 1e-6 * (drawn + known));
+}
+
+TEST(Reader, FromTheFifthEditionOnALineIsTheLessExactTheFartherItIs) {
+  // The squares of a straight line moved down by a way w are those without it times s s / (s s + min(w/10, 1.5 s)^2).
+  Face face = tests::usual_face();
+  const WholeModel whole = measure_whole_model(*face.rig);
+  const double s = k_doubt_px;
+  for (const double way : {0.0, 10.0, 25.0, 80.0}) {
+    Line line = face.seen(Face::mouth(), rig::rest_pose(*face.rig));
+    for (PxPoint& p : line) p.y += way;
+    IntentProblem problem = face.problem({face.drawn(Face::mouth(), line)});
+    const auto squares = [&](Edition edition) {
+      problem.edition = edition;
+      Reader reader(*face.rig, whole, problem);
+      Quadratic quadratic;
+      reader.look({}, false, quadratic);
+      return reader.squares_of(0, {});
+    };
+    const double far = std::min(0.1 * way, 1.5 * s);
+    const double fourth = squares(Edition::fourth);
+    EXPECT_NEAR(squares(Edition::fifth), fourth * s * s / (s * s + far * far), 0.02 * fourth + 1e-9) << way;
+  }
 }
 
 TEST(Reader, TheSquaresAreThoseOfTheEnergyNearThePose) {

@@ -20,11 +20,12 @@ TEST(AppEditing, TheFaceFollowsATargetThatIsDraggedOrDrawnOverBeforeThePenLifts)
   const auto line = desk.document().curves.front()->target->line;
   desk.click("Select");
   const PxPoint from = line[line.size() / 2];
-  desk.stroke({from, from + PxPoint{0, 25}}, false);
+  // As far as the lips can go: at a limit the reading at pen-up may do without the control that stands there.
+  desk.stroke({from, from + PxPoint{0, 18}}, false);
   EXPECT_NE(desk.app->workspace().shown_pose(), settled) << "it follows";
   EXPECT_EQ(desk.app->workspace().state(), state) << "it is no command yet";
   const auto shown = desk.app->workspace().shown_pose();
-  desk.app->mouse_button(MouseButton::left, false, from + PxPoint{0, 25});
+  desk.app->mouse_button(MouseButton::left, false, from + PxPoint{0, 18});
   double apart = 0;
   for (std::size_t i = 0; i < shown.size(); ++i) apart = std::max(apart, std::abs(shown[i] - desk.document().pose[i]));
   EXPECT_LT(apart, 0.3) << "what was shown is about what came of it";
