@@ -307,7 +307,9 @@ std::string Conversation::answer(std::string_view line) {
   const auto say = [&](const base::Error& error) { out["error"] = error.line(); };
   try {
     if (line.size() > k_longest_line) refuse("the line is too long", "", "give at most 64 MB");
-    const Json json = taken(model_io::parse_json(base::as_bytes(line)));
+    auto parsed = model_io::parse_json(base::as_bytes(line));
+    if (!parsed) refuse("the line is no JSON", parsed.error().place, "write one object, {\"do\": ...}");
+    const Json json = std::move(parsed).value();
     if (!json.is_object()) refuse("an object was expected", "", "write {\"do\": ...}");
     if (const auto id = json.find("id"); id != json.end()) out["id"] = *id;
     const Request request{json, ""};
