@@ -60,6 +60,13 @@ using Changed = base::Result<Document>;
 [[nodiscard]] Changed with_deformers(const Document& document,
                                      std::shared_ptr<const articulation::SketchedDeformers> deformers);
 
+/// The document with one curve more, which gets the next number. Errors: all numbers are used up.
+[[nodiscard]] Changed with_curve(const Document& document, PoseCurve curve);
+/// The document with a curve in place of the one of the same number.
+[[nodiscard]] Document with_replaced(const Document& document, PoseCurve curve);
+/// Errors: no such curve, a constraint; with `with_line` one that has no drawn target.
+[[nodiscard]] base::Result<const PoseCurve*> reference_named(const Document& document, CurveId id, bool with_line);
+
 Changed run(const Document&, const SetParameters&, Parts&);
 Changed run(const Document&, const ResetParameters&, Parts&);
 Changed run(const Document&, const LockParameters&, Parts&);
@@ -77,6 +84,8 @@ Changed run(const Document&, const DeleteCurve&, Parts&);
 Changed run(const Document&, const EraseCurves&, Parts&);
 Changed run(const Document&, const ClearCurves&, Parts&);
 Changed run(const Document&, const SolvePose&, Parts&);
+Changed run(const Document&, const PlaceCurve&, Parts&);
+Changed run(const Document&, const PlaceTarget&, Parts&);
 Changed run(const Document&, const SetPressureWeighting&, Parts&);
 Changed run(const Document&, const SetHand&, Parts&);
 Changed run(const Document&, const NameCurve&, Parts&);

@@ -19,7 +19,7 @@ namespace {
 using geometry::ModelPoint;
 
 /// Brings all references to their targets; a document with no target, or nothing that may move, keeps its pose.
-Changed solved(Document document, std::uint32_t rules, Parts& work) {
+Changed solved(Document document, std::uint32_t rules, Parts& work, bool paper = false) {
   if (rules >= k_meant_rules) {
     const intent::IntentProblem problem = intent_problem(document, rules);
     if ((problem.drawn.empty() && problem.known.empty()) || problem.free.empty()) return document;
@@ -30,7 +30,9 @@ Changed solved(Document document, std::uint32_t rules, Parts& work) {
   }
   posing::PoseProblem problem = pose_problem(document);
   if (problem.pairs.empty() || problem.free.empty()) return document;
-  auto solution = posing::solve(*document.model->rig, problem, {}, work.solve);
+  posing::SolveOptions options;
+  options.paper = paper;
+  auto solution = posing::solve(*document.model->rig, problem, options, work.solve);
   if (!solution) return solution.error();
   document.pose = std::move(solution->pose);
   return document;
@@ -85,38 +87,8 @@ base::Result<curve::ProjectedStroke> drawn_on_surface(const Document& document, 
   return drawn;
 }
 
-Changed with_curve(const Document& document, PoseCurve curve) {
-  if (document.last_curve == std::numeric_limits<std::uint32_t>::max()) {
-    return base::Error{"all numbers of curves are used up", "", "draw on in a new document"};
-  }
-  Document changed = document;
-  curve.id = CurveId{++changed.last_curve};
-  changed.curves.push_back(std::make_shared<const PoseCurve>(std::move(curve)));
-  return changed;
-}
-
-Document with_replaced(const Document& document, PoseCurve curve) {
-  Document changed = document;
-  for (auto& one : changed.curves) {
-    if (one->id == curve.id) one = std::make_shared<const PoseCurve>(curve);
-  }
-  return changed;
-}
-
 base::Error no_curve(CurveId id) {
   return {"there is no curve " + std::to_string(id.value), "curve", "it may have been deleted"};
-}
-
-base::Result<const PoseCurve*> reference_named(const Document& document, CurveId id, bool with_target) {
-  const PoseCurve* curve = find_curve(document, id);
-  if (curve == nullptr) return no_curve(id);
-  if (curve->role != PoseCurveRole::reference) {
-    return base::Error{"curve " + std::to_string(id.value) + " is a constraint", "curve", "name a reference curve"};
-  }
-  if (with_target && !curve->target) {
-    return base::Error{"curve " + std::to_string(id.value) + " has no target yet", "curve", "draw its target first"};
-  }
-  return curve;
 }
 
 /// Gives a reference another target, and solves.
@@ -156,6 +128,40 @@ std::vector<PxPoint> seen(const geometry::Camera& camera, const std::vector<Mode
 }
 
 }  // namespace
+
+Changed with_curve(const Document& document, PoseCurve curve) {
+  if (document.last_curve == std::numeric_limits<std::uint32_t>::max()) {
+    return base::Error{"all numbers of curves are used up", "", "draw on in a new document"};
+  }
+  Document changed = document;
+  curve.id = CurveId{++changed.last_curve};
+  changed.curves.push_back(std::make_shared<const PoseCurve>(std::move(curve)));
+  return changed;
+}
+
+Document with_replaced(const Document& document, PoseCurve curve) {
+  Document changed = document;
+  for (auto& one : changed.curves) {
+    if (one->id == curve.id) one = std::make_shared<const PoseCurve>(curve);
+  }
+  return changed;
+}
+
+base::Result<const PoseCurve*> reference_named(const Document& document, CurveId id, bool with_line) {
+  const PoseCurve* curve = find_curve(document, id);
+  if (curve == nullptr) return no_curve(id);
+  if (curve->role != PoseCurveRole::reference) {
+    return base::Error{"curve " + std::to_string(id.value) + " is a constraint", "curve", "name a reference curve"};
+  }
+  if (with_line && !curve->target) {
+    return base::Error{"curve " + std::to_string(id.value) + " has no target yet", "curve", "draw its target first"};
+  }
+  if (with_line && curve->target->line.empty()) {
+    return base::Error{"the target of curve " + std::to_string(id.value) + " was given as points, not drawn", "curve",
+                       "draw a target for it, or give other points"};
+  }
+  return curve;
+}
 
 std::vector<ModelPoint> positions_of(const Document& document, const std::vector<mesh::MeshPoint>& points) {
   const auto triangles = document.model->mesh->triangles();
@@ -290,7 +296,7 @@ Changed run(const Document& document, const ClearCurves&, Parts&) {
 }
 
 Changed run(const Document& document, const SolvePose& command, Parts& work) {
-  auto changed = solved(document, command.rules, work);
+  auto changed = solved(document, command.rules, work, command.paper);
   if (changed && command.rules >= k_moment_rules) changed->moment = moment_of_all(document, changed->pose);
   return changed;
 }

@@ -15,6 +15,7 @@
 #include "core/curve/bend.h"
 #include "core/document/pose_curve.h"
 #include "core/document/timeline.h"
+#include "core/mesh/mesh_point.h"
 
 // The commands: the only way to change a document. Each is a plain struct with its name in files and, in `fields`, the
 // names of its members there. The variant `Command` is the one list of them; text form, application and tests are made
@@ -260,9 +261,11 @@ struct ClearCurves {
 struct SolvePose {
   static constexpr std::string_view k_name = "solve_pose";
   std::uint32_t rules = 0;  ///< as DrawTarget
+  bool paper = false;       ///< before k_meant_rules: by the single simplex of 2006
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("rules", self.rules);
+    visit("paper", self.paper);
   }
   friend bool operator==(const SolvePose&, const SolvePose&) = default;
 };
@@ -286,6 +289,34 @@ struct SetHand {
     visit("unsteadiness", self.unsteadiness);
   }
   friend bool operator==(const SetHand&, const SetHand&) = default;
+};
+
+/// Adds a curve of points that are known and not drawn, as other programs give them. Errors: no points, one that is not
+/// on the mesh.
+struct PlaceCurve {
+  static constexpr std::string_view k_name = "place_curve";
+  std::vector<mesh::MeshPoint> points;
+  bool constraint = false;  ///< stays where it is now; else a reference
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("points", self.points);
+    visit("constraint", self.constraint);
+  }
+  friend bool operator==(const PlaceCurve&, const PlaceCurve&) = default;
+};
+
+/// Says where each point of a reference should go, and solves nothing yet. Errors: no such reference, another number of
+/// points, a point beyond what numbers in files can say.
+struct PlaceTarget {
+  static constexpr std::string_view k_name = "place_target";
+  CurveId curve;
+  std::vector<geometry::ModelPoint> points;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("curve", self.curve);
+    visit("points", self.points);
+  }
+  friend bool operator==(const PlaceTarget&, const PlaceTarget&) = default;
 };
 
 /// Gives the points of a drawn curve a name in the model, as maps of tracked curves use it.
@@ -627,13 +658,13 @@ struct DeleteView {
   friend bool operator==(const DeleteView&, const DeleteView&) = default;
 };
 
-using Command =
-    std::variant<SetParameters, ResetParameters, LockParameters, DrawReference, DrawTarget, OversketchTarget,
-                 DragTarget, DrawConstraint, Pin, KeepCurve, DeleteCurve, EraseCurves, ClearCurves, SolvePose,
-                 SetPressureWeighting, NameCurve, DeleteNamedCurve, BeginDeformer, SketchCurve, CancelDeformer,
-                 RedrawCurve, ChangeDeformer, MirrorDeformer, RenameDeformer, DeleteDeformer, MoveDeformer, SetKey,
-                 DeleteKey, MoveKey, SetKeyInterpolation, GoToTime, SaveView, DeleteView, SuggestRest, SetHand,
-                 BeginCorrection, DeleteCorrection, TakeRegion, DrawBetween, DeleteBetween, PullBetween, PullTarget>;
+using Command = std::variant<SetParameters, ResetParameters, LockParameters, DrawReference, DrawTarget,
+                             OversketchTarget, DragTarget, DrawConstraint, Pin, KeepCurve, DeleteCurve, EraseCurves,
+                             ClearCurves, SolvePose, SetPressureWeighting, NameCurve, DeleteNamedCurve, BeginDeformer,
+                             SketchCurve, CancelDeformer, RedrawCurve, ChangeDeformer, MirrorDeformer, RenameDeformer,
+                             DeleteDeformer, MoveDeformer, SetKey, DeleteKey, MoveKey, SetKeyInterpolation, GoToTime,
+                             SaveView, DeleteView, SuggestRest, SetHand, BeginCorrection, DeleteCorrection, TakeRegion,
+                             DrawBetween, DeleteBetween, PullBetween, PullTarget, PlaceCurve, PlaceTarget>;
 
 /// The command's name in files.
 [[nodiscard]] inline std::string_view name_of(const Command& command) {

@@ -18,7 +18,7 @@ constexpr double k_covers = 4.0;
 constexpr double k_covers_now = 5.0;
 
 bool has_target(const PoseCurve* curve) {
-  return curve != nullptr && curve->role == PoseCurveRole::reference && curve->target.has_value();
+  return curve != nullptr && curve->role == PoseCurveRole::reference && curve->target && !curve->target->line.empty();
 }
 
 geometry::ModelVector direction_of(const View& view) {

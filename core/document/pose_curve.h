@@ -29,10 +29,10 @@ inline constexpr std::size_t k_line_points = 64;
 /// Points of a reference or constraint curve.
 inline constexpr std::size_t k_pose_curve_points = 32;
 
-/// Where a reference curve should go, as it was drawn.
+/// Where a reference curve should go, as it was drawn; or as it is known, without a line (PlaceTarget).
 struct DrawnTarget {
   View view;
-  std::vector<curve::PxPoint> line;          ///< evenly spaced
+  std::vector<curve::PxPoint> line;          ///< evenly spaced; empty: `points` are known
   std::vector<double> pressure;              ///< 0..1, one a point of `line`
   std::vector<geometry::ModelPoint> points;  ///< lifted, one a point of the reference
   std::vector<double> weights;               ///< of the pressure along the line, mean 1, one a point of the reference

@@ -17,10 +17,12 @@ std::vector<std::size_t> free_parameters(const Document& document) {
   return free;
 }
 
-/// How many of the oldest targets are left out, so that `most` stay.
+bool is_known(const PoseCurve& curve) { return curve.target && curve.target->line.empty(); }
+
+/// How many of the oldest targets are left out, so that `most` stay; those that are known are not counted.
 std::ptrdiff_t left_out(const Document& document, std::size_t most) {
   const auto paired = std::count_if(document.curves.begin(), document.curves.end(),
-                                    [](const auto& curve) { return curve->target.has_value(); });
+                                    [](const auto& curve) { return curve->target && !is_known(*curve); });
   return std::max<std::ptrdiff_t>(0, paired - static_cast<std::ptrdiff_t>(most));
 }
 
@@ -40,7 +42,7 @@ posing::PoseProblem pose_problem(const Document& document) {
   problem.free = free_parameters(document);
   auto skip = left_out(document, k_most_pairs);
   for (const auto& curve : document.curves) {
-    if (curve->target && skip-- > 0) continue;
+    if (curve->target && !is_known(*curve) && skip-- > 0) continue;
     if (curve->role == PoseCurveRole::constraint) {
       problem.constraints.push_back({curve_points(document, curve->points), curve->kept});
     } else if (curve->target) {
@@ -110,6 +112,28 @@ void add_kept(const Document& document, double doubt, intent::IntentProblem& pro
 /// The doubt of the latest view, for what has no picture of its own.
 double usual_doubt(const Document& document) { return 1e-3 * rest_world_box(*document.model).diagonal(); }
 
+/// Targets of which it is known where each point goes. Beside no drawn line, `doubt` becomes that of a hand that would
+/// have drawn them.
+void add_known(const Document& document, double& doubt, intent::IntentProblem& problem) {
+  if (std::none_of(document.curves.begin(), document.curves.end(), [](const auto& one) { return is_known(*one); }))
+    return;
+  Document at_rest = document;
+  at_rest.pose = rig::rest_pose(*document.model->rig);
+  geometry::Box box;
+  for (const auto& curve : document.curves) {
+    if (!is_known(*curve)) continue;
+    for (const auto& p : positions_of(at_rest, curve->points)) box.add(p);
+  }
+  // Nobody draws one short line on a picture of nothing else.
+  const double hand = k_hand_share * std::max(box.diagonal(), 0.15 * rest_world_box(*document.model).diagonal());
+  if (problem.drawn.empty()) doubt = hand;
+  for (const auto& curve : document.curves) {
+    if (is_known(*curve))
+      problem.known.push_back(
+          {curve_points(document, curve->points), curve->target->points, hand * (k_known_share / k_hand_share)});
+  }
+}
+
 }  // namespace
 
 intent::IntentProblem intent_problem(const Document& document, std::uint32_t rules) {
@@ -117,9 +141,10 @@ intent::IntentProblem intent_problem(const Document& document, std::uint32_t rul
   auto skip = left_out(document, k_most_meant);
   double doubt = usual_doubt(document);
   for (const auto& curve : document.curves) {
-    if (!curve->target || skip-- > 0) continue;
+    if (!curve->target || is_known(*curve) || skip-- > 0) continue;
     if (auto drawn = drawn_curve(document, *curve, rules, doubt)) problem.drawn.push_back(std::move(*drawn));
   }
+  add_known(document, doubt, problem);
   add_kept(document, doubt, problem);
   return problem;
 }
@@ -147,6 +172,7 @@ intent::IntentProblem moment_problem(const Document& document, const Moment& mom
     }
     problem.drawn.push_back(std::move(*drawn));
   }
+  add_known(document, doubt, problem);
   add_kept(document, doubt, problem);
   return problem;
 }

@@ -17,6 +17,11 @@ inline constexpr std::size_t k_most_pairs = 48;
 /// The same for what was meant, where each curve is matched anew.
 inline constexpr std::size_t k_most_meant = 16;
 
+/// How far a hand strays, as a share of the size of what it draws (2.1 of 700 px).
+inline constexpr double k_hand_share = 3.0e-3;
+/// Where a target that is known goes is exact but for what files round; the same share.
+inline constexpr double k_known_share = 5e-4;
+
 /// Points of the solver for points on the document's mesh.
 [[nodiscard]] std::vector<posing::CurvePoint> curve_points(const Document& document,
                                                            const std::vector<mesh::MeshPoint>& points);

@@ -165,6 +165,26 @@ std::optional<PxPoint> TextForm<PxPoint>::read(std::string_view text) {
   return PxPoint{(*values)[0], (*values)[1]};
 }
 
+void TextForm<geometry::ModelPoint>::write(std::string& out, const geometry::ModelPoint& value) {
+  write_numbers<3>(out, {value.x, value.y, value.z});
+}
+std::optional<geometry::ModelPoint> TextForm<geometry::ModelPoint>::read(std::string_view text) {
+  return read_point(text);
+}
+
+void TextForm<mesh::MeshPoint>::write(std::string& out, const mesh::MeshPoint& value) {
+  TextForm<std::uint32_t>::write(out, value.triangle);
+  out += ',';
+  write_numbers<3>(out, value.barycentric);
+}
+std::optional<mesh::MeshPoint> TextForm<mesh::MeshPoint>::read(std::string_view text) {
+  if (text.find(',') == std::string_view::npos) return std::nullopt;
+  const auto triangle = TextForm<std::uint32_t>::read(take_piece(text, ','));
+  const auto corners = read_numbers<3>(text);
+  if (!triangle || !corners) return std::nullopt;
+  return mesh::MeshPoint{*triangle, *corners};
+}
+
 void TextForm<NamedValue>::write(std::string& out, const NamedValue& value) {
   out += escape(value.name);
   out += ',';

@@ -54,6 +54,17 @@ struct TextForm<PxPoint> {
   static std::optional<PxPoint> read(std::string_view text);
 };
 template <>
+struct TextForm<geometry::ModelPoint> {
+  static void write(std::string& out, const geometry::ModelPoint& value);
+  static std::optional<geometry::ModelPoint> read(std::string_view text);
+};
+/// "TRIANGLE,A,B,C": the barycentric coordinates.
+template <>
+struct TextForm<mesh::MeshPoint> {
+  static void write(std::string& out, const mesh::MeshPoint& value);
+  static std::optional<mesh::MeshPoint> read(std::string_view text);
+};
+template <>
 struct TextForm<NamedValue> {
   static void write(std::string& out, const NamedValue& value);
   static std::optional<NamedValue> read(std::string_view text);

@@ -1,6 +1,7 @@
 #include "core/model_io/gltf_builder.h"
 
 #include <algorithm>
+#include <new>
 #include <string_view>
 
 namespace penpose::model_io {
@@ -136,6 +137,8 @@ base::Result<std::vector<std::uint8_t>> GltfBuilder::finish() {
   std::string text;
   try {
     text = root.dump(-1, ' ', false, Json::error_handler_t::replace);
+  } catch (const std::bad_alloc&) {
+    throw;  // no fault of what is written
   } catch (const std::exception&) {
     return base::Error{"the document cannot be written as JSON", "", "rename parts with unusual names"};
   }

@@ -1,6 +1,7 @@
 #include "core/model_io/gltf_document.h"
 
 #include <map>
+#include <new>
 #include <utility>
 
 #include "core/model_io/gltf_schema.h"
@@ -222,6 +223,8 @@ base::Status parse_structure(GltfDocument& document, const Json& vetted) {
                                     static_cast<unsigned int>(text.size()), "", tinygltf::NO_REQUIRE)) {
       return failed;
     }
+  } catch (const std::bad_alloc&) {
+    throw;  // no fault of what is read
   } catch (const std::exception&) {
     return failed;
   }

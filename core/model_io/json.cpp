@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 namespace penpose::model_io {
 namespace {
@@ -42,6 +43,8 @@ base::Result<Json> parse_json(base::Bytes bytes) {
     return Json::parse(text.begin(), text.end());
   } catch (const Json::parse_error& error) {
     return at_byte("no valid JSON", error.byte > 0 ? error.byte - 1 : 0, "the file is damaged; export it again");
+  } catch (const std::bad_alloc&) {
+    throw;  // no fault of what is read
   } catch (const std::exception&) {
     return at_byte("JSON with a number that is too large", 0, "the file is damaged; export it again");
   }

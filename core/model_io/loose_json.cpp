@@ -1,6 +1,7 @@
 #include "core/model_io/loose_json.h"
 
 #include <algorithm>
+#include <new>
 
 #include "core/base/numbers.h"
 #include "core/model_io/csv_reader.h"
@@ -25,6 +26,8 @@ bool is_no_number(std::string_view word) {
     return Json::parse(word.begin(), word.end()).is_null();
   } catch (const Json::out_of_range&) {
     return true;
+  } catch (const std::bad_alloc&) {
+    throw;  // no fault of what is read
   } catch (const std::exception&) {
     return false;
   }

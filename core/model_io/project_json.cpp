@@ -78,7 +78,7 @@ Problem read_target(const Json& value, const std::string& pointer, std::size_t p
     return std::nullopt;
   };
   if (auto problem = read_rows(value, "points", pointer, 4, articulation::k_most_points, point)) return problem;
-  if (out.points.size() != points || out.line.size() < 2) {
+  if (out.points.size() != points || out.line.size() == 1) {
     return wrong("a target with one point for each of its reference was expected", pointer);
   }
   const bool pulls = std::any_of(out.weights.begin(), out.weights.end(), [](double w) { return w > 0; });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <nlohmann/json.hpp>
 
 #include "core/base/numbers.h"
@@ -101,6 +102,8 @@ base::Result<JsonValue> parse_json(std::string_view text) {
   TreeBuilder builder;
   try {
     if (nlohmann::json::sax_parse(text.begin(), text.end(), &builder)) return std::move(builder.root);
+  } catch (const std::bad_alloc&) {
+    throw;  // no fault of what is read
   } catch (const std::exception&) {
     builder.message = "is no JSON";
   }

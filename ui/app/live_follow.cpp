@@ -3,10 +3,9 @@
 #include <algorithm>
 
 #include "core/document/apply.h"
-#include "core/document/moment.h"
-#include "core/document/pose_problem.h"
 #include "core/document/pulled_target.h"
 #include "core/document/target_line.h"
+#include "core/drawing/live_target.h"
 
 namespace penpose::app {
 namespace {
@@ -73,26 +72,9 @@ void LiveFollow::start(const document::Document& document, const document::PoseC
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!camera) return;
   const auto reference = document::positions_of(document, curve.points);
-  // As if its target had been drawn: lines of the same moment hold their curves, as the solve at pen-up will.
-  document::Document drawn = document;
-  for (auto& one : drawn.curves) {
-    if (one->id != curve.id) continue;
-    auto with_target = *one;
-    with_target.target = document::DrawnTarget{view, {{0, 0}, {1, 0}}, {1, 1}, reference, {}};
-    one = std::make_shared<const document::PoseCurve>(std::move(with_target));
-  }
-  const auto asked_in = [&](const document::Moment& moment) {
-    intent::IntentProblem problem = document::moment_problem(drawn, moment, drawing::k_rules);
-    if (problem.drawn.empty() || problem.drawn.back().before) problem.drawn.clear();
-    std::rotate(problem.drawn.begin(), problem.drawn.end() - (problem.drawn.empty() ? 0 : 1), problem.drawn.end());
-    return problem;
-  };
-  auto problem = asked_in(document::moment_of(drawn, curve.id, drawing::k_rules));
-  if (problem.drawn.empty()) problem = asked_in(document::lone_moment(drawn, curve.id));
-  if (problem.drawn.empty()) return;
-  problem.drawn.front().doubt_px = document::hand_px(document, view.viewport, drawing::k_rules);
-  problem.drawn.front().weights.clear();
-  auto poser = intent::LivePoser::start(*document.model->rig, whole_of(document), std::move(problem));
+  auto problem = drawing::live_problem(document, curve, view, drawing::k_rules);
+  if (!problem) return;
+  auto poser = intent::LivePoser::start(*document.model->rig, whole_of(document), *std::move(problem));
   if (!poser) return;
   model_ = document.model;
   curve_ = curve.id;

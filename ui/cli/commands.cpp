@@ -11,6 +11,7 @@
 #include "ui/cli/record_command.h"
 #include "ui/cli/render_command.h"
 #include "ui/cli/replay_command.h"
+#include "ui/cli/serve_command.h"
 #include "ui/cli/suggest_command.h"
 #include "ui/cli/track_command.h"
 
@@ -31,6 +32,7 @@ std::vector<AddCommand> all_commands() {
       add_animate_command,     //
       add_render_command,      //
       add_convert_command,     //
+      add_serve_command,       //
   };
 }
 

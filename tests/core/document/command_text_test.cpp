@@ -31,7 +31,7 @@ std::vector<Command> full_commands() {
           DeleteCurve{CurveId{2}},
           EraseCurves{view, some_line()},
           ClearCurves{},
-          SolvePose{},
+          SolvePose{0, true},
           SetPressureWeighting{true},
           SetHand{0.5},
           NameCurve{CurveId{3}, k_strange},
@@ -60,7 +60,9 @@ std::vector<Command> full_commands() {
           DeleteBetween{k_strange, -0.5},
           PullBetween{k_strange, 2, view, {1, 2}, {-3, 4}, 0},
           BeginCorrection{k_strange, {{"jawOpen", 0.5}, {k_strange, 1}}, Mode::rotate, 4},
-          DeleteCorrection{k_strange}};
+          DeleteCorrection{k_strange},
+          PlaceCurve{{{3, {0.25, 0.5, 0.25}}, {0, {1, 0, 0}}}, true},
+          PlaceTarget{CurveId{4}, {{0.1, -2, 1e-9}, {1, 2, 3}}}};
 }
 
 template <std::size_t... I>

@@ -227,6 +227,29 @@ class KnowingHand {
     const double x = random_.real(-30, 30);
     return document::PullTarget{id, view(), line.front(), {x, random_.real(-30, 30)}, random_.real(0, 0.6), meant()};
   }
+  document::Command make(Tag<document::PlaceCurve>) {
+    document::PlaceCurve place;
+    const std::size_t count = 1 + random_.below(5);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double a = random_.real(0, 1);
+      const double b = random_.real(0, 1 - a);
+      place.points.push_back(
+          {static_cast<std::uint32_t>(random_.below(doc().model->mesh->triangle_count())), {a, b, 1 - a - b}});
+    }
+    place.constraint = random_.chance(0.3);
+    return place;
+  }
+  document::Command make(Tag<document::PlaceTarget>) {
+    document::PlaceTarget place;
+    place.curve = curve(false);
+    const document::PoseCurve* known = document::find_curve(doc(), place.curve);
+    if (known == nullptr) return place;
+    for (const auto& p : document::positions_of(doc(), known->points)) {
+      const double x = random_.real(-0.1, 0.1);
+      place.points.push_back(p + geometry::ModelVector(x, random_.real(-0.1, 0.1), 0.05));
+    }
+    return place;
+  }
 
   void stroke() {
     const auto kind = static_cast<drawing::ToolKind>(random_.below(9));
@@ -270,7 +293,8 @@ class KnowingHand {
   document::CurveId curve(bool with_target) {
     std::vector<document::CurveId> found;
     for (const auto& one : doc().curves) {
-      const bool wanted = one->role == document::PoseCurveRole::reference && (!with_target || one->target);
+      const bool wanted = one->role == document::PoseCurveRole::reference &&
+                          (!with_target || (one->target && !one->target->line.empty()));
       if (wanted) found.push_back(one->id);
     }
     return found.empty() ? document::CurveId{1} : any(found);
@@ -278,7 +302,7 @@ class KnowingHand {
   /// A line near a part of a target that is there, or any line.
   std::vector<geometry::PxPoint> along_target() {
     const document::PoseCurve* found = document::find_curve(doc(), curve(true));
-    if (found == nullptr || !found->target) return hand_.line();
+    if (found == nullptr || !found->target || found->target->line.empty()) return hand_.line();
     const auto& line = found->target->line;
     const std::size_t from = random_.below(line.size() / 2);
     std::vector<geometry::PxPoint> out;

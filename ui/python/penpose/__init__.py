@@ -1,0 +1,21 @@
+"""Poses and rigs 3D characters by drawing.
+
+    import penpose
+    head = penpose.Character.built_in('builtin:demo-2')
+    lip = head.curve("lip_upper")
+    head.target(lip, head.positions(lip) + [0, 0.002, 0])
+    head.solve()
+    xyz = head.evaluate()          # (vertices, 3)
+
+Arrays are numpy's: points are (n, 3) in the model's unit of length, px are (n, 2) with their origin at the top left. What fails raises
+`penpose.Error`, whose text is one line for a person. A `Character` may be used by one thread at a time as well as by several: calls
+wait for each other, and different characters do not. docs/library.md says more.
+"""
+from ._c import ABI_VERSION, Error, Status, version
+from .character import Character, Preset, Role, View
+from .session import Playback, play
+from .tablet import Axis, Sample, Tablet
+
+__all__ = ['ABI_VERSION', 'Axis', 'Character', 'Error', 'Playback', 'Preset', 'Role', 'Sample', 'Status', 'Tablet', 'View', 'play',
+           'version']
+__version__ = version()

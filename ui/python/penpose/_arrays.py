@@ -1,0 +1,21 @@
+"""numpy arrays as the library wants them: as they are where the layout allows, copied where not."""
+from ctypes import c_void_p
+
+import numpy as np
+
+
+def numbers(values, width: int, kind=np.float64) -> np.ndarray:
+    """A list of rows of `width` numbers (1: a flat list), contiguous; the same array where it is so already."""
+    array = np.ascontiguousarray(values, dtype=kind)
+    if width == 1:
+        fits = array.ndim == 1
+    else:
+        fits = array.ndim == 2 and array.shape[1] == width
+    if not fits and array.size:
+        raise ValueError('an array of shape (n%s) is needed, not %s' % ('' if width == 1 else ', %d' % width, array.shape))
+    return array
+
+
+def pointer(array) -> c_void_p:
+    """None for none and for an empty one."""
+    return None if array is None or array.size == 0 else c_void_p(array.ctypes.data)
