@@ -103,8 +103,9 @@ struct Curves {
 base::Result<SheetReference> sheet_reference_of(const Sketch& sketch, const Canvas& canvas, std::size_t points) {
   const auto camera = camera_of(sketch, sketch.reference_camera);
   if (!camera) return at("reference_camera", camera.error());
-  auto drawn = sheet_reference(canvas, *camera, sketch.reference, points,
-                               sketch.other_sheet ? curve::SheetChoice::other : curve::SheetChoice::nearer);
+  auto drawn =
+      sheet_reference(canvas, *camera, sketch.reference, points,
+                      sketch.other_sheet ? curve::SheetChoice::other : curve::SheetChoice::nearer, sketch.rules);
   if (!drawn) return at("reference", drawn.error());
   return drawn;
 }

@@ -17,6 +17,16 @@ constexpr double k_steep = 0.15;
 /// Cosine between the normals at an edge below which two triangles count as lying on each other: 110 degrees.
 constexpr double k_folded = -0.34;
 
+/// The same as geometry::length, here where it is asked for most.
+inline double length_of(const ModelVector& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
+/// How much a triangle with this normal faces as the surface at its corners does.
+inline double facing(const ModelVector& normal, const ModelVector& a, const ModelVector& b, const ModelVector& c) {
+  const ModelVector around = a + b + c;
+  const double size = length_of(normal);
+  return size > 0.0 ? glm::dot(normal, around) / size : 0.0;
+}
+
 }  // namespace
 
 Strain worse(const Strain& a, const Strain& b) {
@@ -88,14 +98,15 @@ void Strainmeter::find_normals(std::span<const ModelPoint> places) {
     normals_[i] = glm::cross(places[t[1]] - places[t[0]], places[t[2]] - places[t[0]]);
     for (const std::uint32_t node : t) node_normals_[node] += normals_[i];
   }
-  for (ModelVector& normal : node_normals_) normal = geometry::normalized(normal, ModelVector{0});
+  for (ModelVector& normal : node_normals_) {
+    const double size = length_of(normal);
+    normal = size > 1e-300 ? normal / size : ModelVector{0};
+  }
 }
 
 double Strainmeter::uprightness(std::size_t triangle) const {
   const mesh::Triangle& t = patch_.triangles()[triangle];
-  const ModelVector around = node_normals_[t[0]] + node_normals_[t[1]] + node_normals_[t[2]];
-  const double size = geometry::length(normals_[triangle]);
-  return size > 0.0 ? glm::dot(normals_[triangle], around) / size : 0.0;
+  return facing(normals_[triangle], node_normals_[t[0]], node_normals_[t[1]], node_normals_[t[2]]);
 }
 
 Strain Strainmeter::measure(std::span<const ModelVector> moves) {
@@ -118,7 +129,7 @@ Strain Strainmeter::measure(std::span<const ModelVector> moves) {
     const double vv = glm::dot(v, v);
     const double uv = glm::dot(u, v);
     const double size = uu + vv;
-    const bool over = uprightness(i) < cell.limit;
+    const bool over = facing(normals_[i], node_normals_[t[0]], node_normals_[t[1]], node_normals_[t[2]]) < cell.limit;
     over_[i] = over ? 1 : 0;
     strain.turned_over += over ? 1 : 0;
     const double squeeze = over ? k_flat * k_flat : std::max(uu * vv - uv * uv, k_flat * k_flat);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 namespace penpose::curve {
@@ -98,13 +99,13 @@ base::Result<std::vector<double>> shares_of(std::span<const Point> points) {
 namespace {
 
 /// From this many points under a kernel on, sums of sums are quicker than adding up every kernel.
-constexpr std::ptrdiff_t k_wide = 128;
+constexpr std::int64_t k_wide = 128;
 
 /// The filter in time linear in the points, whatever the kernel is: with the sums S of the points and T of the points
 /// times their numbers, rising and falling side of a kernel are both differences of S and T.
 template <CurveSpace Point>
-void filter_wide(std::span<const Point> points, std::ptrdiff_t half, std::vector<Point>& result) {
-  const auto count = static_cast<std::ptrdiff_t>(points.size());
+void filter_wide(std::span<const Point> points, std::int64_t half, std::vector<Point>& result) {
+  const auto count = static_cast<std::int64_t>(points.size());
   std::vector<Point> sums(points.size() + 1, Point{});
   std::vector<Point> moments(points.size() + 1, Point{});
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -113,9 +114,9 @@ void filter_wide(std::span<const Point> points, std::ptrdiff_t half, std::vector
     moments[k + 1] = moments[k] + off * static_cast<double>(k);
   }
   const auto top = static_cast<double>(half + 1);
-  for (std::ptrdiff_t i = 0; i < count; ++i) {
-    const std::ptrdiff_t from = std::max<std::ptrdiff_t>(0, i - half);
-    const std::ptrdiff_t to = std::min(count - 1, i + half);
+  for (std::int64_t i = 0; i < count; ++i) {
+    const std::int64_t from = std::max<std::int64_t>(0, i - half);
+    const std::int64_t to = std::min(count - 1, i + half);
     const auto first = static_cast<std::size_t>(from);
     const auto after = static_cast<std::size_t>(i) + 1;
     const auto end = static_cast<std::size_t>(to) + 1;
@@ -133,9 +134,10 @@ void filter_wide(std::span<const Point> points, std::ptrdiff_t half, std::vector
 
 template <CurveSpace Point>
 std::vector<Point> triangle_filter(std::span<const Point> points, std::size_t kernel, Ends ends) {
-  constexpr std::size_t k_widest = std::size_t{1} << 48U;
-  const auto half = static_cast<std::ptrdiff_t>(std::clamp<std::size_t>(kernel, 3, k_widest) / 2);
-  const auto count = static_cast<std::ptrdiff_t>(points.size());
+  // 64 bits on every machine: weights are whole numbers of up to the kernel's size.
+  constexpr std::uint64_t k_widest = std::uint64_t{1} << 48U;
+  const auto half = static_cast<std::int64_t>(std::clamp<std::uint64_t>(kernel, 3, k_widest) / 2);
+  const auto count = static_cast<std::int64_t>(points.size());
   std::vector<Point> result(points.begin(), points.end());
   if (std::min(half, count) >= k_wide) {
     filter_wide(points, half, result);
@@ -145,11 +147,11 @@ std::vector<Point> triangle_filter(std::span<const Point> points, std::size_t ke
     }
     return result;
   }
-  for (std::ptrdiff_t i = 0; i < count; ++i) {
+  for (std::int64_t i = 0; i < count; ++i) {
     if (ends == Ends::fixed && (i == 0 || i == count - 1)) continue;
     Point sum{};
     double weights = 0;
-    for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, i - half); k <= std::min(count - 1, i + half); ++k) {
+    for (std::int64_t k = std::max<std::int64_t>(0, i - half); k <= std::min(count - 1, i + half); ++k) {
       const auto weight = static_cast<double>(half + 1 - std::abs(k - i));
       sum = sum + points[static_cast<std::size_t>(k)] * weight;
       weights += weight;

@@ -15,8 +15,10 @@ constexpr int k_layers = 4;       ///< hits behind each other that are looked at
 constexpr double k_hidden = 0.7;  ///< cost of each surface in front
 constexpr double k_from_behind = 1.5;
 constexpr double k_other_part = 8.0;  ///< cost of going over to a part that touches
-constexpr double k_leap = 40.0;       ///< of going over to what does not, or is far over the surface
-constexpr double k_reach = 2.0;       ///< how far a walk may stray, steps between samples
+/// By rules from k_close_rules on: to a part and on to another sheet costs more than a leap, which it is.
+constexpr double k_close_part = 20.5;
+constexpr double k_leap = 40.0;  ///< of going over to what does not, or is far over the surface
+constexpr double k_reach = 2.0;  ///< how far a walk may stray, steps between samples
 
 struct Candidate {
   mesh::MeshPoint point;
@@ -138,6 +140,31 @@ class Walk {
     taken.offset = taken.offset * far;
   }
 
+  /// Puts back what came nearer to the pen and is not beside its neighbours any more, until all are.
+  void keep_beside(const Run& run, std::vector<Candidate>& taken) {
+    const auto as_found = [&](std::size_t i) -> const Candidate& {
+      return nodes[run.first + i].candidates[run.taken[i]];
+    };
+    const auto beside = [&](std::size_t i) {
+      const double step = nodes[run.first + i].step;
+      return taken[i - 1].point.triangle == taken[i].point.triangle || joined(taken[i - 1], taken[i], step) ||
+             (surface_.sheets.component(taken[i - 1].point.triangle) !=
+                  surface_.sheets.component(taken[i].point.triangle) &&
+              geometry::distance(taken[i - 1].position, taken[i].position) <= reach(taken[i - 1], taken[i], step));
+    };
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t i = 1; i < taken.size(); ++i) {
+        if ((taken[i - 1].offset == as_found(i - 1).offset && taken[i].offset == as_found(i).offset) || beside(i)) {
+          continue;
+        }
+        taken[i - 1] = as_found(i - 1);
+        taken[i] = as_found(i);
+        changed = true;
+      }
+    }
+  }
+
   [[nodiscard]] bool joined(const Candidate& a, const Candidate& b, double px) {
     return surface_.sheets.joined({a.point.triangle, a.position}, {b.point.triangle, b.position}, reach(a, b, px),
                                   surface_.positions);
@@ -229,7 +256,8 @@ class Walk {
     if (joined(a, b, px)) return 0.0;
     const bool near = geometry::distance(a.position, b.position) <= reach(a, b, px);
     const bool parts = surface_.sheets.component(a.point.triangle) != surface_.sheets.component(b.point.triangle);
-    return near && parts ? k_other_part : k_leap;
+    if (!near || !parts) return k_leap;
+    return surface_.close ? k_close_part : k_other_part;
   }
 
   void keep_longest(std::size_t begin, std::size_t end, Run& best) {
@@ -238,6 +266,8 @@ class Walk {
       const auto& before = nodes[i - 1].candidates;
       for (Candidate& one : nodes[i].candidates) {
         for (std::size_t k = 0; k < before.size(); ++k) {
+          // Going over costs something or nothing; most need not be asked.
+          if (k > 0 && before[k].best + one.cost >= one.best) continue;
           const double over = step_cost(before[k], one, nodes[i].step);
           const double cost = before[k].best + over + one.cost;
           if (k > 0 && cost >= one.best) continue;
@@ -301,18 +331,25 @@ base::Result<ProjectedStroke> sheet_curve(std::span<const PxPoint> stroke, std::
     const Node& node = walk.nodes[run.first + i];
     taken.push_back(node.candidates[run.taken[i]]);
     walk.refine(node, taken.back());
-    line.push_back(node.px + taken.back().offset);
   }
+  if (surface.close) walk.keep_beside(run, taken);
+  for (std::size_t i = 0; i < taken.size(); ++i) line.push_back(walk.nodes[run.first + i].px + taken[i].offset);
   const auto even = resample<PxPoint>(line, count);
   if (!even) return even.error();
   const auto cumulative = cumulative_length<PxPoint>(line);
   ProjectedStroke result;
+  Candidate before;
   for (std::size_t i = 0; i < count; ++i) {
     const PolylinePlace place = place_at(cumulative, static_cast<double>(i) / static_cast<double>(count - 1));
     const std::size_t nearer = place.segment + (place.fraction > 0.5 ? 1 : 0);
     Candidate here = taken[nearer];
     const double step = geometry::distance(line[place.segment], line[place.segment + 1]);
     if (place.fraction > 0.0 && place.fraction < 1.0) walk.on_sheet((*even)[i], taken[nearer], step, here);
+    if (surface.close && i > 0) {
+      // What lies between two samples is on their sheet and on that of the point before, or the sample itself is taken.
+      if (!walk.joined(before, here, step)) here = taken[nearer];
+    }
+    before = here;
     result.points.push_back(here.point);
     result.positions.push_back(here.position);
     const PxPoint off = taken[nearer].offset;

@@ -21,7 +21,13 @@ struct SheetSurface {
   std::span<const glm::vec3> positions;  ///< of all vertices, those of the tree
   std::span<const mesh::Triangle> triangles;
   Sheets& sheets;
+  /// By rules from k_close_rules on: a place beside the pen comes nearer to it only where it stays beside its
+  /// neighbours, so that the line does not change its sheet where two are close.
+  bool close = false;
 };
+
+/// The rules of drawing from which on SheetSurface::close holds.
+inline constexpr std::uint32_t k_close_rules = 6;
 
 /// Of two sheets that a line may belong to: the one that is nearer to most of it, or the next one.
 enum class SheetChoice : std::uint8_t { nearer, other };

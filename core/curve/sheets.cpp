@@ -1,6 +1,7 @@
 #include "core/curve/sheets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -11,6 +12,32 @@ namespace {
 
 /// Of the reach, so that no rounding counts.
 constexpr double k_beyond = 1.000001;
+
+/// The square of segment_distance, here where it is asked for most.
+inline double squared_distance(const ModelPoint& a0, const ModelPoint& a1, const ModelPoint& b0, const ModelPoint& b1) {
+  // Ericson 2005, Real-Time Collision Detection, section 5.1.9.
+  const ModelPoint u = a1 - a0, v = b1 - b0, w = a0 - b0;
+  const double uu = glm::dot(u, u), vv = glm::dot(v, v), uv = glm::dot(u, v), uw = glm::dot(u, w), vw = glm::dot(v, w);
+  double s = 0, t = 0;
+  if (uu > 0 && vv > 0) {
+    const double across = uu * vv - uv * uv;
+    if (across > 1e-12 * uu * vv) s = std::clamp((uv * vw - uw * vv) / across, 0.0, 1.0);
+    t = (uv * s + vw) / vv;
+    if (t < 0) {
+      t = 0;
+      s = std::clamp(-uw / uu, 0.0, 1.0);
+    } else if (t > 1) {
+      t = 1;
+      s = std::clamp((uv - uw) / uu, 0.0, 1.0);
+    }
+  } else if (uu > 0) {
+    s = std::clamp(-uw / uu, 0.0, 1.0);
+  } else if (vv > 0) {
+    t = std::clamp(vw / vv, 0.0, 1.0);
+  }
+  const ModelPoint way = (a0 + u * s) - (b0 + v * t);
+  return way.x * way.x + way.y * way.y + way.z * way.z;
+}
 
 }  // namespace
 
@@ -66,6 +93,22 @@ bool Sheets::joined(const Place& a, const Place& b, double reach, std::span<cons
     }
     return false;
   };
+  const ModelPoint along = b.position - a.position;
+  const double square_along = glm::dot(along, along);
+  const double inverse = square_along > 0.0 ? 1.0 / square_along : 0.0;
+  // An edge that starts near the line is near it.
+  const auto starts_near = [&](const glm::vec3& from) {
+    const ModelPoint to = ModelPoint(from) - a.position;
+    const ModelPoint off = to - along * std::clamp(glm::dot(to, along) * inverse, 0.0, 1.0);
+    return k_beyond * glm::dot(off, off) < reach * reach;
+  };
+  const auto is_far = [&](const glm::vec3& from, const glm::vec3& to) {
+    if (starts_near(from)) return false;
+    // The root is drawn only where rounding could tell.
+    const double square = squared_distance(a.position, b.position, ModelPoint(from), ModelPoint(to));
+    if (square > k_beyond * reach * reach) return true;
+    return k_beyond * square > reach * reach && std::sqrt(square) > reach;
+  };
   for (std::size_t next = 0; next < queue_.size(); ++next) {
     // On a mesh that is much finer than the hand everything near is one sheet: no walk is to take long.
     if (queue_.size() > k_most_visited) return geometry::distance(a.position, b.position) <= reach;
@@ -76,7 +119,7 @@ bool Sheets::joined(const Place& a, const Place& b, double reach, std::span<cons
       const glm::vec3& from = positions[triangles_[triangle][k]];
       const glm::vec3& to = positions[triangles_[triangle][(k + 1) % 3]];
       if (beside_box(from, to)) continue;
-      if (segment_distance(a.position, b.position, ModelPoint(from), ModelPoint(to)) > reach) continue;
+      if (is_far(from, to)) continue;
       if (beside == b.triangle) return true;
       seen_[beside] = search_;
       queue_.push_back(beside);
@@ -86,27 +129,7 @@ bool Sheets::joined(const Place& a, const Place& b, double reach, std::span<cons
 }
 
 double segment_distance(const ModelPoint& a0, const ModelPoint& a1, const ModelPoint& b0, const ModelPoint& b1) {
-  // Ericson 2005, Real-Time Collision Detection, section 5.1.9.
-  const ModelPoint u = a1 - a0, v = b1 - b0, w = a0 - b0;
-  const double uu = glm::dot(u, u), vv = glm::dot(v, v), uv = glm::dot(u, v), uw = glm::dot(u, w), vw = glm::dot(v, w);
-  double s = 0, t = 0;
-  if (uu > 0 && vv > 0) {
-    const double across = uu * vv - uv * uv;
-    if (across > 1e-12 * uu * vv) s = std::clamp((uv * vw - uw * vv) / across, 0.0, 1.0);
-    t = (uv * s + vw) / vv;
-    if (t < 0) {
-      t = 0;
-      s = std::clamp(-uw / uu, 0.0, 1.0);
-    } else if (t > 1) {
-      t = 1;
-      s = std::clamp((uv - uw) / uu, 0.0, 1.0);
-    }
-  } else if (uu > 0) {
-    s = std::clamp(-uw / uu, 0.0, 1.0);
-  } else if (vv > 0) {
-    t = std::clamp(vw / vv, 0.0, 1.0);
-  }
-  return geometry::distance(a0 + u * s, b0 + v * t);
+  return std::sqrt(squared_distance(a0, a1, b0, b1));
 }
 
 }  // namespace penpose::curve

@@ -196,8 +196,8 @@ Changed run(const Document& document, const SketchCurve& command, Parts& work) {
   const auto camera = geometry::Camera::make(command.view.camera, sketch.viewport);
   if (!camera) return at("view", camera.error());
   if (!line.empty() && sketch.rules >= articulation::k_held_rules) {
-    const auto reference =
-        sheet_reference(**canvas, *camera, line, articulation::k_curve_points, curve::SheetChoice::nearer);
+    const auto reference = sheet_reference(**canvas, *camera, line, articulation::k_curve_points,
+                                           curve::SheetChoice::nearer, sketch.rules);
     if (!reference) return at("line", reference.error());
   } else if (!line.empty()) {
     const auto reference = drawn_reference(**canvas, *camera, line, articulation::k_curve_points);
@@ -214,6 +214,9 @@ Changed run(const Document& document, const CancelDeformer&, Parts&) {
 }
 
 Changed run(const Document& document, const RedrawCurve& command, Parts& work) {
+  if (const auto correction = correction_number(document, command.deformer)) {
+    return with_redrawn_correction(document, *correction, command);
+  }
   const auto number = deformer_number(document, command.deformer);
   if (!number) return number.error();
   const Sketch& sketch = document.model->deformers->deformers()[*number]->sketch();
@@ -256,6 +259,9 @@ Changed run(const Document& document, const ChangeDeformer& command, Parts& work
 }
 
 Changed run(const Document& document, const MirrorDeformer& command, Parts& work) {
+  if (const auto correction = correction_number(document, command.deformer)) {
+    return with_mirrored_correction(document, *correction, command.to, work);
+  }
   const auto number = deformer_number(document, command.deformer);
   if (!number) return number.error();
   const auto canvas = work.canvas_of(document);
@@ -264,6 +270,9 @@ Changed run(const Document& document, const MirrorDeformer& command, Parts& work
 }
 
 Changed run(const Document& document, const RenameDeformer& command, Parts&) {
+  if (const auto correction = correction_number(document, command.deformer)) {
+    return with_renamed_correction(document, *correction, command.to);
+  }
   const auto number = deformer_number(document, command.deformer);
   if (!number) return number.error();
   const auto set = with_name(*deformers_of(document), *number, command.to);

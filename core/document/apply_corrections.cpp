@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/articulation/mirror.h"
 #include "core/document/apply_deformers.h"
 
 namespace penpose::document {
@@ -33,7 +34,78 @@ std::vector<Driver> posed_controls(const Document& document) {
   return posed;
 }
 
+/// The document with these corrections; an error of number `own` is told without its number.
+Changed with_sketches(const Document& document, const std::vector<articulation::CorrectionSketch>& sketches,
+                      std::size_t own) {
+  auto model = with_corrections(*document.model, sketches);
+  if (!model) {
+    base::Error error = model.error();
+    const std::string number = std::to_string(own) + "/";
+    if (error.place.starts_with(number)) error.place.erase(0, number.size());
+    return error;
+  }
+  return with_model(document, std::move(model).value());
+}
+
+std::optional<base::Error> check_free(const Document& document, const std::string& name) {
+  const base::Error empty{"a correction needs a name", "to", "give one"};
+  if (name.empty()) return empty;
+  const bool pending = document.pending && document.pending->sketch.name == name;
+  const bool control = rig::find_parameter(document.model->rig->parameters(), name).has_value();
+  if (!pending && !control && !correction_number(document, name)) return std::nullopt;
+  return base::Error{std::string(control ? "a control" : "a correction") + " has the name \"" + name + "\" already",
+                     "to", "give it another name"};
+}
+
 }  // namespace
+
+std::optional<std::size_t> correction_number(const Document& document, const std::string& name) {
+  if (!document.model->corrections) return std::nullopt;
+  const auto all = document.model->corrections->all();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i]->drawn.sketch.name == name) return i;
+  }
+  return std::nullopt;
+}
+
+Changed with_redrawn_correction(const Document& document, std::size_t number, const RedrawCurve& command) {
+  auto sketches = correction_sketches(*document.model);
+  articulation::Sketch& sketch = sketches[number].sketch;
+  if (const auto own = geometry::Camera::make(command.view.camera, command.view.viewport); !own) {
+    return base::Error{own.error().what, "view", own.error().remedy};
+  }
+  auto drawn = redrawn(sketch, command.role, rescaled(command.line, command.view.viewport, sketch.viewport),
+                       command.view.camera);
+  if (!drawn) return drawn.error();
+  sketch = std::move(drawn).value();
+  return with_sketches(document, sketches, number);
+}
+
+Changed with_renamed_correction(const Document& document, std::size_t number, const std::string& to) {
+  auto sketches = correction_sketches(*document.model);
+  if (sketches[number].sketch.name == to) return document;
+  if (auto taken = check_free(document, to)) return *taken;
+  sketches[number].sketch.name = to;
+  return with_sketches(document, sketches, number);
+}
+
+Changed with_mirrored_correction(const Document& document, std::size_t number, const std::string& to, Parts& work) {
+  auto sketches = correction_sketches(*document.model);
+  const auto canvas = work.canvas_of(document);
+  if (!canvas) return canvas.error();
+  const auto plane = articulation::find_symmetry_plane(**canvas);
+  if (!plane) return plane.error();
+  articulation::CorrectionSketch other = sketches[number];
+  other.sketch = articulation::mirrored(other.sketch, *plane);
+  if (!to.empty()) other.sketch.name = to;
+  if (auto taken = check_free(document, other.sketch.name)) return *taken;
+  for (Driver& driver : other.drivers) {
+    const std::string name = articulation::mirrored_name(driver.control);
+    if (rig::find_parameter(document.model->rig->parameters(), name)) driver.control = name;
+  }
+  sketches.push_back(std::move(other));
+  return with_sketches(document, sketches, sketches.size() - 1);
+}
 
 base::Result<std::shared_ptr<const articulation::Canvas>> pending_canvas(const Document& document, Parts& work) {
   if (!document.pending || document.pending->drivers.empty()) return work.canvas_of(document);
@@ -97,15 +169,8 @@ Changed run(const Document& document, const BeginCorrection& command, Parts&) {
 Changed with_correction(const Document& document, const articulation::Sketch& sketch) {
   auto sketches = correction_sketches(*document.model);
   sketches.push_back({sketch, document.pending->drivers});
-  auto model = with_corrections(*document.model, sketches);
-  if (!model) {
-    base::Error error = model.error();
-    const std::string number = std::to_string(sketches.size() - 1) + "/";
-    if (error.place.starts_with(number)) error.place.erase(0, number.size());
-    return error;
-  }
-  Document changed = with_model(document, std::move(model).value());
-  changed.pending.reset();
+  auto changed = with_sketches(document, sketches, sketches.size() - 1);
+  if (changed) changed->pending.reset();
   return changed;
 }
 

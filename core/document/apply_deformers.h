@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/articulation/edit.h"
@@ -28,6 +29,16 @@ namespace penpose::document {
 
 /// Error: a correction is drawn at another pose than the model stands in.
 [[nodiscard]] base::Status check_pending_pose(const Document& document);
+
+/// The number of the correction of that name.
+[[nodiscard]] std::optional<std::size_t> correction_number(const Document& document, const std::string& name);
+/// A correction with one curve drawn anew, under another name, or with its mirror image beside it, which follows the
+/// controls of the other side (those without a side stay). Errors: those of the sketch (without a place of a list), no
+/// symmetry, and a name that is taken.
+[[nodiscard]] Changed with_redrawn_correction(const Document& document, std::size_t number, const RedrawCurve& command);
+[[nodiscard]] Changed with_renamed_correction(const Document& document, std::size_t number, const std::string& to);
+[[nodiscard]] Changed with_mirrored_correction(const Document& document, std::size_t number, const std::string& to,
+                                               Parts& work);
 
 /// The correction that was begun, with its last curve drawn.
 [[nodiscard]] Changed with_correction(const Document& document, const articulation::Sketch& sketch);

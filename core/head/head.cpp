@@ -48,11 +48,11 @@ HeadLandmarks head_landmarks() {
 }
 
 document::Model make_head(HeadEdition edition) {
-  const auto half = make_half();
+  const auto half = make_half(edition);
   if (!half) std::abort();
   Assembly head;
   Skin skin = make_skin(*half);
-  const bool second = edition == HeadEdition::second;
+  const bool second = edition != HeadEdition::first;
   Surface teeth_lower;
   Surface tongue;
   if (second) {

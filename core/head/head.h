@@ -5,6 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/document/model.h"
+#include "core/head/edition.h"
 
 namespace penpose::head {
 
@@ -24,13 +25,9 @@ struct HeadLandmarks {
 };
 [[nodiscard]] HeadLandmarks head_landmarks();
 
-/// The second has lower teeth and a tongue, which hang on the floor of the mouth and go along with a jaw, and its mouth
-/// and nostrils are dark inside. The first stays as it was for sessions that were drawn on it.
-enum class HeadEdition : std::uint8_t { first, second };
-
 /// The built-in head: metres, y up, facing +z, symmetric to the plane x = 0, at rest with open eyes and closed lips.
 /// Parts: those of the skin (k_skin_parts; together one manifold, open at the neck only), eye, iris_rim, iris and pupil
-/// of each side (_L, _R), teeth and hair; of the second edition also teeth_lower and tongue. Named curves: see
+/// of each side (_L, _R), teeth and hair; from the second edition on also teeth_lower and tongue. Named curves: see
 /// make_curves in core/head/curves.h. Same bits every time.
 [[nodiscard]] document::Model make_head(HeadEdition edition = HeadEdition::first);
 

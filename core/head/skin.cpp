@@ -11,7 +11,7 @@ namespace penpose::head {
 namespace {
 
 constexpr std::uint32_t k_none = 0xffffffffU;
-constexpr std::size_t k_kinds = 6;
+constexpr std::size_t k_kinds = 7;
 constexpr double k_lip_gap = 0.02;
 
 struct Pair {
@@ -108,8 +108,8 @@ Surface mirrored_part(const Half& half, std::vector<mesh::Triangle> triangles) {
 
 }  // namespace
 
-base::Result<Half> make_half() {
-  const Cage cage = make_cage();
+base::Result<Half> make_half(HeadEdition edition) {
+  const Cage cage = make_cage(edition);
   Pair pair = whole(cage);
   std::vector<std::uint32_t> cage_quad;
   std::vector<std::uint32_t> coarser;
@@ -153,7 +153,9 @@ base::Result<Half> make_half() {
     half.coarser.push_back(coarser[q]);
     half.kinds.push_back(cage.kinds[of_cage]);
   }
-  for (std::size_t v = 0; v < half.points.size(); ++v) half.points[v] = with_brow(half.points[v], half.marks[v]);
+  for (std::size_t v = 0; v < half.points.size(); ++v) {
+    half.points[v] = with_brow(half.points[v], half.marks[v], edition);
+  }
   lift_off_eye(half);
   close_lips(half);
   return half;
@@ -212,8 +214,11 @@ Skin make_skin(const Half& half) {
   auto bare = of(QuadKind::skin);
   const auto coarse = of(QuadKind::coarse_skin);
   bare.insert(bare.end(), coarse.begin(), coarse.end());
+  auto lining = of(QuadKind::lining);
+  const auto inner_lip = of(QuadKind::inner_lip);
+  lining.insert(lining.end(), inner_lip.begin(), inner_lip.end());
   return {mirrored_part(half, bare), mirrored_part(half, of(QuadKind::lip)), mirrored_part(half, of(QuadKind::brow)),
-          mirrored_part(half, of(QuadKind::lining)), mirrored_part(half, of(QuadKind::lash))};
+          mirrored_part(half, lining), mirrored_part(half, of(QuadKind::lash))};
 }
 
 }  // namespace penpose::head

@@ -14,7 +14,7 @@ constexpr std::uint32_t k_json_chunk = 0x4e4f534a;  // "JSON"
 constexpr std::uint32_t k_binary_chunk = 0x004e4942;
 // Of files beside the model: more are no model, and all of them are held at once.
 constexpr std::size_t k_most_files = 4096;
-constexpr std::size_t k_most_bytes = std::size_t{1} << 32;
+constexpr std::uint64_t k_most_bytes = std::uint64_t{1} << 32;
 constexpr const char* k_truncated = "the file is cut off or damaged; copy or export it again";
 
 base::Error at_byte(std::string what, std::size_t offset, std::string remedy = k_truncated) {
@@ -170,7 +170,7 @@ base::Result<base::Bytes> load_uri(GltfDocument& document, const std::string& ur
   if (!bytes) {
     return base::Error{"the buffer " + path + " " + bytes.error().what, pointer, "put it beside the model"};
   }
-  std::size_t held = bytes->size();
+  std::uint64_t held = bytes->size();
   for (const auto& owned : document.owned) held += owned->size();
   if (held > k_most_bytes) {
     return base::Error{"the files of the model are larger than " + std::to_string(k_most_bytes >> 20) + " MiB together",

@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <span>
 
 namespace penpose::model_io {
 namespace {
 
 constexpr const char* k_export_again = "the file is damaged; export it again";
-constexpr std::int64_t k_most_bytes = std::int64_t{1} << 40;
+// On a 32-bit machine no more than tinygltf's size_t holds: a larger one must not be cut to another that fits.
+constexpr std::int64_t k_most_bytes =
+    static_cast<std::int64_t>(std::min<std::uint64_t>(std::uint64_t{1} << 40, std::numeric_limits<std::size_t>::max()));
 // tinygltf keeps several of these in an int.
 constexpr std::int64_t k_most_int = 0x7fffffff;
 

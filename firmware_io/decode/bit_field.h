@@ -21,8 +21,10 @@ class BitTest {
 
   [[nodiscard]] bool holds(base::Bytes report) const {
     if (report.size() < shortest_) return false;
+    // Every part lies before `shortest_`.
+    const std::uint8_t* const bytes = report.data();
     for (const auto& part : parts_) {
-      if (!part.holds(report[part.byte])) return false;
+      if (!part.holds(bytes[part.byte])) return false;
     }
     return true;
   }

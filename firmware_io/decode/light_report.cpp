@@ -4,6 +4,7 @@
 
 #include "firmware_io/decode/wacom_hands.h"
 #include "firmware_io/decode/wacom_models.h"
+#include "firmware_io/decode/wacom_receiver.h"
 #include "firmware_io/hid/report_descriptor.h"
 
 namespace penpose::decode {
@@ -14,7 +15,10 @@ using P = WacomPad;
 constexpr std::uint8_t k_lights_report = 0x20;
 constexpr std::uint8_t k_bluetooth_report = 0x82;
 constexpr std::uint8_t k_described_report = 0x32;
+constexpr std::uint8_t k_receiver_report = 0x03;
 constexpr std::size_t k_lights_size = 9;
+constexpr std::size_t k_receiver_size = 13;
+constexpr std::size_t k_receiver_light_byte = 4;
 constexpr std::size_t k_bluetooth_size = 51;
 /// Describes the report by which a tablet of 2017 or later takes the light of its ring.
 constexpr hid::Usage k_ring_setting = hid::usage(0xff0d, 0x1032);
@@ -55,6 +59,10 @@ std::vector<std::uint8_t> fixed_report(P pad, const Lights& lights) {
   }
 }
 
+bool is_receivers_keys(const DeviceIdentity& identity) {
+  return is_wacom_receiver(identity) && identity.interface_number == 1;
+}
+
 bool is_ring_setting(const hid::Field& field) {
   if (field.type != hid::ReportType::feature || field.report_id != k_described_report) return false;
   for (std::uint32_t i = 0; i < std::min<std::uint64_t>(field.usage_count(), 256); ++i) {
@@ -66,6 +74,13 @@ bool is_ring_setting(const hid::Field& field) {
 }  // namespace
 
 std::optional<std::vector<std::uint8_t>> light_report(const DeviceIdentity& identity, const Lights& lights) {
+  if (is_receivers_keys(identity)) {
+    // All that have lights and can be behind it are an Intuos5 or one of its kind.
+    std::vector<std::uint8_t> report(k_receiver_size);
+    report[0] = k_receiver_report;
+    report[k_receiver_light_byte] = static_cast<std::uint8_t>(light(lights, 0));
+    return report;
+  }
   if (identity.vendor != k_vendor_wacom || identity.report_descriptor.empty()) return std::nullopt;
   const auto descriptor = hid::parse_report_descriptor(identity.report_descriptor, hid::Strictness::tolerant);
   if (!descriptor) return std::nullopt;
@@ -86,6 +101,10 @@ std::optional<std::vector<std::uint8_t>> light_report(const DeviceIdentity& iden
   report[1] = 100;  // brightness in percent
   report[2] = static_cast<std::uint8_t>(light(lights, 0));
   return report;
+}
+
+std::optional<std::size_t> only_light_byte(const DeviceIdentity& identity) {
+  return is_receivers_keys(identity) ? std::optional(k_receiver_light_byte) : std::nullopt;
 }
 
 std::size_t side_of_light_group(const DeviceIdentity& identity, std::size_t group) {

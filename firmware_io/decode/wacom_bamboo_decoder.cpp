@@ -15,7 +15,7 @@ void WacomBambooDecoder::reset() {
 }
 
 ReportKind WacomBambooDecoder::decode(base::Bytes report) {
-  if ((report.size() != 9 && report.size() != 10) || report[0] != 0x02) return ReportKind::ignored;
+  if (report.size() < 9 || report.size() > 10 || report[0] != 0x02) return ReportKind::ignored;
   const bool near = bit(report, 1, 0x80);
   const bool has_position = bit(report, 1, 0x40);
   const bool has_data = bit(report, 1, 0x20);

@@ -35,22 +35,17 @@ void WacomBluetoothDecoder::reset() {
   serial_ = 0;
 }
 
-ReportKind WacomBluetoothDecoder::decode(base::Bytes report) {
-  const FrameLayout& layout = is_pro_ ? k_pro : k_small;
-  if (report.size() < layout.tool_at + 2 || (report[0] != 0x80 && report[0] != 0x81)) return ReportKind::ignored;
-  serial_ = le64(report, layout.serial_at);
-  tool_number_ = static_cast<std::uint32_t>(le16(report, layout.tool_at));
-  // Electromagnetic pens keep the part of the tool number that does not fit its own field in the serial's upper half.
-  if (serial_ >> 52 == 1) tool_number_ |= static_cast<std::uint32_t>(serial_ >> 32) & 0xfffff;
-  frames_.clear();
-  for (std::size_t i = 0; i < layout.count; ++i) {
-    const base::Bytes frame = report.subspan(1 + i * layout.size, layout.size);
-    if (bit(frame, 0, 0x80) && !decode_frame(frame)) break;
+template <std::size_t frame_size>
+void WacomBluetoothDecoder::decode_frames(base::Bytes frames) {
+  for (; frames.size() >= frame_size; frames = frames.subspan(frame_size)) {
+    const auto frame = frames.first<frame_size>();
+    if (bit(frame, 0, 0x80) && !decode_frame<frame_size>(frame)) break;
   }
-  return frames_.empty() ? ReportKind::ignored : ReportKind::pen;
 }
 
-bool WacomBluetoothDecoder::decode_frame(base::Bytes frame) {
+template <std::size_t frame_size>
+bool WacomBluetoothDecoder::decode_frame(std::span<const std::uint8_t, frame_size> frame) {
+  constexpr bool is_pro = frame_size == k_pro.size;
   const bool near = bit(frame, 0, 0x40);
   const bool has_position = bit(frame, 0, 0x20);
   const bool turned = bit(frame, 0, 0x10);
@@ -67,7 +62,7 @@ bool WacomBluetoothDecoder::decode_frame(base::Bytes frame) {
     }
     sample_.x = le16(frame, 1);
     sample_.y = le16(frame, 3);
-    if (is_pro_) {
+    if constexpr (is_pro) {
       sample_.tilt_x = s8(frame, 7);
       sample_.tilt_y = s8(frame, 8);
       // The device counts from the top of the barrel, the older tablets from its left.
@@ -78,7 +73,7 @@ bool WacomBluetoothDecoder::decode_frame(base::Bytes frame) {
   }
   if (tool_ == WacomTool::none) return true;
   sample_.pressure = le16(frame, 5);
-  sample_.distance = has_position ? frame[is_pro_ ? 13 : 7] : max_distance_;
+  sample_.distance = has_position ? frame[is_pro ? 13 : 7] : max_distance_;
   sample_.tip = (frame[0] & 0x09) != 0;
   sample_.buttons = (frame[0] >> 1) & 3;
   sample_.in_range = true;
@@ -87,6 +82,23 @@ bool WacomBluetoothDecoder::decode_frame(base::Bytes frame) {
   sample_.serial = serial_;
   frames_.add(sample_);
   return true;
+}
+
+ReportKind WacomBluetoothDecoder::decode(base::Bytes report) {
+  const FrameLayout& layout = is_pro_ ? k_pro : k_small;
+  if (report.size() < layout.tool_at + 2 || (report[0] != 0x80 && report[0] != 0x81)) return ReportKind::ignored;
+  serial_ = le64(report, layout.serial_at);
+  tool_number_ = static_cast<std::uint32_t>(le16(report, layout.tool_at));
+  // Electromagnetic pens keep the part of the tool number that does not fit its own field in the serial's upper half.
+  if (serial_ >> 52 == 1) tool_number_ |= static_cast<std::uint32_t>(serial_ >> 32) & 0xfffff;
+  frames_.clear();
+  const base::Bytes frames = report.subspan(1, layout.count * layout.size);
+  if (is_pro_) {
+    decode_frames<k_pro.size>(frames);
+  } else {
+    decode_frames<k_small.size>(frames);
+  }
+  return frames_.empty() ? ReportKind::ignored : ReportKind::pen;
 }
 
 }  // namespace penpose::decode

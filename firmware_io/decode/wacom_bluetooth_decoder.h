@@ -19,8 +19,12 @@ class WacomBluetoothDecoder final : public PenDecoder {
   [[nodiscard]] std::span<const PenSample> frames() const override { return frames_.all(); }
 
  private:
-  /// False when the frame says that the pen left, after which the report holds nothing more.
-  bool decode_frame(base::Bytes frame);
+  template <std::size_t frame_size>
+  void decode_frames(base::Bytes frames);
+  /// False when the frame says that the pen left, after which the report holds nothing more. Its size tells which kind
+  /// of tablet it is from.
+  template <std::size_t frame_size>
+  bool decode_frame(std::span<const std::uint8_t, frame_size> frame);
 
   PenAxes axes_;
   FrameList frames_;

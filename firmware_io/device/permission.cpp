@@ -52,7 +52,8 @@ void append_rules(std::string& rule, std::uint16_t vendor, const std::set<std::u
 }
 
 bool rule_is_installed() {
-  for (const char* folder : {k_rules_folder, "/run/udev/rules.d", "/usr/lib/udev/rules.d", "/lib/udev/rules.d"}) {
+  for (const char* folder : {k_rules_folder, "/run/udev/rules.d", "/usr/local/lib/udev/rules.d",
+                             "/usr/lib/udev/rules.d", "/lib/udev/rules.d"}) {
     if (::access((std::string(folder) + "/" + k_rule_file).c_str(), F_OK) == 0) return true;
   }
   return false;

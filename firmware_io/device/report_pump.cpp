@@ -51,19 +51,30 @@ void ReportPump::note(std::string_view text) {
   signal();
 }
 
-void ReportPump::send_feature(std::vector<std::uint8_t> report) {
+void ReportPump::send_feature(std::vector<std::uint8_t> report, std::optional<std::size_t> only) {
   const std::scoped_lock lock(to_send_mutex_);
   to_send_ = std::move(report);
+  only_byte_ = only;
   has_to_send_.store(true, std::memory_order_release);
 }
 
 void ReportPump::send_waiting() {
   if (!has_to_send_.load(std::memory_order_acquire)) return;
   std::vector<std::uint8_t> report;
+  std::optional<std::size_t> only;
   {
     const std::scoped_lock lock(to_send_mutex_);
     report.swap(to_send_);
+    only = only_byte_;
     has_to_send_.store(false, std::memory_order_relaxed);
+  }
+  if (only && *only < report.size()) {
+    // One that does not answer gets the report as it is.
+    auto now = source_->get_feature(report[0], report.size());
+    if (now && now->size() == report.size() && now->front() == report[0]) {
+      (*now)[*only] = report[*only];
+      report = std::move(now).value();
+    }
   }
   if (!source_->send_feature(report)) refused_.fetch_add(1, std::memory_order_relaxed);
 }

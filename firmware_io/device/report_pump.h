@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -35,7 +36,8 @@ class ReportPump {
   /// Waits until there is a record, the tablet is gone or the time is over. True unless the time is over.
   bool wait(int timeout_ms);
   /// Sends a feature report as soon as the thread comes to it, within 50 ms; of several that wait, the last alone.
-  void send_feature(std::vector<std::uint8_t> report);
+  /// With `only` the tablet is asked for the report first, and that byte of it alone is changed.
+  void send_feature(std::vector<std::uint8_t> report, std::optional<std::size_t> only = {});
   /// Becomes readable when a record comes; `wait(0)` makes it unreadable again.
   [[nodiscard]] int wake_fd() const { return event_; }
 
@@ -68,6 +70,7 @@ class ReportPump {
   std::atomic<int> refused_{0};
   std::mutex to_send_mutex_;
   std::vector<std::uint8_t> to_send_;
+  std::optional<std::size_t> only_byte_;
   std::atomic<bool> has_to_send_{false};
   std::thread thread_;
 };

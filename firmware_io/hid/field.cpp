@@ -57,12 +57,14 @@ std::uint64_t extract_unsigned(base::Bytes report, std::uint64_t offset, std::ui
   const std::uint64_t first = offset / 8;
   const auto shift = static_cast<unsigned>(offset % 8);
   const std::uint64_t bytes = (shift + size + 7) / 8;  // up to 9
+  if (first >= report.size()) return 0;
+  // One look at the length for all bytes: this is the innermost loop of described tablets.
+  const std::uint64_t there = std::min<std::uint64_t>(bytes, report.size() - first);
+  const std::uint8_t* const from = report.data() + first;
   std::uint64_t value = 0;
-  for (std::uint64_t i = 0; i < bytes && i < 8; ++i) {
-    if (first + i < report.size()) value |= static_cast<std::uint64_t>(report[first + i]) << (8 * i);
-  }
+  for (std::uint64_t i = 0; i < there && i < 8; ++i) value |= std::uint64_t{from[i]} << (8 * i);
   value >>= shift;
-  if (bytes == 9 && first + 8 < report.size()) value |= static_cast<std::uint64_t>(report[first + 8]) << (64 - shift);
+  if (there == 9) value |= std::uint64_t{from[8]} << (64 - shift);
   return size == 64 ? value : value & ((std::uint64_t{1} << size) - 1);
 }
 

@@ -1,36 +1,26 @@
 #!/usr/bin/env bash
 # Builds the program of the golden hashes in the ways that are promised to give the same bits, and runs it.
-#   matrix.sh BUILD_FOLDER [WAY...]     ways: gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3 asan-ubsan tsan aarch64
-# Prints a line for each way and ends with 1 when any of them differs. `aarch64` makes its sysroot from Debian's packages (as
-# root, over the network); where they cannot be had and no way fails, the end is 77.
+#   matrix.sh BUILD_FOLDER [WAY...]     ways: gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3 asan-ubsan tsan aarch64 armhf
+# Prints a line for each way and ends with 1 when any of them differs. `aarch64` and `armhf` (32 bits) make their sysroots from
+# Debian's packages (as root, over the network); where they cannot be had and no way fails, the end is 77.
 set -uo pipefail
 source=$(cd "$(dirname "$0")/../.." && pwd)
 folder=$(mkdir -p "$1" && cd "$1" && pwd)
 shift
-[ $# -gt 0 ] || set -- gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3 asan-ubsan tsan aarch64
+[ $# -gt 0 ] || set -- gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3 asan-ubsan tsan aarch64 armhf
 
-sysroot_packages="libxxhash-dev libxxhash0 libopenmesh-dev libopenmesh1 libtinygltf-dev libtinygltf2d nlohmann-json3-dev libglm-dev
-  libhidapi-dev libhidapi-hidraw0 libhidapi-libusb0 libgtest-dev libusb-1.0-0-dev libusb-1.0-0 libudev-dev libudev1 libcap2"
+sysroot_packages="libxxhash-dev libtinygltf-dev nlohmann-json3-dev libglm-dev libhidapi-dev libgtest-dev libusb-1.0-0-dev libudev-dev"
 
-make_sysroot() {
-  command -v aarch64-linux-gnu-g++-12 >/dev/null && command -v qemu-aarch64 >/dev/null || return 1
-  local complete
-  complete=$folder/sysroot/complete-$(cksum <<<"$sysroot_packages" | cut -d ' ' -f 1)
-  [ -e "$complete" ] && return 0
-  rm -rf "$folder/sysroot" "$folder/packages"
-  mkdir -p "$folder/sysroot" "$folder/packages"
-  local foreign
-  foreign=$(dpkg --print-foreign-architectures)
-  dpkg --add-architecture arm64 && apt-get update -qq >/dev/null || return 1
-  local result=0
-  (cd "$folder/packages" && for package in $sysroot_packages; do
-    apt-get download -qq "$package:arm64" 2>/dev/null || apt-get download -qq "$package" 2>/dev/null || exit 1
-  done) || result=1
-  # The machine is left as it was found.
-  case " $foreign " in *arm64*) ;; *) dpkg --remove-architecture arm64; apt-get update -qq >/dev/null ;; esac
-  [ $result = 0 ] || return 1
-  for package in "$folder"/packages/*.deb; do dpkg -x "$package" "$folder/sysroot" || return 1; done
-  touch "$complete"
+# cross WAY ARCHITECTURE TRIPLET EMULATOR: the other machine, built with Debian's cross compiler and run in emulation.
+cross() {
+  local way=$1 sysroot=$folder/sysroot-$2
+  # shellcheck disable=SC2086
+  if command -v "$3-g++-12" >/dev/null && command -v "$4" >/dev/null && "$source/ui/install/sysroot.sh" "$2" "$sysroot" $sysroot_packages; then
+    PENPOSE_TRIPLET=$3 PENPOSE_SYSROOT=$sysroot run "$way" -DCMAKE_TOOLCHAIN_FILE="$source/ui/install/cross.cmake" -DCMAKE_CXX_FLAGS=-O1 || failed=1
+  else
+    echo "$way: left out, its compiler or the packages of its sysroot cannot be had"
+    left_out=1
+  fi
 }
 
 run() {
@@ -62,15 +52,8 @@ for way in "$@"; do
     clang-O?) run "$way" -DCMAKE_CXX_COMPILER=clang++-14 -DCMAKE_CXX_FLAGS="-${way#clang-}" || failed=1 ;;
     asan-ubsan) run "$way" -DCMAKE_CXX_COMPILER=g++ -DCMAKE_CXX_FLAGS=-O1 -DPENPOSE_SANITIZE=address,undefined || failed=1 ;;
     tsan) run "$way" -DCMAKE_CXX_COMPILER=g++ -DCMAKE_CXX_FLAGS=-O1 -DPENPOSE_SANITIZE=thread || failed=1 ;;
-    aarch64)
-      if make_sysroot; then
-        PENPOSE_SYSROOT=$folder/sysroot run "$way" -DCMAKE_TOOLCHAIN_FILE="$source/tests/golden/aarch64.cmake" \
-          -DCMAKE_CXX_FLAGS=-O1 || failed=1
-      else
-        echo "aarch64: left out, the packages of the sysroot cannot be had"
-        left_out=1
-      fi
-      ;;
+    aarch64) cross "$way" arm64 aarch64-linux-gnu qemu-aarch64 ;;
+    armhf) cross "$way" armhf arm-linux-gnueabihf qemu-arm ;;
     *) echo "no way is called $way" && exit 2 ;;
   esac
 done

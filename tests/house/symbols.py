@@ -25,7 +25,6 @@ REFUSED = [(re.compile(rule), why) for rule, why in [
 # What libraries bring along that are compiled into a module, by the object that has it.
 EXEMPT = {
     'parallel.cpp.o': r'^std::thread|^sched_yield$',  # the one place of threads
-    'subdivision.cpp.o': r'^cos$|^std::(?:basic|c)|stringstream',  # OpenMesh's test for feature edges and its streams, never called
 }
 # nlohmann's reader of numbers asks for the decimal point and undoes what it is.
 EXEMPT_JSON = r'^(?:localeconv|strtod|snprintf|__snprintf_chk)$'

@@ -102,6 +102,16 @@ class UsbDevice final : public VirtualDevice {
     return base::Done{};
   }
 
+  /// The driver asks for the next report when it has done with one.
+  base::Status settle(int interface) override {
+    const auto number = numbers_.find(interface);
+    if (number == numbers_.end()) return base::Error{"no such interface", "", ""};
+    std::unique_lock lock(mutex_);
+    const Interface& of = interfaces_[number->second];
+    if (changed_.wait_for(lock, std::chrono::seconds(20), [&] { return of.waiting != 0; })) return base::Done{};
+    return base::Error{"nobody reads this interface any more", "", ""};
+  }
+
   void unplug() override {
     if (!attached_.exchange(false)) return;
     write_text(std::string(k_controller) + "detach", std::to_string(behaviour_.port));

@@ -9,6 +9,7 @@ namespace {
 
 /// The surface shows through the colours of weights.
 constexpr float k_overlay_alpha = 0.62F;
+constexpr float k_faint_weight = 0.25F;
 
 }  // namespace
 
@@ -70,7 +71,11 @@ void FrameMaker::update_overlay(App& app) {
   std::vector<render::Color> overlay(count, render::Color{0, 0, 0, 0});
   const articulation::Deformer& deformer = *deformers->deformers()[*found];
   for (std::size_t i = 0; i < deformer.vertices().size(); ++i) {
-    overlay[deformer.vertices()[i]] = colored(static_cast<float>(deformer.weights()[i]));
+    const auto weight = static_cast<float>(deformer.weights()[i]);
+    render::Color& color = overlay[deformer.vertices()[i]];
+    color = colored(weight);
+    // Little of it is hardly seen, so that the border does not run along the edges of triangles.
+    color.a *= std::min(1.0F, weight / k_faint_weight);
   }
   last_.overlay = std::make_shared<const std::vector<render::Color>>(std::move(overlay));
   ++last_.overlay_number;

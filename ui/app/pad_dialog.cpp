@@ -149,7 +149,9 @@ void show_pad_dialog(PanelContext& context) {
       show_tablets(context, tablets, *tablet);
       // As high as it is, up to what the window has room for.
       const float room = static_cast<float>(app.window().height) - 6 * context.unit;
-      const float height = std::clamp(app.panels().pad_height, 10 * context.unit, std::max(room, 10 * context.unit));
+      const float least = 5 * context.unit;
+      const float height =
+          std::clamp(app.panels().pad_height, std::min(2 * least, std::max(room, least)), std::max(room, least));
       ImGui::BeginChild("pad", {10.6F * context.unit, height}, false);
       ImGui::BeginGroup();
       show_pad_picture(context, *tablet);

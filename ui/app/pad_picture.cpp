@@ -147,7 +147,8 @@ void Picture::show_mode_key(std::uint8_t side, ImVec2 middle) {
     const float angle = -0.75F * k_pi + 2 * k_pi * static_cast<float>(light) / count;
     const ImVec2 at{middle.x + 0.38F * context_.unit * std::cos(angle),
                     middle.y + 0.38F * context_.unit * std::sin(angle)};
-    list.AddCircleFilled(at, 0.09F * context_.unit, light == mode ? k_lit : ImGui::GetColorU32(ImGuiCol_FrameBg));
+    const ImU32 lamp = down ? IM_COL32_WHITE : k_lit;
+    list.AddCircleFilled(at, 0.09F * context_.unit, light == mode ? lamp : ImGui::GetColorU32(ImGuiCol_FrameBg));
   }
   ImGui::SetCursorScreenPos(after);
 }
@@ -180,7 +181,9 @@ void Picture::show_dial(const Dial& dial, bool lights_beside) {
 
 void Picture::show_column(std::span<const decode::PadKey> keys, std::span<const Dial> dials, bool lights_beside) {
   ImGui::BeginGroup();
-  const std::size_t above = dials.empty() ? keys.size() : (keys.size() + 1) / 2;
+  // Half of those that are numbered, so that dials beside each other are level.
+  const auto numbered = static_cast<std::size_t>(std::count_if(keys.begin(), keys.end(), is_numbered));
+  const std::size_t above = dials.empty() ? keys.size() : ((numbered > 0 ? numbered : keys.size()) + 1) / 2;
   for (const decode::PadKey key : keys.first(above)) show_key(key);
   for (const Dial& dial : dials) show_dial(dial, lights_beside);
   for (const decode::PadKey key : keys.subspan(above)) show_key(key);

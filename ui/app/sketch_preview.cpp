@@ -15,6 +15,17 @@
 namespace penpose::app {
 
 using articulation::CurveRole;
+namespace {
+
+std::optional<std::size_t> correction_of(const document::Document& document, const std::string& name) {
+  const auto sketches = document::correction_sketches(*document.model);
+  for (std::size_t i = 0; i < sketches.size(); ++i) {
+    if (sketches[i].sketch.name == name) return i;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 void SketchPreview::end() { *this = SketchPreview{}; }
 
@@ -27,7 +38,7 @@ void SketchPreview::stroke_ended() {
 }
 
 void SketchPreview::show(const document::Document& document, const drawing::Tool& tool) {
-  const bool at_rest = tool.kind == drawing::ToolKind::redraw;
+  const bool at_rest = tool.kind == drawing::ToolKind::redraw && !correction_of(document, tool.deformer);
   if (!document.pending && !at_rest) {
     // Between two controls the face is as it was posed.
     model_.reset();
@@ -177,6 +188,20 @@ void SketchPreview::follow(const document::Document& document, const drawing::To
 
 void SketchPreview::follow_redraw(const document::Document& document, const drawing::Tool& tool,
                                   const document::View& view, const std::vector<geometry::PxPoint>& line) {
+  if (const auto correction = correction_of(document, tool.deformer)) {
+    auto sketches = document::correction_sketches(*document.model);
+    articulation::Sketch& sketch = sketches[*correction].sketch;
+    auto drawn =
+        articulation::redrawn(sketch, tool.role, document::rescaled(line, view.viewport, sketch.viewport), view.camera);
+    if (!drawn) return;
+    sketch = std::move(drawn).value();
+    auto model = document::with_corrections(*document.model, sketches);
+    if (!model) return;
+    drawn_.reset();
+    model_ = std::make_shared<const document::Model>(std::move(*model));
+    pose_ = document.pose;
+    return;
+  }
   if (!document.model->deformers || !set_canvas(document)) return;
   const auto number = articulation::find_deformer(*document.model->deformers, tool.deformer);
   if (!number) return;

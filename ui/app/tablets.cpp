@@ -79,10 +79,13 @@ struct Tablets::State {
   /// A tablet that the kernel's driver does not serve shows the lights that the app has.
   static void show_lights(Open& one, const App& app) {
     const auto lights = app.lights_of(one.number);
+    // Behind a wireless receiver it may come again with another light than it left with.
+    if (!lights) one.shown.reset();
     if (!lights || one.shown == lights || device::kernel_switches_lights(one.tablet)) return;
     one.shown = lights;
-    if (auto report = decode::light_report(one.tablet.interface.identity, *lights))
-      one.pump->send_feature(std::move(*report));
+    const decode::DeviceIdentity& identity = one.tablet.interface.identity;
+    if (auto report = decode::light_report(identity, *lights))
+      one.pump->send_feature(std::move(*report), decode::only_light_byte(identity));
   }
 
   void run() {

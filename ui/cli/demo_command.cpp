@@ -16,6 +16,7 @@
 #include "ui/demo/contact_sheet.h"
 #include "ui/demo/demo_head.h"
 #include "ui/demo/run_demo.h"
+#include "ui/render/renderer.h"
 
 namespace penpose::cli {
 namespace {
@@ -89,9 +90,10 @@ void print(const demo::Demo& made, const Written& written) {
     std::cout << "  " << one.name << ": " << one.curves << " curves, distance left "
               << base::format_fixed(one.distance_at_rest, 4) << " -> " << base::format_fixed(one.distance, 4) << "\n";
   }
-  std::cout << "pictures, row by row: ";
+  if (!written.cells.empty()) std::cout << "pictures, row by row: ";
   for (std::size_t i = 0; i < written.cells.size(); ++i) std::cout << (i > 0 ? ", " : "") << written.cells[i].title;
-  std::cout << "\nwrote " << written.glb << " and " << written.png << " in "
+  std::cout << (written.cells.empty() ? "no pictures: built without OpenGL" : "") << "\nwrote " << written.glb
+            << (written.png.empty() ? "" : " and ") << written.png << " in "
             << base::format_fixed(written.total_ms / 1000, 2) << " s\n";
 }
 
@@ -103,7 +105,7 @@ Json to_json(const demo::Demo& made, const Written& written) {
   for (const demo::NamedPose& one : made.poses) expressions.push_back(to_json(one, model));
   Json pictures = Json::array();
   for (const demo::SheetCell& cell : written.cells) pictures.push_back(cell.title);
-  return {{"model", "builtin:head-2"},
+  return {{"model", "builtin:head-3"},
           {"vertices", model.mesh->vertex_count()},
           {"reports", made.reports},
           {"strokes", made.strokes},
@@ -112,7 +114,7 @@ Json to_json(const demo::Demo& made, const Written& written) {
           {"expressions", std::move(expressions)},
           {"pictures", std::move(pictures)},
           {"glb", written.glb},
-          {"png", written.png},
+          {"png", written.png.empty() ? Json() : Json(written.png)},
           {"replay_ms", written.replay_ms},
           {"picture_ms", written.picture_ms},
           {"total_ms", written.total_ms},
@@ -134,11 +136,16 @@ int run_demo_command(const DemoArguments& arguments) {
     return report(saved.error(), written.glb);
   }
   const Clock::time_point before_pictures = Clock::now();
-  const auto sheet = demo::draw_contact_sheet(*made->document.model, written.cells);
-  if (!sheet) return report(sheet.error(), written.png);
-  const auto png = render::encode_png(*sheet);
-  if (!png) return report(png.error(), written.png);
-  if (auto saved = write_file(written.png, *png); !saved) return report(saved.error(), written.png);
+  if (render::Renderer::is_built_in()) {
+    const auto sheet = demo::draw_contact_sheet(*made->document.model, written.cells);
+    if (!sheet) return report(sheet.error(), written.png);
+    const auto png = render::encode_png(*sheet);
+    if (!png) return report(png.error(), written.png);
+    if (auto saved = write_file(written.png, *png); !saved) return report(saved.error(), written.png);
+  } else {
+    written.png.clear();
+    written.cells.clear();
+  }
   written.picture_ms = ms_since(before_pictures);
   written.total_ms = ms_since(start);
   if (arguments.json) {

@@ -6,6 +6,7 @@
 
 #include "firmware_io/decode/hand_factory.h"
 #include "firmware_io/decode/wacom_receiver.h"
+#include "replay/touch_switches.h"
 #include "replay/trace_source.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/files.h"
@@ -19,11 +20,13 @@ namespace {
 struct Interface {
   decode::HandDecoders hand;
   decode::PadSample printed;
+  std::shared_ptr<decode::TouchSwitch> touch_switch;  ///< the tablet's; null where reports are read by a protocol
 };
 
 class HandRun {
  public:
-  HandRun(const HandDecodeOptions& options, const decode::TabletTable* own) : options_(options), own_(own) {}
+  HandRun(const HandDecodeOptions& options, const decode::TabletTable* own)
+      : options_(options), own_(own), switches_(own) {}
 
   int run();
 
@@ -32,7 +35,8 @@ class HandRun {
   Interface& interface_for(const replay::TraceSource& source, int device);
   void print_pad(const replay::TraceReport& report, Interface& interface);
   void print_touch(const replay::TraceReport& report, const Interface& interface);
-  void end_frames_early(const replay::TraceReport& report);
+  void make_decoders(Interface& interface, int device, const decode::DeviceIdentity& identity);
+  void end_frames_early(const replay::TraceReport& report, const decode::TouchSwitch* told);
   void hear(const replay::TraceReport& report);
   void begin_row();
   void end_output(const replay::TraceSource& source);
@@ -40,7 +44,7 @@ class HandRun {
 
   const HandDecodeOptions& options_;
   const decode::TabletTable* own_;
-  std::shared_ptr<decode::TouchSwitch> touch_switch_ = std::make_shared<decode::TouchSwitch>();
+  replay::TouchSwitches switches_;
   decode::WacomReceivers receivers_;
   std::map<int, Interface> interfaces_;
   std::string out_;
@@ -48,6 +52,11 @@ class HandRun {
   std::uint64_t rows_ = 0;
   std::uint64_t reports_ = 0;
 };
+
+void HandRun::make_decoders(Interface& interface, int device, const decode::DeviceIdentity& identity) {
+  interface.touch_switch = switches_.join(device, identity);
+  interface.hand = decode::make_hand_decoders(identity, own_, interface.touch_switch);
+}
 
 Interface& HandRun::interface_for(const replay::TraceSource& source, int device) {
   const auto found = interfaces_.find(device);
@@ -57,7 +66,7 @@ Interface& HandRun::interface_for(const replay::TraceSource& source, int device)
   if (!options_.protocol.empty()) {
     made.hand = decode::make_protocol_hand_decoders(options_.protocol);
   } else if (declared != source.devices().end()) {
-    made.hand = decode::make_hand_decoders(receivers_.connect(device, declared->second), own_, touch_switch_);
+    make_decoders(made, device, receivers_.connect(device, declared->second));
   }
   return made;
 }
@@ -99,11 +108,11 @@ void HandRun::print_touch(const replay::TraceReport& report, const Interface& in
   }
 }
 
-/// The key or slide that turns off the fingers was told of, which shows what the fingers' own interface has said so
-/// far.
-void HandRun::end_frames_early(const replay::TraceReport& report) {
+/// The key or slide that turns off a tablet's fingers was told of, which shows what the fingers' own interface has said
+/// so far.
+void HandRun::end_frames_early(const replay::TraceReport& report, const decode::TouchSwitch* told) {
   for (auto& [device, interface] : interfaces_) {
-    if (!interface.hand.touch || !interface.hand.touch->end_early()) continue;
+    if (interface.touch_switch.get() != told || !interface.hand.touch || !interface.hand.touch->end_early()) continue;
     replay::TraceReport here = report;
     here.device = device;
     print_touch(here, interface);
@@ -115,7 +124,7 @@ void HandRun::hear(const replay::TraceReport& report) {
   if (!options_.protocol.empty()) return;
   for (const auto& [device, identity] : receivers_.report(report.device, report.bytes)) {
     if (decode::is_receiver_monitor(identity)) continue;
-    interfaces_[device].hand = decode::make_hand_decoders(identity, own_, touch_switch_);
+    make_decoders(interfaces_[device], device, identity);
   }
 }
 
@@ -128,12 +137,14 @@ base::Status HandRun::decode(replay::TraceSource& source) {
     Interface& interface = interface_for(source, (*report)->device);
     // Both get every report: a key of the pad may turn off the fingers.
     hear(**report);
-    const unsigned told = touch_switch_->told;
+    const auto touch_switch = interface.touch_switch;
+    const unsigned told = touch_switch ? touch_switch->told : 0;
     const bool pad = interface.hand.pad && interface.hand.pad->decode((*report)->bytes);
     const bool touch = interface.hand.touch && interface.hand.touch->decode((*report)->bytes);
     if (options_.part == HandPart::pad && pad) print_pad(**report, interface);
     if (options_.part == HandPart::touch && touch) print_touch(**report, interface);
-    if (options_.part == HandPart::touch && touch_switch_->told != told) end_frames_early(**report);
+    if (options_.part == HandPart::touch && touch_switch && touch_switch->told != told)
+      end_frames_early(**report, touch_switch.get());
     flush(std::size_t{1} << 16);
   }
 }

@@ -23,7 +23,9 @@ base::Result<document::Model> built_in_model(std::string_view name) {
   if (name == "demo") return demo::make_demo_head(HeadEdition::first);
   if (name == "head-2") return head::make_head(HeadEdition::second);
   if (name == "demo-2") return demo::make_demo_head(HeadEdition::second);
-  return base::Error{"there is no such model in the program", "", "use builtin:head-2 or builtin:demo-2"};
+  if (name == "head-3") return head::make_head(HeadEdition::third);
+  if (name == "demo-3") return demo::make_demo_head(HeadEdition::third);
+  return base::Error{"there is no such model in the program", "", "use builtin:head-3 or builtin:demo-3"};
 }
 
 base::Result<std::vector<std::uint8_t>> read_named(const std::string& path, NamedBy named) {

@@ -11,7 +11,6 @@ namespace {
 constexpr double k_shared_weight = 0.4;
 
 /// Below this weight the black of the border gives way to the skin, so that a border does not show the triangles.
-constexpr float k_edge = 0.06F;
 
 const std::array<render::Color, 9>& palette() {
   static const std::array<render::Color, 9> colors{
@@ -44,10 +43,7 @@ void lay(Picture& picture, const Weights& region, const Legend& legend) {
   for (std::size_t v = 0; v < region.size(); ++v) {
     if (region[v] <= picture.weights[v]) continue;
     picture.weights[v] = region[v];
-    const auto w = static_cast<float>(region[v]);
-    const float light = w * w;
-    picture.cell.overlay[v] = {legend.color.r * light, legend.color.g * light, legend.color.b * light,
-                               std::min(1.0F, w / k_edge)};
+    picture.cell.overlay[v] = {legend.color.r, legend.color.g, legend.color.b, static_cast<float>(region[v])};
   }
   picture.cell.legends.push_back(legend);
 }

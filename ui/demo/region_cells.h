@@ -20,7 +20,8 @@ struct RegionCell {
   std::vector<Legend> legends;
 };
 
-/// The regions of all deformers, each fading from its colour to black with its weight. A left and a right deformer of
+/// The regions of all deformers, each fading from its colour into the skin with its weight, so that no
+/// edge of a triangle shows as a border. A left and a right deformer of
 /// one name share a colour. Regions that lie over each other go into different pictures, as few as a first-fit gives.
 [[nodiscard]] std::vector<RegionCell> region_cells(const document::Model& model);
 

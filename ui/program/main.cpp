@@ -1,13 +1,13 @@
 #include <csignal>
 
-#include "ui/app/run_app.h"
 #include "ui/cli/command_line.h"
 #include "ui/cli/standard_streams.h"
+#include "ui/program/window.h"
 
 int main(int argc, char** argv) {
   // A file that may not grow is an error like a full disk, and no reason to die.
   std::signal(SIGXFSZ, SIG_IGN);
   penpose::cli::hold_standard_streams();
   penpose::cli::end_where_memory_ends();
-  return penpose::cli::run(argc, argv, penpose::app::run_app);
+  return penpose::cli::run(argc, argv, penpose::program::window());
 }

@@ -46,6 +46,8 @@ struct Drawn {
 
 }  // namespace
 
+bool Renderer::is_built_in() { return true; }
+
 struct Renderer::State {
   std::unique_ptr<OffscreenContext> context;  // first: it has to outlive what lives in it
   GlProgram background;

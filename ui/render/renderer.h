@@ -13,6 +13,8 @@ namespace penpose::render {
 /// Draws scenes with OpenGL 3.1 or OpenGL ES 3.0. One thread only: the one that made it.
 class Renderer {
  public:
+  /// Whether the program can draw pictures at all; where it is built without OpenGL every maker is an error.
+  [[nodiscard]] static bool is_built_in();
   /// A renderer without a window, a display or a graphics card. Errors: there is no OpenGL at all.
   static base::Result<std::unique_ptr<Renderer>> make_offscreen();
   /// A renderer in the context that is current now and stays so. Errors: older than OpenGL 3.1 / ES 3.0.

@@ -238,6 +238,53 @@ TEST_F(Correction, IsDrawnOnThePoseThatItCorrects) {
   EXPECT_EQ(hand.refuses(DeleteCorrection{"both"}).place, "correction");
 }
 
+TEST_F(Correction, IsDrawnAgainRenamedAndTakenBack) {
+  correct();
+  const double first = middle(posed(hand, {{"up", 1}, {"aside", 1}}));
+  // Not as far down this time.
+  hand.does(RedrawCurve{"both", CurveRole::target, hand.view, hand.line(-0.1, 0.15, 0.4, 0.15)});
+  const double again = middle(posed(hand, {{"up", 1}, {"aside", 1}}));
+  EXPECT_GT(again, first + 0.05);
+  ASSERT_EQ(hand.document().model->corrections->size(), 1U) << "in place of the first, not beside it";
+  EXPECT_EQ(hand.document().model->corrections->all()[0]->drawn.drivers.size(), 2U);
+  EXPECT_EQ(hand.refuses(RenameDeformer{"both", "up"}).place, "to");
+  EXPECT_EQ(hand.refuses(RenameDeformer{"both", ""}).place, "to");
+  hand.does(RenameDeformer{"both", "cheek"});
+  EXPECT_EQ(hand.document().model->corrections->all()[0]->drawn.sketch.name, "cheek");
+  EXPECT_EQ(middle(posed(hand, {{"up", 1}, {"aside", 1}})), again) << "a name moves nothing";
+  // A line off the model: said, and nothing changed.
+  const auto state = hand.state();
+  hand.refuses(RedrawCurve{"cheek", CurveRole::general, hand.view, {{1, 1}, {2, 1}, {2, 2}}});
+  EXPECT_EQ(hand.state(), state);
+  hand.does(DeleteCorrection{"cheek"});
+  EXPECT_EQ(hand.document().model->corrections, nullptr);
+}
+
+TEST_F(Correction, ItsMirrorImageFollowsTheControlsOfTheOtherSide) {
+  hand.does(RenameDeformer{"aside", "aside_L"});
+  hand.does(MirrorDeformer{"aside_L", ""});
+  hand.does(SetParameters{{{"up", 1}, {"aside_L", 1}}});
+  hand.does(BeginCorrection{"corner_L", {}});
+  hand.does(SketchCurve{CurveRole::general, hand.view, hand.diamond(0.8)});
+  hand.does(SketchCurve{CurveRole::specific, hand.view, hand.diamond(0.5)});
+  hand.does(SketchCurve{CurveRole::reference, hand.view, hand.line(-0.1, 0.25, 0.4, 0.25)});
+  hand.does(SketchCurve{CurveRole::target, hand.view, hand.line(-0.1, 0.05, 0.4, 0.05)});
+  const double left = middle(posed(hand, {{"up", 1}, {"aside_L", 1}}));
+  const double bare = middle(posed(hand, {{"up", 1}, {"aside_R", 1}}));
+  hand.does(MirrorDeformer{"corner_L", ""});
+  ASSERT_EQ(hand.document().model->corrections->size(), 2U);
+  const auto& other = hand.document().model->corrections->all()[1]->drawn;
+  EXPECT_EQ(other.sketch.name, "corner_R");
+  ASSERT_EQ(other.drivers.size(), 2U);
+  EXPECT_EQ(other.drivers[0].control, "up") << "which has no side";
+  EXPECT_EQ(other.drivers[1].control, "aside_R");
+  EXPECT_EQ(middle(posed(hand, {{"up", 1}, {"aside_L", 1}})), left) << "the first is as it was";
+  const double right = middle(posed(hand, {{"up", 1}, {"aside_R", 1}}));
+  EXPECT_LT(right, bare - 0.1);
+  EXPECT_NEAR(right, left, 0.02);
+  EXPECT_EQ(hand.refuses(MirrorDeformer{"corner_L", ""}).place, "to") << "it is there already";
+}
+
 TEST(CommandText, NewCommandsComeBackAsTheyWereWritten) {
   const View view{{{0, 0, 6}, {0, 0, 0}, {0, 1, 0}, 30}, {1000, 800}};
   const std::vector<Command> commands{

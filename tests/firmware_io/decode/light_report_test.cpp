@@ -4,6 +4,7 @@
 
 #include "tests/support/hand_descriptors.h"
 #include "tests/support/pen_reports.h"
+#include "tests/support/wacom_receiver.h"
 
 namespace penpose::decode {
 namespace {
@@ -96,6 +97,18 @@ TEST(LightReport, NothingIsSentThatATabletDoesNotDeclare) {
   DeviceIdentity other = tablet(0x0314, feature_descriptor(0x20, 9));
   other.vendor = 0x256c;
   EXPECT_EQ(light_report(other, {1, 0}), std::nullopt);
+}
+
+TEST(LightReport, BehindAReceiverItIsOneByteOfTheReceiversOwn) {
+  const DeviceIdentity keys = tests::receiver(1);
+  EXPECT_EQ(light_report(keys, {2, 0}), (Bytes{0x03, 0, 0, 0, 0x02, 0, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(only_light_byte(keys), 4U);
+  for (const int other : {0, 2}) {
+    EXPECT_EQ(light_report(tests::receiver(other), {2, 0}), std::nullopt) << "interface " << other;
+    EXPECT_EQ(only_light_byte(tests::receiver(other)), std::nullopt);
+  }
+  EXPECT_EQ(only_light_byte(tablet(0x0314, feature_descriptor(0x20, 9))), std::nullopt)
+      << "by cable all bytes are ours";
 }
 
 }  // namespace

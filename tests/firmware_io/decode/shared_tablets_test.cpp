@@ -116,6 +116,7 @@ TEST(SharedTablets, EveryVectorDecodes) {
 
 /// A contact of a vector: its slot, which is the finger's place among all of them, and where it is.
 TEST(SharedTablets, FingersOfEveryVector) {
+  if (!tests::has_shared()) GTEST_SKIP() << "no shared data";
   const auto vectors = shared_vectors();
   unsigned frames = 0;
   for (const auto& vector : vectors["vectors"]) {

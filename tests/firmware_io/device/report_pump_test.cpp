@@ -196,6 +196,24 @@ TEST_F(ReportPumpTest, SendsAFeatureReportFromItsOwnThreadTheLastOfSeveral) {
   EXPECT_EQ(next(*pump).bytes, (std::vector<std::uint8_t>{7, 1})) << "and reports come as before";
 }
 
+TEST_F(ReportPumpTest, OfAReportThatIsTheTabletsOwnOneByteIsChanged) {
+  const auto sent_with = [&](std::vector<std::uint8_t> now) {
+    tablet_->feature = std::move(now);
+    tablet_->closed = false;
+    const std::size_t before = tablet_->all_asked().size();
+    auto pump = start();
+    pump->send_feature({0x03, 0, 0x02}, 2);
+    for (int i = 0; i < 2000 && tablet_->all_asked().size() < before + 2; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    pump.reset();
+    return tablet_->all_asked().back();
+  };
+  EXPECT_EQ(sent_with({0x03, 0x77, 0x01}), "feature 037702");
+  EXPECT_EQ(sent_with({}), "feature 030002") << "it does not say what it has";
+  EXPECT_EQ(sent_with({0x03, 0x77}), "feature 030002") << "a report of another length";
+  EXPECT_EQ(sent_with({0x04, 0x77, 0x01}), "feature 030002") << "another report";
+}
+
 TEST_F(ReportPumpTest, AFeatureReportThatIsRefusedIsCountedAndNotTriedAgain) {
   tablet_->refuses = true;
   auto pump = start();

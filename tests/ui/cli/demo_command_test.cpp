@@ -14,19 +14,19 @@ TEST_F(DemoCommand, WritesARiggedHeadAndAPicture) {
   ASSERT_EQ(run({"demo", "-o", path("new/folder"), "--json"}), 0) << error_;
   EXPECT_EQ(error_, "");
   const auto json = nlohmann::json::parse(out_);
-  EXPECT_EQ(json["deformers"].size(), 16U);
+  EXPECT_EQ(json["deformers"].size(), 18U);
   EXPECT_GE(json["expressions"].size(), 6U);
   EXPECT_EQ(json["state"].get<std::string>().size(), 32U);
   EXPECT_EQ(content("new/folder/demo.png").substr(1, 3), "PNG");
   ASSERT_EQ(run({"info", path("new/folder/demo.glb"), "--json"}), 0) << error_;
   const auto info = nlohmann::json::parse(out_);
   EXPECT_EQ(info["state"], json["state"]);
-  EXPECT_EQ(info["parameters"].size(), 16U);
+  EXPECT_EQ(info["parameters"].size(), 18U);
 }
 
 TEST_F(DemoCommand, SaysWhatItDid) {
   ASSERT_EQ(run({"demo", "-o", path("here")}), 0) << error_;
-  EXPECT_NE(out_.find("16 deformers from "), std::string::npos);
+  EXPECT_NE(out_.find("18 deformers from "), std::string::npos);
   EXPECT_NE(out_.find("smile: "), std::string::npos);
   EXPECT_NE(out_.find("pictures, row by row: neutral, "), std::string::npos);
 }

@@ -106,6 +106,27 @@ TEST_F(HandDecode, OfSeveralInterfacesTheRowsSayWhich) {
   EXPECT_EQ(decode(trace.text(), {"--touch", "--csv"}).out, "report,time_us,contacts,device\n0,0,1:2,1\n");
 }
 
+TEST_F(HandDecode, TheSlideOfOneTabletLeavesTheFingersOfAnotherAsTheyAre) {
+  const auto finger = tests::touch_report({{5, 1, 10, 20}, {0, 0, 0, 0}}, 1);
+  tests::TraceText trace;
+  int device = 0;
+  for (const char* unit : {"usb-1", "usb-2"}) {
+    for (const auto& [part, descriptor] :
+         {std::pair{"/input0", tests::wacom_pad_descriptor()}, std::pair{"/input1", tests::touch_descriptor(2)}}) {
+      trace.device(device++, descriptor, "3 056a fff0");
+      trace.line(std::string("P: ") + unit + part);
+    }
+  }
+  // The first one's slide turns its fingers on; of the second one's nothing is known yet.
+  trace.line("D: 0").report(0, {0x11, 0, 0x02, 0, 0});
+  trace.line("D: 1").report(5000, finger);
+  trace.line("D: 3").report(10000, finger);
+  trace.line("D: 2").report(15000, {0x11, 0, 0x02, 0, 0});
+  trace.line("D: 3").report(20000, finger);
+  EXPECT_EQ(decode(trace.text(), {"--touch", "--csv"}).out,
+            "report,time_us,contacts,device\n1,5000,10:20,1\n4,20000,10:20,3\n");
+}
+
 TEST_F(HandDecode, AnyReportsCanBeReadWithAProtocol) {
   tests::TraceText trace;
   trace.device(0, {0x05, 0x0d, 0xc0}, "3 0000 0000");

@@ -9,7 +9,7 @@
 namespace penpose::demo {
 namespace {
 
-TEST(RegionCells, FadeFromTheColourToBlackWithTheWeight) {
+TEST(RegionCells, FadeFromTheColourIntoTheSkinWithTheWeight) {
   const auto model = make_demo_head(head::HeadEdition::first);
   ASSERT_TRUE(model.ok());
   const auto cells = region_cells(*model);
@@ -26,7 +26,8 @@ TEST(RegionCells, FadeFromTheColourToBlackWithTheWeight) {
   EXPECT_EQ(legend.text, "eyelid_upper");
   for (std::size_t k = 0; k < lid.vertices().size(); ++k) {
     const render::Color color = cells[0].overlay[lid.vertices()[k]];
-    EXPECT_GT(color.a, 0);
+    EXPECT_FLOAT_EQ(color.a, static_cast<float>(lid.weights()[k]));
+    EXPECT_EQ(color.r, legend.color.r);
     if (lid.weights()[k] == 1.0) {
       EXPECT_EQ(color, legend.color);
     }

@@ -20,6 +20,11 @@ class VirtualDevice {
 
   /// Sends a report of an interface; waits for somebody to take it where the transport has such a wait.
   virtual base::Status send(int interface, base::Bytes report) = 0;
+  /// Waits until the kernel's driver has done with the last report of an interface.
+  virtual base::Status settle(int interface) {
+    (void)interface;
+    return base::Done{};
+  }
   /// Pulls the plug.
   virtual void unplug() = 0;
 };

@@ -1,0 +1,11 @@
+#!/bin/sh
+# all.sh FACE TAKES OUT [OPTION...]: every take of a folder on this machine, as many at a time as there are cores, by GNU
+# parallel. OUT/log has a line for each with its time and exit status; run again, it does what failed and what is missing.
+# OPTION... goes to parallel, such as --jobs 2 or --bar.
+set -eu
+face=$1 takes=$2 out=$3
+shift 3
+mkdir -p "$out"
+# One core a take: a picture drawn without a graphics card would take all of them.
+export LP_NUM_THREADS=0
+exec parallel --will-cite --joblog "$out/log" --resume-failed "$@" sh "$(dirname "$0")/take.sh" "$face" '{}' "$out" ::: "$takes"/*
