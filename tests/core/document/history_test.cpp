@@ -61,7 +61,7 @@ TEST(History, EveryCommandOfTheListCanBeUndone) {
   does(SketchCurve{articulation::CurveRole::reference, place.view, place.line(-0.3, 0, 0.3, 0)});
   does(SketchCurve{articulation::CurveRole::target, place.view, place.line(-0.3, 0.3, 0.3, 0.3)});
   does(RedrawCurve{"up", articulation::CurveRole::target, place.view, place.line(-0.3, 0.25, 0.3, 0.25)});
-  does(ChangeDeformer{"up", articulation::Mode::translate, {}, {}, 0.9});
+  does(ChangeDeformer{"up", articulation::Mode::translate, {}, {}, 1.5});
   does(MirrorDeformer{"up", "mirrored"});
   does(RenameDeformer{"mirrored", "other"});
   does(MoveDeformer{"other", 0});
