@@ -52,10 +52,15 @@ base::Result<Character> Character::read(base::Bytes bytes, std::string_view file
 
 base::Result<Character> Character::built_in(std::string_view name) {
   using head::HeadEdition;
-  if (name != "builtin:head" && name != "builtin:head-2")
-    return base::Error{"there is no built-in character of that name", "", "use builtin:head-2"};
-  return Character(
-      document::make_document(head::make_head(name == "builtin:head" ? HeadEdition::first : HeadEdition::second)));
+  HeadEdition edition = HeadEdition::first;
+  if (name == "builtin:head-2") {
+    edition = HeadEdition::second;
+  } else if (name == "builtin:head-3") {
+    edition = HeadEdition::third;
+  } else if (name != "builtin:head") {
+    return base::Error{"there is no built-in character of that name", "", "use builtin:head-3"};
+  }
+  return Character(document::make_document(head::make_head(edition)));
 }
 
 base::Result<Character> Character::make(Pieces pieces) {

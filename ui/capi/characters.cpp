@@ -83,16 +83,23 @@ character::Pieces pieces_of(const penpose_arrays& arrays) {
   return out;
 }
 
-character::Character built_in(std::string_view name) {
-  using head::HeadEdition;
-  if (name == "builtin:demo-2" || name == "builtin:demo") {
-    const auto edition = name == "builtin:demo" ? HeadEdition::first : HeadEdition::second;
-    return character::Character(document::make_document(taken(demo::make_demo_head(edition))));
-  }
-  return taken(character::Character::built_in(name));
-}
-
 }  // namespace
+
+base::Result<document::Document> penpose::capi::built_in_document(std::string_view name) {
+  using head::HeadEdition;
+  constexpr std::pair<std::string_view, HeadEdition> k_demos[] = {{"builtin:demo", HeadEdition::first},
+                                                                  {"builtin:demo-2", HeadEdition::second},
+                                                                  {"builtin:demo-3", HeadEdition::third}};
+  for (const auto& [known, edition] : k_demos) {
+    if (name != known) continue;
+    auto head = demo::make_demo_head(edition);
+    if (!head) return head.error();
+    return document::make_document(std::move(head).value());
+  }
+  auto made = character::Character::built_in(name);
+  if (!made) return made.error();
+  return made->document();
+}
 
 int32_t penpose_character_read(penpose_library* library, const void* bytes, size_t size, const char* hint,
                                penpose_handle* character, penpose_error* error) {
@@ -110,7 +117,7 @@ int32_t penpose_character_built_in(penpose_library* library, const char* name, p
   return call(error, [&] {
     needed(library, "library");
     needed(character, "character");
-    give<CharacterObject>(*library, *character, built_in(text(name, "name")));
+    give<CharacterObject>(*library, *character, character::Character(taken(built_in_document(text(name, "name")))));
   });
 }
 

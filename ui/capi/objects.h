@@ -42,4 +42,7 @@ struct TabletObject final : Object {
   std::unique_ptr<decode::PenDecoder> decoder;
 };
 
+/// A character of the library's own, by its name. Errors: there is none of that name.
+[[nodiscard]] base::Result<document::Document> built_in_document(std::string_view name);
+
 }  // namespace penpose::capi

@@ -3,7 +3,6 @@
 #include "core/document/command_text.h"
 #include "replay/session_player.h"
 #include "ui/capi/from_c.h"
-#include "ui/demo/demo_head.h"
 
 using namespace penpose;        // NOLINT(google-build-using-namespace): functions of C have no namespace of their own
 using namespace penpose::capi;  // NOLINT(google-build-using-namespace)
@@ -27,13 +26,8 @@ penpose_playback playback_of(replay::Playback& played) {
 /// A session names its model by a path; a caller has it in memory, or means the head that the library makes itself.
 base::Result<document::Document> opened(const std::string& path, const std::optional<document::Document>& on) {
   if (on) return *on;
-  if (path == "builtin:demo" || path == "builtin:demo-2") {
-    auto head = demo::make_demo_head(path == "builtin:demo" ? head::HeadEdition::first : head::HeadEdition::second);
-    if (!head) return head.error();
-    return document::make_document(std::move(head).value());
-  }
-  auto made = character::Character::built_in(path.empty() ? "builtin:head-2" : path);
-  if (made) return made->document();
+  auto made = built_in_document(path.empty() ? "builtin:head-3" : path);
+  if (made) return made;
   return base::Error{"the session was recorded on \"" + path + "\"", "model", "make that character and give it"};
 }
 

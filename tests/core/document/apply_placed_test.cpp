@@ -13,8 +13,8 @@ using tests::DocumentHand;
 constexpr CurveId k_first{1};
 constexpr double k_nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Three points of the sheet; which of them does not matter.
-std::vector<mesh::MeshPoint> some_points() { return {{0, {1, 0, 0}}, {5, {0.25, 0.25, 0.5}}, {40, {0, 0, 1}}}; }
+/// Three points of the upper half of the sheet, which `lift` moves.
+std::vector<mesh::MeshPoint> some_points() { return {{300, {1, 0, 0}}, {315, {0.25, 0.25, 0.5}}, {340, {0, 0, 1}}}; }
 
 DocumentHand placed() {
   DocumentHand hand;

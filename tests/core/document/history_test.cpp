@@ -80,6 +80,12 @@ TEST(History, EveryCommandOfTheListCanBeUndone) {
   does(SketchCurve{articulation::CurveRole::specific, place.view, place.diamond(0.4)});
   does(SketchCurve{articulation::CurveRole::reference, place.view, place.line(-0.3, 0, 0.3, 0)});
   does(SketchCurve{articulation::CurveRole::target, place.view, place.line(-0.3, 0.3, 0.3, 0.3)});
+  does(RedrawCurve{"up", articulation::CurveRole::target, place.view, place.line(-0.3, 0.25, 0.3, 0.25)});
+  does(ChangeDeformer{"up", articulation::Mode::translate, {}, {}, 1.5});
+  does(MirrorDeformer{"up", "mirrored"});
+  does(RenameDeformer{"mirrored", "other"});
+  does(MoveDeformer{"other", 0});
+  does(DeleteDeformer{"other"});
   does(DrawBetween{"up", 0.5, place.view, place.line(-0.3, -0.2, 0.3, -0.2)});
   does(DeleteBetween{"up", 0.5});
   does(BeginDeformer{"aside", articulation::Mode::translate, {}, 0, 1, articulation::k_ranged_rules});
