@@ -50,7 +50,7 @@ class Packages(unittest.TestCase):
             if name not in PACKAGES:
                 continue
             folder = self.unpacked(name)
-            programs = glob.glob(folder + '/usr/bin/*') + [p for p in glob.glob(folder + '/usr/lib/*/*.so.*') if not os.path.islink(p)]
+            programs = glob.glob(folder + '/usr/bin/*') + [p for p in glob.glob(folder + '/usr/lib/**/*.so.*', recursive=True) if not os.path.islink(p)]
             work = os.path.join(folder, 'work')
             os.makedirs(os.path.join(work, 'debian'))
             with open(os.path.join(work, 'debian', 'control'), 'w') as file:

@@ -50,5 +50,5 @@ using articulation::Sketch;  // a deformer in four strokes
 #include "replay/command_recorder.h"
 #include "replay/session_player.h"
 
-// And `demo::make_demo_head()`: the built-in head with sixteen sketched deformers.
+// And `demo::make_demo_head()`: the built-in head with its sketched deformers.
 #include "ui/demo/demo_head.h"

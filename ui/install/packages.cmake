@@ -65,6 +65,10 @@ endfunction()
 
 set(c_library "libc6 (>= 2.36)" "libgcc-s1 (>= 3.5)" "libstdc++6 (>= 12)")
 set(solver "libtinygltf2d (>= 2.7.0+dfsg)")
+get_target_property(mesh_links core_mesh LINK_LIBRARIES)
+if(mesh_links MATCHES "OpenMesh")
+  list(APPEND solver "libopenmesh1 (>= 9.0)")
+endif()
 set(tablets "libhidapi-hidraw0 (>= 0.8.0~rc1+git20140201.3a66d4e+dfsg)" "libudev1 (>= 183)" "libusb-1.0-0 (>= 2:1.0.23~)")
 penpose_package(penpose graphics "pose and rig 3D characters by drawing"
 "A line is drawn where a feature of a character is, and another where it should
@@ -73,7 +77,7 @@ works with blend shapes, with joints, and with controls that were sketched on a
 bare mesh, and reads pen tablets directly.
 .
 With the window and the drawing of pictures." DEPENDS ${c_library} ${solver} ${tablets} "libepoxy0 (>= 1.5.10)" "libpng16-16 (>= 1.6.2-1)"
-  "libsdl2-2.0-0 (>= 2.26.0)" "libstb0 (>= 0.0~git20180212.15.e6afb9c)" libegl1 libgl1 fonts-dejavu-core RECOMMENDS libgl1-mesa-dri CONFLICTS penpose-nogui)
+  "libfontconfig1 (>= 2.12.6)" "libsdl2-2.0-0 (>= 2.26.0)" "libstb0 (>= 0.0~git20180212.15.e6afb9c)" libegl1 libgl1 fonts-dejavu-core RECOMMENDS libgl1-mesa-dri fonts-inter CONFLICTS penpose-nogui)
 penpose_package(penpose-nogui graphics "pose and rig 3D characters by drawing, without a window"
 "A line is drawn where a feature of a character is, and another where it should
 be: penpose finds the values of the rig that bring the one to the other. It
@@ -92,5 +96,6 @@ them." DEPENDS "libpenpose0 (= ${PROJECT_VERSION})")
 penpose_package(python3-penpose python "pose and rig 3D characters by drawing, for Python"
 "penpose's library for Python 3, with arrays of NumPy in and out." ANY DEPENDS "libpenpose0 (>= ${PROJECT_VERSION})" python3 python3-numpy)
 set(CPACK_DEBIAN_LIBPENPOSE0_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/triggers)
-set(CPACK_DEBIAN_LIBPENPOSE0_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 include(CPack)
