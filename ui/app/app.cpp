@@ -93,7 +93,7 @@ void App::set_free_area(const Area& area) {
 void App::advance() {
   const std::int64_t now = options_.clock();
   // A frame that took long does not make a recording jump: what its pen pressed has to be seen first.
-  const bool shown = last_frame_us_ != 0;
+  const bool shown = laid_out_ && last_frame_us_ != 0;
   const std::int64_t passed = !shown ? 0 : std::min(now - last_frame_us_, k_longest_step_us);
   last_frame_us_ = now;
   std::erase_if(notices_, [&](const Notice& one) { return one.until_us <= now; });

@@ -211,6 +211,8 @@ class App : private TracePlayer::Listener {
   /// What a tablet's dial does now.
   [[nodiscard]] std::int8_t dial_mode(const DeskTablet& tablet, std::uint8_t side) const;
   [[nodiscard]] HitMap& hits() { return hits_; }
+  /// Panels are laid out: from now on it is known what is hit.
+  void lay_out() { laid_out_ = true; }
   [[nodiscard]] std::deque<PanelPointer>& panel_pointer() { return panel_pointer_; }
   [[nodiscard]] double take_wheel() { return std::exchange(panel_wheel_, 0.0); }
   [[nodiscard]] const std::vector<Notice>& notices() const { return notices_; }
@@ -397,6 +399,7 @@ class App : private TracePlayer::Listener {
   std::int64_t tablet_seen_us_ = -1;
   bool tablet_near_ = false;
   std::int64_t last_frame_us_ = 0;
+  bool laid_out_ = false;
   bool playing_ = false;
   double play_from_s_ = 0;
   std::int64_t play_from_us_ = 0;

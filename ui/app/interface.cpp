@@ -117,6 +117,7 @@ void Interface::frame(double passed_s) {
   ImGui::NewFrame();
   targets_.clear();
   app_.hits() = {};
+  app_.lay_out();
   const auto unit = static_cast<float>(app_.target_px());
   pictures_->begin_frame();
   PanelContext context{app_, targets_, *pictures_, unit, static_cast<float>(6 * app_.scale())};

@@ -8,12 +8,14 @@ namespace {
 
 using document::History;
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 41> k_texts{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 43> k_texts{{
     {"set_parameters", "Set a control"},
     {"reset_parameters", "Back to rest"},
     {"lock_parameters", "Lock or free"},
     {"suggest_rest", "Take the suggestion"},
     {"draw_reference", "Draw a feature"},
+    {"place_curve", "Place a feature"},
+    {"place_target", "Place its goal"},
     {"draw_target", "Draw where it goes"},
     {"oversketch_target", "Draw over a goal"},
     {"drag_target", "Move a goal"},
