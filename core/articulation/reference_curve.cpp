@@ -64,7 +64,7 @@ base::Result<SheetReference> sheet_reference(const Canvas& canvas, const geometr
   const geometry::TriangleBvh tree(positions, triangles, geometry::TriangleBvh::Build::quick);
   curve::Sheets sheets(canvas.mesh(), triangles);
   const auto drawn = curve::sheet_curve(stroke, k_drawn_samples, camera,
-                                        {tree, positions, triangles, sheets, rules >= curve::k_close_rules}, choice);
+                                        {tree, positions, triangles, sheets, rules >= k_close_rules}, choice);
   if (!drawn) return drawn.error();
   const auto smooth = curve::triangle_filter<ModelPoint>(drawn->positions, k_light_kernel, curve::Ends::fixed);
   auto even = curve::resample<ModelPoint>(smooth, count);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/curve/distance.h"
 #include "core/document/apply_parts.h"
 #include "core/document/command_check.h"
 #include "core/drawing/tool.h"
@@ -20,19 +21,6 @@ using drawing::k_rules;
 template <typename T>
 std::vector<T> copied(std::span<const T> values) {
   return {values.begin(), values.end()};
-}
-
-/// Distance from a place to a drawn line of at least one point, px.
-double distance_to(std::span<const PxPoint> line, PxPoint p) {
-  double nearest = geometry::distance(line.front(), p);
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const PxPoint along = line[i + 1] - line[i];
-    const PxPoint from = p - line[i];
-    const double square = along.x * along.x + along.y * along.y;
-    const double share = square > 0.0 ? std::clamp((from.x * along.x + from.y * along.y) / square, 0.0, 1.0) : 0.0;
-    nearest = std::min(nearest, geometry::distance(line[i] + along * share, p));
-  }
-  return nearest;
 }
 
 base::Error no_curve(CurveId id) {
@@ -231,7 +219,7 @@ base::Result<std::vector<double>> Character::distances_of(CurveId curve) const {
     const ModelPoint drawn = found->aside.empty() ? positions[i] : positions[i] + found->aside[i];
     const auto px = camera->project(drawn);
     if (!px) return base::Error{"the curve lies behind the view of its target", "curve", "draw the target again"};
-    distances.push_back(distance_to(found->target->line, *px) * camera->units_per_px(camera->depth(drawn)));
+    distances.push_back(curve::distance_to(found->target->line, *px) * camera->units_per_px(camera->depth(drawn)));
   }
   return distances;
 }

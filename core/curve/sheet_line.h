@@ -26,7 +26,7 @@ struct SheetSurface {
   bool close = false;
 };
 
-/// The rules of drawing from which on SheetSurface::close holds.
+/// The rules of drawing from which on SheetSurface::close holds for lines that pose.
 inline constexpr std::uint32_t k_close_rules = 6;
 
 /// Of two sheets that a line may belong to: the one that is nearer to most of it, or the next one.

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "core/curve/distance.h"
 #include "core/document/apply.h"
 #include "core/document/pose_problem.h"
 
@@ -23,18 +24,6 @@ bool has_target(const PoseCurve* curve) {
 
 geometry::ModelVector direction_of(const View& view) {
   return geometry::normalized(view.camera.look_at - view.camera.eye);
-}
-
-double distance_to(std::span<const PxPoint> line, PxPoint p) {
-  double nearest = geometry::distance(line.front(), p);
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const PxPoint along = line[i + 1] - line[i];
-    const PxPoint from = p - line[i];
-    const double square = along.x * along.x + along.y * along.y;
-    const double share = square > 0.0 ? std::clamp((from.x * along.x + from.y * along.y) / square, 0.0, 1.0) : 0.0;
-    nearest = std::min(nearest, geometry::distance(line[i] + along * share, p));
-  }
-  return nearest;
 }
 
 /// Where a view shows the points of a reference at the document's pose; empty where it does not.
@@ -68,7 +57,7 @@ void cover(const Document& document, const rig::Pose& base, Moment::Line& line, 
     const auto points = seen_in(*camera, *posed, earlier);
     if (over.empty() || points.empty()) return;
     for (std::size_t i = 0; i < points.size(); ++i)
-      covers[i] = covers[i] && distance_to(over, points[i]) <= reach * hand;
+      covers[i] = covers[i] && curve::distance_to(over, points[i]) <= reach * hand;
   }
   for (std::size_t i = 0; i < covers.size(); ++i) line.covered[i] = line.covered[i] || covers[i];
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/curve/distance.h"
 #include "core/curve/pairing.h"
 
 namespace penpose::intent {
@@ -34,16 +35,8 @@ posing::PoseProblem points_of(const IntentProblem& problem) {
 double way_across(std::span<const PxPoint> curve, std::span<const PxPoint> line) {
   double sum = 0;
   for (const PxPoint& p : line) {
-    double least = 1e300;
-    for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
-      const PxPoint chord = curve[i + 1] - curve[i];
-      const double square = chord.x * chord.x + chord.y * chord.y;
-      const PxPoint to = p - curve[i];
-      const double at = square > 0.0 ? std::clamp((to.x * chord.x + to.y * chord.y) / square, 0.0, 1.0) : 0.0;
-      const PxPoint off = to - chord * at;
-      least = std::min(least, off.x * off.x + off.y * off.y);
-    }
-    sum += least;
+    const double off = curve::distance_to(curve, p);
+    sum += off * off;
   }
   return std::sqrt(sum / static_cast<double>(line.size()));
 }

@@ -23,14 +23,14 @@ def main():
         listed = set(re.findall(r'\b(penpose_\w+);', file.read()))
     with open(arguments.source + '/ui/python/penpose/_c.py', encoding='utf-8') as file:
         called = set(re.findall(r'\b(penpose_\w+)\b', file.read())) - {'penpose_status'}
-    found = exported(arguments.nm, arguments.library)
+    found = exported(arguments.nm, vars(arguments)['library'])
     faults = ['%s is %s' % (name, what) for names, what in (
         (found - declared, 'exported and not declared'), (declared - found, 'declared and not exported'),
         (declared ^ listed, 'in one of penpose.h and penpose.map alone'), (called - declared, 'called in Python and not declared'))
         for name in sorted(names)]
     with open(arguments.source + '/ui/capi/penpose.h', encoding='utf-8') as file:
         abi = re.search(r'#define PENPOSE_ABI_VERSION (\d+)', file.read()).group(1)
-    elf = subprocess.run(['readelf', '-d', arguments.library], check=True, stdout=subprocess.PIPE, text=True).stdout
+    elf = subprocess.run(['readelf', '-d', vars(arguments)['library']], check=True, stdout=subprocess.PIPE, text=True).stdout
     if 'soname: [libpenpose.so.%s]' % abi not in elf:
         faults.append('the file name does not have the number of the interface, %s' % abi)
     print('\n'.join(faults + ['%d functions, %d faults' % (len(found), len(faults))]))

@@ -1,3 +1,5 @@
+// One file above the usual size: the class that panels, pens and files meet in. What it does is in a file a subject
+// (app_*.cpp).
 #pragma once
 
 #include <deque>

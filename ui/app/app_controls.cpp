@@ -12,7 +12,7 @@ namespace penpose::app {
 namespace {
 
 /// The newest that controls are built by.
-constexpr std::uint32_t k_control_rules = std::max(drawing::k_rules, articulation::k_crossing_rules);
+constexpr std::uint32_t k_control_rules = std::max(drawing::k_rules, articulation::k_close_rules);
 
 /// "control 1", or with the first number that is free; a name that is free already stays as it is where `bare`.
 std::string free_name(const document::Document& document, const std::string& name, bool bare = false) {

@@ -32,65 +32,63 @@ std::vector<BadCall> bad_calls() {
       {"penpose_open(nullptr)", PENPOSE_BAD_ARGUMENT,
        [](CDesk&, penpose_error* e) { return penpose_open(nullptr, e); }},
       {"penpose_handle_count(nullptr)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_handle_count(d.library, nullptr, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_handle_count(d.open, nullptr, e); }},
       {"penpose_handle_count(nullptr, &count)", PENPOSE_BAD_ARGUMENT,
        [](CDesk&, penpose_error* e) { return penpose_handle_count(nullptr, &count, e); }},
       {"penpose_character_read(nullptr, 5, nullptr, &handle)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_character_read(d.library, nullptr, 5, nullptr, &handle, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_character_read(d.open, nullptr, 5, nullptr, &handle, e); }},
       {"penpose_character_read(glTF, 4, nullptr, nullptr)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_character_read(d.library, "glTF", 4, nullptr, nullptr, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_character_read(d.open, "glTF", 4, nullptr, nullptr, e); }},
       {"penpose_character_read(nullptr, glTF, 4, nullptr, &handle)", PENPOSE_BAD_ARGUMENT,
        [](CDesk&, penpose_error* e) { return penpose_character_read(nullptr, "glTF", 4, nullptr, &handle, e); }},
       {"penpose_character_built_in(nullptr, &handle)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_character_built_in(d.library, nullptr, &handle, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_character_built_in(d.open, nullptr, &handle, e); }},
       {"penpose_character_from_arrays(nullptr, &handle)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_character_from_arrays(d.library, nullptr, &handle, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_character_from_arrays(d.open, nullptr, &handle, e); }},
       {"penpose_character_from_arrays(&d.sheet_arrays.arrays, nullptr)", PENPOSE_BAD_ARGUMENT,
        [](CDesk& d, penpose_error* e) {
-         return penpose_character_from_arrays(d.library, &d.sheet_arrays.arrays, nullptr, e);
+         return penpose_character_from_arrays(d.open, &d.sheet_arrays.arrays, nullptr, e);
        }},
       {"penpose_character_copy(nullptr)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_character_copy(d.library, d.sheet, nullptr, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_character_copy(d.open, d.sheet, nullptr, e); }},
       {"penpose_character_copy(nullptr, d.sheet, &handle)", PENPOSE_BAD_ARGUMENT,
        [](CDesk& d, penpose_error* e) { return penpose_character_copy(nullptr, d.sheet, &handle, e); }},
       {"penpose_count(nullptr)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_count(d.library, d.sheet, nullptr, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_count(d.open, d.sheet, nullptr, e); }},
       {"penpose_triangles(nullptr, 1000)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_triangles(d.library, d.sheet, nullptr, 1000, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_triangles(d.open, d.sheet, nullptr, 1000, e); }},
       {"penpose_state(nullptr)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_state(d.library, d.sheet, nullptr, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_state(d.open, d.sheet, nullptr, e); }},
       {"penpose_write(nullptr, numbers, 9, &count)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_write(d.library, d.sheet, nullptr, numbers, 9, &count, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_write(d.open, d.sheet, nullptr, numbers, 9, &count, e); }},
       {"penpose_write(.glb, nullptr, 9, &count)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_write(d.library, d.sheet, ".glb", nullptr, 9, &count, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_write(d.open, d.sheet, ".glb", nullptr, 9, &count, e); }},
       {"penpose_write(.glb, nullptr, 0, nullptr)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_write(d.library, d.sheet, ".glb", nullptr, 0, nullptr, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_write(d.open, d.sheet, ".glb", nullptr, 0, nullptr, e); }},
       {"penpose_parameter(0, nullptr, 9, nullptr, nullptr)", PENPOSE_BAD_ARGUMENT,
        [](CDesk& d, penpose_error* e) {
-         return penpose_parameter(d.library, d.sheet, 0, nullptr, 9, nullptr, nullptr, e);
+         return penpose_parameter(d.open, d.sheet, 0, nullptr, 9, nullptr, nullptr, e);
        }},
       {"penpose_find_parameter(nullptr, &count)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_find_parameter(d.library, d.sheet, nullptr, &count, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_find_parameter(d.open, d.sheet, nullptr, &count, e); }},
       {"penpose_find_parameter(lift, nullptr)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_find_parameter(d.library, d.sheet, "lift", nullptr, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_find_parameter(d.open, d.sheet, "lift", nullptr, e); }},
       {"penpose_get_pose(nullptr, 2)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_get_pose(d.library, d.sheet, nullptr, 2, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_get_pose(d.open, d.sheet, nullptr, 2, e); }},
       {"penpose_set_pose(nullptr, 2)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_set_pose(d.library, d.sheet, nullptr, 2, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_set_pose(d.open, d.sheet, nullptr, 2, e); }},
       {"penpose_set_parameter(nullptr, 0)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_set_parameter(d.library, d.sheet, nullptr, 0, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_set_parameter(d.open, d.sheet, nullptr, 0, e); }},
       {"penpose_lock(nullptr, 1)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_lock(d.library, d.sheet, nullptr, 1, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_lock(d.open, d.sheet, nullptr, 1, e); }},
       {"penpose_evaluate(nullptr, 2, numbers, 225)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_evaluate(d.library, d.sheet, nullptr, 2, numbers, 225, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_evaluate(d.open, d.sheet, nullptr, 2, numbers, 225, e); }},
       {"penpose_evaluate(nullptr, 0, nullptr, 225)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_evaluate(d.library, d.sheet, nullptr, 0, nullptr, 225, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_evaluate(d.open, d.sheet, nullptr, 0, nullptr, 225, e); }},
       {"penpose_evaluate_float(nullptr, 0, nullptr, 225)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) {
-         return penpose_evaluate_float(d.library, d.sheet, nullptr, 0, nullptr, 225, e);
-       }},
+       [](CDesk& d, penpose_error* e) { return penpose_evaluate_float(d.open, d.sheet, nullptr, 0, nullptr, 225, e); }},
       {"penpose_view_of(0, 0, 10, 10, nullptr)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_view_of(d.library, d.sheet, 0, 0, 10, 10, nullptr, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_view_of(d.open, d.sheet, 0, 0, 10, 10, nullptr, e); }},
       {"penpose_project(nullptr, numbers, 1, numbers)", PENPOSE_BAD_ARGUMENT,
        [](CDesk&, penpose_error* e) { return penpose_project(nullptr, numbers, 1, numbers, e); }},
       {"penpose_project(&d.view, nullptr, 1, numbers)", PENPOSE_BAD_ARGUMENT,
@@ -99,196 +97,178 @@ std::vector<BadCall> bad_calls() {
        [](CDesk& d, penpose_error* e) { return penpose_project(&d.view, numbers, 1, nullptr, e); }},
       {"penpose_curve_from_vertices(nullptr, 3, 0, &curve)", PENPOSE_BAD_ARGUMENT,
        [](CDesk& d, penpose_error* e) {
-         return penpose_curve_from_vertices(d.library, d.sheet, nullptr, 3, 0, &curve, e);
+         return penpose_curve_from_vertices(d.open, d.sheet, nullptr, 3, 0, &curve, e);
        }},
       {"penpose_curve_from_vertices(vertices, 3, 0, nullptr)", PENPOSE_BAD_ARGUMENT,
        [](CDesk& d, penpose_error* e) {
-         return penpose_curve_from_vertices(d.library, d.sheet, vertices, 3, 0, nullptr, e);
+         return penpose_curve_from_vertices(d.open, d.sheet, vertices, 3, 0, nullptr, e);
        }},
       {"penpose_curve_from_points(nullptr, 3, 0, &curve)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) {
-         return penpose_curve_from_points(d.library, d.sheet, nullptr, 3, 0, &curve, e);
-       }},
+       [](CDesk& d, penpose_error* e) { return penpose_curve_from_points(d.open, d.sheet, nullptr, 3, 0, &curve, e); }},
       {"penpose_curve_from_stroke(nullptr, numbers, 3, 0, &curve)", PENPOSE_BAD_ARGUMENT,
        [](CDesk& d, penpose_error* e) {
-         return penpose_curve_from_stroke(d.library, d.sheet, nullptr, numbers, 3, 0, &curve, e);
+         return penpose_curve_from_stroke(d.open, d.sheet, nullptr, numbers, 3, 0, &curve, e);
        }},
       {"penpose_curve_from_stroke(&d.view, nullptr, 3, 0, &curve)", PENPOSE_BAD_ARGUMENT,
        [](CDesk& d, penpose_error* e) {
-         return penpose_curve_from_stroke(d.library, d.sheet, &d.view, nullptr, 3, 0, &curve, e);
+         return penpose_curve_from_stroke(d.open, d.sheet, &d.view, nullptr, 3, 0, &curve, e);
        }},
       {"penpose_curve_named(nullptr, 0, &curve)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_curve_named(d.library, d.sheet, nullptr, 0, &curve, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_curve_named(d.open, d.sheet, nullptr, 0, &curve, e); }},
       {"penpose_curve_positions(1, numbers, 15, nullptr)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) {
-         return penpose_curve_positions(d.library, d.sheet, 1, numbers, 15, nullptr, e);
-       }},
+       [](CDesk& d, penpose_error* e) { return penpose_curve_positions(d.open, d.sheet, 1, numbers, 15, nullptr, e); }},
       {"penpose_curve_positions(1, nullptr, 15, &count)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) {
-         return penpose_curve_positions(d.library, d.sheet, 1, nullptr, 15, &count, e);
-       }},
+       [](CDesk& d, penpose_error* e) { return penpose_curve_positions(d.open, d.sheet, 1, nullptr, 15, &count, e); }},
       {"penpose_curve_distances(1, nullptr, 15, &count)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) {
-         return penpose_curve_distances(d.library, d.sheet, 1, nullptr, 15, &count, e);
-       }},
+       [](CDesk& d, penpose_error* e) { return penpose_curve_distances(d.open, d.sheet, 1, nullptr, 15, &count, e); }},
       {"penpose_target_points(1, nullptr, 15)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_target_points(d.library, d.sheet, 1, nullptr, 15, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_target_points(d.open, d.sheet, 1, nullptr, 15, e); }},
       {"penpose_target_stroke(1, nullptr, numbers, nullptr, 5)", PENPOSE_BAD_ARGUMENT,
        [](CDesk& d, penpose_error* e) {
-         return penpose_target_stroke(d.library, d.sheet, 1, nullptr, numbers, nullptr, 5, e);
+         return penpose_target_stroke(d.open, d.sheet, 1, nullptr, numbers, nullptr, 5, e);
        }},
       {"penpose_target_stroke(1, &d.view, nullptr, nullptr, 5)", PENPOSE_BAD_ARGUMENT,
        [](CDesk& d, penpose_error* e) {
-         return penpose_target_stroke(d.library, d.sheet, 1, &d.view, nullptr, nullptr, 5, e);
+         return penpose_target_stroke(d.open, d.sheet, 1, &d.view, nullptr, nullptr, 5, e);
        }},
       {"penpose_solve(nullptr, d.sheet, 0)", PENPOSE_BAD_ARGUMENT,
        [](CDesk& d, penpose_error* e) { return penpose_solve(nullptr, d.sheet, 0, e); }},
       {"penpose_live_begin(1, &d.view, nullptr)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_live_begin(d.library, d.sheet, 1, &d.view, nullptr, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_live_begin(d.open, d.sheet, 1, &d.view, nullptr, e); }},
       {"penpose_live_begin(1, nullptr, &handle)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_live_begin(d.library, d.sheet, 1, nullptr, &handle, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_live_begin(d.open, d.sheet, 1, nullptr, &handle, e); }},
       {"penpose_sketch_deformer(nullptr)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_sketch_deformer(d.library, d.sheet, nullptr, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_sketch_deformer(d.open, d.sheet, nullptr, e); }},
       {"penpose_perform(nullptr)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_perform(d.library, d.sheet, nullptr, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_perform(d.open, d.sheet, nullptr, e); }},
       {"penpose_session_play(nullptr, 7, 0, &handle, nullptr)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_session_play(d.library, nullptr, 7, 0, &handle, nullptr, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_session_play(d.open, nullptr, 7, 0, &handle, nullptr, e); }},
       {"penpose_session_play(, 0, 0, nullptr, nullptr)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_session_play(d.library, "", 0, 0, nullptr, nullptr, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_session_play(d.open, "", 0, 0, nullptr, nullptr, e); }},
       {"penpose_record(nullptr)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_record(d.library, d.sheet, nullptr, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_record(d.open, d.sheet, nullptr, e); }},
       {"penpose_tablet(nullptr, &handle, nullptr)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_tablet(d.library, nullptr, &handle, nullptr, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_tablet(d.open, nullptr, &handle, nullptr, e); }},
       // Counts.
       {"penpose_triangles(&curve, 1)", PENPOSE_TOO_SMALL,
-       [](CDesk& d, penpose_error* e) { return penpose_triangles(d.library, d.sheet, &curve, 1, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_triangles(d.open, d.sheet, &curve, 1, e); }},
       {"penpose_write(.obj, numbers, 3, &count)", PENPOSE_TOO_SMALL,
-       [](CDesk& d, penpose_error* e) { return penpose_write(d.library, d.sheet, ".obj", numbers, 3, &count, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_write(d.open, d.sheet, ".obj", numbers, 3, &count, e); }},
       {"penpose_curve_positions(1, numbers, 3, &count)", PENPOSE_TOO_SMALL,
-       [](CDesk& d, penpose_error* e) {
-         return penpose_curve_positions(d.library, d.sheet, 1, numbers, 3, &count, e);
-       }},
+       [](CDesk& d, penpose_error* e) { return penpose_curve_positions(d.open, d.sheet, 1, numbers, 3, &count, e); }},
       {"penpose_curve_distances(1, numbers, 3, &count)", PENPOSE_TOO_SMALL,
-       [](CDesk& d, penpose_error* e) {
-         return penpose_curve_distances(d.library, d.sheet, 1, numbers, 3, &count, e);
-       }},
+       [](CDesk& d, penpose_error* e) { return penpose_curve_distances(d.open, d.sheet, 1, numbers, 3, &count, e); }},
       {"penpose_parameter(2, nullptr, 0, &count, nullptr)", PENPOSE_BAD_ARGUMENT,
        [](CDesk& d, penpose_error* e) {
-         return penpose_parameter(d.library, d.sheet, 2, nullptr, 0, &count, nullptr, e);
+         return penpose_parameter(d.open, d.sheet, 2, nullptr, 0, &count, nullptr, e);
        }},
       {"penpose_get_pose(numbers, 3)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_get_pose(d.library, d.sheet, numbers, 3, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_get_pose(d.open, d.sheet, numbers, 3, e); }},
       {"penpose_set_pose(numbers, 1)", PENPOSE_REFUSED,
-       [](CDesk& d, penpose_error* e) { return penpose_set_pose(d.library, d.sheet, numbers, 1, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_set_pose(d.open, d.sheet, numbers, 1, e); }},
       {"penpose_evaluate(numbers, 3, numbers, 225)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_evaluate(d.library, d.sheet, numbers, 3, numbers, 225, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_evaluate(d.open, d.sheet, numbers, 3, numbers, 225, e); }},
       {"penpose_evaluate(nullptr, 0, numbers, 224)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_evaluate(d.library, d.sheet, nullptr, 0, numbers, 224, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_evaluate(d.open, d.sheet, nullptr, 0, numbers, 224, e); }},
       {"penpose_evaluate(nullptr, 0, numbers, k_huge)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_evaluate(d.library, d.sheet, nullptr, 0, numbers, k_huge, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_evaluate(d.open, d.sheet, nullptr, 0, numbers, k_huge, e); }},
       {"penpose_curve_from_vertices(vertices, k_huge, 0, &curve)", PENPOSE_BAD_ARGUMENT,
        [](CDesk& d, penpose_error* e) {
-         return penpose_curve_from_vertices(d.library, d.sheet, vertices, k_huge, 0, &curve, e);
+         return penpose_curve_from_vertices(d.open, d.sheet, vertices, k_huge, 0, &curve, e);
        }},
       {"penpose_curve_from_vertices(vertices, 0, 0, &curve)", PENPOSE_REFUSED,
        [](CDesk& d, penpose_error* e) {
-         return penpose_curve_from_vertices(d.library, d.sheet, vertices, 0, 0, &curve, e);
+         return penpose_curve_from_vertices(d.open, d.sheet, vertices, 0, 0, &curve, e);
        }},
       {"penpose_curve_from_stroke(&d.view, numbers, k_huge / 2, 0, &curve)", PENPOSE_BAD_ARGUMENT,
        [](CDesk& d, penpose_error* e) {
-         return penpose_curve_from_stroke(d.library, d.sheet, &d.view, numbers, k_huge / 2, 0, &curve, e);
+         return penpose_curve_from_stroke(d.open, d.sheet, &d.view, numbers, k_huge / 2, 0, &curve, e);
        }},
       {"penpose_curve_from_stroke(&d.view, numbers, 1, 0, &curve)", PENPOSE_REFUSED,
        [](CDesk& d, penpose_error* e) {
-         return penpose_curve_from_stroke(d.library, d.sheet, &d.view, numbers, 1, 0, &curve, e);
+         return penpose_curve_from_stroke(d.open, d.sheet, &d.view, numbers, 1, 0, &curve, e);
        }},
       {"penpose_target_points(1, numbers, 14)", PENPOSE_REFUSED,
-       [](CDesk& d, penpose_error* e) { return penpose_target_points(d.library, d.sheet, 1, numbers, 14, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_target_points(d.open, d.sheet, 1, numbers, 14, e); }},
       {"penpose_target_points(1, numbers, k_huge)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_target_points(d.library, d.sheet, 1, numbers, k_huge, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_target_points(d.open, d.sheet, 1, numbers, k_huge, e); }},
       {"penpose_character_read(glTF, k_huge, nullptr, &handle)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) {
-         return penpose_character_read(d.library, "glTF", k_huge, nullptr, &handle, e);
-       }},
+       [](CDesk& d, penpose_error* e) { return penpose_character_read(d.open, "glTF", k_huge, nullptr, &handle, e); }},
       // Numbers that are none.
       {"penpose_set_parameter(lift, k_nan)", PENPOSE_REFUSED,
-       [](CDesk& d, penpose_error* e) { return penpose_set_parameter(d.library, d.sheet, "lift", k_nan, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_set_parameter(d.open, d.sheet, "lift", k_nan, e); }},
       {"penpose_set_parameter(lift, 1.5)", PENPOSE_REFUSED,
-       [](CDesk& d, penpose_error* e) { return penpose_set_parameter(d.library, d.sheet, "lift", 1.5, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_set_parameter(d.open, d.sheet, "lift", 1.5, e); }},
       {"penpose_set_pose(nans, 2)", PENPOSE_REFUSED,
-       [](CDesk& d, penpose_error* e) { return penpose_set_pose(d.library, d.sheet, nans, 2, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_set_pose(d.open, d.sheet, nans, 2, e); }},
       {"penpose_evaluate(nans, 2, numbers, 225)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_evaluate(d.library, d.sheet, nans, 2, numbers, 225, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_evaluate(d.open, d.sheet, nans, 2, numbers, 225, e); }},
       {"penpose_curve_from_stroke(&d.view, nans, 4, 0, &curve)", PENPOSE_REFUSED,
        [](CDesk& d, penpose_error* e) {
-         return penpose_curve_from_stroke(d.library, d.sheet, &d.view, nans, 4, 0, &curve, e);
+         return penpose_curve_from_stroke(d.open, d.sheet, &d.view, nans, 4, 0, &curve, e);
        }},
       {"penpose_curve_from_stroke(&d.view, far, 4, 0, &curve)", PENPOSE_REFUSED,
        [](CDesk& d, penpose_error* e) {
-         return penpose_curve_from_stroke(d.library, d.sheet, &d.view, far, 4, 0, &curve, e);
+         return penpose_curve_from_stroke(d.open, d.sheet, &d.view, far, 4, 0, &curve, e);
        }},
       {"penpose_target_stroke(1, &d.view, nans, nullptr, 4)", PENPOSE_REFUSED,
        [](CDesk& d, penpose_error* e) {
-         return penpose_target_stroke(d.library, d.sheet, 1, &d.view, nans, nullptr, 4, e);
+         return penpose_target_stroke(d.open, d.sheet, 1, &d.view, nans, nullptr, 4, e);
        }},
       {"penpose_target_stroke(1, &d.view, numbers, nans, 4)", PENPOSE_REFUSED,
        [](CDesk& d, penpose_error* e) {
-         return penpose_target_stroke(d.library, d.sheet, 1, &d.view, numbers, nans, 4, e);
+         return penpose_target_stroke(d.open, d.sheet, 1, &d.view, numbers, nans, 4, e);
        }},
       {"penpose_view_of(k_nan, 0, 10, 10, &d.view)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_view_of(d.library, d.sheet, k_nan, 0, 10, 10, &d.view, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_view_of(d.open, d.sheet, k_nan, 0, 10, 10, &d.view, e); }},
       {"penpose_view_of(0, 0, 0, 10, &d.view)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_view_of(d.library, d.sheet, 0, 0, 0, 10, &d.view, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_view_of(d.open, d.sheet, 0, 0, 0, 10, &d.view, e); }},
       // What there is not.
       {"penpose_solve(3)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_solve(d.library, d.sheet, 3, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_solve(d.open, d.sheet, 3, e); }},
       {"penpose_solve(-1)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_solve(d.library, d.sheet, -1, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_solve(d.open, d.sheet, -1, e); }},
       {"penpose_lock(lift, 2)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_lock(d.library, d.sheet, "lift", 2, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_lock(d.open, d.sheet, "lift", 2, e); }},
       {"penpose_lock(nothing, 1)", PENPOSE_REFUSED,
-       [](CDesk& d, penpose_error* e) { return penpose_lock(d.library, d.sheet, "nothing", 1, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_lock(d.open, d.sheet, "nothing", 1, e); }},
       {"penpose_curve_from_vertices(vertices, 3, 2, &curve)", PENPOSE_BAD_ARGUMENT,
        [](CDesk& d, penpose_error* e) {
-         return penpose_curve_from_vertices(d.library, d.sheet, vertices, 3, 2, &curve, e);
+         return penpose_curve_from_vertices(d.open, d.sheet, vertices, 3, 2, &curve, e);
        }},
       {"penpose_write(.png, numbers, 9, &count)", PENPOSE_BAD_ARGUMENT,
-       [](CDesk& d, penpose_error* e) { return penpose_write(d.library, d.sheet, ".png", numbers, 9, &count, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_write(d.open, d.sheet, ".png", numbers, 9, &count, e); }},
       {"penpose_find_parameter(nothing, &count)", PENPOSE_REFUSED,
-       [](CDesk& d, penpose_error* e) { return penpose_find_parameter(d.library, d.sheet, "nothing", &count, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_find_parameter(d.open, d.sheet, "nothing", &count, e); }},
       {"penpose_set_parameter(xff, 0)", PENPOSE_REFUSED,
-       [](CDesk& d, penpose_error* e) { return penpose_set_parameter(d.library, d.sheet, "\xff", 0, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_set_parameter(d.open, d.sheet, "\xff", 0, e); }},
       {"penpose_curve_named(nothing, 0, &curve)", PENPOSE_REFUSED,
-       [](CDesk& d, penpose_error* e) { return penpose_curve_named(d.library, d.sheet, "nothing", 0, &curve, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_curve_named(d.open, d.sheet, "nothing", 0, &curve, e); }},
       {"penpose_curve_positions(9, numbers, 15, &count)", PENPOSE_REFUSED,
-       [](CDesk& d, penpose_error* e) {
-         return penpose_curve_positions(d.library, d.sheet, 9, numbers, 15, &count, e);
-       }},
+       [](CDesk& d, penpose_error* e) { return penpose_curve_positions(d.open, d.sheet, 9, numbers, 15, &count, e); }},
       {"penpose_curve_distances(0, numbers, 15, &count)", PENPOSE_REFUSED,
-       [](CDesk& d, penpose_error* e) {
-         return penpose_curve_distances(d.library, d.sheet, 0, numbers, 15, &count, e);
-       }},
+       [](CDesk& d, penpose_error* e) { return penpose_curve_distances(d.open, d.sheet, 0, numbers, 15, &count, e); }},
       {"penpose_curve_delete(9)", PENPOSE_REFUSED,
-       [](CDesk& d, penpose_error* e) { return penpose_curve_delete(d.library, d.sheet, 9, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_curve_delete(d.open, d.sheet, 9, e); }},
       {"penpose_target_points(9, numbers, 15)", PENPOSE_REFUSED,
-       [](CDesk& d, penpose_error* e) { return penpose_target_points(d.library, d.sheet, 9, numbers, 15, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_target_points(d.open, d.sheet, 9, numbers, 15, e); }},
       {"penpose_live_begin(9, &d.view, &handle)", PENPOSE_REFUSED,
-       [](CDesk& d, penpose_error* e) { return penpose_live_begin(d.library, d.sheet, 9, &d.view, &handle, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_live_begin(d.open, d.sheet, 9, &d.view, &handle, e); }},
       {"penpose_character_built_in(builtin:nobody, &handle)", PENPOSE_REFUSED,
-       [](CDesk& d, penpose_error* e) { return penpose_character_built_in(d.library, "builtin:nobody", &handle, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_character_built_in(d.open, "builtin:nobody", &handle, e); }},
       {"penpose_character_read(not a model, 11, nullptr, &handle)", PENPOSE_REFUSED,
        [](CDesk& d, penpose_error* e) {
-         return penpose_character_read(d.library, "not a model", 11, nullptr, &handle, e);
+         return penpose_character_read(d.open, "not a model", 11, nullptr, &handle, e);
        }},
       {"penpose_perform(make_coffee)", PENPOSE_REFUSED,
-       [](CDesk& d, penpose_error* e) { return penpose_perform(d.library, d.sheet, "make_coffee", e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_perform(d.open, d.sheet, "make_coffee", e); }},
       {"penpose_perform(set_key time_s=nan)", PENPOSE_REFUSED,
-       [](CDesk& d, penpose_error* e) { return penpose_perform(d.library, d.sheet, "set_key time_s=nan", e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_perform(d.open, d.sheet, "set_key time_s=nan", e); }},
       {"penpose_session_play(, 0, 0, &handle, nullptr)", PENPOSE_REFUSED,
-       [](CDesk& d, penpose_error* e) { return penpose_session_play(d.library, "", 0, 0, &handle, nullptr, e); }},
+       [](CDesk& d, penpose_error* e) { return penpose_session_play(d.open, "", 0, 0, &handle, nullptr, e); }},
       {"penpose_session_play(# penpose undon, 15, 5, &handle, nullptr)", PENPOSE_BAD_HANDLE,
        [](CDesk& d, penpose_error* e) {
-         return penpose_session_play(d.library, "# penpose undo\n", 15, 5, &handle, nullptr, e);
+         return penpose_session_play(d.open, "# penpose undo\n", 15, 5, &handle, nullptr, e);
        }},
   };
 }
@@ -307,7 +287,7 @@ TEST(CArguments, ABadCallSaysSoAndChangesNothing) {
     ASSERT_EQ(desk.state(), before) << bad.name;
   }
   std::size_t count = 0;
-  EXPECT_EQ(penpose_handle_count(desk.library, &count, nullptr), PENPOSE_OK);
+  EXPECT_EQ(penpose_handle_count(desk.open, &count, nullptr), PENPOSE_OK);
   EXPECT_EQ(count, 1U) << "nothing was made";
 }
 
@@ -317,7 +297,7 @@ TEST(CArguments, ArraysThatAreNoCharacterAreRefused) {
   const auto refused = [&](const std::function<void(SheetArrays&)>& spoil, std::int32_t status, const char* said) {
     SheetArrays arrays;
     spoil(arrays);
-    EXPECT_EQ(penpose_character_from_arrays(desk.library, &arrays.arrays, &made, &desk.error), status) << said;
+    EXPECT_EQ(penpose_character_from_arrays(desk.open, &arrays.arrays, &made, &desk.error), status) << said;
     EXPECT_NE(std::string(desk.error.message).find(said), std::string::npos) << desk.error.message;
   };
   refused([](SheetArrays& a) { a.positions[7] = k_nan; }, PENPOSE_REFUSED, "vertex 2");
@@ -342,7 +322,7 @@ TEST(CArguments, ALongMessageIsCutBetweenCharacters) {
   std::string name;
   for (int i = 0; i < 400; ++i) name += "\xC3\xA4";
   std::size_t found = 0;
-  EXPECT_EQ(penpose_find_parameter(desk.library, desk.sheet, name.c_str(), &found, &desk.error), PENPOSE_REFUSED);
+  EXPECT_EQ(penpose_find_parameter(desk.open, desk.sheet, name.c_str(), &found, &desk.error), PENPOSE_REFUSED);
   const std::string message = desk.error.message;
   EXPECT_LT(message.size(), sizeof desk.error.message);
   EXPECT_GT(message.size(), sizeof desk.error.message - 4);

@@ -19,9 +19,9 @@ std::vector<geometry::PxPoint> px_points(const std::vector<double>& px) {
 /// The sheet as the library has it, in the hands of a session.
 SessionScript session_of(CDesk& desk) {
   std::size_t size = 0;
-  EXPECT_EQ(penpose_write(desk.library, desk.sheet, ".glb", nullptr, 0, &size, nullptr), PENPOSE_OK);
+  EXPECT_EQ(penpose_write(desk.open, desk.sheet, ".glb", nullptr, 0, &size, nullptr), PENPOSE_OK);
   std::vector<std::uint8_t> bytes(size);
-  EXPECT_EQ(penpose_write(desk.library, desk.sheet, ".glb", bytes.data(), size, &size, nullptr), PENPOSE_OK);
+  EXPECT_EQ(penpose_write(desk.open, desk.sheet, ".glb", bytes.data(), size, &size, nullptr), PENPOSE_OK);
   return SessionScript(character::Character::read(bytes).value().document());
 }
 
@@ -35,9 +35,9 @@ TEST(CPosing, ACallAndTheSameInASessionGiveTheSameBits) {
   const auto keep = desk.line(-0.8, -0.5, 0.8, -0.5);
   const std::uint32_t curve = desk.draw(over);
   static_cast<void>(desk.draw(keep, PENPOSE_CONSTRAINT));
-  ASSERT_EQ(penpose_target_stroke(desk.library, desk.sheet, curve, &desk.view, to.data(), nullptr, to.size() / 2,
-                                  &desk.error),
-            PENPOSE_OK)
+  ASSERT_EQ(
+      penpose_target_stroke(desk.open, desk.sheet, curve, &desk.view, to.data(), nullptr, to.size() / 2, &desk.error),
+      PENPOSE_OK)
       << desk.error.message;
   constexpr auto k_rules = drawing::k_rules;
   EXPECT_TRUE(script.perform(document::DrawReference{view, px_points(over), k_rules}).ok());
@@ -45,7 +45,7 @@ TEST(CPosing, ACallAndTheSameInASessionGiveTheSameBits) {
   EXPECT_TRUE(script.perform(document::DrawTarget{{curve}, view, px_points(to), {}, k_rules}).ok());
   EXPECT_EQ(desk.state(), script.editor().state().whole.hex());
   EXPECT_GT(desk.pose()[0], 0.3);
-  ASSERT_EQ(penpose_solve(desk.library, desk.sheet, PENPOSE_PRESET_DEFAULT, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_solve(desk.open, desk.sheet, PENPOSE_PRESET_DEFAULT, nullptr), PENPOSE_OK);
   EXPECT_TRUE(script.perform(document::SolvePose{k_rules}).ok());
   EXPECT_EQ(desk.state(), script.editor().state().whole.hex());
 }
@@ -54,11 +54,11 @@ TEST(CPosing, EveryPresetReachesAKnownTarget) {
   for (const std::int32_t preset : {PENPOSE_PRESET_DEFAULT, PENPOSE_PRESET_EXACT, PENPOSE_PRESET_PAPER}) {
     CDesk desk;
     const std::uint32_t curve = desk.place_lift(0.6);
-    ASSERT_EQ(penpose_solve(desk.library, desk.sheet, preset, &desk.error), PENPOSE_OK) << desk.error.message;
+    ASSERT_EQ(penpose_solve(desk.open, desk.sheet, preset, &desk.error), PENPOSE_OK) << desk.error.message;
     EXPECT_NEAR(desk.pose()[0], 0.6, preset == PENPOSE_PRESET_PAPER ? 0.05 : 0.002);
     double distances[15];
     std::size_t count = 0;
-    ASSERT_EQ(penpose_curve_distances(desk.library, desk.sheet, curve, distances, 15, &count, nullptr), PENPOSE_OK);
+    ASSERT_EQ(penpose_curve_distances(desk.open, desk.sheet, curve, distances, 15, &count, nullptr), PENPOSE_OK);
     ASSERT_EQ(count, 15U);
     EXPECT_LT(*std::max_element(distances, distances + count), preset == PENPOSE_PRESET_PAPER ? 0.02 : 0.001);
   }
@@ -67,11 +67,11 @@ TEST(CPosing, EveryPresetReachesAKnownTarget) {
 TEST(CPosing, ALockedParameterStays) {
   CDesk desk;
   static_cast<void>(desk.place_lift(0.6));
-  ASSERT_EQ(penpose_lock(desk.library, desk.sheet, "lift", 1, nullptr), PENPOSE_OK);
-  ASSERT_EQ(penpose_solve(desk.library, desk.sheet, PENPOSE_PRESET_EXACT, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_lock(desk.open, desk.sheet, "lift", 1, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_solve(desk.open, desk.sheet, PENPOSE_PRESET_EXACT, nullptr), PENPOSE_OK);
   EXPECT_EQ(desk.pose()[0], 0);
-  ASSERT_EQ(penpose_lock(desk.library, desk.sheet, "lift", 0, nullptr), PENPOSE_OK);
-  ASSERT_EQ(penpose_solve(desk.library, desk.sheet, PENPOSE_PRESET_EXACT, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_lock(desk.open, desk.sheet, "lift", 0, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_solve(desk.open, desk.sheet, PENPOSE_PRESET_EXACT, nullptr), PENPOSE_OK);
   EXPECT_GT(desk.pose()[0], 0.5);
 }
 
@@ -80,8 +80,8 @@ TEST(CPosing, PositionsAreTheRestPlusTheShapes) {
   const double values[] = {0.5, -1};
   std::vector<double> xyz(desk.sheet_arrays.positions.size());
   std::vector<float> floats(xyz.size());
-  ASSERT_EQ(penpose_evaluate(desk.library, desk.sheet, values, 2, xyz.data(), xyz.size() / 3, nullptr), PENPOSE_OK);
-  ASSERT_EQ(penpose_evaluate_float(desk.library, desk.sheet, values, 2, floats.data(), floats.size() / 3, nullptr),
+  ASSERT_EQ(penpose_evaluate(desk.open, desk.sheet, values, 2, xyz.data(), xyz.size() / 3, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_evaluate_float(desk.open, desk.sheet, values, 2, floats.data(), floats.size() / 3, nullptr),
             PENPOSE_OK);
   std::vector<double> expected = desk.sheet_arrays.positions;
   for (std::size_t shape = 0; shape < 2; ++shape) {
@@ -105,7 +105,7 @@ TEST(CPosing, AShapeOfAllVerticesIsThatOfThoseThatMove) {
     std::copy_n(&dense.deltas[0][3 * i], 3, &all[3 * std::size_t{dense.vertices[0][i]}]);
   dense.shapes[0] = {"lift", 0, 1, all.size() / 3, nullptr, all.data()};
   penpose_handle made = 0;
-  ASSERT_EQ(penpose_character_from_arrays(desk.library, &dense.arrays, &made, &desk.error), PENPOSE_OK)
+  ASSERT_EQ(penpose_character_from_arrays(desk.open, &dense.arrays, &made, &desk.error), PENPOSE_OK)
       << desk.error.message;
   EXPECT_EQ(desk.state(made), desk.state());
 }
@@ -123,14 +123,14 @@ TEST(CPosing, AJointTurnsWhatItCarries) {
   arrays.arrays.joint_of = joint_of.data();
   arrays.arrays.weight_of = weight_of.data();
   penpose_handle made = 0;
-  ASSERT_EQ(penpose_character_from_arrays(desk.library, &arrays.arrays, &made, &desk.error), PENPOSE_OK)
+  ASSERT_EQ(penpose_character_from_arrays(desk.open, &arrays.arrays, &made, &desk.error), PENPOSE_OK)
       << desk.error.message;
   std::size_t turn = 0;
-  ASSERT_EQ(penpose_find_parameter(desk.library, made, "neck.rz", &turn, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_find_parameter(desk.open, made, "neck.rz", &turn, nullptr), PENPOSE_OK);
   std::vector<double> values = desk.pose(made);
   values[turn] = 0.5;
   std::vector<double> xyz(arrays.positions.size());
-  ASSERT_EQ(penpose_evaluate(desk.library, made, values.data(), values.size(), xyz.data(), xyz.size() / 3, nullptr),
+  ASSERT_EQ(penpose_evaluate(desk.open, made, values.data(), values.size(), xyz.data(), xyz.size() / 3, nullptr),
             PENPOSE_OK);
   for (std::size_t v = 0; v < xyz.size(); v += 3) {
     const double x = arrays.positions[v];
@@ -145,28 +145,28 @@ TEST(CPosing, APreviewFollowsAndChangesNothing) {
   const std::uint32_t curve = desk.draw(desk.line(-0.5, 0.5, 0.5, 0.5));
   const std::string before = desk.state();
   penpose_handle live = 0;
-  ASSERT_EQ(penpose_live_begin(desk.library, desk.sheet, curve, &desk.view, &live, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_live_begin(desk.open, desk.sheet, curve, &desk.view, &live, nullptr), PENPOSE_OK);
   const auto to = desk.line(-0.5, 0.6, 0.5, 0.6);
   double values[2] = {-1, -1};
   std::int32_t moved = -1;
-  ASSERT_EQ(penpose_live_follow(desk.library, live, to.data(), 1, values, 2, &moved, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_live_follow(desk.open, live, to.data(), 1, values, 2, &moved, nullptr), PENPOSE_OK);
   EXPECT_EQ(moved, 0);
   EXPECT_EQ(values[0], 0);
   for (std::size_t count = 2; count <= to.size() / 2; ++count)
-    ASSERT_EQ(penpose_live_follow(desk.library, live, to.data(), count, values, 2, &moved, nullptr), PENPOSE_OK);
+    ASSERT_EQ(penpose_live_follow(desk.open, live, to.data(), count, values, 2, &moved, nullptr), PENPOSE_OK);
   EXPECT_NEAR(values[0], 0.5, 0.1);
   EXPECT_EQ(desk.state(), before);
   // It lives on without its character.
-  ASSERT_EQ(penpose_free(desk.library, desk.sheet, nullptr), PENPOSE_OK);
-  EXPECT_EQ(penpose_live_follow(desk.library, live, to.data(), to.size() / 2, values, 2, &moved, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_free(desk.open, desk.sheet, nullptr), PENPOSE_OK);
+  EXPECT_EQ(penpose_live_follow(desk.open, live, to.data(), to.size() / 2, values, 2, &moved, nullptr), PENPOSE_OK);
 }
 
 TEST(CPosing, ACopyIsAPlaceToGoBackTo) {
   CDesk desk;
   penpose_handle kept = 0;
-  ASSERT_EQ(penpose_character_copy(desk.library, desk.sheet, &kept, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_character_copy(desk.open, desk.sheet, &kept, nullptr), PENPOSE_OK);
   const std::string before = desk.state();
-  ASSERT_EQ(penpose_set_parameter(desk.library, desk.sheet, "lean", -0.5, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_set_parameter(desk.open, desk.sheet, "lean", -0.5, nullptr), PENPOSE_OK);
   EXPECT_NE(desk.state(), before);
   EXPECT_EQ(desk.state(kept), before);
 }
@@ -197,15 +197,15 @@ TEST(CPosing, ASketchedDeformerIsAParameterThatMoves) {
   sketch.target_count = target.size() / 2;
   sketch.mode = PENPOSE_MODE_TRANSLATE;
   sketch.maximum = 1;
-  ASSERT_EQ(penpose_sketch_deformer(desk.library, desk.sheet, &sketch, &desk.error), PENPOSE_OK) << desk.error.message;
-  ASSERT_EQ(penpose_set_parameter(desk.library, desk.sheet, "up", 1, &desk.error), PENPOSE_OK) << desk.error.message;
+  ASSERT_EQ(penpose_sketch_deformer(desk.open, desk.sheet, &sketch, &desk.error), PENPOSE_OK) << desk.error.message;
+  ASSERT_EQ(penpose_set_parameter(desk.open, desk.sheet, "up", 1, &desk.error), PENPOSE_OK) << desk.error.message;
   std::vector<double> xyz(desk.sheet_arrays.positions.size());
-  ASSERT_EQ(penpose_evaluate(desk.library, desk.sheet, nullptr, 0, xyz.data(), xyz.size() / 3, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_evaluate(desk.open, desk.sheet, nullptr, 0, xyz.data(), xyz.size() / 3, nullptr), PENPOSE_OK);
   EXPECT_NEAR(xyz[3 * 112 + 1], 0.3, 0.03) << "the middle of the sheet goes up by what was drawn";
   EXPECT_EQ(xyz[1], desk.sheet_arrays.positions[1]) << "its corner stays";
   // A second one of that name is refused before anything is begun.
   const std::string before = desk.state();
-  EXPECT_EQ(penpose_sketch_deformer(desk.library, desk.sheet, &sketch, &desk.error), PENPOSE_REFUSED);
+  EXPECT_EQ(penpose_sketch_deformer(desk.open, desk.sheet, &sketch, &desk.error), PENPOSE_REFUSED);
   EXPECT_EQ(desk.state(), before);
 }
 

@@ -27,7 +27,7 @@ TEST(CSessions, GoldenSessionsComeToTheirStates) {
   CDesk desk;
   const std::string glb = read_text(PENPOSE_SOURCE + std::string("/tests/data/models/test_sheet.glb"));
   penpose_handle sheet = 0;
-  ASSERT_EQ(penpose_character_read(desk.library, glb.data(), glb.size(), nullptr, &sheet, &desk.error), PENPOSE_OK)
+  ASSERT_EQ(penpose_character_read(desk.open, glb.data(), glb.size(), nullptr, &sheet, &desk.error), PENPOSE_OK)
       << desk.error.message;
   const std::pair<const char*, penpose_handle> sessions[] = {{"/ui/demo/demo.session", 0},
                                                              {"/ui/demo/demo_2.session", 0},
@@ -37,8 +37,7 @@ TEST(CSessions, GoldenSessionsComeToTheirStates) {
     const std::string text = read_text(PENPOSE_SOURCE + std::string(path));
     penpose_handle made = 0;
     penpose_playback playback{};
-    ASSERT_EQ(penpose_session_play(desk.library, text.data(), text.size(), on, &made, &playback, &desk.error),
-              PENPOSE_OK)
+    ASSERT_EQ(penpose_session_play(desk.open, text.data(), text.size(), on, &made, &playback, &desk.error), PENPOSE_OK)
         << path << ": " << desk.error.message;
     const std::string name = std::string(path).substr(std::string(path).rfind('/') + 1);
     EXPECT_EQ(playback.state, golden(name)) << path;
@@ -50,29 +49,27 @@ TEST(CSessions, GoldenSessionsComeToTheirStates) {
 TEST(CSessions, WhatIsRecordedReplaysToTheSameBits) {
   CDesk desk;
   penpose_handle as_it_was = 0;
-  ASSERT_EQ(penpose_character_copy(desk.library, desk.sheet, &as_it_was, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_character_copy(desk.open, desk.sheet, &as_it_was, nullptr), PENPOSE_OK);
   std::size_t size = 0;
-  EXPECT_EQ(penpose_recorded(desk.library, desk.sheet, nullptr, 0, &size, nullptr), PENPOSE_REFUSED);
-  ASSERT_EQ(penpose_record(desk.library, desk.sheet, "sheet.glb", nullptr), PENPOSE_OK);
+  EXPECT_EQ(penpose_recorded(desk.open, desk.sheet, nullptr, 0, &size, nullptr), PENPOSE_REFUSED);
+  ASSERT_EQ(penpose_record(desk.open, desk.sheet, "sheet.glb", nullptr), PENPOSE_OK);
   const auto to = desk.line(-0.5, 0.6, 0.5, 0.6);
   const std::uint32_t curve = desk.draw(desk.line(-0.5, 0.5, 0.5, 0.5));
-  ASSERT_EQ(
-      penpose_target_stroke(desk.library, desk.sheet, curve, &desk.view, to.data(), nullptr, to.size() / 2, nullptr),
-      PENPOSE_OK);
+  ASSERT_EQ(penpose_target_stroke(desk.open, desk.sheet, curve, &desk.view, to.data(), nullptr, to.size() / 2, nullptr),
+            PENPOSE_OK);
   static_cast<void>(desk.place_lift(0.25));
-  EXPECT_EQ(penpose_set_parameter(desk.library, desk.sheet, "lean", 7, nullptr), PENPOSE_REFUSED);
+  EXPECT_EQ(penpose_set_parameter(desk.open, desk.sheet, "lean", 7, nullptr), PENPOSE_REFUSED);
   for (const std::int32_t preset : {PENPOSE_PRESET_PAPER, PENPOSE_PRESET_EXACT, PENPOSE_PRESET_DEFAULT})
-    ASSERT_EQ(penpose_solve(desk.library, desk.sheet, preset, nullptr), PENPOSE_OK);
-  ASSERT_EQ(penpose_perform(desk.library, desk.sheet, "set_key time_s=1 name=lifted", nullptr), PENPOSE_OK);
+    ASSERT_EQ(penpose_solve(desk.open, desk.sheet, preset, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_perform(desk.open, desk.sheet, "set_key time_s=1 name=lifted", nullptr), PENPOSE_OK);
 
-  ASSERT_EQ(penpose_recorded(desk.library, desk.sheet, nullptr, 0, &size, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_recorded(desk.open, desk.sheet, nullptr, 0, &size, nullptr), PENPOSE_OK);
   std::string text(size, ' ');
-  EXPECT_EQ(penpose_recorded(desk.library, desk.sheet, text.data(), size - 1, &size, nullptr), PENPOSE_TOO_SMALL);
-  ASSERT_EQ(penpose_recorded(desk.library, desk.sheet, text.data(), size, &size, nullptr), PENPOSE_OK);
+  EXPECT_EQ(penpose_recorded(desk.open, desk.sheet, text.data(), size - 1, &size, nullptr), PENPOSE_TOO_SMALL);
+  ASSERT_EQ(penpose_recorded(desk.open, desk.sheet, text.data(), size, &size, nullptr), PENPOSE_OK);
   penpose_handle again = 0;
   penpose_playback playback{};
-  ASSERT_EQ(penpose_session_play(desk.library, text.data(), size, as_it_was, &again, &playback, &desk.error),
-            PENPOSE_OK)
+  ASSERT_EQ(penpose_session_play(desk.open, text.data(), size, as_it_was, &again, &playback, &desk.error), PENPOSE_OK)
       << desk.error.message;
   EXPECT_EQ(playback.steps, 8U) << "what was refused is not in it";
   EXPECT_EQ(playback.checked, 8U);
@@ -82,28 +79,27 @@ TEST(CSessions, WhatIsRecordedReplaysToTheSameBits) {
   const std::size_t at = text.rfind("state ") + 6;
   text[at] = text[at] == '0' ? '1' : '0';
   penpose_handle none = 77;
-  EXPECT_EQ(penpose_session_play(desk.library, text.data(), size, as_it_was, &none, &playback, &desk.error),
+  EXPECT_EQ(penpose_session_play(desk.open, text.data(), size, as_it_was, &none, &playback, &desk.error),
             PENPOSE_DIVERGED);
   EXPECT_EQ(none, 77U);
   EXPECT_EQ(playback.differing, 1U);
   EXPECT_EQ(playback.line, static_cast<std::uint64_t>(std::count(text.begin(), text.end(), '\n')));
   // And one of another character.
-  EXPECT_EQ(penpose_session_play(desk.library, text.data(), size, again, &none, &playback, &desk.error),
-            PENPOSE_REFUSED);
-  EXPECT_EQ(penpose_session_play(desk.library, text.data(), size, 0, &none, &playback, &desk.error), PENPOSE_REFUSED);
+  EXPECT_EQ(penpose_session_play(desk.open, text.data(), size, again, &none, &playback, &desk.error), PENPOSE_REFUSED);
+  EXPECT_EQ(penpose_session_play(desk.open, text.data(), size, 0, &none, &playback, &desk.error), PENPOSE_REFUSED);
   EXPECT_NE(std::string(desk.error.message).find("sheet.glb"), std::string::npos);
 }
 
 TEST(CSessions, AProjectReadsBackWithItsState) {
   CDesk desk;
   static_cast<void>(desk.place_lift(0.25));
-  ASSERT_EQ(penpose_solve(desk.library, desk.sheet, 0, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_solve(desk.open, desk.sheet, 0, nullptr), PENPOSE_OK);
   std::size_t size = 0;
-  ASSERT_EQ(penpose_write(desk.library, desk.sheet, ".glb", nullptr, 0, &size, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_write(desk.open, desk.sheet, ".glb", nullptr, 0, &size, nullptr), PENPOSE_OK);
   std::vector<std::uint8_t> bytes(size);
-  ASSERT_EQ(penpose_write(desk.library, desk.sheet, ".glb", bytes.data(), size, &size, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_write(desk.open, desk.sheet, ".glb", bytes.data(), size, &size, nullptr), PENPOSE_OK);
   penpose_handle again = 0;
-  ASSERT_EQ(penpose_character_read(desk.library, bytes.data(), size, nullptr, &again, &desk.error), PENPOSE_OK)
+  ASSERT_EQ(penpose_character_read(desk.open, bytes.data(), size, nullptr, &again, &desk.error), PENPOSE_OK)
       << desk.error.message;
   EXPECT_EQ(desk.state(again), desk.state()) << "its curve with the known target is kept";
 }

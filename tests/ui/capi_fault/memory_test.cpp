@@ -55,49 +55,48 @@ TEST(CMemory, ACallThatChangesTheCharacterChangesNothing) {
   const auto over = desk.line(-0.5, 0.5, 0.5, 0.5);
   const auto to = desk.line(-0.5, 0.6, 0.5, 0.6);
   const std::uint32_t drawn = desk.draw(over);
-  ASSERT_EQ(penpose_record(desk.library, desk.sheet, "sheet", nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_record(desk.open, desk.sheet, "sheet", nullptr), PENPOSE_OK);
   const std::string before = desk.state();
   std::size_t recorded = 0;
-  ASSERT_EQ(penpose_recorded(desk.library, desk.sheet, nullptr, 0, &recorded, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_recorded(desk.open, desk.sheet, nullptr, 0, &recorded, nullptr), PENPOSE_OK);
   const std::vector<std::uint32_t> vertices{1, 2, 3};
   std::uint32_t curve = 77;
   const auto unchanged = [&] {
     EXPECT_EQ(desk.state(), before);
     EXPECT_EQ(curve, 77U);
     std::size_t now = 0;
-    EXPECT_EQ(penpose_recorded(desk.library, desk.sheet, nullptr, 0, &now, nullptr), PENPOSE_OK);
+    EXPECT_EQ(penpose_recorded(desk.open, desk.sheet, nullptr, 0, &now, nullptr), PENPOSE_OK);
     EXPECT_EQ(now, recorded) << "what did not happen is not recorded";
   };
   penpose_handle kept = 0;
-  ASSERT_EQ(penpose_character_copy(desk.library, desk.sheet, &kept, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_character_copy(desk.open, desk.sheet, &kept, nullptr), PENPOSE_OK);
   const auto begin_again = [&] {
-    EXPECT_EQ(penpose_free(desk.library, desk.sheet, nullptr), PENPOSE_OK);
-    EXPECT_EQ(penpose_character_copy(desk.library, kept, &desk.sheet, nullptr), PENPOSE_OK);
-    EXPECT_EQ(penpose_record(desk.library, desk.sheet, "sheet", nullptr), PENPOSE_OK);
-    EXPECT_EQ(penpose_recorded(desk.library, desk.sheet, nullptr, 0, &recorded, nullptr), PENPOSE_OK);
+    EXPECT_EQ(penpose_free(desk.open, desk.sheet, nullptr), PENPOSE_OK);
+    EXPECT_EQ(penpose_character_copy(desk.open, kept, &desk.sheet, nullptr), PENPOSE_OK);
+    EXPECT_EQ(penpose_record(desk.open, desk.sheet, "sheet", nullptr), PENPOSE_OK);
+    EXPECT_EQ(penpose_recorded(desk.open, desk.sheet, nullptr, 0, &recorded, nullptr), PENPOSE_OK);
     curve = 77;
   };
   const std::vector<std::pair<const char*, std::function<std::int32_t(penpose_error*)>>> calls{
-      {"solve", [&](penpose_error* e) { return penpose_solve(desk.library, desk.sheet, 0, e); }},
-      {"solve exact", [&](penpose_error* e) { return penpose_solve(desk.library, desk.sheet, 1, e); }},
-      {"solve paper", [&](penpose_error* e) { return penpose_solve(desk.library, desk.sheet, 2, e); }},
+      {"solve", [&](penpose_error* e) { return penpose_solve(desk.open, desk.sheet, 0, e); }},
+      {"solve exact", [&](penpose_error* e) { return penpose_solve(desk.open, desk.sheet, 1, e); }},
+      {"solve paper", [&](penpose_error* e) { return penpose_solve(desk.open, desk.sheet, 2, e); }},
       {"target stroke",
        [&](penpose_error* e) {
-         return penpose_target_stroke(desk.library, desk.sheet, drawn, &desk.view, to.data(), nullptr, to.size() / 2,
-                                      e);
+         return penpose_target_stroke(desk.open, desk.sheet, drawn, &desk.view, to.data(), nullptr, to.size() / 2, e);
        }},
       {"curve from stroke",
        [&](penpose_error* e) {
-         return penpose_curve_from_stroke(desk.library, desk.sheet, &desk.view, over.data(), over.size() / 2, 0, &curve,
+         return penpose_curve_from_stroke(desk.open, desk.sheet, &desk.view, over.data(), over.size() / 2, 0, &curve,
                                           e);
        }},
       {"curve from vertices",
        [&](penpose_error* e) {
-         return penpose_curve_from_vertices(desk.library, desk.sheet, vertices.data(), 3, 1, &curve, e);
+         return penpose_curve_from_vertices(desk.open, desk.sheet, vertices.data(), 3, 1, &curve, e);
        }},
-      {"set", [&](penpose_error* e) { return penpose_set_parameter(desk.library, desk.sheet, "lean", 0.25, e); }},
-      {"perform", [&](penpose_error* e) { return penpose_perform(desk.library, desk.sheet, "set_key time_s=1", e); }},
-      {"delete", [&](penpose_error* e) { return penpose_curve_delete(desk.library, desk.sheet, lift, e); }}};
+      {"set", [&](penpose_error* e) { return penpose_set_parameter(desk.open, desk.sheet, "lean", 0.25, e); }},
+      {"perform", [&](penpose_error* e) { return penpose_perform(desk.open, desk.sheet, "set_key time_s=1", e); }},
+      {"delete", [&](penpose_error* e) { return penpose_curve_delete(desk.open, desk.sheet, lift, e); }}};
   for (const auto& [name, call] : calls) {
     begin_again();
     std::set<std::string> states;
@@ -112,53 +111,51 @@ TEST(CMemory, ACallThatChangesTheCharacterChangesNothing) {
     states.insert(after);
     EXPECT_EQ(states.size(), 1U) << name << ": what did with less memory came to something else";
     penpose_handle fresh = 0;
-    ASSERT_EQ(penpose_character_copy(desk.library, kept, &fresh, nullptr), PENPOSE_OK);
+    ASSERT_EQ(penpose_character_copy(desk.open, kept, &fresh, nullptr), PENPOSE_OK);
     std::swap(fresh, desk.sheet);
     EXPECT_EQ(call(nullptr), PENPOSE_OK);
     EXPECT_EQ(desk.state(), after) << name;
     std::swap(fresh, desk.sheet);
-    ASSERT_EQ(penpose_free(desk.library, fresh, nullptr), PENPOSE_OK);
+    ASSERT_EQ(penpose_free(desk.open, fresh, nullptr), PENPOSE_OK);
   }
 }
 
 TEST(CMemory, ACallThatMakesSomethingMakesNothing) {
   CDesk desk;
   const std::uint32_t curve = desk.draw(desk.line(-0.5, 0.5, 0.5, 0.5));
-  ASSERT_EQ(penpose_record(desk.library, desk.sheet, "sheet", nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_record(desk.open, desk.sheet, "sheet", nullptr), PENPOSE_OK);
   std::size_t size = 0;
   std::string session(4096, ' ');
-  ASSERT_EQ(penpose_recorded(desk.library, desk.sheet, session.data(), session.size(), &size, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_recorded(desk.open, desk.sheet, session.data(), session.size(), &size, nullptr), PENPOSE_OK);
   session.resize(size);
   penpose_handle made = 0;
   std::size_t handles = 0;
-  ASSERT_EQ(penpose_handle_count(desk.library, &handles, nullptr), PENPOSE_OK);
+  ASSERT_EQ(penpose_handle_count(desk.open, &handles, nullptr), PENPOSE_OK);
   const auto nothing_made = [&] {
     std::size_t now = 0;
-    EXPECT_EQ(penpose_handle_count(desk.library, &now, nullptr), PENPOSE_OK);
+    EXPECT_EQ(penpose_handle_count(desk.open, &now, nullptr), PENPOSE_OK);
     EXPECT_EQ(now, handles);
     EXPECT_EQ(made, 0U);
   };
   const std::vector<std::pair<const char*, std::function<std::int32_t(penpose_error*)>>> calls{
       {"from arrays",
-       [&](penpose_error* e) {
-         return penpose_character_from_arrays(desk.library, &desk.sheet_arrays.arrays, &made, e);
-       }},
-      {"copy", [&](penpose_error* e) { return penpose_character_copy(desk.library, desk.sheet, &made, e); }},
+       [&](penpose_error* e) { return penpose_character_from_arrays(desk.open, &desk.sheet_arrays.arrays, &made, e); }},
+      {"copy", [&](penpose_error* e) { return penpose_character_copy(desk.open, desk.sheet, &made, e); }},
       {"live",
-       [&](penpose_error* e) { return penpose_live_begin(desk.library, desk.sheet, curve, &desk.view, &made, e); }},
+       [&](penpose_error* e) { return penpose_live_begin(desk.open, desk.sheet, curve, &desk.view, &made, e); }},
       {"play", [&](penpose_error* e) {
-         return penpose_session_play(desk.library, session.data(), session.size(), desk.sheet, &made, nullptr, e);
+         return penpose_session_play(desk.open, session.data(), session.size(), desk.sheet, &made, nullptr, e);
        }}};
   for (const auto& [name, call] : calls) {
     made = 0;
     const auto free_again = [&] {
-      EXPECT_EQ(penpose_free(desk.library, made, nullptr), PENPOSE_OK) << name;
+      EXPECT_EQ(penpose_free(desk.open, made, nullptr), PENPOSE_OK) << name;
       made = 0;
     };
     EXPECT_GT(run_short(name, call, nothing_made, free_again), 0U) << name;
     if (HasFailure()) return;
     EXPECT_NE(made, 0U) << name;
-    EXPECT_EQ(penpose_free(desk.library, made, nullptr), PENPOSE_OK);
+    EXPECT_EQ(penpose_free(desk.open, made, nullptr), PENPOSE_OK);
   }
 }
 
@@ -173,18 +170,18 @@ TEST(CMemory, ACallThatAsksGivesNoAnswer) {
   const auto unchanged = [&] { EXPECT_EQ(desk.state(), before); };
   static_cast<void>(run_short(
       "evaluate",
-      [&](penpose_error* e) { return penpose_evaluate(desk.library, desk.sheet, nullptr, 0, numbers, 225, e); },
+      [&](penpose_error* e) { return penpose_evaluate(desk.open, desk.sheet, nullptr, 0, numbers, 225, e); },
       unchanged));
   static_cast<void>(run_short(
       "floats",
-      [&](penpose_error* e) { return penpose_evaluate_float(desk.library, desk.sheet, nullptr, 0, floats, 225, e); },
+      [&](penpose_error* e) { return penpose_evaluate_float(desk.open, desk.sheet, nullptr, 0, floats, 225, e); },
       unchanged));
   static_cast<void>(run_short(
-      "state", [&](penpose_error* e) { return penpose_state(desk.library, desk.sheet, state, e); }, unchanged));
+      "state", [&](penpose_error* e) { return penpose_state(desk.open, desk.sheet, state, e); }, unchanged));
   EXPECT_EQ(state, before);
   static_cast<void>(run_short(
       "distances",
-      [&](penpose_error* e) { return penpose_curve_distances(desk.library, desk.sheet, 1, numbers, 15, &count, e); },
+      [&](penpose_error* e) { return penpose_curve_distances(desk.open, desk.sheet, 1, numbers, 15, &count, e); },
       unchanged));
   penpose_library* library = nullptr;
   EXPECT_EQ(

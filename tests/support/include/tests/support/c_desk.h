@@ -45,35 +45,34 @@ struct SheetArrays {
 class CDesk {
  public:
   CDesk() {
-    EXPECT_EQ(penpose_open(&library, &error), PENPOSE_OK) << error.message;
-    EXPECT_EQ(penpose_character_from_arrays(library, &sheet_arrays.arrays, &sheet, &error), PENPOSE_OK)
-        << error.message;
+    EXPECT_EQ(penpose_open(&open, &error), PENPOSE_OK) << error.message;
+    EXPECT_EQ(penpose_character_from_arrays(open, &sheet_arrays.arrays, &sheet, &error), PENPOSE_OK) << error.message;
     view.eye[2] = 6;
     view.up[1] = 1;
     view.vertical_fov_degrees = 30;
     view.width = view.height = 1000;
   }
-  ~CDesk() { penpose_close(&library); }
+  ~CDesk() { penpose_close(&open); }
   CDesk(const CDesk&) = delete;
   CDesk& operator=(const CDesk&) = delete;
 
   SheetArrays sheet_arrays;
-  penpose_library* library = nullptr;
+  penpose_library* open = nullptr;
   penpose_handle sheet = 0;
   penpose_error error{};
   penpose_view view{};
 
   [[nodiscard]] std::string state(penpose_handle of) {
     char out[33] = {};
-    EXPECT_EQ(penpose_state(library, of, out, &error), PENPOSE_OK) << error.message;
+    EXPECT_EQ(penpose_state(open, of, out, &error), PENPOSE_OK) << error.message;
     return out;
   }
   [[nodiscard]] std::string state() { return state(sheet); }
   [[nodiscard]] std::vector<double> pose(penpose_handle of) {
     penpose_counts counts{};
-    EXPECT_EQ(penpose_count(library, of, &counts, &error), PENPOSE_OK) << error.message;
+    EXPECT_EQ(penpose_count(open, of, &counts, &error), PENPOSE_OK) << error.message;
     std::vector<double> values(counts.parameters);
-    EXPECT_EQ(penpose_get_pose(library, of, values.data(), values.size(), &error), PENPOSE_OK) << error.message;
+    EXPECT_EQ(penpose_get_pose(open, of, values.data(), values.size(), &error), PENPOSE_OK) << error.message;
     return values;
   }
   [[nodiscard]] std::vector<double> pose() { return pose(sheet); }
@@ -92,8 +91,7 @@ class CDesk {
   }
   [[nodiscard]] std::uint32_t draw(const std::vector<double>& px, std::int32_t role = PENPOSE_REFERENCE) {
     std::uint32_t curve = 0;
-    EXPECT_EQ(penpose_curve_from_stroke(library, sheet, &view, px.data(), px.size() / 2, role, &curve, &error),
-              PENPOSE_OK)
+    EXPECT_EQ(penpose_curve_from_stroke(open, sheet, &view, px.data(), px.size() / 2, role, &curve, &error), PENPOSE_OK)
         << error.message;
     return curve;
   }
@@ -102,14 +100,14 @@ class CDesk {
     std::vector<std::uint32_t> vertices;
     for (std::uint32_t v = 180; v < 195; ++v) vertices.push_back(v);
     std::uint32_t curve = 0;
-    EXPECT_EQ(penpose_curve_from_vertices(library, sheet, vertices.data(), vertices.size(), PENPOSE_REFERENCE, &curve,
-                                          &error),
-              PENPOSE_OK)
+    EXPECT_EQ(
+        penpose_curve_from_vertices(open, sheet, vertices.data(), vertices.size(), PENPOSE_REFERENCE, &curve, &error),
+        PENPOSE_OK)
         << error.message;
     const double values[] = {lift, 0};
     std::vector<double> all(sheet_arrays.positions.size());
-    EXPECT_EQ(penpose_evaluate(library, sheet, values, 2, all.data(), all.size() / 3, &error), PENPOSE_OK);
-    EXPECT_EQ(penpose_target_points(library, sheet, curve, &all[3 * 180], 15, &error), PENPOSE_OK) << error.message;
+    EXPECT_EQ(penpose_evaluate(open, sheet, values, 2, all.data(), all.size() / 3, &error), PENPOSE_OK);
+    EXPECT_EQ(penpose_target_points(open, sheet, curve, &all[3 * 180], 15, &error), PENPOSE_OK) << error.message;
     return curve;
   }
 };
