@@ -160,8 +160,8 @@ base::Status Character::sketch(const articulation::Sketch& sketch) {
     return View{own.value_or(sketch.camera), sketch.viewport};
   };
   std::vector<Command> commands;
-  commands.emplace_back(
-      document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum, sketch.maximum, k_rules});
+  commands.emplace_back(document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum,
+                                                sketch.maximum, drawing::k_control_rules});
   if (sketch.reach != articulation::Reach::through) commands.emplace_back(document::TakeRegion{sketch.reach, {}});
   commands.emplace_back(document::SketchCurve{CurveRole::general, view, sketch.general});
   if (sketch.piece != 0) commands.emplace_back(document::TakeRegion{{}, sketch.piece});

@@ -23,6 +23,13 @@ base::Result<std::vector<std::size_t>> find_all(const Document& document, const 
 
 }  // namespace
 
+std::optional<base::Error> out_of_range(const rig::Parameter& parameter, double value) {
+  if (value >= parameter.minimum && value <= parameter.maximum) return std::nullopt;
+  return base::Error{
+      "\"" + parameter.name + "\" cannot be " + base::format_double(value), "values",
+      "its range is " + base::format_double(parameter.minimum) + " to " + base::format_double(parameter.maximum)};
+}
+
 Changed run(const Document& document, const SetParameters& command, Parts&) {
   Document changed = document;
   const auto parameters = document.model->rig->parameters();
@@ -31,12 +38,7 @@ Changed run(const Document& document, const SetParameters& command, Parts&) {
     if (!number) {
       return base::Error{"the model has no parameter \"" + name + "\"", "values", "look at the names in the model"};
     }
-    const rig::Parameter& parameter = parameters[*number];
-    if (!(value >= parameter.minimum && value <= parameter.maximum)) {
-      return base::Error{
-          "\"" + name + "\" cannot be " + base::format_double(value), "values",
-          "its range is " + base::format_double(parameter.minimum) + " to " + base::format_double(parameter.maximum)};
-    }
+    if (auto error = out_of_range(parameters[*number], value)) return *error;
     changed.pose[*number] = value;
   }
   return changed;

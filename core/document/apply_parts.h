@@ -55,6 +55,9 @@ using Changed = base::Result<Document>;
 /// The error with a member of the command as its place.
 [[nodiscard]] base::Error at(const char* member, base::Error error);
 
+/// Errors: the value is none of the parameter's.
+[[nodiscard]] std::optional<base::Error> out_of_range(const rig::Parameter& parameter, double value);
+
 /// The document with other sketched deformers; poses are kept by the names of parameters, and what is locked by names
 /// that are still there.
 [[nodiscard]] Changed with_deformers(const Document& document,
@@ -108,6 +111,7 @@ Changed run(const Document&, const DeleteDeformer&, Parts&);
 Changed run(const Document&, const MoveDeformer&, Parts&);
 
 Changed run(const Document&, const SetKey&, Parts&);
+Changed run(const Document&, const KeyPoses&, Parts&);
 Changed run(const Document&, const DeleteKey&, Parts&);
 Changed run(const Document&, const MoveKey&, Parts&);
 Changed run(const Document&, const SetKeyInterpolation&, Parts&);

@@ -591,6 +591,23 @@ struct SetKey {
   friend bool operator==(const SetKey&, const SetKey&) = default;
 };
 
+/// Keys what was performed: some controls at each of some moments. All else at a moment is what the timeline has there,
+/// or the pose where nothing is keyed; keys between the moments are kept, with these controls evenly between. Errors:
+/// no such parameter or one named twice, a value out of range, moments that do not ascend, another number of values.
+struct KeyPoses {
+  static constexpr std::string_view k_name = "key_poses";
+  std::vector<std::string> names;
+  std::vector<double> times_s;
+  std::vector<double> values;  ///< one row a moment, one a name in it
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("names", self.names);
+    visit("times_s", self.times_s);
+    visit("values", self.values);
+  }
+  friend bool operator==(const KeyPoses&, const KeyPoses&) = default;
+};
+
 struct DeleteKey {
   static constexpr std::string_view k_name = "delete_key";
   double time_s = 0;
@@ -664,7 +681,7 @@ using Command = std::variant<SetParameters, ResetParameters, LockParameters, Dra
                              SketchCurve, CancelDeformer, RedrawCurve, ChangeDeformer, MirrorDeformer, RenameDeformer,
                              DeleteDeformer, MoveDeformer, SetKey, DeleteKey, MoveKey, SetKeyInterpolation, GoToTime,
                              SaveView, DeleteView, SuggestRest, SetHand, BeginCorrection, DeleteCorrection, TakeRegion,
-                             DrawBetween, DeleteBetween, PullBetween, PullTarget, PlaceCurve, PlaceTarget>;
+                             DrawBetween, DeleteBetween, PullBetween, PullTarget, PlaceCurve, PlaceTarget, KeyPoses>;
 
 /// The command's name in files.
 [[nodiscard]] inline std::string_view name_of(const Command& command) {

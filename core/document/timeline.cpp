@@ -16,15 +16,15 @@ double hermite(double a, double slope_a, double b, double slope_b, double length
          (u3 - u2) * length_s * slope_b;
 }
 
-std::vector<double> times_of(const Timeline& timeline) {
+std::vector<double> times_of(std::span<const PoseKey> keys) {
   std::vector<double> times;
-  for (const PoseKey& key : timeline.keys) times.push_back(key.time_s);
+  for (const PoseKey& key : keys) times.push_back(key.time_s);
   return times;
 }
 
-std::vector<double> values_of(const Timeline& timeline, std::size_t parameter) {
+std::vector<double> values_of(std::span<const PoseKey> keys, std::size_t parameter) {
   std::vector<double> values;
-  for (const PoseKey& key : timeline.keys) values.push_back(key.pose[parameter]);
+  for (const PoseKey& key : keys) values.push_back(key.pose[parameter]);
   return values;
 }
 
@@ -37,7 +37,7 @@ std::size_t segment_of(const Timeline& timeline, double time_s) {
 
 Channel weight_channel(const Timeline& timeline, std::size_t count) {
   Channel channel;
-  channel.times_s = times_of(timeline);
+  channel.times_s = times_of(timeline.keys);
   const bool smooth = timeline.interpolation == KeyInterpolation::smooth && timeline.keys.size() > 1;
   channel.interpolation = smooth ? Interpolation::cubic_spline : Interpolation::linear;
   if (!smooth) {
@@ -50,7 +50,7 @@ Channel weight_channel(const Timeline& timeline, std::size_t count) {
   // In-tangent, value and out-tangent of every key.
   channel.values.resize(timeline.keys.size() * 3 * count);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::vector<double> values = values_of(timeline, i);
+    const std::vector<double> values = values_of(timeline.keys, i);
     const std::vector<double> tangents = monotone_tangents(channel.times_s, values);
     for (std::size_t k = 0; k < values.size(); ++k) {
       double* row = channel.values.data() + k * 3 * count;
@@ -146,7 +146,10 @@ rig::Pose sample(const Timeline& timeline, double time_s) {
   const double length = keys[k + 1].time_s - keys[k].time_s;
   const double u = (time_s - keys[k].time_s) / length;
   rig::Pose pose = keys[k].pose;
-  const std::vector<double> times = times_of(timeline);
+  // A tangent asks for the neighbours of its key alone.
+  const std::size_t first = k > 0 ? k - 1 : 0;
+  const std::span<const PoseKey> near(keys.data() + first, std::min(keys.size(), k + 3) - first);
+  const std::vector<double> times = times_of(near);
   for (std::size_t i = 0; i < pose.size(); ++i) {
     const double a = keys[k].pose[i];
     const double b = keys[k + 1].pose[i];
@@ -154,8 +157,8 @@ rig::Pose sample(const Timeline& timeline, double time_s) {
       pose[i] = a + (b - a) * u;
       continue;
     }
-    const std::vector<double> tangents = monotone_tangents(times, values_of(timeline, i));
-    const double value = hermite(a, tangents[k], b, tangents[k + 1], length, u);
+    const std::vector<double> tangents = monotone_tangents(times, values_of(near, i));
+    const double value = hermite(a, tangents[k - first], b, tangents[k - first + 1], length, u);
     // Rounding alone could leave the keys' span, and with it the parameter's range.
     pose[i] = std::clamp(value, std::min(a, b), std::max(a, b));
   }

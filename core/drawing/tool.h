@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -32,6 +33,8 @@ enum class ToolKind : std::uint8_t {
 /// 5: it is read by intent::Edition::fourth, from the pose before the first of the lines that belong together. 6: it is
 /// read by intent::Edition::fifth.
 inline constexpr std::uint32_t k_rules = 6;
+/// The newest that controls are sketched by.
+inline constexpr std::uint32_t k_control_rules = std::max(k_rules, articulation::k_close_rules);
 
 struct Tool {
   ToolKind kind = ToolKind::pose;

@@ -8,4 +8,7 @@ shift 3
 mkdir -p "$out"
 # One core a take: a picture drawn without a graphics card would take all of them.
 export LP_NUM_THREADS=0
-exec parallel --will-cite --joblog "$out/log" --resume-failed "$@" sh "$(dirname "$0")/take.sh" "$face" '{}' "$out" ::: "$takes"/*
+# A take is known by its name without the ending.
+twice=$(for take in "$takes"/*; do name=${take##*/}; echo "${name%.*}"; done | sort | uniq -d | head -n 1)
+[ -z "$twice" ] || { echo "$takes: two takes are called $twice; rename one of them" >&2; exit 1; }
+exec parallel -q --will-cite --joblog "$out/log" --resume-failed "$@" sh "$(dirname "$0")/take.sh" "$face" '{}' "$out" ::: "$takes"/*

@@ -78,6 +78,8 @@ constexpr std::array k_actions{
     ActionInfo{Action::moved_only, "Moved only", "List only the controls that are not at rest", {}},
     ActionInfo{Action::density, "Density", "Compact, usual or for touch", {}},
     ActionInfo{Action::film, "Film", "Write a film (.mp4) or its pictures (.png) of what is played", {}},
+    ActionInfo{Action::perform, "Perform", "Time runs while the pen holds a target, and what the face does is keyed",
+               shift(' ')},
     ActionInfo{Action::library, "Poses", "The poses that are keyed, to be used again", plain('l')},
 };
 

@@ -73,6 +73,7 @@ enum class Action : std::uint8_t {
   density,
   film,
   library,
+  perform,
 };
 
 /// Keys that are no character.

@@ -84,6 +84,7 @@ constexpr std::array k_rows{
     Row{Action::loop_from, [](App& app) { app.panels().loop.begin_at(app.panels().time_s); }},
     Row{Action::loop_to, [](App& app) { app.panels().loop.end_at(app.panels().time_s); }},
     Row{Action::loop_off, [](App& app) { app.panels().loop = {}; }},
+    Row{Action::perform, [](App& app) { app.panels().performs = !app.panels().performs; }},
     Row{Action::auto_key, [](App& app) { app.panels().auto_key = !app.panels().auto_key; }},
     Row{Action::mirror_strokes, [](App& app) { app.panels().mirrors = !app.panels().mirrors; }},
     Row{Action::flip_pose,

@@ -124,6 +124,7 @@ void App::advance() {
     std::erase_if(notices_, [](const Notice& one) { return one.text.starts_with(k_nothing_changed); });
   }
   workspace_.follow_pen();
+  follow_performance();
   offer_.follow(workspace_);
 }
 
@@ -134,7 +135,8 @@ void App::begin_frame() {
   look.scale = static_cast<float>(scale());
   look.highlighted = highlighted_;
   look.onion_skin = panels_.onion_skin;
-  look.time_s = panels_.time_s;
+  // Lines of the moment in which a performance began are those that it pulls at.
+  look.time_s = performance_ ? workspace_.document().time_s : panels_.time_s;
   look.window = window_;
   look.stabiliser = settings_.stabiliser;
   look.handles = workspace_.editor().tool().kind == drawing::ToolKind::none;
@@ -158,7 +160,7 @@ void App::begin_frame() {
 
 int App::next_frame_ms() const {
   if (quit_) return 0;
-  if (playing_ || panels_.swing || !panel_pointer_.empty()) return k_playing_frame_ms;
+  if (playing_ || performance_ || panels_.swing || !panel_pointer_.empty()) return k_playing_frame_ms;
   if (player_ && player_->playing()) {
     return static_cast<int>(std::clamp<std::int64_t>(player_->next_in_us() / 1000, 1, 1000));
   }
@@ -199,11 +201,13 @@ void App::quit_at_once() {
 std::string App::hint() const {
   const document::Document& document = workspace_.document();
   const drawing::Tool& tool = workspace_.editor().tool();
+  if (performance_) return "Recording frame by frame: lift the pen to end the take";
   switch (tool.kind) {
     case drawing::ToolKind::pose:
       for (const auto& curve : document.curves) {
         if (curve->role == document::PoseCurveRole::reference && !curve->target) {
-          return "Now draw where this curve should go: the face follows the pen";
+          return panels_.performs ? "Draw where this curve goes: time runs while the pen is down"
+                                  : "Now draw where this curve should go: the face follows the pen";
         }
       }
       return "Draw along a feature of the face: a lip, a brow, an eyelid";
@@ -230,6 +234,7 @@ std::string App::hint() const {
       }
       break;
     case drawing::ToolKind::none:
+      if (panels_.performs) return "Pull at a target: time runs while the pen is down, and the face is keyed";
       return "Pull at a target, or move all of it by its middle; touch a curve, or the face to pick its control";
     case drawing::ToolKind::between:
       return "Draw where " + tool.deformer + " has the feature at " + base::format_fixed(tool.value, 2);

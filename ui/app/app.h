@@ -18,6 +18,7 @@
 #include "ui/app/hand_desk.h"
 #include "ui/app/hit_map.h"
 #include "ui/app/loop_range.h"
+#include "ui/app/performance.h"
 #include "ui/app/pose_clipboard.h"
 #include "ui/app/pose_library.h"
 #include "ui/app/posed_surface.h"
@@ -109,6 +110,7 @@ struct PanelState {
   bool onion_skin = true;
   int rate = k_usual_rate;  ///< frames a second
   LoopRange loop;
+  bool performs = false;    ///< time runs while the pen holds a target, and what the face does is keyed
   bool auto_key = false;    ///< every change of the pose is keyed
   bool mirrors = false;     ///< strokes work on both sides
   bool moved_only = false;  ///< only controls that are not at rest are listed
@@ -228,6 +230,8 @@ class App : private TracePlayer::Listener {
   /// What is done is being written down.
   [[nodiscard]] bool recording() const { return file_ && !file_->writer().broken(); }
   [[nodiscard]] bool playing() const { return playing_; }
+  /// What the pen does is being keyed frame by frame.
+  [[nodiscard]] bool performing() const { return performance_.has_value(); }
   [[nodiscard]] bool fullscreen() const { return fullscreen_; }
   [[nodiscard]] geometry::Viewport window() const { return window_; }
   /// Px of a target that a finger or a pen hits for certain: 9 mm.
@@ -335,6 +339,9 @@ class App : private TracePlayer::Listener {
   [[nodiscard]] std::string name_of_key(double time_s) const;
   void play_on();
   void follow_habits();
+  void follow_performance();
+  /// Keys what was performed; false where that was nothing.
+  bool end_performance();
   void follow_film();
   void follow_time(double was_s);
   void swing();
@@ -404,6 +411,8 @@ class App : private TracePlayer::Listener {
   bool laid_out_ = false;
   bool playing_ = false;
   double play_from_s_ = 0;
+  std::optional<Performance> performance_;
+  std::size_t performed_steps_ = 0;  ///< that were done when it began
   std::int64_t play_from_us_ = 0;
   std::size_t deformer_count_ = 0;    ///< to tell a new one
   std::size_t correction_count_ = 0;  ///< likewise

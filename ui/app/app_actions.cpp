@@ -263,7 +263,8 @@ void App::follow_habits() {
   // What is played has its own commands.
   if (!player_ || !player_->is_session() || player_->finished()) {
     habits.mirrors = panels_.mirrors;
-    if (panels_.auto_key && !playing_) habits.keys.emplace(panels_.time_s, name_of_key(panels_.time_s));
+    if (panels_.auto_key && !playing_ && !performance_)
+      habits.keys.emplace(panels_.time_s, name_of_key(panels_.time_s));
   }
   workspace_.set_habits(habits);
 }

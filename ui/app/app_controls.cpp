@@ -11,9 +11,6 @@
 namespace penpose::app {
 namespace {
 
-/// The newest that controls are built by.
-constexpr std::uint32_t k_control_rules = std::max(drawing::k_rules, articulation::k_close_rules);
-
 /// "control 1", or with the first number that is free; a name that is free already stays as it is where `bare`.
 std::string free_name(const document::Document& document, const std::string& name, bool bare = false) {
   const auto parameters = document.model->rig->parameters();
@@ -28,7 +25,7 @@ std::string free_name(const document::Document& document, const std::string& nam
 
 void App::begin_control() {
   workspace_.perform(document::BeginDeformer{free_name(workspace_.document(), "control"), panels_.new_mode,
-                                             panels_.new_surface, 0, 1, k_control_rules});
+                                             panels_.new_surface, 0, 1, drawing::k_control_rules});
 }
 
 void App::mirror_control(const std::string& deformer) {
@@ -113,7 +110,7 @@ void App::correct_pose() {
   tool.kind = drawing::ToolKind::articulate;
   panels_.deformer.clear();
   panels_.controls_tab = true;
-  if (workspace_.perform(document::BeginCorrection{{}, {}, panels_.new_mode, k_control_rules})) {
+  if (workspace_.perform(document::BeginCorrection{{}, {}, panels_.new_mode, drawing::k_control_rules})) {
     workspace_.set_tool(tool);
   }
 }

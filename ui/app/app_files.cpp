@@ -41,6 +41,7 @@ std::string private_folder() {
 }  // namespace
 
 void App::end_session() {
+  performance_.reset();
   if (!file_) return;
   const bool worth =
       keep_file_ || workspace_.editor().history().undo_count() > 0 || workspace_.editor().history().redo_count() > 0;

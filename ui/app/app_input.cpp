@@ -198,6 +198,12 @@ void App::pen_released(PxPoint at) {
     }
     return;
   }
+  if (performance_ && end_performance()) {
+    target_drag_.reset();
+    workspace_.hold_target(std::nullopt);
+    touched_curve_.reset();
+    return;
+  }
   if (target_drag_) {
     const PxPoint by = at - target_drag_->second;
     const auto id = target_drag_->first;

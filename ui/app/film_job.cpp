@@ -38,6 +38,14 @@ std::string camera_text(const geometry::CameraPose& camera) {
   return text.append("}\n");
 }
 
+/// Where a film is written before it takes the place of the one that was there.
+std::string unfinished(const std::string& output) {
+  const fs::path path(output);
+  std::string name(".");
+  name.append(path.stem().string()).append(".unfinished.mp4");
+  return (path.parent_path() / name).string();
+}
+
 base::Status write_text(const std::string& path, const std::string& text) {
   return cli::write_file(path, std::vector<std::uint8_t>(text.begin(), text.end()));
 }
@@ -94,11 +102,14 @@ FilmJob::FilmJob(FilmJob&& other) noexcept
 
 FilmJob::~FilmJob() {
   if (process_ > 0) {
-    ::kill(process_, SIGTERM);
+    ::kill(process_, SIGKILL);
     ::waitpid(process_, nullptr, 0);
   }
   std::error_code code;
-  if (!folder_.empty()) fs::remove_all(folder_, code);
+  if (!folder_.empty()) {
+    fs::remove_all(folder_, code);
+    if (joins_) fs::remove(unfinished(order_.output), code);
+  }
 }
 
 base::Status FilmJob::run(const std::vector<std::string>& words) {
@@ -122,7 +133,8 @@ base::Status FilmJob::run(const std::vector<std::string>& words) {
   ::posix_spawn_file_actions_destroy(&actions);
   if (failed == 0) return base::Done{};
   process_ = -1;
-  return base::Error{words.front() + " could not be started (" + std::strerror(failed) + ")", "", ""};
+  return base::Error{words.front() + " could not be started (" + std::strerror(failed) + ")", "",
+                     "install it anew, or write pictures (.png)"};
 }
 
 std::optional<base::Status> FilmJob::advance() {
@@ -135,13 +147,21 @@ std::optional<base::Status> FilmJob::advance() {
     std::string why = log ? std::string(log->begin(), log->end()) : std::string();
     while (!why.empty() && why.back() == '\n') why.pop_back();
     why = why.substr(why.rfind('\n') + 1);
-    return base::Status(base::Error{"the film could not be made" + (why.empty() ? "" : " (" + why + ")"), "", ""});
+    return base::Status(base::Error{"the film could not be made" + (why.empty() ? "" : " (" + why + ")"), "",
+                                    "look whether there is room on the disk, or write pictures (.png)"});
   }
-  if (joins_ || !is_film(order_.output)) return base::Status(base::Done{});
+  if (joins_) {
+    std::error_code code;
+    fs::rename(unfinished(order_.output), order_.output, code);
+    if (!code) return base::Status(base::Done{});
+    return base::Status(base::Error{"the film cannot be put at its place (" + code.message() + ")", "",
+                                    "look whether the folder may be written to"});
+  }
+  if (!is_film(order_.output)) return base::Status(base::Done{});
   joins_ = true;
   const auto began =
       run({"ffmpeg", "-nostdin", "-loglevel", "error", "-y", "-framerate", std::to_string(order_.rate), "-i",
-           folder_ + "/%04d.png", "-pix_fmt", "yuv420p", "-movflags", "+faststart", order_.output});
+           folder_ + "/%04d.png", "-pix_fmt", "yuv420p", "-movflags", "+faststart", unfinished(order_.output)});
   if (!began) return began;
   return std::nullopt;
 }

@@ -15,7 +15,7 @@ constexpr float k_square = 24;
 constexpr float k_line = 1.9F;
 constexpr float k_radian = 3.14159265F / 180;
 
-constexpr std::array<std::pair<Action, std::string_view>, 64> k_icons{{
+constexpr std::array<std::pair<Action, std::string_view>, 65> k_icons{{
     {Action::tool_select, "M6 3L6 18L10 14.5L13 21L15.5 20L12.5 13.5L18 13Z"},
     {Action::tool_pose, "M3 16L8 11L12 15L21 7M16 6L21 7L20 12"},
     {Action::tool_oversketch, "M3 18L9 13L13 16M14 13L20 4L22 6L16 14L13 15Z"},
@@ -70,6 +70,7 @@ constexpr std::array<std::pair<Action, std::string_view>, 64> k_icons{{
     {Action::loop_from, "M8 4L4 4L4 20L8 20M20 12L10 12M14 8L10 12L14 16"},
     {Action::loop_to, "M16 4L20 4L20 20L16 20M4 12L14 12M10 8L14 12L10 16"},
     {Action::loop_off, "A12 12 7 -150 150M6 4L6 9L11 9M16 16L22 22M22 16L16 22"},
+    {Action::perform, "C12 12 9D12 12 5"},
     {Action::auto_key, "M9 5L16 12L9 19L2 12F D20 5 3"},
     {Action::mirror_strokes, "M12 3L12 21M9 7L3 17L9 17Z M15 7L21 17L15 17Z"},
     {Action::flip_pose, "M12 3L12 21M4 9L9 9M6 6L3.5 9L6 12M20 15L15 15M18 12L20.5 15L18 18"},

@@ -8,7 +8,7 @@ namespace {
 
 using document::History;
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 43> k_texts{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 44> k_texts{{
     {"set_parameters", "Set a control"},
     {"reset_parameters", "Back to rest"},
     {"lock_parameters", "Lock or free"},
@@ -47,6 +47,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 43> k_texts{
     {"delete_deformer", "Delete a control"},
     {"move_deformer", "Move a control in the list"},
     {"set_key", "Key the pose"},
+    {"key_poses", "Perform"},
     {"delete_key", "Delete a key"},
     {"move_key", "Move a key"},
     {"set_key_interpolation", "Smooth or linear"},

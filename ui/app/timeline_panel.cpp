@@ -137,7 +137,7 @@ void show_ruler(PanelContext& context) {
   // The playhead, with a handle to see it by.
   const float x = strip.x_of(app.panels().time_s);
   const float half = 0.22F * context.unit;
-  const ImU32 accent = ImGui::GetColorU32(ImGuiCol_ButtonActive);
+  const ImU32 accent = app.performing() ? IM_COL32(232, 64, 52, 255) : ImGui::GetColorU32(ImGuiCol_ButtonActive);
   list.AddTriangleFilled({x - half, strip.from.y}, {x + half, strip.from.y}, {x, strip.from.y + 1.6F * half}, accent);
   list.AddLine({x, strip.from.y}, {x, strip.to().y}, accent, 2);
   list.PopClipRect();
@@ -255,6 +255,7 @@ void show_buttons(PanelContext& context) {
   play.chosen = app.playing();
   play.does = [&] { app.do_action(Action::play); };
   row.add(std::move(play));
+  row.add(Action::perform, app.panels().performs, true, false);
   row.add(Action::next_frame, false, true, false);
   row.add(Action::next_key, false, true, false);
   ButtonRow::Button frame{"##frame"};

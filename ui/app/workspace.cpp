@@ -48,6 +48,7 @@ void Workspace::forget() {
   follow_.end();
   sketch_.end();
   preview_.reset();
+  staged_.reset();
   mirrored_.reset();
   joined_.clear();
   habits_ = {};
@@ -323,7 +324,7 @@ void Workspace::follow_stroke() {
 }
 
 const rig::Pose& Workspace::shown_pose() const {
-  if (follow_.active()) return mirrored_ ? *mirrored_ : follow_.pose();
+  if (follow_.active()) return staged_ ? *staged_ : pen_pose();
   if (preview_ && preview_->size() == document().pose.size() && !sketch_.model()) return *preview_;
   if (sketch_.pose()) return *sketch_.pose();
   return document().pose;

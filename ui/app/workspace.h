@@ -96,6 +96,10 @@ class Workspace {
   void preview(std::optional<rig::Pose> pose) { preview_ = std::move(pose); }
   [[nodiscard]] bool previews() const { return preview_.has_value(); }
   [[nodiscard]] const rig::Pose& shown_pose() const;
+  /// The pose that follows the pen. Precondition: live() is active.
+  [[nodiscard]] const rig::Pose& pen_pose() const { return mirrored_ ? *mirrored_ : follow_.pose(); }
+  /// A pose to show in place of the one that follows the pen, as long as one does.
+  void stage(std::optional<rig::Pose> pose) { staged_ = std::move(pose); }
   /// The model that is shown: the document's, or with the deformer that is being drawn.
   [[nodiscard]] const std::shared_ptr<const document::Model>& shown_model() const;
   [[nodiscard]] const LiveFollow& live() const { return follow_; }
@@ -132,6 +136,7 @@ class Workspace {
   std::int64_t began_us_ = 0;
   std::unique_ptr<replay::LiveSession> live_;
   std::optional<rig::Pose> preview_;
+  std::optional<rig::Pose> staged_;
   Habits habits_;
   JoinedCommands joined_;
   bool joins_ = false;                                   ///< what is performed now belongs to what was before it

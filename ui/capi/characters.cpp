@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/base/byte_reader.h"
+#include "core/base/utf8.h"
 #include "ui/capi/from_c.h"
 #include "ui/demo/demo_head.h"
 
@@ -16,9 +17,17 @@ std::vector<glm::vec3> float_points_of(const float* xyz, std::size_t count) {
   return out;
 }
 
+/// A name that files can hold: formats of text keep no others.
+std::string name_of(const char* name, const char* place) {
+  std::string out(text(name, place));
+  if (base::valid_utf8(out) != out) fail_argument("a name that is not valid UTF-8", place, "give it in UTF-8");
+  return out;
+}
+
 rig::BlendShape shape_of(const penpose_shape& shape, std::size_t vertex_count) {
   rig::BlendShape out;
-  out.parameter = {std::string(text(shape.name, "shapes/name")), 0, shape.minimum, shape.maximum};
+  out.parameter = {name_of(shape.name, "shapes/name"), 0, shape.minimum, shape.maximum};
+  if (out.parameter.name.empty()) fail_argument("a shape without a name", "shapes/name", "give it one of its own");
   if (!(shape.minimum <= 0 && shape.maximum >= 0))
     fail_argument("the range is without 0", "shape " + out.parameter.name, "let 0 lie in it");
   const auto deltas = float_points_of(shape.deltas, shape.count);
@@ -37,7 +46,7 @@ rig::BlendShape shape_of(const penpose_shape& shape, std::size_t vertex_count) {
 
 rig::Joint joint_of(const penpose_joint& joint) {
   rig::Joint out;
-  out.name = text(joint.name, "joints/name");
+  out.name = name_of(joint.name, "joints/name");
   out.parent = joint.parent;
   out.posable = joint.posable != 0;
   const auto triple = [](const double* from) { return glm::dvec3(from[0], from[1], from[2]); };

@@ -10,7 +10,9 @@ namespace {
 
 std::size_t parameter_named(const character::Character& one, std::string_view name) {
   const auto found = rig::find_parameter(one.parameters(), name);
-  if (!found) fail(PENPOSE_REFUSED, {"the character has no parameter \"" + std::string(name) + "\"", "name", ""});
+  if (!found)
+    fail(PENPOSE_REFUSED, {"the character has no parameter \"" + std::string(name) + "\"", "name",
+                           "ask for those that there are (penpose_parameter)"});
   return *found;
 }
 

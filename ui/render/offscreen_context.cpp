@@ -47,6 +47,8 @@ base::Result<std::unique_ptr<OffscreenContext>> OffscreenContext::make() {
   ::setenv("EGL_LOG_LEVEL", "fatal", 0);
   // The environment's own choice of a driver is for windows; this one never has any.
   SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, "offscreen", SDL_HINT_OVERRIDE);
+  // What ends the program ends it at once.
+  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
   const int started = SDL_InitSubSystem(SDL_INIT_VIDEO);
   SDL_ResetHint(SDL_HINT_VIDEODRIVER);
   if (started != 0) return no_gl(sdl_error());

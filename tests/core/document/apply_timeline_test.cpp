@@ -52,6 +52,49 @@ TEST(ApplyTimeline, GoingToAMomentTakesItsPose) {
   EXPECT_EQ(hand.value("lift"), 0.6);
 }
 
+TEST(ApplyTimeline, WhatIsPerformedIsKeyedOverWhatIsThere) {
+  DocumentHand hand;
+  hand.does(SetParameters{{{"lean", 0.25}}});
+  key(hand, 0, 0.2);
+  key(hand, 1.5, 0.6);
+  hand.does(SetParameters{{{"lean", 0.75}}});
+  key(hand, 4, 0.8);
+  hand.does(SetKeyInterpolation{KeyInterpolation::linear});
+  hand.does(KeyPoses{{"lift"}, {1, 2}, {0.1, 0.3}});
+  EXPECT_EQ(times(hand.document()), (std::vector<double>{0, 1, 1.5, 2, 4}));
+  const auto lift = [&](double time_s) { return hand.does(GoToTime{time_s}), hand.value("lift"); };
+  const auto lean = [&](double time_s) { return hand.does(GoToTime{time_s}), hand.value("lean"); };
+  EXPECT_EQ(lift(0), 0.2);
+  EXPECT_EQ(lift(1), 0.1);
+  EXPECT_NEAR(lift(1.5), 0.2, 1e-12) << "a key within the take goes evenly from one moment of it to the next";
+  EXPECT_EQ(lift(2), 0.3);
+  EXPECT_EQ(lift(4), 0.8);
+  EXPECT_EQ(lean(1), 0.25) << "what was not performed is as it was";
+  EXPECT_NEAR(lean(2), 0.25 + 0.5 * (0.5 / 2.5), 1e-12);
+}
+
+TEST(ApplyTimeline, WithoutKeysWhatIsPerformedIsKeyedOverThePose) {
+  DocumentHand hand;
+  hand.does(SetParameters{{{"lean", 0.25}}});
+  hand.does(KeyPoses{{"lift"}, {0.5}, {0.4}});
+  hand.does(GoToTime{0.5});
+  EXPECT_EQ(hand.value("lift"), 0.4);
+  EXPECT_EQ(hand.value("lean"), 0.25);
+  EXPECT_EQ(hand.document().timeline->keys.size(), 1U);
+}
+
+TEST(ApplyTimeline, WhatCannotHaveBeenPerformedIsRefused) {
+  DocumentHand hand;
+  EXPECT_EQ(hand.refuses(KeyPoses{{}, {0}, {}}).place, "names");
+  EXPECT_EQ(hand.refuses(KeyPoses{{"lift"}, {}, {}}).place, "names");
+  EXPECT_EQ(hand.refuses(KeyPoses{{"no such"}, {0}, {1}}).place, "names");
+  EXPECT_EQ(hand.refuses(KeyPoses{{"lift", "lift"}, {0}, {1, 1}}).place, "names");
+  EXPECT_EQ(hand.refuses(KeyPoses{{"lift"}, {0, 1}, {1}}).place, "values");
+  EXPECT_EQ(hand.refuses(KeyPoses{{"lift"}, {1, 1}, {0.5, 0.5}}).place, "times_s");
+  EXPECT_EQ(hand.refuses(KeyPoses{{"lift"}, {-1}, {0.5}}).place, "times_s");
+  EXPECT_EQ(hand.refuses(KeyPoses{{"lift"}, {0}, {99}}).place, "values");
+}
+
 TEST(ApplyTimeline, WithoutKeysAMomentIsOnlyAMoment) {
   DocumentHand hand;
   hand.does(SetParameters{{{"lift", 0.5}}});

@@ -62,7 +62,8 @@ std::vector<Command> full_commands() {
           BeginCorrection{k_strange, {{"jawOpen", 0.5}, {k_strange, 1}}, Mode::rotate, 4},
           DeleteCorrection{k_strange},
           PlaceCurve{{{3, {0.25, 0.5, 0.25}}, {0, {1, 0, 0}}}, true},
-          PlaceTarget{CurveId{4}, {{0.1, -2, 1e-9}, {1, 2, 3}}}};
+          PlaceTarget{CurveId{4}, {{0.1, -2, 1e-9}, {1, 2, 3}}},
+          KeyPoses{{"jawOpen", k_strange}, {0, 1.0 / 24}, {0.5, 1e-9, 1, -2}}};
 }
 
 template <std::size_t... I>

@@ -19,12 +19,12 @@ TEST(Action, NoTwoActionsHaveOneKey) {
 }
 
 TEST(Action, EveryActionIsInTheListOnceAndSaysWhatItDoes) {
-  for (int i = 0; i <= static_cast<int>(Action::library); ++i) {
+  for (int i = 0; i <= static_cast<int>(Action::perform); ++i) {
     const auto action = static_cast<Action>(i);
     EXPECT_EQ(info(action).action, action) << i;
     EXPECT_FALSE(info(action).tip.empty());
   }
-  EXPECT_EQ(all_actions().size(), static_cast<std::size_t>(Action::library) + 1);
+  EXPECT_EQ(all_actions().size(), static_cast<std::size_t>(Action::perform) + 1);
 }
 
 TEST(Action, TooltipsShowTheShortcut) {

@@ -7,6 +7,8 @@ import numpy as np
 def numbers(values, width: int, kind=np.float64) -> np.ndarray:
     """A list of rows of `width` numbers (1: a flat list), contiguous; the same array where it is so already."""
     array = np.ascontiguousarray(values, dtype=kind)
+    if array.dtype.kind == 'u' and not np.array_equal(array, np.asarray(values)):
+        raise ValueError('whole numbers from 0 to %d are needed' % np.iinfo(array.dtype).max)
     if width == 1:
         fits = array.ndim == 1
     else:

@@ -226,6 +226,8 @@ class Character(_c.Handle):
     def evaluate(self, pose=None, out: Optional[np.ndarray] = None) -> np.ndarray:
         """Positions (vertices, 3) at a pose (default: its own). `out`: an array of float64 or float32 to write into, not copied."""
         values = None if pose is None else numbers(pose, 1)
+        if values is not None and values.size == 0 and self.parameters:
+            raise ValueError('the pose has no values; give one a parameter, or no pose')
         if out is None:
             out = np.empty((self.vertex_count, 3))
         if out.dtype not in (np.float64, np.float32) or not out.flags.c_contiguous or not out.flags.writeable or out.ndim != 2 or \

@@ -251,6 +251,24 @@ class KnowingHand {
     return place;
   }
 
+  document::Command make(Tag<document::KeyPoses>) {
+    document::KeyPoses keys;
+    const auto parameters = doc().model->rig->parameters();
+    for (const auto& parameter : parameters) {
+      if (random_.chance(0.3)) keys.names.push_back(parameter.name);
+    }
+    double time = random_.real(0, 3);
+    for (std::size_t i = 1 + random_.below(6); i > 0; --i) {
+      keys.times_s.push_back(time);
+      time += random_.real(0.01, 0.5);
+      for (const std::string& name : keys.names) {
+        const auto& parameter = parameters[*rig::find_parameter(parameters, name)];
+        keys.values.push_back(random_.real(parameter.minimum, parameter.maximum));
+      }
+    }
+    return keys;
+  }
+
   void stroke() {
     const auto kind = static_cast<drawing::ToolKind>(random_.below(9));
     drawing::Tool tool;
