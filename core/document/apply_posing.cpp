@@ -70,7 +70,8 @@ Changed solved_for(Document document, CurveId drawn, std::uint32_t rules, Parts&
 
 base::Result<curve::ProjectedStroke> drawn_on_surface(const Document& document, const View& view,
                                                       const std::vector<PxPoint>& line, std::uint32_t rules,
-                                                      Parts& work) {
+                                                      Parts& work,
+                                                      curve::SheetChoice choice = curve::SheetChoice::nearer) {
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!camera) return at("view", camera.error());
   const geometry::TriangleBvh& tree = work.surface_of(document);
@@ -81,7 +82,7 @@ base::Result<curve::ProjectedStroke> drawn_on_surface(const Document& document, 
   }
   const curve::SheetSurface surface{tree, work.surface_positions(), document.model->mesh->triangles(),
                                     work.sheets_of(document), rules >= curve::k_close_rules};
-  auto drawn = curve::sheet_curve(line, k_pose_curve_points, *camera, surface);
+  auto drawn = curve::sheet_curve(line, k_pose_curve_points, *camera, surface, choice);
   if (!drawn) return at("line", drawn.error());
   if (rules >= k_whole_rules) curve::stand_on_body(*drawn, surface);
   return drawn;
@@ -125,6 +126,49 @@ std::vector<PxPoint> seen(const geometry::Camera& camera, const std::vector<Mode
     if (const auto px = camera.project(point)) out.push_back(*px);
   }
   return out;
+}
+
+PxPoint middle_of(const std::vector<PxPoint>& line) {
+  PxPoint sum;
+  for (const PxPoint& p : line) sum = sum + p;
+  return sum * (1.0 / static_cast<double>(line.size()));
+}
+
+/// How far a reference stays away from its target, px in the mean, as multiples of the hand's doubt.
+double left_doubts(Document document, CurveId id, std::uint32_t rules, Parts& work) {
+  std::erase_if(document.curves, [&](const auto& curve) { return !(curve->id == id); });
+  const intent::IntentProblem problem = intent_problem(document, rules);
+  if (problem.drawn.size() != 1) return 0.0;
+  const auto left = intent::left_at_start(*document.model->rig, work.whole_of(document), problem);
+  return left ? left->front().px / problem.drawn.front().doubt_px : 0.0;
+}
+
+/// Lips that touch are told apart by where a line goes: where its reference can hardly be brought there, and one on the
+/// other sheet beside it can, that one was meant. Takes and gives the document after a target was drawn.
+Changed on_the_sheet_that_was_meant(const Document& before, const PoseCurve& curve, const DrawTarget& command,
+                                    Document after, Parts& work) {
+  constexpr double k_far = 6.0;
+  constexpr double k_near = 0.4;
+  constexpr double k_aside_px = 4.0;  // half of what a line sticks beside the pen, at 1000 px high
+  if (curve.target || find_curve(after, curve.id) == nullptr) return after;
+  const double left = left_doubts(after, curve.id, command.rules, work);
+  const auto camera = geometry::Camera::make(command.view.camera, command.view.viewport);
+  if (left < k_far || !camera) return after;
+  // The sheet on which the line went lies on its side of the reference.
+  std::vector<PxPoint> line = seen(*camera, positions_of(before, curve.points));
+  if (line.size() < 2) return after;
+  const PxPoint way = middle_of(command.line) - middle_of(line);
+  const double aside = k_aside_px * command.view.viewport.height / 1000.0;
+  for (PxPoint& p : line) p = p + way * (aside / std::max(geometry::distance(way, {}), aside));
+  auto points = drawn_on_surface(before, command.view, line, command.rules, work);
+  if (!points || points->dropped > 0) return after;
+  PoseCurve other = curve;
+  other.points = std::move(points->points);
+  other.aside = std::move(points->aside);
+  auto there = retargeted(with_replaced(before, other), other, command.view, command.line, command.pressure,
+                          command.rules, work);
+  if (!there || find_curve(*there, curve.id) == nullptr) return after;
+  return left_doubts(*there, curve.id, command.rules, work) < k_near * left ? there : Changed(std::move(after));
 }
 
 }  // namespace
@@ -192,7 +236,9 @@ Changed run(const Document& document, const DrawReference& command, Parts& work)
 Changed run(const Document& document, const DrawTarget& command, Parts& work) {
   const auto curve = reference_named(document, command.curve, false);
   if (!curve) return curve.error();
-  return retargeted(document, **curve, command.view, command.line, command.pressure, command.rules, work);
+  auto drawn = retargeted(document, **curve, command.view, command.line, command.pressure, command.rules, work);
+  if (!drawn || command.rules < k_overshoot_rules) return drawn;
+  return on_the_sheet_that_was_meant(document, **curve, command, std::move(drawn).value(), work);
 }
 
 Changed run(const Document& document, const OversketchTarget& command, Parts& work) {

@@ -37,6 +37,8 @@ inline constexpr std::uint32_t k_offset_rules = 4;
 inline constexpr std::uint32_t k_moment_rules = 5;
 /// The rules from which on it is read by intent::Edition::fifth.
 inline constexpr std::uint32_t k_whole_rules = 6;
+/// The rules from which on it is read by intent::Edition::sixth.
+inline constexpr std::uint32_t k_overshoot_rules = 7;
 
 /// A parameter and its value.
 struct NamedValue {

@@ -65,11 +65,12 @@ namespace {
 /// What does not depend on the curves: where it starts, what is free and what is locked.
 intent::IntentProblem problem_without_curves(const Document& document, std::uint32_t rules) {
   intent::IntentProblem problem;
-  problem.edition = rules >= k_whole_rules    ? intent::Edition::fifth
-                    : rules >= k_moment_rules ? intent::Edition::fourth
-                    : rules >= k_offset_rules ? intent::Edition::third
-                    : rules >= k_sheet_rules  ? intent::Edition::second
-                                              : intent::Edition::first;
+  problem.edition = rules >= k_overshoot_rules ? intent::Edition::sixth
+                    : rules >= k_whole_rules   ? intent::Edition::fifth
+                    : rules >= k_moment_rules  ? intent::Edition::fourth
+                    : rules >= k_offset_rules  ? intent::Edition::third
+                    : rules >= k_sheet_rules   ? intent::Edition::second
+                                               : intent::Edition::first;
   problem.start = document.pose;
   problem.free = free_parameters(document);
   for (std::size_t i = 0, k = 0; i < problem.start.size(); ++i) {

@@ -32,7 +32,7 @@ enum class ToolKind : std::uint8_t {
 /// intent::Edition::second. 4: it is read by intent::Edition::third, and references of deformers stay on one sheet too.
 /// 5: it is read by intent::Edition::fourth, from the pose before the first of the lines that belong together. 6: it is
 /// read by intent::Edition::fifth.
-inline constexpr std::uint32_t k_rules = 6;
+inline constexpr std::uint32_t k_rules = 7;
 /// The newest that controls are sketched by.
 inline constexpr std::uint32_t k_control_rules = std::max(k_rules, articulation::k_close_rules);
 

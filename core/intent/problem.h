@@ -51,7 +51,7 @@ struct KnownCurve {
 };
 
 /// How strokes are read. Each edition gives the same bits for ever: sessions replay by the one they were drawn under.
-enum class Edition : std::uint8_t { first, second, third, fourth, fifth };
+enum class Edition : std::uint8_t { first, second, third, fourth, fifth, sixth };
 
 /// What drawing means: which pose was meant by these strokes, starting from this pose.
 struct IntentProblem {
@@ -66,7 +66,7 @@ struct IntentProblem {
   /// The pose that an earlier solve came to from the same start, one value a parameter; empty: none. A reading that
   /// goes on from it is kept unless another one is clearly better. From Edition::fourth on.
   rig::Pose posed = {};
-  Edition edition = Edition::fifth;
+  Edition edition = Edition::sixth;
 };
 
 /// Errors: nothing to match, lines of fewer than two points or of no length, other numbers of targets than of points,

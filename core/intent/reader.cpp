@@ -124,6 +124,11 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
   all_.resize(parameters_.size());
   for (std::size_t v = all_.size(); v < variable_count(); ++v) all_.push_back(v);
   make_units();
+  if (overshoots_tell()) {
+    for (Block& block : blocks_) {
+      if (block.drawn != nullptr) tell_ends(block);
+    }
+  }
 
   // Limbs go far, and their lines are as exact as others.
   if (problem.edition < Edition::fifth || !chain_.empty()) return;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/intent/overshoot.h"
 #include "core/intent/problem.h"
 #include "core/intent/quadratic.h"
 #include "core/intent/selection.h"
@@ -52,6 +53,8 @@ class Reader {
   [[nodiscard]] const std::vector<Alignment>& alignments(std::size_t c) const { return blocks_[c].alignments; }
   void align(std::size_t c, std::size_t which) { blocks_[c].aligned = which; }
   [[nodiscard]] std::size_t aligned(std::size_t c) const { return blocks_[c].aligned; }
+  /// Whether drawn curve c's line tells where one of its ends should be (Overshoot).
+  [[nodiscard]] bool ends_told(std::size_t c) const;
   /// The points of drawn curve c on its picture, at the start.
   [[nodiscard]] std::vector<PxPoint> seen_at_start(std::size_t c) const { return seen(blocks_[c], start_); }
   /// Takes another line for drawn curve c. Precondition: at least two points, of positive length.
@@ -99,16 +102,26 @@ class Reader {
     double doubt = 1;            ///< px or model units
     std::vector<PxPoint> shown;  ///< of a drawn curve: where the hand saw it; empty where that does not matter
     double share = 1;            ///< 1 / (1 + D / nu) of the last weigh
-    std::size_t row = 0, slide = 0;
+    std::size_t row = 0, rows = 0, slide = 0;
+    std::array<Overshoot, 2> overshoots{};  ///< of a drawn curve as last looked at; from Edition::sixth on
     Matching matching;
     ModeMatrix factor{};  ///< Cholesky factor of what sliding costs
   };
+  /// From Edition::sixth on, of faces: where a limb ends is told by its joints.
+  [[nodiscard]] bool overshoots_tell() const { return problem_.edition >= Edition::sixth && chain_.empty(); }
   /// Of a drawn curve, as it is aligned, px.
   [[nodiscard]] static double doubt_of(const Block& block);
   /// From Edition::fifth on a line is the less exact the farther it is from where the hand saw the curve.
   void doubt_what_is_far(Block& block, std::span<const PxPoint> line) const;
   void look_at_drawn(Block& block, Quadratic& quadratic, std::span<const double> at, bool slide,
                      std::span<const std::size_t> variables);
+  /// Which ends of a drawn curve are told by what the line leaves beyond them.
+  void tell_ends(Block& block) const;
+  [[nodiscard]] static double squares_of(const Overshoot& one, PxPoint end, double doubt);
+  /// What the overshoots of a curve as matched add to D.
+  [[nodiscard]] double overshoot_squares(const Block& block, std::span<const ModelPoint> positions) const;
+  void look_at_overshoots(Block& block, std::span<const PxPoint> px, Quadratic& quadratic, std::span<const double> at,
+                          std::span<const std::size_t> variables);
   void look_at_known(Block& block, Quadratic& quadratic, std::span<const double> at,
                      std::span<const std::size_t> variables);
   [[nodiscard]] std::vector<PxPoint> seen(const Block& block, std::span<const ModelPoint> positions) const;

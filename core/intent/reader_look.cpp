@@ -13,6 +13,12 @@ namespace {
 
 /// Rows along the ray beside those across it: a line says next to nothing about depth.
 constexpr double k_ray = 0.02;
+/// Of an overshoot: where it lies, and how far it bends.
+constexpr std::size_t k_overshoot_rows = 2;
+/// With as many squares as this an overshoot of the curve as it is tells where its end should be; that end then slides
+/// by so much of what ends do.
+constexpr double k_overshoot_tells = 3.0;
+constexpr double k_told_end = 0.35;
 
 double dot(PxPoint a, PxPoint b) { return a.x * b.x + a.y * b.y; }
 PxPoint across(PxPoint tangent) { return {-tangent.y, tangent.x}; }
@@ -33,7 +39,9 @@ void Reader::look(const Choice& at, bool slide, Quadratic& quadratic, std::span<
   for (Block& block : blocks_) {
     block.row = rows;
     block.slide = slides;
-    rows += 3 * block.count;
+    block.rows = 3 * block.count;
+    if (block.drawn && overshoots_tell()) block.rows += 2 * k_overshoot_rows;
+    rows += block.rows;
     if (block.drawn) slides += k_modes;
   }
   quadratic.reset(variable_count(), rows + lean_count(), slides);
@@ -46,6 +54,38 @@ void Reader::look(const Choice& at, bool slide, Quadratic& quadratic, std::span<
   }
   look_at_leans(quadratic, rows, z);
   quadratic.finish(only);
+}
+
+void Reader::tell_ends(Block& block) const {
+  const std::vector<PxPoint> px = seen(block, start_);
+  for (Alignment& one : block.alignments) {
+    const double doubt = block.doubt * one.rough;
+    const Matching m = block.line->match(px, one, true, doubt);
+    const auto beyond = overshoots(*block.line, px, one, m, doubt);
+    for (std::size_t end = 0; end < 2; ++end) {
+      if (squares_of(beyond[end], px[beyond[end].end], doubt) >= k_overshoot_tells) one.ends_slide[end] = k_told_end;
+    }
+  }
+}
+
+bool Reader::ends_told(std::size_t c) const {
+  const auto& slides = blocks_[c].alignments.front().ends_slide;
+  return slides[0] < 1.0 || slides[1] < 1.0;
+}
+
+double Reader::squares_of(const Overshoot& one, PxPoint end, double doubt) {
+  if (one.share == 0.0) return 0.0;
+  const double off = dot(one.middle - end, one.across);
+  return one.share * k_looks / (doubt * doubt) * (off * off + one.spread);
+}
+
+double Reader::overshoot_squares(const Block& block, std::span<const ModelPoint> positions) const {
+  double sum = 0;
+  for (const Overshoot& one : block.overshoots) {
+    const auto px = block.drawn->camera.project(positions[block.first + one.end]);
+    sum += squares_of(one, px ? *px : PxPoint{-1e6, -1e6}, doubt_of(block));
+  }
+  return sum;
 }
 
 void Reader::look_at_drawn(Block& block, Quadratic& quadratic, std::span<const double> at, bool slide,
@@ -91,6 +131,7 @@ void Reader::look_at_drawn(Block& block, Quadratic& quadratic, std::span<const d
     quadratic.right()[row + 1] = rt;
     quadratic.right()[row + 2] = rr;
   }
+  if (overshoots_tell()) look_at_overshoots(block, px, quadratic, at, variables);
   block.factor = factor_of(grown);
   const auto slides = [&](std::span<double> numbers) {
     double* out = numbers.data() + quadratic.rows() + block.slide;
@@ -105,6 +146,30 @@ void Reader::look_at_drawn(Block& block, Quadratic& quadratic, std::span<const d
   };
   for (const std::size_t j : variables) slides(quadratic.column(j));
   slides(quadratic.right());
+}
+
+void Reader::look_at_overshoots(Block& block, std::span<const PxPoint> px, Quadratic& quadratic,
+                                std::span<const double> at, std::span<const std::size_t> variables) {
+  const std::size_t n = start_.size();
+  block.overshoots = overshoots(*block.line, px, block.alignments[block.aligned], block.matching, doubt_of(block));
+  std::size_t row = block.row + 3 * block.count;
+  for (const Overshoot& one : block.overshoots) {
+    const std::size_t point = block.first + one.end;
+    const auto d = one.share > 0.0 ? view_derivative(block.drawn->camera, positions_[point]) : std::nullopt;
+    if (d) {
+      const double root = std::sqrt(block.share * one.share * k_looks) / doubt_of(block);
+      const ModelVector across = (d->x * one.across.x + d->y * one.across.y) * root;
+      double right = dot(one.middle - px[one.end], one.across) * root;
+      for (const std::size_t j : variables) {
+        const double c = glm::dot(across, columns_[j * n + point]);
+        quadratic.column(j)[row] = c;
+        if (at[j] != 0.0) right += c * at[j];
+      }
+      quadratic.right()[row] = right;
+      quadratic.right()[row + 1] = std::sqrt(one.spread) * root;
+    }
+    row += k_overshoot_rows;
+  }
 }
 
 void Reader::look_at_known(Block& block, Quadratic& quadratic, std::span<const double> at,
@@ -155,6 +220,7 @@ double Reader::squares(const Block& block, std::span<const ModelPoint> positions
   }
   solve_forward(factor_of(grown), back.data());
   for (const double b : back) sum -= b * b;
+  if (overshoots_tell()) sum += overshoot_squares(block, positions);
   return std::max(sum, 0.0);
 }
 
@@ -175,7 +241,7 @@ double Reader::energy_of_image(std::span<const double> image, std::size_t rows) 
   double sum = 0;
   for (const Block& block : blocks_) {
     const double* a = image.data() + block.row;
-    double squares = posing::dot(a, a, 3 * block.count);
+    double squares = posing::dot(a, a, block.rows);
     if (block.drawn) {
       const double* b = image.data() + rows + block.slide;
       squares -= posing::dot(b, b, k_modes);

@@ -94,6 +94,7 @@ Matching SlidingLine::match(std::span<const PxPoint> seen, const Alignment& alig
   m.tangent.resize(n);
   m.weight = along.back() > 0.0 ? stretches(along) : std::vector<double>(n, 1.0 / static_cast<double>(n));
   m.slid.assign(n, 0.0);
+  m.along.resize(n);
   m.modes.resize(n);
   std::vector<double> equal(n);  // the place of equal arc length
   const double span = alignment.reference_to - alignment.reference_from;
@@ -106,6 +107,9 @@ Matching SlidingLine::match(std::span<const PxPoint> seen, const Alignment& alig
     const double to = alignment.line_from + share * (alignment.line_to - alignment.line_from) + alignment.turned;
     equal[i] = length() * (alignment.reversed ? 1.0 - to : to);
     m.modes[i] = modes_at(share, length() * (alignment.line_to - alignment.line_from), alignment.closed);
+    if (!alignment.closed) {
+      for (std::size_t end = 0; end < 2; ++end) m.modes[i][end] *= alignment.ends_slide[end];
+    }
     if (offset) m.modes[i].back() = 0.0;
     if (alignment.ends > 0.0)
       m.weight[i] *= 1.0 + alignment.ends * std::max(0.0, (std::abs(2.0 * share - 1.0) - 0.8) / 0.2);
@@ -117,6 +121,7 @@ Matching SlidingLine::match(std::span<const PxPoint> seen, const Alignment& alig
       const Place p = place(equal[i] + m.slid[i], alignment);
       m.goal[i] = p.at;
       m.tangent[i] = p.tangent;
+      m.along[i] = equal[i] + m.slid[i];
     }
     if (!slide || round == 2) break;
     ModeMatrix matrix{};

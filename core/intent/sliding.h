@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct Alignment {
   double offset_px = 0;
   double ends = 0;   ///< how much more a line's ends say than its middle
   double rough = 1;  ///< what the stroke's doubt is multiplied by
+  /// How far the reference's first and last point slide along the line, as a multiple of what ends do.
+  std::array<double, 2> ends_slide{1.0, 1.0};
 };
 
 /// Where the points of a reference go on a line, and how sure that is.
@@ -35,6 +38,7 @@ struct Matching {
   std::vector<PxPoint> tangent;  ///< of the line there, length one
   std::vector<double> weight;    ///< share of the reference's length that the point stands for; 0: nothing is asked
   std::vector<double> slid;      ///< px that the goal has slid along the line
+  std::vector<double> along;     ///< px from the line's start to the goal
   std::vector<Modes> modes;      ///< px by which the point slides for one unit of each mode
   /// Px by which one unit of the last mode moves the point across the line; empty: no mode moves it so.
   std::vector<double> across;
@@ -48,6 +52,8 @@ class SlidingLine {
 
   [[nodiscard]] double length() const { return lengths_.back(); }
   [[nodiscard]] std::span<const PxPoint> points() const { return line_; }
+  /// The place so many px from the start.
+  [[nodiscard]] PxPoint at(double along_px) const { return point(along_px); }
 
   /// Order-preserving matching with free ends. The line's speed is not a wish, nor is what a stroke leaves out or
   /// overshoots a little at its ends: points of the reference slide along the line from the place of equal arc length

@@ -42,6 +42,10 @@ constexpr double k_at_limit = 0.02;
 /// takes on is thought of then, even though the line is met, and taken where it is better by this.
 constexpr double k_strained = 0.85;
 constexpr double k_unstrained_gain = 4.0;
+/// From Edition::sixth on: also one that asks as much, where it is better by this.
+constexpr double k_strained_gain = 20.0;
+/// From Edition::sixth on: what a line tells of a shape takes the place of what meets it where it is better by this.
+constexpr double k_shape_gain = 4.0;
 
 /// A line that is shorter than its limb may show it leaning towards the eye or away from it. The first order of the
 /// picture does not tell that of a limb that lies across the view, so that other readings have to begin there.
@@ -68,6 +72,9 @@ Reading foreshortened(Reader& reader, Solver& solver, std::size_t drawn, Reading
   return best;
 }
 
+/// From Edition::sixth on lines of faces tell shapes even where something meets them.
+bool tells_shapes(const Reader& reader) { return reader.edition() >= Edition::sixth && reader.chain().empty(); }
+
 /// Whether something is asked for nearly as much as it can.
 bool strained(const Reader& reader, const Choice& choice) {
   for (std::size_t i = 0; i < choice.variables.size(); ++i) {
@@ -80,7 +87,9 @@ bool strained(const Reader& reader, const Choice& choice) {
 /// controls, which need not go as far.
 bool clearly_other(const Reader& reader, const Reading& met, const Reading& other) {
   const auto& units = met.choice.units;
-  return other.energy <= met.energy - k_unstrained_gain && !strained(reader, other.choice) &&
+  const bool goes =
+      !strained(reader, other.choice) || (tells_shapes(reader) && other.energy <= met.energy - k_strained_gain);
+  return other.energy <= met.energy - k_unstrained_gain && goes &&
          !std::includes(units.begin(), units.end(), other.choice.units.begin(), other.choice.units.end());
 }
 
@@ -106,8 +115,10 @@ void realign(Reader& reader, Solver& solver, std::size_t c, double asked, double
     if (fits && !beside) continue;
     if (beside) {
       solver.match(best);
-      is_met = is_met || (met >= 0.0 ? met : reader.squares_of(c, best.choice)) < k_near_enough * asked;
-      if (is_met && !beyond) continue;
+      // Points that slide come nearer too, but what moves nothing meets nothing.
+      const bool moves = !tells_shapes(reader) || !best.choice.units.empty();
+      is_met = is_met || (moves && (met >= 0.0 ? met : reader.squares_of(c, best.choice)) < k_near_enough * asked);
+      if (is_met && !beyond && !(tells_shapes(reader) && reader.ends_told(c))) continue;
     }
     reader.align(c, a);
     solver.something = beside;
@@ -117,8 +128,9 @@ void realign(Reader& reader, Solver& solver, std::size_t c, double asked, double
     if (beside) solver.match(one);
     const bool nothing = beside && (one.choice.units.empty() || !reader.takes_shape(c, one.choice));
     solver.something = false;
-    const bool better =
-        !nothing && one.energy < best.energy - 1e-9 && (!beside || !is_met || clearly_other(reader, best, one));
+    const bool instead = !beside || !is_met || clearly_other(reader, best, one) ||
+                         (reader.ends_told(c) && one.energy < best.energy - k_shape_gain);
+    const bool better = !nothing && one.energy < best.energy - 1e-9 && instead;
     if (!better) {
       reader.align(c, chosen);
       continue;

@@ -285,7 +285,9 @@ class KnowingHand {
     // Rules 3 to 5 came without new commands; those of other targets and corrections came after them.
     constexpr std::size_t k_before_other_targets = 35;
     constexpr std::size_t k_with_other_targets = 42;
+    constexpr std::size_t k_with_performances = 45;
     if (commands_ == Commands::all) return std::variant_size_v<document::Command>;
+    if (rules_ >= document::k_overshoot_rules) return k_with_performances;
     if (commands_ == Commands::targets || rules_ > document::k_moment_rules) return k_with_other_targets;
     return rules_ < document::k_sheet_rules ? k_before_sheet_rules : k_before_other_targets;
   }
