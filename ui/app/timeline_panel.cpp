@@ -255,7 +255,6 @@ void show_buttons(PanelContext& context) {
   play.chosen = app.playing();
   play.does = [&] { app.do_action(Action::play); };
   row.add(std::move(play));
-  row.add(Action::perform, app.panels().performs, true, false);
   row.add(Action::next_frame, false, true, false);
   row.add(Action::next_key, false, true, false);
   ButtonRow::Button frame{"##frame"};
@@ -276,11 +275,12 @@ void show_buttons(PanelContext& context) {
   };
   row.add(std::move(name));
   row.add(Action::auto_key, app.panels().auto_key, true, false);
+  row.add(Action::perform, app.panels().performs, true, false);
   row.add(Action::copy_key, false, true, false);
   row.add(Action::paste_key, false, app.panels().clipboard.has_value(), false);
   row.add(Action::loop_from, app.panels().loop.from_s.has_value(), true, false);
   row.add(Action::loop_to, app.panels().loop.to_s.has_value(), true, false);
-  row.add(Action::loop_off, false, app.panels().loop.any(), false);
+  if (app.panels().loop.any()) row.add(Action::loop_off, false, true, false);
   const bool smooth = timeline.interpolation == document::KeyInterpolation::smooth;
   ButtonRow::Button between{smooth ? "Smooth" : "Linear", {}, "How poses between keys are made"};
   between.does = [&app, smooth] {
