@@ -198,7 +198,8 @@ void App::pen_released(PxPoint at) {
     }
     return;
   }
-  if (performance_ && end_performance()) {
+  if (performance_) {
+    if (!end_performance()) tell("the take moved nothing: nothing is keyed");
     target_drag_.reset();
     workspace_.hold_target(std::nullopt);
     touched_curve_.reset();
