@@ -1,5 +1,5 @@
 // golden HASHES THREADS SESSION|FOLDER...: replays every session named or in a folder named, 200 random ones, and for
-// each of the rules 1 to 6 another 40 in which every command of the list comes as often as any other (by rules 5
+// each of the rules 1 to 7 another 40 in which every command of the list comes as often as any other (by rules 5
 // another 40 with the commands that came later), prints the hash of the state at each session's end, and compares them
 // with a file of lines "NAME HASH". With --print in place of the file it prints such a file. The text of a random
 // session holds the state after each of its strokes and commands, so that its hash stands for all.
@@ -96,7 +96,7 @@ std::map<std::string, std::string> all_hashes(const std::map<std::string, std::f
     keep(name, replayed(text));
   }
   // As many at a time as there are threads: nothing that one does may show in another.
-  constexpr std::uint64_t k_all = k_random_sessions + 7 * k_knowing_sessions;
+  constexpr std::uint64_t k_all = k_random_sessions + 8 * k_knowing_sessions;
   std::vector<base::Result<std::string>> random(k_all, std::string());
   base::parallel_for(k_all, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -105,17 +105,18 @@ std::map<std::string, std::string> all_hashes(const std::map<std::string, std::f
         continue;
       }
       const std::uint64_t seed = (i - k_random_sessions) % k_knowing_sessions;
-      // Rules 1 to 5, then 5 with the commands that came after them, then 6.
+      // Rules 1 to 5, then 5 with the commands that came after them, then 6 and 7.
       const auto row = static_cast<std::uint32_t>(1 + (i - k_random_sessions) / k_knowing_sessions);
       using Commands = tests::KnowingHand::Commands;
       random[i] = row == 6 ? random_session<tests::KnowingHand>(seed, k_knowing_actions, 5U, Commands::targets)
-                           : random_session<tests::KnowingHand>(seed, k_knowing_actions, std::min(row, 6U));
+                           : random_session<tests::KnowingHand>(seed, k_knowing_actions, row < 6 ? row : row - 1);
     }
   });
   for (std::size_t i = 0; i < k_all; ++i) {
-    // By the rules: 0, then 1 to 5, then 5 with the commands of several targets, then 6.
-    constexpr std::array<const char*, 8> k_names{"random-%03d", "every-%03d",  "meant-%03d",  "sheet-%03d",
-                                                 "offset-%03d", "moment-%03d", "target-%03d", "whole-%03d"};
+    // By the rules: 0, then 1 to 5, then 5 with the commands of several targets, then 6 and 7.
+    constexpr std::array<const char*, 9> k_names{"random-%03d", "every-%03d",  "meant-%03d",
+                                                 "sheet-%03d",  "offset-%03d", "moment-%03d",
+                                                 "target-%03d", "whole-%03d",  "firm-%03d"};
     const std::uint64_t rules = i < k_random_sessions ? 0 : 1 + (i - k_random_sessions) / k_knowing_sessions;
     const std::uint64_t number = rules == 0 ? i : (i - k_random_sessions) % k_knowing_sessions;
     char name[16];

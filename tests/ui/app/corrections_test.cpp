@@ -1,8 +1,9 @@
+#include "core/articulation/corrections.h"
+
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "core/articulation/corrections.h"
 #include "tests/support/app_desk.h"
 
 // What is drawn at a pose that several controls make together, and the buttons that it has.
@@ -92,9 +93,9 @@ TEST(Corrections, OneIsRenamedMirroredAndRemovedByItsButtons) {
   const auto all = face.desk.document().model->corrections->all();
   ASSERT_EQ(all.size(), 2U);
   const auto& drivers = all.back()->drawn.drivers;
-  EXPECT_TRUE(std::any_of(drivers.begin(), drivers.end(),
-                          [](const articulation::Driver& one) { return one.control == "mouth_corner_R"; }))
-      << "its controls are those of the other side";
+  EXPECT_TRUE(std::any_of(drivers.begin(), drivers.end(), [](const articulation::Driver& one) {
+    return one.control == "mouth_corner_R";
+  })) << "its controls are those of the other side";
   face.desk.click("Remove##correction");
   EXPECT_EQ(face.desk.document().model->corrections->all().size(), 1U);
 }
