@@ -274,7 +274,8 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
                             std::move(curves->target),
                             *surface,
                             held,
-                            !sketch.betweens.empty()};
+                            !sketch.betweens.empty(),
+                            sketch.rules >= k_close_rules};
   auto motion = measured_motion(parts, sketch.mode, {sketch.minimum, sketch.maximum});
   if (!motion) return at("general", motion.error());
   std::vector<Curve> betweens;

@@ -27,6 +27,9 @@ std::vector<std::string> doubts_of(const Deformer& deformer) {
   if (!deformer.doubtful_reference().empty()) {
     doubts.push_back("the feature was found by itself, but " + deformer.doubtful_reference() + ": draw it by hand");
   }
+  if (deformer.turned_round()) {
+    doubts.push_back("the target ran against the feature and was turned round: draw it the other way if it twists");
+  }
   const Strain& strain = deformer.strain();
   if (strain.turned_over > 0) {
     doubts.push_back("no smooth motion reaches the target: " + std::to_string(strain.turned_over) +

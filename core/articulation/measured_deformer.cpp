@@ -18,6 +18,8 @@ namespace {
 constexpr double k_measurably = 0.9;
 /// Shares of the range at which motions are measured.
 constexpr std::array<double, 3> k_amounts{0.35, 0.7, 1.0};
+/// And between those, where a turn may fold what neither end of it folds.
+constexpr std::array<double, 4> k_between_amounts{0.2, 0.5, 0.6, 0.85};
 /// Shares of the way from the border of the region of specific interest to the curve that the falloff may take, tried
 /// in turn.
 constexpr std::array<double, 3> k_depths{0.0, 0.4, 0.8};
@@ -65,6 +67,7 @@ struct Outcome {
   std::shared_ptr<const CurveMotion> motion;
   std::vector<Passenger> passengers;  ///< one an inner node
   Strain strain;
+  bool looked = false;  ///< between the amounts
 };
 
 /// How motions are told apart: what tears nothing comes first, then what stretches nothing beyond the bound, then what
@@ -123,6 +126,19 @@ class Trial {
     return outcome;
   }
 
+  /// Measures what passes between the amounts too. What it costs in energy is known well enough.
+  void look_between(Outcome& outcome, const Judge& judge) {
+    if (!parts_.throughout || outcome.looked || !judge.holds(outcome.strain)) return;
+    outcome.looked = true;
+    const Carriage carriage(outcome.motion, parts_.surface, outcome.passengers, false);
+    const double energy = outcome.strain.energy;
+    if (range_.minimum < 0.0) outcome.strain = worse(outcome.strain, at(carriage, 0.5 * range_.minimum));
+    for (const double share : k_between_amounts) {
+      outcome.strain = worse(outcome.strain, at(carriage, share * range_.maximum));
+    }
+    outcome.strain.energy = energy;
+  }
+
   /// Spreads what is too strong: where triangles are turned over or stretched beyond the bound, and ever farther around
   /// them, every node is brought nearer to what its neighbours do. What came nearest to passing is kept. Nodes on the
   /// curve stay.
@@ -176,6 +192,7 @@ class Trial {
 
   void measure(Outcome& outcome) {
     const Carriage carriage(outcome.motion, parts_.surface, outcome.passengers, false);
+    outcome.looked = false;
     outcome.strain = {};
     if (range_.minimum < 0.0) outcome.strain = at(carriage, range_.minimum);
     for (const double share : k_amounts) outcome.strain = worse(outcome.strain, at(carriage, share * range_.maximum));
@@ -317,6 +334,7 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
     for (const auto& [motion, factor] : {std::pair{straight, 1.0}, std::pair{swing, k_measurably}}) {
       if (!motion) continue;
       auto outcome = trial.attempt(motion, weights);
+      if (motion->swing() != nullptr || motion->slide() != nullptr) trial.look_between(outcome, judge);
       if (parts.held) tried.push_back(outcome);
       if (!best || judge.better(outcome.strain, best->strain, factor)) best = std::move(outcome);
     }
@@ -326,6 +344,7 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
       std::swap(tried[0], tried[1]);
     for (Outcome& held : tried) {
       trial.hold(held, judge);
+      trial.look_between(held, judge);
       if (judge.better(held.strain, best->strain, 1.0)) best = std::move(held);
       if (judge.holds(best->strain)) break;
     }

@@ -21,6 +21,8 @@ struct MeasuredParts {
   KeptSurface surface;
   bool held = false;   ///< by rules from k_held_rules on: what is torn or stretched is given way to
   bool whole = false;  ///< vertices that do not move are kept, and the motion of the nodes
+  /// By rules from k_close_rules on: what passes at the amounts of `held` is looked at between them too.
+  bool throughout = false;
 };
 
 /// The range of a deformer's parameter.

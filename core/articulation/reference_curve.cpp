@@ -63,8 +63,9 @@ base::Result<SheetReference> sheet_reference(const Canvas& canvas, const geometr
   for (const ModelPoint& p : canvas.positions()) positions.emplace_back(p);
   const geometry::TriangleBvh tree(positions, triangles, geometry::TriangleBvh::Build::quick);
   curve::Sheets sheets(canvas.mesh(), triangles);
-  const auto drawn = curve::sheet_curve(stroke, k_drawn_samples, camera,
-                                        {tree, positions, triangles, sheets, rules >= k_close_rules}, choice);
+  const auto holding = rules >= k_close_rules ? curve::Holding::firm : curve::Holding::loose;
+  const auto drawn =
+      curve::sheet_curve(stroke, k_drawn_samples, camera, {tree, positions, triangles, sheets, holding}, choice);
   if (!drawn) return drawn.error();
   const auto smooth = curve::triangle_filter<ModelPoint>(drawn->positions, k_light_kernel, curve::Ends::fixed);
   auto even = curve::resample<ModelPoint>(smooth, count);

@@ -47,8 +47,7 @@ inline constexpr std::uint32_t k_held_rules = 4;
 inline constexpr std::uint32_t k_ranged_rules = 5;
 /// The rules from which on a lasso that crosses itself, so that it is not known what it encloses, is refused.
 inline constexpr std::uint32_t k_crossing_rules = 6;
-/// The rules from which on a reference does not change its sheet where two are close (curve::SheetSurface::close).
-/// Lines that pose do so from curve::k_close_rules on; deformers were drawn by those rules before.
+/// The rules from which on a reference holds on to its sheet as firmly as lines that pose do (curve::Holding::firm).
 inline constexpr std::uint32_t k_close_rules = 7;
 
 /// How far into the model a lasso reaches: to what lies behind, or only to what the camera sees.

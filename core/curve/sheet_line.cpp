@@ -1,308 +1,130 @@
 #include "core/curve/sheet_line.h"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
+#include <optional>
 
 #include "core/curve/polyline.h"
+#include "core/curve/sheet_walk.h"
 
 namespace penpose::curve {
 namespace {
 
-constexpr double k_spacing_px = 2.0;  ///< of samples, at 1000 px high
-constexpr std::size_t k_fewest = 32, k_most = 128;
-constexpr int k_layers = 4;       ///< hits behind each other that are looked at
-constexpr double k_hidden = 0.7;  ///< cost of each surface in front
-constexpr double k_from_behind = 1.5;
-constexpr double k_other_part = 8.0;  ///< cost of going over to a part that touches
-/// By rules from k_close_rules on: to a part and on to another sheet costs more than a leap, which it is.
-constexpr double k_close_part = 20.5;
-constexpr double k_leap = 40.0;  ///< of going over to what does not, or is far over the surface
-constexpr double k_reach = 2.0;  ///< how far a walk may stray, steps between samples
+using sheet_walk::Candidate;
+using sheet_walk::Walk;
 
-struct Candidate {
-  mesh::MeshPoint point;
-  ModelPoint position;
-  PxPoint offset;   ///< from the pen
-  double cost = 0;  ///< of taking it
-  double best = 0;  ///< of the cheapest sequence up to it
-  std::size_t from = 0;
-  bool cut = false;  ///< that sequence leaps here
+/// A part of a drawn line that sticks to the surface: of each sample from `first` on the place, and where the pen was
+/// taken to.
+struct Stuck {
+  std::size_t first = 0;
+  std::vector<Candidate> taken;
+  std::vector<PxPoint> line;
+
+  [[nodiscard]] double length() const { return arc_length<PxPoint>(line); }
+  [[nodiscard]] Stuck part(std::size_t from, std::size_t to) const {
+    const auto at = [](auto& list, std::size_t i) { return list.begin() + static_cast<std::ptrdiff_t>(i); };
+    return {first + from, {at(taken, from), at(taken, to)}, {at(line, from), at(line, to)}};
+  }
 };
 
-struct Node {
-  PxPoint px;
-  double step = 0;  ///< to the sample before, px
-  std::vector<Candidate> candidates;
+/// A point of the result.
+struct Placed {
+  Candidate here;
+  std::size_t nearer = 0;  ///< sample
+  bool on_sample = false;  ///< it is that sample
 };
 
-class Walk {
- public:
-  Walk(const geometry::Camera& camera, const SheetSurface& surface)
-      : camera_(camera), surface_(surface), scale_(camera.viewport().height / 1000.0) {}
+/// The point at a share of the line: what lies between two samples is on their sheet.
+Placed placed_at(Walk& walk, const Stuck& stuck, std::span<const double> cumulative, PxPoint px, double share) {
+  const PolylinePlace place = place_at(cumulative, share);
+  const std::size_t nearer = place.segment + (place.fraction > 0.5 ? 1 : 0);
+  Placed placed{stuck.taken[nearer], nearer, true};
+  const double step = geometry::distance(stuck.line[place.segment], stuck.line[place.segment + 1]);
+  if (place.fraction > 0.0 && place.fraction < 1.0) {
+    placed.on_sample = !walk.on_sheet(px, stuck.taken[nearer], step, placed.here);
+  }
+  return placed;
+}
 
-  std::vector<Node> nodes;
-
-  bool set_up(std::span<const PxPoint> stroke) {
-    std::vector<PxPoint> finite;
-    for (const PxPoint& p : stroke) {
-      if (std::isfinite(p.x) && std::isfinite(p.y)) finite.push_back(p);
-    }
-    const double length = arc_length<PxPoint>(finite);
-    const double wanted =
-        std::clamp(length / (k_spacing_px * scale_) + 1.0, static_cast<double>(k_fewest), static_cast<double>(k_most));
-    const auto even = resample<PxPoint>(finite, static_cast<std::size_t>(wanted));
-    if (!even) return false;
-    for (std::size_t i = 0; i < even->size(); ++i) {
-      nodes.push_back({(*even)[i], i > 0 ? geometry::distance((*even)[i - 1], (*even)[i]) : 0.0, {}});
-      layers(nodes.back(), 1);
-    }
-    // A model that is wound inside out is seen from its front all the same.
-    std::size_t behind = 0, hits = 0;
-    for (const Node& node : nodes) {
-      hits += node.candidates.size();
-      for (const Candidate& one : node.candidates) behind += one.cost > 0.0 ? 1U : 0U;
-    }
-    turned_ = 2 * behind > hits;
-    if (turned_) {
-      for (Node& node : nodes) {
-        for (Candidate& one : node.candidates) one.cost = one.cost > 0.0 ? 0.0 : k_from_behind;
+/// Even points along a line. From Holding::close on a point that is not beside the one before is the sample next to it.
+base::Result<std::vector<Placed>> evenly(Walk& walk, const Stuck& stuck, std::size_t count, Holding holding) {
+  const auto even = resample<PxPoint>(stuck.line, count);
+  if (!even) return even.error();
+  const auto cumulative = cumulative_length<PxPoint>(stuck.line);
+  std::vector<Placed> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+    Placed placed = placed_at(walk, stuck, cumulative, (*even)[i], share);
+    if (holding != Holding::loose && i > 0) {
+      const std::size_t segment = place_at(cumulative, share).segment;
+      const double step = geometry::distance(stuck.line[segment], stuck.line[segment + 1]);
+      if (!walk.joined(points.back().here, placed.here, step)) {
+        placed = {stuck.taken[placed.nearer], placed.nearer, true};
       }
     }
-    return true;
+    points.push_back(placed);
   }
+  return points;
+}
 
-  /// Whether the first hits already are one walk over the surface.
-  bool whole() {
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const auto& here = nodes[i].candidates;
-      if (here.empty() || here[0].cost > 0) return false;
-      if (i > 0 && !joined(nodes[i - 1].candidates[0], here[0], nodes[i].step)) return false;
+/// Between which samples from one to another a line leaves its sheet: the first two that are no neighbours, else those
+/// that are farthest apart.
+std::size_t parting(Walk& walk, const Stuck& stuck, std::size_t from, std::size_t to) {
+  std::size_t widest = from;
+  double most = -1;
+  for (std::size_t i = from; i < to; ++i) {
+    if (!walk.neighbours(stuck.taken[i], stuck.taken[i + 1], geometry::distance(stuck.line[i], stuck.line[i + 1]))) {
+      return i;
     }
-    return true;
-  }
-
-  void widen() {
-    for (Node& node : nodes) {
-      node.candidates.clear();
-      layers(node, k_layers);
-      around(node);
-    }
-  }
-
-  /// The longest run of one cheapest sequence: first node, and the candidate of each from there on.
-  struct Run {
-    std::size_t first = 0;
-    std::vector<std::size_t> taken;
-    double length = -1;
-  };
-  Run longest() {
-    Run best;
-    std::size_t end = 0;
-    for (std::size_t begin = 0; begin < nodes.size(); begin = end + 1) {
-      for (end = begin; end < nodes.size() && !nodes[end].candidates.empty();) ++end;
-      if (end > begin) keep_longest(begin, end, best);
-    }
-    return best;
-  }
-
-  /// Takes the sheet of a run away: what is joined to it is no candidate any more, nor what is hidden behind it or seen
-  /// from behind, which is its own other side.
-  void leave(const Run& run) {
-    for (std::size_t i = 0; i < run.taken.size(); ++i) {
-      Node& node = nodes[run.first + i];
-      const Candidate taken = node.candidates[run.taken[i]];
-      std::erase_if(node.candidates, [&](const Candidate& one) {
-        return one.cost >= k_from_behind || joined(taken, one, 2.0 * k_stick_px * scale_);
-      });
-    }
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (i < run.first || i >= run.first + run.taken.size()) nodes[i].candidates.clear();
+    const double apart = geometry::distance(stuck.taken[i].position, stuck.taken[i + 1].position);
+    if (apart > most) {
+      most = apart;
+      widest = i;
     }
   }
+  return widest;
+}
 
-  /// Nearer to the pen, where a place beside it was taken: as near as its sheet comes.
-  void refine(const Node& node, Candidate& taken) {
-    if (taken.offset == PxPoint{}) return;
-    double near = 0.0, far = 1.0;
-    for (int k = 0; k < 6; ++k) {
-      const double share = 0.5 * (near + far);
-      Node probe{node.px, node.step, {}};
-      hit_beside(probe, taken.offset * share);
-      if (!probe.candidates.empty() && joined(probe.candidates[0], taken, k_stick_px * scale_)) {
-        far = share;
-        taken = probe.candidates[0];
-        taken.offset = taken.offset * (1.0 / share);
-      } else {
-        near = share;
-      }
-    }
-    taken.offset = taken.offset * far;
-  }
-
-  /// Puts back what came nearer to the pen and is not beside its neighbours any more, until all are.
-  void keep_beside(const Run& run, std::vector<Candidate>& taken) {
-    const auto as_found = [&](std::size_t i) -> const Candidate& {
-      return nodes[run.first + i].candidates[run.taken[i]];
-    };
-    const auto beside = [&](std::size_t i) {
-      const double step = nodes[run.first + i].step;
-      return taken[i - 1].point.triangle == taken[i].point.triangle || joined(taken[i - 1], taken[i], step) ||
-             (surface_.sheets.component(taken[i - 1].point.triangle) !=
-                  surface_.sheets.component(taken[i].point.triangle) &&
-              geometry::distance(taken[i - 1].position, taken[i].position) <= reach(taken[i - 1], taken[i], step));
-    };
-    for (bool changed = true; changed;) {
+/// From Holding::firm on: where two points that follow each other are no neighbours the samples next to them are taken,
+/// and where those are none either the line is cut, and its longer part kept.
+base::Result<std::vector<Placed>> firmly(Walk& walk, Stuck& stuck, std::size_t count) {
+  for (;;) {
+    auto points = evenly(walk, stuck, count, Holding::firm);
+    if (!points) return points;
+    const double step = stuck.length() / static_cast<double>(count - 1);
+    std::optional<std::size_t> cut;
+    for (bool changed = true; changed && !cut;) {
       changed = false;
-      for (std::size_t i = 1; i < taken.size(); ++i) {
-        if ((taken[i - 1].offset == as_found(i - 1).offset && taken[i].offset == as_found(i).offset) || beside(i)) {
+      for (std::size_t i = 1; i < count && !cut; ++i) {
+        Placed& before = (*points)[i - 1];
+        Placed& here = (*points)[i];
+        if (walk.neighbours(before.here, here.here, step)) continue;
+        if (before.on_sample && here.on_sample) {
+          cut = parting(walk, stuck, before.nearer, here.nearer);
           continue;
         }
-        taken[i - 1] = as_found(i - 1);
-        taken[i] = as_found(i);
+        for (Placed* const one : {&before, &here}) *one = {stuck.taken[one->nearer], one->nearer, true};
         changed = true;
       }
     }
-  }
-
-  [[nodiscard]] bool joined(const Candidate& a, const Candidate& b, double px) {
-    return surface_.sheets.joined({a.point.triangle, a.position}, {b.point.triangle, b.position}, reach(a, b, px),
-                                  surface_.positions);
-  }
-
-  /// The surface under a place of the picture that lies on the sheet of one that is known.
-  bool on_sheet(PxPoint px, const Candidate& known, double step, Candidate& out) {
-    Node probe{px, step, {}};
-    layers(probe, k_layers);
-    for (const Candidate& one : probe.candidates) {
-      if (!joined(known, one, std::max(step, k_spacing_px * scale_))) continue;
-      out = one;
-      return true;
-    }
-    return false;
-  }
-
- private:
-  [[nodiscard]] double reach(const Candidate& a, const Candidate& b, double px) const {
-    const double depth = std::min(camera_.depth(a.position), camera_.depth(b.position));
-    return k_reach * std::max(px, k_spacing_px * scale_) * camera_.units_per_px(depth);
-  }
-
-  [[nodiscard]] bool from_behind(std::uint32_t triangle, const geometry::ModelVector& direction) const {
-    const auto& t = surface_.triangles[triangle];
-    const ModelPoint a(surface_.positions[t[0]]), b(surface_.positions[t[1]]), c(surface_.positions[t[2]]);
-    return (glm::dot(glm::cross(b - a, c - a), direction) > 0.0) != turned_;
-  }
-
-  void layers(Node& node, int most) {
-    geometry::Ray ray = camera_.ray(node.px);
-    const ModelPoint eye = ray.origin;
-    double passed = 0;
-    std::uint32_t last = geometry::TriangleBvh::k_no_hint;
-    for (int layer = 0; layer < most; ++layer) {
-      const auto hit = surface_.tree.nearest_hit(ray, layer == 0 ? hint_ : geometry::TriangleBvh::k_no_hint);
-      if (!hit) return;
-      if (layer == 0) hint_ = hit->triangle;
-      passed += hit->distance;
-      if (hit->triangle != last) {
-        Candidate one{{hit->triangle, hit->barycentric}, eye + ray.direction * passed, {}, 0, 0, 0, false};
-        one.cost = k_hidden * layer + (from_behind(hit->triangle, ray.direction) ? k_from_behind : 0.0);
-        node.candidates.push_back(one);
-      }
-      last = hit->triangle;
-      passed += 1e-5 * passed;
-      ray.origin = eye + ray.direction * passed;
+    if (!cut) return points;
+    const Stuck begin = stuck.part(0, *cut + 1), end = stuck.part(*cut + 1, stuck.taken.size());
+    stuck = begin.length() >= end.length() ? begin : end;
+    if (stuck.taken.size() < 2 || !(stuck.length() > 0.0)) {
+      return base::Error{"the line stays on no sheet of the surface", "", "draw it along the surface"};
     }
   }
+}
 
-  void hit_beside(Node& node, PxPoint offset) {
-    const geometry::Ray ray = camera_.ray(node.px + offset);
-    const auto hit = surface_.tree.nearest_hit(ray, hint_);
-    if (!hit) return;
-    const double share = geometry::distance({}, offset) / (k_stick_px * scale_);
-    Candidate one{
-        {hit->triangle, hit->barycentric}, ray.origin + ray.direction * hit->distance, offset, 0, 0, 0, false};
-    one.cost = share * share + (from_behind(hit->triangle, ray.direction) ? k_from_behind : 0.0);
-    node.candidates.push_back(one);
+/// Whether each point of a line under the pen is a neighbour of the next.
+bool holds(Walk& walk, const ProjectedStroke& drawn, double length) {
+  const double step = length / static_cast<double>(drawn.points.size() - 1);
+  for (std::size_t i = 1; i < drawn.points.size(); ++i) {
+    const Candidate before{drawn.points[i - 1], drawn.positions[i - 1], {}, 0, 0, 0, false};
+    const Candidate here{drawn.points[i], drawn.positions[i], {}, 0, 0, 0, false};
+    if (!walk.neighbours(before, here, step)) return false;
   }
-
-  /// What lies beside the pen on sheets that it does not meet itself.
-  void around(Node& node) {
-    constexpr double k_diagonal = 0.70710678118654752;
-    constexpr PxPoint k_ways[] = {{1, 0},
-                                  {0, 1},
-                                  {-1, 0},
-                                  {0, -1},
-                                  {k_diagonal, k_diagonal},
-                                  {-k_diagonal, k_diagonal},
-                                  {-k_diagonal, -k_diagonal},
-                                  {k_diagonal, -k_diagonal}};
-    for (const double share : {0.25, 0.5, 1.0}) {
-      for (const PxPoint& way : k_ways) {
-        Node probe{node.px, node.step, {}};
-        hit_beside(probe, way * (share * k_stick_px * scale_));
-        if (probe.candidates.empty()) continue;
-        const Candidate& found = probe.candidates[0];
-        const bool known = std::any_of(node.candidates.begin(), node.candidates.end(), [&](const Candidate& other) {
-          return other.cost <= found.cost && joined(other, found, share * k_stick_px * scale_);
-        });
-        if (!known) node.candidates.push_back(found);
-      }
-    }
-  }
-
-  /// What going over costs.
-  double step_cost(const Candidate& a, const Candidate& b, double px) {
-    if (joined(a, b, px)) return 0.0;
-    const bool near = geometry::distance(a.position, b.position) <= reach(a, b, px);
-    const bool parts = surface_.sheets.component(a.point.triangle) != surface_.sheets.component(b.point.triangle);
-    if (!near || !parts) return k_leap;
-    return surface_.close ? k_close_part : k_other_part;
-  }
-
-  void keep_longest(std::size_t begin, std::size_t end, Run& best) {
-    for (Candidate& one : nodes[begin].candidates) one.best = one.cost;
-    for (std::size_t i = begin + 1; i < end; ++i) {
-      const auto& before = nodes[i - 1].candidates;
-      for (Candidate& one : nodes[i].candidates) {
-        for (std::size_t k = 0; k < before.size(); ++k) {
-          // Going over costs something or nothing; most need not be asked.
-          if (k > 0 && before[k].best + one.cost >= one.best) continue;
-          const double over = step_cost(before[k], one, nodes[i].step);
-          const double cost = before[k].best + over + one.cost;
-          if (k > 0 && cost >= one.best) continue;
-          one.best = cost;
-          one.from = k;
-          one.cut = over == k_leap;
-        }
-      }
-    }
-    const auto& last = nodes[end - 1].candidates;
-    std::size_t at = 0;
-    for (std::size_t k = 1; k < last.size(); ++k) {
-      if (last[k].best < last[at].best) at = k;
-    }
-    Run run{end - 1, {}, 0};
-    for (std::size_t i = end; i-- > begin;) {
-      run.first = i;
-      run.taken.insert(run.taken.begin(), at);
-      const bool cut = i > begin && nodes[i].candidates[at].cut;
-      if (i == begin || cut) {
-        if (run.length > best.length) best = run;
-        run = {i, {}, 0};
-      } else {
-        run.length += nodes[i].step;
-      }
-      at = nodes[i].candidates[at].from;
-    }
-  }
-
-  const geometry::Camera& camera_;
-  const SheetSurface& surface_;
-  double scale_;
-  bool turned_ = false;
-  std::uint32_t hint_ = geometry::TriangleBvh::k_no_hint;
-};
+  return true;
+}
 
 }  // namespace
 
@@ -310,9 +132,11 @@ base::Result<ProjectedStroke> sheet_curve(std::span<const PxPoint> stroke, std::
                                           const geometry::Camera& camera, const SheetSurface& surface,
                                           SheetChoice choice) {
   Walk walk(camera, surface);
+  const bool firm = surface.holding == Holding::firm;
   const bool set_up = walk.set_up(stroke);
   if (!set_up || (choice == SheetChoice::nearer && walk.whole())) {
-    return surface_curve(stroke, count, camera, surface.tree);
+    auto drawn = surface_curve(stroke, count, camera, surface.tree);
+    if (!set_up || !firm || !drawn || holds(walk, *drawn, arc_length<PxPoint>(stroke))) return drawn;
   }
   walk.widen();
   Walk::Run run = walk.longest();
@@ -324,44 +148,37 @@ base::Result<ProjectedStroke> sheet_curve(std::span<const PxPoint> stroke, std::
                          "draw the line nearer to the other sheet"};
     }
   }
-  if (run.taken.size() < 2 || !(run.length > 0.0)) return surface_curve(stroke, count, camera, surface.tree);
-  std::vector<Candidate> taken;
-  std::vector<PxPoint> line;
-  for (std::size_t i = 0; i < run.taken.size(); ++i) {
-    const Node& node = walk.nodes[run.first + i];
-    taken.push_back(node.candidates[run.taken[i]]);
-    walk.refine(node, taken.back());
+  if (run.taken.size() < 2 || !(run.length > 0.0)) {
+    auto drawn = surface_curve(stroke, count, camera, surface.tree);
+    if (!firm || !drawn || holds(walk, *drawn, arc_length<PxPoint>(stroke))) return drawn;
+    return base::Error{"the line stays on no sheet of the surface", "", "draw it along the surface"};
   }
-  if (surface.close) walk.keep_beside(run, taken);
-  for (std::size_t i = 0; i < taken.size(); ++i) line.push_back(walk.nodes[run.first + i].px + taken[i].offset);
-  const auto even = resample<PxPoint>(line, count);
-  if (!even) return even.error();
-  const auto cumulative = cumulative_length<PxPoint>(line);
+  Stuck stuck{run.first, {}, {}};
+  for (std::size_t i = 0; i < run.taken.size(); ++i) {
+    const sheet_walk::Node& node = walk.nodes[run.first + i];
+    stuck.taken.push_back(node.candidates[run.taken[i]]);
+    walk.refine(node, stuck.taken.back());
+  }
+  if (surface.holding != Holding::loose) walk.keep_beside(run, stuck.taken);
+  for (std::size_t i = 0; i < stuck.taken.size(); ++i) {
+    stuck.line.push_back(walk.nodes[run.first + i].px + stuck.taken[i].offset);
+  }
+  const auto points = firm ? firmly(walk, stuck, count) : evenly(walk, stuck, count, surface.holding);
+  if (!points) return points.error();
   ProjectedStroke result;
-  Candidate before;
-  for (std::size_t i = 0; i < count; ++i) {
-    const PolylinePlace place = place_at(cumulative, static_cast<double>(i) / static_cast<double>(count - 1));
-    const std::size_t nearer = place.segment + (place.fraction > 0.5 ? 1 : 0);
-    Candidate here = taken[nearer];
-    const double step = geometry::distance(line[place.segment], line[place.segment + 1]);
-    if (place.fraction > 0.0 && place.fraction < 1.0) walk.on_sheet((*even)[i], taken[nearer], step, here);
-    if (surface.close && i > 0) {
-      // What lies between two samples is on their sheet and on that of the point before, or the sample itself is taken.
-      if (!walk.joined(before, here, step)) here = taken[nearer];
-    }
-    before = here;
-    result.points.push_back(here.point);
-    result.positions.push_back(here.position);
-    const PxPoint off = taken[nearer].offset;
-    const double unit = camera.units_per_px(camera.depth(here.position));
+  for (const Placed& placed : *points) {
+    result.points.push_back(placed.here.point);
+    result.positions.push_back(placed.here.position);
+    const PxPoint off = stuck.taken[placed.nearer].offset;
+    const double unit = camera.units_per_px(camera.depth(placed.here.position));
     result.aside.push_back(camera.right() * (-off.x * unit) + camera.up() * (off.y * unit));
-    const double share = static_cast<double>(run.first + nearer) / static_cast<double>(walk.nodes.size() - 1);
+    const double share = static_cast<double>(stuck.first + placed.nearer) / static_cast<double>(walk.nodes.size() - 1);
     result.samples.push_back(static_cast<std::size_t>(share * static_cast<double>(stroke.size() - 1)));
   }
   const bool under =
-      std::all_of(taken.begin(), taken.end(), [](const Candidate& one) { return one.offset == PxPoint{}; });
+      std::all_of(stuck.taken.begin(), stuck.taken.end(), [](const Candidate& one) { return one.offset == PxPoint{}; });
   if (under) result.aside.clear();
-  const double kept = static_cast<double>(run.taken.size()) / static_cast<double>(walk.nodes.size());
+  const double kept = static_cast<double>(stuck.taken.size()) / static_cast<double>(walk.nodes.size());
   result.dropped = stroke.size() - static_cast<std::size_t>(kept * static_cast<double>(stroke.size()));
   return result;
 }

@@ -15,19 +15,27 @@ namespace penpose::curve {
 /// both sides by hands that mean one.
 inline constexpr double k_stick_px = 8.0;
 
+/// How strictly a line holds on to its sheet. From `close` on a place beside the pen comes nearer to it only where it
+/// stays beside its neighbours, so that the line does not change its sheet where two are close. `firm`: so does every
+/// point of the result, also where all samples lie on one sheet and a point between two of them does not, and where the
+/// steps to a part that touches add up to a leap; what cannot be held is cut.
+enum class Holding : std::uint8_t { loose, close, firm };
+
+/// Of lines that pose, by the rules of drawing: `close` from k_close_rules on, `firm` from k_firm_rules on.
+inline constexpr std::uint32_t k_close_rules = 6;
+inline constexpr std::uint32_t k_firm_rules = 7;
+[[nodiscard]] constexpr Holding holding_by(std::uint32_t rules) {
+  return rules >= k_firm_rules ? Holding::firm : rules >= k_close_rules ? Holding::close : Holding::loose;
+}
+
 /// A surface that lines are drawn on.
 struct SheetSurface {
   const geometry::TriangleBvh& tree;
   std::span<const glm::vec3> positions;  ///< of all vertices, those of the tree
   std::span<const mesh::Triangle> triangles;
   Sheets& sheets;
-  /// By rules from k_close_rules on: a place beside the pen comes nearer to it only where it stays beside its
-  /// neighbours, so that the line does not change its sheet where two are close.
-  bool close = false;
+  Holding holding = Holding::loose;
 };
-
-/// The rules of drawing from which on SheetSurface::close holds for lines that pose.
-inline constexpr std::uint32_t k_close_rules = 6;
 
 /// Of two sheets that a line may belong to: the one that is nearer to most of it, or the next one.
 enum class SheetChoice : std::uint8_t { nearer, other };
@@ -38,7 +46,7 @@ enum class SheetChoice : std::uint8_t { nearer, other };
 /// (Viterbi 1967): px beside the pen, what is hidden or seen from behind, and above all going over from one sheet to
 /// another. Parts of a model that touch may be crossed at a cost; where a line leaves its sheet all the same it is cut,
 /// and the longest run in px is kept. `dropped` counts samples of the line outside of that run. Errors as
-/// project_stroke; no other sheet near the line where that is asked for.
+/// project_stroke; no other sheet near the line where that is asked for; by Holding::firm a line of leaps alone.
 [[nodiscard]] base::Result<ProjectedStroke> sheet_curve(std::span<const PxPoint> stroke, std::size_t count,
                                                         const geometry::Camera& camera, const SheetSurface& surface,
                                                         SheetChoice choice = SheetChoice::nearer);

@@ -81,7 +81,7 @@ base::Result<curve::ProjectedStroke> drawn_on_surface(const Document& document, 
     return drawn;
   }
   const curve::SheetSurface surface{tree, work.surface_positions(), document.model->mesh->triangles(),
-                                    work.sheets_of(document), rules >= curve::k_close_rules};
+                                    work.sheets_of(document), curve::holding_by(rules)};
   auto drawn = curve::sheet_curve(line, k_pose_curve_points, *camera, surface, choice);
   if (!drawn) return at("line", drawn.error());
   if (rules >= k_whole_rules) curve::stand_on_body(*drawn, surface);

@@ -31,7 +31,8 @@ enum class ToolKind : std::uint8_t {
 /// are solved for what was meant. 3: a reference stays on one sheet of the surface, and what was meant is read by
 /// intent::Edition::second. 4: it is read by intent::Edition::third, and references of deformers stay on one sheet too.
 /// 5: it is read by intent::Edition::fourth, from the pose before the first of the lines that belong together. 6: it is
-/// read by intent::Edition::fifth.
+/// read by intent::Edition::fifth. 7: by intent::Edition::sixth, and lines hold on to their sheet firmly
+/// (curve::Holding::firm).
 inline constexpr std::uint32_t k_rules = 7;
 /// The newest that controls are sketched by.
 inline constexpr std::uint32_t k_control_rules = std::max(k_rules, articulation::k_close_rules);

@@ -10,6 +10,7 @@
 #include "tests/sketches/other_meshes.h"
 #include "tests/support/articulation_models.h"
 #include "tests/support/shared_data.h"
+#include "tests/support/test_rigs.h"
 
 namespace penpose::sketches {
 namespace {
@@ -294,6 +295,43 @@ std::vector<SketchCase> sketch_cases() {
   const Stage other = stage_of("carry_head", "carry_head.glb");
   add_head(cases, other, landmarks(other, "carry_head_landmarks.json"));
   add_elephant(cases);
+  return cases;
+}
+
+std::vector<SketchCase> varied_sketch_cases(std::uint64_t seed) {
+  std::vector<SketchCase> cases = sketch_cases();
+  for (SketchCase& one : other_sketch_cases()) cases.push_back(std::move(one));
+  tests::Random random(seed);
+  for (SketchCase& one : cases) {
+    Sketch& sketch = one.sketch;
+    PxPoint middle{0, 0};
+    for (const PxPoint& p : sketch.specific) middle = middle + p * (1.0 / static_cast<double>(sketch.specific.size()));
+    const double general = random(0.75, 1.2), specific = random(0.7, 1.3), far = random(0.6, 1.25);
+    const double turn = random(-0.25, 0.25), wave = random(0, 0.06);
+    const PxPoint aside{random(-6, 6), random(-6, 6)};
+    const double phase = random(0, 2 * k_pi);
+    const auto widen = [&](Line& lasso, double factor) {
+      for (PxPoint& p : lasso) {
+        const PxPoint from = p - middle;
+        p = middle + from * (factor * (1 + wave * std::sin(3 * std::atan2(from.y, from.x) + phase)));
+      }
+    };
+    widen(sketch.general, general);
+    widen(sketch.specific, specific);
+    const Line was = sketch.reference;
+    for (PxPoint& p : sketch.reference) p = p + aside + PxPoint{random(-1, 1), random(-1, 1)};
+    for (std::size_t i = 0; i < sketch.target.size(); ++i) {
+      PxPoint& p = sketch.target[i];
+      if (was.empty()) {
+        p = p + aside;
+        continue;
+      }
+      const PxPoint from = was[std::min(i, was.size() - 1)], way = p - from;
+      p = from + aside +
+          PxPoint{way.x * std::cos(turn) - way.y * std::sin(turn), way.x * std::sin(turn) + way.y * std::cos(turn)} *
+              far;
+    }
+  }
   return cases;
 }
 

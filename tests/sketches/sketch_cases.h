@@ -30,5 +30,8 @@ struct SketchCase {
 /// The same features on four meshes more, which no constant of the program was chosen on: another beast, a face with a
 /// third of its vertices, a head that was warped out of shape, and that one with a sixth of its vertices.
 [[nodiscard]] std::vector<SketchCase> other_sketch_cases();
+/// All of these with lassos, features and targets changed at random, as other hands would draw them; some cores then
+/// lie beside the model.
+[[nodiscard]] std::vector<SketchCase> varied_sketch_cases(std::uint64_t seed);
 
 }  // namespace penpose::sketches

@@ -123,6 +123,7 @@ void App::advance() {
   if (std::exchange(refused_at_, now_is) != now_is) {
     std::erase_if(notices_, [](const Notice& one) { return one.text.starts_with(k_nothing_changed); });
   }
+  tell_new_doubts();
   workspace_.follow_pen();
   follow_performance();
   offer_.follow(workspace_);

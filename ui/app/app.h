@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/articulation/sketched_deformers.h"
 #include "replay/session_player.h"
 #include "ui/app/action.h"
 #include "ui/app/film_job.h"
@@ -322,6 +323,8 @@ class App : private TracePlayer::Listener {
   void on_gone(int device) override;
   void pen_pressed(PxPoint at);
   void show_new_deformer();
+  /// Says what is doubtful of a control that was changed and was not before.
+  void tell_new_doubts();
   void pen_moved(PxPoint at);
   void pen_released(PxPoint at);
   void hover(PxPoint at);
@@ -420,7 +423,8 @@ class App : private TracePlayer::Listener {
   bool quit_ = false;
   bool leaves_work_ = false;  ///< the session stays as after a crash
   std::pair<std::uint64_t, drawing::ToolKind> refused_at_;
-  bool broken_told_ = false;  ///< that the session cannot be written any more
+  bool broken_told_ = false;                                ///< that the session cannot be written any more
+  articulation::SketchedDeformers::Shared seen_deformers_;  ///< of which all doubts are told
 };
 
 }  // namespace penpose::app

@@ -110,6 +110,7 @@ void App::show_anew() {
   panels_.new_surface = {};
   const auto& deformers = workspace_.document().model->deformers;
   deformer_count_ = deformers ? deformers->size() : 0;
+  seen_deformers_ = deformers;
   const auto& corrections = workspace_.document().model->corrections;
   correction_count_ = corrections ? corrections->size() : 0;
   surface_.update(workspace_.shown_model(), workspace_.shown_pose());

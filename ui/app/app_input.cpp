@@ -7,6 +7,7 @@
 
 #include "core/articulation/doubts.h"
 #include "core/articulation/edit.h"
+#include "core/curve/polyline.h"
 #include "core/document/target_line.h"
 #include "ui/app/app.h"
 #include "ui/app/navigation.h"
@@ -24,6 +25,7 @@ constexpr double k_zoom_per_notch = 0.9;
 constexpr double k_click_px = 5;
 /// Of the middle of a target, which moves all of it.
 constexpr double k_handle_px = 14;
+constexpr double k_handle_share = 0.15;  ///< of the length of a line, at most
 /// A mouse and a finger press neither hard nor softly.
 constexpr double k_mouse_pressure = 0.5;
 
@@ -82,8 +84,15 @@ void App::pen_pressed(PxPoint at) {
 void App::hold_line(const std::vector<geometry::ModelPoint>& line, PxPoint at) {
   pull_ = PullHold{at, curve::k_usual_reach};
   const auto camera = geometry::Camera::make(view_.camera, view_.viewport);
-  const auto middle = camera && !line.empty() ? camera->project(line[line.size() / 2]) : std::nullopt;
-  if (whole_ || (middle && geometry::distance(*middle, at) < k_handle_px * scale())) pull_.reset();
+  std::vector<PxPoint> seen;
+  for (const auto& point : line) {
+    const auto px = camera ? camera->project(point) : std::nullopt;
+    if (px) seen.push_back(*px);
+  }
+  // Of a short line most would be its middle.
+  const double handle = std::min(k_handle_px * scale(), k_handle_share * curve::arc_length<PxPoint>(seen));
+  const bool at_middle = !seen.empty() && geometry::distance(seen[seen.size() / 2], at) < handle;
+  if (whole_ || at_middle) pull_.reset();
 }
 
 bool App::take_goal(PxPoint at) {
@@ -156,9 +165,6 @@ void App::show_new_deformer() {
     panels_.controls_tab = true;
     tell(panels_.deformer + " is ready: its slider is in the panel");
     for (const std::string& doubt : articulation::doubts_of(*deformers->deformers().back())) tell(doubt);
-    if (deformers->deformers().back()->turned_round()) {
-      tell("the goal ran against the feature and was turned round; draw it the other way if it twists");
-    }
   }
   deformer_count_ = count;
   const auto& corrections = workspace_.document().model->corrections;
@@ -169,6 +175,20 @@ void App::show_new_deformer() {
     for (const std::string& doubt : articulation::doubts_of(*one.deformer)) tell(doubt);
   }
   correction_count_ = corrected;
+}
+
+void App::tell_new_doubts() {
+  const auto now = workspace_.document().model->deformers;
+  const auto before = std::exchange(seen_deformers_, now);
+  if (!before || !now || before == now) return;
+  for (const auto& deformer : now->deformers()) {
+    const auto number = articulation::find_deformer(*before, deformer->sketch().name);
+    if (!number || before->deformers()[*number] == deformer) continue;
+    const auto known = articulation::doubts_of(*before->deformers()[*number]);
+    for (const std::string& doubt : articulation::doubts_of(*deformer)) {
+      if (std::find(known.begin(), known.end(), doubt) == known.end()) tell(doubt);
+    }
+  }
 }
 
 void App::pen_moved(PxPoint at) {

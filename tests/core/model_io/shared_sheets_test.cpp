@@ -16,7 +16,7 @@ TEST_P(SharedSheets, LinesNeverLeaveTheSheetThatTheyAreOn) {
   auto model = read_model(tests::read_file(tests::shared_dir() / "meshes" / GetParam()), GetParam());
   ASSERT_TRUE(model.ok());
   // As lines of older rules stick to it.
-  EXPECT_GT(tests::SheetLines(*model->mesh, false).draw(400, 11, false), 200);
+  EXPECT_GT(tests::SheetLines(*model->mesh, curve::Holding::loose).draw(400, 11, false), 200);
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, SharedSheets,

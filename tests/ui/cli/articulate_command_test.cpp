@@ -207,6 +207,15 @@ TEST_F(ArticulateCommand, WarnsOfATargetThatWasTurnedRound) {
   EXPECT_EQ(out_.find("warning"), std::string::npos) << out_;
 }
 
+TEST_F(ArticulateCommand, WarnsOfATargetThatWasTurnedRoundByTheRulesOfTodayToo) {
+  file_.sketches[0].rules = articulation::k_close_rules;
+  auto& target = file_.sketches[0].target;
+  std::reverse(target.begin(), target.end());
+  write("sketch.json", model_io::write_sketch_file(file_));
+  ASSERT_EQ(articulate({path("model.glb"), "--sketch", path("sketch.json"), "-o", path("out.glb")}), k_success);
+  EXPECT_NE(out_.find("warning: the target ran against the feature and was turned round"), std::string::npos) << out_;
+}
+
 TEST_F(ArticulateCommand, WarnsOfStrokesDrawnOnAnotherModelAndOfMembersItDoesNotKnow) {
   file_.model = "/somewhere/model.glb";
   write("sketch.json", model_io::write_sketch_file(file_));

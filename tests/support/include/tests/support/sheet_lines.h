@@ -20,10 +20,9 @@ class SheetLines {
   using ModelPoint = geometry::ModelPoint;
   using PxPoint = geometry::PxPoint;
 
-  /// `close`: as curve::SheetSurface.
-  explicit SheetLines(const mesh::TriangleMesh& mesh, bool close = true)
+  explicit SheetLines(const mesh::TriangleMesh& mesh, curve::Holding holding)
       : mesh_(mesh),
-        close_(close),
+        holding_(holding),
         positions_(mesh.positions().begin(), mesh.positions().end()),
         tree_(positions_, mesh.triangles()),
         sheets_(mesh),
@@ -109,7 +108,7 @@ class SheetLines {
 
  private:
   bool check(const std::vector<PxPoint>& line, const geometry::Camera& camera, double length, int number) {
-    const auto curve = curve::sheet_curve(line, 32, camera, {tree_, positions_, mesh_.triangles(), sheets_, close_});
+    const auto curve = curve::sheet_curve(line, 32, camera, {tree_, positions_, mesh_.triangles(), sheets_, holding_});
     if (!curve) return false;
     for (std::size_t k = 0; k + 1 < curve->points.size(); ++k) {
       const std::uint32_t one = curve->points[k].triangle, two = curve->points[k + 1].triangle;
@@ -155,7 +154,7 @@ class SheetLines {
   }
 
   const mesh::TriangleMesh& mesh_;
-  bool close_;
+  curve::Holding holding_;
   std::vector<glm::vec3> positions_;
   geometry::TriangleBvh tree_;
   curve::Sheets sheets_;
