@@ -86,8 +86,7 @@ base::Result<BitTest::Part> BitTest::parse_part(std::string_view text) {
     if (!range || range->low != range->high) return not_a_test(text);
     part.byte = range->byte;
     part.mask = mask_of(*range);
-    part.count = 1;
-    part.values[0] = part.mask;
+    part.values = part.mask * 0x01010101U;
     return part;
   }
   auto left = text.substr(0, equals);
@@ -104,11 +103,14 @@ base::Result<BitTest::Part> BitTest::parse_part(std::string_view text) {
     if (!mask) return not_a_test(text);
     part.mask = *mask;
   }
+  int count = 0;
   for (auto rest = text.substr(equals + 1);;) {
     const auto slash = rest.find('/');
     const auto value = hexadecimal(rest.substr(0, slash));
-    if (!value || part.count == std::size(part.values)) return not_a_test(text);
-    part.values[part.count++] = *value;
+    if (!value || count == 4) return not_a_test(text);
+    const int at = 8 * count++;
+    // This one and all behind it.
+    part.values = (part.values & ~(~0U << at)) | ((*value * 0x01010101U) << at);
     if (slash == std::string_view::npos) return part;
     rest.remove_prefix(slash + 1);
   }
@@ -170,6 +172,20 @@ base::Status BitNumber::add_run(std::string_view word, int& position) {
   return base::Done{};
 }
 
+void BitNumber::find_shape() {
+  if (!flags_.empty() || runs_.empty()) return;
+  const auto whole = [](const Run& run) { return run.mask == 0xff && run.flip == 0; };
+  if (runs_.size() == 1) {
+    shape_ = Shape::one_run;
+  } else if (runs_.size() == 2 && whole(runs_[0]) && whole(runs_[1]) && runs_[1].byte == runs_[0].byte + 1 &&
+             runs_[0].up == 0 && runs_[1].up == 8) {
+    shape_ = Shape::two_bytes;
+  } else {
+    return;
+  }
+  first_ = runs_[0];
+}
+
 base::Result<BitNumber> BitNumber::parse(std::string_view text) {
   BitNumber number;
   const auto words = split(text);
@@ -210,6 +226,7 @@ base::Result<BitNumber> BitNumber::parse(std::string_view text) {
     at = words.size();
   }
   if (at != words.size()) return not_a_number(text);
+  number.find_shape();
   return number;
 }
 

@@ -38,12 +38,12 @@ class BitTest {
     std::uint16_t byte = 0;
     std::uint8_t mask = 0xff;
     bool wanted = true;
-    std::uint8_t count = 0;
-    std::uint8_t values[4] = {};
+    std::uint32_t values = 0;  ///< four of a byte each, the last one repeated
 
     [[nodiscard]] bool holds(std::uint8_t raw) const {
-      bool found = false;
-      for (std::uint8_t i = 0; i < count; ++i) found = found || (raw & mask) == values[i];
+      // All four at once: whether a byte of the difference is 0.
+      const std::uint32_t difference = (static_cast<std::uint32_t>(raw & mask) * 0x01010101U) ^ values;
+      const bool found = ((difference - 0x01010101U) & ~difference & 0x80808080U) != 0;
       return found == wanted;
     }
   };
@@ -67,12 +67,16 @@ class BitNumber {
 
   /// Precondition: the report has at least reach() bytes and is_there() says yes.
   [[nodiscard]] std::int64_t read(base::Bytes report) const {
+    // Nearly all numbers are of one run, or of a byte and the next one above it.
     std::uint64_t bits = 0;
-    for (const auto& run : runs_) {
-      const std::uint64_t piece = static_cast<std::uint8_t>((report[run.byte] ^ run.flip) & run.mask);
-      bits |= (piece >> run.down) << run.up;
+    if (shape_ != Shape::any) {
+      const std::uint8_t* const at = report.data() + first_.byte;
+      bits = first_.of(*at);
+      if (shape_ == Shape::two_bytes) bits |= std::uint64_t{at[1]} << 8;
+    } else {
+      for (const auto& run : runs_) bits |= run.of(report[run.byte]);
+      for (const auto& flag : flags_) bits |= std::uint64_t{flag.test.holds(report)} << flag.up;
     }
-    for (const auto& flag : flags_) bits |= std::uint64_t{flag.test.holds(report)} << flag.up;
     std::int64_t value = static_cast<std::int64_t>(bits);
     if (sign_bit_ != 0 && (bits & sign_bit_) != 0) value -= static_cast<std::int64_t>(sign_bit_ << 1);
     return (negated_ ? -value : value) + offset_;
@@ -95,13 +99,21 @@ class BitNumber {
     std::uint8_t flip = 0;
     std::uint8_t down = 0;
     std::uint8_t up = 0;
+
+    [[nodiscard]] std::uint64_t of(std::uint8_t raw) const {
+      return (std::uint64_t{static_cast<std::uint8_t>((raw ^ flip) & mask)} >> down) << up;
+    }
   };
   struct Flag {
     BitTest test;
     std::uint8_t up = 0;
   };
+  enum class Shape : std::uint8_t { one_run, two_bytes, any };
   base::Status add_run(std::string_view word, int& position);
+  void find_shape();
 
+  Run first_;  ///< where `shape_` is not any
+  Shape shape_ = Shape::any;
   std::vector<Run> runs_;
   std::vector<Flag> flags_;
   BitTest gate_;

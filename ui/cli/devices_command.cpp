@@ -2,16 +2,21 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <string>
 
 #include "core/base/numbers.h"
 #include "core/base/shown_text.h"
+#include "firmware_io/decode/hand_factory.h"
 #include "firmware_io/decode/tablet_table.h"
+#include "firmware_io/decode/wacom_hands.h"
 #include "firmware_io/device/permission.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/files.h"
@@ -49,47 +54,90 @@ Json to_json(const decode::TabletIdentifier& identifier) {
   return out;
 }
 
-std::size_t rings(const decode::Tablet& tablet) {
-  return static_cast<std::size_t>(std::count_if(tablet.wheels.begin(), tablet.wheels.end(),
-                                                [](const decode::TabletWheel& wheel) { return wheel.is_ring; }));
+/// What the hand finds on a tablet: what the table says of it, and what reads its reports.
+struct Hand {
+  std::size_t keys = 0;
+  std::size_t rings = 0;
+  std::size_t dials = 0;
+  std::size_t strips = 0;
+  std::optional<decode::TabletTouch> touch;
+};
+
+Hand hand_of(const decode::Tablet& tablet) {
+  Hand hand;
+  hand.keys = static_cast<std::size_t>(std::max(tablet.pad_keys, 0));
+  hand.rings = static_cast<std::size_t>(std::count_if(tablet.wheels.begin(), tablet.wheels.end(),
+                                                      [](const decode::TabletWheel& wheel) { return wheel.is_ring; }));
+  hand.dials = tablet.wheels.size() - hand.rings;
+  hand.strips = static_cast<std::size_t>(std::max(tablet.strips, 0));
+  hand.touch = tablet.touch;
+  for (const auto& identifier : tablet.identifiers) {
+    for (const std::uint16_t bus : {decode::k_bus_usb, decode::k_bus_bluetooth}) {
+      const decode::WacomHand* known = decode::find_wacom_hand(bus, identifier.vendor, identifier.product);
+      if (known == nullptr) continue;
+      decode::DeviceIdentity device;
+      device.bus = bus;
+      device.vendor = identifier.vendor;
+      device.product = identifier.product;
+      const auto made = decode::make_hand_decoders(device);
+      if (made.pad) {
+        const decode::PadFeatures& has = made.pad->features();
+        if (hand.keys == 0) hand.keys = static_cast<std::size_t>(std::popcount(has.keys));
+        hand.rings = std::max<std::size_t>(hand.rings, has.rings);
+        hand.dials = std::max<std::size_t>(hand.dials, has.wheels);
+        hand.strips = std::max<std::size_t>(hand.strips, has.strips);
+      }
+      // Fingers on some displays are a USB device of their own, which says how large it is.
+      if (known->has_partner && known->pad != decode::WacomPad::none && !hand.touch) hand.touch.emplace();
+      if (made.touch && !hand.touch) {
+        const decode::TouchAxes& axes = made.touch->axes();
+        const auto length = [](const decode::Axis& axis) {
+          return axis.units_per_mm > 0 ? std::round(axis.maximum / axis.units_per_mm) : 0.0;
+        };
+        hand.touch = {length(axes.x), length(axes.y), axes.x.maximum, axes.y.maximum, known->contacts};
+      }
+    }
+  }
+  return hand;
 }
 
 Json to_json(const decode::Tablet& tablet) {
+  const Hand hand = hand_of(tablet);
   Json out{{"vendor", tablet.vendor},
            {"name", tablet.name},
            {"size_mm", {tablet.width_mm, tablet.height_mm}},
            {"max", {tablet.max_x, tablet.max_y}},
            {"max_pressure", tablet.max_pressure},
            {"pen_buttons", tablet.pen_buttons},
-           {"pad_keys", tablet.pad_keys},
+           {"pad_keys", hand.keys},
            {"mouse_buttons", tablet.mouse_buttons},
-           {"wheels", tablet.wheels.size()},
-           {"rings", rings(tablet)},
-           {"strips", tablet.strips},
+           {"wheels", hand.rings + hand.dials},
+           {"rings", hand.rings},
+           {"strips", hand.strips},
            {"identifiers", Json::array()},
            {"pads", Json::array()}};
-  if (tablet.touch) {
-    out["touch"] = {{"size_mm", {tablet.touch->width_mm, tablet.touch->height_mm}},
-                    {"max", {tablet.touch->max_x, tablet.touch->max_y}}};
-    if (tablet.touch->contacts > 0) out["touch"]["contacts"] = tablet.touch->contacts;
+  if (hand.touch) {
+    out["touch"] = {{"size_mm", {hand.touch->width_mm, hand.touch->height_mm}},
+                    {"max", {hand.touch->max_x, hand.touch->max_y}}};
+    if (hand.touch->contacts > 0) out["touch"]["contacts"] = hand.touch->contacts;
   }
   for (const auto& identifier : tablet.identifiers) out["identifiers"].push_back(to_json(identifier));
   for (const auto& pad : tablet.pads) out["pads"].push_back(to_json(pad));
   return out;
 }
 
-/// What the hand finds on it: `; 8 keys, 1 ring, touch`.
-std::string hand_of(const decode::Tablet& tablet) {
+/// `; 8 keys, 1 ring, touch`.
+std::string shown(const Hand& hand) {
   std::string list;
   const auto add = [&](std::size_t count, const std::string& what) {
     if (count == 0) return;
     list += (list.empty() ? "; " : ", ") + std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
   };
-  add(static_cast<std::size_t>(std::max(tablet.pad_keys, 0)), "key");
-  add(rings(tablet), "ring");
-  add(tablet.wheels.size() - rings(tablet), "dial");
-  add(static_cast<std::size_t>(std::max(tablet.strips, 0)), "strip");
-  if (tablet.touch) list += list.empty() ? "; touch" : ", touch";
+  add(hand.keys, "key");
+  add(hand.rings, "ring");
+  add(hand.dials, "dial");
+  add(hand.strips, "strip");
+  if (hand.touch) list += list.empty() ? "; touch" : ", touch";
   return list;
 }
 
@@ -105,7 +153,7 @@ void print(const decode::Tablet& tablet) {
   for (const auto& id : ids) std::cout << ' ' << id;
   std::cout << ',';
   for (const auto& protocol : protocols) std::cout << ' ' << protocol;
-  std::cout << hand_of(tablet);
+  std::cout << shown(hand_of(tablet));
   std::cout << '\n';
 }
 

@@ -30,6 +30,18 @@ TEST(BitNumber, JoinsRunsLowestFirst) {
   EXPECT_EQ(read("5 5 5 5"), 0xffffffff);
 }
 
+TEST(BitNumber, BytesThatAreNoNeighboursInOrderAreJoinedAllTheSame) {
+  EXPECT_EQ(read("3 2"), 0x1234);
+  EXPECT_EQ(read("2 4"), 0x8012);
+  EXPECT_EQ(read("2 | 3"), 0x36);
+  EXPECT_EQ(read("2 _8 3"), 0x340012);
+  EXPECT_EQ(read("2 !3"), 0xcb12);
+  EXPECT_EQ(read("2 3.0-6"), 0x3412);
+  EXPECT_EQ(read("_8 2"), 0x1200);
+  // Zero bits alone ask for no byte of the report.
+  EXPECT_EQ(BitNumber::parse("_4")->read_or({}, -1), 0);
+}
+
 TEST(BitNumber, InvertsTestsAndOrs) {
   EXPECT_EQ(read("!7.6"), 0);
   EXPECT_EQ(read("!7"), 0xbf);
@@ -73,6 +85,20 @@ TEST(BitTest, EachForm) {
   EXPECT_TRUE(holds("length>=10"));
   EXPECT_FALSE(holds("length>=11"));
   EXPECT_FALSE(holds("1.0 0=03"));
+}
+
+TEST(BitTest, ComparesWithUpToFourValuesWhateverTheByteIs) {
+  const auto one = BitTest::parse("0&f7=00/80/41/ff");
+  const auto none = BitTest::parse("0!=00/01/80");
+  const auto two = BitTest::parse("0=7f/fe");
+  ASSERT_TRUE(one && none && two);
+  for (int value = 0; value < 256; ++value) {
+    const std::uint8_t report[] = {static_cast<std::uint8_t>(value)};
+    const int masked = value & 0xf7;
+    EXPECT_EQ(one->holds(report), masked == 0x00 || masked == 0x80 || masked == 0x41) << value;
+    EXPECT_EQ(none->holds(report), value != 0x00 && value != 0x01 && value != 0x80) << value;
+    EXPECT_EQ(two->holds(report), value == 0x7f || value == 0xfe) << value;
+  }
 }
 
 TEST(BitTest, FailsWhereTheReportEnds) {

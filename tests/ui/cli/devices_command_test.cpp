@@ -54,6 +54,22 @@ TEST_F(DevicesCommand, ListsALineForEachTablet) {
   EXPECT_EQ(outcome.error, "");
 }
 
+TEST_F(DevicesCommand, SaysWhatTheHandFindsOnATabletWhoeverDecodesIt) {
+  const auto outcome = run_program({"devices", "--known"});
+  const auto line = [&](const std::string& begin) {
+    const auto at = outcome.out.find(begin);
+    return at == std::string::npos ? "no " + begin : outcome.out.substr(at, outcome.out.find('\n', at) - at);
+  };
+  // Rings, strips and fingers of Wacom's tablets as libwacom has them.
+  EXPECT_NE(line("Wacom PTH-650:").find("; 8 keys, 1 ring, touch"), std::string::npos) << line("Wacom PTH-650:");
+  EXPECT_NE(line("Wacom PTH-660:").find("; 8 keys, 1 ring, touch"), std::string::npos) << line("Wacom PTH-660:");
+  EXPECT_NE(line("Wacom PTZ-930:").find("; 8 keys, 2 strips"), std::string::npos) << line("Wacom PTZ-930:");
+  EXPECT_NE(line("Wacom PTZ-431W:").find("; 4 keys, 1 strip"), std::string::npos) << line("Wacom PTZ-431W:");
+  EXPECT_NE(line("Wacom CTH-460:").find("; 4 keys, touch"), std::string::npos) << line("Wacom CTH-460:");
+  EXPECT_EQ(line("Wacom ET-0405-U:").find("touch"), std::string::npos) << line("Wacom ET-0405-U:");
+  EXPECT_NE(line("Huion HS610:").find("; 12 keys, 1 ring"), std::string::npos) << line("Huion HS610:");
+}
+
 TEST_F(DevicesCommand, JsonIsOneObject) {
   const auto outcome = run_program({"devices", "--known", "--json"});
   EXPECT_EQ(outcome.status, 0);
