@@ -4,6 +4,8 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <string>
+#include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace penpose::app {
@@ -49,6 +51,39 @@ TEST_F(SessionFiles, OneThatWasNeverFinishedIsAndOnlyIfSomethingWasDoneInIt) {
   settle_session(found.front());
   EXPECT_TRUE(abandoned_sessions(folder_).empty());
   EXPECT_EQ(past_sessions(folder_).size(), 1U) << "a settled session stays in the list";
+}
+
+TEST_F(SessionFiles, OneThatCannotBeReadNowIsKept) {
+  std::string path;
+  {
+    const auto file = SessionFile::create_in(folder_, "unreadable", "test");
+    ASSERT_TRUE(file.ok());
+    ASSERT_TRUE((*file)->writer().begin({}, "builtin:head").ok());
+    ASSERT_TRUE((*file)->writer().state({}).ok());
+    path = (*file)->path();
+  }
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+  // So many files are open that its own cannot be, once the folder and its lock are.
+  const int next = ::dup(STDIN_FILENO);
+  ::close(next);
+  for (const int more : {1, 2, 3, 4}) {
+    const rlimit little{static_cast<rlim_t>(next + more), before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &little), 0);
+    static_cast<void>(abandoned_sessions(folder_));
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
+    EXPECT_TRUE(std::filesystem::exists(path)) << more;
+  }
+  EXPECT_EQ(abandoned_sessions(folder_).size(), 1U);
+}
+
+TEST_F(SessionFiles, APipeInPlaceOfANoteHoldsNothingUp) {
+  std::filesystem::create_directories(folder_);
+  const std::string path = folder_ + "/odd.session";
+  std::ofstream(path) << "# penpose session 1 program=test\n# penpose state 00\n";
+  ASSERT_EQ(::mkfifo((path + ".open").c_str(), 0600), 0);
+  EXPECT_EQ(abandoned_sessions(folder_).size(), 1U);
+  EXPECT_EQ(project_of_session(path), "");
 }
 
 TEST_F(SessionFiles, AFinishedSessionStaysAndOneWithoutWorkGoes) {
