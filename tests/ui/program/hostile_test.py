@@ -151,9 +151,11 @@ class Run:
 
     def limit(self):
         r = self.r
-        which = r.choice([resource.RLIMIT_AS] * 4 + [resource.RLIMIT_NOFILE, resource.RLIMIT_FSIZE, resource.RLIMIT_FSIZE])
+        which = r.choice([resource.RLIMIT_AS] * 4 + [resource.RLIMIT_NOFILE, resource.RLIMIT_FSIZE, resource.RLIMIT_FSIZE, resource.RLIMIT_DATA,
+                                                     resource.RLIMIT_NPROC, resource.RLIMIT_STACK])
         most = {resource.RLIMIT_AS: lambda: r.randrange(30, 900) << 20, resource.RLIMIT_NOFILE: lambda: r.randrange(4, 24),
-                resource.RLIMIT_FSIZE: lambda: r.choice([0, 1, 100, 4096, 20000])}[which]()
+                resource.RLIMIT_FSIZE: lambda: r.choice([0, 1, 100, 4096, 20000]), resource.RLIMIT_DATA: lambda: r.randrange(20, 300) << 20,
+                resource.RLIMIT_NPROC: lambda: r.randrange(6), resource.RLIMIT_STACK: lambda: r.choice([256, 512, 1024]) << 10}[which]()
         self.limits[which] = most
 
     def spoil_streams(self):
@@ -340,7 +342,7 @@ def main():
     global SEEDS
     parser = argparse.ArgumentParser()
     parser.add_argument('penpose')
-    parser.add_argument('--runs', type=int, default=240)
+    parser.add_argument('--runs', type=int, default=160)
     parser.add_argument('--seed', default='1')
     parser.add_argument('--jobs', type=int, default=2)
     parser.add_argument('--only', choices=list(GROUPS))
