@@ -4,9 +4,10 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <string>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "replay/trace_reader.h"
 
 namespace penpose::app {
 namespace {
@@ -53,28 +54,18 @@ TEST_F(SessionFiles, OneThatWasNeverFinishedIsAndOnlyIfSomethingWasDoneInIt) {
   EXPECT_EQ(past_sessions(folder_).size(), 1U) << "a settled session stays in the list";
 }
 
-TEST_F(SessionFiles, OneThatCannotBeReadNowIsKept) {
+TEST_F(SessionFiles, OneThatCannotBeReadToItsEndIsKept) {
   std::string path;
   {
-    const auto file = SessionFile::create_in(folder_, "unreadable", "test");
+    const auto file = SessionFile::create_in(folder_, "damaged", "test");
     ASSERT_TRUE(file.ok());
     ASSERT_TRUE((*file)->writer().begin({}, "builtin:head").ok());
-    ASSERT_TRUE((*file)->writer().state({}).ok());
     path = (*file)->path();
   }
-  rlimit before{};
-  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
-  // So many files are open that its own cannot be, once the folder and its lock are.
-  const int next = ::dup(STDIN_FILENO);
-  ::close(next);
-  for (const int more : {1, 2, 3, 4}) {
-    const rlimit little{static_cast<rlim_t>(next + more), before.rlim_max};
-    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &little), 0);
-    static_cast<void>(abandoned_sessions(folder_));
-    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
-    EXPECT_TRUE(std::filesystem::exists(path)) << more;
-  }
-  EXPECT_EQ(abandoned_sessions(folder_).size(), 1U);
+  // A crash of the machine leaves zeros where something was; there is no state in what can be read.
+  std::filesystem::resize_file(path, 2 * replay::TraceReader::k_most_of_a_line);
+  EXPECT_TRUE(abandoned_sessions(folder_).empty());
+  EXPECT_TRUE(std::filesystem::exists(path)) << "what was not read may hold work";
 }
 
 TEST_F(SessionFiles, APipeInPlaceOfANoteHoldsNothingUp) {
