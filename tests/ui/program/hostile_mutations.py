@@ -1,4 +1,5 @@
 """Ways of damaging a file. Each takes bytes and a random.Random and returns other bytes; the same generator gives the same damage."""
+import copy
 import json
 import re
 import struct
@@ -91,13 +92,13 @@ def change(document, r):
     paths = list(all_of(document))
     path = r.choice(paths)
     if not path:
-        return r.choice(VALUES)
+        return copy.deepcopy(r.choice(VALUES))
     parent = document
     for key in path[:-1]:
         parent = parent[key]
     key, what = path[-1], r.randrange(6)
     if what <= 1:
-        parent[key] = r.choice(VALUES)
+        parent[key] = copy.deepcopy(r.choice(VALUES))
     elif what == 2:
         del parent[key]
     elif what == 3:
@@ -115,7 +116,7 @@ def change(document, r):
     elif isinstance(parent[key], str):
         parent[key] = r.choice([parent[key] + '\x1b]0;x\x07', parent[key] * 50, parent[key][:-1], '\x00' + parent[key], parent[key] + '\n'])
     else:
-        parent[key] = r.choice(VALUES)
+        parent[key] = copy.deepcopy(r.choice(VALUES))
     return document
 
 
