@@ -57,6 +57,11 @@ base::Result<std::optional<TraceLine>> TraceReader::next() {
   if (found == nullptr) {
     const std::size_t rest = end_ - begin_;
     if (rest > k_longest_line) {
+      long_line_ = in_long_line_ ? long_line_ + k_longest_line : k_longest_line;
+      if (long_line_ > k_most_of_a_line) {
+        return base::Error{"a line of more than " + std::to_string(k_most_of_a_line >> 20) + " MiB",
+                           "line " + std::to_string(number_), "give a trace, which is text"};
+      }
       TraceLine piece = take(k_longest_line, 0);
       in_long_line_ = true;
       return std::optional(piece);

@@ -26,9 +26,12 @@ class TraceReader {
   /// kind `other`, all with its number.
   static constexpr std::size_t k_longest_line = std::size_t{1} << 18;
 
+  /// What has no break of a line in so many bytes is no text.
+  static constexpr std::size_t k_most_of_a_line = std::size_t{1} << 26;
+
   explicit TraceReader(ReadBytes read);
 
-  /// The next line, nothing at the end. Errors: those of reading.
+  /// The next line, nothing at the end. Errors: those of reading, and a line longer than k_most_of_a_line.
   base::Result<std::optional<TraceLine>> next();
 
   /// Once the end is reached: what is wrong with a last line that was cut off in the middle; nothing when the trace is
@@ -47,6 +50,7 @@ class TraceReader {
   std::size_t end_ = 0;
   bool at_end_ = false;
   bool in_long_line_ = false;
+  std::size_t long_line_ = 0;  ///< bytes of it so far
   std::uint64_t number_ = 0;
   std::vector<std::uint8_t> bytes_;
   TraceStyle style_;

@@ -210,7 +210,7 @@ base::Result<Elements> read_elements(GltfDocument& document, int index, const El
   const bool is_zeros = accessor.bufferView < 0;
   if (!is_zeros || !rule.stays_sparse) {
     const std::uint64_t numbers = std::uint64_t{elements.count} * elements.components;
-    if (auto spent = spend(document, is_zeros ? numbers * k_cost_of_zeros : numbers, pointer); !spent) {
+    if (auto spent = spend(document, numbers * (is_zeros ? k_cost_of_zeros : rule.cost), pointer); !spent) {
       return spent.error();
     }
   }
@@ -237,7 +237,7 @@ base::Result<std::vector<std::uint32_t>> read_indices(GltfDocument& document, in
     return wrong("indices of a type that is no unsigned integer", pointer + "/componentType");
   }
   if (accessor.bufferView < 0 || accessor.sparse.isSparse) return wrong("indices without plain data", pointer);
-  if (auto spent = spend(document, accessor.count, pointer); !spent) return spent.error();
+  if (auto spent = spend(document, k_cost_of_geometry * accessor.count, pointer); !spent) return spent.error();
   const auto run = locate(document, accessor.bufferView, accessor.byteOffset, accessor.count,
                           size_of(accessor.componentType), pointer);
   if (!run) return run.error();

@@ -30,7 +30,12 @@ struct ElementRule {
   bool float_only = false;
   bool needs_data = false;    ///< zeros alone make no sense
   bool stays_sparse = false;  ///< the caller never makes it dense, so that zeros cost nothing
+  std::uint64_t cost = 1;     ///< what a number of it counts for against the document's budget
 };
+
+/// Corners of triangles and places of vertices are kept with neighbours, edges and parts: a number of them takes some
+/// 60 bytes, any other one some 14.
+inline constexpr std::uint64_t k_cost_of_geometry = 4;
 
 /// Reads an accessor; integers that are marked normalized become -1..1 or 0..1 (glTF 2.0, section 3.11). Bounds are
 /// checked before anything is read, and what is read counts against the document's budget.

@@ -240,7 +240,7 @@ base::Result<GltfDocument> open_gltf(base::Bytes bytes, const FileResolver& reso
   std::size_t data = bytes.size();
   for (const auto& owned : document.owned) data += owned->size();
   // A number takes some 14 bytes once it is read: what comes of a file stays below 40 times its size.
-  document.budget = (std::size_t{1} << 21) + 2 * data + data / 2;
+  document.budget = (std::size_t{3} << 19) + 2 * data + data / 2;
   return document;
 }
 

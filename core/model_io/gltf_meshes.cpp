@@ -70,7 +70,7 @@ base::Status read_vertices(GltfDocument& document, const PartOrigin& origin, mes
   if (position == attributes.end()) {
     return base::Error{"the primitive has no POSITION", origin.pointer() + "/attributes", k_export_again};
   }
-  const auto positions = read_elements(document, position->second, {.needs_data = true});
+  const auto positions = read_elements(document, position->second, {.needs_data = true, .cost = k_cost_of_geometry});
   if (!positions) return positions.error();
   const std::vector<float> numbers = positions->dense();
   for (std::size_t v = 0; v < positions->count; ++v) {

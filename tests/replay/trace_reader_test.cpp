@@ -87,6 +87,26 @@ TEST(TraceReader, LongLinesComeInPieces) {
   }
 }
 
+TEST(TraceReader, WhatHasNoLinesIsNoTraceAndIsNotReadToItsEnd) {
+  std::size_t given = 0;
+  TraceReader reader([&](std::span<std::uint8_t> into) -> base::Result<std::size_t> {
+    std::fill(into.begin(), into.end(), std::uint8_t{0});
+    given += into.size();
+    return into.size();
+  });
+  for (;;) {
+    const auto line = reader.next();
+    if (line) {
+      ASSERT_TRUE(line->has_value());
+      ASSERT_LE(given, 2 * TraceReader::k_most_of_a_line);
+      continue;
+    }
+    EXPECT_EQ(line.error().place, "line 1");
+    EXPECT_FALSE(line.error().remedy.empty());
+    break;
+  }
+}
+
 TEST(TraceReader, ReadsADescriptorOf64KiB) {
   std::string text = "R: 65536";
   for (int i = 0; i < 65536; ++i) text += " a4";

@@ -31,6 +31,18 @@ bool is_trace(const std::string& path) {
          extension == ".txt";
 }
 
+/// What a session was drawn on, as it names it. An error says which model it is.
+base::Result<document::Document> model_of_session(const std::string& session, const std::string& named) {
+  const std::string model = cli::find_session_model(session, named);
+  auto document = cli::load_document(model, cli::NamedBy::file);
+  if (!document) {
+    base::Error error = document.error();
+    error.what = "the model \"" + model + "\" cannot be read: " + error.what;
+    return error;
+  }
+  return document;
+}
+
 /// A folder of this user alone, where there is no home to keep work in; empty where none can be made.
 std::string private_folder() {
   std::error_code code;
@@ -172,9 +184,7 @@ base::Result<replay::Playback> App::played_session(const std::string& path) {
   const auto file = cli::open_plain(path);
   if (!file) return file.error();
   replay::PlayerOptions options;
-  options.open = [&](const std::string& named) {
-    return cli::load_document(cli::find_session_model(path, named), cli::NamedBy::file);
-  };
+  options.open = [&](const std::string& named) { return model_of_session(path, named); };
   options.own_tablets = options_.own_tablets;
   auto played = replay::play_session(cli::read_from_file(file->get()), options);
   if (!played) return played;
@@ -199,7 +209,7 @@ base::Status App::play_trace(const std::string& path) {
   if (player->is_session()) {
     if (!player->model()) return replay::no_model();
     const std::string model = cli::find_session_model(path, player->model()->path);
-    auto document = cli::load_document(model, cli::NamedBy::file);
+    auto document = model_of_session(path, player->model()->path);
     if (!document) return document.error();
     const base::Hash128 found = document::DocumentHasher()(*document).whole;
     if (!(found == player->model()->hash)) return replay::other_model(model, found, player->model()->hash);

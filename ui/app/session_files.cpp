@@ -4,13 +4,14 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
-#include <fstream>
 #include <sys/file.h>
 #include <unistd.h>
 #include <utility>
 
+#include "replay/trace_reader.h"
 #include "ui/cli/files.h"
 #include "ui/cli/session_model.h"
+#include "ui/cli/trace_file.h"
 
 namespace penpose::app {
 namespace {
@@ -37,16 +38,22 @@ int take_lock(const std::string& path, int flags) {
   return -1;
 }
 
-/// The state after its last stroke or command; empty where there is none.
-std::string last_state(const std::string& path) {
+/// The state after its last stroke or command; empty where there is none. Errors: it cannot be read to its end.
+base::Result<std::string> last_state(const std::string& path) {
   constexpr std::string_view k_start = "# penpose state ";
-  std::ifstream file(path);
-  std::string line;
+  const auto file = cli::open_plain(path);
+  if (!file) return file.error();
+  replay::TraceReader lines(cli::read_from_file(file->get()));
   std::string state;
-  while (std::getline(file, line)) {
-    if (line.starts_with(k_start)) state = line.substr(k_start.size(), line.find(' ', k_start.size()) - k_start.size());
+  for (;;) {
+    const auto line = lines.next();
+    if (!line) return line.error();
+    if (!*line) return state;
+    std::string_view text = (*line)->text;
+    if (!text.starts_with(k_start)) continue;
+    text.remove_prefix(k_start.size());
+    state = text.substr(0, text.find(' '));
   }
-  return state;
 }
 
 struct Note {
@@ -55,11 +62,12 @@ struct Note {
 };
 
 Note note_of(const std::string& path) {
-  Note note;
-  std::ifstream file(path + k_lock);
-  std::getline(file, note.project);
-  std::getline(file, note.state);
-  return note;
+  const auto bytes = cli::read_plain_file(path + k_lock, cli::k_most_settings_bytes);
+  if (!bytes) return {};
+  const std::string_view text = base::as_text(*bytes);
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string_view rest = text.substr(std::min(end + 1, text.size()));
+  return {std::string(text.substr(0, end)), std::string(rest.substr(0, rest.find('\n')))};
 }
 
 void remove_quietly(const std::string& path) {
@@ -165,9 +173,11 @@ std::vector<std::string> abandoned_sessions(const std::string& folder) {
     const int lock = take_lock(path, 0);
     if (lock < 0) continue;
     ::close(lock);
-    const std::string state = last_state(path);
-    if (state.empty()) remove_quietly(path);
-    if (state.empty() || state == note_of(path).state) {
+    const auto state = last_state(path);
+    // What cannot be read now may hold work all the same.
+    if (!state) continue;
+    if (state->empty()) remove_quietly(path);
+    if (state->empty() || *state == note_of(path).state) {
       remove_quietly(path + k_lock);
     } else {
       found.push_back(path);

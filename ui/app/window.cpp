@@ -184,6 +184,7 @@ Window::~Window() = default;
 
 base::Result<std::unique_ptr<Window>> Window::open(bool fullscreen) {
   if (const auto room = render::check_room_for_gl(); !room) return room.error();
+  if (const auto threads = render::check_threads_for_gl(); !threads) return threads.error();
   // Fingers come as fingers alone, and a click into a window that was behind another one counts.
   SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");
   SDL_SetHint(SDL_HINT_MOUSE_TOUCH_EVENTS, "0");

@@ -149,7 +149,15 @@ base::Result<intent::IntentProblem> intent_of_case(const document::Model& model,
     for (const std::uint32_t v : vertices) out.push_back(posing::at_vertex(v));
     return out;
   };
+  // Every point of a drawn line is held against its whole reference, again and again while the pose is searched.
+  constexpr std::size_t k_most_matches = 4'000'000;
+  std::size_t matches = 0;
   for (const auto& reference : pose_case.references) {
+    matches += form == model_io::TargetForm::drawn ? reference.vertices.size() * reference.target.size() : 0;
+    if (matches > k_most_matches) {
+      return base::Error{"the lines are too fine: over 4,000,000 vertices times points of their targets",
+                         "case " + pose_case.name, "list fewer vertices and points along the curves"};
+    }
     if (form == model_io::TargetForm::points) {
       problem.known.push_back({points(reference.vertices), reference.target, doubt * (k_exact / k_hand)});
       continue;

@@ -98,7 +98,9 @@ base::Result<File> open_input(const std::string& path) {
   struct stat facts {};
   if (::stat(path.c_str(), &facts) != 0) return not_opened();
   if (const auto fits = check_kind(facts.st_mode, Pipes::taken); !fits) return fits.error();
-  return as_stream(Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC)), Pipes::taken);
+  // Only a pipe is waited for; some files of /proc would be, too.
+  const int waits = S_ISFIFO(facts.st_mode) ? 0 : O_NONBLOCK;
+  return as_stream(Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | waits)), Pipes::taken);
 }
 
 base::Result<File> open_plain(const std::string& path) {

@@ -29,17 +29,25 @@ constexpr const char* k_help =
     "evaluate (parameters, vertices), view (yaw, pitch, width, height), state, save (path). docs/library.md has all of "
     "it.";
 
+/// What goes on for so long without an end of a line is no conversation, and may never end.
+constexpr std::size_t k_most_of_a_line = 4 * serve::Conversation::k_longest_line;
+
 /// One line without its end. False at the end of the input. What is longer than any line that is read is thrown away
-/// up to its end, and is too long still.
-bool next_line(std::istream& in, std::string& line) {
+/// up to its end, and is too long still. Errors: more than k_most_of_a_line.
+base::Result<bool> next_line(std::istream& in, std::string& line) {
   line.clear();
-  bool any = false;
-  for (int c = in.get(); c != std::char_traits<char>::eof(); c = in.get()) {
-    any = true;
+  std::streambuf& bytes = *in.rdbuf();
+  constexpr int k_end = std::char_traits<char>::eof();
+  std::size_t length = 0;
+  for (int c = bytes.sbumpc(); c != k_end; c = bytes.sbumpc()) {
     if (c == '\n') return true;
+    if (++length > k_most_of_a_line) {
+      return base::Error{"a line of more than " + std::to_string(k_most_of_a_line >> 20) + " MiB", "standard input",
+                         "write JSON objects, one a line"};
+    }
     if (line.size() <= serve::Conversation::k_longest_line) line += static_cast<char>(c);
   }
-  return any;
+  return length > 0;
 }
 
 base::Status check_path(const std::string& path) {
@@ -75,7 +83,12 @@ int serve(const ServeArguments& arguments) {
   };
   serve::Conversation conversation(std::move(files));
   std::string line;
-  while (std::cout && next_line(std::cin, line)) std::cout << conversation.answer(line) << '\n' << std::flush;
+  while (std::cout) {
+    const auto more = next_line(std::cin, line);
+    if (!more) return report(more.error());
+    if (!*more) break;
+    std::cout << conversation.answer(line) << '\n' << std::flush;
+  }
   return k_success;
 }
 

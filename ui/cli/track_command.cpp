@@ -74,7 +74,8 @@ base::Result<Learned> learn(const model_io::LabelFile& file, const std::string& 
     if (held_px > most_px) image = base::Error{"the pictures unfold to far more pixels than bytes", "", "label fewer"};
     if (!image) {
       base::Error error = image.error();
-      error.place = file.images[k] + (error.place.empty() ? "" : ": " + error.place);
+      const bool names_it = error.place.empty() || error.place == file.images[k];
+      error.place = file.images[k] + (names_it ? "" : ": " + error.place);
       return error;
     }
     labelled.push_back({std::move(image).value(), file.track.frames[k].points, file.images[k]});

@@ -1,6 +1,7 @@
 #include <csignal>
 
 #include "ui/cli/command_line.h"
+#include "ui/cli/rights.h"
 #include "ui/cli/standard_streams.h"
 #include "ui/program/window.h"
 
@@ -9,5 +10,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   penpose::cli::hold_standard_streams();
   penpose::cli::end_where_memory_ends();
+  // What reads files that somebody else made keeps no right that it does not need.
+  if (argc > 1) penpose::cli::keep_only(penpose::cli::rights_of(argv[1]));
   return penpose::cli::run(argc, argv, penpose::program::window());
 }

@@ -1,9 +1,15 @@
 #include "ui/render/offscreen_context.h"
 
 #include <SDL2/SDL.h>
+#include <algorithm>
 #include <cstdlib>
+#include <mutex>
 #include <string>
 #include <sys/mman.h>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
 
 namespace penpose::render {
 namespace {
@@ -27,17 +33,44 @@ struct Version {
 }  // namespace
 
 base::Status check_room_for_gl() {
-  constexpr std::size_t k_room = std::size_t{576} << 20;
-  void* room = ::mmap(nullptr, k_room, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (room == MAP_FAILED) {
-    return base::Error{"pictures need more memory than the program may take", "", "raise its limit (ulimit -v)"};
+  // Of addresses, and of what may be written to: each has a limit of its own.
+  constexpr std::pair<std::size_t, int> k_rooms[] = {{std::size_t{576} << 20, PROT_NONE},
+                                                     {std::size_t{64} << 20, PROT_READ | PROT_WRITE}};
+  for (const auto& [size, access] : k_rooms) {
+    void* room = ::mmap(nullptr, size, access, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (room == MAP_FAILED) {
+      return base::Error{"pictures need more memory than the program may take", "",
+                         "raise its limit (ulimit -v, ulimit -d)"};
+    }
+    ::munmap(room, size);
   }
-  ::munmap(room, k_room);
   return base::Done{};
+}
+
+base::Status check_threads_for_gl() {
+  // As many as llvmpipe starts; those that compile and keep shaders are done without.
+  constexpr unsigned k_most = 32;
+  const unsigned wanted = std::min(std::max(std::thread::hardware_concurrency(), 1U), k_most);
+  std::vector<std::thread> started;
+  std::mutex all;
+  bool refused = false;
+  {
+    // None of them ends before all are there.
+    const std::scoped_lock waiting(all);
+    try {
+      for (unsigned i = 0; i < wanted; ++i) started.emplace_back([&all] { const std::scoped_lock until_all(all); });
+    } catch (const std::system_error&) {
+      refused = true;
+    }
+  }
+  for (std::thread& one : started) one.join();
+  if (!refused) return base::Done{};
+  return base::Error{"pictures need more threads than the program may start", "", "raise its limit (ulimit -u)"};
 }
 
 base::Result<std::unique_ptr<OffscreenContext>> OffscreenContext::make() {
   if (const auto room = check_room_for_gl(); !room) return room.error();
+  if (const auto threads = check_threads_for_gl(); !threads) return threads.error();
   std::unique_ptr<OffscreenContext> made(new OffscreenContext);
   if (SDL_WasInit(SDL_INIT_VIDEO) != 0) {
     const char* driver = SDL_GetCurrentVideoDriver();

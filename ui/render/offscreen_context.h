@@ -10,6 +10,9 @@ namespace penpose::render {
 /// so it is asked for before anything of it is started.
 [[nodiscard]] base::Status check_room_for_gl();
 
+/// Whether as many threads can be started as a driver of OpenGL does; Mesa waits for ever for those that cannot.
+[[nodiscard]] base::Status check_threads_for_gl();
+
 /// An OpenGL context that belongs to no window: SDL's offscreen driver (EGL; Mesa's software renderer where there is no
 /// graphics card). Needs no display. Current on the thread that made it, until it is destroyed.
 class OffscreenContext {

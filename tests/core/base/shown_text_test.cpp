@@ -63,6 +63,10 @@ TEST(ShownText, AnErrorIsOneLineOfPlainText) {
   for (const char c : line) EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20);
   EXPECT_LT(line.size(), 10000U);
   EXPECT_TRUE(line.starts_with("f\\x1b[1m: /a\\x1b: the name \"\\x1b]0;x\\x07\" is taken; rrr")) << line.substr(0, 90);
+  // A place is made of names that a file gave.
+  const std::string cut = Error{"is unknown", "/" + std::string(70000, ' ') + "end", "remove it"}.line("f");
+  EXPECT_LT(cut.size(), 600U);
+  EXPECT_TRUE(cut.ends_with("end: is unknown; remove it")) << cut;
 }
 
 }  // namespace

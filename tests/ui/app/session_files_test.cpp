@@ -4,7 +4,10 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <string>
+#include <sys/stat.h>
 #include <unistd.h>
+
+#include "replay/trace_reader.h"
 
 namespace penpose::app {
 namespace {
@@ -49,6 +52,29 @@ TEST_F(SessionFiles, OneThatWasNeverFinishedIsAndOnlyIfSomethingWasDoneInIt) {
   settle_session(found.front());
   EXPECT_TRUE(abandoned_sessions(folder_).empty());
   EXPECT_EQ(past_sessions(folder_).size(), 1U) << "a settled session stays in the list";
+}
+
+TEST_F(SessionFiles, OneThatCannotBeReadToItsEndIsKept) {
+  std::string path;
+  {
+    const auto file = SessionFile::create_in(folder_, "damaged", "test");
+    ASSERT_TRUE(file.ok());
+    ASSERT_TRUE((*file)->writer().begin({}, "builtin:head").ok());
+    path = (*file)->path();
+  }
+  // A crash of the machine leaves zeros where something was; there is no state in what can be read.
+  std::filesystem::resize_file(path, 2 * replay::TraceReader::k_most_of_a_line);
+  EXPECT_TRUE(abandoned_sessions(folder_).empty());
+  EXPECT_TRUE(std::filesystem::exists(path)) << "what was not read may hold work";
+}
+
+TEST_F(SessionFiles, APipeInPlaceOfANoteHoldsNothingUp) {
+  std::filesystem::create_directories(folder_);
+  const std::string path = folder_ + "/odd.session";
+  std::ofstream(path) << "# penpose session 1 program=test\n# penpose state 00\n";
+  ASSERT_EQ(::mkfifo((path + ".open").c_str(), 0600), 0);
+  EXPECT_EQ(abandoned_sessions(folder_).size(), 1U);
+  EXPECT_EQ(project_of_session(path), "");
 }
 
 TEST_F(SessionFiles, AFinishedSessionStaysAndOneWithoutWorkGoes) {

@@ -111,6 +111,38 @@ class Limits(unittest.TestCase):
                                 self.assertEqual(f.read(), b'as it was', what)
         self.assertGreater(short, 5, 'memory was never short')
 
+    @unittest.skipUnless(os.geteuid() == 0, 'root alone can become a user who runs nothing else')
+    def test_threads_that_cannot_be_started_are_one_line(self):
+        nobody = 65534
+        os.chmod(self.folder.name, 0o777)
+        picture = ['render', 'builtin:head', '--size', '64x64', '-o', self.path('x.png')]
+        for command in (picture, ['info', 'builtin:head'], ['pose', 'builtin:head', '--cases', self.path('cases.json')],
+                        ['demo', '-o', self.path('demo')]):
+            for most in (0, 1, 2):
+                def limit(most=most):
+                    os.setgroups([])
+                    os.setgid(nobody)
+                    os.setuid(nobody)
+                    resource.setrlimit(resource.RLIMIT_NPROC, (most, most))
+                done = subprocess.run([PENPOSE] + command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, preexec_fn=limit,
+                                      timeout=60, check=False)
+                self.assertIn(done.returncode, (0, 1), (command, done.stderr))
+                if done.returncode == 1:
+                    self.one_line(done.stderr, command)
+                if command == picture and os.cpu_count() > 1:
+                    self.assertEqual(done.returncode, 1, 'as many threads as processors are not there')
+
+    def test_what_may_be_written_to_is_little(self):
+        for megabytes in (20, 30, 45, 60, 90, 150):
+            for command in (['render', 'builtin:head', '--size', '64x64', '-o', self.path('x.png')], ['info', 'builtin:demo']):
+                def limit(most=megabytes << 20):
+                    resource.setrlimit(resource.RLIMIT_DATA, (most, most))
+                done = subprocess.run([PENPOSE] + command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, preexec_fn=limit,
+                                      timeout=60, check=False)
+                self.assertIn(done.returncode, (0, 1), (megabytes, command, done.stderr))
+                if done.returncode == 1:
+                    self.one_line(done.stderr, command)
+
     def test_an_interrupt_ends_it_at_once(self):
         pipe = self.path('pipe')
         os.mkfifo(pipe)

@@ -188,6 +188,39 @@ def many_controls(folder):
     return ['pose', model, '--cases', cases], [model, cases]
 
 
+def many_meshes(folder):
+    """Small meshes side by side: what is kept of a mesh is far more than its numbers."""
+    path = os.path.join(folder, 'meshes.glb')
+    document, binary = grid(40)
+    document['meshes'] = document['meshes'] * 20000
+    document['nodes'] = [{'mesh': i} for i in range(20000)]
+    document['scenes'][0]['nodes'] = list(range(20000))
+    glb(path, document, binary)
+    return ['info', path], [path]
+
+
+def fine_lines(folder, count=20000):
+    cases = os.path.join(folder, 'fine.json')
+    target = [[0.001 * i, round(0.01 * math.sin(i), 6), 0] for i in range(count)]
+    with open(cases, 'w') as f:
+        json.dump({'cases': [{'name': 'a', 'references': [{'vertices': [i % 9000 for i in range(count)], 'target': target}]}]}, f)
+    return ['pose', 'builtin:head', '--cases', cases, '--form', 'drawn'], [cases]
+
+
+def endless_session(folder):
+    path = os.path.join(folder, 'zeros.session')
+    with open(path, 'wb') as f:
+        f.truncate(1 << 31)
+    return ['replay', path], []
+
+
+def huge_session(folder):
+    path = os.path.join(folder, 'huge.session')
+    with open(path, 'wb') as f:
+        f.truncate(1 << 42)
+    return ['decode', path], []
+
+
 def endless_angle(folder):
     cases = os.path.join(folder, 'angle.json')
     with open(cases, 'w') as f:
@@ -196,4 +229,5 @@ def endless_angle(folder):
 
 
 ALL = [many_targets, many_instances, zeros, one_file_many_buffers, nested, many_numbers, long_line, one_fan, huge_counts, picture_header,
-       picture_bomb, many_labels, many_keys, huge_view, empty_frames, numbered_far_apart, many_controls, endless_angle]
+       picture_bomb, many_labels, many_keys, huge_view, empty_frames, numbered_far_apart, many_controls, many_meshes, fine_lines,
+       endless_session, huge_session, endless_angle]
