@@ -1,10 +1,10 @@
 #include "core/model_io/gltf_document.h"
 
 #include <map>
+#include <new>
 #include <utility>
 
 #include "core/model_io/gltf_schema.h"
-#include "core/model_io/gltf_structure.h"
 
 namespace penpose::model_io {
 namespace {
@@ -212,6 +212,48 @@ base::Status load_buffers(GltfDocument& document, const Container& container, co
   return base::Done{};
 }
 
+base::Status parse_structure(GltfDocument& document, const Json& vetted) {
+  const base::Error failed{"the structure of the document cannot be read", "/", k_truncated};
+  try {
+    const std::string text = vetted.dump();
+    tinygltf::TinyGLTF parser;
+    std::string errors;
+    std::string warnings;
+    if (!parser.LoadASCIIFromString(&document.model, &errors, &warnings, text.data(),
+                                    static_cast<unsigned int>(text.size()), "", tinygltf::NO_REQUIRE)) {
+      return failed;
+    }
+  } catch (const std::bad_alloc&) {
+    throw;  // no fault of what is read
+  } catch (const std::exception&) {
+    return failed;
+  }
+  // tinygltf skips what it does not like; then indices would point at other things than in the file.
+  const auto same_size = [&](const char* name, std::size_t parsed) {
+    const Json* array = find(vetted, name);
+    return (array == nullptr ? 0 : array->size()) == parsed;
+  };
+  const tinygltf::Model& model = document.model;
+  bool same = same_size("bufferViews", model.bufferViews.size()) && same_size("accessors", model.accessors.size()) &&
+              same_size("materials", model.materials.size()) && same_size("meshes", model.meshes.size()) &&
+              same_size("nodes", model.nodes.size()) && same_size("skins", model.skins.size()) &&
+              same_size("animations", model.animations.size()) && same_size("scenes", model.scenes.size());
+  for (std::size_t i = 0; same && i < model.meshes.size(); ++i) {
+    const Json& primitives = vetted["meshes"][i]["primitives"];
+    same = primitives.size() == model.meshes[i].primitives.size();
+    for (std::size_t p = 0; same && p < primitives.size(); ++p) {
+      const Json* targets = find(primitives[p], "targets");
+      same = (targets == nullptr ? 0 : targets->size()) == model.meshes[i].primitives[p].targets.size();
+    }
+  }
+  for (std::size_t i = 0; same && i < model.animations.size(); ++i) {
+    same = vetted["animations"][i]["channels"].size() == model.animations[i].channels.size() &&
+           vetted["animations"][i]["samplers"].size() == model.animations[i].samplers.size();
+  }
+  if (!same) return failed;
+  return base::Done{};
+}
+
 }  // namespace
 
 bool is_glb(base::Bytes bytes) { return base::ByteReader(bytes).read<std::uint32_t>() == k_magic; }
@@ -234,9 +276,7 @@ base::Result<GltfDocument> open_gltf(base::Bytes bytes, const FileResolver& reso
   auto vetted = vet_gltf(document.json, document.notes);
   if (!vetted) return vetted.error();
   if (const auto loaded = load_buffers(document, container, resolve); !loaded) return loaded.error();
-  auto structure = gltf_structure(*vetted);
-  if (!structure) return structure.error();
-  document.model = std::move(structure).value();
+  if (const auto parsed = parse_structure(document, *vetted); !parsed) return parsed.error();
   std::size_t data = bytes.size();
   for (const auto& owned : document.owned) data += owned->size();
   // A number takes some 14 bytes once it is read: what comes of a file stays below 40 times its size.

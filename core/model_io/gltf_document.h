@@ -12,8 +12,8 @@
 
 namespace penpose::model_io {
 
-/// A glTF file in memory: its structure in tinygltf's terms, after vet_gltf has checked it, and the bytes of its buffers,
-/// which stay where they are.
+/// A glTF file in memory: its structure as tinygltf gives it, after vet_gltf has checked it, and the bytes of its
+/// buffers, which stay where they are.
 struct GltfDocument {
   tinygltf::Model model;                                          ///< without buffers, extras, textures and cameras
   Json json;                                                      ///< as in the file, for extras

@@ -3,8 +3,6 @@
 // Hidden in core/model_io: third-party JSON types appear in no public header.
 
 #include <cstdint>
-#include <map>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -17,47 +15,10 @@
 
 namespace penpose::model_io {
 
-/// What makes Json a type of its own, for the destructor below; converts as adl_serializer does.
-template <typename T, typename Sfinae = void>
-struct JsonSerializer : nlohmann::adl_serializer<T, Sfinae> {};
+using Json = nlohmann::json;
 
-using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, double,
-                                  std::allocator, JsonSerializer>;
-
-/// Nesting above this depth is refused: no model or case file needs it, and readers may recurse. Nor does anything that
-/// is written nest deeper.
+/// Nesting above this depth is refused: no model or case file needs it, and readers may recurse.
 inline constexpr std::size_t k_max_json_depth = 64;
-
-namespace json_parts {
-template <typename Part>
-void free_part(Part* part) noexcept {
-  // Null where there was no memory for it.
-  if (part == nullptr) return;
-  std::destroy_at(part);
-  std::allocator<Part>().deallocate(part, 1);
-}
-}  // namespace json_parts
-
-}  // namespace penpose::model_io
-
-/// How a value is freed. The JSON library's own way takes memory for a list of what is still to be freed, which ends
-/// the program where there is none; ours recurses, which k_max_json_depth bounds.
-template <>
-inline void penpose::model_io::Json::json_value::destroy(nlohmann::detail::value_t type) {
-  using nlohmann::detail::value_t;
-  using penpose::model_io::json_parts::free_part;
-  if (type == value_t::object) {
-    free_part(object);
-  } else if (type == value_t::array) {
-    free_part(array);
-  } else if (type == value_t::string) {
-    free_part(string);
-  } else if (type == value_t::binary) {
-    free_part(binary);
-  }
-}
-
-namespace penpose::model_io {
 
 /// Errors: place "byte offset N" (no JSON, nested too deep, a number that does not fit a double).
 [[nodiscard]] base::Result<Json> parse_json(base::Bytes bytes);
