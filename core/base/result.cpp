@@ -17,7 +17,7 @@ std::string Error::line(std::string_view file) const {
   constexpr std::size_t k_longest_piece = 1500;
   add(shown_line(file, k_longest_path), "");
   add(shown_line(place, k_longest_place), ": ");
-  add(shown_line(what, k_longest_piece), ": ");
+  add(shown_line(what, k_longest_place), ": ");
   add(shown_line(remedy, k_longest_piece), "; ");
   return text;
 }

@@ -99,6 +99,7 @@ class Run:
             self.command.append(argument)
         if kind == 'serve':
             self.input = self.path(name)
+            self.stop = (8, signal.SIGTERM)  # a thousand solves that were asked for take their time
         if self.group == 'limits':
             self.limit()
         if self.group == 'streams':
