@@ -299,7 +299,8 @@ void Workspace::follow_stroke() {
       follow_.begin_drag(document(), *held_, editor().view(), held_pull_);
       followed_by_ = {};
     }
-    if (!(followed_by_ == held_by_)) follow_.drag(held_by_);
+    // What is performed settles where the pen rests.
+    if (staged_ || !(followed_by_ == held_by_)) follow_.drag(held_by_);
     followed_by_ = held_by_;
     return;
   }
@@ -315,7 +316,7 @@ void Workspace::follow_stroke() {
     preview_.reset();
     follow_.begin(document(), editor().tool(), stroke->view, stroke->samples);
   }
-  if (stroke->samples.size() == followed_) return;
+  if (!staged_ && stroke->samples.size() == followed_) return;
   followed_ = stroke->samples.size();
   follow_.follow(stroke->samples);
   if (sketches(editor().tool())) {

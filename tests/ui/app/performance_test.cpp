@@ -137,6 +137,27 @@ TEST(Performing, ASecondTakeKeepsWhatTheFirstOneMoved) {
   EXPECT_TRUE(moved);
 }
 
+TEST(Performing, AFaceThatIsBehindThePenSettlesWhileThePenRests) {
+  Desk desk("settles");
+  draw_smile(desk);
+  desk.click("Key");
+  desk.press(' ', false, true);
+  const auto& target = *desk.document().curves.back()->target;
+  const PxPoint middle = target.line[target.line.size() / 2];
+  desk.app->mouse_moved(middle);
+  desk.app->mouse_button(MouseButton::left, true, middle);
+  desk.app->mouse_moved(middle + PxPoint{0, 8});
+  desk.frames(2);
+  desk.app->mouse_moved(middle + PxPoint{0, 30});
+  desk.frames(40);
+  const rig::Pose rested = desk.app->workspace().shown_pose();
+  desk.frames(40);
+  EXPECT_EQ(desk.app->workspace().shown_pose(), rested) << "it comes to rest";
+  desk.app->mouse_button(MouseButton::left, false, middle + PxPoint{0, 30});
+  desk.frames();
+  EXPECT_EQ(rig::Pose(desk.document().timeline->keys.back().pose), rested) << "and is keyed as it rests";
+}
+
 TEST(Performing, ATouchOfAGoalIsStillATouch) {
   Desk desk("touch");
   draw_smile(desk);
