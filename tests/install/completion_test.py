@@ -33,7 +33,7 @@ class Terminal:
             os.chdir(folder)
             os.execvpe(command[0], command, environment)
 
-    def read_until(self, pattern, seconds=20):
+    def read_until(self, pattern, seconds=90):
         text, stop = '', time.monotonic() + seconds
         while time.monotonic() < stop:
             if select.select([self.end], [], [], 0.2)[0]:

@@ -126,6 +126,7 @@ void App::advance() {
   tell_new_doubts();
   workspace_.follow_pen();
   follow_performance();
+  doubt_feature();
   offer_.follow(workspace_);
 }
 

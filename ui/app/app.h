@@ -291,6 +291,8 @@ class App : private TracePlayer::Listener {
   void frame_from(const render::Viewpoint& from);
   void commit_view();
   void begin_control();
+  /// Says so before the goal is drawn where the feature that was found may not be the one that is meant.
+  void doubt_feature();
   void take_moments(int device, std::span<const replay::PenMoment> moments);
   void take_pen_button(int device, const replay::PenMoment& moment);
   void turn_pen_dials(int device, const replay::PenMoment& moment);
@@ -417,8 +419,9 @@ class App : private TracePlayer::Listener {
   std::optional<Performance> performance_;
   std::size_t performed_steps_ = 0;  ///< that were done when it began
   std::int64_t play_from_us_ = 0;
-  std::size_t deformer_count_ = 0;    ///< to tell a new one
-  std::size_t correction_count_ = 0;  ///< likewise
+  std::shared_ptr<const document::PendingSketch> doubted_;  ///< whose feature that was said of
+  std::size_t deformer_count_ = 0;                          ///< to tell a new one
+  std::size_t correction_count_ = 0;                        ///< likewise
   bool fullscreen_ = false;
   bool quit_ = false;
   bool leaves_work_ = false;  ///< the session stays as after a crash

@@ -28,6 +28,18 @@ void App::begin_control() {
                                              panels_.new_surface, 0, 1, drawing::k_control_rules});
 }
 
+void App::doubt_feature() {
+  const auto& pending = workspace_.document().pending;
+  const drawing::Tool& tool = workspace_.editor().tool();
+  const std::string& doubt = workspace_.sketch().reference_doubt();
+  if (!pending || doubted_ == pending || pen_is_drawing() || doubt.empty() || tool.draw_reference ||
+      tool.kind != drawing::ToolKind::articulate ||
+      drawing::next_step(workspace_.document(), tool) != articulation::CurveRole::target)
+    return;
+  doubted_ = pending;
+  tell("The green line is the feature that was found, but " + doubt + ": \"Draw the feature myself\" takes yours");
+}
+
 void App::mirror_control(const std::string& deformer) {
   std::string to = articulation::mirrored_name(deformer);
   // A name without a side.

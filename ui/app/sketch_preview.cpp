@@ -130,8 +130,10 @@ void SketchPreview::show_weights(std::size_t vertex_count, const std::vector<dou
 void SketchPreview::find_reference(const articulation::Sketch& sketch, const std::vector<std::uint32_t>& specific) {
   constexpr std::size_t k_points = articulation::k_curve_points;
   base::Result<std::vector<geometry::ModelPoint>> found = base::Error{};
+  reference_doubt_.clear();
   if (sketch.reference.empty()) {
     found = articulation::infer_reference(*canvas_, region_, specific, k_points);
+    if (found) reference_doubt_ = articulation::doubt_of_inferred(*canvas_, region_, specific, *found);
   } else if (const auto camera =
                  geometry::Camera::make(sketch.reference_camera.value_or(sketch.camera), sketch.viewport)) {
     found = articulation::drawn_reference(*canvas_, *camera, sketch.reference, k_points);

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/articulation/region.h"
@@ -41,6 +42,8 @@ class SketchPreview {
   [[nodiscard]] const std::vector<geometry::PxPoint>& refused_core() const { return refused_core_; }
   /// The reference of the deformer being drawn, found by itself or drawn, in world space at rest; empty before step 3.
   [[nodiscard]] const std::vector<geometry::ModelPoint>& reference() const { return reference_; }
+  /// Why one that was found by itself may not be what is meant; empty: nothing speaks against it.
+  [[nodiscard]] const std::string& reference_doubt() const { return reference_doubt_; }
   /// A ball under the region, for a deformer that slides over one; nothing before step 2 or for a flat region.
   [[nodiscard]] std::optional<articulation::Sphere> ball() const;
   /// How far the deformer that is drawn is shown, as a share of its range.
@@ -75,6 +78,7 @@ class SketchPreview {
   std::vector<float> weights_;
   std::uint64_t revision_ = 0;
   std::vector<geometry::ModelPoint> reference_;
+  std::string reference_doubt_;
   std::shared_ptr<const document::Model> model_;
   std::optional<rig::Pose> pose_;
   std::optional<std::size_t> drawn_;  ///< the parameter of `model_` that is drawn

@@ -52,6 +52,14 @@ class Chin {
   PxPoint middle;
 };
 
+TEST(ControlGoals, AFeatureThatWasFoundByAGuessIsDoubtedBeforeTheGoalIsDrawn) {
+  Chin chin("guess");
+  chin.desk.stroke(around(chin.middle, 70, 42));
+  EXPECT_FALSE(chin.says("The green line"));
+  chin.desk.stroke(around(chin.middle, 20, 18));
+  EXPECT_TRUE(chin.says("The green line is the feature that was found, but"));
+}
+
 TEST(ControlGoals, AnotherGoalIsDrawnAtTheValueThatTheSliderShowsDrawnAgainAndForgotten) {
   Chin chin("between");
   chin.sketch();

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "core/base/utf8.h"
 #include "tests/support/c_desk.h"
 
 // Null pointers, counts that do not fit, numbers that are none: a status that says so, and nothing has changed.
@@ -319,14 +320,17 @@ TEST(CArguments, ArraysThatAreNoCharacterAreRefused) {
 
 TEST(CArguments, ALongMessageIsCutBetweenCharacters) {
   CDesk desk;
-  std::string name;
-  for (int i = 0; i < 400; ++i) name += "\xC3\xA4";
-  std::size_t found = 0;
-  EXPECT_EQ(penpose_find_parameter(desk.open, desk.sheet, name.c_str(), &found, &desk.error), PENPOSE_REFUSED);
-  const std::string message = desk.error.message;
-  EXPECT_LT(message.size(), sizeof desk.error.message);
-  EXPECT_GT(message.size(), sizeof desk.error.message - 4);
-  EXPECT_EQ(message.back(), '\xA4') << "whole to its end";
+  // A cut anywhere, also where it would go through a letter of two bytes.
+  for (std::size_t letters = 220; letters < 300; ++letters) {
+    std::string name(letters % 2, 'a');
+    for (std::size_t i = 0; i < letters; ++i) name += "\xC3\xA4";
+    std::size_t found = 0;
+    EXPECT_EQ(penpose_find_parameter(desk.open, desk.sheet, name.c_str(), &found, &desk.error), PENPOSE_REFUSED);
+    const std::string message = desk.error.message;
+    EXPECT_LT(message.size(), sizeof desk.error.message);
+    EXPECT_GT(message.size(), sizeof desk.error.message - 12) << letters;
+    EXPECT_EQ(base::valid_utf8(message), message) << letters;
+  }
 }
 
 }  // namespace
