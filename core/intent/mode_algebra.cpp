@@ -4,18 +4,6 @@
 
 namespace penpose::intent {
 
-double times(const Modes& a, const Modes& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < k_modes; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-void grow(ModeMatrix& m, const Modes& a, double weight) {
-  for (std::size_t i = 0; i < k_modes; ++i) {
-    for (std::size_t k = 0; k < k_modes; ++k) m[i][k] += weight * a[i] * a[k];
-  }
-}
-
 ModeMatrix factor_of(ModeMatrix m) {
   for (std::size_t i = 0; i < k_modes; ++i) m[i][i] += 1.0;
   for (std::size_t i = 0; i < k_modes; ++i) {

@@ -10,9 +10,17 @@ inline constexpr std::size_t k_modes = 6;
 using Modes = std::array<double, k_modes>;
 using ModeMatrix = std::array<Modes, k_modes>;
 
-[[nodiscard]] double times(const Modes& a, const Modes& b);
+[[nodiscard]] inline double times(const Modes& a, const Modes& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < k_modes; ++i) sum += a[i] * b[i];
+  return sum;
+}
 /// m += weight a a'.
-void grow(ModeMatrix& m, const Modes& a, double weight);
+inline void grow(ModeMatrix& m, const Modes& a, double weight) {
+  for (std::size_t i = 0; i < k_modes; ++i) {
+    for (std::size_t k = 0; k < k_modes; ++k) m[i][k] += weight * a[i] * a[k];
+  }
+}
 /// Lower Cholesky factor of I + m, m positive semidefinite.
 [[nodiscard]] ModeMatrix factor_of(ModeMatrix m);
 /// L^-1 b in place.

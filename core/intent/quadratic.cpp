@@ -1,5 +1,7 @@
 #include "core/intent/quadratic.h"
 
+#include <array>
+
 #include "core/posing/vector_math.h"
 
 namespace penpose::intent {
@@ -18,15 +20,30 @@ double Quadratic::product(std::span<const double> a, std::span<const double> b) 
   return posing::dot(a.data(), b.data(), rows_) - posing::dot(a.data() + rows_, b.data() + rows_, slides_);
 }
 
+void Quadratic::products(std::span<const double> a, std::span<double> out) const {
+  std::size_t k = 0;
+  for (; k + 4 <= asked_.size(); k += 4) {
+    std::array<const double*, 4> rows;
+    std::array<const double*, 4> slides;
+    for (std::size_t m = 0; m < 4; ++m) {
+      rows[m] = column(asked_[k + m]).data();
+      slides[m] = rows[m] + rows_;
+    }
+    const auto r = posing::dots(a.data(), rows, rows_);
+    const auto p = posing::dots(a.data() + rows_, slides, slides_);
+    for (std::size_t m = 0; m < 4; ++m) out[asked_[k + m]] = r[m] - p[m];
+  }
+  for (; k < asked_.size(); ++k) out[asked_[k]] = product(a, column(asked_[k]));
+}
+
 void Quadratic::finish(std::span<const std::size_t> only) {
   diagonal_.assign(variables_, 0.0);
   pull_.assign(variables_, 0.0);
+  asked_.clear();
   const std::size_t count = only.empty() ? variables_ : only.size();
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t j = only.empty() ? k : only[k];
-    diagonal_[j] = product(column(j), column(j));
-    pull_[j] = product(column(j), right_);
-  }
+  for (std::size_t k = 0; k < count; ++k) asked_.push_back(only.empty() ? k : only[k]);
+  products(right_, pull_);
+  for (const std::size_t j : asked_) diagonal_[j] = product(column(j), column(j));
   constant_ = product(right_, right_);
 }
 
@@ -40,8 +57,15 @@ double Quadratic::curvature(std::size_t i, std::size_t j) const {
 void Quadratic::prepare(std::size_t i) {
   auto& row = gram_[i];
   if (!row.empty()) return;
+  asked_.clear();
+  for (std::size_t v = 0; v < variables_; ++v) {
+    if (v == i || gram_[v].empty()) asked_.push_back(v);
+  }
   row.resize(variables_);
-  for (std::size_t v = 0; v < variables_; ++v) row[v] = product(column(i), column(v));
+  for (std::size_t v = 0; v < variables_; ++v) {
+    if (v != i && !gram_[v].empty()) row[v] = gram_[v][i];
+  }
+  products(column(i), row);
 }
 
 }  // namespace penpose::intent

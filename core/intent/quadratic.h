@@ -45,12 +45,15 @@ class Quadratic {
   [[nodiscard]] double product(std::span<const double> a, std::span<const double> b) const;
 
  private:
+  /// out[asked_[k]] = product(a, column(asked_[k])), several at once.
+  void products(std::span<const double> a, std::span<double> out) const;
   [[nodiscard]] std::size_t stride() const { return rows_ + slides_; }
 
   std::size_t variables_ = 0, rows_ = 0, slides_ = 0;
   std::vector<double> columns_, right_, diagonal_, pull_;
   double constant_ = 0;
   std::vector<std::vector<double>> gram_;  ///< rows that are prepared; others are empty
+  std::vector<std::size_t> asked_;         ///< columns whose products with one are to be made
 };
 
 }  // namespace penpose::intent

@@ -193,6 +193,12 @@ class Reader {
   bool linear_ = false;
   std::vector<ModelVector> columns_;  ///< one run of points a variable, for its whole range
   std::vector<ModelPoint> start_, positions_, moved_;
+  /// What a way of a point is worth in its three rows; all zero where nothing is asked of it.
+  struct PointRows {
+    ModelVector normal{0}, along{0}, ray{0};
+    double root = 0;  ///< of the point's weight
+  };
+  std::vector<PointRows> rows_;
 };
 
 /// A line that asks for more than can be: what it means is told by what would explain it were there no limits, and that

@@ -9,6 +9,25 @@
 // What controls do beside what was drawn, and what that costs.
 
 namespace penpose::intent {
+namespace {
+
+/// Which of the places is nearest by its distance as rounded, the first of equals. Roots are taken only where squares
+/// are too near each other to tell.
+std::size_t nearest_of(std::span<const ModelPoint> places, const ModelPoint& p) {
+  constexpr double k_clear = 1e-12;
+  std::size_t nearest = 0;
+  double least = square_of(p - places[0]);
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    const double square = square_of(p - places[k]);
+    if (!(square < least)) continue;
+    if (square > least * (1.0 - k_clear) && !(std::sqrt(square) < std::sqrt(least))) continue;
+    nearest = k;
+    least = square;
+  }
+  return nearest;
+}
+
+}  // namespace
 
 void Reader::measure_besides() {
   const std::size_t n = start_.size();
@@ -111,12 +130,7 @@ std::vector<std::vector<double>> Reader::ways_apart() const {
     const auto form = rig_.bind(near)->linearize(problem_.start, parameters_);
     if (!form) return out;
     std::vector<std::size_t> nearest(near.size(), 0);
-    for (std::size_t i = 0; i < near.size(); ++i) {
-      for (std::size_t k = 1; k < places.size(); ++k) {
-        if (geometry::distance(rest[near[i]], places[k]) < geometry::distance(rest[near[i]], places[nearest[i]]))
-          nearest[i] = k;
-      }
-    }
+    for (std::size_t i = 0; i < near.size(); ++i) nearest[i] = nearest_of(places, rest[near[i]]);
     for (std::size_t j = 0; j < parameters_.size(); ++j) {
       double sum = 0;
       for (std::size_t i = 0; i < near.size(); ++i) {

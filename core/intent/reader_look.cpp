@@ -92,14 +92,16 @@ void Reader::look_at_drawn(Block& block, Quadratic& quadratic, std::span<const d
                            std::span<const std::size_t> variables) {
   const std::size_t n = start_.size();
   const std::vector<PxPoint> px = seen(block, positions_);
-  block.matching =
-      block.line->match(px, block.alignments[block.aligned], slide, doubt_of(block) / std::sqrt(block.share));
+  const double doubt = doubt_of(block);
+  block.matching = block.line->match(px, block.alignments[block.aligned], slide, doubt / std::sqrt(block.share));
   Matching& m = block.matching;
   ModeMatrix grown{};
   const auto& weights = block.drawn->weights;
+  rows_.assign(block.count, {});
+  const std::span<double> right = quadratic.right();
   for (std::size_t i = 0; i < block.count; ++i) {
     if (!weights.empty()) m.weight[i] *= weights[i];
-    const double w = block.share * m.weight[i] * k_looks / (doubt_of(block) * doubt_of(block));
+    const double w = block.share * m.weight[i] * k_looks / (doubt * doubt);
     const double root = std::sqrt(w);
     const std::size_t row = block.row + 3 * i;
     const auto d = view_derivative(block.drawn->camera, positions_[block.first + i]);
@@ -109,43 +111,44 @@ void Reader::look_at_drawn(Block& block, Quadratic& quadratic, std::span<const d
     }
     grow(grown, m.modes[i], w);
     if (!m.across.empty()) grown.back().back() += w * m.across[i] * m.across[i];
-    const ModelVector normal = (d->x * across(m.tangent[i]).x + d->y * across(m.tangent[i]).y) * root;
-    const ModelVector along = (d->x * m.tangent[i].x + d->y * m.tangent[i].y) * root;
-    const ModelVector ray = d->ray * (root * k_ray);
+    PointRows& rows = rows_[i];
+    rows.root = root;
+    rows.normal = (d->x * across(m.tangent[i]).x + d->y * across(m.tangent[i]).y) * root;
+    rows.along = (d->x * m.tangent[i].x + d->y * m.tangent[i].y) * root;
+    rows.ray = d->ray * (root * k_ray);
     const PxPoint off = m.goal[i] - px[i];
-    double rn = dot(off, across(m.tangent[i])) * root;
-    double rt = (dot(off, m.tangent[i]) - m.slid[i]) * root;
-    double rr = -glm::dot(ray, positions_[block.first + i] - start_[block.first + i]);
-    for (const std::size_t j : variables) {
-      const ModelVector& c = columns_[j * n + block.first + i];
-      const auto column = quadratic.column(j);
-      column[row] = glm::dot(normal, c);
-      column[row + 1] = glm::dot(along, c);
-      column[row + 2] = glm::dot(ray, c);
-      if (at[j] == 0.0) continue;
-      rn += column[row] * at[j];
-      rt += column[row + 1] * at[j];
-      rr += column[row + 2] * at[j];
+    right[row] = dot(off, across(m.tangent[i])) * root;
+    right[row + 1] = (dot(off, m.tangent[i]) - m.slid[i]) * root;
+    right[row + 2] = -glm::dot(rows.ray, positions_[block.first + i] - start_[block.first + i]);
+  }
+  for (const std::size_t j : variables) {
+    const ModelVector* ways = columns_.data() + j * n + block.first;
+    double* out = quadratic.column(j).data() + block.row;
+    double* residual = right.data() + block.row;
+    for (std::size_t i = 0; i < block.count; ++i) {
+      const PointRows& rows = rows_[i];
+      out[3 * i] = glm::dot(rows.normal, ways[i]);
+      out[3 * i + 1] = glm::dot(rows.along, ways[i]);
+      out[3 * i + 2] = glm::dot(rows.ray, ways[i]);
     }
-    quadratic.right()[row] = rn;
-    quadratic.right()[row + 1] = rt;
-    quadratic.right()[row + 2] = rr;
+    if (at[j] == 0.0) continue;
+    for (std::size_t k = 0; k < 3 * block.count; ++k) residual[k] += out[k] * at[j];
   }
   if (overshoots_tell()) look_at_overshoots(block, px, quadratic, at, variables);
   block.factor = factor_of(grown);
   const auto slides = [&](std::span<double> numbers) {
-    double* out = numbers.data() + quadratic.rows() + block.slide;
+    Modes sums{};
     for (std::size_t i = 0; i < block.count; ++i) {
-      const double w = block.share * m.weight[i] * k_looks / (doubt_of(block) * doubt_of(block));
-      const double t = std::sqrt(w) * numbers[block.row + 3 * i + 1];
+      const double t = rows_[i].root * numbers[block.row + 3 * i + 1];
       if (t == 0.0 && m.across.empty()) continue;
-      for (std::size_t a = 0; a < k_modes; ++a) out[a] += m.modes[i][a] * t;
-      if (!m.across.empty()) out[k_modes - 1] += m.across[i] * std::sqrt(w) * numbers[block.row + 3 * i];
+      for (std::size_t a = 0; a < k_modes; ++a) sums[a] += m.modes[i][a] * t;
+      if (!m.across.empty()) sums[k_modes - 1] += m.across[i] * rows_[i].root * numbers[block.row + 3 * i];
     }
-    solve_forward(block.factor, out);
+    solve_forward(block.factor, sums.data());
+    std::copy(sums.begin(), sums.end(), numbers.data() + quadratic.rows() + block.slide);
   };
   for (const std::size_t j : variables) slides(quadratic.column(j));
-  slides(quadratic.right());
+  slides(right);
 }
 
 void Reader::look_at_overshoots(Block& block, std::span<const PxPoint> px, Quadratic& quadratic,
@@ -204,9 +207,10 @@ double Reader::squares(const Block& block, std::span<const ModelPoint> positions
   const Matching& m = block.matching;
   ModeMatrix grown{};
   Modes back{};
+  const double doubt = doubt_of(block);
   for (std::size_t i = 0; i < block.count; ++i) {
     if (m.weight[i] == 0.0) continue;
-    const double w = m.weight[i] * k_looks / (doubt_of(block) * doubt_of(block));
+    const double w = m.weight[i] * k_looks / (doubt * doubt);
     const auto px = block.drawn->camera.project(positions[block.first + i]);
     const PxPoint off = m.goal[i] - (px ? *px : PxPoint{-1e6, -1e6});
     const double normal = dot(off, across(m.tangent[i]));

@@ -7,6 +7,18 @@ namespace penpose::intent {
 
 using geometry::ModelPoint;
 
+namespace {
+
+/// distance(p, q) <= reach, without the root where rounding cannot decide.
+bool within(const ModelPoint& p, const ModelPoint& q, double reach) {
+  constexpr double k_clear = 1e-12;
+  const double square = square_of(p - q);
+  if (square > reach * reach * (1.0 + k_clear)) return false;
+  return square < reach * reach * (1.0 - k_clear) || std::sqrt(square) <= reach;
+}
+
+}  // namespace
+
 Surroundings::Surroundings(std::vector<ModelPoint> rest, std::vector<std::uint32_t> pieces)
     : rest_(std::move(rest)), pieces_(std::move(pieces)) {
   for (std::uint32_t v = 0; v < rest_.size(); ++v) {
@@ -14,6 +26,8 @@ Surroundings::Surroundings(std::vector<ModelPoint> rest, std::vector<std::uint32
   }
   std::stable_sort(by_x_.begin(), by_x_.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return rest_[a].x < rest_[b].x; });
+  ordered_.reserve(by_x_.size());
+  for (const std::uint32_t v : by_x_) ordered_.push_back(rest_[v]);
 }
 
 std::vector<std::uint32_t> Surroundings::near(std::span<const ModelPoint> places, double reach, std::size_t most,
@@ -22,16 +36,16 @@ std::vector<std::uint32_t> Surroundings::near(std::span<const ModelPoint> places
   for (const ModelPoint& p : places) box.add(p);
   std::vector<std::uint32_t> found;
   if (box.empty()) return found;
-  const auto first = std::lower_bound(by_x_.begin(), by_x_.end(), box.minimum.x - reach,
-                                      [&](std::uint32_t v, double x) { return rest_[v].x < x; });
-  for (auto at = first; at != by_x_.end() && rest_[*at].x <= box.maximum.x + reach; ++at) {
-    const ModelPoint& p = rest_[*at];
+  const auto first = std::lower_bound(ordered_.begin(), ordered_.end(), box.minimum.x - reach,
+                                      [](const ModelPoint& p, double x) { return p.x < x; });
+  for (auto at = first; at != ordered_.end() && at->x <= box.maximum.x + reach; ++at) {
+    const ModelPoint& p = *at;
     if (p.y < box.minimum.y - reach || p.y > box.maximum.y + reach) continue;
     if (p.z < box.minimum.z - reach || p.z > box.maximum.z + reach) continue;
-    if (!pieces.empty() && !std::binary_search(pieces.begin(), pieces.end(), piece(*at))) continue;
-    if (std::any_of(places.begin(), places.end(),
-                    [&](const ModelPoint& q) { return geometry::distance(p, q) <= reach; }))
-      found.push_back(*at);
+    const std::uint32_t v = by_x_[static_cast<std::size_t>(at - ordered_.begin())];
+    if (!pieces.empty() && !std::binary_search(pieces.begin(), pieces.end(), piece(v))) continue;
+    if (std::any_of(places.begin(), places.end(), [&](const ModelPoint& q) { return within(p, q, reach); }))
+      found.push_back(v);
   }
   std::stable_sort(found.begin(), found.end());
   if (found.size() <= most) return found;

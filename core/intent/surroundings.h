@@ -9,6 +9,8 @@
 
 namespace penpose::intent {
 
+[[nodiscard]] inline double square_of(const geometry::ModelVector& v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
+
 /// The vertices of a model as they rest, found by where they are.
 class Surroundings {
  public:
@@ -26,7 +28,8 @@ class Surroundings {
  private:
   std::vector<geometry::ModelPoint> rest_;
   std::vector<std::uint32_t> pieces_;
-  std::vector<std::uint32_t> by_x_;  ///< finite ones, ascending by x, then by number
+  std::vector<std::uint32_t> by_x_;            ///< finite ones, ascending by x, then by number
+  std::vector<geometry::ModelPoint> ordered_;  ///< where they are, in that order
 };
 
 }  // namespace penpose::intent

@@ -33,6 +33,24 @@ double dot(const double* a, const double* b, std::size_t count) {
   return total;
 }
 
+std::array<double, 4> dots(const double* a, const std::array<const double*, 4>& b, std::size_t count) {
+  // Four sums that do not wait for each other.
+  Double4 s0 = geometry::splat(0.0), s1 = s0, s2 = s0, s3 = s0;
+  std::size_t i = 0;
+  for (; i + 4 <= count; i += 4) {
+    const Double4 one = at(a + i);
+    s0 += one * at(b[0] + i);
+    s1 += one * at(b[1] + i);
+    s2 += one * at(b[2] + i);
+    s3 += one * at(b[3] + i);
+  }
+  std::array<double, 4> totals{sum_of(s0), sum_of(s1), sum_of(s2), sum_of(s3)};
+  for (; i < count; ++i) {
+    for (std::size_t k = 0; k < 4; ++k) totals[k] += a[i] * b[k][i];
+  }
+  return totals;
+}
+
 void multiply(const double* a, const double* b, double* out, std::size_t count) {
   std::size_t i = 0;
   for (; i + 4 <= count; i += 4) put(out + i, at(a + i) * at(b + i));

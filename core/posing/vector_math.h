@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -12,6 +13,8 @@ namespace penpose::posing {
 
 /// Sum of a_i b_i.
 [[nodiscard]] double dot(const double* a, const double* b, std::size_t count);
+/// dot(a, b[k], count) of four b at once, to the same bits.
+[[nodiscard]] std::array<double, 4> dots(const double* a, const std::array<const double*, 4>& b, std::size_t count);
 /// out_i = a_i b_i.
 void multiply(const double* a, const double* b, double* out, std::size_t count);
 /// out_i += factor a_i.
