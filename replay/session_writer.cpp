@@ -7,6 +7,8 @@ namespace {
 
 /// Reports of a stroke that goes on are handed over when so many bytes have come together.
 constexpr std::size_t k_most_pending = std::size_t{1} << 16;
+/// What cannot be written is kept up to so many bytes: hours of drawing.
+constexpr std::size_t k_most_kept = std::size_t{1} << 26;
 
 }  // namespace
 
@@ -14,11 +16,19 @@ SessionWriter::SessionWriter(AppendText append, std::string program)
     : append_(std::move(append)), program_(std::move(program)) {}
 
 base::Status SessionWriter::flush(bool sync) {
-  if (broken_) return *broken_;
   const std::string text = writer_.take();
-  if (text.empty() && !sync) return base::Done{};
-  auto status = append_(text, sync);
-  if (!status) broken_ = status.error();
+  if (given_up_) return *broken_;
+  kept_ += text;
+  if (kept_.empty() && !sync) return base::Done{};
+  auto status = append_(kept_, sync || broken_);
+  if (status) {
+    broken_.reset();
+    kept_.clear();
+    return status;
+  }
+  if (!broken_) broken_ = status.error();
+  given_up_ = kept_.size() > k_most_kept;
+  if (given_up_) kept_.clear();
   return status;
 }
 

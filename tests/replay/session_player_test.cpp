@@ -236,5 +236,30 @@ TEST(SessionWriter, ADiskThatIsFullLeavesTheDocumentAlive) {
   EXPECT_EQ(live.session().editor().document().pose[0], 0.2);
 }
 
+TEST(SessionWriter, WhatTheDiskDidNotTakeComesWithWhatIsNext) {
+  bool full = false;
+  std::string text;
+  SessionWriter writer(
+      [&](std::string_view piece, bool) -> base::Status {
+        if (full) return base::Error{"the disk is full", "", ""};
+        text += piece;
+        return base::Done{};
+      },
+      "test");
+  LiveSession live(document::make_document(tests::sheet_model()), &writer, "sheet");
+  for (int i = 1; i <= 20; ++i) {
+    full = i > 5 && i < 15;
+    EXPECT_TRUE(live.act(Performed{document::SetParameters{{{"lift", i * 0.01}}}}, i));
+    EXPECT_EQ(writer.broken().has_value(), full);
+  }
+  PlayerOptions options;
+  options.open = [](const std::string&) { return document::make_document(tests::sheet_model()); };
+  const auto played = play_session(read_from(base::as_bytes(text)), options);
+  ASSERT_TRUE(played && played->session);
+  EXPECT_FALSE(played->divergence);
+  EXPECT_EQ(played->checked, 20U);
+  EXPECT_EQ(played->session->editor().state(), live.session().editor().state());
+}
+
 }  // namespace
 }  // namespace penpose::replay

@@ -154,10 +154,17 @@ void App::begin_frame() {
     look.pulled = pull_;
   }
   curves_ = shown_curves(workspace_, surface_, look);
-  if (file_ && file_->writer().broken() && !broken_told_) {
-    broken_told_ = true;
-    tell("this session is recorded no further: " + file_->writer().broken()->line(file_->path()), true);
-  }
+  tell_of_recording();
+}
+
+void App::tell_of_recording() {
+  const bool broken = file_ && file_->writer().broken();
+  if (broken == broken_told_ || !file_) return;
+  broken_told_ = broken;
+  if (!broken) return tell("this session is recorded again, with all that was drawn in between");
+  tell("this session cannot be recorded now, and is kept in memory until it can: " +
+           file_->writer().broken()->line(file_->path()),
+       true);
 }
 
 int App::next_frame_ms() const {

@@ -313,6 +313,8 @@ class App : private TracePlayer::Listener {
   void tell_battery(DeskTablet& tablet, int device);
   /// A wireless receiver hears another tablet, or none any more.
   void change_tablets(std::span<const replay::HandMoment> moments);
+  /// That the session's file cannot be written, and that it can again.
+  void tell_of_recording();
   /// What was held on a device that goes, for the message: "; Key 2 (Undo) was held and is let go".
   [[nodiscard]] std::string held_until_now(int device, std::span<const replay::HandMoment> let_go) const;
   [[nodiscard]] replay::TabletSetting setting_of(int device) const;

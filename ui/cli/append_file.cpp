@@ -85,14 +85,28 @@ AppendFile::~AppendFile() {
   if (file_ >= 0) ::close(file_);
 }
 
+void AppendFile::take_back(off_t end) {
+  if (end >= 0 && ::ftruncate(file_, end) == 0) return;
+  ::close(file_);
+  file_ = -1;
+}
+
 base::Status AppendFile::append(std::string_view piece, bool sync) {
+  const off_t end = ::lseek(file_, 0, SEEK_END);
   while (!piece.empty()) {
     const ssize_t written = ::write(file_, piece.data(), piece.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return system_error("cannot be written");
+    if (written < 0) {
+      auto problem = system_error("cannot be written");
+      take_back(end);
+      return problem;
+    }
     piece.remove_prefix(static_cast<std::size_t>(written));
   }
-  return sync ? flush() : base::Done{};
+  if (!sync) return base::Done{};
+  auto flushed = flush();
+  if (!flushed) take_back(end);
+  return flushed;
 }
 
 base::Status AppendFile::flush() {

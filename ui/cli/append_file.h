@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <sys/types.h>
 
 #include "core/base/result.h"
 
@@ -26,13 +27,16 @@ class AppendFile {
   AppendFile& operator=(AppendFile&& other) noexcept;
   ~AppendFile();
 
-  /// `sync`: and flush. Errors: the disk is full.
+  /// `sync`: and flush. Errors: the disk is full; then the file holds nothing of the piece, so that it can be tried
+  /// again. What cannot be taken back, as from a pipe, ends the file: all later pieces are errors.
   base::Status append(std::string_view piece, bool sync = false);
   /// Waits until the disk has what was appended.
   base::Status flush();
 
  private:
   explicit AppendFile(int file) : file_(file) {}
+  /// The file as it was before a piece that failed.
+  void take_back(off_t end);
 
   int file_;
 };
