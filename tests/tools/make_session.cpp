@@ -98,7 +98,7 @@ std::string demo_session(const char* sketch_file, const char* expression_file) {
   if (!sketches) stop(sketches.error(), sketch_file);
   const auto expressions = tests::read_expressions(read(expression_file));
   if (!expressions) stop(expressions.error(), expression_file);
-  tests::SessionScript script(document::make_document(head::make_head(head::HeadEdition::third)), "builtin:head-3");
+  tests::SessionScript script(document::make_document(head::make_head(head::HeadEdition::fourth)), "builtin:head-4");
   DemoHand hand(script);
   for (const articulation::Sketch& sketch : sketches->sketches) hand.sketch(sketch);
   double now_s = 0;
