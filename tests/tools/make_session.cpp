@@ -2,6 +2,7 @@
 // and poses it as an expression file says, every line drawn by the virtual pen.
 // make_session random SEED ACTIONS OUT: what a random hand does with a small sheet.
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -73,7 +74,7 @@ class DemoHand {
     for (const auto kind : {drawing::ToolKind::reference, drawing::ToolKind::target}) {
       drawing::Tool tool;
       tool.kind = kind;
-      tool.rules = rules_;
+      tool.rules = std::min(rules_, drawing::k_rules);
       static_cast<void>(script_.act(replay::ToolChosen{tool}));
       for (const tests::DrawnPair& pair : expression.curves) {
         look(pair.camera.value_or(expression.camera), viewport);
