@@ -8,8 +8,8 @@
 
 namespace penpose::articulation {
 
-/// The rules from which on a surface over a ball gives way on its circles alone, so that its rows keep their width where
-/// they are held together, too.
+/// The rules from which on a surface over a ball gives way on its circles alone, so that its rows keep their width
+/// where they are held together, too.
 inline constexpr std::uint32_t k_circle_rules = 8;
 
 /// The motion of a curve over a ball: every point turns about one axis through the centre, square to where the curve
