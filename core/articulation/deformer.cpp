@@ -6,6 +6,7 @@
 #include "core/articulation/measured_deformer.h"
 #include "core/articulation/reference_curve.h"
 #include "core/articulation/region.h"
+#include "core/articulation/slide.h"
 #include "core/curve/pairing.h"
 #include "core/curve/polyline.h"
 
@@ -275,7 +276,8 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
                             *surface,
                             held,
                             !sketch.betweens.empty(),
-                            sketch.rules >= k_close_rules};
+                            sketch.rules >= k_close_rules,
+                            sketch.rules >= k_circle_rules};
   auto motion = measured_motion(parts, sketch.mode, {sketch.minimum, sketch.maximum});
   if (!motion) return at("general", motion.error());
   std::vector<Curve> betweens;

@@ -228,6 +228,13 @@ class Trial {
         relaxation_->unfold(stiff, marked, k_unfold_sweeps, places);
       }
       if (strain.stretch > judge.bound) relaxation_->limit_stretch(k_safe * judge.bound, k_limit_sweeps, places);
+      if (parts_.circles && held.motion->slide() != nullptr) {
+        // Along the axis every node stays where the slide brings it: that is the width of its row.
+        const ModelVector& axis = held.motion->slide()->axis();
+        for (std::size_t node = 0; node < n; ++node) {
+          places[node] -= axis * glm::dot(axis, places[node] - parts_.patch.rests()[node] - before[node]);
+        }
+      }
       for (std::size_t node = 0; node < n; ++node) moves_[node] = places[node] - parts_.patch.rests()[node];
       strain = meter_.measure(moves_);
       if (!judge.better(strain, nearest, 1.0)) continue;

@@ -23,6 +23,8 @@ struct MeasuredParts {
   bool whole = false;  ///< vertices that do not move are kept, and the motion of the nodes
   /// By rules from k_close_rules on: what passes at the amounts of `held` is looked at between them too.
   bool throughout = false;
+  /// By rules from k_circle_rules on (slide.h): what slides over a ball gives way across the slide's axis only.
+  bool circles = false;
 };
 
 /// The range of a deformer's parameter.

@@ -36,7 +36,8 @@ Slide::Slide(const ModelPoint& center, std::span<const ModelPoint> reference, st
     ways += geometry::distance(target[i], reference[i]);
   }
   const bool common = geometry::length(way) > k_common * ways;
-  const ModelVector axis = geometry::normalized(common ? glm::cross(middle, way) : ModelVector{0}, ModelVector{0});
+  axis_ = geometry::normalized(common ? glm::cross(middle, way) : ModelVector{0}, ModelVector{0});
+  const ModelVector& axis = axis_;
   for (std::size_t i = 0; i < reference.size(); ++i) {
     const ModelVector from = reference[i] - center;
     const ModelVector to = target[i] - center;

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/articulation/sketch.h"
 
 namespace penpose::articulation {
+
+/// The rules from which on a surface over a ball gives way on its circles alone, so that its rows keep their width
+/// where they are held together, too.
+inline constexpr std::uint32_t k_circle_rules = 8;
 
 /// The motion of a curve over a ball: every point turns about one axis through the centre, square to where the curve
 /// lies and to where it goes, so that what is carried along keeps its width along that axis whatever its weight; what
@@ -16,12 +21,15 @@ class Slide {
   Slide(const ModelPoint& center, std::span<const ModelPoint> reference, std::span<const ModelPoint> target);
 
   [[nodiscard]] const ModelPoint& center() const { return center_; }
+  /// Along which what is carried keeps its width: of length 1, or 0 where the ways have no axis in common.
+  [[nodiscard]] const ModelVector& axis() const { return axis_; }
   /// Of each point at amount 1: axis times angle about the common axis, and the turn after it.
   [[nodiscard]] std::span<const ModelVector> turns() const { return turns_; }
   [[nodiscard]] std::span<const ModelVector> tilts() const { return tilts_; }
 
  private:
   ModelPoint center_;
+  ModelVector axis_{0};
   std::vector<ModelVector> turns_;
   std::vector<ModelVector> tilts_;
 };

@@ -45,8 +45,10 @@ base::Result<Character> Character::built_in(std::string_view name) {
     edition = HeadEdition::second;
   } else if (name == "builtin:head-3") {
     edition = HeadEdition::third;
+  } else if (name == "builtin:head-4") {
+    edition = HeadEdition::fourth;
   } else if (name != "builtin:head") {
-    return base::Error{"there is no built-in character of that name", "", "use builtin:head-3"};
+    return base::Error{"there is no built-in character of that name", "", "use builtin:head-4"};
   }
   return Character(document::make_document(head::make_head(edition)));
 }

@@ -46,8 +46,8 @@ class Character {
 
   /// A glTF, OBJ, PLY, OFF or STL file in memory, or a project. Errors: those of model_io::read_document.
   [[nodiscard]] static base::Result<Character> read(base::Bytes bytes, std::string_view file_name_hint = {});
-  /// "builtin:head-3", or "builtin:head-2" and "builtin:head" of older sessions.
-  [[nodiscard]] static base::Result<Character> built_in(std::string_view name = "builtin:head-3");
+  /// "builtin:head-4", or "builtin:head-3", "builtin:head-2" and "builtin:head" of older sessions.
+  [[nodiscard]] static base::Result<Character> built_in(std::string_view name = "builtin:head-4");
   /// Errors: those of the mesh, the blend shapes, the skeleton and the rig.
   [[nodiscard]] static base::Result<Character> make(Pieces pieces);
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/articulation/slide.h"
 #include "core/base/result.h"
 #include "core/curve/stroke.h"
 #include "core/document/command.h"
@@ -35,7 +36,7 @@ enum class ToolKind : std::uint8_t {
 /// (curve::Holding::firm).
 inline constexpr std::uint32_t k_rules = 7;
 /// The newest that controls are sketched by.
-inline constexpr std::uint32_t k_control_rules = std::max(k_rules, articulation::k_close_rules);
+inline constexpr std::uint32_t k_control_rules = std::max(k_rules, articulation::k_circle_rules);
 
 struct Tool {
   ToolKind kind = ToolKind::pose;

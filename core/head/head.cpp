@@ -56,7 +56,7 @@ document::Model make_head(HeadEdition edition) {
   Surface teeth_lower;
   Surface tongue;
   if (second) {
-    teeth_lower = make_teeth_lower();
+    teeth_lower = make_teeth_lower(edition);
     tongue = make_tongue();
     hang_on(skin.lining, teeth_lower);
     hang_on(skin.lining, tongue);

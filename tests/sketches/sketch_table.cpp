@@ -17,6 +17,7 @@
 
 #include "core/articulation/deformer.h"
 #include "core/articulation/doubts.h"
+#include "core/articulation/slide.h"
 #include "core/model_io/sketch_file.h"
 #include "tests/sketches/sketch_cases.h"
 #include "tests/sketches/surface_check.h"
@@ -170,7 +171,7 @@ int main(int count, char** arguments) {
   std::uint32_t rules = penpose::articulation::k_held_rules;
   const bool others = count > 1 && std::strcmp(arguments[1], "--others") == 0;
   if (count > 1 && std::strcmp(arguments[1], "--varied") == 0) {
-    const auto newest = penpose::articulation::k_close_rules;
+    const auto newest = penpose::articulation::k_circle_rules;
     return penpose::sketches::run(nullptr, newest, penpose::sketches::varied_sketch_cases(103), true);
   }
   const bool named = others || (count > 1 && std::strncmp(arguments[1], "--rules=", 8) == 0);

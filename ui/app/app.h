@@ -339,6 +339,7 @@ class App : private TracePlayer::Listener {
   void end_barrel(PxPoint at);
   void select_at(PxPoint at);
   [[nodiscard]] bool take_goal(PxPoint at);
+  [[nodiscard]] std::optional<document::PullBetween> goal_pull(PxPoint at) const;
   void hold_line(const std::vector<geometry::ModelPoint>& line, PxPoint at);
   void suggest_rest();
   void step_key(int direction);

@@ -121,9 +121,18 @@ bool App::take_goal(PxPoint at) {
   return true;
 }
 
+std::optional<document::PullBetween> App::goal_pull(PxPoint at) const {
+  const PxPoint by = at - goal_drag_->second;
+  if (std::hypot(by.x, by.y) <= k_click_px * scale()) return std::nullopt;
+  return document::PullBetween{
+      panels_.deformer,          goal_drag_->first, workspace_.editor().view(), goal_drag_->second, by,
+      pull_ ? pull_->reach : 0.0};
+}
+
 void App::select_at(PxPoint at) {
   target_drag_.reset();
   goal_drag_.reset();
+  workspace_.hold_goal(std::nullopt);
   touched_curve_.reset();
   panels_.curve_menu.reset();
   highlighted_ = curve_near(workspace_, surface_, at, 10 * scale());
@@ -200,6 +209,7 @@ void App::pen_moved(PxPoint at) {
       !drawing::is_tap(stroke->samples, stroke->view.viewport)) {
     begin_control();
   }
+  if (goal_drag_) workspace_.hold_goal(goal_pull(at));
   if (!target_drag_) return;
   const PxPoint by = at - target_drag_->second;
   if (std::hypot(by.x, by.y) > k_click_px * scale()) workspace_.hold_target(target_drag_->first, by, pull_);
@@ -208,14 +218,10 @@ void App::pen_moved(PxPoint at) {
 void App::pen_released(PxPoint at) {
   show_new_deformer();
   if (goal_drag_) {
-    const PxPoint by = at - goal_drag_->second;
-    const double value = goal_drag_->first;
-    const PxPoint from = goal_drag_->second;
+    const auto pull = goal_pull(at);
     goal_drag_.reset();
-    if (std::hypot(by.x, by.y) > k_click_px * scale()) {
-      workspace_.perform(document::PullBetween{panels_.deformer, value, workspace_.editor().view(), from, by,
-                                               pull_ ? pull_->reach : 0.0});
-    }
+    workspace_.hold_goal(std::nullopt);
+    if (pull) workspace_.perform(*pull);
     return;
   }
   if (performance_) {

@@ -219,9 +219,12 @@ void add_deformer(std::vector<CurveDrawing>& out, const Workspace& workspace, co
     }
     out.push_back(std::move(goal));
   };
-  add_goal(1.0, deformer.target());
-  for (std::size_t i = 0; i < deformer.betweens().size(); ++i) {
-    add_goal(deformer.sketch().betweens[i].value, deformer.betweens()[i]);
+  // While one of them is in hand the face shows what it would do; the line is pulled from where it was.
+  const document::Model& drawn = look.goal ? *workspace.document().model : *model;
+  const articulation::Deformer& pulled = *drawn.deformers->deformers()[*number];
+  add_goal(1.0, pulled.target());
+  for (std::size_t i = 0; i < pulled.betweens().size(); ++i) {
+    add_goal(pulled.sketch().betweens[i].value, pulled.betweens()[i]);
   }
   CurveDrawing feature;
   feature.points = deformer.curve_at(workspace.shown_pose()[*parameter]);

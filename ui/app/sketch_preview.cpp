@@ -188,6 +188,16 @@ void SketchPreview::follow(const document::Document& document, const drawing::To
   }
 }
 
+void SketchPreview::pull(const document::Document& document, const document::PullBetween& pull) {
+  document::ApplyWorkspace work;
+  const auto pulled = document::apply(document, pull, work);
+  if (!pulled) return;
+  model_ = pulled->model;
+  pose_ = pulled->pose;
+  drawn_.reset();
+  if (const auto number = rig::find_parameter(model_->rig->parameters(), pull.deformer)) (*pose_)[*number] = pull.value;
+}
+
 void SketchPreview::follow_redraw(const document::Document& document, const drawing::Tool& tool,
                                   const document::View& view, const std::vector<geometry::PxPoint>& line) {
   if (const auto correction = correction_of(document, tool.deformer)) {

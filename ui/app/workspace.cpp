@@ -53,6 +53,7 @@ void Workspace::forget() {
   joined_.clear();
   habits_ = {};
   held_.reset();
+  held_goal_.reset();
   movements_.clear();
   stroke_seen_ = false;
   live_.reset();
@@ -284,6 +285,13 @@ void Workspace::hold_target(std::optional<document::CurveId> curve, geometry::Px
   if (!held_) mirrored_.reset();
 }
 
+void Workspace::hold_goal(std::optional<document::PullBetween> pull) {
+  if (held_goal_ == pull) return;
+  if (!pull) sketch_.end();
+  held_goal_ = std::move(pull);
+  goal_shown_ = false;
+}
+
 void Workspace::follow_pen() {
   follow_stroke();
   mirrored_.reset();
@@ -302,6 +310,10 @@ void Workspace::follow_stroke() {
     // What is performed settles where the pen rests.
     if (staged_ || !(followed_by_ == held_by_)) follow_.drag(held_by_);
     followed_by_ = held_by_;
+    return;
+  }
+  if (held_goal_) {
+    if (!std::exchange(goal_shown_, true)) sketch_.pull(document(), *held_goal_);
     return;
   }
   const replay::DrawnStroke* stroke = session().pens().current();

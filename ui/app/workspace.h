@@ -91,6 +91,8 @@ class Workspace {
   /// A target in hand, moved by px of the view as it is: the face follows. Nothing: it was let go.
   void hold_target(std::optional<document::CurveId> curve, geometry::PxPoint by = {},
                    const std::optional<PullHold>& pull = std::nullopt);
+  /// How a control's goal is pulled so far; nothing: it is not in hand. The face follows with follow_pen.
+  void hold_goal(std::optional<document::PullBetween> pull);
 
   /// A pose to show in place of the document's until another or none is given: a slider or the timeline in hand.
   void preview(std::optional<rig::Pose> pose) { preview_ = std::move(pose); }
@@ -149,6 +151,8 @@ class Workspace {
   std::optional<document::CurveId> held_;
   geometry::PxPoint held_by_;
   std::optional<PullHold> held_pull_;
+  std::optional<document::PullBetween> held_goal_;
+  bool goal_shown_ = false;
   geometry::PxPoint followed_by_;
   std::size_t followed_ = 0;
   std::vector<Movement> movements_;

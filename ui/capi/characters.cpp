@@ -98,7 +98,8 @@ base::Result<document::Document> penpose::capi::built_in_document(std::string_vi
   using head::HeadEdition;
   constexpr std::pair<std::string_view, HeadEdition> k_demos[] = {{"builtin:demo", HeadEdition::first},
                                                                   {"builtin:demo-2", HeadEdition::second},
-                                                                  {"builtin:demo-3", HeadEdition::third}};
+                                                                  {"builtin:demo-3", HeadEdition::third},
+                                                                  {"builtin:demo-4", HeadEdition::fourth}};
   for (const auto& [known, edition] : k_demos) {
     if (name != known) continue;
     auto head = demo::make_demo_head(edition);

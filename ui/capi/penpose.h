@@ -98,7 +98,7 @@ PENPOSE_API int32_t penpose_handle_count(penpose_library* library, size_t* count
  * out in the middle of a glTF file's JSON, the JSON library may end the program instead of PENPOSE_NO_MEMORY. */
 PENPOSE_API int32_t penpose_character_read(penpose_library* library, const void* bytes, size_t size, const char* hint,
                                            penpose_handle* character, penpose_error* error);
-/* "builtin:head-3", the program's own head, which has nothing to pose yet, or "builtin:demo-3", the same with sketched
+/* "builtin:head-4", the program's own head, which has nothing to pose yet, or "builtin:demo-4", the same with sketched
  * deformers. Older sessions have "builtin:head", "builtin:head-2", "builtin:demo" and "builtin:demo-2". */
 PENPOSE_API int32_t penpose_character_built_in(penpose_library* library, const char* name, penpose_handle* character,
                                                penpose_error* error);

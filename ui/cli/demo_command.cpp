@@ -105,7 +105,7 @@ Json to_json(const demo::Demo& made, const Written& written) {
   for (const demo::NamedPose& one : made.poses) expressions.push_back(to_json(one, model));
   Json pictures = Json::array();
   for (const demo::SheetCell& cell : written.cells) pictures.push_back(cell.title);
-  return {{"model", "builtin:head-3"},
+  return {{"model", "builtin:head-4"},
           {"vertices", model.mesh->vertex_count()},
           {"reports", made.reports},
           {"strokes", made.strokes},

@@ -25,7 +25,9 @@ base::Result<document::Model> built_in_model(std::string_view name) {
   if (name == "demo-2") return demo::make_demo_head(HeadEdition::second);
   if (name == "head-3") return head::make_head(HeadEdition::third);
   if (name == "demo-3") return demo::make_demo_head(HeadEdition::third);
-  return base::Error{"there is no such model in the program", "", "use builtin:head-3 or builtin:demo-3"};
+  if (name == "head-4") return head::make_head(HeadEdition::fourth);
+  if (name == "demo-4") return demo::make_demo_head(HeadEdition::fourth);
+  return base::Error{"there is no such model in the program", "", "use builtin:head-4 or builtin:demo-4"};
 }
 
 base::Result<std::vector<std::uint8_t>> read_named(const std::string& path, NamedBy named) {

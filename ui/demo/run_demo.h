@@ -32,6 +32,6 @@ struct Demo {
 /// Replays the bundled session from its raw pen reports: the deformers are sketched on the bare head, then it is posed
 /// line by line. Errors: a replay that does not end in the states that were recorded.
 /// `edition`: of the head; each has its own session, and the first stays playable as it was recorded.
-[[nodiscard]] base::Result<Demo> run_demo(head::HeadEdition edition = head::HeadEdition::third);
+[[nodiscard]] base::Result<Demo> run_demo(head::HeadEdition edition = head::HeadEdition::fourth);
 
 }  // namespace penpose::demo

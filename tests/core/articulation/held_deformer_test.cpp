@@ -143,6 +143,33 @@ TEST(HeldDeformer, KeepsTheWidthOfEveryRowOfALid) {
   EXPECT_LT(widest_change(k_held_rules), 0.5 * widest_change(k_measured_rules));
 }
 
+TEST(HeldDeformer, ALidThatGivesWayKeepsTheWidthOfItsRowsToo) {
+  const Eye eye = tests::make_eye();
+  const auto rest = eye.canvas->positions();
+  // So little room above the lid that the surface has to give way.
+  Sketch sketch = eye.blink();
+  sketch.general = eye.around(
+      62, [](double a) { return Eye::margin(a, Eye::k_upper) - 3; },
+      [](double a) { return 14 + Eye::margin(a, Eye::k_upper); });
+  const auto widest_change = [&](std::uint32_t rules) {
+    sketch.rules = rules;
+    const auto blink = build_deformer(sketch, *eye.canvas).value();
+    const auto now = posed(*eye.canvas, *blink, 1);
+    double worst = 0;
+    for (std::uint32_t row = 0; row < Eye::k_rings - 1; ++row) {
+      // Every place between two columns, not the row as a whole alone.
+      for (std::uint32_t c = 4; c + 8 <= Eye::k_columns / 2; c += 4) {
+        const auto at = [&](std::uint32_t column) { return Eye::vertex(row, column); };
+        const double was = rest[at(c)].x - rest[at(c + 4)].x;
+        worst = std::max(worst, std::abs((now[at(c)].x - now[at(c + 4)].x) / was - 1));
+      }
+    }
+    return worst;
+  };
+  EXPECT_LT(widest_change(k_circle_rules), 0.05);
+  EXPECT_GT(widest_change(k_close_rules), 2 * widest_change(k_circle_rules)) << "which is why there are rules 8";
+}
+
 TEST(Slide, TakesEveryPointToItsTargetOnItsCircle) {
   const std::vector<ModelPoint> from{{-0.6, 0, 0.8}, {0, 0, 1}, {0.6, 0, 0.8}};
   const std::vector<ModelPoint> to{{-0.6, -0.1, 0.79372539331937719}, {0, -0.6, 0.8}, {0.6, -0.1, 0.79372539331937719}};

@@ -15,7 +15,9 @@ TEST_P(Seams, LinesNeverLeaveTheSheetThatTheyAreOn) {
   EXPECT_GT(lines.draw(400, 12, true), 200) << "along seams";
 }
 
-INSTANTIATE_TEST_SUITE_P(Editions, Seams, testing::Values(HeadEdition::first, HeadEdition::second, HeadEdition::third));
+INSTANTIATE_TEST_SUITE_P(Editions, Seams,
+                         testing::Values(HeadEdition::first, HeadEdition::second, HeadEdition::third,
+                                         HeadEdition::fourth));
 
 }  // namespace
 }  // namespace penpose::head

@@ -107,6 +107,49 @@ TEST(ControlGoals, AGoalIsPulledWhereItIsHeldAndTheRestOfItLess) {
   EXPECT_LT(after[n / 3].y - line[n / 3].y, 7.5);
 }
 
+TEST(ControlGoals, TheFaceFollowsWhileAGoalIsPulledAndIsTheDocumentsAgainAfterwards) {
+  Chin chin("pull-live");
+  chin.sketch();
+  chin.desk.app->set_parameter(chin.parameter(), 0.0);
+  chin.desk.app->do_action(Action::tool_select);
+  chin.desk.frames();
+  const auto line = chin.seen(chin.made().target());
+  const std::size_t held = line.size() / 5;
+  const auto shown = [&] {
+    document::Model model = *chin.desk.app->workspace().shown_model();
+    model.pose = chin.desk.app->workspace().shown_pose();
+    return document::posed_positions(model);
+  };
+  const auto moved = [](const std::vector<geometry::ModelPoint>& a, const std::vector<geometry::ModelPoint>& b) {
+    double most = 0;
+    for (std::size_t v = 0; v < a.size(); ++v) most = std::max(most, geometry::distance(a[v], b[v]));
+    return most;
+  };
+  const auto rest = shown();
+  const std::uint64_t steps = chin.desk.app->workspace().can_undo();
+  chin.desk.app->mouse_moved(line[held]);
+  chin.desk.app->mouse_button(MouseButton::left, true, line[held]);
+  chin.desk.frames();
+  EXPECT_EQ(moved(shown(), rest), 0) << "only taken in hand yet";
+  auto before = rest;
+  for (int k = 1; k <= 3; ++k) {
+    chin.desk.now_us += 3000;
+    chin.desk.app->mouse_moved(line[held] + PxPoint{0, 8.0 * k});
+    chin.desk.frames();
+    const auto now = shown();
+    EXPECT_GT(moved(now, before), 0.0005) << k << ": the face follows the pen";
+    before = now;
+  }
+  EXPECT_EQ(chin.desk.app->workspace().can_undo(), steps) << "nothing is done before the pen lifts";
+  chin.desk.app->mouse_button(MouseButton::left, false, line[held] + PxPoint{0, 24});
+  chin.desk.frames();
+  EXPECT_EQ(moved(shown(), rest), 0) << "the slider is where it was";
+  // What was shown is what was made.
+  chin.desk.app->set_parameter(chin.parameter(), 1.0);
+  chin.desk.frames();
+  EXPECT_LT(moved(shown(), before), 1e-9);
+}
+
 TEST(ControlGoals, ByItsMiddleOrWithAModifierAllOfAGoalIsMoved) {
   for (const bool modifier : {false, true}) {
     Chin chin("pull-whole");

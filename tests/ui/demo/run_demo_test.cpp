@@ -13,8 +13,8 @@ namespace {
 /// All sessions: the older ones stay as they were recorded.
 class RunDemo : public testing::TestWithParam<head::HeadEdition> {};
 INSTANTIATE_TEST_SUITE_P(Editions, RunDemo,
-                         testing::Values(head::HeadEdition::first, head::HeadEdition::second,
-                                         head::HeadEdition::third));
+                         testing::Values(head::HeadEdition::first, head::HeadEdition::second, head::HeadEdition::third,
+                                         head::HeadEdition::fourth));
 
 TEST_P(RunDemo, ReplaysThePenToSixExpressionsOrMore) {
   const auto made = run_demo(GetParam());
