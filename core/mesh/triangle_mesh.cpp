@@ -46,7 +46,7 @@ std::optional<base::Error> check_parts(MeshSource& source) {
     next_vertex += part.vertex_count;
     next_triangle += part.triangle_count;
     if (next_triangle > triangles || next_vertex > vertices) break;
-    for (std::uint64_t t = part.first_triangle; t < next_triangle; ++t) {
+    for (std::size_t t = part.first_triangle; t < next_triangle; ++t) {
       for (const std::uint32_t v : source.triangles[t]) {
         if (v < part.first_vertex || v >= next_vertex) {
           return at("the triangle uses a vertex outside its mesh", "triangle", t,

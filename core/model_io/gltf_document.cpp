@@ -212,17 +212,10 @@ base::Status load_buffers(GltfDocument& document, const Container& container, co
   return base::Done{};
 }
 
-base::Status parse_structure(GltfDocument& document, const Json& vetted) {
+base::Status read_structure(GltfDocument& document, const Json& vetted) {
   const base::Error failed{"the structure of the document cannot be read", "/", k_truncated};
   try {
-    const std::string text = vetted.dump();
-    tinygltf::TinyGLTF parser;
-    std::string errors;
-    std::string warnings;
-    if (!parser.LoadASCIIFromString(&document.model, &errors, &warnings, text.data(),
-                                    static_cast<unsigned int>(text.size()), "", tinygltf::NO_REQUIRE)) {
-      return failed;
-    }
+    if (!parse_structure(vetted.dump(), document.model)) return failed;
   } catch (const std::bad_alloc&) {
     throw;  // no fault of what is read
   } catch (const std::exception&) {
@@ -276,7 +269,7 @@ base::Result<GltfDocument> open_gltf(base::Bytes bytes, const FileResolver& reso
   auto vetted = vet_gltf(document.json, document.notes);
   if (!vetted) return vetted.error();
   if (const auto loaded = load_buffers(document, container, resolve); !loaded) return loaded.error();
-  if (const auto parsed = parse_structure(document, *vetted); !parsed) return parsed.error();
+  if (const auto parsed = read_structure(document, *vetted); !parsed) return parsed.error();
   std::size_t data = bytes.size();
   for (const auto& owned : document.owned) data += owned->size();
   // A number takes some 14 bytes once it is read: what comes of a file stays below 40 times its size.

@@ -2,12 +2,12 @@
 
 #include <memory>
 #include <string>
-#include <tiny_gltf.h>
 #include <vector>
 
 #include "core/base/byte_reader.h"
 #include "core/base/result.h"
 #include "core/model_io/json.h"
+#include "core/model_io/own_tinygltf.h"
 #include "core/model_io/read_model.h"
 
 namespace penpose::model_io {

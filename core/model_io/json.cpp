@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 
 namespace penpose::model_io {
 namespace {
@@ -40,13 +39,11 @@ base::Result<Json> parse_json(base::Bytes bytes) {
                    "the file is damaged or hostile");
   }
   try {
-    return Json::parse(text.begin(), text.end());
+    return Json::parse(text);
   } catch (const Json::parse_error& error) {
+    if (error.too_large)
+      return at_byte("JSON with a number that is too large", 0, "the file is damaged; export it again");
     return at_byte("no valid JSON", error.byte > 0 ? error.byte - 1 : 0, "the file is damaged; export it again");
-  } catch (const std::bad_alloc&) {
-    throw;  // no fault of what is read
-  } catch (const std::exception&) {
-    return at_byte("JSON with a number that is too large", 0, "the file is damaged; export it again");
   }
 }
 

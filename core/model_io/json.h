@@ -3,7 +3,6 @@
 // Hidden in core/model_io: third-party JSON types appear in no public header.
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,10 +11,9 @@
 
 #include "core/base/byte_reader.h"
 #include "core/base/result.h"
+#include "core/model_io/json_value.h"
 
 namespace penpose::model_io {
-
-using Json = nlohmann::json;
 
 /// Nesting above this depth is refused: no model or case file needs it, and readers may recurse.
 inline constexpr std::size_t k_max_json_depth = 64;

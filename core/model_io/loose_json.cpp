@@ -1,7 +1,6 @@
 #include "core/model_io/loose_json.h"
 
 #include <algorithm>
-#include <new>
 
 #include "core/base/numbers.h"
 #include "core/model_io/csv_reader.h"
@@ -23,13 +22,9 @@ bool is_no_number(std::string_view word) {
   // Anything that is not finite has an exponent or is very long.
   if (word.find_first_of("eE") == std::string_view::npos && word.size() < 300) return false;
   try {
-    return Json::parse(word.begin(), word.end()).is_null();
-  } catch (const Json::out_of_range&) {
-    return true;
-  } catch (const std::bad_alloc&) {
-    throw;  // no fault of what is read
-  } catch (const std::exception&) {
-    return false;
+    return Json::parse(word).is_null();
+  } catch (const Json::parse_error& error) {
+    return error.too_large;
   }
 }
 

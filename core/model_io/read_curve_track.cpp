@@ -92,11 +92,11 @@ class Reader {
     if (!curves->is_object()) return wrong("an object of curves was expected", place);
     if (!(row.confidence > 0)) row.why_held = "the confidence is 0";
     ++with_curves_;
-    for (const auto& item : curves->items()) {
+    for (const auto& [name, points] : curves->items()) {
       SeenCurve& curve = frame.curves.emplace_back();
-      curve.name = item.key();
+      curve.name = name;
       const std::string here = child(place, curve.name);
-      if (auto problem = read_points(item.value(), here, curve)) return problem;
+      if (auto problem = read_points(points, here, curve)) return problem;
       KnownCurve& known = known_.try_emplace(curve.name, KnownCurve{0, 0, here}).first->second;
       if (known_.size() > k_most_curves) return wrong("a track has at most 1,000 curves", here);
       if (!curve.why_not.empty()) continue;

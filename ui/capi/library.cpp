@@ -9,7 +9,11 @@ uint32_t penpose_abi_version(void) { return PENPOSE_ABI_VERSION; }
 const char* penpose_version(void) { return PENPOSE_VERSION; }
 
 int32_t penpose_open(penpose_library** library, penpose_error* error) {
-  return call(error, [&] { needed(library, "library") = std::make_unique<penpose_library>().release(); });
+  return call(error, [&] {
+    // The place first: of an assignment the right side is made first, and would be lost where there is no place for it.
+    penpose_library*& place = needed(library, "library");
+    place = std::make_unique<penpose_library>().release();
+  });
 }
 
 void penpose_close(penpose_library** library) {

@@ -94,8 +94,7 @@ PENPOSE_API int32_t penpose_handle_count(penpose_library* library, size_t* count
 
 /* A glTF, OBJ, PLY, OFF or STL file in memory, or a project of the program. `hint`: a file name whose ending tells the
  * formats apart that do not say what they are (OBJ); NULL: none. Files that the bytes name are not read: a glTF text
- * file must hold its buffers itself. The one promise that does not hold here and in penpose_write: where memory runs
- * out in the middle of a glTF file's JSON, the JSON library may end the program instead of PENPOSE_NO_MEMORY. */
+ * file must hold its buffers itself. */
 PENPOSE_API int32_t penpose_character_read(penpose_library* library, const void* bytes, size_t size, const char* hint,
                                            penpose_handle* character, penpose_error* error);
 /* "builtin:head-4", the program's own head, which has nothing to pose yet, or "builtin:demo-4", the same with sketched

@@ -64,7 +64,7 @@ function(penpose_package component section summary text)
 endfunction()
 
 set(c_library "libc6 (>= 2.36)" "libgcc-s1 (>= 3.5)" "libstdc++6 (>= 12)")
-set(solver "libtinygltf2d (>= 2.7.0+dfsg)")
+set(solver "")  # tinygltf and nlohmann-json are compiled in
 get_target_property(mesh_links core_mesh LINK_LIBRARIES)
 if(mesh_links MATCHES "OpenMesh")
   list(APPEND solver "libopenmesh1 (>= 9.0)")

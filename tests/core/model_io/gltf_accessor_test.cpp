@@ -8,16 +8,16 @@ namespace penpose::model_io {
 namespace {
 
 /// Reads accessor 0 of the morph sample after a change, by the rule.
-base::Result<Elements> read_bent(const char* pointer, const Json& value, const ElementRule& rule = {},
+base::Result<Elements> read_bent(const char* pointer, const nlohmann::json& value, const ElementRule& rule = {},
                                  int accessor = 0) {
   tests::GltfSample sample = tests::morph_sample();
-  if (*pointer != '\0') sample.json[Json::json_pointer(pointer)] = value;
+  if (*pointer != '\0') sample.json[nlohmann::json::json_pointer(pointer)] = value;
   const auto bytes = sample.glb();
   auto document = open_gltf(bytes, {});
   if (!document) return document.error();
   return read_elements(*document, accessor, rule);
 }
-std::string place(const char* pointer, const Json& value, const ElementRule& rule = {}, int accessor = 0) {
+std::string place(const char* pointer, const nlohmann::json& value, const ElementRule& rule = {}, int accessor = 0) {
   const auto elements = read_bent(pointer, value, rule, accessor);
   return elements ? "(no error)" : elements.error().place;
 }
@@ -44,7 +44,7 @@ TEST(GltfAccessor, SparseWithoutABaseIsZeroElsewhere) {
 }
 
 TEST(GltfAccessor, SparseFaultsAreNamed) {
-  const auto bent = [](const char* member, const Json& value) {
+  const auto bent = [](const char* member, const nlohmann::json& value) {
     return place((std::string("/accessors/2/sparse/") + member).c_str(), value, {}, 2);
   };
   EXPECT_EQ(bent("count", 5), "/accessors/2/sparse/count");
@@ -100,9 +100,9 @@ TEST(GltfAccessor, NormalizedIntegersAndStrides) {
 }
 
 TEST(GltfAccessor, IndicesAreUnsignedIntegersWithData) {
-  const auto indices = [](const char* pointer, const Json& value) {
+  const auto indices = [](const char* pointer, const nlohmann::json& value) {
     tests::GltfSample sample = tests::square_sample();
-    sample.json[Json::json_pointer(pointer)] = value;
+    sample.json[nlohmann::json::json_pointer(pointer)] = value;
     const auto bytes = sample.glb();
     auto document = open_gltf(bytes, {});
     if (!document) return document.error().place;

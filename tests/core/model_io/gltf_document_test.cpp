@@ -129,8 +129,8 @@ TEST(GltfDocument, FilesBesideTheModelComeThroughTheResolver) {
 TEST(GltfDocument, BuffersAreChecked) {
   tests::GltfSample sample = tests::square_sample();
   sample.set_buffer();
-  const auto bent = [&](const Json& buffers) {
-    Json copy = sample.json;
+  const auto bent = [&](const nlohmann::json& buffers) {
+    nlohmann::json copy = sample.json;
     copy["buffers"] = buffers;
     return place(tests::GltfSample::glb_of(copy.dump(), sample.binary));
   };

@@ -19,9 +19,9 @@ tests::GltfSample sample_with_extras() {
   return sample;
 }
 
-std::string place(const char* pointer, const Json& value) {
+std::string place(const char* pointer, const nlohmann::json& value) {
   tests::GltfSample sample = sample_with_extras();
-  sample.json[Json::json_pointer(pointer)] = value;
+  sample.json[nlohmann::json::json_pointer(pointer)] = value;
   return sample.error().place;
 }
 

@@ -9,7 +9,7 @@
 namespace penpose::model_io {
 namespace {
 
-base::Result<NodeTransform> transform_of(const Json& node) {
+base::Result<NodeTransform> transform_of(const nlohmann::json& node) {
   tests::GltfSample sample = tests::square_sample();
   sample.json["nodes"][0].update(node);
   const auto bytes = sample.glb();
@@ -20,7 +20,7 @@ base::Result<NodeTransform> transform_of(const Json& node) {
 
 TEST(GltfNodes, MatrixIsTakenApartAndComesBack) {
   const auto before = geometry::compose({1, 2, 3}, glm::normalize(glm::dquat(0.3, -0.5, 0.2, 0.7)), {-2, 0.5, 3});
-  Json numbers = Json::array();
+  nlohmann::json numbers = nlohmann::json::array();
   for (int i = 0; i < 16; ++i) numbers.push_back(before[i / 4][i % 4]);
   const auto transform = transform_of({{"matrix", numbers}});
   ASSERT_TRUE(transform.ok()) << transform.error().line();
@@ -29,9 +29,9 @@ TEST(GltfNodes, MatrixIsTakenApartAndComesBack) {
 }
 
 TEST(GltfNodes, FlatMatricesKeepTheirAxes) {
-  for (const Json& numbers :
-       {Json{0, 2, 0, 0, -3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1}, Json{0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 1},
-        Json{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 5, 0, 0, 1}}) {
+  for (const nlohmann::json& numbers : {nlohmann::json{0, 2, 0, 0, -3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1},
+                                        nlohmann::json{0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 1},
+                                        nlohmann::json{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 5, 0, 0, 1}}) {
     const auto transform = transform_of({{"matrix", numbers}});
     ASSERT_TRUE(transform.ok()) << transform.error().line();
     const auto after = geometry::compose(transform->translation, transform->rotation, transform->scale);

@@ -1,12 +1,11 @@
 // Memory runs out at the n-th allocation of a call, for every n: the call says so, nothing has changed, and what was
 // taken is given back (the sanitizer of addresses looks for leaks). Or the call has done without, as the library of C++
-// sorts with less memory where it gets none, and then has done all of it. Files of models are not among the calls:
-// the JSON library that reads and writes them takes memory while it frees what it has, and ends the program where
-// there is none.
+// sorts with less memory where it gets none, and then has done all of it.
 
 #include <functional>
 #include <gtest/gtest.h>
 #include <set>
+#include <tuple>
 
 #include "tests/support/c_desk.h"
 #include "tests/ui/fault/faults.h"
@@ -156,6 +155,132 @@ TEST(CMemory, ACallThatMakesSomethingMakesNothing) {
     if (HasFailure()) return;
     EXPECT_NE(made, 0U) << name;
     EXPECT_EQ(penpose_free(desk.open, made, nullptr), PENPOSE_OK);
+  }
+}
+
+/// A curve with a target, a sketched control and a key: all that a project holds.
+void fill(CDesk& desk) {
+  static_cast<void>(desk.place_lift(0.5));
+  penpose_sketch sketch{};
+  sketch.name = "up";
+  sketch.view = desk.view;
+  const auto around = [&](double x, double y) {
+    std::vector<double> px;
+    for (const auto& side : {desk.line(-x, -y, x, -y), desk.line(x, -y, x, y), desk.line(x, y, -x, y)})
+      px.insert(px.end(), side.begin(), side.end());
+    return px;
+  };
+  const auto general = around(0.8, 0.5);
+  const auto specific = around(0.4, 0.2);
+  const auto reference = desk.line(-0.4, 0.0, 0.4, 0.0);
+  const auto target = desk.line(-0.4, 0.3, 0.4, 0.3);
+  sketch.reference = reference.data();
+  sketch.reference_count = reference.size() / 2;
+  sketch.general = general.data();
+  sketch.general_count = general.size() / 2;
+  sketch.specific = specific.data();
+  sketch.specific_count = specific.size() / 2;
+  sketch.target = target.data();
+  sketch.target_count = target.size() / 2;
+  sketch.maximum = 1;
+  EXPECT_EQ(penpose_sketch_deformer(desk.open, desk.sheet, &sketch, &desk.error), PENPOSE_OK) << desk.error.message;
+  EXPECT_EQ(penpose_perform(desk.open, desk.sheet, "set_key time_s=1", nullptr), PENPOSE_OK);
+}
+
+/// The file of the sheet as it is.
+std::vector<std::uint8_t> written(CDesk& desk, const char* format) {
+  std::size_t size = 0;
+  EXPECT_EQ(penpose_write(desk.open, desk.sheet, format, nullptr, 0, &size, nullptr), PENPOSE_OK);
+  std::vector<std::uint8_t> file(size);
+  EXPECT_EQ(penpose_write(desk.open, desk.sheet, format, file.data(), size, &size, nullptr), PENPOSE_OK);
+  return file;
+}
+
+TEST(CMemory, AFileThatIsReadMakesNothing) {
+  CDesk desk;
+  fill(desk);
+  const std::string state = desk.state();
+  const auto project = written(desk, ".glb");
+  const auto mesh = written(desk, ".obj");
+  // The same as text with its bytes in it, and with what is no more than an extra.
+  const std::string text = R"({"asset":{"version":"2.0"},"extras":{"a":[{"b":[1,2,{"c":"d"}]}]},
+    "buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+    "bufferViews":[{"buffer":0,"byteLength":36}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0,"extras":{"e":[[],{}]}}],"scenes":[{"nodes":[0]}]})";
+  const std::vector<std::uint8_t> gltf(text.begin(), text.end());
+  std::size_t handles = 0;
+  ASSERT_EQ(penpose_handle_count(desk.open, &handles, nullptr), PENPOSE_OK);
+  for (const auto& [name, file, hint] :
+       {std::tuple{"project", project, "a.glb"}, {"mesh", mesh, "a.obj"}, {"text", gltf, "a.gltf"}}) {
+    penpose_handle made = 0;
+    std::string read_state;
+    const auto call = [&](penpose_error* e) {
+      return penpose_character_read(desk.open, file.data(), file.size(), hint, &made, e);
+    };
+    const auto nothing_made = [&] {
+      std::size_t now = 0;
+      EXPECT_EQ(penpose_handle_count(desk.open, &now, nullptr), PENPOSE_OK);
+      EXPECT_EQ(now, handles);
+      EXPECT_EQ(made, 0U);
+    };
+    const auto free_again = [&] {
+      EXPECT_EQ(penpose_free(desk.open, made, nullptr), PENPOSE_OK) << name;
+      made = 0;
+    };
+    EXPECT_GT(run_short(name, call, nothing_made, free_again), 50U) << name;
+    if (HasFailure()) return;
+    char now[33];
+    EXPECT_EQ(penpose_state(desk.open, made, now, nullptr), PENPOSE_OK);
+    if (file == project) {
+      EXPECT_EQ(now, state) << "what was read in the end is what was written";
+    }
+    free_again();
+  }
+}
+
+TEST(CMemory, AFileThatIsWrittenChangesNothing) {
+  CDesk desk;
+  fill(desk);
+  const std::string before = desk.state();
+  for (const char* format : {".glb", ".obj"}) {
+    const auto whole = written(desk, format);
+    std::vector<std::uint8_t> file(whole.size());
+    std::size_t size = 77;
+    const auto call = [&](penpose_error* e) {
+      return penpose_write(desk.open, desk.sheet, format, file.data(), file.size(), &size, e);
+    };
+    const auto unchanged = [&] {
+      EXPECT_EQ(desk.state(), before);
+      EXPECT_EQ(size, 77U);
+      EXPECT_EQ(file, std::vector<std::uint8_t>(whole.size()));
+    };
+    const auto begin_again = [&] {
+      EXPECT_EQ(file, whole);
+      file.assign(whole.size(), 0);
+      size = 77;
+    };
+    EXPECT_GT(run_short(format, call, unchanged, begin_again), 10U) << format;
+    EXPECT_EQ(file, whole) << format;
+  }
+}
+
+TEST(CMemory, TheBuiltInHeadIsMadeOrIsNot) {
+  CDesk desk;
+  std::size_t handles = 0;
+  ASSERT_EQ(penpose_handle_count(desk.open, &handles, nullptr), PENPOSE_OK);
+  penpose_handle made = 0;
+  const auto call = [&](penpose_error* e) { return penpose_character_built_in(desk.open, "builtin:head-3", &made, e); };
+  // Each takes a while, so these places alone.
+  for (const std::size_t number : {1U, 2U, 3U, 10U, 100U, 1000U, 10000U}) {
+    begin_faults({FaultPlan::Kind::memory, number, true});
+    const std::int32_t status = call(nullptr);
+    const std::size_t calls = end_faults();
+    EXPECT_GE(calls, number) << "the head takes less memory than that: choose places that it comes to";
+    EXPECT_EQ(status, PENPOSE_NO_MEMORY) << number;
+    std::size_t now = 0;
+    EXPECT_EQ(penpose_handle_count(desk.open, &now, nullptr), PENPOSE_OK);
+    EXPECT_EQ(now, handles);
   }
 }
 
