@@ -22,7 +22,7 @@ SAID = {
         'Now the brow: draw along it as it is',
         'Draw it higher, and the brow is raised',
         'Draw along the edge of the upper eyelid',
-        'Draw it lower: the eye closes half',
+        'Draw it down to the lower lid: the eye closes',
     ], 'Three features, six strokes: that is all of posing. Key keeps the pose, Undo takes back any stroke.'),
     'rig': ('Make a control', [
         'This head has no controls yet. Press Rig to sketch one',
@@ -98,7 +98,7 @@ def middle_of(line):
 def pose(talk, lines):
     for name, target in (('lip_upper_inner', smile(lines['lip_upper_inner'])),
                          ('brow_L', moved(lines['brow_L'], lambda s: -22)),
-                         ('eyelid_upper_L', moved(lines['eyelid_upper_L'], lambda s: 18 * math.sin(math.pi * s)))):
+                         ('eyelid_upper_L', moved(lines['eyelid_upper_L'], lambda s: 34 * math.sin(math.pi * s)))):
         curve = talk.say(do='curve', line=lines[name], view=VIEW)['curve']
         talk.say(do='target', curve=curve, line=target, view=VIEW)
 

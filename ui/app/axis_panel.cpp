@@ -38,28 +38,24 @@ geometry::ModelVector way_of(const Axis& axis, double front_degrees) {
   return {std::sin(yaw), 0, std::cos(yaw)};
 }
 
+/// An end of an axis, which is a button on the canvas itself: panels lie above it.
 bool show_end(PanelContext& context, const Axis& axis, ImVec2 at) {
   const float half = 0.5F * context.unit;
   const Area area{static_cast<double>(at.x - half), static_cast<double>(at.y - half), static_cast<double>(at.x + half),
                   static_cast<double>(at.y + half)};
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-  ImGui::SetNextWindowBgAlpha(0);
-  bool pressed = false;
-  if (begin_panel(context, axis.label, area)) {
-    ImGui::SetCursorScreenPos({at.x - half, at.y - half});
-    pressed = ImGui::InvisibleButton(axis.label, {context.unit, context.unit});
-    note(context, axis.label);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float radius = (ImGui::IsItemHovered() ? 1.25F : 1.0F) * k_disc * context.unit;
-    list.AddCircleFilled(at, radius, axis.color);
-    const ImVec2 size = ImGui::CalcTextSize(axis.letter);
-    list.AddText({at.x - 0.5F * size.x, at.y - 0.5F * size.y}, IM_COL32(255, 255, 255, 255), axis.letter);
-    tooltip(context, axis.tip);
-  }
-  end_panel();
-  ImGui::PopStyleVar(2);
-  return pressed;
+  context.app.hits().panels.push_back(area);
+  context.targets[axis.label] = area;
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const bool hovered = area.holds({static_cast<double>(mouse.x), static_cast<double>(mouse.y)}) &&
+                       !ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow) && !context.menu_open &&
+                       context.app.panels().dialog == Dialog::none && !ImGui::IsAnyItemActive();
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddCircleFilled(at, (hovered ? 1.25F : 1.0F) * k_disc * context.unit, axis.color);
+  const ImVec2 size = ImGui::CalcTextSize(axis.letter);
+  list.AddText({at.x - 0.5F * size.x, at.y - 0.5F * size.y}, IM_COL32(255, 255, 255, 255), axis.letter);
+  if (hovered) context.tip_waits = true;
+  if (hovered && context.tip_due) ImGui::SetTooltip("%s", axis.tip);
+  return hovered && ImGui::IsMouseClicked(0);
 }
 
 }  // namespace

@@ -91,6 +91,21 @@ std::string last_control(const document::Document& document) {
   return deformers && deformers->size() > 0 ? deformers->deformers().back()->sketch().name : std::string();
 }
 
+/// So many times nearer than all of the head the face fills a canvas; brows and mouth lie about the head's middle.
+constexpr int k_times_nearer = 4;
+
+/// Brings a line on the canvas into sight, on a face as large as there is room.
+void bring_into_sight(App& app, std::span<const ModelPoint> line) {
+  const auto camera = geometry::Camera::make(app.view().camera, app.view().viewport);
+  const auto hidden = [&](const ModelPoint& point) {
+    const auto px = camera ? camera->project(point) : std::nullopt;
+    return !px || !app.free_area().holds(*px);
+  };
+  if (std::none_of(line.begin(), line.end(), hidden)) return;
+  app.do_action(Action::frame_all);
+  for (int i = 0; i < k_times_nearer; ++i) app.do_action(Action::zoom_in);
+}
+
 /// The tool that draws what a command draws.
 drawing::ToolKind tool_for(const Command& command) {
   if (std::holds_alternative<document::SketchCurve>(command)) return drawing::ToolKind::articulate;
@@ -109,6 +124,8 @@ void TourGuide::begin(App& app, Tour tour) {
   panels.mirrors = panels.performs = panels.auto_key = panels.poses_tab = panels.controls_tab = false;
   panels.loop = {};
   panels.time_s = panels.from_s = panels.span_s = 0;
+  app.do_action(Action::frame_all);
+  for (int i = 0; i < k_times_nearer; ++i) app.do_action(Action::zoom_in);
   begin_step(app, app.workspace().editor().history().undo_count());
 }
 
@@ -119,6 +136,7 @@ void TourGuide::begin_step(App& app, std::size_t commands) {
   ghost_before_ = step() > 0 ? line_of(app, step() - 1) : std::vector<ModelPoint>();
   const Command* command = wanted();
   if (command == nullptr) return;
+  bring_into_sight(app, ghost_);
   if (std::holds_alternative<document::SetParameters>(*command)) app.panels().controls_tab = true;
 }
 
@@ -265,6 +283,8 @@ void TourGuide::follow(App& app) {
   if (app.path() != tour_->model || app.player()) return leave();
   if (workspace.session().pens().current() != nullptr || workspace.live().active()) return;
   const auto& history = workspace.editor().history();
+  // The tour's own card is laid out after its first step has begun.
+  if (step() == 0 && history.undo_count() == begun_.front()) bring_into_sight(app, ghost_);
   // Whoever takes back a step of the tour does it again.
   while (begun_.size() > 1 && history.undo_count() < begun_.back()) {
     begun_.pop_back();

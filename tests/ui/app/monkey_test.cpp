@@ -154,6 +154,7 @@ TEST(Monkey, NoOrderOfEventsMakesTheAppFallOver) {
   while (desk.app->workspace().editor().history().undo_count() > 0) desk.app->do_action(Action::undo);
   desk.app->do_action(Action::tool_pose);
   desk.app->do_action(Action::view_front);
+  desk.app->do_action(Action::frame_all);
   desk.frames(6);
   const std::size_t curves = desk.document().curves.size();
   if (desk.document().model->curves.empty()) return;

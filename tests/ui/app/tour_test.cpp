@@ -155,15 +155,16 @@ TEST(Tour, ThreeLinesMakeTheControlOfTheSecond) {
   for (int i = 0; i < 3; ++i) desk.stroke(shown_line(desk, {1, 2}));
   ASSERT_EQ(desk.app->tour().step(), 4U) << desk.app->tour().again();
   const std::string slider = desk.app->tour().pointed(*desk.app);
-  const Area* at = desk.interface->find(slider);
-  ASSERT_NE(at, nullptr) << slider;
-  const PxPoint middle = at->middle();
+  const Area* found = desk.interface->find(slider);
+  ASSERT_NE(found, nullptr) << slider;
+  const Area at = *found;
+  const PxPoint middle = at.middle();
   // Half of the way is not its end.
   desk.app->set_parameter(0, 0.4);
   desk.frames();
   EXPECT_FALSE(desk.app->tour().done());
   EXPECT_NE(desk.app->tour().again(), "");
-  const PxPoint end{at->right + 40, middle.y};
+  const PxPoint end{at.right + 40, middle.y};
   desk.app->mouse_moved(middle);
   desk.app->mouse_button(MouseButton::left, true, middle);
   desk.frames();

@@ -196,7 +196,9 @@ def run(program, pictures, width, height, light):
         if (width, height) != (window_test.WIDTH, window_test.HEIGHT):
             screen.key("Escape")
             screen.key("F11")
-            time.sleep(1.5)
+            wait_for("the whole screen", lambda: f"{width}x{height}" in lines_of(newest()[-1], "# penpose view")[-1],
+                     60)
+            time.sleep(0.5)
             screen.key("ctrl+k")
             screen.do("type", "--delay", "60", "tour: pose")
             screen.key("Return")
@@ -213,8 +215,8 @@ def run(program, pictures, width, height, light):
                 # What the tour before drew is not saved: its button in the middle of the window.
                 screen.picture(f"{number + 1}_unsaved")
                 screen.click(*without_saving(width, height))
-            wait_for("the tour's own session", lambda: len(newest()) > 0)
-            time.sleep(1)
+            # A session that nothing was done in goes when the tour opens its own.
+            sure_sight(sight.line if name == "pose" else sight.ring)
             session = newest()[-1]
             walk(name, screen, sight, session, str(number + 1))
             check_done(name, program, session, screen.environment)
