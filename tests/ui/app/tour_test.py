@@ -204,7 +204,12 @@ def run(program, pictures, width, height, light):
             screen.key("Return")
         else:
             screen.picture("0_offered")
-            screen.click(*OFFERED)
+            # A slow machine may show the question later than a hand would wait.
+            for _ in range(5):
+                screen.click(*OFFERED)
+                time.sleep(1.5)
+                if Sight(screen, width, height).line():
+                    break
         sight = Sight(screen, width, height)
         for number, name in enumerate(STEPS):
             if number > 0:
