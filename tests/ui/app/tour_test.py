@@ -138,7 +138,7 @@ def walk(name, screen, sight, session, picture):
         screen.picture(f"{picture}_{name}_{number + 1}")
         if name == "pose" and number == 0:
             # Beside it: it is said so and taken back, and the line is still there to be drawn.
-            hand.line(down=-60)
+            hand.line(down=-0.075 * sight.height)
             wait_for("the stroke to be taken back", lambda: lines_of(session, "# penpose undo"))
             time.sleep(0.6)
             screen.picture(f"{picture}_{name}_again")
