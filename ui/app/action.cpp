@@ -56,7 +56,7 @@ constexpr std::array k_actions{
     ActionInfo{Action::theme, "Light", "Dark or light colours", {}},
     ActionInfo{Action::larger, "Larger", "Make everything larger", ctrl('+'), ctrl('=')},
     ActionInfo{Action::smaller, "Smaller", "Make everything smaller", ctrl('-')},
-    ActionInfo{Action::help, "Help", "The first steps again", {}},
+    ActionInfo{Action::help, "Help", "The first steps again, and tours that show them", {}},
     ActionInfo{Action::quit, "Quit", "Close the program", ctrl('q')},
     ActionInfo{Action::shortcuts, "Shortcuts", "All keys and what they do", plain(k_key_f1), shift('/')},
     ActionInfo{Action::search, "Search", "Find an action, a control, a pose or a file by its name", ctrl('k')},
@@ -81,6 +81,16 @@ constexpr std::array k_actions{
     ActionInfo{Action::perform, "Perform", "Time runs while the pen holds a target, and what the face does is keyed",
                shift(' ')},
     ActionInfo{Action::library, "Poses", "The poses that are keyed, to be used again", plain('l')},
+    ActionInfo{
+        Action::tour_pose, "Tour: pose a face", "Six strokes on the built-in head, each shown before it is drawn", {}},
+    ActionInfo{Action::tour_rig, "Tour: make a control", "A control for a brow, sketched line by line", {}},
+    ActionInfo{Action::tour_animate, "Tour: animate", "Two keys and a smile between them", {}},
+    ActionInfo{Action::flat_view, "Flat", "Look without perspective, as a drawing does; again: with it", plain('5')},
+    ActionInfo{
+        Action::set_front, "Front is here", "From here on this side is the model's front; the project keeps it", {}},
+    ActionInfo{
+        Action::backdrop, "Picture behind", "A picture, or the frames of a film, behind the model to draw after", {}},
+    ActionInfo{Action::backdrop_off, "No picture", "Take the picture behind the model away", {}},
 };
 
 std::string key_name(std::uint32_t key) {

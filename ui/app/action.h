@@ -74,6 +74,13 @@ enum class Action : std::uint8_t {
   film,
   library,
   perform,
+  tour_pose,
+  tour_rig,
+  tour_animate,
+  flat_view,
+  set_front,
+  backdrop,
+  backdrop_off,
 };
 
 /// Keys that are no character.

@@ -6,6 +6,7 @@
 
 #include "core/document/timeline.h"
 #include "ui/app/app.h"
+#include "ui/app/backdrop.h"
 #include "ui/app/frames.h"
 #include "ui/app/pose_clipboard.h"
 #include "ui/app/side_pairs.h"
@@ -104,6 +105,18 @@ constexpr std::array k_rows{
           app.tell(k_said[static_cast<std::size_t>(app.settings().stabiliser)]);
         }},
     Row{Action::moved_only, [](App& app) { app.panels().moved_only = !app.panels().moved_only; }},
+    Row{Action::tour_pose, [](App& app) { app.ask_to_open("tour:pose"); }},
+    Row{Action::tour_rig, [](App& app) { app.ask_to_open("tour:rig"); }},
+    Row{Action::tour_animate, [](App& app) { app.ask_to_open("tour:animate"); }},
+    Row{Action::backdrop,
+        [](App& app) {
+          const auto& backdrop = app.panels().backdrop;
+          if (!backdrop) return open_dialog(app, Dialog::backdrop);
+          backdrop->adjusting = !backdrop->adjusting;
+        }},
+    Row{Action::backdrop_off, [](App& app) { app.panels().backdrop.reset(); }},
+    Row{Action::flat_view, [](App& app) { app.set_flat(!app.flat()); }},
+    Row{Action::set_front, [](App& app) { app.set_front(); }},
     Row{Action::density,
         [](App& app) {
           app.settings().density = next_of(app.settings().density, 3);

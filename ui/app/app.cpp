@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/numbers.h"
+#include "ui/app/backdrop.h"
 #include "ui/app/said.h"
 #include "ui/app/toast_place.h"
 
@@ -153,6 +154,7 @@ void App::begin_frame() {
     look.dragged_by = at_ - target_drag_->second;
     look.pulled = pull_;
   }
+  tour_.follow(*this);
   curves_ = shown_curves(workspace_, surface_, look);
   tell_of_recording();
 }
@@ -175,6 +177,7 @@ int App::next_frame_ms() const {
   }
   if (dial_ && !dial_touched_) return k_dial_look_ms;
   if (film_) return k_film_look_ms;
+  if (panels_.backdrop && panels_.backdrop->loading()) return k_playing_frame_ms;
   if (notices_.empty()) return -1;
   std::int64_t first = notices_.front().until_us;
   for (const Notice& one : notices_) first = std::min(first, one.until_us);

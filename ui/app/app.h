@@ -28,6 +28,7 @@
 #include "ui/app/shown_curves.h"
 #include "ui/app/suggestion_offer.h"
 #include "ui/app/touch_gestures.h"
+#include "ui/app/tour_guide.h"
 #include "ui/app/trace_player.h"
 #include "ui/app/workspace.h"
 #include "ui/render/framing.h"
@@ -75,7 +76,8 @@ enum class Dialog : std::uint8_t {
   shortcuts,
   search,
   history,
-  film
+  film,
+  backdrop
 };
 
 /// A number being typed for a parameter.
@@ -121,6 +123,7 @@ struct PanelState {
   std::string search_text;        ///< in the search, and in the list of shortcuts
   std::size_t search_chosen = 0;  ///< of what was found
   bool wireframe = false;
+  std::shared_ptr<class Backdrop> backdrop;  ///< a picture behind the model
   bool swing = false;                                           ///< the control in hand plays to and fro
   articulation::Mode new_mode = articulation::Mode::automatic;  ///< of the next control
   articulation::Surface new_surface;
@@ -148,7 +151,7 @@ class App : private TracePlayer::Listener {
   App(const App&) = delete;
   App& operator=(const App&) = delete;
 
-  /// A model, a project, or a session, whose end is gone on from.
+  /// A model, a project, or a session, whose end is gone on from; "tour:NAME" begins a tour.
   base::Status open(const std::string& path);
   /// The same with the notice of a refusal.
   void try_open(const std::string& path);
@@ -203,6 +206,7 @@ class App : private TracePlayer::Listener {
   [[nodiscard]] const Workspace& workspace() const { return workspace_; }
   [[nodiscard]] PosedSurface& surface() { return surface_; }
   [[nodiscard]] SuggestionOffer& offer() { return offer_; }
+  [[nodiscard]] TourGuide& tour() { return tour_; }
   [[nodiscard]] PanelState& panels() { return panels_; }
   [[nodiscard]] Settings& settings() { return settings_; }
   void settings_changed();
@@ -244,6 +248,17 @@ class App : private TracePlayer::Listener {
   void set_free_area(const Area& area);
   /// The camera as it is shown now.
   [[nodiscard]] const document::View& view() const { return view_; }
+  /// Looks from a direction by the model's own front; a view that was zoomed into stays as near as it is.
+  void look_from(const render::Viewpoint& viewpoint);
+  /// The direction in which one looks, by the model's own front.
+  [[nodiscard]] render::Viewpoint looking_from() const;
+  /// What is seen from here is the model's front from now on.
+  void set_front();
+  /// With perspective or without.
+  [[nodiscard]] bool flat() const;
+  void set_flat(bool on);
+  /// Puts a picture behind the model; what cannot be read is told.
+  void open_backdrop(const std::string& path);
   /// The step of the drawing and what to do next, in one line.
   [[nodiscard]] std::string hint() const;
 
@@ -362,6 +377,7 @@ class App : private TracePlayer::Listener {
   bool keep_file_ = false;  ///< a session that was asked for by name is kept, whatever is in it
   Workspace workspace_;
   SuggestionOffer offer_;
+  TourGuide tour_;
   PosedSurface surface_;
   PanelState panels_;
   HitMap hits_;

@@ -110,13 +110,13 @@ void App::do_action(Action action) {
       }
       break;
     case Action::view_front:
-      frame_from(*render::find_viewpoint("front"));
+      look_from(*render::find_viewpoint("front"));
       break;
     case Action::view_side:
-      frame_from(*render::find_viewpoint("side"));
+      look_from(*render::find_viewpoint("side"));
       break;
     case Action::view_three_quarter:
-      frame_from(*render::find_viewpoint("three-quarter"));
+      look_from(*render::find_viewpoint("three-quarter"));
       break;
     case Action::frame_all:
       frame_from(viewpoint_of(view_.camera));

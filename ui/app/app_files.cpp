@@ -126,7 +126,10 @@ void App::show_anew() {
   const auto& corrections = workspace_.document().model->corrections;
   correction_count_ = corrections ? corrections->size() : 0;
   surface_.update(workspace_.shown_model(), workspace_.shown_pose());
-  frame_from(*render::find_viewpoint("front"));
+  // What is opened is seen from its own front, all of it.
+  framed_ = true;
+  set_flat(false);
+  look_from(*render::find_viewpoint("front"));
   workspace_.set_tablet(0, {});
   // The session is another: tablets are plugged in anew, and nothing is held or being turned.
   dial_.reset();
@@ -153,6 +156,13 @@ void App::show_anew() {
 }
 
 base::Status App::open(const std::string& path) {
+  if (const auto name = tour_of_path(path)) {
+    auto tour = read_tour(*name, tour_session(*name));
+    if (!tour) return tour.error();
+    if (const auto opened = open(tour->model); !opened) return opened;
+    tour_.begin(*this, std::move(*tour));
+    return base::Done{};
+  }
   if (is_trace(path)) {
     auto played = played_session(path);
     if (!played) return played.error();

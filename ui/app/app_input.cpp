@@ -45,12 +45,6 @@ void App::resized(geometry::Viewport window, double dpi) {
   if (framed_) frame_from(viewpoint_);
 }
 
-void App::frame_from(const render::Viewpoint& from) {
-  viewpoint_ = from;
-  framed_ = true;
-  view_ = framed(surface_.positions(), window_, free_, from);
-}
-
 void App::commit_view() {
   if (pen_is_drawing() || (player_ && player_->is_session() && !player_->finished())) return;
   workspace_.set_view(view_);

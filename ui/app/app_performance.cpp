@@ -65,8 +65,9 @@ bool App::end_performance() {
   const bool drawn = workspace_.editor().history().undo_count() > performed_steps_;
   if (!(drawn ? workspace_.perform_with(*keys) : workspace_.perform(*keys))) return true;
   workspace_.perform_with(document::GoToTime{panels_.time_s});
-  tell(std::to_string(performance.frame_count()) + " frames are keyed: " + listed(keys->names) +
-       "; Undo takes the take back");
+  const std::string keyed = std::to_string(performance.frame_count()) + " frames are keyed: " + listed(keys->names);
+  workspace_.say_outcome(keyed);
+  tell(keyed + "; Undo takes the take back");
   return true;
 }
 

@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "ui/app/panels.h"
+#include "ui/app/tour_panel.h"
 #include "ui/app/widgets.h"
 
 // Dialogs that tell and ask.
@@ -42,6 +43,8 @@ void steps_dialog(PanelContext& context) {
         "opens "
         "a menu around the pen.");
     ImGui::PopStyleColor();
+    ImGui::TextWrapped("Or be shown, and do each step with your own hand:");
+    show_tour_buttons(context);
     if (wide_button(context, "Begin", -1) || context.accepts) app.do_action(Action::cancel);
   }
   end_dialog();
@@ -140,6 +143,9 @@ void show_dialog(PanelContext& context) {
       break;
     case Dialog::film:
       show_film_dialog(context);
+      break;
+    case Dialog::backdrop:
+      show_backdrop_dialog(context);
       break;
     case Dialog::unsaved:
       unsaved_dialog(context);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/articulation/edit.h"
+#include "ui/app/backdrop.h"
 
 namespace penpose::app {
 namespace {
@@ -91,6 +92,7 @@ DrawFrame FrameMaker::make(App& app) {
   last_.view = {app.view().camera, app.window()};
   DrawFrame frame = last_;
   frame.curves = app.curves();
+  frame.behind = app.panels().backdrop ? app.panels().backdrop->seen(last_.view) : render::Behind();
   return frame;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ui/app/app.h"
+#include "ui/render/behind_pass.h"
 #include "ui/render/scene.h"
 
 namespace penpose::app {
@@ -20,6 +21,7 @@ struct DrawFrame {
   std::shared_ptr<const std::vector<render::Color>> overlay;
   std::vector<render::CurveDrawing> curves;
   render::Background background;
+  render::Behind behind;
   bool wireframe = false;
   std::uint64_t shape_number = 0;  ///< as render::Scene
   std::uint64_t pose_number = 0;

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <span>
 
+#include "ui/app/backdrop.h"
 #include "ui/app/panels.h"
 #include "ui/app/widgets.h"
 
@@ -14,21 +16,23 @@ namespace fs = std::filesystem;
 
 constexpr float k_wide = 17;
 
-bool opens(const fs::path& path) {
-  constexpr std::array k_extensions{".glb", ".gltf", ".obj", ".ply", ".off", ".stl", ".session", ".hid", ".trace"};
+bool has_extension(const fs::path& path, std::span<const char* const> extensions) {
   std::string extension = path.extension().string();
   for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return std::find(k_extensions.begin(), k_extensions.end(), extension) != k_extensions.end();
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-/// Folders first, then what can be opened, by name.
-std::vector<fs::directory_entry> entries_of(const std::string& folder) {
+constexpr std::array k_opened{".glb", ".gltf", ".obj", ".ply", ".off", ".stl", ".session", ".hid", ".trace"};
+constexpr std::array k_pictures{".png", ".jpg", ".jpeg"};
+
+/// Folders first, then files with some extensions, by name.
+std::vector<fs::directory_entry> entries_of(const std::string& folder, std::span<const char* const> extensions) {
   std::vector<fs::directory_entry> entries;
   std::error_code code;
   for (fs::directory_iterator it(folder, code), end; !code && it != end; it.increment(code)) {
     if (it->path().filename().string().starts_with('.')) continue;
     std::error_code ignored;
-    if (it->is_directory(ignored) || opens(it->path())) entries.push_back(*it);
+    if (it->is_directory(ignored) || has_extension(it->path(), extensions)) entries.push_back(*it);
   }
   std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
     std::error_code ignored;
@@ -40,13 +44,13 @@ std::vector<fs::directory_entry> entries_of(const std::string& folder) {
 }
 
 /// The folder with its parent and what is in it. Gives the file that was chosen.
-std::string browse(PanelContext& context, float height) {
+std::string browse(PanelContext& context, float height, std::span<const char* const> extensions = k_opened) {
   std::string& folder = context.app.panels().folder;
   std::string chosen;
   ImGui::TextUnformatted(folder.c_str());
   ImGui::BeginChild("files", {0, height}, true);
   if (wide_button(context, "..##parent", -1)) folder = fs::path(folder).parent_path().string();
-  for (const auto& entry : entries_of(folder)) {
+  for (const auto& entry : entries_of(folder, extensions)) {
     std::error_code ignored;
     const bool is_folder = entry.is_directory(ignored);
     const std::string name = entry.path().filename().string() + (is_folder ? "/" : "");
@@ -91,6 +95,17 @@ void show_open_dialog(PanelContext& context) {
     if (const std::string file = browse(context, 8 * context.unit); !file.empty()) chosen = file;
     if (wide_button(context, "Cancel")) app.do_action(Action::cancel);
     if (!chosen.empty()) app.ask_to_open(chosen);
+  }
+  end_dialog();
+}
+
+void show_backdrop_dialog(PanelContext& context) {
+  App& app = context.app;
+  if (begin_dialog(context, "A picture behind the model", k_wide)) {
+    ImGui::TextDisabled("PNG or JPEG; of numbered pictures all are taken, one a frame");
+    const std::string chosen = browse(context, 8 * context.unit, k_pictures);
+    if (wide_button(context, "Cancel")) app.do_action(Action::cancel);
+    if (!chosen.empty()) app.open_backdrop(chosen);
   }
   end_dialog();
 }

@@ -15,7 +15,7 @@ constexpr float k_square = 24;
 constexpr float k_line = 1.9F;
 constexpr float k_radian = 3.14159265F / 180;
 
-constexpr std::array<std::pair<Action, std::string_view>, 65> k_icons{{
+constexpr std::array<std::pair<Action, std::string_view>, 72> k_icons{{
     {Action::tool_select, "M6 3L6 18L10 14.5L13 21L15.5 20L12.5 13.5L18 13Z"},
     {Action::tool_pose, "M3 16L8 11L12 15L21 7M16 6L21 7L20 12"},
     {Action::tool_oversketch, "M3 18L9 13L13 16M14 13L20 4L22 6L16 14L13 15Z"},
@@ -80,6 +80,13 @@ constexpr std::array<std::pair<Action, std::string_view>, 65> k_icons{{
     {Action::moved_only, "M4 7L20 7M4 12L14 12M4 17L9 17"},
     {Action::density, "M4 5L20 5M4 9.5L20 9.5M4 14L20 14M4 18.5L20 18.5"},
     {Action::film, "M3 5L21 5L21 19L3 19Z M7 5L7 19M17 5L17 19M3 12L7 12M17 12L21 12"},
+    {Action::tour_pose, "M7 4L20 12L7 20Z"},
+    {Action::tour_rig, "M7 4L20 12L7 20Z"},
+    {Action::tour_animate, "M7 4L20 12L7 20Z"},
+    {Action::flat_view, "M5 8L14 8L14 17L5 17Z M5 8L9 4L18 4L14 8M18 4L18 13L14 17"},
+    {Action::set_front, "C12 9 5M4 20A12 20 8 180 360"},
+    {Action::backdrop, "M3 5L21 5L21 19L3 19Z M4 17L9 11L13 15L16 12L20 16"},
+    {Action::backdrop_off, "M3 5L21 5L21 19L3 19Z M8 8L16 16M16 8L8 16"},
     {Action::library,
      "M4 4L11 4L11 11L4 11Z M13 4L20 4L20 11L13 11Z M4 13L11 13L11 20L4 20Z M13 13L20 13L20 20L13 20Z"},
 }};

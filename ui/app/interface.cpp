@@ -10,6 +10,7 @@
 #include "ui/app/panels.h"
 #include "ui/app/pose_picture.h"
 #include "ui/app/theme.h"
+#include "ui/app/tour_panel.h"
 #include "ui/app/widgets.h"
 
 namespace penpose::app {
@@ -152,16 +153,25 @@ void Interface::frame(double passed_s) {
   if (app_.player())
     show_player(context, {free.left, height - (app_.panels().shown ? bottom : 0) - player, free.right,
                           height - (app_.panels().shown ? bottom : 0)});
+  const double card = tour_height(context, free.width());
+  if (card > 0) {
+    free.bottom -= card;
+    show_tour(context, {free.left, free.bottom, free.right, free.bottom + card});
+  }
   app_.set_free_area(free);
+  show_backdrop(context, free);
+  show_axes(context, free);
   show_curve_menu(context);
   show_suggestion(context);
   show_notices(context);
   show_radial_menu(context);
   show_dialog(context);
+  show_tour_ghost(context);
   show_keyboard(context);
   if (pictures_->take_changed()) ++font_revision_;
   if (pictures_->waits()) disturb();
   menu_open_ = context.menu_open;
+  fields_ = std::move(context.fields);
   tip_waits_ = context.tip_waits && !context.tip_due && !io.MouseDown[0];
   has_field_ = context.has_field;
   dialog_area_ = context.dialog_area;
@@ -172,6 +182,7 @@ void Interface::frame(double passed_s) {
 
 void Interface::take_pointer() {
   ImGuiIO& io = ImGui::GetIO();
+  if (pressed_frames_ > 0) --pressed_frames_;
   // One press or release a frame, so that none is lost.
   if (key_to_release_ >= 0) {
     io.KeysDown[key_to_release_] = false;
@@ -192,6 +203,8 @@ void Interface::take_pointer() {
     const bool down = next.down && (!behind || io.MouseDown[0]);
     const bool turned = io.MouseDown[0] != down;
     io.MouseDown[0] = down;
+    // A field takes the keyboard a frame after it was pressed.
+    if (turned && down) pressed_frames_ = 2;
     if (turned) break;
   }
   const PxPoint at{static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y)};

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "ui/app/app.h"
 #include "ui/app/screen_keyboard.h"
@@ -58,10 +59,14 @@ class Interface {
     bool down = false;
     bool ctrl = false;
     bool shift = false;
+    bool waits = false;  ///< for a press on a text field that no frame has seen yet
+    KeyStroke stroke = {};
   };
 
   void apply_look();
   void load_fonts(double scale);
+  /// A text field was pressed, and does not have the keyboard yet.
+  [[nodiscard]] bool field_pressed() const;
   void rest_pointer(double passed_s);
   void take_pointer();
   void take_typed();
@@ -87,6 +92,8 @@ class Interface {
   bool types_ = false;               ///< something was typed for the dialog's field, which shall take the keyboard
   int opening_ = 0;                  ///< frames in which a dialog that has just opened may take the keyboard
   bool menu_open_ = false;           ///< of the last frame
+  std::vector<Area> fields_;         ///< to type into, of the last frame
+  int pressed_frames_ = 0;           ///< until a field that was pressed has the keyboard
   bool has_field_ = false;           ///< the dialog of the last frame has a field to type into
   Dialog shown_ = Dialog::none;      ///< in the last frame
   std::optional<Area> dialog_area_;  ///< in the last frame; nothing else is to be hit

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "ui/app/interface.h"
@@ -46,18 +47,36 @@ void map_edit_keys() {
 
 bool Interface::wants_keys() const { return ImGui::GetIO().WantTextInput; }
 
+bool Interface::field_pressed() const {
+  if (std::any_of(typed_.begin(), typed_.end(), [](const Typed& one) { return one.waits; })) return true;
+  const auto& pointer = app_.panel_pointer();
+  return std::any_of(pointer.begin(), pointer.end(), [&](const PanelPointer& one) {
+    return one.down &&
+           std::any_of(fields_.begin(), fields_.end(), [&](const Area& field) { return field.holds(one.at); });
+  });
+}
+
 void Interface::text(const char* utf8) {
   disturb();
+  if (!wants_keys() && field_pressed()) {
+    typed_.push_back({utf8});
+    typed_.back().waits = true;
+    return;
+  }
   if (wants_keys() || app_.panels().dialog != Dialog::none) typed_.push_back({utf8});
 }
 
 void Interface::key(int scancode, const KeyStroke& stroke, bool down) {
   disturb();
   app_.panels().has_keyboard = true;
-  const Typed typed{{}, scancode, down, stroke.ctrl, stroke.shift};
+  Typed typed{{}, scancode, down, stroke.ctrl, stroke.shift};
   // Behind a dialog or a menu nothing is to happen.
   const bool owned = app_.panels().dialog != Dialog::none || menu_open_ || wants_keys();
-  if (!down || owned) {
+  if (!owned && field_pressed()) {
+    typed.waits = true;
+    typed.stroke = stroke;
+    typed_.push_back(typed);
+  } else if (!down || owned) {
     typed_.push_back(typed);
   } else if (!app_.hits().all || stroke.key == k_key_escape) {
     app_.key(stroke);
@@ -68,6 +87,15 @@ void Interface::take_typed() {
   ImGuiIO& io = ImGui::GetIO();
   while (!typed_.empty()) {
     const Typed next = typed_.front();
+    if (next.waits) {
+      if (!app_.panel_pointer().empty() || pressed_frames_ > 0) return;
+      if (!wants_keys()) {
+        // The press was of something else: what was typed is the app's, as ever.
+        typed_.pop_front();
+        if (next.down && !app_.hits().all) app_.key(next.stroke);
+        continue;
+      }
+    }
     const bool dialog = shown_ != Dialog::none;
     const bool answers = dialog || menu_open_;
     if (next.down && answers && next.scancode == k_escape) {

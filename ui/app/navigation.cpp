@@ -19,6 +19,11 @@ geometry::CameraPose moved(geometry::CameraPose camera, const geometry::ModelVec
   return camera;
 }
 
+/// Of the picture at distance 1.
+double half_height(const geometry::CameraPose& camera) {
+  return std::tan(0.5 * camera.vertical_fov_degrees / k_degrees);
+}
+
 double distance_of(const geometry::CameraPose& camera) { return geometry::distance(camera.eye, camera.look_at); }
 
 }  // namespace
@@ -50,11 +55,30 @@ geometry::CameraPose panned(const document::View& view, PxPoint by) {
 
 geometry::CameraPose zoomed(const document::View& view, double factor, PxPoint about, double size) {
   const double before = distance_of(view.camera);
-  const double after = std::clamp(before * factor, k_nearest * size, std::max(before, k_farthest * size));
+  // The narrower the field of view, the farther away is the same size.
+  geometry::CameraPose usual = view.camera;
+  usual.vertical_fov_degrees = k_usual_degrees;
+  const double reach = size * half_height(usual) / half_height(view.camera);
+  const double after = std::clamp(before * factor, k_nearest * reach, std::max(before, k_farthest * reach));
   geometry::CameraPose nearer = view.camera;
   nearer.eye = view.camera.look_at + (view.camera.eye - view.camera.look_at) * (after / before);
   const PxPoint from_middle{about.x - 0.5 * view.viewport.width, about.y - 0.5 * view.viewport.height};
   return panned({nearer, view.viewport}, from_middle * (1.0 - before / after));
+}
+
+geometry::CameraPose with_field_of_view(const geometry::CameraPose& camera, double degrees) {
+  geometry::CameraPose other = camera;
+  other.vertical_fov_degrees = degrees;
+  other.eye = camera.look_at + (camera.eye - camera.look_at) * (half_height(camera) / half_height(other));
+  return other;
+}
+
+geometry::CameraPose seen_from(const document::View& view, const render::Viewpoint& from, PxPoint about) {
+  const PxPoint to_middle{0.5 * view.viewport.width - about.x, 0.5 * view.viewport.height - about.y};
+  const geometry::CameraPose middle = panned(view, to_middle);
+  const render::Viewpoint now = viewpoint_of(middle);
+  const auto turned = orbited(middle, from.yaw_degrees - now.yaw_degrees, from.pitch_degrees - now.pitch_degrees);
+  return panned({turned, view.viewport}, to_middle * -1.0);
 }
 
 document::View framed(std::span<const glm::vec3> points, geometry::Viewport window, const Area& free,

@@ -20,6 +20,17 @@ namespace penpose::app {
 /// diagonal, which bounds how near and how far one may go.
 [[nodiscard]] geometry::CameraPose zoomed(const document::View& view, double factor, PxPoint about, double size);
 
+/// Degrees of the height of a picture with perspective; and of one so flat that it has next to none: what is nearer by
+/// the depth of a head is larger by less than a hundredth.
+inline constexpr double k_usual_degrees = 24;
+inline constexpr double k_flat_degrees = 1;
+
+/// The camera with another field of view, from where what it looks at is as large as before.
+[[nodiscard]] geometry::CameraPose with_field_of_view(const geometry::CameraPose& camera, double degrees);
+
+/// The camera turned to look from a direction, as near as it was: what is under `about` stays there.
+[[nodiscard]] geometry::CameraPose seen_from(const document::View& view, const render::Viewpoint& from, PxPoint about);
+
 /// A view of the whole window whose part `free`, which no panel covers, shows all the points.
 [[nodiscard]] document::View framed(std::span<const glm::vec3> points, geometry::Viewport window, const Area& free,
                                     const render::Viewpoint& from);

@@ -55,6 +55,7 @@ std::string moved_text(const std::vector<Movement>& movements) {
 }  // namespace
 
 std::string outcome_of(const Workspace& workspace) {
+  if (const std::string said = workspace.outcome(); !said.empty()) return said;
   const auto& movements = workspace.movements();
   const bool nothing_moved = movements.empty() && workspace.last_is_solved();
   if ((movements.empty() && !nothing_moved) || workspace.document().curves.empty() ||

@@ -100,12 +100,14 @@ void show_menu(PanelContext& context, const Area& bar) {
   };
   // Two columns, so that it ends above the window's foot.
   ImGui::BeginGroup();
-  actions({Action::open, Action::recent, Action::save, Action::save_as, Action::export_as, Action::film});
+  actions(
+      {Action::open, Action::recent, Action::save, Action::save_as, Action::export_as, Action::film, Action::backdrop});
   if (entry("Sessions", icon::k_session, "What was drawn before, to play or to go on with")) {
     app.panels().dialog = Dialog::sessions;
   }
   rule(context);
-  actions({Action::history, Action::library, Action::flip_pose, Action::copy_to_right, Action::copy_to_left});
+  actions({Action::set_front, Action::history, Action::library, Action::flip_pose, Action::copy_to_right,
+           Action::copy_to_left});
   ImGui::EndGroup();
   ImGui::SameLine();
   ImGui::BeginGroup();
@@ -144,6 +146,7 @@ void show_top_bar(PanelContext& context, const Area& area) {
     row.add(Action::history, false, true, false);
     for (const Action action : {Action::view_front, Action::view_three_quarter, Action::view_side}) row.add(action);
     row.add(Action::frame_all, false, true, false);
+    row.add(Action::flat_view, app.flat(), true, false);
     row.add(Action::mirror_strokes, app.panels().mirrors);
     row.add(Action::search, false, true, false);
     row.add(Action::wireframe, app.panels().wireframe, true, false);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "ui/app/app.h"
 
@@ -21,6 +22,7 @@ struct PanelContext {
   float unit = 34;  ///< px of a target that a pen hits for certain
   float gap = 6;
   std::optional<Area> typed_into = {};   ///< the text field that has the keyboard
+  std::vector<Area> fields = {};         ///< all that can be typed into
   bool accepts = false;                  ///< Return was pressed: the dialog does what it is for
   bool cancels = false;                  ///< Escape was pressed: the dialog, or else the menu, closes
   bool field_first = false;              ///< the dialog's field takes the keyboard
@@ -42,6 +44,11 @@ void show_status(PanelContext& context, const Area& area);
 void show_timeline(PanelContext& context, const Area& area);
 /// Poses that are keyed, to be taken again.
 void show_poses(PanelContext& context);
+/// The model's axes in a corner of the canvas.
+void show_axes(PanelContext& context, const Area& free);
+/// The picture behind the model, and its handling.
+void show_backdrop(PanelContext& context, const Area& free);
+void show_backdrop_dialog(PanelContext& context);
 void show_player(PanelContext& context, const Area& area);
 void show_radial_menu(PanelContext& context);
 void show_notices(PanelContext& context);

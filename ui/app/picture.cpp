@@ -39,6 +39,7 @@ base::Status Picture::draw(const DrawFrame& frame) {
   scene.shape_number = frame.shape_number;
   scene.pose_number = frame.pose_number;
   scene.overlay_number = frame.overlay_number;
+  renderer_->set_behind(frame.behind);
   const auto camera = geometry::Camera::make(frame.view.camera, frame.view.viewport);
   if (!camera) return camera.error();
   return renderer_->draw(scene, *camera, 0, 0, 0);

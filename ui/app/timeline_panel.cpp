@@ -134,6 +134,13 @@ void show_ruler(PanelContext& context) {
     const std::string number = std::to_string(frame);
     list.AddText({x + 3, strip.from.y + 2}, faint, number.c_str());
   }
+  // Where a tour asks to go.
+  if (const auto asked = app.tour().active() ? app.tour().asked_time() : std::nullopt) {
+    const auto at = static_cast<double>(strip.x_of(*asked));
+    const double half_wide = 0.5 * static_cast<double>(context.unit);
+    context.targets["tour time"] = {at - half_wide, static_cast<double>(strip.from.y), at + half_wide,
+                                    static_cast<double>(strip.to().y)};
+  }
   // The playhead, with a handle to see it by.
   const float x = strip.x_of(app.panels().time_s);
   const float half = 0.22F * context.unit;

@@ -251,6 +251,7 @@ void end_dialog() {
 
 void note_field(PanelContext& context, const char* label) {
   note(context, label);
+  if (ImGui::IsItemVisible()) context.fields.push_back(context.targets[label]);
   if (ImGui::IsItemActive()) context.typed_into = context.targets[label];
 }
 

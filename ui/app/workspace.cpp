@@ -135,6 +135,13 @@ void Workspace::measure_left() {
   if (left && !left->empty()) left_px_ = left->front().px;
 }
 
+void Workspace::say_outcome(std::string text) {
+  movements_.clear();
+  left_px_ = -1;
+  outcome_ = std::move(text);
+  outcome_revision_ = revision_;
+}
+
 bool Workspace::last_is_solved() const { return left_px_ >= 0 && solved_revision_ == revision_; }
 
 void Workspace::lock(const std::vector<std::string>& names, bool locked) {

@@ -114,6 +114,10 @@ class Workspace {
   [[nodiscard]] double left_px() const { return left_px_; }
   /// Whether the newest thing that happened is a target that was drawn and solved for.
   [[nodiscard]] bool last_is_solved() const;
+  /// What is to be said in place of what the last stroke moved, until something else happens.
+  void say_outcome(std::string text);
+  /// That; empty: nothing.
+  [[nodiscard]] std::string outcome() const { return outcome_revision_ == revision_ ? outcome_ : std::string(); }
   /// Locks parameters against the solver, or frees them. Where one is locked that the last stroke moved ("not this
   /// one"), or one is given back, that stroke is solved again.
   void lock(const std::vector<std::string>& names, bool locked);
@@ -159,6 +163,8 @@ class Workspace {
   double left_px_ = -1;
   document::CurveId solved_curve_;     ///< whose target that was; null: several
   std::uint64_t solved_revision_ = 0;  ///< what revision_ was when movements_ were found
+  std::string outcome_;
+  std::uint64_t outcome_revision_ = 0;  ///< what revision_ was when that was said
   std::uint64_t revision_ = 0;
   std::uint64_t saved_revision_ = 0;
 };

@@ -76,7 +76,7 @@ be: penpose finds the values of the rig that bring the one to the other. It
 works with blend shapes, with joints, and with controls that were sketched on a
 bare mesh, and reads pen tablets directly.
 .
-With the window and the drawing of pictures." DEPENDS ${c_library} ${solver} ${tablets} "libepoxy0 (>= 1.5.10)" "libpng16-16 (>= 1.6.2-1)"
+With the window and the drawing of pictures." DEPENDS ${c_library} ${solver} ${tablets} "libepoxy0 (>= 1.5.10)" "libpng16-16 (>= 1.6.2-1)" "libjpeg62-turbo (>= 1.3.1)"
   "libfontconfig1 (>= 2.12.6)" "libsdl2-2.0-0 (>= 2.26.0)" "libstb0 (>= 0.0~git20180212.15.e6afb9c)" libegl1 libgl1 fonts-dejavu-core RECOMMENDS libgl1-mesa-dri fonts-inter CONFLICTS penpose-nogui)
 penpose_package(penpose-nogui graphics "pose and rig 3D characters by drawing, without a window"
 "A line is drawn where a feature of a character is, and another where it should
@@ -85,7 +85,7 @@ works with blend shapes, with joints, and with controls that were sketched on a
 bare mesh, and reads pen tablets directly.
 .
 The commands alone, for boards and farms: without the window and without
-pictures, and so without SDL and OpenGL." DEPENDS ${c_library} ${solver} ${tablets} "libpng16-16 (>= 1.6.2-1)" CONFLICTS penpose)
+pictures, and so without SDL and OpenGL." DEPENDS ${c_library} ${solver} ${tablets} "libpng16-16 (>= 1.6.2-1)" "libjpeg62-turbo (>= 1.3.1)" CONFLICTS penpose)
 penpose_package(libpenpose0 libs "pose and rig 3D characters by drawing, the library"
 "The solver of penpose for other programs, in C: rigs, curves, targets,
 sketched deformers, recorded sessions, and pen tablets from their raw reports."

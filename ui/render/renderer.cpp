@@ -32,6 +32,7 @@ struct Drawn {
   Background background;
   geometry::CameraPose camera;
   geometry::Viewport viewport;
+  Behind behind;
 
   [[nodiscard]] bool same_as(const Drawn& other) const {
     const auto same_color = [](const Color& a, const Color& b) {
@@ -39,7 +40,7 @@ struct Drawn {
     };
     return shape != 0 && pose != 0 && shape == other.shape && pose == other.pose && overlay == other.overlay &&
            has_overlay == other.has_overlay && wireframe == other.wireframe && camera == other.camera &&
-           viewport == other.viewport && same_color(background.top, other.background.top) &&
+           viewport == other.viewport && behind == other.behind && same_color(background.top, other.background.top) &&
            same_color(background.bottom, other.background.bottom);
   }
 };
@@ -55,6 +56,8 @@ struct Renderer::State {
   GlProgram occlusion_blur;
   MeshPass mesh;
   CurvePass curves;
+  BehindPass behind_pass;
+  Behind behind;
   Framebuffers targets;
   unsigned empty_array = 0;
   bool occlude = true;
@@ -79,7 +82,7 @@ struct Renderer::State {
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);
   }
-  void draw_surfaces(const Scene& scene, const View& view) const;
+  void draw_surfaces(const Scene& scene, const View& view, geometry::Viewport viewport);
   void add_pass(const Scene& scene, View view, geometry::Viewport viewport);
   void draw_background(const Background& colors) const;
   void draw_occlusion(const View& view, geometry::Viewport viewport);
@@ -103,6 +106,9 @@ base::Result<std::unique_ptr<Renderer::State>> Renderer::State::make(std::unique
   if (!copy) return copy.error();
   auto state = std::make_unique<State>(std::move(owned), std::move(*mesh), std::move(*curves));
   state->background = std::move(*background);
+  auto behind = BehindPass::make();
+  if (!behind) return behind.error();
+  state->behind_pass = std::move(*behind);
   state->copy = std::move(*copy);
   state->occlusion = std::move(*occlusion);
   state->occlusion_blur = std::move(*blur);
@@ -148,10 +154,14 @@ void Renderer::State::draw_occlusion(const View& view, geometry::Viewport viewpo
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void Renderer::State::draw_surfaces(const Scene& scene, const View& view) const {
+void Renderer::State::draw_surfaces(const Scene& scene, const View& view, geometry::Viewport viewport) {
   targets.begin_surfaces();
   glClear(GL_DEPTH_BUFFER_BIT);
   draw_background(scene.background);
+  if (behind_pass.begin(behind, viewport)) {
+    fill_screen();
+    BehindPass::end();
+  }
   mesh.draw_opaque(view, scene.wireframe);
   mesh.draw_translucent(view);
 }
@@ -160,7 +170,7 @@ void Renderer::State::add_pass(const Scene& scene, View view, geometry::Viewport
   if (passes < k_most_passes) {
     view.to_clip[2][0] += 2 * k_places[passes][0] / static_cast<float>(viewport.width);
     view.to_clip[2][1] += 2 * k_places[passes][1] / static_cast<float>(viewport.height);
-    draw_surfaces(scene, view);
+    draw_surfaces(scene, view, viewport);
     ++passes;
     targets.average(1.0F / static_cast<float>(passes), [&] {
       glActiveTexture(GL_TEXTURE0);
@@ -205,20 +215,21 @@ base::Status Renderer::draw_picture(const Scene& scene, const geometry::Camera& 
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthMask(GL_TRUE);
   if (epoxy_is_desktop_gl()) glEnable(GL_MULTISAMPLE);
-  const Drawn now{scene.shape_number, scene.pose_number, scene.overlay_number, !scene.overlay.empty(),
-                  scene.wireframe,    scene.background,  camera.pose(),        camera.viewport()};
+  const Drawn now{scene.shape_number,     scene.pose_number, scene.overlay_number,
+                  !scene.overlay.empty(), scene.wireframe,   scene.background,
+                  camera.pose(),          camera.viewport(), s.behind};
   const bool same = now.same_as(s.last) && (now.overlay != 0 || !now.has_overlay);
   s.last = now;
   s.still = now.shape != 0 && now.pose != 0;
   const bool by_passes = s.smooths && s.targets.samples() == 0 && !s.occlude;
   if (!same) {
     s.passes = 0;
-    s.draw_surfaces(scene, view);
+    s.draw_surfaces(scene, view, camera.viewport());
     s.targets.resolve();
   } else if (by_passes) {
     s.add_pass(scene, view, camera.viewport());
   } else {
-    if (s.targets.samples() == 0) s.draw_surfaces(scene, view);
+    if (s.targets.samples() == 0) s.draw_surfaces(scene, view, camera.viewport());
     s.targets.resolve();
   }
   if (s.occlude && !scene.triangles.empty()) s.draw_occlusion(view, camera.viewport());
@@ -238,6 +249,7 @@ base::Status Renderer::draw(const Scene& scene, const geometry::Camera& camera, 
   return base::Done{};
 }
 
+void Renderer::set_behind(Behind behind) { state_->behind = std::move(behind); }
 void Renderer::set_smoothing(bool on) { state_->smooths = on; }
 bool Renderer::refining() const {
   const State& s = *state_;

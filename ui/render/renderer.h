@@ -5,6 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/geometry/camera.h"
+#include "ui/render/behind_pass.h"
 #include "ui/render/image.h"
 #include "ui/render/scene.h"
 
@@ -30,6 +31,8 @@ class Renderer {
   /// bound program, arrays, viewport, depth test and blending changed.
   base::Status draw(const Scene& scene, const geometry::Camera& camera, unsigned framebuffer = 0, int x = 0, int y = 0);
 
+  /// A picture behind the model in all pictures from now on.
+  void set_behind(Behind behind);
   /// Darkening of creases; costs the most of a picture on a weak graphics card.
   void set_occlusion(bool on);
   /// Samples a pixel, 8 at most; each costs its memory, and time on a software renderer. Counts before the first

@@ -24,7 +24,7 @@ TEST(Action, EveryActionIsInTheListOnceAndSaysWhatItDoes) {
     EXPECT_EQ(info(action).action, action) << i;
     EXPECT_FALSE(info(action).tip.empty());
   }
-  EXPECT_EQ(all_actions().size(), static_cast<std::size_t>(Action::perform) + 1);
+  EXPECT_EQ(all_actions().size(), static_cast<std::size_t>(Action::backdrop_off) + 1);
 }
 
 TEST(Action, TooltipsShowTheShortcut) {

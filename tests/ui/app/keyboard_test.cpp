@@ -157,5 +157,32 @@ TEST(Keyboard, BehindADialogNothingIsPressedAndNoKeyDoesAnything) {
   EXPECT_EQ(desk.document().timeline->keys.size(), 1U);
 }
 
+TEST(Keyboard, WhatIsTypedInTheSlowFrameOfAClickIntoAFieldIsTyped) {
+  Desk desk("slow-frame");
+  desk.begin();
+  const auto tool = desk.app->workspace().editor().tool().kind;
+  const PxPoint field = desk.interface->find("##search")->middle();
+  desk.app->mouse_moved(field);
+  desk.app->mouse_button(MouseButton::left, true, field);
+  desk.app->mouse_button(MouseButton::left, false, field);
+  // No frame has been made since: "e" would be the eraser and "i" a key.
+  desk.type("ie");
+  EXPECT_EQ(desk.app->panels().filter, "ie");
+  EXPECT_EQ(desk.app->workspace().editor().tool().kind, tool);
+  EXPECT_TRUE(desk.document().timeline->keys.empty());
+}
+
+TEST(Keyboard, KeysInTheSlowFrameOfAClickOnAButtonAreTheProgramsOwn) {
+  Desk desk("slow-button");
+  desk.begin();
+  const PxPoint button = desk.interface->find("Hold")->middle();
+  desk.app->mouse_moved(button);
+  desk.app->mouse_button(MouseButton::left, true, button);
+  desk.app->mouse_button(MouseButton::left, false, button);
+  desk.type("i");
+  EXPECT_EQ(desk.document().timeline->keys.size(), 1U);
+  EXPECT_EQ(desk.app->workspace().editor().tool().kind, drawing::ToolKind::constraint);
+}
+
 }  // namespace
 }  // namespace penpose::app

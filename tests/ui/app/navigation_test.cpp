@@ -61,5 +61,28 @@ TEST(Navigation, FramingPutsTheModelIntoTheFreePartOfTheWindow) {
   EXPECT_NEAR(seen(view.camera, {0, 0, 0}).y, free.middle().y, 2);
 }
 
+TEST(Navigation, AnotherFieldOfViewLeavesTheMiddleAsLargeAsItWas) {
+  const auto flat = with_field_of_view(k_front, k_flat_degrees);
+  const auto high = [](const geometry::CameraPose& camera, double depth) {
+    return seen(camera, {0, 0, depth}).y - seen(camera, {0, 1, depth}).y;
+  };
+  EXPECT_NEAR(high(flat, 0), high(k_front, 0), 1e-6);
+  // A point a quarter of a head nearer is hardly larger, and was clearly so.
+  EXPECT_GT(high(k_front, 0.5), 1.1 * high(k_front, 0));
+  EXPECT_LT(high(flat, 0.5), 1.01 * high(flat, 0));
+  const auto back = with_field_of_view(flat, 24);
+  EXPECT_NEAR(geometry::distance(back.eye, k_front.eye), 0, 1e-9);
+}
+
+TEST(Navigation, SeenFromAnotherSideWhatIsUnderAPlaceStaysThereAsNearAsItWas) {
+  const auto near = zoomed({k_front, k_window}, 0.4, {620, 300}, 2);
+  const PxPoint about{450, 380};
+  const auto side = seen_from({near, k_window}, {90, 0}, about);
+  EXPECT_NEAR(viewpoint_of(side).yaw_degrees, 90, 1e-6);
+  EXPECT_NEAR(geometry::distance(side.eye, side.look_at), geometry::distance(near.eye, near.look_at), 1e-9);
+  const auto again = seen_from({side, k_window}, {0, 0}, about);
+  EXPECT_NEAR(geometry::distance(again.eye, near.eye), 0, 1e-9) << "and back to where one was";
+}
+
 }  // namespace
 }  // namespace penpose::app

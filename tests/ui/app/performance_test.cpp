@@ -4,6 +4,7 @@
 
 #include "tests/support/app_desk.h"
 #include "ui/app/frames.h"
+#include "ui/app/outcome.h"
 
 // The pen as a puppet's string.
 
@@ -166,6 +167,21 @@ TEST(Performing, ATouchOfAGoalIsStillATouch) {
   pull(desk, 1, 1);
   EXPECT_EQ(desk.document().timeline, before);
   EXPECT_FALSE(desk.app->performing());
+}
+
+TEST(Performing, TheLineBelowSaysWhatTheTakeKeyedAndNotWhatAStrokeBeforeItDid) {
+  Desk desk("take-said");
+  draw_smile(desk);
+  const std::string stroke = outcome_of(desk.app->workspace());
+  ASSERT_FALSE(stroke.empty());
+  desk.press(' ', false, true);
+  pull(desk, 24, 20);
+  const std::string take = outcome_of(desk.app->workspace());
+  EXPECT_NE(take.find("frames are keyed"), std::string::npos) << take;
+  // The next thing that happens is what there is to say.
+  desk.app->undo();
+  desk.frames();
+  EXPECT_EQ(outcome_of(desk.app->workspace()).find("frames are keyed"), std::string::npos);
 }
 
 }  // namespace

@@ -229,7 +229,7 @@ def pen_alone(program, screen, folder, session):
     head = [line for line in open(session) if line[:2] in ("R:", "N:", "I:", "D:")]
     pen = PenTrace(head)
     pen.hold(640, 400, False, 1)
-    pen.tap(640, 495)  # Begin
+    pen.tap(640, 574)  # Begin
     pen.tap(50, 328)  # Rig
     for line in (GENERAL, SPECIFIC, RAISED):
         pen.stroke(line)
