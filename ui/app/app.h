@@ -123,7 +123,7 @@ struct PanelState {
   std::string search_text;        ///< in the search, and in the list of shortcuts
   std::size_t search_chosen = 0;  ///< of what was found
   bool wireframe = false;
-  std::shared_ptr<class Backdrop> backdrop;  ///< a picture behind the model
+  std::shared_ptr<class Backdrop> backdrop;                     ///< a picture behind the model
   bool swing = false;                                           ///< the control in hand plays to and fro
   articulation::Mode new_mode = articulation::Mode::automatic;  ///< of the next control
   articulation::Surface new_surface;
