@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/animation/face_depths.h"
-#include "core/animation/gaze.h"
-#include "core/animation/head_fit.h"
-#include "core/animation/lid_controls.h"
-#include "core/animation/lips.h"
-#include "core/animation/meeting.h"
-#include "core/animation/statistics.h"
-#include "core/animation/steady.h"
-#include "core/animation/uncertainty.h"
+#include "core/animation/face/gaze.h"
+#include "core/animation/face/lid_controls.h"
+#include "core/animation/face/lips.h"
+#include "core/animation/face/meeting.h"
+#include "core/animation/head/face_depths.h"
+#include "core/animation/head/head_fit.h"
+#include "core/animation/signal/statistics.h"
+#include "core/animation/signal/steady.h"
+#include "core/animation/solve/uncertainty.h"
 
 namespace penpose::animation {
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/animation/frame_solver.h"
-#include "core/animation/lids.h"
-#include "core/animation/rest_choice.h"
+#include "core/animation/face/lids.h"
+#include "core/animation/face/rest_choice.h"
+#include "core/animation/solve/frame_solver.h"
 
 namespace penpose::animation {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/animation/statistics.h"
+#include "core/animation/signal/statistics.h"
 
 namespace penpose::animation {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "core/articulation/measured_deformer.h"
-#include "core/articulation/reference_curve.h"
-#include "core/articulation/region.h"
-#include "core/articulation/slide.h"
+#include "core/articulation/motion/reference_curve.h"
+#include "core/articulation/motion/slide.h"
+#include "core/articulation/region/region.h"
 #include "core/curve/pairing.h"
 #include "core/curve/polyline.h"
 

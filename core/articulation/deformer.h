@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/articulation/canvas.h"
-#include "core/articulation/carriage.h"
+#include "core/articulation/measure/strain.h"
+#include "core/articulation/motion/carriage.h"
+#include "core/articulation/region/canvas.h"
 #include "core/articulation/sketch.h"
-#include "core/articulation/strain.h"
 #include "core/base/result.h"
 #include "core/rig/rig.h"
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/articulation/canvas.h"
+#include "core/articulation/region/canvas.h"
 #include "core/articulation/sketched_deformers.h"
 
 namespace penpose::articulation {

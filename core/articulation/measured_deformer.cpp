@@ -6,9 +6,9 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
-#include "core/articulation/attachment.h"
-#include "core/articulation/relaxation.h"
-#include "core/articulation/slide.h"
+#include "core/articulation/measure/relaxation.h"
+#include "core/articulation/motion/attachment.h"
+#include "core/articulation/motion/slide.h"
 #include "core/curve/polyline.h"
 
 namespace penpose::articulation {

@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
-#include "core/articulation/canvas.h"
-#include "core/articulation/carriage.h"
-#include "core/articulation/falloff.h"
-#include "core/articulation/strain.h"
+#include "core/articulation/measure/strain.h"
+#include "core/articulation/motion/carriage.h"
+#include "core/articulation/region/canvas.h"
+#include "core/articulation/region/falloff.h"
 
 namespace penpose::articulation {
 

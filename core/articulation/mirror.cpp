@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/letters.h"
 #include "core/geometry/closest_point.h"
 
 namespace penpose::articulation {
@@ -11,8 +12,8 @@ namespace {
 constexpr double k_symmetric = 0.02;        // share of the diagonal
 constexpr std::size_t k_most_probes = 600;  // vertices that are tried; enough to tell, few enough to be quick
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+using base::lower;
+using base::upper;
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_separator(char c) { return c == '_' || c == '.' || c == '-' || c == ' '; }
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/articulation/canvas.h"
 #include "core/articulation/deformer.h"
+#include "core/articulation/region/canvas.h"
 #include "core/articulation/sketch.h"
 #include "core/base/result.h"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/articulation/canvas.h"
 #include "core/articulation/deformer.h"
+#include "core/articulation/region/canvas.h"
 #include "core/base/result.h"
 #include "core/base/state_hash.h"
 #include "core/rig/displacement_layer.h"

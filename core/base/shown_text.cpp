@@ -2,12 +2,12 @@
 
 #include <cstdint>
 
+#include "core/base/letters.h"
 #include "core/base/utf8.h"
 
 namespace penpose::base {
 namespace {
 
-constexpr std::string_view k_digits = "0123456789abcdef";
 constexpr std::string_view k_gap = "...";
 
 std::uint32_t code_point(std::string_view sequence) {
@@ -27,10 +27,10 @@ bool is_hidden(std::uint32_t code) {
          (code >= 0xe0000 && code <= 0xe007f);
 }
 
-void append_hex(std::string& text, std::uint32_t value) {
-  int shift = value > 0xff ? 28 : 4;
-  while (shift > 4 && (value >> shift) == 0) shift -= 4;
-  for (; shift >= 0; shift -= 4) text += k_digits[(value >> shift) & 0xfU];
+void append_code(std::string& text, std::uint32_t value) {
+  std::size_t digits = value > 0xff ? 8 : 2;
+  while (digits > 2 && (value >> (4 * (digits - 1))) == 0) --digits;
+  append_hex(text, value, digits);
 }
 
 /// One character of the name, as it may be printed. Takes it off the name.
@@ -43,10 +43,10 @@ std::string take_shown(std::string_view& name) {
   std::string text;
   if (sequence.size() == 1) {
     text = "\\x";
-    append_hex(text, code);
+    append_code(text, code);
   } else {
     text = "\\u{";
-    append_hex(text, code);
+    append_code(text, code);
     text += '}';
   }
   return text;

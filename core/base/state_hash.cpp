@@ -7,6 +7,8 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include "core/base/letters.h"
+
 namespace penpose::base {
 
 struct StateHash::State {
@@ -36,12 +38,9 @@ Hash128 from_xxh(XXH128_hash_t hash) { return {hash.high64, hash.low64}; }
 }  // namespace
 
 std::string Hash128::hex() const {
-  constexpr std::string_view k_digits = "0123456789abcdef";
-  std::string text(32, '0');
-  for (std::size_t i = 0; i < 16; ++i) {
-    text[i] = k_digits[(high >> (60 - 4 * i)) & 15U];
-    text[16 + i] = k_digits[(low >> (60 - 4 * i)) & 15U];
-  }
+  std::string text;
+  append_hex(text, high, 16);
+  append_hex(text, low, 16);
   return text;
 }
 

@@ -5,12 +5,12 @@
 #include <utility>
 
 #include "core/curve/distance.h"
-#include "core/document/apply_parts.h"
-#include "core/document/command_check.h"
+#include "core/document/commands/apply_parts.h"
+#include "core/document/commands/command_check.h"
 #include "core/drawing/tool.h"
 #include "core/head/head.h"
-#include "core/model_io/read_document.h"
-#include "core/model_io/write_document.h"
+#include "core/io/project/read_document.h"
+#include "core/io/project/write_document.h"
 
 namespace penpose::character {
 namespace {
@@ -33,7 +33,7 @@ Character::Character(document::Document document)
     : document_(std::move(document)), work_(std::make_unique<document::ApplyWorkspace>()) {}
 
 base::Result<Character> Character::read(base::Bytes bytes, std::string_view file_name_hint) {
-  auto document = model_io::read_document(bytes, file_name_hint);
+  auto document = io::read_document(bytes, file_name_hint);
   if (!document) return document.error();
   return Character(std::move(document).value());
 }
@@ -232,7 +232,7 @@ View Character::view_from(double yaw_degrees, double pitch_degrees, geometry::Vi
 }
 
 base::Result<std::vector<std::uint8_t>> Character::write(std::string_view file_name_hint) const {
-  return model_io::write_document(document_, file_name_hint);
+  return io::write_document(document_, file_name_hint);
 }
 
 const intent::WholeModel& Character::whole_model() {

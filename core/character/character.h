@@ -9,12 +9,12 @@
 
 #include "core/base/byte_reader.h"
 #include "core/base/result.h"
-#include "core/document/apply.h"
-#include "core/document/command.h"
+#include "core/document/commands/apply.h"
+#include "core/document/commands/command.h"
 #include "core/document/document.h"
 #include "core/document/document_hash.h"
-#include "core/intent/whole_model.h"
-#include "core/model_io/write_model.h"
+#include "core/intent/model/whole_model.h"
+#include "core/io/model/write_model.h"
 
 namespace penpose::character {
 
@@ -44,7 +44,7 @@ class Character {
  public:
   explicit Character(document::Document document);
 
-  /// A glTF, OBJ, PLY, OFF or STL file in memory, or a project. Errors: those of model_io::read_document.
+  /// A glTF, OBJ, PLY, OFF or STL file in memory, or a project. Errors: those of io::read_document.
   [[nodiscard]] static base::Result<Character> read(base::Bytes bytes, std::string_view file_name_hint = {});
   /// "builtin:head-4", or "builtin:head-3", "builtin:head-2" and "builtin:head" of older sessions.
   [[nodiscard]] static base::Result<Character> built_in(std::string_view name = "builtin:head-4");

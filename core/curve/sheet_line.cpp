@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/curve/internal/sheet_walk.h"
 #include "core/curve/polyline.h"
-#include "core/curve/sheet_walk.h"
 
 namespace penpose::curve {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "core/articulation/sketch.h"
 #include "core/base/result.h"
+#include "core/document/drawing/pose_curve.h"
 #include "core/document/model.h"
-#include "core/document/pose_curve.h"
-#include "core/document/timeline.h"
+#include "core/document/time/timeline.h"
 
 namespace penpose::document {
 
@@ -51,7 +51,7 @@ struct NamedView {
 inline constexpr double k_steadiest_hand = 0.25, k_shakiest_hand = 4.0;
 
 /// All that is worked on. A value whose heavy parts are shared and never change, so that a copy costs a few hundred
-/// bytes whatever the size of the mesh. Only commands (core/document/apply.h) make another one.
+/// bytes whatever the size of the mesh. Only commands (core/document/commands/apply.h) make another one.
 struct Document {
   std::shared_ptr<const Model> model;  ///< its own pose is not used: `pose` is what counts
   rig::Pose pose;                      ///< one value a parameter of the rig

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/document/apply.h"
-#include "core/document/command.h"
+#include "core/document/commands/apply.h"
+#include "core/document/commands/command.h"
 #include "core/document/document.h"
 
 namespace penpose::document {

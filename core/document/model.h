@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/articulation/canvas.h"
 #include "core/articulation/corrections.h"
+#include "core/articulation/region/canvas.h"
 #include "core/articulation/sketched_deformers.h"
 #include "core/base/result.h"
 #include "core/base/state_hash.h"

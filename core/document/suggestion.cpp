@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/document/apply.h"
+#include "core/document/commands/apply.h"
 #include "core/prior/leave_one_out.h"
 
 namespace penpose::document {

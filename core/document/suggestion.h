@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/document/command.h"
+#include "core/document/commands/command.h"
 #include "core/document/document.h"
 
 // The rest of a pose, suggested from those that are keyed (core/prior). Nothing here changes a document: the command

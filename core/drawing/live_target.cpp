@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <memory>
 
-#include "core/document/apply.h"
-#include "core/document/moment.h"
-#include "core/document/pose_problem.h"
+#include "core/document/commands/apply.h"
+#include "core/document/drawing/moment.h"
+#include "core/document/drawing/pose_problem.h"
 
 namespace penpose::drawing {
 

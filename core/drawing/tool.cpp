@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/curve/pairing.h"
-#include "core/document/text_members.h"
+#include "core/document/commands/text_members.h"
 
 namespace penpose::document {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/articulation/slide.h"
+#include "core/articulation/motion/slide.h"
 #include "core/base/result.h"
 #include "core/curve/stroke.h"
-#include "core/document/command.h"
+#include "core/document/commands/command.h"
 #include "core/document/document.h"
 
 namespace penpose::drawing {

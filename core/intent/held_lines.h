@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/intent/model/whole_model.h"
 #include "core/intent/problem.h"
-#include "core/intent/reader.h"
-#include "core/intent/whole_model.h"
+#include "core/intent/reading/reader.h"
 
 // Lines that were drawn before, and what of them is read anew.
 

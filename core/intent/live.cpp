@@ -6,7 +6,7 @@
 #include "core/curve/polyline.h"
 #include "core/intent/chain.h"
 #include "core/intent/held_lines.h"
-#include "core/intent/reader.h"
+#include "core/intent/reading/reader.h"
 #include "core/intent/solve.h"
 
 namespace penpose::intent {

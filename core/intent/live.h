@@ -4,8 +4,8 @@
 #include <span>
 
 #include "core/base/result.h"
+#include "core/intent/model/whole_model.h"
 #include "core/intent/problem.h"
-#include "core/intent/whole_model.h"
 
 namespace penpose::intent {
 

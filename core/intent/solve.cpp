@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "core/intent/held_lines.h"
-#include "core/intent/reader.h"
-#include "core/intent/reading.h"
+#include "core/intent/reading/reader.h"
+#include "core/intent/reading/reading.h"
 
 namespace penpose::intent {
 

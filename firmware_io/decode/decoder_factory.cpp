@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <optional>
 
-#include "firmware_io/decode/descriptor_decoder.h"
-#include "firmware_io/decode/fallback_decoder.h"
-#include "firmware_io/decode/wacom_axes.h"
-#include "firmware_io/decode/wacom_bamboo_decoder.h"
-#include "firmware_io/decode/wacom_bluetooth_decoder.h"
-#include "firmware_io/decode/wacom_display_decoder.h"
-#include "firmware_io/decode/wacom_generic_decoder.h"
-#include "firmware_io/decode/wacom_graphire_decoder.h"
-#include "firmware_io/decode/wacom_intuos_decoder.h"
-#include "firmware_io/decode/wacom_models.h"
-#include "firmware_io/decode/wacom_receiver.h"
+#include "firmware_io/decode/described/descriptor_decoder.h"
+#include "firmware_io/decode/described/fallback_decoder.h"
+#include "firmware_io/decode/wacom/wacom_axes.h"
+#include "firmware_io/decode/wacom/wacom_bamboo_decoder.h"
+#include "firmware_io/decode/wacom/wacom_bluetooth_decoder.h"
+#include "firmware_io/decode/wacom/wacom_display_decoder.h"
+#include "firmware_io/decode/wacom/wacom_generic_decoder.h"
+#include "firmware_io/decode/wacom/wacom_graphire_decoder.h"
+#include "firmware_io/decode/wacom/wacom_intuos_decoder.h"
+#include "firmware_io/decode/wacom/wacom_models.h"
+#include "firmware_io/decode/wacom/wacom_receiver.h"
 
 namespace penpose::decode {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "firmware_io/decode/device_identity.h"
-#include "firmware_io/decode/pen_decoder.h"
-#include "firmware_io/decode/tablet_table.h"
+#include "firmware_io/decode/sample/device_identity.h"
+#include "firmware_io/decode/sample/pen_decoder.h"
+#include "firmware_io/decode/table/tablet_table.h"
 
 namespace penpose::decode {
 

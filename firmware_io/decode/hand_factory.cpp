@@ -2,20 +2,20 @@
 
 #include <algorithm>
 
-#include "firmware_io/decode/battery_decoder.h"
 #include "firmware_io/decode/decoder_factory.h"
-#include "firmware_io/decode/layout_decoder.h"
-#include "firmware_io/decode/multitouch_decoder.h"
-#include "firmware_io/decode/protocol.h"
-#include "firmware_io/decode/vendor_pad_decoder.h"
-#include "firmware_io/decode/vendor_touch_decoder.h"
-#include "firmware_io/decode/wacom_generic_pad_decoder.h"
-#include "firmware_io/decode/wacom_generic_touch_decoder.h"
-#include "firmware_io/decode/wacom_models.h"
-#include "firmware_io/decode/wacom_pad_decoder.h"
-#include "firmware_io/decode/wacom_receiver.h"
-#include "firmware_io/decode/wacom_touch_decoder.h"
-#include "firmware_io/decode/wacom_usages.h"
+#include "firmware_io/decode/described/battery_decoder.h"
+#include "firmware_io/decode/described/multitouch_decoder.h"
+#include "firmware_io/decode/layout/layout_decoder.h"
+#include "firmware_io/decode/layout/protocol.h"
+#include "firmware_io/decode/layout/vendor_pad_decoder.h"
+#include "firmware_io/decode/layout/vendor_touch_decoder.h"
+#include "firmware_io/decode/wacom/hand/wacom_generic_pad_decoder.h"
+#include "firmware_io/decode/wacom/hand/wacom_generic_touch_decoder.h"
+#include "firmware_io/decode/wacom/hand/wacom_pad_decoder.h"
+#include "firmware_io/decode/wacom/hand/wacom_touch_decoder.h"
+#include "firmware_io/decode/wacom/hand/wacom_usages.h"
+#include "firmware_io/decode/wacom/wacom_models.h"
+#include "firmware_io/decode/wacom/wacom_receiver.h"
 
 namespace penpose::decode {
 namespace {

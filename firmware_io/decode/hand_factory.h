@@ -3,10 +3,10 @@
 #include <memory>
 #include <string_view>
 
-#include "firmware_io/decode/device_identity.h"
-#include "firmware_io/decode/pad_decoder.h"
-#include "firmware_io/decode/tablet_table.h"
-#include "firmware_io/decode/touch_decoder.h"
+#include "firmware_io/decode/sample/device_identity.h"
+#include "firmware_io/decode/sample/pad_decoder.h"
+#include "firmware_io/decode/sample/touch_decoder.h"
+#include "firmware_io/decode/table/tablet_table.h"
 
 namespace penpose::decode {
 

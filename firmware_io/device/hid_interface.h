@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "firmware_io/decode/device_identity.h"
+#include "firmware_io/decode/sample/device_identity.h"
 
 namespace penpose::device {
 

@@ -6,12 +6,12 @@
 
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/decode/hand_factory.h"
-#include "firmware_io/decode/wacom_models.h"
-#include "firmware_io/decode/wacom_receiver.h"
-#include "firmware_io/device/hidraw_source.h"
-#include "firmware_io/device/interface_list.h"
-#include "firmware_io/device/libusb_source.h"
-#include "firmware_io/device/usb_strings.h"
+#include "firmware_io/decode/wacom/wacom_models.h"
+#include "firmware_io/decode/wacom/wacom_receiver.h"
+#include "firmware_io/device/list/interface_list.h"
+#include "firmware_io/device/source/hidraw_source.h"
+#include "firmware_io/device/source/libusb_source.h"
+#include "firmware_io/device/source/usb_strings.h"
 
 namespace penpose::device {
 namespace {

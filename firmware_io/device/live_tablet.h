@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "firmware_io/decode/tablet_table.h"
+#include "firmware_io/decode/table/tablet_table.h"
 #include "firmware_io/device/hid_interface.h"
 #include "firmware_io/device/report_source.h"
-#include "firmware_io/device/wake_up.h"
+#include "firmware_io/device/source/wake_up.h"
 
 namespace penpose::device {
 

@@ -10,7 +10,7 @@
 
 #include "firmware_io/device/report_ring.h"
 #include "firmware_io/device/report_source.h"
-#include "firmware_io/device/wake_up.h"
+#include "firmware_io/device/source/wake_up.h"
 
 namespace penpose::device {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "firmware_io/decode/light_report.h"
+#include "firmware_io/decode/described/light_report.h"
 #include "firmware_io/device/live_tablet.h"
 
 namespace penpose::device {

@@ -4,25 +4,25 @@
 #include <benchmark/benchmark.h>
 
 #include "core/animation/animate_track.h"
+#include "core/tracking/track_setup.h"
 #include "tests/support/shared_data.h"
-#include "ui/cli/load_model.h"
-#include "ui/cli/track_input.h"
-#include "ui/cli/track_setup.h"
+#include "ui/cli/track/track_input.h"
+#include "ui/files/load_model.h"
 
 namespace {
 
 using namespace penpose;
 
 void animate_face(benchmark::State& state) {
-  const auto model = cli::load_model((tests::shared_dir() / "meshes" / "ict_face.glb").string()).value();
+  const auto model = files::load_model((tests::shared_dir() / "meshes" / "ict_face.glb").string()).value();
   const auto input =
       cli::read_track((tests::shared_dir() / "tracks" / "openface_head_test.csv").string(), {}, {}).value();
   const auto& track = std::get<animation::PointTrack>(input.track);
-  auto map = model_io::read_map_file(base::as_bytes(model_io::bundled_map(input.format))).value();
+  auto map = io::read_map_file(base::as_bytes(io::bundled_map(input.format->name))).value();
   map.curves.resize(static_cast<std::size_t>(state.range(0)));
   if (state.range(1) != 0) map.free.clear();
   std::vector<std::string> notes;
-  const auto setup = cli::make_setup(model, track, map, true, {}, notes).value();
+  const auto setup = tracking::make_setup(model, track, map, true, {}, notes).value();
   const auto camera = geometry::frame_box(document::rest_world_box(model), {1000, 1000}, 0);
   for (auto _ : state) benchmark::DoNotOptimize(animation::animate_track(*model.rig, track, setup, camera));
   state.counters["frames_per_second"] =

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "ui/app/posed_surface.h"
-#include "ui/app/timings.h"
-#include "ui/app/workspace.h"
-#include "ui/cli/load_model.h"
+#include "ui/app/session/workspace.h"
+#include "ui/app/view/posed_surface.h"
+#include "ui/app/window/timings.h"
+#include "ui/files/load_model.h"
 #include "ui/render/framing.h"
 
 namespace penpose::app {
@@ -24,7 +24,7 @@ std::int64_t since_us(Clock::time_point start) {
 }
 
 int measure(const std::string& path) {
-  auto document = cli::load_document(path);
+  auto document = files::load_document(path);
   if (!document) {
     std::fprintf(stderr, "%s\n", document.error().line(path).c_str());
     return 1;

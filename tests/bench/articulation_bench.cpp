@@ -3,14 +3,14 @@
 #include <cmath>
 #include <glm/vec3.hpp>
 
-#include "core/articulation/canvas.h"
+#include "core/articulation/motion/slide.h"
+#include "core/articulation/region/canvas.h"
 #include "core/articulation/sketched_deformers.h"
-#include "core/articulation/slide.h"
 #include "core/head/head.h"
-#include "core/model_io/read_model.h"
+#include "core/io/model/read_model.h"
 #include "core/posing/solve.h"
 #include "core/rig/character_rig.h"
-#include "replay/session_player.h"
+#include "replay/session/session_player.h"
 #include "tests/support/shared_data.h"
 #include "ui/demo/demo_head.h"
 #include "ui/demo/embedded_files.h"
@@ -260,7 +260,7 @@ BENCHMARK(solve_demo_head)->ArgsProduct({benchmark::CreateDenseRange(0, 7, 1), {
 void build_on_face(benchmark::State& state, Mode mode, std::uint32_t rules) {
   const auto bytes = tests::read_file(tests::shared_dir() / "meshes" / "ict_face.glb");
   if (bytes.empty()) return state.SkipWithError("the face is not there");
-  const document::Model face = model_io::read_model(bytes, "ict_face.glb").value();
+  const document::Model face = io::read_model(bytes, "ict_face.glb").value();
   const auto canvas = document::make_canvas(face).value();
   geometry::Box box;
   for (const ModelPoint& p : canvas->positions()) box.add(p);

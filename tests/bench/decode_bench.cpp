@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "firmware_io/decode/decoder_factory.h"
-#include "firmware_io/decode/wacom_models.h"
-#include "tests/support/pen_path.h"
-#include "tests/support/pen_reports.h"
+#include "firmware_io/decode/wacom/wacom_models.h"
+#include "tests/support/hands/pen_path.h"
+#include "tests/support/hands/pen_reports.h"
 
 namespace {
 

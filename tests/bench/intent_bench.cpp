@@ -9,12 +9,12 @@
 #include <nlopt.hpp>
 
 #include "core/intent/live.h"
-#include "core/intent/reader.h"
+#include "core/intent/reading/reader.h"
 #include "core/intent/solve.h"
-#include "core/model_io/case_file.h"
-#include "core/model_io/read_model.h"
+#include "core/io/model/read_model.h"
+#include "core/io/project/case_file.h"
+#include "core/tracking/case_problem.h"
 #include "tests/support/shared_data.h"
-#include "ui/cli/case_problem.h"
 
 namespace {
 
@@ -22,22 +22,23 @@ using namespace penpose;
 
 struct Subject {
   document::Model model;
-  model_io::CaseFile cases;
+  io::CaseFile cases;
   intent::WholeModel whole;
   double hand = 0;
 
   Subject(const char* file, const char* case_file) {
     const auto meshes = tests::shared_dir() / "meshes";
-    model = model_io::read_model(tests::read_file(meshes / file), file).value();
-    cases = model_io::read_cases(tests::read_file(meshes / case_file)).value();
+    model = io::read_model(tests::read_file(meshes / file), file).value();
+    cases = io::read_cases(tests::read_file(meshes / case_file)).value();
     finish();
   }
   void finish() {
     whole = intent::measure_whole_model(*model.rig);
-    hand = cli::hand_doubt(model, cases);
+    hand = tracking::hand_doubt(model, cases);
   }
   [[nodiscard]] intent::IntentProblem problem(std::size_t index) const {
-    return cli::intent_of_case(model, cases.cases[index], cli::FreeSet::all, model_io::TargetForm::drawn, hand).value();
+    return tracking::intent_of_case(model, cases.cases[index], tracking::FreeSet::all, io::TargetForm::drawn, hand)
+        .value();
   }
 };
 

@@ -11,16 +11,16 @@
 #include <map>
 #include <nlopt.hpp>
 
-#include "core/model_io/case_file.h"
-#include "core/model_io/read_model.h"
+#include "core/io/model/read_model.h"
+#include "core/io/project/case_file.h"
 #include "core/posing/curve_system.h"
 #include "core/posing/finish.h"
 #include "core/posing/live_pose.h"
 #include "core/posing/pose_objective.h"
 #include "core/posing/relevance.h"
 #include "core/posing/solve.h"
+#include "core/tracking/case_problem.h"
 #include "tests/support/shared_data.h"
-#include "ui/cli/case_problem.h"
 
 namespace {
 
@@ -28,21 +28,21 @@ using namespace penpose;
 
 struct Face {
   document::Model model;
-  model_io::CaseFile cases;
+  io::CaseFile cases;
 };
 
 const Face& face() {
   static const Face loaded = [] {
     const auto meshes = tests::shared_dir() / "meshes";
-    Face f{model_io::read_model(tests::read_file(meshes / "ict_face.glb"), "ict_face.glb").value(),
-           model_io::read_cases(tests::read_file(meshes / "ict_face_sketch_cases.json")).value()};
+    Face f{io::read_model(tests::read_file(meshes / "ict_face.glb"), "ict_face.glb").value(),
+           io::read_cases(tests::read_file(meshes / "ict_face_sketch_cases.json")).value()};
     return f;
   }();
   return loaded;
 }
 
-posing::PoseProblem problem_of(std::size_t index, cli::FreeSet free) {
-  return cli::problem_of_case(face().model, face().cases.cases[index], free, model_io::TargetForm::points).value();
+posing::PoseProblem problem_of(std::size_t index, tracking::FreeSet free) {
+  return tracking::problem_of_case(face().model, face().cases.cases[index], free, io::TargetForm::points).value();
 }
 
 /// The plain energy of a case as a function of all free parameters, 0..1.
@@ -152,10 +152,10 @@ Outcome gsl_nmsimplex2(const posing::PoseProblem& problem) {
   return {value, start};
 }
 
-void solve_case(benchmark::State& state, Solver solver, std::size_t index, cli::FreeSet free) {
+void solve_case(benchmark::State& state, Solver solver, std::size_t index, tracking::FreeSet free) {
   const auto problem = problem_of(index, free);
   const double optimum =
-      free == cli::FreeSet::all ? face().cases.cases[index].optimum_energy.value() : own_optimum(problem);
+      free == tracking::FreeSet::all ? face().cases.cases[index].optimum_energy.value() : own_optimum(problem);
   Outcome outcome;
   for (auto _ : state) outcome = solver(problem);
   state.counters["gap_percent"] = 100.0 * (outcome.energy - optimum) / (outcome.start - optimum);
@@ -170,8 +170,8 @@ double percentile(std::vector<double>& values, double share) {
 /// draws one whole stroke.
 void live(benchmark::State& state, std::size_t index, std::size_t variables) {
   const auto& pose_case = face().cases.cases[index];
-  const auto whole = problem_of(index, cli::FreeSet::all);
-  const auto camera = cli::case_camera(face().model, pose_case);
+  const auto whole = problem_of(index, tracking::FreeSet::all);
+  const auto camera = tracking::case_camera(face().model, pose_case);
   std::vector<geometry::PxPoint> corners;
   for (const auto& p : whole.pairs[0].target) corners.push_back(camera.project(p).value());
   std::vector<geometry::PxPoint> line;
@@ -253,12 +253,12 @@ int main(int argc, char** argv) {
                                                     {"nlopt_nelder_mead", nlopt_nelder_mead},
                                                     {"nlopt_subplex", nlopt_subplex},
                                                     {"gsl_nmsimplex2", gsl_nmsimplex2}};
-  for (const auto free : {cli::FreeSet::all, cli::FreeSet::of_case}) {
+  for (const auto free : {tracking::FreeSet::all, tracking::FreeSet::of_case}) {
     for (const auto& [name, solver] : solvers) {
-      if (free == cli::FreeSet::of_case && solver != penpose_default) continue;
+      if (free == tracking::FreeSet::of_case && solver != penpose_default) continue;
       for (std::size_t i = 0; i < face().cases.cases.size(); ++i) {
         const std::string label =
-            std::string(free == cli::FreeSet::all ? "all/" : "case/") + name + "/" + face().cases.cases[i].name;
+            std::string(free == tracking::FreeSet::all ? "all/" : "case/") + name + "/" + face().cases.cases[i].name;
         benchmark::RegisterBenchmark(label.c_str(), solve_case, solver, i, free)
             ->Unit(benchmark::kMillisecond)
             ->MinTime(0.1);

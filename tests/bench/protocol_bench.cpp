@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "firmware_io/decode/protocol.h"
+#include "firmware_io/decode/layout/protocol.h"
 
 namespace {
 std::size_t allocations = 0;

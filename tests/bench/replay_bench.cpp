@@ -6,12 +6,12 @@
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
-#include "replay/live_session.h"
-#include "replay/session_player.h"
-#include "replay/session_recorder.h"
-#include "replay/virtual_pen.h"
-#include "ui/cli/trace_file.h"
+#include "replay/session/live_session.h"
+#include "replay/session/session_player.h"
+#include "replay/session/session_recorder.h"
+#include "replay/session/virtual_pen.h"
 #include "ui/demo/demo_head.h"
+#include "ui/files/trace_file.h"
 
 namespace penpose {
 namespace {
@@ -80,7 +80,7 @@ void replay_drawing(benchmark::State& state) {
         document::make_document(demo::make_demo_head(head::HeadEdition::first).value()));
   };
   // As it was recorded: with the state after every stroke, in a file.
-  const cli::File file(std::tmpfile(), &std::fclose);
+  const files::File file(std::tmpfile(), &std::fclose);
   {
     Drawing drawing(reports, state.range(1) != 0);
     replay::SessionWriter writer(
@@ -100,7 +100,7 @@ void replay_drawing(benchmark::State& state) {
   const double before = peak_mb();
   for (auto _ : state) {
     std::rewind(file.get());
-    played = replay::play_session(cli::read_from_file(file.get()), options).value();
+    played = replay::play_session(files::read_from_file(file.get()), options).value();
   }
   if (played.checked == 0 || played.differing > 0) state.SkipWithError("the states are not those that were recorded");
   state.counters["reports"] = static_cast<double>(played.reports);

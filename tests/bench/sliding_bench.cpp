@@ -12,11 +12,11 @@
 #include "core/base/math.h"
 #include "core/curve/polyline.h"
 #include "core/intent/solve.h"
-#include "core/model_io/case_file.h"
-#include "core/model_io/read_model.h"
+#include "core/io/model/read_model.h"
+#include "core/io/project/case_file.h"
+#include "core/tracking/case_problem.h"
 #include "tests/core/intent/face.h"
 #include "tests/support/shared_data.h"
-#include "ui/cli/case_problem.h"
 
 namespace {
 
@@ -54,10 +54,10 @@ int main(int argc, char** argv) {
   const auto meshes = tests::shared_dir() / "meshes";
   const std::filesystem::path model_path = argc > 2 ? argv[1] : meshes / "ict_face.glb";
   const std::filesystem::path case_path = argc > 2 ? argv[2] : meshes / "ict_face_intent_cases.json";
-  const auto model = model_io::read_model(tests::read_file(model_path), model_path.filename().string()).value();
-  const auto file = model_io::read_cases(tests::read_file(case_path)).value();
+  const auto model = io::read_model(tests::read_file(model_path), model_path.filename().string()).value();
+  const auto file = io::read_cases(tests::read_file(case_path)).value();
   const auto whole = intent::measure_whole_model(*model.rig);
-  const double hand = cli::hand_doubt(model, file);
+  const double hand = tracking::hand_doubt(model, file);
   const Way ways[] = {{"even"},
                       {"uneven", 0, 1, 0.6},
                       {"90 % of the length", 0.05, 0.95},
@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
     std::vector<double> errors;
     std::string worst_name;
     for (const auto& one : file.cases) {
-      auto problem = cli::intent_of_case(model, one, cli::FreeSet::all, model_io::TargetForm::drawn, hand).value();
+      auto problem = tracking::intent_of_case(model, one, tracking::FreeSet::all, io::TargetForm::drawn, hand).value();
       rig::Pose truth = problem.start;
       for (const auto& [name, value] : one.weights) {
         if (const auto p = rig::find_parameter(model.rig->parameters(), name)) truth[*p] = value;

@@ -10,7 +10,7 @@
 #include "core/curve/projection.h"
 #include "core/geometry/bvh.h"
 #include "core/geometry/camera.h"
-#include "core/model_io/read_model.h"
+#include "core/io/model/read_model.h"
 #include "core/rig/surface_poser.h"
 #include "tests/support/shared_data.h"
 
@@ -23,7 +23,7 @@ const std::vector<std::uint8_t>& file() {
   return bytes;
 }
 const document::Model& face() {
-  static const document::Model model = model_io::read_model(file(), "ict_face.glb").value();
+  static const document::Model model = io::read_model(file(), "ict_face.glb").value();
   return model;
 }
 
@@ -151,7 +151,7 @@ void refit(benchmark::State& state) {
 void load_everything(benchmark::State& state) {
   file();
   for (auto _ : state) {
-    const auto model = model_io::read_model(file(), "ict_face.glb").value();
+    const auto model = io::read_model(file(), "ict_face.glb").value();
     const rig::SurfacePoser poser(model.rig);
     const geometry::TriangleBvh bvh(poser.positions(), model.mesh->triangles());
     benchmark::DoNotOptimize(bvh.memory());

@@ -12,16 +12,16 @@
 #include <numeric>
 
 #include "core/animation/animate_track.h"
-#include "core/animation/seen_points.h"
-#include "core/model_io/face_points.h"
-#include "core/model_io/read_track.h"
-#include "tests/support/made_up_person.h"
-#include "tests/support/rendered_track.h"
+#include "core/animation/solve/seen_points.h"
+#include "core/io/tracks/face_points.h"
+#include "core/io/tracks/read_track.h"
+#include "core/tracking/track_setup.h"
+#include "tests/support/models/made_up_person.h"
+#include "tests/support/models/rendered_track.h"
 #include "tests/support/shared_data.h"
-#include "ui/cli/files.h"
-#include "ui/cli/load_model.h"
-#include "ui/cli/track_input.h"
-#include "ui/cli/track_setup.h"
+#include "ui/cli/track/track_input.h"
+#include "ui/files/files.h"
+#include "ui/files/load_model.h"
 
 namespace {
 
@@ -59,16 +59,15 @@ double median(Signal values) {
 }
 
 struct Desk {
-  document::Model model = cli::load_model((tests::shared_dir() / "meshes" / "ict_face.glb").string()).value();
+  document::Model model = files::load_model((tests::shared_dir() / "meshes" / "ict_face.glb").string()).value();
   std::vector<std::uint32_t> points;
-  model_io::MapFile map =
-      model_io::read_map_file(base::as_bytes(model_io::bundled_map(model_io::TrackFormat::openface))).value();
+  io::MapFile map = io::read_map_file(base::as_bytes(io::bundled_map("openface"))).value();
   geometry::Camera camera = geometry::frame_box(document::rest_world_box(model), {1000, 1000}, 0);
   bool units = false;
   double unit_weight = -1;
 
   Desk() {
-    const auto bytes = cli::read_file((tests::shared_dir() / "meshes" / "ict_face_landmarks.json").string()).value();
+    const auto bytes = files::read_file((tests::shared_dir() / "meshes" / "ict_face_landmarks.json").string()).value();
     points = nlohmann::json::parse(bytes.begin(), bytes.end())["landmarks68"].get<std::vector<std::uint32_t>>();
     units = std::getenv("UNITS") != nullptr;
     if (const char* w = std::getenv("UNIT_WEIGHT")) unit_weight = std::atof(w);
@@ -78,8 +77,8 @@ struct Desk {
   }
   animation::TrackedAnimation animate(const animation::PointTrack& track) const {
     std::vector<std::string> notes;
-    auto setup = cli::make_setup(model, track, map, true, {}, notes).value();
-    if (units) setup.units = cli::unit_controls(model, track);
+    auto setup = tracking::make_setup(model, track, map, true, {}, notes).value();
+    if (units) setup.units = tracking::unit_controls(model, track);
     if (unit_weight >= 0) setup.unit_weight = unit_weight;
     if (const char* t = std::getenv("TREMOR")) setup.tremor_px = std::atof(t);
     if (const char* t = std::getenv("NEAR_REST")) setup.frame.near_rest = std::atof(t);
@@ -263,7 +262,7 @@ int tremor(const Desk& desk, int first, int count, const std::string& kind) {
   const auto calm_track = kind == "turning" ? tests::track_of(*desk.model.rig, poses, desk.points, video, 0, nodding)
                                             : tests::track_of(*desk.model.rig, poses, desk.points, video);
   const auto with_depths = [](animation::PointTrack track) {
-    for (auto& frame : track.frames) frame.depths = model_io::common_depths(frame.points);
+    for (auto& frame : track.frames) frame.depths = io::common_depths(frame.points);
     return track;
   };
   const auto calm = desk.animate(with_depths(calm_track));

@@ -5,14 +5,14 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/document/animation_building.h"
-#include "core/document/animation_sampling.h"
-#include "core/model_io/read_model.h"
-#include "core/model_io/write_document.h"
-#include "core/model_io/write_model.h"
-#include "tests/support/articulation_models.h"
-#include "tests/support/model_samples.h"
-#include "tests/support/rendered_track.h"
+#include "core/document/time/animation_building.h"
+#include "core/document/time/animation_sampling.h"
+#include "core/io/model/read_model.h"
+#include "core/io/model/write_model.h"
+#include "core/io/project/write_document.h"
+#include "tests/support/models/articulation_models.h"
+#include "tests/support/models/model_samples.h"
+#include "tests/support/models/rendered_track.h"
 #include "tests/support/shared_data.h"
 #include "ui/demo/run_demo.h"
 
@@ -57,7 +57,7 @@ bool write_file(const std::filesystem::path& folder, const std::string& name,
   }
   std::ofstream(folder / (name + ".glb"), std::ios::binary)
       .write(reinterpret_cast<const char*>(bytes->data()), static_cast<std::streamsize>(bytes->size()));
-  const auto read = model_io::read_model(*bytes, name + ".glb").value();
+  const auto read = io::read_model(*bytes, name + ".glb").value();
   nlohmann::json wanted = {{"size", document::rest_world_box(read).diagonal()}, {"times", nlohmann::json::array()}};
   wanted["shape_keys"] = nlohmann::json::array();
   for (std::size_t i = 0; i < document::weight_count(read); ++i)
@@ -88,7 +88,7 @@ bool write_file(const std::filesystem::path& folder, const std::string& name,
 bool write(const std::filesystem::path& folder, const std::string& name, const document::Model& model) {
   // Deformers between amounts are as exact as they are baked: finer than the comparison here. They mix exactly at keys
   // only.
-  return write_file(folder, name, model_io::write_glb(model, {5e-6}), model.deformers != nullptr);
+  return write_file(folder, name, io::write_glb(model, {5e-6}), model.deformers != nullptr);
 }
 
 document::Model trunk() {
@@ -118,12 +118,12 @@ int main(int argc, char** argv) {
   const auto demo = demo::run_demo().value();
   good = write(folder, "head_clip", animated(document::model_of(demo.document))) && good;
   // The demo as it is written, its timeline of smooth keys and all.
-  good = write_file(folder, "demo", model_io::write_project(demo.document), false) && good;
+  good = write_file(folder, "demo", io::write_project(demo.document), false) && good;
   if (!tests::has_shared()) return good ? 0 : 1;
   for (const char* name : {"ict_face.glb", "ict_face_narrow.glb"}) {
     const auto file = tests::shared_dir() / "meshes" / name;
     good = write(folder, std::filesystem::path(name).stem().string(),
-                 animated(model_io::read_model(tests::read_file(file), name).value())) &&
+                 animated(io::read_model(tests::read_file(file), name).value())) &&
            good;
   }
   return good ? 0 : 1;

@@ -19,8 +19,8 @@
 
 #include "core/base/parallel.h"
 #include "core/head/head.h"
-#include "replay/session_player.h"
-#include "tests/support/knowing_hand.h"
+#include "replay/session/session_player.h"
+#include "tests/support/hands/knowing_hand.h"
 
 namespace {
 

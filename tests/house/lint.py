@@ -8,6 +8,7 @@ import sys
 
 CODE = ('.cpp', '.h')
 MODULES = ('core', 'firmware_io', 'replay', 'ui', 'tests')
+MOST_SOURCES = 25
 
 # What gives other bits, or another order, on another machine, compiler or day (never in core). symbols.py looks for the same
 # in what was compiled, where no spelling hides it.
@@ -54,6 +55,8 @@ EVERYWHERE = [
     (re.compile(r'#include "[^"]*\.\./'), 'no include climbs out of its folder'),
     (re.compile(r'\b(?:TODO|FIXME|XXX)\b'), 'finish it or leave it out'),
 ]
+# A header below a folder `internal` is its module's own, and that of the module's tests.
+INTERNAL = re.compile(r'#include "((?:\w+/)+)internal/\w+\.h"')
 # What a call gives is looked at before it is used: .value() of an error ends the program. Where the line before says why it
 # "Cannot fail", it may stay.
 UNCHECKED = re.compile(r'\)\s*\.value\(\)|(?<![\w)\]])\*\s*(?:\w+::)+(?:make|read|open|load|parse|create)\w*\(')
@@ -85,16 +88,29 @@ def unchecked(text):
             yield line + 1, match.group(0).strip()
 
 
+def taken_from_others(path, text):
+    """Lines, counted from 1, that include what is internal to another module, and how they do."""
+    mine = path[len('tests/'):] if path.startswith('tests/') else path
+    for match in INTERNAL.finditer(text):
+        if mine.split('/')[:2] != match.group(1).split('/')[:2]:
+            yield text.count('\n', 0, match.start()) + 1, match.group(0)
+
+
 def faults(root):
     for module in MODULES:
         for folder, folders, files in os.walk(os.path.join(root, module)):
             folders.sort()
+            sources = sum(name.endswith(CODE) for name in files)
+            if sources > MOST_SOURCES:
+                yield '%s:0: %d sources: a room holds at most %d; make another' % (os.path.relpath(folder, root), sources, MOST_SOURCES)
             for name in sorted(files):
                 if not name.endswith(CODE):
                     continue
                 path = os.path.relpath(os.path.join(folder, name), root)
                 with open(os.path.join(folder, name), encoding='utf-8') as f:
                     text = f.read()
+                for line, what in taken_from_others(path, text):
+                    yield '%s:%d: %s: what is internal to a module stays there' % (path, line, what)
                 rules = [(r, why, text) for r, why in EVERYWHERE]
                 if path.startswith('core/') and path not in EXEMPT:
                     code = code_alone(text)

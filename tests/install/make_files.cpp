@@ -9,13 +9,13 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "core/document/animation_sampling.h"
-#include "core/document/apply.h"
+#include "core/document/commands/apply.h"
 #include "core/document/history.h"
-#include "core/model_io/sketch_file.h"
-#include "core/model_io/write_document.h"
-#include "core/model_io/write_model.h"
-#include "tests/support/articulation_models.h"
+#include "core/document/time/animation_sampling.h"
+#include "core/io/model/write_model.h"
+#include "core/io/project/sketch_file.h"
+#include "core/io/project/write_document.h"
+#include "tests/support/models/articulation_models.h"
 #include "ui/demo/demo_head.h"
 
 namespace {
@@ -100,7 +100,7 @@ std::vector<std::uint8_t> keyed(const document::Model& head) {
     document = document::apply(document, document::SetKey{0.5 * k, "face " + std::to_string(k)}, work).value();
   }
   document = document::apply(document, document::ResetParameters{}, work).value();
-  return model_io::write_document(document, "keyed.glb").value();
+  return io::write_document(document, "keyed.glb").value();
 }
 
 void write_elephant(const fs::path& folder) {
@@ -109,11 +109,11 @@ void write_elephant(const fs::path& folder) {
   source.positions.assign(trunk.canvas->positions().begin(), trunk.canvas->positions().end());
   source.triangles.assign(trunk.canvas->mesh().triangles().begin(), trunk.canvas->mesh().triangles().end());
   const auto mesh = mesh::TriangleMesh::build(std::move(source)).value();
-  write(folder / "elephant.glb", model_io::write_glb(document::make_model(mesh, nullptr, nullptr).value()).value());
-  model_io::SketchFile file;
+  write(folder / "elephant.glb", io::write_glb(document::make_model(mesh, nullptr, nullptr).value()).value());
+  io::SketchFile file;
   file.viewport = trunk.viewport;
   file.sketches = {trunk.curl()};
-  write(folder / "trunk.json", model_io::write_sketch_file(file));
+  write(folder / "trunk.json", io::write_sketch_file(file));
 }
 
 /// Pictures of a bright mouth on a dark face that opens: the upper edge stays, the lower edge sinks.
@@ -162,7 +162,7 @@ int main(int argc, char** argv) {
     std::cerr << head.error().line() << '\n';
     return 1;
   }
-  write(folder / "face.glb", model_io::write_document(document::make_document(*head), "face.glb").value());
+  write(folder / "face.glb", io::write_document(document::make_document(*head), "face.glb").value());
   write(folder / "keyed.glb", keyed(*head));
   write(folder / "cases.json", cases(*head));
   write(folder / "track.json", take(*head, 50, 12));

@@ -6,7 +6,7 @@
 #include <queue>
 #include <set>
 
-#include "tests/support/articulation_models.h"
+#include "tests/support/models/articulation_models.h"
 
 namespace penpose::sketches {
 namespace {

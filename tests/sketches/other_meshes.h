@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "core/articulation/canvas.h"
+#include "core/articulation/region/canvas.h"
 
 namespace penpose::sketches {
 

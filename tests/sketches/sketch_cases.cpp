@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "core/head/head.h"
-#include "core/model_io/read_model.h"
+#include "core/io/model/read_model.h"
 #include "tests/sketches/other_meshes.h"
-#include "tests/support/articulation_models.h"
+#include "tests/support/models/articulation_models.h"
+#include "tests/support/models/test_rigs.h"
 #include "tests/support/shared_data.h"
-#include "tests/support/test_rigs.h"
 
 namespace penpose::sketches {
 namespace {
@@ -195,7 +195,7 @@ void add_head(std::vector<SketchCase>& cases, const Stage& stage, const Curves& 
 
 Stage stage_of(const char* name, const char* file) {
   const auto bytes = tests::read_file(tests::shared_dir() / "meshes" / file);
-  const document::Model model = model_io::read_model(bytes, file).value();
+  const document::Model model = io::read_model(bytes, file).value();
   return {name, document::make_canvas(model).value()};
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/articulation/canvas.h"
+#include "core/articulation/region/canvas.h"
 #include "core/articulation/sketch.h"
 
 namespace penpose::sketches {

@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "core/articulation/deformer.h"
-#include "core/articulation/doubts.h"
-#include "core/articulation/slide.h"
-#include "core/model_io/sketch_file.h"
+#include "core/articulation/measure/doubts.h"
+#include "core/articulation/motion/slide.h"
+#include "core/io/project/sketch_file.h"
 #include "tests/sketches/sketch_cases.h"
 #include "tests/sketches/surface_check.h"
 
@@ -131,11 +131,11 @@ int run(const char* folder, std::uint32_t rules, const std::vector<SketchCase>& 
     worse += rows[0].stretch > 1.02 * std::min(rows[1].stretch, rows[2].stretch) ? 1 : 0;
     slowest = std::max(slowest, rows[0].build_ms);
     if (folder == nullptr) continue;
-    model_io::SketchFile file{one.mesh, one.sketch.viewport, {one.sketch}, {}};
+    io::SketchFile file{one.mesh, one.sketch.viewport, {one.sketch}, {}};
     file.sketches[0].rules = rules;
     std::string name = one.mesh + "_" + one.feature + "_" + one.strength;
     std::replace(name.begin(), name.end(), ' ', '_');
-    std::ofstream(std::string(folder) + "/" + name + ".json") << model_io::write_sketch_file(file);
+    std::ofstream(std::string(folder) + "/" + name + ".json") << io::write_sketch_file(file);
   }
   std::printf(
       "%zu sketches: %zu torn or folded, %zu stretched beyond the bound, %zu targets missed by over 1e-9, %zu where "

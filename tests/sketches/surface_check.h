@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/articulation/canvas.h"
+#include "core/articulation/region/canvas.h"
 
 namespace penpose::sketches {
 

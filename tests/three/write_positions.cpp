@@ -8,8 +8,8 @@
 #include <span>
 #include <string>
 
-#include "core/document/animation_sampling.h"
-#include "core/model_io/read_model.h"
+#include "core/document/time/animation_sampling.h"
+#include "core/io/model/read_model.h"
 #include "tests/support/shared_data.h"
 
 namespace {
@@ -44,7 +44,7 @@ nlohmann::json triangles_of(const mesh::Part& part, const mesh::TriangleMesh& me
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;
-  const auto model = model_io::read_model(tests::read_file(argv[1]), argv[1]);
+  const auto model = io::read_model(tests::read_file(argv[1]), argv[1]);
   if (!model) return fail(model.error().line(argv[1]));
   if (model->animations.empty()) return fail(std::string(argv[1]) + ": has no animation");
   const document::Animation& animation = model->animations.front();

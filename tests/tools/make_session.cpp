@@ -10,7 +10,7 @@
 #include <iterator>
 
 #include "core/head/head.h"
-#include "core/model_io/sketch_file.h"
+#include "core/io/project/sketch_file.h"
 #include "tests/support/random_session.h"
 #include "tests/tools/expression_file.h"
 
@@ -99,7 +99,7 @@ class DemoHand {
 
 std::string demo_session(const char* sketch_file, const char* expression_file) {
   const std::string sketch_text = read(sketch_file);
-  const auto sketches = model_io::read_sketch_file(base::as_bytes(sketch_text));
+  const auto sketches = io::read_sketch_file(base::as_bytes(sketch_text));
   if (!sketches) stop(sketches.error(), sketch_file);
   const auto expressions = tests::read_expressions(read(expression_file));
   if (!expressions) stop(expressions.error(), expression_file);

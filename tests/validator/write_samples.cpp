@@ -5,12 +5,12 @@
 #include <fstream>
 #include <string>
 
-#include "core/document/animation_building.h"
-#include "core/model_io/read_model.h"
-#include "core/model_io/write_model.h"
-#include "tests/support/articulation_models.h"
-#include "tests/support/gltf_sample.h"
-#include "tests/support/model_samples.h"
+#include "core/document/time/animation_building.h"
+#include "core/io/model/read_model.h"
+#include "core/io/model/write_model.h"
+#include "tests/support/models/articulation_models.h"
+#include "tests/support/models/gltf_sample.h"
+#include "tests/support/models/model_samples.h"
 #include "tests/support/shared_data.h"
 
 namespace {
@@ -18,7 +18,7 @@ namespace {
 using namespace penpose;
 
 bool write(const std::filesystem::path& path, const document::Model& model) {
-  const auto bytes = model_io::write_glb(model);
+  const auto bytes = io::write_glb(model);
   if (!bytes) {
     std::fprintf(stderr, "%s\n", bytes.error().line(path.string()).c_str());
     return false;
@@ -60,7 +60,7 @@ int main(int argc, char** argv) {
   for (const auto& entry : std::filesystem::directory_iterator(tests::shared_dir() / "meshes")) {
     const std::string name = entry.path().filename().string();
     if (!name.ends_with(".glb") && !name.ends_with(".obj")) continue;
-    auto model = model_io::read_model(tests::read_file(entry.path()), name);
+    auto model = io::read_model(tests::read_file(entry.path()), name);
     if (!model) {
       std::fprintf(stderr, "%s\n", model.error().line(name).c_str());
       return 1;

@@ -17,7 +17,7 @@
 #include <thread>
 #include <unistd.h>
 
-#include "replay/trace_source.h"
+#include "replay/trace/trace_source.h"
 #include "tests/support/shared_data.h"
 #include "tests/vm/virtual_device.h"
 

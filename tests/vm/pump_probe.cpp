@@ -13,13 +13,13 @@
 #include <vector>
 
 #include "firmware_io/decode/decoder_factory.h"
+#include "firmware_io/decode/hand/stroke_recorder.h"
 #include "firmware_io/decode/hand_factory.h"
-#include "firmware_io/decode/stroke_recorder.h"
 #include "firmware_io/device/clock.h"
+#include "firmware_io/device/list/tablet_watch.h"
 #include "firmware_io/device/report_pump.h"
 #include "firmware_io/device/tablet_lights.h"
-#include "firmware_io/device/tablet_watch.h"
-#include "tests/support/pen_reports.h"
+#include "tests/support/hands/pen_reports.h"
 #include "tests/vm/virtual_device.h"
 
 namespace {

@@ -104,7 +104,7 @@ def pro_trace():
     return header(PRO_PEN, name, ids) + header(PRO_TOUCH, name, ids, 1) + '\n'.join(lines_) + '\n'
 
 
-# The three interfaces of Wacom's wireless receiver, as `lsusb -v` shows them (tests/support/wacom_receiver.h).
+# The three interfaces of Wacom's wireless receiver, as `lsusb -v` shows them (tests/support/hands/wacom_receiver.h).
 RECEIVER = [bytes.fromhex(t.replace(' ', '')) for t in (
     '0601ff 0980 a102 1500 26ff00 8580 7508 951f 8101 0901 8502 9503 b102 0901 8503 950c b102 0901 8504 960201 b102 0901 8505 9501 b102 c0',
     '050d 0901 a101 8502 0900 1500 26ff00 7508 9509 8102 8503 0900 7508 9509 8102 8504 0900 7508 9509 8102 c0',

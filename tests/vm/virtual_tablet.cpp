@@ -16,7 +16,7 @@
 #include <string>
 #include <thread>
 
-#include "replay/trace_source.h"
+#include "replay/trace/trace_source.h"
 #include "tests/support/shared_data.h"
 #include "tests/vm/virtual_device.h"
 

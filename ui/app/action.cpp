@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "core/base/letters.h"
+
 namespace penpose::app {
 namespace {
 
@@ -118,7 +120,7 @@ std::string key_name(std::uint32_t key) {
     case ' ':
       return "Space";
     default:
-      return {static_cast<char>(key >= 'a' && key <= 'z' ? key - 'a' + 'A' : key)};
+      return {base::upper(static_cast<char>(key))};
   }
 }
 

@@ -4,12 +4,12 @@
 #include <array>
 #include <string>
 
-#include "core/document/timeline.h"
+#include "core/document/time/timeline.h"
 #include "ui/app/app.h"
-#include "ui/app/backdrop.h"
-#include "ui/app/frames.h"
-#include "ui/app/pose_clipboard.h"
-#include "ui/app/side_pairs.h"
+#include "ui/app/input/side_pairs.h"
+#include "ui/app/session/frames.h"
+#include "ui/app/session/pose_clipboard.h"
+#include "ui/app/view/backdrop.h"
 
 // What actions do, a row each. They reach the app as panels do.
 

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "core/base/numbers.h"
-#include "ui/app/backdrop.h"
-#include "ui/app/said.h"
-#include "ui/app/toast_place.h"
+#include "ui/app/view/backdrop.h"
+#include "ui/app/view/said.h"
+#include "ui/app/view/toast_place.h"
 
 namespace penpose::app {
 namespace {

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/document/timeline.h"
+#include "core/document/time/timeline.h"
 #include "ui/app/action_rows.h"
 #include "ui/app/app.h"
-#include "ui/app/navigation.h"
-#include "ui/app/said.h"
+#include "ui/app/input/navigation.h"
+#include "ui/app/view/said.h"
 
 // What actions do, and the timeline and sliders in hand.
 

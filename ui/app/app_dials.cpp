@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "ui/app/app.h"
-#include "ui/app/navigation.h"
+#include "ui/app/input/navigation.h"
 
 // What rings, strips and wheels of tablets do, and what turns on a pen.
 

@@ -2,15 +2,16 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/base/letters.h"
 #include "core/document/document_hash.h"
-#include "core/document/timeline.h"
-#include "replay/session_player.h"
+#include "core/document/time/timeline.h"
+#include "replay/session/session_player.h"
 #include "ui/app/app.h"
-#include "ui/app/navigation.h"
-#include "ui/cli/load_model.h"
-#include "ui/cli/save_model.h"
-#include "ui/cli/session_model.h"
-#include "ui/cli/trace_file.h"
+#include "ui/app/input/navigation.h"
+#include "ui/files/load_model.h"
+#include "ui/files/save_model.h"
+#include "ui/files/session_model.h"
+#include "ui/files/trace_file.h"
 
 // What the app opens, saves, records and brings back.
 
@@ -19,11 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string extension_of(const std::string& path) {
-  std::string extension = fs::path(path).extension().string();
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return extension;
-}
+std::string extension_of(const std::string& path) { return base::lower_case(fs::path(path).extension().string()); }
 
 bool is_trace(const std::string& path) {
   const std::string extension = extension_of(path);
@@ -33,8 +30,8 @@ bool is_trace(const std::string& path) {
 
 /// What a session was drawn on, as it names it. An error says which model it is.
 base::Result<document::Document> model_of_session(const std::string& session, const std::string& named) {
-  const std::string model = cli::find_session_model(session, named);
-  auto document = cli::load_document(model, cli::NamedBy::file);
+  const std::string model = files::find_session_model(session, named);
+  auto document = files::load_document(model, files::NamedBy::file);
   if (!document) {
     base::Error error = document.error();
     error.what = "the model \"" + model + "\" cannot be read: " + error.what;
@@ -172,14 +169,15 @@ base::Status App::open(const std::string& path) {
     std::error_code code;
     fs::create_directories(folder, code);
     const std::string copy = free_path(folder, fs::path(path).stem().string(), ".glb");
-    if (const auto saved = cli::save_document(played->session->editor().document(), copy); !saved) return saved.error();
-    auto again = cli::load_document(copy);
+    if (const auto saved = files::save_document(played->session->editor().document(), copy); !saved)
+      return saved.error();
+    auto again = files::load_document(copy);
     if (!again) return again.error();
     begin_session(std::move(*again), copy);
     set_project({});
     return base::Done{};
   }
-  auto document = cli::load_document(path, cli::NamedBy::file);
+  auto document = files::load_document(path, files::NamedBy::file);
   if (!document) return document.error();
   begin_session(std::move(*document), path);
   if (!path.starts_with("builtin:")) {
@@ -191,12 +189,12 @@ base::Status App::open(const std::string& path) {
 }
 
 base::Result<replay::Playback> App::played_session(const std::string& path) {
-  const auto file = cli::open_plain(path);
+  const auto file = files::open_plain(path);
   if (!file) return file.error();
   replay::PlayerOptions options;
   options.open = [&](const std::string& named) { return model_of_session(path, named); };
   options.own_tablets = options_.own_tablets;
-  auto played = replay::play_session(cli::read_from_file(file->get()), options);
+  auto played = replay::play_session(files::read_from_file(file->get()), options);
   if (!played) return played;
   if (!played->session) {
     return base::Error{"holds nothing to replay: neither reports nor lines of a session", "", "open another file"};
@@ -218,7 +216,7 @@ base::Status App::play_trace(const std::string& path) {
   if (!player) return player.error();
   if (player->is_session()) {
     if (!player->model()) return replay::no_model();
-    const std::string model = cli::find_session_model(path, player->model()->path);
+    const std::string model = files::find_session_model(path, player->model()->path);
     auto document = model_of_session(path, player->model()->path);
     if (!document) return document.error();
     const base::Hash128 found = document::DocumentHasher()(*document).whole;
@@ -245,7 +243,7 @@ base::Status App::save(const std::string& path) {
           "save under another name, or make room at " + fs::path(file_->path()).parent_path().string()};
     }
   }
-  auto saved = cli::save_document(workspace_.document(), path, cli::SaveNotes::quiet);
+  auto saved = files::save_document(workspace_.document(), path, files::SaveNotes::quiet);
   if (!saved) return saved;
   if (extension_of(path) == ".glb") {
     workspace_.mark_saved();
@@ -258,7 +256,7 @@ base::Status App::save(const std::string& path) {
 }
 
 base::Status App::export_to(const std::string& path) {
-  auto written = cli::save_document(workspace_.document(), path, cli::SaveNotes::quiet);
+  auto written = files::save_document(workspace_.document(), path, files::SaveNotes::quiet);
   if (written) tell("exported " + path);
   return written;
 }

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <utility>
 
-#include "core/articulation/doubts.h"
 #include "core/articulation/edit.h"
+#include "core/articulation/measure/doubts.h"
 #include "core/curve/polyline.h"
-#include "core/document/target_line.h"
+#include "core/document/drawing/target_line.h"
 #include "ui/app/app.h"
-#include "ui/app/navigation.h"
+#include "ui/app/input/navigation.h"
 
 // What events do to the app: pens, mouse, fingers and keys.
 

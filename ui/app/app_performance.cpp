@@ -2,9 +2,9 @@
 #include <string>
 #include <utility>
 
-#include "core/document/timeline.h"
+#include "core/document/time/timeline.h"
 #include "ui/app/app.h"
-#include "ui/app/frames.h"
+#include "ui/app/session/frames.h"
 
 // The pen as a puppet's string: time runs while it holds a target, and what the face does is keyed.
 

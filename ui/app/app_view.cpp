@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "ui/app/app.h"
-#include "ui/app/backdrop.h"
-#include "ui/app/navigation.h"
+#include "ui/app/input/navigation.h"
+#include "ui/app/view/backdrop.h"
 
 // From where one looks: the model's own front, with perspective or without.
 

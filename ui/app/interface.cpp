@@ -6,12 +6,12 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/app/font_file.h"
-#include "ui/app/panels.h"
-#include "ui/app/pose_picture.h"
-#include "ui/app/theme.h"
-#include "ui/app/tour_panel.h"
-#include "ui/app/widgets.h"
+#include "ui/app/panels/panels.h"
+#include "ui/app/tour/tour_panel.h"
+#include "ui/app/widgets/font_file.h"
+#include "ui/app/widgets/internal/pose_picture.h"
+#include "ui/app/widgets/internal/theme.h"
+#include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {
 namespace {

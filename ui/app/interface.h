@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ui/app/app.h"
-#include "ui/app/screen_keyboard.h"
+#include "ui/app/input/screen_keyboard.h"
 
 namespace penpose::app {
 

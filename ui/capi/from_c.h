@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/document/pose_curve.h"
+#include "core/document/drawing/pose_curve.h"
 #include "ui/capi/call.h"
 
 // What the structs of the C library mean.

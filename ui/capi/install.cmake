@@ -27,7 +27,7 @@ if(PENPOSE_INSTALL_CPP)
   # Headers where they include each other from.
   foreach(folder core firmware_io replay)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/penpose/${folder}
-            COMPONENT libpenpose-dev FILES_MATCHING PATTERN "*.h")
+            COMPONENT libpenpose-dev FILES_MATCHING PATTERN "*.h" PATTERN "internal" EXCLUDE PATTERN "absent" EXCLUDE)
   endforeach()
   install(FILES ${PROJECT_SOURCE_DIR}/ui/demo/demo_head.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/penpose/ui/demo
           COMPONENT libpenpose-dev)

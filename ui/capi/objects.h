@@ -8,7 +8,7 @@
 #include "core/character/character.h"
 #include "core/character/live_target.h"
 #include "firmware_io/decode/decoder_factory.h"
-#include "replay/command_recorder.h"
+#include "replay/session/command_recorder.h"
 #include "ui/capi/handle_table.h"
 
 // What the handles of the C library name.

@@ -47,8 +47,8 @@ using articulation::Sketch;  // a deformer in four strokes
 
 // With penpose::replay: `play_session(read_from(bytes), options)` replays a session; a CommandRecorder, which a
 // Character's listener feeds, writes one.
-#include "replay/command_recorder.h"
-#include "replay/session_player.h"
+#include "replay/session/command_recorder.h"
+#include "replay/session/session_player.h"
 
 // And `demo::make_demo_head()`: the built-in head with its sketched deformers.
 #include "ui/demo/demo_head.h"

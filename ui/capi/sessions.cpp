@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "core/document/command_text.h"
-#include "replay/session_player.h"
+#include "core/document/commands/command_text.h"
+#include "replay/session/session_player.h"
 #include "ui/capi/from_c.h"
 
 using namespace penpose;        // NOLINT(google-build-using-namespace): functions of C have no namespace of their own

@@ -8,17 +8,17 @@
 #include <unistd.h>
 
 #include "ui/cli/commands.h"
-#include "ui/cli/files.h"
 #include "ui/cli/program_options.h"
-#include "ui/cli/standard_streams.h"
+#include "ui/files/files.h"
+#include "ui/files/process/standard_streams.h"
 
 namespace penpose::cli {
 namespace {
 
-int run_unguarded(int argc, const char* const* argv, const OpenWindow& open_window) {
+int run_unguarded(int argc, const char* const* argv, const files::OpenWindow& open_window) {
   CLI::App app{"", "penpose"};
   int status = k_success;
-  WindowRequest request;
+  files::WindowRequest request;
   add_program_options(app, status, request, static_cast<bool>(open_window));
   try {
     app.parse(argc, argv);
@@ -27,7 +27,7 @@ int run_unguarded(int argc, const char* const* argv, const OpenWindow& open_wind
   }
   if (!open_window || !app.get_subcommands().empty()) return status;
   request.program = std::string("penpose-") + PENPOSE_VERSION;
-  if (const auto opened = open_window(request); !opened) return report(opened.error());
+  if (const auto opened = open_window(request); !opened) return files::report(opened.error());
   return k_success;
 }
 
@@ -45,18 +45,19 @@ int out_of_memory() {
 
 void end_where_memory_ends() { std::set_new_handler(end_out_of_memory); }
 
-int run(int argc, const char* const* argv, const OpenWindow& open_window) {
+int run(int argc, const char* const* argv, const files::OpenWindow& open_window) {
   int status = k_failure;
   try {
     status = run_unguarded(argc, argv, open_window);
-    if (const auto printed = finish_output(); !printed && status == k_success) status = report(printed.error());
+    if (const auto printed = files::finish_output(); !printed && status == k_success)
+      status = files::report(printed.error());
   } catch (const std::bad_alloc&) {
     return out_of_memory();
   } catch (const std::length_error&) {
     return out_of_memory();
   } catch (const std::exception& problem) {
-    return report({std::string("something went wrong that should not (") + problem.what() + ")", "",
-                   "report it with the file that shows it"});
+    return files::report({std::string("something went wrong that should not (") + problem.what() + ")", "",
+                          "report it with the file that shows it"});
   }
   return status;
 }

@@ -143,7 +143,7 @@ CommandRow row_of(const CLI::App& app, const std::string& name) {
 std::vector<CommandRow> command_table(bool has_window) {
   CLI::App app{"", "penpose"};
   int status = 0;
-  WindowRequest request;
+  files::WindowRequest request;
   add_program_options(app, status, request, has_window);
   std::vector<CommandRow> table{row_of(app, "")};
   for (const CLI::App* command : app.get_subcommands({})) table.push_back(row_of(*command, command->get_name()));

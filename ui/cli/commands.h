@@ -3,15 +3,17 @@
 #include <functional>
 #include <vector>
 
+#include "ui/files/process/exit_status.h"
+
 namespace CLI {
 class App;
 }
 
 namespace penpose::cli {
 
-inline constexpr int k_success = 0;
-inline constexpr int k_failure = 1;
-inline constexpr int k_wrong_usage = 2;
+using files::k_failure;
+using files::k_success;
+using files::k_wrong_usage;
 
 /// Adds a subcommand to the app; when it runs it stores its exit status in the second argument, which outlives the app.
 using AddCommand = std::function<void(CLI::App&, int&)>;

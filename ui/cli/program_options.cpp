@@ -7,7 +7,7 @@
 #include "core/base/result.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/examples.h"
-#include "ui/cli/own_tablets.h"
+#include "ui/files/own_tablets.h"
 
 namespace penpose::cli {
 namespace {
@@ -50,7 +50,7 @@ void end_with_examples(CLI::App& app, std::string_view name) {
 
 }  // namespace
 
-void add_program_options(CLI::App& app, int& status, WindowRequest& request, bool has_window) {
+void add_program_options(CLI::App& app, int& status, files::WindowRequest& request, bool has_window) {
   app.description(std::string("Poses and rigs 3D characters by drawing.") +
                   (has_window ? " Without a subcommand it opens its window." : ""));
   app.require_subcommand(has_window ? 0 : 1, 1);
@@ -66,7 +66,7 @@ void add_program_options(CLI::App& app, int& status, WindowRequest& request, boo
   app.add_option("MODEL", request.model, "Model, project or session to open; the built-in head by default")
       ->check(CLI::Validator(check_model, ""));
   app.add_option("--session", request.session, "Where to record the session; a file that is there is not written over");
-  app.add_option(k_tablets_option, request.tablets, k_tablets_help);
+  app.add_option(files::k_tablets_option, request.tablets, files::k_tablets_help);
   app.add_flag("--fullscreen", request.fullscreen, "Use the whole screen");
   // For tests and measurements.
   app.add_option("--replay", request.replay)->group("");

@@ -6,7 +6,7 @@
 
 #include "ui/demo/label.h"
 #include "ui/render/appearance.h"
-#include "ui/render/renderer.h"
+#include "ui/render/gl/renderer.h"
 
 namespace penpose::demo {
 namespace {

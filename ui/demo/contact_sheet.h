@@ -6,7 +6,7 @@
 #include "core/base/result.h"
 #include "core/document/model.h"
 #include "ui/demo/region_cells.h"
-#include "ui/render/image.h"
+#include "ui/render/picture/image.h"
 
 namespace penpose::demo {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "core/head/head.h"
-#include "replay/session_player.h"
+#include "replay/session/session_player.h"
 #include "ui/demo/embedded_files.h"
 
 namespace penpose::demo {

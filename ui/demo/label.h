@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "ui/render/color.h"
-#include "ui/render/image.h"
+#include "ui/render/picture/color.h"
+#include "ui/render/picture/image.h"
 
 namespace penpose::demo {
 

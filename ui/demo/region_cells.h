@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/document/model.h"
-#include "ui/render/color.h"
+#include "ui/render/picture/color.h"
 
 namespace penpose::demo {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/document/apply.h"
+#include "core/document/commands/apply.h"
 #include "core/head/head.h"
 #include "ui/demo/embedded_files.h"
 

@@ -7,7 +7,7 @@
 #include "core/base/result.h"
 #include "core/document/document.h"
 #include "core/head/head.h"
-#include "replay/session_player.h"
+#include "replay/session/session_player.h"
 
 namespace penpose::demo {
 

@@ -1,16 +1,16 @@
 #include <csignal>
 
 #include "ui/cli/command_line.h"
-#include "ui/cli/rights.h"
-#include "ui/cli/standard_streams.h"
+#include "ui/files/process/rights.h"
+#include "ui/files/process/standard_streams.h"
 #include "ui/program/window.h"
 
 int main(int argc, char** argv) {
   // A file that may not grow is an error like a full disk, and no reason to die.
   std::signal(SIGXFSZ, SIG_IGN);
-  penpose::cli::hold_standard_streams();
+  penpose::files::hold_standard_streams();
   penpose::cli::end_where_memory_ends();
   // What reads files that somebody else made keeps no right that it does not need.
-  if (argc > 1) penpose::cli::keep_only(penpose::cli::rights_of(argv[1]));
+  if (argc > 1) penpose::files::keep_only(penpose::files::rights_of(argv[1]));
   return penpose::cli::run(argc, argv, penpose::program::window());
 }

@@ -2,6 +2,6 @@
 
 namespace penpose::program {
 
-cli::OpenWindow window() { return {}; }
+files::OpenWindow window() { return {}; }
 
 }  // namespace penpose::program

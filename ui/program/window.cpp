@@ -1,9 +1,9 @@
 #include "ui/program/window.h"
 
-#include "ui/app/run_app.h"
+#include "ui/app/window/run_app.h"
 
 namespace penpose::program {
 
-cli::OpenWindow window() { return app::run_app; }
+files::OpenWindow window() { return app::run_app; }
 
 }  // namespace penpose::program

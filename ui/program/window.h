@@ -1,10 +1,10 @@
 #pragma once
 
-#include "ui/cli/window_request.h"
+#include "ui/files/window_request.h"
 
 namespace penpose::program {
 
 /// What opens the window; empty where the program is built without one (PENPOSE_WINDOW=OFF).
-[[nodiscard]] cli::OpenWindow window();
+[[nodiscard]] files::OpenWindow window();
 
 }  // namespace penpose::program

@@ -8,7 +8,7 @@
 
 #include "core/geometry/space.h"
 #include "core/mesh/triangle_mesh.h"
-#include "ui/render/color.h"
+#include "ui/render/picture/color.h"
 
 namespace penpose::render {
 

@@ -6,8 +6,8 @@
 #include <new>
 #include <stdexcept>
 
-#include "core/document/command_text.h"
-#include "ui/serve/request.h"
+#include "core/document/commands/command_text.h"
+#include "ui/serve/internal/request.h"
 
 namespace penpose::serve {
 namespace {
@@ -28,7 +28,7 @@ std::vector<mesh::MeshPoint> mesh_points(const Request& request) {
   for (std::size_t i = 0; i < numbers.size(); i += 4) {
     const bool is_number = numbers[i] >= 0 && numbers[i] <= 4294967295.0 && numbers[i] == std::floor(numbers[i]);
     if (!is_number) {
-      refuse("the number of a triangle was expected", model_io::child(request.at("points"), i / 4),
+      refuse("the number of a triangle was expected", json::child(request.at("points"), i / 4),
              "give [triangle, share, share, share]");
     }
     points.push_back({static_cast<std::uint32_t>(numbers[i]), {numbers[i + 1], numbers[i + 2], numbers[i + 3]}});
@@ -65,8 +65,8 @@ std::vector<document::NamedValue> named_values(const Request& request) {
   if (!values.is_object()) refuse("an object of names and values was expected", request.at("parameters"), "give one");
   std::vector<document::NamedValue> out;
   for (const auto& [name, value] : values.items()) {
-    const auto number = model_io::number(value);
-    if (!number) refuse("a number was expected", model_io::child(request.at("parameters"), name), "give one");
+    const auto number = json::number(value);
+    if (!number) refuse("a number was expected", json::child(request.at("parameters"), name), "give one");
     out.push_back({name, *number});
   }
   return out;
@@ -307,7 +307,7 @@ std::string Conversation::answer(std::string_view line) {
   const auto say = [&](const base::Error& error) { out["error"] = error.line(); };
   try {
     if (line.size() > k_longest_line) refuse("the line is too long", "", "give at most 64 MB");
-    auto parsed = model_io::parse_json(base::as_bytes(line));
+    auto parsed = json::parse_json(base::as_bytes(line));
     if (!parsed) refuse("the line is no JSON", parsed.error().place, "write one object, {\"do\": ...}");
     const Json json = std::move(parsed).value();
     if (!json.is_object()) refuse("an object was expected", "", "write {\"do\": ...}");

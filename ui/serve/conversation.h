@@ -7,7 +7,7 @@
 
 #include "core/base/byte_reader.h"
 #include "core/character/character.h"
-#include "replay/command_recorder.h"
+#include "replay/session/command_recorder.h"
 
 namespace penpose::serve {
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/rendered_track.h"
-#include "tests/support/test_rigs.h"
+#include "tests/support/models/rendered_track.h"
+#include "tests/support/models/test_rigs.h"
 
 namespace penpose::animation {
 namespace {

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "core/articulation/deformer.h"
-#include "core/articulation/doubts.h"
-#include "tests/support/articulation_models.h"
+#include "core/articulation/measure/doubts.h"
+#include "tests/support/models/articulation_models.h"
 
 // What strokes and meshes may be wrong with: a message that names the stroke, and never a deformer that tears.
 

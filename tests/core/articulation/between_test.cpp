@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "core/articulation/deformer.h"
-#include "core/articulation/knots.h"
 #include "core/articulation/mirror.h"
+#include "core/articulation/motion/knots.h"
 #include "core/articulation/sketched_deformers.h"
-#include "tests/support/articulation_models.h"
+#include "tests/support/models/articulation_models.h"
 
 // Deformers with more than one target.
 

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/curve/polyline.h"
-#include "tests/support/articulation_models.h"
+#include "tests/support/models/articulation_models.h"
 
 namespace penpose::articulation {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "tests/support/articulation_models.h"
+#include "tests/support/models/articulation_models.h"
 
 namespace penpose::articulation {
 namespace {

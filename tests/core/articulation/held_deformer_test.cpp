@@ -5,9 +5,9 @@
 #include <random>
 
 #include "core/articulation/deformer.h"
-#include "core/articulation/doubts.h"
-#include "core/articulation/slide.h"
-#include "tests/support/articulation_models.h"
+#include "core/articulation/measure/doubts.h"
+#include "core/articulation/motion/slide.h"
+#include "tests/support/models/articulation_models.h"
 
 namespace penpose::articulation {
 namespace {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/articulation/deformer.h"
-#include "core/articulation/doubts.h"
-#include "tests/support/articulation_models.h"
+#include "core/articulation/measure/doubts.h"
+#include "tests/support/models/articulation_models.h"
 
 namespace penpose::articulation {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "core/posing/solve.h"
 #include "core/rig/character_rig.h"
-#include "tests/support/articulation_models.h"
+#include "tests/support/models/articulation_models.h"
 
 namespace penpose::articulation {
 namespace {

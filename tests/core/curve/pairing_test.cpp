@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/curve/polyline.h"
-#include "tests/support/test_rigs.h"
+#include "tests/support/models/test_rigs.h"
 
 namespace penpose::curve {
 namespace {

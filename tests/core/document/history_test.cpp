@@ -7,7 +7,7 @@
 
 #include "core/document/document_hash.h"
 #include "tests/support/document_hand.h"
-#include "tests/support/knowing_hand.h"
+#include "tests/support/hands/knowing_hand.h"
 
 namespace penpose::document {
 namespace {

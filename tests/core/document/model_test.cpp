@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include "tests/support/articulation_models.h"
-#include "tests/support/test_rigs.h"
+#include "tests/support/models/articulation_models.h"
+#include "tests/support/models/test_rigs.h"
 
 namespace penpose::document {
 namespace {

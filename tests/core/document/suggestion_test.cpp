@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "tests/support/document_hand.h"
-#include "tests/support/test_rigs.h"
+#include "tests/support/models/test_rigs.h"
 
 namespace penpose::document {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/sheet_model.h"
+#include "tests/support/models/sheet_model.h"
 
 namespace penpose::drawing {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/head/head.h"
-#include "tests/support/sheet_lines.h"
+#include "tests/support/models/sheet_lines.h"
 
 namespace penpose::head {
 namespace {

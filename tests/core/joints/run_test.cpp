@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/stick_figure.h"
+#include "tests/support/models/stick_figure.h"
 
 namespace penpose::joints {
 namespace {

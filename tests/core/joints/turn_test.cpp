@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/math.h"
-#include "tests/support/stick_figure.h"
+#include "tests/support/models/stick_figure.h"
 
 namespace penpose::joints {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "tests/support/posing_problems.h"
+#include "tests/support/models/posing_problems.h"
 
 namespace penpose::posing {
 namespace {

@@ -8,7 +8,7 @@
 #include "core/curve/polyline.h"
 #include "core/posing/curve_system.h"
 #include "core/posing/solve.h"
-#include "tests/support/posing_problems.h"
+#include "tests/support/models/posing_problems.h"
 
 namespace penpose::posing {
 namespace {

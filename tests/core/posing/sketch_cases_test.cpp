@@ -4,10 +4,10 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "core/model_io/case_file.h"
-#include "core/model_io/read_model.h"
+#include "core/io/model/read_model.h"
+#include "core/io/project/case_file.h"
 #include "core/posing/solve.h"
-#include "tests/support/posing_problems.h"
+#include "tests/support/models/posing_problems.h"
 #include "tests/support/shared_data.h"
 
 namespace penpose::posing {
@@ -15,16 +15,16 @@ namespace {
 
 struct Cases {
   document::Model model;
-  std::vector<model_io::PoseCase> cases;
+  std::vector<io::PoseCase> cases;
 };
 
 Cases load() {
   const auto folder = tests::shared_dir() / "meshes";
-  return {model_io::read_model(tests::read_file(folder / "ict_face.glb"), "ict_face.glb").value(),
-          model_io::read_cases(tests::read_file(folder / "ict_face_sketch_cases.json")).value().cases};
+  return {io::read_model(tests::read_file(folder / "ict_face.glb"), "ict_face.glb").value(),
+          io::read_cases(tests::read_file(folder / "ict_face_sketch_cases.json")).value().cases};
 }
 
-PoseProblem problem_of(const Cases& all, const model_io::PoseCase& one, bool of_case) {
+PoseProblem problem_of(const Cases& all, const io::PoseCase& one, bool of_case) {
   PoseProblem problem;
   problem.start = rig::rest_pose(*all.model.rig);
   const auto rest = tests::all_positions(*all.model.rig, problem.start);

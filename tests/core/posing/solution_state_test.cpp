@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/posing_problems.h"
+#include "tests/support/models/posing_problems.h"
 
 namespace penpose::posing {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "tests/support/test_rigs.h"
+#include "tests/support/models/test_rigs.h"
 
 namespace penpose::posing {
 namespace {

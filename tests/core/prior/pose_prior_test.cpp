@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/base/numbers.h"
-#include "tests/support/test_rigs.h"
+#include "tests/support/models/test_rigs.h"
 
 namespace penpose::prior {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/math.h"
-#include "tests/support/test_rigs.h"
+#include "tests/support/models/test_rigs.h"
 
 namespace penpose::rig {
 namespace {

@@ -7,11 +7,11 @@
 
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/decode/hand_factory.h"
-#include "firmware_io/decode/protocol.h"
-#include "firmware_io/decode/wacom_hands.h"
-#include "firmware_io/decode/wacom_models.h"
-#include "tests/support/hand_descriptors.h"
-#include "tests/support/pen_reports.h"
+#include "firmware_io/decode/layout/protocol.h"
+#include "firmware_io/decode/wacom/hand/wacom_hands.h"
+#include "firmware_io/decode/wacom/wacom_models.h"
+#include "tests/support/hands/hand_descriptors.h"
+#include "tests/support/hands/pen_reports.h"
 
 namespace {
 

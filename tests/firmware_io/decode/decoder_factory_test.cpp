@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/pen_reports.h"
+#include "tests/support/hands/pen_reports.h"
 
 namespace penpose::decode {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "firmware_io/decode/tablet_reader.h"
-#include "firmware_io/decode/wacom_models.h"
-#include "tests/support/hand_descriptors.h"
+#include "firmware_io/decode/table/tablet_reader.h"
+#include "firmware_io/decode/wacom/wacom_models.h"
+#include "tests/support/hands/hand_descriptors.h"
 
 namespace penpose::decode {
 namespace {

@@ -7,9 +7,9 @@
 #include <sstream>
 
 #include "firmware_io/decode/decoder_factory.h"
-#include "firmware_io/device/permission.h"
-#include "tests/support/pen_reports.h"
-#include "tests/support/wacom_receiver.h"
+#include "firmware_io/device/list/permission.h"
+#include "tests/support/hands/pen_reports.h"
+#include "tests/support/hands/wacom_receiver.h"
 
 namespace penpose::device {
 namespace {

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "firmware_io/device/queue_gauge.h"
-#include "tests/support/fake_source.h"
+#include "tests/support/hands/fake_source.h"
 
 namespace penpose::device {
 namespace {

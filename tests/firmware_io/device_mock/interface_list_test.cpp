@@ -1,14 +1,14 @@
-#include "firmware_io/device/interface_list.h"
+#include "firmware_io/device/list/interface_list.h"
 
 #include <nlohmann/json.hpp>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "firmware_io/device/list/permission.h"
+#include "firmware_io/device/list/tablet_watch.h"
 #include "firmware_io/device/live_tablet.h"
-#include "firmware_io/device/permission.h"
-#include "firmware_io/device/tablet_watch.h"
-#include "tests/support/mock_system.h"
-#include "tests/support/pen_reports.h"
+#include "tests/support/hands/mock_system.h"
+#include "tests/support/hands/pen_reports.h"
 #include "ui/cli/command_line.h"
 
 // The preloaded library comes before the sanitizer's; that is known and does no harm.

@@ -5,10 +5,10 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
-#include "replay/session_player.h"
+#include "replay/session/session_player.h"
 #include "tests/support/app_desk.h"
-#include "ui/cli/load_model.h"
-#include "ui/cli/trace_file.h"
+#include "ui/files/load_model.h"
+#include "ui/files/trace_file.h"
 
 namespace penpose::app {
 namespace {
@@ -55,16 +55,16 @@ TEST(App, ANewUserSketchesPosesKeysSavesQuitsAndFindsEverythingAgain) {
     desk.app->ask_to_quit();
     EXPECT_TRUE(desk.app->wants_quit());
   }
-  auto again = cli::load_document((Desk::folder_of("whole") / "head.glb").string());
+  auto again = files::load_document((Desk::folder_of("whole") / "head.glb").string());
   ASSERT_TRUE(again.ok());
   document::DocumentHasher hasher;
   EXPECT_EQ(hasher(*again), saved) << "what was saved opens as it was";
   // The session of it replays to the same document.
-  const auto file = cli::open_trace(session);
+  const auto file = files::open_trace(session);
   ASSERT_TRUE(file.ok()) << file.error().line(session);
   replay::PlayerOptions options;
-  options.open = [](const std::string& path) { return cli::load_document(path); };
-  const auto played = replay::play_session(cli::read_from_file(file->get()), options);
+  options.open = [](const std::string& path) { return files::load_document(path); };
+  const auto played = replay::play_session(files::read_from_file(file->get()), options);
   ASSERT_TRUE(played.ok());
   EXPECT_EQ(played->differing, 0U);
   EXPECT_GT(played->checked, 5U);

@@ -12,7 +12,7 @@
 #include "tests/support/app_desk.h"
 #include "tests/support/command_run.h"
 #include "tests/ui/fault/faults.h"
-#include "ui/cli/files.h"
+#include "ui/files/files.h"
 
 namespace penpose::app {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "replay/virtual_pen.h"
+#include "replay/session/virtual_pen.h"
 #include "tests/support/c_desk.h"
 
 namespace penpose::tests {

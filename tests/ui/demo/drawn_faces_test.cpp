@@ -1,7 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "core/document/apply.h"
+#include "core/document/commands/apply.h"
 #include "core/drawing/tool.h"
 #include "ui/demo/demo_head.h"
 

@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "core/animation/animate_track.h"
-#include "core/animation/eigen_points.h"
-#include "tests/support/rendered_track.h"
+#include "core/animation/points/eigen_points.h"
+#include "tests/support/models/rendered_track.h"
 #include "ui/demo/demo_head.h"
 #include "ui/render/appearance.h"
-#include "ui/render/renderer.h"
+#include "ui/render/gl/renderer.h"
 
 namespace penpose::demo {
 namespace {

@@ -4,8 +4,8 @@
 #include <set>
 
 #include "core/document/document_hash.h"
-#include "core/model_io/read_document.h"
-#include "core/model_io/write_document.h"
+#include "core/io/project/read_document.h"
+#include "core/io/project/write_document.h"
 
 namespace penpose::demo {
 namespace {
@@ -37,9 +37,9 @@ TEST_P(RunDemo, ReplaysThePenToSixExpressionsOrMore) {
 TEST_P(RunDemo, TheProjectReadsBackEqual) {
   const auto made = run_demo(GetParam());
   ASSERT_TRUE(made.ok());
-  const auto bytes = model_io::write_project(made->document);
+  const auto bytes = io::write_project(made->document);
   ASSERT_TRUE(bytes.ok()) << bytes.error().line();
-  const auto read = model_io::read_document(*bytes, "demo.glb");
+  const auto read = io::read_document(*bytes, "demo.glb");
   ASSERT_TRUE(read.ok()) << read.error().line();
   document::DocumentHasher hasher;
   EXPECT_EQ(differing_parts(hasher(*read), hasher(made->document)), (std::vector<std::string_view>{}));
@@ -50,7 +50,7 @@ TEST_P(RunDemo, TheProjectReadsBackEqual) {
 TEST_P(RunDemo, ShowsOtherProgramsItsTimeline) {
   const auto made = run_demo(GetParam());
   ASSERT_TRUE(made.ok());
-  const auto model = model_io::read_model(model_io::write_project(made->document).value(), "demo.glb");
+  const auto model = io::read_model(io::write_project(made->document).value(), "demo.glb");
   ASSERT_TRUE(model.ok());
   ASSERT_EQ(model->animations.size(), 1U);
   EXPECT_EQ(model->animations[0].name, "timeline");

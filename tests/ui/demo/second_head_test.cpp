@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/articulation/deformer.h"
-#include "core/articulation/doubts.h"
+#include "core/articulation/measure/doubts.h"
 #include "core/head/head.h"
 #include "ui/demo/demo_head.h"
 #include "ui/demo/run_demo.h"

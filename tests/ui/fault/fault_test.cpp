@@ -7,7 +7,7 @@
 
 #include "tests/support/command_run.h"
 #include "tests/ui/fault/faults.h"
-#include "ui/cli/files.h"
+#include "ui/files/files.h"
 
 namespace penpose::tests {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/model_io/read_model.h"
-#include "tests/support/render_shapes.h"
+#include "core/io/model/read_model.h"
+#include "tests/support/models/render_shapes.h"
 #include "tests/support/shared_data.h"
 
 namespace penpose::render {
@@ -36,7 +36,7 @@ TEST(Appearance, AKindThatIsGivenWins) {
 TEST(SharedRender, EyesOfTheWholeFaceLookLikeEyes) {
   if (!tests::has_shared()) GTEST_SKIP();
   const auto bytes = tests::read_file(tests::shared_dir() / "meshes" / "ict_face.glb");
-  const auto model = model_io::read_model(bytes, "ict_face.glb").value();
+  const auto model = io::read_model(bytes, "ict_face.glb").value();
   const Appearance look = make_appearance(model);
   const PosedMesh posed = posed_mesh(model);
   Scene scene;
@@ -71,7 +71,7 @@ TEST(SharedRender, EveryModelFillsItsPicture) {
   for (const char* name :
        {"ict_face.glb", "ict_face_narrow.glb", "elephant.glb", "cesium_man.glb", "animated_morph_cube.glb"}) {
     const auto bytes = tests::read_file(tests::shared_dir() / "meshes" / name);
-    const auto model = model_io::read_model(bytes, name).value();
+    const auto model = io::read_model(bytes, name).value();
     const Appearance look = make_appearance(model);
     const PosedMesh posed = posed_mesh(model);
     Scene scene;

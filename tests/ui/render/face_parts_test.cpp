@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "core/model_io/read_model.h"
-#include "tests/support/render_shapes.h"
+#include "core/io/model/read_model.h"
+#include "tests/support/models/render_shapes.h"
 #include "tests/support/shared_data.h"
 
 namespace penpose::render {
@@ -72,7 +72,7 @@ TEST(FaceParts, OneBallOrNoneIsNoFace) {
 TEST(SharedFaceParts, OfTheWholeFaceAsItsDescriptionListsThem) {
   if (!tests::has_shared()) GTEST_SKIP();
   const auto bytes = tests::read_file(tests::shared_dir() / "meshes" / "ict_face.glb");
-  const auto model = model_io::read_model(bytes, "ict_face.glb").value();
+  const auto model = io::read_model(bytes, "ict_face.glb").value();
   const FaceParts found = recognise_face_parts(*model.mesh, model.mesh->positions());
   const auto expect = [&](std::uint32_t first, std::uint32_t last, PartKind kind) {
     for (std::uint32_t v = first; v <= last; ++v) {
@@ -90,7 +90,7 @@ TEST(SharedFaceParts, OfTheWholeFaceAsItsDescriptionListsThem) {
 TEST(SharedFaceParts, BodiesAndAnimalsHaveNone) {
   if (!tests::has_shared()) GTEST_SKIP();
   for (const char* name : {"elephant.glb", "cesium_man.glb", "animated_morph_cube.glb"}) {
-    const auto model = model_io::read_model(tests::read_file(tests::shared_dir() / "meshes" / name), name).value();
+    const auto model = io::read_model(tests::read_file(tests::shared_dir() / "meshes" / name), name).value();
     EXPECT_TRUE(recognise_face_parts(*model.mesh, document::posed_positions(model)).eyes.empty()) << name;
   }
 }

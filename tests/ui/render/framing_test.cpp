@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/render_shapes.h"
+#include "tests/support/models/render_shapes.h"
 
 namespace penpose::render {
 namespace {

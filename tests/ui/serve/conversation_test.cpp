@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "replay/session_player.h"
-#include "tests/support/sheet_model.h"
+#include "replay/session/session_player.h"
+#include "tests/support/models/sheet_model.h"
 
 namespace penpose::tests {
 namespace {

@@ -1,7 +1,7 @@
 // In place of OpenGL where the program is built without it (PENPOSE_WINDOW=OFF): every picture is an error that says
 // so.
 
-#include "ui/render/renderer.h"
+#include "ui/render/gl/renderer.h"
 
 namespace penpose::render {
 namespace {

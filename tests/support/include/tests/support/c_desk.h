@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/sheet_model.h"
+#include "tests/support/models/sheet_model.h"
 #include "ui/capi/penpose.h"
 
 namespace penpose::tests {

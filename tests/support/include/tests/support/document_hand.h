@@ -7,7 +7,7 @@
 
 #include "core/document/document_hash.h"
 #include "core/document/history.h"
-#include "tests/support/sheet_model.h"
+#include "tests/support/models/sheet_model.h"
 
 namespace penpose::tests {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/models/sheet_model.h"
 #include "tests/support/session_script.h"
-#include "tests/support/sheet_model.h"
 
 namespace penpose::tests {
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "replay/live_session.h"
-#include "replay/virtual_pen.h"
+#include "replay/session/live_session.h"
+#include "replay/session/virtual_pen.h"
 
 namespace penpose::tests {
 

@@ -7,7 +7,7 @@
 
 #include "core/base/byte_reader.h"
 #include "core/base/result.h"
-#include "firmware_io/decode/device_identity.h"
+#include "firmware_io/decode/sample/device_identity.h"
 
 namespace penpose::tests {
 

@@ -9,7 +9,7 @@
 
 #include "core/curve/polyline.h"
 #include "core/intent/solve.h"
-#include "tests/support/test_rigs.h"
+#include "tests/support/models/test_rigs.h"
 
 namespace penpose::tests {
 

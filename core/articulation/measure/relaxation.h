@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/articulation/region/patch.h"
+
+namespace penpose::articulation {
+
+/// Gives way where a moved patch is torn. Two steps, both on the places of its nodes, and both leave alone what is
+/// held: `limit_stretch` pulls the ends of edges together that are longer than they may be (strain limiting after
+/// Provot 1995, position based dynamics of Mueller et al. 2007); `unfold` brings the surroundings of folds as near to a
+/// rigid motion of their rest shape as what lies about them lets them be (Sorkine and Alexa 2007), which no fold is.
+class Relaxation {
+ public:
+  /// `give` 0..1, one an inner node: how much it gives way to stretch, 0 for what is held. Nodes of the rim are held.
+  Relaxation(const Patch& patch, std::vector<double> give);
+
+  /// Sweeps over the edges until none is longer than `bound` times its length at rest, at most `sweeps` times. True
+  /// when none is.
+  bool limit_stretch(double bound, int sweeps, std::span<ModelPoint> places) const;
+  /// Brings the marked nodes (1) as near to rigid motions of their rest shape as may be, in `sweeps` sweeps; those that
+  /// are `stiff` (1) before all.
+  void unfold(std::span<const std::uint8_t> stiff, std::span<const std::uint8_t> marked, int sweeps,
+              std::span<ModelPoint> places) const;
+
+ private:
+  struct Neighbour {
+    std::uint32_t node = 0;
+    double says = 1;  ///< the shorter the edge the more
+  };
+  struct Edge {
+    std::array<std::uint32_t, 2> ends{};
+    double length = 0;
+  };
+  [[nodiscard]] std::span<const Neighbour> around(std::uint32_t node) const {
+    return std::span(neighbours_).subspan(begins_[node], begins_[node + 1] - begins_[node]);
+  }
+
+  const Patch& patch_;
+  std::vector<double> give_;  ///< one a node
+  std::vector<Edge> edges_;
+  std::vector<Neighbour> neighbours_;
+  std::vector<std::uint32_t> begins_;
+};
+
+}  // namespace penpose::articulation

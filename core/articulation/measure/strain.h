@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/articulation/region/patch.h"
+
+namespace penpose::articulation {
+
+/// What a motion does to the surface of a patch.
+struct Strain {
+  double energy = 0;            ///< stretch and shear, the mean over the surface; see Strainmeter
+  double stretch = 1;           ///< the largest ratio of an edge's length to that at rest
+  std::uint32_t node = 0;       ///< an end of that edge
+  std::size_t turned_over = 0;  ///< triangles that run against the surface around them, but not at rest
+  std::size_t creased = 0;      ///< edges at which two triangles lie on each other, but not at rest; where asked for
+};
+/// The worse of the two in everything; energies add.
+[[nodiscard]] Strain worse(const Strain& a, const Strain& b);
+
+/// Measures the distortion of a patch. With s and t the largest and smallest stretch within a triangle its energy is
+/// s^2 + t^2 + 1/s^2 + 1/t^2 - 4 (symmetric Dirichlet): 0 where the surface is only turned, the same for a triangle
+/// stretched or pressed by one factor; one that is turned over counts as pressed to nothing.
+class Strainmeter {
+ public:
+  /// Rules before k_held_rules do not look at creases.
+  enum class Creases : std::uint8_t { ignored, counted };
+  explicit Strainmeter(const Patch& patch, Creases creases = Creases::ignored);
+
+  /// `moves` displaces the nodes.
+  [[nodiscard]] Strain measure(std::span<const ModelVector> moves);
+  /// After `measure`: marks (1) the nodes of triangles that are turned over, lie on each other or have an edge
+  /// stretched beyond a bound.
+  void mark_worst(double bound, std::span<std::uint8_t> nodes) const;
+  /// After `measure`: the square of the ratio of an edge's length to that at rest.
+  [[nodiscard]] double squared_stretch(std::uint32_t a, std::uint32_t b) const;
+
+ private:
+  struct Cell {
+    double a = 0, b = 0, c = 0;  ///< inverse of its two edges in its own plane: [a b; 0 c]
+    double area = 0;
+    double limit = 0;  ///< of `uprightness` below which it counts as turned over
+  };
+  /// An edge and the triangles at it, which at rest lie at less than a right angle.
+  struct Hinge {
+    std::uint32_t first = 0, second = 0;
+  };
+  void find_hinges();
+  [[nodiscard]] bool folded(const Hinge& hinge) const;
+  void find_normals(std::span<const ModelPoint> places);
+  /// How much a triangle faces as the surface around it does: 3 where that is flat, below 0 where it is turned over.
+  [[nodiscard]] double uprightness(std::size_t triangle) const;
+
+  const Patch& patch_;
+  std::vector<Cell> cells_;
+  double area_ = 0;
+  std::vector<ModelPoint> places_;
+  std::vector<ModelVector> normals_;       ///< of triangles, as long as twice their area
+  std::vector<ModelVector> node_normals_;  ///< unit, of the triangles about
+  std::vector<std::uint8_t> over_;
+  std::vector<Hinge> hinges_;
+};
+
+}  // namespace penpose::articulation

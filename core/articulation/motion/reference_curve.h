@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/articulation/region/canvas.h"
+#include "core/articulation/region/region.h"
+#include "core/base/result.h"
+#include "core/curve/sheet_line.h"
+#include "core/geometry/camera.h"
+
+namespace penpose::articulation {
+
+/// The kernel of "light smoothing" (method, section 3, step 3).
+inline constexpr std::size_t k_light_kernel = 5;
+
+/// The reference curve inferred from V_s: its vertices ordered by projected x (by projected y where that extent is
+/// larger), their world positions smoothed by a triangle filter whose kernel is a third of their number, then lightly,
+/// and spaced evenly as `count` points. Errors: vertices that make no curve.
+[[nodiscard]] base::Result<std::vector<ModelPoint>> infer_reference(const Canvas& canvas, const Region& region,
+                                                                    std::span<const std::uint32_t> specific,
+                                                                    std::size_t count);
+
+/// Why a reference that was inferred is not to be trusted, in words for a user; empty where it is: its vertices lie on
+/// two sheets of the surface (both lips), or it runs far beside what it was inferred from.
+[[nodiscard]] std::string doubt_of_inferred(const Canvas& canvas, const Region& region,
+                                            std::span<const std::uint32_t> specific,
+                                            std::span<const ModelPoint> inferred);
+
+/// The reference curve drawn by hand: the stroke projected onto the visible surface, lightly smoothed with its ends
+/// fixed, and spaced evenly as `count` points in world space. Errors: the line does not touch the mesh.
+[[nodiscard]] base::Result<std::vector<ModelPoint>> drawn_reference(const Canvas& canvas,
+                                                                    const geometry::Camera& camera,
+                                                                    std::span<const PxPoint> stroke, std::size_t count);
+
+/// A drawn reference that stays on one sheet of the surface.
+struct SheetReference {
+  std::vector<ModelPoint> points;
+  std::vector<ModelVector> aside;  ///< from each point to where the pen was
+  double kept = 1;                 ///< share of the line; what is below 1 was cut off
+};
+
+/// The same by `rules` from k_held_rules on: on one sheet (core/curve/sheet_line.h), or on the other one of two.
+/// Errors: as drawn_reference; no other sheet.
+[[nodiscard]] base::Result<SheetReference> sheet_reference(const Canvas& canvas, const geometry::Camera& camera,
+                                                           std::span<const PxPoint> stroke, std::size_t count,
+                                                           curve::SheetChoice choice, std::uint32_t rules);
+
+}  // namespace penpose::articulation

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/articulation/region/canvas.h"
+#include "core/curve/sheets.h"
+#include "core/document/commands/apply.h"
+#include "core/document/commands/command.h"
+#include "core/document/document.h"
+#include "core/geometry/bvh.h"
+#include "core/intent/solve.h"
+#include "core/posing/solve.h"
+
+// What the application of single commands has in common.
+
+namespace penpose::document {
+
+struct ApplyWorkspace::Parts {
+  posing::SolveWorkspace solve;
+  intent::Workspace meant;
+
+  /// What the controls of the document's rig do to the whole model.
+  const intent::WholeModel& whole_of(const Document& document);
+
+  /// The search tree over the surface as the document is posed.
+  const geometry::TriangleBvh& surface_of(const Document& document);
+  /// All vertices as the last surface_of posed them.
+  [[nodiscard]] std::span<const glm::vec3> surface_positions() const { return tree_positions_; }
+  /// Which triangles of the document's mesh lie beside each other.
+  curve::Sheets& sheets_of(const Document& document);
+  /// What strokes of deformers are drawn on.
+  base::Result<std::shared_ptr<const articulation::Canvas>> canvas_of(const Document& document);
+
+ private:
+  std::shared_ptr<const rig::CharacterRig> whole_rig_;
+  intent::WholeModel whole_;
+  std::shared_ptr<const mesh::TriangleMesh> tree_mesh_;
+  std::shared_ptr<const rig::CharacterRig> tree_rig_;
+  rig::Pose tree_pose_;
+  std::vector<glm::vec3> tree_positions_;
+  std::unique_ptr<geometry::TriangleBvh> tree_;
+  std::shared_ptr<const mesh::TriangleMesh> sheets_mesh_;
+  std::optional<curve::Sheets> sheets_;
+  std::shared_ptr<const mesh::TriangleMesh> canvas_mesh_;
+  std::shared_ptr<const rig::Skeleton> canvas_skeleton_;
+  std::shared_ptr<const articulation::Canvas> canvas_;
+};
+
+using Parts = ApplyWorkspace::Parts;
+using Changed = base::Result<Document>;
+
+/// The error with a member of the command as its place.
+[[nodiscard]] base::Error at(const char* member, base::Error error);
+
+/// Errors: the value is none of the parameter's.
+[[nodiscard]] std::optional<base::Error> out_of_range(const rig::Parameter& parameter, double value);
+
+/// The document with other sketched deformers; poses are kept by the names of parameters, and what is locked by names
+/// that are still there.
+[[nodiscard]] Changed with_deformers(const Document& document,
+                                     std::shared_ptr<const articulation::SketchedDeformers> deformers);
+
+/// The document with one curve more, which gets the next number. Errors: all numbers are used up.
+[[nodiscard]] Changed with_curve(const Document& document, PoseCurve curve);
+/// The document with a curve in place of the one of the same number.
+[[nodiscard]] Document with_replaced(const Document& document, PoseCurve curve);
+/// Errors: no such curve, a constraint; with `with_line` one that has no drawn target.
+[[nodiscard]] base::Result<const PoseCurve*> reference_named(const Document& document, CurveId id, bool with_line);
+
+Changed run(const Document&, const SetParameters&, Parts&);
+Changed run(const Document&, const ResetParameters&, Parts&);
+Changed run(const Document&, const LockParameters&, Parts&);
+Changed run(const Document&, const SuggestRest&, Parts&);
+
+Changed run(const Document&, const DrawReference&, Parts&);
+Changed run(const Document&, const DrawTarget&, Parts&);
+Changed run(const Document&, const OversketchTarget&, Parts&);
+Changed run(const Document&, const DragTarget&, Parts&);
+Changed run(const Document&, const PullTarget&, Parts&);
+Changed run(const Document&, const DrawConstraint&, Parts&);
+Changed run(const Document&, const Pin&, Parts&);
+Changed run(const Document&, const KeepCurve&, Parts&);
+Changed run(const Document&, const DeleteCurve&, Parts&);
+Changed run(const Document&, const EraseCurves&, Parts&);
+Changed run(const Document&, const ClearCurves&, Parts&);
+Changed run(const Document&, const SolvePose&, Parts&);
+Changed run(const Document&, const PlaceCurve&, Parts&);
+Changed run(const Document&, const PlaceTarget&, Parts&);
+Changed run(const Document&, const SetPressureWeighting&, Parts&);
+Changed run(const Document&, const SetHand&, Parts&);
+Changed run(const Document&, const NameCurve&, Parts&);
+Changed run(const Document&, const DeleteNamedCurve&, Parts&);
+
+Changed run(const Document&, const BeginDeformer&, Parts&);
+Changed run(const Document&, const BeginCorrection&, Parts&);
+Changed run(const Document&, const DeleteCorrection&, Parts&);
+Changed run(const Document&, const TakeRegion&, Parts&);
+Changed run(const Document&, const DrawBetween&, Parts&);
+Changed run(const Document&, const DeleteBetween&, Parts&);
+Changed run(const Document&, const PullBetween&, Parts&);
+Changed run(const Document&, const SketchCurve&, Parts&);
+Changed run(const Document&, const CancelDeformer&, Parts&);
+Changed run(const Document&, const RedrawCurve&, Parts&);
+Changed run(const Document&, const ChangeDeformer&, Parts&);
+Changed run(const Document&, const MirrorDeformer&, Parts&);
+Changed run(const Document&, const RenameDeformer&, Parts&);
+Changed run(const Document&, const DeleteDeformer&, Parts&);
+Changed run(const Document&, const MoveDeformer&, Parts&);
+
+Changed run(const Document&, const SetKey&, Parts&);
+Changed run(const Document&, const KeyPoses&, Parts&);
+Changed run(const Document&, const DeleteKey&, Parts&);
+Changed run(const Document&, const MoveKey&, Parts&);
+Changed run(const Document&, const SetKeyInterpolation&, Parts&);
+Changed run(const Document&, const GoToTime&, Parts&);
+Changed run(const Document&, const SaveView&, Parts&);
+Changed run(const Document&, const DeleteView&, Parts&);
+
+}  // namespace penpose::document

@@ -1,0 +1,259 @@
+#include "core/document/commands/text_form.h"
+
+#include <array>
+#include <span>
+
+#include "core/base/letters.h"
+#include "core/base/numbers.h"
+#include "core/geometry/lasso.h"
+
+namespace penpose::document {
+namespace {
+
+constexpr double k_largest_number = 1e15;
+
+bool stands_for_itself(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+}
+
+template <typename Enum>
+using EnumNames = std::span<const std::pair<Enum, std::string_view>>;
+
+template <typename Enum>
+void write_enum(std::string& out, Enum value, EnumNames<Enum> names) {
+  for (const auto& [one, name] : names) {
+    if (one == value) out += name;
+  }
+}
+template <typename Enum>
+std::optional<Enum> read_enum(std::string_view text, EnumNames<Enum> names) {
+  for (const auto& [one, name] : names) {
+    if (name == text) return one;
+  }
+  return std::nullopt;
+}
+
+using articulation::Mode;
+constexpr std::array<std::pair<Mode, std::string_view>, 3> k_modes{
+    {{Mode::automatic, "auto"}, {Mode::translate, "translate"}, {Mode::rotate, "rotate"}}};
+using Role = articulation::CurveRole;
+constexpr std::array<std::pair<articulation::Reach, std::string_view>, 2> k_reaches{
+    {{articulation::Reach::through, "through"}, {articulation::Reach::front, "front"}}};
+constexpr std::array<std::pair<Role, std::string_view>, 4> k_roles{{{Role::general, "general"},
+                                                                    {Role::specific, "specific"},
+                                                                    {Role::reference, "reference"},
+                                                                    {Role::target, "target"}}};
+constexpr std::array<std::pair<KeyInterpolation, std::string_view>, 2> k_interpolations{
+    {{KeyInterpolation::linear, "linear"}, {KeyInterpolation::smooth, "smooth"}}};
+
+template <std::size_t N>
+void write_numbers(std::string& out, const std::array<double, N>& values) {
+  for (std::size_t i = 0; i < N; ++i) {
+    if (i > 0) out += ',';
+    TextForm<double>::write(out, values[i]);
+  }
+}
+template <std::size_t N>
+std::optional<std::array<double, N>> read_numbers(std::string_view text) {
+  std::array<double, N> values{};
+  for (std::size_t i = 0; i < N; ++i) {
+    const bool last = i + 1 == N;
+    if (!last && text.find(',') == std::string_view::npos) return std::nullopt;
+    const auto value = TextForm<double>::read(last ? text : take_piece(text, ','));
+    if (!value) return std::nullopt;
+    values[i] = *value;
+  }
+  return values;
+}
+
+std::optional<geometry::ModelPoint> read_point(std::string_view text) {
+  const auto values = read_numbers<3>(text);
+  if (!values) return std::nullopt;
+  return geometry::ModelPoint((*values)[0], (*values)[1], (*values)[2]);
+}
+
+constexpr int k_largest_side_px = 32768;
+
+std::optional<int> read_side(std::string_view text) {
+  const auto value = base::parse_int(text);
+  if (!value || *value < 1 || *value > k_largest_side_px) return std::nullopt;
+  return static_cast<int>(*value);
+}
+
+}  // namespace
+
+std::string escape(std::string_view text) {
+  if (text.empty()) return "%";
+  std::string out;
+  for (const char c : text) {
+    if (stands_for_itself(c)) {
+      out += c;
+      continue;
+    }
+    out += '%';
+    base::append_hex(out, static_cast<unsigned char>(c), 2, base::HexCase::upper);
+  }
+  return out;
+}
+
+std::optional<std::string> unescape(std::string_view text) {
+  if (text == "%") return std::string();
+  if (text.empty()) return std::nullopt;
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (stands_for_itself(text[i])) {
+      out += text[i];
+      continue;
+    }
+    if (text[i] != '%' || i + 2 >= text.size()) return std::nullopt;
+    const auto high = base::hex_value(text[i + 1]);
+    const auto low = base::hex_value(text[i + 2]);
+    if (!high || !low) return std::nullopt;
+    out += static_cast<char>(static_cast<unsigned char>(*high * 16U + *low));
+    i += 2;
+  }
+  return out;
+}
+
+std::string_view take_piece(std::string_view& text, char separator) {
+  const std::size_t end = text.find(separator);
+  const std::string_view piece = text.substr(0, end);
+  text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
+  return piece;
+}
+
+void TextForm<double>::write(std::string& out, double value) { out += base::format_double(value); }
+std::optional<double> TextForm<double>::read(std::string_view text) {
+  const auto value = base::parse_double(text);
+  if (!value || !(std::abs(*value) <= k_largest_number)) return std::nullopt;
+  return value;
+}
+
+std::optional<bool> TextForm<bool>::read(std::string_view text) {
+  if (text == "1") return true;
+  if (text == "0") return false;
+  return std::nullopt;
+}
+
+std::optional<std::uint32_t> TextForm<std::uint32_t>::read(std::string_view text) {
+  const auto value = base::parse_uint(text);
+  if (!value || *value > 0xffffffffU) return std::nullopt;
+  return static_cast<std::uint32_t>(*value);
+}
+
+std::optional<CurveId> TextForm<CurveId>::read(std::string_view text) {
+  const auto value = TextForm<std::uint32_t>::read(text);
+  if (!value) return std::nullopt;
+  return CurveId{*value};
+}
+
+void TextForm<PxPoint>::write(std::string& out, const PxPoint& value) { write_numbers<2>(out, {value.x, value.y}); }
+std::optional<PxPoint> TextForm<PxPoint>::read(std::string_view text) {
+  const auto values = read_numbers<2>(text);
+  if (!values || std::abs((*values)[0]) > geometry::k_largest_px || std::abs((*values)[1]) > geometry::k_largest_px) {
+    return std::nullopt;
+  }
+  return PxPoint{(*values)[0], (*values)[1]};
+}
+
+void TextForm<geometry::ModelPoint>::write(std::string& out, const geometry::ModelPoint& value) {
+  write_numbers<3>(out, {value.x, value.y, value.z});
+}
+std::optional<geometry::ModelPoint> TextForm<geometry::ModelPoint>::read(std::string_view text) {
+  return read_point(text);
+}
+
+void TextForm<mesh::MeshPoint>::write(std::string& out, const mesh::MeshPoint& value) {
+  TextForm<std::uint32_t>::write(out, value.triangle);
+  out += ',';
+  write_numbers<3>(out, value.barycentric);
+}
+std::optional<mesh::MeshPoint> TextForm<mesh::MeshPoint>::read(std::string_view text) {
+  if (text.find(',') == std::string_view::npos) return std::nullopt;
+  const auto triangle = TextForm<std::uint32_t>::read(take_piece(text, ','));
+  const auto corners = read_numbers<3>(text);
+  if (!triangle || !corners) return std::nullopt;
+  return mesh::MeshPoint{*triangle, *corners};
+}
+
+void TextForm<NamedValue>::write(std::string& out, const NamedValue& value) {
+  out += escape(value.name);
+  out += ',';
+  TextForm<double>::write(out, value.value);
+}
+std::optional<NamedValue> TextForm<NamedValue>::read(std::string_view text) {
+  if (text.find(',') == std::string_view::npos) return std::nullopt;
+  auto name = unescape(take_piece(text, ','));
+  const auto value = TextForm<double>::read(text);
+  if (!name || !value) return std::nullopt;
+  return NamedValue{*std::move(name), *value};
+}
+
+void TextForm<View>::write(std::string& out, const View& value) {
+  for (const auto& v : {value.camera.eye, value.camera.look_at, value.camera.up}) {
+    write_numbers<3>(out, {v.x, v.y, v.z});
+    out += '/';
+  }
+  TextForm<double>::write(out, value.camera.vertical_fov_degrees);
+  out += '/' + std::to_string(value.viewport.width) + 'x' + std::to_string(value.viewport.height);
+}
+std::optional<View> TextForm<View>::read(std::string_view text) {
+  const auto eye = read_point(take_piece(text, '/'));
+  const auto look_at = read_point(take_piece(text, '/'));
+  const auto up = read_point(take_piece(text, '/'));
+  const auto fov = TextForm<double>::read(take_piece(text, '/'));
+  const auto width = read_side(take_piece(text, 'x'));
+  const auto height = read_side(text);
+  if (!eye || !look_at || !up || !fov || !width || !height) return std::nullopt;
+  return View{{*eye, *look_at, *up, *fov}, {*width, *height}};
+}
+
+void TextForm<articulation::Surface>::write(std::string& out, const articulation::Surface& value) {
+  if (const auto* sphere = std::get_if<articulation::Sphere>(&value)) {
+    out += "sphere:";
+    write_numbers<4>(out, {sphere->center.x, sphere->center.y, sphere->center.z, sphere->radius});
+  } else if (const auto* part = std::get_if<articulation::PartSurface>(&value)) {
+    out += "part:" + escape(part->part);
+  } else {
+    out += "none";
+  }
+}
+std::optional<articulation::Surface> TextForm<articulation::Surface>::read(std::string_view text) {
+  if (text == "none") return articulation::Surface();
+  const std::string_view kind = take_piece(text, ':');
+  if (kind == "sphere") {
+    const auto values = read_numbers<4>(text);
+    if (!values) return std::nullopt;
+    return articulation::Sphere{{(*values)[0], (*values)[1], (*values)[2]}, (*values)[3]};
+  }
+  auto part = unescape(text);
+  if (kind != "part" || !part) return std::nullopt;
+  return articulation::PartSurface{*std::move(part)};
+}
+
+void TextForm<articulation::Mode>::write(std::string& out, articulation::Mode value) {
+  write_enum<Mode>(out, value, k_modes);
+}
+std::optional<articulation::Mode> TextForm<articulation::Mode>::read(std::string_view text) {
+  return read_enum<Mode>(text, k_modes);
+}
+void TextForm<articulation::CurveRole>::write(std::string& out, articulation::CurveRole value) {
+  write_enum<Role>(out, value, k_roles);
+}
+std::optional<articulation::CurveRole> TextForm<articulation::CurveRole>::read(std::string_view text) {
+  return read_enum<Role>(text, k_roles);
+}
+void TextForm<articulation::Reach>::write(std::string& out, articulation::Reach value) {
+  write_enum<articulation::Reach>(out, value, k_reaches);
+}
+std::optional<articulation::Reach> TextForm<articulation::Reach>::read(std::string_view text) {
+  return read_enum<articulation::Reach>(text, k_reaches);
+}
+void TextForm<KeyInterpolation>::write(std::string& out, KeyInterpolation value) {
+  write_enum<KeyInterpolation>(out, value, k_interpolations);
+}
+std::optional<KeyInterpolation> TextForm<KeyInterpolation>::read(std::string_view text) {
+  return read_enum<KeyInterpolation>(text, k_interpolations);
+}
+
+}  // namespace penpose::document

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/document/commands/command.h"
+#include "core/document/drawing/pose_curve.h"
+
+namespace penpose::document {
+
+/// A target pulled at a place of a view (curve/bend.h). Its points move parallel to the picture; those that do not
+/// follow stay where they are, to the bit. Errors: a camera that cannot be, a target behind it or of no length in it, a
+/// way or a reach that cannot be.
+[[nodiscard]] base::Result<DrawnTarget> pulled_target(const DrawnTarget& before, const PullTarget& pull);
+
+}  // namespace penpose::document

@@ -1,0 +1,125 @@
+#include "core/document/drawing/target_line.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/curve/pairing.h"
+#include "core/curve/polyline.h"
+#include "core/posing/problem.h"
+
+namespace penpose::document {
+namespace {
+
+using curve::PxPoint;
+
+/// Values that are given at the points of a line, at shares of its length.
+std::vector<double> values_at(std::span<const PxPoint> line, std::span<const double> values,
+                              std::span<const double> shares) {
+  if (values.empty()) return std::vector<double>(shares.size(), 1.0);
+  const std::vector<double> cumulative = curve::cumulative_length(line);
+  std::vector<double> out;
+  for (const double share : shares) {
+    const curve::PolylinePlace place = curve::place_at(cumulative, share);
+    const double a = values[place.segment];
+    const double b = values[std::min(place.segment + 1, values.size() - 1)];
+    out.push_back(a + (b - a) * place.fraction);
+  }
+  return out;
+}
+
+std::vector<double> even_shares(std::size_t count) {
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < count; ++i) shares.push_back(static_cast<double>(i) / static_cast<double>(count - 1));
+  return shares;
+}
+
+std::size_t nearest_point(std::span<const PxPoint> line, PxPoint to) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    if (geometry::distance(line[i], to) < geometry::distance(line[best], to)) best = i;
+  }
+  return best;
+}
+
+double distance_to_segment(PxPoint p, PxPoint from, PxPoint to) {
+  const PxPoint along = to - from;
+  const double squared = along.x * along.x + along.y * along.y;
+  const PxPoint off = p - from;
+  const double u = squared > 0.0 ? std::clamp((off.x * along.x + off.y * along.y) / squared, 0.0, 1.0) : 0.0;
+  return geometry::distance(p, from + along * u);
+}
+
+/// Which side of the line through two points a third lies on.
+double side(PxPoint from, PxPoint to, PxPoint p) {
+  return (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
+}
+
+bool cross(PxPoint a, PxPoint b, PxPoint c, PxPoint d) {
+  return side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
+}
+
+/// The segment from point i; a line of one point has one segment of no length.
+std::pair<PxPoint, PxPoint> segment(std::span<const PxPoint> line, std::size_t i) {
+  return {line[i], line[std::min(i + 1, line.size() - 1)]};
+}
+
+std::size_t segment_count(std::span<const PxPoint> line) { return line.size() < 2 ? line.size() : line.size() - 1; }
+
+}  // namespace
+
+base::Result<DrawnTarget> make_target(std::span<const geometry::ModelPoint> reference, const View& view,
+                                      std::span<const PxPoint> line, std::span<const double> pressure) {
+  if (!pressure.empty() && pressure.size() != line.size()) {
+    return base::Error{"there are not as many pressures as points", "pressure", "give one a point, or none"};
+  }
+  const auto camera = geometry::Camera::make(view.camera, view.viewport);
+  if (!camera) return camera.error();
+  auto paired = curve::pair_target(reference, line, *camera);
+  if (!paired) return paired.error();
+  auto even = curve::resample(line, k_line_points);
+  if (!even) return even.error();
+  DrawnTarget target;
+  target.view = view;
+  target.line = std::move(even).value();
+  target.pressure = values_at(line, pressure, even_shares(k_line_points));
+  target.points = std::move(paired->points);
+  target.weights = posing::pressure_weights(values_at(line, pressure, paired->shares));
+  return target;
+}
+
+base::Result<Line> oversketched(const Line& line, std::span<const PxPoint> stroke) {
+  if (stroke.size() < 2) return base::Error{"the line has no length", "line", "draw a longer one"};
+  std::vector<PxPoint> drawn(stroke.begin(), stroke.end());
+  std::size_t from = nearest_point(line.points, drawn.front());
+  std::size_t to = nearest_point(line.points, drawn.back());
+  if (to < from) {
+    std::reverse(drawn.begin(), drawn.end());
+    std::swap(from, to);
+  }
+  Line out;
+  const auto add = [&out](std::span<const PxPoint> points, std::span<const double> pressure) {
+    out.points.insert(out.points.end(), points.begin(), points.end());
+    out.pressure.insert(out.pressure.end(), pressure.begin(), pressure.end());
+  };
+  add(std::span(line.points).first(from), std::span(line.pressure).first(from));
+  add(drawn, std::vector<double>(drawn.size(), 1.0));
+  add(std::span(line.points).subspan(to + 1), std::span(line.pressure).subspan(to + 1));
+  return out;
+}
+
+bool come_near(std::span<const PxPoint> a, std::span<const PxPoint> b, double distance_px) {
+  for (std::size_t i = 0; i < segment_count(a); ++i) {
+    const auto [a0, a1] = segment(a, i);
+    for (std::size_t j = 0; j < segment_count(b); ++j) {
+      const auto [b0, b1] = segment(b, j);
+      if (cross(a0, a1, b0, b1) || distance_to_segment(a0, b0, b1) <= distance_px ||
+          distance_to_segment(a1, b0, b1) <= distance_px || distance_to_segment(b0, a0, a1) <= distance_px ||
+          distance_to_segment(b1, a0, a1) <= distance_px) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace penpose::document

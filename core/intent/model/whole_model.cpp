@@ -1,0 +1,91 @@
+#include "core/intent/model/whole_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/space.h"
+#include "core/intent/model/mirror_pairs.h"
+#include "core/rig/character_rig.h"
+
+namespace penpose::intent {
+namespace {
+
+using geometry::ModelPoint;
+using geometry::ModelVector;
+
+double median_of_positive(std::vector<double> values) {
+  std::erase_if(values, [](double v) { return !(v > 0.0); });
+  if (values.empty()) return 1.0;
+  std::stable_sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// The mean way of what moves, each vertex weighted by its own way.
+double stride_of(const std::vector<ModelPoint>& rest, const std::vector<ModelPoint>& moved) {
+  double ways = 0, squares = 0;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    const double way = geometry::distance(rest[i], moved[i]);
+    ways += way;
+    squares += way * way;
+  }
+  return ways > 0.0 ? squares / ways : 0.0;
+}
+
+}  // namespace
+
+WholeModel measure_whole_model(const rig::Rig& rig) {
+  const auto parameters = rig.parameters();
+  const std::size_t d = parameters.size();
+  WholeModel whole;
+  whole.movement.assign(d, 0.0);
+  whole.stride.assign(d, 0.0);
+  whole.group.resize(d);
+  whole.joint.assign(d, k_no_partner);
+  for (std::size_t p = 0; p < d; ++p) whole.group[p] = p;
+  if (const auto* character = dynamic_cast<const rig::CharacterRig*>(&rig); character && character->skeleton()) {
+    whole.body = std::make_shared<joints::Body>(*character->skeleton());
+    const std::size_t first = character->first_parameter(character->layers().size());
+    for (std::size_t p = first; p < d; ++p) {
+      whole.group[p] = first + (p - first) / 3 * 3;
+      whole.joint[p] = character->skeleton()->joint_of(p - first);
+    }
+  }
+
+  std::vector<ModelPoint> rest(rig.vertex_count());
+  std::vector<ModelPoint> moved(rig.vertex_count());
+  rig::Pose pose = rig::rest_pose(rig);
+  rig.evaluate(pose, rest);
+  geometry::Box box;
+  for (const ModelPoint& p : rest) box.add(p);
+  whole.size = box.empty() ? 0.0 : box.diagonal();
+
+  std::vector<ControlMoments> moments(d);
+  for (std::size_t p = 0; p < d; ++p) {
+    const rig::Parameter& parameter = parameters[p];
+    const double up = parameter.maximum - parameter.rest;
+    const double down = parameter.rest - parameter.minimum;
+    // A turn of a right angle would say more of the arm's length than of the turn: joints are measured by a small one.
+    const double step = whole.joint[p] != k_no_partner ? std::min(0.25, std::max(up, down)) : std::max(up, down);
+    if (!(step > 0.0) || !std::isfinite(step)) continue;
+    pose[p] = parameter.rest + (up >= down ? step : -step);
+    rig.evaluate(pose, moved);
+    pose[p] = parameter.rest;
+    moments[p] = moments_of(rest, moved);
+    whole.movement[p] = moments[p].way * (parameter.maximum - parameter.minimum) / step;
+    if (!std::isfinite(whole.movement[p])) whole.movement[p] = 0;
+    whole.stride[p] = stride_of(rest, moved) * (parameter.maximum - parameter.minimum) / step;
+    if (!std::isfinite(whole.stride[p])) whole.stride[p] = 0;
+  }
+  const double median = median_of_positive(whole.movement);
+  for (double& movement : whole.movement) movement /= median;
+  std::vector<std::uint32_t> pieces;
+  if (const auto* character = dynamic_cast<const rig::CharacterRig*>(&rig)) {
+    const auto known = character->mesh().components();
+    pieces.assign(known.begin(), known.end());
+  }
+  whole.surroundings = std::make_shared<Surroundings>(rest, std::move(pieces));
+  whole.partner = mirror_pairs(moments, box.empty() ? ModelPoint{0} : box.center(), whole.size);
+  return whole;
+}
+
+}  // namespace penpose::intent

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/document/model.h"
+#include "core/json/json.h"
+
+namespace penpose::io {
+
+/// What glTF has no place for is kept in members "extras": {"penpose": {...}} (glTF 2.0, section 3.3.3): at the root of
+/// the document with the version, and at nodes.
+inline constexpr const char* k_extras_key = "penpose";
+inline constexpr std::int64_t k_extras_version = 2;  ///< 1 had no "project"
+
+/// Root: {"version": 2, "shapes": [{"name", "rest", "minimum", "maximum"}], "curves": [{"name", "points": [[triangle,
+/// b0, b1, b2], ...]}], "deformers": [a deformer as sketch files have it, with its own "viewport", ...]}. Deformers are
+/// also morph targets of their names, sampled at amount 1, after those of the shapes, and "baked": [[NAME, ...], ...]
+/// names those that show the rest of each (baked_deformer.h). "corrections": [a deformer with its "drivers", ...].
+/// A target that takes a part of the weight of another.
+struct OneWayName {
+  std::string name;
+  std::string target;
+  double factor = 1;
+};
+
+struct RootExtras {
+  bool present = false;
+  std::vector<rig::Parameter> shapes;  ///< in the order of the rig
+  std::vector<document::NamedCurve> curves;
+  std::vector<articulation::Sketch> deformers;
+  std::vector<OneWayName> one_way;
+  std::vector<articulation::CorrectionSketch> corrections;  ///< also morph targets of their names, behind "baked"
+  std::vector<std::vector<std::string>> baked;  ///< one list a deformer: targets that only show it to other programs
+};
+
+/// "one_way": [[NAME, TARGET, 1 or -1], ...] names targets that take what goes above 1 or below 0 of the weight of
+/// another (one_way_targets.h): the weight is the sum of theirs, turned round for -1. Animation: {"fps": F}, whose
+/// frames its keys are.
+///
+/// Sampler of weights: {"added": [key, ...]}, keys that are there for other programs alone (dense_keys.h).
+///
+/// Node: {"joint": true, "posable": true, "rest_rotation": [x, y, z, w], "minimum": [x, y, z], "maximum": [x, y, z],
+/// "values": [rx, ry, rz]} or {"carried_by_parent": true} or {"still": true} or
+/// {"group": true}. A joint whose inverse bind matrix needs doubles also has "inverse_bind": 16 numbers by columns.
+struct NodeExtras {
+  bool joint = false;              ///< the node is a joint, whether it moves anything or not
+  bool carried_by_parent = false;  ///< the node is no joint: its mesh belongs to the node above
+  bool still = false;              ///< vertices that follow this joint follow nothing
+  bool group = false;              ///< the node only gathers joints below one root
+  std::optional<bool> posable;
+  std::optional<glm::dquat> rest_rotation;  ///< the node's own rotation holds the pose
+  std::optional<glm::dvec3> minimum;        ///< radians
+  std::optional<glm::dvec3> maximum;
+  std::optional<glm::dmat4> inverse_bind;
+  glm::dvec3 values{0};
+};
+
+/// Errors (place: JSON pointer): a version that is not known, a member of another type, a range without room.
+[[nodiscard]] base::Result<RootExtras> read_root_extras(const json::Json& document);
+/// One entry a node; all empty when `root` is not present.
+[[nodiscard]] base::Result<std::vector<NodeExtras>> read_node_extras(const json::Json& document,
+                                                                     const RootExtras& root);
+/// Errors: a curve point on a triangle that does not exist, or with coordinates that do not sum to one.
+[[nodiscard]] base::Status check_curves(const RootExtras& root, std::size_t triangle_count);
+
+/// `baked`: names of the targets that were made for each deformer beside its own. `project`: the member "project"
+/// (core/io/project/internal/project_json.h), or null for a model alone.
+[[nodiscard]] json::Json write_root_extras(const document::Model& model,
+                                           const std::vector<std::vector<std::string>>& baked,
+                                           const std::vector<OneWayName>& one_way, const json::Json& project);
+
+}  // namespace penpose::io

@@ -1,0 +1,215 @@
+#include "core/io/gltf/read/read_gltf.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/io/gltf/internal/gltf_extras.h"
+#include "core/io/gltf/read/internal/gltf_animations.h"
+#include "core/io/gltf/read/internal/gltf_deformers.h"
+#include "core/io/gltf/read/internal/gltf_document.h"
+#include "core/io/gltf/read/internal/gltf_expressions.h"
+#include "core/io/gltf/read/internal/gltf_meshes.h"
+#include "core/io/gltf/read/internal/gltf_nodes.h"
+#include "core/io/gltf/read/internal/gltf_shapes.h"
+#include "core/io/gltf/read/internal/gltf_skins.h"
+#include "core/io/gltf/read/internal/gltf_weight_ranges.h"
+#include "core/io/project/internal/project_json.h"
+
+namespace penpose::io {
+namespace {
+
+/// Moderate transforms one below the other may still multiply to something that cannot be shown.
+base::Status check_positions(const document::Model& model) {
+  if (!model.skeleton) return base::Done{};
+  const auto positions = document::posed_positions(model);
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    if (std::abs(positions[v].x) < 1e30 && std::abs(positions[v].y) < 1e30 && std::abs(positions[v].z) < 1e30) continue;
+    return base::Error{"the transforms of the nodes move vertex " + std::to_string(v) + " too far away", "/nodes",
+                       "export the file again with valid transforms"};
+  }
+  return base::Done{};
+}
+
+/// Keeps the first `kept` of `all` weights of each key.
+void drop_weights(document::Animation& animation, std::size_t all, std::size_t kept) {
+  for (document::Channel& channel : animation.channels) {
+    if (channel.target != document::ChannelTarget::weights || all == kept) continue;
+    std::vector<double> values;
+    for (std::size_t row = 0; row * all < channel.values.size(); ++row) {
+      const auto begin = channel.values.begin() + static_cast<std::ptrdiff_t>(row * all);
+      values.insert(values.end(), begin, begin + static_cast<std::ptrdiff_t>(kept));
+    }
+    channel.values = std::move(values);
+  }
+}
+
+std::optional<std::size_t> shape_named(const GltfShapes& shapes, const std::string& name) {
+  for (std::size_t i = 0; i < shapes.shapes.size(); ++i) {
+    if (shapes.shapes[i].parameter.name == name) return i;
+  }
+  return std::nullopt;
+}
+
+/// Gives a target's weight back to the one of which it is a part.
+void put_together(const OneWayName& one, GltfShapes& shapes, std::vector<document::Animation>& animations) {
+  const std::size_t to = *shape_named(shapes, one.name);
+  const std::size_t from = *shape_named(shapes, one.target);
+  shapes.values[to] += one.factor * shapes.values[from];
+  rig::Parameter& range = shapes.shapes[to].parameter;
+  range.minimum = std::min(range.minimum, shapes.values[to]);
+  range.maximum = std::max(range.maximum, shapes.values[to]);
+  const std::size_t width = shapes.shapes.size();
+  for (document::Animation& animation : animations) {
+    for (document::Channel& channel : animation.channels) {
+      if (channel.target != document::ChannelTarget::weights) continue;
+      for (std::size_t row = 0; row + width <= channel.values.size(); row += width) {
+        channel.values[row + to] += one.factor * channel.values[row + from];
+      }
+    }
+  }
+}
+
+/// Builds the corrections of a file again. One that does not fit any more, or whose controls are gone, is left out with
+/// a note.
+void add_corrections(const RootExtras& root, document::Model& model) {
+  std::vector<articulation::CorrectionSketch> kept;
+  for (const articulation::CorrectionSketch& one : root.corrections) {
+    kept.push_back(one);
+    auto made = document::with_corrections(model, kept);
+    if (made) {
+      model = std::move(made).value();
+      continue;
+    }
+    kept.pop_back();
+    model.notes.push_back("correction " + one.sketch.name +
+                          " cannot be built again from its strokes and was left out: " + made.error().what);
+  }
+}
+
+base::Result<document::Model> read_opened(GltfDocument& document) {
+  const auto root = read_root_extras(document.json);
+  if (!root) return root.error();
+  const auto node_extras = read_node_extras(document.json, *root);
+  if (!node_extras) return node_extras.error();
+  NodeTree tree = make_node_tree(document);
+  for (std::int32_t& parent : tree.parent) {
+    if (parent >= 0 && (*node_extras)[static_cast<std::size_t>(parent)].group) parent = -1;
+  }
+  auto meshes = read_meshes(document, tree);
+  if (!meshes) return meshes.error();
+  auto shapes = read_shapes(document, *meshes, *root);
+  if (!shapes) return shapes.error();
+  add_expressions(document, *meshes, *shapes);
+  auto joints = read_skeleton(document, tree, *meshes, *node_extras);
+  if (!joints) return joints.error();
+  const std::size_t vertices = meshes->source.positions.size();
+  auto mesh = mesh::TriangleMesh::build(std::move(meshes->source));
+  if (!mesh) return mesh.error();
+  meshes->source.parts.assign((*mesh)->parts().begin(), (*mesh)->parts().end());
+  if (const auto status = check_curves(*root, (*mesh)->triangle_count()); !status) return status.error();
+  std::shared_ptr<const rig::Skeleton> skeleton;
+  if (!joints->joints.empty()) {
+    auto made = rig::Skeleton::make(std::move(joints->joints), std::move(joints->first_influence),
+                                    std::move(joints->influences));
+    if (!made) return made.error();
+    skeleton = std::move(made).value();
+  }
+  const auto deformers = read_deformers(*mesh, skeleton.get(), *root, *shapes, document.notes);
+  std::vector<std::string> deformer_names;
+  for (std::size_t i = 0; deformers && i < deformers->size(); ++i) {
+    deformer_names.push_back(deformers->parameters()[i].name);
+  }
+  // What only shows the deformers to other programs comes last and is dropped.
+  std::vector<std::string> not_shapes = deformer_names;
+  for (std::size_t i = 0; i < root->deformers.size(); ++i) {
+    if (std::find(deformer_names.begin(), deformer_names.end(), root->deformers[i].name) == deformer_names.end())
+      continue;
+    for (const std::string& name : root->baked[i]) {
+      const bool there = std::any_of(shapes->shapes.begin(), shapes->shapes.end(),
+                                     [&](const rig::BlendShape& shape) { return shape.parameter.name == name; });
+      if (there && std::find(not_shapes.begin(), not_shapes.end(), name) == not_shapes.end())
+        not_shapes.push_back(name);
+    }
+  }
+  for (const articulation::CorrectionSketch& one : root->corrections) {
+    const bool free = shape_named(*shapes, one.sketch.name) &&
+                      std::find(not_shapes.begin(), not_shapes.end(), one.sketch.name) == not_shapes.end();
+    if (free) not_shapes.push_back(one.sketch.name);
+  }
+  std::vector<OneWayName> one_way;
+  for (const OneWayName& one : root->one_way) {
+    const bool there = shape_named(*shapes, one.target) && shape_named(*shapes, one.name);
+    if (!there || std::find(not_shapes.begin(), not_shapes.end(), one.target) != not_shapes.end()) continue;
+    not_shapes.push_back(one.target);
+    one_way.push_back(one);
+  }
+  const std::size_t shape_count = order_shapes(*shapes, *root, not_shapes);
+  const std::size_t weights = shape_count + deformer_names.size();
+  auto animations = read_animations(document, *meshes, *shapes, joints->joint_of_node);
+  if (!animations) return animations.error();
+  for (const OneWayName& one : one_way) put_together(one, *shapes, *animations);
+  widen_ranges(*animations, *root, *shapes);
+  for (document::Animation& animation : *animations) drop_weights(animation, shapes->shapes.size(), weights);
+  shapes->values.resize(weights);
+  shapes->shapes.resize(shape_count);  // deformers say themselves what their samples say
+  for (std::size_t i = 0; i < deformer_names.size(); ++i) {
+    const rig::Parameter& range = deformers->parameters()[i];
+    double& value = shapes->values[shape_count + i];
+    value = std::clamp(value, range.minimum, range.maximum);
+  }
+  std::shared_ptr<const rig::BlendShapes> blend_shapes;
+  if (!shapes->shapes.empty()) {
+    auto made = rig::BlendShapes::make(std::move(shapes->shapes), vertices);
+    if (!made) return made.error();
+    blend_shapes = std::move(made).value();
+  }
+  auto model = document::make_model(*mesh, std::move(blend_shapes), std::move(skeleton), deformers);
+  if (!model) return model.error();
+  model->materials = std::move(meshes->materials);
+  model->pose = std::move(shapes->values);
+  model->pose.insert(model->pose.end(), joints->values.begin(), joints->values.end());
+  model->curves = root->curves;
+  model->animations = std::move(animations).value();
+  model->notes = std::move(document.notes);
+  add_corrections(*root, *model);
+  if ((*mesh)->dropped_triangles() > 0) {
+    model->notes.push_back(std::to_string((*mesh)->dropped_triangles()) + " triangles without area were left out");
+  }
+  if (const auto status = check_positions(*model); !status) return status.error();
+  return model;
+}
+
+}  // namespace
+
+base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& resolve) {
+  auto opened = open_gltf(bytes, resolve);
+  if (!opened) return opened.error();
+  return read_opened(*opened);
+}
+
+base::Result<document::Document> read_gltf_document(base::Bytes bytes, const FileResolver& resolve) {
+  auto opened = open_gltf(bytes, resolve);
+  if (!opened) return opened.error();
+  auto model = read_opened(*opened);
+  if (!model) return model.error();
+  const json::Json* extras = json::find(opened->json, "extras");
+  const json::Json* own = extras == nullptr ? nullptr : json::find(*extras, k_extras_key);
+  const json::Json* project = own == nullptr ? nullptr : json::find(*own, "project");
+  if (project == nullptr) return document::make_document(std::move(model).value());
+  auto read =
+      read_project(*project, json::child(json::child("/extras", k_extras_key), "project"), std::move(model).value());
+  if (!read) return read;
+  // The timeline stands in the project exactly, and for other programs as the first animation, unless it moves nothing
+  // that animations know.
+  const document::Model& whole = *read->model;
+  const bool as_animation = !whole.animations.empty() && whole.animations.front().name == "timeline" &&
+                            !document::to_animation(whole, *read->timeline).channels.empty();
+  if (as_animation) {
+    document::Model rest = whole;
+    rest.animations.erase(rest.animations.begin());
+    read->model = std::make_shared<const document::Model>(std::move(rest));
+  }
+  return read;
+}
+
+}  // namespace penpose::io

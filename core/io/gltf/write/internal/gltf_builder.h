@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/byte_writer.h"
+#include "core/base/result.h"
+#include "core/json/json.h"
+
+namespace penpose::io {
+
+/// What a buffer view is bound to (glTF 2.0, section 5.11).
+enum class BufferUse : std::uint8_t { plain, vertices, indices };
+
+/// Gathers accessors and their bytes for a binary glTF file. All accessors are tightly packed, each in a buffer view of
+/// its own, aligned to 4 bytes.
+class GltfBuilder {
+ public:
+  /// The document without buffers, bufferViews and accessors; the caller fills it.
+  json::Json root = json::Json::object();
+
+  /// Adds an object to an array of the root and returns its index.
+  std::size_t add(const char* array, json::Json object);
+
+  /// `type` is SCALAR, VEC3, VEC4 or MAT4; `numbers` are whole elements. `bounds`: with minimum and maximum.
+  std::size_t add_floats(std::span<const float> numbers, const char* type, BufferUse use, bool bounds);
+  /// Corner numbers, in 16 bits where 65,534 is enough.
+  std::size_t add_indices(std::span<const std::uint32_t> indices);
+  /// VEC4 of joint numbers, in 8 bits where that is enough.
+  std::size_t add_joints(std::span<const std::uint32_t> joints);
+  /// VEC3 that is zero but at `elements`, strictly ascending, where it is `values`. Sparse where that is smaller or
+  /// `keep_zeros` asks for elements that are zero to stay listed.
+  std::size_t add_displacements(std::size_t count, std::span<const std::uint32_t> elements,
+                                std::span<const float> values, bool keep_zeros, bool bounds);
+
+  /// The file. Errors: it would be larger than its 32-bit lengths can say.
+  [[nodiscard]] base::Result<std::vector<std::uint8_t>> finish();
+
+ private:
+  std::size_t add_view(std::size_t start, BufferUse use);
+  std::size_t write_floats(std::span<const float> numbers, BufferUse use);
+
+  base::ByteWriter binary_;
+};
+
+}  // namespace penpose::io

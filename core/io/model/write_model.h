@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/document/model.h"
+
+namespace penpose::io {
+
+/// A binary glTF 2.0 file of the whole model: what is written reads back with the same document::state_hash. Each part
+/// is a mesh, the pose stands in the weights of the meshes and the rotations of the joints, and what glTF has no place
+/// for is under the extras key "penpose". Normals are made where the model has none. Limits of the format: skin weights
+/// and keys of animations are rounded to float.
+///
+/// Sketched deformers are baked to as many more morph targets as keep every vertex within `bake_tolerance` (a share of
+/// the model's size) at every amount, so that the file plays the same in any viewer; reading the file back takes them
+/// for what they are. Viewers mix weights evenly between keys, which deformers do not: where that shows, keys are added
+/// in between, and reading drops them again.
+struct GlbOptions {
+  double bake_tolerance = 1e-4;
+};
+/// What came of it, for whoever wants to say so.
+struct GlbReport {
+  std::size_t targets = 0;  ///< morph targets in all
+  std::size_t baked = 0;    ///< of them made for deformers beside their own
+  double bake_error = 0;    ///< farthest that baking moves a vertex, at keys and in between, share of the model's size
+};
+/// Viewers that show no more morph targets at a time than this are common.
+inline constexpr std::size_t k_common_targets = 8;
+[[nodiscard]] base::Result<std::vector<std::uint8_t>> write_glb(const document::Model& model,
+                                                                const GlbOptions& options = {},
+                                                                GlbReport* report = nullptr);
+
+/// A Wavefront OBJ file of the positions at the model's pose, one object a part, with smooth normals. Coordinates are
+/// rounded to float.
+[[nodiscard]] base::Result<std::vector<std::uint8_t>> write_obj(const document::Model& model);
+
+/// Writes in the format that the file name's extension asks for: .glb or .obj. Errors: any other extension.
+[[nodiscard]] base::Result<std::vector<std::uint8_t>> write_model(const document::Model& model,
+                                                                  std::string_view file_name,
+                                                                  const GlbOptions& options = {},
+                                                                  GlbReport* report = nullptr);
+
+}  // namespace penpose::io

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/document/document.h"
+#include "core/io/model/write_model.h"
+
+namespace penpose::io {
+
+/// A project: the binary glTF file of the document's model, pose and timeline, which other programs open as an ordinary
+/// model, with all that is needed to go on working under the extras key "penpose". Reads back with the same
+/// document::DocumentState.
+[[nodiscard]] base::Result<std::vector<std::uint8_t>> write_project(const document::Document& document,
+                                                                    const GlbOptions& options = {},
+                                                                    GlbReport* report = nullptr);
+
+/// Writes in the format that the file name's extension asks for: .glb a project, .obj the mesh as it is posed. Errors:
+/// any other extension.
+[[nodiscard]] base::Result<std::vector<std::uint8_t>> write_document(const document::Document& document,
+                                                                     std::string_view file_name,
+                                                                     const GlbOptions& options = {},
+                                                                     GlbReport* report = nullptr);
+
+}  // namespace penpose::io

@@ -1,0 +1,64 @@
+#include "core/io/tracks/track_formats.h"
+
+#include "core/base/letters.h"
+
+namespace penpose::io {
+
+// Each stands at the end of its reader, in the folder of its name. A new one is that folder, a line here and a row
+// below.
+TrackFormat openface_format();
+TrackFormat mediapipe_format();
+TrackFormat ibug68_format();
+TrackFormat curves_format();
+TrackFormat arkit_format();
+
+std::span<const TrackFormat> track_formats() {
+  static const TrackFormat formats[] = {
+      openface_format(), mediapipe_format(), ibug68_format(), curves_format(), arkit_format(),
+  };
+  return formats;
+}
+
+bool looks_like_json(base::Bytes bytes) {
+  const std::string_view text = base::without_mark(base::as_text(bytes));
+  const auto first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && (text[first] == '{' || text[first] == '[');
+}
+
+bool TrackText::mentions(std::string_view word) const {
+  constexpr std::size_t k_beginning = 1 << 16;
+  return text.substr(0, k_beginning).find(word) != std::string_view::npos;
+}
+
+TrackText::TrackText(base::Bytes bytes) : text(base::as_text(bytes)), json(looks_like_json(bytes)) {
+  if (json) return;
+  if (auto opened = CsvReader::open(text)) table = std::move(opened).value();
+}
+
+std::string track_format_names(std::string_view before_last) {
+  std::string names;
+  const auto formats = track_formats();
+  for (std::size_t i = 0; i < formats.size(); ++i) {
+    if (i > 0 && (i + 1 < formats.size() || before_last.empty())) names += ", ";
+    if (i > 0 && i + 1 == formats.size() && !before_last.empty()) names.append(" ").append(before_last).append(" ");
+    names += formats[i].name;
+  }
+  return names;
+}
+
+const TrackFormat* track_format_named(std::string_view name) {
+  for (const TrackFormat& format : track_formats()) {
+    if (format.name == name) return &format;
+  }
+  return nullptr;
+}
+
+const TrackFormat* format_of_track(base::Bytes bytes) {
+  const TrackText text(bytes);
+  for (const TrackFormat& format : track_formats()) {
+    if (format.looks_like(text)) return &format;
+  }
+  return nullptr;
+}
+
+}  // namespace penpose::io

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "firmware_io/decode/described/described_control.h"
+#include "firmware_io/decode/sample/pad_decoder.h"
+
+namespace penpose::decode {
+
+/// Where a device describes the charge of its battery, as many do over Bluetooth.
+struct BatteryLayout {
+  bool has_report_ids = false;
+  std::uint8_t report_id = 0;
+  std::uint32_t report_length = 0;
+  DescribedControl charge;
+};
+
+/// The charge that an interface describes: Battery Strength of the Generic Device Controls, or the state of charge of
+/// the Battery System. Nothing where there is none, or where it is that of a pen.
+[[nodiscard]] std::optional<BatteryLayout> find_battery(const hid::ReportDescriptor& descriptor);
+
+/// A pad without keys, which tells of its battery alone.
+class BatteryDecoder final : public PadDecoder {
+ public:
+  explicit BatteryDecoder(const BatteryLayout& layout) : PadDecoder(PadFeatures{}), layout_(layout) {}
+  bool decode(base::Bytes report) override;
+
+ private:
+  BatteryLayout layout_;
+};
+
+}  // namespace penpose::decode

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "firmware_io/decode/layout/layout.h"
+#include "firmware_io/decode/table/json_tree.h"
+
+namespace penpose::decode {
+
+using ProtocolMap = std::map<std::string, std::shared_ptr<const Protocol>, std::less<>>;
+
+/// Reads the members `layouts`, `rule_lists` and `protocols` of a tablet file (their form is in tablets/README.md).
+/// Things wrong go to the error of `file`; what is returned then means nothing.
+[[nodiscard]] ProtocolMap read_protocols(const JsonPlace& file);
+
+}  // namespace penpose::decode

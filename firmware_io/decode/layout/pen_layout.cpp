@@ -1,0 +1,341 @@
+#include "firmware_io/decode/layout/pen_layout.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace penpose::decode {
+namespace {
+
+using hid::Field;
+using hid::ReportDescriptor;
+using hid::Usage;
+
+// Wacom's vendor usages, as the public Linux driver names their meaning. Low byte and sub-page mirror the standard
+// pages.
+constexpr std::uint16_t k_page_wacom_touch = 0xff11;
+constexpr Usage k_wacom_digitizer = hid::usage(hid::k_page_wacom, 0x01);
+constexpr Usage k_wacom_pen = hid::usage(hid::k_page_wacom, 0x02);
+constexpr Usage k_wacom_sense = hid::usage(hid::k_page_wacom, 0x36);
+constexpr Usage k_wacom_function_keys = hid::usage(hid::k_page_wacom, 0x39);
+constexpr Usage k_wacom_serial_high = hid::usage(hid::k_page_wacom, 0x5c);
+constexpr Usage k_wacom_barrel3 = hid::usage(hid::k_page_wacom, 0x5d);
+constexpr Usage k_wacom_tool_type = hid::usage(hid::k_page_wacom, 0x77);
+constexpr Usage k_wacom_distance = hid::usage(hid::k_page_wacom, 0x132);
+constexpr Usage k_wacom_report_valid = hid::usage(hid::k_page_wacom, 0x1d0);
+constexpr Usage k_wacom_finger_wheel = hid::usage(hid::k_page_wacom, 0xd03);
+constexpr Usage k_wacom_digitizer_info = hid::usage(hid::k_page_wacom, 0x1013);
+constexpr Usage k_wacom_touch_screen = hid::usage(k_page_wacom_touch, 0x04);
+constexpr Usage k_wacom_touch_pad = hid::usage(k_page_wacom_touch, 0x05);
+constexpr Usage k_wacom_touch_serial = hid::usage(k_page_wacom_touch, 0x5b);
+constexpr Usage k_wacom_g9_pen = hid::usage(0xff09, 0x02);
+constexpr Usage k_wacom_g9_touch = hid::usage(0xff09, 0x11);
+constexpr Usage k_wacom_g11_pen = hid::usage(k_page_wacom_touch, 0x02);
+constexpr Usage k_wacom_g11_touch = hid::usage(k_page_wacom_touch, 0x11);
+constexpr Usage k_function_keys = hid::usage(hid::k_page_digitizer, 0x39);
+constexpr Usage k_contact_id = hid::usage(hid::k_page_digitizer, 0x51);
+constexpr Usage k_digitizer_undefined = hid::usage(hid::k_page_digitizer, 0);
+constexpr Usage k_microsoft_undefined = 0xff000000;
+
+/// More controls than any pen has; a field that claims more is an opaque block.
+constexpr std::uint32_t k_most_controls = 64;
+
+bool is_wacom_pad_field(const ReportDescriptor& descriptor, const Field& field) {
+  const Usage physical = descriptor.enclosing(field, hid::k_collection_physical);
+  return physical == k_function_keys || physical == k_wacom_function_keys || physical == k_wacom_digitizer_info;
+}
+
+bool is_standard_pen_field(const ReportDescriptor& descriptor, const Field& field) {
+  const Usage application = descriptor.enclosing(field, hid::k_collection_application);
+  if (application == hid::k_touch_screen || application == hid::k_touch_pad) return false;
+  if (descriptor.is_inside(field, hid::k_finger)) return false;
+  return application == hid::k_pen || application == hid::k_digitizer || descriptor.is_inside(field, hid::k_stylus) ||
+         descriptor.is_inside(field, hid::k_puck) || descriptor.is_inside(field, hid::k_pen);
+}
+
+/// Rewrites a vendor usage to the standard one it mirrors: the second byte chooses the page, 0 the Digitizer page.
+Usage mirrored(Usage usage) {
+  const std::uint16_t page = hid::page_of(usage);
+  const auto sub_page = static_cast<std::uint16_t>((usage >> 8) & 0xff);
+  const auto id = static_cast<std::uint16_t>(usage & 0xff);
+  if (page == k_page_wacom_touch) return hid::usage(sub_page == 0 ? hid::k_page_digitizer : sub_page, id);
+  if (page != hid::k_page_wacom) return usage;
+  switch (usage) {
+    case k_wacom_sense:
+    case k_wacom_serial_high:
+    case k_wacom_barrel3:
+    case k_wacom_tool_type:
+    case k_wacom_distance:
+    case k_wacom_report_valid:
+    case k_wacom_finger_wheel:
+      return usage;
+    default:
+      break;
+  }
+  // Pad, button, digitizer and information sub-pages are vendor additions, not mirrors.
+  if (sub_page == 0x04 || sub_page == 0x09 || sub_page == 0x0d || sub_page == 0x10) return usage;
+  return hid::usage(sub_page == 0 ? hid::k_page_digitizer : sub_page, id);
+}
+
+std::optional<PenRole> role_of(Usage usage) {
+  switch (usage) {
+    case hid::k_x:
+      return PenRole::x;
+    case hid::k_y:
+      return PenRole::y;
+    case hid::k_z:
+      return PenRole::height_down;
+    case hid::k_tip_pressure:
+      return PenRole::pressure;
+    case hid::k_in_range:
+      return PenRole::in_range;
+    case hid::k_invert:
+      return PenRole::invert;
+    case hid::k_x_tilt:
+      return PenRole::tilt_x;
+    case hid::k_y_tilt:
+      return PenRole::tilt_y;
+    case hid::k_twist:
+      return PenRole::twist;
+    case hid::k_tip_switch:
+      return PenRole::tip;
+    case hid::k_eraser:
+      return PenRole::eraser;
+    case hid::k_barrel_switch:
+      return PenRole::barrel;
+    case hid::k_secondary_barrel_switch:
+    case hid::usage(hid::k_page_digitizer, 0x46):  // Tablet Pick, the second button of older pens
+      return PenRole::barrel2;
+    case hid::k_transducer_serial:
+      return PenRole::serial;
+    case k_wacom_sense:
+      return PenRole::sense;
+    case k_wacom_serial_high:
+      return PenRole::serial_high;
+    case k_wacom_barrel3:
+      return PenRole::barrel3;
+    case k_wacom_tool_type:
+      return PenRole::tool_type;
+    case k_wacom_distance:
+      return PenRole::distance;
+    case k_wacom_report_valid:
+      return PenRole::report_valid;
+    case k_wacom_finger_wheel:
+      return PenRole::wheel;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::int32_t narrow(std::int64_t value) {
+  return static_cast<std::int32_t>(std::clamp<std::int64_t>(value, std::numeric_limits<std::int32_t>::min(),
+                                                            std::numeric_limits<std::int32_t>::max()));
+}
+
+void set_axis(Axis& axis, const Field& field, double units) {
+  if (axis.present) return;
+  axis = {narrow(field.logical_minimum), narrow(field.logical_maximum), units, true};
+}
+
+void note_axis(PenAxes& axes, PenRole role, const Field& field) {
+  switch (role) {
+    case PenRole::x:
+      return set_axis(axes.x, field, hid::units_per_mm(field));
+    case PenRole::y:
+      return set_axis(axes.y, field, hid::units_per_mm(field));
+    case PenRole::pressure:
+      return set_axis(axes.pressure, field, 0);
+    case PenRole::height_down:
+    case PenRole::distance:
+      return set_axis(axes.distance, field, hid::units_per_mm(field));
+    case PenRole::tilt_x:
+      return set_axis(axes.tilt_x, field, hid::units_per_degree(field));
+    case PenRole::tilt_y:
+      return set_axis(axes.tilt_y, field, hid::units_per_degree(field));
+    case PenRole::twist:
+      return set_axis(axes.rotation, field, hid::units_per_degree(field));
+    case PenRole::wheel:
+      return set_axis(axes.wheel, field, 0);
+    default:
+      return;
+  }
+}
+
+bool has_role(const PenReport& report, PenRole role) {
+  return std::any_of(report.controls.begin(), report.controls.end(),
+                     [role](const PenControl& control) { return control.role == role; });
+}
+
+class Finder {
+ public:
+  Finder(const ReportDescriptor& descriptor, Dialect dialect) : descriptor_(descriptor), dialect_(dialect) {
+    layout_.has_report_ids = descriptor.has_report_ids;
+    layout_.report_of_id.fill(-1);
+  }
+
+  std::optional<PenLayout> run();
+
+ private:
+  [[nodiscard]] bool carries_contacts(std::uint8_t id) const;
+  [[nodiscard]] Usage corrected(const Field& field, std::uint32_t index) const;
+  void find_aes_serials();
+  void add_field(PenReport& report, std::size_t index);
+  void add_control(PenReport& report, const Field& field, std::uint32_t index, PenRole role);
+
+  const ReportDescriptor& descriptor_;
+  Dialect dialect_;
+  PenLayout layout_;
+  std::vector<std::size_t> aes_fields_;  ///< first of three fields that hold tool type, serial and its upper part
+};
+
+/// Whether a report is that of a touch device, which numbers its contacts.
+bool Finder::carries_contacts(std::uint8_t id) const {
+  return std::any_of(descriptor_.fields.begin(), descriptor_.fields.end(), [&](const Field& field) {
+    if (field.type != hid::ReportType::input || field.report_id != id || !field.is_variable()) return false;
+    return std::any_of(field.usages.begin(), field.usages.end(), [](const hid::UsageRange& range) {
+      return range.minimum <= k_contact_id && k_contact_id <= range.maximum;
+    });
+  });
+}
+
+/// Pens from before the second barrel switch had a usage number declare an undefined one between Invert and In Range.
+Usage Finder::corrected(const Field& field, std::uint32_t index) const {
+  const Usage usage = field.usage_of(index);
+  if (dialect_ == Dialect::standard || usage != k_digitizer_undefined || index < 4) return mirrored(usage);
+  const bool matches = field.usage_of(index - 4) == hid::k_tip_switch &&
+                       field.usage_of(index - 3) == hid::k_barrel_switch &&
+                       field.usage_of(index - 2) == hid::k_eraser && field.usage_of(index - 1) == hid::k_invert &&
+                       field.usage_of(index + 1) == hid::k_in_range;
+  return matches ? hid::k_secondary_barrel_switch : usage;
+}
+
+/// Wacom's electrostatic pens describe their serial number with usages of their own in three fields of 16, 32 and 8
+/// bits, with logical ranges that do not fit.
+void Finder::find_aes_serials() {
+  const auto is = [](const Field& field, Usage usage, std::uint32_t size) {
+    return field.bit_size == size && field.usage_of(0) == usage;
+  };
+  const auto& fields = descriptor_.fields;
+  std::vector<std::size_t> inputs;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (fields[i].type == hid::ReportType::input && !fields[i].is_constant()) inputs.push_back(i);
+  }
+  for (std::size_t i = 0; i + 2 < inputs.size(); ++i) {
+    const Field& first = fields[inputs[i]];
+    const Field& second = fields[inputs[i + 1]];
+    const Field& third = fields[inputs[i + 2]];
+    if (first.report_id != second.report_id || first.report_id != third.report_id) continue;
+    if (is(first, k_wacom_touch_serial, 16) && is(second, hid::k_transducer_serial, 32) &&
+        is(third, k_microsoft_undefined, 8)) {
+      aes_fields_.push_back(inputs[i]);
+      aes_fields_.push_back(inputs[i + 1]);
+      aes_fields_.push_back(inputs[i + 2]);
+      layout_.aes = true;
+    }
+  }
+}
+
+void Finder::add_control(PenReport& report, const Field& field, std::uint32_t index, PenRole role) {
+  PenControl control;
+  control.role = role;
+  control.is_signed = field.is_signed();
+  control.null_state = (field.flags & hid::k_flag_null_state) != 0;
+  control.bit_offset = field.bit_offset + index * field.bit_size;
+  control.bit_size = field.bit_size;
+  control.minimum = field.logical_minimum;
+  control.maximum = field.logical_maximum;
+  control.collection = field.collection;
+  report.needed = std::max(report.needed, (control.bit_offset + control.bit_size + 7) / 8);
+  report.controls.push_back(control);
+  layout_.has_sense = layout_.has_sense || role == PenRole::sense;
+  layout_.has_serial = layout_.has_serial || role == PenRole::serial;
+}
+
+void Finder::add_field(PenReport& report, std::size_t index) {
+  const Field& field = descriptor_.fields[index];
+  const auto aes = std::find(aes_fields_.begin(), aes_fields_.end(), index);
+  if (aes != aes_fields_.end()) {
+    constexpr std::array<PenRole, 3> k_roles{PenRole::tool_type, PenRole::serial, PenRole::serial_high};
+    add_control(report, field, 0, k_roles[static_cast<std::size_t>(aes - aes_fields_.begin()) % 3]);
+    PenControl& added = report.controls.back();
+    added.is_signed = false;
+    added.minimum = 0;
+    added.maximum = (std::int64_t{1} << field.bit_size) - 1;
+    return;
+  }
+  if (field.bit_size == 0 || field.bit_size > 32 || field.usages.empty()) return;
+  for (std::uint32_t i = 0; i < std::min(field.count, k_most_controls); ++i) {
+    const auto role = role_of(dialect_ == Dialect::wacom ? corrected(field, i) : field.usage_of(i));
+    if (!role) continue;
+    // A usage that stands twice in a standard report belongs to its first control; Wacom repeats whole frames.
+    if (dialect_ == Dialect::standard && has_role(report, *role)) continue;
+    add_control(report, field, i, *role);
+    note_axis(layout_.axes, *role, field);
+    if (descriptor_.is_inside(field, hid::k_puck)) report.is_puck = true;
+  }
+}
+
+std::optional<PenLayout> Finder::run() {
+  if (dialect_ == Dialect::wacom) find_aes_serials();
+  std::array<bool, 256> seen{};
+  for (std::size_t i = 0; i < descriptor_.fields.size(); ++i) {
+    const Field& field = descriptor_.fields[i];
+    if (field.type != hid::ReportType::input || !field.is_variable() || field.is_constant()) continue;
+    const bool pen =
+        dialect_ == Dialect::wacom ? is_wacom_pen_field(descriptor_, field) : is_standard_pen_field(descriptor_, field);
+    if (!pen) continue;
+    if (!seen[field.report_id]) {
+      seen[field.report_id] = true;
+      if (dialect_ == Dialect::standard && carries_contacts(field.report_id)) continue;
+      layout_.report_of_id[field.report_id] = static_cast<std::int16_t>(layout_.reports.size());
+      PenReport report;
+      report.id = field.report_id;
+      report.length = descriptor_.report_length(hid::ReportType::input, field.report_id);
+      layout_.reports.push_back(report);
+    }
+    const std::int16_t index = layout_.report_of_id[field.report_id];
+    if (index >= 0) add_field(layout_.reports[static_cast<std::size_t>(index)], i);
+  }
+  bool found = false;
+  for (PenReport& report : layout_.reports) {
+    report.has_tip = has_role(report, PenRole::tip);
+    report.has_invert = has_role(report, PenRole::invert);
+    report.has_proximity = has_role(report, PenRole::in_range) || has_role(report, PenRole::sense);
+    const bool is_pen = has_role(report, PenRole::x) && has_role(report, PenRole::y) &&
+                        (report.has_tip || report.has_proximity || has_role(report, PenRole::pressure));
+    if (is_pen) {
+      found = true;
+    } else {
+      layout_.report_of_id[report.id] = -1;
+    }
+  }
+  if (!found) return std::nullopt;
+  return std::move(layout_);
+}
+
+}  // namespace
+
+bool is_wacom_pen_field(const ReportDescriptor& descriptor, const Field& field) {
+  if (is_wacom_pad_field(descriptor, field)) return false;
+  const Usage application = descriptor.enclosing(field, hid::k_collection_application);
+  const Usage physical = descriptor.enclosing(field, hid::k_collection_physical);
+  const Usage logical = descriptor.enclosing(field, hid::k_collection_logical);
+  return logical == hid::k_stylus || physical == hid::k_stylus || physical == hid::k_pen || application == hid::k_pen ||
+         application == hid::k_digitizer || application == k_wacom_pen || application == k_wacom_digitizer ||
+         application == k_wacom_g9_pen || application == k_wacom_g11_pen;
+}
+
+bool is_wacom_touch_field(const ReportDescriptor& descriptor, const Field& field) {
+  if (is_wacom_pad_field(descriptor, field) || is_wacom_pen_field(descriptor, field)) return false;
+  const Usage application = descriptor.enclosing(field, hid::k_collection_application);
+  const Usage physical = descriptor.enclosing(field, hid::k_collection_physical);
+  const Usage logical = descriptor.enclosing(field, hid::k_collection_logical);
+  return logical == hid::k_finger || physical == hid::k_finger || application == hid::k_touch_screen ||
+         application == hid::k_touch_pad || application == k_wacom_touch_screen || application == k_wacom_touch_pad ||
+         application == k_wacom_g9_touch || application == k_wacom_g11_touch;
+}
+
+std::optional<PenLayout> find_pens(const ReportDescriptor& descriptor, Dialect dialect) {
+  return Finder(descriptor, dialect).run();
+}
+
+}  // namespace penpose::decode

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "firmware_io/decode/sample/pen_sample.h"
+#include "firmware_io/hid/report_descriptor.h"
+
+namespace penpose::decode {
+
+/// What a control of a pen report stands for. The order of the first five is the order in which a report's controls are
+/// weighed, because each settles what the next one means.
+enum class PenRole : std::uint8_t {
+  eraser,
+  invert,
+  tip,
+  pressure,
+  in_range,
+  x,
+  y,
+  height_down,  ///< Generic Desktop Z: grows towards the tablet
+  distance,     ///< grows away from the tablet
+  tilt_x,
+  tilt_y,
+  twist,
+  wheel,
+  barrel,
+  barrel2,
+  barrel3,
+  serial,
+  serial_high,
+  tool_type,
+  sense,         ///< near enough to be identified, maybe too far for a position
+  report_valid,  ///< 0: the rest of the report means nothing
+};
+
+/// One control of a pen report.
+struct PenControl {
+  PenRole role = PenRole::x;
+  bool is_signed = false;
+  bool null_state = false;
+  std::uint32_t bit_offset = 0;
+  std::uint32_t bit_size = 0;
+  std::int64_t minimum = 0;
+  std::int64_t maximum = 0;
+  std::int32_t collection = -1;
+
+  /// Its value in a report that reaches at least to its end, as `PenLayout::find` makes sure. Written out here because
+  /// this is where a decoder spends its time; at most 32 bits. Both loops end at the report's end, so that each byte
+  /// need not be looked up in bounds once more: eight of them are one load then.
+  [[nodiscard]] std::int64_t value(base::Bytes report) const {
+    const std::size_t first = bit_offset / 8;
+    const unsigned shift = bit_offset % 8;
+    const std::uint8_t* const bytes = report.data();
+    std::uint64_t word = 0;
+    if (first + 8 <= report.size()) {
+      for (std::size_t i = 0; i < 8; ++i) word |= std::uint64_t{bytes[first + i]} << (8 * i);
+    } else {
+      for (std::size_t i = first; i < report.size(); ++i) word |= std::uint64_t{bytes[i]} << (8 * (i - first));
+    }
+    word = (word >> shift) & ((std::uint64_t{1} << bit_size) - 1);
+    if (!is_signed) return static_cast<std::int64_t>(word);
+    const std::uint64_t sign = std::uint64_t{1} << (bit_size - 1);
+    return static_cast<std::int64_t>((word ^ sign) - sign);
+  }
+};
+
+/// An input report that carries a pen.
+struct PenReport {
+  std::uint8_t id = 0;
+  std::uint32_t length = 0;  ///< bytes as described, id included
+  std::uint32_t needed = 0;  ///< bytes up to the last control of the pen
+  bool is_puck = false;      ///< the tool is a mouse that lies on the tablet
+  bool has_tip = false;
+  bool has_invert = false;
+  bool has_proximity = false;        ///< says itself whether the pen is near
+  std::vector<PenControl> controls;  ///< in order of the descriptor
+};
+
+/// How the usages of a descriptor are read.
+enum class Dialect : std::uint8_t {
+  standard,  ///< Digitizer page as the HID Usage Tables define it
+  wacom,     ///< the same and Wacom's vendor pages 0xff0d and 0xff11, collections as Wacom nests them
+};
+
+/// The pen reports of an interface.
+struct PenLayout {
+  bool has_report_ids = false;
+  bool aes = false;  ///< serial numbers laid out as on Wacom's active electrostatic pens
+  bool has_sense = false;
+  bool has_serial = false;
+  std::vector<PenReport> reports;
+  std::array<std::int16_t, 256> report_of_id{};  ///< index into `reports`, -1 where an id carries no pen
+  PenAxes axes;
+
+  /// The layout of a raw report that a pen is described for and that is long enough; null otherwise.
+  [[nodiscard]] const PenReport* find(base::Bytes report) const {
+    if (report.empty()) return nullptr;
+    const std::int16_t index = report_of_id[has_report_ids ? report[0] : 0];
+    if (index < 0) return nullptr;
+    const PenReport& found = reports[static_cast<std::size_t>(index)];
+    return report.size() >= found.needed ? &found : nullptr;
+  }
+};
+
+/// Finds the pens of a descriptor; nothing when it describes none (a mouse, a touch screen, an opaque vendor block).
+[[nodiscard]] std::optional<PenLayout> find_pens(const hid::ReportDescriptor& descriptor, Dialect dialect);
+
+/// Whether a field belongs to a pen in Wacom's way of nesting collections, whatever its usage.
+[[nodiscard]] bool is_wacom_pen_field(const hid::ReportDescriptor& descriptor, const hid::Field& field);
+/// The same for touch fields that are no pen fields.
+[[nodiscard]] bool is_wacom_touch_field(const hid::ReportDescriptor& descriptor, const hid::Field& field);
+
+}  // namespace penpose::decode

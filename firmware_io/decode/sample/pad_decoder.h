@@ -1,0 +1,43 @@
+#pragma once
+
+#include "core/base/byte_reader.h"
+#include "firmware_io/decode/sample/pad_sample.h"
+
+namespace penpose::decode {
+
+/// Turns the raw reports of one interface into the state of the keys and wheels on the tablet. Works beside the
+/// interface's PenDecoder and gets the same reports, every one, in order. It never allocates in `decode`, never reads
+/// outside the report, and takes any bytes whatever.
+class PadDecoder {
+ public:
+  virtual ~PadDecoder() = default;
+  explicit PadDecoder(const PadFeatures& features) : features_(features) {}
+  PadDecoder(const PadDecoder&) = delete;
+  PadDecoder& operator=(const PadDecoder&) = delete;
+
+  /// One raw report, report id first. True when it said something about the pad; what it said is then in `sample()`,
+  /// the wheels being the steps of this report alone.
+  virtual bool decode(base::Bytes report) = 0;
+  /// Forgets all state, as after plugging in.
+  virtual void reset() {
+    sample_ = {};
+    battery_ = {};
+  }
+
+  /// The light that is on at a side, where something else than the reports tells it.
+  virtual void set_light(std::size_t side, std::int8_t light) {
+    static_cast<void>(side);
+    static_cast<void>(light);
+  }
+
+  [[nodiscard]] const PadSample& sample() const { return sample_; }
+  [[nodiscard]] const PadFeatures& features() const { return features_; }
+  [[nodiscard]] const Battery& battery() const { return battery_; }
+
+ protected:
+  PadSample sample_;
+  PadFeatures features_;
+  Battery battery_;
+};
+
+}  // namespace penpose::decode

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "firmware_io/decode/layout/layout_reader.h"
+#include "firmware_io/decode/sample/device_identity.h"
+#include "firmware_io/decode/sample/pen_decoder.h"
+#include "firmware_io/decode/table/text_pattern.h"
+
+namespace penpose::decode {
+
+/// One way in which an interface of a tablet shows itself, and how to wake it up and read it. Absent means any.
+struct TabletIdentifier {
+  struct StringCheck {
+    std::uint8_t index = 0;  ///< USB string descriptor
+    TextPattern pattern;     ///< found somewhere in it
+  };
+
+  std::uint16_t vendor = 0;
+  std::uint16_t product = 0;
+  std::optional<std::uint16_t> input_report_length;  ///< longest report, report id included
+  std::optional<std::uint16_t> output_report_length;
+  std::optional<std::uint16_t> feature_report_length;
+  std::optional<int> interface_number;
+  std::vector<StringCheck> strings;  ///< all must hold
+  std::shared_ptr<const Protocol> protocol;
+
+  // To start it: read these strings, then send these feature reports, then these output reports (first byte: report
+  // id).
+  std::vector<std::uint8_t> read_strings;
+  std::vector<std::vector<std::uint8_t>> send_features;
+  std::vector<std::vector<std::uint8_t>> send_outputs;
+};
+
+/// A wheel on the tablet itself.
+struct TabletWheel {
+  bool is_ring = false;     ///< gives positions (touch ring) rather than steps (dial)
+  double steps = 0;         ///< per turn
+  double zero_degrees = 0;  ///< where position 0 is
+  int buttons = 0;
+};
+
+/// The part of a tablet that feels fingers.
+struct TabletTouch {
+  double width_mm = 0;  ///< 0 where it is not known
+  double height_mm = 0;
+  std::int32_t max_x = 0;  ///< largest raw values
+  std::int32_t max_y = 0;
+  int contacts = 0;  ///< the most at a time, 0 where it is not known
+};
+
+struct Tablet {
+  std::string vendor;
+  std::string name;
+  double width_mm = 0;  ///< active area
+  double height_mm = 0;
+  std::int32_t max_x = 0;  ///< largest raw values
+  std::int32_t max_y = 0;
+  std::int32_t max_pressure = 0;
+  int pen_buttons = 0;
+  int pad_keys = 0;
+  int mouse_buttons = 0;
+  std::vector<TabletWheel> wheels;
+  int strips = 0;
+  std::optional<TabletTouch> touch;
+  bool hide_from_desktop = false;             ///< the system's own device would move the pointer too
+  int feature_delay_ms = 0;                   ///< wait before each feature report
+  std::vector<TabletIdentifier> identifiers;  ///< how the pen interface may show itself
+  std::vector<TabletIdentifier> pads;         ///< further interfaces of the same tablet that carry keys or touch
+};
+
+/// What `find` found. Both pointers live as long as the table.
+struct TabletMatch {
+  const Tablet* tablet = nullptr;
+  const TabletIdentifier* identifier = nullptr;
+  bool is_pad = false;   ///< one of the tablet's `pads`
+  bool certain = false;  ///< nothing that the identifier asks for was unknown, and no other tablet fits as well
+};
+
+class TabletTable {
+ public:
+  TabletTable() = default;
+  explicit TabletTable(std::vector<Tablet> tablets) : tablets_(std::move(tablets)) {}
+
+  [[nodiscard]] std::span<const Tablet> tablets() const { return tablets_; }
+
+  /// The tablet that the interface belongs to. An identifier fits when nothing known contradicts it; of several the one
+  /// with the most conditions met wins, then one of the protocol that most of the others have, then the earlier.
+  /// Nothing when none fits.
+  [[nodiscard]] std::optional<TabletMatch> find(const DeviceIdentity& device) const;
+
+ private:
+  std::vector<Tablet> tablets_;
+};
+
+/// The tablets that the program knows by itself.
+[[nodiscard]] const TabletTable& known_tablets();
+
+/// Looks in `own` first (a user's tablets; may be null), then among the known ones.
+[[nodiscard]] std::optional<TabletMatch> find_tablet(const DeviceIdentity& device, const TabletTable* own = nullptr);
+
+/// A fresh decoder for the reports of that interface, with the tablet's ranges and resolution in its axes.
+[[nodiscard]] std::unique_ptr<PenDecoder> make_tablet_decoder(const TabletMatch& match);
+
+}  // namespace penpose::decode

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "firmware_io/decode/described/described_control.h"
+#include "firmware_io/decode/described/mode_light.h"
+#include "firmware_io/decode/sample/pad_decoder.h"
+#include "firmware_io/decode/sample/touch_decoder.h"
+
+namespace penpose::decode {
+
+enum class PadRole : std::uint8_t {
+  key,
+  strip,
+  ring,
+  ring_status,
+  turn,  ///< a ring that tells how far it was turned, not where it is touched
+  touch_on,
+  mute_touch,
+  battery,
+  charging,
+  motion,  ///< of the tablet itself, which is a sign of life and no more
+};
+
+/// One control of the pad.
+struct PadControl {
+  PadRole role = PadRole::key;
+  std::uint8_t report_id = 0;
+  bool in_block = false;     ///< in a block of function keys, which alone tells of a hand
+  bool is_hand = false;      ///< counts as a hand at the pad: what is told becomes visible while it is there
+  bool is_mode_key = false;  ///< also moves on the light
+  PadKey key = PadKey::button0;
+  std::uint8_t side = 0;
+  std::int32_t shift = 0;  ///< of a ring: added to what is told
+  bool reversed = false;   ///< of a ring: counts the other way round
+  DescribedControl place;
+};
+
+struct PadLayout {
+  bool has_report_ids = false;
+  std::vector<PadControl> controls;                                            ///< in order of the descriptor
+  std::vector<std::uint32_t> report_length = std::vector<std::uint32_t>(256);  ///< by id; 0 where nothing is told
+  PadFeatures features;
+};
+
+/// The keys that a Wacom tablet describes with its vendor pages; nothing when there are none and no battery either.
+[[nodiscard]] std::optional<PadLayout> find_wacom_pad(const hid::ReportDescriptor& descriptor, std::uint16_t product);
+
+/// Keys, rings and strips of Wacom tablets that describe their reports: Intuos Pro (2017), MobileStudio, Cintiq Pro and
+/// all later ones. Differs from a plain reading in this: rings start at the tablet's left and grow clockwise whatever
+/// the model counts, and values outside of the logical range are no values.
+class WacomGenericPadDecoder final : public PadDecoder {
+ public:
+  /// `touch` (may be null) is told of the key or slide that turns the fingers off.
+  WacomGenericPadDecoder(PadLayout layout, std::shared_ptr<TouchSwitch> touch);
+
+  bool decode(base::Bytes report) override;
+  void reset() override;
+  void set_light(std::size_t side, std::int8_t light) override;
+
+ private:
+  void reset_switch();
+  void apply(const PadControl& control, std::int64_t value);
+
+  PadLayout layout_;
+  std::shared_ptr<TouchSwitch> touch_;
+  PadSample pending_;
+  ModeLight light_;
+  bool in_use_ = false;  ///< something was told since the hand left
+};
+
+}  // namespace penpose::decode

@@ -1,0 +1,163 @@
+#include "firmware_io/decode/wacom/wacom_generic_decoder.h"
+
+#include <algorithm>
+
+namespace penpose::decode {
+
+WacomGenericDecoder::WacomGenericDecoder(PenLayout layout) : layout_(std::move(layout)) {}
+
+void WacomGenericDecoder::reset() {
+  sample_ = {};
+  tool_ = WacomTool::none;
+  tool_number_ = 0;
+  serial_ = 0;
+  waited_ = 0;
+  in_range_ = sensed_ = turned_ = tip_ = barrel_ = barrel2_ = barrel3_ = false;
+  invalid_frame_ = was_sensed_ = false;
+  frames_.clear();
+}
+
+bool WacomGenericDecoder::waits_for_serial(const PenReport& report, base::Bytes raw) {
+  if (serial_ != 0 || !layout_.has_serial || waited_ >= k_longest_wait) return false;
+  bool unknown = false;
+  for (const PenControl& control : report.controls) {
+    const bool identifies =
+        control.role == PenRole::serial || control.role == PenRole::serial_high || control.role == PenRole::tool_type;
+    if (!identifies && control.role != PenRole::in_range) continue;
+    const bool on = control.value(raw) != 0;
+    if (control.role == PenRole::in_range ? !on : on) return false;
+    unknown = true;
+  }
+  if (unknown) ++waited_;
+  return unknown;
+}
+
+ReportKind WacomGenericDecoder::decode(base::Bytes raw) {
+  const PenReport* const report = layout_.find(raw);
+  if (report == nullptr || waits_for_serial(*report, raw)) return ReportKind::ignored;
+  frames_.clear();
+  invalid_frame_ = false;
+  std::int32_t collection = report->controls.front().collection;
+  for (const PenControl& control : report->controls) {
+    if (control.collection != collection) end_frame();
+    collection = control.collection;
+    const std::int64_t value = control.value(raw);
+    if (value >= control.minimum && value <= control.maximum) apply(control, value);
+  }
+  end_frame();
+  return frames_.empty() ? ReportKind::ignored : ReportKind::pen;
+}
+
+void WacomGenericDecoder::set_axis(std::int32_t& axis, std::int64_t value) {
+  if (in_range_) {
+    axis = static_cast<std::int32_t>(value);
+  } else if (was_sensed_ && !sensed_) {
+    axis = 0;
+  }
+}
+
+void WacomGenericDecoder::apply(const PenControl& control, std::int64_t value) {
+  if (invalid_frame_) return;
+  const bool on = value != 0;
+  switch (control.role) {
+    case PenRole::in_range:
+      in_range_ = on;
+      if (!layout_.has_sense) sensed_ = on;
+      return;
+    case PenRole::sense:
+      sensed_ = on;
+      return;
+    case PenRole::invert:
+      turned_ = turned_ || on;
+      return;
+    case PenRole::eraser:
+      turned_ = turned_ || on;
+      tip_ = tip_ || on;
+      return;
+    case PenRole::tip:
+      tip_ = tip_ || on;
+      return;
+    case PenRole::barrel:
+      barrel_ = on;
+      return;
+    case PenRole::barrel2:
+      barrel2_ = on;
+      return;
+    case PenRole::barrel3:
+      barrel3_ = on;
+      return;
+    case PenRole::serial:
+      if (on) serial_ = (serial_ & ~0xffffffffull) | static_cast<std::uint32_t>(value);
+      return;
+    case PenRole::serial_high:
+      if (on) {
+        serial_ = (serial_ & 0xffffffffull) | (static_cast<std::uint64_t>(static_cast<std::uint32_t>(value)) << 32);
+        // Electromagnetic pens keep the part of the tool number that does not fit its own field here.
+        if (static_cast<std::uint32_t>(value) >> 20 == 1) tool_number_ |= static_cast<std::uint32_t>(value) & 0xfffff;
+      }
+      return;
+    case PenRole::tool_type:
+      tool_number_ |= static_cast<std::uint32_t>(value) & 0xfffff;
+      return;
+    case PenRole::report_valid:
+      invalid_frame_ = !on;
+      return;
+    case PenRole::x:
+      return set_axis(sample_.x, value);
+    case PenRole::y:
+      return set_axis(sample_.y, value);
+    case PenRole::pressure:
+      return set_axis(sample_.pressure, value);
+    case PenRole::height_down:
+      return set_axis(sample_.distance, control.maximum - value);
+    case PenRole::distance:
+      return set_axis(sample_.distance, value);
+    case PenRole::tilt_x:
+      return set_axis(sample_.tilt_x, value);
+    case PenRole::tilt_y:
+      return set_axis(sample_.tilt_y, value);
+    case PenRole::twist:
+      return set_axis(sample_.rotation, value);
+    case PenRole::wheel:
+      return set_axis(sample_.wheel, value);
+  }
+}
+
+void WacomGenericDecoder::end_frame() {
+  if (invalid_frame_) return;
+  if (tool_ == WacomTool::none && in_range_) {
+    if (turned_) {
+      tool_ = WacomTool::eraser;
+    } else if (layout_.aes || tool_number_ == 0) {
+      tool_ = WacomTool::pen;
+    } else {
+      tool_ = wacom_tool(tool_number_);
+    }
+  }
+  was_sensed_ = sensed_;
+  if (tool_ != WacomTool::none) {
+    std::uint32_t buttons = 0;
+    if (barrel_ && barrel2_) {
+      buttons = 1u << 2;
+    } else {
+      buttons = (barrel_ ? 1u : 0u) | (barrel2_ ? 2u : 0u) | (barrel3_ ? 4u : 0u);
+    }
+    sample_.buttons = buttons;
+    sample_.tip = tip_;
+    sample_.in_range = sensed_;
+    sample_.tool = sensed_ ? tool_of(tool_) : Tool::none;
+    sample_.serial = serial_;
+    sample_.tool_id = sensed_ ? (serial_ >> 52 == 1 ? wacom_tool_id(tool_number_) : tool_number_) : 0;
+    tip_ = false;
+    turned_ = false;
+    frames_.add(sample_);
+  }
+  if (!sensed_) {
+    tool_ = WacomTool::none;
+    tool_number_ = 0;
+    serial_ = 0;
+    waited_ = 0;
+  }
+}
+
+}  // namespace penpose::decode

@@ -1,0 +1,195 @@
+#include "firmware_io/device/list/tablet_watch.h"
+
+#include <algorithm>
+#include <poll.h>
+#include <sys/epoll.h>
+#include <sys/timerfd.h>
+#include <unistd.h>
+#include <utility>
+
+#include "firmware_io/device/clock.h"
+#include "firmware_io/device/list/internal/udev_handles.h"
+
+namespace penpose::device {
+namespace {
+
+/// Exists while udev runs; only then do its events come.
+constexpr const char* k_udev_socket = "/run/udev/control";
+/// A device comes with several events, interface by interface; they are taken together.
+constexpr int k_settle_ms = 30;
+constexpr int k_most_settles = 40;
+/// How long a device may be on its way before it is taken for what it is.
+constexpr std::int64_t k_patience_us = 500'000;
+
+class File {
+ public:
+  explicit File(int file = -1) : file_(file) {}
+  File(File&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
+  File& operator=(File&& other) noexcept {
+    std::swap(file_, other.file_);
+    return *this;
+  }
+  ~File() {
+    if (file_ >= 0) ::close(file_);
+  }
+  [[nodiscard]] int get() const { return file_; }
+
+ private:
+  int file_;
+};
+
+bool same(const LiveTablet& a, const LiveTablet& b) {
+  if (a.interface.parent != b.interface.parent || a.interface.usb_node != b.interface.usb_node) return false;
+  if (a.interface.usb_name != b.interface.usb_name) return false;
+  // Taken from the kernel's driver or given back, it is still the same.
+  if (!a.interface.usb_name.empty() && (a.access == Access::busy || b.access == Access::busy)) return true;
+  // Bound anew, its node is another one although it has the same name.
+  if (a.transport == Transport::hidraw && a.interface.hid_name != b.interface.hid_name) return false;
+  if (a.transport == Transport::hidraw && a.interface.node_made != b.interface.node_made) return false;
+  return a.path() == b.path() && a.access == b.access && a.method == b.method;
+}
+
+/// The same for an interface as long as it is plugged in.
+std::string place_of(const LiveTablet& tablet) {
+  const HidInterface& interface = tablet.interface;
+  const bool is_usb = !interface.usb_name.empty();
+  return interface.parent + ' ' + interface.usb_node + ' ' + (is_usb ? interface.usb_name : interface.hid_name);
+}
+
+/// No driver yet or no longer, or no node to open.
+bool is_on_its_way(const LiveTablet& tablet) {
+  return tablet.access == Access::absent || (tablet.interface.hidraw_node.empty() && tablet.access != Access::busy);
+}
+
+std::vector<LiveTablet> without(const std::vector<LiveTablet>& list, const std::vector<LiveTablet>& others) {
+  std::vector<LiveTablet> rest;
+  for (const LiveTablet& tablet : list) {
+    const bool there = std::any_of(others.begin(), others.end(), [&](const LiveTablet& o) { return same(tablet, o); });
+    if (!there) rest.push_back(tablet);
+  }
+  return rest;
+}
+
+}  // namespace
+
+TabletChanges changes_between(const std::vector<LiveTablet>& before, const std::vector<LiveTablet>& after) {
+  return {without(after, before), without(before, after)};
+}
+
+std::vector<LiveTablet> Settling::settle(const std::vector<LiveTablet>& known, std::vector<LiveTablet> seen,
+                                         std::int64_t now_us) {
+  std::vector<LiveTablet> told;
+  std::map<std::string, std::int64_t> since_us;
+  until_us_.reset();
+  for (LiveTablet& tablet : seen) {
+    const bool is_known =
+        std::any_of(known.begin(), known.end(), [&](const LiveTablet& other) { return same(tablet, other); });
+    if (is_known || !is_on_its_way(tablet)) {
+      told.push_back(std::move(tablet));
+      continue;
+    }
+    const std::string place = place_of(tablet);
+    const auto before = since_us_.find(place);
+    const std::int64_t begin_us = before == since_us_.end() ? now_us : before->second;
+    since_us[place] = begin_us;
+    if (now_us - begin_us >= k_patience_us) {
+      told.push_back(std::move(tablet));
+      continue;
+    }
+    until_us_ = std::min(until_us_.value_or(begin_us + k_patience_us), begin_us + k_patience_us);
+    const auto as_it_was =
+        std::find_if(known.begin(), known.end(), [&](const LiveTablet& other) { return place_of(other) == place; });
+    if (as_it_was != known.end()) told.push_back(*as_it_was);
+  }
+  since_us_ = std::move(since_us);
+  return told;
+}
+
+class TabletWatch::Monitor {
+ public:
+  Udev library;
+  UdevMonitor monitor;
+  File timer;
+  File either;  ///< readable when one of the two is
+
+  /// Errors of making the three are told by `either` being none.
+  void listen() {
+    timer = File(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK));
+    File made(::epoll_create1(EPOLL_CLOEXEC));
+    for (const int file : {udev_monitor_get_fd(monitor.get()), timer.get()}) {
+      epoll_event event{};
+      event.events = EPOLLIN;
+      if (::epoll_ctl(made.get(), EPOLL_CTL_ADD, file, &event) != 0) return;
+    }
+    either = std::move(made);
+  }
+
+  /// Makes `either` readable then; never where there is no time.
+  void wake_at(std::optional<std::int64_t> time_us) const {
+    itimerspec when{};
+    if (time_us) {
+      when.it_value.tv_sec = *time_us / 1'000'000;
+      when.it_value.tv_nsec = *time_us % 1'000'000 * 1000;
+    }
+    ::timerfd_settime(timer.get(), TFD_TIMER_ABSTIME, &when, nullptr);
+  }
+
+  [[nodiscard]] bool has_something(int timeout_ms) const {
+    pollfd waiting{either.get(), POLLIN, 0};
+    return ::poll(&waiting, 1, timeout_ms) > 0;
+  }
+
+  /// Takes one event if one comes within the time.
+  [[nodiscard]] bool take(int timeout_ms) const {
+    pollfd waiting{udev_monitor_get_fd(monitor.get()), POLLIN, 0};
+    if (::poll(&waiting, 1, timeout_ms) <= 0) return false;
+    const UdevDevice device(udev_monitor_receive_device(monitor.get()));
+    return true;
+  }
+};
+
+TabletWatch::TabletWatch(std::unique_ptr<Monitor> monitor, const decode::TabletTable* own,
+                         std::vector<LiveTablet> tablets)
+    : monitor_(std::move(monitor)), own_(own), tablets_(std::move(tablets)) {}
+TabletWatch::TabletWatch(TabletWatch&&) noexcept = default;
+TabletWatch& TabletWatch::operator=(TabletWatch&&) noexcept = default;
+TabletWatch::~TabletWatch() = default;
+
+base::Result<TabletWatch> TabletWatch::start(const decode::TabletTable* own) {
+  auto made = std::make_unique<Monitor>();
+  made->library.reset(udev_new());
+  const bool udev_runs = ::access(k_udev_socket, F_OK) == 0;
+  if (made->library)
+    made->monitor.reset(udev_monitor_new_from_netlink(made->library.get(), udev_runs ? "udev" : "kernel"));
+  if (!made->monitor) return base::Error{"the system tells nothing of devices that come and go", "", ""};
+  udev_monitor_filter_add_match_subsystem_devtype(made->monitor.get(), "hidraw", nullptr);
+  udev_monitor_filter_add_match_subsystem_devtype(made->monitor.get(), "usb", nullptr);
+  const bool receives = udev_monitor_enable_receiving(made->monitor.get()) >= 0;
+  if (receives) made->listen();
+  if (made->either.get() < 0) {
+    return base::Error{"the system tells nothing of devices that come and go", "", ""};
+  }
+  auto tablets = list_tablets(own);
+  if (!tablets) return tablets.error();
+  return TabletWatch(std::move(made), own, std::move(tablets).value());
+}
+
+int TabletWatch::wake_fd() const { return monitor_->either.get(); }
+
+TabletChanges TabletWatch::next(int timeout_ms) {
+  if (!monitor_->has_something(timeout_ms)) return {};
+  for (int i = 0; i < k_most_settles && monitor_->take(k_settle_ms); ++i) {
+  }
+  auto now = list_tablets(own_, tablets_);
+  if (!now) {
+    monitor_->wake_at(std::nullopt);
+    return {};
+  }
+  auto settled = settling_.settle(tablets_, std::move(now).value(), monotonic_us());
+  monitor_->wake_at(settling_.until_us());
+  TabletChanges changes = changes_between(tablets_, settled);
+  tablets_ = std::move(settled);
+  return changes;
+}
+
+}  // namespace penpose::device

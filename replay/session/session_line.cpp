@@ -1,0 +1,210 @@
+#include "replay/session/session_line.h"
+
+#include "core/base/letters.h"
+#include "core/base/numbers.h"
+#include "core/document/commands/command_text.h"
+#include "core/document/commands/text_members.h"
+
+namespace penpose::replay {
+namespace {
+
+using document::take_piece;
+
+constexpr std::string_view k_mark = "penpose";
+
+struct HashMember {
+  std::string path;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("path", self.path);
+  }
+};
+struct LightMembers {
+  std::uint32_t left = 0;
+  std::uint32_t right = 0;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("left", self.left);
+    visit("right", self.right);
+  }
+};
+struct ProgramMember {
+  std::string program;
+  template <typename Self>
+  static void fields(Self& self, auto&& visit) {
+    visit("program", self.program);
+  }
+};
+
+std::string hex8(std::uint32_t value) {
+  std::string out;
+  base::append_hex(out, value, 8);
+  return out;
+}
+
+std::string text_of(const SessionBegins& line) {
+  std::string out = "session " + std::to_string(SessionBegins::k_version);
+  document::append_members(out, ProgramMember{line.program});
+  return out;
+}
+std::string text_of(const ModelNamed& line) {
+  std::string out = "model " + line.hash.hex();
+  document::append_members(out, HashMember{line.path});
+  return out;
+}
+std::string text_of(const ViewChanged& line) { return "view " + document::to_text(line.view); }
+std::string text_of(const ToolChosen& line) {
+  const std::string members = drawing::to_text(line.tool);
+  return members.empty() ? "tool" : "tool " + members;
+}
+std::string text_of(const TabletSet& line) {
+  std::string out = "tablet " + std::to_string(line.device);
+  document::append_members(out, line.setting);
+  return out;
+}
+std::string text_of(const TabletGone& line) { return "gone " + std::to_string(line.device); }
+std::string text_of(const LightsSeen& line) {
+  std::string out = "lights " + std::to_string(line.device);
+  document::append_members(
+      out, LightMembers{static_cast<std::uint32_t>(line.lights[0]), static_cast<std::uint32_t>(line.lights[1])});
+  return out;
+}
+std::string text_of(const PenPlace& line) { return line.on_canvas ? "canvas" : "panel"; }
+std::string text_of(const Performed& line) { return "do " + document::to_text(line.command); }
+std::string text_of(const Undone&) { return "undo"; }
+std::string text_of(const Redone&) { return "redo"; }
+std::string text_of(const StateReached& line) {
+  std::string out = "state " + line.state.whole.hex();
+  for (std::size_t i = 0; i < document::k_state_parts.size(); ++i) {
+    out += ' ';
+    out += document::k_state_parts[i];
+    out += '=' + hex8(line.state.parts[i]);
+  }
+  return out;
+}
+
+base::Error malformed(std::string_view what) {
+  return {"the line \"" + std::string(what.substr(0, 40)) + "\" of the session has another form", "",
+          "record the session again or remove the line"};
+}
+
+std::optional<base::Hash128> read_hash(std::string_view text) {
+  if (text.size() != 32) return std::nullopt;
+  if (text.find('+') != std::string_view::npos) return std::nullopt;  // which numbers may have in front
+  const auto high = base::parse_uint(text.substr(0, 16), 16);
+  const auto low = base::parse_uint(text.substr(16), 16);
+  if (!high || !low) return std::nullopt;
+  return base::Hash128{*high, *low};
+}
+
+std::optional<int> read_device(std::string_view text) {
+  const auto number = base::parse_uint(text);
+  if (!number || *number > 9999) return std::nullopt;
+  return static_cast<int>(*number);
+}
+
+using Line = base::Result<std::optional<SessionLine>>;
+
+Line parsed(SessionLine line) { return std::optional(std::move(line)); }
+
+Line parse_state(std::string_view text) {
+  StateReached line;
+  const auto hash = read_hash(take_piece(text, ' '));
+  if (!hash) return malformed("state");
+  line.state.whole = *hash;
+  for (std::size_t i = 0; i < document::k_state_parts.size(); ++i) {
+    std::string_view piece = take_piece(text, ' ');
+    const std::string_view name = take_piece(piece, '=');
+    const auto value = base::parse_uint(piece, 16);
+    if (name != document::k_state_parts[i] || piece.size() != 8 || piece[0] == '+' || !value) return malformed("state");
+    line.state.parts[i] = static_cast<std::uint32_t>(*value);
+  }
+  return parsed(line);
+}
+
+Line parse_header(std::string_view text) {
+  const std::string_view version = take_piece(text, ' ');
+  if (base::parse_uint(version) != SessionBegins::k_version) {
+    return base::Error{"the session is of version " + std::string(version.substr(0, 20)) + ", which is not known", "",
+                       "replay it with the program that recorded it, or a newer one"};
+  }
+  auto members = document::parse_members<ProgramMember>(text);
+  if (!members) return members.error();
+  return parsed(SessionBegins{std::move(members->program)});
+}
+
+Line parse_model(std::string_view text) {
+  const auto hash = read_hash(take_piece(text, ' '));
+  if (!hash) return malformed("model");
+  auto members = document::parse_members<HashMember>(text);
+  if (!members) return members.error();
+  return parsed(ModelNamed{*hash, std::move(members->path)});
+}
+
+Line parse_tablet(std::string_view text) {
+  const auto device = read_device(take_piece(text, ' '));
+  if (!device) return malformed("tablet");
+  auto setting = document::parse_members<TabletSetting>(text);
+  if (!setting) return setting.error();
+  return parsed(TabletSet{*device, std::move(setting).value()});
+}
+
+Line parse_lights(std::string_view text) {
+  const auto device = read_device(take_piece(text, ' '));
+  if (!device) return malformed("lights");
+  const auto members = document::parse_members<LightMembers>(text);
+  if (!members) return members.error();
+  constexpr std::uint32_t k_most = 3;
+  if (members->left > k_most || members->right > k_most) return malformed("lights");
+  return parsed(
+      LightsSeen{*device, {static_cast<std::int8_t>(members->left), static_cast<std::int8_t>(members->right)}});
+}
+
+Line parse_what(std::string_view what, std::string_view text) {
+  if (what == "session") return parse_header(text);
+  if (what == "model") return parse_model(text);
+  if (what == "state") return parse_state(text);
+  if (what == "tablet") return parse_tablet(text);
+  if (what == "lights") return parse_lights(text);
+  if (what == "view") {
+    const auto view = document::parse_view(text);
+    if (!view) return view.error();
+    return parsed(ViewChanged{*view});
+  }
+  if (what == "tool") {
+    auto tool = drawing::parse_tool(text);
+    if (!tool) return tool.error();
+    return parsed(ToolChosen{std::move(tool).value()});
+  }
+  if (what == "do") {
+    auto command = document::parse_command(text);
+    if (!command) return command.error();
+    return parsed(Performed{std::move(command).value()});
+  }
+  if (what == "gone") {
+    const auto device = read_device(text);
+    if (device) return parsed(TabletGone{*device});
+  }
+  if (text.empty()) {
+    if (what == "undo") return parsed(Undone{});
+    if (what == "redo") return parsed(Redone{});
+    if (what == "canvas" || what == "panel") return parsed(PenPlace{what == "canvas"});
+  }
+  return malformed(what);
+}
+
+}  // namespace
+
+std::string to_text(const SessionLine& line) {
+  return std::string(k_mark) + ' ' + std::visit([](const auto& one) { return text_of(one); }, line);
+}
+
+base::Result<std::optional<SessionLine>> parse_session_line(std::string_view comment) {
+  if (!comment.starts_with("# ")) return std::optional<SessionLine>();
+  comment.remove_prefix(2);
+  if (take_piece(comment, ' ') != k_mark) return std::optional<SessionLine>();
+  const std::string_view what = take_piece(comment, ' ');
+  return parse_what(what, comment);
+}
+
+}  // namespace penpose::replay

@@ -1,0 +1,64 @@
+#include "core/io/gltf/read/internal/gltf_nodes.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "core/geometry/rotation.h"
+#include "tests/support/models/gltf_sample.h"
+
+namespace penpose::io {
+namespace {
+
+base::Result<NodeTransform> transform_of(const nlohmann::json& node) {
+  tests::GltfSample sample = tests::square_sample();
+  sample.json["nodes"][0].update(node);
+  const auto bytes = sample.glb();
+  const auto document = open_gltf(bytes, {});
+  if (!document) return document.error();
+  return node_transform(*document, 0);
+}
+
+TEST(GltfNodes, MatrixIsTakenApartAndComesBack) {
+  const auto before = geometry::compose({1, 2, 3}, glm::normalize(glm::dquat(0.3, -0.5, 0.2, 0.7)), {-2, 0.5, 3});
+  nlohmann::json numbers = nlohmann::json::array();
+  for (int i = 0; i < 16; ++i) numbers.push_back(before[i / 4][i % 4]);
+  const auto transform = transform_of({{"matrix", numbers}});
+  ASSERT_TRUE(transform.ok()) << transform.error().line();
+  const auto after = geometry::compose(transform->translation, transform->rotation, transform->scale);
+  for (int i = 0; i < 16; ++i) EXPECT_NEAR(after[i / 4][i % 4], before[i / 4][i % 4], 1e-12);
+}
+
+TEST(GltfNodes, FlatMatricesKeepTheirAxes) {
+  for (const nlohmann::json& numbers : {nlohmann::json{0, 2, 0, 0, -3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1},
+                                        nlohmann::json{0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 1},
+                                        nlohmann::json{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 5, 0, 0, 1}}) {
+    const auto transform = transform_of({{"matrix", numbers}});
+    ASSERT_TRUE(transform.ok()) << transform.error().line();
+    const auto after = geometry::compose(transform->translation, transform->rotation, transform->scale);
+    for (int i = 0; i < 16; ++i)
+      EXPECT_NEAR(after[i / 4][i % 4], numbers[static_cast<std::size_t>(i)].get<double>(), 1e-12);
+  }
+}
+
+TEST(GltfNodes, WhatIsNoTransformIsRefused) {
+  EXPECT_EQ(transform_of({{"matrix", {1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}).error().place,
+            "/nodes/0/matrix");
+  EXPECT_EQ(transform_of({{"matrix", {1, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}).error().place,
+            "/nodes/0/matrix");
+  EXPECT_EQ(transform_of({{"rotation", {0, 0, 0, 0}}}).error().place, "/nodes/0/rotation");
+  EXPECT_EQ(transform_of({{"translation", {1e300, 0, 0}}}).error().place, "/nodes/0");
+}
+
+TEST(GltfNodes, TreeAndScene) {
+  tests::GltfSample sample = tests::skin_sample();
+  sample.add("nodes", {{"name", "outside"}});
+  const auto bytes = sample.glb();
+  const auto document = open_gltf(bytes, {});
+  ASSERT_TRUE(document.ok());
+  const NodeTree tree = make_node_tree(*document);
+  EXPECT_EQ(tree.parent, (std::vector<std::int32_t>{-1, -1, 1, -1}));
+  EXPECT_EQ(tree.in_scene, (std::vector<bool>{true, true, true, false}));
+}
+
+}  // namespace
+}  // namespace penpose::io

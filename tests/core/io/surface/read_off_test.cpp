@@ -1,0 +1,44 @@
+#include "core/io/surface/read_off.h"
+
+#include <gtest/gtest.h>
+#include <string>
+
+namespace penpose::io {
+namespace {
+
+base::Result<document::Model> read(const std::string& text) { return read_off(base::as_bytes(text)); }
+base::Error error(const std::string& text) {
+  const auto model = read(text);
+  return model ? base::Error{"(no error)", "", ""} : model.error();
+}
+
+TEST(ReadOff, QuadsCommentsAndColours) {
+  const auto model = read("OFF # a square\n4 1 0\n0 0 0\n1 0 0\n# between\n1 1 0\n0 1 0\n4 0 1 2 3 255 0 0\n");
+  ASSERT_TRUE(model.ok()) << model.error().line();
+  EXPECT_EQ(model->mesh->vertex_count(), 4U);
+  EXPECT_EQ(model->mesh->triangle_count(), 2U);
+  EXPECT_EQ(model->notes, std::vector<std::string>{"colours were left out"});
+}
+
+TEST(ReadOff, NormalsAndCountsOnTheFirstLine) {
+  const auto model = read("NOFF 3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2");
+  ASSERT_TRUE(model.ok()) << model.error().line();
+  EXPECT_EQ(model->mesh->file_normals()[2], glm::vec3(0, 0, 1));
+}
+
+TEST(ReadOff, NamesTheLineOfAFault) {
+  EXPECT_EQ(error("PLY\n").place, "line 1");
+  EXPECT_EQ(error("4OFF\n").place, "line 1");
+  EXPECT_EQ(error("OFF BINARY\n").place, "line 1");
+  EXPECT_EQ(error("OFF\nmany 1 0\n").place, "line 2");
+  EXPECT_EQ(error("OFF\n4000000000 4000000000 0\n0 0 0\n").place, "line 2");
+  EXPECT_EQ(error("OFF\n18446744073709551615 1 0\n").place, "line 2");
+  EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 inf\n0 1 0\n3 0 1 2\n").place, "line 4");
+  EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n").place, "line 6");
+  EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n9999 0 1 2\n").place, "line 6");
+  EXPECT_EQ(error("OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").place, "line 6");
+  EXPECT_EQ(error("OFF\n3 1 0\n0.00 0.00 0.00\n1.00 0.00 0.00\n").place, "line 4");
+}
+
+}  // namespace
+}  // namespace penpose::io

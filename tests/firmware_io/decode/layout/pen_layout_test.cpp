@@ -1,0 +1,97 @@
+#include "firmware_io/decode/layout/pen_layout.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "tests/support/hands/pen_reports.h"
+
+namespace penpose::decode {
+namespace {
+
+hid::ReportDescriptor parsed(const tests::Report& bytes) {
+  auto result = hid::parse_report_descriptor(bytes);
+  EXPECT_TRUE(result.ok()) << (result ? "" : result.error().line());
+  return result ? std::move(result).value() : hid::ReportDescriptor{};
+}
+
+TEST(PenLayout, FindsAPenWithItsRangesAndUnits) {
+  const auto pens = find_pens(parsed(tests::ink_descriptor()), Dialect::standard);
+  ASSERT_TRUE(pens);
+  ASSERT_EQ(pens->reports.size(), 1u);
+  EXPECT_EQ(pens->reports[0].id, 7);
+  EXPECT_EQ(pens->reports[0].length, 12u);
+  EXPECT_EQ(pens->reports[0].needed, 12u);
+  EXPECT_TRUE(pens->reports[0].has_tip);
+  EXPECT_TRUE(pens->reports[0].has_proximity);
+  EXPECT_EQ(pens->axes.x.maximum, 24188);
+  EXPECT_DOUBLE_EQ(pens->axes.x.units_per_mm, 24188 / 242.8);
+  EXPECT_EQ(pens->axes.pressure.maximum, 4095);
+  EXPECT_EQ(pens->axes.tilt_x.minimum, -9000);
+  EXPECT_DOUBLE_EQ(pens->axes.tilt_x.units_per_mm, 100);
+  EXPECT_FALSE(pens->axes.distance.present);
+}
+
+TEST(PenLayout, AMouseIsNoPen) {
+  const tests::Report mouse{0x05, 0x01, 0x09, 0x02, 0xa1, 0x01, 0x09, 0x01, 0xa1, 0x00, 0x05, 0x09, 0x19, 0x01, 0x29,
+                            0x03, 0x15, 0x00, 0x25, 0x01, 0x95, 0x08, 0x75, 0x01, 0x81, 0x02, 0x05, 0x01, 0x09, 0x30,
+                            0x09, 0x31, 0x15, 0x81, 0x25, 0x7f, 0x75, 0x08, 0x95, 0x02, 0x81, 0x06, 0xc0, 0xc0};
+  EXPECT_FALSE(find_pens(parsed(mouse), Dialect::standard));
+  EXPECT_FALSE(find_pens(parsed(mouse), Dialect::wacom));
+}
+
+TEST(PenLayout, AFingerIsNoPen) {
+  // A touch screen: contact with identifier, tip switch and position within a Finger collection.
+  const tests::Report touch{0x05, 0x0d, 0x09, 0x04, 0xa1, 0x01, 0x85, 0x01, 0x09, 0x22, 0xa1, 0x02,
+                            0x09, 0x42, 0x15, 0x00, 0x25, 0x01, 0x75, 0x08, 0x95, 0x01, 0x81, 0x02,
+                            0x09, 0x51, 0x25, 0x7f, 0x81, 0x02, 0x05, 0x01, 0x09, 0x30, 0x09, 0x31,
+                            0x26, 0xff, 0x0f, 0x75, 0x10, 0x95, 0x02, 0x81, 0x02, 0xc0, 0xc0};
+  EXPECT_FALSE(find_pens(parsed(touch), Dialect::standard));
+  EXPECT_FALSE(find_pens(parsed(touch), Dialect::wacom));
+  // The same fields of an application called Digitizer, as some drivers' descriptors have it.
+  tests::Report digitizer = touch;
+  digitizer[3] = 0x01;
+  EXPECT_FALSE(find_pens(parsed(digitizer), Dialect::standard));
+}
+
+TEST(PenLayout, OnlyReportsThatAreLongEnoughAreFound) {
+  const auto pens = find_pens(parsed(tests::ink_descriptor()), Dialect::standard);
+  ASSERT_TRUE(pens);
+  tests::Report report = tests::ink_pen({});
+  EXPECT_NE(pens->find(report), nullptr);
+  report.push_back(0);
+  EXPECT_NE(pens->find(report), nullptr);
+  report.resize(11);
+  EXPECT_EQ(pens->find(report), nullptr);
+  report = tests::ink_pen({});
+  report[0] = 8;
+  EXPECT_EQ(pens->find(report), nullptr);
+  EXPECT_EQ(pens->find({}), nullptr);
+}
+
+TEST(PenLayout, ReadsWacomsMirrorOfTheDigitizerPage) {
+  // Application ff0d0002, switches of page ff0d, X and Y on sub-page 1.
+  const tests::Report vendor{0x06, 0x0d, 0xff, 0x09, 0x02, 0xa1, 0x01, 0x85, 0x10, 0x09, 0x42, 0x09, 0x32, 0x09,
+                             0x36, 0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x08, 0x81, 0x02, 0x0a, 0x30, 0x01,
+                             0x0a, 0x31, 0x01, 0x26, 0xff, 0x7f, 0x75, 0x10, 0x95, 0x02, 0x81, 0x02, 0xc0};
+  EXPECT_FALSE(find_pens(parsed(vendor), Dialect::standard));
+  const auto pens = find_pens(parsed(vendor), Dialect::wacom);
+  ASSERT_TRUE(pens);
+  EXPECT_TRUE(pens->has_sense);
+  EXPECT_EQ(pens->axes.y.maximum, 0x7fff);
+}
+
+TEST(PenLayout, AnUndefinedUsageBetweenInvertAndInRangeIsTheSecondButton) {
+  tests::Report bytes{0x05, 0x0d, 0x09, 0x02, 0xa1, 0x01, 0x85, 0x02, 0x09, 0x20, 0xa1, 0x00, 0x09, 0x42,
+                      0x09, 0x44, 0x09, 0x45, 0x09, 0x3c, 0x09, 0x00, 0x09, 0x32, 0x15, 0x00, 0x25, 0x01,
+                      0x75, 0x01, 0x95, 0x06, 0x81, 0x02, 0x95, 0x02, 0x81, 0x03, 0x05, 0x01, 0x09, 0x30,
+                      0x09, 0x31, 0x26, 0xff, 0x7f, 0x75, 0x10, 0x95, 0x02, 0x81, 0x02, 0xc0, 0xc0};
+  const auto pens = find_pens(parsed(bytes), Dialect::wacom);
+  ASSERT_TRUE(pens);
+  const auto& controls = pens->reports[0].controls;
+  EXPECT_TRUE(std::any_of(controls.begin(), controls.end(), [](const PenControl& control) {
+    return control.role == PenRole::barrel2 && control.bit_offset == 12;
+  }));
+}
+
+}  // namespace
+}  // namespace penpose::decode

@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include "tests/support/app_desk.h"
+#include "ui/app/dialogs/found_command.h"
+
+// The search over everything, and the list of keys.
+
+namespace penpose::app {
+namespace {
+
+using Kind = FoundCommand::Kind;
+
+TEST(Finding, ActionsControlsPosesAndFilesAreFound) {
+  Desk desk("find");
+  desk.begin();
+  desk.click("Key");
+  desk.app->name_key("big smile");
+  ASSERT_TRUE(desk.app->save(desk.path("grin.glb")).ok());
+  const auto first = [&](const char* text) {
+    const auto found = find_commands(*desk.app, text);
+    return found.empty() ? FoundCommand{} : found.front();
+  };
+  EXPECT_EQ(first("undo").action, Action::undo);
+  EXPECT_EQ(first("undo").detail, "Ctrl+Z");
+  EXPECT_EQ(first("brow_inner_l").kind, Kind::control);
+  EXPECT_EQ(first("smile big").kind, Kind::pose) << "words in any order";
+  EXPECT_EQ(first("grin").kind, Kind::file);
+  EXPECT_EQ(first("mirror").action, Action::mirror_strokes);
+  EXPECT_TRUE(find_commands(*desk.app, "no such thing").empty());
+}
+
+TEST(Finding, WhatIsTypedAndChosenIsDone) {
+  Desk desk("search-dialog");
+  desk.begin();
+  desk.app->panels().has_keyboard = true;
+  desk.hit(14, 'k', true);
+  ASSERT_EQ(desk.app->panels().dialog, Dialog::search);
+  desk.type("wire");
+  desk.hit_return();
+  EXPECT_EQ(desk.app->panels().dialog, Dialog::none);
+  EXPECT_TRUE(desk.app->panels().wireframe);
+  // The arrows choose another one.
+  desk.hit(14, 'k', true);
+  desk.type("undo");
+  ASSERT_GT(find_commands(*desk.app, "undo").size(), 1U);
+  const auto second = find_commands(*desk.app, "undo")[1];
+  desk.hit(81, k_key_down);
+  EXPECT_EQ(desk.app->panels().search_chosen, 1U);
+  desk.hit_escape();
+  EXPECT_EQ(desk.app->panels().dialog, Dialog::none);
+  // A control that is found is shown.
+  desk.hit(14, 'k', true);
+  desk.type("jaw");
+  desk.hit_return();
+  EXPECT_EQ(desk.app->panels().filter, "jaw");
+  EXPECT_NE(desk.interface->find("slider jaw"), nullptr);
+}
+
+TEST(Finding, EveryKeyIsInTheList) {
+  Desk desk("shortcuts");
+  desk.begin();
+  desk.press('/', false, true);
+  ASSERT_EQ(desk.app->panels().dialog, Dialog::shortcuts);
+  desk.hit_escape();
+  desk.press(k_key_f1);
+  ASSERT_EQ(desk.app->panels().dialog, Dialog::shortcuts);
+  desk.type("frame");
+  EXPECT_NE(desk.interface->find("Frame on##shortcut"), nullptr);
+  EXPECT_EQ(desk.interface->find("Undo##shortcut"), nullptr) << "what does not fit is not listed";
+  desk.click("Frame on##shortcut");
+  EXPECT_EQ(desk.app->panels().dialog, Dialog::none);
+  EXPECT_DOUBLE_EQ(desk.app->panels().time_s, 1.0 / 24) << "a touch does it";
+}
+
+TEST(Finding, NoTwoActionsHaveOneKey) {
+  for (const ActionInfo& one : all_actions()) {
+    for (const KeyStroke& key : {one.key, one.other}) {
+      if (key.key == 0) continue;
+      ASSERT_NE(action_of(key), nullptr);
+      EXPECT_EQ(action_of(key)->label, one.label) << shortcut_text(key);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace penpose::app

@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "tests/support/app_desk.h"
+#include "ui/app/session/suggestion_offer.h"
+#include "ui/files/load_model.h"
+#include "ui/files/trace_file.h"
+
+// The rest of the face, offered from poses that are keyed.
+
+namespace penpose::app {
+namespace {
+
+void set(Desk& desk, const std::string& name, double value) {
+  desk.app->set_parameter(*rig::find_parameter(desk.document().model->rig->parameters(), name), value);
+  desk.frames(1);
+}
+
+double value_of(const rig::Pose& pose, const Desk& desk, const std::string& name) {
+  return pose[*rig::find_parameter(desk.document().model->rig->parameters(), name)];
+}
+
+/// Three faces whose brows go with the corner of the mouth, then the face at rest again.
+void key_faces(Desk& desk, int count = 3) {
+  for (int k = 0; k < count; ++k) {
+    const double much = 0.3 + 0.3 * k;
+    for (const char* name : {"mouth_corner_L", "mouth_corner_R"}) set(desk, name, much);
+    for (const char* name : {"brow_inner_L", "brow_inner_R"}) set(desk, name, 0.9 * much);
+    desk.app->panels().time_s = 0.5 * k;
+    desk.click("Key");
+  }
+  desk.click("Rest pose");
+}
+
+bool says(const Desk& desk, const std::string& part) {
+  const auto& notices = desk.app->notices();
+  return std::any_of(notices.begin(), notices.end(),
+                     [&](const Notice& one) { return one.text.find(part) != std::string::npos; });
+}
+
+TEST(Suggestion, IsGreyAndSaysWhyUntilTwoPosesAreKeyed) {
+  Desk desk("suggest-grey");
+  desk.begin();
+  EXPECT_NE(desk.app->offer().why_not(desk.app->workspace()).find("no pose is keyed yet"), std::string::npos);
+  key_faces(desk, 1);
+  set(desk, "mouth_corner_L", 0.5);
+  desk.click("Suggest");
+  EXPECT_FALSE(desk.app->offer().open()) << "a grey button does nothing";
+  desk.press('g');
+  EXPECT_FALSE(desk.app->offer().open());
+  EXPECT_TRUE(says(desk, "only one pose is keyed yet"));
+  EXPECT_TRUE(says(desk, "key two different poses or more"));
+  key_faces(desk, 2);
+  EXPECT_EQ(desk.app->offer().why_not(desk.app->workspace()), "");
+}
+
+TEST(Suggestion, IsShownAndChangesTheDocumentOnlyWhenItIsTaken) {
+  Desk desk("suggest-take");
+  desk.begin();
+  key_faces(desk);
+  set(desk, "mouth_corner_L", 0.5);
+  set(desk, "mouth_corner_R", 0.5);
+  const auto before = desk.app->workspace().state();
+  const std::size_t undo = desk.app->workspace().editor().history().undo_count();
+  desk.click("Suggest");
+  ASSERT_TRUE(desk.app->offer().open());
+  EXPECT_EQ(desk.app->workspace().state(), before);
+  const rig::Pose shown = desk.app->workspace().shown_pose();
+  EXPECT_GT(value_of(shown, desk, "brow_inner_L"), 0.2) << "the brow goes with the mouth";
+  EXPECT_EQ(value_of(shown, desk, "mouth_corner_L"), 0.5) << "what was posed stays";
+  desk.click("Take it##suggestion");
+  EXPECT_FALSE(desk.app->offer().open());
+  EXPECT_EQ(desk.document().pose, shown);
+  EXPECT_EQ(desk.app->workspace().editor().history().undo_count(), undo + 1);
+  desk.press('z', true);
+  EXPECT_EQ(desk.app->workspace().state(), before);
+}
+
+TEST(Suggestion, DismissedTheFaceIsAsItWasAndNothingIsRecorded) {
+  Desk desk("suggest-dismiss");
+  desk.begin();
+  key_faces(desk);
+  set(desk, "mouth_corner_L", 0.5);
+  const auto before = desk.app->workspace().state();
+  const auto revision = desk.app->workspace().revision();
+  for (const bool by_button : {true, false}) {
+    desk.press('g');
+    ASSERT_TRUE(desk.app->offer().open());
+    EXPECT_NE(desk.app->workspace().shown_pose(), desk.document().pose);
+    if (by_button) {
+      desk.click("Dismiss##suggestion");
+    } else {
+      desk.hit_escape();
+    }
+    EXPECT_FALSE(desk.app->offer().open());
+    EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+  }
+  EXPECT_EQ(desk.app->workspace().state(), before);
+  EXPECT_EQ(desk.app->workspace().revision(), revision);
+}
+
+TEST(Suggestion, ThePenAloneTakesHalfOfIt) {
+  Desk desk("suggest-half");
+  desk.begin();
+  key_faces(desk);
+  set(desk, "mouth_corner_L", 0.5);
+  desk.click("Suggest");
+  ASSERT_TRUE(desk.app->offer().open());
+  const Area* found = desk.interface->find("slider how much of it");
+  ASSERT_NE(found, nullptr);
+  const Area slider = *found;
+  const auto pull_to = [&](double share) {
+    desk.app->mouse_moved({slider.right - 4, slider.middle().y});
+    desk.app->mouse_button(MouseButton::left, true, {slider.right - 4, slider.middle().y});
+    desk.frames(2);
+    const PxPoint at{slider.left + share * slider.width(), slider.middle().y};
+    desk.app->mouse_moved(at);
+    desk.frames(2);
+    desk.app->mouse_button(MouseButton::left, false, at);
+    desk.frames(2);
+  };
+  pull_to(0.5);
+  ASSERT_TRUE(desk.app->offer().open());
+  const double strength = desk.app->offer().suggestion().command.strength;
+  EXPECT_NEAR(strength, 0.5, 0.1);
+  const double half = value_of(desk.app->workspace().shown_pose(), desk, "brow_inner_L");
+  desk.click("Take it##suggestion");
+  EXPECT_EQ(value_of(desk.document().pose, desk, "brow_inner_L"), half);
+  EXPECT_GT(half, 0.05);
+}
+
+TEST(Suggestion, NotThisOneAsksAgainAndAStrokeASliderOrTheTimelineEndsIt) {
+  Desk desk("suggest-end");
+  desk.begin();
+  key_faces(desk);
+  set(desk, "mouth_corner_L", 0.5);
+  desk.press('g');
+  ASSERT_TRUE(desk.app->offer().open());
+  desk.click("##lock brow_inner_L");
+  ASSERT_TRUE(desk.app->offer().open());
+  EXPECT_EQ(value_of(desk.app->workspace().shown_pose(), desk, "brow_inner_L"), 0);
+  EXPECT_GT(value_of(desk.app->workspace().shown_pose(), desk, "brow_inner_R"), 0.1);
+  set(desk, "jaw", 0.4);
+  EXPECT_FALSE(desk.app->offer().open());
+  EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+  desk.press('g');
+  ASSERT_TRUE(desk.app->offer().open());
+  desk.app->scrub(0.25);
+  desk.frames(2);
+  EXPECT_FALSE(desk.app->offer().open());
+  EXPECT_TRUE(desk.app->workspace().previews()) << "what the timeline shows stays";
+  desk.app->end_scrub();
+  desk.press('g');
+  ASSERT_TRUE(desk.app->offer().open());
+  desk.click("Pose");
+  desk.stroke(desk.named_curve(any_curve(desk)), false);
+  EXPECT_FALSE(desk.app->offer().open());
+  EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+}
+
+TEST(Suggestion, ATakenOneIsReplayed) {
+  Desk desk("suggest-replay");
+  desk.begin();
+  key_faces(desk);
+  pose_mouth(desk);
+  desk.press('g');
+  ASSERT_TRUE(desk.app->offer().open());
+  desk.click("Take it##suggestion");
+  const auto state = desk.app->workspace().state();
+  const std::string session = desk.app->session_path();
+  const auto file = files::open_trace(session);
+  ASSERT_TRUE(file.ok()) << file.error().line(session);
+  replay::PlayerOptions options;
+  options.open = [](const std::string& path) { return files::load_document(path); };
+  const auto played = replay::play_session(files::read_from_file(file->get()), options);
+  ASSERT_TRUE(played.ok());
+  EXPECT_EQ(played->differing, 0U);
+  EXPECT_EQ(played->session->editor().state(), state);
+}
+
+}  // namespace
+}  // namespace penpose::app

@@ -1,0 +1,85 @@
+#include "ui/app/session/pose_library.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/app_desk.h"
+#include "ui/app/input/side_pairs.h"
+
+namespace penpose::app {
+namespace {
+
+std::size_t index_of(const Desk& desk, const std::string& name) {
+  return *rig::find_parameter(desk.document().model->rig->parameters(), name);
+}
+
+void set(Desk& desk, const std::string& name, double value) { desk.app->set_parameter(index_of(desk, name), value); }
+double value_of(const Desk& desk, const std::string& name) { return desk.document().pose[index_of(desk, name)]; }
+
+/// A key at 1 s, named "wink", of a brow and the jaw; then back at rest.
+void key_wink(Desk& desk) {
+  desk.begin();
+  set(desk, "brow_inner_L", 0.8);
+  set(desk, "jaw", 0.5);
+  desk.app->panels().time_s = 1;
+  desk.app->do_action(Action::key_pose);
+  desk.app->name_key("wink");
+  desk.app->workspace().perform(document::ResetParameters{});
+  desk.frames();
+}
+
+TEST(PoseLibrary, PartsAreToldByTheNamesOfControls) {
+  EXPECT_EQ(part_of("browInnerUp_L"), FacePart::brows);
+  EXPECT_EQ(part_of("EyebrowRaise"), FacePart::brows);
+  EXPECT_EQ(part_of("eyeBlinkLeft"), FacePart::eyes);
+  EXPECT_EQ(part_of("jawOpen"), FacePart::mouth);
+  EXPECT_EQ(part_of("nose_sneer"), FacePart::all);
+}
+
+TEST(PoseLibrary, AKeyedPoseIsTakenWholeInPartMirroredAndByHalf) {
+  Desk desk("library");
+  key_wink(desk);
+  const auto pairs = side_pairs(desk.document().model->rig->parameters());
+  const auto value = [&](const PoseChoice& choice, const std::string& name) {
+    for (const auto& one : values_of_choice(desk.document(), choice, pairs).values) {
+      if (one.name == name) return one.value;
+    }
+    return 0.0;
+  };
+  EXPECT_DOUBLE_EQ(value({1.0}, "brow_inner_L"), 0.8);
+  EXPECT_DOUBLE_EQ(value({1.0}, "jaw"), 0.5);
+  EXPECT_DOUBLE_EQ(value({1.0, FacePart::mouth}, "jaw"), 0.5);
+  EXPECT_DOUBLE_EQ(value({1.0, FacePart::mouth}, "brow_inner_L"), 0);
+  EXPECT_DOUBLE_EQ(value({1.0, FacePart::brows, true}, "brow_inner_R"), 0.8);
+  EXPECT_DOUBLE_EQ(value({1.0, FacePart::brows, true}, "brow_inner_L"), 0);
+  EXPECT_DOUBLE_EQ(value({1.0, FacePart::all, false, 0.5}, "jaw"), 0.25);
+  EXPECT_TRUE(values_of_choice(desk.document(), {0.3}, pairs).values.empty()) << "there is no such key";
+}
+
+TEST(PoseLibrary, APoseIsChosenByItsPictureAndBlendedInWithThePen) {
+  Desk desk("library-panel");
+  key_wink(desk);
+  desk.click("Poses");
+  desk.frames(8);
+  ASSERT_TRUE(desk.click("wink##pose frame 24"));
+  desk.click("Mouth##part");
+  const Area blend = *desk.interface->find("slider blend");
+  const auto at = [&](double share) { return PxPoint{blend.left + share * blend.width(), blend.middle().y}; };
+  desk.app->mouse_moved(at(0.01));
+  desk.app->mouse_button(MouseButton::left, true, at(0.01));
+  desk.frames();
+  desk.app->mouse_moved(at(0.5));
+  desk.frames();
+  EXPECT_TRUE(desk.app->workspace().previews()) << "the face shows it before it is let go";
+  EXPECT_NEAR(desk.app->workspace().shown_pose()[index_of(desk, "jaw")], 0.25, 0.02);
+  desk.app->mouse_button(MouseButton::left, false, at(0.5));
+  desk.frames();
+  EXPECT_NEAR(value_of(desk, "jaw"), 0.25, 0.02);
+  EXPECT_EQ(value_of(desk, "brow_inner_L"), 0) << "of the mouth alone";
+  desk.click("All##part");
+  desk.click("Take##pose");
+  EXPECT_DOUBLE_EQ(value_of(desk, "jaw"), 0.5);
+  EXPECT_DOUBLE_EQ(value_of(desk, "brow_inner_L"), 0.8);
+}
+
+}  // namespace
+}  // namespace penpose::app

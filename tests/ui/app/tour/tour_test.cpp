@@ -1,0 +1,247 @@
+#include "ui/app/tour/tour.h"
+
+#include <gtest/gtest.h>
+
+#include "core/document/document.h"
+#include "replay/session/session_player.h"
+#include "tests/support/app_desk.h"
+#include "ui/app/dialogs/found_command.h"
+#include "ui/files/load_model.h"
+
+namespace penpose::app {
+namespace {
+
+constexpr const char* k_model =
+    "# penpose session 1 program=hand\n# penpose model 27eabccd5cb1d1d6980b5a44f4acb661 path=builtin%3Ademo-3\n";
+
+TEST(Tour, EveryBundledTourIsASessionThatReplaysToItsStates) {
+  for (const std::string_view name : k_tours) {
+    replay::PlayerOptions options;
+    options.open = [](const std::string& path) { return files::load_document(path); };
+    const auto played = replay::play_session(replay::read_from(base::as_bytes(tour_session(name))), options);
+    ASSERT_TRUE(played.ok()) << name;
+    EXPECT_GE(played->checked, 5U) << name;
+    EXPECT_EQ(played->differing, 0U) << name;
+    EXPECT_EQ(played->refused, 0U) << name;
+  }
+}
+
+TEST(Tour, TheFirstIsOfSixStrokesAndEachStepSaysSomething) {
+  for (const std::string_view name : k_tours) {
+    const auto tour = read_tour(name, tour_session(name));
+    ASSERT_TRUE(tour.ok()) << tour.error().line();
+    EXPECT_FALSE(tour->title.empty());
+    EXPECT_FALSE(tour->ends.empty());
+    for (const TourStep& step : tour->steps) {
+      EXPECT_GT(step.says.size(), 10U);
+      EXPECT_LT(step.says.size(), 70U) << "a short sentence: " << step.says;
+    }
+  }
+  EXPECT_EQ(read_tour("pose", tour_session("pose"))->steps.size(), 6U);
+}
+
+TEST(Tour, WhatIsNoTourIsRefusedWithItsLine) {
+  for (const std::string& text :
+       {std::string("# tour says Nothing\n"), std::string(k_model), std::string(k_model) + "# penpose do set_key\n",
+        std::string(k_model) + "# tour sings\n", std::string(k_model) + "# tour press nothing Press\n",
+        std::string(k_model) + "# tour says Draw\n# penpose do draw_nothing\n"}) {
+    EXPECT_FALSE(read_tour("x", text).ok()) << text;
+  }
+  const auto unsaid = read_tour("x", std::string(k_model) + "# penpose do set_key\n");
+  ASSERT_FALSE(unsaid.ok());
+  EXPECT_NE(unsaid.error().line().find("line 3"), std::string::npos) << unsaid.error().line();
+}
+
+/// The line that a tour shows, as the hand sees it; moved by some px.
+std::vector<PxPoint> shown_line(Desk& desk, PxPoint by = {}) {
+  const document::View& view = desk.app->view();
+  const auto camera = geometry::Camera::make(view.camera, view.viewport);
+  std::vector<PxPoint> line;
+  for (const auto& point : desk.app->tour().ghost()) line.push_back(*camera->project(point) + by);
+  return line;
+}
+
+void begin_tour(Desk& desk, const std::string& name) {
+  desk.begin();
+  desk.app->try_open("tour:" + name);
+  desk.frames();
+  ASSERT_TRUE(desk.app->tour().active());
+}
+
+TEST(Tour, TheFirstStartOffersThemAndTheSearchFindsThem) {
+  Desk desk("tour-offer");
+  EXPECT_NE(desk.interface->find("Tour: pose a face"), nullptr);
+  desk.click("Tour: pose a face");
+  ASSERT_TRUE(desk.app->tour().active());
+  EXPECT_EQ(desk.app->tour().tour().name, "pose");
+  EXPECT_TRUE(desk.app->settings().steps_seen) << "it is not offered at every start";
+  const auto found = find_commands(*desk.app, "tour");
+  ASSERT_GE(found.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(found[i].text.starts_with("Tour: ")) << found[i].text;
+}
+
+TEST(Tour, SixStrokesOfTheHandGoThroughTheFirst) {
+  Desk desk("tour-pose");
+  begin_tour(desk, "pose");
+  for (std::size_t step = 0; step < 6; ++step) {
+    ASSERT_EQ(desk.app->tour().step(), step) << desk.app->tour().again();
+    // A hand is not exact.
+    desk.stroke(shown_line(desk, {2, -2}));
+  }
+  EXPECT_TRUE(desk.app->tour().done()) << desk.app->tour().again();
+  EXPECT_EQ(desk.document().curves.size(), 3U);
+  EXPECT_NE(desk.interface->find("Next tour##tour"), nullptr);
+}
+
+TEST(Tour, AStrokeElsewhereIsTakenBackAndSaidWhy) {
+  Desk desk("tour-wrong");
+  begin_tour(desk, "pose");
+  desk.stroke(shown_line(desk, {0, -90}));
+  EXPECT_EQ(desk.app->tour().step(), 0U);
+  EXPECT_NE(desk.app->tour().again().find("Too far up"), std::string::npos) << desk.app->tour().again();
+  EXPECT_TRUE(desk.document().curves.empty());
+  desk.stroke(shown_line(desk));
+  EXPECT_EQ(desk.app->tour().step(), 1U);
+  EXPECT_EQ(desk.app->tour().again(), "");
+  // Where the feature is already is no goal for it.
+  desk.stroke(desk.named_curve("lip_upper_inner"));
+  EXPECT_EQ(desk.app->tour().step(), 1U);
+  EXPECT_FALSE(desk.document().curves.front()->target.has_value());
+  EXPECT_NE(desk.app->tour().again(), "");
+}
+
+TEST(Tour, WhoTakesBackAStrokeIsShownItAgain) {
+  Desk desk("tour-undo");
+  begin_tour(desk, "pose");
+  desk.stroke(shown_line(desk));
+  desk.stroke(shown_line(desk));
+  ASSERT_EQ(desk.app->tour().step(), 2U);
+  desk.app->undo();
+  desk.frames();
+  EXPECT_EQ(desk.app->tour().step(), 1U);
+  desk.stroke(shown_line(desk));
+  EXPECT_EQ(desk.app->tour().step(), 2U);
+}
+
+TEST(Tour, AnotherToolIsAskedToBePutAway) {
+  Desk desk("tour-tool");
+  begin_tour(desk, "pose");
+  desk.click("Erase");
+  EXPECT_EQ(desk.app->tour().pointed(*desk.app), "Pose");
+  EXPECT_TRUE(desk.app->tour().says(*desk.app).starts_with("Press Pose first"));
+  desk.click("Pose");
+  EXPECT_EQ(desk.app->tour().pointed(*desk.app), "");
+}
+
+TEST(Tour, TheLineIsShownOnTheFaceFromWhereverOneLooks) {
+  Desk desk("tour-view");
+  begin_tour(desk, "pose");
+  const auto before = shown_line(desk);
+  desk.press(k_key_right);
+  const auto after = shown_line(desk);
+  EXPECT_GT(geometry::distance(before.front(), after.front()), 5);
+  // It goes on lying on the lips.
+  const auto lips = desk.named_curve("lip_upper_inner");
+  EXPECT_LT(geometry::distance(after[after.size() / 2], lips[lips.size() / 2]), 12);
+  desk.stroke(after);
+  EXPECT_EQ(desk.app->tour().step(), 1U) << desk.app->tour().again();
+}
+
+TEST(Tour, ThreeLinesMakeTheControlOfTheSecond) {
+  Desk desk("tour-rig");
+  begin_tour(desk, "rig");
+  EXPECT_EQ(desk.app->tour().pointed(*desk.app), "Rig");
+  desk.click("Rig");
+  for (int i = 0; i < 3; ++i) desk.stroke(shown_line(desk, {1, 2}));
+  ASSERT_EQ(desk.app->tour().step(), 4U) << desk.app->tour().again();
+  const std::string slider = desk.app->tour().pointed(*desk.app);
+  const Area* found = desk.interface->find(slider);
+  ASSERT_NE(found, nullptr) << slider;
+  const Area at = *found;
+  const PxPoint middle = at.middle();
+  // Half of the way is not its end.
+  desk.app->set_parameter(0, 0.4);
+  desk.frames();
+  EXPECT_FALSE(desk.app->tour().done());
+  EXPECT_NE(desk.app->tour().again(), "");
+  const PxPoint end{at.right + 40, middle.y};
+  desk.app->mouse_moved(middle);
+  desk.app->mouse_button(MouseButton::left, true, middle);
+  desk.frames();
+  desk.app->mouse_moved(end);
+  desk.frames();
+  desk.app->mouse_button(MouseButton::left, false, end);
+  desk.frames();
+  EXPECT_TRUE(desk.app->tour().done()) << desk.app->tour().again();
+}
+
+TEST(Tour, TwoKeysAndPlayEndTheThird) {
+  Desk desk("tour-animate");
+  begin_tour(desk, "animate");
+  desk.click("Key");
+  ASSERT_EQ(desk.app->tour().step(), 1U);
+  desk.app->go_to(0.5);
+  desk.frames();
+  EXPECT_EQ(desk.app->tour().step(), 1U);
+  EXPECT_NE(desk.app->tour().again().find("frame"), std::string::npos);
+  const Area* mark = desk.interface->find("tour time");
+  ASSERT_NE(mark, nullptr);
+  const PxPoint at = mark->middle();
+  desk.stroke({{at.x - 60, at.y}, at});
+  ASSERT_EQ(desk.app->tour().step(), 2U) << desk.app->tour().again();
+  desk.stroke(shown_line(desk));
+  desk.stroke(shown_line(desk));
+  desk.click("Key");
+  ASSERT_EQ(desk.app->tour().step(), 5U) << desk.app->tour().again();
+  desk.click("Play");
+  EXPECT_TRUE(desk.app->tour().done());
+  EXPECT_EQ(desk.document().timeline->keys.size(), 2U);
+}
+
+TEST(Tour, EveryStepCanBeSkippedAndTheTourLeft) {
+  for (const std::string_view name : k_tours) {
+    Desk desk("tour-skip-" + std::string(name));
+    begin_tour(desk, std::string(name));
+    const std::size_t steps = desk.app->tour().tour().steps.size();
+    for (std::size_t i = 0; i < steps; ++i) {
+      ASSERT_EQ(desk.app->tour().step(), i) << name << ": " << desk.app->tour().again();
+      desk.click("Skip##tour");
+    }
+    EXPECT_TRUE(desk.app->tour().done()) << name;
+    desk.click("Close##tour");
+    EXPECT_FALSE(desk.app->tour().active());
+  }
+  Desk desk("tour-leave");
+  begin_tour(desk, "pose");
+  desk.stroke(shown_line(desk));
+  desk.click("Leave##tour");
+  EXPECT_FALSE(desk.app->tour().active());
+  EXPECT_EQ(desk.document().curves.size(), 1U) << "what was drawn stays";
+}
+
+TEST(Tour, AnotherModelEndsIt) {
+  Desk desk("tour-open");
+  begin_tour(desk, "pose");
+  ASSERT_TRUE(desk.app->open("builtin:head").ok());
+  desk.frames();
+  EXPECT_FALSE(desk.app->tour().active());
+}
+
+TEST(Tour, TheCardCutsNothingInAWindowOfAnySize) {
+  Desk desk("tour-size");
+  begin_tour(desk, "pose");
+  for (const auto& [width, height] : {std::pair{800, 600}, std::pair{1280, 800}, std::pair{3840, 2160}}) {
+    desk.app->resized({width, height}, 96);
+    desk.frames();
+    const Area free = desk.app->free_area();
+    for (const PxPoint& p : shown_line(desk)) EXPECT_TRUE(free.holds(p)) << width;
+    for (const char* label : {"Skip##tour", "Leave##tour"}) {
+      const Area* at = desk.interface->find(label);
+      ASSERT_NE(at, nullptr) << label << " at " << width;
+      EXPECT_GE(at->top, free.bottom) << "the card lies below the canvas";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace penpose::app

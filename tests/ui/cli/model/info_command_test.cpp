@@ -1,0 +1,73 @@
+#include "ui/cli/model/info_command.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/io/model/write_model.h"
+#include "tests/support/command_run.h"
+#include "tests/support/models/model_samples.h"
+#include "tests/support/shared_data.h"
+
+namespace penpose::cli {
+namespace {
+
+class InfoCommand : public tests::CommandRun {};
+class SharedInfoCommand : public tests::CommandRun {};
+
+TEST_F(InfoCommand, JsonSaysWhatIsInTheModel) {
+  save("full.glb", io::write_glb(tests::full_model()).value());
+  ASSERT_EQ(run({"info", "--json", path("full.glb")}), 0) << error_;
+  const auto info = nlohmann::json::parse(out_);
+  EXPECT_EQ(info["vertices"], 20);
+  EXPECT_EQ(info["faces"], 10);
+  EXPECT_EQ(info["components"], 5);
+  EXPECT_EQ(info["parts"][3]["name"], "arm");
+  EXPECT_EQ(info["blend_shapes"], 4);
+  EXPECT_EQ(info["joints"], 4);
+  EXPECT_EQ(info["parameters"].size(), 13U);
+  EXPECT_EQ(
+      info["parameters"][1],
+      nlohmann::json({{"name", "all over"}, {"minimum", -1.0}, {"maximum", 2.0}, {"rest", 0.25}, {"value", -0.75}}));
+  EXPECT_EQ(info["curves"][0], nlohmann::json({{"name", "brow"}, {"points", 2}}));
+  EXPECT_EQ(info["animations"][0]["name"], "wave");
+  EXPECT_EQ(info["animations"][0]["duration_s"], 2.0);
+  EXPECT_EQ(info["bounding_box"]["minimum"].size(), 3U);
+  EXPECT_EQ(info["state"].get<std::string>().size(), 32U);
+  EXPECT_EQ(error_, "");
+}
+
+TEST_F(InfoCommand, TextNamesPartsParametersAndCurves) {
+  save("full.glb", io::write_glb(tests::full_model()).value());
+  ASSERT_EQ(run({"info", path("full.glb")}), 0) << error_;
+  for (const char* word : {"vertices    20", "arm", "all over", "at -0.7500", "ball.rx", "brow", "wave"}) {
+    EXPECT_NE(out_.find(word), std::string::npos) << word << "\n" << out_;
+  }
+}
+
+TEST_F(InfoCommand, FaultsAreOneLineAndStatusOne) {
+  save("cut.glb", std::string("glTF\2\0\0\0", 8));
+  save("bad.obj", std::string("v 0 0 0\nf 1 2 3\n"));
+  for (const char* name : {"cut.glb", "bad.obj", "missing.glb"}) {
+    EXPECT_EQ(run({"info", path(name)}), 1);
+    EXPECT_EQ(out_, "");
+    EXPECT_EQ(std::count(error_.begin(), error_.end(), '\n'), 1);
+    EXPECT_NE(error_.find(name), std::string::npos);
+  }
+  EXPECT_EQ(run({"info", path("bad.obj")}), 1);
+  EXPECT_NE(error_.find("line 2"), std::string::npos);
+  EXPECT_EQ(run({"info"}), 2);
+}
+
+TEST_F(SharedInfoCommand, IctFace) {
+  if (!tests::has_shared()) GTEST_SKIP();
+  ASSERT_EQ(run({"info", "--json", (tests::shared_dir() / "meshes" / "ict_face.glb").string()}), 0) << error_;
+  const auto info = nlohmann::json::parse(out_);
+  EXPECT_EQ(info["vertices"], 26719);
+  EXPECT_EQ(info["components"], 56);
+  EXPECT_EQ(info["parameters"].size(), 53U);
+  EXPECT_NEAR(info["bounding_box"]["maximum"][1].get<double>(), 14.5047, 1e-4);
+}
+
+}  // namespace
+}  // namespace penpose::cli

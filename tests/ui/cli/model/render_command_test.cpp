@@ -1,0 +1,166 @@
+#include "ui/cli/model/render_command.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include "tests/support/shared_data.h"
+#include "ui/cli/command_line.h"
+
+namespace penpose::cli {
+namespace {
+
+class RenderCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() / ("penpose_render_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder_);
+    std::ofstream(model()) << "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] std::string model() const { return (folder_ / "model.off").string(); }
+  [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
+  [[nodiscard]] std::string content(const char* name) const {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+  int render(std::vector<std::string> arguments) {
+    std::vector<const char*> argv{"penpose", "render"};
+    for (const auto& argument : arguments) argv.push_back(argument.c_str());
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const int status = run(static_cast<int>(argv.size()), argv.data());
+    out_ = testing::internal::GetCapturedStdout();
+    error_ = testing::internal::GetCapturedStderr();
+    return status;
+  }
+
+  std::filesystem::path folder_;
+  std::string out_;
+  std::string error_;
+};
+
+class SharedRenderCommand : public RenderCommand {};
+
+TEST_F(RenderCommand, WritesAPngOfTheSizeAskedFor) {
+  ASSERT_EQ(render({model(), "--size", "80x48", "-o", path("a.png")}), k_success) << error_;
+  const std::string png = content("a.png");
+  ASSERT_GT(png.size(), 33U);
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_EQ(png.substr(16, 8), std::string("\0\0\0\x50\0\0\0\x30", 8));
+  EXPECT_EQ(out_ + error_, "");
+}
+
+TEST_F(RenderCommand, ViewsAndCamerasChangeThePicture) {
+  std::ofstream(path("camera.json")) << R"({"eye": [3, 3, 3], "look_at": [0.3, 0.3, 0.3]})";
+  const std::vector<std::string> start{model(), "--size", "64x64", "-o"};
+  const auto with = [&](const char* name, std::vector<std::string> more) {
+    auto arguments = start;
+    arguments.push_back(path(name));
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(render(arguments), k_success) << error_;
+    return content(name);
+  };
+  const auto front = with("a.png", {"--view", "front"});
+  EXPECT_NE(front, with("b.png", {"--view", "side"}));
+  EXPECT_NE(front, with("c.png", {"--camera", path("camera.json")}));
+  EXPECT_EQ(front, with("d.png", {"--view", "front"})) << "the same picture twice";
+}
+
+TEST_F(RenderCommand, FailuresAreOneLineAndLeaveNoFile) {
+  std::ofstream(path("broken.glb")) << "glTF";
+  std::ofstream(path("camera.json")) << R"({"eye": [3, 3, 3]})";
+  const std::vector<std::vector<std::string>> all{
+      {path("missing.glb")},
+      {path("broken.glb")},
+      {model(), "--set", "jawOpen=1"},
+      {model(), "--time", "1"},
+      {model(), "--camera", path("camera.json")},
+      {model(), "--cases", path("missing.json"), "--case", "a"},
+  };
+  for (auto arguments : all) {
+    arguments.insert(arguments.end(), {"-o", path("x.png")});
+    EXPECT_EQ(render(arguments), k_failure) << error_;
+    EXPECT_EQ(std::count(error_.begin(), error_.end(), '\n'), 1) << error_;
+    EXPECT_EQ(out_, "");
+    EXPECT_FALSE(std::filesystem::exists(path("x.png")));
+  }
+}
+
+TEST_F(RenderCommand, WrongUsageIsTwo) {
+  const std::vector<std::vector<std::string>> all{
+      {},
+      {model()},
+      {model(), "-o", path("x.png"), "--size", "0x5"},
+      {model(), "-o", path("x.png"), "--size", "100000x100000"},
+      {model(), "-o", path("x.png"), "--size", "big"},
+      {model(), "-o", path("x.png"), "--view", "inside"},
+      {model(), "-o", path("x.png"), "--case", "a"},
+  };
+  for (const auto& arguments : all) EXPECT_EQ(render(arguments), k_wrong_usage);
+}
+
+TEST_F(SharedRenderCommand, PosesAnimationsAndCasesShow) {
+  if (!tests::has_shared()) GTEST_SKIP();
+  const auto meshes = tests::shared_dir() / "meshes";
+  const auto picture = [&](const char* file, std::vector<std::string> more) {
+    std::vector<std::string> arguments{(meshes / file).string(), "--size", "96x96", "-o", path("p.png")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(render(arguments), k_success) << error_;
+    return content("p.png");
+  };
+  const auto rest = picture("ict_face.glb", {});
+  EXPECT_NE(rest, picture("ict_face.glb", {"--set", "jawOpen=1"}));
+  EXPECT_EQ(rest, picture("ict_face.glb", {"--set", "jawOpen=0"}));
+  EXPECT_NE(rest, picture("ict_face.glb",
+                          {"--cases", (meshes / "ict_face_pose_cases.json").string(), "--case", "open_smile"}));
+  EXPECT_NE(picture("cesium_man.glb", {"--time", "0.2"}), picture("cesium_man.glb", {"--time", "0.9"}));
+  EXPECT_NE(picture("animated_morph_cube.glb", {}), picture("animated_morph_cube.glb", {"--time", "1.5"}));
+}
+
+TEST_F(RenderCommand, NamesTheFramesOfASequenceAsBlenderDoes) {
+  EXPECT_EQ(frame_name("out/smile", 1), "out/smile0001.png");
+  EXPECT_EQ(frame_name("out/smile.png", 12), "out/smile0012.png");
+  EXPECT_EQ(frame_name("smile_######", 12345), "smile_012345.png");
+  EXPECT_EQ(frame_name("smile##.png", 100), "smile100.png");
+}
+
+TEST_F(RenderCommand, WritesAPictureAFrame) {
+  std::ofstream(folder_ / "take.csv") << "Timecode,BlendShapeCount,Jaw\n0:0:0:0,1,0\n0:0:0:24,1,0.8\n";
+  const char* animate[] = {"penpose", "animate", "builtin:demo", "--track", nullptr, "-o", nullptr};
+  const std::string take = path("take.csv");
+  const std::string clip = path("clip.glb");
+  animate[4] = take.c_str();
+  animate[6] = clip.c_str();
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const int made = run(7, animate);
+  (void)testing::internal::GetCapturedStdout();
+  const std::string error = testing::internal::GetCapturedStderr();
+  ASSERT_EQ(made, k_success) << error;
+  ASSERT_EQ(render({clip, "--frames", "--fps", "10", "--size", "64x64", "-o", path("clip.png")}), k_success) << error_;
+  // 0.4 s: frames at 0, 0.1, ..., 0.4.
+  for (const char* name : {"clip0001.png", "clip0005.png"})
+    EXPECT_TRUE(std::filesystem::exists(folder_ / name)) << name;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "clip0006.png"));
+  EXPECT_NE(content("clip0001.png"), content("clip0005.png"));
+  // A folder that is not there is made; one that cannot be is said in one line.
+  ASSERT_EQ(render({clip, "--frames", "--fps", "10", "--size", "64x64", "-o", path("new/clip/f##")}), k_success)
+      << error_;
+  EXPECT_EQ(content("new/clip/f05.png"), content("clip0005.png"));
+  EXPECT_EQ(render({clip, "--frames", "--fps", "10", "--size", "64x64", "-o", path("take.csv/f")}), k_failure);
+  EXPECT_NE(error_.find("its folder cannot be made"), std::string::npos) << error_;
+  EXPECT_NE(error_.find("name another folder"), std::string::npos) << error_;
+  EXPECT_EQ(std::count(error_.begin(), error_.end(), '\n'), 1) << error_;
+  EXPECT_EQ(render({model(), "--frames", "--size", "64x64", "-o", path("none.png")}), k_failure);
+  EXPECT_NE(error_.find("--frames"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace penpose::cli

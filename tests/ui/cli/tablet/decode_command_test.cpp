@@ -1,0 +1,132 @@
+#include "ui/cli/tablet/decode_command.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "tests/support/hands/pen_path.h"
+#include "tests/support/hands/pen_reports.h"
+#include "tests/support/hands/trace_text.h"
+#include "ui/cli/command_line.h"
+
+namespace penpose::cli {
+namespace {
+
+struct Outcome {
+  int status = 0;
+  std::string out;
+  std::string error;
+};
+
+class DecodeCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    path_ = (std::filesystem::temp_directory_path() / ("penpose_decode_test_" + std::to_string(::getpid()) + ".hid"))
+                .string();
+  }
+  void TearDown() override { std::filesystem::remove(path_); }
+
+  Outcome decode(const std::string& trace, std::vector<const char*> arguments = {}) {
+    std::ofstream(path_, std::ios::binary) << trace;
+    arguments.insert(arguments.begin(), {"penpose", "decode", path_.c_str()});
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    Outcome outcome;
+    outcome.status = run(static_cast<int>(arguments.size()), arguments.data());
+    outcome.out = testing::internal::GetCapturedStdout();
+    outcome.error = testing::internal::GetCapturedStderr();
+    return outcome;
+  }
+
+  std::string path_;
+};
+
+std::string pen_trace(int strokes = 1) {
+  tests::TraceText trace;
+  trace.device(0, tests::ink_descriptor(), "3 1b96 1000");
+  std::int64_t time_us = 0;
+  for (const auto& sample : tests::pen_path({24188, 15360, 4095, true, -1}, strokes)) {
+    trace.report(time_us, tests::ink_pen(sample));
+    time_us += 5000;
+  }
+  return trace.text();
+}
+
+TEST_F(DecodeCommand, PrintsARowForEachReportOfAPen) {
+  const Outcome outcome = decode(pen_trace());
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.error, "");
+  EXPECT_TRUE(outcome.out.starts_with("# axis x 0 24188 "));
+  EXPECT_NE(outcome.out.find("\nreport,time_us,x,y,pressure,tilt_x,tilt_y,distance,in_range,tool,tip,button1,button2\n"
+                             "0,0,2418,3840,0,-60,60,,1,eraser,0,0,0\n"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 5 + 1 + 21);
+}
+
+TEST_F(DecodeCommand, JsonIsOneObject) {
+  const auto object = nlohmann::json::parse(decode(pen_trace(), {"--json"}).out, nullptr, false);
+  ASSERT_TRUE(object.is_object());
+  EXPECT_EQ(object["samples"].size(), 21u);
+  EXPECT_EQ(object["devices"][0]["method"], "descriptor");
+  const auto empty = nlohmann::json::parse(
+      decode(tests::TraceText().device(0, {}, "3 0458 0138").text(), {"--json"}).out, nullptr, false);
+  ASSERT_TRUE(empty.is_object());
+  EXPECT_TRUE(empty["samples"].empty());
+}
+
+TEST_F(DecodeCommand, SeveralDevicesAddAColumn) {
+  tests::TraceText trace;
+  trace.device(0, {}, "3 0458 0138").device(1, tests::ink_descriptor(), "3 1b96 1000");
+  decode::PenSample sample;
+  sample.in_range = true;
+  sample.tool = decode::Tool::pen;
+  trace.line("D: 0").report(0, {1, 2, 3}).line("D: 1").report(10, tests::ink_pen(sample));
+  const Outcome outcome = decode(trace.text());
+  EXPECT_NE(outcome.out.find(",button2,device\n1,10,0,0,0,0,0,,1,pen,0,0,0,1\n"), std::string::npos) << outcome.out;
+}
+
+TEST_F(DecodeCommand, AProtocolByNameReadsAnyDevice) {
+  const std::string trace = tests::TraceText()
+                                .device(0, {0x05, 0x0d, 0xc0}, "3 0000 0000")
+                                .report(0, {0x02, 0xa1, 0x10, 0x27, 0x20, 0x4e, 0xe8, 0x03, 0, 0, 0, 0})
+                                .text();
+  const Outcome outcome = decode(trace, {"--protocol", "xp_pen"});
+  EXPECT_NE(outcome.out.find("\n0,0,10000,20000,1000,0,0,,1,pen,1,0,0\n"), std::string::npos) << outcome.out;
+  const Outcome unknown = decode(trace, {"--protocol", "no_such"});
+  EXPECT_EQ(unknown.status, 1);
+  EXPECT_NE(unknown.error.find("no_such"), std::string::npos);
+}
+
+TEST_F(DecodeCommand, ACutTraceIsReadUpToTheCut) {
+  std::string trace = pen_trace();
+  trace.resize(trace.size() - 4);
+  const Outcome outcome = decode(trace);
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 5 + 1 + 20);
+  EXPECT_NE(outcome.error.find("line 26: the last line is cut off"), std::string::npos) << outcome.error;
+  EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1);
+}
+
+TEST_F(DecodeCommand, AMouseGivesNoRowsAndSaysWhy) {
+  const Outcome outcome = decode(tests::TraceText().device(0, {}, "3 0458 0138").report(0, {1, 2, 3}).text());
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_TRUE(outcome.out.starts_with("report,time_us,"));
+  EXPECT_NE(outcome.error.find("no pen that is known"), std::string::npos);
+}
+
+TEST_F(DecodeCommand, WhatIsNoTraceIsAnError) {
+  EXPECT_EQ(decode("hello\n").status, 1);
+  EXPECT_EQ(decode("").status, 1);
+  std::vector<const char*> arguments{"penpose", "decode", "/no/such/file"};
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run(3, arguments.data()), 1);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("/no/such/file: cannot be opened"), std::string::npos);
+  EXPECT_EQ(decode(pen_trace(), {"--csv", "--json"}).status, 2);
+}
+
+}  // namespace
+}  // namespace penpose::cli

@@ -1,0 +1,128 @@
+#include "ui/cli/tablet/devices_command.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include "ui/cli/command_line.h"
+
+namespace penpose::cli {
+namespace {
+
+struct Outcome {
+  int status = 0;
+  std::string out;
+  std::string error;
+};
+
+Outcome run_program(std::vector<const char*> arguments) {
+  arguments.insert(arguments.begin(), "penpose");
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  Outcome outcome;
+  outcome.status = run(static_cast<int>(arguments.size()), arguments.data());
+  outcome.out = testing::internal::GetCapturedStdout();
+  outcome.error = testing::internal::GetCapturedStderr();
+  return outcome;
+}
+
+class DevicesCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    path_ = (std::filesystem::temp_directory_path() / ("penpose_devices_test_" + std::to_string(::getpid()) + ".json"))
+                .string();
+  }
+  void TearDown() override { std::filesystem::remove(path_); }
+  void write(const std::string& text) const { std::ofstream(path_) << text; }
+
+  std::string path_;
+};
+
+TEST_F(DevicesCommand, ListsALineForEachTablet) {
+  const auto outcome = run_program({"devices", "--known"});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 321);
+  EXPECT_NE(outcome.out.find("Huion H640P: 160 x 100 mm, pressure 0..8191,"), std::string::npos);
+  EXPECT_NE(outcome.out.find("320 tablets\n"), std::string::npos);
+  EXPECT_EQ(outcome.error, "");
+}
+
+TEST_F(DevicesCommand, SaysWhatTheHandFindsOnATabletWhoeverDecodesIt) {
+  const auto outcome = run_program({"devices", "--known"});
+  const auto line = [&](const std::string& begin) {
+    const auto at = outcome.out.find(begin);
+    return at == std::string::npos ? "no " + begin : outcome.out.substr(at, outcome.out.find('\n', at) - at);
+  };
+  // Rings, strips and fingers of Wacom's tablets as libwacom has them.
+  EXPECT_NE(line("Wacom PTH-650:").find("; 8 keys, 1 ring, touch"), std::string::npos) << line("Wacom PTH-650:");
+  EXPECT_NE(line("Wacom PTH-660:").find("; 8 keys, 1 ring, touch"), std::string::npos) << line("Wacom PTH-660:");
+  EXPECT_NE(line("Wacom PTZ-930:").find("; 8 keys, 2 strips"), std::string::npos) << line("Wacom PTZ-930:");
+  EXPECT_NE(line("Wacom PTZ-431W:").find("; 4 keys, 1 strip"), std::string::npos) << line("Wacom PTZ-431W:");
+  EXPECT_NE(line("Wacom CTH-460:").find("; 4 keys, touch"), std::string::npos) << line("Wacom CTH-460:");
+  EXPECT_EQ(line("Wacom ET-0405-U:").find("touch"), std::string::npos) << line("Wacom ET-0405-U:");
+  EXPECT_NE(line("Huion HS610:").find("; 12 keys, 1 ring"), std::string::npos) << line("Huion HS610:");
+}
+
+TEST_F(DevicesCommand, JsonIsOneObject) {
+  const auto outcome = run_program({"devices", "--known", "--json"});
+  EXPECT_EQ(outcome.status, 0);
+  const auto object = nlohmann::json::parse(outcome.out, nullptr, false);
+  ASSERT_TRUE(object.is_object());
+  EXPECT_EQ(object["count"], 320);
+  ASSERT_EQ(object["tablets"].size(), 320U);
+  for (const auto& tablet : object["tablets"]) {
+    ASSERT_FALSE(tablet["identifiers"].empty());
+    EXPECT_FALSE(tablet["identifiers"][0]["protocol"].get<std::string>().empty());
+  }
+}
+
+TEST_F(DevicesCommand, OwnTabletsComeFirst) {
+  write(R"({"penpose_tablets": 1, "tablets": [{"vendor": "Mine", "name": "One", "size_mm": [1, 2], "max": [3, 4],
+    "max_pressure": 5, "identifiers": [{"id": "0001:0002", "protocol": "xp_pen"}]}]})");
+  const auto outcome = run_program({"devices", "--known", "--tablets", path_.c_str()});
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out.rfind("Mine One: 1 x 2 mm, pressure 0..5, 0001:0002, xp_pen\n", 0), 0U);
+  EXPECT_NE(outcome.out.find("321 tablets"), std::string::npos);
+}
+
+TEST_F(DevicesCommand, ErrorsNameFileAndPlace) {
+  write(R"({"penpose_tablets": 1, "tablets": 3})");
+  const auto outcome = run_program({"devices", "--known", "--tablets", path_.c_str()});
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.error, "penpose: " + path_ + ": /tablets: is no array; put [ ] around its items\n");
+  EXPECT_EQ(run_program({"devices", "--known", "--tablets", "/nonexistent"}).status, 1);
+}
+
+TEST_F(DevicesCommand, OneQuestionAtATime) {
+  EXPECT_EQ(run_program({"devices", "--known", "--udev-rule"}).status, 2);
+  EXPECT_EQ(run_program({"devices", "--rules-folder", "/tmp"}).status, 2);
+}
+
+TEST_F(DevicesCommand, TheRuleThatIsInstalledIsTheOneThatIsPrinted) {
+  write(R"({"penpose_tablets": 1, "tablets": [{"vendor": "Mine", "name": "One", "size_mm": [1, 2], "max": [3, 4],
+    "max_pressure": 5, "identifiers": [{"id": "0abc:0def", "protocol": "xp_pen"}]}]})");
+  const auto folder = std::filesystem::path(path_).parent_path() / ("penpose_rules_" + std::to_string(::getpid()));
+  std::filesystem::create_directory(folder);
+  const auto printed = run_program({"devices", "--udev-rule", "--tablets", path_.c_str()});
+  const auto installed =
+      run_program({"devices", "--install-udev-rule", "--rules-folder", folder.c_str(), "--tablets", path_.c_str()});
+  std::ifstream file(folder / "70-penpose.rules");
+  const std::string rule{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(printed.status, 0);
+  EXPECT_EQ(installed.status, 0);
+  EXPECT_EQ(rule, printed.out);
+  EXPECT_NE(rule.find("*:0ABC:0DEF.*"), std::string::npos) << "the user's own tablet";
+  EXPECT_EQ(run_program({"devices", "--install-udev-rule", "--rules-folder", "/nonexistent"}).status, 1);
+}
+
+}  // namespace
+}  // namespace penpose::cli

@@ -1,0 +1,126 @@
+#include <nlohmann/json.hpp>
+
+#include "core/document/document_hash.h"
+#include "core/io/model/write_model.h"
+#include "core/io/project/read_document.h"
+#include "tests/support/command_run.h"
+#include "tests/support/random_session.h"
+#include "ui/files/load_model.h"
+
+namespace penpose::cli {
+namespace {
+
+class ReplayCommand : public tests::CommandRun {
+ protected:
+  void SetUp() override {
+    CommandRun::SetUp();
+    save("sheet.glb", io::write_glb(tests::sheet_model()).value());
+    tests::SessionScript script(files::load_document(path("sheet.glb")).value(), "somewhere/sheet.glb");
+    const auto line = [](double height) {
+      std::vector<geometry::PxPoint> out;
+      for (int i = 0; i <= 10; ++i) out.push_back({350.0 + 30 * i, height});
+      return out;
+    };
+    EXPECT_TRUE(script.stroke(line(300)));
+    EXPECT_TRUE(script.stroke(line(230)));
+    EXPECT_TRUE(script.perform(document::SetKey{1, "up"}));
+    state_ = script.editor().state().whole.hex();
+    save("drawn.session", script.text());
+  }
+  [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(out_); }
+
+  std::string state_;
+};
+
+TEST_F(ReplayCommand, EndsInTheRecordedState) {
+  ASSERT_EQ(run({"replay", path("drawn.session"), "--json"}), 0) << error_;
+  EXPECT_EQ(json()["state"], state_);
+  EXPECT_EQ(json()["strokes"], 2);
+  EXPECT_EQ(json()["checked"], 3);
+  EXPECT_EQ(json()["differing"], 0);
+  EXPECT_GT(json()["parameters"]["lift"], 0.1);
+  EXPECT_EQ(error_, "") << "the model was found beside the session";
+}
+
+TEST_F(ReplayCommand, WritesAProjectToGoOnWith) {
+  ASSERT_EQ(run({"replay", path("drawn.session"), "-o", path("out.glb")}), 0) << error_;
+  EXPECT_NE(out_.find("3 of 3 recorded states equal"), std::string::npos) << out_;
+  const auto document = files::load_document(path("out.glb"));
+  ASSERT_TRUE(document);
+  EXPECT_EQ(document::DocumentHasher()(*document).whole.hex(), state_);
+}
+
+TEST_F(ReplayCommand, StopsAfterAStroke) {
+  ASSERT_EQ(run({"replay", path("drawn.session"), "--stroke", "1", "--json"}), 0) << error_;
+  EXPECT_EQ(json()["parameters"]["lift"], 0.0);
+  EXPECT_EQ(json()["curves"], 1);
+}
+
+TEST_F(ReplayCommand, ANumberOfStrokesIsNotNegative) {
+  EXPECT_EQ(run({"replay", path("drawn.session"), "--stroke", "-1"}), 2);
+  EXPECT_EQ(run({"replay", path("drawn.session"), "--stroke", "x"}), 2);
+}
+
+TEST_F(ReplayCommand, NamesTheLineAndThePartsOfADivergence) {
+  std::string text = content("drawn.session");
+  const std::size_t key = text.find("time_s=1");
+  text.replace(key, 8, "time_s=2");
+  save("edited.session", text);
+  EXPECT_EQ(run({"replay", path("edited.session"), "--json"}), 1);
+  const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(key), '\n') + 2;
+  EXPECT_EQ(json()["divergence"]["line"], line);
+  EXPECT_NE(error_.find("edited.session: line " + std::to_string(line) + ":"), std::string::npos) << error_;
+  EXPECT_NE(error_.find("different are: parameters, keys"), std::string::npos) << error_;
+}
+
+TEST_F(ReplayCommand, AMissingModelIsNamedWithTheRemedy) {
+  std::filesystem::remove(path("sheet.glb"));
+  EXPECT_EQ(run({"replay", path("drawn.session")}), 1);
+  EXPECT_NE(error_.find("drawn.session: line 2: there is no model \"somewhere/sheet.glb\""), std::string::npos)
+      << error_;
+  EXPECT_NE(error_.find("name it with --model"), std::string::npos);
+}
+
+TEST_F(ReplayCommand, AChangedModelIsRefused) {
+  auto model = tests::sheet_model();
+  model.pose[1] = 0.5;
+  save("sheet.glb", io::write_glb(model).value());
+  EXPECT_EQ(run({"replay", path("drawn.session")}), 1);
+  EXPECT_NE(error_.find("is not the one that was drawn on"), std::string::npos) << error_;
+}
+
+TEST_F(ReplayCommand, TheCopyOfTheModelThatIsKeptBesideASessionIsUsed) {
+  const std::string model = content("sheet.glb");
+  auto other = tests::sheet_model();
+  other.pose[1] = 0.5;
+  save("sheet.glb", io::write_glb(other).value());
+  save("drawn.session.model.glb", model);
+  ASSERT_EQ(run({"replay", path("drawn.session"), "--json"}), 0) << error_;
+  EXPECT_EQ(json()["state"], state_);
+  EXPECT_EQ(json()["model"], path("drawn.session.model.glb"));
+}
+
+TEST_F(ReplayCommand, WritesItselfDownAndNeverOverAnOlderSession) {
+  ASSERT_EQ(run({"replay", path("drawn.session"), "--session", path("again.session")}), 0) << error_;
+  ASSERT_EQ(run({"replay", path("again.session"), "--json"}), 0) << error_;
+  EXPECT_EQ(json()["state"], state_);
+  EXPECT_EQ(json()["checked"], 3);
+  const std::string before = content("again.session");
+  EXPECT_EQ(run({"replay", path("drawn.session"), "--session", path("again.session")}), 1);
+  EXPECT_NE(error_.find("exists already"), std::string::npos) << error_;
+  EXPECT_EQ(content("again.session"), before);
+}
+
+TEST_F(ReplayCommand, DrawsAPictureOfTheLastView) {
+  ASSERT_EQ(run({"replay", path("drawn.session"), "--png", path("out.png")}), 0) << error_;
+  EXPECT_EQ(content("out.png").substr(1, 3), "PNG");
+}
+
+TEST_F(ReplayCommand, AFileThatIsNoSessionIsNamed) {
+  save("notes.txt", std::string("dear diary\n"));
+  EXPECT_EQ(run({"replay", path("notes.txt")}), 1);
+  EXPECT_NE(error_.find("notes.txt: holds nothing to replay"), std::string::npos) << error_;
+}
+
+}  // namespace
+}  // namespace penpose::cli

@@ -1,0 +1,224 @@
+#include "ui/render/gl/renderer.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "tests/support/models/render_shapes.h"
+
+namespace penpose::render {
+namespace {
+
+constexpr geometry::Viewport k_viewport{256, 256};
+
+/// Area of the convex outline of points in px (monotone chain, shoelace).
+double outline_area(std::vector<geometry::PxPoint> points) {
+  std::sort(points.begin(), points.end(), [](auto a, auto b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  std::vector<geometry::PxPoint> hull;
+  const auto half = [&](auto begin, auto end) {
+    const std::size_t first = hull.size();
+    for (auto p = begin; p != end; ++p) {
+      const auto turns_wrong = [&] {
+        const auto a = hull[hull.size() - 2];
+        const auto b = hull.back();
+        return (b.x - a.x) * (p->y - a.y) - (b.y - a.y) * (p->x - a.x) <= 0;
+      };
+      while (hull.size() >= first + 2 && turns_wrong()) hull.pop_back();
+      hull.push_back(*p);
+    }
+    hull.pop_back();
+  };
+  half(points.begin(), points.end());
+  half(points.rbegin(), points.rend());
+  double twice = 0;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const auto a = hull[i];
+    const auto b = hull[(i + 1) % hull.size()];
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return std::abs(twice) / 2;
+}
+
+TEST(Renderer, ShowsTheBackgroundWhereNothingIsAndTheModelWhereItIs) {
+  const auto renderer = make_renderer();
+  ASSERT_NE(renderer, nullptr);
+  for (const double size : {1e-7, 0.01, 1.0, 1e7}) {
+    mesh::MeshSource source;
+    add_box(source, geometry::ModelPoint{5, 1, -2} * size, geometry::ModelVector{1, 0.7, 0.4} * size);
+    const Shown shown(model_of(source));
+    const auto camera = frame_points(shown.positions, k_viewport);
+    const Image empty = renderer->render({}, camera).value();
+    const Image image = renderer->render(shown.scene(), camera).value();
+    std::vector<geometry::PxPoint> corners;
+    for (const auto& p : shown.positions) corners.push_back(*camera.project(geometry::ModelPoint(p)));
+    const double area = outline_area(corners);
+    EXPECT_NEAR(differing(image, empty), area, 0.03 * area) << size;
+    for (const int x : {0, 255}) {
+      for (const int y : {0, 255}) EXPECT_TRUE(std::equal(image.at(x, y), image.at(x, y) + 4, empty.at(x, y)));
+    }
+    EXPECT_EQ(image.at(0, 0)[3], 255);
+  }
+}
+
+TEST(Renderer, LooksTheSameInEveryUnit) {
+  const auto renderer = make_renderer();
+  ASSERT_NE(renderer, nullptr);
+  std::vector<Image> images;
+  for (const double size : {1e-6, 1.0, 1e6}) {
+    const Shown shown(sphere_model(size));
+    images.push_back(renderer->render(shown.scene(), frame_points(shown.positions, k_viewport)).value());
+  }
+  EXPECT_LT(differing(images[0], images[1], 8), 80);
+  EXPECT_LT(differing(images[2], images[1], 8), 80);
+}
+
+TEST(Renderer, SamePictureTwiceAndFromAnotherRenderer) {
+  const auto renderer = make_renderer();
+  const auto other = make_renderer();
+  ASSERT_NE(renderer, nullptr);
+  ASSERT_NE(other, nullptr);
+  const Shown shown(sphere_model(3));
+  const auto camera = frame_points(shown.positions, k_viewport);
+  const Image first = renderer->render(shown.scene(), camera).value();
+  EXPECT_EQ(first, renderer->render(shown.scene(), camera).value());
+  EXPECT_EQ(first, other->render(shown.scene(), camera).value());
+}
+
+TEST(Renderer, LightComesFromTheUpperLeftOfThePicture) {
+  const auto renderer = make_renderer();
+  ASSERT_NE(renderer, nullptr);
+  const Shown shown(sphere_model(1));
+  const Image image = renderer->render(shown.scene(), frame_points(shown.positions, k_viewport, {140, 0})).value();
+  EXPECT_GT(image.at(90, 90)[1], image.at(166, 166)[1] + 40);
+}
+
+TEST(Renderer, CurvesShowThroughTheModelInTheirColours) {
+  const auto renderer = make_renderer();
+  ASSERT_NE(renderer, nullptr);
+  const Shown shown(sphere_model(1));
+  const auto camera = frame_points(shown.positions, k_viewport, {0, 0});
+  std::vector<CurveDrawing> curves(3);
+  for (std::size_t k = 0; k < 3; ++k) {
+    curves[k].kind = static_cast<CurveKind>(k);
+    // Behind the sphere's front: a depth test would hide them.
+    const double y = 0.4 - 0.4 * static_cast<double>(k);
+    curves[k].points = {{-0.5, y, 0}, {0.5, y, 0}};
+  }
+  Scene scene = shown.scene();
+  scene.curves = curves;
+  const Image image = renderer->render(scene, camera).value();
+  constexpr std::size_t k_channel[3] = {1, 2, 0};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto px = *camera.project({0, 0.4 - 0.4 * static_cast<double>(k), 0});
+    const std::uint8_t* pixel = image.at(static_cast<int>(px.x), static_cast<int>(px.y));
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (c == k_channel[k]) continue;
+      EXPECT_GT(pixel[k_channel[k]], pixel[c] + 60) << k;
+    }
+  }
+}
+
+TEST(Renderer, ANewPoseIsShownWhenItsNumberChanges) {
+  const auto renderer = make_renderer();
+  ASSERT_NE(renderer, nullptr);
+  const Shown shown(sphere_model(1));
+  const auto camera = frame_points(shown.positions, k_viewport);
+  Scene scene = shown.scene();
+  scene.shape_number = 1;
+  scene.pose_number = 1;
+  const Image before = renderer->render(scene, camera).value();
+  std::vector<glm::vec3> squeezed = shown.positions;
+  for (auto& p : squeezed) p.x *= 0.5F;
+  scene.positions = squeezed;
+  scene.pose_number = 2;
+  const Image after = renderer->render(scene, camera).value();
+  EXPECT_GT(differing(before, after), 3000);
+  scene.positions = shown.positions;
+  scene.pose_number = 1;
+  EXPECT_EQ(renderer->render(scene, camera).value(), before);
+}
+
+TEST(Renderer, EdgesOfWhatDoesNotChangeGetSmoothWithOneSampleAPixel) {
+  const auto renderer = make_renderer();
+  ASSERT_NE(renderer, nullptr);
+  renderer->set_most_samples(1);
+  renderer->set_occlusion(false);
+  renderer->set_smoothing(true);
+  mesh::MeshSource source;
+  add_box(source, geometry::ModelPoint{0}, geometry::ModelVector{1});
+  const Shown shown(model_of(source));
+  const auto camera = frame_points(shown.positions, k_viewport);
+  const Image empty = renderer->render({}, camera).value();
+  Scene scene = shown.scene();
+  scene.shape_number = scene.pose_number = 1;
+  const Image first = renderer->render(scene, camera).value();
+  EXPECT_TRUE(renderer->refining());
+  Image last = first;
+  int pictures = 0;
+  for (; renderer->refining() && pictures < 100; ++pictures) last = renderer->render(scene, camera).value();
+  EXPECT_GT(pictures, 3);
+  EXPECT_LT(pictures, 20);
+  EXPECT_EQ(renderer->render(scene, camera).value().pixels, last.pixels) << "then it stays";
+  // Its shape is the same; only its edges change.
+  EXPECT_NEAR(differing(last, empty), differing(first, empty), 0.05 * differing(first, empty));
+  EXPECT_GT(differing(last, first), 50);
+  EXPECT_LT(differing(last, first), 0.2 * differing(first, empty));
+  // A change begins anew, and shows at once.
+  scene.pose_number = 2;
+  EXPECT_EQ(renderer->render(scene, camera).value().pixels, first.pixels);
+  EXPECT_TRUE(renderer->refining());
+}
+
+TEST(Renderer, OverlayColoursAndWireframeShow) {
+  const auto renderer = make_renderer();
+  ASSERT_NE(renderer, nullptr);
+  const Shown shown(sphere_model(1));
+  const auto camera = frame_points(shown.positions, k_viewport, {0, 0});
+  const Image plain = renderer->render(shown.scene(), camera).value();
+  Scene scene = shown.scene();
+  const std::vector<Color> blue(shown.positions.size(), weight_color(0.5F));
+  scene.overlay = blue;
+  const Image covered = renderer->render(scene, camera).value();
+  EXPECT_GT(covered.at(128, 128)[2], covered.at(128, 128)[0] + 60);
+  scene = shown.scene();
+  EXPECT_EQ(renderer->render(scene, camera).value(), plain);
+  scene.wireframe = true;
+  EXPECT_GT(differing(renderer->render(scene, camera).value(), plain, 8), 5000);
+}
+
+TEST(Renderer, OneSeesThroughTranslucentSurfaces) {
+  const auto renderer = make_renderer();
+  ASSERT_NE(renderer, nullptr);
+  mesh::MeshSource source;
+  add_sphere(source, geometry::ModelPoint{0}, 0.5);
+  const auto inner = static_cast<std::uint16_t>(source.positions.size());
+  add_sphere(source, geometry::ModelPoint{0}, 1);
+  const Shown shown(model_of(source));
+  Appearance look;
+  look.surfaces = {{{0.8F, 0.05F, 0.05F, 1}, 0.6F, 0}, {{0.8F, 0.8F, 0.8F, 0.1F}, 0.6F, 0}};
+  look.surface_of_vertex.assign(shown.positions.size(), 1);
+  std::fill_n(look.surface_of_vertex.begin(), inner, std::uint16_t{0});
+  Scene scene = shown.scene();
+  scene.appearance = &look;
+  const Image image = renderer->render(scene, frame_points(shown.positions, k_viewport)).value();
+  EXPECT_GT(image.at(128, 128)[0], image.at(128, 128)[2] + 50);
+}
+
+TEST(Renderer, ACameraInsideTheModelSeesItsInside) {
+  const auto renderer = make_renderer();
+  ASSERT_NE(renderer, nullptr);
+  const Shown shown(sphere_model(1));
+  const auto camera = geometry::Camera::make({{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 60}, k_viewport).value();
+  const Image empty = renderer->render({}, camera).value();
+  EXPECT_GT(differing(renderer->render(shown.scene(), camera).value(), empty, 0), 60000);
+}
+
+TEST(Renderer, RefusesAPictureThatIsTooLargeAndGoesOn) {
+  const auto renderer = make_renderer();
+  ASSERT_NE(renderer, nullptr);
+  const Shown shown(sphere_model(1));
+  EXPECT_FALSE(renderer->render(shown.scene(), frame_points(shown.positions, {1 << 20, 8})).ok());
+  EXPECT_TRUE(renderer->render(shown.scene(), frame_points(shown.positions, {64, 64})).ok());
+}
+
+}  // namespace
+}  // namespace penpose::render

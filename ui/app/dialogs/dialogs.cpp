@@ -1,0 +1,158 @@
+#include <filesystem>
+
+#include "ui/app/panels/panels.h"
+#include "ui/app/tour/tour_panel.h"
+#include "ui/app/widgets/internal/widgets.h"
+
+// Dialogs that tell and ask.
+
+namespace penpose::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+void recover_dialog(PanelContext& context) {
+  App& app = context.app;
+  if (begin_dialog(context, "There is work that was not saved", 13)) {
+    const std::string name = app.abandoned().empty() ? "" : fs::path(app.abandoned().front()).stem().string();
+    ImGui::TextWrapped("What was drawn in the session %s is kept, to the last stroke.", name.c_str());
+    if (wide_button(context, "Bring it back", 5 * context.unit) || context.accepts) {
+      app.recover(true);
+    } else {
+      ImGui::SameLine();
+      if (wide_button(context, "Start anew", 5 * context.unit, false, "The session stays in the list of sessions"))
+        app.recover(false);
+    }
+  }
+  end_dialog();
+}
+
+void steps_dialog(PanelContext& context) {
+  App& app = context.app;
+  if (begin_dialog(context, "Draw, and the face follows", 14)) {
+    ImGui::TextWrapped("1   Draw along a feature as it is: the line of the mouth, a brow, an eyelid.");
+    ImGui::Dummy({1, context.gap});
+    ImGui::TextWrapped(
+        "2   Draw where it should go. The face follows while you draw and settles when you lift the pen.");
+    ImGui::Dummy({1, context.gap});
+    ImGui::TextWrapped("3   Press Key to keep the pose on the timeline, and Save. Undo takes back anything.");
+    ImGui::Dummy({1, context.gap});
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextWrapped(
+        "Turn the view with the pen's button, the middle mouse button or two fingers. A click of the pen's button "
+        "opens "
+        "a menu around the pen.");
+    ImGui::PopStyleColor();
+    ImGui::TextWrapped("Or be shown, and do each step with your own hand:");
+    show_tour_buttons(context);
+    if (wide_button(context, "Begin", -1) || context.accepts) app.do_action(Action::cancel);
+  }
+  end_dialog();
+}
+
+void sessions_dialog(PanelContext& context) {
+  App& app = context.app;
+  if (begin_dialog(context, "Sessions", 17)) {
+    const std::string now = app.session_path();
+    ImGui::TextWrapped("Everything that is drawn is recorded. This session: %s",
+                       now.empty() ? "not recorded" : now.c_str());
+    ImGui::BeginChild("sessions", {0, 8 * context.unit}, true);
+    for (const std::string& path : past_sessions(app.options().folders.state + "/sessions")) {
+      if (path == now) continue;
+      ImGui::PushID(path.c_str());
+      if (wide_button(context, "Play##session", 2.4F * context.unit, false, "Watch it in this window")) {
+        if (const auto played = app.play_trace(path); !played) app.tell(played.error().line(path), true);
+      }
+      ImGui::SameLine();
+      if (wide_button(context, "Go on##session", 2.4F * context.unit, false, "Open where it ended")) app.try_open(path);
+      ImGui::SameLine();
+      text_beside(context, fs::path(path).stem().string().c_str());
+      ImGui::PopID();
+    }
+    ImGui::EndChild();
+    if (wide_button(context, "Close") || context.accepts) app.panels().dialog = Dialog::none;
+  }
+  end_dialog();
+}
+
+void unsaved_dialog(PanelContext& context) {
+  App& app = context.app;
+  if (begin_dialog(context, "There is unsaved work", 13)) {
+    ImGui::TextWrapped("It is kept in the list of sessions in any case.");
+    if (wide_button(context, "Save first") || context.accepts) app.save_first();
+    ImGui::SameLine();
+    const char* without = app.panels().after_unsaved.empty() ? "Quit without saving" : "Open without saving";
+    if (wide_button(context, without)) app.go_on_without_saving();
+    ImGui::SameLine();
+    if (wide_button(context, "Cancel")) app.do_action(Action::cancel);
+  }
+  end_dialog();
+}
+
+}  // namespace
+
+void show_dialog(PanelContext& context) {
+  const Dialog dialog = context.app.panels().dialog;
+  switch (dialog) {
+    case Dialog::none:
+      break;
+    case Dialog::open:
+      show_open_dialog(context);
+      break;
+    case Dialog::save:
+      show_save_dialog(context);
+      break;
+    case Dialog::export_as:
+      show_export_dialog(context);
+      break;
+    case Dialog::recent:
+      show_recent_dialog(context);
+      break;
+    case Dialog::recover:
+      recover_dialog(context);
+      break;
+    case Dialog::steps:
+      steps_dialog(context);
+      break;
+    case Dialog::tablet:
+      show_tablet_dialog(context);
+      break;
+    case Dialog::pad:
+      show_pad_dialog(context);
+      break;
+    case Dialog::number:
+      show_number_dialog(context);
+      break;
+    case Dialog::key_name:
+      show_key_dialog(context);
+      break;
+    case Dialog::radial:
+      show_radial_dialog(context);
+      break;
+    case Dialog::sessions:
+      sessions_dialog(context);
+      break;
+    case Dialog::shortcuts:
+      show_shortcuts_dialog(context);
+      break;
+    case Dialog::search:
+      show_search_dialog(context);
+      break;
+    case Dialog::history:
+      show_history_dialog(context);
+      break;
+    case Dialog::film:
+      show_film_dialog(context);
+      break;
+    case Dialog::backdrop:
+      show_backdrop_dialog(context);
+      break;
+    case Dialog::unsaved:
+      unsaved_dialog(context);
+      break;
+  }
+  if (context.cancels && dialog != Dialog::none && context.app.panels().dialog == dialog)
+    context.app.do_action(Action::cancel);
+}
+
+}  // namespace penpose::app

@@ -1,0 +1,155 @@
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "core/articulation/edit.h"
+#include "core/base/numbers.h"
+#include "ui/app/panels/panels.h"
+#include "ui/app/widgets/internal/widgets.h"
+
+// Dialogs that take a number or a name: with a pen, or with a keyboard where there is one.
+
+namespace penpose::app {
+namespace {
+
+std::string shown(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+/// Sets what was typed. False, and said why, where it is none or does not fit.
+bool take_number(App& app, std::size_t index) {
+  const NumberEntry& entry = app.panels().number;
+  const auto value = base::parse_double(entry.text);
+  if (!value || !std::isfinite(*value)) {
+    app.tell("\"" + entry.text + "\" is no number", true);
+    return false;
+  }
+  const rig::Parameter parameter = app.workspace().document().model->rig->parameters()[index];
+  if (entry.field == NumberEntry::Field::value) {
+    if (*value < parameter.minimum || *value > parameter.maximum) {
+      app.tell(parameter.name + " goes from " + shown(parameter.minimum) + " to " + shown(parameter.maximum));
+    }
+    app.set_parameter(index, *value);
+    return true;
+  }
+  document::ChangeDeformer change;
+  change.deformer = parameter.name;
+  change.rules = articulation::k_ranged_rules;
+  (entry.field == NumberEntry::Field::least ? change.minimum : change.maximum) = *value;
+  return app.workspace().perform(change);
+}
+
+void keypad(PanelContext& context, std::string& text) {
+  constexpr std::array<std::array<const char*, 3>, 4> k_rows{
+      {{"7", "8", "9"}, {"4", "5", "6"}, {"1", "2", "3"}, {"-", "0", "."}}};
+  const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
+  for (const auto& row : k_rows) {
+    for (const char* key : row) {
+      if (key != row[0]) ImGui::SameLine();
+      if (wide_button(context, (std::string(key) + "##pad").c_str(), third)) text += key;
+    }
+  }
+  if (wide_button(context, "Back##pad", third) && !text.empty()) text.pop_back();
+  ImGui::SameLine();
+  if (wide_button(context, "Clear##pad", third)) text.clear();
+}
+
+}  // namespace
+
+void show_number_dialog(PanelContext& context) {
+  App& app = context.app;
+  NumberEntry& entry = app.panels().number;
+  const auto& model = *app.workspace().document().model;
+  const auto index = rig::find_parameter(model.rig->parameters(), entry.parameter);
+  if (!index) {
+    app.panels().dialog = Dialog::none;
+    return;
+  }
+  const rig::Parameter parameter = model.rig->parameters()[*index];
+  const bool has_range = model.deformers && articulation::find_deformer(*model.deformers, parameter.name).has_value();
+  if (begin_dialog(context, (parameter.name + "###number").c_str(), 9)) {
+    using Field = NumberEntry::Field;
+    const std::array<std::pair<Field, std::string>, 3> fields{
+        {{Field::value, "Value " + shown(app.workspace().document().pose[*index])},
+         {Field::least, "Least " + shown(parameter.minimum)},
+         {Field::most, "Most " + shown(parameter.maximum)}}};
+    const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
+    for (const auto& [field, label] : fields) {
+      if (field != Field::value) ImGui::SameLine();
+      ImGui::BeginDisabled(field != Field::value && !has_range);
+      const std::string id = label + "###field" + std::to_string(static_cast<int>(field));
+      if (wide_button(context, id.c_str(), third, entry.field == field, "What is typed sets this")) {
+        entry.field = field;
+        entry.text.clear();
+      }
+      ImGui::EndDisabled();
+    }
+    dialog_field(context, "##number", entry.text, "type a number");
+    keypad(context, entry.text);
+    ImGui::Dummy({1, context.gap});
+    if ((wide_button(context, "Set##number", third) || context.accepts) && take_number(app, *index)) {
+      app.panels().dialog = Dialog::none;
+    }
+    ImGui::SameLine();
+    if (wide_button(context, "Rest##number", third, false, "Back to rest")) {
+      app.workspace().perform(document::ResetParameters{{parameter.name}});
+      app.panels().dialog = Dialog::none;
+    }
+    ImGui::SameLine();
+    if (wide_button(context, "Cancel", third)) app.panels().dialog = Dialog::none;
+  }
+  end_dialog();
+}
+
+void show_key_dialog(PanelContext& context) {
+  App& app = context.app;
+  std::string& name = app.panels().key_name;
+  if (begin_dialog(context, "A name for this pose", 11)) {
+    dialog_field(context, "##key name", name, "smile");
+    if (wide_button(context, "Name it", 4 * context.unit) || context.accepts) {
+      app.name_key(name);
+      app.panels().dialog = Dialog::none;
+    }
+    ImGui::SameLine();
+    if (wide_button(context, "Cancel")) app.panels().dialog = Dialog::none;
+  }
+  end_dialog();
+}
+
+void show_radial_dialog(PanelContext& context) {
+  App& app = context.app;
+  auto& radial = app.settings().radial;
+  std::size_t& place = app.panels().radial_place;
+  if (begin_dialog(context, "The menu around the pen", 15)) {
+    ImGui::TextWrapped("Touch a place of the menu, clockwise from the top, then what it should do.");
+    const float quarter = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetStyle().ItemSpacing.x) / 4;
+    for (std::size_t i = 0; i < radial.size(); ++i) {
+      if (i % 4 != 0) ImGui::SameLine();
+      const std::string label = std::string(info(radial[i]).label) + "##place" + std::to_string(i);
+      if (wide_button(context, label.c_str(), quarter, place == i)) place = i;
+    }
+    ImGui::BeginChild("actions", {0, 6 * context.unit}, true);
+    const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
+    int column = 0;
+    for (const ActionInfo& one : all_actions()) {
+      if (column++ % 3 != 0) ImGui::SameLine();
+      const std::string label = std::string(one.label) + "##choose";
+      if (wide_button(context, label.c_str(), third, false, std::string(one.tip).c_str()) && place < radial.size()) {
+        radial[place] = one.action;
+        app.settings_changed();
+      }
+    }
+    ImGui::EndChild();
+    if (wide_button(context, "As it was##radial menu")) {
+      radial = Settings().radial;
+      app.settings_changed();
+    }
+    ImGui::SameLine();
+    if (wide_button(context, "Done") || context.accepts) app.panels().dialog = Dialog::none;
+  }
+  end_dialog();
+}
+
+}  // namespace penpose::app

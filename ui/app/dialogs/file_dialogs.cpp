@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <span>
+
+#include "core/base/letters.h"
+#include "ui/app/panels/panels.h"
+#include "ui/app/view/backdrop.h"
+#include "ui/app/widgets/internal/widgets.h"
+
+// Dialogs that choose a file to open or a name to write to.
+
+namespace penpose::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr float k_wide = 17;
+
+bool has_extension(const fs::path& path, std::span<const char* const> extensions) {
+  const std::string extension = base::lower_case(path.extension().string());
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
+
+constexpr std::array k_opened{".glb", ".gltf", ".obj", ".ply", ".off", ".stl", ".session", ".hid", ".trace"};
+constexpr std::array k_pictures{".png", ".jpg", ".jpeg"};
+
+/// Folders first, then files with some extensions, by name.
+std::vector<fs::directory_entry> entries_of(const std::string& folder, std::span<const char* const> extensions) {
+  std::vector<fs::directory_entry> entries;
+  std::error_code code;
+  for (fs::directory_iterator it(folder, code), end; !code && it != end; it.increment(code)) {
+    if (it->path().filename().string().starts_with('.')) continue;
+    std::error_code ignored;
+    if (it->is_directory(ignored) || has_extension(it->path(), extensions)) entries.push_back(*it);
+  }
+  std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
+    std::error_code ignored;
+    const bool a_folder = a.is_directory(ignored);
+    const bool b_folder = b.is_directory(ignored);
+    return a_folder != b_folder ? a_folder : a.path().filename() < b.path().filename();
+  });
+  return entries;
+}
+
+/// The folder with its parent and what is in it. Gives the file that was chosen.
+std::string browse(PanelContext& context, float height, std::span<const char* const> extensions = k_opened) {
+  std::string& folder = context.app.panels().folder;
+  std::string chosen;
+  ImGui::TextUnformatted(folder.c_str());
+  ImGui::BeginChild("files", {0, height}, true);
+  if (wide_button(context, "..##parent", -1)) folder = fs::path(folder).parent_path().string();
+  for (const auto& entry : entries_of(folder, extensions)) {
+    std::error_code ignored;
+    const bool is_folder = entry.is_directory(ignored);
+    const std::string name = entry.path().filename().string() + (is_folder ? "/" : "");
+    if (!wide_button(context, name.c_str(), -1)) continue;
+    if (is_folder) {
+      folder = entry.path().string();
+      break;
+    }
+    chosen = entry.path().string();
+  }
+  ImGui::EndChild();
+  return chosen;
+}
+
+/// A name for what is written, and a place. True when it is to be written; the full path is in `path`.
+bool choose_name(PanelContext& context, const char* does, std::string& path) {
+  PanelState& panels = context.app.panels();
+  dialog_field(context, "##name", panels.file_name, "name.glb");
+  if (const std::string file = browse(context, 6 * context.unit); !file.empty()) {
+    panels.file_name = fs::path(file).filename().string();
+  }
+  const bool pressed = wide_button(context, does, 4 * context.unit) || context.accepts;
+  ImGui::SameLine();
+  if (wide_button(context, "Cancel")) context.app.do_action(Action::cancel);
+  path = (fs::path(panels.folder) / panels.file_name).string();
+  return pressed && !panels.file_name.empty();
+}
+
+std::string stem_of(const App& app) {
+  const std::string from = !app.project().empty() ? app.project() : app.path();
+  return from.starts_with("builtin:") ? "head" : fs::path(from).stem().string();
+}
+
+}  // namespace
+
+void show_open_dialog(PanelContext& context) {
+  App& app = context.app;
+  if (begin_dialog(context, "Open", k_wide)) {
+    std::string chosen;
+    if (wide_button(context, "The built-in head with its controls", -1)) chosen = "builtin:demo-4";
+    if (wide_button(context, "The built-in head alone, to sketch controls on", -1)) chosen = "builtin:head-4";
+    if (const std::string file = browse(context, 8 * context.unit); !file.empty()) chosen = file;
+    if (wide_button(context, "Cancel")) app.do_action(Action::cancel);
+    if (!chosen.empty()) app.ask_to_open(chosen);
+  }
+  end_dialog();
+}
+
+void show_backdrop_dialog(PanelContext& context) {
+  App& app = context.app;
+  if (begin_dialog(context, "A picture behind the model", k_wide)) {
+    ImGui::TextDisabled("PNG or JPEG; of numbered pictures all are taken, one a frame");
+    const std::string chosen = browse(context, 8 * context.unit, k_pictures);
+    if (wide_button(context, "Cancel")) app.do_action(Action::cancel);
+    if (!chosen.empty()) app.open_backdrop(chosen);
+  }
+  end_dialog();
+}
+
+void show_recent_dialog(PanelContext& context) {
+  App& app = context.app;
+  if (begin_dialog(context, "Opened and saved before", k_wide)) {
+    std::string chosen;
+    const auto recent = app.settings().recent;
+    if (recent.empty()) ImGui::TextUnformatted("Nothing yet.");
+    ImGui::BeginChild("recent", {0, 8 * context.unit}, true);
+    for (const std::string& path : recent) {
+      const std::string label = fs::path(path).filename().string() + "##recent " + path;
+      if (wide_button(context, label.c_str(), -1, false, path.c_str())) chosen = path;
+    }
+    ImGui::EndChild();
+    if (wide_button(context, "Cancel")) app.do_action(Action::cancel);
+    if (!chosen.empty()) app.ask_to_open(chosen);
+  }
+  end_dialog();
+}
+
+void show_save_dialog(PanelContext& context) {
+  App& app = context.app;
+  PanelState& panels = app.panels();
+  if (panels.file_name.empty() && context.dialog_opens) {
+    // A free name, so that Save alone is enough for whoever has no keyboard at hand.
+    panels.file_name = app.project().empty()
+                           ? fs::path(free_path(panels.folder, stem_of(app), ".glb")).filename().string()
+                           : fs::path(app.project()).filename().string();
+  }
+  if (begin_dialog(context, "Save", k_wide)) {
+    ImGui::TextDisabled("The whole project, as a .glb file that any viewer plays");
+    std::string path;
+    if (choose_name(context, "Save##now", path)) app.save_from_dialog(path);
+  }
+  end_dialog();
+}
+
+void show_export_dialog(PanelContext& context) {
+  App& app = context.app;
+  std::string& name = app.panels().file_name;
+  if (name.empty() && context.dialog_opens) {
+    name = fs::path(free_path(app.panels().folder, stem_of(app) + "-export", ".glb")).filename().string();
+  }
+  if (begin_dialog(context, "Export", k_wide)) {
+    const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+    const bool pose_alone = fs::path(name).extension() == ".obj";
+    if (wide_button(context, "The face that moves (.glb)", half, !pose_alone, "With its controls and keys")) {
+      name = fs::path(name).replace_extension(".glb").string();
+    }
+    ImGui::SameLine();
+    if (wide_button(context, "This pose alone (.obj)", half, pose_alone, "The face as it is now")) {
+      name = fs::path(name).replace_extension(".obj").string();
+    }
+    std::string path;
+    if (choose_name(context, "Export##now", path)) {
+      if (const auto written = app.export_to(path); !written) {
+        app.tell(written.error().line(path), true);
+      } else {
+        app.do_action(Action::cancel);
+      }
+    }
+  }
+  end_dialog();
+}
+
+}  // namespace penpose::app

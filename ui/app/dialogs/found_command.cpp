@@ -1,0 +1,108 @@
+#include "ui/app/dialogs/found_command.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/base/letters.h"
+#include "core/base/numbers.h"
+#include "ui/app/app.h"
+#include "ui/app/session/frames.h"
+
+namespace penpose::app {
+namespace {
+
+using Kind = FoundCommand::Kind;
+
+std::vector<std::string> words_of(std::string_view text) {
+  std::vector<std::string> words;
+  std::string word;
+  for (const char c : base::lower_case(text) + " ") {
+    if (c != ' ') {
+      word += c;
+    } else if (!word.empty()) {
+      words.push_back(std::exchange(word, {}));
+    }
+  }
+  return words;
+}
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
+
+/// How well a name says the words: 0 not at all; a name that begins with one is best, then a word in it that does.
+int fits(std::string_view name, std::string_view besides, const std::vector<std::string>& words) {
+  if (words.empty()) return 1;
+  const std::string in_name = base::lower_case(name);
+  const std::string in_rest = base::lower_case(besides);
+  int total = 0;
+  for (const std::string& word : words) {
+    const std::size_t at = in_name.find(word);
+    const bool begins =
+        at != std::string::npos && at > 0 && (!is_letter(name[at - 1]) || (name[at] < 'a' && name[at - 1] >= 'a'));
+    const int fit = at == 0                                   ? 4
+                    : begins                                  ? 3
+                    : at != std::string::npos                 ? 2
+                    : in_rest.find(word) != std::string::npos ? 1
+                                                              : 0;
+    if (fit == 0) return 0;
+    total += fit;
+  }
+  return total;
+}
+
+}  // namespace
+
+std::vector<FoundCommand> find_commands(App& app, std::string_view text) {
+  const auto words = words_of(text);
+  std::vector<std::pair<int, FoundCommand>> all;
+  const auto add = [&](FoundCommand command, std::string_view besides) {
+    if (const int fit = fits(command.text, besides, words); fit > 0) all.emplace_back(fit, std::move(command));
+  };
+  for (const ActionInfo& one : all_actions()) {
+    if (one.action == Action::search) continue;
+    add({Kind::action, std::string(one.label), shortcut_text(one.key), one.action}, one.tip);
+  }
+  if (!words.empty()) {
+    const document::Document& document = app.workspace().document();
+    const auto parameters = document.model->rig->parameters();
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      add({Kind::control, parameters[i].name, base::format_fixed(document.pose[i], 2)}, "control");
+    }
+    for (const auto& key : document.timeline->keys) {
+      if (key.name.empty()) continue;
+      add({Kind::pose, key.name, "frame " + frame_text(key.time_s, app.panels().rate), {}, key.time_s}, "pose key");
+    }
+    for (const std::string& path : app.settings().recent) {
+      const std::filesystem::path file(path);
+      add({Kind::file, file.filename().string(), path}, "file open");
+    }
+  }
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<FoundCommand> found;
+  for (auto& [fit, command] : all) {
+    if (found.size() < k_most_found) found.push_back(std::move(command));
+  }
+  return found;
+}
+
+void do_found(App& app, const FoundCommand& found) {
+  app.panels().dialog = Dialog::none;
+  switch (found.kind) {
+    case Kind::action:
+      app.do_action(found.action);
+      break;
+    case Kind::control:
+      app.panels().shown = true;
+      app.panels().controls_tab = false;
+      app.panels().moved_only = false;
+      app.panels().filter = found.text;
+      break;
+    case Kind::pose:
+      app.go_to(found.time_s);
+      break;
+    case Kind::file:
+      app.ask_to_open(found.detail);
+      break;
+  }
+}
+
+}  // namespace penpose::app

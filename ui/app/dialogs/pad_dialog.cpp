@@ -1,0 +1,173 @@
+#include <algorithm>
+
+#include "ui/app/panels/panels.h"
+#include "ui/app/widgets/internal/widgets.h"
+#include "ui/app/widgets/pad_picture.h"
+
+// What the keys, dials and pens of tablets do, chosen with the pen alone.
+
+namespace penpose::app {
+namespace {
+
+/// The tablet that is shown: the one that was chosen, else the first with keys, else the first; null: none.
+const DeskTablet* shown_tablet(App& app, std::span<const DeskTablet> tablets) {
+  const auto first = [&](auto fits) -> const DeskTablet* {
+    const auto found = std::find_if(tablets.begin(), tablets.end(), fits);
+    return found == tablets.end() ? nullptr : &*found;
+  };
+  if (const auto* chosen =
+          first([&](const DeskTablet& one) { return one.is(app.panels().pad_tablet) && one.has_anything(); }))
+    return chosen;
+  if (const auto* keys = first([](const DeskTablet& one) { return one.features.any(); })) return keys;
+  return first([](const DeskTablet& one) { return one.has_anything(); });
+}
+
+/// Whether the tablet has it: another one may be shown than a moment ago.
+bool has(const DeskTablet& tablet, const PadControl& control) {
+  switch (control.kind) {
+    case PadControl::Kind::key:
+      return (tablet.features.keys >> control.index & 1) != 0;
+    case PadControl::Kind::ring:
+      return control.index < tablet.features.rings;
+    case PadControl::Kind::strip:
+      return control.index < tablet.features.strips;
+    case PadControl::Kind::wheel:
+      return control.index < tablet.features.wheels;
+    case PadControl::Kind::pen_button:
+      return tablet.has_pen;
+    case PadControl::Kind::pen_wheel:
+      return tablet.pen_wheel;
+    case PadControl::Kind::pen_rotation:
+      return tablet.pen_rotation;
+  }
+  return false;
+}
+
+void show_tablets(PanelContext& context, std::span<const DeskTablet> tablets, const DeskTablet& shown) {
+  const auto count =
+      std::count_if(tablets.begin(), tablets.end(), [](const DeskTablet& one) { return one.has_anything(); });
+  if (count > 1) {
+    for (const DeskTablet& one : tablets) {
+      if (!one.has_anything()) continue;
+      if (wide_button(context, (one.name + "##tablet " + one.key + " " + one.unit).c_str(), 0, &one == &shown))
+        context.app.panels().pad_tablet = {one.key, one.unit};
+      ImGui::SameLine();
+    }
+    ImGui::NewLine();
+  }
+  std::string text = shown.name;
+  // 0 comes before it has been measured.
+  if (shown.battery.percent > 0) {
+    text += "   battery " + std::to_string(shown.battery.percent) + " %";
+    if (shown.battery.charging) text += ", charging";
+  }
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::TextDisabled("Touch a key here or press it on the tablet, then what it should do.");
+}
+
+class Choices {
+ public:
+  Choices(PanelContext& context, const DeskTablet& tablet)
+      : context_(context), tablet_(tablet), control_(context.app.panels().pad_control) {}
+
+  void show();
+
+ private:
+  void choice(const Binding& binding);
+
+  PanelContext& context_;
+  const DeskTablet& tablet_;
+  PadControl control_;
+  int column_ = 0;
+};
+
+void Choices::choice(const Binding& binding) {
+  if (column_++ % 2 != 0) ImGui::SameLine();
+  const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  const float width = column_ % 2 != 0 ? half : -1;
+  const std::string text = to_text(binding);
+  const std::string tip = tip_of(binding);
+  const bool is = context_.app.bound(tablet_, control_) == binding;
+  if (wide_button(context_, (label_of(binding) + "##choose " + text).c_str(), width, is, tip.c_str())) {
+    context_.app.bind(tablet_, control_,
+                      binding == default_binding(control_, tablet_.features) ? std::nullopt : std::optional(binding));
+  }
+  note(context_, ("choose " + text).c_str());
+}
+
+void Choices::show() {
+  App& app = context_.app;
+  ImGui::TextUnformatted(title_of(control_, tablet_.features).c_str());
+  bool once = app.panels().pad_once;
+  if (!is_dial(control_)) {
+    const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+    if (wide_button(context_, "While held", half, !once)) app.panels().pad_once = once = false;
+    ImGui::SameLine();
+    if (wide_button(context_, "Once", -1, once)) app.panels().pad_once = once = true;
+  }
+  ImGui::BeginChild("choices", {0, 0}, true);
+  choice({});
+  if (is_dial(control_)) {
+    for (const Binding& one : dial_choices()) choice(one);
+  } else if (once) {
+    for (const ActionInfo& one : all_actions()) choice(binding_of(one.action));
+  } else {
+    for (const Binding& one : held_choices()) choice(one);
+    Binding other;
+    other.kind = control_.kind == PadControl::Kind::pen_button ? Binding::Kind::pen_menu : Binding::Kind::next_mode;
+    const bool dials = tablet_.features.rings + tablet_.features.strips + tablet_.features.wheels > 0;
+    if (other.kind == Binding::Kind::pen_menu || (dials && tablet_.features.modes == 0)) choice(other);
+  }
+  ImGui::EndChild();
+}
+
+/// Whoever goes to another key sees what it does now among what is offered.
+void follow_control(App& app, const DeskTablet& tablet) {
+  const PadControl& control = app.panels().pad_control;
+  const int now = 1 + static_cast<int>(control.kind) * 65536 + control.index * 256 + control.mode;
+  ImGuiStorage& kept = *ImGui::GetStateStorage();
+  const ImGuiID place = ImGui::GetID("control that was shown");
+  if (kept.GetInt(place) == now) return;
+  kept.SetInt(place, now);
+  app.panels().pad_once = app.bound(tablet, control).kind == Binding::Kind::action;
+}
+
+}  // namespace
+
+void show_pad_dialog(PanelContext& context) {
+  App& app = context.app;
+  if (begin_dialog(context, "Keys of the tablet###keys of the tablet", 23)) {
+    const auto& tablets = app.desk().tablets();
+    const DeskTablet* tablet = shown_tablet(app, tablets);
+    if (tablet == nullptr) {
+      ImGui::TextWrapped("No tablet is plugged in. When one is, its keys, rings, strips and its pen are shown here.");
+    } else {
+      PadControl& control = app.panels().pad_control;
+      const auto keys = keys_of(tablet->features);
+      if (!has(*tablet, control)) control = keys.empty() ? pen_button_control(0) : key_control(keys.front());
+      follow_control(app, *tablet);
+      show_tablets(context, tablets, *tablet);
+      // As high as it is, up to what the window has room for.
+      const float room = static_cast<float>(app.window().height) - 6 * context.unit;
+      const float least = 5 * context.unit;
+      const float height =
+          std::clamp(app.panels().pad_height, std::min(2 * least, std::max(room, least)), std::max(room, least));
+      ImGui::BeginChild("pad", {10.6F * context.unit, height}, false);
+      ImGui::BeginGroup();
+      show_pad_picture(context, *tablet);
+      ImGui::EndGroup();
+      app.panels().pad_height = ImGui::GetItemRectSize().y + context.gap;
+      ImGui::EndChild();
+      ImGui::SameLine();
+      ImGui::BeginChild("chosen", {0, height}, false);
+      Choices(context, *tablet).show();
+      ImGui::EndChild();
+      if (wide_button(context, "As it was##pad") && app.settings().pads.erase(tablet->key) > 0) app.settings_changed();
+      ImGui::SameLine();
+    }
+    if (wide_button(context, "Done") || context.accepts) app.panels().dialog = Dialog::none;
+  }
+  end_dialog();
+}
+
+}  // namespace penpose::app

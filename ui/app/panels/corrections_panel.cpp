@@ -1,0 +1,95 @@
+#include "ui/app/panels/corrections_panel.h"
+
+#include <string>
+#include <utility>
+
+#include "core/articulation/edit.h"
+#include "core/base/numbers.h"
+#include "ui/app/panels/panels.h"
+#include "ui/app/widgets/internal/widgets.h"
+
+namespace penpose::app {
+namespace {
+
+/// Part of a row of equal buttons.
+float share(int count) {
+  return (ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x) /
+         static_cast<float>(count);
+}
+
+/// Stands in the pose of a correction; the next stroke is its target anew.
+void redraw_correction(App& app, const std::string& correction) {
+  const auto corrections = app.workspace().document().model->corrections;
+  if (!corrections) return;
+  for (const auto& one : corrections->all()) {
+    if (one->drawn.sketch.name != correction) continue;
+    app.set_swing(false);
+    app.workspace().preview(std::nullopt);
+    // It is drawn on the pose that it corrects: that of its controls alone.
+    document::SetParameters values;
+    const auto parameters = app.workspace().document().model->rig->parameters();
+    for (const rig::Parameter& parameter : parameters) {
+      double value = parameter.rest;
+      for (const articulation::Driver& driver : one->drawn.drivers) {
+        if (driver.control == parameter.name) value = driver.value;
+      }
+      values.values.push_back({parameter.name, value});
+    }
+    if (!app.workspace().perform(values)) return;
+    drawing::Tool tool;
+    tool.kind = drawing::ToolKind::redraw;
+    tool.deformer = correction;
+    tool.role = articulation::CurveRole::target;
+    app.workspace().set_tool(tool);
+    return;
+  }
+}
+
+}  // namespace
+
+void show_corrections(PanelContext& context) {
+  // Held, because what is pressed may put others in their place.
+  const auto corrections = context.app.workspace().document().model->corrections;
+  if (!corrections || context.app.workspace().document().pending) return;
+  for (const auto& one : corrections->all()) {
+    const std::string& name = one->drawn.sketch.name;
+    std::string tip = "Corrects";
+    for (const articulation::Driver& driver : one->drawn.drivers) {
+      tip += " " + driver.control + " " + base::format_fixed(driver.value, 2);
+    }
+    ImGui::PushID(name.c_str());
+    ImGui::TextUnformatted(name.c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip.c_str());
+    const float half = share(2);
+    App& app = context.app;
+    const drawing::Tool& tool = app.workspace().editor().tool();
+    const bool redrawing = tool.kind == drawing::ToolKind::redraw && tool.deformer == name;
+    bool done = false;
+    const std::string again = "Stands in the pose of " + name + "; the next stroke goes where its feature should go";
+    if (wide_button(context, "Draw again##correction", half, redrawing, again.c_str())) {
+      redraw_correction(app, name);
+      done = true;
+    }
+    ImGui::SameLine();
+    if (wide_button(context, "Mirror##correction", half, false, "The same on the other side") && !done) {
+      done = app.workspace().perform(document::MirrorDeformer{name, {}});
+    }
+    // A text field holds one name, and that of a control goes before.
+    if (app.panels().deformer.empty()) {
+      bool accepted = false;
+      text_field(context, "##correction_name", app.panels().rename, half, "another name", &accepted);
+      ImGui::SameLine();
+      if ((wide_button(context, "Rename##correction", half) || accepted) && !app.panels().rename.empty() && !done) {
+        done = app.workspace().perform(document::RenameDeformer{name, std::exchange(app.panels().rename, {})});
+      }
+    }
+    if (wide_button(context, "Remove##correction", -1, false, tip.c_str()) && !done) {
+      app.workspace().perform(document::DeleteCorrection{name});
+      done = true;
+    }
+    ImGui::PopID();
+    if (done) return;
+  }
+}
+
+}  // namespace penpose::app

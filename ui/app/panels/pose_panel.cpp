@@ -1,0 +1,129 @@
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "ui/app/input/side_pairs.h"
+#include "ui/app/panels/panels.h"
+#include "ui/app/session/frames.h"
+#include "ui/app/widgets/internal/icon.h"
+#include "ui/app/widgets/internal/pose_picture.h"
+#include "ui/app/widgets/internal/theme.h"
+#include "ui/app/widgets/internal/widgets.h"
+
+// The library of poses: those that are keyed, as pictures with names, to be taken as a whole or in part.
+
+namespace penpose::app {
+namespace {
+
+/// The pose that taking the choice would give.
+rig::Pose posed(const document::Document& document, const document::SetParameters& values) {
+  rig::Pose pose = document.pose;
+  const auto parameters = document.model->rig->parameters();
+  for (const auto& [name, value] : values.values) {
+    if (const auto index = rig::find_parameter(parameters, name)) pose[*index] = value;
+  }
+  return pose;
+}
+
+/// A picture of a key, which chooses it.
+void show_picture(PanelContext& context, const document::PoseKey& key, float width) {
+  App& app = context.app;
+  PoseChoice& choice = app.panels().chosen_pose;
+  const bool chosen = std::abs(choice.time_s - key.time_s) < 1e-6;
+  const std::string frame = "frame " + frame_text(key.time_s, app.panels().rate);
+  const std::string label = (key.name.empty() ? frame : key.name) + "##pose " + frame;
+  const float line = ImGui::GetFontSize() + context.gap;
+  const ImVec2 size{width, width + line};
+  ImGui::PushID(label.c_str());
+  const bool pressed = ImGui::InvisibleButton("##pose", size);
+  ImGui::PopID();
+  note(context, label.c_str());
+  const ImVec2 from = ImGui::GetItemRectMin();
+  const ImVec2 to = ImGui::GetItemRectMax();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(from, to, ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered : ImGuiCol_Button),
+                     5);
+  if (const auto place = context.pictures.place_of(app.workspace().document(), key)) {
+    list.AddImageRounded(ImGui::GetIO().Fonts->TexID, {from.x + 2, from.y + 2}, {to.x - 2, from.y + width - 2},
+                         place->first, place->second, IM_COL32_WHITE, 4);
+  }
+  const std::string shown = fitted_text(label.substr(0, label.find("##")), width - 2 * context.gap);
+  const float wide = ImGui::CalcTextSize(shown.c_str()).x;
+  list.AddText({0.5F * (from.x + to.x - wide), from.y + width + 0.25F * context.gap}, ImGui::GetColorU32(ImGuiCol_Text),
+               shown.c_str());
+  if (chosen) list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_ButtonActive), 5, 0, 2.5F);
+  tooltip(context, (frame + ". Touch to choose it, then take it by the slider below").c_str());
+  if (!pressed) return;
+  choice.time_s = key.time_s;
+  choice.amount = 1;
+}
+
+void show_pictures(PanelContext& context, float height) {
+  App& app = context.app;
+  ImGui::BeginChild("pictures", {0, height});
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const float room = ImGui::GetContentRegionAvail().x;
+  const int across = std::max(1, static_cast<int>((room + spacing) / (2.7F * context.unit + spacing)));
+  const float width = (room - static_cast<float>(across - 1) * spacing) / static_cast<float>(across);
+  const auto held = app.workspace().document().timeline;
+  int column = 0;
+  for (const auto& key : held->keys) {
+    if (column++ % across != 0) ImGui::SameLine();
+    show_picture(context, key, width);
+  }
+  if (held->keys.empty()) {
+    ImGui::TextWrapped(
+        "No pose is keyed yet. Draw one, press Key, and give it a name: it can be taken again from here.");
+  }
+  ImGui::EndChild();
+}
+
+/// What of the chosen pose is taken, and how much of it.
+void show_choice(PanelContext& context) {
+  App& app = context.app;
+  PoseChoice& choice = app.panels().chosen_pose;
+  constexpr std::array<std::pair<FacePart, const char*>, 4> k_parts{{{FacePart::all, "All##part"},
+                                                                     {FacePart::brows, "Brows##part"},
+                                                                     {FacePart::eyes, "Eyes##part"},
+                                                                     {FacePart::mouth, "Mouth##part"}}};
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const float quarter = (ImGui::GetContentRegionAvail().x - 3 * spacing) / 4;
+  for (const auto& [part, label] : k_parts) {
+    if (part != FacePart::all) ImGui::SameLine();
+    if (wide_button(context, label, quarter, choice.part == part, "What of the pose is taken")) choice.part = part;
+  }
+  const float half = 0.5F * (ImGui::GetContentRegionAvail().x - spacing);
+  ButtonLook mirror{half, choice.mirrored, "Left and right exchanged", icon_of(Action::flip_pose)};
+  if (icon_button(context, "Mirrored##pose", mirror)) choice.mirrored = !choice.mirrored;
+  ImGui::SameLine();
+  ImGui::BeginDisabled(choice.time_s < 0);
+  const auto pairs = side_pairs(app.workspace().document().model->rig->parameters());
+  const auto take = [&](double amount) {
+    PoseChoice all = choice;
+    all.amount = amount;
+    const auto values = values_of_choice(app.workspace().document(), all, pairs);
+    app.workspace().preview(std::nullopt);
+    if (!values.values.empty()) app.workspace().perform(values);
+  };
+  if (wide_button(context, "Take##pose", half, false, "The pose as it is keyed")) take(1);
+  bool released = false;
+  double amount = app.panels().blending ? choice.amount : 0;
+  if (tall_slider(context, "##blend", amount, 0, 1, -1, "blend", released)) {
+    app.panels().blending = true;
+    choice.amount = amount;
+    const auto& document = app.workspace().document();
+    app.workspace().preview(posed(document, values_of_choice(document, choice, pairs)));
+  }
+  if (released && std::exchange(app.panels().blending, false)) take(choice.amount);
+  ImGui::EndDisabled();
+}
+
+}  // namespace
+
+void show_poses(PanelContext& context) {
+  const float below = 3 * (context.unit + ImGui::GetStyle().ItemSpacing.y);
+  show_pictures(context, std::max(context.unit, ImGui::GetContentRegionAvail().y - below));
+  show_choice(context);
+}
+
+}  // namespace penpose::app

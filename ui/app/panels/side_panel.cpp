@@ -1,0 +1,190 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/letters.h"
+#include "ui/app/panels/control_rows.h"
+#include "ui/app/panels/panels.h"
+#include "ui/app/widgets/internal/icon.h"
+#include "ui/app/widgets/internal/widgets.h"
+
+// The panel at the side, and in it all parameters.
+
+namespace penpose::app {
+namespace {
+
+/// With more parameters than these they stand in groups.
+constexpr std::size_t k_many = 16;
+/// Share of its range from which on a control is away from rest.
+constexpr double k_moved = 0.005;
+
+bool contains(std::string_view name, std::string_view part) {
+  return std::search(name.begin(), name.end(), part.begin(), part.end(),
+                     [](char a, char b) { return base::lower(a) == base::lower(b); }) != name.end();
+}
+
+/// The first word of a name ("browInner_L": "brow"), by which parameters are grouped.
+std::string first_word(std::string_view name) {
+  std::size_t end = 0;
+  while (end < name.size() && name[end] >= 'a' && name[end] <= 'z') ++end;
+  return end > 1 ? std::string(name.substr(0, end)) : std::string();
+}
+
+/// Frees one group and locks all others, or frees all again.
+void solo_button(PanelContext& context, const std::string& group, const std::vector<std::string>& members) {
+  App& app = context.app;
+  const document::Document& document = app.workspace().document();
+  std::vector<std::string> others;
+  for (const auto& parameter : document.model->rig->parameters()) {
+    if (std::find(members.begin(), members.end(), parameter.name) == members.end()) others.push_back(parameter.name);
+  }
+  std::sort(others.begin(), others.end());
+  const bool solo = !others.empty() && document.locked == others;
+  if (!wide_button(context, ("S##solo " + group).c_str(), context.unit, solo,
+                   solo ? "Free the other groups again" : "This group alone: all others are locked")) {
+    return;
+  }
+  if (solo) {
+    app.workspace().perform(document::LockParameters{others, false});
+    return;
+  }
+  std::vector<std::string> locked_here;
+  for (const std::string& name : members) {
+    if (std::binary_search(document.locked.begin(), document.locked.end(), name)) locked_here.push_back(name);
+  }
+  if (!app.workspace().perform(document::LockParameters{others, true})) return;
+  if (!locked_here.empty()) app.workspace().perform_with(document::LockParameters{locked_here, false});
+}
+
+/// A group's name, which folds it, and what is done to all of it. True while it is unfolded.
+bool group_row(PanelContext& context, const std::string& group, const std::vector<std::string>& members) {
+  App& app = context.app;
+  auto& folded = app.panels().folded_groups;
+  const auto& locked = app.workspace().document().locked;
+  const bool open = !folded.contains(group);
+  const bool all_locked = std::all_of(members.begin(), members.end(), [&](const std::string& name) {
+    return std::binary_search(locked.begin(), locked.end(), name);
+  });
+  ImGui::PushID(group.c_str());
+  const float width = ImGui::GetContentRegionAvail().x - 3 * (context.unit + ImGui::GetStyle().ItemSpacing.x);
+  const std::string label =
+      (open ? "\u25be  " : "\u25b8  ") + group + "  " + std::to_string(members.size()) + "##group " + group;
+  ButtonLook look{width, false, open ? "Fold this group" : "Unfold this group"};
+  look.left_aligned = true;
+  if (icon_button(context, label.c_str(), look)) {
+    if (open) {
+      folded.insert(group);
+    } else {
+      folded.erase(group);
+    }
+  }
+  ImGui::SameLine();
+  solo_button(context, group, members);
+  ImGui::SameLine();
+  if (lock_button(context, ("##lock group " + group).c_str(), all_locked,
+                  all_locked ? "Free the whole group" : "Lock the whole group: no stroke will move it")) {
+    app.workspace().lock(members, !all_locked);
+  }
+  ImGui::SameLine();
+  if (icon_button(context, ("\u21ba##reset group " + group).c_str(),
+                  {context.unit, false, "The whole group back to rest", icon::k_back, false})) {
+    app.workspace().perform(document::ResetParameters{members});
+  }
+  ImGui::PopID();
+  return open;
+}
+
+/// Which parameters are listed: those whose names say what is searched for, and where it is asked for those alone that
+/// are not at rest.
+std::vector<bool> wanted_parameters(App& app) {
+  const auto parameters = app.workspace().document().model->rig->parameters();
+  const rig::Pose& shown = app.workspace().shown_pose();
+  std::vector<bool> wanted(parameters.size());
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const double by = i < shown.size() ? std::abs(shown[i] - parameters[i].rest) : 0;
+    const bool moved = by >= k_moved * (parameters[i].maximum - parameters[i].minimum);
+    wanted[i] = contains(parameters[i].name, app.panels().filter) && (moved || !app.panels().moved_only);
+  }
+  return wanted;
+}
+
+void show_list(PanelContext& context) {
+  App& app = context.app;
+  // A row may perform a command that makes another rig: the list is of the one there was.
+  const auto rig = app.workspace().document().model->rig;
+  const auto parameters = rig->parameters();
+  const auto rows = control_rows(parameters, wanted_parameters(app));
+  const bool grouped = app.panels().filter.empty() && !app.panels().moved_only && parameters.size() > k_many;
+  std::string group;
+  bool open = true;
+  for (std::size_t i = 0; i < rows.size() && app.workspace().document().model->rig == rig; ++i) {
+    const std::string word = first_word(parameters[rows[i].first].name);
+    if (grouped && word != group) {
+      group = word;
+      open = true;
+      std::vector<std::string> members;
+      for (std::size_t k = i; k < rows.size() && first_word(parameters[rows[k].first].name) == word; ++k) {
+        members.push_back(parameters[rows[k].first].name);
+        if (rows[k].pair()) members.push_back(parameters[rows[k].second].name);
+      }
+      if (!word.empty() && members.size() > 1) open = group_row(context, group, members);
+    }
+    if (open && app.workspace().document().model->rig == rig) show_control_row(context, rows[i]);
+  }
+  if (!rows.empty()) return;
+  if (parameters.empty()) {
+    ImGui::TextWrapped("This model has nothing to pose yet. Take the tool Rig and sketch a control.");
+  } else {
+    ImGui::TextWrapped(app.panels().filter.empty() ? "Everything is at rest." : "Nothing has this in its name.");
+  }
+}
+
+}  // namespace
+
+void show_parameters(PanelContext& context) {
+  App& app = context.app;
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const float moved = button_width(context, "Moved", {}, true);
+  text_field(context, "##search", app.panels().filter,
+             ImGui::GetContentRegionAvail().x - context.unit - moved - 2 * spacing, "search");
+  ImGui::SameLine();
+  if (icon_button(context, "x##clear", {context.unit, false, "Show all", icon::k_cross, false})) {
+    app.panels().filter.clear();
+    app.panels().moved_only = false;
+  }
+  ImGui::SameLine();
+  action_button(context, Action::moved_only, moved, app.panels().moved_only, "Moved");
+  ImGui::BeginChild("list");
+  show_list(context);
+  ImGui::EndChild();
+}
+
+void show_side_panel(PanelContext& context, const Area& area) {
+  App& app = context.app;
+  if (begin_panel(context, "side", area)) {
+    PanelState& panels = app.panels();
+    if (panels.controls_tab) panels.poses_tab = false;
+    const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
+    const auto tab = [&](const char* label, bool controls, bool poses, const char* tip) {
+      const bool chosen = panels.controls_tab == controls && panels.poses_tab == poses;
+      if (!wide_button(context, label, third, chosen, tip)) return;
+      panels.controls_tab = controls;
+      panels.poses_tab = poses;
+    };
+    tab("Parameters", false, false, "Everything that moves the model, as sliders");
+    ImGui::SameLine();
+    tab("Controls", true, false, "Controls that were sketched, and new ones");
+    ImGui::SameLine();
+    tab("Poses", false, true, "Poses that are keyed, to be taken again");
+    if (panels.poses_tab) {
+      show_poses(context);
+    } else if (app.panels().controls_tab) {
+      show_deformers(context);
+    } else {
+      show_parameters(context);
+    }
+  }
+  end_panel();
+}
+
+}  // namespace penpose::app

@@ -1,0 +1,138 @@
+#include "ui/app/session/live_follow.h"
+
+#include <algorithm>
+
+#include "core/document/commands/apply.h"
+#include "core/document/drawing/pulled_target.h"
+#include "core/document/drawing/target_line.h"
+#include "core/drawing/live_target.h"
+
+namespace penpose::app {
+namespace {
+
+/// The target's line as a view shows it.
+document::DrawnTarget seen_from(const document::DrawnTarget& target, const document::View& view,
+                                const geometry::Camera& camera) {
+  if (target.view == view) return target;
+  document::DrawnTarget seen = target;
+  seen.line.clear();
+  seen.pressure.clear();
+  // Only the proportions of pressures count, and the weights have kept them.
+  double strongest = 1e-9;
+  for (const double weight : target.weights) strongest = std::max(strongest, weight);
+  for (std::size_t i = 0; i < target.points.size(); ++i) {
+    const auto px = camera.project(target.points[i]);
+    if (!px) continue;
+    seen.line.push_back(*px);
+    seen.pressure.push_back(i < target.weights.size() ? target.weights[i] / strongest : 1.0);
+  }
+  return seen;
+}
+
+std::optional<document::CurveId> curve_of(const document::Command& command) {
+  if (const auto* drawn = std::get_if<document::DrawTarget>(&command)) return drawn->curve;
+  if (const auto* over = std::get_if<document::OversketchTarget>(&command)) return over->curve;
+  return std::nullopt;
+}
+
+}  // namespace
+
+void LiveFollow::begin(const document::Document& document, const drawing::Tool& tool, const document::View& view,
+                       const curve::Stroke& stroke) {
+  end();
+  const auto command = drawing::command_of(document, tool, view, stroke, false);
+  const auto named = command ? curve_of(*command) : std::nullopt;
+  const document::PoseCurve* curve = named ? document::find_curve(document, *named) : nullptr;
+  if (curve == nullptr) return;
+  start(document, *curve, view);
+  whole_.reset();
+  if (std::holds_alternative<document::OversketchTarget>(*command)) before_ = curve->target;
+}
+
+void LiveFollow::begin_drag(const document::Document& document, document::CurveId curve, const document::View& view,
+                            const std::optional<PullHold>& pull) {
+  end();
+  const document::PoseCurve* found = document::find_curve(document, curve);
+  if (found == nullptr || !found->target) return;
+  start(document, *found, view);
+  pull_ = pull;
+  if (pull_) pulled_ = found->target;
+}
+
+const intent::WholeModel& LiveFollow::whole_of(const document::Document& document) {
+  if (whole_rig_ != document.model->rig) {
+    whole_model_ = intent::measure_whole_model(*document.model->rig);
+    whole_rig_ = document.model->rig;
+  }
+  return whole_model_;
+}
+
+void LiveFollow::start(const document::Document& document, const document::PoseCurve& curve,
+                       const document::View& view) {
+  const auto camera = geometry::Camera::make(view.camera, view.viewport);
+  if (!camera) return;
+  const auto reference = document::positions_of(document, curve.points);
+  auto problem = drawing::live_problem(document, curve, view, drawing::k_rules);
+  if (!problem) return;
+  auto poser = intent::LivePoser::start(*document.model->rig, whole_of(document), *std::move(problem));
+  if (!poser) return;
+  model_ = document.model;
+  curve_ = curve.id;
+  view_ = view;
+  reference_ = reference;
+  if (curve.target) whole_ = seen_from(*curve.target, view, *camera);
+  poser_.emplace(std::move(*poser));
+}
+
+bool LiveFollow::follow(const curve::Stroke& stroke) {
+  if (!poser_ || stroke.size() < 2) return false;
+  const auto line = curve::positions_of(stroke);
+  if (!before_) return poser_->follow(line).solved;
+  const auto merged = document::drawn_over(*before_, reference_, view_, line);
+  if (merged) target_ = *merged;
+  return follow_target(merged);
+}
+
+bool LiveFollow::drag(curve::PxPoint by) {
+  if (!poser_ || !whole_) return false;
+  if (pull_ && pulled_) {
+    return follow_target(
+        document::pulled_target(*pulled_, {curve_, view_, pull_->at, by, pull_->reach, drawing::k_rules}));
+  }
+  auto line = whole_->line;
+  for (curve::PxPoint& p : line) p = p + by;
+  return follow_target(document::make_target(reference_, view_, line, whole_->pressure));
+}
+
+bool LiveFollow::follow_target(const base::Result<document::DrawnTarget>& target) {
+  if (!target) return false;
+  if (target->view == view_) return poser_->follow_whole(target->line).solved;
+  const auto camera = geometry::Camera::make(view_.camera, view_.viewport);
+  return camera && poser_->follow_whole(seen_from(*target, view_, *camera).line).solved;
+}
+
+void LiveFollow::end() {
+  poser_.reset();
+  whole_.reset();
+  pull_.reset();
+  pulled_.reset();
+  before_.reset();
+  target_.reset();
+  model_.reset();
+  curve_ = {};
+}
+
+document::Command drag_command(const document::PoseCurve& curve, const document::View& view, curve::PxPoint by,
+                               const std::optional<PullHold>& pull) {
+  if (pull) return document::PullTarget{curve.id, view, pull->at, by, pull->reach, drawing::k_rules};
+  const auto camera = geometry::Camera::make(view.camera, view.viewport);
+  if (!curve.target || curve.target->view == view || !camera)
+    return document::DragTarget{curve.id, by, drawing::k_rules};
+  // It was drawn in another view: what is seen now, moved, is drawn in this one.
+  const document::DrawnTarget seen = seen_from(*curve.target, view, *camera);
+  document::DrawTarget drawn{curve.id, view, seen.line, seen.pressure, drawing::k_rules};
+  for (curve::PxPoint& p : drawn.line) p = p + by;
+  return drawn;
+}
+
+}  // namespace penpose::app

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/document/suggestion.h"
+#include "ui/app/session/workspace.h"
+
+namespace penpose::app {
+
+/// The rest of the face as the keys suggest it: shown on the model, and no command before it is taken. Anything else
+/// that changes the document or shows another pose ends it.
+class SuggestionOffer {
+ public:
+  /// Shows what is suggested. Errors: there are no keys to learn from, nothing is posed, ...
+  base::Status ask(Workspace& workspace);
+  [[nodiscard]] bool open() const { return suggestion_.has_value(); }
+  /// Precondition: open.
+  [[nodiscard]] const document::Suggestion& suggestion() const { return *suggestion_; }
+  /// Controls that it moves, the most first; by shares of their ranges.
+  [[nodiscard]] const std::vector<Movement>& movements() const { return movements_; }
+  /// How much of the way, 0..1.
+  void set_strength(Workspace& workspace, double strength);
+  /// Makes it a command.
+  void take(Workspace& workspace);
+  void dismiss(Workspace& workspace);
+  /// Call it for every frame. What was locked since ("not this one") is asked again; what else happened ends the offer.
+  void follow(Workspace& workspace);
+
+  /// Why there is nothing to ask for, in an animator's words; empty where there is.
+  [[nodiscard]] const std::string& why_not(const Workspace& workspace);
+
+ private:
+  void show(Workspace& workspace);
+
+  std::optional<document::Suggestion> suggestion_;
+  std::vector<Movement> movements_;
+  document::Document asked_;  ///< what it was asked of
+  std::uint64_t revision_ = 0;
+  std::optional<std::uint64_t> looked_at_;  ///< the revision that why_not_ is of
+  std::string why_not_;
+};
+
+}  // namespace penpose::app

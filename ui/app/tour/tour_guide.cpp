@@ -1,0 +1,352 @@
+#include "ui/app/tour/tour_guide.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ui/app/app.h"
+#include "ui/app/session/frames.h"
+#include "ui/app/tour/tour_line.h"
+
+namespace penpose::app {
+namespace {
+
+using document::Command;
+using geometry::ModelPoint;
+
+// How far lines may stray in the mean, px of the picture in which the tour was drawn.
+constexpr double k_feature_px = 20;
+constexpr double k_goal_px = 20;
+constexpr double k_lasso_px = 34;
+constexpr double k_near_s = 0.25;
+/// A slider that was pulled so much of the way is at its end.
+constexpr double k_pulled = 0.75;
+
+/// What a command draws, and in which view; null: it draws nothing.
+struct Drawn {
+  const document::View* view = nullptr;
+  const std::vector<PxPoint>* line = nullptr;
+  bool lasso = false;
+};
+
+Drawn drawn_by(const Command& command) {
+  if (const auto* one = std::get_if<document::DrawReference>(&command)) return {&one->view, &one->line};
+  if (const auto* one = std::get_if<document::DrawTarget>(&command)) return {&one->view, &one->line};
+  if (const auto* one = std::get_if<document::SketchCurve>(&command)) {
+    const bool lasso = one->role == articulation::CurveRole::general || one->role == articulation::CurveRole::specific;
+    return {&one->view, &one->line, lasso};
+  }
+  return {};
+}
+
+/// The line on the model: where it meets the surface there, elsewhere as deep as that is in the mean.
+std::vector<ModelPoint> on_model(PosedSurface& surface, const document::View& view, const std::vector<PxPoint>& line) {
+  const auto camera = geometry::Camera::make(view.camera, view.viewport);
+  if (!camera) return {};
+  std::vector<std::optional<double>> depths;
+  double sum = 0;
+  std::size_t hits = 0;
+  for (const PxPoint& px : line) {
+    const auto hit = surface.pick(*camera, px);
+    const geometry::Ray ray = camera->ray(px);
+    depths.push_back(hit ? std::optional(camera->depth(ray.origin + ray.direction * hit->distance)) : std::nullopt);
+    if (hit) sum += *depths.back();
+    if (hit) ++hits;
+  }
+  const double usual = hits > 0 ? sum / static_cast<double>(hits) : camera->depth(view.camera.look_at);
+  std::vector<ModelPoint> points;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const geometry::Ray ray = camera->ray(line[i]);
+    const double a_unit = camera->depth(ray.origin + ray.direction);
+    points.push_back(ray.origin + ray.direction * (depths[i].value_or(usual) / a_unit));
+  }
+  return points;
+}
+
+std::vector<PxPoint> seen(std::span<const ModelPoint> points, const document::View& view) {
+  std::vector<PxPoint> line;
+  const auto camera = geometry::Camera::make(view.camera, view.viewport);
+  for (const ModelPoint& point : points) {
+    const auto px = camera ? camera->project(point) : std::nullopt;
+    if (px) line.push_back(*px);
+  }
+  return line;
+}
+
+double length_of(std::span<const PxPoint> line) {
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) sum += geometry::distance(line[i], line[i + 1]);
+  return sum;
+}
+
+/// Commands that draw a line, which a step that wants another one takes back.
+bool draws(std::string_view command) {
+  return command == "draw_reference" || command == "draw_target" || command == "sketch_curve" ||
+         command == "draw_constraint" || command == "pin";
+}
+
+/// The control that was sketched last; empty: there is none.
+std::string last_control(const document::Document& document) {
+  const auto& deformers = document.model->deformers;
+  return deformers && deformers->size() > 0 ? deformers->deformers().back()->sketch().name : std::string();
+}
+
+/// So many times nearer than all of the head the face fills a canvas; brows and mouth lie about the head's middle.
+constexpr int k_times_nearer = 4;
+
+/// Brings a line on the canvas into sight, on a face as large as there is room.
+void bring_into_sight(App& app, std::span<const ModelPoint> line) {
+  const auto camera = geometry::Camera::make(app.view().camera, app.view().viewport);
+  const auto hidden = [&](const ModelPoint& point) {
+    const auto px = camera ? camera->project(point) : std::nullopt;
+    return !px || !app.free_area().holds(*px);
+  };
+  if (std::none_of(line.begin(), line.end(), hidden)) return;
+  app.do_action(Action::frame_all);
+  for (int i = 0; i < k_times_nearer; ++i) app.do_action(Action::zoom_in);
+}
+
+/// The tool that draws what a command draws.
+drawing::ToolKind tool_for(const Command& command) {
+  if (std::holds_alternative<document::SketchCurve>(command)) return drawing::ToolKind::articulate;
+  return drawing::ToolKind::pose;
+}
+
+}  // namespace
+
+void TourGuide::begin(App& app, Tour tour) {
+  tour_ = std::move(tour);
+  begun_.clear();
+  ghost_.clear();
+  // What would be done besides is not of the tour.
+  PanelState& panels = app.panels();
+  panels.shown = true;
+  panels.mirrors = panels.performs = panels.auto_key = panels.poses_tab = panels.controls_tab = false;
+  panels.loop = {};
+  panels.time_s = panels.from_s = panels.span_s = 0;
+  app.do_action(Action::frame_all);
+  for (int i = 0; i < k_times_nearer; ++i) app.do_action(Action::zoom_in);
+  begin_step(app, app.workspace().editor().history().undo_count());
+}
+
+void TourGuide::begin_step(App& app, std::size_t commands) {
+  begun_.push_back(commands);
+  again_.clear();
+  ghost_ = line_of(app, step());
+  ghost_before_ = step() > 0 ? line_of(app, step() - 1) : std::vector<ModelPoint>();
+  const Command* command = wanted();
+  if (command == nullptr) return;
+  bring_into_sight(app, ghost_);
+  if (std::holds_alternative<document::SetParameters>(*command)) app.panels().controls_tab = true;
+}
+
+std::vector<ModelPoint> TourGuide::line_of(App& app, std::size_t step) const {
+  if (step >= tour_->steps.size() || !tour_->steps[step].wanted) return {};
+  const Drawn drawn = drawn_by(*tour_->steps[step].wanted);
+  return drawn.line != nullptr ? on_model(app.surface(), *drawn.view, *drawn.line) : std::vector<ModelPoint>();
+}
+
+const Command* TourGuide::wanted() const {
+  if (done() || !tour_->steps[step()].wanted) return nullptr;
+  return &*tour_->steps[step()].wanted;
+}
+
+bool TourGuide::ghost_closed() const {
+  const Command* command = wanted();
+  return command != nullptr && drawn_by(*command).lasso;
+}
+
+std::optional<double> TourGuide::asked_time() const {
+  const Command* command = wanted();
+  const auto* to = command != nullptr ? std::get_if<document::GoToTime>(command) : nullptr;
+  return to != nullptr ? std::optional(to->time_s) : std::nullopt;
+}
+
+std::string TourGuide::pointed(const App& app) const {
+  if (done()) return {};
+  const TourStep& due = tour_->steps[step()];
+  if (due.press) return std::string(*due.press == Action::play ? "Play" : info(*due.press).label);
+  const Command& command = *due.wanted;
+  if (drawn_by(command).line != nullptr) {
+    const drawing::ToolKind kind = tool_for(command);
+    if (app.workspace().editor().tool().kind == kind) return {};
+    return std::string(info(kind == drawing::ToolKind::pose ? Action::tool_pose : Action::tool_articulate).label);
+  }
+  if (std::holds_alternative<document::BeginDeformer>(command)) return std::string(info(Action::tool_articulate).label);
+  if (std::holds_alternative<document::SetKey>(command)) return std::string(info(Action::key_pose).label);
+  if (std::holds_alternative<document::GoToTime>(command)) return "tour time";
+  if (std::holds_alternative<document::SetParameters>(command))
+    return "slider " + last_control(app.workspace().document());
+  return {};
+}
+
+std::string TourGuide::says(const App& app) const {
+  if (done()) return tour_->ends;
+  const TourStep& due = tour_->steps[step()];
+  // A line that another tool would draw is told before it is drawn.
+  if (due.wanted && drawn_by(*due.wanted).line != nullptr && !pointed(app).empty())
+    return "Press " + pointed(app) + " first. Then: " + due.says;
+  return due.says;
+}
+
+std::optional<std::size_t> TourGuide::given(const App& app) const {
+  const Command* command = wanted();
+  if (command == nullptr) return std::nullopt;
+  const auto& history = app.workspace().editor().history();
+  const std::string_view name = document::name_of(*command);
+  for (std::size_t i = begun_.back(); i < history.undo_count(); ++i) {
+    if (history.name_of_step(i) == name) return i;
+  }
+  return std::nullopt;
+}
+
+TourGuide::Answer TourGuide::judge_drawn(App& app) const {
+  const Command& command = *wanted();
+  const Drawn drawn = drawn_by(command);
+  const document::Document& document = app.workspace().document();
+  document::View view;
+  std::vector<PxPoint> line;
+  double within = k_feature_px;
+  std::span<const ModelPoint> from;
+  if (std::holds_alternative<document::DrawReference>(command)) {
+    const auto last = std::find_if(document.curves.rbegin(), document.curves.rend(),
+                                   [](const auto& curve) { return curve->role == document::PoseCurveRole::reference; });
+    if (last == document.curves.rend()) return {};
+    view = app.workspace().editor().view();
+    std::vector<ModelPoint> points;
+    for (std::size_t i = 0; i < (*last)->points.size(); ++i) {
+      points.emplace_back(app.surface().at((*last)->points[i]));
+      // Where the pen was, and not where the sheet is that the line sticks to.
+      if (i < (*last)->aside.size()) points.back() += (*last)->aside[i];
+    }
+    line = seen(points, view);
+  } else if (std::holds_alternative<document::DrawTarget>(command)) {
+    const auto last = std::find_if(document.curves.rbegin(), document.curves.rend(),
+                                   [](const auto& curve) { return curve->target.has_value(); });
+    if (last == document.curves.rend()) return {};
+    view = (*last)->target->view;
+    line = (*last)->target->line;
+    within = k_goal_px;
+    from = ghost_before_;
+  } else if (const auto* sketched = std::get_if<document::SketchCurve>(&command)) {
+    const std::string control = last_control(document);
+    const bool target = sketched->role == articulation::CurveRole::target;
+    if (target == (document.pending != nullptr)) return {false, "That was another line of the control"};
+    if (target && control.empty()) return {};
+    const articulation::Sketch& sketch =
+        target ? document.model->deformers->deformers().back()->sketch() : document.pending->sketch;
+    view = {target ? sketch.target_camera.value_or(sketch.camera) : sketch.camera, sketch.viewport};
+    line = target                                               ? sketch.target
+           : sketched->role == articulation::CurveRole::general ? sketch.general
+                                                                : sketch.specific;
+    within = target ? k_goal_px : k_lasso_px;
+  }
+  const auto asked = seen(ghost_, view);
+  const auto before = seen(from, view);
+  if (line.empty() || asked.empty()) return {false, "That was not seen as a line: once more"};
+  const double scale = length_of(asked) / std::max(1.0, length_of(*drawn.line));
+  const LineJudgement judgement = judge_line(line, {asked, before, within * scale, drawn.lasso});
+  return {judgement.near, judgement.again};
+}
+
+TourGuide::Answer TourGuide::judge(App& app) const {
+  const Command& command = *wanted();
+  const document::Document& document = app.workspace().document();
+  if (drawn_by(command).line != nullptr) return judge_drawn(app);
+  if (const auto* to = std::get_if<document::GoToTime>(&command)) {
+    const int rate = app.panels().rate;
+    if (std::abs(document.time_s - to->time_s) <= k_near_s) return {true, {}};
+    return {false,
+            "That is frame " + frame_text(document.time_s, rate) + ": go to frame " + frame_text(to->time_s, rate),
+            false};
+  }
+  if (std::holds_alternative<document::SetParameters>(command)) {
+    const auto number = rig::find_parameter(document.model->rig->parameters(), last_control(document));
+    if (!number) return {false, "The control is gone: Undo brings it back", false};
+    const rig::Parameter& parameter = document.model->rig->parameters()[*number];
+    if (document.pose[*number] >= k_pulled * parameter.maximum) return {true, {}};
+    return {false, "Further to the right: to the slider's end", false};
+  }
+  if (const auto* key = std::get_if<document::SetKey>(&command); key != nullptr && key->time_s > 0) {
+    const auto& keys = document.timeline->keys;
+    const bool later = keys.size() > 1 && keys.back().time_s > k_near_s;
+    return {later, later ? ""
+                         : "That keyed the first moment again: go to frame " +
+                               frame_text(key->time_s, app.panels().rate) + " before"};
+  }
+  return {true, {}};
+}
+
+void TourGuide::follow(App& app) {
+  if (!tour_) return;
+  const Workspace& workspace = app.workspace();
+  if (app.path() != tour_->model || app.player()) return leave();
+  if (workspace.session().pens().current() != nullptr || workspace.live().active()) return;
+  const auto& history = workspace.editor().history();
+  // The tour's own card is laid out after its first step has begun.
+  if (step() == 0 && history.undo_count() == begun_.front()) bring_into_sight(app, ghost_);
+  // Whoever takes back a step of the tour does it again.
+  while (begun_.size() > 1 && history.undo_count() < begun_.back()) {
+    begun_.pop_back();
+    const std::size_t again = begun_.back();
+    begun_.pop_back();
+    begin_step(app, std::min(again, history.undo_count()));
+  }
+  while (!done()) {
+    if (const auto& press = tour_->steps[step()].press) {
+      if (*press == Action::play && !app.playing()) return;
+      begin_step(app, history.undo_count());
+      continue;
+    }
+    const auto found = given(app);
+    if (!found) {
+      bool other = false;
+      for (std::size_t i = begun_.back(); i < history.undo_count(); ++i)
+        other = other || draws(history.name_of_step(i));
+      if (!other) return;
+      app.go_to_step(begun_.back());
+      again_ = "Not yet that, so it is taken back";
+      return;
+    }
+    const Answer answer = judge(app);
+    if (!answer.right) {
+      if (answer.taken_back) app.go_to_step(begun_.back());
+      again_ = answer.again;
+      return;
+    }
+    begin_step(app, *found + 1);
+  }
+}
+
+void TourGuide::skip(App& app) {
+  if (!tour_ || done() || app.workspace().session().pens().current() != nullptr) return;
+  const TourStep due = tour_->steps[step()];
+  again_.clear();
+  if (due.press) return app.do_action(*due.press);
+  const document::Document& document = app.workspace().document();
+  if (std::holds_alternative<document::BeginDeformer>(*due.wanted)) return app.do_action(Action::tool_articulate);
+  if (std::holds_alternative<document::SetKey>(*due.wanted)) return app.do_action(Action::key_pose);
+  if (const auto* to = std::get_if<document::GoToTime>(&*due.wanted)) return app.go_to(to->time_s);
+  Command command = *due.wanted;
+  if (auto* one = std::get_if<document::SetParameters>(&command)) {
+    if (!one->values.empty()) one->values.front().name = last_control(document);
+  }
+  // Drawn as the user sees it, so that what comes after it fits.
+  const document::View& view = app.workspace().editor().view();
+  const auto line = seen(ghost_, view);
+  if (auto* one = std::get_if<document::DrawReference>(&command)) *one = {view, line, drawing::k_rules};
+  if (auto* one = std::get_if<document::SketchCurve>(&command)) {
+    one->view = view;
+    one->line = line;
+  }
+  if (auto* one = std::get_if<document::DrawTarget>(&command)) {
+    const auto waits = std::find_if(document.curves.begin(), document.curves.end(), [](const auto& curve) {
+      return curve->role == document::PoseCurveRole::reference && !curve->target;
+    });
+    if (waits == document.curves.end()) return;
+    *one = {(*waits)->id, view, line, {}, drawing::k_rules};
+  }
+  app.workspace().perform(command);
+}
+
+}  // namespace penpose::app

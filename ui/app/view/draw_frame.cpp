@@ -1,0 +1,99 @@
+#include "ui/app/view/draw_frame.h"
+
+#include <algorithm>
+
+#include "core/articulation/edit.h"
+#include "ui/app/view/backdrop.h"
+
+namespace penpose::app {
+namespace {
+
+/// The surface shows through the colours of weights.
+constexpr float k_overlay_alpha = 0.62F;
+constexpr float k_faint_weight = 0.25F;
+
+}  // namespace
+
+void FrameMaker::update_surface(App& app) {
+  const PosedSurface& surface = app.surface();
+  if (last_.shape_number != surface.shape_number()) {
+    last_.shape_number = surface.shape_number();
+    last_.appearance = std::make_shared<const render::Appearance>(surface.appearance());
+  }
+  // Not the workspace's: a panel may have opened another one since.
+  last_.model = surface.shared_model();
+  if (last_.pose_number == surface.pose_number()) return;
+  last_.pose_number = surface.pose_number();
+  const auto positions = surface.positions();
+  const auto normals = surface.normals();
+  last_.positions = std::make_shared<const std::vector<glm::vec3>>(positions.begin(), positions.end());
+  last_.normals = std::make_shared<const std::vector<glm::vec3>>(normals.begin(), normals.end());
+}
+
+void FrameMaker::update_overlay(App& app) {
+  const SketchPreview& sketch = app.workspace().sketch();
+  const bool sketching = app.workspace().editor().tool().kind == drawing::ToolKind::articulate;
+  const auto& model = app.surface().shared_model();
+  const std::size_t count = model->mesh->vertex_count();
+  const auto colored = [](float weight) {
+    render::Color color = render::weight_color(weight);
+    color.a = k_overlay_alpha;
+    return color;
+  };
+  if (sketching && !sketch.weights().empty()) {
+    overlay_deformer_.clear();
+    overlay_model_.reset();
+    if (sketch.revision() == weights_revision_ && last_.overlay && last_.overlay->size() == count) return;
+    weights_revision_ = sketch.revision();
+    std::vector<render::Color> overlay(count, render::Color{0, 0, 0, 0});
+    for (std::size_t i = 0; i < std::min(count, sketch.weights().size()); ++i) {
+      if (sketch.weights()[i] >= 0) overlay[i] = colored(sketch.weights()[i]);
+      if (sketch.weights()[i] == -2.0F) overlay[i] = render::from_srgb(0xe8402a, k_overlay_alpha);
+    }
+    last_.overlay = std::make_shared<const std::vector<render::Color>>(std::move(overlay));
+    ++last_.overlay_number;
+    return;
+  }
+  const std::string& name = app.panels().deformer;
+  const auto& deformers = model->deformers;
+  const auto found = name.empty() || !deformers || !app.panels().controls_tab
+                         ? std::nullopt
+                         : articulation::find_deformer(*deformers, name);
+  if (!found) {
+    if (last_.overlay) ++last_.overlay_number;
+    last_.overlay.reset();
+    overlay_deformer_.clear();
+    overlay_model_.reset();
+    return;
+  }
+  if (overlay_model_ == model && overlay_deformer_ == name) return;
+  overlay_model_ = model;
+  overlay_deformer_ = name;
+  std::vector<render::Color> overlay(count, render::Color{0, 0, 0, 0});
+  const articulation::Deformer& deformer = *deformers->deformers()[*found];
+  for (std::size_t i = 0; i < deformer.vertices().size(); ++i) {
+    const auto weight = static_cast<float>(deformer.weights()[i]);
+    render::Color& color = overlay[deformer.vertices()[i]];
+    color = colored(weight);
+    // Little of it is hardly seen, so that the border does not run along the edges of triangles.
+    color.a *= std::min(1.0F, weight / k_faint_weight);
+  }
+  last_.overlay = std::make_shared<const std::vector<render::Color>>(std::move(overlay));
+  ++last_.overlay_number;
+}
+
+DrawFrame FrameMaker::make(App& app) {
+  if (last_.overlay_number == 0) last_.overlay_number = 1;
+  update_surface(app);
+  update_overlay(app);
+  last_.background = {};
+  if (app.settings().light) last_.background = {render::from_srgb(0xe4e7ea), render::from_srgb(0xaab2ba)};
+  last_.wireframe = app.panels().wireframe;
+  last_.view = {app.view().camera, app.window()};
+  DrawFrame frame = last_;
+  frame.curves = app.curves();
+  frame.behind = app.panels().backdrop ? app.panels().backdrop->seen(last_.view) : render::Behind();
+  return frame;
+}
+
+}  // namespace penpose::app

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ui/app/app.h"
+#include "ui/render/gl/behind_pass.h"
+#include "ui/render/scene.h"
+
+namespace penpose::app {
+
+/// All that the viewport's picture shows at one moment. Its heavy parts are shared and never change, so that it can be
+/// drawn while the app goes on.
+struct DrawFrame {
+  std::shared_ptr<const document::Model> model;
+  std::shared_ptr<const std::vector<glm::vec3>> positions;
+  std::shared_ptr<const std::vector<glm::vec3>> normals;
+  std::shared_ptr<const render::Appearance> appearance;
+  std::shared_ptr<const std::vector<render::Color>> overlay;
+  std::vector<render::CurveDrawing> curves;
+  render::Background background;
+  render::Behind behind;
+  bool wireframe = false;
+  std::uint64_t shape_number = 0;  ///< as render::Scene
+  std::uint64_t pose_number = 0;
+  std::uint64_t overlay_number = 0;
+  document::View view;
+};
+
+/// Makes frames of the app as it stands; what has not changed since the one before is shared with it.
+class FrameMaker {
+ public:
+  [[nodiscard]] DrawFrame make(App& app);
+
+ private:
+  void update_surface(App& app);
+  void update_overlay(App& app);
+
+  DrawFrame last_;
+  std::uint64_t weights_revision_ = 0;
+  std::shared_ptr<const document::Model> overlay_model_;
+  std::string overlay_deformer_;
+};
+
+}  // namespace penpose::app

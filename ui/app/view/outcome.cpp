@@ -1,0 +1,73 @@
+#include "ui/app/view/outcome.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "core/document/drawing/pose_problem.h"
+#include "core/drawing/editor.h"
+
+namespace penpose::app {
+namespace {
+
+constexpr std::size_t k_named = 3;
+
+/// Whether what is left of the last target is what a hand leaves.
+bool within_hand(const Workspace& workspace) {
+  return workspace.left_px() <=
+         2.0 * document::hand_px(workspace.document(), workspace.editor().view().viewport, drawing::k_rules);
+}
+
+std::string why_nothing_moved(const Workspace& workspace) {
+  if (within_hand(workspace)) return "the curve already is where the line was drawn";
+  return workspace.document().locked.empty() ? "no control of this model brings the curve to the line"
+                                             : "no control that is not locked brings the curve to the line";
+}
+
+std::string number(const char* format, double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+/// "mouth_corner_L at its limit"; several: "jaw, mouth_L at their limits".
+std::string at_limits(const std::vector<Movement>& movements) {
+  std::string names;
+  std::size_t count = 0;
+  for (const Movement& one : movements) {
+    if (!one.at_limit) continue;
+    if (++count <= k_named) names += (count > 1 ? ", " : "") + one.name;
+  }
+  if (count == 0) return {};
+  if (count > k_named) names += " and " + std::to_string(count - k_named) + " more";
+  return names + (count > 1 ? " at their limits" : " at its limit");
+}
+
+std::string moved_text(const std::vector<Movement>& movements) {
+  std::string text = "Moved ";
+  for (std::size_t i = 0; i < std::min(k_named, movements.size()); ++i) {
+    text += (i == 0 ? "" : ", ") + movements[i].name + " " + number("%+.2f", movements[i].by);
+  }
+  if (movements.size() > k_named) text += " and " + std::to_string(movements.size() - k_named) + " more";
+  return text;
+}
+
+}  // namespace
+
+std::string outcome_of(const Workspace& workspace) {
+  if (const std::string said = workspace.outcome(); !said.empty()) return said;
+  const auto& movements = workspace.movements();
+  const bool nothing_moved = movements.empty() && workspace.last_is_solved();
+  if ((movements.empty() && !nothing_moved) || workspace.document().curves.empty() ||
+      workspace.editor().tool().kind == drawing::ToolKind::articulate) {
+    return {};
+  }
+  if (nothing_moved) return "Nothing moved: " + why_nothing_moved(workspace);
+  // What is left comes first: it is what one acts on.
+  std::string text;
+  if (const double left = workspace.left_px(); left >= 0) text = number("%.1f px left", left);
+  if (const std::string limits = at_limits(movements); !limits.empty()) text += (text.empty() ? "" : ", ") + limits;
+  return text + (text.empty() ? "" : "   |   ") + moved_text(movements);
+}
+
+}  // namespace penpose::app

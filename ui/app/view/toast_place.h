@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ui/app/view/area.h"
+
+namespace penpose::app {
+
+class App;
+
+/// Over so many seconds what was said fades before it goes.
+inline constexpr double k_fade_s = 0.5;
+
+/// A place for something of some size in an area, in the corner of it that covers none of the points; where each covers
+/// some, the one that covers the fewest. The lower left is taken first, then the lower right, the upper ones.
+[[nodiscard]] Area toast_place(const Area& inside, double width, double height, std::span<const PxPoint> points);
+
+/// Everything drawn that the canvas shows, as points close to each other: lines, goals and the stroke under the pen.
+[[nodiscard]] std::vector<PxPoint> drawn_px(const App& app);
+
+}  // namespace penpose::app

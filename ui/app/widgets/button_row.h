@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ui/app/panels/panels.h"
+
+namespace penpose::app {
+
+/// A row of buttons in a panel. Those that have no room stand in a menu at its end, so that nothing is ever cut off.
+class ButtonRow {
+ public:
+  struct Button {
+    std::string label;  ///< under which it is found; what stands behind "##" is not shown
+    std::string_view icon = {};
+    std::string tip = {};
+    bool text = true;  ///< the label is shown, beside the icon
+    bool chosen = false;
+    bool enabled = true;
+    std::function<void()> does = {};
+    std::function<void(PanelContext&, float width)> shows = {};  ///< something else than a button, that wide
+    float width = 0;                                             ///< of that
+  };
+
+  ButtonRow(PanelContext& context, const char* name) : context_(context), name_(name) {}
+  void add(Button button) { buttons_.push_back(std::move(button)); }
+  void add(Action action, bool chosen = false, bool enabled = true, bool text = true);
+  /// Shows them from the cursor on, in `width` px. Px that it took.
+  float show(float width);
+
+ private:
+  [[nodiscard]] float width_of(const Button& button) const;
+  bool show_one(const Button& button, float width);
+
+  PanelContext& context_;
+  const char* name_;
+  std::vector<Button> buttons_;
+};
+
+}  // namespace penpose::app

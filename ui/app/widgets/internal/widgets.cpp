@@ -1,0 +1,334 @@
+#include "ui/app/widgets/internal/widgets.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <imgui_stdlib.h>
+#include <utility>
+
+#include "ui/app/widgets/internal/icon.h"
+#include "ui/app/widgets/internal/theme.h"
+
+namespace penpose::app {
+namespace {
+
+constexpr float k_pi = 3.14159265F;
+
+/// Puts the cursor at the end of a field that has just taken the keyboard; of a file's name all but its ending is
+/// chosen, so that typing writes another name.
+int place_cursor(ImGuiInputTextCallbackData* data) {
+  auto& placed = *static_cast<bool*>(data->UserData);
+  if (std::exchange(placed, true)) return 0;
+  const std::string_view text(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+  const std::size_t dot = text.rfind('.');
+  const bool file = dot != std::string_view::npos && dot > 0 && dot + 4 == text.size() && text[dot + 1] >= 'a';
+  data->CursorPos = file ? static_cast<int>(dot) : data->BufTextLen;
+  data->SelectionStart = file ? 0 : data->CursorPos;
+  data->SelectionEnd = data->CursorPos;
+  return 0;
+}
+
+/// Part of a target's height that an icon takes.
+constexpr float k_icon = 0.56F;
+
+}  // namespace
+
+void note(PanelContext& context, const char* label) {
+  if (!ImGui::IsItemVisible()) return;
+  const ImVec2 least = ImGui::GetItemRectMin();
+  const ImVec2 most = ImGui::GetItemRectMax();
+  context.targets[label] = {least.x, least.y, most.x, most.y};
+}
+
+void tooltip(PanelContext& context, const char* text) {
+  if (text == nullptr || *text == 0 || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  context.tip_waits = true;
+  if (!context.tip_due) return;
+  // Over the canvas beside the panel that the item is on, else below it.
+  const ImVec2 least = ImGui::GetItemRectMin();
+  const ImVec2 most = ImGui::GetItemRectMax();
+  const Area free = context.app.free_area();
+  const auto left = static_cast<float>(free.left);
+  const auto right = static_cast<float>(free.right);
+  const auto top = static_cast<float>(free.top);
+  const auto bottom = static_cast<float>(free.bottom);
+  ImVec2 at{least.x, most.y + context.gap};
+  ImVec2 pivot{0, 0};
+  const bool panels = context.app.panels().shown && !context.menu_open && !context.dialog_area;
+  if (panels && most.x <= left) at = {left + context.gap, least.y};
+  if (panels && least.x >= right) {
+    at = {right - context.gap, least.y};
+    pivot.x = 1;
+  }
+  if (panels && most.y <= top) at = {least.x, top + context.gap};
+  if (panels && least.y >= bottom) {
+    at = {least.x, bottom - context.gap};
+    pivot.y = 1;
+  }
+  ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 20);
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+std::string fitted_text(std::string_view text, float width) {
+  const auto wide = [](std::string_view part) { return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x; };
+  if (wide(text) <= width) return std::string(text);
+  constexpr std::string_view k_ellipsis = "\u2026";
+  std::size_t end = text.size();
+  const float room = width - wide(k_ellipsis);
+  while (end > 0 && wide(text.substr(0, end)) > room) {
+    --end;
+    // Not in the middle of a letter.
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  }
+  return std::string(text.substr(0, end)) + std::string(k_ellipsis);
+}
+
+void text_line(PanelContext& context, std::string_view text, float width, ImU32 color) {
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const std::string shown = fitted_text(text, std::max(0.0F, width - 2 * context.gap));
+  ImGui::GetWindowDrawList()->AddText({from.x + context.gap, from.y + 0.5F * (context.unit - ImGui::GetFontSize())},
+                                      color, shown.c_str());
+  ImGui::Dummy({std::max(1.0F, width), context.unit});
+}
+
+void text_beside(PanelContext& context, const char* text) {
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  const ImVec2 size = ImGui::CalcTextSize(text);
+  ImGui::GetWindowDrawList()->AddText({from.x + context.gap, from.y + 0.5F * (context.unit - size.y)},
+                                      ImGui::GetColorU32(ImGuiCol_Text), text);
+  ImGui::Dummy({size.x + 2 * context.gap, context.unit});
+}
+
+float button_width(const PanelContext& context, const char* label, std::string_view icon, bool text) {
+  const float wide = text ? ImGui::CalcTextSize(label, nullptr, true).x : 0;
+  const float drawn = icon.empty() ? 0 : k_icon * context.unit + (text ? 0.5F * context.gap : 0);
+  return std::max(context.unit, wide + drawn + 0.6F * context.unit);
+}
+
+bool icon_button(PanelContext& context, const char* label, const ButtonLook& look) {
+  const float width = look.width != 0 ? look.width : button_width(context, label, look.icon, look.text);
+  // What is on is seen to be on under the pen, too.
+  if (look.chosen) {
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+  }
+  ImGui::PushID(label);
+  const bool pressed = ImGui::Button("##button", {width, context.unit});
+  ImGui::PopID();
+  if (look.chosen) ImGui::PopStyleColor(2);
+  note(context, label);
+  const ImVec2 least = ImGui::GetItemRectMin();
+  const ImVec2 most = ImGui::GetItemRectMax();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(least, most, true);
+  const ImU32 ink =
+      look.chosen || ImGui::IsItemActive() ? ImGui::GetColorU32(chosen_ink()) : ImGui::GetColorU32(ImGuiCol_Text);
+  const std::string_view whole(label);
+  const std::string_view said = look.text ? whole.substr(0, whole.find("##")) : std::string_view();
+  float icon_px = look.icon.empty() ? 0 : k_icon * context.unit;
+  float between = icon_px > 0 && !said.empty() ? 0.5F * context.gap : 0;
+  const float key_px = look.key.empty() ? 0 : ImGui::CalcTextSize(look.key.data(), look.key.data() + look.key.size()).x;
+  const float pad = 0.22F * context.unit;
+  // A word that is whole says more than a part of it beside a picture.
+  const float word_px = ImGui::CalcTextSize(said.data(), said.data() + said.size()).x;
+  if (word_px > most.x - least.x - icon_px - between - 2 * pad - key_px + 1) icon_px = between = 0;
+  const std::string text = fitted_text(said, most.x - least.x - icon_px - between - 2 * pad - key_px + 1);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  float x = look.left_aligned ? least.x + pad : 0.5F * (least.x + most.x - icon_px - between - size.x);
+  const float middle = 0.5F * (least.y + most.y);
+  if (icon_px > 0) draw_icon(list, look.icon, {x + 0.5F * icon_px, middle}, icon_px, ink);
+  x += icon_px + between;
+  list.AddText({x, middle - 0.5F * size.y}, ink, text.c_str());
+  if (key_px > 0) {
+    list.AddText({most.x - pad - key_px, middle - 0.5F * size.y},
+                 look.chosen ? ink : ImGui::GetColorU32(ImGuiCol_TextDisabled), look.key.data(),
+                 look.key.data() + look.key.size());
+  }
+  list.PopClipRect();
+  tooltip(context, look.tip);
+  return pressed;
+}
+
+bool wide_button(PanelContext& context, const char* label, float width, bool chosen, const char* tip) {
+  return icon_button(context, label, {width, chosen, tip});
+}
+
+bool menu_entry(PanelContext& context, const char* label, std::string_view icon, std::string_view key,
+                const char* tip) {
+  ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
+  const bool pressed = icon_button(context, label, {9 * context.unit, false, tip, icon, true, true, key});
+  ImGui::PopStyleColor();
+  return pressed;
+}
+
+bool lock_button(PanelContext& context, const char* label, bool locked, const char* tip) {
+  const bool pressed = wide_button(context, label, context.unit, locked, tip);
+  const ImVec2 least = ImGui::GetItemRectMin();
+  const ImVec2 most = ImGui::GetItemRectMax();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 ink = ImGui::GetColorU32(locked ? ImGuiCol_Text : ImGuiCol_TextDisabled);
+  const float unit = context.unit;
+  const ImVec2 middle{0.5F * (least.x + most.x), 0.5F * (least.y + most.y)};
+  const float half = 0.17F * unit;
+  const float top = middle.y - 0.02F * unit;
+  list.AddRectFilled({middle.x - half, top}, {middle.x + half, top + 0.27F * unit}, ink, 0.04F * unit);
+  // The bow; that of an open one is turned aside.
+  const float bow = 0.11F * unit;
+  const float x = locked ? middle.x : middle.x + 2 * bow;
+  const float foot = top - 0.06F * unit;
+  list.PathLineTo({x - bow, top});
+  list.PathArcTo({x, foot}, bow, k_pi, 2 * k_pi, 12);
+  if (locked) list.PathLineTo({x + bow, top});
+  list.PathStroke(ink, 0, 0.06F * unit);
+  return pressed;
+}
+
+bool action_button(PanelContext& context, Action action, float width, bool chosen, const char* label) {
+  const std::string own(info(action).label);
+  const std::string tip = tooltip_of(action);
+  const std::string_view icon = label == nullptr ? icon_of(action) : std::string_view();
+  ButtonLook look{width, chosen, tip.c_str(), icon};
+  look.left_aligned = width == -1 && !icon.empty();
+  if (!icon_button(context, label != nullptr ? label : own.c_str(), look)) return false;
+  context.app.do_action(action);
+  return true;
+}
+
+bool begin_panel(PanelContext& context, const char* name, const Area& area, bool scrolls) {
+  ImGui::SetNextWindowPos({static_cast<float>(area.left), static_cast<float>(area.top)});
+  ImGui::SetNextWindowSize({static_cast<float>(area.width()), static_cast<float>(area.height())});
+  context.app.hits().panels.push_back(area);
+  return ImGui::Begin(name, nullptr,
+                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                          (scrolls ? 0 : ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_NoMove |
+                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                          ImGuiWindowFlags_NoNav);
+}
+
+void end_panel() { ImGui::End(); }
+
+bool begin_dialog(PanelContext& context, const char* title, float width_units) {
+  const auto window = context.app.window();
+  const ImVec2 size{static_cast<float>(window.width), static_cast<float>(window.height)};
+  context.app.hits().all = true;
+  // Everything behind it lies in shade.
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(size);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(0, 0, 0, 100));
+  ImGui::Begin("shade", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoMove);
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::SetNextWindowPos({0.5F * size.x, 0.5F * size.y}, ImGuiCond_Always, {0.5F, 0.5F});
+  const float width = std::min(width_units * context.unit, size.x - 2 * context.gap);
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, size.y - 2 * context.gap});
+  ImGui::SetNextWindowFocus();
+  bool stays = true;
+  ImGui::PushFont(title_font());
+  const bool shown = ImGui::Begin(title, &stays,
+                                  ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+  // A font is pushed and popped in one window.
+  ImGui::PushFont(ImGui::GetIO().Fonts->Fonts[0]);
+  // The cross does what Escape does.
+  if (!stays) context.cancels = true;
+  const ImVec2 from = ImGui::GetWindowPos();
+  const ImVec2 to{from.x + ImGui::GetWindowWidth(), from.y + ImGui::GetWindowHeight()};
+  context.dialog_area = {from.x, from.y, to.x, to.y};
+  return shown;
+}
+
+void end_dialog() {
+  ImGui::PopFont();
+  ImGui::End();
+  ImGui::PopFont();
+}
+
+void note_field(PanelContext& context, const char* label) {
+  note(context, label);
+  if (ImGui::IsItemVisible()) context.fields.push_back(context.targets[label]);
+  if (ImGui::IsItemActive()) context.typed_into = context.targets[label];
+}
+
+bool begin_menu(PanelContext& context, const char* name) {
+  if (!ImGui::BeginPopup(name)) return false;
+  context.app.hits().all = true;
+  context.menu_open = true;
+  if (context.cancels) ImGui::CloseCurrentPopup();
+  return true;
+}
+
+void dialog_field(PanelContext& context, const char* label, std::string& text, const char* hint) {
+  context.has_field = true;
+  if (context.field_first) {
+    ImGui::SetKeyboardFocusHere();
+    context.app.panels().cursor_placed = false;
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5F * (context.unit - ImGui::GetFontSize())});
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputTextWithHint(label, hint, &text, ImGuiInputTextFlags_CallbackAlways, place_cursor,
+                           &context.app.panels().cursor_placed);
+  note_field(context, label);
+  ImGui::PopStyleVar();
+}
+
+bool text_field(PanelContext& context, const char* label, std::string& text, float width, const char* hint,
+                bool* accepted) {
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5F * (context.unit - ImGui::GetFontSize())});
+  ImGui::SetNextItemWidth(width);
+  const bool changed = ImGui::InputTextWithHint(label, hint, &text);
+  note_field(context, label);
+  if (accepted != nullptr) {
+    *accepted = ImGui::IsItemDeactivated() && (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter)) ||
+                                               ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter)));
+  }
+  ImGui::PopStyleVar();
+  return changed;
+}
+
+bool control_slider(PanelContext& context, const char* id, double& value, double least, double most,
+                    const SliderLook& look, bool& released) {
+  const float unit = context.unit;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5F * (unit - ImGui::GetFontSize())});
+  ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, 0.12F * unit);
+  ImGui::SetNextItemWidth(look.width);
+  ImGui::BeginDisabled(look.locked);
+  const bool moved = ImGui::SliderScalar(id, ImGuiDataType_Double, &value, &least, &most, "", ImGuiSliderFlags_NoInput);
+  released = ImGui::IsItemDeactivatedAfterEdit();
+  ImGui::PopStyleVar(2);
+  note(context, ("slider " + look.name).c_str());
+  const ImVec2 from = ImGui::GetItemRectMin();
+  const ImVec2 to = ImGui::GetItemRectMax();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const auto x_of = [&](double at) {
+    const double share = most > least ? std::clamp((at - least) / (most - least), 0.0, 1.0) : 0.0;
+    return from.x + 3 + static_cast<float>(share) * (to.x - from.x - 6);
+  };
+  const float rest = x_of(look.rest);
+  const float now = x_of(value);
+  list.AddRectFilled({std::min(rest, now), from.y + 1}, {std::max(rest, now), to.y - 1},
+                     ImGui::GetColorU32(ImGuiCol_SliderGrab, 0.35F));
+  std::array<char, 32> number{};
+  std::snprintf(number.data(), number.size(), "%.2f", value);
+  const float pad = 0.3F * unit;
+  const float wide = ImGui::CalcTextSize(number.data()).x;
+  const float y = 0.5F * (from.y + to.y - ImGui::GetFontSize());
+  const ImU32 ink = ImGui::GetColorU32(ImGuiCol_Text);
+  list.AddText({from.x + pad, y}, ink, fitted_text(look.shown, to.x - from.x - wide - 3 * pad).c_str());
+  list.AddText({to.x - pad - wide, y}, ink, number.data());
+  ImGui::EndDisabled();
+  return moved && !look.locked;
+}
+
+bool tall_slider(PanelContext& context, const char* id, double& value, double least, double most, float width,
+                 const std::string& name, bool& released) {
+  return control_slider(context, id, value, least, most, {width, name, name, std::max(least, std::min(0.0, most))},
+                        released);
+}
+
+}  // namespace penpose::app

@@ -1,0 +1,77 @@
+#include "ui/app/window/run_app.h"
+
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+#include <malloc.h>
+
+#include "core/base/numbers.h"
+#include "firmware_io/device/clock.h"
+#include "ui/app/app.h"
+#include "ui/app/input/tablets.h"
+#include "ui/app/interface.h"
+#include "ui/app/window/stop_watch.h"
+#include "ui/app/window/timings.h"
+#include "ui/app/window/window.h"
+#include "ui/files/own_tablets.h"
+
+namespace penpose::app {
+namespace {
+
+/// Local time as a name of a file.
+std::string date_name() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  ::localtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%d_%H-%M-%S", &parts);
+  return text;
+}
+
+base::Error in_file(base::Error error, const std::string& file) {
+  error.place = error.place.empty() ? file : file + ": " + error.place;
+  return error;
+}
+
+}  // namespace
+
+base::Status run_app(const files::WindowRequest& request) {
+  const std::int64_t began = device::monotonic_us();
+  // Threads that allocate little share one heap, which keeps tens of megabytes from being set aside for each.
+  ::mallopt(M_ARENA_MAX, 1);
+  const auto own = files::read_own_tablets(request.tablets);
+  if (!own) return in_file(own.error(), request.tablets);
+  std::error_code code;
+  if (!request.session.empty() && std::filesystem::exists(request.session, code)) {
+    return base::Error{"exists already and is not written over", request.session,
+                       "choose another name or move it away"};
+  }
+  auto window = Window::open(request.fullscreen);
+  if (!window) return window.error();
+  AppOptions options;
+  options.folders = standard_folders();
+  options.session = request.session;
+  options.clock = device::monotonic_us;
+  options.date = date_name;
+  options.program = request.program;
+  options.own_tablets = &*own;
+  App app(options);
+  const std::string model = request.model.empty() ? "builtin:demo-4" : request.model;
+  if (const auto opened = app.open(model); !opened) return in_file(opened.error(), model);
+  if (!request.session.empty() && app.session_path().empty()) {
+    return base::Error{"cannot be written", request.session, "check the folder, its permissions and the free space"};
+  }
+  if (!request.replay.empty()) {
+    if (const auto played = app.play_trace(request.replay); !played) return in_file(played.error(), request.replay);
+  }
+  Interface interface(app);
+  const StopWatch stop([&] { (*window)->wake(); });
+  Tablets tablets([&] { (*window)->wake(); }, &*own);
+  Timings timings;
+  timings.began_us = began;
+  const auto status = (*window)->run(app, interface, tablets, timings, !request.replay.empty());
+  if (request.timings) std::cout << timings.text();
+  return status;
+}
+
+}  // namespace penpose::app

@@ -1,0 +1,313 @@
+#include "ui/app/window/window.h"
+
+#include <SDL2/SDL.h>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <imgui.h>
+#include <malloc.h>
+#include <string>
+#include <utility>
+
+#include "firmware_io/device/clock.h"
+#include "ui/app/view/draw_thread.h"
+#include "ui/app/window/full_screen.h"
+#include "ui/app/window/stop_watch.h"
+#include "ui/render/gl/offscreen_context.h"
+
+namespace penpose::app {
+namespace {
+
+constexpr int k_width = 1280;
+constexpr int k_height = 800;
+/// A still picture gets smoother once in so long.
+constexpr int k_refine_ms = 30;
+/// What came of asking for the full screen is looked at so often.
+constexpr int k_look_again_ms = 100;
+
+std::string sdl_error() {
+  const std::string text = SDL_GetError();
+  return text.empty() ? "no reason given" : text.substr(0, text.find('\n'));
+}
+
+/// A key as actions name it; 0 for one that has no name there.
+std::uint32_t key_of(SDL_Keycode key) {
+  switch (key) {
+    case SDLK_ESCAPE:
+      return k_key_escape;
+    case SDLK_TAB:
+      return k_key_tab;
+    case SDLK_DELETE:
+      return k_key_delete;
+    case SDLK_HOME:
+      return k_key_home;
+    case SDLK_LEFT:
+      return k_key_left;
+    case SDLK_RIGHT:
+      return k_key_right;
+    case SDLK_UP:
+      return k_key_up;
+    case SDLK_DOWN:
+      return k_key_down;
+    case SDLK_F1:
+      return k_key_f1;
+    case SDLK_F11:
+      return k_key_f11;
+    case SDLK_KP_PLUS:
+      return '+';
+    case SDLK_KP_MINUS:
+      return '-';
+    case SDLK_KP_PERIOD:
+      return k_key_home;
+    default:
+      break;
+  }
+  if (key >= SDLK_KP_1 && key <= SDLK_KP_9) return static_cast<std::uint32_t>('1' + (key - SDLK_KP_1));
+  return key > 0 && key < 128 ? static_cast<std::uint32_t>(key) : 0;
+}
+
+base::Error no_display(const std::string& why) {
+  return {"there is no display to open a window on (" + why + ")", "",
+          "start it on a desktop, or on a console with SDL_VIDEODRIVER=kmsdrm; `penpose --help` lists what needs none"};
+}
+
+}  // namespace
+
+struct Window::State {
+  SDL_Window* window = nullptr;
+  SDL_GLContext context = nullptr;
+  Uint32 wake_event = 0;
+  Uint32 picture_event = 0;  ///< a picture was shown
+  bool imgui = false;
+
+  State() = default;
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State() {
+    if (context != nullptr) SDL_GL_DeleteContext(context);
+    if (window != nullptr) SDL_DestroyWindow(window);
+    SDL_QuitSubSystem(SDL_INIT_VIDEO);
+  }
+
+  [[nodiscard]] geometry::Viewport size() const {
+    int width = 0;
+    int height = 0;
+    SDL_GL_GetDrawableSize(window, &width, &height);
+    return {width, height};
+  }
+  /// Px of the picture for each unit of the desktop's coordinates.
+  [[nodiscard]] double ratio() const {
+    int width = 0;
+    int height = 0;
+    SDL_GetWindowSize(window, &width, &height);
+    return width > 0 ? static_cast<double>(size().width) / width : 1;
+  }
+  [[nodiscard]] double dpi() const {
+    float diagonal = 96;
+    if (SDL_GetDisplayDPI(SDL_GetWindowDisplayIndex(window), &diagonal, nullptr, nullptr) != 0) return 96;
+    return static_cast<double>(diagonal);
+  }
+  void take_event(const SDL_Event& event, App& app, Interface& interface) const;
+  static void take_key(const SDL_KeyboardEvent& key, Interface& interface);
+};
+
+void Window::State::take_key(const SDL_KeyboardEvent& key, Interface& interface) {
+  const bool ctrl = (key.keysym.mod & KMOD_CTRL) != 0;
+  const bool shift = (key.keysym.mod & KMOD_SHIFT) != 0;
+  const bool down = key.type == SDL_KEYDOWN;
+  // Alt belongs to the desktop.
+  if (down && (key.keysym.mod & KMOD_ALT) != 0) return;
+  interface.key(key.keysym.scancode, {key_of(key.keysym.sym), ctrl, shift}, down);
+}
+
+void Window::State::take_event(const SDL_Event& event, App& app, Interface& interface) const {
+  const double per_unit = ratio();
+  const auto place = [&](double x, double y) { return PxPoint{x * per_unit, y * per_unit}; };
+  const auto button_of = [](Uint8 button) {
+    return button == SDL_BUTTON_LEFT     ? MouseButton::left
+           : button == SDL_BUTTON_MIDDLE ? MouseButton::middle
+                                         : MouseButton::right;
+  };
+  const auto finger = [&](FingerKind kind) {
+    app.finger(
+        kind, event.tfinger.fingerId,
+        {static_cast<double>(event.tfinger.x) * size().width, static_cast<double>(event.tfinger.y) * size().height});
+  };
+  switch (event.type) {
+    case SDL_QUIT:
+      app.ask_to_quit();
+      break;
+    case SDL_MOUSEMOTION:
+      app.mouse_moved(place(event.motion.x, event.motion.y));
+      break;
+    case SDL_MOUSEBUTTONDOWN:
+    case SDL_MOUSEBUTTONUP: {
+      if (event.button.button > SDL_BUTTON_RIGHT) break;
+      const SDL_Keymod held = SDL_GetModState();
+      app.mouse_button(button_of(event.button.button), event.type == SDL_MOUSEBUTTONDOWN,
+                       place(event.button.x, event.button.y), (held & KMOD_SHIFT) != 0, (held & KMOD_CTRL) != 0);
+      break;
+    }
+    case SDL_MOUSEWHEEL:
+      app.wheel(static_cast<double>(event.wheel.preciseY));
+      break;
+    case SDL_FINGERDOWN:
+      finger(FingerKind::down);
+      break;
+    case SDL_FINGERMOTION:
+      finger(FingerKind::move);
+      break;
+    case SDL_FINGERUP:
+      finger(FingerKind::up);
+      break;
+    case SDL_KEYDOWN:
+    case SDL_KEYUP:
+      take_key(event.key, interface);
+      break;
+    case SDL_TEXTINPUT:
+      interface.text(event.text.text);
+      break;
+    case SDL_DROPFILE:
+      app.ask_to_open(event.drop.file);
+      SDL_free(event.drop.file);
+      break;
+    case SDL_WINDOWEVENT:
+      if (event.window.event == SDL_WINDOWEVENT_LEAVE) app.pointer_left();
+      break;
+    default:
+      break;
+  }
+}
+
+Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Window::~Window() = default;
+
+base::Result<std::unique_ptr<Window>> Window::open(bool fullscreen) {
+  if (const auto room = render::check_room_for_gl(); !room) return room.error();
+  if (const auto threads = render::check_threads_for_gl(); !threads) return threads.error();
+  // Fingers come as fingers alone, and a click into a window that was behind another one counts.
+  SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");
+  SDL_SetHint(SDL_HINT_MOUSE_TOUCH_EVENTS, "0");
+  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+  SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
+  SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
+  SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
+  // Only what can be there is tried, because the others complain on standard error.
+  const char* wanted = std::getenv("SDL_VIDEODRIVER");
+  if (wanted == nullptr) {
+    const bool x11 = std::getenv("DISPLAY") != nullptr;
+    const bool wayland = std::getenv("WAYLAND_DISPLAY") != nullptr;
+    SDL_SetHint(SDL_HINT_VIDEODRIVER, wayland && x11 ? "wayland,x11" : wayland ? "wayland" : x11 ? "x11" : "KMSDRM");
+  }
+  if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) return no_display(sdl_error());
+  auto state = std::make_unique<State>();
+  SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
+  SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
+  SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 1);
+  // The picture is averaged before it reaches the window, which needs no depth of its own.
+  SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
+  Uint32 flags = SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
+  if (fullscreen) flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
+  state->window = SDL_CreateWindow("penpose", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, k_width, k_height, flags);
+  if (state->window == nullptr) return no_display(sdl_error());
+  state->context = SDL_GL_CreateContext(state->window);
+  if (state->context == nullptr) {
+    return base::Error{"OpenGL 3.1 could not be started (" + sdl_error() + ")", "",
+                       "install libgl1 and libgl1-mesa-dri"};
+  }
+  SDL_SetWindowMinimumSize(state->window, 640, 400);
+  state->wake_event = SDL_RegisterEvents(2);
+  state->picture_event = state->wake_event + 1;
+  return std::unique_ptr<Window>(new Window(std::move(state)));
+}
+
+void Window::wake() const {
+  SDL_Event event{};
+  event.type = state_->wake_event;
+  SDL_PushEvent(&event);
+}
+
+base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timings& timings, bool until_played) {
+  SDL_Event picture_shown{};
+  picture_shown.type = state_->picture_event;
+  auto drawing = DrawThread::start(state_->window, state_->context, [&] { SDL_PushEvent(&picture_shown); });
+  if (!drawing) return drawing.error();
+  DrawThread& thread = **drawing;
+  FrameMaker frames;
+  SDL_StartTextInput();
+  FullScreen full_screen(state_->window);
+  bool wanted_fullscreen = app.fullscreen();
+  int fonts = interface.font_revision();
+  std::uint64_t pose_number = app.surface().pose_number();
+  std::string title;
+  std::int64_t last_us = device::monotonic_us();
+  base::Status status = base::Done{};
+  bool due = true;  // something happened that the last frame does not show
+  while (!app.wants_quit()) {
+    // While a frame is being drawn the next one waits, and reports do not.
+    const bool busy = thread.busy();
+    int wait_ms = interface.unsettled() || due ? 0 : app.next_frame_ms();
+    if (const int tip_ms = interface.next_frame_ms(); tip_ms >= 0 && (wait_ms < 0 || wait_ms > tip_ms))
+      wait_ms = tip_ms;
+    if (thread.refining() && (wait_ms < 0 || wait_ms > k_refine_ms)) wait_ms = k_refine_ms;
+    if (full_screen.waits() && (wait_ms < 0 || wait_ms > k_look_again_ms)) wait_ms = k_look_again_ms;
+    if (busy) wait_ms = app.player() && app.player()->playing() ? std::max(1, app.next_frame_ms()) : -1;
+    SDL_Event event;
+    const bool came = wait_ms < 0   ? SDL_WaitEvent(&event) == 1
+                      : wait_ms > 0 ? SDL_WaitEventTimeout(&event, wait_ms) == 1
+                                    : SDL_PollEvent(&event) == 1;
+    if (!came) due = true;
+    if (came) {
+      do {
+        if (event.type == state_->picture_event) continue;
+        due = true;
+        if (event.type != state_->wake_event) interface.disturb();
+        state_->take_event(event, app, interface);
+      } while (SDL_PollEvent(&event) == 1);
+    }
+    tablets.take(app);
+    if (StopWatch::asked()) app.quit_at_once();
+    // Reports that are due, and the face that follows them, are no part of a frame.
+    app.advance();
+    if (timings.first_frame_us == 0 && thread.drawn_count() > 0) {
+      timings.first_frame_us = device::monotonic_us() - timings.began_us;
+      // Loading a model and compiling shaders leave much behind that nobody asks for again.
+      ::malloc_trim(0);
+    }
+    status = thread.status();
+    if (!status) break;
+    // The picture that was drawn last may have found the window larger or smaller.
+    const auto drawable = thread.drawable();
+    due = full_screen.settle(drawable, device::monotonic_us()) || (drawable && !(*drawable == app.window())) || due;
+    if (!due || thread.busy()) continue;
+    due = false;
+    if (app.fullscreen() != wanted_fullscreen) {
+      wanted_fullscreen = app.fullscreen();
+      full_screen.toggle(device::monotonic_us());
+    }
+    const std::int64_t cpu_before = thread_cpu_us();
+    const std::int64_t now = device::monotonic_us();
+    app.resized(thread.drawable().value_or(state_->size()), state_->dpi());
+    app.begin_frame();
+    interface.frame(static_cast<double>(now - last_us) * 1e-6);
+    last_us = now;
+    timings.prepared_us.push_back(thread_cpu_us() - cpu_before);
+    if (interface.font_revision() != fonts) {
+      fonts = interface.font_revision();
+      thread.send_letters();
+    }
+    thread.draw(frames.make(app), *ImGui::GetDrawData());
+    timings.frames_us.push_back(thread_cpu_us() - cpu_before);
+    if (std::exchange(pose_number, app.surface().pose_number()) != app.surface().pose_number()) {
+      timings.posed_us.push_back(timings.frames_us.back());
+    }
+    const std::string name = app.project().empty() ? app.path() : app.project();
+    const std::string now_title = (app.workspace().unsaved() ? "* " : "") + name + " - penpose";
+    if (now_title != title) SDL_SetWindowTitle(state_->window, (title = now_title).c_str());
+    if (until_played && app.player() && app.player()->finished()) app.quit();
+  }
+  timings.drawn_us = thread.times_us();
+  return status;
+}
+
+}  // namespace penpose::app

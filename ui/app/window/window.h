@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+
+#include "core/base/result.h"
+#include "ui/app/app.h"
+#include "ui/app/input/tablets.h"
+#include "ui/app/interface.h"
+#include "ui/app/window/timings.h"
+
+namespace penpose::app {
+
+/// The window: SDL's events in, OpenGL's pictures out. Waits for events and draws only when there is something new.
+class Window {
+ public:
+  /// Errors: there is no display, or no OpenGL 3.1.
+  static base::Result<std::unique_ptr<Window>> open(bool fullscreen);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// Stays until the app wants to quit, or a played trace has ended where `until_played`.
+  base::Status run(App& app, Interface& interface, Tablets& tablets, Timings& timings, bool until_played);
+  /// Makes `run` look for reports; from any thread.
+  void wake() const;
+
+ private:
+  struct State;
+  explicit Window(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace penpose::app

@@ -1,0 +1,118 @@
+#include "ui/cli/model/convert_command.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/io/model/formats.h"
+#include "core/io/surface/shape_list.h"
+#include "core/io/tracks/arkit/write_arkit.h"
+#include "ui/cli/commands.h"
+#include "ui/cli/number_range.h"
+#include "ui/cli/pose/tolerance_option.h"
+#include "ui/files/file_roles.h"
+#include "ui/files/files.h"
+#include "ui/files/folder_files.h"
+#include "ui/files/load_model.h"
+#include "ui/files/save_model.h"
+
+namespace penpose::cli {
+namespace {
+
+struct ConvertArguments {
+  io::GlbOptions glb;
+  std::string in;
+  std::string out;
+  std::vector<std::string> shapes;
+  double fps = 60;
+};
+
+/// The files that --shapes names: each as it is, a folder's models in the order of their names, numbers as numbers. An
+/// error is that of the file `blamed`.
+base::Result<std::vector<std::string>> shape_files(const std::vector<std::string>& named, std::string& blamed) {
+  std::vector<std::string> files;
+  for (const std::string& path : named) {
+    blamed = path;
+    auto inside = files::folder_files(path, [](const std::filesystem::path& file) {
+      // What file managers leave beside a file is none.
+      return !file.filename().string().starts_with('.') && io::format_of_name(file.string());
+    });
+    if (!inside) return inside.error();
+    if (!*inside) {
+      files.push_back(path);
+      continue;
+    }
+    if ((*inside)->empty()) return base::Error{"has no model", "", "name a folder of .obj files"};
+    files.insert(files.end(), (*inside)->begin(), (*inside)->end());
+  }
+  return files;
+}
+
+/// An error is that of the file `blamed`.
+base::Result<document::Document> load_with_shapes(const ConvertArguments& arguments, std::string& blamed) {
+  auto document = files::load_document(arguments.in);
+  if (!document || arguments.shapes.empty()) return document;
+  const auto files = shape_files(arguments.shapes, blamed);
+  if (!files) return files.error();
+  std::vector<io::ShownShape> shapes;
+  for (const std::string& file : *files) {
+    // The model itself may lie in the folder.
+    std::error_code code;
+    if (std::filesystem::equivalent(file, arguments.in, code)) continue;
+    auto shape = files::load_model(file);
+    blamed = file;
+    if (!shape) return shape.error();
+    shapes.push_back({io::control_name_of(file), std::move(shape).value()});
+  }
+  blamed = arguments.in;
+  auto model = io::with_shapes(*document->model, shapes);
+  if (!model) return model.error();
+  return document::with_model(*document, std::move(model).value());
+}
+
+int run_convert(const ConvertArguments& arguments) {
+  files::FileRoles files(files::FileRoles::Output::silent);
+  for (const std::string& shape : arguments.shapes) files.reads(shape);
+  if (const auto fits = files.writes(arguments.out, "OUT"); !fits) return files::report(fits.error(), arguments.out);
+  std::string blamed = arguments.in;
+  const auto document = load_with_shapes(arguments, blamed);
+  if (!document) return files::report(document.error(), blamed);
+  if (arguments.out.ends_with(".csv")) {
+    const auto take = io::write_arkit(document::model_of(*document), arguments.fps);
+    if (!take) return files::report(take.error(), arguments.in);
+    const auto written = files::write_file(arguments.out, base::as_bytes(take->text));
+    if (!written) return files::report(written.error(), arguments.out);
+    for (const std::string& note : take->notes) files::warn(note, arguments.in);
+    return k_success;
+  }
+  if (const auto saved = files::save_as_it_came(*document, arguments.out, files::SaveNotes::loud, arguments.glb);
+      !saved)
+    return files::report(saved.error(), arguments.out);
+  for (const std::string& note : document->model->notes) files::warn(note, arguments.in);
+  return k_success;
+}
+
+}  // namespace
+
+void add_convert_command(CLI::App& app, int& status) {
+  auto arguments = std::make_shared<ConvertArguments>();
+  CLI::App* command =
+      app.add_subcommand("convert", "Converts a model to GLB, to OBJ at its pose, or its animation to ARKit CSV");
+  command->add_option("IN", arguments->in, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
+  command
+      ->add_option("OUT", arguments->out,
+                   ".glb or .obj file to write, or .csv for the blend shapes as Live Link Face writes them")
+      ->required();
+  command->add_option("--shapes", arguments->shapes,
+                      "Files, or folders of files, that each show one blend shape; their names become its name");
+  command->add_option("--fps", arguments->fps, "Frames a second of a .csv file")
+      ->check(CLI::Validator(number_range(0.1, 1000.0), "0.1 to 1000"))
+      ->capture_default_str();
+  add_tolerance_option(*command, arguments->glb);
+  command->callback([arguments, &status] { status = run_convert(*arguments); });
+}
+
+}  // namespace penpose::cli

@@ -1,0 +1,148 @@
+#include "ui/cli/model/info_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/base/numbers.h"
+#include "core/base/shown_text.h"
+#include "core/document/document_hash.h"
+#include "ui/cli/commands.h"
+#include "ui/files/files.h"
+#include "ui/files/load_model.h"
+
+namespace penpose::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct InfoArguments {
+  std::string model;
+  bool json = false;
+};
+
+double duration_s(const document::Animation& animation) {
+  double end = 0;
+  for (const document::Channel& channel : animation.channels) {
+    if (!channel.times_s.empty()) end = std::max(end, channel.times_s.back());
+  }
+  return end;
+}
+
+std::size_t shape_count(const document::Model& model) { return model.shapes ? model.shapes->parameters().size() : 0; }
+std::size_t joint_count(const document::Model& model) { return model.skeleton ? model.skeleton->joints().size() : 0; }
+
+Json to_json(const document::Model& model, const std::string& state, const std::string& path) {
+  Json parts = Json::array();
+  for (const mesh::Part& part : model.mesh->parts()) {
+    parts.push_back({{"name", part.name},
+                     {"first_vertex", part.first_vertex},
+                     {"vertices", part.vertex_count},
+                     {"faces", part.triangle_count}});
+  }
+  Json parameters = Json::array();
+  for (std::size_t i = 0; i < model.pose.size(); ++i) {
+    const rig::Parameter& p = model.rig->parameters()[i];
+    parameters.push_back(
+        {{"name", p.name}, {"minimum", p.minimum}, {"maximum", p.maximum}, {"rest", p.rest}, {"value", model.pose[i]}});
+  }
+  Json curves = Json::array();
+  for (const document::NamedCurve& curve : model.curves) {
+    curves.push_back({{"name", curve.name}, {"points", curve.points.size()}});
+  }
+  Json animations = Json::array();
+  for (const document::Animation& animation : model.animations) {
+    animations.push_back(
+        {{"name", animation.name}, {"channels", animation.channels.size()}, {"duration_s", duration_s(animation)}});
+  }
+  const geometry::Box box = document::rest_world_box(model);
+  return {{"model", path},
+          {"vertices", model.mesh->vertex_count()},
+          {"faces", model.mesh->triangle_count()},
+          {"components", model.mesh->component_count()},
+          {"parts", std::move(parts)},
+          {"blend_shapes", shape_count(model)},
+          {"joints", joint_count(model)},
+          {"parameters", std::move(parameters)},
+          {"curves", std::move(curves)},
+          {"animations", std::move(animations)},
+          {"bounding_box",
+           {{"minimum", {box.minimum.x, box.minimum.y, box.minimum.z}},
+            {"maximum", {box.maximum.x, box.maximum.y, box.maximum.z}}}},
+          {"notes", model.notes},
+          {"state", state}};
+}
+
+constexpr std::size_t k_longest_path = 4096;
+
+std::string shown(double value) { return base::format_fixed(value, 4); }
+std::string name_or_none(const std::string& name) { return name.empty() ? "(without a name)" : base::shown_name(name); }
+
+void print_parameters(const document::Model& model) {
+  const auto parameters = model.rig->parameters();
+  std::cout << "parameters  " << parameters.size() << " (" << shape_count(model) << " blend shapes, "
+            << joint_count(model) << " joints)\n";
+  std::size_t widest = 0;
+  for (const rig::Parameter& p : parameters) widest = std::max(widest, base::shown_name(p.name).size());
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const rig::Parameter& p = parameters[i];
+    std::cout << "  " << std::left << std::setw(static_cast<int>(widest)) << base::shown_name(p.name) << "  "
+              << shown(p.minimum) << " .. " << shown(p.maximum);
+    if (model.pose[i] != p.rest) std::cout << "  at " << shown(model.pose[i]);
+    std::cout << '\n';
+  }
+}
+
+void print(const document::Model& model, const std::string& path) {
+  const geometry::Box box = document::rest_world_box(model);
+  std::cout << base::shown_line(path, k_longest_path) << "\nvertices    " << model.mesh->vertex_count()
+            << "\nfaces       " << model.mesh->triangle_count() << "\ncomponents  " << model.mesh->component_count()
+            << "\nbox         " << shown(box.minimum.x) << ' ' << shown(box.minimum.y) << ' ' << shown(box.minimum.z)
+            << "  to  " << shown(box.maximum.x) << ' ' << shown(box.maximum.y) << ' ' << shown(box.maximum.z)
+            << "\nparts       " << model.mesh->parts().size() << '\n';
+  for (const mesh::Part& part : model.mesh->parts()) {
+    std::cout << "  " << name_or_none(part.name) << "  " << part.vertex_count << " vertices, " << part.triangle_count
+              << " faces\n";
+  }
+  print_parameters(model);
+  std::cout << "curves      " << model.curves.size() << '\n';
+  for (const document::NamedCurve& curve : model.curves) {
+    std::cout << "  " << base::shown_name(curve.name) << "  " << curve.points.size() << " points\n";
+  }
+  std::cout << "animations  " << model.animations.size() << '\n';
+  for (const document::Animation& animation : model.animations) {
+    std::cout << "  " << name_or_none(animation.name) << "  " << animation.channels.size() << " channels, "
+              << base::format_fixed(duration_s(animation), 2) << " s\n";
+  }
+  for (const std::string& note : model.notes)
+    std::cout << "note        " << base::shown_line(note, k_longest_path) << '\n';
+}
+
+int run_info(const InfoArguments& arguments) {
+  const auto document = files::load_document(arguments.model);
+  if (!document) return files::report(document.error(), arguments.model);
+  const document::Model model = document::model_of(*document);
+  if (arguments.json) {
+    const std::string state = document::DocumentHasher()(*document).whole.hex();
+    std::cout << to_json(model, state, arguments.model).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+  } else {
+    print(model, arguments.model);
+  }
+  return k_success;
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app, int& status) {
+  auto arguments = std::make_shared<InfoArguments>();
+  CLI::App* command = app.add_subcommand("info", "Says what is in a model");
+  command->add_option("MODEL", arguments->model, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
+  command->add_flag("--json", arguments->json, "print one JSON object");
+  command->callback([arguments, &status] { status = run_info(*arguments); });
+}
+
+}  // namespace penpose::cli

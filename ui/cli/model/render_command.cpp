@@ -1,0 +1,270 @@
+#include "ui/cli/model/render_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "core/base/closest_name.h"
+#include "core/base/numbers.h"
+#include "core/document/time/animation_sampling.h"
+#include "core/io/project/camera_file.h"
+#include "core/io/project/case_file.h"
+#include "ui/cli/number_range.h"
+#include "ui/cli/progress.h"
+#include "ui/files/file_roles.h"
+#include "ui/files/files.h"
+#include "ui/files/load_model.h"
+#include "ui/render/appearance.h"
+#include "ui/render/framing.h"
+#include "ui/render/gl/renderer.h"
+
+namespace penpose::cli {
+namespace {
+
+constexpr int k_largest_side_px = 8192;
+constexpr int k_most_px = 4096 * 4096;
+constexpr double k_most_frames = 1e6;
+
+struct Options {
+  std::string model;
+  std::vector<std::string> assignments;
+  std::optional<double> time_s;
+  bool frames = false;
+  double fps = 24;
+  std::string size = "1024x1024";
+  std::string camera;
+  std::string view = "three-quarter";
+  std::string output;
+  bool wireframe = false;
+  bool plain = false;
+  bool curves = false;
+  std::string cases;
+  std::string case_name;
+};
+
+std::optional<geometry::Viewport> parse_size(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  if (cross == std::string::npos) return std::nullopt;
+  const auto width = base::parse_int(std::string_view(text).substr(0, cross));
+  const auto height = base::parse_int(std::string_view(text).substr(cross + 1));
+  if (!width || !height || *width < 1 || *height < 1) return std::nullopt;
+  if (*width > k_largest_side_px || *height > k_largest_side_px || *width * *height > k_most_px) return std::nullopt;
+  return geometry::Viewport{static_cast<int>(*width), static_cast<int>(*height)};
+}
+
+std::string check_size(const std::string& text) {
+  if (parse_size(text)) return {};
+  return "write WIDTHxHEIGHT in px, at most 8192 a side and 4096x4096 in all, not \"" + text + "\"";
+}
+
+std::vector<render::CurveDrawing> named_curves(const document::Model& model,
+                                               std::span<const geometry::ModelPoint> positions) {
+  std::vector<render::CurveDrawing> drawings;
+  for (const document::NamedCurve& curve : model.curves) {
+    render::CurveDrawing drawing;
+    for (const mesh::MeshPoint& point : curve.points) {
+      drawing.points.push_back(mesh::position_of(point, model.mesh->triangles(), positions));
+    }
+    drawings.push_back(std::move(drawing));
+  }
+  return drawings;
+}
+
+/// The curves of one case as they lie on the posed model, and where the references should be.
+base::Result<std::vector<render::CurveDrawing>> case_curves(const Options& options, const document::Model& model,
+                                                            std::span<const geometry::ModelPoint> positions) {
+  const auto bytes = files::read_file(options.cases, files::k_most_text_bytes);
+  if (!bytes) return bytes.error();
+  const auto file = io::read_cases(*bytes);
+  if (!file) return file.error();
+  if (auto fits = io::check_cases(*file, model, io::TargetForm::drawn); !fits) return fits.error();
+  const auto found = std::find_if(file->cases.begin(), file->cases.end(),
+                                  [&](const auto& one) { return one.name == options.case_name; });
+  if (found == file->cases.end()) {
+    std::vector<std::string> names;
+    for (const auto& one : file->cases) names.push_back(one.name);
+    const auto close = base::closest_name(options.case_name, names);
+    return base::Error{"there is no case \"" + options.case_name + "\"", "--case",
+                       close ? "did you mean " + *close + "?" : "name one of the file"};
+  }
+  std::vector<render::CurveDrawing> drawings;
+  const auto on_surface = [&](std::span<const std::uint32_t> vertices, render::CurveKind kind) {
+    render::CurveDrawing& drawing = drawings.emplace_back();
+    drawing.kind = kind;
+    for (const std::uint32_t v : vertices) drawing.points.push_back(positions[v]);
+  };
+  for (const auto& constraint : found->constraints) on_surface(constraint.vertices, render::CurveKind::constraint);
+  for (const auto& reference : found->references) on_surface(reference.vertices, render::CurveKind::reference);
+  for (const auto& reference : found->references) {
+    render::CurveDrawing& drawing = drawings.emplace_back();
+    drawing.kind = render::CurveKind::target;
+    drawing.points = reference.target;
+  }
+  return drawings;
+}
+
+/// Where the camera stands: the file's, or one that shows the whole model at rest, so that poses of one model can be
+/// compared picture by picture.
+base::Result<geometry::Camera> make_camera(const Options& options, const document::Model& model) {
+  const geometry::Viewport viewport = *parse_size(options.size);
+  if (options.camera.empty()) {
+    document::Model rest = model;
+    if (!options.time_s) rest.pose = rig::rest_pose(*model.rig);
+    return render::frame_points(render::posed_mesh(rest).positions, viewport, *render::find_viewpoint(options.view));
+  }
+  const auto bytes = files::read_file(options.camera, files::k_most_text_bytes);
+  if (!bytes) return bytes.error();
+  const auto pose = io::read_camera(*bytes);
+  if (!pose) return pose.error();
+  return geometry::Camera::make(*pose, viewport);
+}
+
+/// Draws the model as it is posed and writes the picture.
+int draw(const Options& options, const document::Model& model, render::Renderer& renderer,
+         const render::Appearance& appearance, const geometry::Camera& camera, const std::string& output) {
+  const render::PosedMesh posed = render::posed_mesh(model);
+  std::vector<render::CurveDrawing> curves;
+  if (options.curves) curves = named_curves(model, document::posed_positions(model));
+  if (!options.cases.empty()) {
+    const auto drawings = case_curves(options, model, document::posed_positions(model));
+    if (!drawings) return files::report(drawings.error(), options.cases);
+    curves.insert(curves.end(), drawings->begin(), drawings->end());
+  }
+  render::Scene scene;
+  scene.positions = posed.positions;
+  scene.normals = posed.normals;
+  scene.triangles = model.mesh->triangles();
+  scene.appearance = &appearance;
+  scene.curves = curves;
+  scene.wireframe = options.wireframe;
+  const auto image = renderer.render(scene, camera);
+  if (!image) return files::report(image.error(), options.model);
+  const auto png = render::encode_png(*image);
+  if (!png) return files::report(png.error(), output);
+  if (auto written = files::write_file(output, *png); !written) return files::report(written.error(), output);
+  return k_success;
+}
+
+/// The model at a moment of its first animation, with what --set says on top.
+base::Result<document::Model> moment_of(const Options& options, const document::Model& model,
+                                        std::optional<double> time_s) {
+  base::Result<document::Model> moment = model;
+  if (time_s) moment = document::model_at(model, document::sample(model, model.animations.front(), *time_s));
+  if (!moment) return moment;
+  for (const std::string& assignment : options.assignments) {
+    if (auto set = files::set_parameter(*moment, assignment); !set) return set.error();
+  }
+  return moment;
+}
+
+/// Sequences go into a folder of their own, which need not be there yet.
+base::Status make_folder_of(const std::string& output) {
+  const std::filesystem::path folder = std::filesystem::path(output).parent_path();
+  if (folder.empty()) return base::Done{};
+  std::error_code code;
+  std::filesystem::create_directories(folder, code);
+  if (!code && !std::filesystem::is_directory(folder, code) && !code) {
+    code = std::make_error_code(std::errc::not_a_directory);
+  }
+  if (!code) return base::Done{};
+  return base::Error{"its folder cannot be made (" + code.message() + ")", "", "name another folder"};
+}
+
+int run_render(const Options& options) {
+  files::FileRoles files(options.frames ? files::FileRoles::Output::prints : files::FileRoles::Output::silent);
+  for (const std::string& input : {options.model, options.camera, options.cases}) files.reads(input);
+  if (const auto fits = files.writes(options.output, "-o"); !fits) return files::report(fits.error(), options.output);
+  // Asked for first: what OpenGL needs is much, and not every driver says when it is not there.
+  auto renderer = render::Renderer::make_offscreen();
+  if (!renderer) return files::report(renderer.error());
+  const auto model = files::load_model(options.model);
+  if (!model) return files::report(model.error(), options.model);
+  const char* needs_animation = options.time_s ? "--time" : options.frames ? "--frames" : nullptr;
+  if (needs_animation != nullptr && model->animations.empty()) {
+    return files::report(
+        {"the model has no animation", needs_animation, std::string("leave ") + needs_animation + " out"},
+        options.model);
+  }
+  const auto first = moment_of(options, *model, options.frames ? std::optional(0.0) : options.time_s);
+  if (!first) return files::report(first.error(), options.model);
+  const auto camera = make_camera(options, *first);
+  if (!camera) return files::report(camera.error(), options.camera);
+  render::AppearanceOptions look;
+  look.recognise = !options.plain;
+  const render::Appearance appearance = render::make_appearance(*first, look);
+  if (!options.frames) return draw(options, *first, **renderer, appearance, *camera, options.output);
+  const double duration = document::duration_s(model->animations.front());
+  const double last = std::round(duration * options.fps);
+  if (!(last < k_most_frames)) {
+    return files::report({"the animation has too many frames", "--fps", "choose a lower rate"}, options.model);
+  }
+  const auto count = static_cast<std::size_t>(last) + 1;
+  if (auto made = make_folder_of(options.output); !made) return files::report(made.error(), options.output);
+  Progress progress("rendering", count);
+  for (std::size_t f = 0; f < count; ++f) {
+    const auto moment = moment_of(options, *model, static_cast<double>(f) / options.fps);
+    if (!moment) return files::report(moment.error(), options.model);
+    const std::string picture = frame_name(options.output, f + 1);
+    if (files.is_read(picture)) return files::report({"is read by this command", "-o", "choose another name"}, picture);
+    const int status = draw(options, *moment, **renderer, appearance, *camera, picture);
+    if (status != k_success) return status;
+    progress.advance();
+  }
+  return k_success;
+}
+
+}  // namespace
+
+std::string frame_name(const std::string& pattern, std::size_t number) {
+  std::string stem = pattern.ends_with(".png") ? pattern.substr(0, pattern.size() - 4) : pattern;
+  const std::size_t after = stem.find_last_not_of('#') + 1;
+  const std::size_t width = after < stem.size() ? stem.size() - after : 4;
+  stem.resize(after);
+  std::string digits = std::to_string(number);
+  while (digits.size() < width) digits.insert(digits.begin(), '0');
+  return stem + digits + ".png";
+}
+
+void add_render_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("render", "Draws a picture of a model");
+  command->add_option("MODEL", options->model, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
+  command->add_option("--set", options->assignments, "NAME=VALUE: a parameter of the pose; may be given many times")
+      ->allow_extra_args(false);
+  auto* time = command->add_option("--time", options->time_s, "second of the model's first animation")
+                   ->check(CLI::Validator(number_range(-1e6, 1e6), "-1000000 to 1000000"));
+  command
+      ->add_flag("--frames", options->frames,
+                 "one picture a frame of the first animation: OUT0001.png, OUT0002.png, ... as Blender names them; ### "
+                 "at the end of OUT says how many digits; the folder is made if it is not there")
+      ->excludes(time);
+  command->add_option("--fps", options->fps, "frames a second of --frames")
+      ->check(CLI::Validator(number_range(0.1, 1000.0), "0.1 to 1000"))
+      ->capture_default_str();
+  command->add_option("--size", options->size, "WIDTHxHEIGHT of the picture in px")
+      ->check(CLI::Validator(check_size, "WxH"))
+      ->capture_default_str();
+  auto* camera = command->add_option("--camera", options->camera,
+                                     R"(JSON file: {"eye", "look_at", "up", "vertical_fov_degrees"})");
+  command->add_option("--view", options->view, "where to look from")
+      ->check(CLI::IsMember({"front", "side", "three-quarter", "back", "top"}))
+      ->capture_default_str()
+      ->excludes(camera);
+  command->add_flag("--wireframe", options->wireframe, "draw the edges too");
+  command->add_flag("--plain", options->plain, "the file's materials only: do not tell eyes and teeth apart by shape");
+  command->add_flag("--curves", options->curves, "draw the curves that the model carries");
+  auto* cases = command->add_option("--cases", options->cases, "file of posing cases; draws the curves of one");
+  auto* case_name = command->add_option("--case", options->case_name, "which case of the file");
+  cases->needs(case_name);
+  case_name->needs(cases);
+  command->add_option("-o,--output", options->output, "PNG file to write")->required();
+  command->callback([options, &status] { status = run_render(*options); });
+}
+
+}  // namespace penpose::cli

@@ -1,0 +1,17 @@
+#include "ui/cli/pose/tolerance_option.h"
+
+#include <CLI/CLI.hpp>
+
+#include "ui/cli/number_range.h"
+
+namespace penpose::cli {
+
+void add_tolerance_option(CLI::App& command, io::GlbOptions& options) {
+  command
+      .add_option("--tolerance", options.bake_tolerance,
+                  "How far baking sketched deformers for other programs may move a vertex, share of the model's size")
+      ->check(CLI::Validator(number_range(1e-6, 0.1), "0.000001 to 0.1"))
+      ->capture_default_str();
+}
+
+}  // namespace penpose::cli

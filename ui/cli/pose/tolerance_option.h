@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/io/model/write_model.h"
+
+namespace CLI {
+class App;
+}
+
+namespace penpose::cli {
+
+/// Adds --tolerance, how exactly sketched deformers are baked, to a command that writes models. `options` outlives the
+/// parsing.
+void add_tolerance_option(CLI::App& command, io::GlbOptions& options);
+
+}  // namespace penpose::cli

@@ -1,0 +1,267 @@
+#include "ui/cli/tablet/decode_command.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <system_error>
+
+#include "firmware_io/decode/decoder_factory.h"
+#include "firmware_io/decode/layout/protocol.h"
+#include "firmware_io/decode/wacom/wacom_receiver.h"
+#include "replay/trace/trace_source.h"
+#include "ui/cli/commands.h"
+#include "ui/cli/tablet/hand_decode.h"
+#include "ui/cli/tablet/sample_printer.h"
+#include "ui/files/files.h"
+#include "ui/files/own_tablets.h"
+#include "ui/files/trace_file.h"
+
+namespace penpose::cli {
+namespace {
+
+struct DecodeOptions {
+  std::string trace;
+  std::string protocol;
+  std::string tablets;
+  bool csv = false;
+  bool pad = false;
+  bool touch = false;
+  bool json = false;
+};
+
+/// One interface of the trace.
+struct Interface {
+  std::unique_ptr<decode::PenDecoder> decoder;  ///< null: nothing to read here
+  std::string method;
+};
+
+class DecodeRun {
+ public:
+  DecodeRun(const DecodeOptions& options, const decode::TabletTable* own) : options_(options), own_(own) {}
+
+  int run();
+
+ private:
+  base::Result<std::size_t> count_devices();
+  base::Status decode(replay::TraceSource& source);
+  Interface& interface_for(const replay::TraceSource& source, int device);
+  void read_as(Interface& interface, const decode::DeviceIdentity& identity);
+  void hear(const replay::TraceReport& report);
+  void print(const replay::TraceReport& report, Interface& interface);
+  void begin_output(const decode::PenAxes& axes);
+  void end_output(const replay::TraceSource& source);
+  void flush(std::size_t keep);
+
+  const DecodeOptions& options_;
+  const decode::TabletTable* own_;
+  decode::WacomReceivers receivers_;
+  std::map<int, Interface> interfaces_;
+  std::string out_;
+  std::vector<base::Error> refusals_;
+  bool with_device_ = false;
+  bool begun_ = false;
+  std::uint64_t samples_ = 0;
+  std::uint64_t reports_ = 0;
+};
+
+/// Looks ahead for the `device` column; a pipe cannot be read twice, there only what comes before the first report
+/// counts.
+base::Result<std::size_t> DecodeRun::count_devices() {
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(options_.trace, code)) return std::size_t{0};
+  auto file = files::open_trace(options_.trace);
+  if (!file) return file.error();
+  replay::TraceReader reader(files::read_from_file(file->get()));
+  std::map<int, bool> devices;
+  int device = 0;
+  for (;;) {
+    const auto line = reader.next();
+    if (!line) return line.error();
+    if (!line->has_value()) return devices.size();
+    const auto kind = (*line)->kind;
+    if (kind == replay::TraceLineKind::device) {
+      device = (*line)->device;
+    } else if (kind != replay::TraceLineKind::other) {
+      devices[device] = true;
+    }
+  }
+}
+
+Interface& DecodeRun::interface_for(const replay::TraceSource& source, int device) {
+  const auto found = interfaces_.find(device);
+  if (found != interfaces_.end()) return found->second;
+  Interface& made = interfaces_[device];
+  if (!options_.protocol.empty()) {
+    made.decoder = decode::make_protocol_decoder(options_.protocol);
+    made.method = "protocol " + options_.protocol;
+    return made;
+  }
+  const auto declared = source.devices().find(device);
+  read_as(made,
+          declared == source.devices().end() ? decode::DeviceIdentity{} : receivers_.connect(device, declared->second));
+  return made;
+}
+
+void DecodeRun::read_as(Interface& interface, const decode::DeviceIdentity& identity) {
+  auto recognition = decode::make_decoder(identity, own_);
+  if (recognition) {
+    interface.decoder = std::move(recognition->decoder);
+    interface.method = recognition->method;
+  } else {
+    interface.decoder.reset();
+    refusals_.push_back(recognition.error());
+  }
+}
+
+/// Behind a wireless receiver is another tablet from now on.
+void DecodeRun::hear(const replay::TraceReport& report) {
+  for (const auto& [device, identity] : receivers_.report(report.device, report.bytes)) {
+    if (!decode::is_receiver_monitor(identity)) read_as(interfaces_[device], identity);
+  }
+}
+
+void DecodeRun::flush(std::size_t keep) {
+  if (out_.size() < keep) return;
+  std::cout.write(out_.data(), static_cast<std::streamsize>(out_.size()));
+  out_.clear();
+}
+
+void DecodeRun::begin_output(const decode::PenAxes& axes) {
+  begun_ = true;
+  if (options_.json) {
+    out_ += "{\"axes\": {";
+    append_json_axes(out_, axes);
+    out_ += "},\n\"samples\": [";
+  } else {
+    append_csv_header(out_, axes, with_device_);
+  }
+}
+
+void DecodeRun::end_output(const replay::TraceSource& source) {
+  if (!begun_) {
+    const decode::PenAxes none;
+    const decode::PenAxes* axes = &none;
+    for (const auto& [device, interface] : interfaces_) {
+      if (interface.decoder && axes == &none) axes = &interface.decoder->axes();
+    }
+    begin_output(*axes);
+  }
+  if (options_.json) {
+    out_ += "],\n\"devices\": [";
+    bool first = true;
+    for (const auto& [number, device] : source.devices()) {
+      const auto interface = interfaces_.find(number);
+      const bool read = interface != interfaces_.end() && interface->second.decoder;
+      out_ += first ? "\n" : ",\n";
+      first = false;
+      out_ += "{\"device\": " + std::to_string(number) + ", \"vendor\": " + std::to_string(device.vendor) +
+              ", \"product\": " + std::to_string(device.product) + ", \"name\": ";
+      append_json_text(out_, device.name);
+      out_ += ", \"method\": ";
+      if (read) {
+        append_json_text(out_, interface->second.method);
+      } else {
+        out_ += "null";
+      }
+      out_ += '}';
+    }
+    out_ += "],\n\"reports\": " + std::to_string(reports_) + "}\n";
+  }
+  flush(0);
+  std::cout.flush();
+}
+
+void DecodeRun::print(const replay::TraceReport& report, Interface& interface) {
+  for (const decode::PenSample& sample : interface.decoder->frames()) {
+    const decode::PenAxes& axes = interface.decoder->axes();
+    if (!begun_) begin_output(axes);
+    const PrintedSample printed{report.index, report.time_us, report.device, &sample, &axes};
+    if (options_.json) {
+      out_ += samples_ == 0 ? "\n{" : ",\n{";
+      append_json_sample(out_, printed);
+      out_ += '}';
+    } else {
+      append_csv_row(out_, printed, with_device_);
+    }
+    ++samples_;
+  }
+  flush(std::size_t{1} << 16);
+}
+
+base::Status DecodeRun::decode(replay::TraceSource& source) {
+  for (;;) {
+    const auto report = source.next();
+    if (!report) return report.error();
+    if (!report->has_value()) return base::Done{};
+    ++reports_;
+    Interface& interface = interface_for(source, (*report)->device);
+    hear(**report);
+    if (interface.decoder && interface.decoder->decode((*report)->bytes) == decode::ReportKind::pen) {
+      print(**report, interface);
+    }
+  }
+}
+
+int DecodeRun::run() {
+  const auto devices = count_devices();
+  if (!devices) return files::report(devices.error(), options_.trace);
+  auto file = files::open_trace(options_.trace);
+  if (!file) return files::report(file.error(), options_.trace);
+  replay::TraceSource source(files::read_from_file(file->get()));
+  if (const auto header = source.read_header(); !header) return files::report(header.error(), options_.trace);
+  with_device_ = *devices > 1 || source.devices().size() > 1;
+  for (const auto& [number, device] : source.devices()) {
+    // Those of a receiver first: one of them says what the others bring.
+    if (decode::is_wacom_receiver(device)) (void)interface_for(source, number);
+  }
+  const auto done = decode(source);
+  if (!done) return files::report(done.error(), options_.trace);
+  end_output(source);
+  for (const auto& problem : source.problems()) std::cerr << "penpose: " << problem.line(options_.trace) << '\n';
+  if (!std::cout) return files::report({"the output cannot be written", "", "check the disk"});
+  if (source.devices().empty() && reports_ == 0) {
+    return files::report({"is no recording: it has neither devices nor reports", "",
+                          "give a text file as hid-recorder or `penpose record` writes it"},
+                         options_.trace);
+  }
+  if (samples_ == 0 && !refusals_.empty()) {
+    for (const auto& refusal : refusals_) std::cerr << "penpose: " << refusal.line(options_.trace) << '\n';
+  }
+  return k_success;
+}
+
+int decode_trace(const DecodeOptions& options) {
+  if (!options.protocol.empty() && decode::make_protocol_decoder(options.protocol) == nullptr) {
+    return files::report({"no protocol is named \"" + options.protocol + "\"", "",
+                          "`penpose devices --known` lists them with their tablets"});
+  }
+  const auto own = files::read_own_tablets(options.tablets);
+  if (!own) return files::report(own.error(), options.tablets);
+  if (options.pad || options.touch) {
+    const HandPart part = options.pad ? HandPart::pad : HandPart::touch;
+    return decode_hands({options.trace, options.protocol, part, options.json}, &*own);
+  }
+  return DecodeRun(options, &*own).run();
+}
+
+}  // namespace
+
+void add_decode_command(CLI::App& app, int& status) {
+  auto options = std::make_shared<DecodeOptions>();
+  CLI::App* command = app.add_subcommand("decode", "Prints what pen or hand did in a trace of raw HID reports");
+  command->add_option("trace", options->trace, "Trace in hid-recorder's text format")->required();
+  auto* csv = command->add_flag("--csv", options->csv, "Comma-separated rows (the default)");
+  command->add_flag("--json", options->json, "One JSON object")->excludes(csv);
+  auto* pad =
+      command->add_flag("--pad", options->pad, "Keys, rings, strips and wheels of the tablet instead of its pen");
+  command->add_flag("--touch", options->touch, "Fingers on the tablet instead of its pen")->excludes(pad);
+  command->add_option("--protocol", options->protocol,
+                      "Read every report with this protocol, whatever the trace's device is");
+  command->add_option(files::k_tablets_option, options->tablets, files::k_tablets_help);
+  command->callback([options, &status] { status = decode_trace(*options); });
+}
+
+}  // namespace penpose::cli

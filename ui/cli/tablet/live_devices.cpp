@@ -1,0 +1,146 @@
+#include "ui/cli/tablet/live_devices.h"
+
+#include <cstdio>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/base/shown_text.h"
+#include "firmware_io/device/list/interface_list.h"
+#include "firmware_io/device/list/permission.h"
+#include "firmware_io/device/live_tablet.h"
+#include "firmware_io/device/source/driver_guard.h"
+#include "ui/cli/commands.h"
+#include "ui/files/files.h"
+#include "ui/files/process/own_program.h"
+
+namespace penpose::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t k_longest_line = 4096;
+
+std::string hex(std::uint16_t id) {
+  char text[5] = {};
+  std::snprintf(text, sizeof text, "%04x", id);
+  return text;
+}
+
+const char* word(device::Carries carries) {
+  if (carries == device::Carries::receiver) return "receiver";
+  return carries == device::Carries::pad ? "pad" : carries == device::Carries::touch ? "touch" : "pen";
+}
+
+/// What else is on the interface: ", keys", ", fingers".
+std::string beside(const device::LiveTablet& tablet) {
+  std::string text;
+  if (tablet.has_keys && tablet.carries != device::Carries::pad) text += ", keys";
+  if (tablet.has_touch && tablet.carries != device::Carries::touch) text += ", fingers";
+  return text;
+}
+
+Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+Json to_json(const device::LiveTablet& tablet) {
+  const auto& interface = tablet.interface;
+  const auto& identity = interface.identity;
+  Json out{{"path", tablet.path()},
+           {"name", identity.name},
+           {"vendor", identity.vendor},
+           {"product", identity.product},
+           {"bus", identity.bus},
+           {"interface", identity.interface_number ? Json(*identity.interface_number) : Json()},
+           {"carries", word(tablet.carries)},
+           {"keys", tablet.has_keys},
+           {"touch", tablet.has_touch},
+           {"method", tablet.method},
+           {"tablet", nullptr},
+           {"certain", tablet.match && tablet.match->certain},
+           {"transport", tablet.transport == device::Transport::libusb ? "libusb" : "hidraw"},
+           {"driver", or_null(interface.driver)},
+           {"node", or_null(tablet.node())},
+           {"hidraw", or_null(interface.hidraw_node)},
+           {"usb", or_null(interface.usb_name)},
+           {"device", interface.parent},
+           {"can_open", tablet.access == device::Access::allowed},
+           {"missing", or_null(device::missing(tablet, files::own_program()))}};
+  if (tablet.match) out["tablet"] = tablet.match->tablet->vendor + " " + tablet.match->tablet->name;
+  Json strings = Json::object();
+  for (const auto& [index, text] : identity.strings) strings[std::to_string(index)] = text;
+  out["strings"] = std::move(strings);
+  return out;
+}
+
+void print(const device::LiveTablet& tablet) {
+  const auto& identity = tablet.interface.identity;
+  std::cout << tablet.path() << "  " << base::shown_name(identity.name) << " (" << hex(identity.vendor) << ':'
+            << hex(identity.product) << "), " << word(tablet.carries) << beside(tablet) << ", read as "
+            << tablet.method;
+  if (tablet.match && tablet.match->certain) {
+    std::cout << " (" << base::shown_name(tablet.match->tablet->vendor + " " + tablet.match->tablet->name) << ')';
+  }
+  std::cout << (tablet.access == device::Access::allowed ? ", can be opened\n" : ", cannot be opened\n");
+  if (const auto why = device::missing(tablet, files::own_program()); !why.empty())
+    std::cout << "    " << base::shown_line(why, k_longest_line) << '\n';
+}
+
+/// What is plugged in and carries a pen or keys; nothing where that cannot be told.
+std::vector<device::LiveTablet> plugged_in(const decode::TabletTable& own) {
+  auto tablets = device::list_tablets(&own);
+  return tablets ? std::move(tablets).value() : std::vector<device::LiveTablet>{};
+}
+
+std::string rule_with(const decode::TabletTable& own) {
+  std::vector<decode::Tablet> all(decode::known_tablets().tablets().begin(), decode::known_tablets().tablets().end());
+  all.insert(all.end(), own.tablets().begin(), own.tablets().end());
+  return device::udev_rule(decode::TabletTable(std::move(all)), plugged_in(own));
+}
+
+}  // namespace
+
+int list_live_devices(const decode::TabletTable& own, bool json) {
+  const auto tablets = device::list_tablets(&own);
+  if (!tablets) return files::report(tablets.error());
+  if (json) {
+    Json list = Json::array();
+    for (const auto& tablet : *tablets) list.push_back(to_json(tablet));
+    const Json out{{"count", tablets->size()}, {"tablets", std::move(list)}};
+    std::cout << out.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    return k_success;
+  }
+  for (const auto& tablet : *tablets) print(tablet);
+  if (tablets->empty()) std::cout << "no tablet is plugged in\n";
+  return k_success;
+}
+
+int print_udev_rule(const decode::TabletTable& own) {
+  std::cout << rule_with(own);
+  return k_success;
+}
+
+int install_udev_rule(const decode::TabletTable& own, const std::string& folder) {
+  const auto done = device::install_udev_rule(folder, rule_with(own));
+  if (!done) return files::report(done.error());
+  std::cout << folder << '/' << device::k_rule_file << " is installed\n";
+  return k_success;
+}
+
+int give_back_devices() {
+  const auto interfaces = device::list_interfaces();
+  if (!interfaces) return files::report(interfaces.error());
+  int status = k_success;
+  for (const auto& interface : *interfaces) {
+    if (!interface.driver.empty() || interface.usb_node.empty() || !interface.identity.interface_number) continue;
+    const auto bound = device::bind_kernel_driver(interface.usb_node, *interface.identity.interface_number);
+    if (!bound) {
+      status = files::report(bound.error(), interface.usb_name);
+    } else {
+      std::cout << interface.usb_name << "  " << base::shown_name(interface.identity.name) << " has its driver again\n";
+    }
+  }
+  return status;
+}
+
+}  // namespace penpose::cli

@@ -1,0 +1,297 @@
+#include "ui/cli/tablet/replay_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/base/numbers.h"
+#include "core/base/shown_text.h"
+#include "replay/session/session_player.h"
+#include "replay/session/session_recorder.h"
+#include "ui/cli/commands.h"
+#include "ui/cli/number_range.h"
+#include "ui/cli/pose/tolerance_option.h"
+#include "ui/cli/progress.h"
+#include "ui/files/append_file.h"
+#include "ui/files/file_roles.h"
+#include "ui/files/files.h"
+#include "ui/files/load_model.h"
+#include "ui/files/own_tablets.h"
+#include "ui/files/save_model.h"
+#include "ui/files/session_model.h"
+#include "ui/files/trace_file.h"
+#include "ui/render/appearance.h"
+#include "ui/render/document_curves.h"
+#include "ui/render/gl/renderer.h"
+
+namespace penpose::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t k_longest_name = 4096;
+
+struct ReplayArguments {
+  io::GlbOptions glb;
+  std::string session;
+  std::string model;
+  std::string output;
+  std::string picture;
+  std::string record;
+  std::string tablets;
+  std::optional<std::size_t> strokes;
+  bool real_time = false;
+  bool json = false;
+};
+
+/// Where the session's model is: where the user says, or where it can be found.
+std::string find_model(const ReplayArguments& arguments, const std::string& path) {
+  return arguments.model.empty() ? files::find_session_model(arguments.session, path) : arguments.model;
+}
+
+base::Result<document::Document> open_model(const ReplayArguments& arguments, const std::string& path) {
+  const std::string name = find_model(arguments, path);
+  std::error_code code;
+  const files::NamedBy named = arguments.model.empty() ? files::NamedBy::file : files::NamedBy::user;
+  if (named == files::NamedBy::file && !name.starts_with("builtin:") && !std::filesystem::is_regular_file(name, code)) {
+    return base::Error{"there is no model \"" + name + "\"", "", "name it with --model"};
+  }
+  for (const std::string& output : {arguments.output, arguments.picture}) {
+    if (output.empty() || !files::same_file(name, output)) continue;
+    return base::Error{"the model \"" + name + "\" is what the session was drawn on and is not written over", "",
+                       "choose another name"};
+  }
+  auto document = files::load_document(name, named);
+  if (!document) {
+    base::Error error = document.error();
+    error.what = "the model \"" + name + "\" cannot be read: " + error.what;
+    return error;
+  }
+  return document;
+}
+
+/// Counts steps on a terminal and hands everything on to a recorder.
+class Watcher final : public replay::PlayerObserver {
+ public:
+  Watcher(const ReplayArguments& arguments, std::uintmax_t file_size, std::FILE* file, replay::PlayerObserver* next)
+      : arguments_(arguments), progress_("replaying", file_size), file_(file), next_(next) {}
+
+  void on_begin(replay::Session& session, const std::string& path) override {
+    if (next_ != nullptr) next_->on_begin(session, find_model(arguments_, path));
+  }
+  void on_device(int device, const decode::DeviceIdentity& identity) override {
+    if (next_ != nullptr) next_->on_device(device, identity);
+  }
+  void on_report(const replay::TraceReport& report) override {
+    if (next_ != nullptr) next_->on_report(report);
+  }
+  void on_line(const replay::SessionLine& line) override {
+    if (next_ != nullptr) next_->on_line(line);
+  }
+  void on_stroke_end() override {
+    if (next_ != nullptr) next_->on_stroke_end();
+  }
+  void on_step(replay::Session& session, const replay::SessionStep& step) override {
+    if (next_ != nullptr) next_->on_step(session, step);
+    const long at = std::ftell(file_);
+    if (at <= shown_) return;
+    progress_.advance(static_cast<std::size_t>(at - shown_));
+    shown_ = at;
+  }
+
+ private:
+  const ReplayArguments& arguments_;
+  Progress progress_;
+  std::FILE* file_;
+  replay::PlayerObserver* next_;
+  long shown_ = 0;
+};
+
+/// A session may say any size of its window; a picture has no more pixels than can be drawn in a few seconds.
+geometry::Viewport picture_size(geometry::Viewport window) {
+  constexpr double k_most_px = 6e6;
+  constexpr double k_longest_px = 8192;
+  const double shrink = std::min({1.0, std::sqrt(k_most_px / window.width / window.height), k_longest_px / window.width,
+                                  k_longest_px / window.height});
+  if (shrink >= 1) return window;
+  return {std::max(1, static_cast<int>(window.width * shrink)), std::max(1, static_cast<int>(window.height * shrink))};
+}
+
+base::Status write_picture(const replay::Session& session, const std::string& path) {
+  const document::Document& document = session.editor().document();
+  const document::View& view = session.editor().view();
+  const auto camera = geometry::Camera::make(view.camera, picture_size(view.viewport));
+  if (!camera) return camera.error();
+  auto renderer = render::Renderer::make_offscreen();
+  if (!renderer) return renderer.error();
+  const document::Model model = document::model_of(document);
+  const render::Appearance appearance = render::make_appearance(model, {});
+  const render::PosedMesh posed = render::posed_mesh(model);
+  const auto curves = render::document_curves(document);
+  render::Scene scene;
+  scene.positions = posed.positions;
+  scene.normals = posed.normals;
+  scene.triangles = model.mesh->triangles();
+  scene.appearance = &appearance;
+  scene.curves = curves;
+  const auto image = (*renderer)->render(scene, *camera);
+  if (!image) return image.error();
+  const auto png = render::encode_png(*image);
+  if (!png) return png.error();
+  return files::write_file(path, *png);
+}
+
+Json to_json(const ReplayArguments& arguments, const replay::Playback& played, double seconds) {
+  Json out = {{"model", find_model(arguments, played.model)},
+              {"plain", played.plain},
+              {"reports", played.reports},
+              {"strokes", played.session->stroke_count()},
+              {"steps", played.steps},
+              {"refused", played.refused},
+              {"checked", played.checked},
+              {"differing", played.differing},
+              {"recorded_s", static_cast<double>(played.last_us - played.first_us) * 1e-6},
+              {"replay_s", seconds}};
+  if (played.divergence) {
+    Json parts = Json::array();
+    for (const std::string_view part : played.divergence->parts) parts.push_back(std::string(part));
+    out["divergence"] = {{"line", played.divergence->line}, {"parts", std::move(parts)}};
+  }
+  const document::Document& document = played.session->editor().document();
+  Json parameters = Json::object();
+  const auto known = document.model->rig->parameters();
+  for (std::size_t i = 0; i < known.size(); ++i) parameters[known[i].name] = document.pose[i];
+  out["parameters"] = std::move(parameters);
+  out["curves"] = document.curves.size();
+  out["keys"] = document.timeline->keys.size();
+  out["state"] = played.session->editor().state().whole.hex();
+  return out;
+}
+
+void print(const ReplayArguments& arguments, const replay::Playback& played, double seconds) {
+  const document::Document& document = played.session->editor().document();
+  const std::size_t deformers = document.model->deformers ? document.model->deformers->size() : 0;
+  std::cout << (played.plain ? "plain trace" : "session") << " on "
+            << base::shown_name(find_model(arguments, played.model), k_longest_name) << ": " << played.reports
+            << " reports, " << played.session->stroke_count() << " strokes, " << played.steps << " steps, of which "
+            << played.refused << " changed nothing\n"
+            << "now: " << deformers << " deformers, " << document.curves.size() << " curves, "
+            << document.timeline->keys.size() << " keys\n"
+            << "state " << played.session->editor().state().whole.hex();
+  if (played.checked > 0) {
+    std::cout << "; " << (played.checked - played.differing) << " of " << played.checked << " recorded states equal";
+  }
+  std::cout << "\n"
+            << base::format_fixed(static_cast<double>(played.last_us - played.first_us) * 1e-6, 1)
+            << " s of drawing replayed in " << base::format_fixed(seconds, 2) << " s\n";
+}
+
+/// No file that is written is one that is read, or one of the others.
+base::Status take_roles(const ReplayArguments& arguments, files::FileRoles& files, std::string& blamed) {
+  for (const std::string& path : {arguments.session, arguments.model, arguments.tablets}) files.reads(path);
+  const std::pair<const std::string&, const char*> outputs[] = {
+      {arguments.output, "-o"}, {arguments.picture, "--png"}, {arguments.record, "--session"}};
+  for (const auto& [path, option] : outputs) {
+    if (path.empty()) continue;
+    blamed = path;
+    if (auto fits = files.writes(path, option); !fits) return fits;
+  }
+  return base::Done{};
+}
+
+int replay_session(const ReplayArguments& arguments) {
+  files::FileRoles files;
+  std::string blamed;
+  if (const auto fits = take_roles(arguments, files, blamed); !fits) return files::report(fits.error(), blamed);
+  const auto own = files::read_own_tablets(arguments.tablets);
+  if (!own) return files::report(own.error(), arguments.tablets);
+  const auto file = files::open_trace(arguments.session);
+  if (!file) return files::report(file.error(), arguments.session);
+  std::optional<files::AppendFile> record;
+  std::optional<replay::SessionWriter> writer;
+  std::optional<replay::SessionRecorder> recorder;
+  if (!arguments.record.empty()) {
+    auto made = files::AppendFile::create_new(arguments.record);
+    if (!made) return files::report(made.error(), arguments.record);
+    record.emplace(std::move(made).value());
+    writer.emplace([&](std::string_view text, bool sync) { return record->append(text, sync); },
+                   std::string("penpose-") + PENPOSE_VERSION);
+    recorder.emplace(*writer);
+  }
+  std::error_code code;
+  const auto size = std::filesystem::file_size(arguments.session, code);
+  Watcher watcher(arguments, code ? 0 : size, file->get(), recorder ? &*recorder : nullptr);
+
+  replay::PlayerOptions options;
+  options.pace = arguments.real_time ? replay::Pace::real_time : replay::Pace::full_speed;
+  options.open = [&](const std::string& path) { return open_model(arguments, path); };
+  options.stop_after_strokes = arguments.strokes;
+  options.own_tablets = &*own;
+  options.observer = &watcher;
+  const Clock::time_point start = Clock::now();
+  const auto played = replay::play_session(files::read_from_file(file->get()), options);
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  if (!played) return files::report(played.error(), arguments.session);
+  for (const auto& problem : played->problems) std::cerr << "penpose: " << problem.line(arguments.session) << '\n';
+  if (!played->session) {
+    return files::report({"holds nothing to replay: neither reports nor lines of a session", "",
+                          "give a session, or a trace as hid-recorder or `penpose record` writes it"},
+                         arguments.session);
+  }
+  for (const auto& refusal : played->refusals) std::cerr << "penpose: " << refusal.line(arguments.session) << '\n';
+  if (arguments.strokes && played->session->stroke_count() < *arguments.strokes) {
+    files::warn("it has no more than " + std::to_string(played->session->stroke_count()) + " strokes",
+                arguments.session);
+  }
+  int status = k_success;
+  if (!arguments.output.empty()) {
+    if (auto saved = files::save_document(played->session->editor().document(), arguments.output,
+                                          files::SaveNotes::loud, arguments.glb);
+        !saved) {
+      return files::report(saved.error(), arguments.output);
+    }
+  }
+  if (!arguments.picture.empty()) {
+    if (auto drawn = write_picture(*played->session, arguments.picture); !drawn) {
+      return files::report(drawn.error(), arguments.picture);
+    }
+  }
+  if (arguments.json) {
+    std::cout << to_json(arguments, *played, seconds).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+  } else {
+    print(arguments, *played, seconds);
+  }
+  if (writer) {
+    // What could not be written down is still here, and was saved where it was asked for.
+    if (const auto flushed = writer->flush(true); !flushed) status = files::report(flushed.error(), arguments.record);
+  }
+  return played->divergence ? files::report(replay::error_of(*played->divergence), arguments.session) : status;
+}
+
+}  // namespace
+
+void add_replay_command(CLI::App& app, int& status) {
+  auto arguments = std::make_shared<ReplayArguments>();
+  CLI::App* command = app.add_subcommand("replay", "Draws a recorded session, or a plain trace, again");
+  command->add_option("SESSION", arguments->session, "Session or trace in hid-recorder's text format")->required();
+  command->add_option("--model", arguments->model, "Model to draw on, when it is not where the session says");
+  command->add_option("-o,--output", arguments->output, "Project or model file to write at the end (.glb, .obj)");
+  command->add_option("--png", arguments->picture, "PNG file of the last view");
+  command->add_option("--stroke", arguments->strokes, "Stop after so many strokes")
+      ->check(CLI::Validator(whole_range(0, 1'000'000'000), "0 to 1000000000"));
+  command->add_flag("--realtime", arguments->real_time, "At the pace of the recording");
+  command->add_option("--session", arguments->record, "Write the replay down as a session of its own");
+  command->add_option(files::k_tablets_option, arguments->tablets, files::k_tablets_help);
+  command->add_flag("--json", arguments->json, "Print one JSON object");
+  add_tolerance_option(*command, arguments->glb);
+  command->callback([arguments, &status] { status = replay_session(*arguments); });
+}
+
+}  // namespace penpose::cli

@@ -1,0 +1,92 @@
+#include "ui/files/load_model.h"
+
+#include <filesystem>
+#include <vector>
+
+#include "core/base/closest_name.h"
+#include "core/base/numbers.h"
+#include "core/head/head.h"
+#include "core/io/model/read_model.h"
+#include "core/io/project/read_document.h"
+#include "ui/demo/demo_head.h"
+#include "ui/files/files.h"
+
+namespace penpose::files {
+
+namespace {
+
+constexpr std::string_view k_built_in = "builtin:";
+
+base::Result<document::Model> built_in_model(std::string_view name) {
+  using head::HeadEdition;
+  if (name == "head") return head::make_head();
+  if (name == "demo") return demo::make_demo_head(HeadEdition::first);
+  if (name == "head-2") return head::make_head(HeadEdition::second);
+  if (name == "demo-2") return demo::make_demo_head(HeadEdition::second);
+  if (name == "head-3") return head::make_head(HeadEdition::third);
+  if (name == "demo-3") return demo::make_demo_head(HeadEdition::third);
+  if (name == "head-4") return head::make_head(HeadEdition::fourth);
+  if (name == "demo-4") return demo::make_demo_head(HeadEdition::fourth);
+  return base::Error{"there is no such model in the program", "", "use builtin:head-4 or builtin:demo-4"};
+}
+
+base::Result<std::vector<std::uint8_t>> read_named(const std::string& path, NamedBy named) {
+  return named == NamedBy::user ? read_file(path) : read_plain_file(path);
+}
+
+/// Gives the files that a model names.
+io::FileResolver files_beside(const std::string& path) {
+  return [folder = std::filesystem::path(path).parent_path().string()](const std::string& name) {
+    return read_beside(folder, name);
+  };
+}
+
+}  // namespace
+
+base::Result<document::Model> load_model(const std::string& path, NamedBy named) {
+  if (path.starts_with(k_built_in)) return built_in_model(std::string_view(path).substr(k_built_in.size()));
+  const auto bytes = read_named(path, named);
+  if (!bytes) return bytes.error();
+  return io::read_model(*bytes, path, files_beside(path));
+}
+
+base::Result<document::Document> load_document(const std::string& path, NamedBy named) {
+  if (path.starts_with(k_built_in)) {
+    auto model = load_model(path);
+    if (!model) return model.error();
+    return document::make_document(std::move(model).value());
+  }
+  const auto bytes = read_named(path, named);
+  if (!bytes) return bytes.error();
+  return io::read_document(*bytes, path, files_beside(path));
+}
+
+base::Status set_parameter(document::Model& model, const std::string& assignment) {
+  const std::size_t equals = assignment.rfind('=');
+  const std::string place = "--set " + assignment;
+  if (equals == std::string::npos) return base::Error{"has no '='", place, "write NAME=VALUE"};
+  const std::string name = assignment.substr(0, equals);
+  const auto value = base::parse_double(base::trim(std::string_view(assignment).substr(equals + 1)));
+  if (!value) return base::Error{"the value is not a number", place, "write NAME=VALUE"};
+  const auto parameters = model.rig->parameters();
+  const auto found = rig::find_parameter(parameters, name);
+  if (!found) {
+    std::vector<std::string> names;
+    for (const rig::Parameter& parameter : parameters) names.push_back(parameter.name);
+    const auto close = base::closest_name(name, names);
+    const std::string remedy = names.empty() ? "this model has nothing to set"
+                               : close       ? "did you mean " + *close + "?"
+                                             : "`penpose info` lists the " + std::to_string(names.size()) + " names";
+    return base::Error{"the model has no parameter \"" + name + "\"", place, remedy};
+  }
+  const rig::Parameter& parameter = parameters[*found];
+  if (!(*value >= parameter.minimum && *value <= parameter.maximum)) {
+    return base::Error{
+        "the value is out of range", place,
+        "use " + base::format_double(parameter.minimum) + " to " + base::format_double(parameter.maximum)};
+  }
+  model.pose[*found] = *value;
+  return base::Done{};
+}
+
+}  // namespace penpose::files

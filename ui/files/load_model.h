@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/result.h"
+#include "core/document/document.h"
+
+namespace penpose::files {
+
+/// Who names a file: the user, who may mean a pipe, or another file, which may name whatever it likes, so that only
+/// plain files are opened.
+enum class NamedBy : bool { user, file };
+
+/// Opens and reads a model, and the files below its folder that it names; "builtin:head" is the built-in head and
+/// "builtin:demo" the same with the deformers of the demo. Errors of the file system and of the reader.
+[[nodiscard]] base::Result<document::Model> load_model(const std::string& path, NamedBy named = NamedBy::user);
+
+/// The same as a document: of a project with all that it keeps beyond its model.
+[[nodiscard]] base::Result<document::Document> load_document(const std::string& path, NamedBy named = NamedBy::user);
+
+/// Sets one parameter of the model's pose from "NAME=VALUE". Errors: no "=", no number, no parameter of that name (the
+/// closest one is suggested), a value outside its range.
+[[nodiscard]] base::Status set_parameter(document::Model& model, const std::string& assignment);
+
+}  // namespace penpose::files

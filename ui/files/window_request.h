@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "core/base/result.h"
+
+namespace penpose::files {
+
+/// How the window is opened.
+struct WindowRequest {
+  std::string model;    ///< model, project or session; empty: the built-in head with its controls
+  std::string session;  ///< where the session is written; empty: into the folder of sessions
+  std::string replay;   ///< a trace that is played in place of a tablet; the window closes at its end
+  std::string tablets;  ///< the user's own tablets
+  std::string program;  ///< name and version for the session
+  bool fullscreen = false;
+  bool timings = false;  ///< prints how long things took when the window is closed
+};
+
+/// Opens the window and stays until it is closed.
+using OpenWindow = std::function<base::Status(const WindowRequest&)>;
+
+}  // namespace penpose::files
