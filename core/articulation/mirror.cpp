@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/letters.h"
+#include "core/base/text/letters.h"
 #include "core/geometry/closest_point.h"
 
 namespace penpose::articulation {

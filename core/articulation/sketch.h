@@ -49,6 +49,8 @@ inline constexpr std::uint32_t k_ranged_rules = 5;
 inline constexpr std::uint32_t k_crossing_rules = 6;
 /// The rules from which on a reference holds on to its sheet as firmly as lines that pose do (curve::Holding::firm).
 inline constexpr std::uint32_t k_close_rules = 7;
+/// The rules from which on it sticks farther from the pen before a part of it is cut off (curve::Holding::far).
+inline constexpr std::uint32_t k_far_rules = 9;
 
 /// How far into the model a lasso reaches: to what lies behind, or only to what the camera sees.
 enum class Reach : std::uint8_t { through, front };

@@ -1,6 +1,6 @@
 #include "core/base/result.h"
 
-#include "core/base/shown_text.h"
+#include "core/base/text/shown_text.h"
 
 namespace penpose::base {
 

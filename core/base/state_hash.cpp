@@ -7,7 +7,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include "core/base/letters.h"
+#include "core/base/text/letters.h"
 
 namespace penpose::base {
 

@@ -126,18 +126,10 @@ bool holds(Walk& walk, const ProjectedStroke& drawn, double length) {
   return true;
 }
 
-}  // namespace
-
-base::Result<ProjectedStroke> sheet_curve(std::span<const PxPoint> stroke, std::size_t count,
+/// What of a line sticks to one sheet, where the samples under the pen are not all on one.
+base::Result<ProjectedStroke> stuck_curve(Walk& walk, std::span<const PxPoint> stroke, std::size_t count,
                                           const geometry::Camera& camera, const SheetSurface& surface,
                                           SheetChoice choice) {
-  Walk walk(camera, surface);
-  const bool firm = surface.holding == Holding::firm;
-  const bool set_up = walk.set_up(stroke);
-  if (!set_up || (choice == SheetChoice::nearer && walk.whole())) {
-    auto drawn = surface_curve(stroke, count, camera, surface.tree);
-    if (!set_up || !firm || !drawn || holds(walk, *drawn, arc_length<PxPoint>(stroke))) return drawn;
-  }
   walk.widen();
   Walk::Run run = walk.longest();
   if (choice == SheetChoice::other) {
@@ -150,7 +142,7 @@ base::Result<ProjectedStroke> sheet_curve(std::span<const PxPoint> stroke, std::
   }
   if (run.taken.size() < 2 || !(run.length > 0.0)) {
     auto drawn = surface_curve(stroke, count, camera, surface.tree);
-    if (!firm || !drawn || holds(walk, *drawn, arc_length<PxPoint>(stroke))) return drawn;
+    if (surface.holding < Holding::firm || !drawn || holds(walk, *drawn, arc_length<PxPoint>(stroke))) return drawn;
     return base::Error{"the line stays on no sheet of the surface", "", "draw it along the surface"};
   }
   Stuck stuck{run.first, {}, {}};
@@ -163,7 +155,8 @@ base::Result<ProjectedStroke> sheet_curve(std::span<const PxPoint> stroke, std::
   for (std::size_t i = 0; i < stuck.taken.size(); ++i) {
     stuck.line.push_back(walk.nodes[run.first + i].px + stuck.taken[i].offset);
   }
-  const auto points = firm ? firmly(walk, stuck, count) : evenly(walk, stuck, count, surface.holding);
+  const auto points =
+      surface.holding >= Holding::firm ? firmly(walk, stuck, count) : evenly(walk, stuck, count, surface.holding);
   if (!points) return points.error();
   ProjectedStroke result;
   for (const Placed& placed : *points) {
@@ -181,6 +174,28 @@ base::Result<ProjectedStroke> sheet_curve(std::span<const PxPoint> stroke, std::
   const double kept = static_cast<double>(stuck.taken.size()) / static_cast<double>(walk.nodes.size());
   result.dropped = stroke.size() - static_cast<std::size_t>(kept * static_cast<double>(stroke.size()));
   return result;
+}
+
+}  // namespace
+
+base::Result<ProjectedStroke> sheet_curve(std::span<const PxPoint> stroke, std::size_t count,
+                                          const geometry::Camera& camera, const SheetSurface& surface,
+                                          SheetChoice choice) {
+  Walk walk(camera, surface);
+  const bool firm = surface.holding >= Holding::firm;
+  const bool set_up = walk.set_up(stroke);
+  if (!set_up || (choice == SheetChoice::nearer && walk.whole())) {
+    auto drawn = surface_curve(stroke, count, camera, surface.tree);
+    if (!set_up || !firm || !drawn || holds(walk, *drawn, arc_length<PxPoint>(stroke))) return drawn;
+  }
+  auto stuck = stuck_curve(walk, stroke, count, camera, surface, choice);
+  if (surface.holding < Holding::far) return stuck;
+  for (int far = 2; far <= k_farthest_stick && (!stuck || stuck->dropped > 0); far *= 2) {
+    walk.stick(far);
+    auto farther = stuck_curve(walk, stroke, count, camera, surface, choice);
+    if (farther && farther->dropped == 0) return farther;
+  }
+  return stuck;
 }
 
 }  // namespace penpose::curve

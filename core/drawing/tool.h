@@ -33,10 +33,10 @@ enum class ToolKind : std::uint8_t {
 /// intent::Edition::second. 4: it is read by intent::Edition::third, and references of deformers stay on one sheet too.
 /// 5: it is read by intent::Edition::fourth, from the pose before the first of the lines that belong together. 6: it is
 /// read by intent::Edition::fifth. 7: by intent::Edition::sixth, and lines hold on to their sheet firmly
-/// (curve::Holding::firm).
-inline constexpr std::uint32_t k_rules = 7;
+/// (curve::Holding::firm). 8: lines stick farther from the pen before a part of them is cut off (curve::Holding::far).
+inline constexpr std::uint32_t k_rules = 8;
 /// The newest that controls are sketched by.
-inline constexpr std::uint32_t k_control_rules = std::max(k_rules, articulation::k_circle_rules);
+inline constexpr std::uint32_t k_control_rules = std::max(k_rules, articulation::k_far_rules);
 
 struct Tool {
   ToolKind kind = ToolKind::pose;

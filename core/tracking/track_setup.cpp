@@ -4,7 +4,7 @@
 #include <array>
 #include <numeric>
 
-#include "core/base/closest_name.h"
+#include "core/base/text/closest_name.h"
 #include "core/io/tracks/known_heads.h"
 #include "core/rig/control_names.h"
 

@@ -1,7 +1,7 @@
 #include "replay/session/session_line.h"
 
-#include "core/base/letters.h"
 #include "core/base/numbers.h"
+#include "core/base/text/letters.h"
 #include "core/document/commands/command_text.h"
 #include "core/document/commands/text_members.h"
 

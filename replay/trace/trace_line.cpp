@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 
-#include "core/base/letters.h"
 #include "core/base/numbers.h"
+#include "core/base/text/letters.h"
 
 namespace penpose::replay {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/base/letters.h"
+#include "core/base/text/letters.h"
 
 namespace penpose::app {
 namespace {

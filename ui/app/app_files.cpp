@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "core/base/letters.h"
+#include "core/base/text/letters.h"
 #include "core/document/document_hash.h"
 #include "core/document/time/timeline.h"
 #include "replay/session/session_player.h"

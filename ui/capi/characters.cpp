@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "core/base/byte_reader.h"
-#include "core/base/utf8.h"
+#include "core/base/text/utf8.h"
 #include "ui/capi/from_c.h"
 #include "ui/demo/demo_head.h"
 

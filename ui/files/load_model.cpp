@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/base/closest_name.h"
 #include "core/base/numbers.h"
+#include "core/base/text/closest_name.h"
 #include "core/head/head.h"
 #include "core/io/model/read_model.h"
 #include "core/io/project/read_document.h"

@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "core/base/numbers.h"
-#include "core/base/shown_text.h"
+#include "core/base/text/shown_text.h"
 #include "core/io/model/write_model.h"
 #include "core/io/project/write_document.h"
 #include "ui/files/files.h"

@@ -45,6 +45,9 @@ class Walk {
   Walk(const geometry::Camera& camera, const SheetSurface& surface)
       : camera_(camera), surface_(surface), scale_(camera.viewport().height / 1000.0) {}
 
+  /// How far beside the pen a sheet is looked for, times k_stick_px.
+  void stick(double far) { stick_px_ = far * k_stick_px * scale_; }
+
   std::vector<Node> nodes;
 
   bool set_up(std::span<const PxPoint> stroke) {
@@ -117,7 +120,7 @@ class Walk {
       Node& node = nodes[run.first + i];
       const Candidate taken = node.candidates[run.taken[i]];
       std::erase_if(node.candidates, [&](const Candidate& one) {
-        return one.cost >= k_from_behind || joined(taken, one, 2.0 * k_stick_px * scale_);
+        return one.cost >= k_from_behind || joined(taken, one, 2.0 * stick_px_);
       });
     }
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -133,7 +136,7 @@ class Walk {
       const double share = 0.5 * (near + far);
       Node probe{node.px, node.step, {}};
       hit_beside(probe, taken.offset * share);
-      if (!probe.candidates.empty() && joined(probe.candidates[0], taken, k_stick_px * scale_)) {
+      if (!probe.candidates.empty() && joined(probe.candidates[0], taken, stick_px_)) {
         far = share;
         taken = probe.candidates[0];
         taken.offset = taken.offset * (1.0 / share);
@@ -230,7 +233,7 @@ class Walk {
     const geometry::Ray ray = camera_.ray(node.px + offset);
     const auto hit = surface_.tree.nearest_hit(ray, hint_);
     if (!hit) return;
-    const double share = geometry::distance({}, offset) / (k_stick_px * scale_);
+    const double share = geometry::distance({}, offset) / stick_px_;
     Candidate one{
         {hit->triangle, hit->barycentric}, ray.origin + ray.direction * hit->distance, offset, 0, 0, 0, false};
     one.cost = share * share + (from_behind(hit->triangle, ray.direction) ? k_from_behind : 0.0);
@@ -251,11 +254,11 @@ class Walk {
     for (const double share : {0.25, 0.5, 1.0}) {
       for (const PxPoint& way : k_ways) {
         Node probe{node.px, node.step, {}};
-        hit_beside(probe, way * (share * k_stick_px * scale_));
+        hit_beside(probe, way * (share * stick_px_));
         if (probe.candidates.empty()) continue;
         const Candidate& found = probe.candidates[0];
         const bool known = std::any_of(node.candidates.begin(), node.candidates.end(), [&](const Candidate& other) {
-          return other.cost <= found.cost && joined(other, found, share * k_stick_px * scale_);
+          return other.cost <= found.cost && joined(other, found, share * stick_px_);
         });
         if (!known) node.candidates.push_back(found);
       }
@@ -311,6 +314,7 @@ class Walk {
   const geometry::Camera& camera_;
   const SheetSurface& surface_;
   double scale_;
+  double stick_px_ = k_stick_px * scale_;
   bool turned_ = false;
   std::uint32_t hint_ = geometry::TriangleBvh::k_no_hint;
 };

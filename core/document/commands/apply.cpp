@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/base/utf8.h"
+#include "core/base/text/utf8.h"
 #include "core/document/commands/apply_parts.h"
 
 namespace penpose::document {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "core/base/utf8.h"
+#include "core/base/text/utf8.h"
 #include "core/geometry/lasso.h"
 
 namespace penpose::document {

@@ -3,8 +3,8 @@
 #include <array>
 #include <span>
 
-#include "core/base/letters.h"
 #include "core/base/numbers.h"
+#include "core/base/text/letters.h"
 #include "core/geometry/lasso.h"
 
 namespace penpose::document {

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "core/base/letters.h"
 #include "core/base/numbers.h"
+#include "core/base/text/letters.h"
 
 namespace penpose::io {
 namespace {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/base/numbers.h"
-#include "core/base/utf8.h"
+#include "core/base/text/utf8.h"
 #include "core/io/surface/polygon.h"
 #include "core/io/surface/surface_model.h"
 #include "core/io/text/names.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/numbers.h"
-#include "core/base/utf8.h"
+#include "core/base/text/utf8.h"
 #include "core/io/surface/surface_model.h"
 #include "core/io/text/names.h"
 #include "core/io/text/text_lines.h"

@@ -1,6 +1,6 @@
 #include "core/io/surface/shape_list.h"
 
-#include "core/base/utf8.h"
+#include "core/base/text/utf8.h"
 #include "core/io/text/names.h"
 
 namespace penpose::io {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/base/letters.h"
 #include "core/base/numbers.h"
+#include "core/base/text/letters.h"
 
 namespace penpose::io {
 namespace {

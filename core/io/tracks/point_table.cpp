@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/base/letters.h"
+#include "core/base/text/letters.h"
 
 namespace penpose::io {
 namespace {

@@ -1,6 +1,6 @@
 #include "core/io/tracks/track_formats.h"
 
-#include "core/base/letters.h"
+#include "core/base/text/letters.h"
 
 namespace penpose::io {
 

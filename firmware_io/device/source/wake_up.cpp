@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "core/base/letters.h"
+#include "core/base/text/letters.h"
 
 namespace penpose::device {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "core/base/utf8.h"
+#include "core/base/text/utf8.h"
 #include "tests/support/c_desk.h"
 
 // Null pointers, counts that do not fit, numbers that are none: a status that says so, and nothing has changed.

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <span>
 
-#include "core/base/letters.h"
+#include "core/base/text/letters.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/view/backdrop.h"
 #include "ui/app/widgets/internal/widgets.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/base/letters.h"
 #include "core/base/numbers.h"
+#include "core/base/text/letters.h"
 #include "ui/app/app.h"
 #include "ui/app/session/frames.h"
 

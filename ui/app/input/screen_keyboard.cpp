@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "core/base/letters.h"
+#include "core/base/text/letters.h"
 
 namespace penpose::app {
 namespace {

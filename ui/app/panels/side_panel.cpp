@@ -2,7 +2,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/letters.h"
+#include "core/base/text/letters.h"
 #include "ui/app/panels/control_rows.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/widgets/internal/icon.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/letters.h"
+#include "core/base/text/letters.h"
 #include "ui/app/input/side_pairs.h"
 
 namespace penpose::app {

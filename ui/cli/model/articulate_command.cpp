@@ -11,7 +11,7 @@
 #include "core/articulation/edit.h"
 #include "core/articulation/measure/doubts.h"
 #include "core/base/numbers.h"
-#include "core/base/shown_text.h"
+#include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
 #include "core/io/project/sketch_file.h"
 #include "ui/cli/commands.h"

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/base/numbers.h"
-#include "core/base/shown_text.h"
+#include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
 #include "ui/cli/commands.h"
 #include "ui/files/files.h"

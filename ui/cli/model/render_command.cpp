@@ -10,8 +10,8 @@
 #include <system_error>
 #include <vector>
 
-#include "core/base/closest_name.h"
 #include "core/base/numbers.h"
+#include "core/base/text/closest_name.h"
 #include "core/document/time/animation_sampling.h"
 #include "core/io/project/camera_file.h"
 #include "core/io/project/case_file.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/numbers.h"
-#include "core/base/shown_text.h"
+#include "core/base/text/shown_text.h"
 
 namespace penpose::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "core/base/numbers.h"
-#include "core/base/shown_text.h"
+#include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
 #include "core/intent/solve.h"
 #include "core/io/project/case_file.h"

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "core/base/closest_name.h"
 #include "core/base/numbers.h"
-#include "core/base/shown_text.h"
+#include "core/base/text/closest_name.h"
+#include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
 #include "core/document/suggestion.h"
 #include "ui/cli/commands.h"

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "core/base/numbers.h"
-#include "core/base/shown_text.h"
+#include "core/base/text/shown_text.h"
 #include "firmware_io/decode/hand_factory.h"
 #include "firmware_io/decode/table/tablet_table.h"
 #include "firmware_io/decode/wacom/hand/wacom_hands.h"

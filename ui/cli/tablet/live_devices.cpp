@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/shown_text.h"
+#include "core/base/text/shown_text.h"
 #include "firmware_io/device/list/interface_list.h"
 #include "firmware_io/device/list/permission.h"
 #include "firmware_io/device/live_tablet.h"

@@ -10,7 +10,7 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include "core/base/shown_text.h"
+#include "core/base/text/shown_text.h"
 #include "firmware_io/device/clock.h"
 #include "firmware_io/device/list/interface_list.h"
 #include "firmware_io/device/list/permission.h"

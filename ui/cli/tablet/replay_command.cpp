@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "core/base/numbers.h"
-#include "core/base/shown_text.h"
+#include "core/base/text/shown_text.h"
 #include "replay/session/session_player.h"
 #include "replay/session/session_recorder.h"
 #include "ui/cli/commands.h"

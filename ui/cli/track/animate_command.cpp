@@ -10,7 +10,7 @@
 
 #include "core/base/math.h"
 #include "core/base/numbers.h"
-#include "core/base/shown_text.h"
+#include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
 #include "core/document/time/animation_building.h"
 #include "core/geometry/rotation.h"

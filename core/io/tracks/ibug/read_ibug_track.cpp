@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "core/base/letters.h"
 #include "core/base/numbers.h"
+#include "core/base/text/letters.h"
 #include "core/io/tracks/best_face.h"
 #include "core/io/tracks/face_points.h"
 #include "core/io/tracks/point_table.h"

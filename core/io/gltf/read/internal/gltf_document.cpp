@@ -4,7 +4,7 @@
 #include <new>
 #include <utility>
 
-#include "core/base/letters.h"
+#include "core/base/text/letters.h"
 #include "core/io/gltf/read/internal/gltf_schema.h"
 
 namespace penpose::io {

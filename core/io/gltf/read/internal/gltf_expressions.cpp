@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/base/utf8.h"
+#include "core/base/text/utf8.h"
 #include "core/io/text/names.h"
 
 namespace penpose::io {

@@ -1,4 +1,4 @@
-#include "core/base/closest_name.h"
+#include "core/base/text/closest_name.h"
 
 #include <gtest/gtest.h>
 #include <vector>

@@ -1,9 +1,9 @@
-#include "core/base/shown_text.h"
+#include "core/base/text/shown_text.h"
 
 #include <gtest/gtest.h>
 
 #include "core/base/result.h"
-#include "core/base/utf8.h"
+#include "core/base/text/utf8.h"
 
 namespace penpose::base {
 namespace {

@@ -12,7 +12,7 @@ import tempfile
 
 from window_test import Screen, lines_of, start
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "vm"))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "vm"))
 import traces  # noqa: E402: found by the line above
 
 

@@ -1,9 +1,9 @@
-#include "core/base/closest_name.h"
+#include "core/base/text/closest_name.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "core/base/letters.h"
+#include "core/base/text/letters.h"
 
 namespace penpose::base {
 namespace {

@@ -1,9 +1,9 @@
-#include "core/base/shown_text.h"
+#include "core/base/text/shown_text.h"
 
 #include <cstdint>
 
-#include "core/base/letters.h"
-#include "core/base/utf8.h"
+#include "core/base/text/letters.h"
+#include "core/base/text/utf8.h"
 
 namespace penpose::base {
 namespace {
