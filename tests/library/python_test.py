@@ -111,7 +111,7 @@ class Calls(unittest.TestCase):
         for preset in penpose.Preset:
             character.reset()
             character.solve(preset)
-            self.assertAlmostEqual(character.values()['lift'], 0.6, 2, preset)
+            self.assertAlmostEqual(character.values()['lift'], 0.6, delta=0.02, msg=preset)
         view = character.view()
         character.reset()
         over = view.project(character.positions(curve))
@@ -128,7 +128,7 @@ class Calls(unittest.TestCase):
         state = character.state
         refused, bad = penpose.Status.REFUSED, penpose.Status.BAD_ARGUMENT
         self.assertEqual(status(character.target, curve, np.full((3, 3), np.nan)), refused)
-        self.assertEqual(status(character.target, curve, np.zeros((2, 3))), bad)
+        self.assertEqual(status(character.target, curve, np.zeros((2, 3))), refused)
         self.assertEqual(status(character.target, 99, np.zeros((3, 3))), refused)
         self.assertEqual(status(character.set, 'nothing', 1), refused)
         self.assertEqual(status(character.perform, 'make_coffee'), refused)
@@ -155,7 +155,7 @@ class Calls(unittest.TestCase):
         played, playback = penpose.play(character.recorded, again)
         self.assertEqual((played.state, playback.differing), (character.state, 0))
         self.assertGreater(playback.checked, 0)
-        spoiled = re.sub(rb'(state=)(.)', lambda found: found[1] + (b'0' if found[2] != b'0' else b'1'), character.recorded)
+        spoiled = re.sub(rb'(penpose state )(.)', lambda found: found[1] + (b'0' if found[2] != b'0' else b'1'), character.recorded)
         self.assertNotEqual(spoiled, character.recorded)
         self.assertEqual(status(penpose.play, spoiled, again), penpose.Status.DIVERGED)
 

@@ -8,8 +8,9 @@ from numpy.typing import ArrayLike, DTypeLike
 
 def numbers(values: ArrayLike, width: int, kind: DTypeLike = np.float64) -> np.ndarray:
     """A list of rows of `width` numbers (1: a flat list), contiguous; the same array where it is so already."""
-    array = np.ascontiguousarray(values, dtype=kind)
-    if array.dtype.kind == 'u' and not np.array_equal(array, np.asarray(values)):
+    given = np.asarray(values)
+    array = np.ascontiguousarray(given, dtype=kind)
+    if array.dtype.kind == 'u' and not np.array_equal(array, given):
         raise ValueError('whole numbers from 0 to %d are needed' % np.iinfo(array.dtype).max)
     if width == 1:
         fits = array.ndim == 1
