@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
   penpose_handle handle = 0;
   penpose_error error;
   check(penpose_open(&library, &error) == PENPOSE_OK, error.message);
-  check(penpose_character_built_in(library, "builtin:demo-2", &handle, &error) == PENPOSE_OK, error.message);
+  check(penpose_character_built_in(library, "builtin:demo-4", &handle, &error) == PENPOSE_OK, error.message);
   const auto curve = head.place_reference(head.points_of("lip_upper").value()).value();
   std::uint32_t number = 0;
   check(penpose_curve_named(library, handle, "lip_upper", PENPOSE_REFERENCE, &number, &error) == PENPOSE_OK,

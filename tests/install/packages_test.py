@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""packages_test.py BUILD FOLDER: packs BUILD's components into FOLDER; lintian finds no error, packages ask for just what their
-programs need, and the one without the window needs neither SDL nor OpenGL."""
+"""packages_test.py BUILD FOLDER [EMULATOR...]: packs BUILD's components into FOLDER; lintian finds no error, packages ask for just what
+their programs need, and the one without the window needs neither SDL nor OpenGL. EMULATOR... runs programs of another machine; what its
+packages ask for is tried where they are installed (root_test.sh), as dpkg-shlibdeps knows the libraries of this machine alone."""
 import glob
 import os
 import re
@@ -11,6 +12,7 @@ import tempfile
 import unittest
 
 BUILD, FOLDER = [os.path.abspath(a) for a in sys.argv[1:3]]
+EMULATOR = sys.argv[3:]
 shutil.rmtree(FOLDER, ignore_errors=True)
 os.makedirs(FOLDER)
 subprocess.run(['cpack', '--config', os.path.join(BUILD, 'CPackConfig.cmake'), '-B', FOLDER], check=True, stdout=subprocess.DEVNULL, cwd=FOLDER)
@@ -36,6 +38,10 @@ class Packages(unittest.TestCase):
 
     def test_programs_are_packed(self):
         self.assertLessEqual({'penpose', 'penpose-nogui'}, set(PACKAGES))
+        machines = {field(p, 'Architecture') for p in PACKAGES.values()} - {'all'}
+        here = subprocess.run(['dpkg', '--print-architecture'], check=True, capture_output=True, text=True).stdout.strip()
+        self.assertEqual(len(machines), 1)
+        self.assertEqual(machines == {here}, not EMULATOR)
 
     def test_lintian_finds_no_error(self):
         for name, package in PACKAGES.items():
@@ -43,6 +49,7 @@ class Packages(unittest.TestCase):
             errors = [line for line in done.stdout.split('\n') if line.startswith('E:')]
             self.assertEqual((done.returncode, errors), (0, []), name + '\n' + done.stdout + done.stderr)
 
+    @unittest.skipIf(EMULATOR, 'packages of another machine')
     def test_packages_ask_for_what_is_linked_and_nothing_else(self):
         """Held against dpkg-shlibdeps, which reads it from the program; what it cannot see is named here."""
         unseen = {'libegl1', 'libgl1', 'fonts-dejavu-core'}
@@ -67,19 +74,35 @@ class Packages(unittest.TestCase):
                     enough = subprocess.run(['dpkg', '--compare-versions', asked.group(1), 'ge', least.group(2)]).returncode
                     self.assertEqual(enough, 0, '%s asks for %s, needed is %s' % (name, asked.group(0), part))
 
+    def test_the_headers_come_with_what_they_include(self):
+        """What find_package(penpose) finds and links is there with the package that has it."""
+        folder = self.unpacked('libpenpose-dev')
+        found = []
+        for path in glob.glob(folder + '/usr/lib/**/cmake/penpose/*.cmake', recursive=True):
+            with open(path) as file:
+                text = file.read()
+            found += re.findall(r'(?<!if\(OFF\)\n  )find_dependency\((\w+)\)', text)
+            for links in re.findall(r'INTERFACE_LINK_LIBRARIES "([^"]*)"', text):
+                found += [link for link in links.split(';') if '::' not in link]
+        packages = {'glm': 'libglm-dev', 'OpenMesh': 'libopenmesh-dev', 'xxhash': 'libxxhash-dev'}
+        wanted = {packages.get(name.removesuffix('Core').removesuffix('Tools'), name) for name in found if name != 'Threads'}
+        self.assertIn('libglm-dev', wanted)
+        self.assertEqual(names_in(field(PACKAGES['libpenpose-dev'], 'Depends')), wanted | {'libpenpose0'})
+
     def test_without_the_window_there_is_no_opengl(self):
         folder = self.unpacked('penpose-nogui')
         program = folder + '/usr/bin/penpose'
+        run = EMULATOR + [program]
         linked = subprocess.run(['readelf', '-d', program], check=True, capture_output=True, text=True).stdout
         self.assertNotRegex(linked, r'NEEDED.*(SDL|epoxy|libGL|libEGL)')
         self.assertFalse(os.path.exists(folder + '/usr/share/applications'))
-        done = subprocess.run([program, 'demo', '-o', folder + '/out'], capture_output=True, text=True)
+        done = subprocess.run(run + ['demo', '-o', folder + '/out'], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(os.listdir(folder + '/out'), ['demo.glb'])
-        done = subprocess.run([program, 'render', folder + '/out/demo.glb', '-o', folder + '/x.png'], capture_output=True, text=True)
+        done = subprocess.run(run + ['render', folder + '/out/demo.glb', '-o', folder + '/x.png'], capture_output=True, text=True)
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, r'^penpose: .*built without OpenGL.*\n$')
-        done = subprocess.run([program], capture_output=True, text=True)
+        done = subprocess.run(run, capture_output=True, text=True)
         self.assertEqual(done.returncode, 2)
 
     def test_the_same_build_gives_the_same_package(self):

@@ -75,6 +75,12 @@ golden=$(awk '$1 == "demo_2.session" {print $2}' "$hashes")
 [ "$state" = "$golden" ] || { echo "FAILED: the session ends in $state, golden is $golden"; exit 1; }
 echo "state $state, as golden"
 [ -s "$root/tmp/demo/demo.glb" ] || { echo "FAILED: the demo wrote nothing"; exit 1; }
+case " ${names[*]} " in *" python3-penpose "*)
+  state=$(inside python3 -c 'import penpose
+with open("/usr/share/penpose/sessions/demo.session", "rb") as file: print(penpose.play(file.read())[0].state)')
+  [ "$state" = "$golden" ] || { echo "FAILED: in Python the session ends in $state, golden is $golden"; exit 1; }
+  echo "the same in Python" ;;
+esac
 
 inside apt-get purge -y -qq "${names[@]}" >>"$folder/apt-$architecture.log" 2>&1
 inside apt-get autoremove -y -qq --purge >>"$folder/apt-$architecture.log" 2>&1

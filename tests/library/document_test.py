@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The examples of docs/library.md, as they stand there: built or run with the installed libraries, all say the same, and each line of the
-conversation is answered with yes."""
+conversation is answered with yes. The script that it names poses the head and plots what is left."""
 import argparse
 import json
 import os
@@ -41,6 +41,15 @@ def main():
     print(''.join(said), end='')
     if len(said) != 1 or not re.fullmatch(r'the corner is off by [0-9.]+ mm\n', said.pop()):
         sys.exit('the examples do not say the same')
+    plot = os.path.join(work, 'residual.png')
+    told = run('/usr/bin/python3', os.path.join(arguments.source, 'ui/python/examples/pose_the_head.py'), plot, env=python)
+    if [line.split()[0] for line in told.splitlines()[1:]] != ['default', 'exact', 'paper']:
+        sys.exit('the script says\n' + told)
+    with open(plot, 'rb') as file:
+        head = file.read(24)
+    width, height = int.from_bytes(head[16:20], 'big'), int.from_bytes(head[20:24], 'big')
+    if head[:8] != b'\x89PNG\r\n\x1a\n' or width < 1000 or height < 300:
+        sys.exit('the plot is no picture of %d x %d px' % (width, height))
     if arguments.penpose:
         session = os.path.join(work, 'talk.session')
         if os.path.exists(session):

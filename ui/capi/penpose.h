@@ -24,7 +24,7 @@
  *     uint32_t lip = 0;
  *     penpose_error error;
  *     if (penpose_open(&library, &error) ||
- *         penpose_character_built_in(library, "builtin:demo-2", &head, &error) ||
+ *         penpose_character_built_in(library, "builtin:demo-4", &head, &error) ||
  *         penpose_curve_named(library, head, "lip_upper", PENPOSE_REFERENCE, &lip, &error) ||
  *         penpose_target_points(library, head, lip, xyz, count, &error) ||
  *         penpose_solve(library, head, PENPOSE_PRESET_DEFAULT, &error) ||
@@ -98,7 +98,7 @@ PENPOSE_API int32_t penpose_handle_count(penpose_library* library, size_t* count
 PENPOSE_API int32_t penpose_character_read(penpose_library* library, const void* bytes, size_t size, const char* hint,
                                            penpose_handle* character, penpose_error* error);
 /* "builtin:head-4", the program's own head, which has nothing to pose yet, or "builtin:demo-4", the same with sketched
- * deformers. Older sessions have "builtin:head", "builtin:head-2", "builtin:demo" and "builtin:demo-2". */
+ * deformers. Older sessions have "builtin:head", "builtin:demo", and both with -2 and -3. */
 PENPOSE_API int32_t penpose_character_built_in(penpose_library* library, const char* name, penpose_handle* character,
                                                penpose_error* error);
 

@@ -65,9 +65,11 @@ endfunction()
 
 set(c_library "libc6 (>= 2.36)" "libgcc-s1 (>= 3.5)" "libstdc++6 (>= 12)")
 set(solver "")  # tinygltf and nlohmann-json are compiled in
+set(headers libglm-dev libxxhash-dev)  # what find_package(penpose) and the C++ headers want
 get_target_property(mesh_links core_mesh LINK_LIBRARIES)
 if(mesh_links MATCHES "OpenMesh")
   list(APPEND solver "libopenmesh1 (>= 9.0)")
+  list(APPEND headers libopenmesh-dev)
 endif()
 set(tablets "libhidapi-hidraw0 (>= 0.8.0~rc1+git20140201.3a66d4e+dfsg)" "libudev1 (>= 183)" "libusb-1.0-0 (>= 2:1.0.23~)")
 penpose_package(penpose graphics "pose and rig 3D characters by drawing"
@@ -92,10 +94,11 @@ sketched deformers, recorded sessions, and pen tablets from their raw reports."
   DEPENDS ${c_library} ${solver})
 penpose_package(libpenpose-dev libdevel "pose and rig 3D characters by drawing, for programs"
 "The headers of penpose's library in C and in C++, and what CMake needs to find
-them." DEPENDS "libpenpose0 (= ${PROJECT_VERSION})")
+them." DEPENDS "libpenpose0 (= ${PROJECT_VERSION})" ${headers})
 penpose_package(python3-penpose python "pose and rig 3D characters by drawing, for Python"
 "penpose's library for Python 3, with arrays of NumPy in and out." ANY DEPENDS "libpenpose0 (>= ${PROJECT_VERSION})" python3 python3-numpy)
 set(CPACK_DEBIAN_LIBPENPOSE0_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/triggers)
+set(CPACK_DEBIAN_PYTHON3-PENPOSE_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/python/postinst ${CMAKE_CURRENT_LIST_DIR}/python/prerm)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 include(CPack)

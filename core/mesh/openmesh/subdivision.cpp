@@ -4,6 +4,7 @@
 #include <OpenMesh/Tools/Subdivider/Uniform/CatmullClarkT.hh>
 #include <algorithm>
 #include <exception>
+#include <new>
 #include <string>
 
 namespace penpose::mesh {
@@ -42,6 +43,8 @@ base::Result<QuadMesh> catmull_clark(const QuadMesh& mesh) {
   try {
     Subdivider subdivider;
     if (!subdivider(poly, 1)) return base::Error{"the mesh cannot be subdivided", "", ""};
+  } catch (const std::bad_alloc&) {
+    throw;  // that there is no memory says nothing of the mesh
   } catch (const std::exception& problem) {
     return base::Error{problem.what(), "", ""};
   }

@@ -1,7 +1,7 @@
 """Poses and rigs 3D characters by drawing.
 
     import penpose
-    head = penpose.Character.built_in('builtin:demo-2')
+    head = penpose.Character.built_in('builtin:demo-4')
     lip = head.curve("lip_upper")
     head.target(lip, head.positions(lip) + [0, 0.002, 0])
     head.solve()
@@ -12,10 +12,10 @@ Arrays are numpy's: points are (n, 3) in the model's unit of length, px are (n, 
 wait for each other, and different characters do not. docs/library.md says more.
 """
 from ._c import ABI_VERSION, Error, Status, version
-from .character import Character, Preset, Role, View
+from .character import Character, Joint, Live, Parameter, Preset, Role, Shape, View
 from .session import Playback, play
 from .tablet import Axis, Sample, Tablet
 
-__all__ = ['ABI_VERSION', 'Axis', 'Character', 'Error', 'Playback', 'Preset', 'Role', 'Sample', 'Status', 'Tablet', 'View', 'play',
-           'version']
+__all__ = ['ABI_VERSION', 'Axis', 'Character', 'Error', 'Joint', 'Live', 'Parameter', 'Playback', 'Preset', 'Role', 'Sample', 'Shape',
+           'Status', 'Tablet', 'View', 'play', 'version']
 __version__ = version()

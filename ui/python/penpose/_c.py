@@ -3,9 +3,11 @@ import ctypes
 import ctypes.util
 import enum
 import os
-from ctypes import POINTER, byref, c_char, c_char_p, c_double, c_float, c_int32, c_size_t, c_uint8, c_uint16, c_uint32, c_uint64, c_void_p
+from ctypes import POINTER, byref, c_char, c_char_p, c_double, c_int32, c_size_t, c_uint16, c_uint32, c_uint64, c_void_p
+from typing import Any, Callable
 
 ABI_VERSION = 0
+Function = Callable[..., Any]  # one of the library, as ctypes calls it
 
 
 class Status(enum.IntEnum):
@@ -23,7 +25,7 @@ class Status(enum.IntEnum):
 class Error(Exception):
     """A call that changed nothing. `status` says why; the text is one line for a person."""
 
-    def __init__(self, status: int, message: str):
+    def __init__(self, status: int, message: str) -> None:
         super().__init__(message)
         self.status = Status(status)
 
@@ -186,7 +188,7 @@ def version() -> str:
     return C.penpose_version().decode()
 
 
-def check(function, *arguments) -> None:
+def check(function: Function, *arguments: Any) -> None:
     """Calls a function of the library; what it says against it is raised."""
     error = _Error()
     if function(*arguments, byref(error)):
@@ -196,11 +198,11 @@ def check(function, *arguments) -> None:
 class Library:
     """What the handles of this package live in; freed with the last of them."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.pointer = c_void_p()
         check(C.penpose_open, byref(self.pointer))
 
-    def __del__(self):
+    def __del__(self) -> None:
         if getattr(self, 'pointer', None):
             C.penpose_close(byref(self.pointer))
 
@@ -211,18 +213,18 @@ LIBRARY = Library()
 class Handle:
     """Something that lives in the library and is freed with this."""
 
-    def __init__(self, handle: int):
+    def __init__(self, handle: int) -> None:
         self._library = LIBRARY
         self._on = (LIBRARY.pointer, c_uint64(handle))
 
-    def _call(self, function, *arguments) -> None:
+    def _call(self, function: Function, *arguments: Any) -> None:
         check(function, *self._on, *arguments)
 
     def close(self) -> None:
         """Frees it; any use after that raises Error with Status.BAD_HANDLE."""
         self._call(C.penpose_free)
 
-    def __del__(self):
+    def __del__(self) -> None:
         if getattr(self, '_on', None) and self._library.pointer:
             C.penpose_free(*self._on, None)
 
@@ -235,7 +237,7 @@ def text(value: str) -> bytes:
     return out
 
 
-def made(function, *arguments) -> int:
+def made(function: Function, *arguments: Any) -> int:
     """The handle that a function gives out, in the place of the last argument, None."""
     handle = c_uint64()
     check(function, *arguments[:-1], byref(handle))

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _c
 from ._arrays import numbers, pointer
@@ -46,7 +47,7 @@ class View:
         three = c_double * 3
         return _c.CView(three(*self.eye), three(*self.look_at), three(*self.up), self.vertical_fov_degrees, self.width, self.height)
 
-    def project(self, points) -> np.ndarray:
+    def project(self, points: ArrayLike) -> np.ndarray:
         """Where the picture shows points (n, 3): px (n, 2). Raises Error where one lies behind it."""
         xyz = numbers(points, 3)
         px = np.empty((len(xyz), 2))
@@ -81,11 +82,11 @@ class Joint:
 class Live(_c.Handle):
     """The pose that follows a target while it is drawn (Character.live)."""
 
-    def __init__(self, handle: int, parameters: int):
+    def __init__(self, handle: int, parameters: int) -> None:
         super().__init__(handle)
         self._pose = np.empty(parameters)
 
-    def follow(self, px) -> np.ndarray:
+    def follow(self, px: ArrayLike) -> np.ndarray:
         """The pose for the line so far, all px (n, 2) since the pen went down. The array is the same one every time."""
         line = numbers(px, 2)
         self._call(C.penpose_live_follow, pointer(line), len(line), pointer(self._pose), len(self._pose), None)
@@ -95,7 +96,7 @@ class Live(_c.Handle):
 class Character(_c.Handle):
     """A character that is posed. Made by `read`, `built_in`, `from_arrays`, `copy` or `penpose.play`."""
 
-    def __init__(self, handle: int):
+    def __init__(self, handle: int) -> None:
         super().__init__(handle)
         self._solve = (C.penpose_solve, *self._on)
 
@@ -110,8 +111,8 @@ class Character(_c.Handle):
         return cls(made(C.penpose_character_built_in, LIBRARY.pointer, text(name), None))
 
     @classmethod
-    def from_arrays(cls, positions, triangles, shapes: Sequence[Shape] = (), joints: Sequence[Joint] = (), joint_of=None,
-                    weight_of=None) -> 'Character':
+    def from_arrays(cls, positions: ArrayLike, triangles: ArrayLike, shapes: Sequence[Shape] = (), joints: Sequence[Joint] = (),
+                    joint_of: Optional[ArrayLike] = None, weight_of: Optional[ArrayLike] = None) -> 'Character':
         """From positions (vertices, 3), triangles (n, 3), blend shapes, and joints with (vertices, k) numbers and weights."""
         xyz, corners = numbers(positions, 3), numbers(triangles, 3, np.uint32)
         keep: List[object] = [xyz, corners]
@@ -154,6 +155,7 @@ class Character(_c.Handle):
 
     @property
     def vertex_count(self) -> int:
+        """How many there are."""
         return self._counts().vertices
 
     @property
@@ -186,7 +188,7 @@ class Character(_c.Handle):
         """A project as .glb, or .obj as it is posed."""
         return self._bytes(C.penpose_write, text(format))
 
-    def _bytes(self, function, *arguments) -> bytes:
+    def _bytes(self, function: _c.Function, *arguments: object) -> bytes:
         size = c_size_t()
         self._call(function, *arguments, None, 0, byref(size))
         buffer = create_string_buffer(max(1, size.value))
@@ -203,7 +205,7 @@ class Character(_c.Handle):
         return out
 
     @pose.setter
-    def pose(self, values) -> None:
+    def pose(self, values: ArrayLike) -> None:
         array = numbers(values, 1)
         self._call(C.penpose_set_pose, pointer(array), len(array))
 
@@ -223,7 +225,7 @@ class Character(_c.Handle):
         """Whether a solve may move a parameter."""
         self._call(C.penpose_lock, text(name), int(locked))
 
-    def evaluate(self, pose=None, out: Optional[np.ndarray] = None) -> np.ndarray:
+    def evaluate(self, pose: Optional[ArrayLike] = None, out: Optional[np.ndarray] = None) -> np.ndarray:
         """Positions (vertices, 3) at a pose (default: its own). `out`: an array of float64 or float32 to write into, not copied."""
         values = None if pose is None else numbers(pose, 1)
         if values is not None and values.size == 0 and self.parameters:
@@ -243,12 +245,12 @@ class Character(_c.Handle):
         """A curve that has a name in the model."""
         return self._curve(C.penpose_curve_named, text(name), role)
 
-    def curve_at(self, vertices, role: Role = Role.REFERENCE) -> int:
+    def curve_at(self, vertices: ArrayLike, role: Role = Role.REFERENCE) -> int:
         """A curve of vertices."""
         array = numbers(vertices, 1, np.uint32)
         return self._curve(C.penpose_curve_from_vertices, pointer(array), len(array), role)
 
-    def curve_of(self, triangles, shares, role: Role = Role.REFERENCE) -> int:
+    def curve_of(self, triangles: ArrayLike, shares: ArrayLike, role: Role = Role.REFERENCE) -> int:
         """A curve of points of the surface: (n,) triangles and (n, 3) shares of their corners."""
         where, parts = numbers(triangles, 1, np.uint32), numbers(shares, 3)
         if len(where) != len(parts):
@@ -258,12 +260,12 @@ class Character(_c.Handle):
             point.triangle, point.shares[:] = int(triangle), row
         return self._curve(C.penpose_curve_from_points, points, len(where), role)
 
-    def draw(self, view: View, px, role: Role = Role.REFERENCE) -> int:
+    def draw(self, view: View, px: ArrayLike, role: Role = Role.REFERENCE) -> int:
         """A curve drawn on the character as it is posed: px (n, 2) of a view."""
         line = numbers(px, 2)
         return self._curve(C.penpose_curve_from_stroke, byref(view._c()), pointer(line), len(line), role)
 
-    def _curve(self, function, *arguments) -> int:
+    def _curve(self, function: _c.Function, *arguments: object) -> int:
         curve = c_uint32()
         self._call(function, *arguments, byref(curve))
         return curve.value
@@ -285,18 +287,19 @@ class Character(_c.Handle):
         return out
 
     def delete(self, curve: int) -> None:
+        """Deletes one curve; the pose stays."""
         self._call(C.penpose_curve_delete, curve)
 
     def clear(self) -> None:
         """Deletes all curves; the pose stays."""
         self._call(C.penpose_curves_clear)
 
-    def target(self, curve: int, points) -> None:
+    def target(self, curve: int, points: ArrayLike) -> None:
         """Says where each point of a reference should go: (n, 3). `solve` brings it there."""
         xyz = numbers(points, 3)
         self._call(C.penpose_target_points, curve, pointer(xyz), len(xyz))
 
-    def draw_target(self, curve: int, view: View, px, pressure=None) -> None:
+    def draw_target(self, curve: int, view: View, px: ArrayLike, pressure: Optional[ArrayLike] = None) -> None:
         """Draws where a reference should go, and solves at once as the window does when the pen lifts."""
         line = numbers(px, 2)
         pressed = None if pressure is None else numbers(pressure, 1)
@@ -318,8 +321,9 @@ class Character(_c.Handle):
         self._call(C.penpose_view_of, yaw_degrees, pitch_degrees, width, height, byref(c))
         return View(tuple(c.eye), tuple(c.look_at), tuple(c.up), c.vertical_fov_degrees, c.width, c.height)
 
-    def sketch(self, view: View, general, specific, target, reference=None, name: Optional[str] = None, mode: str = 'auto',
-               range: Tuple[float, float] = (0, 1), target_view: Optional[View] = None) -> None:
+    def sketch(self, view: View, general: ArrayLike, specific: ArrayLike, target: ArrayLike, reference: Optional[ArrayLike] = None,
+               name: Optional[str] = None, mode: str = 'auto', range: Tuple[float, float] = (0, 1),
+               target_view: Optional[View] = None) -> None:
         """Sketches a deformer in strokes of px (n, 2), on the character at rest: a new parameter. `mode`: auto, translate, rotate."""
         lines = [None if line is None else numbers(line, 2) for line in (general, specific, reference, target)]
         places = [item for line in lines for item in (pointer(line), 0 if line is None else len(line))]

@@ -37,7 +37,7 @@ class Sample(NamedTuple):
 class Tablet(_c.Handle):
     """One interface of a tablet, known by its ids and its HID report descriptor. Raises Error where nothing known reads it."""
 
-    def __init__(self, vendor: int, product: int, descriptor: bytes = b'', name: str = '', bus: int = 3):
+    def __init__(self, vendor: int, product: int, descriptor: bytes = b'', name: str = '', bus: int = 3) -> None:
         handle, axes = c_uint64(), _c.CAxes()
         interface = _c.CInterface(bus, vendor, product, text(name), descriptor or None, len(descriptor))
         _c.check(C.penpose_tablet, LIBRARY.pointer, byref(interface), byref(handle), byref(axes))
