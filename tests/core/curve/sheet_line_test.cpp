@@ -51,8 +51,8 @@ struct Look {
         positions(mesh->positions().begin(), mesh->positions().end()),
         tree(positions, mesh->triangles()),
         sheets(*mesh) {}
-  ProjectedStroke draw(const std::vector<PxPoint>& line) {
-    return sheet_curve(line, 32, camera, {tree, positions, mesh->triangles(), sheets}).value();
+  ProjectedStroke draw(const std::vector<PxPoint>& line, Holding holding = Holding::loose) {
+    return sheet_curve(line, 32, camera, {tree, positions, mesh->triangles(), sheets, holding}).value();
   }
 };
 
@@ -87,6 +87,22 @@ TEST(SheetCurve, MouthLineStaysOnTheLipThatMostOfItIsOn) {
     EXPECT_NEAR(drawn.positions.front().x, 0.1, 0.001 * k_stick_px * 2);
     EXPECT_NEAR(drawn.positions.back().x, 0.9, 0.001 * k_stick_px * 2);
   }
+}
+
+TEST(SheetCurve, AFlatLineAlongTheLipKeepsItsCorners) {
+  Look look(swept({lips()}));
+  // On the lower lip, but for the corners, which lie as far above the seam as a hand is off where a face is large.
+  std::vector<PxPoint> line;
+  for (int i = 0; i <= 80; ++i) {
+    const double s = i / 40.0 - 1;
+    line.push_back({500 + 200 * s, 506 - 30 * s * s * s * s});
+  }
+  EXPECT_GT(look.draw(line, Holding::firm).dropped, 5U) << "which is why there are newer rules";
+  const auto drawn = look.draw(line, Holding::far);
+  EXPECT_EQ(drawn.dropped, 0U);
+  EXPECT_NEAR(drawn.positions.front().x, 0.1, 0.001 * k_stick_px * 2);
+  EXPECT_NEAR(drawn.positions.back().x, 0.9, 0.001 * k_stick_px * 2);
+  for (const ModelPoint& p : drawn.positions) EXPECT_LT(p.y, 0.5) << "all of it on the lip that most of it is on";
 }
 
 TEST(SheetCurve, RimIsMetFromInsideTheHole) {
@@ -152,9 +168,11 @@ TEST(SheetCurve, KeepsTheLongestPartWhereItLeavesTheSheet) {
   add_plate(source, 0.0, 0.65, 0.0);
   add_plate(source, 0.65, 1.0, -0.6);
   Look look(mesh::TriangleMesh::build(std::move(source)).value());
-  const auto drawn = look.draw(wavy(500, 3));
-  EXPECT_GT(drawn.dropped, 10U);
-  for (const ModelPoint& p : drawn.positions) EXPECT_NEAR(p.z, 0, 1e-6);
+  for (const auto holding : {Holding::loose, Holding::far}) {
+    const auto drawn = look.draw(wavy(500, 3), holding);
+    EXPECT_GT(drawn.dropped, 10U);
+    for (const ModelPoint& p : drawn.positions) EXPECT_NEAR(p.z, 0, 1e-6);
+  }
 }
 
 TEST(SheetCurve, WhatNeverTouchesIsRefused) {
