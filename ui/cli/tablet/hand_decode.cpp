@@ -184,13 +184,14 @@ int HandRun::run() {
   const auto done = decode(source);
   if (!done) return files::report(done.error(), options_.trace);
   end_output(source);
-  for (const auto& problem : source.problems()) std::cerr << "penpose: " << problem.line(options_.trace) << '\n';
   if (!std::cout) return files::report({"the output cannot be written", "", "check the disk"});
   if (source.devices().empty() && reports_ == 0) {
     return files::report({"is no recording: it has neither devices nor reports", "",
                           "give a text file as hid-recorder or `penpose record` writes it"},
                          options_.trace);
   }
+  // After the refusal, which is one line: where nothing can be read, it matters little what each line lacks.
+  for (const auto& problem : source.problems()) std::cerr << "penpose: " << problem.line(options_.trace) << '\n';
   return k_success;
 }
 

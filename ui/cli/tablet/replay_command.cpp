@@ -239,12 +239,12 @@ int replay_session(const ReplayArguments& arguments) {
   const auto played = replay::play_session(files::read_from_file(file->get()), options);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (!played) return files::report(played.error(), arguments.session);
-  for (const auto& problem : played->problems) std::cerr << "penpose: " << problem.line(arguments.session) << '\n';
   if (!played->session) {
     return files::report({"holds nothing to replay: neither reports nor lines of a session", "",
                           "give a session, or a trace as hid-recorder or `penpose record` writes it"},
                          arguments.session);
   }
+  for (const auto& problem : played->problems) std::cerr << "penpose: " << problem.line(arguments.session) << '\n';
   for (const auto& refusal : played->refusals) std::cerr << "penpose: " << refusal.line(arguments.session) << '\n';
   if (arguments.strokes && played->session->stroke_count() < *arguments.strokes) {
     files::warn("it has no more than " + std::to_string(played->session->stroke_count()) + " strokes",

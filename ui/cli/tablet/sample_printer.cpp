@@ -189,10 +189,12 @@ void append_json_text(std::string& out, const std::string& text) {
     if (lead == '"' || lead == '\\') {
       out += '\\';
       out += static_cast<char>(lead);
-    } else if (lead < 0x20) {
+    } else if (const unsigned code = lead == 0xc2 ? byte(i + 1) : lead;
+               code < 0x20 || code == 0x7f || (lead == 0xc2 && code < 0xa0)) {
+      // JSON lets DEL and the second row of control characters stand, but they steer a terminal as the first does.
       out += "\\u00";
-      out += k_digits[lead >> 4];
-      out += k_digits[lead & 0xf];
+      out += k_digits[code >> 4];
+      out += k_digits[code & 0xf];
     } else {
       out.append(text, i, length);
     }

@@ -1,5 +1,6 @@
 #include "ui/cli/tablet/hand_decode.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -140,6 +141,10 @@ TEST_F(HandDecode, WrongUsageAndWrongFilesAreSaid) {
   const auto outcome = decode("nothing of the kind\n", {"--pad"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.error.find("is no recording"), std::string::npos) << outcome.error;
+  // Lines that cannot be read add nothing to that.
+  const auto broken = decode("R: 2 05\nE: 0.1 9 00\nE: 0.2", {"--touch"});
+  EXPECT_EQ(broken.status, 1);
+  EXPECT_EQ(std::count(broken.error.begin(), broken.error.end(), '\n'), 1) << broken.error;
 }
 
 }  // namespace

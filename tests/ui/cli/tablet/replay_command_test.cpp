@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "core/document/document_hash.h"
@@ -120,6 +121,9 @@ TEST_F(ReplayCommand, AFileThatIsNoSessionIsNamed) {
   save("notes.txt", std::string("dear diary\n"));
   EXPECT_EQ(run({"replay", path("notes.txt")}), 1);
   EXPECT_NE(error_.find("notes.txt: holds nothing to replay"), std::string::npos) << error_;
+  save("cut.hid", std::string("E: zz\nE: 0.1 9 00\nE: 0.2"));
+  EXPECT_EQ(run({"replay", path("cut.hid")}), 1);
+  EXPECT_EQ(std::count(error_.begin(), error_.end(), '\n'), 1) << error_;
 }
 
 }  // namespace

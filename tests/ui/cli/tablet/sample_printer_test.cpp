@@ -62,5 +62,15 @@ TEST(SamplePrinter, TextIsAlwaysValidJson) {
   }
 }
 
+TEST(SamplePrinter, WhatSteersATerminalIsEscapedAndStaysWhatItWas) {
+  const std::string text =
+      "a\x1b[2J\x7f\xc2\x9b"
+      "31m \xc2\xa0";
+  std::string out;
+  append_json_text(out, text);
+  EXPECT_EQ(out, "\"a\\u001b[2J\\u007f\\u009b31m \xc2\xa0\"");
+  EXPECT_EQ(nlohmann::json::parse(out), text);
+}
+
 }  // namespace
 }  // namespace penpose::cli
