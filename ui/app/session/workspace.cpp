@@ -6,6 +6,7 @@
 
 #include "core/document/drawing/pose_problem.h"
 #include "core/intent/solve.h"
+#include "ui/app/session/kept_line.h"
 #include "ui/app/view/said.h"
 
 namespace penpose::app {
@@ -120,6 +121,19 @@ void Workspace::after_steps(const document::Document& before, bool solved) {
   solved_revision_ = revision_;
   solved_curve_ = drawn;
   measure_left();
+}
+
+void Workspace::tell_of_cut(const document::Document& before, const replay::DrawnStroke& drawn) {
+  constexpr double k_most_of_it = 0.85;
+  for (const auto& curve : document().curves) {
+    if (curve->target || curve->points.size() < 2 || document::find_curve(before, curve->id) != nullptr) continue;
+    const double kept = kept_share(document(), *curve, drawn.view, drawn.samples);
+    if (kept >= k_most_of_it) continue;
+    tell_("Only " + std::to_string(static_cast<int>(100 * kept)) +
+              " % of the line was kept, the rest lies off that part of the surface: undo, and draw along one part, or "
+              "from nearer",
+          false);
+  }
 }
 
 void Workspace::measure_left() {
@@ -268,10 +282,14 @@ std::vector<PenMoment> Workspace::report_at(int device, std::int64_t received_us
   const std::int64_t time_us = std::max<std::int64_t>(0, received_us - began_us_);
   const document::Document before = document();
   const std::size_t count = editor().history().undo_count();
+  // What the report may end.
+  std::optional<replay::DrawnStroke> drawn;
+  if (session().pens().current() != nullptr) drawn = *session().pens().current();
   const auto moments = live_->report(device, time_us, bytes);
   std::vector<PenMoment> out(moments.begin(), moments.end());
   if (editor().history().undo_count() > count) joined_.performed(count, false);
   after_steps(before);
+  if (drawn && session().pens().current() == nullptr) tell_of_cut(before, *drawn);
   // The stroke has ended: what is shown is the document again.
   if (session().pens().current() == nullptr) {
     follow_.end();

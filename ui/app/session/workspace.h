@@ -135,6 +135,8 @@ class Workspace {
   void after_steps(const document::Document& before, bool solved = true);
   void follow_habits(const document::Document& before, bool solved);
   void measure_left();
+  /// Says so where a new reference is but a part of what was drawn for it.
+  void tell_of_cut(const document::Document& before, const replay::DrawnStroke& drawn);
 
   Clock clock_;
   Tell tell_;
