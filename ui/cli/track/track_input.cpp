@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "core/base/numbers.h"
+#include "core/base/text/letters.h"
 #include "ui/files/files.h"
 #include "ui/files/folder_files.h"
 
@@ -44,7 +45,7 @@ base::Result<PointFolder> read_folder(const std::vector<std::string>& named) {
   std::optional<base::Error> first;
   bool any = false;
   const auto add = [&](base::Bytes bytes) {
-    if (base::as_text(bytes).starts_with("\xef\xbb\xbf")) bytes = bytes.subspan(3);
+    bytes = base::as_bytes(base::without_mark(base::as_text(bytes)));
     all.text.insert(all.text.end(), bytes.begin(), bytes.end());
     all.text.push_back('\n');
   };
