@@ -156,7 +156,7 @@ class Trial {
       if (judge.passes(strain) || round == k_rounds) break;
       std::fill(marked.begin(), marked.end(), 0);
       meter_.mark_worst(judge.bound, marked);
-      for (int ring = 0; ring <= round / k_rounds_a_ring; ++ring) grow(marked);
+      grow(marked, 1 + round / k_rounds_a_ring);
       for (int pass = 0; pass < k_passes; ++pass) smooth(relaxed.passengers, marked);
     }
     relaxed.passengers = std::move(best);
@@ -224,7 +224,7 @@ class Trial {
         meter_.mark_worst(1e9, marked);
         grow(marked);
         stiff = marked;
-        for (int ring = 0; ring <= round / 2; ++ring) grow(marked);
+        grow(marked, 1 + round / 2);
         relaxation_->unfold(stiff, marked, k_unfold_sweeps, places);
       }
       if (strain.stretch > judge.bound) relaxation_->limit_stretch(k_safe * judge.bound, k_limit_sweeps, places);
@@ -255,10 +255,22 @@ class Trial {
     }
   }
 
-  void grow(std::vector<std::uint8_t>& marked) const {
-    const std::vector<std::uint8_t> before = marked;
-    for (const mesh::Triangle& t : parts_.patch.triangles()) {
-      if (before[t[0]] != 0 || before[t[1]] != 0 || before[t[2]] != 0) marked[t[0]] = marked[t[1]] = marked[t[2]] = 1;
+  /// Marks what lies about the marked nodes too, `rings` times.
+  void grow(std::vector<std::uint8_t>& marked, int rings = 1) const {
+    std::vector<std::uint32_t> last;
+    for (std::uint32_t node = 0; node < marked.size(); ++node) {
+      if (marked[node] != 0) last.push_back(node);
+    }
+    for (std::vector<std::uint32_t> next; rings > 0; --rings, last.swap(next), next.clear()) {
+      for (const std::uint32_t node : last) {
+        for (const std::uint32_t t : parts_.patch.star(node)) {
+          for (const std::uint32_t other : parts_.patch.triangles()[t]) {
+            if (marked[other] != 0) continue;
+            marked[other] = 1;
+            next.push_back(other);
+          }
+        }
+      }
     }
   }
 
@@ -335,8 +347,10 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
   const Judge judge{k_bound * std::max(1.0, curve::arc_length<ModelPoint>(parts.target) / length)};
   Trial trial(parts, bond, range);
   std::optional<Outcome> best;
+  std::vector<double> inward;
   for (const double depth : k_depths) {
-    const auto weights = depth > 0.0 ? parts.falloff.weights(depth, bond.distances) : parts.falloff.weights();
+    if (depth > 0.0 && inward.empty()) inward = parts.falloff.inward();
+    const auto weights = depth > 0.0 ? parts.falloff.weights(depth, inward, bond.distances) : parts.falloff.weights();
     std::vector<Outcome> tried;
     for (const auto& [motion, factor] : {std::pair{straight, 1.0}, std::pair{swing, k_measurably}}) {
       if (!motion) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -21,11 +22,17 @@ using ModelPoint = glm::dvec3;
 using ModelVector = glm::dvec3;
 
 /// Distances with an exact square root, so that they are the same on every machine.
-[[nodiscard]] double distance(PxPoint a, PxPoint b);
-[[nodiscard]] double distance(const ModelPoint& a, const ModelPoint& b);
-[[nodiscard]] double length(const ModelVector& v);
+[[nodiscard]] inline double distance(PxPoint a, PxPoint b) {
+  const PxPoint d = a - b;
+  return std::sqrt(d.x * d.x + d.y * d.y);
+}
+[[nodiscard]] inline double length(const ModelVector& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+[[nodiscard]] inline double distance(const ModelPoint& a, const ModelPoint& b) { return length(a - b); }
 /// v / |v|, or `fallback` for a vector too short to have a direction.
-[[nodiscard]] ModelVector normalized(const ModelVector& v, const ModelVector& fallback = {0, 0, 1});
+[[nodiscard]] inline ModelVector normalized(const ModelVector& v, const ModelVector& fallback = {0, 0, 1}) {
+  const double size = length(v);
+  return size > 1e-300 ? v / size : fallback;
+}
 
 /// A half line: origin + t direction, t >= 0. The direction has length one unless its maker says otherwise.
 struct Ray {

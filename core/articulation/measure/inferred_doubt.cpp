@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <glm/geometric.hpp>
 
 #include "core/articulation/motion/reference_curve.h"
 
@@ -21,15 +21,22 @@ constexpr double k_wide = 0.27;
 constexpr int k_steps = 7;
 constexpr double k_near = 1.6;
 
+double square_apart(const ModelPoint& a, const ModelPoint& b) {
+  const ModelVector way = a - b;
+  return glm::dot(way, way);
+}
+
 /// The vertices that a curve was found from, welded, and their neighbours among themselves.
 class Core {
  public:
   Core(const Canvas& canvas, const Region& region, std::span<const std::uint32_t> specific) {
+    constexpr std::uint32_t k_none = ~0U;
     const auto weld = canvas.mesh().weld();
-    std::map<std::uint32_t, std::uint32_t> number;
+    std::vector<std::uint32_t> number(canvas.positions().size(), k_none);
     for (const std::uint32_t i : specific) {
       const std::uint32_t v = weld[region.vertices[i]];
-      if (!number.emplace(v, static_cast<std::uint32_t>(places.size())).second) continue;
+      if (number[v] != k_none) continue;
+      number[v] = static_cast<std::uint32_t>(places.size());
       places.push_back(canvas.positions()[v]);
     }
     beside_.resize(places.size());
@@ -39,8 +46,8 @@ class Core {
       std::array<std::uint32_t, 3> at{};
       std::size_t known = 0;
       for (const std::uint32_t v : t) {
-        const auto found = number.find(weld[v]);
-        if (found != number.end()) at[known++] = found->second;
+        const std::uint32_t found = number[weld[v]];
+        if (found != k_none) at[known++] = found;
       }
       for (std::size_t i = 0; i < known; ++i) {
         for (std::size_t k = 0; k < known; ++k) {
@@ -59,8 +66,13 @@ class Core {
 
   [[nodiscard]] std::size_t nearest(const ModelPoint& to) const {
     std::size_t best = 0;
+    double nearest = square_apart(places[0], to);
     for (std::size_t i = 1; i < places.size(); ++i) {
-      if (geometry::distance(places[i], to) < geometry::distance(places[best], to)) best = i;
+      const double square = square_apart(places[i], to);
+      // What differs in the squares' last bits alone is as near.
+      if (!(square < nearest) || !(std::sqrt(square) < std::sqrt(nearest))) continue;
+      best = i;
+      nearest = square;
     }
     return best;
   }
@@ -81,8 +93,12 @@ class Core {
       }
       front = std::move(next);
     }
+    const double near = k_near * edge;
+    const double surely_far = 1.000001 * near * near;
     for (std::size_t i = 0; i < places.size(); ++i) {
-      if (reached[i] == 0 && geometry::distance(places[i], places[at]) < k_near * edge) return true;
+      if (reached[i] != 0) continue;
+      const double square = square_apart(places[i], places[at]);
+      if (square < surely_far && std::sqrt(square) < near) return true;
     }
     return false;
   }
@@ -92,9 +108,9 @@ class Core {
 };
 
 double distance_to(std::span<const ModelPoint> curve, const ModelPoint& p) {
-  double nearest = geometry::distance(curve.front(), p);
-  for (const ModelPoint& q : curve) nearest = std::min(nearest, geometry::distance(q, p));
-  return nearest;
+  double nearest = square_apart(curve.front(), p);
+  for (const ModelPoint& q : curve) nearest = std::min(nearest, square_apart(q, p));
+  return std::sqrt(nearest);
 }
 
 }  // namespace

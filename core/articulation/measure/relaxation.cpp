@@ -1,10 +1,9 @@
 #include "core/articulation/measure/relaxation.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
-#include <glm/mat3x3.hpp>
 
 namespace penpose::articulation {
 namespace {
@@ -62,23 +61,52 @@ Relaxation::Relaxation(const Patch& patch, std::vector<double> give) : patch_(pa
     }
   }
   begins_.push_back(static_cast<std::uint32_t>(neighbours_.size()));
+  edge_begins_.assign(patch.node_count() + 1, 0);
+  for (const Edge& edge : edges_) {
+    for (const std::uint32_t node : edge.ends) ++edge_begins_[node + 1];
+  }
+  for (std::size_t i = 1; i < edge_begins_.size(); ++i) edge_begins_[i] += edge_begins_[i - 1];
+  edges_about_.resize(edge_begins_.back());
+  std::vector<std::uint32_t> next(edge_begins_.begin(), edge_begins_.end() - 1);
+  for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+    for (const std::uint32_t node : edges_[i].ends) edges_about_[next[node]++] = i;
+  }
+  turns_.resize(patch.node_count());
+  matrices_.resize(patch.node_count());
+  turned_.resize(patch.node_count(), 0);
 }
 
-bool Relaxation::limit_stretch(double bound, int sweeps, std::span<ModelPoint> places) const {
+bool Relaxation::limit_stretch(double bound, int sweeps, std::span<ModelPoint> places) {
+  waiting_.assign((edges_.size() + 63) / 64, ~std::uint64_t{0});
+  if (edges_.size() % 64 != 0) waiting_.back() = (std::uint64_t{1} << (edges_.size() % 64)) - 1;
+  const auto wake = [&](std::uint32_t node) {
+    for (std::uint32_t at = edge_begins_[node]; at < edge_begins_[node + 1]; ++at) {
+      waiting_[edges_about_[at] / 64] |= std::uint64_t{1} << (edges_about_[at] % 64);
+    }
+  };
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     bool held = true;
-    for (const Edge& edge : edges_) {
-      const auto [a, b] = edge.ends;
-      const ModelVector way = places[b] - places[a];
-      const double most = bound * edge.length;
-      const double square = glm::dot(way, way);
-      if (!(square > most * most)) continue;
-      const double sum = give_[a] + give_[b];
-      if (!(sum > 0.0)) continue;
-      held = false;
-      const ModelVector pull = way * (k_over * (1.0 - k_below * most / std::sqrt(square)) / sum);
-      places[a] += pull * give_[a];
-      places[b] -= pull * give_[b];
+    for (std::size_t word = 0; word < waiting_.size(); ++word) {
+      // In the order of the edges: one that wakes an earlier one leaves it to the next sweep.
+      for (std::uint64_t left = ~std::uint64_t{0}; (waiting_[word] & left) != 0;) {
+        const int bit = std::countr_zero(waiting_[word] & left);
+        left = bit == 63 ? 0 : ~std::uint64_t{0} << (bit + 1);
+        waiting_[word] &= ~(std::uint64_t{1} << bit);
+        const Edge& edge = edges_[word * 64 + static_cast<std::size_t>(bit)];
+        const auto [a, b] = edge.ends;
+        const ModelVector way = places[b] - places[a];
+        const double most = bound * edge.length;
+        const double square = glm::dot(way, way);
+        if (!(square > most * most)) continue;
+        const double sum = give_[a] + give_[b];
+        if (!(sum > 0.0)) continue;
+        held = false;
+        const ModelVector pull = way * (k_over * (1.0 - k_below * most / std::sqrt(square)) / sum);
+        places[a] += pull * give_[a];
+        places[b] -= pull * give_[b];
+        if (give_[a] > 0.0) wake(a);
+        if (give_[b] > 0.0) wake(b);
+      }
     }
     if (held) return true;
   }
@@ -86,20 +114,22 @@ bool Relaxation::limit_stretch(double bound, int sweeps, std::span<ModelPoint> p
 }
 
 void Relaxation::unfold(std::span<const std::uint8_t> stiff, std::span<const std::uint8_t> marked, int sweeps,
-                        std::span<ModelPoint> places) const {
+                        std::span<ModelPoint> places) {
   const auto rests = patch_.rests();
   std::vector<std::uint32_t> nodes;
   for (std::uint32_t node = 0; node < patch_.inner_count(); ++node) {
     if (marked[node] != 0) nodes.push_back(node);
   }
-  std::vector<glm::dquat> turns(patch_.node_count(), glm::dquat{1, 0, 0, 0});
-  std::vector<glm::dmat3> matrices(patch_.node_count(), glm::dmat3{1});
-  std::vector<std::uint8_t> turned(patch_.node_count(), 0);
   const auto weight = [&](std::uint32_t node, const Neighbour& beside) {
     const double says = beside.says * beside.says;
     return stiff[node] != 0 && stiff[beside.node] != 0 ? k_stiff * says : says;
   };
   const auto find_turn = [&](std::uint32_t node, int steps) {
+    if (turned_[node] == 0) {
+      turned_[node] = 1;
+      turns_[node] = glm::dquat{1, 0, 0, 0};
+      found_.push_back(node);
+    }
     glm::dmat3 to{0};
     for (const Neighbour& beside : around(node)) {
       const ModelVector was = rests[beside.node] - rests[node];
@@ -108,16 +138,16 @@ void Relaxation::unfold(std::span<const std::uint8_t> stiff, std::span<const std
       to[1] += is * was.y;
       to[2] += is * was.z;
     }
-    follow(to, steps, turns[node]);
-    matrices[node] = glm::mat3_cast(turns[node]);
-    turned[node] = 1;
+    follow(to, steps, turns_[node]);
+    matrices_[node] = glm::mat3_cast(turns_[node]);
   };
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     const int steps = sweep == 0 ? k_first_steps : k_steps;
     for (const std::uint32_t node : nodes) {
       find_turn(node, steps);
+      if (sweep > 0) continue;
       for (const Neighbour& beside : around(node)) {
-        if (sweep == 0 && turned[beside.node] == 0 && beside.node < patch_.inner_count() && marked[beside.node] == 0) {
+        if (turned_[beside.node] == 0 && beside.node < patch_.inner_count() && marked[beside.node] == 0) {
           find_turn(beside.node, steps);
         }
       }
@@ -129,14 +159,16 @@ void Relaxation::unfold(std::span<const std::uint8_t> stiff, std::span<const std
       for (const Neighbour& beside : around(node)) {
         const ModelVector was = rests[node] - rests[beside.node];
         // A node of the rim stays as it is.
-        const glm::dmat3& other = beside.node < patch_.inner_count() ? matrices[beside.node] : matrices[node];
+        const glm::dmat3& other = beside.node < patch_.inner_count() ? matrices_[beside.node] : matrices_[node];
         const double says = weight(node, beside);
-        place += (places[beside.node] + (matrices[node] * was + other * was) * 0.5) * says;
+        place += (places[beside.node] + (matrices_[node] * was + other * was) * 0.5) * says;
         count += says;
       }
       if (count > 0.0) places[node] = place / count;
     }
   }
+  for (const std::uint32_t node : found_) turned_[node] = 0;
+  found_.clear();
 }
 
 }  // namespace penpose::articulation

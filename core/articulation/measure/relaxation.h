@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
 #include <span>
 #include <vector>
 
@@ -20,11 +22,11 @@ class Relaxation {
 
   /// Sweeps over the edges until none is longer than `bound` times its length at rest, at most `sweeps` times. True
   /// when none is.
-  bool limit_stretch(double bound, int sweeps, std::span<ModelPoint> places) const;
+  bool limit_stretch(double bound, int sweeps, std::span<ModelPoint> places);
   /// Brings the marked nodes (1) as near to rigid motions of their rest shape as may be, in `sweeps` sweeps; those that
   /// are `stiff` (1) before all.
   void unfold(std::span<const std::uint8_t> stiff, std::span<const std::uint8_t> marked, int sweeps,
-              std::span<ModelPoint> places) const;
+              std::span<ModelPoint> places);
 
  private:
   struct Neighbour {
@@ -44,6 +46,15 @@ class Relaxation {
   std::vector<Edge> edges_;
   std::vector<Neighbour> neighbours_;
   std::vector<std::uint32_t> begins_;
+  std::vector<std::uint32_t> edges_about_;  ///< those of every node, beginning at edge_begins_
+  std::vector<std::uint32_t> edge_begins_;
+  /// Edges to look at, a bit each: in a sweep only what an end has moved of can have grown too long.
+  std::vector<std::uint64_t> waiting_;
+  // Of `unfold`, kept for their memory: the rotation of every node, and whether it has been found.
+  std::vector<glm::dquat> turns_;
+  std::vector<glm::dmat3> matrices_;
+  std::vector<std::uint8_t> turned_;
+  std::vector<std::uint32_t> found_;
 };
 
 }  // namespace penpose::articulation

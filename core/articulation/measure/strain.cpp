@@ -16,14 +16,13 @@ constexpr double k_flat = 0.02;
 constexpr double k_steep = 0.15;
 /// Cosine between the normals at an edge below which two triangles count as lying on each other: 110 degrees.
 constexpr double k_folded = -0.34;
-
-/// The same as geometry::length, here where it is asked for most.
-inline double length_of(const ModelVector& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+/// Where more than one node in so many moved all is measured: what is about every node is more than three times as much.
+constexpr std::size_t k_few = 6;
 
 /// How much a triangle with this normal faces as the surface at its corners does.
 inline double facing(const ModelVector& normal, const ModelVector& a, const ModelVector& b, const ModelVector& c) {
   const ModelVector around = a + b + c;
-  const double size = length_of(normal);
+  const double size = geometry::length(normal);
   return size > 0.0 ? glm::dot(normal, around) / size : 0.0;
 }
 
@@ -42,8 +41,9 @@ Strainmeter::Strainmeter(const Patch& patch, Creases creases)
       places_(patch.rests().begin(), patch.rests().end()),
       normals_(patch.triangles().size()),
       node_normals_(patch.node_count()),
-      over_(patch.triangles().size(), 0) {
-  find_normals(places_);
+      over_(patch.triangles().size(), 0),
+      shares_(patch.triangles().size()) {
+  find_normals();
   cells_.reserve(normals_.size());
   for (std::size_t i = 0; i < normals_.size(); ++i) {
     const mesh::Triangle& t = patch.triangles()[i];
@@ -67,6 +67,7 @@ Strainmeter::Strainmeter(const Patch& patch, Creases creases)
     cells_.push_back(cell);
   }
   if (creases == Creases::counted) find_hinges();
+  folded_.assign(hinges_.size(), 0);
 }
 
 void Strainmeter::find_hinges() {
@@ -91,17 +92,36 @@ bool Strainmeter::folded(const Hinge& hinge) const {
   return dot < 0.0 && dot * dot > k_folded * k_folded * glm::dot(a, a) * glm::dot(b, b);
 }
 
-void Strainmeter::find_normals(std::span<const ModelPoint> places) {
+void Strainmeter::find_hinges_about() {
+  hinge_begins_.assign(normals_.size() + 1, 0);
+  for (const Hinge& hinge : hinges_) {
+    ++hinge_begins_[hinge.first + 1];
+    ++hinge_begins_[hinge.second + 1];
+  }
+  for (std::size_t i = 1; i < hinge_begins_.size(); ++i) hinge_begins_[i] += hinge_begins_[i - 1];
+  hinges_about_.resize(hinge_begins_.back());
+  std::vector<std::uint32_t> next(hinge_begins_.begin(), hinge_begins_.end() - 1);
+  for (std::uint32_t i = 0; i < hinges_.size(); ++i) {
+    hinges_about_[next[hinges_[i].first]++] = i;
+    hinges_about_[next[hinges_[i].second]++] = i;
+  }
+  triangle_seen_.assign(normals_.size(), 0);
+  node_seen_.assign(patch_.node_count(), 0);
+  hinge_seen_.assign(hinges_.size(), 0);
+}
+
+void Strainmeter::find_normal(std::size_t triangle) {
+  const mesh::Triangle& t = patch_.triangles()[triangle];
+  normals_[triangle] = glm::cross(places_[t[1]] - places_[t[0]], places_[t[2]] - places_[t[0]]);
+}
+
+void Strainmeter::find_normals() {
   std::fill(node_normals_.begin(), node_normals_.end(), ModelVector{0});
   for (std::size_t i = 0; i < normals_.size(); ++i) {
-    const mesh::Triangle& t = patch_.triangles()[i];
-    normals_[i] = glm::cross(places[t[1]] - places[t[0]], places[t[2]] - places[t[0]]);
-    for (const std::uint32_t node : t) node_normals_[node] += normals_[i];
+    find_normal(i);
+    for (const std::uint32_t node : patch_.triangles()[i]) node_normals_[node] += normals_[i];
   }
-  for (ModelVector& normal : node_normals_) {
-    const double size = length_of(normal);
-    normal = size > 1e-300 ? normal / size : ModelVector{0};
-  }
+  for (ModelVector& normal : node_normals_) normal = geometry::normalized(normal, ModelVector{0});
 }
 
 double Strainmeter::uprightness(std::size_t triangle) const {
@@ -110,33 +130,100 @@ double Strainmeter::uprightness(std::size_t triangle) const {
 }
 
 Strain Strainmeter::measure(std::span<const ModelVector> moves) {
-  Strain strain;
   const auto rests = patch_.rests();
-  const auto triangles = patch_.triangles();
-  for (std::size_t i = 0; i < rests.size(); ++i) places_[i] = rests[i] + moves[i];
-  find_normals(places_);
+  moved_.clear();
+  for (std::uint32_t i = 0; i < rests.size(); ++i) {
+    const ModelPoint place = rests[i] + moves[i];
+    if (place == places_[i]) continue;
+    places_[i] = place;
+    moved_.push_back(i);
+  }
+  if (!measured_ || moved_.size() > rests.size() / k_few) {
+    find_all();
+    measured_ = true;
+  } else if (!moved_.empty()) {
+    find_about_moved();
+  }
+  return sum();
+}
+
+void Strainmeter::find_all() {
+  find_normals();
+  for (std::size_t i = 0; i < cells_.size(); ++i) find_share(i);
+  for (std::size_t i = 0; i < hinges_.size(); ++i) folded_[i] = folded(hinges_[i]) ? 1 : 0;
+}
+
+void Strainmeter::find_about_moved() {
+  if (hinge_begins_.empty()) find_hinges_about();
+  // Each of them once.
+  const auto note = [](std::uint32_t one, std::vector<std::uint8_t>& seen, std::vector<std::uint32_t>& all) {
+    if (seen[one] != 0) return;
+    seen[one] = 1;
+    all.push_back(one);
+  };
+  const auto forget = [](std::vector<std::uint8_t>& seen, std::vector<std::uint32_t>& all) {
+    for (const std::uint32_t one : all) seen[one] = 0;
+    all.clear();
+  };
+  for (const std::uint32_t node : moved_) {
+    for (const std::uint32_t t : patch_.star(node)) note(t, triangle_seen_, triangles_moved_);
+  }
+  for (const std::uint32_t t : triangles_moved_) {
+    find_normal(t);
+    for (const std::uint32_t node : patch_.triangles()[t]) note(node, node_seen_, nodes_about_);
+    for (std::uint32_t at = hinge_begins_[t]; at < hinge_begins_[t + 1]; ++at) hinge_seen_[hinges_about_[at]] = 1;
+  }
+  for (const std::uint32_t t : triangles_moved_) {
+    for (std::uint32_t at = hinge_begins_[t]; at < hinge_begins_[t + 1]; ++at) {
+      const std::uint32_t hinge = hinges_about_[at];
+      if (hinge_seen_[hinge] == 0) continue;
+      hinge_seen_[hinge] = 0;
+      folded_[hinge] = folded(hinges_[hinge]) ? 1 : 0;
+    }
+  }
+  forget(triangle_seen_, triangles_moved_);
+  for (const std::uint32_t node : nodes_about_) {
+    // In the order of the triangles, as find_normals adds them up.
+    ModelVector normal{0};
+    for (const std::uint32_t t : patch_.star(node)) {
+      normal += normals_[t];
+      note(t, triangle_seen_, cells_about_);
+    }
+    node_normals_[node] = geometry::normalized(normal, ModelVector{0});
+  }
+  for (const std::uint32_t cell : cells_about_) find_share(cell);
+  forget(triangle_seen_, cells_about_);
+  forget(node_seen_, nodes_about_);
+}
+
+void Strainmeter::find_share(std::size_t i) {
+  const Cell& cell = cells_[i];
+  if (!(cell.area > 0.0)) return;
+  const mesh::Triangle& t = patch_.triangles()[i];
+  const ModelVector e = places_[t[1]] - places_[t[0]];
+  const ModelVector f = places_[t[2]] - places_[t[0]];
+  const ModelVector u = e * cell.a;
+  const ModelVector v = e * cell.b + f * cell.c;
+  const double uu = glm::dot(u, u);
+  const double vv = glm::dot(v, v);
+  const double uv = glm::dot(u, v);
+  const double size = uu + vv;
+  const bool over = facing(normals_[i], node_normals_[t[0]], node_normals_[t[1]], node_normals_[t[2]]) < cell.limit;
+  over_[i] = over ? 1 : 0;
+  const double squeeze = over ? k_flat * k_flat : std::max(uu * vv - uv * uv, k_flat * k_flat);
+  const double half = 0.5 * (uu - vv);
+  // The largest stretch in any direction bounds that of the edges.
+  shares_[i] = {cell.area * (size + size / squeeze - 4.0), 0.5 * size + std::sqrt(half * half + uv * uv)};
+}
+
+Strain Strainmeter::sum() const {
+  Strain strain;
   double worst = 1;
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
-    const Cell& cell = cells_[i];
-    over_[i] = 0;
-    if (!(cell.area > 0.0)) continue;
-    const mesh::Triangle& t = triangles[i];
-    const ModelVector e = places_[t[1]] - places_[t[0]];
-    const ModelVector f = places_[t[2]] - places_[t[0]];
-    const ModelVector u = e * cell.a;
-    const ModelVector v = e * cell.b + f * cell.c;
-    const double uu = glm::dot(u, u);
-    const double vv = glm::dot(v, v);
-    const double uv = glm::dot(u, v);
-    const double size = uu + vv;
-    const bool over = facing(normals_[i], node_normals_[t[0]], node_normals_[t[1]], node_normals_[t[2]]) < cell.limit;
-    over_[i] = over ? 1 : 0;
-    strain.turned_over += over ? 1 : 0;
-    const double squeeze = over ? k_flat * k_flat : std::max(uu * vv - uv * uv, k_flat * k_flat);
-    strain.energy += cell.area * (size + size / squeeze - 4.0);
-    // The largest stretch in any direction bounds that of the edges; only where it could be the largest they are asked.
-    const double half = 0.5 * (uu - vv);
-    if (0.5 * size + std::sqrt(half * half + uv * uv) <= worst) continue;
+  for (std::size_t i = 0; i < shares_.size(); ++i) {
+    strain.energy += shares_[i].energy;
+    // Only where one of them could be the largest the edges are asked.
+    if (shares_[i].bound <= worst) continue;
+    const mesh::Triangle& t = patch_.triangles()[i];
     for (std::size_t k = 0; k < 3; ++k) {
       const double ratio = squared_stretch(t[k], t[(k + 1) % 3]);
       if (ratio > worst) {
@@ -145,7 +232,8 @@ Strain Strainmeter::measure(std::span<const ModelVector> moves) {
       }
     }
   }
-  for (const Hinge& hinge : hinges_) strain.creased += folded(hinge) ? 1 : 0;
+  for (const std::uint8_t over : over_) strain.turned_over += over;
+  for (const std::uint8_t folded : folded_) strain.creased += folded;
   strain.stretch = std::sqrt(worst);
   strain.energy = area_ > 0.0 ? strain.energy / area_ : 0.0;
   return strain;
@@ -162,14 +250,18 @@ void Strainmeter::mark_worst(double bound, std::span<std::uint8_t> nodes) const 
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const mesh::Triangle& t = patch_.triangles()[i];
     bool bad = over_[i] != 0;
-    for (std::size_t k = 0; k < 3 && !bad; ++k) bad = squared_stretch(t[k], t[(k + 1) % 3]) > bound * bound;
+    // What has a surface knows how far its edges are stretched at most, but for rounding.
+    const bool asked = !(cells_[i].area > 0.0) || !(shares_[i].bound * (1.0 + 1e-9) <= bound * bound);
+    for (std::size_t k = 0; k < 3 && asked && !bad; ++k) {
+      bad = squared_stretch(t[k], t[(k + 1) % 3]) > bound * bound;
+    }
     if (!bad) continue;
     for (const std::uint32_t node : t) nodes[node] = 1;
   }
-  for (const Hinge& hinge : hinges_) {
-    if (!folded(hinge)) continue;
-    for (const std::uint32_t node : patch_.triangles()[hinge.first]) nodes[node] = 1;
-    for (const std::uint32_t node : patch_.triangles()[hinge.second]) nodes[node] = 1;
+  for (std::size_t i = 0; i < hinges_.size(); ++i) {
+    if (folded_[i] == 0) continue;
+    for (const std::uint32_t node : patch_.triangles()[hinges_[i].first]) nodes[node] = 1;
+    for (const std::uint32_t node : patch_.triangles()[hinges_[i].second]) nodes[node] = 1;
   }
 }
 

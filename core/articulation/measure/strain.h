@@ -28,7 +28,8 @@ class Strainmeter {
   enum class Creases : std::uint8_t { ignored, counted };
   explicit Strainmeter(const Patch& patch, Creases creases = Creases::ignored);
 
-  /// `moves` displaces the nodes.
+  /// `moves` displaces the nodes. Where few of them went elsewhere than the time before, only what is about those is
+  /// looked at again; the result is the same to the bit.
   [[nodiscard]] Strain measure(std::span<const ModelVector> moves);
   /// After `measure`: marks (1) the nodes of triangles that are turned over, lie on each other or have an edge
   /// stretched beyond a bound.
@@ -46,9 +47,21 @@ class Strainmeter {
   struct Hinge {
     std::uint32_t first = 0, second = 0;
   };
+  /// What a cell adds to the strain.
+  struct Share {
+    double energy = 0;
+    double bound = 0;  ///< of the square of its edges' stretch
+  };
   void find_hinges();
+  void find_hinges_about();
   [[nodiscard]] bool folded(const Hinge& hinge) const;
-  void find_normals(std::span<const ModelPoint> places);
+  void find_normals();
+  void find_normal(std::size_t triangle);
+  void find_all();
+  /// Looks again at what `moved_` nodes changed.
+  void find_about_moved();
+  void find_share(std::size_t cell);
+  [[nodiscard]] Strain sum() const;
   /// How much a triangle faces as the surface around it does: 3 where that is flat, below 0 where it is turned over.
   [[nodiscard]] double uprightness(std::size_t triangle) const;
 
@@ -59,7 +72,14 @@ class Strainmeter {
   std::vector<ModelVector> normals_;       ///< of triangles, as long as twice their area
   std::vector<ModelVector> node_normals_;  ///< unit, of the triangles about
   std::vector<std::uint8_t> over_;
+  std::vector<Share> shares_;
   std::vector<Hinge> hinges_;
+  std::vector<std::uint8_t> folded_;  ///< one a hinge
+  bool measured_ = false;
+  // What is about what moved: the hinges of every triangle, and lists that are kept for their memory.
+  std::vector<std::uint32_t> hinges_about_, hinge_begins_;
+  std::vector<std::uint32_t> moved_, triangles_moved_, nodes_about_, cells_about_;
+  std::vector<std::uint8_t> triangle_seen_, node_seen_, hinge_seen_;
 };
 
 }  // namespace penpose::articulation

@@ -110,12 +110,14 @@ void Falloff::find_beyond(const DrawnRegions& drawn, std::span<const geometry::P
 
 std::vector<double> Falloff::weights() const { return blended(to_specific_, specific_); }
 
-std::vector<double> Falloff::weights(double depth, std::span<const double> to_curve) const {
-  // How deep every node of the region of specific interest lies in it: 0 at its border, 1 at the curve.
+std::vector<double> Falloff::inward() const {
   std::vector<std::uint8_t> beside(patch_.node_count(), 0);
   for (std::size_t node = 0; node < beside.size(); ++node) beside[node] = specific_[node] == 0 ? 1 : 0;
-  const auto inward =
-      geodesic_distances(patch_, seeds_outside(patch_, beside, [](std::uint32_t) { return 1.0; }), specific_);
+  return geodesic_distances(patch_, seeds_outside(patch_, beside, [](std::uint32_t) { return 1.0; }), specific_);
+}
+
+std::vector<double> Falloff::weights(double depth, std::span<const double> inward,
+                                     std::span<const double> to_curve) const {
   std::vector<std::uint8_t> core(patch_.node_count(), 0);
   std::vector<std::uint8_t> open(patch_.node_count(), 0);
   bool any = false;

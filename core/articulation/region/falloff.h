@@ -33,9 +33,12 @@ class Falloff {
   [[nodiscard]] const std::string& reaches_beyond() const { return reaches_beyond_; }
   /// The weight of every node when all of the region of specific interest is the core.
   [[nodiscard]] std::vector<double> weights() const;
+  /// How deep every node of the region of specific interest lies in it: its distance over the surface to the border.
+  [[nodiscard]] std::vector<double> inward() const;
   /// The same with a smaller core: `depth` 0..1 of the way from the border of the region of specific interest to the
-  /// curve is given to the falloff, where `to_curve` is the distance of every node to the curve.
-  [[nodiscard]] std::vector<double> weights(double depth, std::span<const double> to_curve) const;
+  /// curve is given to the falloff, where `to_curve` is the distance of every node to the curve and `inward` as above.
+  [[nodiscard]] std::vector<double> weights(double depth, std::span<const double> inward,
+                                            std::span<const double> to_curve) const;
 
  private:
   void find_beyond(const DrawnRegions& drawn, std::span<const geometry::PxPoint> seen);

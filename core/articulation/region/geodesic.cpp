@@ -11,16 +11,10 @@ namespace {
 
 constexpr double k_far = std::numeric_limits<double>::infinity();
 
-/// The same as geometry::distance, here where it is asked for most.
-inline double apart(const ModelPoint& a, const ModelPoint& b) {
-  const ModelVector way = a - b;
-  return std::sqrt(glm::dot(way, way));
-}
-
 /// The distance at `c` from the source that lies `to_a` from a and `to_b` from b, in the plane of the triangle and on
 /// the other side of a b; along the nearer edge where the straight way leaves the triangle.
 double across(const ModelPoint& a, double to_a, const ModelPoint& b, double to_b, const ModelPoint& c) {
-  const double along_edges = std::min(to_a + apart(a, c), to_b + apart(b, c));
+  const double along_edges = std::min(to_a + geometry::distance(a, c), to_b + geometry::distance(b, c));
   const ModelVector ab = b - a;
   const double length = std::sqrt(glm::dot(ab, ab));
   if (!(length > 0.0) || !(std::abs(to_a - to_b) < length)) return along_edges;
@@ -93,7 +87,7 @@ std::vector<double> geodesic_distances(const Patch& patch, std::span<const Geode
         if (known[wanted] != 0 || open[wanted] == 0) continue;
         offer(wanted, known[other] != 0
                           ? across(rests[at], distances[at], rests[other], distances[other], rests[wanted])
-                          : distances[at] + apart(rests[at], rests[wanted]));
+                          : distances[at] + geometry::distance(rests[at], rests[wanted]));
       }
     }
   }
