@@ -25,16 +25,23 @@ base::Result<geometry::Camera> camera_of(const Sketch& sketch, const std::option
   return geometry::Camera::make(own ? *own : sketch.camera, sketch.viewport);
 }
 
-base::Result<Curve> reference_of(const Sketch& sketch, const Canvas& canvas, const Region& region,
-                                 std::span<const std::uint32_t> specific, std::size_t points) {
+/// The reference curve, inferred or drawn, which stays on one sheet but for deformers of the paper.
+base::Result<SheetReference> reference_of(const Sketch& sketch, const Canvas& canvas, const Region& region,
+                                          std::span<const std::uint32_t> specific, std::size_t points) {
   if (sketch.reference.empty()) {
     auto inferred = infer_reference(canvas, region, specific, points);
     if (!inferred) return at("specific", inferred.error());
-    return inferred;
+    return SheetReference{std::move(*inferred), {}, 1};
   }
   const auto camera = camera_of(sketch, sketch.reference_camera);
   if (!camera) return at("reference_camera", camera.error());
-  auto drawn = drawn_reference(canvas, *camera, sketch.reference, points);
+  if (sketch.paper) {
+    auto drawn = drawn_reference(canvas, *camera, sketch.reference, points);
+    if (!drawn) return at("reference", drawn.error());
+    return SheetReference{std::move(*drawn), {}, 1};
+  }
+  auto drawn = sheet_reference(canvas, *camera, sketch.reference, points,
+                               sketch.other_sheet ? curve::SheetChoice::other : curve::SheetChoice::nearer);
   if (!drawn) return at("reference", drawn.error());
   return drawn;
 }
@@ -100,37 +107,18 @@ struct Curves {
   double kept = 1;
 };
 
-/// What reference_of does by rules from k_held_rules on, where one was drawn.
-base::Result<SheetReference> sheet_reference_of(const Sketch& sketch, const Canvas& canvas, std::size_t points) {
-  const auto camera = camera_of(sketch, sketch.reference_camera);
-  if (!camera) return at("reference_camera", camera.error());
-  auto drawn =
-      sheet_reference(canvas, *camera, sketch.reference, points,
-                      sketch.other_sheet ? curve::SheetChoice::other : curve::SheetChoice::nearer, sketch.rules);
-  if (!drawn) return at("reference", drawn.error());
-  return drawn;
-}
-
-/// Steps 3 and 4, the same by all rules but for the sheet of the reference.
+/// Steps 3 and 4 of the method.
 base::Result<Curves> curves_of(const Sketch& sketch, const Canvas& canvas, const Region& region,
                                std::span<const std::uint32_t> specific, const geometry::Camera& target_camera,
                                const KeptSurface& surface, std::size_t points) {
-  SheetReference drawn;
-  if (sketch.rules >= k_held_rules && !sketch.reference.empty()) {
-    auto on_sheet = sheet_reference_of(sketch, canvas, points);
-    if (!on_sheet) return on_sheet.error();
-    drawn = std::move(*on_sheet);
-  } else {
-    auto reference = reference_of(sketch, canvas, region, specific, points);
-    if (!reference) return reference.error();
-    drawn.points = std::move(*reference);
-  }
-  auto paired = curve::pair_target(drawn.points, sketch.target, target_camera);
+  auto reference = reference_of(sketch, canvas, region, specific, points);
+  if (!reference) return reference.error();
+  auto paired = curve::pair_target(reference->points, sketch.target, target_camera);
   if (!paired) return at("target", paired.error());
-  Curves curves{std::move(drawn.points), std::move(paired->points), paired->reversed && !sketch.reference.empty(),
-                drawn.kept};
+  Curves curves{std::move(reference->points), std::move(paired->points),
+                paired->reversed && !sketch.reference.empty(), reference->kept};
   // A line that sticks to a rim beside the pen is meant to go as far as the pen went.
-  for (std::size_t i = 0; i < drawn.aside.size(); ++i) curves.target[i] -= drawn.aside[i];
+  for (std::size_t i = 0; i < reference->aside.size(); ++i) curves.target[i] -= reference->aside[i];
   lift_onto_surface(target_camera, surface, curves.reference, curves.target);
   if (!all_finite(curves.reference) || !all_finite(curves.target)) {
     return base::Error{"the target lies too far away for numbers", "target", "draw it nearer to the model"};
@@ -251,12 +239,9 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
   if (!lasso) return at("specific", lasso.error());
   const auto general = geometry::Lasso::make(sketch.general);
   if (!general) return at("general", general.error());
-  if (sketch.rules >= k_crossing_rules) {
-    if (const auto whole = check_crossing(sketch.general); !whole) return at("general", whole.error());
-    if (const auto whole = check_crossing(sketch.specific); !whole) return at("specific", whole.error());
-  }
-  const bool held = sketch.rules >= k_held_rules;
-  const Patch patch(canvas, *region, held ? 2 : 1);
+  if (const auto whole = check_crossing(sketch.general); !whole) return at("general", whole.error());
+  if (const auto whole = check_crossing(sketch.specific); !whole) return at("specific", whole.error());
+  const Patch patch(canvas, *region);
   const Falloff falloff(patch, {*camera, *general, *lasso});
   std::vector<std::uint32_t> specific;
   for (std::uint32_t i = 0; i < region->vertices.size(); ++i) {
@@ -274,10 +259,7 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
                             std::move(curves->reference),
                             std::move(curves->target),
                             *surface,
-                            held,
-                            !sketch.betweens.empty(),
-                            sketch.rules >= k_close_rules,
-                            sketch.rules >= k_circle_rules};
+                            !sketch.betweens.empty()};
   auto motion = measured_motion(parts, sketch.mode, {sketch.minimum, sketch.maximum});
   if (!motion) return at("general", motion.error());
   std::vector<Curve> betweens;
@@ -298,7 +280,11 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
 base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch& sketch, const Canvas& canvas,
                                                              std::size_t points) {
   if (auto checked = check_sketch(sketch); !checked) return checked.error();
-  if (sketch.rules >= k_measured_rules) return Deformer::measured(sketch, canvas, points);
+  return sketch.paper ? Deformer::by_paper(sketch, canvas, points) : Deformer::measured(sketch, canvas, points);
+}
+
+base::Result<std::shared_ptr<const Deformer>> Deformer::by_paper(const Sketch& sketch, const Canvas& canvas,
+                                                                 std::size_t points) {
   const auto camera = camera_of(sketch, std::nullopt);
   if (!camera) return at("camera", camera.error());
   const auto target_camera = camera_of(sketch, sketch.target_camera);

@@ -28,7 +28,7 @@ class Deformer {
   /// deformer that rotates is torn by it when the target's far end only happens to lie nearer, so a user must be told.
   [[nodiscard]] bool turned_round() const { return built_->turned_round; }
 
-  /// What it does to the surface at the worst within its range; of rules before k_measured_rules nothing is known.
+  /// What it does to the surface at the worst within its range; nothing is known of deformers of the paper.
   [[nodiscard]] const Strain& strain() const { return built_->strain; }
 
   /// The share of a drawn reference that lies on one sheet of the surface; what is below 1 was cut off.
@@ -45,7 +45,7 @@ class Deformer {
   [[nodiscard]] std::vector<ModelPoint> curve_at(double amount) const;
   /// Its other targets, one an entry of Sketch::betweens, with as many points as the reference.
   [[nodiscard]] const std::vector<std::vector<ModelPoint>>& betweens() const { return built_->betweens; }
-  /// How many pieces of the model the first lasso encloses; 1 for deformers of older rules.
+  /// How many pieces of the model the first lasso encloses; 1 for deformers of the paper.
   [[nodiscard]] std::uint32_t pieces() const { return built_->pieces; }
   /// Of an inferred reference, what makes it doubtful; empty where nothing does, or where it was drawn.
   [[nodiscard]] const std::string& doubtful_reference() const { return built_->doubtful; }
@@ -63,7 +63,9 @@ class Deformer {
  private:
   friend base::Result<std::shared_ptr<const Deformer>> build_deformer(const Sketch&, const Canvas&, std::size_t);
 
-  /// By rules from k_measured_rules on. Precondition: the sketch is checked.
+  // Precondition: the sketch is checked.
+  static base::Result<std::shared_ptr<const Deformer>> by_paper(const Sketch& sketch, const Canvas& canvas,
+                                                                std::size_t points);
   static base::Result<std::shared_ptr<const Deformer>> measured(const Sketch& sketch, const Canvas& canvas,
                                                                 std::size_t points);
 

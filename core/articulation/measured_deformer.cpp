@@ -100,7 +100,7 @@ class Trial {
         bond_(bond),
         range_(range),
         length_(curve::arc_length<ModelPoint>(parts.reference)),
-        meter_(parts.patch, parts.held ? Strainmeter::Creases::counted : Strainmeter::Creases::ignored),
+        meter_(parts.patch),
         moves_(parts.patch.node_count()) {}
 
   [[nodiscard]] Outcome attempt(const std::shared_ptr<const CurveMotion>& motion, std::span<const double> weights) {
@@ -128,7 +128,7 @@ class Trial {
 
   /// Measures what passes between the amounts too. What it costs in energy is known well enough.
   void look_between(Outcome& outcome, const Judge& judge) {
-    if (!parts_.throughout || outcome.looked || !judge.holds(outcome.strain)) return;
+    if (outcome.looked || !judge.holds(outcome.strain)) return;
     outcome.looked = true;
     const Carriage carriage(outcome.motion, parts_.surface, outcome.passengers, false);
     const double energy = outcome.strain.energy;
@@ -137,31 +137,6 @@ class Trial {
       outcome.strain = worse(outcome.strain, at(carriage, share * range_.maximum));
     }
     outcome.strain.energy = energy;
-  }
-
-  /// Spreads what is too strong: where triangles are turned over or stretched beyond the bound, and ever farther around
-  /// them, every node is brought nearer to what its neighbours do. What came nearest to passing is kept. Nodes on the
-  /// curve stay.
-  void relax(Outcome& outcome, const Judge& judge) {
-    std::vector<std::uint8_t> marked(parts_.patch.node_count(), 0);
-    Outcome relaxed = outcome;
-    std::optional<Strain> nearest;
-    std::vector<Passenger> best;
-    for (int round = 0; round <= k_rounds; ++round) {
-      const Strain strain = at(Carriage(relaxed.motion, parts_.surface, relaxed.passengers, false), range_.maximum);
-      if (!nearest || judge.better(strain, *nearest, 1.0)) {
-        nearest = strain;
-        best = relaxed.passengers;
-      }
-      if (judge.passes(strain) || round == k_rounds) break;
-      std::fill(marked.begin(), marked.end(), 0);
-      meter_.mark_worst(judge.bound, marked);
-      grow(marked, 1 + round / k_rounds_a_ring);
-      for (int pass = 0; pass < k_passes; ++pass) smooth(relaxed.passengers, marked);
-    }
-    relaxed.passengers = std::move(best);
-    measure(relaxed);
-    if (judge.better(relaxed.strain, outcome.strain, 1.0)) outcome = std::move(relaxed);
   }
 
   /// Gives way where the surface is torn or stretched beyond the bound at either end of the range (relaxation.h): what
@@ -180,10 +155,6 @@ class Trial {
   static constexpr int k_hold_rounds = 20;
   static constexpr int k_unfold_sweeps = 12;
   static constexpr int k_limit_sweeps = 10;
-  static constexpr int k_rounds = 14;
-  static constexpr int k_rounds_a_ring = 3;
-  static constexpr int k_passes = 3;
-  static constexpr double k_even = 0.03;
 
   Strain at(const Carriage& carriage, double amount) {
     carriage.displacements(amount, work_, std::span(moves_).first(carriage.size()));
@@ -228,7 +199,7 @@ class Trial {
         relaxation_->unfold(stiff, marked, k_unfold_sweeps, places);
       }
       if (strain.stretch > judge.bound) relaxation_->limit_stretch(k_safe * judge.bound, k_limit_sweeps, places);
-      if (parts_.circles && held.motion->slide() != nullptr) {
+      if (held.motion->slide() != nullptr) {
         // Along the axis every node stays where the slide brings it: that is the width of its row.
         const ModelVector& axis = held.motion->slide()->axis();
         for (std::size_t node = 0; node < n; ++node) {
@@ -274,50 +245,6 @@ class Trial {
     }
   }
 
-  void smooth(std::vector<Passenger>& passengers, std::span<const std::uint8_t> marked) const {
-    const std::vector<Passenger> before = passengers;
-    const double still = 1e-6 * length_;
-    for (std::uint32_t node = 0; node < passengers.size(); ++node) {
-      if (marked[node] == 0 || !(bond_.distances[node] > still)) continue;
-      Passenger& own = passengers[node];
-      double count = 0;  // of neighbours, by what they have to say
-      double weight = 0;
-      double place = 0;
-      ModelVector move{0};
-      ModelVector turn{0};
-      for (const std::uint32_t t : parts_.patch.star(node)) {
-        for (const std::uint32_t other : parts_.patch.triangles()[t]) {
-          if (other == node) continue;
-          // Along an edge that is stretched or pressed more than others there is more to give way to: what is left over
-          // spreads evenly. The shorter the edge the more it says, as in any mean over a surface.
-          const double off = std::sqrt(meter_.squared_stretch(node, other)) - 1.0;
-          const ModelVector edge = parts_.patch.rests()[other] - own.rest;
-          const double says = (k_even + off * off) / std::max(glm::dot(edge, edge), 1e-12 * length_ * length_);
-          count += says;
-          // What lies on the rim stays, and goes along with any place of the curve.
-          if (other >= passengers.size()) {
-            place += says * (own.segment + own.fraction);
-            continue;
-          }
-          const Passenger& beside = before[other];
-          weight += says * beside.weight;
-          place += says * (beside.segment + beside.fraction);
-          move += beside.move * says;
-          turn += beside.turn * says;
-        }
-      }
-      if (!(count > 0.0)) continue;
-      const double half = 0.5 / count;
-      own.weight = 0.5 * own.weight + half * weight;
-      own.move = own.move * 0.5 + move * half;
-      own.turn = own.turn * 0.5 + turn * half;
-      place = 0.5 * (own.segment + own.fraction) + half * place;
-      const double segment = std::min(std::floor(place), static_cast<double>(parts_.reference.size() - 2));
-      own.segment = static_cast<std::uint32_t>(segment);
-      own.fraction = place - segment;
-    }
-  }
-
   const MeasuredParts& parts_;
   const Bond& bond_;
   Range range_;
@@ -334,7 +261,7 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
   const auto motion_of = [&](Mode one) {
     auto motion = std::make_shared<CurveMotion>(parts.reference, parts.target, one, Turning::swung);
     const Sphere* ball = parts.surface.ball();
-    if (parts.held && ball != nullptr && one == Mode::translate) {
+    if (ball != nullptr && one == Mode::translate) {
       motion->set_slide(std::make_shared<const Slide>(ball->center, parts.reference, parts.target));
     }
     return std::shared_ptr<const CurveMotion>(std::move(motion));
@@ -356,7 +283,7 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
       if (!motion) continue;
       auto outcome = trial.attempt(motion, weights);
       if (motion->swing() != nullptr || motion->slide() != nullptr) trial.look_between(outcome, judge);
-      if (parts.held) tried.push_back(outcome);
+      tried.push_back(outcome);
       if (!best || judge.better(outcome.strain, best->strain, factor)) best = std::move(outcome);
     }
     if (judge.passes(best->strain)) break;
@@ -369,9 +296,8 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
       if (judge.better(held.strain, best->strain, 1.0)) best = std::move(held);
       if (judge.holds(best->strain)) break;
     }
-    if (parts.held && judge.holds(best->strain)) break;
+    if (judge.holds(best->strain)) break;
   }
-  if (!judge.passes(best->strain) && !parts.held) trial.relax(*best, judge);
 
   MeasuredMotion result;
   std::vector<Passenger> passengers;
@@ -398,7 +324,7 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
 }
 
 Strain strain_at(const MeasuredParts& parts, const Carriage& of_nodes, std::span<const double> amounts) {
-  Strainmeter meter(parts.patch, parts.held ? Strainmeter::Creases::counted : Strainmeter::Creases::ignored);
+  Strainmeter meter(parts.patch);
   CarriageWorkspace work;
   std::vector<ModelVector> moves(parts.patch.node_count());
   Strain strain;

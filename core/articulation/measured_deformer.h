@@ -19,12 +19,7 @@ struct MeasuredParts {
   std::vector<ModelPoint> reference;
   std::vector<ModelPoint> target;
   KeptSurface surface;
-  bool held = false;   ///< by rules from k_held_rules on: what is torn or stretched is given way to
   bool whole = false;  ///< vertices that do not move are kept, and the motion of the nodes
-  /// By rules from k_close_rules on: what passes at the amounts of `held` is looked at between them too.
-  bool throughout = false;
-  /// By rules from k_circle_rules on (slide.h): what slides over a ball gives way across the slide's axis only.
-  bool circles = false;
 };
 
 /// The range of a deformer's parameter.

@@ -36,8 +36,8 @@ std::optional<base::Error> check_ball(const Surface& surface) {
 
 std::optional<base::Error> check_betweens(const Sketch& sketch) {
   if (sketch.betweens.empty()) return std::nullopt;
-  if (sketch.rules < k_held_rules) {
-    return base::Error{"a control of older rules has one target only", "betweens", "draw the control anew"};
+  if (sketch.paper) {
+    return base::Error{"a control built as the paper says has one target only", "betweens", "draw the control anew"};
   }
   if (sketch.betweens.size() > k_most_betweens) {
     return base::Error{"the control has too many targets", "betweens", "use at most 64 beside its own"};
@@ -133,8 +133,7 @@ void add_to_hash(base::StateHash& hash, const Sketch& sketch) {
   }
   hash.add(sketch.minimum);
   hash.add(sketch.maximum);
-  // Only where it says something, so that older documents keep their hash.
-  if (sketch.rules >= k_measured_rules) hash.add(std::uint64_t{sketch.rules});
+  if (sketch.paper) hash.add("paper");
   if (sketch.other_sheet) hash.add("other sheet");
   if (sketch.reach == Reach::front) hash.add("front only");
   if (sketch.piece != 0) hash.add(std::uint64_t{sketch.piece});

@@ -35,23 +35,6 @@ struct PartSurface {
 /// What a deformer slides over; nothing for most.
 using Surface = std::variant<std::monostate, Sphere, PartSurface>;
 
-/// The rules of drawing from which on a deformer is measured (weights over the surface, the way of moving that distorts
-/// least, core/articulation/measured_deformer.h); by older rules it is built as the paper says, to the bit.
-inline constexpr std::uint32_t k_measured_rules = 3;
-/// The rules from which on a measured deformer is held together (folds are smoothed out, a region that is too narrow
-/// for its target is widened), its reference stays on one sheet of the surface, and what slides over a ball does so on
-/// great circles.
-inline constexpr std::uint32_t k_held_rules = 4;
-
-/// The rules from which on a changed range builds a deformer again, as reading its file does.
-inline constexpr std::uint32_t k_ranged_rules = 5;
-/// The rules from which on a lasso that crosses itself, so that it is not known what it encloses, is refused.
-inline constexpr std::uint32_t k_crossing_rules = 6;
-/// The rules from which on a reference holds on to its sheet as firmly as lines that pose do (curve::Holding::firm).
-inline constexpr std::uint32_t k_close_rules = 7;
-/// The rules from which on it sticks farther from the pen before a part of it is cut off (curve::Holding::far).
-inline constexpr std::uint32_t k_far_rules = 9;
-
 /// How far into the model a lasso reaches: to what lies behind, or only to what the camera sees.
 enum class Reach : std::uint8_t { through, front };
 
@@ -86,11 +69,11 @@ struct Sketch {
   Surface surface;
   double minimum = 0;        ///< range of the parameter, <= 0
   double maximum = 1;        ///< > 0
-  std::uint32_t rules = 0;   ///< of drawing, under which the deformer is built
-  bool other_sheet = false;  ///< a drawn reference lies on the other of two sheets; from k_held_rules on
+  bool paper = false;        ///< built as the paper says (method, section 3), without a measure of what it distorts
+  bool other_sheet = false;  ///< a drawn reference lies on the other of two sheets; not where `paper`
   Reach reach = Reach::through;
   std::uint32_t piece = 0;          ///< of the pieces inside the first lasso which one, the nearest being 0
-  std::vector<InBetween> betweens;  ///< ascending by their values; from k_held_rules on
+  std::vector<InBetween> betweens;  ///< ascending by their values; none where `paper`
   friend bool operator==(const Sketch&, const Sketch&) = default;
 };
 

@@ -8,6 +8,7 @@
 #include "core/document/commands/apply_parts.h"
 #include "core/document/commands/command_check.h"
 #include "core/drawing/tool.h"
+#include "core/character/demo_head.h"
 #include "core/head/head.h"
 #include "core/io/project/read_document.h"
 #include "core/io/project/write_document.h"
@@ -16,7 +17,6 @@ namespace penpose::character {
 namespace {
 
 using document::Command;
-using drawing::k_rules;
 
 template <typename T>
 std::vector<T> copied(std::span<const T> values) {
@@ -39,18 +39,13 @@ base::Result<Character> Character::read(base::Bytes bytes, std::string_view file
 }
 
 base::Result<Character> Character::built_in(std::string_view name) {
-  using head::HeadEdition;
-  HeadEdition edition = HeadEdition::first;
-  if (name == "builtin:head-2") {
-    edition = HeadEdition::second;
-  } else if (name == "builtin:head-3") {
-    edition = HeadEdition::third;
-  } else if (name == "builtin:head-4") {
-    edition = HeadEdition::fourth;
-  } else if (name != "builtin:head") {
-    return base::Error{"there is no built-in character of that name", "", "use builtin:head-4"};
+  if (name == "builtin:head") return Character(document::make_document(head::make_head()));
+  if (name != "builtin:demo") {
+    return base::Error{"there is no built-in character of that name", "", "use builtin:head or builtin:demo"};
   }
-  return Character(document::make_document(head::make_head(edition)));
+  auto head = make_demo_head();
+  if (!head) return head.error();
+  return Character(document::make_document(std::move(head).value()));
 }
 
 base::Result<Character> Character::make(Pieces pieces) {
@@ -99,11 +94,11 @@ base::Result<CurveId> Character::add(const Command& command) {
 }
 
 base::Result<CurveId> Character::draw_reference(const View& view, std::span<const PxPoint> line) {
-  return add(document::DrawReference{view, copied(line), k_rules});
+  return add(document::DrawReference{view, copied(line)});
 }
 
 base::Result<CurveId> Character::draw_constraint(const View& view, std::span<const PxPoint> line) {
-  return add(document::DrawConstraint{view, copied(line), k_rules});
+  return add(document::DrawConstraint{view, copied(line)});
 }
 
 base::Result<CurveId> Character::place_reference(std::span<const mesh::MeshPoint> points) {
@@ -144,7 +139,7 @@ base::Result<std::vector<mesh::MeshPoint>> Character::points_of(std::string_view
 
 base::Status Character::draw_target(CurveId curve, const View& view, std::span<const PxPoint> line,
                                     std::span<const double> pressure) {
-  return perform(document::DrawTarget{curve, view, copied(line), copied(pressure), k_rules});
+  return perform(document::DrawTarget{curve, view, copied(line), copied(pressure)});
 }
 
 base::Status Character::place_target(CurveId curve, std::span<const ModelPoint> points) {
@@ -152,7 +147,7 @@ base::Status Character::place_target(CurveId curve, std::span<const ModelPoint> 
 }
 
 base::Status Character::solve(Preset preset) {
-  return perform(document::SolvePose{preset == Preset::meant ? k_rules : 0, preset == Preset::paper});
+  return perform(document::SolvePose{preset});
 }
 
 base::Status Character::sketch(const articulation::Sketch& sketch) {
@@ -162,8 +157,7 @@ base::Status Character::sketch(const articulation::Sketch& sketch) {
     return View{own.value_or(sketch.camera), sketch.viewport};
   };
   std::vector<Command> commands;
-  commands.emplace_back(document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum,
-                                                sketch.maximum, drawing::k_control_rules});
+  commands.emplace_back(document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum, sketch.maximum});
   if (sketch.reach != articulation::Reach::through) commands.emplace_back(document::TakeRegion{sketch.reach, {}});
   commands.emplace_back(document::SketchCurve{CurveRole::general, view, sketch.general});
   if (sketch.piece != 0) commands.emplace_back(document::TakeRegion{{}, sketch.piece});

@@ -26,7 +26,7 @@ using geometry::PxPoint;
 /// What a solve minimises. `meant`: what the window does, the squares of distances in widths of doubt plus what the
 /// controls that move cost; `exact`: the sum of distances, to its least; `paper`: the same, by the single simplex of
 /// 2006.
-enum class Preset : std::uint8_t { meant, exact, paper };
+using document::Preset;
 
 /// What a character is made of, when no file holds it.
 struct Pieces {
@@ -38,7 +38,7 @@ struct Pieces {
 };
 
 /// A character that a program poses: a document, with all that solving it keeps in memory. What it is asked for becomes
-/// a command of the document by the newest rules of drawing, so that the window, a session and a program come to the
+/// a command of the document, so that the window, a session and a program come to the
 /// same bits. On an error nothing has changed. One thread at a time; a copy of the document costs a few hundred bytes.
 class Character {
  public:
@@ -46,8 +46,9 @@ class Character {
 
   /// A glTF, OBJ, PLY, OFF or STL file in memory, or a project. Errors: those of io::read_document.
   [[nodiscard]] static base::Result<Character> read(base::Bytes bytes, std::string_view file_name_hint = {});
-  /// "builtin:head-4", or "builtin:head-3", "builtin:head-2" and "builtin:head" of older sessions.
-  [[nodiscard]] static base::Result<Character> built_in(std::string_view name = "builtin:head-4");
+  /// "builtin:head", the program's own head, which has nothing to pose yet, or "builtin:demo", the same with sketched
+  /// controls.
+  [[nodiscard]] static base::Result<Character> built_in(std::string_view name = "builtin:head");
   /// Errors: those of the mesh, the blend shapes, the skeleton and the rig.
   [[nodiscard]] static base::Result<Character> make(Pieces pieces);
 
@@ -80,7 +81,7 @@ class Character {
   base::Status place_target(CurveId curve, std::span<const ModelPoint> points);
   /// Solves for all curves, from the pose as it is.
   base::Status solve(Preset preset = Preset::meant);
-  /// Sketches a deformer: a new parameter, drawn in four strokes. `rules` of the sketch is not read.
+  /// Sketches a deformer: a new parameter, drawn in four strokes. `paper` of the sketch is not read.
   base::Status sketch(const articulation::Sketch& sketch);
 
   /// Sets all parameters. Errors: another number of values than parameters, a value out of range.

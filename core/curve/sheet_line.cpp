@@ -45,8 +45,8 @@ Placed placed_at(Walk& walk, const Stuck& stuck, std::span<const double> cumulat
   return placed;
 }
 
-/// Even points along a line. From Holding::close on a point that is not beside the one before is the sample next to it.
-base::Result<std::vector<Placed>> evenly(Walk& walk, const Stuck& stuck, std::size_t count, Holding holding) {
+/// Even points along a line. A point that is not beside the one before is the sample next to it.
+base::Result<std::vector<Placed>> evenly(Walk& walk, const Stuck& stuck, std::size_t count) {
   const auto even = resample<PxPoint>(stuck.line, count);
   if (!even) return even.error();
   const auto cumulative = cumulative_length<PxPoint>(stuck.line);
@@ -54,7 +54,7 @@ base::Result<std::vector<Placed>> evenly(Walk& walk, const Stuck& stuck, std::si
   for (std::size_t i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(count - 1);
     Placed placed = placed_at(walk, stuck, cumulative, (*even)[i], share);
-    if (holding != Holding::loose && i > 0) {
+    if (i > 0) {
       const std::size_t segment = place_at(cumulative, share).segment;
       const double step = geometry::distance(stuck.line[segment], stuck.line[segment + 1]);
       if (!walk.joined(points.back().here, placed.here, step)) {
@@ -84,11 +84,11 @@ std::size_t parting(Walk& walk, const Stuck& stuck, std::size_t from, std::size_
   return widest;
 }
 
-/// From Holding::firm on: where two points that follow each other are no neighbours the samples next to them are taken,
+/// Where two points that follow each other are no neighbours the samples next to them are taken,
 /// and where those are none either the line is cut, and its longer part kept.
 base::Result<std::vector<Placed>> firmly(Walk& walk, Stuck& stuck, std::size_t count) {
   for (;;) {
-    auto points = evenly(walk, stuck, count, Holding::firm);
+    auto points = evenly(walk, stuck, count);
     if (!points) return points;
     const double step = stuck.length() / static_cast<double>(count - 1);
     std::optional<std::size_t> cut;
@@ -142,7 +142,7 @@ base::Result<ProjectedStroke> stuck_curve(Walk& walk, std::span<const PxPoint> s
   }
   if (run.taken.size() < 2 || !(run.length > 0.0)) {
     auto drawn = surface_curve(stroke, count, camera, surface.tree);
-    if (surface.holding < Holding::firm || !drawn || holds(walk, *drawn, arc_length<PxPoint>(stroke))) return drawn;
+    if (!drawn || holds(walk, *drawn, arc_length<PxPoint>(stroke))) return drawn;
     return base::Error{"the line stays on no sheet of the surface", "", "draw it along the surface"};
   }
   Stuck stuck{run.first, {}, {}};
@@ -151,12 +151,11 @@ base::Result<ProjectedStroke> stuck_curve(Walk& walk, std::span<const PxPoint> s
     stuck.taken.push_back(node.candidates[run.taken[i]]);
     walk.refine(node, stuck.taken.back());
   }
-  if (surface.holding != Holding::loose) walk.keep_beside(run, stuck.taken);
+  walk.keep_beside(run, stuck.taken);
   for (std::size_t i = 0; i < stuck.taken.size(); ++i) {
     stuck.line.push_back(walk.nodes[run.first + i].px + stuck.taken[i].offset);
   }
-  const auto points =
-      surface.holding >= Holding::firm ? firmly(walk, stuck, count) : evenly(walk, stuck, count, surface.holding);
+  const auto points = firmly(walk, stuck, count);
   if (!points) return points.error();
   ProjectedStroke result;
   for (const Placed& placed : *points) {
@@ -182,14 +181,12 @@ base::Result<ProjectedStroke> sheet_curve(std::span<const PxPoint> stroke, std::
                                           const geometry::Camera& camera, const SheetSurface& surface,
                                           SheetChoice choice) {
   Walk walk(camera, surface);
-  const bool firm = surface.holding >= Holding::firm;
   const bool set_up = walk.set_up(stroke);
   if (!set_up || (choice == SheetChoice::nearer && walk.whole())) {
     auto drawn = surface_curve(stroke, count, camera, surface.tree);
-    if (!set_up || !firm || !drawn || holds(walk, *drawn, arc_length<PxPoint>(stroke))) return drawn;
+    if (!set_up || !drawn || holds(walk, *drawn, arc_length<PxPoint>(stroke))) return drawn;
   }
   auto stuck = stuck_curve(walk, stroke, count, camera, surface, choice);
-  if (surface.holding < Holding::far) return stuck;
   for (int far = 2; far <= k_farthest_stick && (!stuck || stuck->dropped > 0); far *= 2) {
     walk.stick(far);
     auto farther = stuck_curve(walk, stroke, count, camera, surface, choice);

@@ -63,7 +63,7 @@ struct Document {
   std::shared_ptr<const PendingSketch> pending;          ///< null: none
   std::shared_ptr<const Timeline> timeline;              ///< never null
   double time_s = 0;                                     ///< where on the timeline the pose was last taken from
-  std::shared_ptr<const Moment> moment;                  ///< null: none since rules 5
+  std::shared_ptr<const Moment> moment;                  ///< null: nothing was drawn yet
   std::vector<std::shared_ptr<const NamedView>> views;
 };
 

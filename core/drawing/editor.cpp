@@ -15,7 +15,7 @@ base::Status Editor::set_view(const document::View& view) {
 base::Status Editor::perform(const document::Command& command) { return history_.perform(command, work_); }
 
 base::Status Editor::draw(const curve::Stroke& stroke, const document::View& view, bool eraser) {
-  const bool line_wanted = tool_.rules > 0 && !eraser && tool_.kind != ToolKind::pin && tool_.kind != ToolKind::erase;
+  const bool line_wanted = !eraser && tool_.kind != ToolKind::pin && tool_.kind != ToolKind::erase;
   if (line_wanted && is_tap(stroke, view.viewport)) return base::Error{"a tap draws nothing", "line", "draw a line"};
   const auto command = command_of(document(), tool_, view, stroke, eraser);
   if (!command) return command.error();

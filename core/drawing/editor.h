@@ -23,8 +23,8 @@ class Editor {
   void set_tool(Tool tool) { tool_ = std::move(tool); }
 
   base::Status perform(const document::Command& command);
-  /// A completed stroke, with the view under which it began. Errors: those of command_of and of the command; by rules
-  /// from 1 on a tap where the tool wants a line.
+  /// A completed stroke, with the view under which it began. Errors: those of command_of and of the command; a tap
+  /// where the tool wants a line.
   base::Status draw(const curve::Stroke& stroke, const document::View& view, bool eraser);
   base::Status undo() { return history_.undo(); }
   base::Status redo() { return history_.redo(); }

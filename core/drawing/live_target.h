@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
 #include "core/document/document.h"
@@ -13,6 +12,6 @@ namespace penpose::drawing {
 /// (intent::LivePoser). Nothing where the view cannot be or does not see the reference.
 [[nodiscard]] std::optional<intent::IntentProblem> live_problem(const document::Document& document,
                                                                 const document::PoseCurve& curve,
-                                                                const document::View& view, std::uint32_t rules);
+                                                                const document::View& view);
 
 }  // namespace penpose::drawing

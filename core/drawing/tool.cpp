@@ -68,13 +68,9 @@ std::vector<double> pressure_of(const curve::Stroke& stroke) {
   return pressure;
 }
 
-document::DrawTarget target_of(CurveId curve, const document::View& view, const curve::Stroke& stroke,
-                               std::uint32_t rules) {
-  return {curve, view, curve::positions_of(stroke), pressure_of(stroke), rules};
+document::DrawTarget target_of(CurveId curve, const document::View& view, const curve::Stroke& stroke) {
+  return {curve, view, curve::positions_of(stroke), pressure_of(stroke)};
 }
-
-/// Older rules know nothing of sheets, and their commands say nothing of rules.
-std::uint32_t sheet_rules(const Tool& tool) { return tool.rules >= document::k_sheet_rules ? tool.rules : 0; }
 
 }  // namespace
 
@@ -109,26 +105,26 @@ base::Result<document::Command> command_of(const Document& document, const Tool&
   const auto waiting = first_without_target(document);
   switch (tool.kind) {
     case ToolKind::pose:
-      if (waiting) return Command(target_of(*waiting, view, stroke, tool.rules));
-      return Command(document::DrawReference{view, std::move(line), sheet_rules(tool)});
+      if (waiting) return Command(target_of(*waiting, view, stroke));
+      return Command(document::DrawReference{view, std::move(line)});
     case ToolKind::reference:
-      return Command(document::DrawReference{view, std::move(line), sheet_rules(tool)});
+      return Command(document::DrawReference{view, std::move(line)});
     case ToolKind::target:
-      if (tool.curve) return Command(target_of(tool.curve, view, stroke, tool.rules));
-      if (waiting) return Command(target_of(*waiting, view, stroke, tool.rules));
+      if (tool.curve) return Command(target_of(tool.curve, view, stroke));
+      if (waiting) return Command(target_of(*waiting, view, stroke));
       return base::Error{"no reference curve waits for a target", "", "draw a reference curve first"};
     case ToolKind::oversketch: {
       const auto last = tool.curve ? std::optional(tool.curve) : last_with_target(document);
-      if (last) return Command(document::OversketchTarget{*last, view, std::move(line), tool.rules});
+      if (last) return Command(document::OversketchTarget{*last, view, std::move(line)});
       return base::Error{"there is no target to draw over", "", "draw a target first"};
     }
     case ToolKind::constraint:
-      return Command(document::DrawConstraint{view, std::move(line), sheet_rules(tool)});
+      return Command(document::DrawConstraint{view, std::move(line)});
     case ToolKind::pin:
       if (!line.empty()) return Command(document::Pin{view, line.front()});
       break;
     case ToolKind::articulate:
-      return Command(document::SketchCurve{next_step(document, tool), view, std::move(line), tool.rules});
+      return Command(document::SketchCurve{next_step(document, tool), view, std::move(line)});
     case ToolKind::redraw:
       return Command(document::RedrawCurve{tool.deformer, tool.role, view, std::move(line)});
     case ToolKind::between:

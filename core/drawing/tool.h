@@ -1,11 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
-#include "core/articulation/motion/slide.h"
 #include "core/base/result.h"
 #include "core/curve/stroke.h"
 #include "core/document/commands/command.h"
@@ -28,24 +26,13 @@ enum class ToolKind : std::uint8_t {
   between,  ///< another target of a deformer, at `value`
 };
 
-/// The newest rules. 1: a tap draws nothing; where a target is drawn over the rest of it stays where it is. 2: poses
-/// are solved for what was meant. 3: a reference stays on one sheet of the surface, and what was meant is read by
-/// intent::Edition::second. 4: it is read by intent::Edition::third, and references of deformers stay on one sheet too.
-/// 5: it is read by intent::Edition::fourth, from the pose before the first of the lines that belong together. 6: it is
-/// read by intent::Edition::fifth. 7: by intent::Edition::sixth, and lines hold on to their sheet firmly
-/// (curve::Holding::firm). 8: lines stick farther from the pen before a part of them is cut off (curve::Holding::far).
-inline constexpr std::uint32_t k_rules = 8;
-/// The newest that controls are sketched by.
-inline constexpr std::uint32_t k_control_rules = std::max(k_rules, articulation::k_far_rules);
-
 struct Tool {
   ToolKind kind = ToolKind::pose;
-  document::CurveId curve;      ///< for target and oversketch; null: chosen by the rule of the kind
+  document::CurveId curve;      ///< for target and oversketch; null: chosen as the kind says
   bool draw_reference = false;  ///< articulate: the reference is drawn and not inferred
   std::string deformer;         ///< redraw, between: of which deformer
   articulation::CurveRole role = articulation::CurveRole::target;  ///< redraw: which of its curves
   double value = 0.5;                                              ///< between: at which value
-  std::uint32_t rules = 0;  ///< what strokes mean; sessions replay by the rules under which they were drawn
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("kind", self.kind);
@@ -53,7 +40,6 @@ struct Tool {
     visit("draw_reference", self.draw_reference);
     visit("deformer", self.deformer);
     visit("role", self.role);
-    visit("rules", self.rules);
     visit("value", self.value);
   }
   friend bool operator==(const Tool&, const Tool&) = default;

@@ -63,23 +63,14 @@ constexpr std::array<Placed, 41> k_placed{{
     {5, 2, 1.4, -2.1, 0.1},  {5, 3, 2.3, -2.4},        {5, 4, 3.3, -2.55},
     {5, 5, 4.3, -2.25},      {5, 6, 5.15, -1.65},      {6, 0, 0, -3.2, 2.9},
     {6, 1, 0.8, -3.25, 2.3}, {6, 2, 1.66, -3.6, 1.35}, {6, 3, 1.92, -3.45, -0.35},
-    {7, 0, 0, -4.2, 1.9},    {7, 1, 0.36, -4.3, 1.75}, {7, 2, 1.66, -4.3, 1.15},
+    {7, 0, 0, -4.2, 1.9},    {7, 1, 0.36, -4.0, 1.7}, {7, 2, 1.62, -4.05, 1.0},
     {7, 3, 2.0, -4.3, -0.3}, {8, 0, 0, -4.7, 0.55},    {8, 1, 0.5, -4.55, 0.5},
-    {8, 2, 1.5, -4.55, 0.2}, {8, 3, 2.3, -4.85},       {8, 4, 3.3, -5.3},
+    {8, 2, 1.5, -4.5, 0.2}, {8, 3, 2.3, -4.85},       {8, 4, 3.3, -5.3},
     {9, 4, 3.7, -6.5},       {10, 1, 0.75, -8.3},      {10, 2, 1.5, -8.2},
     {10, 3, 2.25, -8},       {10, 4, 3.05, -7.6},
 }};
 
-/// From the third edition on: the edge of the nostril in front and at its wing rises, so that it is seen into.
-constexpr std::array<Placed, 3> k_open_nostril{
-    {{7, 1, 0.36, -4.0, 1.7}, {7, 2, 1.62, -4.05, 1.0}, {8, 2, 1.5, -4.5, 0.2}}};
-
-ModelPoint grid_point(int r, int c, HeadEdition edition) {
-  if (edition >= HeadEdition::third) {
-    for (const Placed& p : k_open_nostril) {
-      if (p.r == r && p.c == c) return {p.x, p.y, bare_depth(p.x, p.y) + p.lift};
-    }
-  }
+ModelPoint grid_point(int r, int c) {
   for (const Placed& p : k_placed) {
     if (p.r == r && p.c == c) return {p.x, p.y, bare_depth(p.x, p.y) + p.lift};
   }
@@ -102,14 +93,14 @@ QuadKind kind_of(int r, int c) {
   return hidden ? QuadKind::coarse_skin : QuadKind::skin;
 }
 
-Grid add_grid(Cage& cage, HeadEdition edition) {
+Grid add_grid(Cage& cage) {
   Grid grid{};
   for (int r = 0; r < k_rows; ++r) {
     for (int c = 0; c < k_columns; ++c) {
       const bool hole =
           k_eye_hole.holds_vertex(r, c) || k_ear_hole.holds_vertex(r, c) || k_mouth_hole.holds_vertex(r, c);
       grid[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] =
-          hole ? k_none : cage.add(grid_point(r, c, edition));
+          hole ? k_none : cage.add(grid_point(r, c));
     }
   }
   for (int r = 0; r + 1 < k_rows; ++r) {
@@ -125,7 +116,7 @@ Grid add_grid(Cage& cage, HeadEdition edition) {
 }
 
 /// A nostril: two loops inside a quad under the nose, and a floor.
-void add_nostril(Cage& cage, const Grid& grid, HeadEdition edition) {
+void add_nostril(Cage& cage, const Grid& grid) {
   std::vector<std::uint32_t> outer{at(grid, 8, 1), at(grid, 8, 2), at(grid, 7, 2), at(grid, 7, 1)};
   const std::vector<std::uint32_t> border = outer;
   ModelPoint middle{0};
@@ -134,9 +125,8 @@ void add_nostril(Cage& cage, const Grid& grid, HeadEdition edition) {
     double scale;
     ModelVector move;
   };
-  const std::array<Inset, 2> narrow{{{0.55, {-0.03, 0.1, 0}}, {0.42, {-0.02, 1.3, 0}}}};
-  const std::array<Inset, 2> wide{{{0.78, {-0.03, 0.08, 0}}, {0.6, {-0.02, 1.1, 0}}}};
-  for (const Inset& inset : edition < HeadEdition::third ? narrow : wide) {
+  constexpr std::array<Inset, 2> k_insets{{{0.78, {-0.03, 0.08, 0}}, {0.6, {-0.02, 1.1, 0}}}};
+  for (const Inset& inset : k_insets) {
     std::vector<std::uint32_t> inner;
     for (const std::uint32_t v : border) {
       inner.push_back(cage.add(middle + (cage.points[v] - middle) * inset.scale + inset.move));
@@ -209,17 +199,16 @@ void Cage::add_strip(const std::vector<std::uint32_t>& outer, const std::vector<
   }
 }
 
-Cage make_cage(HeadEdition edition) {
+Cage make_cage() {
   Cage cage;
-  const Grid grid = add_grid(cage, edition);
+  const Grid grid = add_grid(cage);
   add_crown(cage, grid);
-  add_nostril(cage, grid, edition);
+  add_nostril(cage, grid);
   add_eye(cage, {at(grid, 4, 6), at(grid, 3, 6), at(grid, 3, 5), at(grid, 3, 4), at(grid, 3, 3), at(grid, 3, 2),
                  at(grid, 4, 2), at(grid, 5, 2), at(grid, 5, 3), at(grid, 5, 4), at(grid, 5, 5), at(grid, 5, 6)});
   add_mouth(cage,
             {at(grid, 10, 0), at(grid, 10, 1), at(grid, 10, 2), at(grid, 10, 3), at(grid, 10, 4), at(grid, 9, 4),
-             at(grid, 8, 4), at(grid, 8, 3), at(grid, 8, 2), at(grid, 8, 1), at(grid, 8, 0)},
-            edition);
+             at(grid, 8, 4), at(grid, 8, 3), at(grid, 8, 2), at(grid, 8, 1), at(grid, 8, 0)});
   add_ear(cage, {at(grid, 4, 8), at(grid, 5, 8), at(grid, 6, 8), at(grid, 7, 8), at(grid, 7, 9), at(grid, 6, 9),
                  at(grid, 5, 9), at(grid, 4, 9)});
   return cage;

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/head/edition.h"
 #include "core/head/form.h"
 #include "core/mesh/subdivision.h"
 
@@ -52,13 +51,13 @@ struct Cage {
 };
 
 /// The whole half: face grid, skull, neck, and the loops of eye, mouth and ear in its holes.
-[[nodiscard]] Cage make_cage(HeadEdition edition = HeadEdition::first);
+[[nodiscard]] Cage make_cage();
 
 /// Fill the holes of the face grid. `border`: the hole's vertices, counter-clockwise from outside.
 /// Eye: 12, starting at the outer corner. Mouth: 11 from the middle of the lower edge to the middle of the upper edge.
 /// Ear: 8, starting at the upper front corner.
 void add_eye(Cage& cage, const std::vector<std::uint32_t>& border);
-void add_mouth(Cage& cage, const std::vector<std::uint32_t>& border, HeadEdition edition);
+void add_mouth(Cage& cage, const std::vector<std::uint32_t>& border);
 void add_ear(Cage& cage, const std::vector<std::uint32_t>& border);
 
 }  // namespace penpose::head

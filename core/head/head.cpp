@@ -47,24 +47,19 @@ HeadLandmarks head_landmarks() {
   return {{center, k_eye_radius * k_metre}, {{-center.x, center.y, center.z}, k_eye_radius * k_metre}};
 }
 
-document::Model make_head(HeadEdition edition) {
-  const auto half = make_half(edition);
+document::Model make_head() {
+  const auto half = make_half();
   if (!half) std::abort();
   Assembly head;
   Skin skin = make_skin(*half);
-  const bool second = edition != HeadEdition::first;
-  Surface teeth_lower;
-  Surface tongue;
-  if (second) {
-    teeth_lower = make_teeth_lower(edition);
-    tongue = make_tongue();
-    hang_on(skin.lining, teeth_lower);
-    hang_on(skin.lining, tongue);
-  }
+  Surface teeth_lower = make_teeth_lower();
+  Surface tongue = make_tongue();
+  hang_on(skin.lining, teeth_lower);
+  hang_on(skin.lining, tongue);
   head.add("skin", skin.bare, material(0.62, 0.40, 0.29, 0.55));
   head.add("lips", skin.lips, material(0.54, 0.27, 0.21, 0.42));
   head.add("brows", skin.brows, material(0.09, 0.045, 0.025, 0.7));
-  head.add("lining", skin.lining, second ? material(0.035, 0.008, 0.008, 0.9) : material(0.16, 0.035, 0.03, 0.5));
+  head.add("lining", skin.lining, material(0.035, 0.008, 0.008, 0.9));
   head.add("lashes", skin.lashes, material(0.05, 0.028, 0.02, 0.6));
   const auto skin_triangles = static_cast<std::uint32_t>(head.source.triangles.size());
   const Surface white = make_eye_cap(1, 0, 180, 10, 22);
@@ -79,10 +74,8 @@ document::Model make_head(HeadEdition edition) {
     head.add("pupil" + side, pupil, material(0.006, 0.006, 0.007, 0.1), right);
   }
   head.add("teeth", make_teeth(), material(0.78, 0.74, 0.66, 0.25));
-  if (second) {
-    head.add("teeth_lower", teeth_lower, material(0.74, 0.70, 0.62, 0.3));
-    head.add("tongue", tongue, material(0.36, 0.10, 0.09, 0.5));
-  }
+  head.add("teeth_lower", teeth_lower, material(0.74, 0.70, 0.62, 0.3));
+  head.add("tongue", tongue, material(0.36, 0.10, 0.09, 0.5));
   head.add("hair", make_hair(skin.bare), material(0.10, 0.05, 0.028, 0.5));
   auto built = mesh::TriangleMesh::build(std::move(head.source));
   if (!built) std::abort();

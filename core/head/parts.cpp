@@ -78,10 +78,7 @@ Surface arch(double y, double width, double back, double depth, double thick, do
 
 Surface make_teeth() { return arch(k_mouth_y + 0.28, 2.05, 5.35, 2.45, 0.2, 0.5); }
 
-Surface make_teeth_lower(HeadEdition edition) {
-  const bool low = edition >= HeadEdition::fourth;
-  return arch(k_mouth_y - (low ? 0.82 : 0.72), 1.85, 5.25, 2.25, 0.18, 0.42, 0.9);
-}
+Surface make_teeth_lower() { return arch(k_mouth_y - 0.82, 1.85, 5.25, 2.25, 0.18, 0.42, 0.9); }
 
 Surface make_tongue() {
   constexpr std::size_t k_rings = 9;

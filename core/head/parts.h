@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/head/edition.h"
 #include "core/head/skin.h"
 
 namespace penpose::head {
@@ -12,7 +11,7 @@ namespace penpose::head {
 /// The upper row of teeth, as one rounded band behind the lips, in centimetres.
 [[nodiscard]] Surface make_teeth();
 /// The lower row, and a tongue, neither of which is yet joined to anything.
-[[nodiscard]] Surface make_teeth_lower(HeadEdition edition);
+[[nodiscard]] Surface make_teeth_lower();
 [[nodiscard]] Surface make_tongue();
 /// Joins what stands in the mouth to its wall by a stem, so that the two are one surface: a triangle is taken out of
 /// each where they are nearest, and a tube drawn between the holes.

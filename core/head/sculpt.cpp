@@ -36,37 +36,7 @@ ModelVector face(const ModelPoint& p) {
 }
 
 /// How far the rows beside the brows' line are drawn towards it: 0 not at all, 1 onto it.
-double pinch_of_brow(double x, HeadEdition edition) {
-  switch (edition) {
-    case HeadEdition::first:
-    case HeadEdition::second:
-      return profile({{0.6, 0.78},
-                      {0.85, 0.68},
-                      {1.15, 0.46},
-                      {2.0, 0.38},
-                      {3.4, 0.42},
-                      {4.6, 0.65},
-                      {5.3, 0.9},
-                      {5.7, 0.96},
-                      {6.3, 0.6},
-                      {7.4, 0}},
-                     x);
-    case HeadEdition::third:
-      return profile({{0.55, 0.3},
-                      {0.85, 0.8},
-                      {1.05, 0.68},
-                      {1.4, 0.5},
-                      {2.0, 0.4},
-                      {3.4, 0.42},
-                      {4.6, 0.65},
-                      {5.3, 0.88},
-                      {5.7, 0.86},
-                      {6.1, 0.35},
-                      {6.5, 0}},
-                     x);
-    case HeadEdition::fourth:
-      break;
-  }
+double pinch_of_brow(double x) {
   // No steep change beside the inner end: rows that part there stand as creases when the brow moves.
   return profile({{0.0, 0.42},
                   {0.5, 0.46},
@@ -98,18 +68,17 @@ ModelPoint carved(const ModelPoint& bare, const LoopMark& mark) {
   return bare + face(bare) * ModelVector{off_plane, 1, 1} * in_face(bare, mark);
 }
 
-ModelPoint with_brow(const ModelPoint& p, const LoopMark& mark, HeadEdition edition) {
+ModelPoint with_brow(const ModelPoint& p, const LoopMark& mark) {
   // Thinner than the control rows, with a pointed tail. Vertices slide along the face.
   const double line = brow_line(p.x);
-  const bool third = edition >= HeadEdition::third;
-  const double pinch = pinch_of_brow(p.x, edition);
+  const double pinch = pinch_of_brow(p.x);
   const double off = p.y - line;
   const double share = in_face(p, mark);
   const double slide = -off * pinch * (off > 0 ? ramp(3.2, 0.75, off) : ramp(1.7, 0.7, -off)) * share;
   if (slide == 0 && (off > 1 || off < -1)) return p;
   ModelPoint moved{p.x, p.y + slide, p.z + bare_depth(p.x, p.y + slide) - bare_depth(p.x, p.y)};
-  const double begins = edition >= HeadEdition::fourth ? ramp(0.35, 1.7, p.x) : ramp(0.55, 1.15, p.x);
-  moved.z += (third ? 0.1 : 0.26) * share * begins * ramp(5.8, 4.9, p.x) * bump(square((moved.y - line) / 0.6));
+  const double begins = ramp(0.35, 1.7, p.x);
+  moved.z += 0.1 * share * begins * ramp(5.8, 4.9, p.x) * bump(square((moved.y - line) / 0.6));
   return moved;
 }
 

@@ -108,8 +108,8 @@ Surface mirrored_part(const Half& half, std::vector<mesh::Triangle> triangles) {
 
 }  // namespace
 
-base::Result<Half> make_half(HeadEdition edition) {
-  const Cage cage = make_cage(edition);
+base::Result<Half> make_half() {
+  const Cage cage = make_cage();
   Pair pair = whole(cage);
   std::vector<std::uint32_t> cage_quad;
   std::vector<std::uint32_t> coarser;
@@ -154,7 +154,7 @@ base::Result<Half> make_half(HeadEdition edition) {
     half.kinds.push_back(cage.kinds[of_cage]);
   }
   for (std::size_t v = 0; v < half.points.size(); ++v) {
-    half.points[v] = with_brow(half.points[v], half.marks[v], edition);
+    half.points[v] = with_brow(half.points[v], half.marks[v]);
   }
   lift_off_eye(half);
   close_lips(half);

@@ -18,7 +18,7 @@ struct Half {
 };
 
 /// Cage, two levels of subdivision, sculpting, lids on the eyeball and lips that meet.
-[[nodiscard]] base::Result<Half> make_half(HeadEdition edition = HeadEdition::first);
+[[nodiscard]] base::Result<Half> make_half();
 
 /// A surface of triangles, both halves, in centimetres.
 struct Surface {

@@ -99,7 +99,7 @@ struct LivePoser::State {
       }
     }
     std::size_t evaluations = selection.evaluations();
-    if (problem.edition != Edition::first && reader.linear() && stands_at_limit(next, reader.choices())) {
+    if (reader.linear() && stands_at_limit(next, reader.choices())) {
       if (auto meant = meant_without_limits(reader, quadratic, next, most_units, evaluations)) next = std::move(*meant);
     }
     choice = std::move(next);
@@ -121,12 +121,12 @@ base::Result<LivePoser> LivePoser::start(const rig::Rig& rig, WholeModel whole, 
   DrawnCurve& drawn = problem.drawn.front();
   drawn.target = {{0, 0}, {1, 0}};
   if (auto status = check_problem(rig, problem); !status) return status.error();
-  if (problem.edition >= Edition::fourth && !problem.posed.empty()) {
+  if (!problem.posed.empty()) {
     problem = with_the_rest_held(rig, problem);
     if (auto status = check_problem(rig, problem); !status) return status.error();
   }
 
-  const bool locked = !problem.locked.empty() && problem.edition != Edition::first;
+  const bool locked = !problem.locked.empty();
   std::unique_ptr<State> unlocked;
   if (locked) {
     IntentProblem meant = as_if_unlocked(problem);
@@ -136,9 +136,7 @@ base::Result<LivePoser> LivePoser::start(const rig::Rig& rig, WholeModel whole, 
   auto state = std::make_unique<State>(rig, std::move(whole), std::move(problem));
   state->seen = state->reader.seen_at_start(0);
   state->length = curve::arc_length<PxPoint>(state->seen);
-  auto chain = chain_of(rig, state->problem.drawn.front().reference);
-  if (state->problem.edition != Edition::first)
-    chain.assign(state->reader.chain().begin(), state->reader.chain().end());
+  const std::vector<std::size_t> chain(state->reader.chain().begin(), state->reader.chain().end());
   if (!chain.empty()) {
     state->reader.restrict_to(chain);
     if (unlocked) unlocked->reader.restrict_to(chain);
@@ -169,7 +167,7 @@ LiveStep LivePoser::follow_whole(std::span<const PxPoint> line) {
   if (line.size() < 2) return {};
   const double drawn = curve::arc_length(line);
   if (!(drawn >= k_shortest_px && drawn <= 1e7)) return {};
-  return s.step(line, alignments(s.seen, line, 0.0, s.problem.edition).front());
+  return s.step(line, alignments(s.seen, line, 0.0).front());
 }
 
 const rig::Pose& LivePoser::pose() const { return state_->pose; }

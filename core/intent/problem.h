@@ -50,9 +50,6 @@ struct KnownCurve {
   double doubt = 0;                ///< model units, > 0
 };
 
-/// How strokes are read. Each edition gives the same bits for ever: sessions replay by the one they were drawn under.
-enum class Edition : std::uint8_t { first, second, third, fourth, fifth, sixth };
-
 /// What drawing means: which pose was meant by these strokes, starting from this pose.
 struct IntentProblem {
   std::vector<DrawnCurve> drawn;
@@ -60,13 +57,12 @@ struct IntentProblem {
   std::vector<KnownCurve> kept;   ///< constraints: curves that stay where they were when they were set
   std::vector<std::size_t> free;  ///< parameters that may move, ascending
   /// Parameters that might be meant but are held by the artist, ascending: without one that the strokes mean, no more
-  /// controls move than would with it. From Edition::second on.
+  /// controls move than would with it.
   std::vector<std::size_t> locked;
   rig::Pose start;  ///< one value a parameter
   /// The pose that an earlier solve came to from the same start, one value a parameter; empty: none. A reading that
-  /// goes on from it is kept unless another one is clearly better. From Edition::fourth on.
+  /// goes on from it is kept unless another one is clearly better.
   rig::Pose posed = {};
-  Edition edition = Edition::sixth;
 };
 
 /// Errors: nothing to match, lines of fewer than two points or of no length, other numbers of targets than of points,

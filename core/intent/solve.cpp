@@ -27,30 +27,26 @@ constexpr double k_near_enough = 0.6;
 /// How much lower the energy has to be before a limb leans out of the picture that need not.
 constexpr double k_lean_gain = 3.0;
 /// How much lower the energy has to be before what was drawn before is read anew, and again for each control taken
-/// back.
-constexpr double k_stay = 8.0;
+/// back; and how much less is asked where what stays needs a control at its limit.
+constexpr double k_stay = 10.0;
+constexpr double k_stay_at_limit = 16.0;
 /// Then its lines have to fit about as well as they did: by this factor of their squares, and this much beyond.
 constexpr double k_as_near = 1.2;
 constexpr double k_as_near_beyond = 6.0;
-/// From Edition::fifth on: what takes the place of k_stay, and how much less is asked where what stays needs a control
-/// at its limit.
-constexpr double k_stay_fifth = 10.0;
-constexpr double k_stay_at_limit = 16.0;
 /// How near a limit that is, share of the range.
 constexpr double k_at_limit = 0.02;
 /// A control that is asked for this share of what it can or more hardly is what was meant: a shape that something else
 /// takes on is thought of then, even though the line is met, and taken where it is better by this.
 constexpr double k_strained = 0.85;
 constexpr double k_unstrained_gain = 4.0;
-/// From Edition::sixth on: also one that asks as much, where it is better by this.
+/// Also one that asks as much, where it is better by this.
 constexpr double k_strained_gain = 20.0;
-/// From Edition::sixth on: what a line tells of a shape takes the place of what meets it where it is better by this.
+/// What a line tells of a shape takes the place of what meets it where it is better by this.
 constexpr double k_shape_gain = 4.0;
 
 /// A line that is shorter than its limb may show it leaning towards the eye or away from it. The first order of the
 /// picture does not tell that of a limb that lies across the view, so that other readings have to begin there.
 Reading foreshortened(Reader& reader, Solver& solver, std::size_t drawn, Reading best) {
-  if (reader.edition() == Edition::first) return best;
   const auto fits = [&](const Reading& one) {
     bool all = true;
     for (std::size_t c = 0; c < drawn; ++c) all = all && reader.squares_of(c, one.choice) < k_fits;
@@ -72,8 +68,8 @@ Reading foreshortened(Reader& reader, Solver& solver, std::size_t drawn, Reading
   return best;
 }
 
-/// From Edition::sixth on lines of faces tell shapes even where something meets them.
-bool tells_shapes(const Reader& reader) { return reader.edition() >= Edition::sixth && reader.chain().empty(); }
+/// Lines of faces tell shapes even where something meets them.
+bool tells_shapes(const Reader& reader) { return reader.chain().empty(); }
 
 /// Whether something is asked for nearly as much as it can.
 bool strained(const Reader& reader, const Choice& choice) {
@@ -104,7 +100,7 @@ std::vector<double> squares_of_all(Reader& reader, const Choice& choice, std::si
 /// reading of all of it; -1: by the best reading so far.
 void realign(Reader& reader, Solver& solver, std::size_t c, double asked, double met, Reading& best) {
   std::size_t chosen = reader.aligned(c);
-  const bool beyond = reader.edition() >= Edition::fifth && strained(reader, best.choice);
+  const bool beyond = strained(reader, best.choice);
   const bool fits = reader.squares_of(c, best.choice) < k_fits;
   if (reader.alignments(c).size() < 2 || (fits && !beyond)) return;
   for (std::size_t a = 1; a < reader.alignments(c).size(); ++a) {
@@ -122,7 +118,7 @@ void realign(Reader& reader, Solver& solver, std::size_t c, double asked, double
     }
     reader.align(c, a);
     solver.something = beside;
-    if (beside && reader.edition() >= Edition::fourth) solver.shape = c;
+    if (beside) solver.shape = c;
     Reading one = solver.read();
     solver.shape.reset();
     if (beside) solver.match(one);
@@ -144,19 +140,13 @@ void realign(Reader& reader, Solver& solver, std::size_t c, double asked, double
 /// The best reading over the ways in which single lines may be aligned.
 Reading best_alignment(Reader& reader, Solver& solver, std::size_t drawn) {
   for (std::size_t c = 0; c < drawn; ++c) reader.align(c, 0);
-  std::vector<double> asked(drawn, 0.0);
-  if (reader.edition() >= Edition::third) {
-    solver.match({});
-    asked = squares_of_all(reader, {}, drawn);
-  }
+  solver.match({});
+  const std::vector<double> asked = squares_of_all(reader, {}, drawn);
   Reading best = solver.read();
   best = foreshortened(reader, solver, drawn, std::move(best));
   // Whether a line is met is told by all of it.
-  std::vector<double> met(drawn, -1.0);
-  if (reader.edition() >= Edition::fourth) {
-    solver.match(best);
-    met = squares_of_all(reader, best.choice, drawn);
-  }
+  solver.match(best);
+  const std::vector<double> met = squares_of_all(reader, best.choice, drawn);
   for (std::size_t c = 0; c < drawn; ++c) realign(reader, solver, c, asked[c], met[c], best);
   return best;
 }
@@ -214,7 +204,7 @@ Solution solve_free(const rig::Rig& rig, const WholeModel& whole, const IntentPr
       for (std::size_t c = 0; c < aligned.size(); ++c) reader.align(c, aligned[c]);
     }
   }
-  if (problem.edition != Edition::first && reader.linear()) solver.keep_to_what_is_meant(reading, options.most_units);
+  if (reader.linear()) solver.keep_to_what_is_meant(reading, options.most_units);
   solver.search(reading);
   units = reading.choice.units.size();
   solution.evaluations = solver.evaluations;
@@ -259,8 +249,7 @@ namespace {
 base::Result<Solution> solve_whole(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
                                    const SolveOptions& options, Workspace& work) {
   std::size_t units = 0;
-  if (problem.locked.empty() || problem.edition == Edition::first)
-    return solve_free(rig, whole, problem, options, work, units);
+  if (problem.locked.empty()) return solve_free(rig, whole, problem, options, work, units);
   const IntentProblem unlocked = as_if_unlocked(problem);
   if (auto status = check_problem(rig, unlocked); !status) return status.error();
   Solution meant = solve_free(rig, whole, unlocked, options, work, units);
@@ -312,13 +301,11 @@ base::Result<Solution> solve_with_posed(const rig::Rig& rig, const WholeModel& w
         as_near && (!part.drawn[c].before || by_anew.squares[c] <= k_as_near * stays.squares[c] + k_as_near_beyond);
   anew->evaluations += held->evaluations + alone->evaluations;
   // Each control that it takes back has to be worth it.
-  const double stay = problem.edition >= Edition::fifth ? k_stay_fifth : k_stay;
-  double gain = stay;
+  double gain = k_stay;
   for (std::size_t i = 0; i < part.start.size(); ++i) {
-    if (part.posed[i] != part.start[i] && anew->pose[i] == part.start[i]) gain += stay;
+    if (part.posed[i] != part.start[i] && anew->pose[i] == part.start[i]) gain += k_stay;
   }
-  if (problem.edition >= Edition::fifth && goes_to_limit(rig, part, (stays_held ? held : alone)->pose))
-    gain -= k_stay_at_limit;
+  if (goes_to_limit(rig, part, (stays_held ? held : alone)->pose)) gain -= k_stay_at_limit;
   if (as_near && by_anew.energy < stays.energy - gain) return anew;
   return stays_held ? held : alone;
 }
@@ -328,8 +315,7 @@ base::Result<Solution> solve_with_posed(const rig::Rig& rig, const WholeModel& w
 base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
                              const SolveOptions& options, Workspace& work) {
   if (auto status = check_problem(rig, problem); !status) return status.error();
-  if (problem.edition < Edition::fourth || problem.posed.empty())
-    return solve_whole(rig, whole, problem, options, work);
+  if (problem.posed.empty()) return solve_whole(rig, whole, problem, options, work);
   Reader reader(rig, whole, problem);
   auto solution = solve_with_posed(rig, whole, problem, reader, options, work);
   if (solution) describe(rig, problem, reader, *solution);

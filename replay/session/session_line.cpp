@@ -1,7 +1,9 @@
 #include "replay/session/session_line.h"
 
+#include "core/base/edition.h"
 #include "core/base/numbers.h"
 #include "core/base/text/letters.h"
+#include "core/base/text/shown_text.h"
 #include "core/document/commands/command_text.h"
 #include "core/document/commands/text_members.h"
 
@@ -11,6 +13,7 @@ namespace {
 using document::take_piece;
 
 constexpr std::string_view k_mark = "penpose";
+constexpr std::size_t k_longest_name = 60;
 
 struct HashMember {
   std::string path;
@@ -43,7 +46,7 @@ std::string hex8(std::uint32_t value) {
 }
 
 std::string text_of(const SessionBegins& line) {
-  std::string out = "session " + std::to_string(SessionBegins::k_version);
+  std::string out = "session edition=" + std::to_string(base::k_edition);
   document::append_members(out, ProgramMember{line.program});
   return out;
 }
@@ -123,12 +126,15 @@ Line parse_state(std::string_view text) {
 }
 
 Line parse_header(std::string_view text) {
-  const std::string_view version = take_piece(text, ' ');
-  if (base::parse_uint(version) != SessionBegins::k_version) {
-    return base::Error{"the session is of version " + std::string(version.substr(0, 20)) + ", which is not known", "",
-                       "replay it with the program that recorded it, or a newer one"};
-  }
+  std::string_view edition = take_piece(text, ' ');
+  const bool ours = take_piece(edition, '=') == "edition" && base::parse_uint(edition) == base::k_edition;
   auto members = document::parse_members<ProgramMember>(text);
+  if (!ours) {
+    const std::string program = members && !members->program.empty() ? members->program : "a program without a name";
+    return base::Error{"the session was recorded by " + base::shown_line(program, k_longest_name) +
+                           " under another edition of drawing, and would come out otherwise",
+                       "", "replay it with that program, or draw it again"};
+  }
   if (!members) return members.error();
   return parsed(SessionBegins{std::move(members->program)});
 }

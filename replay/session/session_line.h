@@ -18,9 +18,8 @@ namespace penpose::replay {
 // What a session's trace says beyond the pen, in comment lines "# penpose WHAT ...". Texts, numbers, views and commands
 // are written as core/document/commands/command_text.h says.
 
-/// "session 1 program=NAME": the first of them. A number that is not known is refused.
+/// "session edition=1 program=NAME": the first of them. Another edition (core/base/edition.h) is refused.
 struct SessionBegins {
-  static constexpr std::int64_t k_version = 1;
   std::string program;
   friend bool operator==(const SessionBegins&, const SessionBegins&) = default;
 };
@@ -85,8 +84,8 @@ using SessionLine = std::variant<SessionBegins, ModelNamed, ViewChanged, ToolCho
 
 /// The text of a comment line, without its "# ".
 [[nodiscard]] std::string to_text(const SessionLine& line);
-/// Reads a comment line of a trace ("# penpose ..."). Nothing for any other comment. Errors: a version that is not
-/// known, a line that is not known or has another form.
+/// Reads a comment line of a trace ("# penpose ..."). Nothing for any other comment. Errors: another edition, a
+/// line that is not known or has another form.
 [[nodiscard]] base::Result<std::optional<SessionLine>> parse_session_line(std::string_view comment);
 
 }  // namespace penpose::replay

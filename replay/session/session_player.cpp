@@ -147,7 +147,7 @@ void Player::on_line(const TraceLine& line) {
   if (line.number == 1 && text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   const auto parsed = parse_session_line(text);
   if (!parsed) {
-    // Lines of a file that says no version may be anybody's comments; a version that is not known ends everything.
+    // Lines of a file that says no edition may be anybody's comments; another edition ends everything.
     if (text.starts_with("# penpose session ")) {
       error_ = at_line(line.number, parsed.error());
     } else if (out_.problems.size() < k_most_refusals) {

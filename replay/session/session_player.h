@@ -75,7 +75,7 @@ struct Playback {
 };
 
 /// Replays a session or a plain trace in memory that does not grow with the file. Errors: those of reading and of
-/// loading the model; a session of a version that is not known; a model that has changed since it was recorded.
+/// loading the model; a session of another edition; a model that has changed since it was recorded.
 [[nodiscard]] base::Result<Playback> play_session(ReadBytes read, const PlayerOptions& options);
 
 }  // namespace penpose::replay

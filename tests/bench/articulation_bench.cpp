@@ -12,7 +12,7 @@
 #include "core/rig/character_rig.h"
 #include "replay/session/session_player.h"
 #include "tests/support/shared_data.h"
-#include "ui/demo/demo_head.h"
+#include "core/character/demo_head.h"
 #include "ui/demo/embedded_files.h"
 
 namespace penpose {
@@ -200,7 +200,7 @@ BENCHMARK(solve_two_curves)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 // The same on what the issue names: the built-in head with its fifteen deformers, and the face of 26,719 vertices.
 
 const document::Model& demo_head() {
-  static const document::Model model = demo::make_demo_head(head::HeadEdition::first).value();
+  static const document::Model model = character::make_demo_head().value();
   return model;
 }
 

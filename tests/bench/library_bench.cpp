@@ -14,7 +14,7 @@
 
 #include "core/character/character.h"
 #include "ui/capi/penpose.h"
-#include "ui/demo/demo_head.h"
+#include "core/character/demo_head.h"
 
 namespace {
 
@@ -67,14 +67,14 @@ void check(bool works, const char* what) {
 
 int main(int argc, char** argv) {
   const int rounds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 2000;
-  auto model = demo::make_demo_head();
+  auto model = character::make_demo_head();
   check(model.ok(), "no head");
   character::Character head(document::make_document(std::move(model).value()));
   penpose_library* library = nullptr;
   penpose_handle handle = 0;
   penpose_error error;
   check(penpose_open(&library, &error) == PENPOSE_OK, error.message);
-  check(penpose_character_built_in(library, "builtin:demo-4", &handle, &error) == PENPOSE_OK, error.message);
+  check(penpose_character_built_in(library, "builtin:demo", &handle, &error) == PENPOSE_OK, error.message);
   const auto curve = head.place_reference(head.points_of("lip_upper").value()).value();
   std::uint32_t number = 0;
   check(penpose_curve_named(library, handle, "lip_upper", PENPOSE_REFERENCE, &number, &error) == PENPOSE_OK,

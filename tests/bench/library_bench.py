@@ -23,7 +23,7 @@ def median_us(call):
 
 
 def main():
-    head = penpose.Character.built_in('builtin:demo-4')
+    head = penpose.Character.built_in('builtin:demo')
     lip = head.curve('lip_upper')
     head.target(lip, head.positions(lip) + [0, 0.002, 0])
     out = head.evaluate()

@@ -10,7 +10,7 @@
 #include "replay/session/session_player.h"
 #include "replay/session/session_recorder.h"
 #include "replay/session/virtual_pen.h"
-#include "ui/demo/demo_head.h"
+#include "core/character/demo_head.h"
 #include "ui/files/trace_file.h"
 
 namespace penpose {
@@ -77,7 +77,7 @@ void replay_drawing(benchmark::State& state) {
   replay::PlayerOptions options;
   options.open = [](const std::string&) {
     return base::Result<document::Document>(
-        document::make_document(demo::make_demo_head(head::HeadEdition::first).value()));
+        document::make_document(character::make_demo_head().value()));
   };
   // As it was recorded: with the state after every stroke, in a file.
   const files::File file(std::tmpfile(), &std::fclose);

@@ -34,9 +34,9 @@ constexpr std::size_t k_knowing_actions = 80;
 
 base::Result<document::Document> open(const std::string& path) {
   if (path == "builtin:head") return document::make_document(head::make_head());
-  if (path == "builtin:head-2") return document::make_document(head::make_head(head::HeadEdition::second));
-  if (path == "builtin:head-3") return document::make_document(head::make_head(head::HeadEdition::third));
-  if (path == "builtin:head-4") return document::make_document(head::make_head(head::HeadEdition::fourth));
+  if (path == "builtin:head") return document::make_document(head::make_head());
+  if (path == "builtin:head") return document::make_document(head::make_head());
+  if (path == "builtin:head") return document::make_document(head::make_head());
   if (path == "test-sheet") return document::make_document(tests::sheet_model());
   return base::Error{"no golden session is drawn on " + path, "", ""};
 }

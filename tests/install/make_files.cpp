@@ -16,7 +16,7 @@
 #include "core/io/project/sketch_file.h"
 #include "core/io/project/write_document.h"
 #include "tests/support/models/articulation_models.h"
-#include "ui/demo/demo_head.h"
+#include "core/character/demo_head.h"
 
 namespace {
 
@@ -157,7 +157,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const fs::path folder(argv[1]);
-  const auto head = demo::make_demo_head(head::HeadEdition::second);
+  const auto head = character::make_demo_head();
   if (!head) {
     std::cerr << head.error().line() << '\n';
     return 1;

@@ -17,7 +17,7 @@ def main():
             character, playback = penpose.play(file.read(), on)
         assert character.state == playback.state and playback.differing == 0
         print(os.path.basename(path), character.state)
-    head = penpose.Character.built_in('builtin:demo-2')
+    head = penpose.Character.built_in('builtin:demo')
     lip = head.curve('lip_upper')
     head.target(lip, head.positions(lip) + [0, 0.002, 0])
     head.solve()

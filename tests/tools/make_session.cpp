@@ -1,5 +1,6 @@
 // make_session demo SKETCH EXPRESSIONS OUT: a session that sketches the deformers of a sketch file on the built-in head
 // and poses it as an expression file says, every line drawn by the virtual pen.
+// make_session sketches SESSION OUT: the sketch file of the controls that a session ends with.
 // make_session random SEED ACTIONS OUT: what a random hand does with a small sheet.
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 
 #include "core/head/head.h"
 #include "core/io/project/sketch_file.h"
+#include "replay/session/session_player.h"
 #include "tests/support/random_session.h"
 #include "tests/tools/expression_file.h"
 
@@ -29,10 +31,6 @@ void stop(const base::Error& error, const std::string& where) {
   std::exit(1);
 }
 
-/// The expressions of the demos are read as they were when the first of these was drawn; newer rules take fewer
-/// controls for a surprised mouth than an animator would.
-constexpr std::uint32_t k_pose_rules = 4;
-
 class DemoHand {
  public:
   explicit DemoHand(tests::SessionScript& script) : script_(script) {}
@@ -50,18 +48,15 @@ class DemoHand {
   }
 
   void sketch(const articulation::Sketch& sketch) {
-    perform(
-        document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum, sketch.maximum, sketch.rules},
-        sketch.name);
+    perform(document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum, sketch.maximum},
+            sketch.name);
     drawing::Tool tool;
     tool.kind = drawing::ToolKind::articulate;
     tool.draw_reference = !sketch.reference.empty();
-    tool.rules = sketch.rules;
-    rules_ = sketch.rules;
     if (!(tool == script_.editor().tool())) static_cast<void>(script_.act(replay::ToolChosen{tool}));
     look(sketch.camera, sketch.viewport);
-    draw(closed(sketch.general), sketch.name + ", general");
-    draw(closed(sketch.specific), sketch.name + ", specific");
+    draw(sketch.general, sketch.name + ", general");
+    draw(sketch.specific, sketch.name + ", specific");
     if (tool.draw_reference) {
       look(sketch.reference_camera.value_or(sketch.camera), sketch.viewport);
       draw(sketch.reference, sketch.name + ", reference");
@@ -78,7 +73,6 @@ class DemoHand {
     for (const auto kind : {drawing::ToolKind::reference, drawing::ToolKind::target}) {
       drawing::Tool tool;
       tool.kind = kind;
-      tool.rules = std::min(rules_, k_pose_rules);
       static_cast<void>(script_.act(replay::ToolChosen{tool}));
       for (const tests::DrawnPair& pair : expression.curves) {
         look(pair.camera.value_or(expression.camera), viewport);
@@ -90,12 +84,26 @@ class DemoHand {
   }
 
  private:
-  /// A lasso whose ends meet, as a hand would draw it.
-  static std::vector<PxPoint> closed(std::vector<PxPoint> line) { return line; }
-
   tests::SessionScript& script_;
-  std::uint32_t rules_ = 0;
 };
+
+/// The sketches of the controls that a session on the built-in head ends with.
+std::string sketches_of(const char* session_file) {
+  const std::string text = read(session_file);
+  replay::PlayerOptions options;
+  options.open = [](const std::string&) {
+    return base::Result<document::Document>(document::make_document(head::make_head()));
+  };
+  const auto played = replay::play_session(replay::read_from(base::as_bytes(text)), options);
+  if (!played) stop(played.error(), session_file);
+  io::SketchFile file;
+  file.model = "builtin:head";
+  for (const auto& deformer : played->session->editor().document().model->deformers->deformers()) {
+    file.sketches.push_back(deformer->sketch());
+  }
+  file.viewport = file.sketches.front().viewport;
+  return io::write_sketch_file(file);
+}
 
 std::string demo_session(const char* sketch_file, const char* expression_file) {
   const std::string sketch_text = read(sketch_file);
@@ -103,7 +111,7 @@ std::string demo_session(const char* sketch_file, const char* expression_file) {
   if (!sketches) stop(sketches.error(), sketch_file);
   const auto expressions = tests::read_expressions(read(expression_file));
   if (!expressions) stop(expressions.error(), expression_file);
-  tests::SessionScript script(document::make_document(head::make_head(head::HeadEdition::fourth)), "builtin:head-4");
+  tests::SessionScript script(document::make_document(head::make_head()), "builtin:head");
   DemoHand hand(script);
   for (const articulation::Sketch& sketch : sketches->sketches) hand.sketch(sketch);
   double now_s = 0;
@@ -122,18 +130,21 @@ std::string demo_session(const char* sketch_file, const char* expression_file) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) {
-    std::cerr << "usage: make_session demo SKETCH EXPRESSIONS OUT | random SEED ACTIONS OUT\n";
+  const bool sketches = argc == 4 && std::strcmp(argv[1], "sketches") == 0;
+  if (argc != 5 && !sketches) {
+    std::cerr << "usage: make_session demo SKETCH EXPRESSIONS OUT | sketches SESSION OUT | random SEED ACTIONS OUT\n";
     return 2;
   }
   std::string text;
-  if (std::strcmp(argv[1], "demo") == 0) {
+  if (sketches) {
+    text = sketches_of(argv[2]);
+  } else if (std::strcmp(argv[1], "demo") == 0) {
     text = demo_session(argv[2], argv[3]);
   } else {
     tests::SessionScript script(document::make_document(tests::sheet_model()), "sheet");
     tests::RandomHand(script, std::strtoull(argv[2], nullptr, 10)).run(std::strtoull(argv[3], nullptr, 10));
     text = script.text();
   }
-  std::ofstream(argv[4], std::ios::binary) << text;
+  std::ofstream(argv[argc - 1], std::ios::binary) << text;
   return 0;
 }

@@ -68,7 +68,7 @@ def seen(point):
 
 def curves(penpose):
     talk = Talk(penpose)
-    names = talk.say(do='load', model='builtin:demo-3')['curves']
+    names = talk.say(do='load', model='builtin:demo')['curves']
     lines = {name: [seen(p) for p in talk.say(do='curve', name=name)['positions']] for name in names}
     talk.end()
     return lines
@@ -136,8 +136,8 @@ def with_texts(name, text):
 def main():
     penpose, folder = sys.argv[1:]
     lines = curves(penpose)
-    for name, model, draw in (('pose', 'builtin:demo-3', pose), ('rig', 'builtin:head-3', rig),
-                              ('animate', 'builtin:demo-3', animate)):
+    for name, model, draw in (('pose', 'builtin:demo', pose), ('rig', 'builtin:head', rig),
+                              ('animate', 'builtin:demo', animate)):
         path = os.path.join(folder, name + '.session')
         if os.path.exists(path):
             os.remove(path)

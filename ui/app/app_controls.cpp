@@ -25,7 +25,7 @@ std::string free_name(const document::Document& document, const std::string& nam
 
 void App::begin_control() {
   workspace_.perform(document::BeginDeformer{free_name(workspace_.document(), "control"), panels_.new_mode,
-                                             panels_.new_surface, 0, 1, drawing::k_control_rules});
+                                             panels_.new_surface, 0, 1});
 }
 
 void App::doubt_feature() {
@@ -77,7 +77,7 @@ void App::choose_for_new_control(articulation::Mode mode, const articulation::Su
   };
   static_cast<void>(
       workspace_.perform(
-          document::BeginDeformer{sketch.name, mode, surface, sketch.minimum, sketch.maximum, sketch.rules}) &&
+          document::BeginDeformer{sketch.name, mode, surface, sketch.minimum, sketch.maximum}) &&
       (sketch.reach == articulation::Reach::through || workspace_.perform(document::TakeRegion{sketch.reach, {}})) &&
       draw(articulation::CurveRole::general, sketch.general, sketch.camera) &&
       (sketch.piece == 0 || workspace_.perform(document::TakeRegion{{}, sketch.piece})) &&
@@ -122,7 +122,7 @@ void App::correct_pose() {
   tool.kind = drawing::ToolKind::articulate;
   panels_.deformer.clear();
   panels_.controls_tab = true;
-  if (workspace_.perform(document::BeginCorrection{{}, {}, panels_.new_mode, drawing::k_control_rules})) {
+  if (workspace_.perform(document::BeginCorrection{{}, {}, panels_.new_mode})) {
     workspace_.set_tool(tool);
   }
 }

@@ -222,7 +222,7 @@ base::Status App::play_trace(const std::string& path) {
     const base::Hash128 found = document::DocumentHasher()(*document).whole;
     if (!(found == player->model()->hash)) return replay::other_model(model, found, player->model()->hash);
     begin_session(std::move(*document), model);
-    // What is played is no work on the model's own file, and goes by the rules under which it was drawn.
+    // What is played is no work on the model's own file.
     set_project({});
     workspace_.play(replay::ToolChosen{});
   }

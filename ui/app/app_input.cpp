@@ -1,4 +1,4 @@
-// One file above the usual size: what pen, mouse and fingers do to the canvas is one set of rules about who has it.
+// One file above the usual size: what pen, mouse and fingers do to the canvas depends on who has it.
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,6 @@
 #include "core/base/byte_reader.h"
 #include "core/base/text/utf8.h"
 #include "ui/capi/from_c.h"
-#include "ui/demo/demo_head.h"
 
 using namespace penpose;        // NOLINT(google-build-using-namespace): functions of C have no namespace of their own
 using namespace penpose::capi;  // NOLINT(google-build-using-namespace)
@@ -95,17 +94,6 @@ character::Pieces pieces_of(const penpose_arrays& arrays) {
 }  // namespace
 
 base::Result<document::Document> penpose::capi::built_in_document(std::string_view name) {
-  using head::HeadEdition;
-  constexpr std::pair<std::string_view, HeadEdition> k_demos[] = {{"builtin:demo", HeadEdition::first},
-                                                                  {"builtin:demo-2", HeadEdition::second},
-                                                                  {"builtin:demo-3", HeadEdition::third},
-                                                                  {"builtin:demo-4", HeadEdition::fourth}};
-  for (const auto& [known, edition] : k_demos) {
-    if (name != known) continue;
-    auto head = demo::make_demo_head(edition);
-    if (!head) return head.error();
-    return document::make_document(std::move(head).value());
-  }
   auto made = character::Character::built_in(name);
   if (!made) return made.error();
   return made->document();

@@ -29,8 +29,6 @@ if(PENPOSE_INSTALL_CPP)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/penpose/${folder}
             COMPONENT libpenpose-dev FILES_MATCHING PATTERN "*.h" PATTERN "internal" EXCLUDE PATTERN "absent" EXCLUDE)
   endforeach()
-  install(FILES ${PROJECT_SOURCE_DIR}/ui/demo/demo_head.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/penpose/ui/demo
-          COMPONENT libpenpose-dev)
 endif()
 
 set(PENPOSE_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where Python modules are installed, below the prefix")

@@ -14,7 +14,7 @@
  * 4. Arrays are the caller's. xyz is three numbers a point, px two (origin top left, x to the right, y down), all one
  *    after the other. Model space is right-handed, y up, in the model's own unit of length (glTF says metres). Angles
  * of joints are radians, those of views degrees. A text is UTF-8 and ends with 0.
- * 5. What is asked for becomes a command of the document by the newest rules of drawing, so that the program's window,
+ * 5. What is asked for becomes a command of the document, so that the program's window,
  *    a recorded session and a caller come to the same bits.
  *
  * A character is posed so: make it, give it a curve, say where the curve should go, solve, evaluate.
@@ -24,7 +24,7 @@
  *     uint32_t lip = 0;
  *     penpose_error error;
  *     if (penpose_open(&library, &error) ||
- *         penpose_character_built_in(library, "builtin:demo-4", &head, &error) ||
+ *         penpose_character_built_in(library, "builtin:demo", &head, &error) ||
  *         penpose_curve_named(library, head, "lip_upper", PENPOSE_REFERENCE, &lip, &error) ||
  *         penpose_target_points(library, head, lip, xyz, count, &error) ||
  *         penpose_solve(library, head, PENPOSE_PRESET_DEFAULT, &error) ||
@@ -97,8 +97,8 @@ PENPOSE_API int32_t penpose_handle_count(penpose_library* library, size_t* count
  * file must hold its buffers itself. */
 PENPOSE_API int32_t penpose_character_read(penpose_library* library, const void* bytes, size_t size, const char* hint,
                                            penpose_handle* character, penpose_error* error);
-/* "builtin:head-4", the program's own head, which has nothing to pose yet, or "builtin:demo-4", the same with sketched
- * deformers. Older sessions have "builtin:head", "builtin:demo", and both with -2 and -3. */
+/* "builtin:head", the program's own head, which has nothing to pose yet, or "builtin:demo", the same with sketched
+ * controls. */
 PENPOSE_API int32_t penpose_character_built_in(penpose_library* library, const char* name, penpose_handle* character,
                                                penpose_error* error);
 

@@ -50,5 +50,5 @@ using articulation::Sketch;  // a deformer in four strokes
 #include "replay/session/command_recorder.h"
 #include "replay/session/session_player.h"
 
-// And `demo::make_demo_head()`: the built-in head with its sketched deformers.
-#include "ui/demo/demo_head.h"
+// And `character::make_demo_head()`: the built-in head with its sketched controls.
+#include "core/character/demo_head.h"

@@ -26,7 +26,7 @@ penpose_playback playback_of(replay::Playback& played) {
 /// A session names its model by a path; a caller has it in memory, or means the head that the library makes itself.
 base::Result<document::Document> opened(const std::string& path, const std::optional<document::Document>& on) {
   if (on) return *on;
-  auto made = built_in_document(path.empty() ? "builtin:head-4" : path);
+  auto made = built_in_document(path.empty() ? "builtin:head" : path);
   if (made) return made;
   return base::Error{"the session was recorded on \"" + path + "\"", "model", "make that character and give it"};
 }

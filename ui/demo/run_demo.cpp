@@ -49,14 +49,14 @@ class PoseNotes final : public replay::PlayerObserver {
 
 }  // namespace
 
-base::Result<Demo> run_demo(head::HeadEdition edition) {
+base::Result<Demo> run_demo() {
   PoseNotes notes;
   replay::PlayerOptions options;
-  options.open = [edition](const std::string&) {
-    return base::Result<document::Document>(document::make_document(head::make_head(edition)));
+  options.open = [](const std::string&) {
+    return base::Result<document::Document>(document::make_document(head::make_head()));
   };
   options.observer = &notes;
-  auto played = replay::play_session(replay::read_from(base::as_bytes(embedded_session(edition))), options);
+  auto played = replay::play_session(replay::read_from(base::as_bytes(embedded_session())), options);
   if (!played) return played.error();
   if (played->divergence) {
     return base::Error{"the bundled session does not end where it was recorded to end",

@@ -6,7 +6,6 @@
 
 #include "core/base/result.h"
 #include "core/document/document.h"
-#include "core/head/head.h"
 #include "replay/session/session_player.h"
 
 namespace penpose::demo {
@@ -31,7 +30,6 @@ struct Demo {
 
 /// Replays the bundled session from its raw pen reports: the deformers are sketched on the bare head, then it is posed
 /// line by line. Errors: a replay that does not end in the states that were recorded.
-/// `edition`: of the head; each has its own session, and the first stays playable as it was recorded.
-[[nodiscard]] base::Result<Demo> run_demo(head::HeadEdition edition = head::HeadEdition::fourth);
+[[nodiscard]] base::Result<Demo> run_demo();
 
 }  // namespace penpose::demo

@@ -5,10 +5,10 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text/closest_name.h"
+#include "core/character/demo_head.h"
 #include "core/head/head.h"
 #include "core/io/model/read_model.h"
 #include "core/io/project/read_document.h"
-#include "ui/demo/demo_head.h"
 #include "ui/files/files.h"
 
 namespace penpose::files {
@@ -18,16 +18,9 @@ namespace {
 constexpr std::string_view k_built_in = "builtin:";
 
 base::Result<document::Model> built_in_model(std::string_view name) {
-  using head::HeadEdition;
   if (name == "head") return head::make_head();
-  if (name == "demo") return demo::make_demo_head(HeadEdition::first);
-  if (name == "head-2") return head::make_head(HeadEdition::second);
-  if (name == "demo-2") return demo::make_demo_head(HeadEdition::second);
-  if (name == "head-3") return head::make_head(HeadEdition::third);
-  if (name == "demo-3") return demo::make_demo_head(HeadEdition::third);
-  if (name == "head-4") return head::make_head(HeadEdition::fourth);
-  if (name == "demo-4") return demo::make_demo_head(HeadEdition::fourth);
-  return base::Error{"there is no such model in the program", "", "use builtin:head-4 or builtin:demo-4"};
+  if (name == "demo") return character::make_demo_head();
+  return base::Error{"there is no such model in the program", "", "use builtin:head or builtin:demo"};
 }
 
 base::Result<std::vector<std::uint8_t>> read_named(const std::string& path, NamedBy named) {

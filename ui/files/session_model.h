@@ -5,7 +5,7 @@
 namespace penpose::files {
 
 /// What a plain trace is drawn on.
-inline constexpr const char* k_default_model = "builtin:demo-2";
+inline constexpr const char* k_default_model = "builtin:demo";
 
 /// Where a copy of the model that a session began on is kept, once the model's own file is written over.
 [[nodiscard]] std::string kept_model_of(const std::string& session, const std::string& model);

@@ -106,7 +106,7 @@ struct Conversation::Actions {
 
   Json load() {
     request.allow({"do", "id", "model"});
-    const std::string model = request.text_or("model", "builtin:head-4");
+    const std::string model = request.text_or("model", "builtin:head");
     if (talk.files_.record && talk.character_)
       refuse("a session is recorded on one character", "/do", "begin another conversation");
     character::Character loaded(taken(talk.files_.load(model)));

@@ -9,7 +9,7 @@ namespace penpose::articulation {
 
 std::vector<std::string> doubts_of(const Deformer& deformer) {
   std::vector<std::string> doubts;
-  if (deformer.sketch().rules < k_measured_rules) return doubts;
+  if (deformer.sketch().paper) return doubts;
   if (!deformer.reaches_beyond().empty()) {
     doubts.push_back("the second region reaches beyond the first " + deformer.reaches_beyond() +
                      ": what lies outside of the first stays where it is");

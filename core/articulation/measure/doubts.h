@@ -16,7 +16,7 @@ inline constexpr double k_told_length = 2;
 /// What a measured deformer does that its user may not have meant, one line each: triangles that it turns over, a
 /// surface that it creases or stretches, an inferred reference that is not to be trusted, a target much longer or
 /// shorter than its feature or drawn against it, a second region that reaches beyond the first. None for deformers of
-/// older rules, of which this is not known.
+/// the paper, of which this is not known.
 [[nodiscard]] std::vector<std::string> doubts_of(const Deformer& deformer);
 
 }  // namespace penpose::articulation

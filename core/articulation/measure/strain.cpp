@@ -36,7 +36,7 @@ Strain worse(const Strain& a, const Strain& b) {
   return both;
 }
 
-Strainmeter::Strainmeter(const Patch& patch, Creases creases)
+Strainmeter::Strainmeter(const Patch& patch)
     : patch_(patch),
       places_(patch.rests().begin(), patch.rests().end()),
       normals_(patch.triangles().size()),
@@ -66,7 +66,7 @@ Strainmeter::Strainmeter(const Patch& patch, Creases creases)
     area_ += cell.area;
     cells_.push_back(cell);
   }
-  if (creases == Creases::counted) find_hinges();
+  find_hinges();
   folded_.assign(hinges_.size(), 0);
 }
 

@@ -14,7 +14,7 @@ struct Strain {
   double stretch = 1;           ///< the largest ratio of an edge's length to that at rest
   std::uint32_t node = 0;       ///< an end of that edge
   std::size_t turned_over = 0;  ///< triangles that run against the surface around them, but not at rest
-  std::size_t creased = 0;      ///< edges at which two triangles lie on each other, but not at rest; where asked for
+  std::size_t creased = 0;      ///< edges at which two triangles lie on each other, but not at rest
 };
 /// The worse of the two in everything; energies add.
 [[nodiscard]] Strain worse(const Strain& a, const Strain& b);
@@ -24,9 +24,7 @@ struct Strain {
 /// stretched or pressed by one factor; one that is turned over counts as pressed to nothing.
 class Strainmeter {
  public:
-  /// Rules before k_held_rules do not look at creases.
-  enum class Creases : std::uint8_t { ignored, counted };
-  explicit Strainmeter(const Patch& patch, Creases creases = Creases::ignored);
+  explicit Strainmeter(const Patch& patch);
 
   /// `moves` displaces the nodes. Where few of them went elsewhere than the time before, only what is about those is
   /// looked at again; the result is the same to the bit.

@@ -54,9 +54,8 @@ base::Result<std::vector<ModelPoint>> drawn_reference(const Canvas& canvas, cons
 
 base::Result<SheetReference> sheet_reference(const Canvas& canvas, const geometry::Camera& camera,
                                              std::span<const PxPoint> stroke, std::size_t count,
-                                             curve::SheetChoice choice, std::uint32_t rules) {
-  const double around = (rules >= k_far_rules ? curve::k_farthest_stick + 1.0 : 4.0) * curve::k_stick_px *
-                        camera.viewport().height / 1000.0;
+                                             curve::SheetChoice choice) {
+  const double around = (curve::k_farthest_stick + 1.0) * curve::k_stick_px * camera.viewport().height / 1000.0;
   const auto triangles = triangles_under(canvas, camera, stroke, around);
   if (triangles.empty()) return base::Error{"the line does not touch the mesh", "", "draw it over the model"};
   std::vector<glm::vec3> positions;
@@ -64,11 +63,7 @@ base::Result<SheetReference> sheet_reference(const Canvas& canvas, const geometr
   for (const ModelPoint& p : canvas.positions()) positions.emplace_back(p);
   const geometry::TriangleBvh tree(positions, triangles, geometry::TriangleBvh::Build::quick);
   curve::Sheets sheets(canvas.mesh(), triangles);
-  const auto holding = rules >= k_far_rules     ? curve::Holding::far
-                       : rules >= k_close_rules ? curve::Holding::firm
-                                                : curve::Holding::loose;
-  const auto drawn =
-      curve::sheet_curve(stroke, k_drawn_samples, camera, {tree, positions, triangles, sheets, holding}, choice);
+  const auto drawn = curve::sheet_curve(stroke, k_drawn_samples, camera, {tree, positions, triangles, sheets}, choice);
   if (!drawn) return drawn.error();
   const auto smooth = curve::triangle_filter<ModelPoint>(drawn->positions, k_light_kernel, curve::Ends::fixed);
   auto even = curve::resample<ModelPoint>(smooth, count);

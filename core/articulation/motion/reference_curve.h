@@ -42,10 +42,10 @@ struct SheetReference {
   double kept = 1;                 ///< share of the line; what is below 1 was cut off
 };
 
-/// The same by `rules` from k_held_rules on: on one sheet (core/curve/sheet_line.h), or on the other one of two.
+/// The same on one sheet of the surface (core/curve/sheet_line.h), or on the other one of two.
 /// Errors: as drawn_reference; no other sheet.
 [[nodiscard]] base::Result<SheetReference> sheet_reference(const Canvas& canvas, const geometry::Camera& camera,
                                                            std::span<const PxPoint> stroke, std::size_t count,
-                                                           curve::SheetChoice choice, std::uint32_t rules);
+                                                           curve::SheetChoice choice);
 
 }  // namespace penpose::articulation

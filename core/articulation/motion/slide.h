@@ -1,16 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/articulation/sketch.h"
 
 namespace penpose::articulation {
-
-/// The rules from which on a surface over a ball gives way on its circles alone, so that its rows keep their width
-/// where they are held together, too.
-inline constexpr std::uint32_t k_circle_rules = 8;
 
 /// The motion of a curve over a ball: every point turns about one axis through the centre, square to where the curve
 /// lies and to where it goes, so that what is carried along keeps its width along that axis whatever its weight; what

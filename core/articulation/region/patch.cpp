@@ -2,7 +2,8 @@
 
 namespace penpose::articulation {
 
-Patch::Patch(const Canvas& canvas, const Region& region, int rings) {
+Patch::Patch(const Canvas& canvas, const Region& region) {
+  constexpr int k_rings = 2;
   constexpr std::uint32_t k_none = ~0U;
   const auto weld = canvas.mesh().weld();
   std::vector<std::uint32_t> node_of(canvas.positions().size(), k_none);
@@ -19,7 +20,7 @@ Patch::Patch(const Canvas& canvas, const Region& region, int rings) {
   for (const std::uint32_t v : region.vertices) nodes_.push_back(add(v));
   inner_count_ = rests_.size();
   std::size_t before = 0;
-  for (int ring = 0; ring < rings; ++ring) {
+  for (int ring = 0; ring < k_rings; ++ring) {
     const std::size_t reached = rests_.size();
     for (const mesh::Triangle& t : canvas.mesh().triangles()) {
       const auto within = [&](std::size_t end) {

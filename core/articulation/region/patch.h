@@ -13,9 +13,8 @@ namespace penpose::articulation {
 /// rim, the vertices beside it that stay where they are. Nodes of the region come first, those of the rim after them.
 class Patch {
  public:
-  /// `rings`: of triangles outside of the region that belong to it, at least 1, so that the rim's own surroundings are
-  /// known.
-  Patch(const Canvas& canvas, const Region& region, int rings = 1);
+  /// Two rings of triangles outside of the region belong to it, so that the rim's own surroundings are known.
+  Patch(const Canvas& canvas, const Region& region);
 
   /// Nodes of the region, and all with the rim.
   [[nodiscard]] std::size_t inner_count() const { return inner_count_; }

@@ -17,9 +17,8 @@ inline constexpr std::size_t k_fewest = 32, k_most = 128;
 inline constexpr int k_layers = 4;       ///< hits behind each other that are looked at
 inline constexpr double k_hidden = 0.7;  ///< cost of each surface in front
 inline constexpr double k_from_behind = 1.5;
-inline constexpr double k_other_part = 8.0;  ///< cost of going over to a part that touches
-/// From Holding::close on: to a part and on to another sheet costs more than a leap, which it is.
-inline constexpr double k_close_part = 20.5;
+/// Cost of going over to a part that touches. To a part and on to another sheet costs more than a leap, which it is.
+inline constexpr double k_other_part = 20.5;
 inline constexpr double k_leap = 40.0;  ///< of going over to what does not, or is far over the surface
 inline constexpr double k_reach = 2.0;  ///< how far a walk may stray, steps between samples
 inline constexpr double k_touch = 2.0;  ///< how far parts that touch may be from each other, reaches
@@ -270,8 +269,7 @@ class Walk {
     if (joined(a, b, px)) return 0.0;
     const bool near = geometry::distance(a.position, b.position) <= reach(a, b, px);
     const bool parts = surface_.sheets.component(a.point.triangle) != surface_.sheets.component(b.point.triangle);
-    if (!near || !parts) return k_leap;
-    return surface_.holding == Holding::loose ? k_other_part : k_close_part;
+    return near && parts ? k_other_part : k_leap;
   }
 
   void keep_longest(std::size_t begin, std::size_t end, Run& best) {

@@ -97,10 +97,8 @@ Changed draw_region(const Document& document, Sketch sketch, const SketchCurve& 
   const auto surface = articulation::KeptSurface::make(sketch.surface, **canvas);
   if (!surface) return surface.error();
   (general ? sketch.general : sketch.specific) = command.line;
-  if (sketch.rules >= articulation::k_crossing_rules) {
-    if (const auto whole = articulation::check_crossing(command.line); !whole) {
-      return at("line", at(general ? "general" : "core", whole.error()));
-    }
+  if (const auto whole = articulation::check_crossing(command.line); !whole) {
+    return at("line", at(general ? "general" : "core", whole.error()));
   }
   const auto region = general_region(**canvas, *camera, sketch.general, *surface, articulation::Borders::measured,
                                      {sketch.reach, sketch.piece});
@@ -158,7 +156,6 @@ Changed run(const Document& document, const BeginDeformer& command, Parts&) {
   sketch.surface = command.surface;
   sketch.minimum = command.minimum;
   sketch.maximum = command.maximum;
-  sketch.rules = command.rules;
   // What is wrong already is told before anything is drawn.
   Sketch drawn = sketch;
   drawn.general = drawn.specific = drawn.target = {{}};
@@ -173,7 +170,6 @@ Changed run(const Document& document, const SketchCurve& command, Parts& work) {
     sketch = document.pending->sketch;
   } else {
     sketch.name = free_name(document);
-    sketch.rules = command.rules;
   }
   if (command.line.size() > articulation::k_most_points) {
     return base::Error{"the curve has too many points", "line", "use at most 100,000"};
@@ -195,12 +191,9 @@ Changed run(const Document& document, const SketchCurve& command, Parts& work) {
   if (!canvas) return canvas.error();
   const auto camera = geometry::Camera::make(command.view.camera, sketch.viewport);
   if (!camera) return at("view", camera.error());
-  if (!line.empty() && sketch.rules >= articulation::k_held_rules) {
-    const auto reference = sheet_reference(**canvas, *camera, line, articulation::k_curve_points,
-                                           curve::SheetChoice::nearer, sketch.rules);
-    if (!reference) return at("line", reference.error());
-  } else if (!line.empty()) {
-    const auto reference = drawn_reference(**canvas, *camera, line, articulation::k_curve_points);
+  if (!line.empty()) {
+    const auto reference =
+        sheet_reference(**canvas, *camera, line, articulation::k_curve_points, curve::SheetChoice::nearer);
     if (!reference) return at("line", reference.error());
   }
   return with_pending(document, std::move(drawn).value());
@@ -238,9 +231,8 @@ Changed run(const Document& document, const ChangeDeformer& command, Parts& work
   if (command.minimum) sketch.minimum = *command.minimum;
   if (command.maximum) sketch.maximum = *command.maximum;
   if (command.other_sheet) {
-    if (sketch.rules < articulation::k_held_rules || sketch.reference.empty()) {
-      return base::Error{"the reference was not drawn on a sheet of the surface", "other_sheet",
-                         "draw the reference, by the rules of today"};
+    if (sketch.paper || sketch.reference.empty()) {
+      return base::Error{"the reference was not drawn on a sheet of the surface", "other_sheet", "draw the reference"};
     }
     sketch.other_sheet = *command.other_sheet;
   }
@@ -252,8 +244,7 @@ Changed run(const Document& document, const ChangeDeformer& command, Parts& work
   const bool moves_as_before =
       !command.mode && !command.surface && !command.other_sheet && !command.reach && !command.piece;
   // Both ends of the range of what is held together are mended, so that another range is another motion.
-  const bool ranged = sketch.rules >= articulation::k_held_rules && command.rules >= articulation::k_ranged_rules;
-  if (moves_as_before && !ranged)
+  if (moves_as_before && sketch.paper)
     return with_set(document, with_range(*deformers_of(document), *number, sketch.minimum, sketch.maximum));
   return with_deformer_from(document, *number, sketch, work);
 }

@@ -131,10 +131,6 @@ Changed run(const Document& document, const BeginCorrection& command, Parts&) {
   PendingSketch pending;
   pending.sketch.name = command.name.empty() ? free_name(document) : command.name;
   pending.sketch.mode = command.mode;
-  pending.sketch.rules = command.rules;
-  if (command.rules < articulation::k_held_rules) {
-    return base::Error{"corrections are drawn by newer rules", "rules", "give 5"};
-  }
   if (rig::find_parameter(document.model->rig->parameters(), pending.sketch.name)) {
     return base::Error{"a control has the name \"" + pending.sketch.name + "\" already", "name",
                        "give the correction another name"};

@@ -19,9 +19,9 @@ namespace {
 using geometry::ModelPoint;
 
 /// Brings all references to their targets; a document with no target, or nothing that may move, keeps its pose.
-Changed solved(Document document, std::uint32_t rules, Parts& work, bool paper = false) {
-  if (rules >= k_meant_rules) {
-    const intent::IntentProblem problem = intent_problem(document, rules);
+Changed solved(Document document, Preset preset, Parts& work) {
+  if (preset == Preset::meant) {
+    const intent::IntentProblem problem = intent_problem(document);
     if ((problem.drawn.empty() && problem.known.empty()) || problem.free.empty()) return document;
     auto solution = intent::solve(*document.model->rig, work.whole_of(document), problem, {}, work.meant);
     if (!solution) return solution.error();
@@ -31,7 +31,7 @@ Changed solved(Document document, std::uint32_t rules, Parts& work, bool paper =
   posing::PoseProblem problem = pose_problem(document);
   if (problem.pairs.empty() || problem.free.empty()) return document;
   posing::SolveOptions options;
-  options.paper = paper;
+  options.paper = preset == Preset::paper;
   auto solution = posing::solve(*document.model->rig, problem, options, work.solve);
   if (!solution) return solution.error();
   document.pose = std::move(solution->pose);
@@ -39,10 +39,9 @@ Changed solved(Document document, std::uint32_t rules, Parts& work, bool paper =
 }
 
 /// Brings the references of a moment to their targets, one of which was just drawn.
-Changed solved_for(Document document, CurveId drawn, std::uint32_t rules, Parts& work) {
-  if (rules < k_moment_rules) return solved(std::move(document), rules, work);
-  Moment moment = moment_of(document, drawn, rules);
-  intent::IntentProblem problem = moment_problem(document, moment, rules);
+Changed solved_for(Document document, CurveId drawn, Parts& work) {
+  Moment moment = moment_of(document, drawn);
+  intent::IntentProblem problem = moment_problem(document, moment);
   if (problem.free.empty()) return document;
   const auto asks = [&] { return !problem.drawn.empty() && !problem.drawn.back().before; };
   const auto solve = [&] {
@@ -53,7 +52,7 @@ Changed solved_for(Document document, CurveId drawn, std::uint32_t rules, Parts&
   if (!solution) {
     // A reference that is seen in the pose alone, not in the one before, for one.
     moment = lone_moment(document, drawn);
-    problem = moment_problem(document, moment, rules);
+    problem = moment_problem(document, moment);
     if (!asks()) return document;
     solution = solve();
     if (!solution) return solution.error();
@@ -69,22 +68,16 @@ Changed solved_for(Document document, CurveId drawn, std::uint32_t rules, Parts&
 }
 
 base::Result<curve::ProjectedStroke> drawn_on_surface(const Document& document, const View& view,
-                                                      const std::vector<PxPoint>& line, std::uint32_t rules,
-                                                      Parts& work,
+                                                      const std::vector<PxPoint>& line, Parts& work,
                                                       curve::SheetChoice choice = curve::SheetChoice::nearer) {
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!camera) return at("view", camera.error());
   const geometry::TriangleBvh& tree = work.surface_of(document);
-  if (rules < k_sheet_rules) {
-    auto drawn = curve::surface_curve(line, k_pose_curve_points, *camera, tree);
-    if (!drawn) return at("line", drawn.error());
-    return drawn;
-  }
   const curve::SheetSurface surface{tree, work.surface_positions(), document.model->mesh->triangles(),
-                                    work.sheets_of(document), curve::holding_by(rules)};
+                                    work.sheets_of(document)};
   auto drawn = curve::sheet_curve(line, k_pose_curve_points, *camera, surface, choice);
   if (!drawn) return at("line", drawn.error());
-  if (rules >= k_whole_rules) curve::stand_on_body(*drawn, surface);
+  curve::stand_on_body(*drawn, surface);
   return drawn;
 }
 
@@ -94,29 +87,12 @@ base::Error no_curve(CurveId id) {
 
 /// Gives a reference another target, and solves.
 Changed retargeted(const Document& document, const PoseCurve& curve, const View& view, const std::vector<PxPoint>& line,
-                   const std::vector<double>& pressure, std::uint32_t rules, Parts& work) {
+                   const std::vector<double>& pressure, Parts& work) {
   auto target = make_target(positions_of(document, curve.points), view, line, pressure);
   if (!target) return target.error();
   PoseCurve other = curve;
   other.target = std::move(target).value();
-  return solved_for(with_replaced(document, std::move(other)), curve.id, rules, work);
-}
-
-/// The drawn line of a target as another view shows it, through its points in space where the view has changed.
-base::Result<Line> line_in(const DrawnTarget& target, const View& view) {
-  if (target.view == view) return Line{target.line, target.pressure};
-  const auto camera = geometry::Camera::make(view.camera, view.viewport);
-  if (!camera) return at("view", camera.error());
-  Line line;
-  // Only the proportions of pressures count, and the weights have kept them.
-  const double strongest = *std::max_element(target.weights.begin(), target.weights.end());
-  for (std::size_t i = 0; i < target.points.size(); ++i) {
-    const auto px = camera->project(target.points[i]);
-    if (!px) return base::Error{"the target lies behind the camera", "view", "look at it and draw again"};
-    line.points.push_back(*px);
-    line.pressure.push_back(target.weights[i] / strongest);
-  }
-  return line;
+  return solved_for(with_replaced(document, std::move(other)), curve.id, work);
 }
 
 /// Where a view shows points; those behind the camera are left out.
@@ -135,9 +111,9 @@ PxPoint middle_of(const std::vector<PxPoint>& line) {
 }
 
 /// How far a reference stays away from its target, px in the mean, as multiples of the hand's doubt.
-double left_doubts(Document document, CurveId id, std::uint32_t rules, Parts& work) {
+double left_doubts(Document document, CurveId id, Parts& work) {
   std::erase_if(document.curves, [&](const auto& curve) { return !(curve->id == id); });
-  const intent::IntentProblem problem = intent_problem(document, rules);
+  const intent::IntentProblem problem = intent_problem(document);
   if (problem.drawn.size() != 1) return 0.0;
   const auto left = intent::left_at_start(*document.model->rig, work.whole_of(document), problem);
   return left ? left->front().px / problem.drawn.front().doubt_px : 0.0;
@@ -151,7 +127,7 @@ Changed on_the_sheet_that_was_meant(const Document& before, const PoseCurve& cur
   constexpr double k_near = 0.4;
   constexpr double k_aside_px = 4.0;  // half of what a line sticks beside the pen, at 1000 px high
   if (curve.target || find_curve(after, curve.id) == nullptr) return after;
-  const double left = left_doubts(after, curve.id, command.rules, work);
+  const double left = left_doubts(after, curve.id, work);
   const auto camera = geometry::Camera::make(command.view.camera, command.view.viewport);
   if (left < k_far || !camera) return after;
   // The sheet on which the line went lies on its side of the reference.
@@ -160,15 +136,15 @@ Changed on_the_sheet_that_was_meant(const Document& before, const PoseCurve& cur
   const PxPoint way = middle_of(command.line) - middle_of(line);
   const double aside = k_aside_px * command.view.viewport.height / 1000.0;
   for (PxPoint& p : line) p = p + way * (aside / std::max(geometry::distance(way, {}), aside));
-  auto points = drawn_on_surface(before, command.view, line, command.rules, work);
+  auto points = drawn_on_surface(before, command.view, line, work);
   if (!points || points->dropped > 0) return after;
   PoseCurve other = curve;
   other.points = std::move(points->points);
   other.aside = std::move(points->aside);
   auto there = retargeted(with_replaced(before, other), other, command.view, command.line, command.pressure,
-                          command.rules, work);
+                          work);
   if (!there || find_curve(*there, curve.id) == nullptr) return after;
-  return left_doubts(*there, curve.id, command.rules, work) < k_near * left ? there : Changed(std::move(after));
+  return left_doubts(*there, curve.id, work) < k_near * left ? there : Changed(std::move(after));
 }
 
 }  // namespace
@@ -225,7 +201,7 @@ std::vector<ModelPoint> positions_of(const Document& document, const std::vector
 }
 
 Changed run(const Document& document, const DrawReference& command, Parts& work) {
-  auto points = drawn_on_surface(document, command.view, command.line, command.rules, work);
+  auto points = drawn_on_surface(document, command.view, command.line, work);
   if (!points) return points.error();
   PoseCurve curve;
   curve.points = std::move(points->points);
@@ -236,27 +212,20 @@ Changed run(const Document& document, const DrawReference& command, Parts& work)
 Changed run(const Document& document, const DrawTarget& command, Parts& work) {
   const auto curve = reference_named(document, command.curve, false);
   if (!curve) return curve.error();
-  auto drawn = retargeted(document, **curve, command.view, command.line, command.pressure, command.rules, work);
-  if (!drawn || command.rules < k_overshoot_rules) return drawn;
+  auto drawn = retargeted(document, **curve, command.view, command.line, command.pressure, work);
+  if (!drawn) return drawn;
   return on_the_sheet_that_was_meant(document, **curve, command, std::move(drawn).value(), work);
 }
 
 Changed run(const Document& document, const OversketchTarget& command, Parts& work) {
   const auto curve = reference_named(document, command.curve, true);
   if (!curve) return curve.error();
-  if (command.rules > 0) {
-    const DrawnTarget& target = *(*curve)->target;
-    auto over = drawn_over(target, positions_of(document, (*curve)->points), command.view, command.line);
-    if (!over) return over.error();
-    PoseCurve other = **curve;
-    other.target = std::move(over).value();
-    return solved_for(with_replaced(document, std::move(other)), command.curve, command.rules, work);
-  }
-  const auto before = line_in(*(*curve)->target, command.view);
-  if (!before) return before.error();
-  const auto line = oversketched(*before, command.line);
-  if (!line) return line.error();
-  return retargeted(document, **curve, command.view, line->points, line->pressure, command.rules, work);
+  const DrawnTarget& target = *(*curve)->target;
+  auto over = drawn_over(target, positions_of(document, (*curve)->points), command.view, command.line);
+  if (!over) return over.error();
+  PoseCurve other = **curve;
+  other.target = std::move(over).value();
+  return solved_for(with_replaced(document, std::move(other)), command.curve, work);
 }
 
 Changed run(const Document& document, const DragTarget& command, Parts& work) {
@@ -268,7 +237,7 @@ Changed run(const Document& document, const DragTarget& command, Parts& work) {
   const DrawnTarget& target = *(*curve)->target;
   std::vector<PxPoint> line = target.line;
   for (PxPoint& p : line) p = p + command.by;
-  return retargeted(document, **curve, target.view, line, target.pressure, command.rules, work);
+  return retargeted(document, **curve, target.view, line, target.pressure, work);
 }
 
 Changed run(const Document& document, const PullTarget& command, Parts& work) {
@@ -278,11 +247,11 @@ Changed run(const Document& document, const PullTarget& command, Parts& work) {
   if (!pulled) return pulled.error();
   PoseCurve other = **curve;
   other.target = std::move(pulled).value();
-  return solved_for(with_replaced(document, std::move(other)), command.curve, command.rules, work);
+  return solved_for(with_replaced(document, std::move(other)), command.curve, work);
 }
 
 Changed run(const Document& document, const DrawConstraint& command, Parts& work) {
-  auto points = drawn_on_surface(document, command.view, command.line, command.rules, work);
+  auto points = drawn_on_surface(document, command.view, command.line, work);
   if (!points) return points.error();
   PoseCurve curve;
   curve.role = PoseCurveRole::constraint;
@@ -342,8 +311,8 @@ Changed run(const Document& document, const ClearCurves&, Parts&) {
 }
 
 Changed run(const Document& document, const SolvePose& command, Parts& work) {
-  auto changed = solved(document, command.rules, work, command.paper);
-  if (changed && command.rules >= k_moment_rules) changed->moment = moment_of_all(document, changed->pose);
+  auto changed = solved(document, command.preset, work);
+  if (changed && command.preset == Preset::meant) changed->moment = moment_of_all(document, changed->pose);
   return changed;
 }
 

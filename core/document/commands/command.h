@@ -25,20 +25,9 @@ namespace penpose::document {
 
 using curve::PxPoint;
 
-/// The rules from which on a pose is solved for what was meant (core/intent). Older sessions were drawn for the lowest
-/// sum of distances and replay so, to the bit.
-inline constexpr std::uint32_t k_meant_rules = 2;
-/// The rules from which on it is read by intent::Edition::second, and references stay on one sheet of the surface.
-inline constexpr std::uint32_t k_sheet_rules = 3;
-/// The rules from which on it is read by intent::Edition::third, and references of deformers stay on one sheet too.
-inline constexpr std::uint32_t k_offset_rules = 4;
-/// The rules from which on it is read by intent::Edition::fourth, and from the pose before the first of the lines that
-/// belong together (Moment).
-inline constexpr std::uint32_t k_moment_rules = 5;
-/// The rules from which on it is read by intent::Edition::fifth.
-inline constexpr std::uint32_t k_whole_rules = 6;
-/// The rules from which on it is read by intent::Edition::sixth.
-inline constexpr std::uint32_t k_overshoot_rules = 7;
+/// How curves are solved: for what was meant (core/intent), for the lowest sum of distances, or for that by the single
+/// simplex of 2006.
+enum class Preset : std::uint8_t { meant, exact, paper };
 
 /// A parameter and its value.
 struct NamedValue {
@@ -106,12 +95,10 @@ struct DrawReference {
   static constexpr std::string_view k_name = "draw_reference";
   View view;
   std::vector<PxPoint> line;
-  std::uint32_t rules = 0;  ///< from k_sheet_rules on: stays on one sheet of the surface
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("view", self.view);
     visit("line", self.line);
-    visit("rules", self.rules);
   }
   friend bool operator==(const DrawReference&, const DrawReference&) = default;
 };
@@ -123,14 +110,12 @@ struct DrawTarget {
   View view;
   std::vector<PxPoint> line;
   std::vector<double> pressure;  ///< 0..1, one a point of the line; empty: all 1
-  std::uint32_t rules = 0;       ///< from k_meant_rules on: solved for what was meant
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("curve", self.curve);
     visit("view", self.view);
     visit("line", self.line);
     visit("pressure", self.pressure);
-    visit("rules", self.rules);
   }
   friend bool operator==(const DrawTarget&, const DrawTarget&) = default;
 };
@@ -141,13 +126,11 @@ struct OversketchTarget {
   CurveId curve;
   View view;
   std::vector<PxPoint> line;
-  std::uint32_t rules = 0;  ///< from 1 on: what is not drawn over stays where it is; else as DrawTarget
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("curve", self.curve);
     visit("view", self.view);
     visit("line", self.line);
-    visit("rules", self.rules);
   }
   friend bool operator==(const OversketchTarget&, const OversketchTarget&) = default;
 };
@@ -157,12 +140,10 @@ struct DragTarget {
   static constexpr std::string_view k_name = "drag_target";
   CurveId curve;
   PxPoint by;
-  std::uint32_t rules = 0;  ///< as DrawTarget
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("curve", self.curve);
     visit("by", self.by);
-    visit("rules", self.rules);
   }
   friend bool operator==(const DragTarget&, const DragTarget&) = default;
 };
@@ -176,7 +157,6 @@ struct PullTarget {
   PxPoint at;  ///< where it is held
   PxPoint by;
   double reach = curve::k_usual_reach;  ///< share of the line's length to either side; 0: the whole line
-  std::uint32_t rules = 0;              ///< as DrawTarget
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("curve", self.curve);
@@ -184,7 +164,6 @@ struct PullTarget {
     visit("at", self.at);
     visit("by", self.by);
     visit("reach", self.reach);
-    visit("rules", self.rules);
   }
   friend bool operator==(const PullTarget&, const PullTarget&) = default;
 };
@@ -194,12 +173,10 @@ struct DrawConstraint {
   static constexpr std::string_view k_name = "draw_constraint";
   View view;
   std::vector<PxPoint> line;
-  std::uint32_t rules = 0;  ///< from k_sheet_rules on: stays on one sheet of the surface
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("view", self.view);
     visit("line", self.line);
-    visit("rules", self.rules);
   }
   friend bool operator==(const DrawConstraint&, const DrawConstraint&) = default;
 };
@@ -262,12 +239,10 @@ struct ClearCurves {
 /// Solves the curves that are there, from the pose as it is.
 struct SolvePose {
   static constexpr std::string_view k_name = "solve_pose";
-  std::uint32_t rules = 0;  ///< as DrawTarget
-  bool paper = false;       ///< before k_meant_rules: by the single simplex of 2006
+  Preset preset = Preset::meant;
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
-    visit("rules", self.rules);
-    visit("paper", self.paper);
+    visit("preset", self.preset);
   }
   friend bool operator==(const SolvePose&, const SolvePose&) = default;
 };
@@ -282,7 +257,7 @@ struct SetPressureWeighting {
   friend bool operator==(const SetPressureWeighting&, const SetPressureWeighting&) = default;
 };
 
-/// How unsteady the artist's hand is, as a multiple of a usual one: what drawn lines are doubted by, by k_sheet_rules.
+/// How unsteady the artist's hand is, as a multiple of a usual one: what drawn lines are doubted by.
 struct SetHand {
   static constexpr std::string_view k_name = "set_hand";
   double unsteadiness = 1;  ///< 0.25..4
@@ -354,7 +329,6 @@ struct BeginDeformer {
   articulation::Surface surface;
   double minimum = 0;
   double maximum = 1;
-  std::uint32_t rules = 0;  ///< from articulation::k_measured_rules on: measured
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("name", self.name);
@@ -362,7 +336,6 @@ struct BeginDeformer {
     visit("surface", self.surface);
     visit("minimum", self.minimum);
     visit("maximum", self.maximum);
-    visit("rules", self.rules);
   }
   friend bool operator==(const BeginDeformer&, const BeginDeformer&) = default;
 };
@@ -375,13 +348,11 @@ struct BeginCorrection {
   std::string name;                 ///< empty: "correction N" with the first free N
   std::vector<NamedValue> drivers;  ///< empty: all controls that are away from rest, as they are
   articulation::Mode mode = articulation::Mode::automatic;
-  std::uint32_t rules = articulation::k_ranged_rules;
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("name", self.name);
     visit("drivers", self.drivers);
     visit("mode", self.mode);
-    visit("rules", self.rules);
   }
   friend bool operator==(const BeginCorrection&, const BeginCorrection&) = default;
 };
@@ -467,13 +438,11 @@ struct SketchCurve {
   articulation::CurveRole role = articulation::CurveRole::general;
   View view;
   std::vector<PxPoint> line;
-  std::uint32_t rules = 0;  ///< as BeginDeformer, of one that no command began
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("role", self.role);
     visit("view", self.view);
     visit("line", self.line);
-    visit("rules", self.rules);
   }
   friend bool operator==(const SketchCurve&, const SketchCurve&) = default;
 };
@@ -514,7 +483,6 @@ struct ChangeDeformer {
   std::optional<bool> other_sheet = {};  ///< the drawn reference goes over to the other sheet of the surface, or back
   std::optional<articulation::Reach> reach = {};
   std::optional<std::uint32_t> piece = {};
-  std::uint32_t rules = 0;  ///< from articulation::k_ranged_rules on: another range builds it again
   template <typename Self>
   static void fields(Self& self, auto&& visit) {
     visit("deformer", self.deformer);
@@ -525,7 +493,6 @@ struct ChangeDeformer {
     visit("other_sheet", self.other_sheet);
     visit("reach", self.reach);
     visit("piece", self.piece);
-    visit("rules", self.rules);
   }
   friend bool operator==(const ChangeDeformer&, const ChangeDeformer&) = default;
 };

@@ -45,6 +45,8 @@ constexpr std::array<std::pair<Role, std::string_view>, 4> k_roles{{{Role::gener
                                                                     {Role::target, "target"}}};
 constexpr std::array<std::pair<KeyInterpolation, std::string_view>, 2> k_interpolations{
     {{KeyInterpolation::linear, "linear"}, {KeyInterpolation::smooth, "smooth"}}};
+constexpr std::array<std::pair<Preset, std::string_view>, 3> k_presets{
+    {{Preset::meant, "meant"}, {Preset::exact, "exact"}, {Preset::paper, "paper"}}};
 
 template <std::size_t N>
 void write_numbers(std::string& out, const std::array<double, N>& values) {
@@ -249,6 +251,8 @@ void TextForm<articulation::Reach>::write(std::string& out, articulation::Reach 
 std::optional<articulation::Reach> TextForm<articulation::Reach>::read(std::string_view text) {
   return read_enum<articulation::Reach>(text, k_reaches);
 }
+void TextForm<Preset>::write(std::string& out, Preset value) { write_enum<Preset>(out, value, k_presets); }
+std::optional<Preset> TextForm<Preset>::read(std::string_view text) { return read_enum<Preset>(text, k_presets); }
 void TextForm<KeyInterpolation>::write(std::string& out, KeyInterpolation value) {
   write_enum<KeyInterpolation>(out, value, k_interpolations);
 }

@@ -95,6 +95,11 @@ struct TextForm<articulation::Reach> {
   static std::optional<articulation::Reach> read(std::string_view text);
 };
 template <>
+struct TextForm<Preset> {
+  static void write(std::string& out, Preset value);
+  static std::optional<Preset> read(std::string_view text);
+};
+template <>
 struct TextForm<KeyInterpolation> {
   static void write(std::string& out, KeyInterpolation value);
   static std::optional<KeyInterpolation> read(std::string_view text);

@@ -39,14 +39,13 @@ std::vector<PxPoint> seen_in(const geometry::Camera& camera, const Document& doc
 
 /// Marks what of an earlier line's reference the last one covers: what lies along it both before the moment and now, so
 /// that a closed mouth is one line and an open one two, whichever lip a line is on.
-void cover(const Document& document, const rig::Pose& base, Moment::Line& line, const PoseCurve& last,
-           std::uint32_t rules) {
+void cover(const Document& document, const rig::Pose& base, Moment::Line& line, const PoseCurve& last) {
   const PoseCurve& earlier = *find_curve(document, line.curve);
   const View& view = last.target->view;
   if (glm::dot(direction_of(earlier.target->view), direction_of(view)) < k_same_view) return;
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!camera) return;
-  const double hand = hand_px(document, view.viewport, rules);
+  const double hand = hand_px(document, view.viewport);
   Document before = document;
   before.pose = base;
   line.covered.resize(earlier.points.size(), false);
@@ -116,9 +115,9 @@ Moment moment_before(const Document& document, CurveId drawn) {
 
 }  // namespace
 
-Moment moment_of(const Document& document, CurveId drawn, std::uint32_t rules) {
+Moment moment_of(const Document& document, CurveId drawn) {
   Moment moment = moment_before(document, drawn);
-  for (Moment::Line& line : moment.lines) cover(document, moment.base, line, *find_curve(document, drawn), rules);
+  for (Moment::Line& line : moment.lines) cover(document, moment.base, line, *find_curve(document, drawn));
   moment.lines.push_back({drawn, {}, {}});
   return moment;
 }

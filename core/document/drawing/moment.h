@@ -14,7 +14,7 @@ inline constexpr double k_drawn_anew = 0.8;
 /// curves have changed. Then what is left of the lines of the same time is held where it stands. Points of earlier
 /// lines that the reference covers in about the same view ask for nothing any more. Precondition: the curve is a
 /// reference of the document and has a target.
-[[nodiscard]] Moment moment_of(const Document& document, CurveId drawn, std::uint32_t rules);
+[[nodiscard]] Moment moment_of(const Document& document, CurveId drawn);
 
 /// A moment with nothing but this line, from the pose as it is.
 [[nodiscard]] Moment lone_moment(const Document& document, CurveId drawn);

@@ -8,6 +8,9 @@
 namespace penpose::document {
 namespace {
 
+/// A pen on a tablet strays less than a usual hand, by this.
+constexpr double k_pen = 0.9;
+
 std::vector<std::size_t> free_parameters(const Document& document) {
   std::vector<std::size_t> free;
   const auto parameters = document.model->rig->parameters();
@@ -53,24 +56,15 @@ posing::PoseProblem pose_problem(const Document& document) {
   return problem;
 }
 
-double hand_px(const Document& document, geometry::Viewport viewport, std::uint32_t rules) {
-  // A pen on a tablet strays less than the hand that the first edition was made for.
-  const double pen = rules >= k_offset_rules ? 0.9 : 0.7;
-  const double usual = intent::doubt_px(viewport);
-  return rules >= k_sheet_rules ? pen * document.hand * usual : usual;
+double hand_px(const Document& document, geometry::Viewport viewport) {
+  return k_pen * document.hand * intent::doubt_px(viewport);
 }
 
 namespace {
 
 /// What does not depend on the curves: where it starts, what is free and what is locked.
-intent::IntentProblem problem_without_curves(const Document& document, std::uint32_t rules) {
+intent::IntentProblem problem_without_curves(const Document& document) {
   intent::IntentProblem problem;
-  problem.edition = rules >= k_overshoot_rules ? intent::Edition::sixth
-                    : rules >= k_whole_rules   ? intent::Edition::fifth
-                    : rules >= k_moment_rules  ? intent::Edition::fourth
-                    : rules >= k_offset_rules  ? intent::Edition::third
-                    : rules >= k_sheet_rules   ? intent::Edition::second
-                                               : intent::Edition::first;
   problem.start = document.pose;
   problem.free = free_parameters(document);
   for (std::size_t i = 0, k = 0; i < problem.start.size(); ++i) {
@@ -83,15 +77,14 @@ intent::IntentProblem problem_without_curves(const Document& document, std::uint
 
 /// A target as what its line asks for, unless its view cannot be or does not see the reference. `doubt`: becomes the
 /// hand's there, model units.
-std::optional<intent::DrawnCurve> drawn_curve(const Document& document, const PoseCurve& curve, std::uint32_t rules,
-                                              double& doubt) {
+std::optional<intent::DrawnCurve> drawn_curve(const Document& document, const PoseCurve& curve, double& doubt) {
   const auto camera = geometry::Camera::make(curve.target->view.camera, curve.target->view.viewport);
   if (!camera) return std::nullopt;
   const auto positions = positions_of(document, curve.points);
   const bool seen =
       std::all_of(positions.begin(), positions.end(), [&](const auto& p) { return camera->project(p).has_value(); });
   if (!seen) return std::nullopt;
-  const double hand = hand_px(document, camera->viewport(), rules);
+  const double hand = hand_px(document, camera->viewport());
   intent::DrawnCurve drawn{curve_points(document, curve.points),
                            *camera,
                            curve.target->line,
@@ -137,23 +130,23 @@ void add_known(const Document& document, double& doubt, intent::IntentProblem& p
 
 }  // namespace
 
-intent::IntentProblem intent_problem(const Document& document, std::uint32_t rules) {
-  intent::IntentProblem problem = problem_without_curves(document, rules);
+intent::IntentProblem intent_problem(const Document& document) {
+  intent::IntentProblem problem = problem_without_curves(document);
   auto skip = left_out(document, k_most_meant);
   double doubt = usual_doubt(document);
   for (const auto& curve : document.curves) {
     if (!curve->target || is_known(*curve) || skip-- > 0) continue;
-    if (auto drawn = drawn_curve(document, *curve, rules, doubt)) problem.drawn.push_back(std::move(*drawn));
+    if (auto drawn = drawn_curve(document, *curve, doubt)) problem.drawn.push_back(std::move(*drawn));
   }
   add_known(document, doubt, problem);
   add_kept(document, doubt, problem);
   return problem;
 }
 
-intent::IntentProblem moment_problem(const Document& document, const Moment& moment, std::uint32_t rules) {
+intent::IntentProblem moment_problem(const Document& document, const Moment& moment) {
   Document base = document;
   base.pose = moment.base;
-  intent::IntentProblem problem = problem_without_curves(base, rules);
+  intent::IntentProblem problem = problem_without_curves(base);
   problem.posed = document.pose;
   const std::vector<CurveId> anew = drawn_anew(moment);
   double doubt = usual_doubt(document);
@@ -161,7 +154,7 @@ intent::IntentProblem moment_problem(const Document& document, const Moment& mom
   for (std::size_t l = oldest; l < moment.lines.size(); ++l) {
     const Moment::Line& line = moment.lines[l];
     if (std::find(anew.begin(), anew.end(), line.curve) != anew.end()) continue;
-    auto drawn = drawn_curve(base, *find_curve(document, line.curve), rules, doubt);
+    auto drawn = drawn_curve(base, *find_curve(document, line.curve), doubt);
     if (!drawn) continue;
     drawn->before = l + 1 < moment.lines.size();
     if (!line.held.empty()) drawn->target = line.held;

@@ -31,15 +31,14 @@ inline constexpr double k_known_share = 5e-4;
 [[nodiscard]] posing::PoseProblem pose_problem(const Document& document);
 
 /// The width of doubt of the artist's hand in a view, px.
-[[nodiscard]] double hand_px(const Document& document, geometry::Viewport viewport, std::uint32_t rules);
+[[nodiscard]] double hand_px(const Document& document, geometry::Viewport viewport);
 
 /// For what was meant: targets as lines in the pictures in which they were drawn, each with the hand's doubt there.
-/// Constraints are doubted like what is drawn, in model units. Targets whose view cannot be are left out. `rules`:
-/// those of the stroke that is solved for.
-[[nodiscard]] intent::IntentProblem intent_problem(const Document& document, std::uint32_t rules);
+/// Constraints are doubted like what is drawn, in model units. Targets whose view cannot be are left out.
+[[nodiscard]] intent::IntentProblem intent_problem(const Document& document);
 
 /// The same for the lines of a moment, from the pose before them; the last one is new. Lines that were drawn anew are
 /// left out.
-[[nodiscard]] intent::IntentProblem moment_problem(const Document& document, const Moment& moment, std::uint32_t rules);
+[[nodiscard]] intent::IntentProblem moment_problem(const Document& document, const Moment& moment);
 
 }  // namespace penpose::document

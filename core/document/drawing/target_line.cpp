@@ -33,14 +33,6 @@ std::vector<double> even_shares(std::size_t count) {
   return shares;
 }
 
-std::size_t nearest_point(std::span<const PxPoint> line, PxPoint to) {
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    if (geometry::distance(line[i], to) < geometry::distance(line[best], to)) best = i;
-  }
-  return best;
-}
-
 double distance_to_segment(PxPoint p, PxPoint from, PxPoint to) {
   const PxPoint along = to - from;
   const double squared = along.x * along.x + along.y * along.y;
@@ -85,26 +77,6 @@ base::Result<DrawnTarget> make_target(std::span<const geometry::ModelPoint> refe
   target.points = std::move(paired->points);
   target.weights = posing::pressure_weights(values_at(line, pressure, paired->shares));
   return target;
-}
-
-base::Result<Line> oversketched(const Line& line, std::span<const PxPoint> stroke) {
-  if (stroke.size() < 2) return base::Error{"the line has no length", "line", "draw a longer one"};
-  std::vector<PxPoint> drawn(stroke.begin(), stroke.end());
-  std::size_t from = nearest_point(line.points, drawn.front());
-  std::size_t to = nearest_point(line.points, drawn.back());
-  if (to < from) {
-    std::reverse(drawn.begin(), drawn.end());
-    std::swap(from, to);
-  }
-  Line out;
-  const auto add = [&out](std::span<const PxPoint> points, std::span<const double> pressure) {
-    out.points.insert(out.points.end(), points.begin(), points.end());
-    out.pressure.insert(out.pressure.end(), pressure.begin(), pressure.end());
-  };
-  add(std::span(line.points).first(from), std::span(line.pressure).first(from));
-  add(drawn, std::vector<double>(drawn.size(), 1.0));
-  add(std::span(line.points).subspan(to + 1), std::span(line.pressure).subspan(to + 1));
-  return out;
 }
 
 bool come_near(std::span<const PxPoint> a, std::span<const PxPoint> b, double distance_px) {

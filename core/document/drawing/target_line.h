@@ -15,15 +15,6 @@ namespace penpose::document {
                                                     std::span<const curve::PxPoint> line,
                                                     std::span<const double> pressure);
 
-/// How targets were drawn over by rule 0: a line with the part that a stroke runs along replaced by the stroke: from
-/// the place nearest to the stroke's start to the place nearest to its end, whichever way it was drawn. `pressure` (one
-/// a point of the line) is extended by 1 along the stroke. Errors: a stroke of fewer than two points.
-struct Line {
-  std::vector<curve::PxPoint> points;
-  std::vector<double> pressure;
-};
-[[nodiscard]] base::Result<Line> oversketched(const Line& line, std::span<const curve::PxPoint> stroke);
-
 /// A target of which the part that a stroke runs along is drawn anew in a view: from the place nearest to the stroke's
 /// start to the place nearest to its end, whichever way it was drawn. What lies outside of that part stays where it is,
 /// to the bit; where the stroke begins or ends beside the line it is led over to it. How hard was pressed stays as it

@@ -150,8 +150,7 @@ Matching SlidingLine::match(std::span<const PxPoint> seen, const Alignment& alig
   return m;
 }
 
-std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const PxPoint> line, double near_px,
-                                  Edition edition) {
+std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const PxPoint> line, double near_px) {
   constexpr double k_one_end = 100.0;
   const double reference = curve::arc_length<PxPoint>(seen);
   const double drawn = curve::arc_length<PxPoint>(line);
@@ -228,18 +227,16 @@ std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const
       one.line_to = from + part;
       // Both ends overshot alike is how a wide line is drawn; all of it at one end is less likely the longer it is.
       const bool one_end = one.line_from == 0.0 || one.line_from == 1.0 - part;
-      one.charge = 8.0 + (one_end && edition != Edition::first ? k_one_end * std::max(0.0, ratio - 1.22) : 0.0);
+      one.charge = 8.0 + (one_end ? k_one_end * std::max(0.0, ratio - 1.22) : 0.0);
       add(one);
     }
   }
-  if (edition >= Edition::third) {
-    Alignment beside = list.front();
-    beside.offset_px = k_offset * drawn;
-    beside.charge = k_offset_charge;
-    beside.rough = k_rough;
-    list.push_back(beside);
-    for (Alignment& one : list) one.ends = k_ends;
-  }
+  Alignment beside = list.front();
+  beside.offset_px = k_offset * drawn;
+  beside.charge = k_offset_charge;
+  beside.rough = k_rough;
+  list.push_back(beside);
+  for (Alignment& one : list) one.ends = k_ends;
   return list;
 }
 

@@ -45,11 +45,6 @@ double way_across(std::span<const PxPoint> curve, std::span<const PxPoint> line)
 
 Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem)
     : rig_(rig), whole_(whole), problem_(problem), system_(rig, points_of(problem)) {
-  if (problem.edition < Edition::third) costs_.limit = 0.0;
-  if (problem.edition >= Edition::fifth) {
-    costs_.limit_from = 0.8;
-    costs_.pair = 0.0;
-  }
   std::size_t first = 0;
   const auto add = [&](const std::vector<posing::CurvePoint>& reference) -> Block& {
     Block block;
@@ -69,7 +64,7 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
     block.doubt = curve.doubt_px;
     block.line.emplace(curve.target);
     block.alignments = intent::alignments(seen(block, start_), curve.target,
-                                          curve::pairing_distance_px(curve.camera.viewport()), problem.edition);
+                                          curve::pairing_distance_px(curve.camera.viewport()));
   }
   for (const auto* curves : {&problem.known, &problem.kept}) {
     for (const KnownCurve& curve : *curves) {
@@ -131,7 +126,7 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
   }
 
   // Limbs go far, and their lines are as exact as others.
-  if (problem.edition < Edition::fifth || !chain_.empty()) return;
+  if (!chain_.empty()) return;
   if (!problem.posed.empty()) place(problem.posed, positions_);
   for (Block& block : blocks_) {
     if (block.drawn == nullptr) continue;
@@ -199,9 +194,7 @@ void Reader::make_units() {
     if (other == k_no_partner || other <= j) continue;
     // Of a pair that the strokes see one side of, that side is meant.
     constexpr double k_one_side = 0.1;
-    if (problem_.edition >= Edition::third &&
-        std::min(ways_[j], ways_[other]) < k_one_side * std::max(ways_[j], ways_[other]))
-      continue;
+    if (std::min(ways_[j], ways_[other]) < k_one_side * std::max(ways_[j], ways_[other])) continue;
     Unit unit;
     unit.members = {j, other, 0};
     unit.count = 2;
@@ -247,16 +240,12 @@ std::optional<Choice> meant_without_limits(Reader& reader, Quadratic& quadratic,
   const Choice meant = selection.select(selection.fit({}), most_units);
   reader.stretch(0.0);
   std::optional<Choice> kept;
-  const bool nothing = reader.edition() >= Edition::third && meant.units.empty();
-  if (!nothing && meant.units.size() < within.units.size() && meant.energy < energy) {
+  if (!meant.units.empty() && meant.units.size() < within.units.size() && meant.energy < energy) {
     kept = selection.fit(meant.units);
-    if (reader.edition() >= Edition::third) {
-      // Within the limits something else may come nearer by itself.
-      selection.forbid_nothing();
-      Choice other = selection.select(selection.fit({}), meant.units.size());
-      const double least = reader.edition() >= Edition::fifth ? k_clearly * kept->energy : kept->energy - 1e-9;
-      if (!other.units.empty() && other.energy < least) kept = std::move(other);
-    }
+    // Within the limits something else may come nearer by itself.
+    selection.forbid_nothing();
+    Choice other = selection.select(selection.fit({}), meant.units.size());
+    if (!other.units.empty() && other.energy < k_clearly * kept->energy) kept = std::move(other);
   }
   evaluations += selection.evaluations();
   return kept;

@@ -33,7 +33,6 @@ class Reader {
   /// The joints that the strokes mean (chain_of), ascending.
   [[nodiscard]] std::span<const std::size_t> chain() const { return chain_; }
   [[nodiscard]] bool linear() const { return linear_; }
-  [[nodiscard]] Edition edition() const { return problem_.edition; }
   [[nodiscard]] std::size_t curve_count() const { return blocks_.size(); }
   /// Units that bend one joint of the chain each within the picture, ascending; none where they are more than can be
   /// chosen from at once.
@@ -103,15 +102,15 @@ class Reader {
     std::vector<PxPoint> shown;  ///< of a drawn curve: where the hand saw it; empty where that does not matter
     double share = 1;            ///< 1 / (1 + D / nu) of the last weigh
     std::size_t row = 0, rows = 0, slide = 0;
-    std::array<Overshoot, 2> overshoots{};  ///< of a drawn curve as last looked at; from Edition::sixth on
+    std::array<Overshoot, 2> overshoots{};  ///< of a drawn curve as last looked at
     Matching matching;
     ModeMatrix factor{};  ///< Cholesky factor of what sliding costs
   };
-  /// From Edition::sixth on, of faces: where a limb ends is told by its joints.
-  [[nodiscard]] bool overshoots_tell() const { return problem_.edition >= Edition::sixth && chain_.empty(); }
+  /// Of faces alone: where a limb ends is told by its joints.
+  [[nodiscard]] bool overshoots_tell() const { return chain_.empty(); }
   /// Of a drawn curve, as it is aligned, px.
   [[nodiscard]] static double doubt_of(const Block& block);
-  /// From Edition::fifth on a line is the less exact the farther it is from where the hand saw the curve.
+  /// A line is the less exact the farther it is from where the hand saw the curve.
   void doubt_what_is_far(Block& block, std::span<const PxPoint> line) const;
   void look_at_drawn(Block& block, Quadratic& quadratic, std::span<const double> at, bool slide,
                      std::span<const std::size_t> variables);
@@ -130,7 +129,7 @@ class Reader {
   /// All points at a pose, those of drawn curves where the pen drew them.
   void place(const rig::Pose& pose, std::vector<ModelPoint>& out);
   /// How far each parameter moves what lies next to each drawn or known curve away from it, root mean square, model
-  /// units; empty before Edition::third.
+  /// units.
   [[nodiscard]] std::vector<std::vector<double>> ways_apart() const;
   /// The connected pieces of the surface that a reference lies on, ascending.
   [[nodiscard]] std::vector<std::uint32_t> pieces_of(std::span<const posing::CurvePoint> reference) const;

@@ -52,8 +52,7 @@ void Reader::measure_besides() {
           if (length > 0.0 && !block.alignments.front().closed) along += glm::dot(chord, way) / length;
         }
         // What the pen left out by its pressure is not seen.
-        const bool weighs =
-            problem_.edition >= Edition::fifth && block.drawn != nullptr && !block.drawn->weights.empty();
+        const bool weighs = block.drawn != nullptr && !block.drawn->weights.empty();
         sum += glm::dot(way, way) * (weighs ? block.drawn->weights[i - block.first] : 1.0);
       }
       const double way = std::sqrt(sum / static_cast<double>(block.count));
@@ -91,11 +90,8 @@ std::vector<std::vector<double>> Reader::ways_of_curves() const {
 }
 
 double Reader::beside_charge(std::size_t variable) const {
-  if (problem_.edition == Edition::first) return 0.0;
-  const double beside = costs_.beside * base::log(besides_[variable]);
-  return problem_.edition == Edition::second
-             ? beside
-             : beside + costs_.around * base::log(arounds_[variable]) + costs_.along * base::log(alongs_[variable]);
+  return costs_.beside * base::log(besides_[variable]) + costs_.around * base::log(arounds_[variable]) +
+         costs_.along * base::log(alongs_[variable]);
 }
 
 std::vector<std::uint32_t> Reader::pieces_of(std::span<const posing::CurvePoint> reference) const {
@@ -111,7 +107,7 @@ std::vector<std::vector<double>> Reader::ways_apart() const {
   constexpr double k_near = 0.05;
   constexpr std::size_t k_most_near = 64;
   std::vector<std::vector<double>> ways;
-  if (problem_.edition < Edition::third || !whole_.surroundings || !linear_) return ways;
+  if (!whole_.surroundings || !linear_) return ways;
   const std::size_t n = start_.size();
   const std::span<const ModelPoint> rest = whole_.surroundings->rest();
   const auto ways_of = [&](const Block& block, std::span<const posing::CurvePoint> reference) {
@@ -122,8 +118,8 @@ std::vector<std::vector<double>> Reader::ways_apart() const {
       for (std::size_t k = 0; k < 3; ++k) at += rest[point.vertex[k]] * point.weight[k];
       places.push_back(at);
     }
-    std::vector<std::uint32_t> pieces;  // a lid glides over an eye that is another thing
-    if (problem_.edition >= Edition::fifth) pieces = pieces_of(reference);
+    // A lid glides over an eye that is another thing.
+    const std::vector<std::uint32_t> pieces = pieces_of(reference);
     const auto near =
         whole_.surroundings->near(places, k_near * curve::arc_length<ModelPoint>(places), k_most_near, pieces);
     if (near.empty()) return out;

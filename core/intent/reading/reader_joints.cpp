@@ -9,7 +9,7 @@
 #include "core/joints/run.h"
 #include "core/rig/character_rig.h"
 
-// Joints as the second edition turns them: about axes of their own, single or as runs that bend alike.
+// Joints turn about axes of their own, single or as runs that bend alike.
 
 namespace penpose::intent {
 namespace {
@@ -42,7 +42,7 @@ double depth_stiffness(double joints) { return joints * joints * (k_turn / k_dep
 }  // namespace
 
 void Reader::find_chain() {
-  const joints::Body* body = problem_.edition != Edition::first ? whole_.body.get() : nullptr;
+  const joints::Body* body = whole_.body.get();
   const auto add = [&](const std::vector<posing::CurvePoint>& reference) {
     const auto chain = chain_of(rig_, reference, body);
     chain_.insert(chain_.end(), chain.begin(), chain.end());
@@ -57,7 +57,7 @@ void Reader::make_turns() {
   const std::size_t d = parameters_.size();
   turn_of_.assign(d, k_no_partner);
   axis_of_.assign(d, 0);
-  if (problem_.edition == Edition::first || !whole_.body) return;
+  if (!whole_.body) return;
   const auto* character = dynamic_cast<const rig::CharacterRig*>(&rig_);
   if (character == nullptr || character->skeleton() == nullptr) return;
   const std::size_t first = character->first_parameter(character->layers().size());

@@ -36,7 +36,7 @@ class Solver {
 
   /// Matching and choosing in turn, from nothing moved or from a first guess.
   Reading read(Choice choice = {}) {
-    if (reader_.edition() == Edition::first || !reader_.linear()) {
+    if (!reader_.linear()) {
       reader_.weigh_evenly();
     } else {
       // From few controls to many: far from the line each must bring it nearer by a good share of the way.

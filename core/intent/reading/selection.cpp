@@ -50,20 +50,6 @@ bool stands_at_limit(const Choice& choice, const Choices& choices) {
   return false;
 }
 
-std::size_t Selection::units_at_limit(const Choice& choice) const {
-  std::size_t count = 0;
-  for (const std::size_t u : choice.units) {
-    const Unit& unit = choices_.units[u];
-    bool at = false;
-    for (std::size_t m = 0; m < unit.count; ++m) {
-      const double value = value_of(choice, unit.members[m]);
-      at = at || (value != 0.0 && (value <= choices_.low[unit.members[m]] || value >= choices_.high[unit.members[m]]));
-    }
-    count += at ? 1U : 0U;
-  }
-  return count;
-}
-
 double share_of_range(double value, std::size_t variable, const Choices& choices) {
   const double end = value < 0.0 ? choices.low[variable] : choices.high[variable];
   return end != 0.0 ? std::clamp(value / end, 0.0, 1.0) : value != 0.0 ? 1.0 : 0.0;
@@ -82,8 +68,7 @@ double Selection::units_near_limit(const Choice& choice) const {
 }
 
 double Selection::limit_costs(const Choice& choice) const {
-  if (costs_.limit_from < 1.0) return costs_.limit * units_near_limit(choice);
-  return costs_.limit > 0.0 ? costs_.limit * static_cast<double>(units_at_limit(choice)) : 0.0;
+  return costs_.limit * units_near_limit(choice);
 }
 
 bool Selection::overlaps(std::size_t a, std::size_t b) const {
@@ -114,7 +99,7 @@ double Selection::unit_cost(const Unit& unit, const Choice& choice) const {
     way += std::abs(value_of(choice, unit.members[m])) * choices_.movement[unit.members[m]];
   }
   if (unit.tied) way /= static_cast<double>(unit.count);
-  return costs_.unit + (unit.tied ? costs_.pair : 0.0) + costs_.evidence * base::log(1.0 + std::max(0.0, curvature)) +
+  return costs_.unit + costs_.evidence * base::log(1.0 + std::max(0.0, curvature)) +
          costs_.movement * base::log(1.0 + way / costs_.usual_way) + unit.charge;
 }
 
@@ -231,7 +216,7 @@ Selection::Base Selection::base_of(Choice choice) {
 double Selection::least_with(const Base& base, std::size_t added) {
   const Unit& unit = choices_.units[added];
   const std::size_t n = base.choice.variables.size();
-  double least = base.choice.energy + costs_.unit + (unit.tied ? costs_.pair : 0.0) + unit.charge;
+  double least = base.choice.energy + costs_.unit + unit.charge;
   double curvature = 0;
   for (std::size_t m = 0; m < unit.count; ++m) curvature = std::max(curvature, q_.curvature(unit.members[m]));
   least += costs_.evidence * base::log(1.0 + std::max(0.0, curvature));

@@ -42,7 +42,6 @@ struct Choice {
 /// went and move little else.
 struct Costs {
   double unit = 8.0;
-  double pair = 3.0;       ///< a left and right pair beside a single control; nothing from Edition::fifth on
   double evidence = 1.0;   ///< times log(1 + curvature)
   double movement = 4.0;   ///< times log(1 + way of the whole model / usual way)
   double usual_way = 0.2;  ///< of the whole model, as a multiple of the median control's
@@ -50,7 +49,7 @@ struct Costs {
   double around = 20.0;    ///< times log(what lies next to the curve goes away from it / way of the curve), if positive
   double along = 4.0;      ///< times log(way of the curve / its way less that from one of its ends to the other)
   double limit = 8.0;      ///< each that stands at an end of its range: it is asked for more than it can
-  double limit_from = 1.0;  ///< share of the way to an end of its range from which on that grows evenly to all of it
+  double limit_from = 0.8;  ///< share of the way to an end of its range from which on that grows evenly to all of it
   double tie = 40.0;        ///< the square of what a pair's two values differ by
 };
 
@@ -89,7 +88,6 @@ class Selection {
     Choice choice;
     std::vector<double> factor;  ///< lower Cholesky factor of the choice's matrix, by rows
   };
-  [[nodiscard]] std::size_t units_at_limit(const Choice& choice) const;
   /// How many stand at an end of their range, those near it (Costs::limit_from) in parts.
   [[nodiscard]] double units_near_limit(const Choice& choice) const;
   [[nodiscard]] double unit_cost(const Unit& unit, const Choice& choice) const;

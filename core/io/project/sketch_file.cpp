@@ -15,7 +15,7 @@ constexpr const char* k_see_format = "see the format of sketch files in the manu
 constexpr std::array<std::string_view, 4> k_members = {"model", "viewport", "deformers", "corrections"};
 constexpr std::array<std::string_view, 18> k_deformer_members = {
     "name",      "viewport", "camera",   "reference_camera", "target_camera", "general", "specific",
-    "reference", "target",   "mode",     "surface",          "range",         "rules",   "sheet",
+    "reference", "target",   "mode",     "surface",          "range",         "paper",   "sheet",
     "reach",     "piece",    "betweens", "drivers"};
 
 }  // namespace
@@ -42,7 +42,7 @@ base::Result<SketchFile> read_sketch_file(base::Bytes bytes) {
   json::list_unknown(*json, "", k_members, file.skipped);
   for (std::size_t i = 0; i < deformers->size(); ++i) {
     const std::string pointer = json::child("/deformers", i);
-    file.sketches.emplace_back().rules = articulation::k_held_rules;
+    file.sketches.emplace_back();
     if (auto problem = read_sketch((*deformers)[i], pointer, viewport, file.sketches.back())) return *problem;
     json::list_unknown((*deformers)[i], pointer, k_deformer_members, file.skipped);
     if (!names.insert(file.sketches.back().name).second) {
@@ -59,7 +59,6 @@ base::Result<SketchFile> read_sketch_file(base::Bytes bytes) {
   for (std::size_t i = 0; i < corrections->size(); ++i) {
     const std::string pointer = json::child("/corrections", i);
     articulation::CorrectionSketch& one = file.corrections.emplace_back();
-    one.sketch.rules = articulation::k_held_rules;
     if (auto problem = read_sketch((*corrections)[i], pointer, viewport, one.sketch)) return *problem;
     if (auto problem = read_drivers((*corrections)[i], pointer, one.drivers)) return *problem;
     json::list_unknown((*corrections)[i], pointer, k_deformer_members, file.skipped);
@@ -78,18 +77,15 @@ std::string write_sketch_file(const SketchFile& file) {
   for (std::size_t i = 0; i < file.sketches.size(); ++i) {
     const Viewports viewports = file.sketches[i].viewport == file.viewport ? Viewports::shared : Viewports::each;
     text += i == 0 ? "\n" : ",\n";
-    json::Json one = to_json(file.sketches[i], viewports);
-    one["rules"] = file.sketches[i].rules;
-    text += one.dump(-1, ' ', false, json::Json::error_handler_t::replace);
+    text += to_json(file.sketches[i], viewports).dump(-1, ' ', false, json::Json::error_handler_t::replace);
   }
   if (file.corrections.empty()) return text + "\n]}\n";
   text += "\n], \"corrections\": [";
   for (std::size_t i = 0; i < file.corrections.size(); ++i) {
     const auto& sketch = file.corrections[i].sketch;
     const Viewports viewports = sketch.viewport == file.viewport ? Viewports::shared : Viewports::each;
-    json::Json one = to_json(file.corrections[i], viewports);
-    one["rules"] = sketch.rules;
-    text += (i == 0 ? "\n" : ",\n") + one.dump(-1, ' ', false, json::Json::error_handler_t::replace);
+    text += (i == 0 ? "\n" : ",\n") +
+            to_json(file.corrections[i], viewports).dump(-1, ' ', false, json::Json::error_handler_t::replace);
   }
   return text + "\n]}\n";
 }

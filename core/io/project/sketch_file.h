@@ -12,7 +12,7 @@ namespace penpose::io {
 /// A file of strokes, as `penpose articulate --sketch` takes it: {"model", "viewport": [w, h], "deformers": [...]}. A
 /// deformer has "name", "camera", "general", "specific", "target" and may have "reference", "mode", "surface",
 /// "target_camera", and beyond what scripts rely on "reference_camera", "range": [minimum, maximum] and its own
-/// "viewport", "rules", the rules of drawing it is built by, k_held_rules where it has none, "reach" ("through" or
+/// "viewport", "paper", true where it is built as the paper says, "reach" ("through" or
 /// "front") and "piece", what the first lasso takes, and "betweens": [{"value", "target", "camera"}, ...], its other
 /// targets. "corrections" holds such objects, each with "drivers": [[CONTROL, VALUE], ...], the pose that it was drawn
 /// at.

@@ -61,7 +61,7 @@ static int pose(penpose_library* library) {
   uint32_t lip = 0;
   size_t points = 0, i;
   double *xyz, *positions, *distances, worst = 0;
-  if (penpose_character_built_in(library, "builtin:demo-2", &head, &error) ||
+  if (penpose_character_built_in(library, "builtin:demo", &head, &error) ||
       penpose_curve_named(library, head, "lip_upper", PENPOSE_REFERENCE, &lip, &error) ||
       penpose_curve_positions(library, head, lip, NULL, 0, &points, &error) ||
       penpose_count(library, head, &counts, &error))

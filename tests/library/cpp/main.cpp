@@ -41,7 +41,7 @@ int replay(const std::string& argument) {
 }
 
 int pose() {
-  auto model = penpose::demo::make_demo_head(penpose::head::HeadEdition::second);
+  auto model = penpose::character::make_demo_head();
   if (!model) return fail(model.error().line());
   penpose::Character head(penpose::document::make_document(std::move(model).value()));
   const auto lip = head.place_reference(head.points_of("lip_upper").value());

@@ -1,4 +1,4 @@
-#include "ui/demo/demo_head.h"
+#include "core/character/demo_head.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ using geometry::ModelPoint;
 class DemoHead : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    auto made = make_demo_head(head::HeadEdition::first);
+    auto made = character::make_demo_head();
     ASSERT_TRUE(made.ok()) << made.error().line();
     model_ = new document::Model(std::move(made).value());
   }

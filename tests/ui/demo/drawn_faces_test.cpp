@@ -3,7 +3,7 @@
 
 #include "core/document/commands/apply.h"
 #include "core/drawing/tool.h"
-#include "ui/demo/demo_head.h"
+#include "core/character/demo_head.h"
 
 // What an artist draws on the head that the program begins with is what its face does.
 
@@ -15,7 +15,7 @@ using Line = std::vector<PxPoint>;
 
 class DrawnFaces : public testing::Test {
  protected:
-  DrawnFaces() : document_(document::make_document(*make_demo_head())) {
+  DrawnFaces() : document_(document::make_document(*character::make_demo_head())) {
     view_.camera = {{0, -0.0173, 0.7837}, {0, -0.0173, 0.003}, {0, 1, 0}, 30};
     view_.viewport = {1000, 1000};
   }

@@ -4,7 +4,7 @@
 #include "core/animation/animate_track.h"
 #include "core/animation/points/eigen_points.h"
 #include "tests/support/models/rendered_track.h"
-#include "ui/demo/demo_head.h"
+#include "core/character/demo_head.h"
 #include "ui/render/appearance.h"
 #include "ui/render/gl/renderer.h"
 
@@ -16,7 +16,7 @@ namespace {
 class EigenLoop : public testing::Test {
  protected:
   void SetUp() override {
-    head_ = make_demo_head(head::HeadEdition::first).value();
+    head_ = character::make_demo_head().value();
     auto renderer = render::Renderer::make_offscreen();
     if (!renderer) GTEST_SKIP() << renderer.error().line();
     renderer_ = std::move(renderer).value();

@@ -4,13 +4,13 @@
 #include <gtest/gtest.h>
 
 #include "core/head/head.h"
-#include "ui/demo/demo_head.h"
+#include "core/character/demo_head.h"
 
 namespace penpose::demo {
 namespace {
 
 TEST(RegionCells, FadeFromTheColourIntoTheSkinWithTheWeight) {
-  const auto model = make_demo_head(head::HeadEdition::first);
+  const auto model = character::make_demo_head();
   ASSERT_TRUE(model.ok());
   const auto cells = region_cells(*model);
   ASSERT_FALSE(cells.empty());

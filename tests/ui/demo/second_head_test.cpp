@@ -4,7 +4,7 @@
 #include "core/articulation/deformer.h"
 #include "core/articulation/measure/doubts.h"
 #include "core/head/head.h"
-#include "ui/demo/demo_head.h"
+#include "core/character/demo_head.h"
 #include "ui/demo/run_demo.h"
 
 namespace penpose::demo {
@@ -15,7 +15,7 @@ using geometry::ModelPoint;
 class SecondHead : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    auto made = run_demo(head::HeadEdition::second);
+    auto made = run_demo();
     ASSERT_TRUE(made.ok()) << made.error().line();
     demo_ = new Demo(std::move(made).value());
   }

@@ -4,7 +4,7 @@
 
 #include "core/geometry/bvh.h"
 #include "core/head/head.h"
-#include "ui/demo/demo_head.h"
+#include "core/character/demo_head.h"
 #include "ui/demo/run_demo.h"
 
 // What somebody who looks at the pictures of the demo sees first.
@@ -17,7 +17,7 @@ using Line = std::vector<ModelPoint>;
 class ThirdHead : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    auto made = run_demo(head::HeadEdition::third);
+    auto made = run_demo();
     ASSERT_TRUE(made.ok()) << made.error().line();
     demo_ = new Demo(std::move(made).value());
   }

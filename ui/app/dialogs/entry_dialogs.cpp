@@ -36,7 +36,6 @@ bool take_number(App& app, std::size_t index) {
   }
   document::ChangeDeformer change;
   change.deformer = parameter.name;
-  change.rules = articulation::k_ranged_rules;
   (entry.field == NumberEntry::Field::least ? change.minimum : change.maximum) = *value;
   return app.workspace().perform(change);
 }

@@ -90,8 +90,8 @@ void show_open_dialog(PanelContext& context) {
   App& app = context.app;
   if (begin_dialog(context, "Open", k_wide)) {
     std::string chosen;
-    if (wide_button(context, "The built-in head with its controls", -1)) chosen = "builtin:demo-4";
-    if (wide_button(context, "The built-in head alone, to sketch controls on", -1)) chosen = "builtin:head-4";
+    if (wide_button(context, "The built-in head with its controls", -1)) chosen = "builtin:demo";
+    if (wide_button(context, "The built-in head alone, to sketch controls on", -1)) chosen = "builtin:head";
     if (const std::string file = browse(context, 8 * context.unit); !file.empty()) chosen = file;
     if (wide_button(context, "Cancel")) app.do_action(Action::cancel);
     if (!chosen.empty()) app.ask_to_open(chosen);

@@ -258,7 +258,7 @@ void show_redraws(PanelContext& context, const articulation::Deformer& deformer)
 void show_betweens(PanelContext& context, const articulation::Deformer& deformer, double value) {
   App& app = context.app;
   const std::string name = deformer.sketch().name;
-  if (deformer.sketch().rules < articulation::k_held_rules) return;
+  if (deformer.sketch().paper) return;
   const std::string at = base::format_fixed(value, 2);
   const bool rests = std::abs(value) < 1e-3 || std::abs(value - 1) < 1e-3;
   ImGui::BeginDisabled(rests);
@@ -328,7 +328,7 @@ void show_chosen(PanelContext& context, const articulation::SketchedDeformers& s
   };
   change.surface = surface_button(context, deformer.sketch().surface, ball);
   const articulation::Sketch& sketch = deformer.sketch();
-  if (sketch.rules >= articulation::k_held_rules && !sketch.reference.empty() &&
+  if (!sketch.paper && !sketch.reference.empty() &&
       wide_button(context, "Other sheet", -1, sketch.other_sheet,
                   "Where two sheets of the surface meet, such as lips: the feature lies on the other one")) {
     change.other_sheet = !sketch.other_sheet;

@@ -72,7 +72,7 @@ void LiveFollow::start(const document::Document& document, const document::PoseC
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!camera) return;
   const auto reference = document::positions_of(document, curve.points);
-  auto problem = drawing::live_problem(document, curve, view, drawing::k_rules);
+  auto problem = drawing::live_problem(document, curve, view);
   if (!problem) return;
   auto poser = intent::LivePoser::start(*document.model->rig, whole_of(document), *std::move(problem));
   if (!poser) return;
@@ -97,7 +97,7 @@ bool LiveFollow::drag(curve::PxPoint by) {
   if (!poser_ || !whole_) return false;
   if (pull_ && pulled_) {
     return follow_target(
-        document::pulled_target(*pulled_, {curve_, view_, pull_->at, by, pull_->reach, drawing::k_rules}));
+        document::pulled_target(*pulled_, {curve_, view_, pull_->at, by, pull_->reach}));
   }
   auto line = whole_->line;
   for (curve::PxPoint& p : line) p = p + by;
@@ -124,13 +124,13 @@ void LiveFollow::end() {
 
 document::Command drag_command(const document::PoseCurve& curve, const document::View& view, curve::PxPoint by,
                                const std::optional<PullHold>& pull) {
-  if (pull) return document::PullTarget{curve.id, view, pull->at, by, pull->reach, drawing::k_rules};
+  if (pull) return document::PullTarget{curve.id, view, pull->at, by, pull->reach};
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!curve.target || curve.target->view == view || !camera)
-    return document::DragTarget{curve.id, by, drawing::k_rules};
+    return document::DragTarget{curve.id, by};
   // It was drawn in another view: what is seen now, moved, is drawn in this one.
   const document::DrawnTarget seen = seen_from(*curve.target, view, *camera);
-  document::DrawTarget drawn{curve.id, view, seen.line, seen.pressure, drawing::k_rules};
+  document::DrawTarget drawn{curve.id, view, seen.line, seen.pressure};
   for (curve::PxPoint& p : drawn.line) p = p + by;
   return drawn;
 }

@@ -145,7 +145,7 @@ void Workspace::measure_left() {
   if (drawn == last.curves.rend()) return;
   last.curves = {*drawn};
   const auto left =
-      intent::left_at_start(*last.model->rig, follow_.whole_of(last), document::intent_problem(last, drawing::k_rules));
+      intent::left_at_start(*last.model->rig, follow_.whole_of(last), document::intent_problem(last));
   if (left && !left->empty()) left_px_ = left->front().px;
 }
 
@@ -177,7 +177,7 @@ void Workspace::lock(const std::vector<std::string>& names, bool locked) {
     redo();
     return;
   }
-  perform(document::DrawTarget{curve, target.view, target.line, target.pressure, drawing::k_rules});
+  perform(document::DrawTarget{curve, target.view, target.line, target.pressure});
 }
 
 bool Workspace::perform(const document::Command& command) {
@@ -242,7 +242,6 @@ void Workspace::go_to_step(std::size_t commands) {
 }
 
 void Workspace::set_tool(drawing::Tool tool) {
-  tool.rules = drawing::k_rules;
   if (tool == editor().tool()) return;
   if (!sketches(tool)) sketch_.end();
   act(replay::ToolChosen{tool});

@@ -334,7 +334,7 @@ void TourGuide::skip(App& app) {
   // Drawn as the user sees it, so that what comes after it fits.
   const document::View& view = app.workspace().editor().view();
   const auto line = seen(ghost_, view);
-  if (auto* one = std::get_if<document::DrawReference>(&command)) *one = {view, line, drawing::k_rules};
+  if (auto* one = std::get_if<document::DrawReference>(&command)) *one = {view, line};
   if (auto* one = std::get_if<document::SketchCurve>(&command)) {
     one->view = view;
     one->line = line;
@@ -344,7 +344,7 @@ void TourGuide::skip(App& app) {
       return curve->role == document::PoseCurveRole::reference && !curve->target;
     });
     if (waits == document.curves.end()) return;
-    *one = {(*waits)->id, view, line, {}, drawing::k_rules};
+    *one = {(*waits)->id, view, line, {}};
   }
   app.workspace().perform(command);
 }

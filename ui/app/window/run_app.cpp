@@ -56,7 +56,7 @@ base::Status run_app(const files::WindowRequest& request) {
   options.program = request.program;
   options.own_tablets = &*own;
   App app(options);
-  const std::string model = request.model.empty() ? "builtin:demo-4" : request.model;
+  const std::string model = request.model.empty() ? "builtin:demo" : request.model;
   if (const auto opened = app.open(model); !opened) return in_file(opened.error(), model);
   if (!request.session.empty() && app.session_path().empty()) {
     return base::Error{"cannot be written", request.session, "check the folder, its permissions and the free space"};

@@ -126,8 +126,7 @@ std::vector<std::string> notes_on(const io::SketchFile& file, const std::string&
 /// What a user may not have meant, one line each.
 std::vector<std::string> notes_on(const Deformer& deformer) {
   auto doubts = articulation::doubts_of(deformer);
-  const bool measured = deformer.sketch().rules >= articulation::k_measured_rules;
-  if (measured || !deformer.turned_round() || deformer.mode() != articulation::Mode::rotate) return doubts;
+  if (!deformer.sketch().paper || !deformer.turned_round() || deformer.mode() != articulation::Mode::rotate) return doubts;
   return {
       "the target was turned round, because its end lies nearer to the start of the reference than its start does; "
       "if the control tears the model, draw the target so that its start is the nearer end, or use translate"};
@@ -149,7 +148,7 @@ int articulate(const ArticulateArguments& arguments) {
   if (!file) return files::report(file.error(), arguments.sketch);
   if (arguments.paper) {
     for (articulation::Sketch& sketch : file->sketches) {
-      sketch.rules = 0;
+      sketch.paper = true;
       sketch.betweens.clear();
     }
   }

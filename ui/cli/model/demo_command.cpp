@@ -12,7 +12,6 @@
 #include "core/document/document_hash.h"
 #include "ui/cli/commands.h"
 #include "ui/demo/contact_sheet.h"
-#include "ui/demo/demo_head.h"
 #include "ui/demo/run_demo.h"
 #include "ui/files/files.h"
 #include "ui/files/save_model.h"
@@ -20,6 +19,9 @@
 
 namespace penpose::cli {
 namespace {
+
+/// Strokes that one control took: two regions, the target, and the reference where it was drawn.
+std::size_t stroke_count(const articulation::Sketch& sketch) { return sketch.reference.empty() ? 3 : 4; }
 
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
@@ -45,7 +47,7 @@ std::vector<demo::SheetCell> sheet_cells(const demo::Demo& made) {
 Json to_json(const articulation::Deformer& deformer) {
   return {{"name", deformer.sketch().name},
           {"mode", deformer.mode() == articulation::Mode::translate ? "translate" : "rotate"},
-          {"strokes", demo::stroke_count(deformer.sketch())},
+          {"strokes", stroke_count(deformer.sketch())},
           {"vertices", deformer.vertices().size()}};
 }
 
@@ -78,7 +80,7 @@ void print(const demo::Demo& made, const Written& written) {
   std::size_t strokes = 0;
   const auto deformers = model.deformers->deformers();
   for (const auto& deformer : deformers) {
-    const std::size_t own = demo::stroke_count(deformer->sketch());
+    const std::size_t own = stroke_count(deformer->sketch());
     strokes += own;
     std::cout << "  " << deformer->sketch().name << ": "
               << (deformer->mode() == articulation::Mode::translate ? "translate, " : "rotate, ") << own << " strokes, "
@@ -105,7 +107,7 @@ Json to_json(const demo::Demo& made, const Written& written) {
   for (const demo::NamedPose& one : made.poses) expressions.push_back(to_json(one, model));
   Json pictures = Json::array();
   for (const demo::SheetCell& cell : written.cells) pictures.push_back(cell.title);
-  return {{"model", "builtin:head-4"},
+  return {{"model", "builtin:head"},
           {"vertices", model.mesh->vertex_count()},
           {"reports", made.reports},
           {"strokes", made.strokes},

@@ -9,7 +9,7 @@ import numpy as np
 
 import penpose
 
-head = penpose.Character.built_in('builtin:demo-4')
+head = penpose.Character.built_in('builtin:demo')
 print(head.vertex_count, 'vertices;', ', '.join(parameter.name for parameter in head.parameters))
 
 # %% What should happen: the jaw drops, the brows go up, the corners of the eyes stay.

@@ -1,7 +1,7 @@
 """Poses and rigs 3D characters by drawing.
 
     import penpose
-    head = penpose.Character.built_in('builtin:demo-4')
+    head = penpose.Character.built_in('builtin:demo')
     lip = head.curve("lip_upper")
     head.target(lip, head.positions(lip) + [0, 0.002, 0])
     head.solve()

@@ -106,8 +106,8 @@ class Character(_c.Handle):
         return cls(made(C.penpose_character_read, LIBRARY.pointer, data, len(data), text(hint), None))
 
     @classmethod
-    def built_in(cls, name: str = 'builtin:head-4') -> 'Character':
-        """The program's own head, with nothing to pose yet; 'builtin:demo-4': with sketched deformers."""
+    def built_in(cls, name: str = 'builtin:head') -> 'Character':
+        """The program's own head, with nothing to pose yet; 'builtin:demo': with sketched deformers."""
         return cls(made(C.penpose_character_built_in, LIBRARY.pointer, text(name), None))
 
     @classmethod

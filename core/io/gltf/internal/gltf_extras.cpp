@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/edition.h"
 #include "core/io/project/internal/sketch_json.h"
 
 namespace penpose::io {
@@ -153,15 +154,15 @@ base::Result<RootExtras> read_root_extras(const json::Json& document) {
   const json::Json* own = own_extras(document);
   if (own == nullptr) return extras;
   const std::string pointer = json::child("/extras", k_extras_key);
-  const json::Json* version = json::find(*own, "version");
-  if (version == nullptr || !json::whole_number(*version, 1, k_extras_version)) {
-    const std::string given = version == nullptr ? "none" : version->dump();
-    return wrong("the version of the extras, " + given + ", is not known", json::child(pointer, "version"),
-                 "open the file with a newer penpose, or remove the extras");
-  }
   extras.present = true;
+  const json::Json* edition = json::find(*own, "edition");
+  const bool drawn = json::find(*own, "project") != nullptr || json::find(*own, "deformers") != nullptr;
+  const bool ours = edition != nullptr && json::whole_number(*edition, base::k_edition, base::k_edition).has_value();
+  extras.of_another_edition = drawn && !ours;
   if (auto error = read_list(*own, "shapes", pointer, read_shape, extras.shapes)) return *error;
   if (auto error = read_list(*own, "curves", pointer, read_curve, extras.curves)) return *error;
+  if (auto error = read_list(*own, "one_way", pointer, read_one_way, extras.one_way)) return *error;
+  if (extras.of_another_edition) return extras;
   const json::Json* deformers = json::find(*own, "deformers");
   if (deformers != nullptr && deformers->size() > k_most_deformers) {
     return wrong("a model has at most 1,000 deformers", json::child(pointer, "deformers"));
@@ -190,7 +191,6 @@ base::Result<RootExtras> read_root_extras(const json::Json& document) {
   };
   if (auto error = read_list(*own, "baked", pointer, read_names, extras.baked)) return *error;
   extras.baked.resize(extras.deformers.size());
-  if (auto error = read_list(*own, "one_way", pointer, read_one_way, extras.one_way)) return *error;
   return extras;
 }
 
@@ -222,7 +222,7 @@ base::Status check_curves(const RootExtras& root, std::size_t triangle_count) {
 
 json::Json write_root_extras(const document::Model& model, const std::vector<std::vector<std::string>>& baked,
                              const std::vector<OneWayName>& one_way, const json::Json& project) {
-  json::Json own = {{"version", k_extras_version}};
+  json::Json own = {{"edition", base::k_edition}};
   if (!project.is_null()) own["project"] = project;
   if (model.shapes) {
     json::Json shapes = json::Json::array();

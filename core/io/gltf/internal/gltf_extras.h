@@ -14,11 +14,10 @@
 namespace penpose::io {
 
 /// What glTF has no place for is kept in members "extras": {"penpose": {...}} (glTF 2.0, section 3.3.3): at the root of
-/// the document with the version, and at nodes.
+/// the document with the edition, and at nodes.
 inline constexpr const char* k_extras_key = "penpose";
-inline constexpr std::int64_t k_extras_version = 2;  ///< 1 had no "project"
 
-/// Root: {"version": 2, "shapes": [{"name", "rest", "minimum", "maximum"}], "curves": [{"name", "points": [[triangle,
+/// Root: {"edition": base::k_edition, "shapes": [{"name", "rest", "minimum", "maximum"}], "curves": [{"name", "points": [[triangle,
 /// b0, b1, b2], ...]}], "deformers": [a deformer as sketch files have it, with its own "viewport", ...]}. Deformers are
 /// also morph targets of their names, sampled at amount 1, after those of the shapes, and "baked": [[NAME, ...], ...]
 /// names those that show the rest of each (baked_deformer.h). "corrections": [a deformer with its "drivers", ...].
@@ -31,6 +30,8 @@ struct OneWayName {
 
 struct RootExtras {
   bool present = false;
+  /// Drawn under another edition: what was sketched is not read, and stays the morph targets that it was baked to.
+  bool of_another_edition = false;
   std::vector<rig::Parameter> shapes;  ///< in the order of the rig
   std::vector<document::NamedCurve> curves;
   std::vector<articulation::Sketch> deformers;
@@ -61,7 +62,7 @@ struct NodeExtras {
   glm::dvec3 values{0};
 };
 
-/// Errors (place: JSON pointer): a version that is not known, a member of another type, a range without room.
+/// Errors (place: JSON pointer): a member of another type, a range without room.
 [[nodiscard]] base::Result<RootExtras> read_root_extras(const json::Json& document);
 /// One entry a node; all empty when `root` is not present.
 [[nodiscard]] base::Result<std::vector<NodeExtras>> read_node_extras(const json::Json& document,

@@ -86,7 +86,12 @@ void add_corrections(const RootExtras& root, document::Model& model) {
   }
 }
 
-base::Result<document::Model> read_opened(GltfDocument& document) {
+struct OpenedModel {
+  document::Model model;
+  bool of_another_edition = false;
+};
+
+base::Result<OpenedModel> read_opened(GltfDocument& document) {
   const auto root = read_root_extras(document.json);
   if (!root) return root.error();
   const auto node_extras = read_node_extras(document.json, *root);
@@ -113,6 +118,11 @@ base::Result<document::Model> read_opened(GltfDocument& document) {
                                     std::move(joints->influences));
     if (!made) return made.error();
     skeleton = std::move(made).value();
+  }
+  if (root->of_another_edition) {
+    document.notes.push_back(
+        "the project was drawn under another edition of penpose: its controls are the blend shapes that they were baked "
+        "to, and can no longer be drawn again");
   }
   const auto deformers = read_deformers(*mesh, skeleton.get(), *root, *shapes, document.notes);
   std::vector<std::string> deformer_names;
@@ -176,7 +186,7 @@ base::Result<document::Model> read_opened(GltfDocument& document) {
     model->notes.push_back(std::to_string((*mesh)->dropped_triangles()) + " triangles without area were left out");
   }
   if (const auto status = check_positions(*model); !status) return status.error();
-  return model;
+  return OpenedModel{std::move(model).value(), root->of_another_edition};
 }
 
 }  // namespace
@@ -184,20 +194,22 @@ base::Result<document::Model> read_opened(GltfDocument& document) {
 base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& resolve) {
   auto opened = open_gltf(bytes, resolve);
   if (!opened) return opened.error();
-  return read_opened(*opened);
+  auto read = read_opened(*opened);
+  if (!read) return read.error();
+  return std::move(read->model);
 }
 
 base::Result<document::Document> read_gltf_document(base::Bytes bytes, const FileResolver& resolve) {
   auto opened = open_gltf(bytes, resolve);
   if (!opened) return opened.error();
-  auto model = read_opened(*opened);
-  if (!model) return model.error();
+  auto read_model = read_opened(*opened);
+  if (!read_model) return read_model.error();
+  document::Model& model = read_model->model;
   const json::Json* extras = json::find(opened->json, "extras");
   const json::Json* own = extras == nullptr ? nullptr : json::find(*extras, k_extras_key);
   const json::Json* project = own == nullptr ? nullptr : json::find(*own, "project");
-  if (project == nullptr) return document::make_document(std::move(model).value());
-  auto read =
-      read_project(*project, json::child(json::child("/extras", k_extras_key), "project"), std::move(model).value());
+  if (project == nullptr || read_model->of_another_edition) return document::make_document(std::move(model));
+  auto read = read_project(*project, json::child(json::child("/extras", k_extras_key), "project"), std::move(model));
   if (!read) return read;
   // The timeline stands in the project exactly, and for other programs as the first animation, unless it moves nothing
   // that animations know.

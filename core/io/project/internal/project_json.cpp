@@ -319,10 +319,9 @@ json::Json pending_commands(const document::PendingSketch& pending) {
   json::Json commands = json::Json::array();
   const auto add = [&](const document::Command& command) { commands.push_back(document::to_text(command)); };
   if (pending.drivers.empty()) {
-    add(document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum, sketch.maximum,
-                                sketch.rules});
+    add(document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum, sketch.maximum});
   } else {
-    document::BeginCorrection begin{sketch.name, {}, sketch.mode, sketch.rules};
+    document::BeginCorrection begin{sketch.name, {}, sketch.mode};
     for (const articulation::Driver& one : pending.drivers) begin.drivers.push_back({one.control, one.value});
     add(begin);
   }

@@ -6,7 +6,7 @@
 
 namespace penpose::io {
 
-/// What a project has beyond its model, the member "project" of the root's extras (since version 2):
+/// What a project has beyond its model, the member "project" of the root's extras:
 ///
 /// {"curves": [{"id", "role": "reference"|"constraint", "points": [[triangle, b0, b1, b2], ...], "kept": [[x, y, z],
 /// ...], "target": {"view", "line": [[x, y, pressure], ...], "points": [[x, y, z, weight], ...]}}], "last_curve",

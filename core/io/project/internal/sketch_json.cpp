@@ -12,7 +12,6 @@ using Problem = std::optional<base::Error>;
 
 constexpr const char* k_see_format = "see the format of sketch files in the manual";
 constexpr std::int64_t k_largest_viewport = 100000;
-constexpr std::int64_t k_most_rules = 1000;
 constexpr std::int64_t k_most_pieces = 1000000;
 constexpr const char* k_modes[] = {"auto", "translate", "rotate"};
 
@@ -233,10 +232,9 @@ std::optional<base::Error> read_sketch(const json::Json& value, const std::strin
   if (auto problem = read_mode(value, pointer, out.mode)) return problem;
   if (auto problem = read_surface(value, pointer, out.surface)) return problem;
   if (auto problem = read_range(value, pointer, out)) return problem;
-  if (const json::Json* rules = given(value, "rules")) {
-    const auto n = json::whole_number(*rules, 0, k_most_rules);
-    if (!n) return wrong("the number of the rules of drawing was expected", json::child(pointer, "rules"));
-    out.rules = static_cast<std::uint32_t>(*n);
+  if (const json::Json* paper = given(value, "paper")) {
+    if (!paper->is_boolean()) return wrong("true or false was expected", json::child(pointer, "paper"));
+    out.paper = paper->get<bool>();
   }
   if (const json::Json* sheet = given(value, "sheet")) {
     const bool other = sheet->is_string() && sheet->get<std::string>() == "other";
@@ -301,7 +299,7 @@ json::Json to_json(const Sketch& sketch, Viewports viewports) {
   }
   if (sketch.minimum != 0.0 || sketch.maximum != 1.0)
     value["range"] = json::Json::array({sketch.minimum, sketch.maximum});
-  if (sketch.rules != 0) value["rules"] = sketch.rules;
+  if (sketch.paper) value["paper"] = true;
   if (sketch.other_sheet) value["sheet"] = "other";
   if (sketch.reach == articulation::Reach::front) value["reach"] = "front";
   if (sketch.piece != 0) value["piece"] = sketch.piece;

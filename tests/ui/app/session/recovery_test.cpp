@@ -177,7 +177,7 @@ TEST(Recovery, ASessionFromBeforeTapsMeantNothingIsPlayedAsItWasDrawn) {
   for (int i = 0; i < 500 && !desk->app->player()->finished(); ++i) desk->frames(1);
   EXPECT_EQ(desk->app->workspace().state(), state);
   desk->frames(2);
-  EXPECT_EQ(desk->app->workspace().editor().tool().rules, drawing::k_rules) << "one goes on by those of today";
+  EXPECT_EQ(desk->app->workspace().editor().tool().rules) << "one goes on by those of today";
 }
 
 TEST(Recovery, WhatIsLeftForLaterIsOfferedAtTheNextStart) {

@@ -14,26 +14,17 @@ namespace penpose::tests {
 /// something. A command that is added to the list and is not made here does not compile.
 class KnowingHand {
  public:
-  /// All commands of the list; those that there were when golden sessions by the rules were first drawn; or those of
-  /// the day on which controls came to have several targets.
-  enum class Commands : std::uint8_t { all, first, targets };
-  KnowingHand(SessionScript& script, std::uint64_t seed) : KnowingHand(script, seed, drawing::k_rules, Commands::all) {}
-  KnowingHand(SessionScript& script, std::uint64_t seed, std::uint32_t rules, Commands commands = Commands::first)
-      : script_(script), random_(seed), hand_(script, seed + 7777), rules_(rules), commands_(commands) {
-    // As the app draws: taps mean nothing, and what is not drawn over stays where it is.
-    drawing::Tool tool;
-    tool.rules = rules_;
-    static_cast<void>(script_.act(replay::ToolChosen{tool}));
-  }
+  KnowingHand(SessionScript& script, std::uint64_t seed)
+      : script_(script), random_(seed), hand_(script, seed + 7777) {}
 
   void run(std::size_t actions) {
     for (std::size_t i = 0; i < actions; ++i) act();
   }
 
   void act() {
-    const std::size_t what = random_.below(commands() + 6);
-    if (what >= commands() + 4) return stroke();
-    if (what >= commands()) {
+    const std::size_t what = random_.below(k_commands + 6);
+    if (what >= k_commands + 4) return stroke();
+    if (what >= k_commands) {
       if (random_.chance(0.6)) {
         static_cast<void>(script_.act(replay::Undone{}));
       } else {
@@ -72,24 +63,24 @@ class KnowingHand {
     return document::LockParameters{{parameter()}, true};
   }
   document::Command make(Tag<document::DrawReference>) {
-    return document::DrawReference{view(), hand_.line(), sheets()};
+    return document::DrawReference{view(), hand_.line()};
   }
   document::Command make(Tag<document::DrawTarget>) {
-    document::DrawTarget command{curve(false), view(), hand_.line(), {}, meant()};
+    document::DrawTarget command{curve(false), view(), hand_.line(), {}};
     for (std::size_t i = 0; pressed_ && i < command.line.size(); ++i) command.pressure.push_back(random_.real(0.1, 1));
     pressed_ = !pressed_;
     return command;
   }
   document::Command make(Tag<document::OversketchTarget>) {
-    return document::OversketchTarget{curve(true), view(), along_target(), random_.chance(0.5) ? rules_ : 0U};
+    return document::OversketchTarget{curve(true), view(), along_target()};
   }
   document::Command make(Tag<document::DragTarget>) {
     const document::CurveId id = curve(true);
     const double x = random_.real(-30, 30);
-    return document::DragTarget{id, {x, random_.real(-30, 30)}, meant()};
+    return document::DragTarget{id, {x, random_.real(-30, 30)}};
   }
   document::Command make(Tag<document::DrawConstraint>) {
-    return document::DrawConstraint{view(), hand_.line(), sheets()};
+    return document::DrawConstraint{view(), hand_.line()};
   }
   document::Command make(Tag<document::Pin>) { return document::Pin{view(), hand_.line().front()}; }
   document::Command make(Tag<document::KeepCurve>) { return document::KeepCurve{curve(false)}; }
@@ -99,7 +90,7 @@ class KnowingHand {
   }
   document::Command make(Tag<document::EraseCurves>) { return document::EraseCurves{view(), along_target()}; }
   document::Command make(Tag<document::ClearCurves>) { return document::ClearCurves{}; }
-  document::Command make(Tag<document::SolvePose>) { return document::SolvePose{meant()}; }
+  document::Command make(Tag<document::SolvePose>) { return document::SolvePose{random_.chance(0.8) ? document::Preset::meant : document::Preset::exact}; }
   document::Command make(Tag<document::SetPressureWeighting>) {
     return document::SetPressureWeighting{!doc().pressure_weighting};
   }
@@ -225,7 +216,7 @@ class KnowingHand {
     const document::CurveId id = curve(true);
     const auto line = along_target();
     const double x = random_.real(-30, 30);
-    return document::PullTarget{id, view(), line.front(), {x, random_.real(-30, 30)}, random_.real(0, 0.6), meant()};
+    return document::PullTarget{id, view(), line.front(), {x, random_.real(-30, 30)}, random_.real(0, 0.6)};
   }
   document::Command make(Tag<document::PlaceCurve>) {
     document::PlaceCurve place;
@@ -273,27 +264,11 @@ class KnowingHand {
     const auto kind = static_cast<drawing::ToolKind>(random_.below(9));
     drawing::Tool tool;
     tool.kind = kind;
-    tool.rules = rules_;
     static_cast<void>(script_.act(replay::ToolChosen{tool}));
     const auto line = random_.chance(0.3) ? along_target() : hand_.line();
     static_cast<void>(script_.stroke(line, random_.real(0.05, 1)));
   }
 
-  /// How many of the list this hand knows: by older rules those that there were then, so that it does what it did.
-  [[nodiscard]] std::size_t commands() const {
-    constexpr std::size_t k_before_sheet_rules = 33;
-    // Rules 3 to 5 came without new commands; those of other targets and corrections came after them.
-    constexpr std::size_t k_before_other_targets = 35;
-    constexpr std::size_t k_with_other_targets = 42;
-    constexpr std::size_t k_with_performances = 45;
-    if (commands_ == Commands::all) return std::variant_size_v<document::Command>;
-    if (rules_ >= document::k_overshoot_rules) return k_with_performances;
-    if (commands_ == Commands::targets || rules_ > document::k_moment_rules) return k_with_other_targets;
-    return rules_ < document::k_sheet_rules ? k_before_sheet_rules : k_before_other_targets;
-  }
-  /// What the rules of single commands are: those of the solver alone.
-  [[nodiscard]] std::uint32_t sheets() const { return rules_ >= document::k_sheet_rules ? rules_ : 0; }
-  [[nodiscard]] std::uint32_t meant() const { return rules_ >= document::k_meant_rules ? rules_ : 0; }
   [[nodiscard]] const document::Document& doc() const { return script_.document(); }
   [[nodiscard]] document::View view() const { return script_.editor().view(); }
   template <typename List>
@@ -333,8 +308,7 @@ class KnowingHand {
   SessionScript& script_;
   Random random_;
   RandomHand hand_;
-  std::uint32_t rules_;
-  Commands commands_;
+  static constexpr std::size_t k_commands = std::variant_size_v<document::Command>;
   int names_ = 0;
   bool pressed_ = false;
 };
