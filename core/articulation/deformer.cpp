@@ -115,8 +115,8 @@ base::Result<Curves> curves_of(const Sketch& sketch, const Canvas& canvas, const
   if (!reference) return reference.error();
   auto paired = curve::pair_target(reference->points, sketch.target, target_camera);
   if (!paired) return at("target", paired.error());
-  Curves curves{std::move(reference->points), std::move(paired->points),
-                paired->reversed && !sketch.reference.empty(), reference->kept};
+  Curves curves{std::move(reference->points), std::move(paired->points), paired->reversed && !sketch.reference.empty(),
+                reference->kept};
   // A line that sticks to a rim beside the pen is meant to go as far as the pen went.
   for (std::size_t i = 0; i < reference->aside.size(); ++i) curves.target[i] -= reference->aside[i];
   lift_onto_surface(target_camera, surface, curves.reference, curves.target);

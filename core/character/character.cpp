@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "core/character/demo_head.h"
 #include "core/curve/distance.h"
 #include "core/document/commands/apply_parts.h"
 #include "core/document/commands/command_check.h"
 #include "core/drawing/tool.h"
-#include "core/character/demo_head.h"
 #include "core/head/head.h"
 #include "core/io/project/read_document.h"
 #include "core/io/project/write_document.h"
@@ -146,9 +146,7 @@ base::Status Character::place_target(CurveId curve, std::span<const ModelPoint> 
   return perform(document::PlaceTarget{curve, copied(points)});
 }
 
-base::Status Character::solve(Preset preset) {
-  return perform(document::SolvePose{preset});
-}
+base::Status Character::solve(Preset preset) { return perform(document::SolvePose{preset}); }
 
 base::Status Character::sketch(const articulation::Sketch& sketch) {
   using articulation::CurveRole;
@@ -157,7 +155,8 @@ base::Status Character::sketch(const articulation::Sketch& sketch) {
     return View{own.value_or(sketch.camera), sketch.viewport};
   };
   std::vector<Command> commands;
-  commands.emplace_back(document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum, sketch.maximum});
+  commands.emplace_back(
+      document::BeginDeformer{sketch.name, sketch.mode, sketch.surface, sketch.minimum, sketch.maximum});
   if (sketch.reach != articulation::Reach::through) commands.emplace_back(document::TakeRegion{sketch.reach, {}});
   commands.emplace_back(document::SketchCurve{CurveRole::general, view, sketch.general});
   if (sketch.piece != 0) commands.emplace_back(document::TakeRegion{{}, sketch.piece});

@@ -15,8 +15,8 @@ namespace penpose::curve {
 /// both sides by hands that mean one.
 inline constexpr double k_stick_px = 8.0;
 
-/// Before a part of a line is cut off, the whole line may stick farther from the pen, up to this many times as far. Seen
-/// from near, a lip is wide and its bow high, and a hand draws it flatter by more px than rims are wide.
+/// Before a part of a line is cut off, the whole line may stick farther from the pen, up to this many times as far.
+/// Seen from near, a lip is wide and its bow high, and a hand draws it flatter by more px than rims are wide.
 inline constexpr int k_farthest_stick = 4;
 
 /// A surface that lines are drawn on.
@@ -32,12 +32,12 @@ enum class SheetChoice : std::uint8_t { nearer, other };
 
 /// A reference curve that stays on one sheet of the surface: `count` points, evenly along the line. Where every sample
 /// of the line hits one sheet, the same as surface_curve. Else each sample may take what lies behind the first hit and
-/// what lies within k_stick_px beside the pen where it stays beside its neighbours; the sequence with the least cost is found by dynamic programming
-/// (Viterbi 1967): px beside the pen, what is hidden or seen from behind, and above all going over from one sheet to
-/// another. Parts of a model that touch may be crossed at a cost; where a line leaves its sheet all the same it is cut,
-/// and the longest run in px is kept, where it would be cut k_farthest_stick times as far, too. Every point of the result is
-/// a neighbour of the next. `dropped` counts samples of the line outside of that run. Errors as project_stroke; no other
-/// sheet near the line where that is asked for; a line of leaps alone.
+/// what lies within k_stick_px beside the pen where it stays beside its neighbours; the sequence with the least cost is
+/// found by dynamic programming (Viterbi 1967): px beside the pen, what is hidden or seen from behind, and above all
+/// going over from one sheet to another. Parts of a model that touch may be crossed at a cost; where a line leaves its
+/// sheet all the same it is cut, and the longest run in px is kept, where it would be cut k_farthest_stick times as
+/// far, too. Every point of the result is a neighbour of the next. `dropped` counts samples of the line outside of that
+/// run. Errors as project_stroke; no other sheet near the line where that is asked for; a line of leaps alone.
 [[nodiscard]] base::Result<ProjectedStroke> sheet_curve(std::span<const PxPoint> stroke, std::size_t count,
                                                         const geometry::Camera& camera, const SheetSurface& surface,
                                                         SheetChoice choice = SheetChoice::nearer);

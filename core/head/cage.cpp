@@ -63,9 +63,9 @@ constexpr std::array<Placed, 41> k_placed{{
     {5, 2, 1.4, -2.1, 0.1},  {5, 3, 2.3, -2.4},        {5, 4, 3.3, -2.55},
     {5, 5, 4.3, -2.25},      {5, 6, 5.15, -1.65},      {6, 0, 0, -3.2, 2.9},
     {6, 1, 0.8, -3.25, 2.3}, {6, 2, 1.66, -3.6, 1.35}, {6, 3, 1.92, -3.45, -0.35},
-    {7, 0, 0, -4.2, 1.9},    {7, 1, 0.36, -4.0, 1.7}, {7, 2, 1.62, -4.05, 1.0},
+    {7, 0, 0, -4.2, 1.9},    {7, 1, 0.36, -4.0, 1.7},  {7, 2, 1.62, -4.05, 1.0},
     {7, 3, 2.0, -4.3, -0.3}, {8, 0, 0, -4.7, 0.55},    {8, 1, 0.5, -4.55, 0.5},
-    {8, 2, 1.5, -4.5, 0.2}, {8, 3, 2.3, -4.85},       {8, 4, 3.3, -5.3},
+    {8, 2, 1.5, -4.5, 0.2},  {8, 3, 2.3, -4.85},       {8, 4, 3.3, -5.3},
     {9, 4, 3.7, -6.5},       {10, 1, 0.75, -8.3},      {10, 2, 1.5, -8.2},
     {10, 3, 2.25, -8},       {10, 4, 3.05, -7.6},
 }};
@@ -99,8 +99,7 @@ Grid add_grid(Cage& cage) {
     for (int c = 0; c < k_columns; ++c) {
       const bool hole =
           k_eye_hole.holds_vertex(r, c) || k_ear_hole.holds_vertex(r, c) || k_mouth_hole.holds_vertex(r, c);
-      grid[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] =
-          hole ? k_none : cage.add(grid_point(r, c));
+      grid[static_cast<std::size_t>(r)][static_cast<std::size_t>(c)] = hole ? k_none : cage.add(grid_point(r, c));
     }
   }
   for (int r = 0; r + 1 < k_rows; ++r) {
@@ -206,9 +205,8 @@ Cage make_cage() {
   add_nostril(cage, grid);
   add_eye(cage, {at(grid, 4, 6), at(grid, 3, 6), at(grid, 3, 5), at(grid, 3, 4), at(grid, 3, 3), at(grid, 3, 2),
                  at(grid, 4, 2), at(grid, 5, 2), at(grid, 5, 3), at(grid, 5, 4), at(grid, 5, 5), at(grid, 5, 6)});
-  add_mouth(cage,
-            {at(grid, 10, 0), at(grid, 10, 1), at(grid, 10, 2), at(grid, 10, 3), at(grid, 10, 4), at(grid, 9, 4),
-             at(grid, 8, 4), at(grid, 8, 3), at(grid, 8, 2), at(grid, 8, 1), at(grid, 8, 0)});
+  add_mouth(cage, {at(grid, 10, 0), at(grid, 10, 1), at(grid, 10, 2), at(grid, 10, 3), at(grid, 10, 4), at(grid, 9, 4),
+                   at(grid, 8, 4), at(grid, 8, 3), at(grid, 8, 2), at(grid, 8, 1), at(grid, 8, 0)});
   add_ear(cage, {at(grid, 4, 8), at(grid, 5, 8), at(grid, 6, 8), at(grid, 7, 8), at(grid, 7, 9), at(grid, 6, 9),
                  at(grid, 5, 9), at(grid, 4, 9)});
   return cage;

@@ -26,8 +26,8 @@ struct HeadLandmarks {
 
 /// The built-in head: metres, y up, facing +z, symmetric to the plane x = 0, at rest with open eyes and closed lips.
 /// Parts: those of the skin (k_skin_parts; together one manifold, open at the neck only), eye, iris_rim, iris and pupil
-/// of each side (_L, _R), teeth, teeth_lower, tongue and hair. Lower teeth and tongue hang on the floor of the mouth and
-/// go along with a jaw. Named curves: see make_curves in core/head/curves.h. Same bits every time.
+/// of each side (_L, _R), teeth, teeth_lower, tongue and hair. Lower teeth and tongue hang on the floor of the mouth
+/// and go along with a jaw. Named curves: see make_curves in core/head/curves.h. Same bits every time.
 [[nodiscard]] document::Model make_head();
 
 }  // namespace penpose::head

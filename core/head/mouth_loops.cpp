@@ -87,7 +87,7 @@ void add_mouth(Cage& cage, const std::vector<std::uint32_t>& border) {
   for (const std::uint32_t v : border) cage.marks[v].y = 4;
   const std::array<const Loop*, 6> shapes{&k_around, &k_border, &k_full, &k_meet, &k_behind, &k_cavity};
   // A mouth that opens shows what lies behind the line where the lips meet, and from the side as a wall.
-  const std::array<QuadKind, 6> kinds{QuadKind::skin, QuadKind::skin, QuadKind::lip,
+  const std::array<QuadKind, 6> kinds{QuadKind::skin, QuadKind::skin,      QuadKind::lip,
                                       QuadKind::lip,  QuadKind::inner_lip, QuadKind::lining};
   std::vector<std::uint32_t> outer = border;
   const auto lip = [](std::size_t i) { return i == 5 ? 0.0 : i < 5 ? -1.0 : 1.0; };

@@ -6,13 +6,13 @@
 #include "core/articulation/motion/slide.h"
 #include "core/articulation/region/canvas.h"
 #include "core/articulation/sketched_deformers.h"
+#include "core/character/demo_head.h"
 #include "core/head/head.h"
 #include "core/io/model/read_model.h"
 #include "core/posing/solve.h"
 #include "core/rig/character_rig.h"
 #include "replay/session/session_player.h"
 #include "tests/support/shared_data.h"
-#include "core/character/demo_head.h"
 #include "ui/demo/embedded_files.h"
 
 namespace penpose {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "core/character/character.h"
-#include "ui/capi/penpose.h"
 #include "core/character/demo_head.h"
+#include "ui/capi/penpose.h"
 
 namespace {
 

@@ -6,11 +6,11 @@
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
+#include "core/character/demo_head.h"
 #include "replay/session/live_session.h"
 #include "replay/session/session_player.h"
 #include "replay/session/session_recorder.h"
 #include "replay/session/virtual_pen.h"
-#include "core/character/demo_head.h"
 #include "ui/files/trace_file.h"
 
 namespace penpose {
@@ -76,8 +76,7 @@ void replay_drawing(benchmark::State& state) {
   const auto reports = static_cast<std::uint64_t>(state.range(0)) * 60 * k_rate;
   replay::PlayerOptions options;
   options.open = [](const std::string&) {
-    return base::Result<document::Document>(
-        document::make_document(character::make_demo_head().value()));
+    return base::Result<document::Document>(document::make_document(character::make_demo_head().value()));
   };
   // As it was recorded: with the state after every stroke, in a file.
   const files::File file(std::tmpfile(), &std::fclose);

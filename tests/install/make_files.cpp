@@ -9,6 +9,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "core/character/demo_head.h"
 #include "core/document/commands/apply.h"
 #include "core/document/history.h"
 #include "core/document/time/animation_sampling.h"
@@ -16,7 +17,6 @@
 #include "core/io/project/sketch_file.h"
 #include "core/io/project/write_document.h"
 #include "tests/support/models/articulation_models.h"
-#include "core/character/demo_head.h"
 
 namespace {
 

@@ -76,8 +76,7 @@ void App::choose_for_new_control(articulation::Mode mode, const articulation::Su
     return line.empty() || workspace_.perform(document::SketchCurve{role, {camera, sketch.viewport}, line});
   };
   static_cast<void>(
-      workspace_.perform(
-          document::BeginDeformer{sketch.name, mode, surface, sketch.minimum, sketch.maximum}) &&
+      workspace_.perform(document::BeginDeformer{sketch.name, mode, surface, sketch.minimum, sketch.maximum}) &&
       (sketch.reach == articulation::Reach::through || workspace_.perform(document::TakeRegion{sketch.reach, {}})) &&
       draw(articulation::CurveRole::general, sketch.general, sketch.camera) &&
       (sketch.piece == 0 || workspace_.perform(document::TakeRegion{{}, sketch.piece})) &&

@@ -16,7 +16,8 @@ constexpr double k_flat = 0.02;
 constexpr double k_steep = 0.15;
 /// Cosine between the normals at an edge below which two triangles count as lying on each other: 110 degrees.
 constexpr double k_folded = -0.34;
-/// Where more than one node in so many moved all is measured: what is about every node is more than three times as much.
+/// Where more than one node in so many moved all is measured: what is about every node is more than three times as
+/// much.
 constexpr std::size_t k_few = 6;
 
 /// How much a triangle with this normal faces as the surface at its corners does.

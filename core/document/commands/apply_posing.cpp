@@ -141,8 +141,7 @@ Changed on_the_sheet_that_was_meant(const Document& before, const PoseCurve& cur
   PoseCurve other = curve;
   other.points = std::move(points->points);
   other.aside = std::move(points->aside);
-  auto there = retargeted(with_replaced(before, other), other, command.view, command.line, command.pressure,
-                          work);
+  auto there = retargeted(with_replaced(before, other), other, command.view, command.line, command.pressure, work);
   if (!there || find_curve(*there, curve.id) == nullptr) return after;
   return left_doubts(*there, curve.id, work) < k_near * left ? there : Changed(std::move(after));
 }

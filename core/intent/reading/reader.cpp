@@ -63,8 +63,8 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
     block.drawn = &curve;
     block.doubt = curve.doubt_px;
     block.line.emplace(curve.target);
-    block.alignments = intent::alignments(seen(block, start_), curve.target,
-                                          curve::pairing_distance_px(curve.camera.viewport()));
+    block.alignments =
+        intent::alignments(seen(block, start_), curve.target, curve::pairing_distance_px(curve.camera.viewport()));
   }
   for (const auto* curves : {&problem.known, &problem.kept}) {
     for (const KnownCurve& curve : *curves) {

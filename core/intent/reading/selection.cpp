@@ -67,9 +67,7 @@ double Selection::units_near_limit(const Choice& choice) const {
   return sum;
 }
 
-double Selection::limit_costs(const Choice& choice) const {
-  return costs_.limit * units_near_limit(choice);
-}
+double Selection::limit_costs(const Choice& choice) const { return costs_.limit * units_near_limit(choice); }
 
 bool Selection::overlaps(std::size_t a, std::size_t b) const {
   const Unit& one = choices_.units[a];

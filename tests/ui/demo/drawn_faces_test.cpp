@@ -1,9 +1,9 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "core/character/demo_head.h"
 #include "core/document/commands/apply.h"
 #include "core/drawing/tool.h"
-#include "core/character/demo_head.h"
 
 // What an artist draws on the head that the program begins with is what its face does.
 

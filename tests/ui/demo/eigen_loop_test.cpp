@@ -3,8 +3,8 @@
 
 #include "core/animation/animate_track.h"
 #include "core/animation/points/eigen_points.h"
-#include "tests/support/models/rendered_track.h"
 #include "core/character/demo_head.h"
+#include "tests/support/models/rendered_track.h"
 #include "ui/render/appearance.h"
 #include "ui/render/gl/renderer.h"
 

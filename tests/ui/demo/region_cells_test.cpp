@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "core/head/head.h"
 #include "core/character/demo_head.h"
+#include "core/head/head.h"
 
 namespace penpose::demo {
 namespace {

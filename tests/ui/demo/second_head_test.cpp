@@ -3,8 +3,8 @@
 
 #include "core/articulation/deformer.h"
 #include "core/articulation/measure/doubts.h"
-#include "core/head/head.h"
 #include "core/character/demo_head.h"
+#include "core/head/head.h"
 #include "ui/demo/run_demo.h"
 
 namespace penpose::demo {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "core/character/demo_head.h"
 #include "core/geometry/bvh.h"
 #include "core/head/head.h"
-#include "core/character/demo_head.h"
 #include "ui/demo/run_demo.h"
 
 // What somebody who looks at the pictures of the demo sees first.

@@ -96,8 +96,7 @@ bool LiveFollow::follow(const curve::Stroke& stroke) {
 bool LiveFollow::drag(curve::PxPoint by) {
   if (!poser_ || !whole_) return false;
   if (pull_ && pulled_) {
-    return follow_target(
-        document::pulled_target(*pulled_, {curve_, view_, pull_->at, by, pull_->reach}));
+    return follow_target(document::pulled_target(*pulled_, {curve_, view_, pull_->at, by, pull_->reach}));
   }
   auto line = whole_->line;
   for (curve::PxPoint& p : line) p = p + by;
@@ -126,8 +125,7 @@ document::Command drag_command(const document::PoseCurve& curve, const document:
                                const std::optional<PullHold>& pull) {
   if (pull) return document::PullTarget{curve.id, view, pull->at, by, pull->reach};
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
-  if (!curve.target || curve.target->view == view || !camera)
-    return document::DragTarget{curve.id, by};
+  if (!curve.target || curve.target->view == view || !camera) return document::DragTarget{curve.id, by};
   // It was drawn in another view: what is seen now, moved, is drawn in this one.
   const document::DrawnTarget seen = seen_from(*curve.target, view, *camera);
   document::DrawTarget drawn{curve.id, view, seen.line, seen.pressure};

@@ -144,8 +144,7 @@ void Workspace::measure_left() {
   });
   if (drawn == last.curves.rend()) return;
   last.curves = {*drawn};
-  const auto left =
-      intent::left_at_start(*last.model->rig, follow_.whole_of(last), document::intent_problem(last));
+  const auto left = intent::left_at_start(*last.model->rig, follow_.whole_of(last), document::intent_problem(last));
   if (left && !left->empty()) left_px_ = left->front().px;
 }
 

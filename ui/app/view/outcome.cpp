@@ -14,8 +14,7 @@ constexpr std::size_t k_named = 3;
 
 /// Whether what is left of the last target is what a hand leaves.
 bool within_hand(const Workspace& workspace) {
-  return workspace.left_px() <=
-         2.0 * document::hand_px(workspace.document(), workspace.editor().view().viewport);
+  return workspace.left_px() <= 2.0 * document::hand_px(workspace.document(), workspace.editor().view().viewport);
 }
 
 std::string why_nothing_moved(const Workspace& workspace) {

@@ -126,7 +126,8 @@ std::vector<std::string> notes_on(const io::SketchFile& file, const std::string&
 /// What a user may not have meant, one line each.
 std::vector<std::string> notes_on(const Deformer& deformer) {
   auto doubts = articulation::doubts_of(deformer);
-  if (!deformer.sketch().paper || !deformer.turned_round() || deformer.mode() != articulation::Mode::rotate) return doubts;
+  if (!deformer.sketch().paper || !deformer.turned_round() || deformer.mode() != articulation::Mode::rotate)
+    return doubts;
   return {
       "the target was turned round, because its end lies nearer to the start of the reference than its start does; "
       "if the control tears the model, draw the target so that its start is the nearer end, or use translate"};

@@ -14,8 +14,7 @@ namespace penpose::tests {
 /// something. A command that is added to the list and is not made here does not compile.
 class KnowingHand {
  public:
-  KnowingHand(SessionScript& script, std::uint64_t seed)
-      : script_(script), random_(seed), hand_(script, seed + 7777) {}
+  KnowingHand(SessionScript& script, std::uint64_t seed) : script_(script), random_(seed), hand_(script, seed + 7777) {}
 
   void run(std::size_t actions) {
     for (std::size_t i = 0; i < actions; ++i) act();
@@ -62,9 +61,7 @@ class KnowingHand {
     if (!locked.empty() && random_.chance(0.5)) return document::LockParameters{{any(locked)}, false};
     return document::LockParameters{{parameter()}, true};
   }
-  document::Command make(Tag<document::DrawReference>) {
-    return document::DrawReference{view(), hand_.line()};
-  }
+  document::Command make(Tag<document::DrawReference>) { return document::DrawReference{view(), hand_.line()}; }
   document::Command make(Tag<document::DrawTarget>) {
     document::DrawTarget command{curve(false), view(), hand_.line(), {}};
     for (std::size_t i = 0; pressed_ && i < command.line.size(); ++i) command.pressure.push_back(random_.real(0.1, 1));
@@ -79,9 +76,7 @@ class KnowingHand {
     const double x = random_.real(-30, 30);
     return document::DragTarget{id, {x, random_.real(-30, 30)}};
   }
-  document::Command make(Tag<document::DrawConstraint>) {
-    return document::DrawConstraint{view(), hand_.line()};
-  }
+  document::Command make(Tag<document::DrawConstraint>) { return document::DrawConstraint{view(), hand_.line()}; }
   document::Command make(Tag<document::Pin>) { return document::Pin{view(), hand_.line().front()}; }
   document::Command make(Tag<document::KeepCurve>) { return document::KeepCurve{curve(false)}; }
   document::Command make(Tag<document::DeleteCurve>) {
@@ -90,7 +85,9 @@ class KnowingHand {
   }
   document::Command make(Tag<document::EraseCurves>) { return document::EraseCurves{view(), along_target()}; }
   document::Command make(Tag<document::ClearCurves>) { return document::ClearCurves{}; }
-  document::Command make(Tag<document::SolvePose>) { return document::SolvePose{random_.chance(0.8) ? document::Preset::meant : document::Preset::exact}; }
+  document::Command make(Tag<document::SolvePose>) {
+    return document::SolvePose{random_.chance(0.8) ? document::Preset::meant : document::Preset::exact};
+  }
   document::Command make(Tag<document::SetPressureWeighting>) {
     return document::SetPressureWeighting{!doc().pressure_weighting};
   }
