@@ -40,7 +40,7 @@ constexpr double k_at_limit = 0.02;
 constexpr double k_strained = 0.85;
 constexpr double k_unstrained_gain = 4.0;
 /// Also one that asks as much, where it is better by this.
-constexpr double k_strained_gain = 20.0;
+constexpr double k_strained_gain = 28.0;
 /// What a line tells of a shape takes the place of what meets it where it is better by this.
 constexpr double k_shape_gain = 4.0;
 
@@ -124,8 +124,10 @@ void realign(Reader& reader, Solver& solver, std::size_t c, double asked, double
     if (beside) solver.match(one);
     const bool nothing = beside && (one.choice.units.empty() || !reader.takes_shape(c, one.choice));
     solver.something = false;
+    // A shape that asks for all that a control can is no better told than the line that is met.
+    const double shape_gain = is_met && strained(reader, one.choice) ? k_strained_gain : k_shape_gain;
     const bool instead = !beside || !is_met || clearly_other(reader, best, one) ||
-                         (reader.ends_told(c) && one.energy < best.energy - k_shape_gain);
+                         (reader.ends_told(c) && one.energy < best.energy - shape_gain);
     const bool better = !nothing && one.energy < best.energy - 1e-9 && instead;
     if (!better) {
       reader.align(c, chosen);
