@@ -29,3 +29,25 @@ install_packages() {
   "${as_root[@]}" apt-get update -qq || printf 'the package lists could not be renewed; going on with the old ones\n' >&2
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
+
+# build_shown ARGUMENT...: `cmake --build build ARGUMENT...` with a line that counts on: on a terminal one line that is written
+# over, else a line every ten percent.
+# Needs `set -o pipefail`. The whole of what was said is in build/build.log; of a failure its first errors are shown.
+build_shown() {
+  local log=build/build.log status=0 terminal=0
+  [ -t 1 ] && terminal=1
+  NINJA_STATUS='[%f/%t] ' cmake --build build "$@" 2>&1 | tee "$log" | awk -v terminal="$terminal" '
+    match($0, /^\[[0-9]+\/[0-9]+\]/) {
+      split(substr($0, 2, RLENGTH - 2), n, "/")
+      percent = n[2] > 0 ? int(100 * n[1] / n[2]) : 100
+      if (percent == shown || (!terminal && percent < shown + 10)) next
+      shown = percent
+      printf terminal ? "\rbuilding %d %%" : "building %d %%\n", percent
+      fflush()
+    }
+    END { if (terminal && shown != "") print "" }' || status=$?
+  [ "$status" -eq 0 ] && return 0
+  grep -A 12 -m 3 -E 'error|FAILED' "$log" >&2 || tail -n 20 "$log" >&2
+  printf 'building failed; all of it is in %s\n' "$log" >&2
+  return 1
+}
