@@ -12,8 +12,7 @@ namespace {
 
 using tests::Trunk;
 
-base::Result<std::shared_ptr<const Deformer>> build(Sketch sketch, const Canvas& canvas) {
-  sketch.rules = k_measured_rules;
+base::Result<std::shared_ptr<const Deformer>> build(const Sketch& sketch, const Canvas& canvas) {
   return build_deformer(sketch, canvas);
 }
 

@@ -52,20 +52,20 @@ TEST(ApplyPlaced, ATargetSolvesNothingUntilItIsAsked) {
 }
 
 TEST(ApplyPlaced, EveryWayOfSolvingReachesWhatCanBeReached) {
-  for (const SolvePose& solve : {SolvePose{0, false}, SolvePose{0, true}, SolvePose{k_moment_rules, false}}) {
+  for (const Preset preset : {Preset::meant, Preset::exact, Preset::paper}) {
     auto hand = placed();
     hand.does(PlaceTarget{k_first, reached(hand, 0.6)});
-    hand.does(solve);
-    EXPECT_NEAR(hand.value("lift"), 0.6, solve.paper ? 0.05 : 0.002) << solve.rules;
+    hand.does(SolvePose{preset});
+    EXPECT_NEAR(hand.value("lift"), 0.6, preset == Preset::paper ? 0.05 : 0.002) << static_cast<int>(preset);
   }
 }
 
 TEST(ApplyPlaced, ALineDrawnLaterDoesNotForgetWhatIsKnown) {
   auto hand = placed();
   hand.does(PlaceTarget{k_first, reached(hand, 0.6)});
-  hand.does(SolvePose{k_moment_rules});
-  hand.does(DrawReference{hand.view, hand.line(-0.5, -0.5, 0.5, -0.5), k_moment_rules});
-  hand.does(DrawTarget{CurveId{2}, hand.view, hand.line(-0.5, -0.55, 0.5, -0.55), {}, k_moment_rules});
+  hand.does(SolvePose{});
+  hand.does(DrawReference{hand.view, hand.line(-0.5, -0.5, 0.5, -0.5)});
+  hand.does(DrawTarget{CurveId{2}, hand.view, hand.line(-0.5, -0.55, 0.5, -0.55)});
   EXPECT_NEAR(hand.value("lift"), 0.6, 0.02);
 }
 
@@ -102,7 +102,7 @@ TEST(ApplyPlaced, ManyKnownTargetsAreAllAskedFor) {
     hand.does(PlaceTarget{CurveId{i}, positions_of(hand.document(), some_points())});
   }
   EXPECT_EQ(pose_problem(hand.document()).pairs.size(), 2 * k_most_pairs);
-  EXPECT_EQ(intent_problem(hand.document(), k_moment_rules).known.size(), 2 * k_most_pairs);
+  EXPECT_EQ(intent_problem(hand.document()).known.size(), 2 * k_most_pairs);
 }
 
 }  // namespace

@@ -20,7 +20,6 @@ struct Desk {
     const rig::Pose answer = face.pose({{"cornerLeft", 0.6}, {"jawOpen", 0.4}});
     problem = face.problem({face.drawn(Face::mouth(), tests::shaken(face.seen(Face::mouth(), answer), 3, 1))});
     problem.known.push_back({Face::left_brow(), face.at(Face::left_brow(), face.pose({{"browLeft", 0.3}})), 0.01});
-    problem.edition = Edition::fourth;
   }
   [[nodiscard]] Reader reader() const { return {*face.rig, whole, problem}; }
 };
@@ -220,7 +219,6 @@ TEST(Reader, OnlyTheJointsOfTheChainAreUnits) {
   const WholeModel whole = measure_whole_model(*face.rig);
   const auto row = Face::row(20, 20, 36);
   IntentProblem problem = face.problem({face.drawn(row, face.seen(row, rig::rest_pose(*face.rig)))});
-  problem.edition = Edition::first;
   Reader reader(*face.rig, whole, problem);
   EXPECT_FALSE(reader.linear());
   const std::size_t all = reader.choices().units.size();
