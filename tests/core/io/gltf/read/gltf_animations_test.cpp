@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/edition.h"
 #include "core/document/time/animation_sampling.h"
 #include "tests/support/models/gltf_sample.h"
 
@@ -79,7 +80,7 @@ TEST(GltfAnimations, ForeignWeightsOutsideZeroToOneAreKept) {
 TEST(GltfAnimations, OwnRangesStay) {
   tests::GltfSample sample = animated({0, 1}, {-0.5, 3}, "SCALAR", 1, "weights");
   const auto name = sample.read()->rig->parameters()[0].name;
-  sample.json["extras"]["penpose"] = {{"version", 2},
+  sample.json["extras"]["penpose"] = {{"edition", base::k_edition},
                                       {"shapes", {{{"name", name}, {"rest", 0}, {"minimum", 0}, {"maximum", 2}}}}};
   const auto model = sample.read();
   ASSERT_TRUE(model.ok()) << model.error().line();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/edition.h"
 #include "tests/support/models/gltf_sample.h"
 
 namespace penpose::io {
@@ -10,7 +11,7 @@ namespace {
 tests::GltfSample sample_with_extras() {
   tests::GltfSample sample = tests::skin_sample();
   sample.json["extras"]["penpose"] = {
-      {"version", 1},
+      {"edition", base::k_edition},
       {"shapes", {{{"name", "lift"}, {"rest", 0}, {"minimum", -1}, {"maximum", 2}}}},
       {"curves", {{{"name", "brow"}, {"points", {{0, 0.5, 0.25, 0.25}, {1, 0, 0, 1}}}}}}};
   sample.json["nodes"][1]["extras"]["penpose"] = {
@@ -35,8 +36,6 @@ TEST(GltfExtras, CurvesRangesAndJointValuesComeBack) {
 }
 
 TEST(GltfExtras, FaultsAreNamed) {
-  EXPECT_EQ(place("/extras/penpose/version", k_extras_version + 1), "/extras/penpose/version");
-  EXPECT_EQ(place("/extras/penpose", 2), "/extras/penpose/version");
   EXPECT_EQ(place("/extras/penpose/shapes", 2), "/extras/penpose/shapes");
   EXPECT_EQ(place("/extras/penpose/shapes/0/name", 2), "/extras/penpose/shapes/0");
   EXPECT_EQ(place("/extras/penpose/shapes/0/minimum", 3), "/extras/penpose/shapes/0");
@@ -56,7 +55,7 @@ TEST(GltfExtras, FaultsAreNamed) {
 TEST(GltfExtras, ExtrasOfOthersAreNoneOfOurs) {
   tests::GltfSample sample = sample_with_extras();
   sample.json["extras"] = {{"penpoze", 5}};
-  sample.json["nodes"][1]["extras"]["penpose"] = "whatever";  // means nothing without a version at the root
+  sample.json["nodes"][1]["extras"]["penpose"] = "whatever";  // means nothing without ours at the root
   EXPECT_TRUE(sample.read().ok());
 }
 
