@@ -72,10 +72,10 @@ TEST(ApplyPlaced, ALineDrawnLaterDoesNotForgetWhatIsKnown) {
 TEST(ApplyPlaced, WhatIsKnownHasNoLineToDrawOver) {
   auto hand = placed();
   hand.does(PlaceTarget{k_first, reached(hand, 0.6)});
-  EXPECT_EQ(hand.refuses(OversketchTarget{k_first, hand.view, hand.line(0, 0, 0.5, 0), 5}).place, "curve");
-  EXPECT_EQ(hand.refuses(DragTarget{k_first, {5, 5}, 5}).place, "curve");
-  EXPECT_EQ(hand.refuses(PullTarget{k_first, hand.view, {5, 5}, {1, 1}, 0.1, 5}).place, "curve");
-  hand.does(DrawTarget{k_first, hand.view, hand.line(-0.5, 0.5, 0.5, 0.6), {}, 5});
+  EXPECT_EQ(hand.refuses(OversketchTarget{k_first, hand.view, hand.line(0, 0, 0.5, 0)}).place, "curve");
+  EXPECT_EQ(hand.refuses(DragTarget{k_first, {5, 5}}).place, "curve");
+  EXPECT_EQ(hand.refuses(PullTarget{k_first, hand.view, {5, 5}, {1, 1}, 0.1}).place, "curve");
+  hand.does(DrawTarget{k_first, hand.view, hand.line(-0.5, 0.5, 0.5, 0.6)});
   EXPECT_FALSE(find_curve(hand.document(), k_first)->target->line.empty());
 }
 

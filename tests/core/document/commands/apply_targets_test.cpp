@@ -107,20 +107,20 @@ TEST(PullBetween, AnotherViewMovesItParallelToThatPicture) {
 
 TEST(PullTarget, MovesThePlaceThatIsHeldAndLeavesTheRestToTheBit) {
   DocumentHand hand;
-  hand.does(DrawReference{hand.view, hand.line(-0.4, 0, 0.4, 0), 4});
-  hand.does(DrawTarget{CurveId{1}, hand.view, hand.line(-0.4, 0.1, 0.4, 0.1), {}, 4});
+  hand.does(DrawReference{hand.view, hand.line(-0.4, 0, 0.4, 0)});
+  hand.does(DrawTarget{CurveId{1}, hand.view, hand.line(-0.4, 0.1, 0.4, 0.1)});
   const auto before = *find_curve(hand.document(), CurveId{1})->target;
-  hand.does(PullTarget{CurveId{1}, hand.view, hand.seen(-0.4, 0.1), {0, -30}, 0.3, 4});
+  hand.does(PullTarget{CurveId{1}, hand.view, hand.seen(-0.4, 0.1), {0, -30}, 0.3});
   const auto after = *find_curve(hand.document(), CurveId{1})->target;
   EXPECT_GT(after.points.front().y, before.points.front().y + 0.05);
   for (std::size_t i = after.points.size() / 2; i < after.points.size(); ++i) {
     EXPECT_EQ(after.points[i], before.points[i]) << i;
   }
-  hand.does(PullTarget{CurveId{1}, hand.view, hand.seen(0, 0.1), {0, 25}, 0, 4});
+  hand.does(PullTarget{CurveId{1}, hand.view, hand.seen(0, 0.1), {0, 25}, 0});
   const auto whole = *find_curve(hand.document(), CurveId{1})->target;
   for (std::size_t i = 0; i < whole.points.size(); ++i) EXPECT_LT(whole.points[i].y, after.points[i].y - 0.04);
-  EXPECT_EQ(hand.refuses(PullTarget{CurveId{7}, hand.view, {0, 0}, {1, 1}, 0.3, 4}).place, "curve");
-  EXPECT_EQ(hand.refuses(PullTarget{CurveId{1}, hand.view, {0, 0}, {1, 1}, -0.3, 4}).place, "reach");
+  EXPECT_EQ(hand.refuses(PullTarget{CurveId{7}, hand.view, {0, 0}, {1, 1}, 0.3}).place, "curve");
+  EXPECT_EQ(hand.refuses(PullTarget{CurveId{1}, hand.view, {0, 0}, {1, 1}, -0.3}).place, "reach");
 }
 
 TEST(TakeRegion, TheFrontAloneOrWhatLiesBehindToo) {
@@ -283,15 +283,15 @@ TEST_F(Correction, ItsMirrorImageFollowsTheControlsOfTheOtherSide) {
 TEST(CommandText, NewCommandsComeBackAsTheyWereWritten) {
   const View view{{{0, 0, 6}, {0, 0, 0}, {0, 1, 0}, 30}, {1000, 800}};
   const std::vector<Command> commands{
-      BeginCorrection{"both of them", {{"up", 1}, {"a b", 0.25}}, articulation::Mode::rotate, 5},
+      BeginCorrection{"both of them", {{"up", 1}, {"a b", 0.25}}, articulation::Mode::rotate},
       DeleteCorrection{"both"},
       TakeRegion{Reach::front, 2},
       TakeRegion{{}, 0},
       DrawBetween{"up", 0.25, view, {{1, 2}, {3, 4.5}}},
       DeleteBetween{"up", 0.25},
       PullBetween{"up", 1, view, {1, 2}, {3, -4}, 0},
-      PullTarget{CurveId{3}, view, {1, 2}, {3, -4}, 0.5, 5},
-      ChangeDeformer{"up", {}, {}, -1.0, {}, {}, Reach::front, 1, 5}};
+      PullTarget{CurveId{3}, view, {1, 2}, {3, -4}, 0.5},
+      ChangeDeformer{"up", {}, {}, -1.0, {}, {}, Reach::front, 1}};
   for (const Command& command : commands) {
     const auto again = parse_command(to_text(command));
     ASSERT_TRUE(again.ok()) << to_text(command) << ": " << again.error().line();

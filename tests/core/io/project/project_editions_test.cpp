@@ -20,7 +20,6 @@ std::vector<std::uint8_t> drawn_project() {
   sketch(articulation::CurveRole::specific, hand.diamond(0.4));
   sketch(articulation::CurveRole::reference, hand.line(-0.2, 0, 0.2, 0));
   sketch(articulation::CurveRole::target, hand.line(-0.2, 0.2, 0.2, 0.2));
-  hand.does(document::FinishDeformer{});
   hand.does(document::DrawReference{hand.view, hand.line(-0.5, 0.5, 0.5, 0.5)});
   return write_project(hand.document()).value();
 }
