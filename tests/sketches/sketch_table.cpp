@@ -152,7 +152,6 @@ int loop(const char* mesh, const char* feature) {
   for (const SketchCase& one : sketch_cases()) {
     if (one.mesh != mesh || (feature != nullptr && one.feature != feature)) continue;
     Sketch sketch = one.sketch;
-    sketch.rules = articulation::k_held_rules;
     double best = 1e9;
     for (int i = 0; i < 20; ++i) {
       const double start = processor_ms();

@@ -23,7 +23,6 @@ std::vector<ModelVector> moves_of(const Deformer& deformer, double amount) {
 
 Sketch curl(const Trunk& trunk) {
   Sketch sketch = trunk.curl();
-  sketch.rules = k_held_rules;
   return sketch;
 }
 
@@ -143,9 +142,9 @@ TEST(Between, BadOnesAreRefusedWithTheirPlace) {
   Sketch point = with_between(trunk, 0.5);
   point.betweens[0].target = {{500, 500}, {500, 500}};
   EXPECT_TRUE(place_of(point).starts_with("betweens/0/target"));
-  Sketch old = with_between(trunk, 0.5);
-  old.rules = k_measured_rules;
-  EXPECT_EQ(place_of(old), "betweens");
+  Sketch paper = with_between(trunk, 0.5);
+  paper.paper = true;
+  EXPECT_EQ(place_of(paper), "betweens");
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ std::vector<PxPoint> box(double x, double y, double half) {
   return {px(x - half, y - half), px(x + half, y - half), px(x + half, y + half), px(x - half, y + half)};
 }
 
-/// A line across the middle is brought up, by the newest rules.
+/// A line across the middle is brought up.
 Sketch lift(double up, double turn = 0) {
   Sketch sketch;
   sketch.name = "lift";
@@ -78,17 +78,15 @@ Sketch lift(double up, double turn = 0) {
     const double angle = turn * tests::k_degree;
     sketch.target.push_back(px(0.1 * i * std::cos(angle), up + 0.1 * i * std::sin(angle)));
   }
-  sketch.rules = k_held_rules;
   return sketch;
 }
 
-TEST(HeldDeformer, StretchesNothingTwiceWhereOlderRulesDo) {
+TEST(HeldDeformer, StretchesNothingTwiceWhereThePaperDoes) {
   const auto canvas = tests::canvas_of(sheet_source());
   Sketch sketch = lift(0.9, 50);
-  sketch.rules = k_measured_rules;
-  const auto before = build_deformer(sketch, *canvas).value();
-  const auto torn = posed(*canvas, *before, 1);
-  sketch.rules = k_held_rules;
+  sketch.paper = true;
+  const auto torn = posed(*canvas, *build_deformer(sketch, *canvas).value(), 1);
+  sketch.paper = false;
   const auto held = build_deformer(sketch, *canvas).value();
   const auto now = posed(*canvas, *held, 1);
   EXPECT_GT(largest_stretch(*canvas, torn), 2.0);
@@ -120,27 +118,19 @@ TEST(HeldDeformer, HoldsAtBothEndsOfItsRange) {
 TEST(HeldDeformer, KeepsTheWidthOfEveryRowOfALid) {
   const Eye eye = tests::make_eye();
   const auto rest = eye.canvas->positions();
-  const auto widest_change = [&](std::uint32_t rules) {
-    Sketch sketch = eye.blink();
-    sketch.rules = rules;
-    const auto blink = build_deformer(sketch, *eye.canvas).value();
-    double worst = 0;
-    for (const double amount : {0.25, 0.5, 0.75, 1.0}) {
-      const auto now = posed(*eye.canvas, *blink, amount);
-      for (const std::uint32_t v : blink->vertices()) {
-        EXPECT_NEAR(geometry::distance(now[v], eye.center), geometry::distance(rest[v], eye.center), 1e-9);
-      }
-      for (std::uint32_t row = 0; row < Eye::k_rings - 1; ++row) {
-        const auto at = [&](std::uint32_t c) { return Eye::vertex(row, c); };
-        const double was = rest[at(4)].x - rest[at(Eye::k_columns / 2 - 4)].x;
-        const double is = now[at(4)].x - now[at(Eye::k_columns / 2 - 4)].x;
-        worst = std::max(worst, std::abs(is / was - 1));
-      }
+  const auto blink = build_deformer(eye.blink(), *eye.canvas).value();
+  for (const double amount : {0.25, 0.5, 0.75, 1.0}) {
+    const auto now = posed(*eye.canvas, *blink, amount);
+    for (const std::uint32_t v : blink->vertices()) {
+      EXPECT_NEAR(geometry::distance(now[v], eye.center), geometry::distance(rest[v], eye.center), 1e-9);
     }
-    return worst;
-  };
-  EXPECT_LT(widest_change(k_held_rules), 0.02);
-  EXPECT_LT(widest_change(k_held_rules), 0.5 * widest_change(k_measured_rules));
+    for (std::uint32_t row = 0; row < Eye::k_rings - 1; ++row) {
+      const auto at = [&](std::uint32_t c) { return Eye::vertex(row, c); };
+      const double was = rest[at(4)].x - rest[at(Eye::k_columns / 2 - 4)].x;
+      const double is = now[at(4)].x - now[at(Eye::k_columns / 2 - 4)].x;
+      EXPECT_NEAR(is / was, 1.0, 0.02) << amount << ' ' << row;
+    }
+  }
 }
 
 TEST(HeldDeformer, ALidThatGivesWayKeepsTheWidthOfItsRowsToo) {
@@ -151,23 +141,16 @@ TEST(HeldDeformer, ALidThatGivesWayKeepsTheWidthOfItsRowsToo) {
   sketch.general = eye.around(
       62, [](double a) { return Eye::margin(a, Eye::k_upper) - 3; },
       [](double a) { return 14 + Eye::margin(a, Eye::k_upper); });
-  const auto widest_change = [&](std::uint32_t rules) {
-    sketch.rules = rules;
-    const auto blink = build_deformer(sketch, *eye.canvas).value();
-    const auto now = posed(*eye.canvas, *blink, 1);
-    double worst = 0;
-    for (std::uint32_t row = 0; row < Eye::k_rings - 1; ++row) {
-      // Every place between two columns, not the row as a whole alone.
-      for (std::uint32_t c = 4; c + 8 <= Eye::k_columns / 2; c += 4) {
-        const auto at = [&](std::uint32_t column) { return Eye::vertex(row, column); };
-        const double was = rest[at(c)].x - rest[at(c + 4)].x;
-        worst = std::max(worst, std::abs((now[at(c)].x - now[at(c + 4)].x) / was - 1));
-      }
+  const auto blink = build_deformer(sketch, *eye.canvas).value();
+  const auto now = posed(*eye.canvas, *blink, 1);
+  for (std::uint32_t row = 0; row < Eye::k_rings - 1; ++row) {
+    // Every place between two columns, not the row as a whole alone.
+    for (std::uint32_t c = 4; c + 8 <= Eye::k_columns / 2; c += 4) {
+      const auto at = [&](std::uint32_t column) { return Eye::vertex(row, column); };
+      const double was = rest[at(c)].x - rest[at(c + 4)].x;
+      EXPECT_NEAR((now[at(c)].x - now[at(c + 4)].x) / was, 1.0, 0.05) << row << ' ' << c;
     }
-    return worst;
-  };
-  EXPECT_LT(widest_change(k_circle_rules), 0.05);
-  EXPECT_GT(widest_change(k_close_rules), 2 * widest_change(k_circle_rules)) << "which is why there are rules 8";
+  }
 }
 
 TEST(Slide, TakesEveryPointToItsTargetOnItsCircle) {
@@ -250,7 +233,7 @@ TEST(SheetReference, SaysWhatWasCutOff) {
   });
   const auto canvas = tests::canvas_of(std::move(source));
   Sketch sketch = lift(0.2);
-  sketch.reference = {px(-1.5, 0), px(0.6, 0)};
+  sketch.reference = {px(-1.5, 0), px(1.2, 0)};
   sketch.target = {px(-1.5, 0.2), px(0.35, 0.2)};
   const auto deformer = build_deformer(sketch, *canvas);
   ASSERT_TRUE(deformer.ok()) << deformer.error().line();
@@ -296,18 +279,6 @@ TEST(BadSketch, ACoreThatReachesBeyondTheRegionIsSaidWithItsSide) {
   sketch.specific = box(1.4, 0, 0.45);
   const auto deformer = build_deformer(sketch, *canvas).value();
   EXPECT_EQ(deformer->reaches_beyond(), "on its right");
-}
-
-TEST(BadSketch, ALassoThatCrossesItselfHoldsWhatLiesInItsLoops) {
-  const auto canvas = tests::canvas_of(sheet_source());
-  Sketch sketch = lift(0.1);
-  sketch.general = {px(-1.5, -1.5), px(1.5, 1.5), px(1.5, -1.5), px(-1.5, 1.5)};  // an hourglass on its side
-  const auto deformer = build_deformer(sketch, *canvas);
-  ASSERT_TRUE(deformer.ok()) << deformer.error().line();
-  for (const std::uint32_t v : (*deformer)->vertices()) {
-    const ModelPoint& p = canvas->positions()[v];
-    EXPECT_LE(std::abs(p.y), std::abs(p.x) + 1e-9);
-  }
 }
 
 TEST(BadSketch, OneTriangleIsNoRegion) {

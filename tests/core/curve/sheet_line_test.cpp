@@ -51,8 +51,8 @@ struct Look {
         positions(mesh->positions().begin(), mesh->positions().end()),
         tree(positions, mesh->triangles()),
         sheets(*mesh) {}
-  ProjectedStroke draw(const std::vector<PxPoint>& line, Holding holding = Holding::loose) {
-    return sheet_curve(line, 32, camera, {tree, positions, mesh->triangles(), sheets, holding}).value();
+  ProjectedStroke draw(const std::vector<PxPoint>& line) {
+    return sheet_curve(line, 32, camera, {tree, positions, mesh->triangles(), sheets}).value();
   }
 };
 
@@ -97,8 +97,7 @@ TEST(SheetCurve, AFlatLineAlongTheLipKeepsItsCorners) {
     const double s = i / 40.0 - 1;
     line.push_back({500 + 200 * s, 512 - 36 * s * s * s * s});
   }
-  EXPECT_GT(look.draw(line, Holding::firm).dropped, 5U) << "which is why there are newer rules";
-  const auto drawn = look.draw(line, Holding::far);
+  const auto drawn = look.draw(line);
   EXPECT_EQ(drawn.dropped, 0U);
   EXPECT_NEAR(drawn.positions.front().x, 0.1, 0.001 * k_stick_px * 2);
   EXPECT_NEAR(drawn.positions.back().x, 0.9, 0.001 * k_stick_px * 2);
@@ -169,11 +168,9 @@ TEST(SheetCurve, KeepsTheLongestPartWhereItLeavesTheSheet) {
   add_plate(source, 0.0, 0.65, 0.0);
   add_plate(source, 0.65, 1.0, -0.6);
   Look look(mesh::TriangleMesh::build(std::move(source)).value());
-  for (const auto holding : {Holding::loose, Holding::far}) {
-    const auto drawn = look.draw(wavy(500, 3), holding);
-    EXPECT_GT(drawn.dropped, 10U);
-    for (const ModelPoint& p : drawn.positions) EXPECT_NEAR(p.z, 0, 1e-6);
-  }
+  const auto drawn = look.draw(wavy(500, 3));
+  EXPECT_GT(drawn.dropped, 10U);
+  for (const ModelPoint& p : drawn.positions) EXPECT_NEAR(p.z, 0, 1e-6);
 }
 
 TEST(SheetCurve, WhatNeverTouchesIsRefused) {

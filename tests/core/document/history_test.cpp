@@ -75,7 +75,7 @@ TEST(History, EveryCommandOfTheListCanBeUndone) {
   const DocumentState first = script.editor().state();
   const tests::DocumentHand place;
   const auto does = [&](const Command& command) { EXPECT_TRUE(script.perform(command).ok()) << name_of(command); };
-  does(BeginDeformer{"up", articulation::Mode::translate, {}, 0, 1, articulation::k_ranged_rules});
+  does(BeginDeformer{"up", articulation::Mode::translate, {}, 0, 1});
   does(SketchCurve{articulation::CurveRole::general, place.view, place.diamond(0.8)});
   does(SketchCurve{articulation::CurveRole::specific, place.view, place.diamond(0.4)});
   does(SketchCurve{articulation::CurveRole::reference, place.view, place.line(-0.3, 0, 0.3, 0)});
@@ -88,7 +88,7 @@ TEST(History, EveryCommandOfTheListCanBeUndone) {
   does(DeleteDeformer{"other"});
   does(DrawBetween{"up", 0.5, place.view, place.line(-0.3, -0.2, 0.3, -0.2)});
   does(DeleteBetween{"up", 0.5});
-  does(BeginDeformer{"aside", articulation::Mode::translate, {}, 0, 1, articulation::k_ranged_rules});
+  does(BeginDeformer{"aside", articulation::Mode::translate, {}, 0, 1});
   does(SketchCurve{articulation::CurveRole::general, place.view, place.diamond(0.7)});
   does(TakeRegion{articulation::Reach::front, {}});
   does(SketchCurve{articulation::CurveRole::specific, place.view, place.diamond(0.3)});

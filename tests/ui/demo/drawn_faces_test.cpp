@@ -69,7 +69,7 @@ TEST_F(DrawnFaces, ASmileLiftsBothCornersOfTheMouth) {
     EXPECT_GT(value("mouth_corner_R"), 0.3) << wider;
     EXPECT_EQ(value("jaw"), 0);
   }
-  draw(mouth, moved(mouth, 1.08, [](double x) { return 5 - 25 * x * x; }), document::k_whole_rules);
+  draw(mouth, moved(mouth, 1.08, [](double x) { return 5 - 25 * x * x; }));
   EXPECT_EQ(value("mouth_corner_L"), 0) << "sessions of rules 6 stay what they were";
 }
 

@@ -52,30 +52,31 @@ TEST(ApplyPlaced, ATargetSolvesNothingUntilItIsAsked) {
 }
 
 TEST(ApplyPlaced, EveryWayOfSolvingReachesWhatCanBeReached) {
-  for (const SolvePose& solve : {SolvePose{0, false}, SolvePose{0, true}, SolvePose{k_moment_rules, false}}) {
+  for (const SolvePose& solve : {SolvePose{Preset::exact}, SolvePose{Preset::paper}, SolvePose{}}) {
     auto hand = placed();
     hand.does(PlaceTarget{k_first, reached(hand, 0.6)});
     hand.does(solve);
-    EXPECT_NEAR(hand.value("lift"), 0.6, solve.paper ? 0.05 : 0.002) << solve.rules;
+    EXPECT_NEAR(hand.value("lift"), 0.6, solve.preset == Preset::paper ? 0.05 : 0.002)
+        << static_cast<int>(solve.preset);
   }
 }
 
 TEST(ApplyPlaced, ALineDrawnLaterDoesNotForgetWhatIsKnown) {
   auto hand = placed();
   hand.does(PlaceTarget{k_first, reached(hand, 0.6)});
-  hand.does(SolvePose{k_moment_rules});
-  hand.does(DrawReference{hand.view, hand.line(-0.5, -0.5, 0.5, -0.5), k_moment_rules});
-  hand.does(DrawTarget{CurveId{2}, hand.view, hand.line(-0.5, -0.55, 0.5, -0.55), {}, k_moment_rules});
+  hand.does(SolvePose{});
+  hand.does(DrawReference{hand.view, hand.line(-0.5, -0.5, 0.5, -0.5)});
+  hand.does(DrawTarget{CurveId{2}, hand.view, hand.line(-0.5, -0.55, 0.5, -0.55), {}});
   EXPECT_NEAR(hand.value("lift"), 0.6, 0.02);
 }
 
 TEST(ApplyPlaced, WhatIsKnownHasNoLineToDrawOver) {
   auto hand = placed();
   hand.does(PlaceTarget{k_first, reached(hand, 0.6)});
-  EXPECT_EQ(hand.refuses(OversketchTarget{k_first, hand.view, hand.line(0, 0, 0.5, 0), 5}).place, "curve");
-  EXPECT_EQ(hand.refuses(DragTarget{k_first, {5, 5}, 5}).place, "curve");
-  EXPECT_EQ(hand.refuses(PullTarget{k_first, hand.view, {5, 5}, {1, 1}, 0.1, 5}).place, "curve");
-  hand.does(DrawTarget{k_first, hand.view, hand.line(-0.5, 0.5, 0.5, 0.6), {}, 5});
+  EXPECT_EQ(hand.refuses(OversketchTarget{k_first, hand.view, hand.line(0, 0, 0.5, 0)}).place, "curve");
+  EXPECT_EQ(hand.refuses(DragTarget{k_first, {5, 5}}).place, "curve");
+  EXPECT_EQ(hand.refuses(PullTarget{k_first, hand.view, {5, 5}, {1, 1}, 0.1}).place, "curve");
+  hand.does(DrawTarget{k_first, hand.view, hand.line(-0.5, 0.5, 0.5, 0.6), {}});
   EXPECT_FALSE(find_curve(hand.document(), k_first)->target->line.empty());
 }
 
@@ -102,7 +103,7 @@ TEST(ApplyPlaced, ManyKnownTargetsAreAllAskedFor) {
     hand.does(PlaceTarget{CurveId{i}, positions_of(hand.document(), some_points())});
   }
   EXPECT_EQ(pose_problem(hand.document()).pairs.size(), 2 * k_most_pairs);
-  EXPECT_EQ(intent_problem(hand.document(), k_moment_rules).known.size(), 2 * k_most_pairs);
+  EXPECT_EQ(intent_problem(hand.document()).known.size(), 2 * k_most_pairs);
 }
 
 }  // namespace

@@ -13,9 +13,9 @@ using articulation::CurveRole;
 using articulation::Reach;
 using tests::DocumentHand;
 
-/// A control by the rules of today that brings the middle of the sheet `by` up, to the right of `middle` or about it.
+/// A control that brings the middle of the sheet `by` up, to the right of `middle` or about it.
 void sketch(DocumentHand& hand, const std::string& name, double up) {
-  hand.does(BeginDeformer{name, articulation::Mode::translate, {}, 0, 1, articulation::k_ranged_rules});
+  hand.does(BeginDeformer{name, articulation::Mode::translate, {}, 0, 1});
   hand.does(SketchCurve{CurveRole::general, hand.view, hand.diamond(0.8)});
   hand.does(SketchCurve{CurveRole::specific, hand.view, hand.diamond(0.4)});
   hand.does(SketchCurve{CurveRole::reference, hand.view, hand.line(-0.3, 0, 0.3, 0)});
@@ -126,7 +126,7 @@ TEST(PullTarget, MovesThePlaceThatIsHeldAndLeavesTheRestToTheBit) {
 TEST(TakeRegion, TheFrontAloneOrWhatLiesBehindToo) {
   DocumentHand hand;
   EXPECT_FALSE(hand.refuses(TakeRegion{Reach::front, {}}).what.empty()) << "nothing was begun";
-  hand.does(BeginDeformer{"up", articulation::Mode::automatic, {}, 0, 1, articulation::k_ranged_rules});
+  hand.does(BeginDeformer{"up", articulation::Mode::automatic, {}, 0, 1});
   hand.does(TakeRegion{Reach::front, {}});
   hand.does(SketchCurve{CurveRole::general, hand.view, hand.diamond(0.8)});
   EXPECT_EQ(hand.document().pending->sketch.reach, Reach::front);
@@ -143,7 +143,6 @@ TEST(ChangeDeformer, AnotherRangeBuildsItAgainByTheNewestRulesAlone) {
   hand.does(change);
   EXPECT_EQ(only(hand).vertices().data(), built->vertices().data()) << "as before: what was built is shared";
   change.maximum = 1.5;
-  change.rules = articulation::k_ranged_rules;
   hand.does(change);
   EXPECT_NE(only(hand).vertices().data(), built->vertices().data());
   const auto again = articulation::build_deformer(only(hand).sketch(), *make_canvas(*hand.document().model).value());
@@ -154,7 +153,7 @@ class Correction : public testing::Test {
  protected:
   Correction() {
     sketch(hand, "up", 0.25);
-    hand.does(BeginDeformer{"aside", articulation::Mode::translate, {}, 0, 1, articulation::k_ranged_rules});
+    hand.does(BeginDeformer{"aside", articulation::Mode::translate, {}, 0, 1});
     hand.does(SketchCurve{CurveRole::general, hand.view, hand.diamond(0.7)});
     hand.does(SketchCurve{CurveRole::specific, hand.view, hand.diamond(0.3)});
     hand.does(SketchCurve{CurveRole::reference, hand.view, hand.line(0, -0.2, 0, 0.2)});

@@ -17,14 +17,14 @@ struct Hand : DocumentHand {
 
   /// A reference over the whole width, and its target higher by what "lift" does at this value.
   CurveId lifts(double y, double value) {
-    does(DrawReference{view, line(-0.6, y, 0.6, y), k_moment_rules});
+    does(DrawReference{view, line(-0.6, y, 0.6, y)});
     const CurveId curve{document().last_curve};
     draws(curve, y, value);
     return curve;
   }
   void draws(CurveId curve, double y, double value) {
     const double up = y + 0.4 * y * value;
-    does(DrawTarget{curve, view, line(-0.6, up, 0.6, up), {}, k_moment_rules});
+    does(DrawTarget{curve, view, line(-0.6, up, 0.6, up), {}});
   }
   [[nodiscard]] std::vector<CurveId> asked() const {
     std::vector<CurveId> ids;
@@ -67,9 +67,9 @@ TEST(Moment, WhatADeletedLineDidStays) {
   const double lifted = hand.value("lift");
   hand.does(DeleteCurve{first});
   // A line redrawn where it is.
-  hand.does(DrawReference{hand.view, hand.line(-0.6, -0.5, 0.6, -0.5), k_moment_rules});
+  hand.does(DrawReference{hand.view, hand.line(-0.6, -0.5, 0.6, -0.5)});
   const CurveId second{hand.document().last_curve};
-  hand.does(DrawTarget{second, hand.view, hand.line(-0.6, -0.5, 0.6, -0.5), {}, k_moment_rules});
+  hand.does(DrawTarget{second, hand.view, hand.line(-0.6, -0.5, 0.6, -0.5), {}});
   EXPECT_EQ(hand.value("lift"), lifted);
   EXPECT_EQ(hand.asked(), std::vector{second});
 }
@@ -82,9 +82,9 @@ TEST(Moment, LinesOfAnotherTimeAskForNothing) {
   hand.does(SetKey{1, ""});
   hand.does(GoToTime{1});
   ASSERT_EQ(hand.value("lift"), 0);
-  hand.does(DrawReference{hand.view, hand.line(-0.6, -0.5, 0.6, -0.5), k_moment_rules});
+  hand.does(DrawReference{hand.view, hand.line(-0.6, -0.5, 0.6, -0.5)});
   const CurveId second{hand.document().last_curve};
-  hand.does(DrawTarget{second, hand.view, hand.line(-0.6, -0.5, 0.6, -0.5), {}, k_moment_rules});
+  hand.does(DrawTarget{second, hand.view, hand.line(-0.6, -0.5, 0.6, -0.5), {}});
   EXPECT_EQ(hand.value("lift"), 0);
   EXPECT_NE(find_curve(hand.document(), first), nullptr);
   EXPECT_EQ(hand.asked(), std::vector{second});
@@ -96,9 +96,9 @@ TEST(Moment, AReferenceDrawnAgainTakesTheFirstOnesPlace) {
   // The same place of the sheet, where it now stands.
   const double now = 0.8 + 0.4 * 0.8 * hand.value("lift");
   const double up = 0.8 + 0.4 * 0.8 * 0.9;
-  hand.does(DrawReference{hand.view, hand.line(-0.6, now, 0.6, now), k_moment_rules});
+  hand.does(DrawReference{hand.view, hand.line(-0.6, now, 0.6, now)});
   const CurveId second{hand.document().last_curve};
-  hand.does(DrawTarget{second, hand.view, hand.line(-0.6, up, 0.6, up), {}, k_moment_rules});
+  hand.does(DrawTarget{second, hand.view, hand.line(-0.6, up, 0.6, up), {}});
   EXPECT_NEAR(hand.value("lift"), 0.9, 0.1);
   EXPECT_EQ(find_curve(hand.document(), first), nullptr) << "what was drawn anew is gone";
   EXPECT_EQ(hand.asked(), std::vector{second});
@@ -112,9 +112,9 @@ TEST(Moment, ASecondViewOfAFeatureCoversNothing) {
   std::vector<PxPoint> line;
   for (const auto& p : positions_of(hand.document(), find_curve(hand.document(), first)->points))
     line.push_back(*camera.project(p));
-  hand.does(DrawReference{hand.view, line, k_moment_rules});
+  hand.does(DrawReference{hand.view, line});
   const CurveId second{hand.document().last_curve};
-  hand.does(DrawTarget{second, hand.view, line, {}, k_moment_rules});
+  hand.does(DrawTarget{second, hand.view, line, {}});
   EXPECT_EQ(hand.asked(), (std::vector{first, second}));
   EXPECT_TRUE(drawn_anew(*hand.document().moment).empty());
 }
@@ -123,28 +123,20 @@ TEST(Moment, APartDrawnAgainLeavesTheRestAsked) {
   Hand hand;
   const CurveId first = hand.lifts(0.8, 0.3);
   const double now = 0.8 + 0.4 * 0.8 * hand.value("lift");
-  hand.does(DrawReference{hand.view, hand.line(0.1, now, 0.6, now), k_moment_rules});
+  hand.does(DrawReference{hand.view, hand.line(0.1, now, 0.6, now)});
   const CurveId second{hand.document().last_curve};
-  hand.does(DrawTarget{second, hand.view, hand.line(0.1, now + 0.1, 0.6, now + 0.1), {}, k_moment_rules});
+  hand.does(DrawTarget{second, hand.view, hand.line(0.1, now + 0.1, 0.6, now + 0.1), {}});
   ASSERT_EQ(hand.asked(), (std::vector{first, second}));
   const auto& covered = hand.document().moment->lines.front().covered;
   const auto count = std::count(covered.begin(), covered.end(), true);
   EXPECT_GT(count, static_cast<std::ptrdiff_t>(covered.size()) / 4);
   EXPECT_LT(count, static_cast<std::ptrdiff_t>(covered.size()) * 3 / 4);
-  const auto problem = moment_problem(hand.document(), *hand.document().moment, k_moment_rules);
+  const auto problem = moment_problem(hand.document(), *hand.document().moment);
   ASSERT_EQ(problem.drawn.size(), 2U);
   EXPECT_TRUE(problem.drawn.front().before);
   EXPECT_FALSE(problem.drawn.back().before);
   EXPECT_EQ(std::count(problem.drawn.front().weights.begin(), problem.drawn.front().weights.end(), 0.0), count);
   EXPECT_EQ(problem.posed, hand.document().pose);
-}
-
-TEST(Moment, OlderRulesHaveNone) {
-  Hand hand;
-  hand.does(DrawReference{hand.view, hand.line(-0.6, 0.8, 0.6, 0.8), k_offset_rules});
-  hand.does(DrawTarget{CurveId{1}, hand.view, hand.line(-0.6, 0.9, 0.6, 0.9), {}, k_offset_rules});
-  EXPECT_GT(hand.value("lift"), 0.1);
-  EXPECT_FALSE(hand.document().moment);
 }
 
 }  // namespace

@@ -70,42 +70,6 @@ TEST(TargetLine, RefusesWhatHasNoLength) {
   EXPECT_FALSE(make_target(reference(), wrong, line, {}).ok());
 }
 
-Line straight() {
-  Line line;
-  for (int i = 0; i <= 10; ++i) {
-    line.points.push_back({100.0 * i, 0});
-    line.pressure.push_back(0.1 * i);
-  }
-  return line;
-}
-
-TEST(Oversketch, ReplacesThePartBetweenItsEnds) {
-  const std::vector<PxPoint> stroke{{310, 5}, {450, 60}, {590, 5}};
-  const auto out = oversketched(straight(), stroke).value();
-  const std::vector<PxPoint> expected{{0, 0},   {100, 0}, {200, 0}, {310, 5}, {450, 60},
-                                      {590, 5}, {700, 0}, {800, 0}, {900, 0}, {1000, 0}};
-  EXPECT_EQ(out.points, expected);
-  ASSERT_EQ(out.pressure.size(), out.points.size());
-  EXPECT_EQ(out.pressure[1], 0.1);
-  EXPECT_EQ(out.pressure[4], 1.0);
-  EXPECT_EQ(out.pressure[6], 0.1 * 7);
-}
-
-TEST(Oversketch, MayBeDrawnTheOtherWay) {
-  const std::vector<PxPoint> stroke{{310, 5}, {450, 60}, {590, 5}};
-  const std::vector<PxPoint> turned(stroke.rbegin(), stroke.rend());
-  EXPECT_EQ(oversketched(straight(), turned).value().points, oversketched(straight(), stroke).value().points);
-}
-
-TEST(Oversketch, MayReachBeyondAnEndOrReplaceAll) {
-  const auto longer = oversketched(straight(), std::vector<PxPoint>{{880, 0}, {1300, 50}}).value();
-  EXPECT_EQ(longer.points.back(), (PxPoint{1300, 50}));
-  EXPECT_EQ(longer.points.front(), (PxPoint{0, 0}));
-  const auto all = oversketched(straight(), std::vector<PxPoint>{{-10, 9}, {1010, 9}}).value();
-  EXPECT_EQ(all.points, (std::vector<PxPoint>{{-10, 9}, {1010, 9}}));
-  EXPECT_FALSE(oversketched(straight(), std::vector<PxPoint>{{1, 1}}).ok());
-}
-
 TEST(ComeNear, LinesThatCrossTouchOrPass) {
   const std::vector<PxPoint> line{{0, 0}, {100, 0}, {200, 0}};
   EXPECT_TRUE(come_near(line, std::vector<PxPoint>{{150, -50}, {150, 50}}, 0));

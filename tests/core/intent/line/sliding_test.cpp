@@ -149,7 +149,7 @@ TEST(SlidingLine, ALoopIsMetFromWhereverItWasBegun) {
   for (const double from : {0.0, 1.0, 2.5, 4.0}) {
     for (const double sense : {1.0, -1.0}) {
       const Line line = circle(from, sense, 90);
-      const auto list = alignments(seen, line, 8, Edition::second);
+      const auto list = alignments(seen, line, 8);
       ASSERT_EQ(list.size(), 1U);
       EXPECT_TRUE(list[0].closed);
       EXPECT_LT(off(SlidingLine(line).match(seen, list[0], true, 2), seen), 4.0) << from << " " << sense;
@@ -159,7 +159,7 @@ TEST(SlidingLine, ALoopIsMetFromWhereverItWasBegun) {
 
 TEST(Alignments, EndsAndDirectionTogetherTellWhichWayALineRuns) {
   const Line seen = bow();
-  const auto first = [&](const Line& line) { return alignments(seen, line, 8, Edition::second).front(); };
+  const auto first = [&](const Line& line) { return alignments(seen, line, 8).front(); };
   EXPECT_FALSE(first(bow(100, 50)).reversed);
   EXPECT_TRUE(first(tests::backwards(bow(100, 50))).reversed);
   // Moved a long way to the right: its beginning lies nearest to the reference's end, and yet it runs along with it.
@@ -174,68 +174,60 @@ TEST(Alignments, EndsAndDirectionTogetherTellWhichWayALineRuns) {
 
 TEST(Alignments, ALineAcrossTheReferenceIsTriedBothWays) {
   const Line seen{{200, 500}, {600, 500}};
-  const auto list = alignments(seen, Line{{400, 310}, {400, 690}}, 8, Edition::second);
+  const auto list = alignments(seen, Line{{400, 310}, {400, 690}}, 8);
   ASSERT_GE(list.size(), 2U);
   EXPECT_NE(list[0].reversed, list[1].reversed);
   EXPECT_GT(list[1].charge, list[0].charge);
-  EXPECT_EQ(alignments(bow(), bow(), 8, Edition::second).size(), 1U) << "nothing else is worth trying";
+  EXPECT_EQ(alignments(bow(), bow(), 8).size(), 2U) << "nothing else but a shape beside is worth trying";
 }
 
 TEST(Alignments, AShortLineMayBeAPartAndALongOneOvershoots) {
   const Line seen = bow();
-  const auto parts = alignments(seen, tests::part(bow(80, 200), 0.5, 1), 8, Edition::second);
-  ASSERT_EQ(parts.size(), 4U);
+  const auto parts = alignments(seen, tests::part(bow(80, 200), 0.5, 1), 8);
+  ASSERT_EQ(parts.size(), 5U);
   EXPECT_EQ(parts[0].reference_to - parts[0].reference_from, 1) << "all of it is the likeliest";
   EXPECT_NEAR(parts[1].reference_to, 0.5, 0.01);
   EXPECT_NEAR(parts[2].reference_from, 0.25, 0.01);
   EXPECT_NEAR(parts[3].reference_from, 0.5, 0.01);
   for (std::size_t i = 1; i < 4; ++i) EXPECT_GT(parts[i].charge, parts[0].charge);
-  const auto longer = alignments(seen, tests::part(bow(80, 200), 0, 1.25), 8, Edition::second);
-  ASSERT_EQ(longer.size(), 4U);
+  const auto longer = alignments(seen, tests::part(bow(80, 200), 0, 1.25), 8);
+  ASSERT_EQ(longer.size(), 5U);
   EXPECT_NEAR(longer[1].line_to - longer[1].line_from, 0.8, 0.01);
 }
 
-TEST(Alignments, TheThirdEditionKnowsLinesThatLieBesideWhereTheyWereMeant) {
-  const auto second = alignments(bow(), bow(), 8, Edition::second);
-  const auto third = alignments(bow(), bow(), 8, Edition::third);
-  ASSERT_EQ(third.size(), second.size() + 1);
-  EXPECT_EQ(second.front().ends, 0) << "older sessions replay so";
-  EXPECT_GT(third.front().ends, 0);
-  EXPECT_EQ(third.front().offset_px, 0);
-  EXPECT_GT(third.back().offset_px, 0);
-  EXPECT_GT(third.back().charge, 0);
+TEST(Alignments, KnowLinesThatLieBesideWhereTheyWereMeant) {
+  const auto list = alignments(bow(), bow(), 8);
+  ASSERT_EQ(list.size(), 2U);
+  EXPECT_GT(list.front().ends, 0);
+  EXPECT_EQ(list.front().offset_px, 0);
+  EXPECT_GT(list.back().offset_px, 0);
+  EXPECT_GT(list.back().charge, 0);
 
   // A line that lies beside as a whole costs only by how far: every point may go across by the same way.
   const Line seen = bow();
   const SlidingLine line(seen);
-  const Matching m = line.match(seen, third.back(), true, 2);
+  const Matching m = line.match(seen, list.back(), true, 2);
   ASSERT_EQ(m.across.size(), seen.size());
-  EXPECT_NEAR(m.across[seen.size() / 2], third.back().offset_px, 0.01 * third.back().offset_px);
-  EXPECT_TRUE(line.match(seen, third.front(), true, 2).across.empty());
+  EXPECT_NEAR(m.across[seen.size() / 2], list.back().offset_px, 0.01 * list.back().offset_px);
+  EXPECT_TRUE(line.match(seen, list.front(), true, 2).across.empty());
 }
 
 TEST(Alignments, AllTooMuchAtOneEndIsLessLikelyThanAtBoth) {
   const Line seen = bow();
   Line longer = bow();
   for (auto& p : longer) p = {500 + (p.x - 500) * 1.6, 500 + (p.y - 500) * 1.6};
-  for (const bool second : {false, true}) {
-    double one_end = 1e9, both = 1e9;
-    for (const Alignment& one : alignments(seen, longer, 8, second ? Edition::second : Edition::first)) {
-      if (one.line_to - one.line_from > 0.99) continue;
-      const bool at_one = one.line_from < 1e-9 || one.line_to > 1 - 1e-9;
-      (at_one ? one_end : both) = std::min(at_one ? one_end : both, one.charge);
-    }
-    EXPECT_EQ(both, 8);
-    if (second) {
-      EXPECT_GT(one_end, 30);
-    } else {
-      EXPECT_EQ(one_end, 8) << "older sessions replay so";
-    }
+  double one_end = 1e9, both = 1e9;
+  for (const Alignment& one : alignments(seen, longer, 8)) {
+    if (one.line_to - one.line_from > 0.99) continue;
+    const bool at_one = one.line_from < 1e-9 || one.line_to > 1 - 1e-9;
+    (at_one ? one_end : both) = std::min(at_one ? one_end : both, one.charge);
   }
+  EXPECT_EQ(both, 8);
+  EXPECT_GT(one_end, 30);
 }
 
 TEST(Alignments, OfWhatHasNoLengthIsTheWhole) {
-  EXPECT_EQ(alignments(Line{{5, 5}, {5, 5}}, bow(), 8, Edition::second).size(), 1U);
+  EXPECT_EQ(alignments(Line{{5, 5}, {5, 5}}, bow(), 8).front().reference_to, 1.0);
 }
 
 }  // namespace

@@ -236,15 +236,6 @@ TEST(IntentBody, LockedJointsStay) {
   EXPECT_EQ(Figure::turned(pose, 6), 0.0);
 }
 
-TEST(IntentBody, TheFirstEditionKnowsNoneOfThis) {
-  // Its choices are of angles, whatever they do: what sessions of rules 2 replay by.
-  const Figure man;
-  IntentProblem problem = man.problem({6, 7, 8}, man.pose({{6, k_z, 50}}), 0, 1);
-  const rig::Pose second = man.solve(problem).pose;
-  problem.edition = Edition::first;
-  EXPECT_NE(man.solve(problem).pose, second);
-}
-
 TEST(IntentBody, WhileDrawnNothingElseTurnsAndTheEndIsTheSolves) {
   const Figure man;
   for (const Movement& m : movements()) {

@@ -56,17 +56,6 @@ TEST(Locked, WhatWasNotMeantMayBeLockedWithoutADifference) {
   EXPECT_EQ(face.solve(with_locked(problem, {face.number("browLeft")})).pose, face.solve(problem).pose);
 }
 
-TEST(Locked, EditionOneKnowsNothingOfLocks) {
-  const Face face = tests::usual_face();
-  const rig::Pose answer = face.pose({{"jawOpen", 0.8}});
-  IntentProblem problem = face.problem({face.drawn(Face::mouth(), face.seen(Face::mouth(), answer))});
-  problem.edition = Edition::first;
-  IntentProblem plain = with_locked(problem, {face.number("jawOpen")});
-  const rig::Pose held = face.solve(plain).pose;
-  plain.locked.clear();
-  EXPECT_EQ(face.solve(plain).pose, held);
-}
-
 TEST(Locked, LiveAgreesWithPenUp) {
   const Face face = tests::usual_face();
   const rig::Pose answer = face.pose({{"browLeft", 0.7}, {"browRight", 0.7}});

@@ -4,7 +4,7 @@
 #include "core/intent/solve.h"
 #include "tests/core/intent/face.h"
 
-// What Edition::third reads in a line that no control takes on as it is drawn.
+// What is read in a line that no control takes on as it is drawn.
 
 namespace penpose::intent {
 namespace {
@@ -12,10 +12,8 @@ namespace {
 using tests::Face;
 using tests::Line;
 
-Solution read_by(const Face& face, Edition edition, const tests::Points& points, const Line& line) {
-  IntentProblem problem = face.problem({face.drawn(points, line)});
-  problem.edition = edition;
-  return face.solve(problem);
+Solution read(const Face& face, const tests::Points& points, const Line& line) {
+  return face.solve(face.problem({face.drawn(points, line)}));
 }
 
 double fade(double distance) { return std::abs(distance) < 0.25 ? std::pow(1 - std::pow(distance / 0.25, 2), 2) : 0.0; }
@@ -44,9 +42,9 @@ TEST(Shape, ASmileDrawnDeeperThanTheRigsIsASmile) {
   const Face face = smiling_face();
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const Line line = tests::shaken(deep_smile(face, 37), 1, seed);
-    const Solution third = read_by(face, Edition::third, Face::mouth(), line);
-    EXPECT_EQ(third.moved, std::vector<std::size_t>{face.number("smile")}) << seed;
-    EXPECT_GT(third.pose[face.number("smile")], 0.5) << seed;
+    const Solution solution = read(face, Face::mouth(), line);
+    EXPECT_EQ(solution.moved, std::vector<std::size_t>{face.number("smile")}) << seed;
+    EXPECT_GT(solution.pose[face.number("smile")], 0.5) << seed;
   }
 }
 
@@ -55,9 +53,9 @@ TEST(Shape, ALineMovedAsAWholeIsStillThat) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const rig::Pose answer = face.pose({{"browLeft", 0.7}});
     const Line line = tests::shaken(face.seen(Face::left_brow(), answer), 1.5, seed);
-    const Solution third = read_by(face, Edition::third, Face::left_brow(), line);
-    EXPECT_EQ(third.moved, std::vector<std::size_t>{face.number("browLeft")}) << seed;
-    EXPECT_LT(face.error(third.pose, answer), 0.15) << seed;
+    const Solution solution = read(face, Face::left_brow(), line);
+    EXPECT_EQ(solution.moved, std::vector<std::size_t>{face.number("browLeft")}) << seed;
+    EXPECT_LT(face.error(solution.pose, answer), 0.15) << seed;
   }
 }
 
@@ -74,9 +72,9 @@ TEST(Shape, WhatTearsThingsFromTheCurveIsNotMeant) {
   face.ready();
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const Line line = tests::shaken(face.seen(Face::mouth(), face.pose({{"tears", 0.7}})), 1.5, seed);
-    const Solution third = read_by(face, Edition::third, Face::mouth(), line);
-    EXPECT_EQ(third.pose[face.number("tears")], 0) << seed;
-    EXPECT_GT(third.pose[face.number("keeps")], 0.3) << seed;
+    const Solution solution = read(face, Face::mouth(), line);
+    EXPECT_EQ(solution.pose[face.number("tears")], 0) << seed;
+    EXPECT_GT(solution.pose[face.number("keeps")], 0.3) << seed;
   }
 }
 
@@ -92,8 +90,8 @@ TEST(Shape, OfAPairThatTheStrokesSeeOneSideOfThatSideMoves) {
   face.ready();
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const Line line = tests::shaken(face.seen(Face::left_brow(), face.pose({{"raiseLeft", 0.9}})), 2, seed);
-    const Solution third = read_by(face, Edition::third, Face::left_brow(), line);
-    EXPECT_EQ(third.moved, std::vector<std::size_t>{face.number("raiseLeft")}) << seed;
+    const Solution solution = read(face, Face::left_brow(), line);
+    EXPECT_EQ(solution.moved, std::vector<std::size_t>{face.number("raiseLeft")}) << seed;
   }
 }
 

@@ -34,7 +34,7 @@ class OtherTargets : public testing::Test {
   }
   void sketch(const std::string& name, const std::vector<geometry::PxPoint>& from,
               const std::vector<geometry::PxPoint>& to) {
-    hand.does(BeginDeformer{name, articulation::Mode::translate, {}, 0, 1, articulation::k_ranged_rules});
+    hand.does(BeginDeformer{name, articulation::Mode::translate, {}, 0, 1});
     hand.does(SketchCurve{CurveRole::general, hand.view, hand.diamond(0.8)});
     hand.does(SketchCurve{CurveRole::specific, hand.view, hand.diamond(0.4)});
     hand.does(SketchCurve{CurveRole::reference, hand.view, from});

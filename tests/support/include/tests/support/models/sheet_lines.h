@@ -20,9 +20,8 @@ class SheetLines {
   using ModelPoint = geometry::ModelPoint;
   using PxPoint = geometry::PxPoint;
 
-  explicit SheetLines(const mesh::TriangleMesh& mesh, curve::Holding holding)
+  explicit SheetLines(const mesh::TriangleMesh& mesh)
       : mesh_(mesh),
-        holding_(holding),
         positions_(mesh.positions().begin(), mesh.positions().end()),
         tree_(positions_, mesh.triangles()),
         sheets_(mesh),
@@ -108,7 +107,7 @@ class SheetLines {
 
  private:
   bool check(const std::vector<PxPoint>& line, const geometry::Camera& camera, double length, int number) {
-    const auto curve = curve::sheet_curve(line, 32, camera, {tree_, positions_, mesh_.triangles(), sheets_, holding_});
+    const auto curve = curve::sheet_curve(line, 32, camera, {tree_, positions_, mesh_.triangles(), sheets_});
     if (!curve) return false;
     for (std::size_t k = 0; k + 1 < curve->points.size(); ++k) {
       const std::uint32_t one = curve->points[k].triangle, two = curve->points[k + 1].triangle;
@@ -154,7 +153,6 @@ class SheetLines {
   }
 
   const mesh::TriangleMesh& mesh_;
-  curve::Holding holding_;
   std::vector<glm::vec3> positions_;
   geometry::TriangleBvh tree_;
   curve::Sheets sheets_;
