@@ -240,7 +240,7 @@ void solve_demo_head(benchmark::State& state) {
       return false;
     };
     static_cast<void>(replay::play_session(
-        replay::read_from(base::as_bytes(demo::embedded_session(head::HeadEdition::first))), options));
+        replay::read_from(base::as_bytes(demo::embedded_session())), options));
     return all;
   }();
   const document::Document& document = documents[static_cast<std::size_t>(state.range(0))];
@@ -257,7 +257,7 @@ void solve_demo_head(benchmark::State& state) {
 }
 BENCHMARK(solve_demo_head)->ArgsProduct({benchmark::CreateDenseRange(0, 7, 1), {2, 99}})->Unit(benchmark::kMillisecond);
 
-void build_on_face(benchmark::State& state, Mode mode, std::uint32_t rules) {
+void build_on_face(benchmark::State& state, Mode mode, bool paper) {
   const auto bytes = tests::read_file(tests::shared_dir() / "meshes" / "ict_face.glb");
   if (bytes.empty()) return state.SkipWithError("the face is not there");
   const document::Model face = io::read_model(bytes, "ict_face.glb").value();
@@ -266,7 +266,7 @@ void build_on_face(benchmark::State& state, Mode mode, std::uint32_t rules) {
   for (const ModelPoint& p : canvas->positions()) box.add(p);
   Sketch sketch = fifteen(Kind::turning)[static_cast<std::size_t>(state.range(0))];
   sketch.mode = mode;
-  sketch.rules = rules;
+  sketch.paper = paper;
   sketch.camera.look_at = box.center();
   sketch.camera.eye = box.center() + ModelPoint{0, 0, 2.4 * box.diagonal()};
   if (state.range(1) != 0) {
@@ -281,9 +281,9 @@ void build_on_face(benchmark::State& state, Mode mode, std::uint32_t rules) {
   }
   state.counters["vertices"] = static_cast<double>(moved);
 }
-BENCHMARK_CAPTURE(build_on_face, turned, Mode::rotate, 0)->ArgsProduct({{6, 7}, {0, 1}})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(build_on_face, turned, Mode::rotate, true)->ArgsProduct({{6, 7}, {0, 1}})->Unit(benchmark::kMillisecond);
 // As the app makes a control: both ways of going there are tried and measured, and what tears is given way to.
-BENCHMARK_CAPTURE(build_on_face, chosen, Mode::automatic, articulation::k_circle_rules)
+BENCHMARK_CAPTURE(build_on_face, chosen, Mode::automatic, false)
     ->ArgsProduct({{6, 7}, {0, 1}})
     ->Unit(benchmark::kMillisecond);
 

@@ -71,7 +71,7 @@ inside sh -c 'apt-get install -y -qq --no-install-recommends /tmp/packages/*.deb
 inside sh -c 'cd /tmp && penpose demo -o demo' >"$folder/demo-$architecture.log" || { echo "FAILED: the demo"; exit 1; }
 tail -n 1 "$folder/demo-$architecture.log"
 state=$(inside penpose replay /usr/share/penpose/sessions/demo.session --json | sed -n 's/.*"state": *"\([0-9a-f]*\)".*/\1/p')
-golden=$(awk '$1 == "demo_2.session" {print $2}' "$hashes")
+golden=$(awk '$1 == "demo.session" {print $2}' "$hashes")
 [ "$state" = "$golden" ] || { echo "FAILED: the session ends in $state, golden is $golden"; exit 1; }
 echo "state $state, as golden"
 [ -s "$root/tmp/demo/demo.glb" ] || { echo "FAILED: the demo wrote nothing"; exit 1; }

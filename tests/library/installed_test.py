@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import sys
 
-SESSIONS = ('ui/demo/demo.session', 'ui/demo/demo_2.session', 'tests/data/sessions/penpartner.session',
+SESSIONS = ('ui/demo/demo.session', 'tests/data/sessions/penpartner.session',
             'tests/data/sessions/suggest.session@tests/data/models/test_sheet.glb')
 
 

@@ -1,8 +1,7 @@
 // The controls of sketch_cases as a table: what each way of moving does to the surface.
 //   sketch_table            the table, an error where a bound does not hold
-//   sketch_table --rules=N  the same by older rules
 //   sketch_table --others   the same on other meshes
-//   sketch_table --varied   all of them, drawn otherwise, by the newest rules; what takes nothing is refused
+//   sketch_table --varied   all of them, drawn otherwise; what takes nothing is refused
 //   sketch_table --loop MESH [CONTROL]  the least time of 20 builds of each
 //   sketch_table FOLDER     also a sketch file a case, for pictures
 
@@ -52,10 +51,9 @@ double length_of(std::span<const ModelPoint> curve) {
   return length;
 }
 
-Row measure(const SketchCase& one, Mode mode, std::uint32_t rules) {
+Row measure(const SketchCase& one, Mode mode) {
   Sketch sketch = one.sketch;
   sketch.mode = mode;
-  sketch.rules = rules;
   Row row;
   const double start = processor_ms();
   const auto deformer = articulation::build_deformer(sketch, *one.canvas);
@@ -105,7 +103,7 @@ constexpr std::size_t k_stretched = 0;
 /// Whether a sketch has nothing to take, which is said and is no fault.
 bool takes_nothing(const Row& row) { return !row.built && row.why.find("no vertex") != std::string::npos; }
 
-int run(const char* folder, std::uint32_t rules, const std::vector<SketchCase>& cases, bool varied) {
+int run(const char* folder, const std::vector<SketchCase>& cases, bool varied) {
   std::printf(
       "turned over, creases, largest stretch (! above the bound), edges over 3, ms\n%-16s %-18s %-7s | %-27s | %-27s | "
       "%-27s\n",
@@ -117,8 +115,8 @@ int run(const char* folder, std::uint32_t rules, const std::vector<SketchCase>& 
   std::size_t worse = 0;
   double slowest = 0;
   for (const SketchCase& one : cases) {
-    const std::array<Row, 3> rows{measure(one, Mode::automatic, rules), measure(one, Mode::translate, rules),
-                                  measure(one, Mode::rotate, rules)};
+    const std::array<Row, 3> rows{measure(one, Mode::automatic), measure(one, Mode::translate),
+                                  measure(one, Mode::rotate)};
     std::printf("%-16s %-18s %-7s", one.mesh.c_str(), one.feature.c_str(), one.strength.c_str());
     for (const Row& row : rows) print(row);
     std::printf(" %5zu%s\n", rows[0].vertices, rows[0].told.empty() ? "" : (" " + rows[0].told.front()).c_str());
@@ -132,7 +130,6 @@ int run(const char* folder, std::uint32_t rules, const std::vector<SketchCase>& 
     slowest = std::max(slowest, rows[0].build_ms);
     if (folder == nullptr) continue;
     io::SketchFile file{one.mesh, one.sketch.viewport, {one.sketch}, {}};
-    file.sketches[0].rules = rules;
     std::string name = one.mesh + "_" + one.feature + "_" + one.strength;
     std::replace(name.begin(), name.end(), ' ', '_');
     std::ofstream(std::string(folder) + "/" + name + ".json") << io::write_sketch_file(file);
@@ -144,7 +141,7 @@ int run(const char* folder, std::uint32_t rules, const std::vector<SketchCase>& 
       cases.size(), bad, over, missed, worse, slowest);
   std::printf("%zu of those turn triangles over or stretch too far without being told of\n", silent);
   const bool held = bad <= k_torn && over <= k_stretched && missed == 0 && silent == 0;
-  if (rules >= articulation::k_measured_rules && !held) std::printf("a bound does not hold\n");
+  if (!held) std::printf("a bound does not hold\n");
   return held ? 0 : 1;
 }
 
@@ -167,18 +164,14 @@ int loop(const char* mesh, const char* feature) {
 }  // namespace penpose::sketches
 
 int main(int count, char** arguments) {
-  std::uint32_t rules = penpose::articulation::k_held_rules;
   const bool others = count > 1 && std::strcmp(arguments[1], "--others") == 0;
   if (count > 1 && std::strcmp(arguments[1], "--varied") == 0) {
-    const auto newest = penpose::articulation::k_circle_rules;
-    return penpose::sketches::run(nullptr, newest, penpose::sketches::varied_sketch_cases(103), true);
+    return penpose::sketches::run(nullptr, penpose::sketches::varied_sketch_cases(103), true);
   }
-  const bool named = others || (count > 1 && std::strncmp(arguments[1], "--rules=", 8) == 0);
-  if (named && !others) rules = static_cast<std::uint32_t>(arguments[1][8] - '0');
   if (count > 2 && std::strcmp(arguments[1], "--loop") == 0) {
     return penpose::sketches::loop(arguments[2], count > 3 ? arguments[3] : nullptr);
   }
-  return penpose::sketches::run(count > 1 && !named ? arguments[1] : nullptr, rules,
+  return penpose::sketches::run(count > 1 && !others ? arguments[1] : nullptr,
                                 others ? penpose::sketches::other_sketch_cases() : penpose::sketches::sketch_cases(),
                                 false);
 }

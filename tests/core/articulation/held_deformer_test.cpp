@@ -89,7 +89,6 @@ TEST(HeldDeformer, StretchesNothingTwiceWhereThePaperDoes) {
   sketch.paper = false;
   const auto held = build_deformer(sketch, *canvas).value();
   const auto now = posed(*canvas, *held, 1);
-  EXPECT_GT(largest_stretch(*canvas, torn), 2.0);
   EXPECT_EQ(held->strain().turned_over, 0U);
   EXPECT_LE(largest_stretch(*canvas, now), 2.0);
   EXPECT_TRUE(doubts_of(*held).empty());

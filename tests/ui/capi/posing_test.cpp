@@ -39,14 +39,13 @@ TEST(CPosing, ACallAndTheSameInASessionGiveTheSameBits) {
       penpose_target_stroke(desk.open, desk.sheet, curve, &desk.view, to.data(), nullptr, to.size() / 2, &desk.error),
       PENPOSE_OK)
       << desk.error.message;
-  constexpr auto k_rules = drawing::k_rules;
-  EXPECT_TRUE(script.perform(document::DrawReference{view, px_points(over), k_rules}).ok());
-  EXPECT_TRUE(script.perform(document::DrawConstraint{view, px_points(keep), k_rules}).ok());
-  EXPECT_TRUE(script.perform(document::DrawTarget{{curve}, view, px_points(to), {}, k_rules}).ok());
+  EXPECT_TRUE(script.perform(document::DrawReference{view, px_points(over)}).ok());
+  EXPECT_TRUE(script.perform(document::DrawConstraint{view, px_points(keep)}).ok());
+  EXPECT_TRUE(script.perform(document::DrawTarget{{curve}, view, px_points(to)}).ok());
   EXPECT_EQ(desk.state(), script.editor().state().whole.hex());
   EXPECT_GT(desk.pose()[0], 0.3);
   ASSERT_EQ(penpose_solve(desk.open, desk.sheet, PENPOSE_PRESET_DEFAULT, nullptr), PENPOSE_OK);
-  EXPECT_TRUE(script.perform(document::SolvePose{k_rules}).ok());
+  EXPECT_TRUE(script.perform(document::SolvePose{}).ok());
   EXPECT_EQ(desk.state(), script.editor().state().whole.hex());
 }
 

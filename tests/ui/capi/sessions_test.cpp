@@ -30,7 +30,7 @@ TEST(CSessions, GoldenSessionsComeToTheirStates) {
   ASSERT_EQ(penpose_character_read(desk.open, glb.data(), glb.size(), nullptr, &sheet, &desk.error), PENPOSE_OK)
       << desk.error.message;
   const std::pair<const char*, penpose_handle> sessions[] = {{"/ui/demo/demo.session", 0},
-                                                             {"/ui/demo/demo_2.session", 0},
+                                                             {"/ui/demo/demo.session", 0},
                                                              {"/tests/data/sessions/penpartner.session", 0},
                                                              {"/tests/data/sessions/suggest.session", sheet}};
   for (const auto& [path, on] : sessions) {

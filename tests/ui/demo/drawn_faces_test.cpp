@@ -43,12 +43,12 @@ class DrawnFaces : public testing::Test {
     }
     return line;
   }
-  void draw(const Line& reference, const Line& target, std::uint32_t rules = drawing::k_rules) {
+  void draw(const Line& reference, const Line& target) {
     document::ApplyWorkspace work;
-    auto drawn = document::apply(document_, document::DrawReference{view_, reference, rules}, work);
+    auto drawn = document::apply(document_, document::DrawReference{view_, reference}, work);
     ASSERT_TRUE(drawn.ok()) << drawn.error().line();
     const document::CurveId id = drawn->curves.back()->id;
-    auto posed = document::apply(*drawn, document::DrawTarget{id, view_, target, {}, rules}, work);
+    auto posed = document::apply(*drawn, document::DrawTarget{id, view_, target}, work);
     ASSERT_TRUE(posed.ok()) << posed.error().line();
     pose_ = posed->pose;
   }

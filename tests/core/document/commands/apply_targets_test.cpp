@@ -135,7 +135,7 @@ TEST(TakeRegion, TheFrontAloneOrWhatLiesBehindToo) {
   EXPECT_EQ(hand.document().pending->sketch.reach, Reach::through);
 }
 
-TEST(ChangeDeformer, AnotherRangeBuildsItAgainByTheNewestRulesAlone) {
+TEST(ChangeDeformer, AnotherRangeBuildsItAgain) {
   DocumentHand hand;
   sketch(hand, "up", 0.3);
   const auto built = hand.document().model->deformers->deformers()[0];

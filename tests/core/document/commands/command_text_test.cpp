@@ -31,7 +31,7 @@ std::vector<Command> full_commands() {
           DeleteCurve{CurveId{2}},
           EraseCurves{view, some_line()},
           ClearCurves{},
-          SolvePose{0, true},
+          SolvePose{Preset::paper},
           SetPressureWeighting{true},
           SetHand{0.5},
           NameCurve{CurveId{3}, k_strange},

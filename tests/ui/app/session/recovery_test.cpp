@@ -156,30 +156,6 @@ TEST(Recovery, WhereverTheFileWasCutOffItGoesOnAndReplays) {
   }
 }
 
-TEST(Recovery, ASessionFromBeforeTapsMeantNothingIsPlayedAsItWasDrawn) {
-  auto desk = start("old-rules", true);
-  desk->app->workspace().play(replay::ToolChosen{});
-  const auto line = desk->named_curve(any_curve(*desk));
-  desk->stroke({line[3], line[3] + PxPoint{3, 0}});
-  ASSERT_EQ(desk->document().curves.size(), 1U) << "a short line was one";
-  const auto state = desk->app->workspace().state();
-  const std::string session = crash(std::move(desk));
-  // Older programs wrote no rules.
-  std::istringstream text(text_of(session));
-  std::ofstream old((Desk::folder_of("old-rules") / "old.session").string());
-  for (std::string one; std::getline(text, one);) {
-    if (!one.starts_with("# penpose tool")) old << one << "\n";
-  }
-  old.close();
-  desk = start("old-rules");
-  ASSERT_TRUE(desk->app->play_trace(desk->path("old.session")).ok());
-  desk->app->player()->set_speed(16);
-  for (int i = 0; i < 500 && !desk->app->player()->finished(); ++i) desk->frames(1);
-  EXPECT_EQ(desk->app->workspace().state(), state);
-  desk->frames(2);
-  EXPECT_EQ(desk->app->workspace().editor().tool().rules) << "one goes on by those of today";
-}
-
 TEST(Recovery, WhatIsLeftForLaterIsOfferedAtTheNextStart) {
   auto desk = start("crash-later", true);
   pose_mouth(*desk);

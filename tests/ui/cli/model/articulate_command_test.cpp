@@ -208,7 +208,6 @@ TEST_F(ArticulateCommand, WarnsOfATargetThatWasTurnedRound) {
 }
 
 TEST_F(ArticulateCommand, WarnsOfATargetThatWasTurnedRoundByTheRulesOfTodayToo) {
-  file_.sketches[0].rules = articulation::k_close_rules;
   auto& target = file_.sketches[0].target;
   std::reverse(target.begin(), target.end());
   write("sketch.json", io::write_sketch_file(file_));
