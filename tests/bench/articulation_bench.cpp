@@ -239,8 +239,7 @@ void solve_demo_head(benchmark::State& state) {
       if (named && (all.empty() || all.back().timeline != document.timeline)) all.push_back(document);
       return false;
     };
-    static_cast<void>(replay::play_session(
-        replay::read_from(base::as_bytes(demo::embedded_session())), options));
+    static_cast<void>(replay::play_session(replay::read_from(base::as_bytes(demo::embedded_session())), options));
     return all;
   }();
   const document::Document& document = documents[static_cast<std::size_t>(state.range(0))];
@@ -281,7 +280,9 @@ void build_on_face(benchmark::State& state, Mode mode, bool paper) {
   }
   state.counters["vertices"] = static_cast<double>(moved);
 }
-BENCHMARK_CAPTURE(build_on_face, turned, Mode::rotate, true)->ArgsProduct({{6, 7}, {0, 1}})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(build_on_face, turned, Mode::rotate, true)
+    ->ArgsProduct({{6, 7}, {0, 1}})
+    ->Unit(benchmark::kMillisecond);
 // As the app makes a control: both ways of going there are tried and measured, and what tears is given way to.
 BENCHMARK_CAPTURE(build_on_face, chosen, Mode::automatic, false)
     ->ArgsProduct({{6, 7}, {0, 1}})

@@ -15,7 +15,9 @@ namespace {
 using tests::Eye;
 using tests::Trunk;
 
-std::shared_ptr<const Deformer> built(const Sketch& sketch, const Canvas& canvas) {
+/// As the paper says (method, section 3).
+std::shared_ptr<const Deformer> built(Sketch sketch, const Canvas& canvas) {
+  sketch.paper = true;
   auto deformer = build_deformer(sketch, canvas);
   EXPECT_TRUE(deformer.ok()) << deformer.error().line();
   return std::move(deformer).value();

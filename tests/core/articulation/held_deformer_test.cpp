@@ -81,9 +81,12 @@ Sketch lift(double up, double turn = 0) {
   return sketch;
 }
 
-TEST(HeldDeformer, StretchesNothingTwice) {
+TEST(HeldDeformer, StretchesNothingTwiceWhereThePaperDoes) {
   const auto canvas = tests::canvas_of(sheet_source());
-  const Sketch sketch = lift(0.9, 50);
+  Sketch sketch = lift(0.9, 50);
+  sketch.paper = true;
+  const auto torn = posed(*canvas, *build_deformer(sketch, *canvas).value(), 1);
+  sketch.paper = false;
   const auto held = build_deformer(sketch, *canvas).value();
   const auto now = posed(*canvas, *held, 1);
   EXPECT_EQ(held->strain().turned_over, 0U);
@@ -115,7 +118,6 @@ TEST(HeldDeformer, KeepsTheWidthOfEveryRowOfALid) {
   const Eye eye = tests::make_eye();
   const auto rest = eye.canvas->positions();
   const auto blink = build_deformer(eye.blink(), *eye.canvas).value();
-  double worst = 0;
   for (const double amount : {0.25, 0.5, 0.75, 1.0}) {
     const auto now = posed(*eye.canvas, *blink, amount);
     for (const std::uint32_t v : blink->vertices()) {
@@ -125,10 +127,9 @@ TEST(HeldDeformer, KeepsTheWidthOfEveryRowOfALid) {
       const auto at = [&](std::uint32_t c) { return Eye::vertex(row, c); };
       const double was = rest[at(4)].x - rest[at(Eye::k_columns / 2 - 4)].x;
       const double is = now[at(4)].x - now[at(Eye::k_columns / 2 - 4)].x;
-      worst = std::max(worst, std::abs(is / was - 1));
+      EXPECT_NEAR(is / was, 1.0, 0.02) << amount << ' ' << row;
     }
   }
-  EXPECT_LT(worst, 0.02);
 }
 
 TEST(HeldDeformer, ALidThatGivesWayKeepsTheWidthOfItsRowsToo) {
@@ -141,16 +142,14 @@ TEST(HeldDeformer, ALidThatGivesWayKeepsTheWidthOfItsRowsToo) {
       [](double a) { return 14 + Eye::margin(a, Eye::k_upper); });
   const auto blink = build_deformer(sketch, *eye.canvas).value();
   const auto now = posed(*eye.canvas, *blink, 1);
-  double worst = 0;
   for (std::uint32_t row = 0; row < Eye::k_rings - 1; ++row) {
     // Every place between two columns, not the row as a whole alone.
     for (std::uint32_t c = 4; c + 8 <= Eye::k_columns / 2; c += 4) {
       const auto at = [&](std::uint32_t column) { return Eye::vertex(row, column); };
       const double was = rest[at(c)].x - rest[at(c + 4)].x;
-      worst = std::max(worst, std::abs((now[at(c)].x - now[at(c + 4)].x) / was - 1));
+      EXPECT_NEAR((now[at(c)].x - now[at(c + 4)].x) / was, 1.0, 0.05) << row << ' ' << c;
     }
   }
-  EXPECT_LT(worst, 0.05);
 }
 
 TEST(Slide, TakesEveryPointToItsTargetOnItsCircle) {
@@ -233,7 +232,7 @@ TEST(SheetReference, SaysWhatWasCutOff) {
   });
   const auto canvas = tests::canvas_of(std::move(source));
   Sketch sketch = lift(0.2);
-  sketch.reference = {px(-1.5, 0), px(0.6, 0)};
+  sketch.reference = {px(-1.5, 0), px(1.2, 0)};
   sketch.target = {px(-1.5, 0.2), px(0.35, 0.2)};
   const auto deformer = build_deformer(sketch, *canvas);
   ASSERT_TRUE(deformer.ok()) << deformer.error().line();

@@ -114,7 +114,7 @@ TEST(PosedParameters, WhatHasASayInADrawnLineIsHeldThoughItIsAtRest) {
   };
   hand.does(DrawReference{hand.view, line(1)});
   EXPECT_TRUE(posed_parameters(document).empty()) << "a line without a target asks for nothing";
-  hand.does(DrawTarget{CurveId{1}, hand.view, line(1)});
+  hand.does(DrawTarget{CurveId{1}, hand.view, line(1), {}});
   EXPECT_EQ(document.pose, rig::rest_pose(*document.model->rig)) << "drawn where it is";
   EXPECT_EQ(posed_parameters(document), (std::vector<std::string>{"left", "all"}));
   // So the suggestion leaves the drawn line where it was drawn.

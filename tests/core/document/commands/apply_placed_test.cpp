@@ -52,11 +52,12 @@ TEST(ApplyPlaced, ATargetSolvesNothingUntilItIsAsked) {
 }
 
 TEST(ApplyPlaced, EveryWayOfSolvingReachesWhatCanBeReached) {
-  for (const Preset preset : {Preset::meant, Preset::exact, Preset::paper}) {
+  for (const SolvePose& solve : {SolvePose{Preset::exact}, SolvePose{Preset::paper}, SolvePose{}}) {
     auto hand = placed();
     hand.does(PlaceTarget{k_first, reached(hand, 0.6)});
-    hand.does(SolvePose{preset});
-    EXPECT_NEAR(hand.value("lift"), 0.6, preset == Preset::paper ? 0.05 : 0.002) << static_cast<int>(preset);
+    hand.does(solve);
+    EXPECT_NEAR(hand.value("lift"), 0.6, solve.preset == Preset::paper ? 0.05 : 0.002)
+        << static_cast<int>(solve.preset);
   }
 }
 
@@ -65,7 +66,7 @@ TEST(ApplyPlaced, ALineDrawnLaterDoesNotForgetWhatIsKnown) {
   hand.does(PlaceTarget{k_first, reached(hand, 0.6)});
   hand.does(SolvePose{});
   hand.does(DrawReference{hand.view, hand.line(-0.5, -0.5, 0.5, -0.5)});
-  hand.does(DrawTarget{CurveId{2}, hand.view, hand.line(-0.5, -0.55, 0.5, -0.55)});
+  hand.does(DrawTarget{CurveId{2}, hand.view, hand.line(-0.5, -0.55, 0.5, -0.55), {}});
   EXPECT_NEAR(hand.value("lift"), 0.6, 0.02);
 }
 
@@ -75,7 +76,7 @@ TEST(ApplyPlaced, WhatIsKnownHasNoLineToDrawOver) {
   EXPECT_EQ(hand.refuses(OversketchTarget{k_first, hand.view, hand.line(0, 0, 0.5, 0)}).place, "curve");
   EXPECT_EQ(hand.refuses(DragTarget{k_first, {5, 5}}).place, "curve");
   EXPECT_EQ(hand.refuses(PullTarget{k_first, hand.view, {5, 5}, {1, 1}, 0.1}).place, "curve");
-  hand.does(DrawTarget{k_first, hand.view, hand.line(-0.5, 0.5, 0.5, 0.6)});
+  hand.does(DrawTarget{k_first, hand.view, hand.line(-0.5, 0.5, 0.5, 0.6), {}});
   EXPECT_FALSE(find_curve(hand.document(), k_first)->target->line.empty());
 }
 

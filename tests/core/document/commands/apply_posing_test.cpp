@@ -180,7 +180,7 @@ TEST(ApplyPosing, WhatASteadyHandMeansAShakyOneOnlyStraysBy) {
     const auto low = hand.seen(0, 0.5), high = hand.seen(0, 0.6);
     // Six px on a view 1000 px high.
     const double to = 0.5 + 0.1 * 6e-3 * hand.view.viewport.height / (low.y - high.y);
-    hand.does(DrawTarget{k_first, hand.view, hand.line(-0.5, to, 0.5, to)});
+    hand.does(DrawTarget{k_first, hand.view, hand.line(-0.5, to, 0.5, to), {}});
     return hand.value("lift");
   };
   EXPECT_GT(lifted(0.25), 0.01);

@@ -24,7 +24,7 @@ struct Hand : DocumentHand {
   }
   void draws(CurveId curve, double y, double value) {
     const double up = y + 0.4 * y * value;
-    does(DrawTarget{curve, view, line(-0.6, up, 0.6, up)});
+    does(DrawTarget{curve, view, line(-0.6, up, 0.6, up), {}});
   }
   [[nodiscard]] std::vector<CurveId> asked() const {
     std::vector<CurveId> ids;
@@ -69,7 +69,7 @@ TEST(Moment, WhatADeletedLineDidStays) {
   // A line redrawn where it is.
   hand.does(DrawReference{hand.view, hand.line(-0.6, -0.5, 0.6, -0.5)});
   const CurveId second{hand.document().last_curve};
-  hand.does(DrawTarget{second, hand.view, hand.line(-0.6, -0.5, 0.6, -0.5)});
+  hand.does(DrawTarget{second, hand.view, hand.line(-0.6, -0.5, 0.6, -0.5), {}});
   EXPECT_EQ(hand.value("lift"), lifted);
   EXPECT_EQ(hand.asked(), std::vector{second});
 }
@@ -84,7 +84,7 @@ TEST(Moment, LinesOfAnotherTimeAskForNothing) {
   ASSERT_EQ(hand.value("lift"), 0);
   hand.does(DrawReference{hand.view, hand.line(-0.6, -0.5, 0.6, -0.5)});
   const CurveId second{hand.document().last_curve};
-  hand.does(DrawTarget{second, hand.view, hand.line(-0.6, -0.5, 0.6, -0.5)});
+  hand.does(DrawTarget{second, hand.view, hand.line(-0.6, -0.5, 0.6, -0.5), {}});
   EXPECT_EQ(hand.value("lift"), 0);
   EXPECT_NE(find_curve(hand.document(), first), nullptr);
   EXPECT_EQ(hand.asked(), std::vector{second});
@@ -98,7 +98,7 @@ TEST(Moment, AReferenceDrawnAgainTakesTheFirstOnesPlace) {
   const double up = 0.8 + 0.4 * 0.8 * 0.9;
   hand.does(DrawReference{hand.view, hand.line(-0.6, now, 0.6, now)});
   const CurveId second{hand.document().last_curve};
-  hand.does(DrawTarget{second, hand.view, hand.line(-0.6, up, 0.6, up)});
+  hand.does(DrawTarget{second, hand.view, hand.line(-0.6, up, 0.6, up), {}});
   EXPECT_NEAR(hand.value("lift"), 0.9, 0.1);
   EXPECT_EQ(find_curve(hand.document(), first), nullptr) << "what was drawn anew is gone";
   EXPECT_EQ(hand.asked(), std::vector{second});
@@ -114,7 +114,7 @@ TEST(Moment, ASecondViewOfAFeatureCoversNothing) {
     line.push_back(*camera.project(p));
   hand.does(DrawReference{hand.view, line});
   const CurveId second{hand.document().last_curve};
-  hand.does(DrawTarget{second, hand.view, line});
+  hand.does(DrawTarget{second, hand.view, line, {}});
   EXPECT_EQ(hand.asked(), (std::vector{first, second}));
   EXPECT_TRUE(drawn_anew(*hand.document().moment).empty());
 }
@@ -125,7 +125,7 @@ TEST(Moment, APartDrawnAgainLeavesTheRestAsked) {
   const double now = 0.8 + 0.4 * 0.8 * hand.value("lift");
   hand.does(DrawReference{hand.view, hand.line(0.1, now, 0.6, now)});
   const CurveId second{hand.document().last_curve};
-  hand.does(DrawTarget{second, hand.view, hand.line(0.1, now + 0.1, 0.6, now + 0.1)});
+  hand.does(DrawTarget{second, hand.view, hand.line(0.1, now + 0.1, 0.6, now + 0.1), {}});
   ASSERT_EQ(hand.asked(), (std::vector{first, second}));
   const auto& covered = hand.document().moment->lines.front().covered;
   const auto count = std::count(covered.begin(), covered.end(), true);

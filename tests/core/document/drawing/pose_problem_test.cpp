@@ -15,7 +15,7 @@ TEST(IntentProblem, HoldsTheLatestTargetsAndWhatIsLocked) {
   for (std::uint32_t i = 1; i <= k_most_meant + 3; ++i) {
     const double y = -0.8 + 0.07 * i;
     hand.does(DrawReference{hand.view, hand.line(-0.5, y, 0.5, y)});
-    hand.does(DrawTarget{CurveId{i}, hand.view, hand.line(-0.5, y + 0.01 * i, 0.5, y + 0.01 * i)});
+    hand.does(DrawTarget{CurveId{i}, hand.view, hand.line(-0.5, y + 0.01 * i, 0.5, y + 0.01 * i), {}});
   }
   const auto problem = intent_problem(hand.document());
   ASSERT_EQ(problem.drawn.size(), k_most_meant);

@@ -178,7 +178,7 @@ TEST(Alignments, ALineAcrossTheReferenceIsTriedBothWays) {
   ASSERT_GE(list.size(), 2U);
   EXPECT_NE(list[0].reversed, list[1].reversed);
   EXPECT_GT(list[1].charge, list[0].charge);
-  EXPECT_EQ(alignments(bow(), bow(), 8).size(), 2U) << "nothing but that it lies beside is worth trying";
+  EXPECT_EQ(alignments(bow(), bow(), 8).size(), 2U) << "nothing else but a shape beside is worth trying";
 }
 
 TEST(Alignments, AShortLineMayBeAPartAndALongOneOvershoots) {
@@ -195,7 +195,7 @@ TEST(Alignments, AShortLineMayBeAPartAndALongOneOvershoots) {
   EXPECT_NEAR(longer[1].line_to - longer[1].line_from, 0.8, 0.01);
 }
 
-TEST(Alignments, TheLastLiesBesideWhereItWasMeant) {
+TEST(Alignments, KnowLinesThatLieBesideWhereTheyWereMeant) {
   const auto list = alignments(bow(), bow(), 8);
   ASSERT_EQ(list.size(), 2U);
   EXPECT_GT(list.front().ends, 0);
@@ -226,7 +226,9 @@ TEST(Alignments, AllTooMuchAtOneEndIsLessLikelyThanAtBoth) {
   EXPECT_GT(one_end, 30);
 }
 
-TEST(Alignments, OfWhatHasNoLengthIsTheWhole) { EXPECT_EQ(alignments(Line{{5, 5}, {5, 5}}, bow(), 8).size(), 1U); }
+TEST(Alignments, OfWhatHasNoLengthIsTheWhole) {
+  EXPECT_EQ(alignments(Line{{5, 5}, {5, 5}}, bow(), 8).front().reference_to, 1.0);
+}
 
 }  // namespace
 }  // namespace penpose::intent

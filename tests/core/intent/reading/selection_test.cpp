@@ -128,7 +128,7 @@ TEST(Selection, CostsAreWhatTheFormulaSays) {
   const Choice pair = s.fit({3});
   ASSERT_NEAR(pair.values[0], pair.values[1], 1e-12) << "drawn alike";
   const double way = (0.5 + 2) * pair.values[0] / 2;
-  EXPECT_NEAR(pair.costs, 8 + 3 + std::log(1 + 900.0) + 4 * std::log(1 + way / 0.2), 1e-9);
+  EXPECT_NEAR(pair.costs, 8 + std::log(1 + 900.0) + 4 * std::log(1 + way / 0.2), 1e-9);
   EXPECT_NEAR(s.costs_of(pair), pair.costs, 1e-12);
 }
 
@@ -140,7 +140,7 @@ TEST(Selection, TheEnergyCountsWhatTheSidesOfAPairDifferBy) {
   const double b = pair.values[1];
   ASSERT_GT(a - b, 0.1);
   const double squares = (30 * a - 20) * (30 * a - 20) + (20 * b - 5) * (20 * b - 5) + 0.5 * (a * a + b * b);
-  const double costs = 8 + 3 + std::log(1 + 900.0) + 4 * std::log(1 + (a + b) / 2 / 0.2);
+  const double costs = 8 + std::log(1 + 900.0) + 4 * std::log(1 + (a + b) / 2 / 0.2);
   EXPECT_NEAR(pair.energy, squares + costs + 40 * (a - b) * (a - b), 1e-9);
 }
 

@@ -5,7 +5,7 @@
 #include "core/intent/solve.h"
 #include "tests/core/intent/face.h"
 
-// What is heard of a line: what is asked for more than it can hardly is meant, a hand that goes far is less exact,
+// What is asked for more than it can hardly is meant, a hand that goes far is less exact,
 // and a left and right pair costs no more than one control.
 
 namespace penpose::intent {
@@ -16,7 +16,7 @@ using tests::Line;
 
 double fade(double distance) { return std::abs(distance) < 0.25 ? std::pow(1 - std::pow(distance / 0.25, 2), 2) : 0.0; }
 
-Solution reading(const Face& face, const tests::Points& points, const Line& line) {
+Solution read(const Face& face, const tests::Points& points, const Line& line) {
   return face.solve(face.problem({face.drawn(points, line)}));
 }
 
@@ -41,9 +41,9 @@ TEST(Near, ASmallSmileDrawnALittleTooHighIsNoPressedLips) {
     for (auto& p : line) p.y -= 6;
     line = tests::shaken(line, 0.7, seed);
     const std::vector<std::size_t> smile{face.number("smile")};
-    const Solution read = reading(face, Face::mouth(), line);
-    EXPECT_EQ(read.moved, smile) << seed;
-    EXPECT_NEAR(read.pose[face.number("smile")], 0.3, 0.16) << seed;
+    const Solution solution = read(face, Face::mouth(), line);
+    EXPECT_EQ(solution.moved, smile) << seed;
+    EXPECT_NEAR(solution.pose[face.number("smile")], 0.3, 0.16) << seed;
   }
 }
 
@@ -51,8 +51,8 @@ TEST(Near, WhatIsPressedIsPressed) {
   const Face face = mouth_face();
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const Line line = tests::shaken(face.seen(Face::mouth(), face.pose({{"press", 0.7}})), 0.7, seed);
-    const Solution read = reading(face, Face::mouth(), line);
-    EXPECT_EQ(read.moved, std::vector<std::size_t>{face.number("press")}) << seed;
+    const Solution solution = read(face, Face::mouth(), line);
+    EXPECT_EQ(solution.moved, std::vector<std::size_t>{face.number("press")}) << seed;
   }
 }
 
@@ -95,7 +95,7 @@ TEST(Near, AnArcDrawnFarAwayIsOneControlsRatherThanTwos) {
       line[i].y += 60 * (1 - at * at);
     }
     line = tests::shaken(line, 1, seed);
-    EXPECT_EQ(reading(face, Face::mouth(), line).moved.size(), 1U) << seed;
+    EXPECT_EQ(read(face, Face::mouth(), line).moved.size(), 1U) << seed;
   }
 }
 

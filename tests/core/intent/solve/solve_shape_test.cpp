@@ -12,7 +12,7 @@ namespace {
 using tests::Face;
 using tests::Line;
 
-Solution reading(const Face& face, const tests::Points& points, const Line& line) {
+Solution read(const Face& face, const tests::Points& points, const Line& line) {
   return face.solve(face.problem({face.drawn(points, line)}));
 }
 
@@ -42,9 +42,9 @@ TEST(Shape, ASmileDrawnDeeperThanTheRigsIsASmile) {
   const Face face = smiling_face();
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const Line line = tests::shaken(deep_smile(face, 37), 1, seed);
-    const Solution read = reading(face, Face::mouth(), line);
-    EXPECT_EQ(read.moved, std::vector<std::size_t>{face.number("smile")}) << seed;
-    EXPECT_GT(read.pose[face.number("smile")], 0.5) << seed;
+    const Solution solution = read(face, Face::mouth(), line);
+    EXPECT_EQ(solution.moved, std::vector<std::size_t>{face.number("smile")}) << seed;
+    EXPECT_GT(solution.pose[face.number("smile")], 0.5) << seed;
   }
 }
 
@@ -53,9 +53,9 @@ TEST(Shape, ALineMovedAsAWholeIsStillThat) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const rig::Pose answer = face.pose({{"browLeft", 0.7}});
     const Line line = tests::shaken(face.seen(Face::left_brow(), answer), 1.5, seed);
-    const Solution read = reading(face, Face::left_brow(), line);
-    EXPECT_EQ(read.moved, std::vector<std::size_t>{face.number("browLeft")}) << seed;
-    EXPECT_LT(face.error(read.pose, answer), 0.15) << seed;
+    const Solution solution = read(face, Face::left_brow(), line);
+    EXPECT_EQ(solution.moved, std::vector<std::size_t>{face.number("browLeft")}) << seed;
+    EXPECT_LT(face.error(solution.pose, answer), 0.15) << seed;
   }
 }
 
@@ -72,9 +72,9 @@ TEST(Shape, WhatTearsThingsFromTheCurveIsNotMeant) {
   face.ready();
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const Line line = tests::shaken(face.seen(Face::mouth(), face.pose({{"tears", 0.7}})), 1.5, seed);
-    const Solution read = reading(face, Face::mouth(), line);
-    EXPECT_EQ(read.pose[face.number("tears")], 0) << seed;
-    EXPECT_GT(read.pose[face.number("keeps")], 0.3) << seed;
+    const Solution solution = read(face, Face::mouth(), line);
+    EXPECT_EQ(solution.pose[face.number("tears")], 0) << seed;
+    EXPECT_GT(solution.pose[face.number("keeps")], 0.3) << seed;
   }
 }
 
@@ -90,8 +90,8 @@ TEST(Shape, OfAPairThatTheStrokesSeeOneSideOfThatSideMoves) {
   face.ready();
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const Line line = tests::shaken(face.seen(Face::left_brow(), face.pose({{"raiseLeft", 0.9}})), 2, seed);
-    const Solution read = reading(face, Face::left_brow(), line);
-    EXPECT_EQ(read.moved, std::vector<std::size_t>{face.number("raiseLeft")}) << seed;
+    const Solution solution = read(face, Face::left_brow(), line);
+    EXPECT_EQ(solution.moved, std::vector<std::size_t>{face.number("raiseLeft")}) << seed;
   }
 }
 
