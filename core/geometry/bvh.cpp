@@ -9,10 +9,18 @@
 #include <limits>
 #include <numeric>
 
-#include "core/geometry/simd.h"
+#include "core/algebra/simd.h"
 
 namespace penpose::geometry {
 namespace {
+
+using algebra::Double4;
+using algebra::Float4;
+using algebra::Int4;
+using algebra::lower;
+using algebra::splat;
+using algebra::upper;
+using algebra::widen;
 
 constexpr float k_infinity = std::numeric_limits<float>::infinity();
 

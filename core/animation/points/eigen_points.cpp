@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/animation/points/symmetric_eigen.h"
+#include "core/algebra/symmetric_eigen.h"
 #include "core/base/numbers.h"
 
 namespace penpose::animation {
@@ -84,7 +84,7 @@ double dot(const double* a, const double* b, std::size_t n) {
 
 /// Inverse of a small symmetric matrix from its eigenvalues; directions that it does not know are left out.
 std::vector<double> pseudo_inverse(const std::vector<double>& matrix, std::size_t n) {
-  const SymmetricEigen eigen = symmetric_eigen(matrix, n);
+  const algebra::SymmetricEigen eigen = algebra::symmetric_eigen(matrix, n);
   std::vector<double> inverse(n * n, 0.0);
   for (std::size_t e = 0; e < n; ++e) {
     if (!(eigen.values[e] > 1e-3 * eigen.values[0])) continue;
@@ -166,7 +166,7 @@ base::Result<EigenFeature> learn_feature(std::span<const LabelledImage> images, 
       products[a * n + b] = products[b * n + a] = dot(&rows[a * length], &rows[b * length], length);
     }
   }
-  const SymmetricEigen eigen = symmetric_eigen(std::move(products), n);
+  const algebra::SymmetricEigen eigen = algebra::symmetric_eigen(std::move(products), n);
   double all = 0;
   for (const double value : eigen.values) all += std::max(0.0, value);
   double kept = 0;

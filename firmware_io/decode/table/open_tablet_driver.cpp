@@ -5,7 +5,7 @@
 
 #include "core/base/numbers.h"
 #include "firmware_io/decode/layout/protocol.h"
-#include "firmware_io/decode/table/json_tree.h"
+#include "firmware_io/decode/table/json_place.h"
 
 namespace penpose::decode {
 namespace {

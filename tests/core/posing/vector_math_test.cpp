@@ -15,37 +15,6 @@ std::vector<double> numbers(std::size_t count, std::uint64_t seed) {
   return all;
 }
 
-TEST(VectorMath, WorksForAnyCount) {
-  for (std::size_t count = 0; count < 19; ++count) {
-    const auto a = numbers(count, 1);
-    const auto b = numbers(count, 2);
-    double sum = 0;
-    for (std::size_t i = 0; i < count; ++i) sum += a[i] * b[i];
-    EXPECT_NEAR(dot(a.data(), b.data(), count), sum, 1e-14);
-
-    std::vector<double> out(count + 1, 7);
-    multiply(a.data(), b.data(), out.data(), count);
-    for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(out[i], a[i] * b[i]);
-    EXPECT_EQ(out[count], 7);
-
-    out.assign(count + 1, 7);
-    add_scaled(-3, a.data(), out.data(), count);
-    for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(out[i], 7 + -3 * a[i]);
-    EXPECT_EQ(out[count], 7);
-  }
-}
-
-TEST(VectorMath, AddsItsLanesInAFixedOrder) {
-  // The sum that the contract spells out, number by number: four lanes, then pairs of them, then the rest.
-  const auto a = numbers(11, 3);
-  const auto b = numbers(11, 4);
-  std::array<double, 4> lane{};
-  for (std::size_t i = 0; i < 8; ++i) lane[i % 4] += a[i] * b[i];
-  double sum = (lane[0] + lane[1]) + (lane[2] + lane[3]);
-  for (std::size_t i = 8; i < 11; ++i) sum += a[i] * b[i];
-  EXPECT_EQ(dot(a.data(), b.data(), 11), sum);
-}
-
 TEST(Residuals, HoldFourPointsABlock) {
   EXPECT_EQ(residual_index(0, 0), 0U);
   EXPECT_EQ(residual_index(3, 0), 3U);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <system_error>
 
+#include "core/base/json/json.h"
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/decode/layout/protocol.h"
 #include "firmware_io/decode/wacom/wacom_receiver.h"
@@ -159,10 +160,10 @@ void DecodeRun::end_output(const replay::TraceSource& source) {
       first = false;
       out_ += "{\"device\": " + std::to_string(number) + ", \"vendor\": " + std::to_string(device.vendor) +
               ", \"product\": " + std::to_string(device.product) + ", \"name\": ";
-      append_json_text(out_, device.name);
+      json::append_text(out_, device.name);
       out_ += ", \"method\": ";
       if (read) {
-        append_json_text(out_, interface->second.method);
+        json::append_text(out_, interface->second.method);
       } else {
         out_ += "null";
       }

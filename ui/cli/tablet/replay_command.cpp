@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "replay/session/session_player.h"
@@ -33,7 +33,7 @@
 namespace penpose::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json::Json;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t k_longest_name = 4096;
@@ -264,7 +264,7 @@ int replay_session(const ReplayArguments& arguments) {
     }
   }
   if (arguments.json) {
-    std::cout << to_json(arguments, *played, seconds).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::cout << to_json(arguments, *played, seconds).dump_as_made() << '\n';
   } else {
     print(arguments, *played, seconds);
   }

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/json/loose_json.h"
 #include "core/curve/polyline.h"
 #include "core/io/tracks/point_table.h"
 #include "core/io/tracks/read_track.h"
 #include "core/io/tracks/track_formats.h"
-#include "core/json/loose_json.h"
 
 namespace penpose::io {
 namespace {

@@ -2,13 +2,13 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/json/loose_json.h"
 #include "core/base/numbers.h"
 #include "core/io/text/text_lines.h"
 #include "core/io/tracks/face_points.h"
 #include "core/io/tracks/picture_scale.h"
 #include "core/io/tracks/point_table.h"
 #include "core/io/tracks/read_track.h"
-#include "core/json/loose_json.h"
 
 namespace penpose::io {
 namespace {
