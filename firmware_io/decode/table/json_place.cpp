@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/numbers.h"
+#include "core/base/text/joined.h"
 
 namespace penpose::decode {
 namespace {
@@ -120,9 +121,7 @@ void JsonPlace::allow_only(std::initializer_list<std::string_view> names) const 
   for (const auto* member : value_->members_as_made()) {
     const auto& [name, value] = *member;
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-    std::string known;
-    for (const auto allowed : names) known.append(known.empty() ? "" : ", ").append(allowed);
-    JsonPlace{value, *error_, pointer_to(pointer_, name)}.fail("is not known here", "known are " + known);
+    JsonPlace{value, *error_, pointer_to(pointer_, name)}.fail("is not known here", "known are " + base::joined(names));
     return;
   }
 }

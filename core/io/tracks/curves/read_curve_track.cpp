@@ -133,8 +133,7 @@ class Reader {
     auto track = make_track(std::move(rows), count, fps, RowName::frame);
     if (!track) return track;
     track->groups = std::move(groups);
-    track->notes.insert(track->notes.begin(), notes.begin(), notes.end());
-    return track;
+    return noted(std::move(track), notes);
   }
 
  private:

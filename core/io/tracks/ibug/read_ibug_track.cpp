@@ -143,10 +143,7 @@ base::Result<animation::PointTrack> read_ibug_track(base::Bytes bytes) {
   }
   if (!rows) return rows.error();
   take_small_units(*rows);
-  auto track = make_track(std::move(rows).value(), k_ibug_points, k_common_fps);
-  if (!track) return track;
-  track->notes.insert(track->notes.begin(), notes.begin(), notes.end());
-  return track;
+  return noted(make_track(std::move(rows).value(), k_ibug_points, k_common_fps), notes);
 }
 
 TrackFormat ibug68_format() {

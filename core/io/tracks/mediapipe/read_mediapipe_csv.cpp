@@ -144,10 +144,7 @@ base::Result<animation::PointTrack> read_mediapipe_csv(base::Bytes bytes, std::o
   if (!rows) return rows.error();
   take_small_units(*rows);
   scale_to_picture(*rows, picture, notes);
-  auto track = make_track(std::move(rows).value(), count, k_common_fps);
-  if (!track) return track;
-  track->notes.insert(track->notes.begin(), notes.begin(), notes.end());
-  return track;
+  return noted(make_track(std::move(rows).value(), count, k_common_fps), notes);
 }
 
 TrackFormat mediapipe_format() {

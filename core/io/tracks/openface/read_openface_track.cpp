@@ -206,8 +206,7 @@ base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
   auto track = make_track(std::move(best), k_ibug_points, k_common_fps);
   if (!track) return track;
   track->unit_names = words.unit_names;
-  track->notes.insert(track->notes.begin(), notes.begin(), notes.end());
-  return track;
+  return noted(std::move(track), notes);
 }
 
 TrackFormat openface_format() {
