@@ -1,5 +1,7 @@
 #include "core/algebra/vectors.h"
 
+#include <numeric>
+
 #include "core/algebra/simd.h"
 
 namespace penpose::algebra {
@@ -11,6 +13,10 @@ double dot(const double* a, const double* b, std::size_t count) {
   double total = sum_of(sum);
   for (; i < count; ++i) total += a[i] * b[i];
   return total;
+}
+
+double dot_in_order(const double* a, const double* b, std::size_t count) {
+  return std::inner_product(a, a + count, b, 0.0);
 }
 
 std::array<double, 4> dots(const double* a, const std::array<const double*, 4>& b, std::size_t count) {

@@ -10,6 +10,8 @@ namespace penpose::algebra {
 
 /// Sum of a_i b_i.
 [[nodiscard]] double dot(const double* a, const double* b, std::size_t count);
+/// The same in one sum, from the first to the last; other bits, slower.
+[[nodiscard]] double dot_in_order(const double* a, const double* b, std::size_t count);
 /// dot(a, b[k], count) of four b at once, to the same bits.
 [[nodiscard]] std::array<double, 4> dots(const double* a, const std::array<const double*, 4>& b, std::size_t count);
 /// out_i = a_i b_i.

@@ -17,6 +17,7 @@ struct PxPoint {
 inline PxPoint operator+(PxPoint a, PxPoint b) { return {a.x + b.x, a.y + b.y}; }
 inline PxPoint operator-(PxPoint a, PxPoint b) { return {a.x - b.x, a.y - b.y}; }
 inline PxPoint operator*(PxPoint a, double s) { return {a.x * s, a.y * s}; }
+[[nodiscard]] inline double dot(PxPoint a, PxPoint b) { return a.x * b.x + a.y * b.y; }
 
 /// A point or a vector of model space: right-handed, y up, the model's own unit of length (glTF says metres).
 using ModelPoint = glm::dvec3;
@@ -26,8 +27,8 @@ using ModelVector = glm::dvec3;
 [[nodiscard]] inline double nearest_share(PxPoint p, PxPoint a, PxPoint b) {
   const PxPoint along = b - a;
   const PxPoint from = p - a;
-  const double square = along.x * along.x + along.y * along.y;
-  return square > 0.0 ? std::clamp((from.x * along.x + from.y * along.y) / square, 0.0, 1.0) : 0.0;
+  const double square = dot(along, along);
+  return square > 0.0 ? std::clamp(dot(from, along) / square, 0.0, 1.0) : 0.0;
 }
 
 /// Distances with an exact square root, so that they are the same on every machine.

@@ -8,17 +8,10 @@
 namespace penpose::algebra {
 namespace {
 
-std::vector<double> numbers(std::size_t count, std::uint64_t seed) {
-  tests::Random random(seed);
-  std::vector<double> all;
-  for (std::size_t i = 0; i < count; ++i) all.push_back(random(-2, 2));
-  return all;
-}
-
 TEST(Vectors, WorksForAnyCount) {
   for (std::size_t count = 0; count < 19; ++count) {
-    const auto a = numbers(count, 1);
-    const auto b = numbers(count, 2);
+    const auto a = tests::random_numbers(count, 1);
+    const auto b = tests::random_numbers(count, 2);
     double sum = 0;
     for (std::size_t i = 0; i < count; ++i) sum += a[i] * b[i];
     EXPECT_NEAR(dot(a.data(), b.data(), count), sum, 1e-14);
@@ -37,8 +30,8 @@ TEST(Vectors, WorksForAnyCount) {
 
 TEST(Vectors, AddsItsLanesInAFixedOrder) {
   // The sum that the contract spells out, number by number: four lanes, then pairs of them, then the rest.
-  const auto a = numbers(11, 3);
-  const auto b = numbers(11, 4);
+  const auto a = tests::random_numbers(11, 3);
+  const auto b = tests::random_numbers(11, 4);
   std::array<double, 4> lane{};
   for (std::size_t i = 0; i < 8; ++i) lane[i % 4] += a[i] * b[i];
   double sum = (lane[0] + lane[1]) + (lane[2] + lane[3]);
@@ -48,9 +41,9 @@ TEST(Vectors, AddsItsLanesInAFixedOrder) {
 
 TEST(Vectors, FourSumsAtOnceAreThoseOfOneEach) {
   for (const std::size_t count : {0U, 3U, 4U, 11U}) {
-    const auto a = numbers(count, 5);
+    const auto a = tests::random_numbers(count, 5);
     std::array<std::vector<double>, 4> b;
-    for (std::size_t k = 0; k < 4; ++k) b[k] = numbers(count, 6 + k);
+    for (std::size_t k = 0; k < 4; ++k) b[k] = tests::random_numbers(count, 6 + k);
     const auto all = dots(a.data(), {b[0].data(), b[1].data(), b[2].data(), b[3].data()}, count);
     for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(all[k], dot(a.data(), b[k].data(), count));
   }

@@ -4,16 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/models/test_rigs.h"
+#include "tests/support/random.h"
 
 namespace penpose::posing {
 namespace {
-
-std::vector<double> numbers(std::size_t count, std::uint64_t seed) {
-  tests::Random random(seed);
-  std::vector<double> all;
-  for (std::size_t i = 0; i < count; ++i) all.push_back(random(-2, 2));
-  return all;
-}
 
 TEST(Residuals, HoldFourPointsABlock) {
   EXPECT_EQ(residual_index(0, 0), 0U);
@@ -66,12 +60,12 @@ TEST(Column, DoesWhatAWholeColumnWould) {
     }
     const Column column(dense);
     EXPECT_EQ(column.values(), dense);
-    const auto b = numbers(size, 6);
+    const auto b = tests::random_numbers(size, 6);
     double sum = 0;
     for (std::size_t i = 0; i < size; ++i) sum += dense[i] * b[i];
     EXPECT_NEAR(column.dot(b.data()), sum, 1e-13);
 
-    std::vector<double> out = numbers(size, 7);
+    std::vector<double> out = tests::random_numbers(size, 7);
     const auto before = out;
     column.add_to(0.5, out.data());
     for (std::size_t i = 0; i < size; ++i) EXPECT_EQ(out[i], before[i] + 0.5 * dense[i]);
@@ -79,7 +73,7 @@ TEST(Column, DoesWhatAWholeColumnWould) {
     std::vector<double> product(size, 0.0);
     column.multiply(b.data(), product.data());
     double within = 0;
-    const auto c = numbers(size, 8);
+    const auto c = tests::random_numbers(size, 8);
     for (std::size_t i = 0; i < size; ++i) {
       EXPECT_EQ(product[i], dense[i] * b[i]);
       const std::size_t block = i / k_block_numbers * k_block_numbers;

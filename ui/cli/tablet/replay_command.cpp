@@ -135,11 +135,7 @@ base::Status write_picture(const replay::Session& session, const std::string& pa
   const render::Appearance appearance = render::make_appearance(model, {});
   const render::PosedMesh posed = render::posed_mesh(model);
   const auto curves = render::document_curves(document);
-  render::Scene scene;
-  scene.positions = posed.positions;
-  scene.normals = posed.normals;
-  scene.triangles = model.mesh->triangles();
-  scene.appearance = &appearance;
+  render::Scene scene = render::scene_of(model, posed, appearance);
   scene.curves = curves;
   const auto image = (*renderer)->render(scene, *camera);
   if (!image) return image.error();

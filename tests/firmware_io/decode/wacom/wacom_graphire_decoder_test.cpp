@@ -5,6 +5,7 @@
 #include "firmware_io/decode/sample/device_identity.h"
 #include "tests/support/hands/pen_path.h"
 #include "tests/support/hands/pen_reports.h"
+#include "tests/support/hands/same_pen.h"
 
 namespace penpose::decode {
 namespace {
@@ -17,13 +18,7 @@ TEST(WacomGraphireDecoder, FollowsAPenOnItsPath) {
   auto decoder = decoder_of(0x0013);
   for (PenSample sample : tests::pen_path({10208, 7424, 511, false, -1})) {
     ASSERT_EQ(decoder.decode(tests::graphire_pen(sample)), ReportKind::pen);
-    const PenSample& got = decoder.sample();
-    EXPECT_EQ(got.in_range, sample.in_range);
-    EXPECT_EQ(got.tool, sample.tool);
-    EXPECT_EQ(got.x, sample.x);
-    EXPECT_EQ(got.pressure, sample.pressure);
-    EXPECT_EQ(got.tip, sample.tip);
-    EXPECT_EQ(got.buttons, sample.buttons);
+    tests::expect_same_pen(decoder.sample(), sample);
   }
   EXPECT_EQ(decoder.decode(tests::graphire_pen({})), ReportKind::ignored);
 }

@@ -15,7 +15,7 @@
 #include "core/io/project/sketch_file.h"
 #include "core/io/project/write_document.h"
 #include "tests/support/command_run.h"
-#include "tests/support/models/articulation_models.h"
+#include "tests/support/models/sketched_models.h"
 #include "tests/support/shared_data.h"
 #include "ui/cli/commands.h"
 #include "ui/files/load_model.h"
@@ -28,11 +28,7 @@ class ArticulateCommand : public tests::CommandRun {
   void SetUp() override {
     CommandRun::SetUp();
     const tests::Trunk trunk = tests::make_trunk();
-    mesh::MeshSource source;
-    source.positions.assign(trunk.canvas->positions().begin(), trunk.canvas->positions().end());
-    source.triangles.assign(trunk.canvas->mesh().triangles().begin(), trunk.canvas->mesh().triangles().end());
-    const auto mesh = mesh::TriangleMesh::build(std::move(source)).value();
-    const auto bytes = io::write_glb(document::make_model(mesh, nullptr, nullptr).value()).value();
+    const auto bytes = io::write_glb(tests::bare_trunk(trunk)).value();
     save("model.glb", std::string(bytes.begin(), bytes.end()));
     file_.viewport = trunk.viewport;
     file_.sketches = {trunk.curl()};

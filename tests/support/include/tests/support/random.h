@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <random>
+#include <vector>
 
 namespace penpose::tests {
 
@@ -21,5 +22,13 @@ class Random {
  private:
   std::mt19937_64 generator_;
 };
+
+/// So many numbers from -2 to 2.
+inline std::vector<double> random_numbers(std::size_t count, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<double> all;
+  for (std::size_t i = 0; i < count; ++i) all.push_back(random(-2, 2));
+  return all;
+}
 
 }  // namespace penpose::tests
