@@ -157,7 +157,7 @@ TEST(JsonValue, BrokenTextsAreRefusedWhereThePeerRefusesThem) {
   int refused = 0;
   for (int i = 0; i < 20000; ++i) {
     std::string text = seed;
-    for (std::size_t change = next(3); change < 3; ++change) {
+    for (std::size_t change = next(3); change < 3 && !text.empty(); ++change) {
       const std::size_t at = next(text.size());
       switch (next(4)) {
         case 0:
