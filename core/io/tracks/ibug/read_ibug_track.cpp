@@ -114,16 +114,9 @@ base::Result<std::vector<TrackRow>> read_table(CsvReader& table, std::vector<std
   });
   if (!columns) return columns.error();
   notes = columns->notes;
-  std::vector<FaceRow> rows;
-  std::vector<std::string_view> cells;
-  while (table.next(cells)) {
-    auto row = read_point_row(table, *columns, cells);
-    if (!row) return row.error();
-    finish_row(row->row);
-    if (rows.size() >= 4 * k_most_track_frames) return table.error("the table has too many rows", "cut the video");
-    rows.push_back(std::move(row).value());
-  }
-  return rows_of_best_face(std::move(rows), notes);
+  auto rows = read_point_rows(table, *columns, [](const auto&, TrackRow& row) { finish_row(row); });
+  if (!rows) return rows.error();
+  return rows_of_best_face(std::move(rows).value(), notes);
 }
 
 }  // namespace

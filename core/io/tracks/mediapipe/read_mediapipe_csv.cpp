@@ -39,15 +39,9 @@ base::Result<std::vector<TrackRow>> read_wide(CsvReader& table, std::size_t& cou
   }
   if (!columns) return columns.error();
   notes = columns->notes;
-  std::vector<FaceRow> rows;
-  std::vector<std::string_view> cells;
-  while (table.next(cells)) {
-    auto row = read_point_row(table, *columns, cells);
-    if (!row) return row.error();
-    if (rows.size() >= 4 * k_most_track_frames) return table.error("the table has too many rows", "cut the video");
-    rows.push_back(std::move(row).value());
-  }
-  return rows_of_best_face(std::move(rows), notes);
+  auto rows = read_point_rows(table, *columns);
+  if (!rows) return rows.error();
+  return rows_of_best_face(std::move(rows).value(), notes);
 }
 
 /// A row a point.
