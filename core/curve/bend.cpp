@@ -29,21 +29,21 @@ std::vector<double> pull_weights(std::span<const PxPoint> line, double held, dou
   return weights;
 }
 
-double nearest_along(std::span<const PxPoint> line, PxPoint to) {
-  const std::vector<double> along = cumulative_length<PxPoint>(line);
+double nearest_along(std::span<const PxPoint> line, std::span<const double> cumulative, PxPoint to) {
   double best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const PxPoint way = line[i + 1] - line[i];
-    const PxPoint off = to - line[i];
-    const double squared = way.x * way.x + way.y * way.y;
-    const double u = squared > 0.0 ? std::clamp((off.x * way.x + off.y * way.y) / squared, 0.0, 1.0) : 0.0;
-    const double apart = geometry::distance(to, line[i] + way * u);
+    const double u = geometry::nearest_share(to, line[i], line[i + 1]);
+    const double apart = geometry::distance(to, line[i] + (line[i + 1] - line[i]) * u);
     if (apart >= least) continue;
     least = apart;
-    best = along[i] + u * (along[i + 1] - along[i]);
+    best = cumulative[i] + u * (cumulative[i + 1] - cumulative[i]);
   }
   return best;
+}
+
+double nearest_along(std::span<const PxPoint> line, PxPoint to) {
+  return nearest_along(line, cumulative_length<PxPoint>(line), to);
 }
 
 std::optional<std::vector<PxPoint>> bent(std::span<const PxPoint> line, PxPoint at, PxPoint by, double reach,

@@ -20,6 +20,8 @@ inline constexpr double k_usual_reach = 0.35;
 
 /// How far along a line, in px of its length, the place nearest to a point lies.
 [[nodiscard]] double nearest_along(std::span<const PxPoint> line, PxPoint to);
+/// The same with the line's cumulative_length at hand.
+[[nodiscard]] double nearest_along(std::span<const PxPoint> line, std::span<const double> cumulative, PxPoint to);
 
 /// A line pulled at the place nearest to `at`. One of few points gets more, so that it bends. Nothing for a line of no
 /// length.

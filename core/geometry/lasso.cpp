@@ -12,11 +12,7 @@ constexpr std::size_t k_run_length = 16;
 double squared(PxPoint v) { return v.x * v.x + v.y * v.y; }
 
 double squared_distance_to_segment(PxPoint p, PxPoint a, PxPoint b) {
-  const PxPoint along = b - a;
-  const PxPoint to = p - a;
-  const double length = squared(along);
-  const double t = length > 0.0 ? std::clamp((to.x * along.x + to.y * along.y) / length, 0.0, 1.0) : 0.0;
-  return squared(to - along * t);
+  return squared((p - a) - (b - a) * nearest_share(p, a, b));
 }
 
 double squared_distance_to_box(PxPoint p, PxPoint minimum, PxPoint maximum) {

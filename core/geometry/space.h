@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -16,10 +17,19 @@ struct PxPoint {
 inline PxPoint operator+(PxPoint a, PxPoint b) { return {a.x + b.x, a.y + b.y}; }
 inline PxPoint operator-(PxPoint a, PxPoint b) { return {a.x - b.x, a.y - b.y}; }
 inline PxPoint operator*(PxPoint a, double s) { return {a.x * s, a.y * s}; }
+[[nodiscard]] inline double dot(PxPoint a, PxPoint b) { return a.x * b.x + a.y * b.y; }
 
 /// A point or a vector of model space: right-handed, y up, the model's own unit of length (glTF says metres).
 using ModelPoint = glm::dvec3;
 using ModelVector = glm::dvec3;
+
+/// Where on the way from a to b the place nearest to p lies, 0..1; 0 where they are one place.
+[[nodiscard]] inline double nearest_share(PxPoint p, PxPoint a, PxPoint b) {
+  const PxPoint along = b - a;
+  const PxPoint from = p - a;
+  const double square = dot(along, along);
+  return square > 0.0 ? std::clamp(dot(from, along) / square, 0.0, 1.0) : 0.0;
+}
 
 /// Distances with an exact square root, so that they are the same on every machine.
 [[nodiscard]] inline double distance(PxPoint a, PxPoint b) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/algebra/vectors.h"
 #include "core/posing/vector_math.h"
 
 namespace penpose::posing {
@@ -64,7 +65,7 @@ class Finisher {
   /// its range and is pushed against it waits for the next iteration.
   void build_quadratic() {
     const double pull = 2.0 * model_.near_weight;
-    multiply(w_.image.data(), w_.shares.data(), w_.scaled.data(), m_);
+    algebra::multiply(w_.image.data(), w_.shares.data(), w_.scaled.data(), m_);
     w_.active.clear();
     for (std::size_t j = 0; j < d_; ++j) {
       double near = u_[j] - model_.variables.start[j];
@@ -120,7 +121,7 @@ class Finisher {
         const double change = to - w_.step[j];
         if (change == 0.0) continue;
         w_.step[j] = to;
-        add_scaled(change, w_.hessian.data() + i * a, w_.gradient.data(), a);
+        algebra::add_scaled(change, w_.hessian.data() + i * a, w_.gradient.data(), a);
         largest = std::max(largest, std::abs(change));
       }
       if (largest < 1e-4) break;
@@ -186,7 +187,7 @@ class Finisher {
       }
     }
     for (std::size_t j = 0; j < d_; ++j) u_[j] = std::clamp(u_[j] + best_t * w_.step[j], 0.0, 1.0);
-    add_scaled(best_t, w_.step_image.data(), w_.image.data(), m_);
+    algebra::add_scaled(best_t, w_.step_image.data(), w_.image.data(), m_);
     value_ = best;
   }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/prior/cholesky.h"
+#include "core/algebra/cholesky.h"
 #include "core/prior/shrinkage.h"
 
 namespace penpose::prior {
@@ -87,8 +87,8 @@ std::optional<std::vector<double>> carried(const PosePrior& prior, std::span<con
         matrix[i * k + j] = scale * sum + (i == j ? own : 0);
       }
     }
-    if (!factor(matrix, k)) return std::nullopt;
-    solve_factored(matrix, k, d);
+    if (!algebra::factor(matrix.data(), k)) return std::nullopt;
+    algebra::solve_factored(matrix.data(), k, d.data());
     for (std::size_t s = 0; s < n; ++s) {
       for (std::size_t j = 0; j < k; ++j) weights[s] += x(s, j) * d[j];
     }
@@ -102,8 +102,8 @@ std::optional<std::vector<double>> carried(const PosePrior& prior, std::span<con
       }
       for (std::size_t j = 0; j < k; ++j) weights[s] += x(s, j) * d[j];
     }
-    if (!factor(matrix, n)) return std::nullopt;
-    solve_factored(matrix, n, weights);
+    if (!algebra::factor(matrix.data(), n)) return std::nullopt;
+    algebra::solve_factored(matrix.data(), n, weights.data());
   }
   std::vector<double> out(p, 0.0);
   for (std::size_t s = 0; s < n; ++s) {

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/geometry/simd.h"
+#include "core/algebra/simd.h"
 
 namespace penpose::rig {
 namespace {
 
-using geometry::Float4;
+using algebra::Float4;
 constexpr std::uint32_t k_block = 4;
 
 Float4 load(const float* p) {
@@ -136,7 +136,7 @@ void SurfacePoser::update_blocks(std::span<const double> values) {
     Float4 second = load(rest + 4);
     Float4 third = load(rest + 8);
     for (std::uint32_t i = first_delta_[b]; i < first_delta_[b + 1]; ++i) {
-      const Float4 weight = geometry::splat(weights[delta_shape_[i]]);
+      const Float4 weight = algebra::splat(weights[delta_shape_[i]]);
       const float* delta = deltas_[i].values.data();
       first += weight * load(delta);
       second += weight * load(delta + 4);
@@ -160,10 +160,10 @@ void SurfacePoser::update_normals_of(std::uint32_t first, std::uint32_t last) {
   for (std::uint32_t begin = first; begin < last; begin += k_block) {
     // Four sums, then one square root and one division for the four.
     std::array<Float4, k_block> sums;
-    sums.fill(geometry::splat(0.0F));
+    sums.fill(algebra::splat(0.0F));
     const std::uint32_t count = std::min(k_block, last - begin);
     for (std::uint32_t lane = 0; lane < count; ++lane) {
-      Float4 sum = geometry::splat(0.0F);
+      Float4 sum = algebra::splat(0.0F);
       for (const auto& [a, b, c, d] : rings_.quads(rings_.leader(begin + lane))) {
         sum += cross(load(positions_[c]) - load(positions_[a]), load(positions_[d]) - load(positions_[b]));
       }
@@ -175,13 +175,13 @@ void SurfacePoser::update_normals_of(std::uint32_t first, std::uint32_t last) {
       squared[static_cast<int>(lane)] = square[0] + square[1] + square[2];
     }
     const Float4 length = {std::sqrt(squared[0]), std::sqrt(squared[1]), std::sqrt(squared[2]), std::sqrt(squared[3])};
-    const Float4 inverse = geometry::splat(1.0F) / length;
+    const Float4 inverse = algebra::splat(1.0F) / length;
     for (std::uint32_t lane = 0; lane < count; ++lane) {
       if (!(squared[static_cast<int>(lane)] > 0.0F)) {
         normals_[begin + lane] = glm::vec3(0, 0, 1);
         continue;
       }
-      const Float4 unit = sums[lane] * geometry::splat(inverse[static_cast<int>(lane)]);
+      const Float4 unit = sums[lane] * algebra::splat(inverse[static_cast<int>(lane)]);
       std::memcpy(&normals_[begin + lane].x, &unit, 3 * sizeof(float));
     }
   }

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/base/text/closest_name.h"
+#include "core/base/text/joined.h"
 #include "core/io/tracks/known_heads.h"
 #include "core/rig/control_names.h"
 
@@ -108,12 +109,6 @@ std::vector<std::string> names_in(const io::MapPoints& points) {
   return names;
 }
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 /// A track need not have all curves that a bundled map names, nor be without others: both are said. Error: it has none.
 base::Status say_names(const animation::PointTrack& track, const io::MapFile& map, std::vector<std::string>& notes) {
   constexpr std::size_t k_most = 20;
@@ -127,9 +122,10 @@ base::Status say_names(const animation::PointTrack& track, const io::MapFile& ma
   }
   if (!wanted.empty() && lacking.size() == wanted.size()) {
     return base::Error{"the track has none of the curves that the bundled map names", "--map",
-                       "name its curves " + joined(wanted) + ", or write a map"};
+                       "name its curves " + base::joined(wanted) + ", or write a map"};
   }
-  if (!lacking.empty()) notes.push_back("the track has no curve " + joined(lacking) + "; what they drive is left out");
+  if (!lacking.empty())
+    notes.push_back("the track has no curve " + base::joined(lacking) + "; what they drive is left out");
   const auto stable = names_in(map.stable);
   wanted.insert(wanted.end(), stable.begin(), stable.end());
   std::vector<std::string> unused;
@@ -137,7 +133,7 @@ base::Status say_names(const animation::PointTrack& track, const io::MapFile& ma
     if (unused.size() == k_most) break;
     if (std::find(wanted.begin(), wanted.end(), group.name) == wanted.end()) unused.push_back(group.name);
   }
-  if (!unused.empty()) notes.push_back("the bundled map has no use for the track's " + joined(unused));
+  if (!unused.empty()) notes.push_back("the bundled map has no use for the track's " + base::joined(unused));
   return base::Done{};
 }
 
@@ -262,7 +258,8 @@ base::Result<animation::TrackSetup> make_setup(const document::Model& model, con
     return found.error();
   }
   if (bundled && setup.points.stable.empty() && !map.stable.empty()) {
-    notes.push_back("the head counts as still: the track has no curve of the names " + joined(names_in(map.stable)));
+    notes.push_back("the head counts as still: the track has no curve of the names " +
+                    base::joined(names_in(map.stable)));
   }
   if (auto found = check_free(model, map); !bundled && !found) return found.error();
   setup.free = free_parameters(model, map);

@@ -6,13 +6,11 @@
 #include "firmware_io/decode/described/descriptor_decoder.h"
 #include "firmware_io/decode/described/fallback_decoder.h"
 #include "firmware_io/decode/wacom/wacom_axes.h"
-#include "firmware_io/decode/wacom/wacom_bamboo_decoder.h"
-#include "firmware_io/decode/wacom/wacom_bluetooth_decoder.h"
 #include "firmware_io/decode/wacom/wacom_display_decoder.h"
 #include "firmware_io/decode/wacom/wacom_generic_decoder.h"
-#include "firmware_io/decode/wacom/wacom_graphire_decoder.h"
 #include "firmware_io/decode/wacom/wacom_intuos_decoder.h"
 #include "firmware_io/decode/wacom/wacom_models.h"
+#include "firmware_io/decode/wacom/wacom_pens.h"
 #include "firmware_io/decode/wacom/wacom_receiver.h"
 
 namespace penpose::decode {
@@ -55,17 +53,17 @@ void adopt_described_ranges(WacomModel& model, const hid::ReportDescriptor& desc
 std::unique_ptr<PenDecoder> make_wacom_decoder(const WacomModel& model) {
   switch (model.family) {
     case F::penpartner:
-      return std::make_unique<WacomPenPartnerDecoder>(model);
+      return make_wacom_penpartner(model);
     case F::graphire:
     case F::graphire4:
     case F::graphire_bluetooth:
     case F::bamboo_first:
-      return std::make_unique<WacomGraphireDecoder>(model);
+      return make_wacom_graphire(model);
     case F::bamboo:
-      return std::make_unique<WacomBambooDecoder>(model);
+      return make_wacom_bamboo(model);
     case F::intuos_pro_bluetooth:
     case F::intuos_2018_bluetooth:
-      return std::make_unique<WacomBluetoothDecoder>(model);
+      return make_wacom_bluetooth(model);
     case F::pl:
     case F::ptu:
     case F::dtu:

@@ -1,10 +1,9 @@
-// One file above the usual size: the items of a descriptor act on one shared state, and their rules are read together.
-
 #include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "firmware_io/hid/internal/descriptor_item.h"
 #include "firmware_io/hid/report_descriptor.h"
 
 namespace penpose::hid {
@@ -13,22 +12,6 @@ namespace {
 /// wLength of a HID request is 16 bits, so no report can be longer.
 constexpr std::uint64_t k_longest_report_bits = 8ull * 65535;
 constexpr std::size_t k_longest_descriptor = 65536;
-
-enum class ItemType : std::uint8_t { main = 0, global = 1, local = 2, reserved = 3 };
-
-struct Item {
-  std::size_t offset = 0;  ///< of its prefix
-  ItemType type = ItemType::main;
-  std::uint8_t tag = 0;
-  std::uint8_t size = 0;  ///< bytes of data: 0, 1, 2 or 4
-  std::uint32_t data = 0;
-
-  [[nodiscard]] std::int32_t as_signed() const {
-    if (size == 1) return static_cast<std::int8_t>(data);
-    if (size == 2) return static_cast<std::int16_t>(data);
-    return static_cast<std::int32_t>(data);
-  }
-};
 
 /// A number whose sign depends on a number declared elsewhere, so both readings are kept.
 struct Number {
@@ -72,13 +55,8 @@ class Parser {
  private:
   using Problem = std::optional<base::Error>;
 
-  static base::Error illegal(std::size_t offset, std::string what) {
-    return {"report descriptor: " + std::move(what), "byte " + std::to_string(offset),
-            "the device's descriptor breaks HID 1.11; choose a protocol by name if the tablet is known to have one"};
-  }
   static bool is_signed_range(const Number& minimum) { return minimum.as_signed < 0; }
 
-  base::Result<std::optional<Item>> next_item();
   Problem handle(const Item& item);
   Problem handle_main(const Item& item);
   Problem handle_global(const Item& item);
@@ -103,34 +81,10 @@ class Parser {
   std::vector<std::int32_t> open_;
 };
 
-/// The next short item; nothing at the end. Long items carry no defined meaning (6.2.2.3) and are stepped over.
-base::Result<std::optional<Item>> Parser::next_item() {
-  constexpr std::uint8_t k_long_item = 0xfe;
-  while (!reader_.at_end()) {
-    Item item;
-    item.offset = reader_.offset();
-    const std::uint8_t prefix = *reader_.read<std::uint8_t>();
-    if (prefix == k_long_item) {
-      const auto size = reader_.read<std::uint8_t>();
-      const auto tag = reader_.read<std::uint8_t>();
-      if (!size || !tag || !reader_.take(*size)) return illegal(item.offset, "ends within a long item");
-      continue;
-    }
-    item.type = static_cast<ItemType>((prefix >> 2) & 3);
-    item.tag = static_cast<std::uint8_t>(prefix >> 4);
-    item.size = (prefix & 3) == 3 ? 4 : (prefix & 3);
-    const auto data = reader_.take(item.size);
-    if (!data) return illegal(item.offset, "ends within an item");
-    for (std::size_t i = 0; i < item.size; ++i) item.data |= static_cast<std::uint32_t>((*data)[i]) << (8 * i);
-    return std::optional(item);
-  }
-  return std::optional<Item>();
-}
-
 base::Result<ReportDescriptor> Parser::run() {
   if (reader_.remaining() > k_longest_descriptor) return illegal(k_longest_descriptor, "longer than 65536 bytes");
   for (;;) {
-    auto item = next_item();
+    auto item = next_item(reader_);
     if (!item) return item.error();
     if (!item->has_value()) break;
     if (auto problem = handle(**item)) return *problem;

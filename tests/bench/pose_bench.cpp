@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <benchmark/benchmark.h>
-#include <chrono>
 #include <cstdio>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multimin.h>
@@ -15,7 +14,6 @@
 #include "core/io/project/case_file.h"
 #include "core/posing/curve_system.h"
 #include "core/posing/finish.h"
-#include "core/posing/live_pose.h"
 #include "core/posing/pose_objective.h"
 #include "core/posing/relevance.h"
 #include "core/posing/solve.h"
@@ -166,49 +164,6 @@ double percentile(std::vector<double>& values, double share) {
   return values[std::min(values.size() - 1, static_cast<std::size_t>(share * static_cast<double>(values.size())))];
 }
 
-/// A target that grows by one pen report a step, from the reference's own line to the case's target. Each iteration
-/// draws one whole stroke.
-void live(benchmark::State& state, std::size_t index, std::size_t variables) {
-  const auto& pose_case = face().cases.cases[index];
-  const auto whole = problem_of(index, tracking::FreeSet::all);
-  const auto camera = tracking::case_camera(face().model, pose_case);
-  std::vector<geometry::PxPoint> corners;
-  for (const auto& p : whole.pairs[0].target) corners.push_back(camera.project(p).value());
-  std::vector<geometry::PxPoint> line;
-  constexpr int k_reports_a_segment = 8;
-  for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-    for (int k = 0; k < k_reports_a_segment; ++k) {
-      const double t = static_cast<double>(k) / k_reports_a_segment;
-      line.push_back(corners[i] * (1 - t) + corners[i + 1] * t);
-    }
-  }
-  posing::LiveSetup setup{whole.pairs[0].reference, whole.constraints, whole.free, whole.start, camera, {}};
-  if (variables < setup.free.size()) {
-    posing::PoseProblem problem = whole;
-    posing::CurveSystem system(*face().model.rig, problem);
-    auto relevance = posing::relevant_parameters(system, whole.start, whole.free, 1e-4);
-    std::vector<std::size_t> order(relevance.parameters.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::stable_sort(order.begin(), order.end(),
-                     [&](auto a, auto b) { return relevance.effects[a] > relevance.effects[b]; });
-    setup.free.clear();
-    for (std::size_t i = 0; i < std::min(variables, order.size()); ++i)
-      setup.free.push_back(relevance.parameters[order[i]]);
-    std::sort(setup.free.begin(), setup.free.end());
-  }
-  std::vector<double> times;
-  for (auto _ : state) {
-    auto poser = posing::LivePoser::start(*face().model.rig, setup).value();
-    for (std::size_t n = 2; n <= line.size(); ++n) {
-      const auto before = std::chrono::steady_clock::now();
-      benchmark::DoNotOptimize(poser.follow(std::span(line).first(n)));
-      times.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - before).count());
-    }
-  }
-  state.counters["step_us_median"] = percentile(times, 0.5);
-  state.counters["step_us_p99"] = percentile(times, 0.99);
-}
-
 /// Prints as usual and gathers what the summary needs.
 class Summary final : public benchmark::ConsoleReporter {
  public:
@@ -263,12 +218,6 @@ int main(int argc, char** argv) {
             ->Unit(benchmark::kMillisecond)
             ->MinTime(0.1);
       }
-    }
-  }
-  for (const std::size_t index : {std::size_t{0}, std::size_t{8}, std::size_t{11}}) {
-    for (const std::size_t variables : {std::size_t{53}, std::size_t{15}}) {
-      const std::string label = "live/" + std::to_string(variables) + "/" + face().cases.cases[index].name;
-      benchmark::RegisterBenchmark(label.c_str(), live, index, variables)->Unit(benchmark::kMillisecond);
     }
   }
   benchmark::Initialize(&argc, argv);

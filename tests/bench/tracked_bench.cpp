@@ -17,6 +17,7 @@
 #include "core/io/tracks/read_track.h"
 #include "core/tracking/track_setup.h"
 #include "tests/support/models/made_up_person.h"
+#include "tests/support/models/nodding_head.h"
 #include "tests/support/models/rendered_track.h"
 #include "tests/support/shared_data.h"
 #include "ui/cli/track/track_input.h"
@@ -230,24 +231,6 @@ int people(const Desk& desk, int first, int count) {
   return 0;
 }
 
-geometry::ModelPoint turned(geometry::ModelPoint v, double angle, int i, int j) {
-  const double x = v[i];
-  const double y = v[j];
-  v[i] = std::cos(angle) * x - std::sin(angle) * y;
-  v[j] = std::sin(angle) * x + std::cos(angle) * y;
-  return v;
-}
-
-geometry::ModelPoint nodding(std::size_t frame, geometry::ModelPoint p) {
-  const double t = static_cast<double>(frame) / 30.0;
-  const double in = std::min(1.0, t);
-  const geometry::ModelPoint neck(0, -8, 0);
-  p = turned(p - neck, in * 0.35 * std::sin(1.1 * t), 0, 1);
-  p = turned(p, in * 0.25 * std::sin(0.7 * t), 1, 2);
-  p = turned(p, in * 0.3 * std::sin(0.9 * t), 2, 0);
-  return p + neck + geometry::ModelVector(2 * std::sin(0.5 * t), std::sin(0.8 * t), 0) * in;
-}
-
 int tremor(const Desk& desk, int first, int count, const std::string& kind) {
   std::vector<geometry::ModelPoint> rest(desk.model.mesh->vertex_count());
   desk.model.rig->evaluate(rig::rest_pose(*desk.model.rig), rest);
@@ -259,8 +242,9 @@ int tremor(const Desk& desk, int first, int count, const std::string& kind) {
   video = geometry::Camera::make(pose, {640, 640}).value();
   auto poses = tests::talking_clip(*desk.model.rig, 300);
   if (kind == "still") poses.assign(300, rig::rest_pose(*desk.model.rig));
-  const auto calm_track = kind == "turning" ? tests::track_of(*desk.model.rig, poses, desk.points, video, 0, nodding)
-                                            : tests::track_of(*desk.model.rig, poses, desk.points, video);
+  const auto calm_track = kind == "turning"
+                              ? tests::track_of(*desk.model.rig, poses, desk.points, video, 0, tests::nodding)
+                              : tests::track_of(*desk.model.rig, poses, desk.points, video);
   const auto with_depths = [](animation::PointTrack track) {
     for (auto& frame : track.frames) frame.depths = io::common_depths(frame.points);
     return track;

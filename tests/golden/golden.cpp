@@ -17,10 +17,10 @@
 #include <string>
 #include <vector>
 
-#include "core/base/parallel.h"
 #include "core/head/head.h"
 #include "replay/session/session_player.h"
 #include "tests/support/hands/knowing_hand.h"
+#include "tests/support/parallel.h"
 
 namespace {
 
@@ -99,7 +99,7 @@ std::map<std::string, std::string> all_hashes(const std::map<std::string, std::f
   // As many at a time as there are threads: nothing that one does may show in another.
   constexpr std::uint64_t k_all = k_random_sessions + 8 * k_knowing_sessions;
   std::vector<base::Result<std::string>> random(k_all, std::string());
-  base::parallel_for(k_all, threads, [&](std::size_t begin, std::size_t end) {
+  tests::parallel_for(k_all, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (i < k_random_sessions) {
         random[i] = random_session<tests::RandomHand>(i, k_actions);

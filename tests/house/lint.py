@@ -22,7 +22,7 @@ ORDER = 'what is equal keeps no order; use std::stable_sort or std::stable_parti
 CLOCK = 'core reads no clock and no random device'
 LOCALE = 'its result depends on the locale; use core/base/numbers.h'
 FLOATS = 'doubles are rounded as IEEE 754 says and nothing else; the flags of the build say how'
-THREADS = 'threads are in core/base/parallel alone'
+THREADS = 'core starts no thread'
 HASHES = 'the order of addresses and hashes is another every time'
 OUTSIDE = 'core reads no file, stream or environment'
 IN_CORE = [(re.compile(rule), why) for rule, why in [
@@ -61,8 +61,8 @@ INTERNAL = re.compile(r'#include "((?:\w+/)+)internal/\w+\.h"')
 # "Cannot fail", it may stay.
 UNCHECKED = re.compile(r'\)\s*\.value\(\)|(?<![\w)\]])\*\s*(?:\w+::)+(?:make|read|open|load|parse|create)\w*\(')
 MOVED = re.compile(r'std::move\([^()]*\)$')
-# base/math.cpp makes the functions; threads live in base/parallel.
-EXEMPT = {'core/base/parallel.cpp', 'core/base/math.cpp', 'core/base/math.h', 'core/base/sine_cosine.cpp'}
+# base/math.cpp makes the functions.
+EXEMPT = {'core/base/math.cpp', 'core/base/math.h', 'core/base/sine_cosine.cpp'}
 
 
 CUT = re.compile(r'//[^\n]*|/\*.*?\*/|(?<![\w)])R"([^(\s]*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<!\w)\'(?:\\.|[^\'\\\n])+\'', re.S)

@@ -20,17 +20,14 @@ REFUSED = [(re.compile(rule), why) for rule, why in [
     (r'^(?:fopen|fopen64|fdopen|open|open64|openat|read|write|fread|fwrite|mmap)$|^std::(?:basic_[io]?fstream|basic_filebuf|filesystem|cout|cerr|cin|clog)', 'core reads no file and no stream'),
     (r'^(?:secure_)?getenv$', 'core reads no environment'),
     (r'^fe(?:set|hold|update)\w+$', 'doubles are rounded as IEEE 754 says'),
-    (r'^(?:pthread_create|GOMP_\w+|omp_\w+|sched_\w+)$|^std::thread', 'threads are in core/base/parallel alone'),
+    (r'^(?:pthread_create|GOMP_\w+|omp_\w+|sched_\w+)$|^std::thread', 'core starts no thread'),
 ]]
 # What libraries bring along that are compiled into a module, by the object that has it.
 EXEMPT = {
     'subdivision.cpp.o': r'^cos$|^std::(?:basic|c)|stringstream',  # OpenMesh's test for feature edges and its streams, never called
     # tinygltf's ways to files, which it is given none of (SetFsCallbacks), and how it writes numbers into errors and names of files.
     'own_tinygltf.cpp.o': r'^fopen$|^isalnum$|^std::basic_(?:filebuf|[io]fstream)<|^std::locale::|^std::__cxx11::basic_stringstream<',
-    'parallel.cpp.o': r'^std::thread|^sched_yield$',  # the one place of threads
 }
-# nlohmann's reader of numbers asks for the decimal point and undoes what it is.
-EXEMPT_JSON = r'^(?:localeconv|strtod|snprintf|__snprintf_chk)$'
 
 
 def undefined(nm, library):
@@ -46,8 +43,6 @@ def faults(nm, library):
     for object_name, symbol in undefined(nm, library):
         allowed = EXEMPT.get(object_name)
         if allowed and re.search(allowed, symbol):
-            continue
-        if re.search('core_(io|json)', library) and re.search(EXEMPT_JSON, symbol):
             continue
         for rule, why in REFUSED:
             if rule.search(symbol):

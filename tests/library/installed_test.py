@@ -4,18 +4,12 @@ sessions to their golden states, and all come to the same pose."""
 import argparse
 import os
 import shutil
-import subprocess
 import sys
+
+from running import run
 
 SESSIONS = ('ui/demo/demo.session', 'tests/data/sessions/penpartner.session',
             'tests/data/sessions/suggest.session@tests/data/models/test_sheet.glb')
-
-
-def run(*command, **more):
-    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **more)
-    if done.returncode != 0:
-        sys.exit('%s: status %d\n%s' % (' '.join(command), done.returncode, done.stdout))
-    return done.stdout
 
 
 def main():

@@ -8,9 +8,9 @@
 #include "core/document/time/animation_building.h"
 #include "core/io/model/read_model.h"
 #include "core/io/model/write_model.h"
-#include "tests/support/models/articulation_models.h"
 #include "tests/support/models/gltf_sample.h"
 #include "tests/support/models/model_samples.h"
+#include "tests/support/models/sketched_models.h"
 #include "tests/support/shared_data.h"
 
 namespace {
@@ -30,13 +30,7 @@ bool write(const std::filesystem::path& path, const document::Model& model) {
 
 /// A sketched deformer that turns, baked and animated, on a head that moves.
 document::Model tracked() {
-  const tests::Trunk trunk = tests::make_trunk();
-  mesh::MeshSource source;
-  source.positions.assign(trunk.canvas->positions().begin(), trunk.canvas->positions().end());
-  source.triangles.assign(trunk.canvas->mesh().triangles().begin(), trunk.canvas->mesh().triangles().end());
-  auto model = document::make_model(mesh::TriangleMesh::build(std::move(source)).value(), nullptr, nullptr).value();
-  const auto deformer = articulation::build_deformer(trunk.curl(), *document::make_canvas(model).value()).value();
-  model = document::with_deformers(std::move(model), articulation::SketchedDeformers::make({deformer}).value()).value();
+  document::Model model = tests::curling_trunk();
   const std::vector<double> times{0, 0.1, 0.1, 0.3};
   const std::vector<rig::Pose> poses{{0}, {0.4}, {0.4}, {1}};
   model.animations = {document::make_animation(model, "tracked", times, poses)};

@@ -13,13 +13,13 @@
 #include <vector>
 
 #include "firmware_io/decode/decoder_factory.h"
-#include "firmware_io/decode/hand/stroke_recorder.h"
 #include "firmware_io/decode/hand_factory.h"
 #include "firmware_io/device/clock.h"
 #include "firmware_io/device/list/tablet_watch.h"
 #include "firmware_io/device/report_pump.h"
 #include "firmware_io/device/tablet_lights.h"
 #include "tests/support/hands/pen_reports.h"
+#include "tests/support/hands/stroke_recorder.h"
 #include "tests/vm/virtual_device.h"
 
 namespace {
@@ -106,7 +106,7 @@ int burst(double seconds, double rate) {
     done = true;
   });
 
-  decode::StrokeRecorder strokes;
+  tests::StrokeRecorder strokes;
   device::Record record;
   std::size_t wrong = 0;
   std::size_t expected = 0;

@@ -1,5 +1,6 @@
 #include <string_view>
 
+#include "core/base/text/joined.h"
 #include "ui/pages/completions.h"
 
 namespace penpose::pages {
@@ -9,21 +10,15 @@ using cli::CommandRow;
 using cli::Completes;
 using cli::OptionRow;
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : " ") + word;
-  return out;
-}
-
 /// What to call for a value.
 std::string offer(const OptionRow& row) {
   switch (row.completes) {
     case Completes::choices:
-      return "_penpose_words '" + joined(row.choices) + "'";
+      return "_penpose_words '" + base::joined(row.choices, " ") + "'";
     case Completes::folders:
       return "_penpose_folders";
     case Completes::files:
-      return row.extensions.empty() ? "_penpose_files" : "_penpose_files " + joined(row.extensions);
+      return row.extensions.empty() ? "_penpose_files" : "_penpose_files " + base::joined(row.extensions, " ");
     default:
       return ":";
   }
@@ -108,7 +103,7 @@ std::string bash_completion(std::span<const CommandRow> table) {
     values += case_of_options(command);
     std::string names;
     for (const OptionRow& row : command.options) {
-      if (!row.positional) names += (names.empty() ? "" : " ") + joined(row.names);
+      if (!row.positional) names += (names.empty() ? "" : " ") + base::joined(row.names, " ");
     }
     options += "    " + (command.name.empty() ? "''" : command.name) + ") options='" + names + "' ;;\n";
     files += case_of_positionals(command);

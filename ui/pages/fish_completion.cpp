@@ -1,5 +1,6 @@
 #include <string_view>
 
+#include "core/base/text/joined.h"
 #include "ui/pages/completions.h"
 
 namespace penpose::pages {
@@ -18,16 +19,10 @@ std::string quoted(std::string_view text) {
   return out + "'";
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : " ") + word;
-  return out;
-}
-
 std::string offer(const OptionRow& row) {
   switch (row.completes) {
     case Completes::choices:
-      return " -x -a " + quoted(joined(row.choices));
+      return " -x -a " + quoted(base::joined(row.choices, " "));
     case Completes::folders:
       return " -x -a '(__fish_complete_directories)'";
     case Completes::nothing:
@@ -36,7 +31,7 @@ std::string offer(const OptionRow& row) {
       break;
   }
   if (row.extensions.empty()) return " -r -F";
-  return " -k -x -a '(__penpose_files " + joined(row.extensions) + ")'";
+  return " -k -x -a '(__penpose_files " + base::joined(row.extensions, " ") + ")'";
 }
 
 std::string line(const CommandRow& command, const OptionRow& row) {

@@ -1,5 +1,6 @@
 #include <string_view>
 
+#include "core/base/text/joined.h"
 #include "ui/pages/completions.h"
 
 namespace penpose::pages {
@@ -19,16 +20,10 @@ std::string quoted(std::string_view text, std::string_view special = "[]:\\") {
   return out;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : " ") + word;
-  return out;
-}
-
 std::string action(const OptionRow& row) {
   switch (row.completes) {
     case Completes::choices:
-      return "(" + joined(row.choices) + ")";
+      return "(" + base::joined(row.choices, " ") + ")";
     case Completes::folders:
       return "_files -/";
     case Completes::nothing:
@@ -56,11 +51,10 @@ std::string spec(const OptionRow& row, std::size_t place) {
   } else {
     std::vector<std::string> others = row.names;
     others.insert(others.end(), row.excludes.begin(), row.excludes.end());
-    out += "(" + joined(others) + ")";
+    out += "(" + base::joined(others, " ") + ")";
   }
   if (row.names.size() == 1) return out + row.names.front() + rest + "'";
-  std::string names;
-  for (const std::string& name : row.names) names += (names.empty() ? "" : ",") + name;
+  const std::string names = base::joined(row.names, ",");
   return out + "'{" + names + "}'" + rest + "'";
 }
 

@@ -140,4 +140,13 @@ PosedMesh posed_mesh(const document::Model& model) {
   return {{positions.begin(), positions.end()}, {normals.begin(), normals.end()}};
 }
 
+Scene scene_of(const document::Model& model, const PosedMesh& posed, const Appearance& appearance) {
+  Scene scene;
+  scene.positions = posed.positions;
+  scene.normals = posed.normals;
+  scene.triangles = model.mesh->triangles();
+  scene.appearance = &appearance;
+  return scene;
+}
+
 }  // namespace penpose::render

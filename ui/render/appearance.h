@@ -30,5 +30,7 @@ struct PosedMesh {
   std::vector<glm::vec3> normals;
 };
 [[nodiscard]] PosedMesh posed_mesh(const document::Model& model);
+/// The model as it is posed, with nothing beside it. All three outlive the scene.
+[[nodiscard]] Scene scene_of(const document::Model& model, const PosedMesh& posed, const Appearance& appearance);
 
 }  // namespace penpose::render

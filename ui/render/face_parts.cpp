@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
-#include <utility>
 
+#include "core/algebra/elimination.h"
 #include "core/mesh/topology.h"
 
 namespace penpose::render {
@@ -61,13 +61,13 @@ struct Sphere {
   double rms = 0;  ///< of the deviation, as a share of the radius
 };
 
-/// Least squares of |p|^2 = 2 c.p + k (Coope 1993), solved by Gaussian elimination with pivots.
+/// Least squares of |p|^2 = 2 c.p + k (Coope 1993).
 std::optional<Sphere> fit_sphere(const Component& part, std::span<const ModelPoint> positions) {
   if (part.vertices.size() < 12) return std::nullopt;
   const ModelPoint middle = part.box.center();
   const double scale = part.box.diagonal();
   if (!(scale > 0)) return std::nullopt;
-  std::array<std::array<double, 5>, 4> m{};
+  algebra::Equations<4> m{};
   for (const std::uint32_t v : part.vertices) {
     const ModelVector p = (positions[v] - middle) / scale;
     const std::array<double, 5> row{2 * p.x, 2 * p.y, 2 * p.z, 1, glm::dot(p, p)};
@@ -75,21 +75,11 @@ std::optional<Sphere> fit_sphere(const Component& part, std::span<const ModelPoi
       for (std::size_t j = 0; j < 5; ++j) m[i][j] += row[i] * row[j];
     }
   }
-  for (std::size_t i = 0; i < 4; ++i) {
-    std::size_t pivot = i;
-    for (std::size_t r = i + 1; r < 4; ++r) {
-      if (std::abs(m[r][i]) > std::abs(m[pivot][i])) pivot = r;
-    }
-    std::swap(m[i], m[pivot]);
-    if (!(std::abs(m[i][i]) > 1e-9)) return std::nullopt;
-    for (std::size_t r = 0; r < 4; ++r) {
-      if (r == i) continue;
-      const double factor = m[r][i] / m[i][i];
-      for (std::size_t j = i; j < 5; ++j) m[r][j] -= factor * m[i][j];
-    }
-  }
-  const ModelVector c{m[0][4] / m[0][0], m[1][4] / m[1][1], m[2][4] / m[2][2]};
-  const double square = m[3][4] / m[3][3] + glm::dot(c, c);
+  const auto solved = algebra::solve(m, 1e-9);
+  if (!solved) return std::nullopt;
+  const auto& x = *solved;
+  const ModelVector c{x[0], x[1], x[2]};
+  const double square = x[3] + glm::dot(c, c);
   if (!(square > 0)) return std::nullopt;
   Sphere sphere{middle + c * scale, std::sqrt(square) * scale, 0};
   double sum = 0;

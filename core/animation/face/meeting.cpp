@@ -68,12 +68,7 @@ void share_meetings(const rig::Rig& rig, std::span<const double> rest, std::span
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (curves[c].meets) reach[c] = mobility(rig, rest, free, seen_points(rig, transfer, c, camera));
   }
-  std::vector<std::size_t> firsts;
-  std::size_t next = 0;
-  for (const TrackedCurve& curve : curves) {
-    firsts.push_back(next);
-    next += curve.points.size();
-  }
+  const std::vector<std::size_t> firsts = first_points(curves);
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (!curves[c].meets || curves[*curves[c].meets].meets != c) continue;
     const TrackedCurve& other = curves[*curves[c].meets];

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/algebra/elimination.h"
 #include "core/base/math.h"
 #include "core/geometry/rotation.h"
 
@@ -83,35 +84,10 @@ double residual(const Fit& fit, const HeadTurn& turn) {
 
 namespace {
 
-using Row = std::array<double, 7>;  ///< six unknowns and the right side
-
-/// Gauss's elimination with the largest pivot; nothing for a singular system.
-std::optional<std::array<double, 6>> solve_six(std::array<Row, 6> a) {
-  for (std::size_t k = 0; k < 6; ++k) {
-    std::size_t best = k;
-    for (std::size_t r = k + 1; r < 6; ++r) {
-      if (std::abs(a[r][k]) > std::abs(a[best][k])) best = r;
-    }
-    if (!(std::abs(a[best][k]) > 1e-12)) return std::nullopt;
-    std::swap(a[k], a[best]);
-    for (std::size_t r = k + 1; r < 6; ++r) {
-      const double factor = a[r][k] / a[k][k];
-      for (std::size_t c = k; c < 7; ++c) a[r][c] -= factor * a[k][c];
-    }
-  }
-  std::array<double, 6> x{};
-  for (std::size_t k = 6; k-- > 0;) {
-    double sum = a[k][6];
-    for (std::size_t c = k + 1; c < 6; ++c) sum -= a[k][c] * x[c];
-    x[k] = sum / a[k][k];
-  }
-  return x;
-}
-
 /// One step of Gauss-Newton for the turn about three axes, the scale's logarithm and the shift. Turns out of the plane
 /// are damped, so that stable points which lie nearly in a plane cannot throw them about.
 bool refine(const Fit& fit, double extent, HeadTurn& turn) {
-  std::array<Row, 6> normal{};
+  algebra::Equations<6> normal{};
   for (std::size_t i = 0; i < fit.shape.size(); ++i) {
     const Seen at = see(fit, turn, fit.shape[i]);
     const glm::dvec3 y = turn.rotation * fit.shape[i] * at.growth;  // the growth's own slope is left to the next step
@@ -129,7 +105,7 @@ bool refine(const Fit& fit, double extent, HeadTurn& turn) {
   const double damping = 1e-3 * extent * extent * turn.scale * turn.scale;
   normal[0][0] += damping;
   normal[1][1] += damping;
-  const auto step = solve_six(normal);
+  const auto step = algebra::solve(normal, 1e-12);
   if (!step) return false;
   const auto& s = *step;
   const glm::dvec3 axis{s[0], s[1], s[2]};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/curve/distance.h"
 #include "core/curve/polyline.h"
 
 namespace penpose::animation {
@@ -112,22 +113,10 @@ base::Result<Matched> match(std::span<const PxPoint> tracked, std::vector<posing
   return best;
 }
 
-double distance_to(const PxPoint& p, std::span<const PxPoint> line) {
-  double least = geometry::distance(p, line.front());
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const PxPoint along = line[i + 1] - line[i];
-    const PxPoint from = p - line[i];
-    const double square = along.x * along.x + along.y * along.y;
-    const double t = square > 0 ? std::clamp((from.x * along.x + from.y * along.y) / square, 0.0, 1.0) : 0.0;
-    least = std::min(least, geometry::distance(p, line[i] + along * t));
-  }
-  return least;
-}
-
 /// Mean distance of one curve's points, but for its ends, from the other, as a share of its length.
 double gap(std::span<const PxPoint> line, std::span<const PxPoint> other) {
   double sum = 0;
-  for (std::size_t i = 1; i + 1 < line.size(); ++i) sum += distance_to(line[i], other);
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) sum += curve::distance_to(other, line[i]);
   const double count = static_cast<double>(std::max<std::size_t>(line.size(), 3) - 2);
   return sum / count / curve::arc_length(line);
 }
@@ -171,12 +160,7 @@ void find_roll(std::span<const Matched> curves, Transfer& out) {
 
 /// Pairs the inner points of curves that touch, each with the one as far along the other.
 void find_contacts(std::span<const TrackedCurve> curves, std::span<const Matched> matched, Transfer& out) {
-  std::vector<std::size_t> firsts;
-  std::size_t next = 0;
-  for (const TrackedCurve& curve : curves) {
-    firsts.push_back(next);
-    next += curve.points.size();
-  }
+  const std::vector<std::size_t> firsts = first_points(curves);
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const auto& other = curves[c].touches;
     if (!other || *other <= c || *other >= curves.size()) continue;
@@ -194,6 +178,16 @@ void find_contacts(std::span<const TrackedCurve> curves, std::span<const Matched
 }
 
 }  // namespace
+
+std::vector<std::size_t> first_points(std::span<const TrackedCurve> curves) {
+  std::vector<std::size_t> firsts;
+  std::size_t next = 0;
+  for (const TrackedCurve& curve : curves) {
+    firsts.push_back(next);
+    next += curve.points.size();
+  }
+  return firsts;
+}
 
 base::Result<Transfer> make_transfer(const rig::Rig& rig, std::span<const double> rest, const PointTrack& track,
                                      const StillTrack& still, std::span<const TrackedCurve> curves,

@@ -24,6 +24,9 @@ struct TrackedCurve {
   double gain = 1;                     ///< its movement is this many times the tracked one
 };
 
+/// The place of each curve's first point among the points of all, one curve behind the other.
+[[nodiscard]] std::vector<std::size_t> first_points(std::span<const TrackedCurve> curves);
+
 /// What a point does for the curve that its own one meets (share_meetings).
 struct Meeting {
   std::array<std::size_t, 2> across{};  ///< the points of the transfer on the other curve that it meets between

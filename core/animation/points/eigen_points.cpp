@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/animation/points/symmetric_eigen.h"
+#include "core/algebra/symmetric_eigen.h"
+#include "core/algebra/vectors.h"
 #include "core/base/numbers.h"
 
 namespace penpose::animation {
@@ -76,15 +77,9 @@ double take_patch(const GreyImage& image, PxPoint corner, PxPoint size, std::siz
   return contrast;
 }
 
-double dot(const double* a, const double* b, std::size_t n) {
-  double sum = 0;
-  for (std::size_t i = 0; i < n; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
 /// Inverse of a small symmetric matrix from its eigenvalues; directions that it does not know are left out.
 std::vector<double> pseudo_inverse(const std::vector<double>& matrix, std::size_t n) {
-  const SymmetricEigen eigen = symmetric_eigen(matrix, n);
+  const algebra::SymmetricEigen eigen = algebra::symmetric_eigen(matrix, n);
   std::vector<double> inverse(n * n, 0.0);
   for (std::size_t e = 0; e < n; ++e) {
     if (!(eigen.values[e] > 1e-3 * eigen.values[0])) continue;
@@ -163,10 +158,10 @@ base::Result<EigenFeature> learn_feature(std::span<const LabelledImage> images, 
   std::vector<double> products(n * n);
   for (std::size_t a = 0; a < n; ++a) {
     for (std::size_t b = a; b < n; ++b) {
-      products[a * n + b] = products[b * n + a] = dot(&rows[a * length], &rows[b * length], length);
+      products[a * n + b] = products[b * n + a] = algebra::dot_in_order(&rows[a * length], &rows[b * length], length);
     }
   }
-  const SymmetricEigen eigen = symmetric_eigen(std::move(products), n);
+  const algebra::SymmetricEigen eigen = algebra::symmetric_eigen(std::move(products), n);
   double all = 0;
   for (const double value : eigen.values) all += std::max(0.0, value);
   double kept = 0;
@@ -190,7 +185,7 @@ base::Result<EigenFeature> learn_feature(std::span<const LabelledImage> images, 
   std::vector<double> on_patch(m * m);
   for (std::size_t a = 0; a < m; ++a) {
     for (std::size_t b = 0; b < m; ++b) {
-      on_patch[a * m + b] = dot(&feature.basis[a * length], &feature.basis[b * length], samples);
+      on_patch[a * m + b] = algebra::dot_in_order(&feature.basis[a * length], &feature.basis[b * length], samples);
     }
   }
   feature.solve = pseudo_inverse(on_patch, m);
@@ -230,7 +225,8 @@ Guess explain(const EigenFeature& feature, std::span<const double> patch, std::v
   scratch.resize(samples);
   for (std::size_t i = 0; i < samples; ++i) scratch[i] = patch[i] - feature.mean[i];
   std::vector<double> seen(m);
-  for (std::size_t a = 0; a < m; ++a) seen[a] = dot(&feature.basis[a * length], scratch.data(), samples);
+  for (std::size_t a = 0; a < m; ++a)
+    seen[a] = algebra::dot_in_order(&feature.basis[a * length], scratch.data(), samples);
   Guess guess;
   guess.amounts.assign(m, 0.0);
   for (std::size_t a = 0; a < m; ++a) {
@@ -239,7 +235,7 @@ Guess explain(const EigenFeature& feature, std::span<const double> patch, std::v
   for (std::size_t a = 0; a < m; ++a) {
     for (std::size_t i = 0; i < samples; ++i) scratch[i] -= guess.amounts[a] * feature.basis[a * length + i];
   }
-  guess.left = dot(scratch.data(), scratch.data(), samples) / static_cast<double>(samples);
+  guess.left = algebra::dot_in_order(scratch.data(), scratch.data(), samples) / static_cast<double>(samples);
   return guess;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/animation/points/symmetric_eigen.h"
+#include "core/algebra/symmetric_eigen.h"
 #include "core/animation/signal/statistics.h"
 
 namespace penpose::animation {
@@ -104,7 +104,7 @@ FaceLayout learn_rows(const std::vector<Row>& rows) {
       for (std::size_t i = 0; i < aligned[a].size(); ++i) products[a * n + b] += aligned[a][i] * aligned[b][i];
     }
   }
-  const SymmetricEigen eigen = symmetric_eigen(std::move(products), n);
+  const algebra::SymmetricEigen eigen = algebra::symmetric_eigen(std::move(products), n);
   double all = 0;
   for (const double value : eigen.values) all += std::max(value, 0.0);
   double kept = 0;

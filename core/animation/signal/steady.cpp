@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/animation/points/symmetric_eigen.h"
+#include "core/algebra/symmetric_eigen.h"
 #include "core/animation/signal/trend.h"
 
 namespace penpose::animation {
@@ -55,7 +55,7 @@ std::vector<double> principal_axes(const Rows& rows, std::size_t n) {
       for (std::size_t k = 0; k < n; ++k) scatter[i * n + k] += (row[i] - mean[i]) * (row[k] - mean[k]);
     }
   }
-  return symmetric_eigen(std::move(scatter), n).vectors;
+  return algebra::symmetric_eigen(std::move(scatter), n).vectors;
 }
 
 /// steady() of points that are few enough for a table of all of them against all.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/animation/points/symmetric_eigen.h"
+#include "core/algebra/symmetric_eigen.h"
 #include "core/animation/solve/seen_points.h"
 
 namespace penpose::animation {
@@ -61,7 +61,8 @@ Uncertainty parameter_uncertainty(const rig::Rig& rig, std::span<const double> r
                                   std::span<const std::size_t> searched, const Transfer& transfer,
                                   const geometry::Camera& camera, double deviation_px) {
   const std::size_t n = searched.size();
-  SymmetricEigen eigen = symmetric_eigen(seen_information(rig, rest, searched, transfer, camera, deviation_px), n);
+  algebra::SymmetricEigen eigen =
+      algebra::symmetric_eigen(seen_information(rig, rest, searched, transfer, camera, deviation_px), n);
   Uncertainty result;
   for (const double value : eigen.values) {
     result.deviations.push_back(1.0 / std::sqrt(std::max(value, 0.0) + 1.0 / (k_spread * k_spread)));

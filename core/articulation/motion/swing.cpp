@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/algebra/jacobi.h"
 #include "core/base/math.h"
 #include "core/base/sine_cosine.h"
 #include "core/geometry/rotation.h"
@@ -30,43 +31,15 @@ Quaternion spin(const geometry::Turn& turn) {
   return {base::cos(half), turn.axis * base::sin(half)};
 }
 
-/// The eigenvector of the largest eigenvalue of a symmetric matrix, by Jacobi's rotations.
+/// The eigenvector of the largest eigenvalue of a symmetric matrix.
 std::array<double, 4> largest_eigenvector(Matrix4 m) {
-  Matrix4 vectors{};
-  for (std::size_t i = 0; i < 4; ++i) vectors[i][i] = 1;
-  for (int sweep = 0; sweep < 30; ++sweep) {
-    for (std::size_t p = 0; p < 3; ++p) {
-      for (std::size_t q = p + 1; q < 4; ++q) {
-        if (m[p][q] == 0.0) continue;
-        const double theta = (m[q][q] - m[p][p]) / (2.0 * m[p][q]);
-        const double t = (theta < 0.0 ? -1.0 : 1.0) / (std::abs(theta) + std::sqrt(theta * theta + 1.0));
-        const double c = 1.0 / std::sqrt(t * t + 1.0);
-        const double s = t * c;
-        for (std::size_t k = 0; k < 4; ++k) {
-          const double a = m[k][p];
-          const double b = m[k][q];
-          m[k][p] = c * a - s * b;
-          m[k][q] = s * a + c * b;
-        }
-        for (std::size_t k = 0; k < 4; ++k) {
-          const double a = m[p][k];
-          const double b = m[q][k];
-          m[p][k] = c * a - s * b;
-          m[q][k] = s * a + c * b;
-          const double v = vectors[k][p];
-          const double w = vectors[k][q];
-          vectors[k][p] = c * v - s * w;
-          vectors[k][q] = s * v + c * w;
-        }
-        m[p][q] = m[q][p] = 0.0;
-      }
-    }
-  }
+  Matrix4 vectors;
+  algebra::rotate_to_diagonal(m[0].data(), vectors[0].data(), 4, {.most_sweeps = 30, .settled = -1, .zeroes = true});
   std::size_t best = 0;
   for (std::size_t i = 1; i < 4; ++i) {
     if (m[i][i] > m[best][best]) best = i;
   }
-  return {vectors[0][best], vectors[1][best], vectors[2][best], vectors[3][best]};
+  return vectors[best];
 }
 
 /// The rotation that turns the steps of one curve best onto those of the other (Horn 1987), with a little to say for no

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/curve/bend.h"
 #include "core/curve/pairing.h"
 #include "core/curve/polyline.h"
 #include "core/document/drawing/target_line.h"
@@ -16,23 +17,6 @@ using geometry::ModelPoint;
 
 /// Over so many times the gap between a stroke's end and the line the stroke is led over to it.
 constexpr double k_lead = 3;
-
-/// How far along a line, in px of its length, the place nearest to a point lies.
-double nearest_length(std::span<const PxPoint> line, std::span<const double> cumulative, PxPoint to) {
-  double best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const PxPoint along = line[i + 1] - line[i];
-    const PxPoint off = to - line[i];
-    const double squared = along.x * along.x + along.y * along.y;
-    const double u = squared > 0 ? std::clamp((off.x * along.x + off.y * along.y) / squared, 0.0, 1.0) : 0.0;
-    const double apart = geometry::distance(to, line[i] + along * u);
-    if (apart >= least) continue;
-    least = apart;
-    best = cumulative[i] + u * (cumulative[i + 1] - cumulative[i]);
-  }
-  return best;
-}
 
 PxPoint at_length(std::span<const PxPoint> line, std::span<const double> cumulative, double length) {
   const auto place = curve::place_at(cumulative, std::clamp(length / cumulative.back(), 0.0, 1.0));
@@ -92,7 +76,7 @@ Part part_of(std::span<const PxPoint> seen, std::span<const double> cumulative, 
   const double all = cumulative.back();
   // A stroke that ends about at the target's end redraws that, too.
   const auto place = [&](PxPoint end) {
-    const double at = nearest_length(seen, cumulative, end);
+    const double at = curve::nearest_along(seen, cumulative, end);
     const double reach = std::max(near_px, 0.5 * geometry::distance(end, at_length(seen, cumulative, at)));
     if (closed || std::min(at, all - at) > reach) return at;
     return at < 0.5 * all ? 0 : all;
@@ -103,7 +87,7 @@ Part part_of(std::span<const PxPoint> seen, std::span<const double> cumulative, 
   Part part{std::min(first, last), std::max(first, last), false};
   if (!closed) return part;
   // Of the two ways around the one that the stroke's middle lies at.
-  const double middle = nearest_length(seen, cumulative, stroke[stroke.size() / 2]);
+  const double middle = curve::nearest_along(seen, cumulative, stroke[stroke.size() / 2]);
   if (part.into(middle, cumulative.back())) return part;
   turned = !turned;
   return {part.to, part.from, true};

@@ -34,11 +34,7 @@ std::vector<double> even_shares(std::size_t count) {
 }
 
 double distance_to_segment(PxPoint p, PxPoint from, PxPoint to) {
-  const PxPoint along = to - from;
-  const double squared = along.x * along.x + along.y * along.y;
-  const PxPoint off = p - from;
-  const double u = squared > 0.0 ? std::clamp((off.x * along.x + off.y * along.y) / squared, 0.0, 1.0) : 0.0;
-  return geometry::distance(p, from + along * u);
+  return geometry::distance(p, from + (to - from) * geometry::nearest_share(p, from, to));
 }
 
 /// Which side of the line through two points a third lies on.

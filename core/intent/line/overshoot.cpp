@@ -15,8 +15,6 @@ constexpr double k_least = 0.005;
 constexpr double k_strays = 2.5;
 constexpr std::size_t k_samples = 4;
 
-double dot(PxPoint a, PxPoint b) { return a.x * b.x + a.y * b.y; }
-
 /// From inside the curve to its end, length one.
 PxPoint outwards(std::span<const PxPoint> seen, std::span<const double> along, bool last) {
   const std::size_t n = seen.size();

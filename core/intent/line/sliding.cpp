@@ -27,8 +27,6 @@ PxPoint direction(PxPoint v) {
   return length > 0.0 ? v * (1.0 / length) : PxPoint{1, 0};
 }
 
-double dot(PxPoint a, PxPoint b) { return a.x * b.x + a.y * b.y; }
-
 Modes modes_at(double share, double length, bool closed) {
   const double size = k_slide * length;
   if (closed) {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/posing/vector_math.h"
+#include "core/algebra/vectors.h"
 
 namespace penpose::intent {
 
@@ -17,7 +17,7 @@ void Quadratic::reset(std::size_t variables, std::size_t rows, std::size_t slide
 }
 
 double Quadratic::product(std::span<const double> a, std::span<const double> b) const {
-  return posing::dot(a.data(), b.data(), rows_) - posing::dot(a.data() + rows_, b.data() + rows_, slides_);
+  return algebra::dot(a.data(), b.data(), rows_) - algebra::dot(a.data() + rows_, b.data() + rows_, slides_);
 }
 
 void Quadratic::products(std::span<const double> a, std::span<double> out) const {
@@ -29,8 +29,8 @@ void Quadratic::products(std::span<const double> a, std::span<double> out) const
       rows[m] = column(asked_[k + m]).data();
       slides[m] = rows[m] + rows_;
     }
-    const auto r = posing::dots(a.data(), rows, rows_);
-    const auto p = posing::dots(a.data() + rows_, slides, slides_);
+    const auto r = algebra::dots(a.data(), rows, rows_);
+    const auto p = algebra::dots(a.data() + rows_, slides, slides_);
     for (std::size_t m = 0; m < 4; ++m) out[asked_[k + m]] = r[m] - p[m];
   }
   for (; k < asked_.size(); ++k) out[asked_[k]] = product(a, column(asked_[k]));

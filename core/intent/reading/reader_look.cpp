@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/algebra/vectors.h"
 #include "core/base/math.h"
 #include "core/intent/line/view_rows.h"
 #include "core/intent/reading/reader.h"
@@ -20,7 +21,6 @@ constexpr std::size_t k_overshoot_rows = 2;
 constexpr double k_overshoot_tells = 3.0;
 constexpr double k_told_end = 0.35;
 
-double dot(PxPoint a, PxPoint b) { return a.x * b.x + a.y * b.y; }
 PxPoint across(PxPoint tangent) { return {-tangent.y, tangent.x}; }
 
 }  // namespace
@@ -245,10 +245,10 @@ double Reader::energy_of_image(std::span<const double> image, std::size_t rows) 
   double sum = 0;
   for (const Block& block : blocks_) {
     const double* a = image.data() + block.row;
-    double squares = posing::dot(a, a, block.rows);
+    double squares = algebra::dot(a, a, block.rows);
     if (block.drawn) {
       const double* b = image.data() + rows + block.slide;
-      squares -= posing::dot(b, b, k_modes);
+      squares -= algebra::dot(b, b, k_modes);
     }
     sum += k_reach * base::log(1.0 + std::max(squares, 0.0) / (block.share * k_reach));
   }

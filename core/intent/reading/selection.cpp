@@ -3,43 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/algebra/cholesky.h"
 #include "core/base/math.h"
 
 namespace penpose::intent {
-namespace {
 
-/// Replaces a symmetric matrix by its lower Cholesky factor; false where it is not positive definite.
-bool factor_in_place(std::vector<double>& m, std::size_t n) {
-  for (std::size_t i = 0; i < n; ++i) {
-    const double least = 1e-12 * m[i * n + i];
-    for (std::size_t c = 0; c <= i; ++c) {
-      double sum = m[i * n + c];
-      for (std::size_t k = 0; k < c; ++k) sum -= m[i * n + k] * m[c * n + k];
-      if (i != c) {
-        m[i * n + c] = sum / m[c * n + c];
-      } else if (sum > least) {
-        m[i * n + i] = std::sqrt(sum);
-      } else {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-/// Solves L L' x = b in place.
-void solve_factored(const std::vector<double>& l, std::size_t n, std::vector<double>& b) {
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < i; ++k) b[i] -= l[i * n + k] * b[k];
-    b[i] /= l[i * n + i];
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t k = i + 1; k < n; ++k) b[i] -= l[k * n + i] * b[k];
-    b[i] /= l[i * n + i];
-  }
-}
-
-}  // namespace
+/// Share of a variable's own curvature that must be left of it beside those before it.
+constexpr double k_least_pivot = 1e-12;
 
 bool stands_at_limit(const Choice& choice, const Choices& choices) {
   for (std::size_t i = 0; i < choice.variables.size(); ++i) {
@@ -143,9 +113,9 @@ void Selection::solve_within_ranges(Choice& choice) {
   const std::size_t n = choice.variables.size();
   choice.values.assign(n, 0.0);
   solved_ = matrix_;
-  if (factor_in_place(solved_, n)) {
+  if (algebra::factor(solved_.data(), n, k_least_pivot)) {
     choice.values = pulls_;
-    solve_factored(solved_, n, choice.values);
+    algebra::solve_factored(solved_.data(), n, choice.values.data());
     bool inside = true;
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t v = choice.variables[i];
@@ -207,7 +177,7 @@ Selection::Base Selection::base_of(Choice choice) {
   for (const std::size_t v : choice.variables) q_.prepare(v);
   set_up(choice);
   Base base{std::move(choice), matrix_};
-  if (!factor_in_place(base.factor, base.choice.variables.size())) base.factor.clear();
+  if (!algebra::factor(base.factor.data(), base.choice.variables.size(), k_least_pivot)) base.factor.clear();
   return base;
 }
 

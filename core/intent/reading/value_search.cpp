@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/algebra/vectors.h"
 #include "core/posing/objective.h"
-#include "core/posing/vector_math.h"
 
 namespace penpose::intent {
 namespace {
@@ -48,7 +48,7 @@ class ChoiceObjective final : public posing::Objective {
   }
   void add(std::size_t i, double by, std::span<double> image) const {
     const auto column = quadratic_.column(choice_.variables[i]);
-    posing::add_scaled(by, column.data(), image.data(), image.size());
+    algebra::add_scaled(by, column.data(), image.data(), image.size());
   }
 
   Reader& reader_;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/json/json.h"
+#include "core/base/json/json.h"
 
 namespace penpose::io {
 namespace {

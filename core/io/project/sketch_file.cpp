@@ -4,8 +4,8 @@
 #include <set>
 #include <string_view>
 
+#include "core/base/json/json.h"
 #include "core/io/project/internal/sketch_json.h"
-#include "core/json/json.h"
 
 namespace penpose::io {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/json/loose_json.h"
 #include "core/io/tracks/read_track.h"
-#include "core/json/loose_json.h"
 
 namespace penpose::io {
 namespace {

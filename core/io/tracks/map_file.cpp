@@ -5,8 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "core/base/json/json.h"
 #include "core/io/tracks/track_formats.h"
-#include "core/json/json.h"
 
 namespace penpose::io {
 namespace {

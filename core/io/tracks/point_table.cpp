@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/base/text/letters.h"
+#include "core/io/tracks/read_track.h"
 
 namespace penpose::io {
 namespace {
@@ -130,6 +131,20 @@ base::Result<FaceRow> read_point_row(const CsvReader& table, const PointColumns&
   if (!row.why_held.empty()) row.points.clear();
   if (!row.why_held.empty() || !depths) row.depths.clear();
   return result;
+}
+
+base::Result<std::vector<FaceRow>> read_point_rows(CsvReader& table, const PointColumns& columns,
+                                                   const RowFinish& finish) {
+  std::vector<FaceRow> rows;
+  std::vector<std::string_view> cells;
+  while (table.next(cells)) {
+    auto row = read_point_row(table, columns, cells);
+    if (!row) return row.error();
+    if (finish) finish(cells, row->row);
+    if (rows.size() >= 4 * k_most_track_frames) return table.error("the table has too many rows", "cut the video");
+    rows.push_back(std::move(row).value());
+  }
+  return rows;
 }
 
 }  // namespace penpose::io

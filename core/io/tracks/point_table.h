@@ -36,6 +36,13 @@ struct FaceRow {
 [[nodiscard]] base::Result<FaceRow> read_point_row(const CsvReader& table, const PointColumns& columns,
                                                    const std::vector<std::string_view>& cells);
 
+/// What else a format reads of a row, from its cells.
+using RowFinish = std::function<void(const std::vector<std::string_view>& cells, TrackRow& row)>;
+/// Reads all rows that are left of the table. Errors: those of a row, and more rows than four faces in
+/// k_most_track_frames have.
+[[nodiscard]] base::Result<std::vector<FaceRow>> read_point_rows(CsvReader& table, const PointColumns& columns,
+                                                                 const RowFinish& finish = {});
+
 /// A coordinate that distances can be taken of: finite and below 1e7.
 [[nodiscard]] bool usable_coordinate(double value);
 

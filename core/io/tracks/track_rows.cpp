@@ -202,4 +202,10 @@ base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::
   return track;
 }
 
+base::Result<animation::PointTrack> noted(base::Result<animation::PointTrack> track,
+                                          std::span<const std::string> notes) {
+  if (track) track->notes.insert(track->notes.begin(), notes.begin(), notes.end());
+  return track;
+}
+
 }  // namespace penpose::io

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,10 @@ enum class RowName : std::uint8_t { line, frame };
 /// face that the file says nothing of than most_gap_frames.
 [[nodiscard]] base::Result<animation::PointTrack> make_track(std::vector<TrackRow> rows, std::size_t point_count,
                                                              double fps, RowName name = RowName::line);
+
+/// The track, if there is one, with what was noted before it was made.
+[[nodiscard]] base::Result<animation::PointTrack> noted(base::Result<animation::PointTrack> track,
+                                                        std::span<const std::string> notes);
 
 /// Divides times by 1000 as long as their usual step is 5 a row or more: no video shows a frame so rarely, they are
 /// milliseconds, or micro- or nanoseconds.

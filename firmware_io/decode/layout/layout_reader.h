@@ -5,7 +5,7 @@
 #include <string>
 
 #include "firmware_io/decode/layout/layout.h"
-#include "firmware_io/decode/table/json_tree.h"
+#include "firmware_io/decode/table/json_place.h"
 
 namespace penpose::decode {
 

@@ -5,7 +5,8 @@
 
 #include "core/base/numbers.h"
 #include "firmware_io/decode/layout/protocol.h"
-#include "firmware_io/decode/table/json_tree.h"
+#include "firmware_io/decode/table/device_strings.h"
+#include "firmware_io/decode/table/json_place.h"
 
 namespace penpose::decode {
 namespace {
@@ -135,16 +136,7 @@ TabletIdentifier read_identifier(const JsonPlace& place, const JsonPlace& file) 
   read_length(place.at("OutputReportLength"), identifier.output_report_length);
   identifier.interface_number = read_attribute(place, "Interface", 255);
   if (!identifier.interface_number) identifier.interface_number = read_attribute(file, "Interface", 255);
-  for (const auto& [index, check] : place.at("DeviceStrings").members()) {
-    const auto number = base::parse_uint(index);
-    if (!number || *number > 255) check.fail("is not under the index of a string", "write 1 to 255");
-    auto pattern = TextPattern::parse(check.text(1024));
-    if (!pattern) {
-      check.fail(pattern.error().what, pattern.error().remedy);
-      break;
-    }
-    identifier.strings.push_back({static_cast<std::uint8_t>(number.value_or(0)), std::move(pattern).value()});
-  }
+  identifier.strings = read_device_strings(place.at("DeviceStrings"));
   for (const auto& item : place.at("InitializationStrings").items()) {
     identifier.read_strings.push_back(static_cast<std::uint8_t>(item.integer(0, 255)));
   }

@@ -4,6 +4,7 @@
 
 #include "core/base/numbers.h"
 #include "firmware_io/decode/layout/protocol.h"
+#include "firmware_io/decode/table/device_strings.h"
 #include "firmware_io/decode/table/open_tablet_driver.h"
 
 namespace penpose::decode {
@@ -58,16 +59,7 @@ TabletIdentifier read_identifier(const JsonPlace& place, const ProtocolMap& own)
   read_optional(place.at("output"), k_longest_report, identifier.output_report_length);
   read_optional(place.at("feature"), k_longest_report, identifier.feature_report_length);
   read_optional(place.at("interface"), 255, identifier.interface_number);
-  for (const auto& [index, check] : place.at("strings").members()) {
-    const auto number = base::parse_uint(index);
-    if (!number || *number > 255) check.fail("is not under the index of a string", "write 1 to 255");
-    auto pattern = TextPattern::parse(check.text(1024));
-    if (!pattern) {
-      check.fail(pattern.error().what, pattern.error().remedy);
-      break;
-    }
-    identifier.strings.push_back({static_cast<std::uint8_t>(number.value_or(0)), std::move(pattern).value()});
-  }
+  identifier.strings = read_device_strings(place.at("strings"));
   for (const auto& item : place.at("read_strings").items()) {
     identifier.read_strings.push_back(static_cast<std::uint8_t>(item.integer(0, 255)));
   }

@@ -13,7 +13,7 @@ namespace penpose::decode {
 /// A regular expression for device strings, matched in bounded time whatever the pattern: no backtracking, no recursion
 /// over the text. Knows what ECMAScript and .NET patterns have in common: alternation, groups (capturing or `(?:`),
 /// `(?=` and `(?!`, classes, `\d \w \s` and their opposites, `\xHH`, `. ^ $`, and the quantifiers `* + ? {n} {n,}
-/// {n,m}`, lazy or not. Back references and look-behind are refused.
+/// {n,m}`, lazy or not. Back references and look-behind are refused. docs/measured.md says why it is not PCRE2.
 class TextPattern {
  public:
   /// At most 512 bytes. The error says what is wrong with the pattern.

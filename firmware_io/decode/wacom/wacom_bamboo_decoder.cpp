@@ -1,9 +1,24 @@
-#include "firmware_io/decode/wacom/wacom_bamboo_decoder.h"
-
 #include "firmware_io/decode/sample/report_bytes.h"
 #include "firmware_io/decode/wacom/wacom_axes.h"
+#include "firmware_io/decode/wacom/wacom_pens.h"
 
 namespace penpose::decode {
+namespace {
+
+class WacomBambooDecoder final : public PenDecoder {
+ public:
+  explicit WacomBambooDecoder(const WacomModel& model);
+
+  ReportKind decode(base::Bytes report) override;
+  void reset() override;
+  [[nodiscard]] const PenAxes& axes() const override { return axes_; }
+
+ private:
+  PenAxes axes_;
+  std::int32_t max_distance_;
+  Tool tool_ = Tool::none;
+  bool reporting_ = false;  ///< a position was seen since the pen came near
+};
 
 WacomBambooDecoder::WacomBambooDecoder(const WacomModel& model)
     : axes_(wacom_axes(model)), max_distance_(model.max_distance) {}
@@ -38,6 +53,12 @@ ReportKind WacomBambooDecoder::decode(base::Bytes report) {
   sample_.tool_id = !near ? 0 : tool_ == Tool::eraser ? 0x0a : 0x02;
   if (!near) reporting_ = false;
   return ReportKind::pen;
+}
+
+}  // namespace
+
+std::unique_ptr<PenDecoder> make_wacom_bamboo(const WacomModel& model) {
+  return std::make_unique<WacomBambooDecoder>(model);
 }
 
 }  // namespace penpose::decode

@@ -1,7 +1,8 @@
-#include "firmware_io/decode/wacom/wacom_bluetooth_decoder.h"
-
+#include "firmware_io/decode/described/frame_list.h"
 #include "firmware_io/decode/sample/report_bytes.h"
 #include "firmware_io/decode/wacom/wacom_axes.h"
+#include "firmware_io/decode/wacom/wacom_pens.h"
+#include "firmware_io/decode/wacom/wacom_tools.h"
 
 namespace penpose::decode {
 namespace {
@@ -15,7 +16,31 @@ struct FrameLayout {
 constexpr FrameLayout k_pro{7, 14, 99, 107};
 constexpr FrameLayout k_small{4, 8, 33, 41};
 
-}  // namespace
+class WacomBluetoothDecoder final : public PenDecoder {
+ public:
+  explicit WacomBluetoothDecoder(const WacomModel& model);
+
+  ReportKind decode(base::Bytes report) override;
+  void reset() override;
+  [[nodiscard]] const PenAxes& axes() const override { return axes_; }
+  [[nodiscard]] std::span<const PenSample> frames() const override { return frames_.all(); }
+
+ private:
+  template <std::size_t frame_size>
+  void decode_frames(base::Bytes frames);
+  /// False when the frame says that the pen left, after which the report holds nothing more. Its size tells which kind
+  /// of tablet it is from.
+  template <std::size_t frame_size>
+  bool decode_frame(std::span<const std::uint8_t, frame_size> frame);
+
+  PenAxes axes_;
+  FrameList frames_;
+  bool is_pro_;
+  std::int32_t max_distance_;
+  WacomTool tool_ = WacomTool::none;
+  std::uint32_t tool_number_ = 0;
+  std::uint64_t serial_ = 0;
+};
 
 WacomBluetoothDecoder::WacomBluetoothDecoder(const WacomModel& model)
     : axes_(wacom_axes(model)),
@@ -99,6 +124,12 @@ ReportKind WacomBluetoothDecoder::decode(base::Bytes report) {
     decode_frames<k_small.size>(frames);
   }
   return frames_.empty() ? ReportKind::ignored : ReportKind::pen;
+}
+
+}  // namespace
+
+std::unique_ptr<PenDecoder> make_wacom_bluetooth(const WacomModel& model) {
+  return std::make_unique<WacomBluetoothDecoder>(model);
 }
 
 }  // namespace penpose::decode

@@ -1,9 +1,8 @@
-#include "firmware_io/decode/wacom/wacom_graphire_decoder.h"
-
 #include <algorithm>
 
 #include "firmware_io/decode/sample/report_bytes.h"
 #include "firmware_io/decode/wacom/wacom_axes.h"
+#include "firmware_io/decode/wacom/wacom_pens.h"
 
 namespace penpose::decode {
 namespace {
@@ -13,7 +12,33 @@ constexpr std::uint32_t k_pen_id = 0x02;
 constexpr std::uint32_t k_mouse_id = 0x06;
 constexpr std::uint32_t k_eraser_id = 0x0a;
 
-}  // namespace
+class WacomGraphireDecoder final : public PenDecoder {
+ public:
+  explicit WacomGraphireDecoder(const WacomModel& model);
+
+  ReportKind decode(base::Bytes report) override;
+  void reset() override;
+  [[nodiscard]] const PenAxes& axes() const override { return axes_; }
+
+ private:
+  void set_tool(base::Bytes report);
+
+  WacomFamily family_;
+  PenAxes axes_;
+  Tool tool_ = Tool::none;  ///< the last tool, kept for the report that says that it left
+};
+
+class WacomPenPartnerDecoder final : public PenDecoder {
+ public:
+  explicit WacomPenPartnerDecoder(const WacomModel& model);
+
+  ReportKind decode(base::Bytes report) override;
+  void reset() override { sample_ = {}; }
+  [[nodiscard]] const PenAxes& axes() const override { return axes_; }
+
+ private:
+  PenAxes axes_;
+};
 
 WacomGraphireDecoder::WacomGraphireDecoder(const WacomModel& model) : family_(model.family), axes_(wacom_axes(model)) {}
 
@@ -92,6 +117,16 @@ ReportKind WacomPenPartnerDecoder::decode(base::Bytes report) {
   sample_.tip = report[0] == 0x01 ? pressure > -127 : pressure > -80 && !bit(report, 5, 0x20);
   sample_.buttons = bit(report, 5, 0x40) ? 1 : 0;
   return ReportKind::pen;
+}
+
+}  // namespace
+
+std::unique_ptr<PenDecoder> make_wacom_graphire(const WacomModel& model) {
+  return std::make_unique<WacomGraphireDecoder>(model);
+}
+
+std::unique_ptr<PenDecoder> make_wacom_penpartner(const WacomModel& model) {
+  return std::make_unique<WacomPenPartnerDecoder>(model);
 }
 
 }  // namespace penpose::decode

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "tests/support/models/plates.h"
 #include "tests/support/models/test_rigs.h"
 
 namespace penpose::curve {
@@ -27,15 +28,6 @@ std::shared_ptr<const mesh::TriangleMesh> swept(const std::vector<std::vector<st
     }
   }
   return mesh::TriangleMesh::build(std::move(source)).value();
-}
-
-/// A rectangle that faces the viewer, from y = 0 to 1.
-void add_plate(mesh::MeshSource& source, double from_x, double to_x, double z) {
-  const auto first = static_cast<std::uint32_t>(source.positions.size());
-  for (const auto& [x, y] : {std::array{from_x, 0.0}, {to_x, 0.0}, {to_x, 1.0}, {from_x, 1.0}})
-    source.positions.emplace_back(x, y, z);
-  source.triangles.push_back({first, first + 1, first + 2});
-  source.triangles.push_back({first, first + 2, first + 3});
 }
 
 /// 1 unit is 500 px; (0, 0) is at px (250, 750); the camera looks down z from z = 1.
@@ -137,7 +129,7 @@ TEST(SheetCurve, RunsOnBehindWhatOnlyCrossesIt) {
   const auto wall = tests::grid_mesh(10, 10);
   source.positions.assign(wall->positions().begin(), wall->positions().end());
   source.triangles.assign(wall->triangles().begin(), wall->triangles().end());
-  add_plate(source, 0.45, 0.55, 0.2);
+  tests::add_plate(source, 0.45, 0.55, 0.0, 1.0, 0.2);
   Look look(mesh::TriangleMesh::build(std::move(source)).value());
   const auto drawn = look.draw(wavy(500, 5));
   EXPECT_EQ(drawn.dropped, 0U);
@@ -165,8 +157,8 @@ TEST(SheetCurve, OneSheetIsDrawnOnAsEver) {
 TEST(SheetCurve, KeepsTheLongestPartWhereItLeavesTheSheet) {
   // Two plates far behind each other, side by side: no sheet under all of the line.
   mesh::MeshSource source;
-  add_plate(source, 0.0, 0.65, 0.0);
-  add_plate(source, 0.65, 1.0, -0.6);
+  tests::add_plate(source, 0.0, 0.65, 0.0, 1.0, 0.0);
+  tests::add_plate(source, 0.65, 1.0, 0.0, 1.0, -0.6);
   Look look(mesh::TriangleMesh::build(std::move(source)).value());
   const auto drawn = look.draw(wavy(500, 3));
   EXPECT_GT(drawn.dropped, 10U);

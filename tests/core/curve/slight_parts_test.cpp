@@ -2,17 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/models/plates.h"
+
 namespace penpose::curve {
 namespace {
-
-/// A rectangle that faces the viewer.
-void add_plate(mesh::MeshSource& source, double from_x, double to_x, double from_y, double to_y, double z) {
-  const auto first = static_cast<std::uint32_t>(source.positions.size());
-  for (const auto& [x, y] : {std::array{from_x, from_y}, {to_x, from_y}, {to_x, to_y}, {from_x, to_y}})
-    source.positions.emplace_back(x, y, z);
-  source.triangles.push_back({first, first + 1, first + 2});
-  source.triangles.push_back({first, first + 2, first + 3});
-}
 
 /// A lid below y = 0.5, lashes that stand out before its rim and hang over it by `over`, an eye behind both.
 struct Look {
@@ -25,9 +18,9 @@ struct Look {
   explicit Look(double over)
       : mesh([&] {
           mesh::MeshSource source;
-          add_plate(source, -1.0, 2.0, -1.0, 0.5, 0.0);
-          add_plate(source, 0.2, 0.8, 0.499, 0.5 + over, 0.005);
-          add_plate(source, 0.2, 0.8, 0.4, 0.7, -0.05);
+          tests::add_plate(source, -1.0, 2.0, -1.0, 0.5, 0.0);
+          tests::add_plate(source, 0.2, 0.8, 0.499, 0.5 + over, 0.005);
+          tests::add_plate(source, 0.2, 0.8, 0.4, 0.7, -0.05);
           return mesh::TriangleMesh::build(std::move(source)).value();
         }()),
         positions(mesh->positions().begin(), mesh->positions().end()),

@@ -4,25 +4,14 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <gtest/gtest.h>
-#include <random>
 
 #include "core/base/math.h"
+#include "tests/support/random.h"
 
 namespace penpose::geometry {
 namespace {
 
 constexpr double k_quarter = base::k_pi / 2;
-
-class Random {
- public:
-  double operator()(double low, double high) {
-    return low + (high - low) * static_cast<double>(generator_() >> 11) * 0x1p-53;
-  }
-  ModelVector vector(double size = 1) { return {(*this)(-size, size), (*this)(-size, size), (*this)(-size, size)}; }
-
- private:
-  std::mt19937_64 generator_{11};
-};
 
 double worst_difference(const glm::dmat3& a, const glm::dmat3& b) {
   double worst = 0;
@@ -57,7 +46,7 @@ TEST(Rotation, TurnsCounterClockwiseAboutItsAxis) {
 }
 
 TEST(Rotation, IsRigid) {
-  Random random;
+  tests::Random random(11);
   for (int i = 0; i < 200; ++i) {
     const glm::dmat3 r = rotation_about(normalized(random.vector()), random(-7, 7));
     EXPECT_LT(worst_difference(glm::transpose(r) * r, glm::dmat3(1)), 1e-14);
@@ -66,7 +55,7 @@ TEST(Rotation, IsRigid) {
 }
 
 TEST(TurnBetween, TakesOneDirectionToTheOther) {
-  Random random;
+  tests::Random random(11);
   for (int i = 0; i < 500; ++i) {
     const ModelVector from = random.vector(5);
     const ModelVector to = i % 5 == 0 ? from * -2.0 : random.vector(0.1);
@@ -87,7 +76,7 @@ TEST(TurnBetween, GivesNoTurnWhereThereIsNone) {
 }
 
 TEST(Quaternion, TurnsAboutXThenTheTurnedYThenTheTurnedZ) {
-  Random random;
+  tests::Random random(11);
   for (int i = 0; i < 100; ++i) {
     const glm::dvec3 angles = random.vector(3);
     const glm::dmat3 expected = about(0, angles.x) * about(1, angles.y) * about(2, angles.z);
@@ -97,7 +86,7 @@ TEST(Quaternion, TurnsAboutXThenTheTurnedYThenTheTurnedZ) {
 }
 
 TEST(Quaternion, AnglesComeBack) {
-  Random random;
+  tests::Random random(11);
   for (int i = 0; i < 500; ++i) {
     const glm::dvec3 angles{random(-3.1, 3.1), random(-1.5, 1.5), random(-3.1, 3.1)};
     EXPECT_NEAR(length(xyz_from_quaternion(quaternion_from_xyz(angles)) - angles), 0, 1e-9);

@@ -4,47 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/models/test_rigs.h"
+#include "tests/support/random.h"
 
 namespace penpose::posing {
 namespace {
-
-std::vector<double> numbers(std::size_t count, std::uint64_t seed) {
-  tests::Random random(seed);
-  std::vector<double> all;
-  for (std::size_t i = 0; i < count; ++i) all.push_back(random(-2, 2));
-  return all;
-}
-
-TEST(VectorMath, WorksForAnyCount) {
-  for (std::size_t count = 0; count < 19; ++count) {
-    const auto a = numbers(count, 1);
-    const auto b = numbers(count, 2);
-    double sum = 0;
-    for (std::size_t i = 0; i < count; ++i) sum += a[i] * b[i];
-    EXPECT_NEAR(dot(a.data(), b.data(), count), sum, 1e-14);
-
-    std::vector<double> out(count + 1, 7);
-    multiply(a.data(), b.data(), out.data(), count);
-    for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(out[i], a[i] * b[i]);
-    EXPECT_EQ(out[count], 7);
-
-    out.assign(count + 1, 7);
-    add_scaled(-3, a.data(), out.data(), count);
-    for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(out[i], 7 + -3 * a[i]);
-    EXPECT_EQ(out[count], 7);
-  }
-}
-
-TEST(VectorMath, AddsItsLanesInAFixedOrder) {
-  // The sum that the contract spells out, number by number: four lanes, then pairs of them, then the rest.
-  const auto a = numbers(11, 3);
-  const auto b = numbers(11, 4);
-  std::array<double, 4> lane{};
-  for (std::size_t i = 0; i < 8; ++i) lane[i % 4] += a[i] * b[i];
-  double sum = (lane[0] + lane[1]) + (lane[2] + lane[3]);
-  for (std::size_t i = 8; i < 11; ++i) sum += a[i] * b[i];
-  EXPECT_EQ(dot(a.data(), b.data(), 11), sum);
-}
 
 TEST(Residuals, HoldFourPointsABlock) {
   EXPECT_EQ(residual_index(0, 0), 0U);
@@ -97,12 +60,12 @@ TEST(Column, DoesWhatAWholeColumnWould) {
     }
     const Column column(dense);
     EXPECT_EQ(column.values(), dense);
-    const auto b = numbers(size, 6);
+    const auto b = tests::random_numbers(size, 6);
     double sum = 0;
     for (std::size_t i = 0; i < size; ++i) sum += dense[i] * b[i];
     EXPECT_NEAR(column.dot(b.data()), sum, 1e-13);
 
-    std::vector<double> out = numbers(size, 7);
+    std::vector<double> out = tests::random_numbers(size, 7);
     const auto before = out;
     column.add_to(0.5, out.data());
     for (std::size_t i = 0; i < size; ++i) EXPECT_EQ(out[i], before[i] + 0.5 * dense[i]);
@@ -110,7 +73,7 @@ TEST(Column, DoesWhatAWholeColumnWould) {
     std::vector<double> product(size, 0.0);
     column.multiply(b.data(), product.data());
     double within = 0;
-    const auto c = numbers(size, 8);
+    const auto c = tests::random_numbers(size, 8);
     for (std::size_t i = 0; i < size; ++i) {
       EXPECT_EQ(product[i], dense[i] * b[i]);
       const std::size_t block = i / k_block_numbers * k_block_numbers;

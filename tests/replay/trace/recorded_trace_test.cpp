@@ -2,15 +2,15 @@
 #include <gtest/gtest.h>
 
 #include "firmware_io/decode/decoder_factory.h"
-#include "firmware_io/decode/hand/stroke_recorder.h"
 #include "replay/trace/trace_source.h"
+#include "tests/support/hands/stroke_recorder.h"
 #include "tests/support/shared_data.h"
 
 namespace penpose::replay {
 namespace {
 
 /// The strokes of a trace of tests/data that has one device.
-std::vector<decode::PenStroke> strokes_of(const std::string& name) {
+std::vector<tests::PenStroke> strokes_of(const std::string& name) {
   const auto bytes = tests::read_file(std::filesystem::path(PENPOSE_TEST_DATA) / "traces" / name);
   TraceSource source(read_from(bytes));
   EXPECT_TRUE(source.read_header());
@@ -18,7 +18,7 @@ std::vector<decode::PenStroke> strokes_of(const std::string& name) {
   auto made = decode::make_decoder(source.devices().at(0));
   EXPECT_TRUE(made);
   if (!made) return {};
-  decode::StrokeRecorder strokes;
+  tests::StrokeRecorder strokes;
   std::int64_t last_us = 0;
   for (auto report = source.next(); report && report->has_value(); report = source.next()) {
     last_us = (*report)->time_us;

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "firmware_io/decode/decoder_factory.h"
-#include "firmware_io/decode/hand/stroke_recorder.h"
 #include "tests/support/hands/pen_path.h"
 #include "tests/support/hands/pen_reports.h"
+#include "tests/support/hands/stroke_recorder.h"
 #include "tests/support/hands/trace_text.h"
 
 namespace penpose::replay {
@@ -90,8 +90,8 @@ TEST(TraceSource, AGeneratedPathComesBackAsTheSameStrokes) {
   ASSERT_TRUE(source.read_header());
   auto made = decode::make_decoder(source.devices().at(0));
   ASSERT_TRUE(made);
-  decode::StrokeRecorder recorded;
-  decode::StrokeRecorder wanted;
+  tests::StrokeRecorder recorded;
+  tests::StrokeRecorder wanted;
   std::size_t next = 0;
   for (auto report = source.next(); report && report->has_value(); report = source.next()) {
     const auto& raw = **report;

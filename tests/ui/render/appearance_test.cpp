@@ -39,11 +39,7 @@ TEST(SharedRender, EyesOfTheWholeFaceLookLikeEyes) {
   const auto model = io::read_model(bytes, "ict_face.glb").value();
   const Appearance look = make_appearance(model);
   const PosedMesh posed = posed_mesh(model);
-  Scene scene;
-  scene.positions = posed.positions;
-  scene.normals = posed.normals;
-  scene.triangles = model.mesh->triangles();
-  scene.appearance = &look;
+  const Scene scene = scene_of(model, posed, look);
   const auto renderer = make_renderer();
   ASSERT_NE(renderer, nullptr);
   const auto camera = frame_points(posed.positions, {800, 800}, {0, 0});
@@ -74,11 +70,7 @@ TEST(SharedRender, EveryModelFillsItsPicture) {
     const auto model = io::read_model(bytes, name).value();
     const Appearance look = make_appearance(model);
     const PosedMesh posed = posed_mesh(model);
-    Scene scene;
-    scene.positions = posed.positions;
-    scene.normals = posed.normals;
-    scene.triangles = model.mesh->triangles();
-    scene.appearance = &look;
+    const Scene scene = scene_of(model, posed, look);
     const auto camera = frame_points(posed.positions, {200, 200});
     const int covered = differing(renderer->render(scene, camera).value(), renderer->render({}, camera).value());
     EXPECT_GT(covered, 200 * 200 / 12) << name;

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "core/articulation/edit.h"
 #include "core/articulation/measure/doubts.h"
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
@@ -25,9 +25,9 @@
 namespace penpose::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using articulation::Deformer;
 using articulation::SketchedDeformers;
+using json::Json;
 
 struct ArticulateArguments {
   io::GlbOptions glb;
@@ -223,7 +223,7 @@ int articulate(const ArticulateArguments& arguments) {
                          {"deformers", std::move(rows)},
                          {"corrections", std::move(corrections)},
                          {"state", document::DocumentHasher()(*result).whole.hex()}};
-    std::cout << object.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::cout << object.dump_as_made() << '\n';
   }
   return k_success;
 }

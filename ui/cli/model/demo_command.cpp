@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/document/document_hash.h"
 #include "ui/cli/commands.h"
@@ -23,7 +23,7 @@ namespace {
 /// Strokes that one control took: two regions, the target, and the reference where it was drawn.
 std::size_t stroke_count(const articulation::Sketch& sketch) { return sketch.reference.empty() ? 3 : 4; }
 
-using Json = nlohmann::ordered_json;
+using json::Json;
 using Clock = std::chrono::steady_clock;
 
 struct DemoArguments {
@@ -152,7 +152,7 @@ int run_demo_command(const DemoArguments& arguments) {
   written.picture_ms = ms_since(before_pictures);
   written.total_ms = ms_since(start);
   if (arguments.json) {
-    std::cout << to_json(*made, written).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::cout << to_json(*made, written).dump_as_made() << '\n';
   } else {
     print(*made, written);
   }

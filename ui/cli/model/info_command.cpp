@@ -5,9 +5,9 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
@@ -18,7 +18,7 @@
 namespace penpose::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json::Json;
 
 struct InfoArguments {
   std::string model;
@@ -128,7 +128,7 @@ int run_info(const InfoArguments& arguments) {
   const document::Model model = document::model_of(*document);
   if (arguments.json) {
     const std::string state = document::DocumentHasher()(*document).whole.hex();
-    std::cout << to_json(model, state, arguments.model).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::cout << to_json(model, state, arguments.model).dump_as_made() << '\n';
   } else {
     print(model, arguments.model);
   }

@@ -136,11 +136,7 @@ int draw(const Options& options, const document::Model& model, render::Renderer&
     if (!drawings) return files::report(drawings.error(), options.cases);
     curves.insert(curves.end(), drawings->begin(), drawings->end());
   }
-  render::Scene scene;
-  scene.positions = posed.positions;
-  scene.normals = posed.normals;
-  scene.triangles = model.mesh->triangles();
-  scene.appearance = &appearance;
+  render::Scene scene = render::scene_of(model, posed, appearance);
   scene.curves = curves;
   scene.wireframe = options.wireframe;
   const auto image = renderer.render(scene, camera);

@@ -4,16 +4,16 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <vector>
 
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 
 namespace penpose::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json::Json;
 
 struct Column {
   const char* title;
@@ -96,7 +96,7 @@ void print_left_out_json(const std::string& model, std::span<const document::Pos
     all[column.key] = together(rows, column.left);
   }
   const Json out = {{"model", model}, {"keys", std::move(list)}, {"median", medians}, {"all", all}};
-  std::cout << out.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+  std::cout << out.dump_as_made() << '\n';
 }
 
 }  // namespace penpose::cli

@@ -6,9 +6,9 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
@@ -27,7 +27,7 @@
 namespace penpose::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json::Json;
 
 /// Which energy is minimised.
 enum class Preset : std::uint8_t { meant, exact, paper };
@@ -191,7 +191,7 @@ int pose(const PoseArguments& arguments) {
     document->pose = solved.back().solution.pose;
     const Json result = {
         {"model", arguments.model}, {"cases", std::move(cases)}, {"state", hasher(*document).whole.hex()}};
-    std::cout << result.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::cout << result.dump_as_made() << '\n';
   } else {
     for (const SolvedCase& one : solved) print_row(one, model);
   }

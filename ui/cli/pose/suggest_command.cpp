@@ -6,11 +6,11 @@
 #include <iostream>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/closest_name.h"
 #include "core/base/text/shown_text.h"
@@ -29,7 +29,7 @@
 namespace penpose::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json::Json;
 
 struct SuggestArguments {
   std::string model;
@@ -181,7 +181,7 @@ void print_json(const SuggestArguments& arguments, const document::Document& bef
                     {"shrinkage", suggestion.shrinkage}, {"strength", suggestion.command.strength},
                     {"held", suggestion.command.held},   {"suggested", std::move(suggested)},
                     {"parameters", std::move(all)},      {"state", document::DocumentHasher()(after).whole.hex()}};
-  std::cout << out.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+  std::cout << out.dump_as_made() << '\n';
 }
 
 /// The document with the pose that `--set` asks for; what was set is held.

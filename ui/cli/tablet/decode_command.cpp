@@ -8,6 +8,7 @@
 #include <optional>
 #include <system_error>
 
+#include "core/base/json/json.h"
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/decode/layout/protocol.h"
 #include "firmware_io/decode/wacom/wacom_receiver.h"
@@ -15,6 +16,7 @@
 #include "ui/cli/commands.h"
 #include "ui/cli/tablet/hand_decode.h"
 #include "ui/cli/tablet/sample_printer.h"
+#include "ui/cli/tablet/trace_output.h"
 #include "ui/files/files.h"
 #include "ui/files/own_tablets.h"
 #include "ui/files/trace_file.h"
@@ -53,7 +55,6 @@ class DecodeRun {
   void print(const replay::TraceReport& report, Interface& interface);
   void begin_output(const decode::PenAxes& axes);
   void end_output(const replay::TraceSource& source);
-  void flush(std::size_t keep);
 
   const DecodeOptions& options_;
   const decode::TabletTable* own_;
@@ -123,12 +124,6 @@ void DecodeRun::hear(const replay::TraceReport& report) {
   }
 }
 
-void DecodeRun::flush(std::size_t keep) {
-  if (out_.size() < keep) return;
-  std::cout.write(out_.data(), static_cast<std::streamsize>(out_.size()));
-  out_.clear();
-}
-
 void DecodeRun::begin_output(const decode::PenAxes& axes) {
   begun_ = true;
   if (options_.json) {
@@ -159,10 +154,10 @@ void DecodeRun::end_output(const replay::TraceSource& source) {
       first = false;
       out_ += "{\"device\": " + std::to_string(number) + ", \"vendor\": " + std::to_string(device.vendor) +
               ", \"product\": " + std::to_string(device.product) + ", \"name\": ";
-      append_json_text(out_, device.name);
+      json::append_text(out_, device.name);
       out_ += ", \"method\": ";
       if (read) {
-        append_json_text(out_, interface->second.method);
+        json::append_text(out_, interface->second.method);
       } else {
         out_ += "null";
       }
@@ -170,7 +165,7 @@ void DecodeRun::end_output(const replay::TraceSource& source) {
     }
     out_ += "],\n\"reports\": " + std::to_string(reports_) + "}\n";
   }
-  flush(0);
+  print_gathered(out_, 0);
   std::cout.flush();
 }
 
@@ -188,7 +183,7 @@ void DecodeRun::print(const replay::TraceReport& report, Interface& interface) {
     }
     ++samples_;
   }
-  flush(std::size_t{1} << 16);
+  print_gathered(out_, std::size_t{1} << 16);
 }
 
 base::Status DecodeRun::decode(replay::TraceSource& source) {
@@ -220,14 +215,7 @@ int DecodeRun::run() {
   const auto done = decode(source);
   if (!done) return files::report(done.error(), options_.trace);
   end_output(source);
-  if (!std::cout) return files::report({"the output cannot be written", "", "check the disk"});
-  if (source.devices().empty() && reports_ == 0) {
-    return files::report({"is no recording: it has neither devices nor reports", "",
-                          "give a text file as hid-recorder or `penpose record` writes it"},
-                         options_.trace);
-  }
-  // After the refusal, which is one line: where nothing can be read, it matters little what each line lacks.
-  for (const auto& problem : source.problems()) std::cerr << "penpose: " << problem.line(options_.trace) << '\n';
+  if (const int status = end_of_trace(source, options_.trace, reports_); status != k_success) return status;
   if (samples_ == 0 && !refusals_.empty()) {
     for (const auto& refusal : refusals_) std::cerr << "penpose: " << refusal.line(options_.trace) << '\n';
   }

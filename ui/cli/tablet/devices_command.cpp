@@ -7,11 +7,11 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
 
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "firmware_io/decode/hand_factory.h"
@@ -26,7 +26,7 @@
 namespace penpose::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json::Json;
 
 struct Options {
   bool known = false;
@@ -172,7 +172,7 @@ int list_known(const Options& options, const decode::TabletTable& own) {
   }
   if (options.json) {
     const Json out{{"count", count}, {"tablets", std::move(list)}};
-    std::cout << out.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::cout << out.dump_as_made(2) << '\n';
   } else {
     std::cout << count << " tablets\n";
   }

@@ -10,6 +10,7 @@
 #include "replay/trace/trace_source.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/tablet/hand_printer.h"
+#include "ui/cli/tablet/trace_output.h"
 #include "ui/files/files.h"
 #include "ui/files/trace_file.h"
 
@@ -40,7 +41,6 @@ class HandRun {
   void hear(const replay::TraceReport& report);
   void begin_row();
   void end_output(const replay::TraceSource& source);
-  void flush(std::size_t keep);
 
   const HandDecodeOptions& options_;
   const decode::TabletTable* own_;
@@ -69,12 +69,6 @@ Interface& HandRun::interface_for(const replay::TraceSource& source, int device)
     make_decoders(made, device, receivers_.connect(device, declared->second));
   }
   return made;
-}
-
-void HandRun::flush(std::size_t keep) {
-  if (out_.size() < keep) return;
-  std::cout.write(out_.data(), static_cast<std::streamsize>(out_.size()));
-  out_.clear();
 }
 
 void HandRun::begin_row() {
@@ -145,7 +139,7 @@ base::Status HandRun::decode(replay::TraceSource& source) {
     if (options_.part == HandPart::touch && touch) print_touch(**report, interface);
     if (options_.part == HandPart::touch && touch_switch && touch_switch->told != told)
       end_frames_early(**report, touch_switch.get());
-    flush(std::size_t{1} << 16);
+    print_gathered(out_, std::size_t{1} << 16);
   }
 }
 
@@ -162,7 +156,7 @@ void HandRun::end_output(const replay::TraceSource& source) {
     }
     out_ += "]}\n";
   }
-  flush(0);
+  print_gathered(out_, 0);
   std::cout.flush();
 }
 
@@ -184,15 +178,7 @@ int HandRun::run() {
   const auto done = decode(source);
   if (!done) return files::report(done.error(), options_.trace);
   end_output(source);
-  if (!std::cout) return files::report({"the output cannot be written", "", "check the disk"});
-  if (source.devices().empty() && reports_ == 0) {
-    return files::report({"is no recording: it has neither devices nor reports", "",
-                          "give a text file as hid-recorder or `penpose record` writes it"},
-                         options_.trace);
-  }
-  // After the refusal, which is one line: where nothing can be read, it matters little what each line lacks.
-  for (const auto& problem : source.problems()) std::cerr << "penpose: " << problem.line(options_.trace) << '\n';
-  return k_success;
+  return end_of_trace(source, options_.trace, reports_);
 }
 
 }  // namespace

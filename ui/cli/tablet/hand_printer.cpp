@@ -4,6 +4,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "ui/cli/tablet/sample_printer.h"
 
@@ -134,7 +135,7 @@ void append_json_touch(std::string& out, const PrintedTouch& printed) {
 void append_json_hand(std::string& out, int device, const std::string& name, const decode::PadDecoder* pad,
                       const decode::TouchDecoder* touch) {
   out += "\"device\": " + std::to_string(device) + ", \"name\": ";
-  append_json_text(out, name);
+  json::append_text(out, name);
   if (pad != nullptr) {
     const decode::PadFeatures& has = pad->features();
     out += ", \"pad\": {\"keys\": ";

@@ -2,10 +2,10 @@
 
 #include <cstdio>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "core/base/json/json.h"
 #include "core/base/text/shown_text.h"
 #include "firmware_io/device/list/interface_list.h"
 #include "firmware_io/device/list/permission.h"
@@ -18,7 +18,7 @@
 namespace penpose::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json::Json;
 
 constexpr std::size_t k_longest_line = 4096;
 
@@ -107,7 +107,7 @@ int list_live_devices(const decode::TabletTable& own, bool json) {
     Json list = Json::array();
     for (const auto& tablet : *tablets) list.push_back(to_json(tablet));
     const Json out{{"count", tablets->size()}, {"tablets", std::move(list)}};
-    std::cout << out.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::cout << out.dump_as_made(2) << '\n';
     return k_success;
   }
   for (const auto& tablet : *tablets) print(tablet);

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "replay/session/session_player.h"
@@ -33,7 +33,7 @@
 namespace penpose::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json::Json;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t k_longest_name = 4096;
@@ -135,11 +135,7 @@ base::Status write_picture(const replay::Session& session, const std::string& pa
   const render::Appearance appearance = render::make_appearance(model, {});
   const render::PosedMesh posed = render::posed_mesh(model);
   const auto curves = render::document_curves(document);
-  render::Scene scene;
-  scene.positions = posed.positions;
-  scene.normals = posed.normals;
-  scene.triangles = model.mesh->triangles();
-  scene.appearance = &appearance;
+  render::Scene scene = render::scene_of(model, posed, appearance);
   scene.curves = curves;
   const auto image = (*renderer)->render(scene, *camera);
   if (!image) return image.error();
@@ -264,7 +260,7 @@ int replay_session(const ReplayArguments& arguments) {
     }
   }
   if (arguments.json) {
-    std::cout << to_json(arguments, *played, seconds).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::cout << to_json(arguments, *played, seconds).dump_as_made() << '\n';
   } else {
     print(arguments, *played, seconds);
   }

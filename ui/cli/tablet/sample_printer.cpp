@@ -165,42 +165,4 @@ void append_json_sample(std::string& out, const PrintedSample& printed) {
   member("serial", sample.serial);
 }
 
-void append_json_text(std::string& out, const std::string& text) {
-  constexpr std::string_view k_digits = "0123456789abcdef";
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-  out += '"';
-  for (std::size_t i = 0; i < text.size();) {
-    const unsigned lead = byte(i);
-    std::size_t length = 1;
-    if (lead >= 0xc2 && lead < 0xe0) length = 2;
-    if (lead >= 0xe0 && lead < 0xf0) length = 3;
-    if (lead >= 0xf0 && lead < 0xf5) length = 4;
-    bool whole = lead < 0x80 || length > 1;
-    for (std::size_t k = 1; k < length; ++k) whole = whole && (byte(i + k) & 0xc0) == 0x80;
-    if (lead == 0xe0 && byte(i + 1) < 0xa0) whole = false;
-    if (lead == 0xed && byte(i + 1) > 0x9f) whole = false;
-    if (lead == 0xf0 && byte(i + 1) < 0x90) whole = false;
-    if (lead == 0xf4 && byte(i + 1) > 0x8f) whole = false;
-    if (!whole) {
-      out += "\\ufffd";
-      ++i;
-      continue;
-    }
-    if (lead == '"' || lead == '\\') {
-      out += '\\';
-      out += static_cast<char>(lead);
-    } else if (const unsigned code = lead == 0xc2 ? byte(i + 1) : lead;
-               code < 0x20 || code == 0x7f || (lead == 0xc2 && code < 0xa0)) {
-      // JSON lets DEL and the second row of control characters stand, but they steer a terminal as the first does.
-      out += "\\u00";
-      out += k_digits[code >> 4];
-      out += k_digits[code & 0xf];
-    } else {
-      out.append(text, i, length);
-    }
-    i += length;
-  }
-  out += '"';
-}
-
 }  // namespace penpose::cli

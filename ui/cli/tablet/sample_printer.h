@@ -24,7 +24,4 @@ void append_csv_row(std::string& out, const PrintedSample& printed, bool with_de
 void append_json_axes(std::string& out, const decode::PenAxes& axes);
 void append_json_sample(std::string& out, const PrintedSample& printed);
 
-/// `text` as a JSON string with its quotation marks; bytes that are not UTF-8 become U+FFFD.
-void append_json_text(std::string& out, const std::string& text);
-
 }  // namespace penpose::cli

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
+#include "core/base/json/json.h"
 #include "core/base/math.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
@@ -30,7 +30,7 @@
 namespace penpose::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using json::Json;
 
 struct AnimateArguments {
   io::GlbOptions glb;
@@ -324,7 +324,7 @@ int animate(const AnimateArguments& arguments) {
   for (const std::string& note : document->model->notes) files::warn(note, arguments.model);
   for (const std::string& note : animated->notes) files::warn(note, arguments.track);
   if (arguments.json) {
-    std::cout << to_json(*animated, result, fps).dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
+    std::cout << to_json(*animated, result, fps).dump_as_made() << '\n';
     return k_success;
   }
   std::cout << animated->poses.size() << " frames at " << base::format_fixed(fps, 2) << " a second, "

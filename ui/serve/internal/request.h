@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/articulation/sketch.h"
+#include "core/base/json/json.h"
 #include "core/document/drawing/pose_curve.h"
-#include "core/json/json.h"
 
 // What a line of a conversation holds. Readers end the line with an error whose place is a JSON pointer.
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/json/json.h"
 #include "core/base/result.h"
 #include "core/document/model.h"
-#include "core/json/json.h"
 
 namespace penpose::io {
 

@@ -16,7 +16,7 @@ double farthest(const Moves& moves) {
   return std::sqrt(most);
 }
 
-double dot(const Moves& a, const Moves& b) {
+double product(const Moves& a, const Moves& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].x * b[i].x + a[i].y * b[i].y + a[i].z * b[i].z;
   return sum;
@@ -75,11 +75,11 @@ BakedDeformer bake_deformer(const articulation::Deformer& deformer, double toler
       target.deltas.emplace_back(move);
       basis.emplace_back(target.deltas.back());
     }
-    const double square = dot(basis, basis);
+    const double square = product(basis, basis);
     if (!(square > 0)) break;
     std::vector<double> weights;
     for (Moves& moves : left) {
-      weights.push_back(dot(moves, basis) / square);
+      weights.push_back(product(moves, basis) / square);
       for (std::size_t i = 0; i < moves.size(); ++i) moves[i] -= basis[i] * weights.back();
     }
     // What the numbers of the file leave is too little to go on with.

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/base/json/json.h"
 #include "core/base/result.h"
 #include "core/document/document.h"
-#include "core/json/json.h"
 
 namespace penpose::io {
 

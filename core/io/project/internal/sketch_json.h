@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/articulation/corrections.h"
+#include "core/base/json/json.h"
 #include "core/base/result.h"
-#include "core/json/json.h"
 
 namespace penpose::io {
 

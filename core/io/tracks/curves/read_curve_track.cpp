@@ -3,11 +3,11 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/json/loose_json.h"
 #include "core/curve/polyline.h"
 #include "core/io/tracks/point_table.h"
 #include "core/io/tracks/read_track.h"
 #include "core/io/tracks/track_formats.h"
-#include "core/json/loose_json.h"
 
 namespace penpose::io {
 namespace {
@@ -133,8 +133,7 @@ class Reader {
     auto track = make_track(std::move(rows), count, fps, RowName::frame);
     if (!track) return track;
     track->groups = std::move(groups);
-    track->notes.insert(track->notes.begin(), notes.begin(), notes.end());
-    return track;
+    return noted(std::move(track), notes);
   }
 
  private:

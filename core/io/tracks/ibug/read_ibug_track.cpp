@@ -114,16 +114,9 @@ base::Result<std::vector<TrackRow>> read_table(CsvReader& table, std::vector<std
   });
   if (!columns) return columns.error();
   notes = columns->notes;
-  std::vector<FaceRow> rows;
-  std::vector<std::string_view> cells;
-  while (table.next(cells)) {
-    auto row = read_point_row(table, *columns, cells);
-    if (!row) return row.error();
-    finish_row(row->row);
-    if (rows.size() >= 4 * k_most_track_frames) return table.error("the table has too many rows", "cut the video");
-    rows.push_back(std::move(row).value());
-  }
-  return rows_of_best_face(std::move(rows), notes);
+  auto rows = read_point_rows(table, *columns, [](const auto&, TrackRow& row) { finish_row(row); });
+  if (!rows) return rows.error();
+  return rows_of_best_face(std::move(rows).value(), notes);
 }
 
 }  // namespace
@@ -143,10 +136,7 @@ base::Result<animation::PointTrack> read_ibug_track(base::Bytes bytes) {
   }
   if (!rows) return rows.error();
   take_small_units(*rows);
-  auto track = make_track(std::move(rows).value(), k_ibug_points, k_common_fps);
-  if (!track) return track;
-  track->notes.insert(track->notes.begin(), notes.begin(), notes.end());
-  return track;
+  return noted(make_track(std::move(rows).value(), k_ibug_points, k_common_fps), notes);
 }
 
 TrackFormat ibug68_format() {

@@ -39,15 +39,9 @@ base::Result<std::vector<TrackRow>> read_wide(CsvReader& table, std::size_t& cou
   }
   if (!columns) return columns.error();
   notes = columns->notes;
-  std::vector<FaceRow> rows;
-  std::vector<std::string_view> cells;
-  while (table.next(cells)) {
-    auto row = read_point_row(table, *columns, cells);
-    if (!row) return row.error();
-    if (rows.size() >= 4 * k_most_track_frames) return table.error("the table has too many rows", "cut the video");
-    rows.push_back(std::move(row).value());
-  }
-  return rows_of_best_face(std::move(rows), notes);
+  auto rows = read_point_rows(table, *columns);
+  if (!rows) return rows.error();
+  return rows_of_best_face(std::move(rows).value(), notes);
 }
 
 /// A row a point.
@@ -144,10 +138,7 @@ base::Result<animation::PointTrack> read_mediapipe_csv(base::Bytes bytes, std::o
   if (!rows) return rows.error();
   take_small_units(*rows);
   scale_to_picture(*rows, picture, notes);
-  auto track = make_track(std::move(rows).value(), count, k_common_fps);
-  if (!track) return track;
-  track->notes.insert(track->notes.begin(), notes.begin(), notes.end());
-  return track;
+  return noted(make_track(std::move(rows).value(), count, k_common_fps), notes);
 }
 
 TrackFormat mediapipe_format() {

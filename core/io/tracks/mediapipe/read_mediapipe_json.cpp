@@ -2,13 +2,13 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/json/loose_json.h"
 #include "core/base/numbers.h"
 #include "core/io/text/text_lines.h"
 #include "core/io/tracks/face_points.h"
 #include "core/io/tracks/picture_scale.h"
 #include "core/io/tracks/point_table.h"
 #include "core/io/tracks/read_track.h"
-#include "core/json/loose_json.h"
 
 namespace penpose::io {
 namespace {
@@ -256,10 +256,7 @@ base::Result<animation::PointTrack> read_mediapipe_json(base::Bytes bytes, std::
   if (reader.several) notes.emplace_back("several faces are seen; the one that was largest at first is followed");
   take_small_units(reader.rows);
   scale_to_picture(reader.rows, picture, notes);
-  auto track = make_track(std::move(reader.rows), reader.count, root_number("fps"), RowName::frame);
-  if (!track) return track;
-  track->notes.insert(track->notes.begin(), notes.begin(), notes.end());
-  return track;
+  return noted(make_track(std::move(reader.rows), reader.count, root_number("fps"), RowName::frame), notes);
 }
 
 }  // namespace penpose::io

@@ -185,29 +185,22 @@ base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
   const OwnTurn turn(*table);
   const OwnWords words(*table);
   const OwnGaze gaze(*table);
-  std::vector<FaceRow> rows;
-  std::vector<std::string_view> cells;
-  while (table->next(cells)) {
-    auto row = read_point_row(*table, *columns, cells);
-    if (!row) return row.error();
-    if (row->row.why_held.empty()) {
-      row->row.depths = solid.depths(*table, cells, row->row.points);
-      if (row->row.depths.empty()) row->row.depths = common_depths(row->row.points);
-      row->row.rotation = turn.rotation(*table, cells);
-      row->row.says = words.read(*table, cells);
-      row->row.says.gaze = gaze.read(*table, cells, row->row.rotation);
-    }
-    if (rows.size() >= 4 * k_most_track_frames) return table->error("the table has too many rows", "cut the video");
-    rows.push_back(std::move(row).value());
-  }
+  auto rows = read_point_rows(*table, *columns, [&](const auto& cells, TrackRow& row) {
+    if (!row.why_held.empty()) return;
+    row.depths = solid.depths(*table, cells, row.points);
+    if (row.depths.empty()) row.depths = common_depths(row.points);
+    row.rotation = turn.rotation(*table, cells);
+    row.says = words.read(*table, cells);
+    row.says.gaze = gaze.read(*table, cells, row.rotation);
+  });
+  if (!rows) return rows.error();
   std::vector<std::string> notes = columns->notes;
-  auto best = rows_of_best_face(std::move(rows), notes);
+  auto best = rows_of_best_face(std::move(rows).value(), notes);
   take_small_units(best);
   auto track = make_track(std::move(best), k_ibug_points, k_common_fps);
   if (!track) return track;
   track->unit_names = words.unit_names;
-  track->notes.insert(track->notes.begin(), notes.begin(), notes.end());
-  return track;
+  return noted(std::move(track), notes);
 }
 
 TrackFormat openface_format() {

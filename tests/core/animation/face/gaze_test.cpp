@@ -4,17 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "core/base/math.h"
+#include "tests/support/models/nodding_head.h"
 
 namespace penpose::animation {
 namespace {
-
-geometry::ModelVector turned(geometry::ModelVector v, double angle, int i, int j) {
-  const double x = v[i];
-  const double y = v[j];
-  v[i] = std::cos(angle) * x - std::sin(angle) * y;
-  v[j] = std::sin(angle) * x + std::cos(angle) * y;
-  return v;
-}
 
 /// Two balls in front of a plate. Parameters: turn ball 0 about y, about x; shift ball 1; turn all about y. Angles are
 /// radians.
@@ -48,9 +41,9 @@ class Balls final : public rig::Rig {
   void evaluate(std::span<const double> pose, std::span<geometry::ModelPoint> positions) const override {
     for (std::size_t v = 0; v < rest_.size(); ++v) {
       geometry::ModelPoint p = rest_[v];
-      if (components[v] == 0) p = middle(0) + turned(turned(p - middle(0), pose[1], 1, 2), pose[0], 2, 0);
+      if (components[v] == 0) p = middle(0) + tests::turned(tests::turned(p - middle(0), pose[1], 1, 2), pose[0], 2, 0);
       if (components[v] == 1) p += geometry::ModelVector(pose[2], 0, 0);
-      positions[v] = turned(p, pose[3], 2, 0);
+      positions[v] = tests::turned(p, pose[3], 2, 0);
     }
   }
   [[nodiscard]] std::unique_ptr<rig::BoundVertices> bind(std::span<const std::uint32_t>) const override {

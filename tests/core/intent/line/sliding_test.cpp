@@ -11,8 +11,6 @@ namespace {
 
 using tests::Line;
 
-double dot(PxPoint a, PxPoint b) { return a.x * b.x + a.y * b.y; }
-
 /// A bow of 400 px and some, evenly sampled.
 Line bow(double height = 80, std::size_t count = 25) {
   Line line;

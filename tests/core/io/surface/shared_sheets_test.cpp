@@ -1,39 +1,15 @@
 #include <cmath>
 #include <gtest/gtest.h>
-#include <map>
-#include <set>
 
 #include "core/curve/sheet_line.h"
 #include "core/io/model/read_model.h"
-#include "tests/support/models/test_rigs.h"
+#include "tests/support/models/sheet_lines.h"
 #include "tests/support/shared_data.h"
 
 // Lines drawn by an unsteady hand over real models, lips, lids and rims among them: each stays on one sheet.
 
 namespace penpose::io {
 namespace {
-
-/// The way along edges of the mesh from one triangle to another, at most `most`.
-double way_over_surface(const mesh::TriangleMesh& mesh, const std::vector<std::vector<std::uint32_t>>& beside,
-                        std::uint32_t from, std::uint32_t to, double most) {
-  std::map<std::uint32_t, double> known;
-  std::set<std::pair<double, std::uint32_t>> open;
-  for (const std::uint32_t v : mesh.triangles()[from]) open.insert({0.0, mesh.weld()[v]});
-  std::set<std::uint32_t> goal;
-  for (const std::uint32_t v : mesh.triangles()[to]) goal.insert(mesh.weld()[v]);
-  while (!open.empty()) {
-    const auto [way, vertex] = *open.begin();
-    open.erase(open.begin());
-    if (way > most) return way;
-    if (goal.count(vertex) > 0) return way;
-    if (!known.insert({vertex, way}).second) continue;
-    for (const std::uint32_t next : beside[vertex]) {
-      if (known.count(next) == 0)
-        open.insert({way + geometry::distance(mesh.positions()[vertex], mesh.positions()[next]), next});
-    }
-  }
-  return 1e300;
-}
 
 class SharedSheets : public testing::TestWithParam<const char*> {};
 
@@ -88,7 +64,7 @@ TEST_P(SharedSheets, LinesNeverLeaveTheSheetThatTheyAreOn) {
       }
       const double chord = geometry::distance(curve->positions[k], curve->positions[k + 1]);
       const double most = 2 * chord + 6 * step + 4 * edge;
-      EXPECT_LE(way_over_surface(mesh, beside, one, two, most), most) << "line " << i << " at point " << k;
+      EXPECT_LE(tests::way_over_surface(mesh, beside, one, two, most), most) << "line " << i << " at point " << k;
     }
   }
   EXPECT_GT(drawn, 200);

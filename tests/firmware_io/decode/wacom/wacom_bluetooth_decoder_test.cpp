@@ -1,16 +1,15 @@
-#include "firmware_io/decode/wacom/wacom_bluetooth_decoder.h"
-
 #include <algorithm>
 #include <gtest/gtest.h>
 
 #include "firmware_io/decode/sample/device_identity.h"
+#include "firmware_io/decode/wacom/wacom_pens.h"
 #include "tests/support/hands/pen_reports.h"
 
 namespace penpose::decode {
 namespace {
 
-WacomBluetoothDecoder decoder_of(std::uint16_t product) {
-  return WacomBluetoothDecoder(*find_wacom_model(k_bus_bluetooth, k_vendor_wacom, product));
+std::unique_ptr<PenDecoder> decoder_of(std::uint16_t product) {
+  return make_wacom_bluetooth(*find_wacom_model(k_bus_bluetooth, k_vendor_wacom, product));
 }
 
 /// A report with room for all frames, serial and tool number.
@@ -35,11 +34,11 @@ TEST(WacomBluetoothDecoder, EveryValidFrameIsASample) {
   tests::Report report = pro_report(0x10802);
   set_frame(report, 0, {0xe0, 10, 0, 20, 0, 0, 0, 5, 0xfb, 0, 0, 0, 0, 40});
   set_frame(report, 1, {0xe3, 11, 0, 21, 0, 44, 1, 6, 0xfa, 0xd4, 0xfe, 0, 0, 0});
-  ASSERT_EQ(decoder.decode(report), ReportKind::pen);
-  ASSERT_EQ(decoder.frames().size(), 2u);
-  EXPECT_FALSE(decoder.frames()[0].tip);
-  EXPECT_EQ(decoder.frames()[0].distance, 40);
-  const PenSample& last = decoder.sample();
+  ASSERT_EQ(decoder->decode(report), ReportKind::pen);
+  ASSERT_EQ(decoder->frames().size(), 2u);
+  EXPECT_FALSE(decoder->frames()[0].tip);
+  EXPECT_EQ(decoder->frames()[0].distance, 40);
+  const PenSample& last = decoder->sample();
   EXPECT_EQ(last.x, 11);
   EXPECT_EQ(last.y, 21);
   EXPECT_EQ(last.pressure, 300);
@@ -56,15 +55,15 @@ TEST(WacomBluetoothDecoder, LeavingEndsTheReport) {
   auto decoder = decoder_of(0x0360);
   tests::Report near = pro_report(0x1080a);
   set_frame(near, 0, {0xf0, 10, 0, 20, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
-  decoder.decode(near);
-  EXPECT_EQ(decoder.sample().tool, Tool::eraser);
+  decoder->decode(near);
+  EXPECT_EQ(decoder->sample().tool, Tool::eraser);
   tests::Report away = pro_report(0);
   set_frame(away, 0, {0x80, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
   set_frame(away, 1, {0xe0, 99, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
-  ASSERT_EQ(decoder.decode(away), ReportKind::pen);
-  EXPECT_EQ(decoder.frames().size(), 1u);
-  EXPECT_FALSE(decoder.sample().in_range);
-  EXPECT_EQ(decoder.decode(away), ReportKind::ignored);
+  ASSERT_EQ(decoder->decode(away), ReportKind::pen);
+  EXPECT_EQ(decoder->frames().size(), 1u);
+  EXPECT_FALSE(decoder->sample().in_range);
+  EXPECT_EQ(decoder->decode(away), ReportKind::ignored);
 }
 
 TEST(WacomBluetoothDecoder, TheSmallTabletsHaveShorterFrames) {
@@ -72,10 +71,10 @@ TEST(WacomBluetoothDecoder, TheSmallTabletsHaveShorterFrames) {
   tests::Report report(46);
   report[0] = 0x81;
   set_frame(report, 0, {0xe1, 10, 0, 20, 0, 0x64, 0, 3});
-  ASSERT_EQ(decoder.decode(report), ReportKind::pen);
-  EXPECT_EQ(decoder.sample().pressure, 100);
-  EXPECT_EQ(decoder.sample().distance, 3);
-  EXPECT_FALSE(decoder.axes().tilt_x.present);
+  ASSERT_EQ(decoder->decode(report), ReportKind::pen);
+  EXPECT_EQ(decoder->sample().pressure, 100);
+  EXPECT_EQ(decoder->sample().distance, 3);
+  EXPECT_FALSE(decoder->axes().tilt_x.present);
 }
 
 TEST(WacomBluetoothDecoder, ShortAndForeignReportsAreIgnored) {
@@ -83,10 +82,10 @@ TEST(WacomBluetoothDecoder, ShortAndForeignReportsAreIgnored) {
   tests::Report report = pro_report(0x10802);
   set_frame(report, 0, {0xe0, 10, 0, 20, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
   report[0] = 0x10;
-  EXPECT_EQ(decoder.decode(report), ReportKind::ignored);
+  EXPECT_EQ(decoder->decode(report), ReportKind::ignored);
   report[0] = 0x80;
   report.resize(108);
-  EXPECT_EQ(decoder.decode(report), ReportKind::ignored);
+  EXPECT_EQ(decoder->decode(report), ReportKind::ignored);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "firmware_io/decode/wacom/wacom_axes.h"
 #include "tests/support/hands/pen_path.h"
 #include "tests/support/hands/pen_reports.h"
+#include "tests/support/hands/same_pen.h"
 
 namespace penpose::decode {
 namespace {
@@ -14,21 +15,11 @@ WacomDisplayDecoder decoder_of(std::uint16_t product) {
   return WacomDisplayDecoder(*find_wacom_model(k_bus_usb, k_vendor_wacom, product));
 }
 
-void expect_same(const PenSample& got, const PenSample& wanted) {
-  EXPECT_EQ(got.in_range, wanted.in_range);
-  EXPECT_EQ(got.tool, wanted.tool);
-  EXPECT_EQ(got.x, wanted.x);
-  EXPECT_EQ(got.y, wanted.y);
-  EXPECT_EQ(got.pressure, wanted.pressure);
-  EXPECT_EQ(got.tip, wanted.tip);
-  EXPECT_EQ(got.buttons, wanted.buttons);
-}
-
 TEST(WacomDisplayDecoder, FollowsAPenOverADtus) {
   auto decoder = decoder_of(0x0336);
   for (const PenSample& sample : tests::pen_path({23672, 13403, 1023, false, 10})) {
     ASSERT_EQ(decoder.decode(tests::dtus_pen(sample)), ReportKind::pen);
-    expect_same(decoder.sample(), sample);
+    tests::expect_same_pen(decoder.sample(), sample);
   }
   EXPECT_EQ(decoder.decode(tests::dtus_pen({})), ReportKind::ignored);
   EXPECT_EQ(decoder.decode(tests::Report{0x15, 0x05, 0, 0, 0, 0, 0}), ReportKind::ignored);
@@ -38,7 +29,7 @@ TEST(WacomDisplayDecoder, FollowsAPenOverATabletPc) {
   auto decoder = decoder_of(0x00ec);
   for (const PenSample& sample : tests::pen_path({25710, 14500, 255, false, -1})) {
     ASSERT_EQ(decoder.decode(tests::tablet_pc_pen(sample)), ReportKind::pen);
-    expect_same(decoder.sample(), sample);
+    tests::expect_same_pen(decoder.sample(), sample);
   }
 }
 

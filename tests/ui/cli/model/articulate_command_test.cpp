@@ -9,58 +9,34 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 #include "core/io/model/write_model.h"
 #include "core/io/project/sketch_file.h"
 #include "core/io/project/write_document.h"
-#include "tests/support/models/articulation_models.h"
+#include "tests/support/command_run.h"
+#include "tests/support/models/sketched_models.h"
 #include "tests/support/shared_data.h"
-#include "ui/cli/command_line.h"
 #include "ui/cli/commands.h"
 #include "ui/files/load_model.h"
 
 namespace penpose::cli {
 namespace {
 
-class ArticulateCommand : public testing::Test {
+class ArticulateCommand : public tests::CommandRun {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("penpose_articulate_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
+    CommandRun::SetUp();
     const tests::Trunk trunk = tests::make_trunk();
-    mesh::MeshSource source;
-    source.positions.assign(trunk.canvas->positions().begin(), trunk.canvas->positions().end());
-    source.triangles.assign(trunk.canvas->mesh().triangles().begin(), trunk.canvas->mesh().triangles().end());
-    const auto mesh = mesh::TriangleMesh::build(std::move(source)).value();
-    const auto bytes = io::write_glb(document::make_model(mesh, nullptr, nullptr).value()).value();
-    write("model.glb", std::string(bytes.begin(), bytes.end()));
+    const auto bytes = io::write_glb(tests::bare_trunk(trunk)).value();
+    save("model.glb", std::string(bytes.begin(), bytes.end()));
     file_.viewport = trunk.viewport;
     file_.sketches = {trunk.curl()};
-    write("sketch.json", io::write_sketch_file(file_));
+    save("sketch.json", io::write_sketch_file(file_));
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  int articulate(const std::vector<std::string>& arguments) { return run("articulate", arguments); }
 
-  void write(const char* name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
-  [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
-  int articulate(std::vector<std::string> arguments) {
-    std::vector<const char*> argv{"penpose", "articulate"};
-    for (const auto& argument : arguments) argv.push_back(argument.c_str());
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    const int status = run(static_cast<int>(argv.size()), argv.data());
-    out_ = testing::internal::GetCapturedStdout();
-    error_ = testing::internal::GetCapturedStderr();
-    return status;
-  }
-
-  std::filesystem::path folder_;
   io::SketchFile file_;
-  std::string out_;
-  std::string error_;
 };
 
 class SharedElephant : public ArticulateCommand {};
@@ -71,7 +47,7 @@ TEST_F(ArticulateCommand, AProjectKeepsItsKeysAndViews) {
       std::make_shared<const document::Timeline>(document::Timeline{{}, {{0, rig::Pose(), ""}, {1, rig::Pose(), ""}}});
   document.views = {std::make_shared<const document::NamedView>(document::NamedView{"front", {}})};
   const auto project = io::write_project(document).value();
-  write("project.glb", std::string(project.begin(), project.end()));
+  save("project.glb", std::string(project.begin(), project.end()));
   ASSERT_EQ(articulate({path("project.glb"), "--sketch", path("sketch.json"), "-o", path("out.glb")}), k_success)
       << error_;
   const auto back = files::load_document(path("out.glb")).value();
@@ -95,7 +71,7 @@ TEST_F(ArticulateCommand, WritesAModelWithTheNewControl) {
   EXPECT_EQ(document::state_hash(*model).hex(), json["state"]);
   // A second sketch adds to the first.
   file_.sketches[0].name = "second";
-  write("second.json", io::write_sketch_file(file_));
+  save("second.json", io::write_sketch_file(file_));
   ASSERT_EQ(articulate({path("out.glb"), "--sketch", path("second.json"), "-o", path("both.glb")}), k_success);
   EXPECT_NE(out_.find("second: rotate"), std::string::npos);
   EXPECT_EQ(files::load_model(path("both.glb"))->deformers->size(), 2U);
@@ -129,16 +105,9 @@ TEST_F(ArticulateCommand, BakesAsExactlyAsAsked) {
     if (arguments[1] == "animate")
       arguments.insert(arguments.end(), {path("out.glb"), "--track", path("take.csv"), "-o", to});
     arguments.insert(arguments.end(), {"--tolerance", tolerance});
-    std::vector<const char*> argv;
-    for (const auto& argument : arguments) argv.push_back(argument.c_str());
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    const int status = run(static_cast<int>(argv.size()), argv.data());
-    (void)testing::internal::GetCapturedStdout();
-    error_ = testing::internal::GetCapturedStderr();
-    return status;
+    return run(arguments);
   };
-  write("take.csv", "Timecode,BlendShapeCount,curl\n0:0:0:0,1,0\n0:0:1:0,1,1\n");
+  save("take.csv", "Timecode,BlendShapeCount,curl\n0:0:0:0,1,0\n0:0:1:0,1,1\n");
   for (const char* command : {"articulate", "convert", "animate"}) {
     ASSERT_EQ(again(command, "1e-3"), k_success) << error_;
     const Baked usual = baked_of(error_);
@@ -158,7 +127,7 @@ TEST_F(ArticulateCommand, BakesAsExactlyAsAsked) {
 
 TEST_F(ArticulateCommand, SaysWhereASketchIsWrong) {
   const auto fails = [&](const char* expected) {
-    write("bad.json", io::write_sketch_file(file_));
+    save("bad.json", io::write_sketch_file(file_));
     EXPECT_EQ(articulate({path("model.glb"), "--sketch", path("bad.json"), "-o", path("out.glb")}), k_failure);
     EXPECT_NE(error_.find(expected), std::string::npos) << error_;
     EXPECT_NE(error_.find("bad.json"), std::string::npos) << error_;
@@ -194,7 +163,7 @@ TEST_F(ArticulateCommand, WarnsOfATargetThatWasTurnedRound) {
 
   auto& target = file_.sketches[0].target;
   std::reverse(target.begin(), target.end());
-  write("sketch.json", io::write_sketch_file(file_));
+  save("sketch.json", io::write_sketch_file(file_));
   ASSERT_EQ(articulate(arguments), k_success) << error_;
   EXPECT_NE(out_.find("warning: the target was turned round"), std::string::npos) << out_;
   ASSERT_EQ(articulate(as_json), k_success);
@@ -202,7 +171,7 @@ TEST_F(ArticulateCommand, WarnsOfATargetThatWasTurnedRound) {
   EXPECT_EQ(nlohmann::json::parse(out_)["deformers"][0]["notes"].size(), 1U);
   // A curve that goes straight is turned round without harm.
   file_.sketches[0].mode = articulation::Mode::translate;
-  write("sketch.json", io::write_sketch_file(file_));
+  save("sketch.json", io::write_sketch_file(file_));
   ASSERT_EQ(articulate(arguments), k_success) << error_;
   EXPECT_EQ(out_.find("warning"), std::string::npos) << out_;
 }
@@ -210,14 +179,14 @@ TEST_F(ArticulateCommand, WarnsOfATargetThatWasTurnedRound) {
 TEST_F(ArticulateCommand, WarnsOfATargetThatWasTurnedRoundByTheRulesOfTodayToo) {
   auto& target = file_.sketches[0].target;
   std::reverse(target.begin(), target.end());
-  write("sketch.json", io::write_sketch_file(file_));
+  save("sketch.json", io::write_sketch_file(file_));
   ASSERT_EQ(articulate({path("model.glb"), "--sketch", path("sketch.json"), "-o", path("out.glb")}), k_success);
   EXPECT_NE(out_.find("warning: the target ran against the feature and was turned round"), std::string::npos) << out_;
 }
 
 TEST_F(ArticulateCommand, WarnsOfStrokesDrawnOnAnotherModelAndOfMembersItDoesNotKnow) {
   file_.model = "/somewhere/model.glb";
-  write("sketch.json", io::write_sketch_file(file_));
+  save("sketch.json", io::write_sketch_file(file_));
   const std::vector<std::string> arguments{path("model.glb"), "--sketch", path("sketch.json"), "-o", path("out.glb")};
   ASSERT_EQ(articulate(arguments), k_success) << error_;
   EXPECT_EQ(out_.find("warning"), std::string::npos) << out_;
@@ -225,7 +194,7 @@ TEST_F(ArticulateCommand, WarnsOfStrokesDrawnOnAnotherModelAndOfMembersItDoesNot
   file_.model = "horse.glb";
   std::string text = io::write_sketch_file(file_);
   text.replace(text.find("\"name\""), 6, "\"rang\": [0, 2], \"name\"");
-  write("sketch.json", text);
+  save("sketch.json", text);
   ASSERT_EQ(articulate(arguments), k_success) << error_;
   EXPECT_NE(out_.find("drawn on horse.glb"), std::string::npos) << out_;
   EXPECT_NE(out_.find("/deformers/0/rang is not known"), std::string::npos) << out_;
@@ -321,7 +290,7 @@ TEST_F(SharedElephant, CurlsItsTrunkFromFourStrokes) {
   trunk.reference = {{390, 325}, {400, 260}, {450, 220}, {530, 190}, {620, 185}, {670, 205}};
   trunk.target = {{390, 325}, {395, 250}, {435, 195}, {505, 180}, {570, 205}, {600, 260}, {572, 305}};
   file_.sketches = {trunk};
-  write("elephant.json", io::write_sketch_file(file_));
+  save("elephant.json", io::write_sketch_file(file_));
   const std::string elephant = (tests::shared_dir() / "meshes" / "elephant.glb").string();
   ASSERT_EQ(articulate({elephant, "--sketch", path("elephant.json"), "-o", path("out.glb")}), k_success) << error_;
   auto model = files::load_model(path("out.glb")).value();

@@ -6,44 +6,22 @@
 #include <gtest/gtest.h>
 #include <iterator>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
+#include "tests/support/command_run.h"
 #include "tests/support/shared_data.h"
-#include "ui/cli/command_line.h"
 
 namespace penpose::cli {
 namespace {
 
-class RenderCommand : public testing::Test {
+class RenderCommand : public tests::CommandRun {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("penpose_render_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
+    CommandRun::SetUp();
     std::ofstream(model()) << "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   [[nodiscard]] std::string model() const { return (folder_ / "model.off").string(); }
-  [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
-  [[nodiscard]] std::string content(const char* name) const {
-    std::ifstream file(folder_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  }
-  int render(std::vector<std::string> arguments) {
-    std::vector<const char*> argv{"penpose", "render"};
-    for (const auto& argument : arguments) argv.push_back(argument.c_str());
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    const int status = run(static_cast<int>(argv.size()), argv.data());
-    out_ = testing::internal::GetCapturedStdout();
-    error_ = testing::internal::GetCapturedStderr();
-    return status;
-  }
-
-  std::filesystem::path folder_;
-  std::string out_;
-  std::string error_;
+  int render(const std::vector<std::string>& arguments) { return run("render", arguments); }
 };
 
 class SharedRenderCommand : public RenderCommand {};
@@ -133,17 +111,8 @@ TEST_F(RenderCommand, NamesTheFramesOfASequenceAsBlenderDoes) {
 
 TEST_F(RenderCommand, WritesAPictureAFrame) {
   std::ofstream(folder_ / "take.csv") << "Timecode,BlendShapeCount,Jaw\n0:0:0:0,1,0\n0:0:0:24,1,0.8\n";
-  const char* animate[] = {"penpose", "animate", "builtin:demo", "--track", nullptr, "-o", nullptr};
-  const std::string take = path("take.csv");
   const std::string clip = path("clip.glb");
-  animate[4] = take.c_str();
-  animate[6] = clip.c_str();
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  const int made = run(7, animate);
-  (void)testing::internal::GetCapturedStdout();
-  const std::string error = testing::internal::GetCapturedStderr();
-  ASSERT_EQ(made, k_success) << error;
+  ASSERT_EQ(run({"animate", "builtin:demo", "--track", path("take.csv"), "-o", clip}), k_success) << error_;
   ASSERT_EQ(render({clip, "--frames", "--fps", "10", "--size", "64x64", "-o", path("clip.png")}), k_success) << error_;
   // 0.4 s: frames at 0, 0.1, ..., 0.4.
   for (const char* name : {"clip0001.png", "clip0005.png"})

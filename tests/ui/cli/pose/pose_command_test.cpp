@@ -7,15 +7,14 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 #include "core/document/document_hash.h"
 #include "core/io/model/write_model.h"
 #include "core/io/project/write_document.h"
+#include "tests/support/command_run.h"
 #include "tests/support/models/test_rigs.h"
 #include "tests/support/shared_data.h"
-#include "ui/cli/command_line.h"
 #include "ui/cli/commands.h"
 #include "ui/files/load_model.h"
 
@@ -24,19 +23,16 @@ namespace {
 
 using Json = nlohmann::json;
 
-class PoseCommand : public testing::Test {
+class PoseCommand : public tests::CommandRun {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("penpose_pose_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
+    CommandRun::SetUp();
     mesh_ = tests::grid_mesh(12, 12);
     model_ = document::make_model(mesh_, tests::random_shapes(*mesh_, 6, 2), nullptr).value();
     const auto glb = io::write_glb(model_).value();
-    write("m.glb", std::string(glb.begin(), glb.end()));
-    write("c.json", cases().dump());
+    save("m.glb", std::string(glb.begin(), glb.end()));
+    save("c.json", cases().dump());
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   /// Two cases: where a row lies when shape 3 or shape 1 is at 0.8.
   [[nodiscard]] Json cases() const {
     Json file = {{"mesh", "m.glb"}, {"cases", Json::array()}};
@@ -55,26 +51,13 @@ class PoseCommand : public testing::Test {
     }
     return file;
   }
-  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  void write(const char* name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
   [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> found;
     for (const auto& entry : std::filesystem::directory_iterator(folder_)) found.push_back(entry.path().filename());
     std::sort(found.begin(), found.end());
     return found;
   }
-  int pose(std::vector<std::string> arguments) {
-    std::vector<const char*> argv{"penpose", "pose"};
-    for (const auto& argument : arguments) argv.push_back(argument.c_str());
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    const int status = run(static_cast<int>(argv.size()), argv.data());
-    out_ = testing::internal::GetCapturedStdout();
-    error_ = testing::internal::GetCapturedStderr();
-    return status;
-  }
+  int pose(const std::vector<std::string>& arguments) { return run("pose", arguments); }
   /// The work fails with one line that names the file, the place in it and a remedy; results are not printed.
   void expect_failure(std::vector<std::string> arguments, const std::string& file, const std::string& place) {
     EXPECT_EQ(pose(std::move(arguments)), k_failure);
@@ -85,11 +68,8 @@ class PoseCommand : public testing::Test {
     EXPECT_EQ(std::count(error_.begin(), error_.end(), '\n'), 1) << error_;
   }
 
-  std::filesystem::path folder_;
   std::shared_ptr<const mesh::TriangleMesh> mesh_;
   document::Model model_;
-  std::string out_;
-  std::string error_;
 };
 
 class SharedPoseCommand : public PoseCommand {};
@@ -99,7 +79,7 @@ TEST_F(PoseCommand, AProjectKeepsItsKeys) {
   document.timeline = std::make_shared<const document::Timeline>(
       document::Timeline{{}, {{0, rig::Pose(6, 0.0), "rest"}, {1, rig::Pose(6, 0.25), "other"}}});
   const auto glb = io::write_project(document).value();
-  write("p.glb", std::string(glb.begin(), glb.end()));
+  save("p.glb", std::string(glb.begin(), glb.end()));
   ASSERT_EQ(pose({path("p.glb"), "--cases", path("c.json"), "--case", "case3", "-o", path("out.glb"), "--json"}), 0);
   const auto back = files::load_document(path("out.glb")).value();
   EXPECT_EQ(*back.timeline, *document.timeline);
@@ -179,7 +159,7 @@ TEST_F(PoseCommand, ThePapersPresetAndTheDrawnFormSolveToo) {
   reference["vertices"] = {26, 28, 30, 33, 36};
   reference["target"] = {{0.1, 0.2, 0}, {0.9, 0.2, 0}};
   file["cases"].erase(1);
-  write("line.json", file.dump());
+  save("line.json", file.dump());
   EXPECT_EQ(pose({path("m.glb"), "--cases", path("line.json"), "--form", "drawn", "--json"}), k_success) << error_;
   expect_failure({path("m.glb"), "--cases", path("line.json"), "--form", "points", "--json"}, path("line.json"),
                  "/cases/0/references/0/target");
@@ -200,8 +180,7 @@ TEST_F(PoseCommand, WrongUsageExitsWithTwo) {
   }
   EXPECT_EQ(pose({"--help"}), k_success);
   EXPECT_NE(out_.find("--cases"), std::string::npos);
-  const std::vector<const char*> none{"penpose", "no-such-command"};
-  EXPECT_EQ(run(2, none.data()), k_wrong_usage);
+  EXPECT_EQ(run({"no-such-command"}), k_wrong_usage);
 }
 
 TEST_F(PoseCommand, WhatFailsNamesFilePlaceAndRemedy) {
@@ -215,7 +194,7 @@ TEST_F(PoseCommand, WhatFailsNamesFilePlaceAndRemedy) {
   const auto with = [&](auto spoil) {
     Json file = cases();
     spoil(file);
-    write("bad.json", file.dump());
+    save("bad.json", file.dump());
     return std::vector<std::string>{model, "--cases", path("bad.json"), "--json"};
   };
   const std::string bad = path("bad.json");
@@ -237,7 +216,7 @@ TEST_F(PoseCommand, WhatFailsNamesFilePlaceAndRemedy) {
   expect_failure(with([](Json& f) { f["cases"][0].erase("references"); }), bad, "references");
   expect_failure({model, "--cases", path("c.json"), "--case", "frown"}, path("c.json"), "frown");
 
-  write("truncated.glb", [&] {
+  save("truncated.glb", [&] {
     std::ifstream file(folder_ / "m.glb", std::ios::binary);
     std::string whole{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     return whole.substr(0, whole.size() / 2);
@@ -254,10 +233,10 @@ TEST_F(PoseCommand, NothingIsHalfWrittenOnFailure) {
   EXPECT_EQ(pose({path("m.glb"), "--cases", path("c.json"), "--case", "case1", "-o", path("no/out.glb")}), k_failure);
   EXPECT_EQ(names(), before);
   // A file that stands there already keeps its content.
-  write("kept.glb", "old");
+  save("kept.glb", "old");
   Json file = cases();
   file["cases"][0]["free"][0] = "nobody";
-  write("bad.json", file.dump());
+  save("bad.json", file.dump());
   EXPECT_EQ(pose({path("m.glb"), "--cases", path("bad.json"), "--case", "case1", "-o", path("kept.glb")}), k_failure);
   std::ifstream kept(folder_ / "kept.glb");
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(kept), {}), "old");
@@ -270,7 +249,7 @@ TEST_F(PoseCommand, CaseFilesOfAnyBytesAreAnErrorNotACrash) {
     std::string text = whole.substr(0, run % 3 == 0 ? random.index(whole.size()) : whole.size());
     for (std::size_t i = 0; i < 1 + random.index(4) && !text.empty(); ++i)
       text[random.index(text.size())] = static_cast<char>(random.index(256));
-    write("any.json", text);
+    save("any.json", text);
     const int status =
         pose({path("m.glb"), "--cases", path("any.json"), "--case", "case1", "--free", "case", "--json"});
     EXPECT_TRUE(status == k_success || status == k_failure);

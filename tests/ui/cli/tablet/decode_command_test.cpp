@@ -1,48 +1,20 @@
 #include "ui/cli/tablet/decode_command.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
+#include "tests/support/decode_run.h"
 #include "tests/support/hands/pen_path.h"
 #include "tests/support/hands/pen_reports.h"
 #include "tests/support/hands/trace_text.h"
-#include "ui/cli/command_line.h"
 
 namespace penpose::cli {
 namespace {
 
-struct Outcome {
-  int status = 0;
-  std::string out;
-  std::string error;
-};
+using tests::Outcome;
 
-class DecodeCommand : public testing::Test {
- protected:
-  void SetUp() override {
-    path_ = (std::filesystem::temp_directory_path() / ("penpose_decode_test_" + std::to_string(::getpid()) + ".hid"))
-                .string();
-  }
-  void TearDown() override { std::filesystem::remove(path_); }
-
-  Outcome decode(const std::string& trace, std::vector<const char*> arguments = {}) {
-    std::ofstream(path_, std::ios::binary) << trace;
-    arguments.insert(arguments.begin(), {"penpose", "decode", path_.c_str()});
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    Outcome outcome;
-    outcome.status = run(static_cast<int>(arguments.size()), arguments.data());
-    outcome.out = testing::internal::GetCapturedStdout();
-    outcome.error = testing::internal::GetCapturedStderr();
-    return outcome;
-  }
-
-  std::string path_;
-};
+class DecodeCommand : public tests::DecodeRun {};
 
 std::string pen_trace(int strokes = 1) {
   tests::TraceText trace;
@@ -121,10 +93,8 @@ TEST_F(DecodeCommand, AMouseGivesNoRowsAndSaysWhy) {
 TEST_F(DecodeCommand, WhatIsNoTraceIsAnError) {
   EXPECT_EQ(decode("hello\n").status, 1);
   EXPECT_EQ(decode("").status, 1);
-  std::vector<const char*> arguments{"penpose", "decode", "/no/such/file"};
-  testing::internal::CaptureStderr();
-  EXPECT_EQ(run(3, arguments.data()), 1);
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("/no/such/file: cannot be opened"), std::string::npos);
+  EXPECT_EQ(run({"decode", "/no/such/file"}), 1);
+  EXPECT_NE(error_.find("/no/such/file: cannot be opened"), std::string::npos);
   EXPECT_EQ(decode(pen_trace(), {"--csv", "--json"}).status, 2);
 }
 

@@ -11,38 +11,17 @@
 #include <unistd.h>
 #include <vector>
 
-#include "ui/cli/command_line.h"
+#include "tests/support/command_run.h"
 
 namespace penpose::cli {
 namespace {
 
-struct Outcome {
-  int status = 0;
-  std::string out;
-  std::string error;
-};
+using tests::run_program;
 
-Outcome run_program(std::vector<const char*> arguments) {
-  arguments.insert(arguments.begin(), "penpose");
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  Outcome outcome;
-  outcome.status = run(static_cast<int>(arguments.size()), arguments.data());
-  outcome.out = testing::internal::GetCapturedStdout();
-  outcome.error = testing::internal::GetCapturedStderr();
-  return outcome;
-}
-
-class DevicesCommand : public testing::Test {
+class DevicesCommand : public tests::CommandRun {
  protected:
-  void SetUp() override {
-    path_ = (std::filesystem::temp_directory_path() / ("penpose_devices_test_" + std::to_string(::getpid()) + ".json"))
-                .string();
-  }
-  void TearDown() override { std::filesystem::remove(path_); }
-  void write(const std::string& text) const { std::ofstream(path_) << text; }
-
-  std::string path_;
+  void write(const std::string& text) const { save("own.json", text); }
+  [[nodiscard]] std::string own() const { return path("own.json"); }
 };
 
 TEST_F(DevicesCommand, ListsALineForEachTablet) {
@@ -86,7 +65,7 @@ TEST_F(DevicesCommand, JsonIsOneObject) {
 TEST_F(DevicesCommand, OwnTabletsComeFirst) {
   write(R"({"penpose_tablets": 1, "tablets": [{"vendor": "Mine", "name": "One", "size_mm": [1, 2], "max": [3, 4],
     "max_pressure": 5, "identifiers": [{"id": "0001:0002", "protocol": "xp_pen"}]}]})");
-  const auto outcome = run_program({"devices", "--known", "--tablets", path_.c_str()});
+  const auto outcome = run_program({"devices", "--known", "--tablets", own()});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.out.rfind("Mine One: 1 x 2 mm, pressure 0..5, 0001:0002, xp_pen\n", 0), 0U);
   EXPECT_NE(outcome.out.find("321 tablets"), std::string::npos);
@@ -94,10 +73,10 @@ TEST_F(DevicesCommand, OwnTabletsComeFirst) {
 
 TEST_F(DevicesCommand, ErrorsNameFileAndPlace) {
   write(R"({"penpose_tablets": 1, "tablets": 3})");
-  const auto outcome = run_program({"devices", "--known", "--tablets", path_.c_str()});
+  const auto outcome = run_program({"devices", "--known", "--tablets", own()});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.error, "penpose: " + path_ + ": /tablets: is no array; put [ ] around its items\n");
+  EXPECT_EQ(outcome.error, "penpose: " + own() + ": /tablets: is no array; put [ ] around its items\n");
   EXPECT_EQ(run_program({"devices", "--known", "--tablets", "/nonexistent"}).status, 1);
 }
 
@@ -109,11 +88,11 @@ TEST_F(DevicesCommand, OneQuestionAtATime) {
 TEST_F(DevicesCommand, TheRuleThatIsInstalledIsTheOneThatIsPrinted) {
   write(R"({"penpose_tablets": 1, "tablets": [{"vendor": "Mine", "name": "One", "size_mm": [1, 2], "max": [3, 4],
     "max_pressure": 5, "identifiers": [{"id": "0abc:0def", "protocol": "xp_pen"}]}]})");
-  const auto folder = std::filesystem::path(path_).parent_path() / ("penpose_rules_" + std::to_string(::getpid()));
+  const auto folder = std::filesystem::path(own()).parent_path() / ("penpose_rules_" + std::to_string(::getpid()));
   std::filesystem::create_directory(folder);
-  const auto printed = run_program({"devices", "--udev-rule", "--tablets", path_.c_str()});
+  const auto printed = run_program({"devices", "--udev-rule", "--tablets", own()});
   const auto installed =
-      run_program({"devices", "--install-udev-rule", "--rules-folder", folder.c_str(), "--tablets", path_.c_str()});
+      run_program({"devices", "--install-udev-rule", "--rules-folder", folder.string(), "--tablets", own()});
   std::ifstream file(folder / "70-penpose.rules");
   const std::string rule{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   std::filesystem::remove_all(folder);

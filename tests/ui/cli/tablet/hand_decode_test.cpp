@@ -1,47 +1,19 @@
 #include "ui/cli/tablet/hand_decode.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
+#include "tests/support/decode_run.h"
 #include "tests/support/hands/hand_descriptors.h"
 #include "tests/support/hands/trace_text.h"
-#include "ui/cli/command_line.h"
 
 namespace penpose::cli {
 namespace {
 
-struct Outcome {
-  int status = 0;
-  std::string out;
-  std::string error;
-};
+using tests::Outcome;
 
-class HandDecode : public testing::Test {
- protected:
-  void SetUp() override {
-    path_ = (std::filesystem::temp_directory_path() / ("penpose_hand_test_" + std::to_string(::getpid()) + ".hid"))
-                .string();
-  }
-  void TearDown() override { std::filesystem::remove(path_); }
-
-  Outcome decode(const std::string& trace, std::vector<const char*> arguments) {
-    std::ofstream(path_, std::ios::binary) << trace;
-    arguments.insert(arguments.begin(), {"penpose", "decode", path_.c_str()});
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    Outcome outcome;
-    outcome.status = run(static_cast<int>(arguments.size()), arguments.data());
-    outcome.out = testing::internal::GetCapturedStdout();
-    outcome.error = testing::internal::GetCapturedStderr();
-    return outcome;
-  }
-
-  std::string path_;
-};
+class HandDecode : public tests::DecodeRun {};
 
 /// An Intuos Pro whose second key is pressed while the ring is touched, and let go.
 std::string pad_trace() {

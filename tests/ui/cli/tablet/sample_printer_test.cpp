@@ -53,24 +53,5 @@ TEST(SamplePrinter, JsonHasTheSameFacts) {
   EXPECT_FALSE(object.contains("tilt_y"));
 }
 
-TEST(SamplePrinter, TextIsAlwaysValidJson) {
-  for (const std::string text : {"plain", "\"quoted\\\"", "line\nbreak\x01", "Größe", "\xff\xc3", "\xe0\x80\x80",
-                                 "\xed\xa0\x80", "\xf0\x9f\x96\x8a", "\xf4\x90\x80\x80", "\xc3"}) {
-    std::string out;
-    append_json_text(out, text);
-    EXPECT_FALSE(nlohmann::json::parse(out, nullptr, false).is_discarded()) << out;
-  }
-}
-
-TEST(SamplePrinter, WhatSteersATerminalIsEscapedAndStaysWhatItWas) {
-  const std::string text =
-      "a\x1b[2J\x7f\xc2\x9b"
-      "31m \xc2\xa0";
-  std::string out;
-  append_json_text(out, text);
-  EXPECT_EQ(out, "\"a\\u001b[2J\\u007f\\u009b31m \xc2\xa0\"");
-  EXPECT_EQ(nlohmann::json::parse(out), text);
-}
-
 }  // namespace
 }  // namespace penpose::cli

@@ -4,15 +4,14 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "core/document/document_hash.h"
 #include "core/document/time/animation_sampling.h"
 #include "core/io/project/write_document.h"
 #include "core/io/tracks/label_file.h"
 #include "core/io/tracks/read_track.h"
+#include "tests/support/command_run.h"
 #include "tests/support/models/rendered_track.h"
-#include "ui/cli/command_line.h"
 #include "ui/cli/commands.h"
 #include "ui/files/load_model.h"
 
@@ -20,26 +19,9 @@ namespace penpose::cli {
 namespace {
 
 /// Tracks of the demo head: the points of some of its curves, seen while its jaw opens.
-class AnimateCommand : public testing::Test {
+class AnimateCommand : public tests::CommandRun {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("penpose_animate_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  void write(const char* name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
-  [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
-  int animate(const std::vector<std::string>& arguments) {
-    std::vector<const char*> argv{"penpose", "animate"};
-    for (const auto& argument : arguments) argv.push_back(argument.c_str());
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    const int status = run(static_cast<int>(argv.size()), argv.data());
-    out_ = testing::internal::GetCapturedStdout();
-    error_ = testing::internal::GetCapturedStderr();
-    return status;
-  }
+  int animate(const std::vector<std::string>& arguments) { return run("animate", arguments); }
   /// A track of the head's lips while its jaw opens by half in 20 frames.
   void write_jaw_track() {
     const auto head = files::load_model("builtin:demo").value();
@@ -60,15 +42,11 @@ class AnimateCommand : public testing::Test {
       }
       frames.push_back({{"curves", f == 7 ? nlohmann::json() : curves}});
     }
-    write("track.json", nlohmann::json{{"fps", 25}, {"frames", frames}}.dump());
-    write("map.json", R"({"format": "curves", "stable": ["nose_bridge"], "free": ["jaw", "lips_pucker"], "curves": [
+    save("track.json", nlohmann::json{{"fps", 25}, {"frames", frames}}.dump());
+    save("map.json", R"({"format": "curves", "stable": ["nose_bridge"], "free": ["jaw", "lips_pucker"], "curves": [
       {"track": "lip_upper", "reference": "lip_upper"}, {"track": "lip_lower", "reference": "lip_lower"},
       {"track": "lip_lower_inner", "reference": "lip_lower_inner"}]})");
   }
-
-  std::filesystem::path folder_;
-  std::string out_;
-  std::string error_;
 };
 
 TEST_F(AnimateCommand, OpensTheJawOfASketchedHead) {
@@ -103,7 +81,7 @@ TEST_F(AnimateCommand, TakesATrackOfCurvesWithTheNamesOfTheHeadWithoutAMap) {
   // As `penpose track` writes it.
   const std::string given = nlohmann::json::parse(std::ifstream(folder_ / "track.json")).dump();
   const auto track = io::read_curve_track(base::as_bytes(given), io::FrameOrder::none).value();
-  write("track.json", io::write_curve_track(track, 25));
+  save("track.json", io::write_curve_track(track, 25));
   ASSERT_EQ(animate({"builtin:demo", "--track", path("track.json"), "-o", path("out.glb"), "--json"}), k_success)
       << error_;
   const auto json = nlohmann::json::parse(out_);
@@ -129,7 +107,7 @@ TEST_F(AnimateCommand, SaysWhichCurvesTheBundledMapLacksAndWouldTake) {
     curves["lip_loer"] = curves["lip_lower"];
     for (const char* name : {"lip_lower", "nose_bridge"}) curves.erase(name);
   }
-  write("track.json", track.dump());
+  save("track.json", track.dump());
   ASSERT_EQ(animate({"builtin:demo", "--track", path("track.json"), "-o", path("out.glb"), "--head", "apply"}),
             k_success)
       << error_;
@@ -142,7 +120,7 @@ TEST_F(AnimateCommand, SaysWhichCurvesTheBundledMapLacksAndWouldTake) {
     auto& curves = frame["curves"];
     if (curves.is_object()) curves = {{"mouth", curves["lip_upper"]}};
   }
-  write("track.json", track.dump());
+  save("track.json", track.dump());
   EXPECT_EQ(animate({"builtin:demo", "--track", path("track.json"), "-o", path("out.glb")}), k_failure);
   EXPECT_NE(error_.find("none of the curves"), std::string::npos) << error_;
   EXPECT_NE(error_.find("name its curves brow_R, brow_L, eyelid_upper_R"), std::string::npos) << error_;
@@ -159,8 +137,8 @@ TEST_F(AnimateCommand, AProjectKeepsItsViewsLocksAndKeys) {
   document.views = {std::make_shared<const document::NamedView>(document::NamedView{"front", {}})};
   document.locked = {"lip_upper"};
   const auto project = io::write_project(document).value();
-  write("project.glb", std::string(project.begin(), project.end()));
-  write("take.csv", "Timecode,BlendShapeCount,Jaw\n0:0:0:0,1,0.25\n0:0:0:1,1,0.5\n");
+  save("project.glb", std::string(project.begin(), project.end()));
+  save("take.csv", "Timecode,BlendShapeCount,Jaw\n0:0:0:0,1,0.25\n0:0:0:1,1,0.5\n");
   ASSERT_EQ(animate({path("project.glb"), "--track", path("take.csv"), "-o", path("out.glb"), "--json"}), k_success)
       << error_;
   const auto back = files::load_document(path("out.glb")).value();
@@ -178,9 +156,9 @@ TEST_F(AnimateCommand, AProjectKeepsItsViewsLocksAndKeys) {
 }
 
 TEST_F(AnimateCommand, TakesArkitValuesByNameAndListsTheRest) {
-  write("take.csv",
-        "Timecode,BlendShapeCount,Jaw,LipUpper,TongueOut,HeadRoll\n0:0:0:0,4,0.5,0.1,0.7,0.3\n"
-        "0:0:0:1,4,9,nan,0,0\n0:0:0:2,4,9,0,0,0.1\n");
+  save("take.csv",
+       "Timecode,BlendShapeCount,Jaw,LipUpper,TongueOut,HeadRoll\n0:0:0:0,4,0.5,0.1,0.7,0.3\n"
+       "0:0:0:1,4,9,nan,0,0\n0:0:0:2,4,9,0,0,0.1\n");
   ASSERT_EQ(animate({"builtin:demo", "--track", path("take.csv"), "-o", path("out.glb"), "--json"}), k_success)
       << error_;
   const auto json = nlohmann::json::parse(out_);
@@ -193,14 +171,13 @@ TEST_F(AnimateCommand, TakesArkitValuesByNameAndListsTheRest) {
 }
 
 TEST_F(AnimateCommand, ATextOfTwoBytesALetterIsNamed) {
-  write("take.csv", std::string("\xff\xfeT\0i\0", 6));
+  save("take.csv", std::string("\xff\xfeT\0i\0", 6));
   EXPECT_EQ(animate({"builtin:demo", "--track", path("take.csv"), "-o", path("out.glb")}), k_failure);
   EXPECT_NE(error_.find("UTF-8"), std::string::npos) << error_;
 }
 
 TEST_F(AnimateCommand, AppliesTheHeadsTurn) {
-  write("take.csv",
-        "Timecode,BlendShapeCount,Jaw,HeadYaw,HeadPitch,HeadRoll\n0:0:0:0,4,0,0,0,0\n0:0:0:1,4,0,0.3,0,0\n");
+  save("take.csv", "Timecode,BlendShapeCount,Jaw,HeadYaw,HeadPitch,HeadRoll\n0:0:0:0,4,0,0,0,0\n0:0:0:1,4,0,0.3,0,0\n");
   ASSERT_EQ(animate({"builtin:demo", "--track", path("take.csv"), "-o", path("out.glb"), "--head", "apply"}), k_success)
       << error_;
   const auto model = files::load_model(path("out.glb")).value();
@@ -219,12 +196,12 @@ TEST_F(AnimateCommand, SaysWhyAHeadCannotBeFollowed) {
   };
   auto map = nlohmann::json::parse(std::ifstream(folder_ / "map.json"));
   map["stable"] = nlohmann::json::array();
-  write("none.json", map.dump());
+  save("none.json", map.dump());
   says("track.json", "none.json", "the map lists no stable points");
   map["stable"] = {0};
-  write("one.json", map.dump());
+  save("one.json", map.dump());
   says("track.json", "one.json", "the map lists a single stable point");
-  write("take.csv", "Timecode,Jaw\n0:0:0:0,0\n0:0:0:1,0\n");
+  save("take.csv", "Timecode,Jaw\n0:0:0:0,0\n0:0:0:1,0\n");
   says("take.csv", "", "no column HeadYaw");
 }
 
@@ -237,19 +214,19 @@ TEST_F(AnimateCommand, SaysWhatIsWrongInOneLine) {
   };
   const std::string track = path("track.json");
   const std::string out = path("out.glb");
-  write("wrong.json", R"({"format": "curves", "curves": [{"track": "lip_upper", "reference": "lip_uper"}]})");
+  save("wrong.json", R"({"format": "curves", "curves": [{"track": "lip_upper", "reference": "lip_uper"}]})");
   fails({"builtin:demo", "--track", track, "--map", path("wrong.json"), "-o", out}, "did you mean lip_upper");
-  write("wrong.json", R"({"format": "curves", "curves": [{"track": "lips", "reference": "lip_upper"}]})");
+  save("wrong.json", R"({"format": "curves", "curves": [{"track": "lips", "reference": "lip_upper"}]})");
   fails({"builtin:demo", "--track", track, "--map", path("wrong.json"), "-o", out}, "/curves/0/track");
-  write("wrong.json",
-        R"({"format": "curves", "free": ["jaww"], "curves": [{"track": "lip_upper", "reference": "lip_upper"}]})");
+  save("wrong.json",
+       R"({"format": "curves", "free": ["jaww"], "curves": [{"track": "lip_upper", "reference": "lip_upper"}]})");
   fails({"builtin:demo", "--track", track, "--map", path("wrong.json"), "-o", out}, "did you mean 'jaw'?");
-  write("wrong.json",
-        R"({"format": "curves", "curves": [{"track": "lip_upper", "reference": "lip_upper", "meets": "lid"}]})");
+  save("wrong.json",
+       R"({"format": "curves", "curves": [{"track": "lip_upper", "reference": "lip_upper", "meets": "lid"}]})");
   fails({"builtin:demo", "--track", track, "--map", path("wrong.json"), "-o", out}, "/curves/0/meets");
-  write("wrong.csv", "Timecode,BlendShapeCount,TongueOut\n0:0:0:0,1,0.5\n");
+  save("wrong.csv", "Timecode,BlendShapeCount,TongueOut\n0:0:0:0,1,0.5\n");
   fails({"builtin:demo", "--track", path("wrong.csv"), "-o", out}, "a control for none");
-  write("wrong.csv", "frame,confidence,x_0,y_0\n");
+  save("wrong.csv", "frame,confidence,x_0,y_0\n");
   fails({"builtin:demo", "--track", path("wrong.csv"), "-o", out}, "x_1");
   fails({"builtin:head", "--track", track, "--map", path("map.json"), "-o", out}, "articulate");
   fails({"builtin:demo", "--track", track, "--map", path("map.json"), "-o", path("out.obj")}, ".glb");
@@ -265,7 +242,7 @@ TEST_F(AnimateCommand, SaysWhichMembersOfAMapItSkipsAndWhichFramesItHolds) {
   auto map = nlohmann::json::parse(std::ifstream(folder_ / "map.json"));
   map["hed"] = "apply";
   map["curves"][1]["weigth"] = 2;
-  write("map.json", map.dump());
+  save("map.json", map.dump());
   ASSERT_EQ(animate({"builtin:demo", "--track", path("track.json"), "--map", path("map.json"), "-o", path("out.glb")}),
             k_success);
   EXPECT_NE(error_.find("/hed is not known"), std::string::npos) << error_;
@@ -279,7 +256,7 @@ TEST_F(AnimateCommand, NamesTheFileOfAFolderThatItCannotRead) {
     std::string text = f == 1 ? "\xef\xbb\xbfversion: 1\nn_points: 68\n{\n" : "version: 1\nn_points: 68\n{\n";
     for (int i = 0; i < 68 && (f != 2 || i < 49); ++i)
       text += std::to_string(100 + 9 * (i % 17)) + " " + std::to_string(100 + (i * i) % 61) + "\n";
-    write(("points/face_000" + std::to_string(f) + (f == 3 ? ".PTS" : ".pts")).c_str(), text + "}\n");
+    save(("points/face_000" + std::to_string(f) + (f == 3 ? ".PTS" : ".pts")), text + "}\n");
   }
   ASSERT_EQ(animate({"builtin:demo", "--track", path("points"), "-o", path("out.glb"), "--json"}), k_success) << error_;
   EXPECT_EQ(nlohmann::json::parse(out_)["held"], nlohmann::json({1}));
@@ -292,7 +269,7 @@ TEST_F(AnimateCommand, ReadsAFolderOfPointFiles) {
     std::string text = "version: 1\nn_points: 68\n{\n";
     for (int i = 0; i < 68; ++i)
       text += std::to_string(100 + 9 * (i % 17)) + " " + std::to_string(100 + (i * i) % 61) + "\n";
-    write(("points/face_000" + std::to_string(f) + ".pts").c_str(), text + "}\n");
+    save(("points/face_000" + std::to_string(f) + ".pts"), text + "}\n");
   }
   ASSERT_EQ(animate({"builtin:demo", "--track", path("points"), "-o", path("out.glb"), "--json"}), k_success) << error_;
   const auto json = nlohmann::json::parse(out_);

@@ -4,22 +4,19 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
-#include "ui/cli/command_line.h"
+#include "tests/support/command_run.h"
 
 namespace penpose::cli {
 namespace {
 
 /// Pictures of a bright mouth on a dark face that opens: the upper edge stays, the lower edge sinks.
-class TrackCommand : public testing::Test {
+class TrackCommand : public tests::CommandRun {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("penpose_track_" + std::to_string(::getpid()));
+    CommandRun::SetUp();
     std::filesystem::create_directories(folder_ / "clip");
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   static double lower_edge(double open) { return 34 + 12 * open; }
   /// `light`: how bright the picture is.
   void write_picture(const std::string& name, double open, double light) const {
@@ -37,20 +34,7 @@ class TrackCommand : public testing::Test {
     const double low = lower_edge(open);
     return {{"upper", {{16, 30}, {32, 30}, {48, 30}}}, {"lower", {{16, low}, {32, low}, {48, low}}}};
   }
-  int track(const std::vector<std::string>& arguments) {
-    std::vector<const char*> argv{"penpose", "track"};
-    for (const auto& argument : arguments) argv.push_back(argument.c_str());
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    const int status = run(static_cast<int>(argv.size()), argv.data());
-    (void)testing::internal::GetCapturedStdout();
-    error_ = testing::internal::GetCapturedStderr();
-    return status;
-  }
-  [[nodiscard]] std::string path(const char* name) const { return (folder_ / name).string(); }
-
-  std::filesystem::path folder_;
-  std::string error_;
+  int track(const std::vector<std::string>& arguments) { return run("track", arguments); }
 };
 
 TEST_F(TrackCommand, FindsTheEdgesOfAMouthInEveryLight) {

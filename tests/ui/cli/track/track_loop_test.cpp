@@ -8,6 +8,7 @@
 #include "core/io/tracks/face_points.h"
 #include "core/io/tracks/read_track.h"
 #include "core/tracking/track_setup.h"
+#include "tests/support/models/nodding_head.h"
 #include "tests/support/models/rendered_track.h"
 #include "tests/support/shared_data.h"
 #include "ui/cli/track/track_input.h"
@@ -16,25 +17,6 @@
 
 namespace penpose::cli {
 namespace {
-
-geometry::ModelPoint turned(geometry::ModelPoint v, double angle, int i, int j) {
-  const double x = v[i];
-  const double y = v[j];
-  v[i] = std::cos(angle) * x - std::sin(angle) * y;
-  v[j] = std::sin(angle) * x + std::cos(angle) * y;
-  return v;
-}
-
-/// A head that rolls, nods and looks about by up to 20 degrees and sways.
-geometry::ModelPoint nodding(std::size_t frame, geometry::ModelPoint p) {
-  const double t = static_cast<double>(frame) / 30.0;
-  const double in = std::min(1.0, t);
-  const geometry::ModelPoint neck(0, -8, 0);
-  p = turned(p - neck, in * 0.35 * std::sin(1.1 * t), 0, 1);
-  p = turned(p, in * 0.25 * std::sin(0.7 * t), 1, 2);
-  p = turned(p, in * 0.3 * std::sin(0.9 * t), 2, 0);
-  return p + neck + geometry::ModelVector(2 * std::sin(0.5 * t), std::sin(0.8 * t), 0) * in;
-}
 
 /// The loop of tracked curves: a clip of known poses is seen, tracked and animated again.
 class SharedTrackLoop : public testing::Test {
@@ -198,7 +180,7 @@ TEST_F(SharedTrackLoop, TremorAddsNoJumpToAMovingFace) {
 }
 
 TEST_F(SharedTrackLoop, NorToOneWhoseHeadTurns) {
-  const auto calm_track = tests::track_of(*model_.rig, poses_, points_, *video_, 0, nodding);
+  const auto calm_track = tests::track_of(*model_.rig, poses_, points_, *video_, 0, tests::nodding);
   const auto calm = animate(calm_track);
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     EXPECT_LT(largest_difference_of_steps(animate(shaken_track(calm_track, seed)), calm), 0.05) << seed;
@@ -213,10 +195,10 @@ TEST_F(SharedTrackLoop, ABlinkThatIsHalfTrustedDoesNotWidenTheEyes) {
 }
 
 TEST_F(SharedTrackLoop, AMovingHeadIsNoExpression) {
-  const auto moved = animate(tests::track_of(*model_.rig, poses_, points_, *video_, 0, nodding));
+  const auto moved = animate(tests::track_of(*model_.rig, poses_, points_, *video_, 0, tests::nodding));
   EXPECT_LT(mean_error(moved) / height_, 0.01);
   poses_.assign(300, rig::rest_pose(*model_.rig));
-  const auto silent = animate(tests::track_of(*model_.rig, poses_, points_, *video_, 0, nodding));
+  const auto silent = animate(tests::track_of(*model_.rig, poses_, points_, *video_, 0, tests::nodding));
   EXPECT_LT(mean_error(silent) / height_, 0.005);
   const auto jaw = parameter("jawOpen");
   for (const auto& pose : silent.poses) EXPECT_LT(pose[jaw], 0.03);
@@ -243,7 +225,7 @@ TEST_F(SharedTrackLoop, ABlinkClosesTheLidsHoweverLittleTheTrackersPointsClose) 
 }
 
 TEST_F(SharedTrackLoop, TheEyesLookWhereThePersonsDo) {
-  auto track = tests::track_of(*model_.rig, poses_, points_, *video_, 0.5, nodding);
+  auto track = tests::track_of(*model_.rig, poses_, points_, *video_, 0.5, tests::nodding);
   tests::Shaker shake(4);
   std::vector<animation::Gaze> truth;
   for (std::size_t f = 0; f < track.frames.size(); ++f) {
@@ -307,122 +289,6 @@ TEST_F(SharedTrackLoop, LipsThatNeverTouchAreTold) {
   ASSERT_TRUE(result.rest.has_value());
   EXPECT_FALSE(result.rest->near_rest);
   EXPECT_GT(result.poses[150][parameter("jawOpen")], 0.2);  // they are as far apart as they are seen
-}
-
-/// A real tracker's output for a head that moves a lot.
-class SharedRealTrack : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!tests::has_shared()) GTEST_SKIP();
-    model_ = files::load_model((tests::shared_dir() / "meshes" / "ict_face.glb").string()).value();
-    track_ = std::get<animation::PointTrack>(
-        read_track((tests::shared_dir() / "tracks" / "openface_head_test.csv").string(), {}, {}).value().track);
-    const auto map = io::read_map_file(base::as_bytes(io::bundled_map("openface"))).value();
-    std::vector<std::string> notes;
-    const auto setup = tracking::make_setup(model_, track_, map, true, {}, notes).value();
-    const auto camera = geometry::frame_box(document::rest_world_box(model_), {1000, 1000}, 0);
-    result_ = animation::animate_track(*model_.rig, track_, setup, camera).value();
-  }
-  [[nodiscard]] double apart(std::size_t f, std::size_t a, std::size_t b) const {
-    return geometry::distance(track_.frames[f].points[a], track_.frames[f].points[b]);
-  }
-  [[nodiscard]] std::vector<double> values(const char* name) const {
-    const auto p = rig::find_parameter(model_.rig->parameters(), name).value();
-    std::vector<double> all;
-    for (const auto& pose : result_.poses) all.push_back(pose[p]);
-    return all;
-  }
-
-  document::Model model_;
-  animation::PointTrack track_;
-  animation::TrackedAnimation result_;
-};
-
-double correlation(const std::vector<double>& a, const std::vector<double>& b) {
-  const auto n = static_cast<double>(a.size());
-  const double mean_a = std::accumulate(a.begin(), a.end(), 0.0) / n;
-  const double mean_b = std::accumulate(b.begin(), b.end(), 0.0) / n;
-  double ab = 0;
-  double aa = 0;
-  double bb = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    ab += (a[i] - mean_a) * (b[i] - mean_b);
-    aa += (a[i] - mean_a) * (a[i] - mean_a);
-    bb += (b[i] - mean_b) * (b[i] - mean_b);
-  }
-  return ab / std::sqrt(aa * bb);
-}
-
-TEST_F(SharedRealTrack, TheMouthOpensWhenThePersonsDoes) {
-  std::vector<double> lips;
-  for (std::size_t f = 0; f < 300; ++f) lips.push_back(apart(f, 62, 66));
-  const auto jaw = values("jawOpen");
-  EXPECT_GT(correlation(lips, jaw), 0.9);
-  // The head rolls and nods by 40 degrees with closed lips.
-  for (std::size_t f = 0; f < 300; ++f) {
-    if (lips[f] < 3) {
-      EXPECT_LT(jaw[f], 0.1) << f;
-    }
-  }
-}
-
-TEST_F(SharedRealTrack, TheLidsFollowThePersonsLids) {
-  // How far the eyes are open, in widths of the eyes: a nod shortens that too, which is no blink.
-  std::vector<double> open;
-  std::vector<double> level_open;
-  std::vector<double> level_blink;
-  std::vector<double> blink = values("eyeBlink_R");
-  const auto left = values("eyeBlink_L");
-  for (std::size_t f = 0; f < 300; ++f) {
-    open.push_back((apart(f, 37, 41) + apart(f, 38, 40)) / apart(f, 36, 39) +
-                   (apart(f, 43, 47) + apart(f, 44, 46)) / apart(f, 42, 45));
-    blink[f] += left[f];
-    if (result_.still.turns[f].rotation[2][2] < std::cos(0.35)) continue;
-    level_open.push_back(open[f]);
-    level_blink.push_back(blink[f]);
-  }
-  EXPECT_LT(correlation(open, blink), -0.93);
-  EXPECT_LT(correlation(level_open, level_blink), -0.85);
-}
-
-TEST_F(SharedRealTrack, TheEyesCloseWhenThePersonsDo) {
-  const auto blink = values("eyeBlink_R");
-  // Around frame 247 the eyes are half closed for a moment; at 126 they are wide open.
-  EXPECT_GT(blink[247], 0.25);
-  EXPECT_LT(blink[126], 0.05);
-  EXPECT_LT(blink[232], 0.15);
-}
-
-TEST_F(SharedRealTrack, NoTwoControlsThatUndoEachOtherAreUp) {
-  const auto left = values("mouthLeft");
-  const auto right = values("mouthRight");
-  for (std::size_t f = 0; f < 300; ++f) EXPECT_FALSE(left[f] > 0.1 && right[f] > 0.1) << f;
-}
-
-TEST_F(SharedRealTrack, TheLidsAgreeWithTheTrackersOwnWordOnBlinking) {
-  auto blink = values("eyeBlink_R");
-  const auto left = values("eyeBlink_L");
-  std::vector<double> told;
-  for (std::size_t f = 0; f < 300; ++f) {
-    blink[f] += left[f];
-    told.push_back(track_.frames[f].says.closing.value_or(0));
-  }
-  EXPECT_GT(correlation(blink, told), 0.6);
-}
-
-TEST_F(SharedRealTrack, TheHeadsTurnIsKeptApart) {
-  const auto roll = [&](std::size_t f) {
-    return std::atan2(result_.still.turns[f].rotation[0][1], result_.still.turns[f].rotation[0][0]);
-  };
-  EXPECT_LT(roll(105), -0.5);
-  EXPECT_GT(roll(195), 0.6);
-  EXPECT_NEAR(roll(240), 0.0, 0.1);
-  // A nod of 34 degrees: as far as the tracker says itself.
-  const auto nod = [&](std::size_t f) {
-    return std::atan2(-result_.still.turns[f].rotation[2][1], result_.still.turns[f].rotation[2][2]);
-  };
-  EXPECT_NEAR(nod(276), 0.605, 0.02);
-  EXPECT_NEAR(nod(40), -0.06, 0.02);
 }
 
 }  // namespace

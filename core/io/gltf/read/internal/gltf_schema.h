@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/json/json.h"
 #include "core/base/result.h"
-#include "core/json/json.h"
 
 namespace penpose::io {
 

@@ -7,7 +7,7 @@
 #define TINYGLTF_NOEXCEPTION
 #define TINYGLTF_IMPLEMENTATION
 
-#include "core/json/json_value.h"
+#include "core/base/json/json_value.h"
 
 namespace json_of_penpose {
 using json = penpose::json::Json;

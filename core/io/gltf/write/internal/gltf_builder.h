@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/byte_writer.h"
+#include "core/base/json/json.h"
 #include "core/base/result.h"
-#include "core/json/json.h"
 
 namespace penpose::io {
 

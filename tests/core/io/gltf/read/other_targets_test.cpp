@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 #include <map>
 
+#include "core/base/json/json.h"
 #include "core/io/model/read_model.h"
 #include "core/io/model/write_model.h"
 #include "core/io/project/read_document.h"
 #include "core/io/project/write_document.h"
-#include "core/json/json.h"
 #include "tests/support/document_hand.h"
 
 // Other targets of controls, and corrections of poses, in files.

@@ -8,21 +8,12 @@
 #include "core/io/gltf/write/deformer_sample.h"
 #include "core/io/model/read_model.h"
 #include "core/io/model/write_model.h"
-#include "tests/support/models/articulation_models.h"
+#include "tests/support/models/sketched_models.h"
 
 namespace penpose::io {
 namespace {
 
-/// A trunk that curls up by rotation.
-document::Model curling_trunk() {
-  const tests::Trunk trunk = tests::make_trunk();
-  mesh::MeshSource source;
-  source.positions.assign(trunk.canvas->positions().begin(), trunk.canvas->positions().end());
-  source.triangles.assign(trunk.canvas->mesh().triangles().begin(), trunk.canvas->mesh().triangles().end());
-  auto model = document::make_model(mesh::TriangleMesh::build(std::move(source)).value(), nullptr, nullptr).value();
-  const auto deformer = articulation::build_deformer(trunk.curl(), *document::make_canvas(model).value()).value();
-  return document::with_deformers(std::move(model), articulation::SketchedDeformers::make({deformer}).value()).value();
-}
+using tests::curling_trunk;
 
 std::vector<std::uint8_t> without_extras(std::vector<std::uint8_t> bytes) {
   const std::string_view key = "\"penpose\":{";

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 #include <tiny_gltf.h>
 
+#include "core/base/json/json.h"
 #include "core/io/gltf/read/read_gltf.h"
 #include "core/io/model/write_model.h"
-#include "core/json/json.h"
 #include "tests/support/models/gltf_sample.h"
 #include "tests/support/models/model_samples.h"
 

@@ -1,18 +1,40 @@
 #pragma once
 
 #include <cctype>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <span>
 #include <string>
+#include <string_view>
 #include <unistd.h>
 #include <vector>
 
 #include "ui/cli/command_line.h"
 
 namespace penpose::tests {
+
+struct Outcome {
+  int status = 0;
+  std::string out;
+  std::string error;
+};
+
+/// Runs the program, in this process, with arguments behind its name.
+inline Outcome run_program(const std::vector<std::string>& arguments) {
+  std::vector<const char*> argv{"penpose"};
+  for (const auto& argument : arguments) argv.push_back(argument.c_str());
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  Outcome outcome;
+  outcome.status = cli::run(static_cast<int>(argv.size()), argv.data());
+  outcome.out = testing::internal::GetCapturedStdout();
+  outcome.error = testing::internal::GetCapturedStderr();
+  return outcome;
+}
 
 /// Runs the program's subcommands in a folder of their own, which is removed again.
 class CommandRun : public testing::Test {
@@ -30,10 +52,11 @@ class CommandRun : public testing::Test {
     std::ifstream file(folder_ / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   }
-  template <typename Content>
-  void save(const std::string& name, const Content& bytes) const {
-    std::ofstream file(folder_ / name, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  void save(const std::string& name, std::string_view text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  void save(const std::string& name, std::span<const std::uint8_t> bytes) const {
+    save(name, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
   }
   /// The beginning of a session that was drawn on a model.
   [[nodiscard]] static std::string session_on(const std::string& model) {
@@ -51,14 +74,15 @@ class CommandRun : public testing::Test {
   }
   /// Returns the exit status; what was printed is in out_ and error_.
   int run(const std::vector<std::string>& arguments) {
-    std::vector<const char*> argv{"penpose"};
-    for (const auto& argument : arguments) argv.push_back(argument.c_str());
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    const int status = cli::run(static_cast<int>(argv.size()), argv.data());
-    out_ = testing::internal::GetCapturedStdout();
-    error_ = testing::internal::GetCapturedStderr();
-    return status;
+    const Outcome outcome = run_program(arguments);
+    out_ = outcome.out;
+    error_ = outcome.error;
+    return outcome.status;
+  }
+
+  int run(const std::string& command, std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), command);
+    return run(arguments);
   }
 
   std::filesystem::path folder_;

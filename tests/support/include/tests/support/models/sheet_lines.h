@@ -15,6 +15,31 @@
 
 namespace penpose::tests {
 
+/// Vertices beside each vertex of a mesh, welded.
+using Beside = std::vector<std::vector<std::uint32_t>>;
+
+/// The way along edges of the mesh from one triangle to another, at most `most`.
+inline double way_over_surface(const mesh::TriangleMesh& mesh, const Beside& beside, std::uint32_t from,
+                               std::uint32_t to, double most) {
+  std::map<std::uint32_t, double> known;
+  std::set<std::pair<double, std::uint32_t>> open;
+  for (const std::uint32_t v : mesh.triangles()[from]) open.insert({0.0, mesh.weld()[v]});
+  std::set<std::uint32_t> goal;
+  for (const std::uint32_t v : mesh.triangles()[to]) goal.insert(mesh.weld()[v]);
+  while (!open.empty()) {
+    const auto [way, vertex] = *open.begin();
+    open.erase(open.begin());
+    if (way > most) return way;
+    if (goal.count(vertex) > 0) return way;
+    if (!known.insert({vertex, way}).second) continue;
+    for (const std::uint32_t next : beside[vertex]) {
+      if (known.count(next) == 0)
+        open.insert({way + geometry::distance(mesh.positions()[vertex], mesh.positions()[next]), next});
+    }
+  }
+  return 1e300;
+}
+
 class SheetLines {
  public:
   using ModelPoint = geometry::ModelPoint;
@@ -126,37 +151,16 @@ class SheetLines {
       }
       const double chord = geometry::distance(curve->positions[k], curve->positions[k + 1]);
       const double most = 2 * chord + 6 * step + 4 * edge;
-      EXPECT_LE(way_over_surface(one, two, most), most) << "line " << number << " at point " << k;
+      EXPECT_LE(way_over_surface(mesh_, beside_, one, two, most), most) << "line " << number << " at point " << k;
     }
     return true;
-  }
-
-  /// The way along edges of the mesh from one triangle to another, at most `most`.
-  [[nodiscard]] double way_over_surface(std::uint32_t from, std::uint32_t to, double most) const {
-    std::map<std::uint32_t, double> known;
-    std::set<std::pair<double, std::uint32_t>> open;
-    for (const std::uint32_t v : mesh_.triangles()[from]) open.insert({0.0, mesh_.weld()[v]});
-    std::set<std::uint32_t> goal;
-    for (const std::uint32_t v : mesh_.triangles()[to]) goal.insert(mesh_.weld()[v]);
-    while (!open.empty()) {
-      const auto [way, vertex] = *open.begin();
-      open.erase(open.begin());
-      if (way > most) return way;
-      if (goal.count(vertex) > 0) return way;
-      if (!known.insert({vertex, way}).second) continue;
-      for (const std::uint32_t next : beside_[vertex]) {
-        if (known.count(next) == 0)
-          open.insert({way + geometry::distance(mesh_.positions()[vertex], mesh_.positions()[next]), next});
-      }
-    }
-    return 1e300;
   }
 
   const mesh::TriangleMesh& mesh_;
   std::vector<glm::vec3> positions_;
   geometry::TriangleBvh tree_;
   curve::Sheets sheets_;
-  std::vector<std::vector<std::uint32_t>> beside_;
+  Beside beside_;
   std::vector<std::uint32_t> seams_;
 };
 

@@ -12,6 +12,7 @@
 #include "core/rig/blend_shapes.h"
 #include "core/rig/character_rig.h"
 #include "core/rig/skeleton.h"
+#include "tests/support/random.h"
 
 namespace penpose::tests {
 
@@ -55,23 +56,6 @@ inline std::shared_ptr<const rig::BlendShapes> random_shapes(const mesh::Triangl
   }
   return rig::BlendShapes::make(std::move(shapes), mesh.vertex_count()).value();
 }
-
-/// Uniform numbers from a seed, the same with every standard library.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : generator_(seed) {}
-  double operator()(double low, double high) {
-    return low + (high - low) * static_cast<double>(generator_() >> 11) * 0x1p-53;
-  }
-  /// 0..count - 1.
-  std::size_t index(std::size_t count) { return static_cast<std::size_t>(generator_() % count); }
-  geometry::ModelVector vector(double size) {
-    return {(*this)(-size, size), (*this)(-size, size), (*this)(-size, size)};
-  }
-
- private:
-  std::mt19937_64 generator_;
-};
 
 /// A ball of `rows` bands and `columns` sectors, closed at the poles, facing outwards.
 inline std::shared_ptr<const mesh::TriangleMesh> ball_mesh(std::uint32_t rows, std::uint32_t columns,

@@ -1,0 +1,28 @@
+#include "ui/cli/tablet/trace_output.h"
+
+#include <iostream>
+
+#include "ui/cli/commands.h"
+#include "ui/files/files.h"
+
+namespace penpose::cli {
+
+void print_gathered(std::string& text, std::size_t keep) {
+  if (text.size() < keep) return;
+  std::cout.write(text.data(), static_cast<std::streamsize>(text.size()));
+  text.clear();
+}
+
+int end_of_trace(const replay::TraceSource& source, const std::string& path, std::uint64_t reports) {
+  if (!std::cout) return files::report({"the output cannot be written", "", "check the disk"});
+  if (source.devices().empty() && reports == 0) {
+    return files::report({"is no recording: it has neither devices nor reports", "",
+                          "give a text file as hid-recorder or `penpose record` writes it"},
+                         path);
+  }
+  // After the refusal, which is one line: where nothing can be read, it matters little what each line lacks.
+  for (const auto& problem : source.problems()) std::cerr << "penpose: " << problem.line(path) << '\n';
+  return k_success;
+}
+
+}  // namespace penpose::cli
