@@ -1,11 +1,10 @@
-// golden HASHES THREADS SESSION|FOLDER...: replays every session named or in a folder named, 200 random ones, and for
-// each of the rules 1 to 7 another 40 in which every command of the list comes as often as any other (by rules 5
-// another 40 with the commands that came later), prints the hash of the state at each session's end, and compares them
-// with a file of lines "NAME HASH". With --print in place of the file it prints such a file. The text of a random
-// session holds the state after each of its strokes and commands, so that its hash stands for all.
+// golden HASHES THREADS SESSION|FOLDER...: replays every session named or in a folder named, and random ones in which
+// every tool and every command comes as often as any other, prints the hash of the state at each session's end, and
+// compares them with a file of lines "NAME HASH". With --print in place of the file it prints such a file. The text of
+// a random session holds the state after each of its strokes and commands, so that its hash stands for all. Fails, too,
+// where a kind of stroke is drawn in fewer than ten of the random sessions.
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -14,10 +13,12 @@
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "core/head/head.h"
+#include "core/character/character.h"
 #include "replay/session/session_player.h"
 #include "tests/support/hands/knowing_hand.h"
 #include "tests/support/parallel.h"
@@ -26,19 +27,16 @@ namespace {
 
 using namespace penpose;  // NOLINT(google-build-using-namespace): a program of one file
 
-constexpr std::uint64_t k_random_sessions = 200;
-constexpr std::size_t k_actions = 25;
-/// Sessions in which every command of the list comes as often as any other.
-constexpr std::uint64_t k_knowing_sessions = 40;
-constexpr std::size_t k_knowing_actions = 80;
+constexpr std::uint64_t k_random_sessions = 40;
+constexpr std::size_t k_actions = 90;
+/// Each kind of stroke is drawn in as many sessions as that.
+constexpr std::size_t k_least_of_a_kind = 10;
 
 base::Result<document::Document> open(const std::string& path) {
-  if (path == "builtin:head") return document::make_document(head::make_head());
-  if (path == "builtin:head") return document::make_document(head::make_head());
-  if (path == "builtin:head") return document::make_document(head::make_head());
-  if (path == "builtin:head") return document::make_document(head::make_head());
   if (path == "test-sheet") return document::make_document(tests::sheet_model());
-  return base::Error{"no golden session is drawn on " + path, "", ""};
+  auto made = character::Character::built_in(path);
+  if (!made) return base::Error{"no golden session is drawn on " + path, "", ""};
+  return made->document();
 }
 
 /// The state at the end, after all recorded states on the way were found equal.
@@ -54,14 +52,20 @@ base::Result<std::string> replayed(const std::string& text) {
   return played->session->editor().state().whole.hex();
 }
 
-template <typename Hand, typename... Rules>
-base::Result<std::string> random_session(std::uint64_t seed, std::size_t actions, Rules... rules) {
+/// A random session: its hash, and the kinds of strokes in it.
+struct RandomSession {
+  base::Result<std::string> hash = std::string();
+  std::set<std::string> kinds;
+};
+
+RandomSession random_session(std::uint64_t seed) {
   tests::SessionScript script(document::make_document(tests::sheet_model()), "test-sheet");
-  Hand(script, seed, rules...).run(actions);
+  tests::KnowingHand hand(script, seed);
+  hand.run(k_actions);
   const auto again = replayed(script.text());
-  if (!again) return again.error();
-  if (*again != script.editor().state().whole.hex()) return base::Error{"replays to another state", "", ""};
-  return base::hash_bytes(base::as_bytes(script.text())).hex();
+  if (!again) return {again.error(), {}};
+  if (*again != script.editor().state().whole.hex()) return {base::Error{"replays to another state", "", ""}, {}};
+  return {base::hash_bytes(base::as_bytes(script.text())).hex(), hand.drawn_kinds()};
 }
 
 /// The files of sessions among paths of files and folders, by their names.
@@ -97,32 +101,24 @@ std::map<std::string, std::string> all_hashes(const std::map<std::string, std::f
     keep(name, replayed(text));
   }
   // As many at a time as there are threads: nothing that one does may show in another.
-  constexpr std::uint64_t k_all = k_random_sessions + 8 * k_knowing_sessions;
-  std::vector<base::Result<std::string>> random(k_all, std::string());
-  tests::parallel_for(k_all, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (i < k_random_sessions) {
-        random[i] = random_session<tests::RandomHand>(i, k_actions);
-        continue;
-      }
-      const std::uint64_t seed = (i - k_random_sessions) % k_knowing_sessions;
-      // Rules 1 to 5, then 5 with the commands that came after them, then 6 and 7.
-      const auto row = static_cast<std::uint32_t>(1 + (i - k_random_sessions) / k_knowing_sessions);
-      using Commands = tests::KnowingHand::Commands;
-      random[i] = row == 6 ? random_session<tests::KnowingHand>(seed, k_knowing_actions, 5U, Commands::targets)
-                           : random_session<tests::KnowingHand>(seed, k_knowing_actions, row > 6 ? row - 1 : row);
-    }
+  std::vector<RandomSession> random(k_random_sessions);
+  tests::parallel_for(k_random_sessions, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) random[i] = random_session(i);
   });
-  for (std::size_t i = 0; i < k_all; ++i) {
-    // By the rules: 0, then 1 to 5, then 5 with the commands of several targets, then 6 and 7.
-    constexpr std::array<const char*, 9> k_names{"random-%03d", "every-%03d",  "meant-%03d",
-                                                 "sheet-%03d",  "offset-%03d", "moment-%03d",
-                                                 "target-%03d", "whole-%03d",  "ended-%03d"};
-    const std::uint64_t rules = i < k_random_sessions ? 0 : 1 + (i - k_random_sessions) / k_knowing_sessions;
-    const std::uint64_t number = rules == 0 ? i : (i - k_random_sessions) % k_knowing_sessions;
+  std::map<std::string, std::size_t> sessions_of_kind;
+  for (const std::string_view kind : tests::KnowingHand::k_kinds) {
+    if (kind != "none") sessions_of_kind[std::string(kind)] = 0;
+  }
+  for (std::size_t i = 0; i < k_random_sessions; ++i) {
     char name[16];
-    std::snprintf(name, sizeof name, k_names.at(rules), static_cast<int>(number));
-    keep(name, random[i]);
+    std::snprintf(name, sizeof name, "random-%03d", static_cast<int>(i));
+    keep(name, random[i].hash);
+    for (const std::string& kind : random[i].kinds) ++sessions_of_kind[kind];
+  }
+  for (const auto& [kind, count] : sessions_of_kind) {
+    if (count >= k_least_of_a_kind) continue;
+    std::cerr << kind << ": drawn in " << count << " random sessions, fewer than " << k_least_of_a_kind << '\n';
+    failed = true;
   }
   return hashes;
 }

@@ -1,5 +1,7 @@
 // make_session demo SKETCH EXPRESSIONS OUT: a session that sketches the deformers of a sketch file on the built-in head
 // and poses it as an expression file says, every line drawn by the virtual pen.
+// make_session again SESSION OUT: a session of another edition by the one of today: the same strokes and commands, with
+// the states that they come to now.
 // make_session sketches SESSION OUT: the sketch file of the controls that a session ends with.
 // make_session random SEED ACTIONS OUT: what a random hand does with a small sheet.
 
@@ -9,7 +11,13 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <regex>
+#include <string>
+#include <vector>
 
+#include "core/base/edition.h"
+#include "core/character/character.h"
+#include "core/document/commands/command_text.h"
 #include "core/head/head.h"
 #include "core/io/project/sketch_file.h"
 #include "replay/session/session_player.h"
@@ -87,13 +95,78 @@ class DemoHand {
   tests::SessionScript& script_;
 };
 
+base::Result<document::Document> open_model(const std::string& path) {
+  if (path == "test-sheet") return document::make_document(tests::sheet_model());
+  auto made = character::Character::built_in(path);
+  if (!made) return made.error();
+  return made->document();
+}
+
+/// Lines of a text, their ends kept.
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find('\n', from), text.size() - 1) + 1;
+    lines.push_back(text.substr(from, end - from));
+    from = end;
+  }
+  return lines;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line;
+  return text;
+}
+
+/// Writes down the state after every step.
+class States final : public replay::PlayerObserver {
+ public:
+  std::vector<std::string> lines;
+  void on_step(replay::Session& session, const replay::SessionStep&) override {
+    lines.push_back("# " + replay::to_text(replay::StateReached{session.editor().state()}) + '\n');
+  }
+};
+
+std::string session_again(const char* session_file) {
+  std::vector<std::string> lines = lines_of(read(session_file));
+  for (std::string& line : lines) {
+    line = std::regex_replace(line, std::regex("^# penpose session \\S+"),
+                              "# penpose session edition=" + std::to_string(base::k_edition));
+    line = std::regex_replace(line, std::regex("(builtin%3A(head|demo))-[0-9]"), "$1");
+    if (line.starts_with("# penpose ")) line = std::regex_replace(line, std::regex(" rules=[0-9]+"), "");
+    std::smatch model;
+    if (!std::regex_match(line, model, std::regex("# penpose model \\S+ path=(\\S+)\n"))) continue;
+    const auto path = document::unescape(model[1].str());
+    const auto opened = path ? open_model(*path) : base::Result<document::Document>(base::Error{"no model", "", ""});
+    if (!opened) stop(opened.error(), session_file);
+    line = "# " + replay::to_text(replay::ModelNamed{document::DocumentHasher()(*opened).whole, *path}) + '\n';
+  }
+  States states;
+  replay::PlayerOptions options;
+  options.open = open_model;
+  options.observer = &states;
+  const std::string text = joined(lines);
+  const auto played = replay::play_session(replay::read_from(base::as_bytes(text)), options);
+  if (!played) stop(played.error(), session_file);
+  if (!played->problems.empty()) stop(played->problems.front(), session_file);
+  for (const base::Error& refusal : played->refusals)
+    std::cerr << session_file << ": refused: " << refusal.line() << '\n';
+  const auto is_state = [](const std::string& line) { return line.starts_with("# penpose state "); };
+  const auto count = static_cast<std::size_t>(std::count_if(lines.begin(), lines.end(), is_state));
+  if (count > 0 && count != states.lines.size()) stop({"not every step has a state", "", ""}, session_file);
+  std::size_t step = 0;
+  for (std::string& line : lines) {
+    if (is_state(line)) line = states.lines[step++];
+  }
+  return joined(lines);
+}
+
 /// The sketches of the controls that a session on the built-in head ends with.
 std::string sketches_of(const char* session_file) {
   const std::string text = read(session_file);
   replay::PlayerOptions options;
-  options.open = [](const std::string&) {
-    return base::Result<document::Document>(document::make_document(head::make_head()));
-  };
+  options.open = open_model;
   const auto played = replay::play_session(replay::read_from(base::as_bytes(text)), options);
   if (!played) stop(played.error(), session_file);
   io::SketchFile file;
@@ -131,12 +204,16 @@ std::string demo_session(const char* sketch_file, const char* expression_file) {
 
 int main(int argc, char** argv) {
   const bool sketches = argc == 4 && std::strcmp(argv[1], "sketches") == 0;
-  if (argc != 5 && !sketches) {
-    std::cerr << "usage: make_session demo SKETCH EXPRESSIONS OUT | sketches SESSION OUT | random SEED ACTIONS OUT\n";
+  const bool again = argc == 4 && std::strcmp(argv[1], "again") == 0;
+  if (argc != 5 && !sketches && !again) {
+    std::cerr << "usage: make_session demo SKETCH EXPRESSIONS OUT | again SESSION OUT | sketches SESSION OUT | random "
+                 "SEED ACTIONS OUT\n";
     return 2;
   }
   std::string text;
-  if (sketches) {
+  if (again) {
+    text = session_again(argv[2]);
+  } else if (sketches) {
     text = sketches_of(argv[2]);
   } else if (std::strcmp(argv[1], "demo") == 0) {
     text = demo_session(argv[2], argv[3]);

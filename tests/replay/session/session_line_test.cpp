@@ -62,7 +62,7 @@ TEST(SessionLine, ThereAreNoMoreThanFourLights) {
 
 TEST(SessionLine, IsWrittenAsTheFormatSays) {
   EXPECT_EQ(to_text(LightsSeen{7, {2, 0}}), "penpose lights 7 left=2");
-  EXPECT_EQ(to_text(SessionBegins{"penpose"}), "penpose session 1 program=penpose");
+  EXPECT_EQ(to_text(SessionBegins{"penpose"}), "penpose session edition=1 program=penpose");
   EXPECT_EQ(to_text(ModelNamed{{1, 2}, "head.glb"}), "penpose model 00000000000000010000000000000002 path=head.glb");
   EXPECT_EQ(to_text(Performed{document::DeleteKey{1.5}}), "penpose do delete_key time_s=1.5");
   EXPECT_EQ(to_text(PenPlace{false}), "penpose panel");
@@ -82,11 +82,13 @@ TEST(SessionLine, OtherCommentsAreNoneOfOurs) {
   }
 }
 
-TEST(SessionLine, AVersionThatIsNotKnownIsRefusedByName) {
-  for (const char* version : {"2", "0", "1.5", "x", "", "18446744073709551617", "-1"}) {
-    const auto line = parse_session_line(std::string("# penpose session ") + version + " program=a");
-    ASSERT_FALSE(line.ok()) << version;
-    EXPECT_NE(line.error().what.find(std::string("version ") + version), std::string::npos) << line.error().line();
+TEST(SessionLine, AnotherEditionIsRefusedByItsProgramsName) {
+  for (const char* edition : {"1", "edition=2", "edition=0", "edition=1.5", "edition=x", "edition=", "x", "",
+                              "edition=18446744073709551617", "edition=-1"}) {
+    const auto line = parse_session_line(std::string("# penpose session ") + edition + " program=penpose-0.1.0");
+    ASSERT_FALSE(line.ok()) << edition;
+    EXPECT_NE(line.error().what.find("penpose-0.1.0"), std::string::npos) << line.error().line();
+    EXPECT_EQ(line.error().line().find('\n'), std::string::npos);
     EXPECT_FALSE(line.error().remedy.empty());
   }
 }

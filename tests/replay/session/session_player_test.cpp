@@ -131,11 +131,11 @@ TEST(SessionPlayer, RefusesAModelThatIsMissing) {
 
 TEST(SessionPlayer, RefusesAnotherVersionByName) {
   std::string text = small_session().text();
-  text.replace(text.find("session 1"), 9, "session 2");
+  text.replace(text.find("edition=1"), 9, "edition=2");
   const auto played = play(text);
   ASSERT_FALSE(played);
   EXPECT_EQ(played.error().place, "line 1");
-  EXPECT_NE(played.error().what.find("version 2"), std::string::npos);
+  EXPECT_NE(played.error().what.find("another edition"), std::string::npos);
 }
 
 TEST(SessionPlayer, StopsAfterAStroke) {

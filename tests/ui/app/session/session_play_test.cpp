@@ -70,11 +70,11 @@ TEST(SessionPlay, WhatWasRecordedIsComeToAndNothingIsSaid) {
   EXPECT_EQ(played.said, "");
 }
 
-TEST(SessionPlay, AVersionThatIsNotKnownIsRefusedByName) {
+TEST(SessionPlay, AnotherEditionIsRefusedByItsProgramsName) {
   const Played played =
-      play("play-version", replaced(recorded("play-recorded"), "penpose session 1", "penpose session 7"));
+      play("play-version", replaced(recorded("play-recorded"), "penpose session edition=1", "penpose session 7"));
   ASSERT_FALSE(played.status);
-  EXPECT_NE(played.status.error().what.find("version 7"), std::string::npos) << played.status.error().line();
+  EXPECT_NE(played.status.error().what.find("another edition"), std::string::npos) << played.status.error().line();
   EXPECT_EQ(played.status.error().place, "line 1");
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+#include <set>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -33,8 +36,17 @@ class KnowingHand {
     }
     const document::Command command =
         make_numbered(what, std::make_index_sequence<std::variant_size_v<document::Command>>());
-    static_cast<void>(script_.perform(command));
+    if (!script_.perform(command)) return;
+    if (std::holds_alternative<document::MirrorDeformer>(command)) drawn_.emplace("mirror");
+    if (std::holds_alternative<document::KeyPoses>(command)) drawn_.emplace("perform");
   }
+
+  /// The kinds of strokes, tools in the order of drawing::ToolKind; `none` draws nothing.
+  static constexpr std::array<std::string_view, 13> k_kinds{
+      "pose",   "reference", "target", "oversketch", "constraint", "pin",    "articulate",
+      "redraw", "erase",     "none",   "between",    "mirror",     "perform"};
+  /// Those that did something so far.
+  [[nodiscard]] const std::set<std::string>& drawn_kinds() const { return drawn_; }
 
  private:
   template <typename One>
@@ -257,13 +269,17 @@ class KnowingHand {
     return keys;
   }
 
+  /// One stroke of any tool.
   void stroke() {
-    const auto kind = static_cast<drawing::ToolKind>(random_.below(9));
     drawing::Tool tool;
-    tool.kind = kind;
+    tool.kind = static_cast<drawing::ToolKind>(random_.below(k_tools));
+    if (tool.kind == drawing::ToolKind::redraw || tool.kind == drawing::ToolKind::between) tool.deformer = deformer();
+    if (tool.kind == drawing::ToolKind::between) tool.value = random_.real(0.2, 0.8);
     static_cast<void>(script_.act(replay::ToolChosen{tool}));
-    const auto line = random_.chance(0.3) ? along_target() : hand_.line();
-    static_cast<void>(script_.stroke(line, random_.real(0.05, 1)));
+    const bool along = tool.kind == drawing::ToolKind::erase || tool.kind == drawing::ToolKind::oversketch;
+    const auto line = along || random_.chance(0.3) ? along_target() : hand_.line();
+    const double pressure = random_.real(0.05, 1);
+    if (script_.stroke(line, pressure)) drawn_.emplace(k_kinds[static_cast<std::size_t>(tool.kind)]);
   }
 
   [[nodiscard]] const document::Document& doc() const { return script_.document(); }
@@ -306,6 +322,8 @@ class KnowingHand {
   Random random_;
   RandomHand hand_;
   static constexpr std::size_t k_commands = std::variant_size_v<document::Command>;
+  static constexpr std::size_t k_tools = static_cast<std::size_t>(drawing::ToolKind::between) + 1;
+  std::set<std::string> drawn_;
   int names_ = 0;
   bool pressed_ = false;
 };
