@@ -27,8 +27,8 @@ namespace {
 
 using namespace penpose;  // NOLINT(google-build-using-namespace): a program of one file
 
-constexpr std::uint64_t k_random_sessions = 40;
-constexpr std::size_t k_actions = 90;
+constexpr std::uint64_t k_random_sessions = 30;
+constexpr std::size_t k_actions = 50;
 /// Each kind of stroke is drawn in as many sessions as that.
 constexpr std::size_t k_least_of_a_kind = 10;
 
@@ -106,9 +106,8 @@ std::map<std::string, std::string> all_hashes(const std::map<std::string, std::f
     for (std::size_t i = begin; i < end; ++i) random[i] = random_session(i);
   });
   std::map<std::string, std::size_t> sessions_of_kind;
-  for (const std::string_view kind : tests::KnowingHand::k_kinds) {
-    if (kind != "none") sessions_of_kind[std::string(kind)] = 0;
-  }
+  for (const std::string_view kind : tests::KnowingHand::k_kinds) sessions_of_kind[std::string(kind)] = 0;
+  sessions_of_kind.erase("none");
   for (std::size_t i = 0; i < k_random_sessions; ++i) {
     char name[16];
     std::snprintf(name, sizeof name, "random-%03d", static_cast<int>(i));

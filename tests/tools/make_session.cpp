@@ -18,6 +18,7 @@
 #include "core/base/edition.h"
 #include "core/character/character.h"
 #include "core/document/commands/command_text.h"
+#include "core/document/commands/text_form.h"
 #include "core/head/head.h"
 #include "core/io/project/sketch_file.h"
 #include "replay/session/session_player.h"

@@ -24,6 +24,7 @@ class KnowingHand {
   }
 
   void act() {
+    if (random_.chance(0.3)) return stroke();
     const std::size_t what = random_.below(k_commands + 6);
     if (what >= k_commands + 4) return stroke();
     if (what >= k_commands) {
@@ -145,7 +146,10 @@ class KnowingHand {
     command.maximum = random_.real(1, 2);
     return command;
   }
-  document::Command make(Tag<document::MirrorDeformer>) { return document::MirrorDeformer{deformer(), fresh_name()}; }
+  document::Command make(Tag<document::MirrorDeformer>) {
+    if (!doc().model->deformers) sketch_control();
+    return document::MirrorDeformer{deformer(), fresh_name()};
+  }
   document::Command make(Tag<document::RenameDeformer>) {
     const std::string name = deformer();
     return document::RenameDeformer{name, fresh_name()};
@@ -269,17 +273,49 @@ class KnowingHand {
     return keys;
   }
 
-  /// One stroke of any tool.
+  /// One stroke of any tool, and before it what it goes on from where that is not there.
   void stroke() {
     drawing::Tool tool;
     tool.kind = static_cast<drawing::ToolKind>(random_.below(k_tools));
-    if (tool.kind == drawing::ToolKind::redraw || tool.kind == drawing::ToolKind::between) tool.deformer = deformer();
-    if (tool.kind == drawing::ToolKind::between) tool.value = random_.real(0.2, 0.8);
+    using Kind = drawing::ToolKind;
+    if (tool.kind == Kind::target) static_cast<void>(script_.perform(make(Tag<document::DrawReference>{})));
+    if (tool.kind == Kind::oversketch || tool.kind == Kind::erase) draw_pair();
+    if (tool.kind == Kind::redraw || tool.kind == Kind::between) {
+      if (!doc().model->deformers) sketch_control();
+      tool.deformer = deformer();
+      tool.value = random_.real(0.2, 0.8);
+    }
     static_cast<void>(script_.act(replay::ToolChosen{tool}));
-    const bool along = tool.kind == drawing::ToolKind::erase || tool.kind == drawing::ToolKind::oversketch;
-    const auto line = along || random_.chance(0.3) ? along_target() : hand_.line();
+    const bool along = tool.kind == Kind::erase || tool.kind == Kind::oversketch;
+    auto line = along || random_.chance(0.3) ? along_target() : hand_.line();
+    if (tool.kind == Kind::articulate && drawing::next_step(doc(), tool) != articulation::CurveRole::target) {
+      const bool inner = drawing::next_step(doc(), tool) == articulation::CurveRole::specific;
+      line = hand_.lasso(middle(), inner ? random_.real(60, 170) : random_.real(180, 300));
+    }
     const double pressure = random_.real(0.05, 1);
-    if (script_.stroke(line, pressure)) drawn_.emplace(k_kinds[static_cast<std::size_t>(tool.kind)]);
+    const bool draws = tool.kind != Kind::none;
+    if (script_.stroke(line, pressure) && draws) drawn_.emplace(k_kinds[static_cast<std::size_t>(tool.kind)]);
+  }
+  /// A reference and its target.
+  void draw_pair() {
+    static_cast<void>(script_.perform(document::DrawReference{view(), hand_.line()}));
+    const document::CurveId id{doc().last_curve};
+    static_cast<void>(script_.perform(document::DrawTarget{id, view(), hand_.line(), {}}));
+  }
+  /// A control in as few strokes as may be.
+  void sketch_control() {
+    using articulation::CurveRole;
+    const document::View from = view();
+    static_cast<void>(script_.perform(document::CancelDeformer{}));
+    for (const auto role : {CurveRole::general, CurveRole::specific}) {
+      const double half = role == CurveRole::general ? random_.real(180, 300) : random_.real(60, 170);
+      static_cast<void>(script_.perform(document::SketchCurve{role, from, hand_.lasso(middle(), half)}));
+    }
+    static_cast<void>(script_.perform(document::SketchCurve{CurveRole::target, from, hand_.line()}));
+  }
+  [[nodiscard]] geometry::PxPoint middle() const {
+    const geometry::Viewport viewport = view().viewport;
+    return {viewport.width * 0.5, viewport.height * 0.5};
   }
 
   [[nodiscard]] const document::Document& doc() const { return script_.document(); }
