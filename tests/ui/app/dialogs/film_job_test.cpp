@@ -16,7 +16,7 @@ TEST(FilmJob, ThereIsNothingToFilmBeforeAPoseIsKeyed) {
   const auto job = FilmJob::start(desk.document(), order);
   ASSERT_FALSE(job.ok());
   EXPECT_NE(job.error().remedy.find("key"), std::string::npos);
-  desk.app->write_film(order.output);
+  desk.app->film().write(order.output, order.size);
   EXPECT_TRUE(desk.app->notices().all().back().is_error);
 }
 

@@ -82,13 +82,13 @@ TEST(Keyboard, EscapeClosesEveryDialogAndReturnDoesWhatItIsFor) {
     desk.app->dialogs().show(dialog);
     desk.frames();
     desk.hit_escape();
-    EXPECT_EQ(desk.app->dialogs().open(), Dialog::none) << static_cast<int>(dialog);
+    EXPECT_EQ(desk.app->dialogs().open(), Dialog::none) << dialog.name;
   }
   for (const Dialog dialog : {Dialog::steps, Dialog::tablet, Dialog::sessions, Dialog::radial}) {
     desk.app->dialogs().show(dialog);
     desk.frames();
     desk.hit_return();
-    EXPECT_EQ(desk.app->dialogs().open(), Dialog::none) << static_cast<int>(dialog);
+    EXPECT_EQ(desk.app->dialogs().open(), Dialog::none) << dialog.name;
   }
   desk.hit(22, 's', true);
   desk.type("mine");

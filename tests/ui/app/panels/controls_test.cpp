@@ -46,7 +46,7 @@ TEST(Controls, ATapWithTheRigToolLeavesTheFaceAndSaysWhatToDraw) {
   EXPECT_FALSE(desk.app->workspace().unsaved()) << "there is nothing to save of a tap";
   EXPECT_TRUE(unsaved);
   // The next line is the first of a control, with its own choices.
-  desk.app->controls().new_mode() = articulation::Mode::rotate;
+  desk.app->controls().choose_for_new(articulation::Mode::rotate, {});
   desk.stroke(around({517, 530}, 60, 32));
   ASSERT_TRUE(desk.document().pending);
   EXPECT_FALSE(says(desk, "Nothing changed")) << "it is over";

@@ -35,7 +35,7 @@ TEST(Backdrop, ItStandsWhereTheModelIsAndGoesAlongWithTheView) {
   Desk desk("backdrop");
   desk.begin();
   write_picture(desk.path("face.png"), 30, 60, 9);
-  desk.app->open_backdrop(desk.path("face.png"));
+  open_backdrop(desk.app->canvas(), desk.app->notices(), desk.path("face.png"));
   desk.frames();
   const auto& backdrop = desk.app->canvas().look().backdrop;
   ASSERT_NE(backdrop, nullptr);
@@ -52,7 +52,7 @@ TEST(Backdrop, DraggedOnTheCanvasItGoesWithThePointerAndNothingIsDrawn) {
   Desk desk("backdrop-drag");
   desk.begin();
   write_picture(desk.path("face.png"), 40, 40, 9);
-  desk.app->open_backdrop(desk.path("face.png"));
+  open_backdrop(desk.app->canvas(), desk.app->notices(), desk.path("face.png"));
   desk.frames();
   const auto before = desk.app->canvas().look().backdrop->seen(desk.app->canvas().view());
   const PxPoint from = desk.app->canvas().free_area().middle();
@@ -83,10 +83,10 @@ TEST(Backdrop, TheFrameOfTheMomentIsShown) {
   desk.begin();
   for (int i = 1; i <= 5; ++i)
     write_picture(desk.path("f00" + std::to_string(i) + ".png"), 8, 8, static_cast<std::uint8_t>(10 * i));
-  desk.app->open_backdrop(desk.path("f001.png"));
+  open_backdrop(desk.app->canvas(), desk.app->notices(), desk.path("f001.png"));
   const auto backdrop = desk.app->canvas().look().backdrop;
   ASSERT_EQ(backdrop->frame_count(), 5U);
-  desk.app->playback().place_cursor(3.0 / desk.app->panels().rate);
+  desk.app->playback().place_cursor(3.0 / desk.app->playback().rate());
   for (int i = 0; i < 200 && backdrop->frame() != 3; ++i) {
     desk.frames(1);
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -99,7 +99,7 @@ TEST(Backdrop, WhatIsNoPictureIsToldWithItsName) {
   Desk desk("backdrop-bad");
   desk.begin();
   std::ofstream(desk.path("bad.jpg")) << "no picture";
-  desk.app->open_backdrop(desk.path("bad.jpg"));
+  open_backdrop(desk.app->canvas(), desk.app->notices(), desk.path("bad.jpg"));
   EXPECT_EQ(desk.app->canvas().look().backdrop, nullptr);
   ASSERT_FALSE(desk.app->notices().all().empty());
   EXPECT_TRUE(desk.app->notices().all().back().is_error);
