@@ -1,6 +1,7 @@
 #include <array>
 #include <filesystem>
 
+#include "ui/app/dialogs/film_entry.h"
 #include "ui/app/dialogs/film_job.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/widgets/internal/widgets.h"
@@ -9,11 +10,6 @@ namespace penpose::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What is chosen for the next film.
-struct FilmEntry {
-  geometry::Viewport size{1280, 720};
-};
 
 struct FilmSize {
   const char* label;

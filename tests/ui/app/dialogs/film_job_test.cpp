@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/app_desk.h"
+#include "ui/app/dialogs/film_entry.h"
 
 namespace penpose::app {
 namespace {
