@@ -38,7 +38,7 @@ void App::turn_pen_dials(int device, const replay::PenMoment& moment) {
 }
 
 void App::turn_dial(DialUse use, int device, const PadControl& control, std::int32_t steps) {
-  if (hits_.all || panels_.dialog != Dialog::none) return;
+  if (canvas_.hits().all || dialogs_.open() != Dialog::none) return;
   const replay::DrawnStroke* stroke = workspace_.session().pens().current();
   if (stroke != nullptr && stroke->on_canvas) return;
   if (dial_ && *dial_ != use) end_dial();
@@ -53,18 +53,16 @@ void App::turn_dial(DialUse use, int device, const PadControl& control, std::int
   switch (use) {
     case DialUse::time:
       if (const int frames = whole(1); frames != 0) {
-        playing_ = false;
-        scrub(on_frame(panels_.time_s, panels_.rate) + time_of_frame(frames, panels_.rate));
+        playback_.stop();
+        playback_.scrub(on_frame(playback_.time_s(), playback_.rate()) + time_of_frame(frames, playback_.rate()));
       }
       break;
     case DialUse::zoom:
-      framed_ = false;
-      view_.camera = zoomed(view_, std::pow(k_zoom_per_notch, std::clamp(notches, -20.0, 20.0)),
-                            tablet_is_near() ? at_ : free_.middle(), surface_.size());
+      canvas_.zoom(std::pow(k_zoom_per_notch, std::clamp(notches, -20.0, 20.0)),
+                   tablet_is_near() ? at_ : canvas_.free_area().middle());
       break;
     case DialUse::turn:
-      framed_ = false;
-      view_.camera = orbited(view_.camera, k_degrees_per_notch * notches, 0);
+      canvas_.turn(k_degrees_per_notch * notches, 0);
       break;
     case DialUse::control:
       turn_control(notches);
@@ -73,7 +71,7 @@ void App::turn_dial(DialUse use, int device, const PadControl& control, std::int
       for (int n = whole(each); n != 0; n -= n > 0 ? 1 : -1) do_action(n > 0 ? Action::redo : Action::undo);
       break;
     case DialUse::keys:
-      for (int n = whole(each); n != 0; n -= n > 0 ? 1 : -1) step_key(n > 0 ? 1 : -1);
+      for (int n = whole(each); n != 0; n -= n > 0 ? 1 : -1) playback_.step_key(n > 0 ? 1 : -1);
       break;
   }
 }
@@ -82,13 +80,13 @@ void App::turn_control(double notches) {
   const auto parameters = workspace_.document().model->rig->parameters();
   if (dial_control_.empty()) {
     // The control that is selected, else the one that the last stroke moved most.
-    std::string name = panels_.controls_tab ? panels_.deformer : std::string();
+    std::string name = panels_.controls_tab ? controls_.selected() : std::string();
     if (!rig::find_parameter(parameters, name)) {
       name = workspace_.movements().empty() ? std::string() : workspace_.movements().front().name;
     }
     const auto index = rig::find_parameter(parameters, name);
     if (!index) {
-      tell("no control is in hand: draw a pose, or select a control in the panel");
+      notices_.tell("no control is in hand: draw a pose, or select a control in the panel");
       return;
     }
     dial_control_ = name;
@@ -99,23 +97,23 @@ void App::turn_control(double notches) {
   const rig::Parameter& one = parameters[*index];
   dial_value_ =
       std::clamp(dial_value_ + notches * (one.maximum - one.minimum) / k_control_notches, one.minimum, one.maximum);
-  preview_parameter(*index, dial_value_);
+  controls_.preview_parameter(*index, dial_value_);
   char value[32];
   std::snprintf(value, sizeof value, "%.2f", dial_value_);
-  std::erase_if(notices_, [&](const Notice& notice) { return notice.text.starts_with(dial_control_ + " at "); });
-  tell(dial_control_ + " at " + value);
+  notices_.take_away([&](const Notice& notice) { return notice.text.starts_with(dial_control_ + " at "); });
+  notices_.tell(dial_control_ + " at " + value);
 }
 
 void App::end_dial() {
   const auto use = std::exchange(dial_, std::nullopt);
-  if (use == DialUse::time) end_scrub();
+  if (use == DialUse::time) playback_.end_scrub();
   const std::string name = std::exchange(dial_control_, {});
   if (use != DialUse::control || name.empty()) return;
   const auto index = rig::find_parameter(workspace_.document().model->rig->parameters(), name);
   if (!index) {
     workspace_.preview(std::nullopt);
   } else if (workspace_.document().pose[*index] != dial_value_) {
-    set_parameter(*index, dial_value_);
+    controls_.set_parameter(*index, dial_value_);
   }
 }
 

@@ -50,7 +50,7 @@ std::string private_folder() {
 }  // namespace
 
 void App::end_session() {
-  performance_.reset();
+  performer_.drop();
   if (!file_) return;
   const bool worth =
       keep_file_ || workspace_.editor().history().undo_count() > 0 || workspace_.editor().history().redo_count() > 0;
@@ -69,14 +69,15 @@ void App::begin_session(document::Document document, const std::string& path) {
     if (made) {
       next = std::move(*made);
     } else {
-      tell("this session is not recorded: " + made.error().line(named ? options_.session : options_.folders.state),
-           true);
+      notices_.tell(
+          "this session is not recorded: " + made.error().line(named ? options_.session : options_.folders.state),
+          true);
     }
   }
   std::error_code code;
   const bool built_in = path.starts_with("builtin:");
   const std::string full = built_in ? path : fs::absolute(path, code).string();
-  player_.reset();
+  player_.trace.reset();
   // The workspace holds the writer of the session before until then.
   workspace_.open(std::move(document), next ? &next->writer() : nullptr, code ? path : full);
   file_ = std::move(next);
@@ -88,7 +89,7 @@ void App::begin_session(document::Document document, const std::string& path) {
 void App::resume(replay::Playback played, std::unique_ptr<SessionFile> file) {
   end_session();
   keep_file_ = false;
-  player_.reset();
+  player_.trace.reset();
   const std::string project = project_of_session(file->path());
   workspace_.resume(std::move(*played.session), &file->writer(), played.last_us);
   file_ = std::move(file);
@@ -105,28 +106,13 @@ void App::set_project(const std::string& path) {
 
 void App::show_anew() {
   broken_told_ = false;
-  playing_ = false;
-  panels_.time_s = workspace_.document().time_s;
-  std::vector<double> moments;
-  for (const auto& key : workspace_.document().timeline->keys) moments.push_back(key.time_s);
-  panels_.rate = rate_of(moments).value_or(settings_.rate);
-  panels_.loop = {};
-  panels_.deformer.clear();
+  playback_.begin();
+  controls_.open_document();
   highlighted_.reset();
   target_drag_.reset();
   goal_drag_.reset();
   panels_.curve_menu.reset();
-  panels_.new_surface = {};
-  const auto& deformers = workspace_.document().model->deformers;
-  deformer_count_ = deformers ? deformers->size() : 0;
-  seen_deformers_ = deformers;
-  const auto& corrections = workspace_.document().model->corrections;
-  correction_count_ = corrections ? corrections->size() : 0;
-  surface_.update(workspace_.shown_model(), workspace_.shown_pose());
-  // What is opened is seen from its own front, all of it.
-  framed_ = true;
-  set_flat(false);
-  look_from(*render::find_viewpoint("front"));
+  canvas_.begin();
   workspace_.set_tablet(0, {});
   // The session is another: tablets are plugged in anew, and nothing is held or being turned.
   dial_.reset();
@@ -181,9 +167,9 @@ base::Status App::open(const std::string& path) {
   if (!document) return document.error();
   begin_session(std::move(*document), path);
   if (!path.starts_with("builtin:")) {
-    remember_file(settings_, path_);
-    settings_changed();
-    panels_.folder = fs::path(path_).parent_path().string();
+    remember_file(preferences_.settings(), path_);
+    preferences_.changed();
+    dialogs_.state<FileChoice>().folder = fs::path(path_).parent_path().string();
   }
   return base::Done{};
 }
@@ -199,16 +185,16 @@ base::Result<replay::Playback> App::played_session(const std::string& path) {
   if (!played->session) {
     return base::Error{"holds nothing to replay: neither reports nor lines of a session", "", "open another file"};
   }
-  if (played->divergence) tell(replay::error_of(*played->divergence).line(path), true);
+  if (played->divergence) notices_.tell(replay::error_of(*played->divergence).line(path), true);
   return played;
 }
 
 void App::try_open(const std::string& path) {
   if (const auto opened = open(path); !opened) {
-    tell(opened.error().line(path), true);
+    notices_.tell(opened.error().line(path), true);
     return;
   }
-  panels_.dialog = Dialog::none;
+  dialogs_.show(Dialog::none);
 }
 
 base::Status App::play_trace(const std::string& path) {
@@ -226,9 +212,9 @@ base::Status App::play_trace(const std::string& path) {
     set_project({});
     workspace_.play(replay::ToolChosen{});
   }
-  player_.emplace(std::move(*player));
+  player_.trace.emplace(std::move(*player));
   last_frame_us_ = options_.clock();
-  panels_.dialog = Dialog::none;
+  dialogs_.show(Dialog::none);
   return base::Done{};
 }
 
@@ -249,65 +235,37 @@ base::Status App::save(const std::string& path) {
     workspace_.mark_saved();
     set_project(full);
   }
-  remember_file(settings_, full);
-  settings_changed();
-  tell("saved " + full);
+  remember_file(preferences_.settings(), full);
+  preferences_.changed();
+  notices_.tell("saved " + full);
   return saved;
 }
 
 base::Status App::export_to(const std::string& path) {
   auto written = files::save_document(workspace_.document(), path, files::SaveNotes::quiet);
-  if (written) tell("exported " + path);
+  if (written) notices_.tell("exported " + path);
   return written;
-}
-
-void App::write_film(const std::string& path) {
-  if (film_) return tell("another film is being written still: " + film_->output(), true);
-  FilmOrder order;
-  order.output = path;
-  order.size = panels_.film_size;
-  order.rate = panels_.rate;
-  const Area all{0, 0, static_cast<double>(order.size.width), static_cast<double>(order.size.height)};
-  order.camera = framed(surface_.positions(), order.size, all, viewpoint_of(view_.camera)).camera;
-  auto job = FilmJob::start(workspace_.document(), order);
-  if (!job) return tell(job.error().line(path), true);
-  film_ = std::make_unique<FilmJob>(std::move(*job));
-  panels_.dialog = Dialog::none;
-  panels_.file_name.clear();
-  tell("writing " + path + "; drawing goes on meanwhile");
-}
-
-void App::follow_film() {
-  const auto ended = film_ ? film_->advance() : std::nullopt;
-  if (!ended) return;
-  const std::string path = film_->output();
-  film_.reset();
-  if (ended->ok()) {
-    tell("written: " + path);
-  } else {
-    tell(ended->error().line(path), true);
-  }
 }
 
 void App::save_from_dialog(const std::string& chosen) {
   const std::string path = fs::path(chosen).has_extension() ? chosen : chosen + ".glb";
-  if (const auto saved = save(path); !saved) return tell(saved.error().line(path), true);
-  panels_.dialog = Dialog::none;
-  panels_.file_name.clear();
-  if (std::exchange(panels_.saves_first, false) && !workspace_.unsaved()) go_on_without_saving();
+  if (const auto saved = save(path); !saved) return notices_.tell(saved.error().line(path), true);
+  dialogs_.show(Dialog::none);
+  dialogs_.state<FileChoice>().name.clear();
+  if (std::exchange(dialogs_.state<UnsavedWork>().saves_first, false) && !workspace_.unsaved()) go_on_without_saving();
 }
 
 void App::save_first() {
-  panels_.saves_first = true;
+  dialogs_.state<UnsavedWork>().saves_first = true;
   if (!project_.empty()) return save_from_dialog(project_);
-  panels_.file_name.clear();
-  panels_.dialog = Dialog::save;
+  dialogs_.state<FileChoice>().name.clear();
+  dialogs_.show(Dialog::save);
 }
 
 void App::go_on_without_saving() {
-  panels_.dialog = Dialog::none;
-  if (panels_.after_unsaved.empty()) return quit();
-  try_open(panels_.after_unsaved);
+  dialogs_.show(Dialog::none);
+  if (dialogs_.state<UnsavedWork>().then_opens.empty()) return quit();
+  try_open(dialogs_.state<UnsavedWork>().then_opens);
 }
 
 void App::recover(bool yes) {
@@ -319,8 +277,8 @@ void App::recover(bool yes) {
   // Those that were not asked about are offered at the next start.
   do_action(Action::cancel);
   if (!yes) return;
-  if (const auto back = bring_back(path); !back) return tell(back.error().line(path), true);
-  tell("brought back the work of " + fs::path(path).stem().string());
+  if (const auto back = bring_back(path); !back) return notices_.tell(back.error().line(path), true);
+  notices_.tell("brought back the work of " + fs::path(path).stem().string());
 }
 
 base::Status App::bring_back(const std::string& path) {

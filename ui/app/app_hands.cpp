@@ -19,8 +19,8 @@ constexpr std::int8_t k_charged_again = 25;
 }  // namespace
 
 Binding App::bound(const DeskTablet& tablet, const PadControl& control) const {
-  const auto chosen = settings_.pads.find(tablet.key);
-  if (chosen != settings_.pads.end()) {
+  const auto chosen = preferences_.settings().pads.find(tablet.key);
+  if (chosen != preferences_.settings().pads.end()) {
     const auto found = chosen->second.find(name_of(control));
     if (found != chosen->second.end()) return found->second;
   }
@@ -29,15 +29,15 @@ Binding App::bound(const DeskTablet& tablet, const PadControl& control) const {
 
 void App::bind(const DeskTablet& tablet, const PadControl& control, std::optional<Binding> binding) {
   if (binding) {
-    settings_.pads[tablet.key][name_of(control)] = *binding;
+    preferences_.settings().pads[tablet.key][name_of(control)] = *binding;
   } else {
-    settings_.pads[tablet.key].erase(name_of(control));
+    preferences_.settings().pads[tablet.key].erase(name_of(control));
   }
-  if (settings_.pads[tablet.key].empty()) settings_.pads.erase(tablet.key);
+  if (preferences_.settings().pads[tablet.key].empty()) preferences_.settings().pads.erase(tablet.key);
   if (control.kind == PadControl::Kind::pen_button) {
     tablet_setting_changed();
   } else {
-    settings_changed();
+    preferences_.changed();
   }
 }
 
@@ -53,7 +53,7 @@ std::uint32_t App::drawing_buttons(int device) const {
 }
 
 replay::TabletSetting App::setting_of(int device) const {
-  replay::TabletSetting setting = settings_.tablet;
+  replay::TabletSetting setting = preferences_.settings().tablet;
   setting.drawing_buttons = drawing_buttons(device);
   return setting;
 }
@@ -71,14 +71,14 @@ const ViewHold* App::held_view() const {
 }
 
 void App::place_pen() {
-  if (!pen_is_drawing()) workspace_.place_pen(hits_.on_canvas(at_) && held_view() == nullptr);
+  if (!workspace_.pen_is_drawing()) workspace_.place_pen(canvas_.hits().on_canvas(at_) && held_view() == nullptr);
 }
 
 void App::hold_tools() {
   const Binding* held = desk_.held(Kind::tool);
   const auto wanted = held != nullptr ? std::optional(held->tool) : std::nullopt;
   // A stroke ends as what it began.
-  if (wanted == tool_held_ || pen_is_drawing()) return;
+  if (wanted == tool_held_ || workspace_.pen_is_drawing()) return;
   if (wanted) {
     if (!tool_before_) tool_before_ = workspace_.editor().tool();
     drawing::Tool tool;
@@ -93,14 +93,14 @@ void App::hold_tools() {
 }
 
 void App::press(DeskTablet& tablet, int device, const PadControl& control) {
-  if (panels_.dialog == Dialog::pad) {
+  if (dialogs_.open() == Dialog::pad) {
     // Whoever presses a key there means to choose for it.
-    panels_.pad_tablet = {tablet.key, tablet.unit};
-    panels_.pad_control = control;
+    dialogs_.state<PadChoice>().tablet = {tablet.key, tablet.unit};
+    dialogs_.state<PadChoice>().control = control;
     return;
   }
   const Binding binding = bound(tablet, control);
-  const bool open = !hits_.all && panels_.dialog == Dialog::none;
+  const bool open = !canvas_.hits().all && dialogs_.open() == Dialog::none;
   switch (binding.kind) {
     case Kind::none:
     case Kind::dial:
@@ -118,8 +118,8 @@ void App::press(DeskTablet& tablet, int device, const PadControl& control) {
     case Kind::next_mode:
       for (std::int8_t& mode : tablet.next_mode)
         mode = static_cast<std::int8_t>((mode + 1) % modes_of(tablet.features));
-      tell("Ring, strip and wheel: " +
-           label_of(bound(tablet, dial_control(decode::PadDial::ring, 0, tablet.next_mode[0]))));
+      notices_.tell("Ring, strip and wheel: " +
+                    label_of(bound(tablet, dial_control(decode::PadDial::ring, 0, tablet.next_mode[0]))));
       break;
   }
 }
@@ -134,9 +134,9 @@ void App::take_pen_button(int device, const replay::PenMoment& moment) {
   const PadControl control = pen_button_control(moment.button);
   DeskTablet* tablet = desk_.find(device);
   const Binding binding = tablet != nullptr ? bound(*tablet, control) : default_binding(control, {});
-  const bool free = hits_.on_canvas(at_) && !pen_is_drawing() && !barrel_ && !pen_view_;
+  const bool free = canvas_.hits().on_canvas(at_) && !workspace_.pen_is_drawing() && !barrel_ && !pen_view_;
   if (moment.kind == decode::PenEventKind::button_down) {
-    const bool chooses = panels_.dialog == Dialog::pad;
+    const bool chooses = dialogs_.open() == Dialog::pad;
     if (!chooses && binding.kind == Kind::pen_menu && free) {
       barrel_ = true;
       begin_drag(at_);
@@ -179,11 +179,11 @@ void App::take_pad_event(DeskTablet& tablet, int device, const decode::PadEvent&
   switch (event.kind) {
     case PadEventKind::key_down:
       press(tablet, device, key_control(event.key));
-      if (const auto light = mode_key(event.key, tablet.features); light && panels_.dialog != Dialog::pad) {
+      if (const auto light = mode_key(event.key, tablet.features); light && dialogs_.open() != Dialog::pad) {
         // The light says which, and not what it means.
         const auto dial = tablet.features.rings > 0 ? decode::PadDial::ring : decode::PadDial::strip;
         const PadControl control = dial_control(dial, light->side, dial_mode(tablet, light->side));
-        tell(title_of(control, tablet.features) + ": " + label_of(bound(tablet, control)));
+        notices_.tell(title_of(control, tablet.features) + ": " + label_of(bound(tablet, control)));
       }
       break;
     case PadEventKind::key_up:
@@ -191,9 +191,9 @@ void App::take_pad_event(DeskTablet& tablet, int device, const decode::PadEvent&
       break;
     case PadEventKind::touched:
       desk_.forget_rest(device);
-      if (panels_.dialog == Dialog::pad) {
-        panels_.pad_tablet = {tablet.key, tablet.unit};
-        panels_.pad_control = dial_control(event.dial, event.side, dial_mode(tablet, event.side));
+      if (dialogs_.open() == Dialog::pad) {
+        dialogs_.state<PadChoice>().tablet = {tablet.key, tablet.unit};
+        dialogs_.state<PadChoice>().control = dial_control(event.dial, event.side, dial_mode(tablet, event.side));
       }
       break;
     case PadEventKind::turned: {
@@ -220,21 +220,21 @@ PxPoint App::place_of_finger(int device, const decode::TouchContact& contact) co
   };
   double x = share(axes.x, contact.x);
   double y = share(axes.y, contact.y);
-  if (settings_.tablet.left_handed) {
+  if (preferences_.settings().tablet.left_handed) {
     x = 1 - x;
     y = 1 - y;
   }
-  const double width = window_.width;
+  const double width = canvas_.window().width;
   // As far in both directions for the same way of the fingers, whatever shape the window has.
   const double across = (axes.x.maximum - axes.x.minimum) / std::max(axes.x.units_per_mm, 1e-9);
   const double down = (axes.y.maximum - axes.y.minimum) / std::max(axes.y.units_per_mm, 1e-9);
   const bool known = axes.x.units_per_mm > 0 && axes.y.units_per_mm > 0;
-  return {x * width, y * (known ? width * down / across : static_cast<double>(window_.height))};
+  return {x * width, y * (known ? width * down / across : static_cast<double>(canvas_.window().height))};
 }
 
 void App::take_fingers(int device) {
   if (workspace_.session().hands().touch(device) == nullptr) return;
-  TouchGestures& gestures = raw_touch_.try_emplace(device, TouchGestures(4 * scale())).first->second;
+  TouchGestures& gestures = raw_touch_.try_emplace(device, TouchGestures(4 * canvas_.scale())).first->second;
   for (const auto& finger : desk_.fingers_changed(device, workspace_.session().hands().fingers(device))) {
     for (const TouchAct& act : gestures.add(finger.kind, finger.id, place_of_finger(device, finger.contact))) {
       using ActKind = TouchAct::Kind;
@@ -253,7 +253,8 @@ void App::tell_battery(DeskTablet& tablet, int device) {
   const std::int8_t percent = tablet.battery.percent;
   // 0 comes before it has been measured.
   const bool low = percent > 0 && percent <= k_low_battery && !tablet.battery.charging;
-  if (low && !tablet.low_told) tell(tablet.name + ": its battery is at " + std::to_string(percent) + " %", true);
+  if (low && !tablet.low_told)
+    notices_.tell(tablet.name + ": its battery is at " + std::to_string(percent) + " %", true);
   if (low || percent > k_charged_again || tablet.battery.charging) tablet.low_told = low;
 }
 
@@ -292,8 +293,8 @@ void App::change_tablets(std::span<const replay::HandMoment> moments) {
     ready = workspace_.session().identity_of(device)->name;
     if (tablets_.contains(device)) workspace_.set_tablet(device, setting_of(device));
   }
-  if (!gone.empty()) tell(gone + " is out of reach" + held, true);
-  if (!ready.empty()) tell(ready + " is ready");
+  if (!gone.empty()) notices_.tell(gone + " is out of reach" + held, true);
+  if (!ready.empty()) notices_.tell(ready + " is ready");
 }
 
 void App::forget_tablet(int device, const std::string& name, std::span<const replay::HandMoment> let_go) {
@@ -306,9 +307,9 @@ void App::forget_tablet(int device, const std::string& name, std::span<const rep
       !decode::is_receiver_monitor(identity->second))
     return;
   // Its other interface may have told more.
-  const bool told = std::any_of(notices_.begin(), notices_.end(),
+  const bool told = std::any_of(notices_.all().begin(), notices_.all().end(),
                                 [&](const Notice& one) { return one.text != text && one.text.starts_with(text); });
-  if (!told) tell(std::move(text), true);
+  if (!told) notices_.tell(std::move(text), true);
 }
 
 void App::on_device(int device, const decode::DeviceIdentity& identity) {
@@ -316,7 +317,8 @@ void App::on_device(int device, const decode::DeviceIdentity& identity) {
   desk_.add(device, shown != nullptr ? *shown : identity, workspace_.session().hands(),
             workspace_.session().pens().axes_of(device), options_.own_tablets);
   // A trace is drawn as it is, but for what its pen's buttons are bound to.
-  if (tablets_.contains(device) || !player_ || player_->is_session() || drawing_buttons(device) == 0) return;
+  if (tablets_.contains(device) || !player_.trace || player_.trace->is_session() || drawing_buttons(device) == 0)
+    return;
   replay::TabletSetting setting;
   setting.drawing_buttons = drawing_buttons(device);
   workspace_.set_tablet(device, setting);
@@ -324,8 +326,8 @@ void App::on_device(int device, const decode::DeviceIdentity& identity) {
 
 void App::on_moments(int device, std::span<const replay::PenMoment> pen, std::span<const replay::HandMoment> hand) {
   // What a session's keys did is in its lines, in px of the window that it was drawn in.
-  if (player_->is_session()) return;
-  commit_view();
+  if (player_.trace->is_session()) return;
+  canvas_.commit();
   take_hand(hand);
   take_moments(device, pen);
 }

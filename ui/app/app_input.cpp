@@ -31,23 +31,9 @@ constexpr double k_mouse_pressure = 0.5;
 
 }  // namespace
 
-bool App::pen_is_drawing() const { return workspace_.session().pens().current() != nullptr; }
-
 void App::resized(geometry::Viewport window, double dpi) {
-  window = {std::clamp(window.width, 1, 16384), std::clamp(window.height, 1, 16384)};
-  dpi_ = dpi;
-  touch_ = TouchGestures(4 * scale());
-  if (window == window_ && view_.viewport == window) return;
-  window_ = window;
-  view_.viewport = window;
-  free_.right = std::max(free_.left + 1, std::min(free_.right, static_cast<double>(window.width)));
-  free_.bottom = std::max(free_.top + 1, std::min(free_.bottom, static_cast<double>(window.height)));
-  if (framed_) frame_from(viewpoint_);
-}
-
-void App::commit_view() {
-  if (pen_is_drawing() || (player_ && player_->is_session() && !player_->finished())) return;
-  workspace_.set_view(view_);
+  canvas_.resized(window, dpi);
+  touch_ = TouchGestures(4 * canvas_.scale());
 }
 
 void App::hover_panels(PxPoint at, bool down) {
@@ -64,8 +50,8 @@ void App::hover(PxPoint at) {
   at_ = at;
   hover_panels(at, false);
   highlighted_.reset();
-  if (hits_.on_canvas(at) && !pen_is_drawing() && !workspace_.document().curves.empty()) {
-    highlighted_ = curve_near(workspace_, surface_, at, 8 * scale());
+  if (canvas_.hits().on_canvas(at) && !workspace_.pen_is_drawing() && !workspace_.document().curves.empty()) {
+    highlighted_ = curve_near(workspace_, canvas_.surface(), at, 8 * canvas_.scale());
   }
 }
 
@@ -77,14 +63,14 @@ void App::pen_pressed(PxPoint at) {
 
 void App::hold_line(const std::vector<geometry::ModelPoint>& line, PxPoint at) {
   pull_ = PullHold{at, curve::k_usual_reach};
-  const auto camera = geometry::Camera::make(view_.camera, view_.viewport);
+  const auto camera = geometry::Camera::make(canvas_.view().camera, canvas_.view().viewport);
   std::vector<PxPoint> seen;
   for (const auto& point : line) {
     const auto px = camera ? camera->project(point) : std::nullopt;
     if (px) seen.push_back(*px);
   }
   // Of a short line most would be its middle.
-  const double handle = std::min(k_handle_px * scale(), k_handle_share * curve::arc_length<PxPoint>(seen));
+  const double handle = std::min(k_handle_px * canvas_.scale(), k_handle_share * curve::arc_length<PxPoint>(seen));
   const bool at_middle = !seen.empty() && geometry::distance(seen[seen.size() / 2], at) < handle;
   if (whole_ || at_middle) pull_.reset();
 }
@@ -92,8 +78,8 @@ void App::hold_line(const std::vector<geometry::ModelPoint>& line, PxPoint at) {
 bool App::take_goal(PxPoint at) {
   const auto& deformers = workspace_.document().model->deformers;
   const auto number =
-      deformers && panels_.controls_tab ? articulation::find_deformer(*deformers, panels_.deformer) : std::nullopt;
-  const auto camera = geometry::Camera::make(view_.camera, view_.viewport);
+      deformers && panels_.controls_tab ? articulation::find_deformer(*deformers, controls_.selected()) : std::nullopt;
+  const auto camera = geometry::Camera::make(canvas_.view().camera, canvas_.view().viewport);
   if (!number || !camera) return false;
   const articulation::Deformer& deformer = *deformers->deformers()[*number];
   const auto near = [&](std::span<const geometry::ModelPoint> line) {
@@ -101,7 +87,7 @@ bool App::take_goal(PxPoint at) {
     for (const auto& point : line) {
       if (const auto px = camera->project(point)) seen.push_back(*px);
     }
-    return document::come_near(seen, std::array<PxPoint, 1>{at}, 10 * scale());
+    return document::come_near(seen, std::array<PxPoint, 1>{at}, 10 * canvas_.scale());
   };
   for (std::size_t i = 0; i < deformer.betweens().size(); ++i) {
     if (!near(deformer.betweens()[i])) continue;
@@ -117,9 +103,9 @@ bool App::take_goal(PxPoint at) {
 
 std::optional<document::PullBetween> App::goal_pull(PxPoint at) const {
   const PxPoint by = at - goal_drag_->second;
-  if (std::hypot(by.x, by.y) <= k_click_px * scale()) return std::nullopt;
+  if (std::hypot(by.x, by.y) <= k_click_px * canvas_.scale()) return std::nullopt;
   return document::PullBetween{
-      panels_.deformer,          goal_drag_->first, workspace_.editor().view(), goal_drag_->second, by,
+      controls_.selected(),      goal_drag_->first, workspace_.editor().view(), goal_drag_->second, by,
       pull_ ? pull_->reach : 0.0};
 }
 
@@ -129,7 +115,7 @@ void App::select_at(PxPoint at) {
   workspace_.hold_goal(std::nullopt);
   touched_curve_.reset();
   panels_.curve_menu.reset();
-  highlighted_ = curve_near(workspace_, surface_, at, 10 * scale());
+  highlighted_ = curve_near(workspace_, canvas_.surface(), at, 10 * canvas_.scale());
   if (highlighted_) {
     const auto* curve = document::find_curve(workspace_.document(), *highlighted_);
     if (curve != nullptr && curve->target) {
@@ -140,11 +126,11 @@ void App::select_at(PxPoint at) {
     return;
   }
   if (take_goal(at)) return;
-  const auto camera = geometry::Camera::make(view_.camera, view_.viewport);
+  const auto camera = geometry::Camera::make(canvas_.view().camera, canvas_.view().viewport);
   if (!camera) return;
-  const auto hit = surface_.pick(*camera, at);
+  const auto hit = canvas_.surface().pick(*camera, at);
   const auto& deformers = workspace_.document().model->deformers;
-  panels_.deformer.clear();
+  controls_.select({});
   if (!hit || !deformers) return;
   const std::uint32_t vertex = workspace_.document().model->mesh->triangles()[hit->triangle][0];
   double best = 0;
@@ -155,42 +141,8 @@ void App::select_at(PxPoint at) {
     const double weight = deformer->weights()[static_cast<std::size_t>(found - vertices.begin())];
     if (weight <= best) continue;
     best = weight;
-    panels_.deformer = deformer->sketch().name;
+    controls_.select(deformer->sketch().name);
     panels_.controls_tab = true;
-  }
-}
-
-void App::show_new_deformer() {
-  const auto& deformers = workspace_.document().model->deformers;
-  const std::size_t count = deformers ? deformers->size() : 0;
-  if (count == deformer_count_ + 1 && !workspace_.document().pending) {
-    panels_.deformer = deformers->deformers().back()->sketch().name;
-    panels_.controls_tab = true;
-    tell(panels_.deformer + " is ready: its slider is in the panel");
-    for (const std::string& doubt : articulation::doubts_of(*deformers->deformers().back())) tell(doubt);
-  }
-  deformer_count_ = count;
-  const auto& corrections = workspace_.document().model->corrections;
-  const std::size_t corrected = corrections ? corrections->size() : 0;
-  if (corrected == correction_count_ + 1 && !workspace_.document().pending) {
-    const articulation::Correction& one = *corrections->all().back();
-    tell(one.drawn.sketch.name + " is there wherever its controls come together");
-    for (const std::string& doubt : articulation::doubts_of(*one.deformer)) tell(doubt);
-  }
-  correction_count_ = corrected;
-}
-
-void App::tell_new_doubts() {
-  const auto now = workspace_.document().model->deformers;
-  const auto before = std::exchange(seen_deformers_, now);
-  if (!before || !now || before == now) return;
-  for (const auto& deformer : now->deformers()) {
-    const auto number = articulation::find_deformer(*before, deformer->sketch().name);
-    if (!number || before->deformers()[*number] == deformer) continue;
-    const auto known = articulation::doubts_of(*before->deformers()[*number]);
-    for (const std::string& doubt : articulation::doubts_of(*deformer)) {
-      if (std::find(known.begin(), known.end(), doubt) == known.end()) tell(doubt);
-    }
   }
 }
 
@@ -201,16 +153,16 @@ void App::pen_moved(PxPoint at) {
   // Only a line begins a control; a tap leaves the face as it is.
   if (sketches && !workspace_.document().pending && stroke != nullptr && stroke->on_canvas && !stroke->eraser &&
       !drawing::is_tap(stroke->samples, stroke->view.viewport)) {
-    begin_control();
+    controls_.begin();
   }
   if (goal_drag_) workspace_.hold_goal(goal_pull(at));
   if (!target_drag_) return;
   const PxPoint by = at - target_drag_->second;
-  if (std::hypot(by.x, by.y) > k_click_px * scale()) workspace_.hold_target(target_drag_->first, by, pull_);
+  if (std::hypot(by.x, by.y) > k_click_px * canvas_.scale()) workspace_.hold_target(target_drag_->first, by, pull_);
 }
 
 void App::pen_released(PxPoint at) {
-  show_new_deformer();
+  controls_.show_new();
   if (goal_drag_) {
     const auto pull = goal_pull(at);
     goal_drag_.reset();
@@ -218,8 +170,8 @@ void App::pen_released(PxPoint at) {
     if (pull) workspace_.perform(*pull);
     return;
   }
-  if (performance_) {
-    if (!end_performance()) tell("the take moved nothing: nothing is keyed");
+  if (performer_.performing()) {
+    if (!performer_.end()) notices_.tell("the take moved nothing: nothing is keyed");
     target_drag_.reset();
     workspace_.hold_target(std::nullopt);
     touched_curve_.reset();
@@ -231,7 +183,7 @@ void App::pen_released(PxPoint at) {
     target_drag_.reset();
     workspace_.hold_target(std::nullopt);
     const auto* curve = document::find_curve(workspace_.document(), id);
-    if (curve != nullptr && std::hypot(by.x, by.y) > k_click_px * scale()) {
+    if (curve != nullptr && std::hypot(by.x, by.y) > k_click_px * canvas_.scale()) {
       workspace_.perform(drag_command(*curve, workspace_.editor().view(), by, pull_));
       return;
     }
@@ -243,7 +195,7 @@ void App::pen_released(PxPoint at) {
 }
 
 void App::begin_drag(PxPoint at) {
-  if (pen_is_drawing()) return;
+  if (workspace_.pen_is_drawing()) return;
   drag_ = at;
   drag_moved_ = false;
 }
@@ -251,17 +203,16 @@ void App::begin_drag(PxPoint at) {
 void App::drag_to(PxPoint at, bool pan, bool zoom) {
   if (!drag_) return;
   const PxPoint by = at - *drag_;
-  if (!drag_moved_ && std::hypot(by.x, by.y) < k_click_px * scale()) return;
+  if (!drag_moved_ && std::hypot(by.x, by.y) < k_click_px * canvas_.scale()) return;
   drag_moved_ = true;
   drag_ = at;
-  framed_ = false;
   if (zoom) {
-    view_.camera = zoomed(view_, std::exp(by.y * k_zoom_per_px / scale()),
-                          {0.5 * view_.viewport.width, 0.5 * view_.viewport.height}, surface_.size());
+    canvas_.zoom(std::exp(by.y * k_zoom_per_px / canvas_.scale()),
+                 {0.5 * canvas_.view().viewport.width, 0.5 * canvas_.view().viewport.height});
   } else if (pan) {
-    view_.camera = panned(view_, by);
+    canvas_.pan(by);
   } else {
-    view_.camera = orbited(view_.camera, -by.x * k_degrees_per_px / scale(), by.y * k_degrees_per_px / scale());
+    canvas_.turn(-by.x * k_degrees_per_px / canvas_.scale(), by.y * k_degrees_per_px / canvas_.scale());
   }
 }
 
@@ -269,7 +220,7 @@ void App::end_barrel(PxPoint at) {
   const bool clicked = drag_ && !drag_moved_;
   drag_.reset();
   barrel_ = false;
-  if (clicked && panels_.dialog == Dialog::none) panels_.radial = at;
+  if (clicked && dialogs_.open() == Dialog::none) panels_.radial = at;
 }
 
 void App::take_moments(int device, std::span<const replay::PenMoment> moments) {
@@ -293,7 +244,7 @@ void App::take_moments(int device, std::span<const replay::PenMoment> moments) {
         break;
       case PenEventKind::stroke_begin:
         if (barrel_ || pen_view_) break;
-        if (const ViewHold* held = held_view(); held != nullptr && hits_.on_canvas(at_)) {
+        if (const ViewHold* held = held_view(); held != nullptr && canvas_.hits().on_canvas(at_)) {
           touch_view_ = *held;
           drag_ = at_;
           drag_moved_ = false;
@@ -360,7 +311,7 @@ void App::mouse_button(MouseButton button, bool down, PxPoint at, bool shift, bo
   if (down && tablet_is_near()) return;
   at_ = at;
   if (button != MouseButton::left) {
-    if (down && !mouse_draws_ && !mouse_on_panel_ && hits_.on_canvas(at)) {
+    if (down && !mouse_draws_ && !mouse_on_panel_ && canvas_.hits().on_canvas(at)) {
       drag_pans_ = shift;
       drag_zooms_ = ctrl;
       barrel_ = button == MouseButton::right;
@@ -377,7 +328,7 @@ void App::mouse_button(MouseButton button, bool down, PxPoint at, bool shift, bo
   }
   if (down) {
     if (mouse_draws_ || mouse_on_panel_ || drag_) return;
-    if (!hits_.on_canvas(at) || (player_ && player_->playing())) {
+    if (!canvas_.hits().on_canvas(at) || (player_.trace && player_.trace->playing())) {
       mouse_on_panel_ = true;
       try_pen(at, k_mouse_pressure, true);
       hover_panels(at, true);
@@ -386,7 +337,7 @@ void App::mouse_button(MouseButton button, bool down, PxPoint at, bool shift, bo
     // Sent away from any widget, so that an open text field ends.
     hover_panels(at, true);
     hover_panels(at, false);
-    commit_view();
+    canvas_.commit();
     workspace_.place_pen(held_view() == nullptr);
     whole_ = shift || ctrl;
     mouse_draws_ = true;
@@ -404,13 +355,12 @@ void App::mouse_button(MouseButton button, bool down, PxPoint at, bool shift, bo
 void App::wheel(double steps) {
   // The desktop turns two fingers on a tablet into a wheel.
   if (fingers_move_view()) return;
-  if (!hits_.on_canvas(at_)) {
+  if (!canvas_.hits().on_canvas(at_)) {
     panel_wheel_ += steps;
     return;
   }
-  if (pen_is_drawing()) return;
-  framed_ = false;
-  view_.camera = zoomed(view_, std::pow(k_zoom_per_notch, std::clamp(steps, -20.0, 20.0)), at_, surface_.size());
+  if (workspace_.pen_is_drawing()) return;
+  canvas_.zoom(std::pow(k_zoom_per_notch, std::clamp(steps, -20.0, 20.0)), at_);
 }
 
 void App::finger(FingerKind kind, std::int64_t finger, PxPoint at) {
@@ -438,20 +388,14 @@ void App::finger(FingerKind kind, std::int64_t finger, PxPoint at) {
 }
 
 void App::do_gesture(const TouchAct& act) {
-  if (pen_is_drawing() || panels_.dialog != Dialog::none) return;
-  framed_ = false;
+  if (workspace_.pen_is_drawing() || dialogs_.open() != Dialog::none) return;
   if (act.kind == TouchAct::Kind::orbit) {
-    view_.camera = orbited(view_.camera, -act.by.x * k_degrees_per_px / scale(), act.by.y * k_degrees_per_px / scale());
+    canvas_.turn(-act.by.x * k_degrees_per_px / canvas_.scale(), act.by.y * k_degrees_per_px / canvas_.scale());
   } else if (act.kind == TouchAct::Kind::pan) {
-    view_.camera = panned(view_, act.by);
+    canvas_.pan(act.by);
   } else {
-    view_.camera = zoomed(view_, std::clamp(act.factor, 0.2, 5.0), act.at, surface_.size());
+    canvas_.zoom(std::clamp(act.factor, 0.2, 5.0), act.at);
   }
-}
-
-void App::key(const KeyStroke& key) {
-  const ActionInfo* action = action_of(key);
-  if (action != nullptr) do_action(action->action);
 }
 
 }  // namespace penpose::app

@@ -27,10 +27,10 @@ void App::tablet_arrived(int device, const decode::DeviceIdentity& identity) {
   const DeskTablet* tablet = desk_.find(device);
   if (decode::is_wacom_receiver(identity)) {
     // Its tablet says so itself once it is heard.
-    if (decode::is_receiver_monitor(identity)) tell(identity.name + (again ? " is back" : " is ready"));
+    if (decode::is_receiver_monitor(identity)) notices_.tell(identity.name + (again ? " is back" : " is ready"));
     return;
   }
-  if (tablet == nullptr || tablet->has_anything()) tell(identity.name + (again ? " is back" : " is ready"));
+  if (tablet == nullptr || tablet->has_anything()) notices_.tell(identity.name + (again ? " is back" : " is ready"));
 }
 
 void App::lights_seen(int device, const decode::Lights& lights) {
@@ -45,7 +45,7 @@ std::optional<decode::Lights> App::lights_of(int device) const {
 }
 
 void App::tablet_setting_changed() {
-  settings_changed();
+  preferences_.changed();
   for (const auto& [device, name] : tablets_) {
     if (workspace_.session().pens().decodes(device)) workspace_.set_tablet(device, setting_of(device));
   }
@@ -69,19 +69,21 @@ void App::tablet_left(int device, const std::string& name) {
 }
 
 void App::try_pen(PxPoint at, double pressure, bool begins) {
-  if (panels_.dialog != Dialog::tablet) return;
-  if (begins && panels_.test_area.holds(at)) {
-    panels_.test_line.clear();
-    panels_.test_pressure.clear();
+  if (dialogs_.open() != Dialog::tablet) return;
+  if (begins && dialogs_.state<PenTrial>().area.holds(at)) {
+    dialogs_.state<PenTrial>().line.clear();
+    dialogs_.state<PenTrial>().pressure.clear();
   }
   constexpr std::size_t k_most = 100000;
-  if (panels_.test_line.size() >= k_most || (panels_.test_line.empty() && !panels_.test_area.holds(at))) return;
-  panels_.test_line.push_back(at);
-  panels_.test_pressure.push_back(pressure);
+  if (dialogs_.state<PenTrial>().line.size() >= k_most ||
+      (dialogs_.state<PenTrial>().line.empty() && !dialogs_.state<PenTrial>().area.holds(at)))
+    return;
+  dialogs_.state<PenTrial>().line.push_back(at);
+  dialogs_.state<PenTrial>().pressure.push_back(pressure);
 }
 
 void App::tablet_report(int device, std::int64_t received_us, base::Bytes bytes) {
-  commit_view();
+  canvas_.commit();
   const auto moments = workspace_.report_at(device, received_us, bytes);
   const auto hand = workspace_.session().hand_moments();
   take_hand(std::vector<replay::HandMoment>(hand.begin(), hand.end()));

@@ -45,8 +45,8 @@ Interface::~Interface() { ImGui::DestroyContext(); }
 void Interface::disturb() { unsettled_ = k_settle_frames; }
 
 void Interface::apply_look() {
-  const double scale = app_.scale();
-  const bool light = app_.settings().light;
+  const double scale = app_.canvas().scale();
+  const bool light = app_.preferences().settings().light;
   const bool pictures = app_.panels().poses_tab && !pictures_->reserved();
   if (scale == look_scale_ && light == look_light_ && !pictures) return;
   if (scale != look_scale_ || pictures) load_fonts(scale);
@@ -101,11 +101,11 @@ int Interface::next_frame_ms() const {
 void Interface::frame(double passed_s) {
   ImGuiIO& io = ImGui::GetIO();
   apply_look();
-  const auto window = app_.window();
+  const auto window = app_.canvas().window();
   io.DisplaySize = {static_cast<float>(window.width), static_cast<float>(window.height)};
   io.DeltaTime = static_cast<float>(std::clamp(passed_s, 1e-4, 0.5));
   // A dialog that opens knows nothing of what was pressed before.
-  const Dialog dialog = app_.panels().dialog;
+  const Dialog dialog = app_.dialogs().open();
   const bool opens = std::exchange(shown_, dialog) != dialog;
   if (opens) {
     dialog_area_.reset();
@@ -117,11 +117,11 @@ void Interface::frame(double passed_s) {
   rest_pointer(passed_s);
   ImGui::NewFrame();
   targets_.clear();
-  app_.hits() = {};
+  app_.canvas().hits() = {};
   app_.lay_out();
-  const auto unit = static_cast<float>(app_.target_px());
+  const auto unit = static_cast<float>(app_.canvas().target_px());
   pictures_->begin_frame();
-  PanelContext context{app_, targets_, *pictures_, unit, static_cast<float>(6 * app_.scale())};
+  PanelContext context{app_, targets_, *pictures_, unit, static_cast<float>(6 * app_.canvas().scale())};
   context.dialog_opens = opens;
   context.tip_due = rested_s_ >= k_tip_s;
   context.accepts = std::exchange(accepts_, false);
@@ -135,7 +135,7 @@ void Interface::frame(double passed_s) {
   const double right = std::min(9.5 * unit, 0.4 * width);
   const double bottom = 3 * unit + 4 * context.gap;
   const double status = 0.7 * unit;
-  const double player = app_.player() ? unit + 2 * context.gap : 0;
+  const double player = app_.player().trace ? unit + 2 * context.gap : 0;
   Area free{0, 0, width, height};
   if (app_.panels().shown) {
     free = {left, top, width - right, height - bottom - player - status};
@@ -150,7 +150,7 @@ void Interface::frame(double passed_s) {
     if (begin_panel(context, "back", {0, 0, side, top})) action_button(context, Action::panels, -1);
     end_panel();
   }
-  if (app_.player())
+  if (app_.player().trace)
     show_player(context, {free.left, height - (app_.panels().shown ? bottom : 0) - player, free.right,
                           height - (app_.panels().shown ? bottom : 0)});
   const double card = tour_height(context, free.width());
@@ -158,7 +158,7 @@ void Interface::frame(double passed_s) {
     free.bottom -= card;
     show_tour(context, {free.left, free.bottom, free.right, free.bottom + card});
   }
-  app_.set_free_area(free);
+  app_.canvas().set_free_area(free);
   show_backdrop(context, free);
   show_axes(context, free);
   show_curve_menu(context);
@@ -177,7 +177,7 @@ void Interface::frame(double passed_s) {
   dialog_area_ = context.dialog_area;
   ImGui::Render();
   if (unsettled_ > 0) --unsettled_;
-  if (!app_.panel_pointer().empty() || !typed_.empty() || shown_ != app_.panels().dialog) disturb();
+  if (!app_.panel_pointer().empty() || !typed_.empty() || shown_ != app_.dialogs().open()) disturb();
 }
 
 void Interface::take_pointer() {
@@ -238,10 +238,10 @@ void Interface::show_keyboard(PanelContext& context) {
     keyboard_.hide();
     return;
   }
-  const auto window = app_.window();
+  const auto window = app_.canvas().window();
   keyboard_.show({0, 0, static_cast<double>(window.width), static_cast<double>(window.height)}, *context.typed_into,
                  static_cast<double>(context.unit), static_cast<double>(context.gap));
-  app_.hits().panels.push_back(keyboard_.area());
+  app_.canvas().hits().panels.push_back(keyboard_.area());
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   const auto corner = [](double x, double y) { return ImVec2{static_cast<float>(x), static_cast<float>(y)}; };
   const Area& all = keyboard_.area();

@@ -19,12 +19,15 @@ TEST(Action, NoTwoActionsHaveOneKey) {
 }
 
 TEST(Action, EveryActionIsInTheListOnceAndSaysWhatItDoes) {
-  for (int i = 0; i <= static_cast<int>(Action::perform); ++i) {
-    const auto action = static_cast<Action>(i);
-    EXPECT_EQ(info(action).action, action) << i;
-    EXPECT_FALSE(info(action).tip.empty());
+  for (const ActionInfo& one : all_actions()) {
+    EXPECT_EQ(&info(one.action), &one) << "two are called " << one.action.name;
+    EXPECT_FALSE(one.label.empty() || one.tip.empty() || one.icon.empty()) << one.action.name;
+    EXPECT_NE(one.run, nullptr) << one.action.name;
   }
-  EXPECT_EQ(all_actions().size(), static_cast<std::size_t>(Action::backdrop_off) + 1);
+}
+
+TEST(Action, EveryNamedActionIsInTheList) {
+  for (const Action action : k_named_actions) EXPECT_EQ(info(action).action, action) << action.name;
 }
 
 TEST(Action, TooltipsShowTheShortcut) {

@@ -31,7 +31,7 @@ TEST(AppEditing, TheFaceFollowsATargetThatIsDraggedOrDrawnOverBeforeThePenLifts)
   EXPECT_LT(apart, 0.3) << "what was shown is about what came of it";
   // From another view the target is moved as it is seen there.
   desk.click("3/4");
-  const auto camera = geometry::Camera::make(desk.app->view().camera, desk.app->view().viewport);
+  const auto camera = geometry::Camera::make(desk.app->canvas().view().camera, desk.app->canvas().view().viewport);
   const auto& target = *desk.document().curves.front()->target;
   const PxPoint seen = *camera->project(target.points[target.points.size() / 2]);
   desk.stroke({seen, seen + PxPoint{0, -20}});
@@ -101,12 +101,12 @@ TEST(AppEditing, AControlsFeatureModeAndSurfaceAreChosenBeforeAndWhileItIsMade) 
   EXPECT_NE(desk.app->workspace().shown_pose(), first);
   desk.app->mouse_button(MouseButton::left, false, middle + PxPoint{26, 18});
   desk.frames();
-  ASSERT_FALSE(desk.document().pending) << desk.app->notices().back().text;
+  ASSERT_FALSE(desk.document().pending) << desk.app->notices().all().back().text;
   const auto& made = desk.document().model->deformers->deformers().back();
   EXPECT_EQ(made->mode(), articulation::Mode::translate);
   EXPECT_TRUE(std::holds_alternative<articulation::Sphere>(made->sketch().surface));
   desk.click("Swing");
-  EXPECT_FALSE(desk.app->panels().swing);
+  EXPECT_FALSE(desk.app->controls().swings());
 }
 
 TEST(AppEditing, AControlIsDrawnAgainAndTheFaceShowsItWhileItIsDrawn) {
@@ -138,7 +138,7 @@ TEST(AppEditing, NumbersAndRangesAreTypedWithThePenAlone) {
   desk.begin();
   const auto jaw = [&] { return *rig::find_parameter(desk.document().model->rig->parameters(), "jaw"); };
   const auto open = [&] {
-    desk.app->panels().filter = "jaw";
+    desk.app->panels().own.of<ParameterList>().filter = "jaw";
     desk.frames();
     desk.click("\u270e##type jaw");
   };
@@ -155,8 +155,8 @@ TEST(AppEditing, NumbersAndRangesAreTypedWithThePenAlone) {
   open();
   desk.click("-##pad");
   desk.click("Set##number");
-  EXPECT_EQ(desk.app->panels().dialog, Dialog::number) << "what is no number is told";
-  EXPECT_TRUE(desk.app->notices().back().is_error);
+  EXPECT_EQ(desk.app->dialogs().open(), Dialog::number) << "what is no number is told";
+  EXPECT_TRUE(desk.app->notices().all().back().is_error);
   desk.click("Rest##number");
   EXPECT_DOUBLE_EQ(desk.document().pose[jaw()], 0);
 }
@@ -171,7 +171,7 @@ TEST(AppEditing, AKeyIsNamedDraggedAndKeepsItsNameWhenItIsKeyedAnew) {
   desk.click("key m");
   desk.click("Name it");
   ASSERT_EQ(desk.document().timeline->keys.front().name, "sm");
-  desk.app->set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
+  desk.app->controls().set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
   desk.click("Key");
   EXPECT_EQ(desk.document().timeline->keys.front().name, "sm");
   const auto pose = desk.document().pose;
@@ -192,17 +192,17 @@ TEST(AppEditing, AKeyIsNamedDraggedAndKeepsItsNameWhenItIsKeyedAnew) {
   EXPECT_EQ(desk.document().timeline->keys.front().name, "sm");
   EXPECT_EQ(desk.document().pose, pose);
   // Nearer and farther.
-  const double all = desk.app->panels().span_s;
+  const double all = desk.app->panels().own.of<TimelineShown>().span_s;
   desk.click("+##track");
-  EXPECT_GT(desk.app->panels().span_s, all);
-  const double from = desk.app->panels().from_s;
+  EXPECT_GT(desk.app->panels().own.of<TimelineShown>().span_s, all);
+  const double from = desk.app->panels().own.of<TimelineShown>().from_s;
   desk.click("<##track");
-  EXPECT_LT(desk.app->panels().from_s, from);
+  EXPECT_LT(desk.app->panels().own.of<TimelineShown>().from_s, from);
   desk.click(">##track");
   desk.click(">##track");
-  EXPECT_GT(desk.app->panels().from_s, from) << "also away from the cursor";
+  EXPECT_GT(desk.app->panels().own.of<TimelineShown>().from_s, from) << "also away from the cursor";
   desk.click("-##track");
-  EXPECT_EQ(desk.app->panels().span_s, 0);
+  EXPECT_EQ(desk.app->panels().own.of<TimelineShown>().span_s, 0);
 }
 
 TEST(AppEditing, ASessionPlayedInAWindowOfAnotherSizeEndsInTheSameState) {
@@ -223,13 +223,13 @@ TEST(AppEditing, ASessionPlayedInAWindowOfAnotherSizeEndsInTheSameState) {
     std::filesystem::copy_file(desk.app->session_path(), desk.path("recorded.session"));
   }
   Desk desk("played", "builtin:demo", false);
-  if (desk.app->panels().dialog == Dialog::recover) desk.click("Start anew");
+  if (desk.app->dialogs().open() == Dialog::recover) desk.click("Start anew");
   desk.app->resized({900, 1000}, 96);
   desk.frames();
   ASSERT_TRUE(desk.app->play_trace(desk.path("recorded.session")).ok());
-  desk.app->player()->set_speed(16);
-  for (int i = 0; i < 2000 && !desk.app->player()->finished(); ++i) desk.frames(1);
-  ASSERT_TRUE(desk.app->player()->finished());
+  desk.app->player().trace->set_speed(16);
+  for (int i = 0; i < 2000 && !desk.app->player().trace->finished(); ++i) desk.frames(1);
+  ASSERT_TRUE(desk.app->player().trace->finished());
   EXPECT_EQ(desk.app->workspace().state(), state);
   EXPECT_EQ(desk.app->workspace().editor().view().viewport.width, 1280) << "as it was drawn";
   desk.frames(2);
@@ -243,8 +243,8 @@ TEST(AppEditing, ACurveThatIsTouchedIsKeptOrDeletedWithThePenAlone) {
   desk.click("Select");
   const auto touch = [&] {
     const auto& curve = *desk.document().curves.front();
-    const auto camera = geometry::Camera::make(desk.app->view().camera, desk.app->view().viewport);
-    const PxPoint at = *camera->project(geometry::ModelPoint(desk.app->surface().at(curve.points[5])));
+    const auto camera = geometry::Camera::make(desk.app->canvas().view().camera, desk.app->canvas().view().viewport);
+    const PxPoint at = *camera->project(geometry::ModelPoint(desk.app->canvas().surface().at(curve.points[5])));
     desk.stroke({at, at + PxPoint{1, 0}});
   };
   touch();

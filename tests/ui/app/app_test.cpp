@@ -20,7 +20,7 @@ TEST(App, ANewUserSketchesPosesKeysSavesQuitsAndFindsEverythingAgain) {
   {
     Desk desk("whole", "builtin:demo");
     desk.begin();
-    EXPECT_EQ(desk.app->panels().dialog, Dialog::none);
+    EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
     // Sketch one control around the chin.
     deformers = desk.document().model->deformers->size();
     desk.click("Rig");
@@ -29,9 +29,9 @@ TEST(App, ANewUserSketchesPosesKeysSavesQuitsAndFindsEverythingAgain) {
     desk.stroke(around(middle, 60, 32));
     desk.stroke(around(middle, 28, 14));
     desk.stroke({middle + PxPoint{-26, 18}, middle + PxPoint{0, 26}, middle + PxPoint{26, 18}});
-    ASSERT_EQ(desk.document().model->deformers->size(), deformers + 1) << desk.app->notices().back().text;
+    ASSERT_EQ(desk.document().model->deformers->size(), deformers + 1) << desk.app->notices().all().back().text;
     EXPECT_FALSE(desk.document().pending);
-    EXPECT_EQ(desk.app->panels().deformer, desk.document().model->deformers->deformers().back()->sketch().name)
+    EXPECT_EQ(desk.app->controls().selected(), desk.document().model->deformers->deformers().back()->sketch().name)
         << "the new control is shown";
     // Pose the mouth and key it.
     desk.click("Pose");
@@ -156,7 +156,7 @@ TEST(App, NotThisOneSolvesTheStrokeAgainAndGivingItBackToo) {
 TEST(App, ATargetWhereItsCurveIsMovesNothingAndSaysSo) {
   Desk desk("still");
   desk.begin();
-  const geometry::PxPoint middle = desk.app->free_area().middle();
+  const geometry::PxPoint middle = desk.app->canvas().free_area().middle();
   const auto line = [&] {
     desk.stroke(
         {middle + geometry::PxPoint{-60, 20}, middle + geometry::PxPoint{0, 24}, middle + geometry::PxPoint{60, 20}});
@@ -176,28 +176,28 @@ TEST(App, ScrubbingShowsAndLettingGoTakesThePose) {
   Desk desk("scrub");
   desk.begin();
   desk.click("Key");
-  desk.app->set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
-  desk.app->scrub(2);
-  desk.app->end_scrub();
-  desk.app->set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
+  desk.app->controls().set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
+  desk.app->playback().scrub(2);
+  desk.app->playback().end_scrub();
+  desk.app->controls().set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
   desk.click("Key");
   ASSERT_EQ(desk.document().timeline->keys.size(), 2U);
   const auto state = desk.app->workspace().state();
-  desk.app->scrub(1);
+  desk.app->playback().scrub(1);
   EXPECT_NE(desk.app->workspace().shown_pose(), desk.document().pose);
   EXPECT_EQ(desk.app->workspace().state(), state);
-  desk.app->end_scrub();
+  desk.app->playback().end_scrub();
   EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
   const double middle = desk.document().pose[0];
   EXPECT_GT(middle, 0);
   EXPECT_LT(middle, desk.document().model->rig->parameters()[0].maximum);
   // Playing goes round and changes nothing but what is shown.
   desk.press(' ');
-  EXPECT_TRUE(desk.app->playing());
+  EXPECT_TRUE(desk.app->playback().playing());
   desk.frames(200);
   EXPECT_EQ(desk.document().pose[0], middle);
   desk.press(' ');
-  EXPECT_FALSE(desk.app->playing());
+  EXPECT_FALSE(desk.app->playback().playing());
 }
 
 TEST(App, APoseThatIsNotKeyedYetIsCarriedAlongTheTimeline) {
@@ -213,13 +213,13 @@ TEST(App, APoseThatIsNotKeyedYetIsCarriedAlongTheTimeline) {
   desk.frames();
   desk.app->mouse_button(MouseButton::left, false, at);
   desk.frames();
-  EXPECT_GT(desk.app->panels().time_s, 1);
+  EXPECT_GT(desk.app->playback().time_s(), 1);
   EXPECT_EQ(desk.document().pose, pose);
   desk.click("Key");
   ASSERT_EQ(desk.document().timeline->keys.size(), 2U);
   EXPECT_EQ(desk.document().timeline->keys.back().pose, pose);
   desk.press(',');
-  EXPECT_EQ(desk.app->panels().time_s, 0);
+  EXPECT_EQ(desk.app->playback().time_s(), 0);
   EXPECT_NE(desk.document().pose, pose);
 }
 
@@ -238,7 +238,7 @@ TEST(App, UnpluggingInTheMiddleOfAStrokeEndsItAndSaysSo) {
   EXPECT_EQ(desk.document().curves.size(), 0U);
   desk.app->tablet_left(1, "Test Tablet");
   EXPECT_EQ(desk.document().curves.size(), 1U) << "what was drawn is kept";
-  EXPECT_EQ(desk.app->notices().back().text, "Test Tablet was unplugged");
+  EXPECT_EQ(desk.app->notices().all().back().text, "Test Tablet was unplugged");
   // It comes back under its number and goes on.
   desk.app->tablet_arrived(1, identity);
   for (const PxPoint& at : desk.named_curve(any_curve(desk), {0, 12})) {
@@ -312,11 +312,11 @@ TEST(App, ATabletsPenPressesButtonsToo) {
 TEST(App, TheBarrelButtonTurnsTheViewAndAClickOpensTheMenuAroundThePen) {
   Desk desk("barrel");
   desk.begin();
-  const auto before = desk.app->view();
+  const auto before = desk.app->canvas().view();
   desk.app->mouse_button(MouseButton::right, true, {500, 400});
   desk.app->mouse_moved({560, 400});
   desk.app->mouse_button(MouseButton::right, false, {560, 400});
-  EXPECT_FALSE(desk.app->view() == before);
+  EXPECT_FALSE(desk.app->canvas().view() == before);
   EXPECT_FALSE(desk.app->panels().radial.has_value());
   desk.app->mouse_button(MouseButton::right, true, {500, 400});
   desk.app->mouse_button(MouseButton::right, false, {500, 400});
@@ -344,7 +344,7 @@ TEST(App, ATraceInPlaceOfATabletDrawsTheSame) {
   std::ofstream(desk.path("pen.hid")) << writer.take();
   ASSERT_TRUE(desk.app->play_trace(desk.path("pen.hid")).ok());
   desk.frames(200);
-  EXPECT_TRUE(desk.app->player()->finished());
+  EXPECT_TRUE(desk.app->player().trace->finished());
   ASSERT_EQ(desk.document().curves.size(), 1U);
   EXPECT_TRUE(desk.document().curves.front()->target.has_value());
 }
@@ -371,7 +371,7 @@ TEST(App, TouchingTheFaceWithTheToolSelectPicksTheControlThatMovesItMost) {
   desk.click("Select");
   const auto brow = desk.named_curve("brow_L");
   desk.stroke({brow.front(), brow.front() + PxPoint{1, 0}});
-  EXPECT_EQ(desk.app->panels().deformer.substr(0, 4), "brow");
+  EXPECT_EQ(desk.app->controls().selected().substr(0, 4), "brow");
   EXPECT_TRUE(desk.document().curves.empty());
 }
 
@@ -383,14 +383,14 @@ TEST(App, OneFingerDrawsAndTwoTurnTheView) {
   for (const PxPoint& at : line) desk.app->finger(FingerKind::move, 7, at);
   desk.app->finger(FingerKind::up, 7, line.back());
   EXPECT_EQ(desk.document().curves.size(), 1U);
-  const auto view = desk.app->view();
+  const auto view = desk.app->canvas().view();
   desk.app->finger(FingerKind::down, 1, {400, 300});
   desk.app->finger(FingerKind::down, 2, {500, 300});
   desk.app->finger(FingerKind::move, 2, {560, 300});
   desk.app->finger(FingerKind::up, 1, {400, 300});
   desk.app->finger(FingerKind::up, 2, {560, 300});
   desk.frames();
-  EXPECT_FALSE(desk.app->view() == view);
+  EXPECT_FALSE(desk.app->canvas().view() == view);
   EXPECT_EQ(desk.document().curves.size(), 1U);
   EXPECT_FALSE(desk.document().curves.front()->target.has_value());
 }
@@ -402,7 +402,7 @@ TEST(App, OpeningAFileThatIsNoneSaysSoAndKeepsTheWork) {
   pose_mouth(desk);
   const auto state = desk.app->workspace().state();
   desk.app->try_open(desk.path("broken.glb"));
-  EXPECT_TRUE(desk.app->notices().back().is_error);
+  EXPECT_TRUE(desk.app->notices().all().back().is_error);
   EXPECT_EQ(desk.app->workspace().state(), state);
 }
 

@@ -70,15 +70,15 @@ class Monkey {
     }
     desk_.now_us += below(20000);
     // Files are written below the test's own folder alone.
-    if (app.panels().folder.find(desk_.folder.string()) != 0) app.panels().folder = desk_.folder.string();
-    if (app.panels().file_name.find('/') != std::string::npos) app.panels().file_name.clear();
+    if (app.dialogs().state<FileChoice>().folder.find(desk_.folder.string()) != 0) app.dialogs().state<FileChoice>().folder = desk_.folder.string();
+    if (app.dialogs().state<FileChoice>().name.find('/') != std::string::npos) app.dialogs().state<FileChoice>().name.clear();
   }
 
  private:
   int below(int limit) { return static_cast<int>(random_() % static_cast<unsigned>(limit)); }
   double spread(double size) { return size * (static_cast<double>(random_() % 2001U) / 1000.0 - 1.0); }
   PxPoint anywhere() {
-    const auto window = desk_.app->window();
+    const auto window = desk_.app->canvas().window();
     return {static_cast<double>(below(window.width + 40) - 20), static_cast<double>(below(window.height + 40) - 20)};
   }
   void type_key() {
@@ -122,7 +122,7 @@ class Monkey {
       pen_ = below(6) == 0 ? anywhere() : pen_ + PxPoint{spread(30), spread(30)};
       const replay::VirtualPenState state{pen_,          spread(0.5) + 0.5, below(12) != 0,
                                           below(3) != 0, below(30) == 0,    below(20) == 0};
-      app.tablet_report(device, desk_.now_us, replay::virtual_pen_report(state, app.window()));
+      app.tablet_report(device, desk_.now_us, replay::virtual_pen_report(state, app.canvas().window()));
     }
   }
 
@@ -147,11 +147,11 @@ TEST(Monkey, NoOrderOfEventsMakesTheAppFallOver) {
   desk.now_us += 10'000'000;
   desk.app->mouse_button(MouseButton::left, false, {0, 0});
   desk.app->mouse_button(MouseButton::right, false, {0, 0});
-  desk.app->panels().dialog = Dialog::none;
+  desk.app->dialogs().show(Dialog::none);
   desk.app->panels().radial.reset();
   // A tour takes back what it did not ask for, and a picture in hand has the canvas.
   desk.app->tour().leave();
-  desk.app->panels().backdrop.reset();
+  desk.app->canvas().look().backdrop.reset();
   desk.app->resized({1280, 800}, 96);
   desk.frames(6);
   while (desk.app->workspace().editor().history().undo_count() > 0) desk.app->do_action(Action::undo);

@@ -39,14 +39,14 @@ class AppFaults : public tests::CommandRun {
     desk.begin();
     tests::begin_faults(plan);
     const auto at = [&](double x, double y) {
-      const document::View& view = desk.app->view();
+      const document::View& view = desk.app->canvas().view();
       return *geometry::Camera::make(view.camera, view.viewport)->project({x, y, 0});
     };
     desk.stroke({at(0.1, 0.2), at(1, 0.2), at(1.9, 0.2)});
     desk.stroke({at(0.1, 0.45), at(1, 0.2), at(1.9, 0.45)});
     desk.app->do_action(Action::key_pose);
-    desk.app->scrub(1);
-    desk.app->end_scrub();
+    desk.app->playback().scrub(1);
+    desk.app->playback().end_scrub();
     desk.app->do_action(Action::reset_pose);
     desk.app->do_action(Action::key_pose);
     desk.app->do_action(Action::undo);

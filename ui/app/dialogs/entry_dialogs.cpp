@@ -12,6 +12,11 @@
 namespace penpose::app {
 namespace {
 
+/// The place of the pen's menu that is being chosen for.
+struct RadialEntry {
+  std::size_t place = 0;
+};
+
 std::string shown(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.3g", value);
@@ -20,18 +25,18 @@ std::string shown(double value) {
 
 /// Sets what was typed. False, and said why, where it is none or does not fit.
 bool take_number(App& app, std::size_t index) {
-  const NumberEntry& entry = app.panels().number;
+  const NumberEntry& entry = app.dialogs().state<NumberEntry>();
   const auto value = base::parse_double(entry.text);
   if (!value || !std::isfinite(*value)) {
-    app.tell("\"" + entry.text + "\" is no number", true);
+    app.notices().tell("\"" + entry.text + "\" is no number", true);
     return false;
   }
   const rig::Parameter parameter = app.workspace().document().model->rig->parameters()[index];
   if (entry.field == NumberEntry::Field::value) {
     if (*value < parameter.minimum || *value > parameter.maximum) {
-      app.tell(parameter.name + " goes from " + shown(parameter.minimum) + " to " + shown(parameter.maximum));
+      app.notices().tell(parameter.name + " goes from " + shown(parameter.minimum) + " to " + shown(parameter.maximum));
     }
-    app.set_parameter(index, *value);
+    app.controls().set_parameter(index, *value);
     return true;
   }
   document::ChangeDeformer change;
@@ -59,11 +64,11 @@ void keypad(PanelContext& context, std::string& text) {
 
 void show_number_dialog(PanelContext& context) {
   App& app = context.app;
-  NumberEntry& entry = app.panels().number;
+  NumberEntry& entry = app.dialogs().state<NumberEntry>();
   const auto& model = *app.workspace().document().model;
   const auto index = rig::find_parameter(model.rig->parameters(), entry.parameter);
   if (!index) {
-    app.panels().dialog = Dialog::none;
+    app.dialogs().show(Dialog::none);
     return;
   }
   const rig::Parameter parameter = model.rig->parameters()[*index];
@@ -89,38 +94,38 @@ void show_number_dialog(PanelContext& context) {
     keypad(context, entry.text);
     ImGui::Dummy({1, context.gap});
     if ((wide_button(context, "Set##number", third) || context.accepts) && take_number(app, *index)) {
-      app.panels().dialog = Dialog::none;
+      app.dialogs().show(Dialog::none);
     }
     ImGui::SameLine();
     if (wide_button(context, "Rest##number", third, false, "Back to rest")) {
       app.workspace().perform(document::ResetParameters{{parameter.name}});
-      app.panels().dialog = Dialog::none;
+      app.dialogs().show(Dialog::none);
     }
     ImGui::SameLine();
-    if (wide_button(context, "Cancel", third)) app.panels().dialog = Dialog::none;
+    if (wide_button(context, "Cancel", third)) app.dialogs().show(Dialog::none);
   }
   end_dialog();
 }
 
 void show_key_dialog(PanelContext& context) {
   App& app = context.app;
-  std::string& name = app.panels().key_name;
+  std::string& name = app.dialogs().state<KeyNameEntry>().text;
   if (begin_dialog(context, "A name for this pose", 11)) {
     dialog_field(context, "##key name", name, "smile");
     if (wide_button(context, "Name it", 4 * context.unit) || context.accepts) {
-      app.name_key(name);
-      app.panels().dialog = Dialog::none;
+      app.keys().name(name);
+      app.dialogs().show(Dialog::none);
     }
     ImGui::SameLine();
-    if (wide_button(context, "Cancel")) app.panels().dialog = Dialog::none;
+    if (wide_button(context, "Cancel")) app.dialogs().show(Dialog::none);
   }
   end_dialog();
 }
 
 void show_radial_dialog(PanelContext& context) {
   App& app = context.app;
-  auto& radial = app.settings().radial;
-  std::size_t& place = app.panels().radial_place;
+  auto& radial = app.preferences().settings().radial;
+  std::size_t& place = app.dialogs().state<RadialEntry>().place;
   if (begin_dialog(context, "The menu around the pen", 15)) {
     ImGui::TextWrapped("Touch a place of the menu, clockwise from the top, then what it should do.");
     const float quarter = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetStyle().ItemSpacing.x) / 4;
@@ -137,16 +142,16 @@ void show_radial_dialog(PanelContext& context) {
       const std::string label = std::string(one.label) + "##choose";
       if (wide_button(context, label.c_str(), third, false, std::string(one.tip).c_str()) && place < radial.size()) {
         radial[place] = one.action;
-        app.settings_changed();
+        app.preferences().changed();
       }
     }
     ImGui::EndChild();
     if (wide_button(context, "As it was##radial menu")) {
       radial = Settings().radial;
-      app.settings_changed();
+      app.preferences().changed();
     }
     ImGui::SameLine();
-    if (wide_button(context, "Done") || context.accepts) app.panels().dialog = Dialog::none;
+    if (wide_button(context, "Done") || context.accepts) app.dialogs().show(Dialog::none);
   }
   end_dialog();
 }

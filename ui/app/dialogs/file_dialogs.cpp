@@ -45,7 +45,7 @@ std::vector<fs::directory_entry> entries_of(const std::string& folder, std::span
 
 /// The folder with its parent and what is in it. Gives the file that was chosen.
 std::string browse(PanelContext& context, float height, std::span<const char* const> extensions = k_opened) {
-  std::string& folder = context.app.panels().folder;
+  std::string& folder = context.app.dialogs().state<FileChoice>().folder;
   std::string chosen;
   ImGui::TextUnformatted(folder.c_str());
   ImGui::BeginChild("files", {0, height}, true);
@@ -67,16 +67,16 @@ std::string browse(PanelContext& context, float height, std::span<const char* co
 
 /// A name for what is written, and a place. True when it is to be written; the full path is in `path`.
 bool choose_name(PanelContext& context, const char* does, std::string& path) {
-  PanelState& panels = context.app.panels();
-  dialog_field(context, "##name", panels.file_name, "name.glb");
+  App& app = context.app;
+  dialog_field(context, "##name", app.dialogs().state<FileChoice>().name, "name.glb");
   if (const std::string file = browse(context, 6 * context.unit); !file.empty()) {
-    panels.file_name = fs::path(file).filename().string();
+    app.dialogs().state<FileChoice>().name = fs::path(file).filename().string();
   }
   const bool pressed = wide_button(context, does, 4 * context.unit) || context.accepts;
   ImGui::SameLine();
   if (wide_button(context, "Cancel")) context.app.do_action(Action::cancel);
-  path = (fs::path(panels.folder) / panels.file_name).string();
-  return pressed && !panels.file_name.empty();
+  path = (fs::path(app.dialogs().state<FileChoice>().folder) / app.dialogs().state<FileChoice>().name).string();
+  return pressed && !app.dialogs().state<FileChoice>().name.empty();
 }
 
 std::string stem_of(const App& app) {
@@ -105,7 +105,10 @@ void show_backdrop_dialog(PanelContext& context) {
     ImGui::TextDisabled("PNG or JPEG; of numbered pictures all are taken, one a frame");
     const std::string chosen = browse(context, 8 * context.unit, k_pictures);
     if (wide_button(context, "Cancel")) app.do_action(Action::cancel);
-    if (!chosen.empty()) app.open_backdrop(chosen);
+    if (!chosen.empty() && open_backdrop(app.canvas(), app.notices(), chosen)) {
+      app.dialogs().close();
+      app.dialogs().state<FileChoice>().folder = fs::path(chosen).parent_path().string();
+    }
   }
   end_dialog();
 }
@@ -114,7 +117,7 @@ void show_recent_dialog(PanelContext& context) {
   App& app = context.app;
   if (begin_dialog(context, "Opened and saved before", k_wide)) {
     std::string chosen;
-    const auto recent = app.settings().recent;
+    const auto recent = app.preferences().settings().recent;
     if (recent.empty()) ImGui::TextUnformatted("Nothing yet.");
     ImGui::BeginChild("recent", {0, 8 * context.unit}, true);
     for (const std::string& path : recent) {
@@ -130,12 +133,12 @@ void show_recent_dialog(PanelContext& context) {
 
 void show_save_dialog(PanelContext& context) {
   App& app = context.app;
-  PanelState& panels = app.panels();
-  if (panels.file_name.empty() && context.dialog_opens) {
+  if (app.dialogs().state<FileChoice>().name.empty() && context.dialog_opens) {
     // A free name, so that Save alone is enough for whoever has no keyboard at hand.
-    panels.file_name = app.project().empty()
-                           ? fs::path(free_path(panels.folder, stem_of(app), ".glb")).filename().string()
-                           : fs::path(app.project()).filename().string();
+    app.dialogs().state<FileChoice>().name =
+        app.project().empty()
+            ? fs::path(free_path(app.dialogs().state<FileChoice>().folder, stem_of(app), ".glb")).filename().string()
+            : fs::path(app.project()).filename().string();
   }
   if (begin_dialog(context, "Save", k_wide)) {
     ImGui::TextDisabled("The whole project, as a .glb file that any viewer plays");
@@ -147,9 +150,11 @@ void show_save_dialog(PanelContext& context) {
 
 void show_export_dialog(PanelContext& context) {
   App& app = context.app;
-  std::string& name = app.panels().file_name;
+  std::string& name = app.dialogs().state<FileChoice>().name;
   if (name.empty() && context.dialog_opens) {
-    name = fs::path(free_path(app.panels().folder, stem_of(app) + "-export", ".glb")).filename().string();
+    name = fs::path(free_path(app.dialogs().state<FileChoice>().folder, stem_of(app) + "-export", ".glb"))
+               .filename()
+               .string();
   }
   if (begin_dialog(context, "Export", k_wide)) {
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
@@ -164,7 +169,7 @@ void show_export_dialog(PanelContext& context) {
     std::string path;
     if (choose_name(context, "Export##now", path)) {
       if (const auto written = app.export_to(path); !written) {
-        app.tell(written.error().line(path), true);
+        app.notices().tell(written.error().line(path), true);
       } else {
         app.do_action(Action::cancel);
       }

@@ -1,6 +1,7 @@
 #include <array>
 #include <filesystem>
 
+#include "ui/app/dialogs/film_entry.h"
 #include "ui/app/dialogs/film_job.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/widgets/internal/widgets.h"
@@ -21,8 +22,7 @@ constexpr std::array k_sizes{FilmSize{"1280 x 720", {1280, 720}}, FilmSize{"1920
 
 void show_film_dialog(PanelContext& context) {
   App& app = context.app;
-  PanelState& panels = app.panels();
-  std::string& name = panels.file_name;
+  std::string& name = app.dialogs().state<FileChoice>().name;
   if (name.empty() && context.dialog_opens) {
     const std::string from = app.project().empty() ? app.path() : app.project();
     const std::string stem = from.starts_with("builtin:") ? "head" : fs::path(from).stem().string();
@@ -42,18 +42,22 @@ void show_film_dialog(PanelContext& context) {
     const float third = (ImGui::GetContentRegionAvail().x - 2 * spacing) / 3;
     for (std::size_t i = 0; i < k_sizes.size(); ++i) {
       if (i > 0) ImGui::SameLine();
-      if (wide_button(context, k_sizes[i].label, third, panels.film_size == k_sizes[i].size)) {
-        panels.film_size = k_sizes[i].size;
+      if (wide_button(context, k_sizes[i].label, third, app.dialogs().state<FilmEntry>().size == k_sizes[i].size)) {
+        app.dialogs().state<FilmEntry>().size = k_sizes[i].size;
       }
     }
     dialog_field(context, "##film name", name, "name.mp4");
     const auto& keys = app.workspace().document().timeline->keys;
     ImGui::TextWrapped("%s at %d frames a second, seen as now, into %s",
-                       keys.empty() ? "Nothing is keyed yet" : "From the first frame to the last key", panels.rate,
-                       panels.folder.c_str());
+                       keys.empty() ? "Nothing is keyed yet" : "From the first frame to the last key",
+                       app.playback().rate(), app.dialogs().state<FileChoice>().folder.c_str());
     ImGui::BeginDisabled(keys.empty() || name.empty());
     if (wide_button(context, "Write##film", 4 * context.unit) || (context.accepts && !keys.empty() && !name.empty())) {
-      app.write_film((fs::path(panels.folder) / name).string());
+      const std::string path = (fs::path(app.dialogs().state<FileChoice>().folder) / name).string();
+      if (app.film().write(path, app.dialogs().state<FilmEntry>().size)) {
+        app.dialogs().close();
+        name.clear();
+      }
     }
     ImGui::EndDisabled();
     ImGui::SameLine();

@@ -44,31 +44,30 @@ void move_choice(std::size_t& chosen, std::size_t count) {
 
 /// Px that a list may have.
 float list_height(const PanelContext& context) {
-  return std::min(9 * context.unit, static_cast<float>(context.app.window().height) - 5 * context.unit);
+  return std::min(9 * context.unit, static_cast<float>(context.app.canvas().window().height) - 5 * context.unit);
 }
 
 }  // namespace
 
 void show_search_dialog(PanelContext& context) {
   App& app = context.app;
-  PanelState& panels = app.panels();
   if (begin_dialog(context, "Search", k_wide)) {
-    const std::string before = panels.search_text;
-    dialog_field(context, "##find", panels.search_text, "an action, a control, a pose, a file");
-    if (panels.search_text != before) panels.search_chosen = 0;
-    const auto found = find_commands(app, panels.search_text);
-    move_choice(panels.search_chosen, found.size());
+    const std::string before = app.dialogs().state<SearchEntry>().text;
+    dialog_field(context, "##find", app.dialogs().state<SearchEntry>().text, "an action, a control, a pose, a file");
+    if (app.dialogs().state<SearchEntry>().text != before) app.dialogs().state<SearchEntry>().chosen = 0;
+    const auto found = find_commands(app, app.dialogs().state<SearchEntry>().text);
+    move_choice(app.dialogs().state<SearchEntry>().chosen, found.size());
     std::optional<FoundCommand> done;
     ImGui::BeginChild("found", {0, list_height(context)}, true);
     for (std::size_t i = 0; i < found.size(); ++i) {
       const FoundCommand& one = found[i];
       const std::string label = one.text + "##found " + std::to_string(static_cast<int>(one.kind)) + one.detail;
-      if (row(context, label, icon_of(one), one.detail, i == panels.search_chosen)) done = one;
-      if (i == panels.search_chosen && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+      if (row(context, label, icon_of(one), one.detail, i == app.dialogs().state<SearchEntry>().chosen)) done = one;
+      if (i == app.dialogs().state<SearchEntry>().chosen && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
     }
     if (found.empty()) ImGui::TextWrapped("Nothing is called that.");
     ImGui::EndChild();
-    if (context.accepts && !found.empty()) done = found[panels.search_chosen];
+    if (context.accepts && !found.empty()) done = found[app.dialogs().state<SearchEntry>().chosen];
     if (done) do_found(app, *done);
   }
   end_dialog();
@@ -76,12 +75,11 @@ void show_search_dialog(PanelContext& context) {
 
 void show_shortcuts_dialog(PanelContext& context) {
   App& app = context.app;
-  PanelState& panels = app.panels();
   if (begin_dialog(context, "Keys", k_wide)) {
-    dialog_field(context, "##key search", panels.search_text, "search");
+    dialog_field(context, "##key search", app.dialogs().state<SearchEntry>().text, "search");
     std::optional<FoundCommand> done;
     ImGui::BeginChild("keys", {0, list_height(context)}, true);
-    for (const FoundCommand& one : find_commands(app, panels.search_text)) {
+    for (const FoundCommand& one : find_commands(app, app.dialogs().state<SearchEntry>().text)) {
       if (one.kind != FoundCommand::Kind::action) continue;
       const ActionInfo& action = info(one.action);
       const std::string second = shortcut_text(action.other);
@@ -91,7 +89,7 @@ void show_shortcuts_dialog(PanelContext& context) {
     }
     ImGui::EndChild();
     ImGui::TextDisabled("The pen's button or the middle mouse button turns the view; with Shift it moves it.");
-    if (wide_button(context, "Close") || context.accepts) panels.dialog = Dialog::none;
+    if (wide_button(context, "Close") || context.accepts) app.dialogs().show(Dialog::none);
     if (done) do_found(app, *done);
   }
   end_dialog();
@@ -114,8 +112,8 @@ void show_history_dialog(PanelContext& context) {
       if (now && context.dialog_opens) ImGui::SetScrollHereY();
     }
     ImGui::EndChild();
-    if (to && *to != done) app.go_to_step(*to);
-    if (wide_button(context, "Close") || context.accepts) app.panels().dialog = Dialog::none;
+    if (to && *to != done) app.playback().go_to_step(*to);
+    if (wide_button(context, "Close") || context.accepts) app.dialogs().show(Dialog::none);
   }
   end_dialog();
 }

@@ -69,9 +69,9 @@ std::vector<FoundCommand> find_commands(App& app, std::string_view text) {
     }
     for (const auto& key : document.timeline->keys) {
       if (key.name.empty()) continue;
-      add({Kind::pose, key.name, "frame " + frame_text(key.time_s, app.panels().rate), {}, key.time_s}, "pose key");
+      add({Kind::pose, key.name, "frame " + frame_text(key.time_s, app.playback().rate()), {}, key.time_s}, "pose key");
     }
-    for (const std::string& path : app.settings().recent) {
+    for (const std::string& path : app.preferences().settings().recent) {
       const std::filesystem::path file(path);
       add({Kind::file, file.filename().string(), path}, "file open");
     }
@@ -85,7 +85,7 @@ std::vector<FoundCommand> find_commands(App& app, std::string_view text) {
 }
 
 void do_found(App& app, const FoundCommand& found) {
-  app.panels().dialog = Dialog::none;
+  app.dialogs().show(Dialog::none);
   switch (found.kind) {
     case Kind::action:
       app.do_action(found.action);
@@ -93,11 +93,11 @@ void do_found(App& app, const FoundCommand& found) {
     case Kind::control:
       app.panels().shown = true;
       app.panels().controls_tab = false;
-      app.panels().moved_only = false;
-      app.panels().filter = found.text;
+      app.panels().own.of<ParameterList>().moved_only = false;
+      app.panels().own.of<ParameterList>().filter = found.text;
       break;
     case Kind::pose:
-      app.go_to(found.time_s);
+      app.playback().go_to(found.time_s);
       break;
     case Kind::file:
       app.ask_to_open(found.detail);

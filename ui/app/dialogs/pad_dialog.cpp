@@ -15,8 +15,8 @@ const DeskTablet* shown_tablet(App& app, std::span<const DeskTablet> tablets) {
     const auto found = std::find_if(tablets.begin(), tablets.end(), fits);
     return found == tablets.end() ? nullptr : &*found;
   };
-  if (const auto* chosen =
-          first([&](const DeskTablet& one) { return one.is(app.panels().pad_tablet) && one.has_anything(); }))
+  if (const auto* chosen = first(
+          [&](const DeskTablet& one) { return one.is(app.dialogs().state<PadChoice>().tablet) && one.has_anything(); }))
     return chosen;
   if (const auto* keys = first([](const DeskTablet& one) { return one.features.any(); })) return keys;
   return first([](const DeskTablet& one) { return one.has_anything(); });
@@ -50,7 +50,7 @@ void show_tablets(PanelContext& context, std::span<const DeskTablet> tablets, co
     for (const DeskTablet& one : tablets) {
       if (!one.has_anything()) continue;
       if (wide_button(context, (one.name + "##tablet " + one.key + " " + one.unit).c_str(), 0, &one == &shown))
-        context.app.panels().pad_tablet = {one.key, one.unit};
+        context.app.dialogs().state<PadChoice>().tablet = {one.key, one.unit};
       ImGui::SameLine();
     }
     ImGui::NewLine();
@@ -68,7 +68,7 @@ void show_tablets(PanelContext& context, std::span<const DeskTablet> tablets, co
 class Choices {
  public:
   Choices(PanelContext& context, const DeskTablet& tablet)
-      : context_(context), tablet_(tablet), control_(context.app.panels().pad_control) {}
+      : context_(context), tablet_(tablet), control_(context.app.dialogs().state<PadChoice>().control) {}
 
   void show();
 
@@ -98,12 +98,12 @@ void Choices::choice(const Binding& binding) {
 void Choices::show() {
   App& app = context_.app;
   ImGui::TextUnformatted(title_of(control_, tablet_.features).c_str());
-  bool once = app.panels().pad_once;
+  bool once = app.dialogs().state<PadChoice>().once;
   if (!is_dial(control_)) {
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-    if (wide_button(context_, "While held", half, !once)) app.panels().pad_once = once = false;
+    if (wide_button(context_, "While held", half, !once)) app.dialogs().state<PadChoice>().once = once = false;
     ImGui::SameLine();
-    if (wide_button(context_, "Once", -1, once)) app.panels().pad_once = once = true;
+    if (wide_button(context_, "Once", -1, once)) app.dialogs().state<PadChoice>().once = once = true;
   }
   ImGui::BeginChild("choices", {0, 0}, true);
   choice({});
@@ -123,13 +123,13 @@ void Choices::show() {
 
 /// Whoever goes to another key sees what it does now among what is offered.
 void follow_control(App& app, const DeskTablet& tablet) {
-  const PadControl& control = app.panels().pad_control;
+  const PadControl& control = app.dialogs().state<PadChoice>().control;
   const int now = 1 + static_cast<int>(control.kind) * 65536 + control.index * 256 + control.mode;
   ImGuiStorage& kept = *ImGui::GetStateStorage();
   const ImGuiID place = ImGui::GetID("control that was shown");
   if (kept.GetInt(place) == now) return;
   kept.SetInt(place, now);
-  app.panels().pad_once = app.bound(tablet, control).kind == Binding::Kind::action;
+  app.dialogs().state<PadChoice>().once = app.bound(tablet, control).kind == Binding::Kind::action;
 }
 
 }  // namespace
@@ -142,30 +142,31 @@ void show_pad_dialog(PanelContext& context) {
     if (tablet == nullptr) {
       ImGui::TextWrapped("No tablet is plugged in. When one is, its keys, rings, strips and its pen are shown here.");
     } else {
-      PadControl& control = app.panels().pad_control;
+      PadControl& control = app.dialogs().state<PadChoice>().control;
       const auto keys = keys_of(tablet->features);
       if (!has(*tablet, control)) control = keys.empty() ? pen_button_control(0) : key_control(keys.front());
       follow_control(app, *tablet);
       show_tablets(context, tablets, *tablet);
       // As high as it is, up to what the window has room for.
-      const float room = static_cast<float>(app.window().height) - 6 * context.unit;
+      const float room = static_cast<float>(app.canvas().window().height) - 6 * context.unit;
       const float least = 5 * context.unit;
-      const float height =
-          std::clamp(app.panels().pad_height, std::min(2 * least, std::max(room, least)), std::max(room, least));
+      const float height = std::clamp(app.dialogs().state<PadChoice>().height,
+                                      std::min(2 * least, std::max(room, least)), std::max(room, least));
       ImGui::BeginChild("pad", {10.6F * context.unit, height}, false);
       ImGui::BeginGroup();
       show_pad_picture(context, *tablet);
       ImGui::EndGroup();
-      app.panels().pad_height = ImGui::GetItemRectSize().y + context.gap;
+      app.dialogs().state<PadChoice>().height = ImGui::GetItemRectSize().y + context.gap;
       ImGui::EndChild();
       ImGui::SameLine();
       ImGui::BeginChild("chosen", {0, height}, false);
       Choices(context, *tablet).show();
       ImGui::EndChild();
-      if (wide_button(context, "As it was##pad") && app.settings().pads.erase(tablet->key) > 0) app.settings_changed();
+      if (wide_button(context, "As it was##pad") && app.preferences().settings().pads.erase(tablet->key) > 0)
+        app.preferences().changed();
       ImGui::SameLine();
     }
-    if (wide_button(context, "Done") || context.accepts) app.panels().dialog = Dialog::none;
+    if (wide_button(context, "Done") || context.accepts) app.dialogs().show(Dialog::none);
   }
   end_dialog();
 }

@@ -29,7 +29,7 @@ void show_pressure(PanelContext& context, const replay::TabletSetting& setting, 
     const double b = static_cast<double>(i + 1) / k_steps;
     list.AddLine(place(a, curve(a)), place(b, curve(b)), ImGui::GetColorU32(ImGuiCol_PlotLines), 2);
   }
-  const auto& pressure = context.app.panels().test_pressure;
+  const auto& pressure = context.app.dialogs().state<PenTrial>().pressure;
   if (pressure.empty()) return;
   const ImVec2 end = place(1, pressure.back());
   list.AddLine({from.x, end.y}, end, ImGui::GetColorU32(ImGuiCol_ButtonActive), 2);
@@ -43,16 +43,16 @@ void test_area(PanelContext& context, const replay::TabletSetting& setting) {
   const ImVec2 size{ImGui::GetContentRegionAvail().x - height - context.gap, height};
   ImGui::InvisibleButton("try", size);
   note(context, "try");
-  context.app.panels().test_area = {from.x, from.y, from.x + size.x, from.y + size.y};
+  context.app.dialogs().state<PenTrial>().area = {from.x, from.y, from.x + size.x, from.y + size.y};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 to{from.x + size.x, from.y + size.y};
   list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), 4);
   list.PushClipRect(from, to, true);
-  const auto& line = context.app.panels().test_line;
+  const auto& line = context.app.dialogs().state<PenTrial>().line;
   for (std::size_t i = 1; i < line.size(); ++i) {
     const auto place = [](PxPoint p) { return ImVec2{static_cast<float>(p.x), static_cast<float>(p.y)}; };
     list.AddLine(place(line[i - 1]), place(line[i]), ImGui::GetColorU32(ImGuiCol_PlotLines),
-                 1 + 8 * static_cast<float>(context.app.panels().test_pressure[i]));
+                 1 + 8 * static_cast<float>(context.app.dialogs().state<PenTrial>().pressure[i]));
   }
   list.PopClipRect();
   show_pressure(context, setting, {to.x + context.gap, from.y}, {height, height});
@@ -63,7 +63,7 @@ void test_area(PanelContext& context, const replay::TabletSetting& setting) {
 
 void show_tablet_dialog(PanelContext& context) {
   App& app = context.app;
-  replay::TabletSetting& setting = app.settings().tablet;
+  replay::TabletSetting& setting = app.preferences().settings().tablet;
   if (begin_dialog(context, "Tablet", 17)) {
     bool changed = false;
     const auto flag = [&](const char* label, bool& on, const char* tip) {
@@ -110,7 +110,7 @@ void show_tablet_dialog(PanelContext& context) {
       app.tablet_setting_changed();
     }
     ImGui::SameLine();
-    if (wide_button(context, "Done") || context.accepts) app.panels().dialog = Dialog::none;
+    if (wide_button(context, "Done") || context.accepts) app.dialogs().show(Dialog::none);
   }
   end_dialog();
 }

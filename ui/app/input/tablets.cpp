@@ -146,7 +146,7 @@ void Tablets::take(App& app) {
       if (one.lights) app.lights_seen(one.open.number, *one.lights);
     }
     state_->arrived.clear();
-    for (const std::string& text : state_->refused) app.tell(text, true);
+    for (const std::string& text : state_->refused) app.notices().tell(text, true);
     state_->refused.clear();
     device::Record record;
     for (auto& one : state_->open) {

@@ -21,7 +21,7 @@ void take_canvas(PanelContext& context, Backdrop& backdrop, const Area& free) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   if (begin_panel(context, "backdrop canvas", free)) {
     ImGui::InvisibleButton("backdrop drag", {static_cast<float>(free.width()), static_cast<float>(free.height())});
-    const document::View& view = app.view();
+    const document::View& view = app.canvas().view();
     const ImGuiIO& io = ImGui::GetIO();
     const PxPoint at{static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y)};
     if (ImGui::IsItemActivated()) backdrop.held = at;
@@ -42,11 +42,11 @@ void take_canvas(PanelContext& context, Backdrop& backdrop, const Area& free) {
 
 void show_backdrop(PanelContext& context, const Area& free) {
   App& app = context.app;
-  const auto backdrop = app.panels().backdrop;
+  const auto backdrop = app.canvas().look().backdrop;
   if (!backdrop) return;
-  if (const auto shown = backdrop->show(app.panels().time_s, app.panels().rate); !shown)
-    app.tell(shown.error().line(backdrop->path()), true);
-  if (!backdrop->adjusting || app.panels().dialog != Dialog::none) return;
+  if (const auto shown = backdrop->show(app.playback().time_s(), app.playback().rate()); !shown)
+    app.notices().tell(shown.error().line(backdrop->path()), true);
+  if (!backdrop->adjusting || app.dialogs().open() != Dialog::none) return;
   const double unit = static_cast<double>(context.unit);
   const double gap = static_cast<double>(context.gap);
   const double wide = std::min(free.width(), k_bar_units * unit);
@@ -58,16 +58,16 @@ void show_backdrop(PanelContext& context, const Area& free) {
     if (tall_slider(context, "##behind", opacity, 0, 1, 0.34F * each, "Shows", released)) backdrop->opacity = opacity;
     ImGui::SameLine();
     if (wide_button(context, "-##behind", context.unit, false, "Smaller; so does the wheel"))
-      backdrop->enlarge(app.view(), 1 / k_step, free.middle());
+      backdrop->enlarge(app.canvas().view(), 1 / k_step, free.middle());
     ImGui::SameLine();
     if (wide_button(context, "+##behind", context.unit, false, "Larger; so does the wheel"))
-      backdrop->enlarge(app.view(), k_step, free.middle());
+      backdrop->enlarge(app.canvas().view(), k_step, free.middle());
     ImGui::SameLine();
     if (wide_button(context, "Other##behind", 0, false, "Choose another picture")) {
-      app.panels().dialog = Dialog::backdrop;
+      app.dialogs().show(Dialog::backdrop);
     }
     ImGui::SameLine();
-    if (wide_button(context, "Remove##behind", 0, false, "Take the picture away")) app.panels().backdrop.reset();
+    if (wide_button(context, "Remove##behind", 0, false, "Take the picture away")) app.canvas().look().backdrop.reset();
     ImGui::SameLine();
     if (wide_button(context, "Done##behind", -1, true, "Leave it there and draw")) backdrop->adjusting = false;
   }

@@ -37,15 +37,15 @@ void slider_of(PanelContext& context, std::size_t index, const std::string& show
   bool released = false;
   ImGui::PushID(static_cast<int>(index));
   if (control_slider(context, "##value", value, parameter.minimum, parameter.maximum, look, released)) {
-    app.preview_parameter(index, value);
+    app.controls().preview_parameter(index, value);
   }
-  if (released) app.set_parameter(index, value);
+  if (released) app.controls().set_parameter(index, value);
   ImGui::PopID();
 }
 
 void type_value(App& app, const std::string& name) {
-  app.panels().number = {name, {}, NumberEntry::Field::value};
-  app.panels().dialog = Dialog::number;
+  app.dialogs().state<NumberEntry>() = {name, {}, NumberEntry::Field::value};
+  app.dialogs().show(Dialog::number);
 }
 
 void show_one(PanelContext& context, std::size_t index) {
@@ -84,7 +84,7 @@ void pair_menu(PanelContext& context, const std::string& left, const std::string
   const auto copy = [&](const std::string& from, const std::string& to) {
     const auto a = rig::find_parameter(parameters, from);
     const auto b = rig::find_parameter(parameters, to);
-    if (a && b) app.set_parameter(*b, pose[*a]);
+    if (a && b) app.controls().set_parameter(*b, pose[*a]);
   };
   for (const std::string& name : {left, right}) {
     if (entry("Type " + name + "##type " + name, icon::k_pencil)) type_value(app, name);

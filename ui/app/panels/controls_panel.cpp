@@ -113,7 +113,7 @@ std::optional<Surface> surface_button(PanelContext& context, const Surface& now,
     if (fitted) {
       chosen = *fitted;
     } else {
-      context.app.tell("a ball is fitted to the region: draw the region first, then choose the ball");
+      context.app.notices().tell("a ball is fitted to the region: draw the region first, then choose the ball");
       ImGui::CloseCurrentPopup();
     }
   }
@@ -129,8 +129,9 @@ std::optional<Surface> surface_button(PanelContext& context, const Surface& now,
 
 void swing_button(PanelContext& context, float width) {
   App& app = context.app;
-  if (wide_button(context, "Swing", width, app.panels().swing, "Plays the control to and fro, also while drawing")) {
-    app.set_swing(!app.panels().swing);
+  if (wide_button(context, "Swing", width, app.controls().swings(),
+                  "Plays the control to and fro, also while drawing")) {
+    app.controls().set_swing(!app.controls().swings());
   }
 }
 
@@ -143,7 +144,7 @@ void show_correct_button(PanelContext& context) {
   ImGui::BeginDisabled(posed < articulation::k_fewest_drivers);
   if (wide_button(context, "Correct this pose", -1, false,
                   "Sketch what the controls that are away from rest should do where they come together")) {
-    context.app.correct_pose();
+    context.app.controls().correct_pose();
   }
   ImGui::EndDisabled();
 }
@@ -153,11 +154,11 @@ void show_new(PanelContext& context) {
   Workspace& workspace = app.workspace();
   const auto pending = workspace.document().pending;
   if (!pending && wide_button(context, "New control", -1, false, "Sketch a control in three or four strokes")) {
-    app.panels().deformer.clear();
+    app.controls().select({});
     app.do_action(Action::tool_articulate);
     return;
   }
-  const bool none_chosen = app.panels().deformer.empty();
+  const bool none_chosen = app.controls().selected().empty();
   if (!pending) show_correct_button(context);
   if (!pending && (workspace.editor().tool().kind != drawing::ToolKind::articulate || !none_chosen)) return;
   if (pending) {
@@ -167,11 +168,11 @@ void show_new(PanelContext& context) {
     }
     show_step_list(context, *pending, workspace.editor().tool());
   }
-  const articulation::Mode mode = pending ? pending->sketch.mode : app.panels().new_mode;
-  const Surface surface = pending ? pending->sketch.surface : app.panels().new_surface;
-  if (const auto pressed = mode_buttons(context, mode)) app.choose_for_new_control(*pressed, surface);
+  const articulation::Mode mode = pending ? pending->sketch.mode : app.controls().new_mode();
+  const Surface surface = pending ? pending->sketch.surface : app.controls().new_surface();
+  if (const auto pressed = mode_buttons(context, mode)) app.controls().choose_for_new(*pressed, surface);
   const auto ball = [&] { return workspace.sketch().ball(); };
-  if (const auto chosen = surface_button(context, surface, ball)) app.choose_for_new_control(mode, *chosen);
+  if (const auto chosen = surface_button(context, surface, ball)) app.controls().choose_for_new(mode, *chosen);
   if (pending) {
     const auto take = take_buttons(context, pending->sketch.reach, pending->sketch.piece, workspace.sketch().pieces());
     if (take.reach || take.piece) workspace.perform(take);
@@ -184,7 +185,7 @@ void show_new(PanelContext& context) {
     workspace.set_tool(tool);
     // What was drawn before gives way to what is found, or to what will be drawn.
     if (pending && !pending->sketch.reference.empty()) {
-      workspace.perform(document::SketchCurve{CurveRole::reference, app.view(), {}});
+      workspace.perform(document::SketchCurve{CurveRole::reference, app.canvas().view(), {}});
     }
   }
   if (!pending) return;
@@ -192,7 +193,7 @@ void show_new(PanelContext& context) {
   bool released = false;
   const float width = ImGui::GetContentRegionAvail().x - 2.4F * context.unit - ImGui::GetStyle().ItemSpacing.x;
   if (tall_slider(context, "##amount", amount, 0, 1, width, "how far", released)) {
-    app.set_swing(false);
+    app.controls().set_swing(false);
     workspace.sketch().set_amount(amount);
   }
   ImGui::SameLine();
@@ -206,12 +207,12 @@ void show_place(PanelContext& context, const std::string& name, std::size_t numb
   Workspace& workspace = context.app.workspace();
   const float quarter = share(4);
   if (wide_button(context, "Mirror", quarter, false, "Make the same control on the other side of the face")) {
-    context.app.mirror_control(name);
+    context.app.controls().mirror(name);
   }
   ImGui::SameLine();
   if (wide_button(context, "Remove", quarter, false, "Delete this control")) {
     workspace.perform(document::DeleteDeformer{name});
-    context.app.panels().deformer.clear();
+    context.app.controls().select({});
   }
   ImGui::SameLine();
   ImGui::BeginDisabled(number == 0);
@@ -246,11 +247,11 @@ void show_redraws(PanelContext& context, const articulation::Deformer& deformer)
     const drawing::Tool& tool = app.workspace().editor().tool();
     const bool chosen = tool.kind == drawing::ToolKind::redraw && tool.deformer == name && tool.role == one.role;
     if (one.role != CurveRole::general) ImGui::SameLine();
-    if (wide_button(context, one.label, quarter, chosen, one.tip)) app.redraw_control(name, one.role);
+    if (wide_button(context, one.label, quarter, chosen, one.tip)) app.controls().redraw(name, one.role);
   }
   if (!deformer.inferred() &&
       wide_button(context, "Find the feature by itself", -1, false, "Forget the feature's line that was drawn")) {
-    app.workspace().perform(document::RedrawCurve{name, CurveRole::reference, app.view(), {}});
+    app.workspace().perform(document::RedrawCurve{name, CurveRole::reference, app.canvas().view(), {}});
   }
 }
 
@@ -264,14 +265,14 @@ void show_betweens(PanelContext& context, const articulation::Deformer& deformer
   ImGui::BeginDisabled(rests);
   if (wide_button(context, ("Another goal at " + at + "##between").c_str(), -1, false,
                   "The next stroke goes where the feature is at this value: set the slider between rest and goal")) {
-    app.draw_between(name, value);
+    app.controls().draw_between(name, value);
   }
   ImGui::EndDisabled();
   for (const articulation::InBetween& one : deformer.sketch().betweens) {
     const std::string shown = base::format_fixed(one.value, 2);
     const float half = share(2);
     if (wide_button(context, ("Goal at " + shown + "##again" + shown).c_str(), half, false, "Draw this goal again")) {
-      app.draw_between(name, one.value);
+      app.controls().draw_between(name, one.value);
     }
     ImGui::SameLine();
     if (wide_button(context, ("Remove##between" + shown).c_str(), half, false, "Forget this goal")) {
@@ -295,25 +296,25 @@ void show_chosen(PanelContext& context, const articulation::SketchedDeformers& s
     double value = *index < shown.size() ? shown[*index] : 0;
     const float width = ImGui::GetContentRegionAvail().x - 3.4F * context.unit - 2 * spacing;
     if (tall_slider(context, "##play", value, parameter.minimum, parameter.maximum, width, name, released)) {
-      app.set_swing(false);
-      app.preview_parameter(*index, value);
+      app.controls().set_swing(false);
+      app.controls().preview_parameter(*index, value);
     }
-    if (released) app.set_parameter(*index, value);
+    if (released) app.controls().set_parameter(*index, value);
     ImGui::SameLine();
     if (wide_button(context, "\u270e##range", context.unit, false, "Type its value, or change its range")) {
-      app.panels().number = {name, {}, NumberEntry::Field::value};
-      app.panels().dialog = Dialog::number;
+      app.dialogs().state<NumberEntry>() = {name, {}, NumberEntry::Field::value};
+      app.dialogs().show(Dialog::number);
     }
     ImGui::SameLine();
     swing_button(context, -1);
   }
   bool accepted = false;
-  text_field(context, "##rename", app.panels().rename, ImGui::GetContentRegionAvail().x - 3 * context.unit - spacing,
-             "another name", &accepted);
+  text_field(context, "##rename", app.panels().own.of<ControlList>().rename,
+             ImGui::GetContentRegionAvail().x - 3 * context.unit - spacing, "another name", &accepted);
   ImGui::SameLine();
-  if ((wide_button(context, "Rename", -1) || accepted) && !app.panels().rename.empty()) {
-    const std::string to = std::exchange(app.panels().rename, {});
-    app.rename_control(name, to);
+  if ((wide_button(context, "Rename", -1) || accepted) && !app.panels().own.of<ControlList>().rename.empty()) {
+    const std::string to = std::exchange(app.panels().own.of<ControlList>().rename, {});
+    app.controls().rename(name, to);
     return;
   }
   document::ChangeDeformer change;
@@ -355,20 +356,21 @@ void show_deformers(PanelContext& context) {
   if (!deformers) return;
   const auto chosen = app.workspace().document().pending
                           ? std::nullopt
-                          : articulation::find_deformer(*deformers, app.panels().deformer);
+                          : articulation::find_deformer(*deformers, app.controls().selected());
   const float below = chosen ? 12.0F * context.unit : 0;
   const float list_height = std::max(2.5F * context.unit, ImGui::GetContentRegionAvail().y - below);
   ImGui::BeginChild("controls", {0, list_height});
   for (const auto& deformer : deformers->deformers()) {
     const std::string& name = deformer->sketch().name;
-    if (wide_button(context, name.c_str(), -1, name == app.panels().deformer)) {
-      app.set_swing(false);
-      app.panels().deformer = name == app.panels().deformer ? std::string() : name;
+    if (wide_button(context, name.c_str(), -1, name == app.controls().selected())) {
+      app.controls().set_swing(false);
+      app.controls().select(name == app.controls().selected() ? std::string() : name);
     }
-    if (name == app.panels().deformer && name != app.panels().scrolled_to) ImGui::SetScrollHereY();
+    if (name == app.controls().selected() && name != app.panels().own.of<ControlList>().scrolled_to)
+      ImGui::SetScrollHereY();
   }
   ImGui::EndChild();
-  app.panels().scrolled_to = app.panels().deformer;
+  app.panels().own.of<ControlList>().scrolled_to = app.controls().selected();
   if (chosen) show_chosen(context, *deformers, *chosen);
 }
 

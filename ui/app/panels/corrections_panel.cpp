@@ -23,7 +23,7 @@ void redraw_correction(App& app, const std::string& correction) {
   if (!corrections) return;
   for (const auto& one : corrections->all()) {
     if (one->drawn.sketch.name != correction) continue;
-    app.set_swing(false);
+    app.controls().set_swing(false);
     app.workspace().preview(std::nullopt);
     // It is drawn on the pose that it corrects: that of its controls alone.
     document::SetParameters values;
@@ -75,12 +75,15 @@ void show_corrections(PanelContext& context) {
       done = app.workspace().perform(document::MirrorDeformer{name, {}});
     }
     // A text field holds one name, and that of a control goes before.
-    if (app.panels().deformer.empty()) {
+    if (app.controls().selected().empty()) {
       bool accepted = false;
-      text_field(context, "##correction_name", app.panels().rename, half, "another name", &accepted);
+      text_field(context, "##correction_name", app.panels().own.of<ControlList>().rename, half, "another name",
+                 &accepted);
       ImGui::SameLine();
-      if ((wide_button(context, "Rename##correction", half) || accepted) && !app.panels().rename.empty() && !done) {
-        done = app.workspace().perform(document::RenameDeformer{name, std::exchange(app.panels().rename, {})});
+      if ((wide_button(context, "Rename##correction", half) || accepted) &&
+          !app.panels().own.of<ControlList>().rename.empty() && !done) {
+        done = app.workspace().perform(
+            document::RenameDeformer{name, std::exchange(app.panels().own.of<ControlList>().rename, {})});
       }
     }
     if (wide_button(context, "Remove##correction", -1, false, tip.c_str()) && !done) {

@@ -63,7 +63,7 @@ void Interface::text(const char* utf8) {
     typed_.back().waits = true;
     return;
   }
-  if (wants_keys() || app_.panels().dialog != Dialog::none) typed_.push_back({utf8});
+  if (wants_keys() || app_.dialogs().open() != Dialog::none) typed_.push_back({utf8});
 }
 
 void Interface::key(int scancode, const KeyStroke& stroke, bool down) {
@@ -71,14 +71,14 @@ void Interface::key(int scancode, const KeyStroke& stroke, bool down) {
   app_.panels().has_keyboard = true;
   Typed typed{{}, scancode, down, stroke.ctrl, stroke.shift};
   // Behind a dialog or a menu nothing is to happen.
-  const bool owned = app_.panels().dialog != Dialog::none || menu_open_ || wants_keys();
+  const bool owned = app_.dialogs().open() != Dialog::none || menu_open_ || wants_keys();
   if (!owned && field_pressed()) {
     typed.waits = true;
     typed.stroke = stroke;
     typed_.push_back(typed);
   } else if (!down || owned) {
     typed_.push_back(typed);
-  } else if (!app_.hits().all || stroke.key == k_key_escape) {
+  } else if (!app_.canvas().hits().all || stroke.key == k_key_escape) {
     app_.key(stroke);
   }
 }
@@ -92,7 +92,7 @@ void Interface::take_typed() {
       if (!wants_keys()) {
         // The press was of something else: what was typed is the app's, as ever.
         typed_.pop_front();
-        if (next.down && !app_.hits().all) app_.key(next.stroke);
+        if (next.down && !app_.canvas().hits().all) app_.key(next.stroke);
         continue;
       }
     }

@@ -78,7 +78,7 @@ void rule(const PanelContext& context) {
 /// All that is neither a tool nor of the timeline, in groups.
 void show_menu(PanelContext& context, const Area& bar) {
   App& app = context.app;
-  const float below = static_cast<float>(app.window().height - bar.bottom);
+  const float below = static_cast<float>(app.canvas().window().height - bar.bottom);
   ImGui::SetNextWindowPos({context.gap, static_cast<float>(bar.bottom)});
   ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, std::max(below, 3 * context.unit)});
   // A menu may reach over the canvas: while it is open nothing else is hit.
@@ -90,8 +90,9 @@ void show_menu(PanelContext& context, const Area& bar) {
   };
   const auto actions = [&](std::initializer_list<Action> group) {
     for (const Action action : group) {
-      const std::string label = action == Action::theme ? app.settings().light ? "Dark colours" : "Light colours"
-                                                        : std::string(info(action).label);
+      const std::string label = action == Action::theme
+                                    ? app.preferences().settings().light ? "Dark colours" : "Light colours"
+                                    : std::string(info(action).label);
       const std::string key = shortcut_text(info(action).key);
       if (!menu_entry(context, label.c_str(), icon_of(action), key, std::string(info(action).tip).c_str())) continue;
       ImGui::CloseCurrentPopup();
@@ -103,7 +104,7 @@ void show_menu(PanelContext& context, const Area& bar) {
   actions(
       {Action::open, Action::recent, Action::save, Action::save_as, Action::export_as, Action::film, Action::backdrop});
   if (entry("Sessions", icon::k_session, "What was drawn before, to play or to go on with")) {
-    app.panels().dialog = Dialog::sessions;
+    app.dialogs().show(Dialog::sessions);
   }
   rule(context);
   actions({Action::set_front, Action::history, Action::library, Action::flip_pose, Action::copy_to_right,
@@ -113,10 +114,10 @@ void show_menu(PanelContext& context, const Area& bar) {
   ImGui::BeginGroup();
   actions({Action::stabiliser, Action::density, Action::theme, Action::larger, Action::smaller, Action::fullscreen});
   rule(context);
-  if (entry("Tablet", icon::k_tablet, "The area and the pressure of the tablet")) app.panels().dialog = Dialog::tablet;
+  if (entry("Tablet", icon::k_tablet, "The area and the pressure of the tablet")) app.dialogs().show(Dialog::tablet);
   if (entry("Tablet keys", icon::k_keys, "What the keys and rings of the tablet and the pen's buttons do"))
-    app.panels().dialog = Dialog::pad;
-  if (entry("Pen menu", icon::k_radial, "What the menu around the pen offers")) app.panels().dialog = Dialog::radial;
+    app.dialogs().show(Dialog::pad);
+  if (entry("Pen menu", icon::k_radial, "What the menu around the pen offers")) app.dialogs().show(Dialog::radial);
   if (app.panels().has_keyboard &&
       entry("Screen keyboard", icon_of(Action::shortcuts), "Show keys on the screen while a name is typed")) {
     app.panels().has_keyboard = false;
@@ -146,10 +147,10 @@ void show_top_bar(PanelContext& context, const Area& area) {
     row.add(Action::history, false, true, false);
     for (const Action action : {Action::view_front, Action::view_three_quarter, Action::view_side}) row.add(action);
     row.add(Action::frame_all, false, true, false);
-    row.add(Action::flat_view, app.flat(), true, false);
-    row.add(Action::mirror_strokes, app.panels().mirrors);
+    row.add(Action::flat_view, app.canvas().flat(), true, false);
+    row.add(Action::mirror_strokes, app.playback().while_drawing().mirrors);
     row.add(Action::search, false, true, false);
-    row.add(Action::wireframe, app.panels().wireframe, true, false);
+    row.add(Action::wireframe, app.canvas().look().wireframe, true, false);
     row.add(Action::panels);
     // What to do next is worth a third of the bar.
     const float room = ImGui::GetContentRegionAvail().x - 1.2F * context.unit;
@@ -172,8 +173,8 @@ void show_top_bar(PanelContext& context, const Area& area) {
 void show_radial_menu(PanelContext& context) {
   auto& middle = context.app.panels().radial;
   if (!middle) return;
-  const auto window = context.app.window();
-  context.app.hits().all = true;
+  const auto window = context.app.canvas().window();
+  context.app.canvas().hits().all = true;
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize({static_cast<float>(window.width), static_cast<float>(window.height)});
   ImGui::SetNextWindowBgAlpha(0.25F);
@@ -186,7 +187,7 @@ void show_radial_menu(PanelContext& context) {
     const double from = (fits ? least : 0) + margin;
     return static_cast<float>(std::clamp(at, from, std::max(from, (fits ? most : all) - margin)));
   };
-  const Area free = context.app.free_area();
+  const Area free = context.app.canvas().free_area();
   const double margin_x = static_cast<double>(reach + 0.5F * width + context.gap);
   const double margin_y = static_cast<double>(reach + 0.5F * context.unit + context.gap);
   const float x = within(middle->x, margin_x, free.left, free.right, window.width);
@@ -200,7 +201,7 @@ void show_radial_menu(PanelContext& context) {
       ImGui::SetCursorPos(
           {x + reach * k_places[i][0] - 0.5F * width, y + reach * k_places[i][1] - 0.5F * context.unit});
       ImGui::PushID(i);
-      const Action action = context.app.settings().radial[static_cast<std::size_t>(i)];
+      const Action action = context.app.preferences().settings().radial[static_cast<std::size_t>(i)];
       const std::string label = std::string(info(action).label) + "##radial";
       if (wide_button(context, label.c_str(), width)) {
         context.app.do_action(action);
@@ -227,7 +228,7 @@ void show_curve_menu(PanelContext& context) {
   const double rows = 1 + (reference ? 1 : 0) + (curve->target ? 1 : 0);
   const double height = rows * (context.unit + static_cast<double>(ImGui::GetStyle().ItemSpacing.y)) + context.gap;
   const double wide = static_cast<double>(width) + 2 * context.gap;
-  const Area free = app.free_area();
+  const Area free = app.canvas().free_area();
   const double left = std::clamp(chosen->second.x + context.unit, free.left, std::max(free.left, free.right - wide));
   const double top = std::clamp(chosen->second.y, free.top, std::max(free.top, free.bottom - height));
   const document::CurveId id = curve->id;

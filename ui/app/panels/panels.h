@@ -48,7 +48,6 @@ void show_poses(PanelContext& context);
 void show_axes(PanelContext& context, const Area& free);
 /// The picture behind the model, and its handling.
 void show_backdrop(PanelContext& context, const Area& free);
-void show_backdrop_dialog(PanelContext& context);
 void show_player(PanelContext& context, const Area& area);
 void show_radial_menu(PanelContext& context);
 void show_notices(PanelContext& context);
@@ -58,19 +57,7 @@ void show_suggest_button(PanelContext& context);
 void show_suggestion(PanelContext& context);
 /// What can be done with a curve that was touched, beside it.
 void show_curve_menu(PanelContext& context);
-void show_open_dialog(PanelContext& context);
-void show_recent_dialog(PanelContext& context);
-void show_save_dialog(PanelContext& context);
-void show_export_dialog(PanelContext& context);
-void show_number_dialog(PanelContext& context);
-void show_key_dialog(PanelContext& context);
-void show_radial_dialog(PanelContext& context);
-void show_tablet_dialog(PanelContext& context);
-void show_pad_dialog(PanelContext& context);
+/// The dialog that is open (dialog_list.cpp).
 void show_dialog(PanelContext& context);
-void show_shortcuts_dialog(PanelContext& context);
-void show_search_dialog(PanelContext& context);
-void show_history_dialog(PanelContext& context);
-void show_film_dialog(PanelContext& context);
 
 }  // namespace penpose::app

@@ -5,6 +5,7 @@
 #include "ui/app/input/side_pairs.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/session/frames.h"
+#include "ui/app/session/pose_library.h"
 #include "ui/app/widgets/internal/icon.h"
 #include "ui/app/widgets/internal/pose_picture.h"
 #include "ui/app/widgets/internal/theme.h"
@@ -14,6 +15,12 @@
 
 namespace penpose::app {
 namespace {
+
+/// What is being taken of a pose.
+struct PosesShown {
+  PoseChoice choice;
+  bool blending = false;  ///< it is being blended in
+};
 
 /// The pose that taking the choice would give.
 rig::Pose posed(const document::Document& document, const document::SetParameters& values) {
@@ -28,9 +35,9 @@ rig::Pose posed(const document::Document& document, const document::SetParameter
 /// A picture of a key, which chooses it.
 void show_picture(PanelContext& context, const document::PoseKey& key, float width) {
   App& app = context.app;
-  PoseChoice& choice = app.panels().chosen_pose;
+  PoseChoice& choice = app.panels().own.of<PosesShown>().choice;
   const bool chosen = std::abs(choice.time_s - key.time_s) < 1e-6;
-  const std::string frame = "frame " + frame_text(key.time_s, app.panels().rate);
+  const std::string frame = "frame " + frame_text(key.time_s, app.playback().rate());
   const std::string label = (key.name.empty() ? frame : key.name) + "##pose " + frame;
   const float line = ImGui::GetFontSize() + context.gap;
   const ImVec2 size{width, width + line};
@@ -81,7 +88,7 @@ void show_pictures(PanelContext& context, float height) {
 /// What of the chosen pose is taken, and how much of it.
 void show_choice(PanelContext& context) {
   App& app = context.app;
-  PoseChoice& choice = app.panels().chosen_pose;
+  PoseChoice& choice = app.panels().own.of<PosesShown>().choice;
   constexpr std::array<std::pair<FacePart, const char*>, 4> k_parts{{{FacePart::all, "All##part"},
                                                                      {FacePart::brows, "Brows##part"},
                                                                      {FacePart::eyes, "Eyes##part"},
@@ -107,14 +114,14 @@ void show_choice(PanelContext& context) {
   };
   if (wide_button(context, "Take##pose", half, false, "The pose as it is keyed")) take(1);
   bool released = false;
-  double amount = app.panels().blending ? choice.amount : 0;
+  double amount = app.panels().own.of<PosesShown>().blending ? choice.amount : 0;
   if (tall_slider(context, "##blend", amount, 0, 1, -1, "blend", released)) {
-    app.panels().blending = true;
+    app.panels().own.of<PosesShown>().blending = true;
     choice.amount = amount;
     const auto& document = app.workspace().document();
     app.workspace().preview(posed(document, values_of_choice(document, choice, pairs)));
   }
-  if (released && std::exchange(app.panels().blending, false)) take(choice.amount);
+  if (released && std::exchange(app.panels().own.of<PosesShown>().blending, false)) take(choice.amount);
   ImGui::EndDisabled();
 }
 

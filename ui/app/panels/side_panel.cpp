@@ -59,7 +59,7 @@ void solo_button(PanelContext& context, const std::string& group, const std::vec
 /// A group's name, which folds it, and what is done to all of it. True while it is unfolded.
 bool group_row(PanelContext& context, const std::string& group, const std::vector<std::string>& members) {
   App& app = context.app;
-  auto& folded = app.panels().folded_groups;
+  auto& folded = app.panels().own.of<ParameterList>().folded;
   const auto& locked = app.workspace().document().locked;
   const bool open = !folded.contains(group);
   const bool all_locked = std::all_of(members.begin(), members.end(), [&](const std::string& name) {
@@ -103,7 +103,8 @@ std::vector<bool> wanted_parameters(App& app) {
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const double by = i < shown.size() ? std::abs(shown[i] - parameters[i].rest) : 0;
     const bool moved = by >= k_moved * (parameters[i].maximum - parameters[i].minimum);
-    wanted[i] = contains(parameters[i].name, app.panels().filter) && (moved || !app.panels().moved_only);
+    wanted[i] = contains(parameters[i].name, app.panels().own.of<ParameterList>().filter) &&
+                (moved || !app.panels().own.of<ParameterList>().moved_only);
   }
   return wanted;
 }
@@ -114,7 +115,8 @@ void show_list(PanelContext& context) {
   const auto rig = app.workspace().document().model->rig;
   const auto parameters = rig->parameters();
   const auto rows = control_rows(parameters, wanted_parameters(app));
-  const bool grouped = app.panels().filter.empty() && !app.panels().moved_only && parameters.size() > k_many;
+  const bool grouped = app.panels().own.of<ParameterList>().filter.empty() &&
+                       !app.panels().own.of<ParameterList>().moved_only && parameters.size() > k_many;
   std::string group;
   bool open = true;
   for (std::size_t i = 0; i < rows.size() && app.workspace().document().model->rig == rig; ++i) {
@@ -135,7 +137,8 @@ void show_list(PanelContext& context) {
   if (parameters.empty()) {
     ImGui::TextWrapped("This model has nothing to pose yet. Take the tool Rig and sketch a control.");
   } else {
-    ImGui::TextWrapped(app.panels().filter.empty() ? "Everything is at rest." : "Nothing has this in its name.");
+    ImGui::TextWrapped(app.panels().own.of<ParameterList>().filter.empty() ? "Everything is at rest."
+                                                                           : "Nothing has this in its name.");
   }
 }
 
@@ -145,15 +148,15 @@ void show_parameters(PanelContext& context) {
   App& app = context.app;
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float moved = button_width(context, "Moved", {}, true);
-  text_field(context, "##search", app.panels().filter,
+  text_field(context, "##search", app.panels().own.of<ParameterList>().filter,
              ImGui::GetContentRegionAvail().x - context.unit - moved - 2 * spacing, "search");
   ImGui::SameLine();
   if (icon_button(context, "x##clear", {context.unit, false, "Show all", icon::k_cross, false})) {
-    app.panels().filter.clear();
-    app.panels().moved_only = false;
+    app.panels().own.of<ParameterList>().filter.clear();
+    app.panels().own.of<ParameterList>().moved_only = false;
   }
   ImGui::SameLine();
-  action_button(context, Action::moved_only, moved, app.panels().moved_only, "Moved");
+  action_button(context, Action::moved_only, moved, app.panels().own.of<ParameterList>().moved_only, "Moved");
   ImGui::BeginChild("list");
   show_list(context);
   ImGui::EndChild();
@@ -162,21 +165,20 @@ void show_parameters(PanelContext& context) {
 void show_side_panel(PanelContext& context, const Area& area) {
   App& app = context.app;
   if (begin_panel(context, "side", area)) {
-    PanelState& panels = app.panels();
-    if (panels.controls_tab) panels.poses_tab = false;
+    if (app.panels().controls_tab) app.panels().poses_tab = false;
     const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
     const auto tab = [&](const char* label, bool controls, bool poses, const char* tip) {
-      const bool chosen = panels.controls_tab == controls && panels.poses_tab == poses;
+      const bool chosen = app.panels().controls_tab == controls && app.panels().poses_tab == poses;
       if (!wide_button(context, label, third, chosen, tip)) return;
-      panels.controls_tab = controls;
-      panels.poses_tab = poses;
+      app.panels().controls_tab = controls;
+      app.panels().poses_tab = poses;
     };
     tab("Parameters", false, false, "Everything that moves the model, as sliders");
     ImGui::SameLine();
     tab("Controls", true, false, "Controls that were sketched, and new ones");
     ImGui::SameLine();
     tab("Poses", false, true, "Poses that are keyed, to be taken again");
-    if (panels.poses_tab) {
+    if (app.panels().poses_tab) {
       show_poses(context);
     } else if (app.panels().controls_tab) {
       show_deformers(context);

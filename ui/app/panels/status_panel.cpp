@@ -34,7 +34,7 @@ std::vector<std::pair<ImU32, const char*>> legend(App& app) {
   if (wanted) out.emplace_back(display(render::curve_color(CurveKind::target)), "should be");
   if (wanted) out.emplace_back(display(distance_color(1, 1)), "missed");
   if (held) out.emplace_back(display(render::curve_color(CurveKind::constraint)), "stays");
-  if (app.panels().onion_skin && !document.timeline->keys.empty()) {
+  if (app.canvas().look().onion_skin && !document.timeline->keys.empty()) {
     out.emplace_back(display(render::from_srgb(k_before_color)), "key before");
     out.emplace_back(display(render::from_srgb(k_after_color)), "after");
   }
@@ -83,13 +83,13 @@ void show_status(PanelContext& context, const Area& area) {
 }
 
 void show_notices(PanelContext& context) {
-  const auto& notices = context.app.notices();
+  const auto& notices = context.app.notices().all();
   if (notices.empty()) return;
-  const Area free = context.app.free_area();
+  const Area free = context.app.canvas().free_area();
   // What a dialog has to tell is not to lie in its shade.
-  const bool dialog = context.app.panels().dialog != Dialog::none;
+  const bool dialog = context.app.dialogs().open() != Dialog::none;
   ImDrawList& list = dialog ? *ImGui::GetForegroundDrawList() : *ImGui::GetBackgroundDrawList();
-  const bool light = context.app.settings().light;
+  const bool light = context.app.preferences().settings().light;
   const float pad = context.gap;
   const float width = std::min(static_cast<float>(free.width()) - 2 * context.gap, 20 * context.unit);
   float wide = 0;

@@ -56,7 +56,7 @@ void show_suggestion(PanelContext& context) {
   App& app = context.app;
   SuggestionOffer& offer = app.offer();
   if (!offer.open()) return;
-  const Area free = app.free_area();
+  const Area free = app.canvas().free_area();
   const double width =
       std::min(7.5 * static_cast<double>(context.unit), free.width() - 2 * static_cast<double>(context.gap));
   const std::string text = moved_text(offer);

@@ -23,37 +23,41 @@ struct Shown {
 };
 
 Shown shown_moments(App& app) {
-  PanelState& panels = app.panels();
   const document::Timeline& timeline = *app.workspace().document().timeline;
   const double last = timeline.keys.empty() ? 0 : timeline.keys.back().time_s;
-  const double all = std::max({k_least_range_s, std::ceil(last + 1), std::ceil(panels.time_s)});
-  if (panels.span_s <= 0 || panels.span_s >= all) {
-    panels.span_s = panels.from_s = 0;
+  const double all = std::max({k_least_range_s, std::ceil(last + 1), std::ceil(app.playback().time_s())});
+  if (app.panels().own.of<TimelineShown>().span_s <= 0 || app.panels().own.of<TimelineShown>().span_s >= all) {
+    app.panels().own.of<TimelineShown>().span_s = app.panels().own.of<TimelineShown>().from_s = 0;
     return {0, all};
   }
   // The cursor is in sight wherever it goes.
-  if (std::exchange(panels.seen_time_s, panels.time_s) != panels.time_s) {
-    if (panels.time_s < panels.from_s) panels.from_s = panels.time_s;
-    if (panels.time_s > panels.from_s + panels.span_s) panels.from_s = panels.time_s - panels.span_s;
+  if (std::exchange(app.panels().own.of<TimelineShown>().seen_time_s, app.playback().time_s()) !=
+      app.playback().time_s()) {
+    if (app.playback().time_s() < app.panels().own.of<TimelineShown>().from_s)
+      app.panels().own.of<TimelineShown>().from_s = app.playback().time_s();
+    if (app.playback().time_s() >
+        app.panels().own.of<TimelineShown>().from_s + app.panels().own.of<TimelineShown>().span_s)
+      app.panels().own.of<TimelineShown>().from_s =
+          app.playback().time_s() - app.panels().own.of<TimelineShown>().span_s;
   }
-  panels.from_s = std::clamp(panels.from_s, 0.0, all - panels.span_s);
-  return {panels.from_s, panels.span_s};
+  app.panels().own.of<TimelineShown>().from_s =
+      std::clamp(app.panels().own.of<TimelineShown>().from_s, 0.0, all - app.panels().own.of<TimelineShown>().span_s);
+  return {app.panels().own.of<TimelineShown>().from_s, app.panels().own.of<TimelineShown>().span_s};
 }
 
 /// Shows more or less of the timeline, about its cursor.
 void zoom_track(App& app, double factor) {
-  PanelState& panels = app.panels();
   const Shown now = shown_moments(app);
   const double span = std::max(k_least_span_s, now.span * factor);
-  const double share = std::clamp((panels.time_s - now.from) / now.span, 0.0, 1.0);
-  panels.span_s = span;
-  panels.from_s = std::max(0.0, panels.time_s - share * span);
+  const double share = std::clamp((app.playback().time_s() - now.from) / now.span, 0.0, 1.0);
+  app.panels().own.of<TimelineShown>().span_s = span;
+  app.panels().own.of<TimelineShown>().from_s = std::max(0.0, app.playback().time_s() - share * span);
 }
 
 /// Shows another part of the timeline, by a share of what is shown.
 void pan_track(App& app, double share) {
   const Shown now = shown_moments(app);
-  app.panels().from_s = std::max(0.0, now.from + share * now.span);
+  app.panels().own.of<TimelineShown>().from_s = std::max(0.0, now.from + share * now.span);
 }
 
 /// Where moments lie on a strip of the panel.
@@ -113,15 +117,15 @@ void show_loop(const Strip& strip, const LoopRange& loop, double last_s) {
 /// Frames by number. Dragged along it, the playhead goes along, and nothing else.
 void show_ruler(PanelContext& context) {
   App& app = context.app;
-  const int rate = app.panels().rate;
+  const int rate = app.playback().rate();
   const Strip strip = begin_strip(context, "ruler", "Drag to go through time");
-  if (ImGui::IsItemActive()) app.scrub(on_frame(strip.time_of(ImGui::GetIO().MousePos.x), rate));
-  if (ImGui::IsItemDeactivated()) app.end_scrub();
+  if (ImGui::IsItemActive()) app.playback().scrub(on_frame(strip.time_of(ImGui::GetIO().MousePos.x), rate));
+  if (ImGui::IsItemDeactivated()) app.playback().end_scrub();
   const auto held = app.workspace().document().timeline;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
   list.PushClipRect(strip.from, strip.to(), true);
-  show_loop(strip, app.panels().loop, held->keys.empty() ? 0 : held->keys.back().time_s);
+  show_loop(strip, app.playback().loop(), held->keys.empty() ? 0 : held->keys.back().time_s);
   const int apart = frames_apart(strip, rate, 1.3F * context.unit);
   const int marks = frames_apart(strip, rate, 0.2F * context.unit);
   const auto first = static_cast<int>(std::floor(strip.shown.from * rate / apart)) * apart;
@@ -142,9 +146,10 @@ void show_ruler(PanelContext& context) {
                                     static_cast<double>(strip.to().y)};
   }
   // The playhead, with a handle to see it by.
-  const float x = strip.x_of(app.panels().time_s);
+  const float x = strip.x_of(app.playback().time_s());
   const float half = 0.22F * context.unit;
-  const ImU32 accent = app.performing() ? IM_COL32(232, 64, 52, 255) : ImGui::GetColorU32(ImGuiCol_ButtonActive);
+  const ImU32 accent =
+      app.performer().performing() ? IM_COL32(232, 64, 52, 255) : ImGui::GetColorU32(ImGuiCol_ButtonActive);
   list.AddTriangleFilled({x - half, strip.from.y}, {x + half, strip.from.y}, {x, strip.from.y + 1.6F * half}, accent);
   list.AddLine({x, strip.from.y}, {x, strip.to().y}, accent, 2);
   list.PopClipRect();
@@ -153,35 +158,34 @@ void show_ruler(PanelContext& context) {
 /// What the pen does on the row of keys: a touch of a key goes to it, a pull takes it along.
 void use_keys(PanelContext& context, const Strip& strip) {
   App& app = context.app;
-  PanelState& panels = app.panels();
   const document::Timeline& timeline = *app.workspace().document().timeline;
   const float x = ImGui::GetIO().MousePos.x;
   if (ImGui::IsItemActivated()) {
-    panels.key_drag.reset();
+    app.panels().own.of<TimelineShown>().key_drag.reset();
     float nearest = 0.5F * context.unit;
     for (const auto& key : timeline.keys) {
       if (std::abs(strip.x_of(key.time_s) - x) >= nearest) continue;
       nearest = std::abs(strip.x_of(key.time_s) - x);
-      panels.key_drag = {key.time_s, key.time_s};
+      app.panels().own.of<TimelineShown>().key_drag = {key.time_s, key.time_s};
     }
   }
   if (ImGui::IsItemActive()) {
-    const double time = on_frame(strip.time_of(x), panels.rate);
-    if (panels.key_drag) {
-      auto& [from, to] = *panels.key_drag;
+    const double time = on_frame(strip.time_of(x), app.playback().rate());
+    if (app.panels().own.of<TimelineShown>().key_drag) {
+      auto& [from, to] = *app.panels().own.of<TimelineShown>().key_drag;
       const bool pulled = std::abs(ImGui::GetMouseDragDelta(0, 0).x) > 0.4F * context.unit;
       to = pulled || to != from ? time : from;
-      if (to == from) app.scrub(from);
+      if (to == from) app.playback().scrub(from);
     } else {
-      app.scrub(time);
+      app.playback().scrub(time);
     }
   }
   if (!ImGui::IsItemDeactivated()) return;
-  const auto drag = std::exchange(panels.key_drag, std::nullopt);
+  const auto drag = std::exchange(app.panels().own.of<TimelineShown>().key_drag, std::nullopt);
   if (drag && drag->first != drag->second) {
-    app.move_key(drag->first, drag->second);
+    app.keys().move(drag->first, drag->second);
   } else {
-    app.end_scrub();
+    app.playback().end_scrub();
   }
 }
 
@@ -194,14 +198,14 @@ void show_keys(PanelContext& context) {
   list.PushClipRect(strip.from, strip.to(), true);
   const float middle = strip.from.y + 0.5F * strip.size.y;
   const float half = 0.24F * context.unit;
-  const float cursor = strip.x_of(app.panels().time_s);
+  const float cursor = strip.x_of(app.playback().time_s());
   list.AddLine({cursor, strip.from.y}, {cursor, strip.to().y}, ImGui::GetColorU32(ImGuiCol_ButtonActive), 2);
   for (std::size_t i = 0; i < held->keys.size(); ++i) {
     const auto& key = held->keys[i];
-    const auto& drag = app.panels().key_drag;
+    const auto& drag = app.panels().own.of<TimelineShown>().key_drag;
     const bool dragged = drag && drag->first == key.time_s;
     const float x = strip.x_of(dragged ? drag->second : key.time_s);
-    const bool here = std::abs(key.time_s - app.panels().time_s) < 1e-9;
+    const bool here = std::abs(key.time_s - app.playback().time_s()) < 1e-9;
     list.AddQuadFilled({x - half, middle}, {x, middle - half}, {x + half, middle}, {x, middle + half},
                        dragged || here ? IM_COL32(255, 214, 92, 255) : IM_COL32(255, 168, 0, 255));
     list.AddQuad({x - half, middle}, {x, middle - half}, {x + half, middle}, {x, middle + half},
@@ -218,29 +222,31 @@ void show_keys(PanelContext& context) {
 /// The frame of the playhead, to be typed over.
 void show_frame_field(PanelContext& context, float width) {
   App& app = context.app;
-  PanelState& panels = app.panels();
   bool accepted = false;
-  text_field(context, "##frame", panels.frame_text, width, "frame", &accepted);
+  text_field(context, "##frame", app.panels().own.of<TimelineShown>().frame_text, width, "frame", &accepted);
   tooltip(context, "The frame; type one to go there, or seconds as in 1.5s");
   if (accepted) {
-    if (const auto moment = typed_moment(panels.frame_text, panels.rate)) {
-      app.go_to(*moment);
+    if (const auto moment = typed_moment(app.panels().own.of<TimelineShown>().frame_text, app.playback().rate())) {
+      app.playback().go_to(*moment);
     } else {
-      app.tell("\"" + panels.frame_text + "\" is no frame: type a number of one, or seconds as in 1.5s", true);
+      app.notices().tell("\"" + app.panels().own.of<TimelineShown>().frame_text +
+                             "\" is no frame: type a number of one, or seconds as in 1.5s",
+                         true);
     }
   }
-  if (!ImGui::IsItemActive()) panels.frame_text = frame_text(panels.time_s, panels.rate);
+  if (!ImGui::IsItemActive())
+    app.panels().own.of<TimelineShown>().frame_text = frame_text(app.playback().time_s(), app.playback().rate());
 }
 
 void show_rate(PanelContext& context, float width) {
   App& app = context.app;
-  const std::string label = std::to_string(app.panels().rate) + " fps##rate";
+  const std::string label = std::to_string(app.playback().rate()) + " fps##rate";
   if (wide_button(context, label.c_str(), width, false, "Frames a second")) ImGui::OpenPopup("rates");
   if (!begin_menu(context, "rates")) return;
   for (const int rate : k_frame_rates) {
     const std::string one = std::to_string(rate) + "##choose rate";
-    if (!wide_button(context, one.c_str(), 4 * context.unit, rate == app.panels().rate)) continue;
-    app.set_rate(rate);
+    if (!wide_button(context, one.c_str(), 4 * context.unit, rate == app.playback().rate())) continue;
+    app.playback().set_rate(rate);
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();
@@ -251,15 +257,16 @@ void show_buttons(PanelContext& context) {
   // A button may put another timeline in its place.
   const auto held = app.workspace().document().timeline;
   const document::Timeline& timeline = *held;
-  const auto here = std::find_if(timeline.keys.begin(), timeline.keys.end(),
-                                 [&](const auto& key) { return std::abs(key.time_s - app.panels().time_s) < 1e-9; });
+  const auto here = std::find_if(timeline.keys.begin(), timeline.keys.end(), [&](const auto& key) {
+    return std::abs(key.time_s - app.playback().time_s()) < 1e-9;
+  });
   const bool on_key = here != timeline.keys.end();
   ButtonRow row(context, "more of time");
   row.add(Action::previous_key, false, true, false);
   row.add(Action::previous_frame, false, true, false);
-  ButtonRow::Button play{app.playing() ? "Stop" : "Play", app.playing() ? icon::k_stop : icon_of(Action::play),
-                         tooltip_of(Action::play)};
-  play.chosen = app.playing();
+  ButtonRow::Button play{app.playback().playing() ? "Stop" : "Play",
+                         app.playback().playing() ? icon::k_stop : icon_of(Action::play), tooltip_of(Action::play)};
+  play.chosen = app.playback().playing();
   play.does = [&] { app.do_action(Action::play); };
   row.add(std::move(play));
   row.add(Action::next_frame, false, true, false);
@@ -277,17 +284,17 @@ void show_buttons(PanelContext& context) {
   ButtonRow::Button name{"Name##key", {}, "Give the pose of this key a name"};
   name.enabled = on_key;
   name.does = [&app, named = on_key ? here->name : std::string()] {
-    app.panels().key_name = named;
-    app.panels().dialog = Dialog::key_name;
+    app.dialogs().state<KeyNameEntry>().text = named;
+    app.dialogs().show(Dialog::key_name);
   };
   row.add(std::move(name));
-  row.add(Action::auto_key, app.panels().auto_key, true, false);
-  row.add(Action::perform, app.panels().performs, true, false);
+  row.add(Action::auto_key, app.playback().while_drawing().auto_key, true, false);
+  row.add(Action::perform, app.playback().while_drawing().performs, true, false);
   row.add(Action::copy_key, false, true, false);
-  row.add(Action::paste_key, false, app.panels().clipboard.has_value(), false);
-  row.add(Action::loop_from, app.panels().loop.from_s.has_value(), true, false);
-  row.add(Action::loop_to, app.panels().loop.to_s.has_value(), true, false);
-  if (app.panels().loop.any()) row.add(Action::loop_off, false, true, false);
+  row.add(Action::paste_key, false, app.keys().copied(), false);
+  row.add(Action::loop_from, app.playback().loop().from_s.has_value(), true, false);
+  row.add(Action::loop_to, app.playback().loop().to_s.has_value(), true, false);
+  if (app.playback().loop().any()) row.add(Action::loop_off, false, true, false);
   const bool smooth = timeline.interpolation == document::KeyInterpolation::smooth;
   ButtonRow::Button between{smooth ? "Smooth" : "Linear", {}, "How poses between keys are made"};
   between.does = [&app, smooth] {
@@ -295,14 +302,14 @@ void show_buttons(PanelContext& context) {
                                                                  : document::KeyInterpolation::smooth});
   };
   row.add(std::move(between));
-  row.add(Action::onion_skin, app.panels().onion_skin);
+  row.add(Action::onion_skin, app.canvas().look().onion_skin);
   const auto view = [&](const char* label, std::string_view drawn, const char* tip, bool enabled, auto does) {
     ButtonRow::Button button{label, drawn, tip, false};
     button.enabled = enabled;
     button.does = does;
     row.add(std::move(button));
   };
-  const bool part = app.panels().span_s > 0;
+  const bool part = app.panels().own.of<TimelineShown>().span_s > 0;
   view("-##track", icon::k_minus, "Show more of the timeline", true, [&app] { zoom_track(app, 1.6); });
   view("+##track", icon::k_plus, "Show less of the timeline, about the playhead", true,
        [&app] { zoom_track(app, 1 / 1.6); });
@@ -311,7 +318,7 @@ void show_buttons(PanelContext& context) {
   const float used = row.show(ImGui::GetContentRegionAvail().x);
   const float left = ImGui::GetContentRegionAvail().x - used;
   std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.2f s   %zu keys", app.panels().time_s, timeline.keys.size());
+  std::snprintf(text.data(), text.size(), "%.2f s   %zu keys", app.playback().time_s(), timeline.keys.size());
   if (left < ImGui::CalcTextSize(text.data()).x + 3 * context.gap) return;
   ImGui::SameLine();
   text_beside(context, text.data());
@@ -329,7 +336,7 @@ void show_timeline(PanelContext& context, const Area& area) {
 }
 
 void show_player(PanelContext& context, const Area& area) {
-  auto& player = context.app.player();
+  auto& player = context.app.player().trace;
   if (!player) return;
   if (begin_panel(context, "player", area)) {
     if (wide_button(context, player->playing() ? "Pause" : "Go on", 2.4F * context.unit))

@@ -50,6 +50,7 @@ class Workspace {
   [[nodiscard]] const document::Document& document() const { return editor().document(); }
   [[nodiscard]] const replay::Session& session() const { return live_->session(); }
   [[nodiscard]] document::DocumentState state() { return live_->session().editor().state(); }
+  [[nodiscard]] bool pen_is_drawing() const { return session().pens().current() != nullptr; }
 
   // What the user does. What is refused is told, and changes nothing.
   bool perform(const document::Command& command);

@@ -96,10 +96,10 @@ constexpr int k_times_nearer = 4;
 
 /// Brings a line on the canvas into sight, on a face as large as there is room.
 void bring_into_sight(App& app, std::span<const ModelPoint> line) {
-  const auto camera = geometry::Camera::make(app.view().camera, app.view().viewport);
+  const auto camera = geometry::Camera::make(app.canvas().view().camera, app.canvas().view().viewport);
   const auto hidden = [&](const ModelPoint& point) {
     const auto px = camera ? camera->project(point) : std::nullopt;
-    return !px || !app.free_area().holds(*px);
+    return !px || !app.canvas().free_area().holds(*px);
   };
   if (std::none_of(line.begin(), line.end(), hidden)) return;
   app.do_action(Action::frame_all);
@@ -119,11 +119,12 @@ void TourGuide::begin(App& app, Tour tour) {
   begun_.clear();
   ghost_.clear();
   // What would be done besides is not of the tour.
-  PanelState& panels = app.panels();
-  panels.shown = true;
-  panels.mirrors = panels.performs = panels.auto_key = panels.poses_tab = panels.controls_tab = false;
-  panels.loop = {};
-  panels.time_s = panels.from_s = panels.span_s = 0;
+  app.panels().shown = true;
+  app.panels().poses_tab = app.panels().controls_tab = false;
+  app.panels().own.of<TimelineShown>() = {};
+  app.playback().while_drawing() = {};
+  app.playback().loop() = {};
+  app.playback().place_cursor(0);
   app.do_action(Action::frame_all);
   for (int i = 0; i < k_times_nearer; ++i) app.do_action(Action::zoom_in);
   begin_step(app, app.workspace().editor().history().undo_count());
@@ -143,7 +144,7 @@ void TourGuide::begin_step(App& app, std::size_t commands) {
 std::vector<ModelPoint> TourGuide::line_of(App& app, std::size_t step) const {
   if (step >= tour_->steps.size() || !tour_->steps[step].wanted) return {};
   const Drawn drawn = drawn_by(*tour_->steps[step].wanted);
-  return drawn.line != nullptr ? on_model(app.surface(), *drawn.view, *drawn.line) : std::vector<ModelPoint>();
+  return drawn.line != nullptr ? on_model(app.canvas().surface(), *drawn.view, *drawn.line) : std::vector<ModelPoint>();
 }
 
 const Command* TourGuide::wanted() const {
@@ -215,7 +216,7 @@ TourGuide::Answer TourGuide::judge_drawn(App& app) const {
     view = app.workspace().editor().view();
     std::vector<ModelPoint> points;
     for (std::size_t i = 0; i < (*last)->points.size(); ++i) {
-      points.emplace_back(app.surface().at((*last)->points[i]));
+      points.emplace_back(app.canvas().surface().at((*last)->points[i]));
       // Where the pen was, and not where the sheet is that the line sticks to.
       if (i < (*last)->aside.size()) points.back() += (*last)->aside[i];
     }
@@ -254,7 +255,7 @@ TourGuide::Answer TourGuide::judge(App& app) const {
   const document::Document& document = app.workspace().document();
   if (drawn_by(command).line != nullptr) return judge_drawn(app);
   if (const auto* to = std::get_if<document::GoToTime>(&command)) {
-    const int rate = app.panels().rate;
+    const int rate = app.playback().rate();
     if (std::abs(document.time_s - to->time_s) <= k_near_s) return {true, {}};
     return {false,
             "That is frame " + frame_text(document.time_s, rate) + ": go to frame " + frame_text(to->time_s, rate),
@@ -272,7 +273,7 @@ TourGuide::Answer TourGuide::judge(App& app) const {
     const bool later = keys.size() > 1 && keys.back().time_s > k_near_s;
     return {later, later ? ""
                          : "That keyed the first moment again: go to frame " +
-                               frame_text(key->time_s, app.panels().rate) + " before"};
+                               frame_text(key->time_s, app.playback().rate()) + " before"};
   }
   return {true, {}};
 }
@@ -280,7 +281,7 @@ TourGuide::Answer TourGuide::judge(App& app) const {
 void TourGuide::follow(App& app) {
   if (!tour_) return;
   const Workspace& workspace = app.workspace();
-  if (app.path() != tour_->model || app.player()) return leave();
+  if (app.path() != tour_->model || app.player().trace) return leave();
   if (workspace.session().pens().current() != nullptr || workspace.live().active()) return;
   const auto& history = workspace.editor().history();
   // The tour's own card is laid out after its first step has begun.
@@ -294,7 +295,7 @@ void TourGuide::follow(App& app) {
   }
   while (!done()) {
     if (const auto& press = tour_->steps[step()].press) {
-      if (*press == Action::play && !app.playing()) return;
+      if (*press == Action::play && !app.playback().playing()) return;
       begin_step(app, history.undo_count());
       continue;
     }
@@ -304,13 +305,13 @@ void TourGuide::follow(App& app) {
       for (std::size_t i = begun_.back(); i < history.undo_count(); ++i)
         other = other || draws(history.name_of_step(i));
       if (!other) return;
-      app.go_to_step(begun_.back());
+      app.playback().go_to_step(begun_.back());
       again_ = "Not yet that, so it is taken back";
       return;
     }
     const Answer answer = judge(app);
     if (!answer.right) {
-      if (answer.taken_back) app.go_to_step(begun_.back());
+      if (answer.taken_back) app.playback().go_to_step(begun_.back());
       again_ = answer.again;
       return;
     }
@@ -326,7 +327,7 @@ void TourGuide::skip(App& app) {
   const document::Document& document = app.workspace().document();
   if (std::holds_alternative<document::BeginDeformer>(*due.wanted)) return app.do_action(Action::tool_articulate);
   if (std::holds_alternative<document::SetKey>(*due.wanted)) return app.do_action(Action::key_pose);
-  if (const auto* to = std::get_if<document::GoToTime>(&*due.wanted)) return app.go_to(to->time_s);
+  if (const auto* to = std::get_if<document::GoToTime>(&*due.wanted)) return app.playback().go_to(to->time_s);
   Command command = *due.wanted;
   if (auto* one = std::get_if<document::SetParameters>(&command)) {
     if (!one->values.empty()) one->values.front().name = last_control(document);

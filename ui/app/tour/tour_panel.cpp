@@ -135,7 +135,7 @@ void show_tour(PanelContext& context, const Area& area) {
     };
     say(text.counted, ImGui::GetColorU32(ImGuiCol_TextDisabled));
     say(text.says, ImGui::GetColorU32(ImGuiCol_Text));
-    say(text.again, app.settings().light ? k_again_light : k_again_dark);
+    say(text.again, app.preferences().settings().light ? k_again_light : k_again_dark);
     const float width = 0.5F * ((beside ? k_buttons_units * context.unit : wide) - 2 * context.gap);
     const float button_y = beside ? static_cast<float>(area.middle().y) - 0.5F * context.unit
                                   : static_cast<float>(area.bottom) - context.unit - context.gap;
@@ -163,8 +163,8 @@ void show_tour(PanelContext& context, const Area& area) {
 void show_tour_ghost(PanelContext& context) {
   App& app = context.app;
   const TourGuide& guide = app.tour();
-  if (!guide.active() || app.panels().dialog != Dialog::none || context.menu_open) return;
-  const auto scale = static_cast<float>(app.scale());
+  if (!guide.active() || app.dialogs().open() != Dialog::none || context.menu_open) return;
+  const auto scale = static_cast<float>(app.canvas().scale());
   if (const std::string label = guide.pointed(app); !label.empty()) {
     const auto found = context.targets.find(label);
     if (found == context.targets.end()) return;
@@ -175,7 +175,7 @@ void show_tour_ghost(PanelContext& context) {
                                             k_ring, 6 * scale, 0, 3 * scale);
     return;
   }
-  const auto camera = geometry::Camera::make(app.view().camera, app.view().viewport);
+  const auto camera = geometry::Camera::make(app.canvas().view().camera, app.canvas().view().viewport);
   std::vector<ImVec2> line;
   for (const auto& point : guide.ghost()) {
     const auto px = camera ? camera->project(point) : std::nullopt;

@@ -15,7 +15,7 @@ constexpr float k_faint_weight = 0.25F;
 }  // namespace
 
 void FrameMaker::update_surface(App& app) {
-  const PosedSurface& surface = app.surface();
+  const PosedSurface& surface = app.canvas().surface();
   if (last_.shape_number != surface.shape_number()) {
     last_.shape_number = surface.shape_number();
     last_.appearance = std::make_shared<const render::Appearance>(surface.appearance());
@@ -33,7 +33,7 @@ void FrameMaker::update_surface(App& app) {
 void FrameMaker::update_overlay(App& app) {
   const SketchPreview& sketch = app.workspace().sketch();
   const bool sketching = app.workspace().editor().tool().kind == drawing::ToolKind::articulate;
-  const auto& model = app.surface().shared_model();
+  const auto& model = app.canvas().surface().shared_model();
   const std::size_t count = model->mesh->vertex_count();
   const auto colored = [](float weight) {
     render::Color color = render::weight_color(weight);
@@ -54,7 +54,7 @@ void FrameMaker::update_overlay(App& app) {
     ++last_.overlay_number;
     return;
   }
-  const std::string& name = app.panels().deformer;
+  const std::string& name = app.controls().selected();
   const auto& deformers = model->deformers;
   const auto found = name.empty() || !deformers || !app.panels().controls_tab
                          ? std::nullopt
@@ -87,12 +87,12 @@ DrawFrame FrameMaker::make(App& app) {
   update_surface(app);
   update_overlay(app);
   last_.background = {};
-  if (app.settings().light) last_.background = {render::from_srgb(0xe4e7ea), render::from_srgb(0xaab2ba)};
-  last_.wireframe = app.panels().wireframe;
-  last_.view = {app.view().camera, app.window()};
+  if (app.preferences().settings().light) last_.background = {render::from_srgb(0xe4e7ea), render::from_srgb(0xaab2ba)};
+  last_.wireframe = app.canvas().look().wireframe;
+  last_.view = {app.canvas().view().camera, app.canvas().window()};
   DrawFrame frame = last_;
   frame.curves = app.curves();
-  frame.behind = app.panels().backdrop ? app.panels().backdrop->seen(last_.view) : render::Behind();
+  frame.behind = app.canvas().look().backdrop ? app.canvas().look().backdrop->seen(last_.view) : render::Behind();
   return frame;
 }
 

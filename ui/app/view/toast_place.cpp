@@ -34,7 +34,7 @@ Area toast_place(const Area& inside, double width, double height, std::span<cons
 
 std::vector<PxPoint> drawn_px(const App& app) {
   std::vector<PxPoint> points;
-  const auto camera = geometry::Camera::make(app.view().camera, app.view().viewport);
+  const auto camera = geometry::Camera::make(app.canvas().view().camera, app.canvas().view().viewport);
   if (!camera) return points;
   for (const auto& curve : app.curves()) {
     points.insert(points.end(), curve.points_px.begin(), curve.points_px.end());

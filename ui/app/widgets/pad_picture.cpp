@@ -55,7 +55,7 @@ class Picture {
 };
 
 void Picture::control_button(const PadControl& control, const std::string& text, float width, bool lit) {
-  const bool chosen = app_.panels().pad_control == control;
+  const bool chosen = app_.dialogs().state<PadChoice>().control == control;
   if (lit) {
     for (const auto color : {ImGuiCol_Button, ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive})
       ImGui::PushStyleColor(color, k_lit);
@@ -63,7 +63,7 @@ void Picture::control_button(const PadControl& control, const std::string& text,
   }
   const std::string id = text + "###" + name_of(control);
   if (wide_button(context_, id.c_str(), width, chosen && !lit, title_of(control, tablet_.features).c_str())) {
-    app_.panels().pad_control = control;
+    app_.dialogs().state<PadChoice>().control = control;
   }
   if (lit) ImGui::PopStyleColor(4);
   // Found by its own name, whatever is written on it.
@@ -132,14 +132,16 @@ void Picture::show_mode_key(std::uint8_t side, ImVec2 middle) {
   const float radius = 0.62F * context_.unit;
   const ImVec2 after = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({middle.x - radius, middle.y - radius});
-  if (ImGui::InvisibleButton(name_of(control).c_str(), {2 * radius, 2 * radius})) app_.panels().pad_control = control;
+  if (ImGui::InvisibleButton(name_of(control).c_str(), {2 * radius, 2 * radius}))
+    app_.dialogs().state<PadChoice>().control = control;
   note(context_, name_of(control).c_str());
   tooltip(context_, title_of(control, tablet_.features).c_str());
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool down = (now_.keys & decode::key_bit(keys.front())) != 0;
   const auto color = ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered : ImGuiCol_Button;
   list.AddCircleFilled(middle, radius, down ? k_lit : ImGui::GetColorU32(color), 32);
-  if (app_.panels().pad_control == control) list.AddCircle(middle, radius, ImGui::GetColorU32(ImGuiCol_Text), 32, 2);
+  if (app_.dialogs().state<PadChoice>().control == control)
+    list.AddCircle(middle, radius, ImGui::GetColorU32(ImGuiCol_Text), 32, 2);
   // Its light stands in one of four corners, as on the tablet.
   const std::int8_t mode = app_.dial_mode(tablet_, side);
   const auto count = static_cast<float>(std::max<int>(modes_of(tablet_.features), 1));

@@ -236,9 +236,9 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
   FrameMaker frames;
   SDL_StartTextInput();
   FullScreen full_screen(state_->window);
-  bool wanted_fullscreen = app.fullscreen();
+  bool wanted_fullscreen = app.canvas().look().fullscreen;
   int fonts = interface.font_revision();
-  std::uint64_t pose_number = app.surface().pose_number();
+  std::uint64_t pose_number = app.canvas().surface().pose_number();
   std::string title;
   std::int64_t last_us = device::monotonic_us();
   base::Status status = base::Done{};
@@ -251,7 +251,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
       wait_ms = tip_ms;
     if (thread.refining() && (wait_ms < 0 || wait_ms > k_refine_ms)) wait_ms = k_refine_ms;
     if (full_screen.waits() && (wait_ms < 0 || wait_ms > k_look_again_ms)) wait_ms = k_look_again_ms;
-    if (busy) wait_ms = app.player() && app.player()->playing() ? std::max(1, app.next_frame_ms()) : -1;
+    if (busy) wait_ms = app.player().trace && app.player().trace->playing() ? std::max(1, app.next_frame_ms()) : -1;
     SDL_Event event;
     const bool came = wait_ms < 0   ? SDL_WaitEvent(&event) == 1
                       : wait_ms > 0 ? SDL_WaitEventTimeout(&event, wait_ms) == 1
@@ -278,11 +278,12 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     if (!status) break;
     // The picture that was drawn last may have found the window larger or smaller.
     const auto drawable = thread.drawable();
-    due = full_screen.settle(drawable, device::monotonic_us()) || (drawable && !(*drawable == app.window())) || due;
+    due = full_screen.settle(drawable, device::monotonic_us()) || (drawable && !(*drawable == app.canvas().window())) ||
+          due;
     if (!due || thread.busy()) continue;
     due = false;
-    if (app.fullscreen() != wanted_fullscreen) {
-      wanted_fullscreen = app.fullscreen();
+    if (app.canvas().look().fullscreen != wanted_fullscreen) {
+      wanted_fullscreen = app.canvas().look().fullscreen;
       full_screen.toggle(device::monotonic_us());
     }
     const std::int64_t cpu_before = thread_cpu_us();
@@ -298,13 +299,13 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     }
     thread.draw(frames.make(app), *ImGui::GetDrawData());
     timings.frames_us.push_back(thread_cpu_us() - cpu_before);
-    if (std::exchange(pose_number, app.surface().pose_number()) != app.surface().pose_number()) {
+    if (std::exchange(pose_number, app.canvas().surface().pose_number()) != app.canvas().surface().pose_number()) {
       timings.posed_us.push_back(timings.frames_us.back());
     }
     const std::string name = app.project().empty() ? app.path() : app.project();
     const std::string now_title = (app.workspace().unsaved() ? "* " : "") + name + " - penpose";
     if (now_title != title) SDL_SetWindowTitle(state_->window, (title = now_title).c_str());
-    if (until_played && app.player() && app.player()->finished()) app.quit();
+    if (until_played && app.player().trace && app.player().trace->finished()) app.quit();
   }
   timings.drawn_us = thread.times_us();
   return status;

@@ -14,7 +14,7 @@ TEST(Finding, ActionsControlsPosesAndFilesAreFound) {
   Desk desk("find");
   desk.begin();
   desk.click("Key");
-  desk.app->name_key("big smile");
+  desk.app->keys().name("big smile");
   ASSERT_TRUE(desk.app->save(desk.path("grin.glb")).ok());
   const auto first = [&](const char* text) {
     const auto found = find_commands(*desk.app, text);
@@ -34,25 +34,25 @@ TEST(Finding, WhatIsTypedAndChosenIsDone) {
   desk.begin();
   desk.app->panels().has_keyboard = true;
   desk.hit(14, 'k', true);
-  ASSERT_EQ(desk.app->panels().dialog, Dialog::search);
+  ASSERT_EQ(desk.app->dialogs().open(), Dialog::search);
   desk.type("wire");
   desk.hit_return();
-  EXPECT_EQ(desk.app->panels().dialog, Dialog::none);
-  EXPECT_TRUE(desk.app->panels().wireframe);
+  EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
+  EXPECT_TRUE(desk.app->canvas().look().wireframe);
   // The arrows choose another one.
   desk.hit(14, 'k', true);
   desk.type("undo");
   ASSERT_GT(find_commands(*desk.app, "undo").size(), 1U);
   const auto second = find_commands(*desk.app, "undo")[1];
   desk.hit(81, k_key_down);
-  EXPECT_EQ(desk.app->panels().search_chosen, 1U);
+  EXPECT_EQ(desk.app->dialogs().state<SearchEntry>().chosen, 1U);
   desk.hit_escape();
-  EXPECT_EQ(desk.app->panels().dialog, Dialog::none);
+  EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
   // A control that is found is shown.
   desk.hit(14, 'k', true);
   desk.type("jaw");
   desk.hit_return();
-  EXPECT_EQ(desk.app->panels().filter, "jaw");
+  EXPECT_EQ(desk.app->panels().own.of<ParameterList>().filter, "jaw");
   EXPECT_NE(desk.interface->find("slider jaw"), nullptr);
 }
 
@@ -60,16 +60,16 @@ TEST(Finding, EveryKeyIsInTheList) {
   Desk desk("shortcuts");
   desk.begin();
   desk.press('/', false, true);
-  ASSERT_EQ(desk.app->panels().dialog, Dialog::shortcuts);
+  ASSERT_EQ(desk.app->dialogs().open(), Dialog::shortcuts);
   desk.hit_escape();
   desk.press(k_key_f1);
-  ASSERT_EQ(desk.app->panels().dialog, Dialog::shortcuts);
+  ASSERT_EQ(desk.app->dialogs().open(), Dialog::shortcuts);
   desk.type("frame");
   EXPECT_NE(desk.interface->find("Frame on##shortcut"), nullptr);
   EXPECT_EQ(desk.interface->find("Undo##shortcut"), nullptr) << "what does not fit is not listed";
   desk.click("Frame on##shortcut");
-  EXPECT_EQ(desk.app->panels().dialog, Dialog::none);
-  EXPECT_DOUBLE_EQ(desk.app->panels().time_s, 1.0 / 24) << "a touch does it";
+  EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
+  EXPECT_DOUBLE_EQ(desk.app->playback().time_s(), 1.0 / 24) << "a touch does it";
 }
 
 TEST(Finding, NoTwoActionsHaveOneKey) {

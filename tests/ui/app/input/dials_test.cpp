@@ -35,8 +35,8 @@ class DialDesk : public Desk {
     begin();
     app->tablet_arrived(k_tablet, identity);
     app->do_action(Action::key_pose);
-    app->scrub(2);
-    app->end_scrub();
+    app->playback().scrub(2);
+    app->playback().end_scrub();
     frames();
   }
   void send(const std::vector<Report>& reports) {
@@ -54,9 +54,9 @@ class DialDesk : public Desk {
       for (std::uint8_t side = 0; side < 2; ++side) bind(dial_control(dial, side, 0), {});
     }
     bind(control, binding_of(DialUse::time));
-    const double before = app->panels().time_s;
+    const double before = app->playback().time_s();
     send(reports);
-    return (app->panels().time_s - before) / k_frame_s;
+    return (app->playback().time_s() - before) / k_frame_s;
   }
 };
 

@@ -8,7 +8,7 @@ namespace penpose::app {
 namespace {
 
 void open_number(Desk& desk) {
-  desk.app->panels().filter = "jaw";
+  desk.app->panels().own.of<ParameterList>().filter = "jaw";
   desk.frames();
   desk.click("\u270e##type jaw");
 }
@@ -23,17 +23,17 @@ TEST(Keyboard, ANumberIsTypedWithoutTouchingTheField) {
   open_number(desk);
   desk.type("0.54");
   desk.hit_backspace();
-  EXPECT_EQ(desk.app->panels().number.text, "0.5") << "not even the first digit is lost";
+  EXPECT_EQ(desk.app->dialogs().state<NumberEntry>().text, "0.5") << "not even the first digit is lost";
   EXPECT_EQ(desk.interface->find("key q"), nullptr) << "no keys on the screen for whoever has a keyboard";
   desk.hit_return();
-  EXPECT_EQ(desk.app->panels().dialog, Dialog::none);
+  EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
   EXPECT_DOUBLE_EQ(jaw_of(desk), 0.5);
   open_number(desk);
   desk.type("-");
   desk.hit_return();
-  EXPECT_EQ(desk.app->panels().dialog, Dialog::number) << "what is no number is told";
+  EXPECT_EQ(desk.app->dialogs().open(), Dialog::number) << "what is no number is told";
   desk.hit_escape();
-  EXPECT_EQ(desk.app->panels().dialog, Dialog::none);
+  EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
   EXPECT_DOUBLE_EQ(jaw_of(desk), 0.5);
 }
 
@@ -45,9 +45,9 @@ TEST(Keyboard, TheNumberPadAndTheKeysMix) {
   desk.click(".##pad");
   desk.type("2");
   desk.click("5##pad");
-  EXPECT_EQ(desk.app->panels().number.text, "0.25");
+  EXPECT_EQ(desk.app->dialogs().state<NumberEntry>().text, "0.25");
   desk.type("1");
-  EXPECT_EQ(desk.app->panels().number.text, "0.251");
+  EXPECT_EQ(desk.app->dialogs().state<NumberEntry>().text, "0.251");
   desk.hit_return();
   EXPECT_DOUBLE_EQ(jaw_of(desk), 0.251);
 }
@@ -61,13 +61,13 @@ TEST(Keyboard, ReturnTakesAKeysNameAndEscapeForgetsIt) {
   EXPECT_TRUE(desk.interface->wants_keys()) << "the field has the keyboard when it opens";
   desk.type("smile");
   desk.hit_return();
-  EXPECT_EQ(desk.app->panels().dialog, Dialog::none);
+  EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
   ASSERT_EQ(desk.document().timeline->keys.size(), 1U);
   EXPECT_EQ(desk.document().timeline->keys.front().name, "smile");
   desk.click("Name##key");
   desk.type("grin");
   desk.hit_escape();
-  EXPECT_EQ(desk.app->panels().dialog, Dialog::none);
+  EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
   EXPECT_EQ(desk.document().timeline->keys.front().name, "smile");
   EXPECT_EQ(desk.app->workspace().editor().tool().kind, drawing::ToolKind::pose) << "letters chose no tool";
 }
@@ -78,23 +78,23 @@ TEST(Keyboard, EscapeClosesEveryDialogAndReturnDoesWhatItIsFor) {
   for (const Dialog dialog :
        {Dialog::open, Dialog::recent, Dialog::save, Dialog::export_as, Dialog::steps, Dialog::tablet, Dialog::sessions,
         Dialog::unsaved, Dialog::number, Dialog::key_name, Dialog::radial, Dialog::recover}) {
-    desk.app->panels().number.parameter = "jaw";
-    desk.app->panels().dialog = dialog;
+    desk.app->dialogs().state<NumberEntry>().parameter = "jaw";
+    desk.app->dialogs().show(dialog);
     desk.frames();
     desk.hit_escape();
-    EXPECT_EQ(desk.app->panels().dialog, Dialog::none) << static_cast<int>(dialog);
+    EXPECT_EQ(desk.app->dialogs().open(), Dialog::none) << dialog.name;
   }
   for (const Dialog dialog : {Dialog::steps, Dialog::tablet, Dialog::sessions, Dialog::radial}) {
-    desk.app->panels().dialog = dialog;
+    desk.app->dialogs().show(dialog);
     desk.frames();
     desk.hit_return();
-    EXPECT_EQ(desk.app->panels().dialog, Dialog::none) << static_cast<int>(dialog);
+    EXPECT_EQ(desk.app->dialogs().open(), Dialog::none) << dialog.name;
   }
   desk.hit(22, 's', true);
   desk.type("mine");
   desk.hit_return();
   EXPECT_TRUE(std::filesystem::exists(desk.path("mine.glb"))) << "the ending of the name that is offered stays";
-  EXPECT_EQ(desk.app->panels().dialog, Dialog::none);
+  EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
 }
 
 TEST(Keyboard, ReturnSavesFirstAndThenWhatWasAskedForIsDone) {
@@ -102,9 +102,9 @@ TEST(Keyboard, ReturnSavesFirstAndThenWhatWasAskedForIsDone) {
   desk.begin();
   pose_mouth(desk);
   desk.hit(20, 'q', true);
-  ASSERT_EQ(desk.app->panels().dialog, Dialog::unsaved);
+  ASSERT_EQ(desk.app->dialogs().open(), Dialog::unsaved);
   desk.hit_return();
-  ASSERT_EQ(desk.app->panels().dialog, Dialog::save);
+  ASSERT_EQ(desk.app->dialogs().open(), Dialog::save);
   EXPECT_FALSE(desk.app->wants_quit());
   desk.hit_return();
   EXPECT_TRUE(std::filesystem::exists(desk.path("head.glb")));
@@ -130,20 +130,20 @@ TEST(Keyboard, ReturnRenamesAControl) {
   Desk desk("rename-return");
   desk.begin();
   desk.click("Controls");
-  desk.app->panels().deformer = desk.document().model->deformers->deformers().front()->sketch().name;
+  desk.app->controls().select(desk.document().model->deformers->deformers().front()->sketch().name);
   desk.frames();
   desk.click("##rename");
   desk.type("grin");
   desk.hit_return();
   EXPECT_EQ(desk.document().model->deformers->deformers().front()->sketch().name, "grin");
-  EXPECT_EQ(desk.app->panels().deformer, "grin");
+  EXPECT_EQ(desk.app->controls().selected(), "grin");
 }
 
 TEST(Keyboard, BehindADialogNothingIsPressedAndNoKeyDoesAnything) {
   Desk desk("behind");
   desk.begin();
   const Area key = *desk.interface->find("Key");
-  desk.app->panels().dialog = Dialog::tablet;
+  desk.app->dialogs().show(Dialog::tablet);
   desk.frames();
   desk.app->mouse_moved(key.middle());
   desk.app->mouse_button(MouseButton::left, true, key.middle());
@@ -151,7 +151,7 @@ TEST(Keyboard, BehindADialogNothingIsPressedAndNoKeyDoesAnything) {
   desk.frames();
   desk.hit(12, 'i');
   EXPECT_TRUE(desk.document().timeline->keys.empty());
-  EXPECT_EQ(desk.app->panels().dialog, Dialog::tablet);
+  EXPECT_EQ(desk.app->dialogs().open(), Dialog::tablet);
   desk.click("Done");
   desk.hit(12, 'i');
   EXPECT_EQ(desk.document().timeline->keys.size(), 1U);
@@ -167,7 +167,7 @@ TEST(Keyboard, WhatIsTypedInTheSlowFrameOfAClickIntoAFieldIsTyped) {
   desk.app->mouse_button(MouseButton::left, false, field);
   // No frame has been made since: "e" would be the eraser and "i" a key.
   desk.type("ie");
-  EXPECT_EQ(desk.app->panels().filter, "ie");
+  EXPECT_EQ(desk.app->panels().own.of<ParameterList>().filter, "ie");
   EXPECT_EQ(desk.app->workspace().editor().tool().kind, tool);
   EXPECT_TRUE(desk.document().timeline->keys.empty());
 }

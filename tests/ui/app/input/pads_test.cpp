@@ -30,13 +30,13 @@ TEST(Pads, KeysUndoAndRedoAndKeyThePose) {
 TEST(Pads, WhileAKeyIsHeldThePenMovesTheViewAndDrawsNothing) {
   PadDesk desk("pad-view");
   const auto mouth = desk.named_curve(any_curve(desk));
-  const auto before = desk.app->view().camera;
+  const auto before = desk.app->canvas().view().camera;
   desk.pen(mouth.front(), false);
   desk.hold(1U << 4);
   desk.draw({{500, 400}, {520, 400}, {560, 420}, {600, 430}});
   desk.frames();
-  EXPECT_NE(desk.app->view().camera.eye, before.eye) << "moved";
-  EXPECT_EQ(desk.app->view().camera.eye - before.eye, desk.app->view().camera.look_at - before.look_at)
+  EXPECT_NE(desk.app->canvas().view().camera.eye, before.eye) << "moved";
+  EXPECT_EQ(desk.app->canvas().view().camera.eye - before.eye, desk.app->canvas().view().camera.look_at - before.look_at)
       << "and not turned";
   EXPECT_TRUE(desk.document().curves.empty());
   desk.hold(0);
@@ -45,11 +45,11 @@ TEST(Pads, WhileAKeyIsHeldThePenMovesTheViewAndDrawsNothing) {
   desk.draw(desk.named_curve(any_curve(desk)));
   EXPECT_EQ(desk.document().curves.size(), 1U) << "and when it is let go the pen draws again";
   desk.hold(1U << 3);
-  const auto front = desk.app->view().camera;
+  const auto front = desk.app->canvas().view().camera;
   desk.draw({{500, 400}, {520, 400}, {560, 420}, {600, 430}});
   desk.frames();
-  EXPECT_EQ(desk.app->view().camera.look_at, front.look_at);
-  EXPECT_NE(desk.app->view().camera.eye, front.eye) << "the key above it turns";
+  EXPECT_EQ(desk.app->canvas().view().camera.look_at, front.look_at);
+  EXPECT_NE(desk.app->canvas().view().camera.eye, front.eye) << "the key above it turns";
 }
 
 TEST(Pads, AToolIsHeldAndAStrokeEndsAsWhatItBegan) {
@@ -85,23 +85,23 @@ TEST(Pads, TheRingIsABrushOfTimeAndItsLightsOtherValues) {
   PadDesk desk("pad-ring");
   const std::string name = desk.document().model->rig->parameters()[0].name;
   desk.app->do_action(Action::key_pose);
-  desk.app->scrub(2);
+  desk.app->playback().scrub(2);
   desk.app->workspace().perform(document::SetParameters{{{name, 1.0}}});
   desk.app->do_action(Action::key_pose);
-  desk.app->scrub(0);
-  desk.app->end_scrub();
+  desk.app->playback().scrub(0);
+  desk.app->playback().end_scrub();
   desk.ring(10, 58, false);
-  EXPECT_NEAR(desk.app->panels().time_s, 1.0, 1e-9) << "48 places are 24 notches are 24 frames";
+  EXPECT_NEAR(desk.app->playback().time_s(), 1.0, 1e-9) << "48 places are 24 notches are 24 frames";
   EXPECT_TRUE(desk.app->workspace().previews());
   desk.hold(0);
   EXPECT_FALSE(desk.app->workspace().previews());
   EXPECT_NEAR(desk.document().time_s, 1.0, 1e-9) << "let go, the pose is there";
   // The middle key moves on to the next light, and it is said what that means.
-  const auto before = desk.app->view().camera;
+  const auto before = desk.app->canvas().view().camera;
   desk.tap(0);
   EXPECT_TRUE(desk.told("Ring, light 2: Zoom"));
   desk.ring(10, 30);
-  EXPECT_NE(desk.app->view().camera.eye, before.eye);
+  EXPECT_NE(desk.app->canvas().view().camera.eye, before.eye);
   EXPECT_NEAR(desk.document().time_s, 1.0, 1e-9);
   desk.tap(0);
   desk.ring(10, 30);
@@ -153,15 +153,15 @@ TEST(Pads, AKeyHeldWhenItIsUnpluggedIsLetGoAndSaid) {
 
 TEST(Pads, BehindADialogKeysDoNothingButCancel) {
   PadDesk desk("pad-dialog-open");
-  desk.app->panels().dialog = Dialog::save;
+  desk.app->dialogs().show(Dialog::save);
   desk.frames();
   desk.tap(6);
   EXPECT_TRUE(desk.document().timeline->keys.empty());
   desk.ring(0, 40);
-  EXPECT_EQ(desk.app->panels().time_s, 0);
+  EXPECT_EQ(desk.app->playback().time_s(), 0);
   desk.bind(key(1), binding_of(Action::cancel));
   desk.tap(1);
-  EXPECT_EQ(desk.app->panels().dialog, Dialog::none);
+  EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
 }
 
 TEST(Pads, WhatIsPressedIsChosenForAndThePenAloneBindsIt) {
@@ -173,7 +173,7 @@ TEST(Pads, WhatIsPressedIsChosenForAndThePenAloneBindsIt) {
     ASSERT_NE(desk.interface->find("ring 1 light 4"), nullptr);
     desk.hold(1U << 1);
     EXPECT_EQ(desk.app->workspace().editor().history().undo_count(), 0U);
-    EXPECT_EQ(desk.app->panels().pad_control, key(1));
+    EXPECT_EQ(desk.app->dialogs().state<PadChoice>().control, key(1));
     desk.hold(0);
     EXPECT_NE(desk.interface->find("choose action Undo"), nullptr) << "what it does now is among what is offered";
     desk.click("choose action Front");
@@ -184,13 +184,13 @@ TEST(Pads, WhatIsPressedIsChosenForAndThePenAloneBindsIt) {
     desk.click("ring 1 light 1");
     desk.click("choose dial keys");
     desk.click("Done");
-    EXPECT_EQ(desk.app->panels().dialog, Dialog::none);
+    EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
     desk.hold(1U << 4);
     EXPECT_EQ(desk.tool(), ToolKind::pin);
     desk.hold(0);
   }
   PadDesk desk("pad-bind", false);
-  if (desk.app->panels().dialog == Dialog::recover) desk.click("Start anew");
+  if (desk.app->dialogs().open() == Dialog::recover) desk.click("Start anew");
   desk.begin();
   const DeskTablet& tablet = *desk.app->desk().find(k_pad);
   EXPECT_EQ(desk.app->bound(tablet, key(1)), binding_of(Action::view_front)) << "and it is kept";
@@ -259,23 +259,23 @@ TEST(Pads, TwoFingersOnATabletTurnAndZoomUnlessThePenIsNear) {
   touch.product = 2;
   touch.report_descriptor = tests::touch_descriptor(2);
   desk.app->tablet_arrived(5, touch);
-  const auto front = desk.app->view().camera;
+  const auto front = desk.app->canvas().view().camera;
   desk.pen({600, 300}, false);
   two_fingers(desk, 5, 100, 0);
-  EXPECT_EQ(desk.app->view().camera.eye, front.eye) << "a palm";
+  EXPECT_EQ(desk.app->canvas().view().camera.eye, front.eye) << "a palm";
   desk.pen({600, 300}, false, false, false);
   two_fingers(desk, 5, 100, 0);
-  EXPECT_EQ(desk.app->view().camera.eye, front.eye) << "and for a moment after";
+  EXPECT_EQ(desk.app->canvas().view().camera.eye, front.eye) << "and for a moment after";
   desk.now_us += 1'000'000;
   two_fingers(desk, 5, 100, 0);
-  const auto turned = desk.app->view().camera;
+  const auto turned = desk.app->canvas().view().camera;
   EXPECT_NE(turned.eye, front.eye);
   const auto far = [](const geometry::CameraPose& camera) { return glm::distance(camera.eye, camera.look_at); };
   EXPECT_NEAR(far(turned), far(front), 1e-6);
   desk.app->wheel(1);
-  EXPECT_NEAR(far(desk.app->view().camera), far(front), 1e-6) << "the desktop's wheel out of the same fingers";
+  EXPECT_NEAR(far(desk.app->canvas().view().camera), far(front), 1e-6) << "the desktop's wheel out of the same fingers";
   two_fingers(desk, 5, 0, 300);
-  EXPECT_LT(far(desk.app->view().camera), 0.8 * far(front));
+  EXPECT_LT(far(desk.app->canvas().view().camera), 0.8 * far(front));
   EXPECT_TRUE(desk.document().curves.empty());
 }
 
@@ -285,14 +285,14 @@ TEST(SharedPads, EveryKeyAndTheRingOfARecordedIntuosProDoWhatIsBound) {
   Desk desk("pad-trace");
   desk.begin();
   desk.app->do_action(Action::key_pose);
-  desk.app->scrub(4);
+  desk.app->playback().scrub(4);
   desk.app->workspace().perform(document::SetParameters{{{desk.document().model->rig->parameters()[0].name, 1.0}}});
   desk.app->do_action(Action::key_pose);
-  desk.app->scrub(1);
-  desk.app->end_scrub();
+  desk.app->playback().scrub(1);
+  desk.app->playback().end_scrub();
   ASSERT_TRUE(desk.app->play_trace(trace.string()).ok());
   // Bound before the first key is pressed: BTN_1 to BTN_6 in that order.
-  auto& bindings = desk.app->settings().pads["056a:0314"];
+  auto& bindings = desk.app->preferences().settings().pads["056a:0314"];
   bindings["BTN_1"] = binding_of(Action::wireframe);
   bindings["BTN_2"] = binding_of(Action::onion_skin);
   bindings["BTN_3"] = binding_of(ViewHold::turn);
@@ -306,15 +306,15 @@ TEST(SharedPads, EveryKeyAndTheRingOfARecordedIntuosProDoWhatIsBound) {
     before[what] = now;
   };
   double latest = 0;
-  while (desk.app->player() && !desk.app->player()->finished()) {
+  while (desk.app->player().trace && !desk.app->player().trace->finished()) {
     desk.frames(1);
-    count("wire", desk.app->panels().wireframe);
-    count("onion", !desk.app->panels().onion_skin);
+    count("wire", desk.app->canvas().look().wireframe);
+    count("onion", !desk.app->canvas().look().onion_skin);
     count("turn", desk.app->desk().held(Binding::Kind::view) != nullptr);
     count("pin", desk.app->workspace().editor().tool().kind == ToolKind::pin);
     count("hold", desk.app->workspace().editor().tool().kind == ToolKind::constraint);
-    count("light", desk.app->settings().light);
-    latest = std::max(latest, desk.app->panels().time_s);
+    count("light", desk.app->preferences().settings().light);
+    latest = std::max(latest, desk.app->playback().time_s());
   }
   // As the kernel's driver saw it: BTN_1 twice, the others once; switches are one change, what is held two.
   EXPECT_EQ(times, (std::map<std::string, int>{

@@ -62,7 +62,7 @@ TEST(Sides, ALockedSliderDoesNotMove) {
 TEST(Sides, OnlyWhatMovedIsListedWhereThatIsAskedFor) {
   Desk desk("moved-only");
   desk.begin();
-  desk.app->set_parameter(index_of(desk, "jaw"), 0.5);
+  desk.app->controls().set_parameter(index_of(desk, "jaw"), 0.5);
   desk.click("Moved");
   EXPECT_NE(desk.interface->find("slider jaw"), nullptr);
   EXPECT_EQ(desk.interface->find("slider brow_inner_L"), nullptr);
@@ -73,7 +73,7 @@ TEST(Sides, OnlyWhatMovedIsListedWhereThatIsAskedFor) {
 TEST(Sides, APoseIsFlippedAndCopiedByKeys) {
   Desk desk("flip");
   desk.begin();
-  desk.app->set_parameter(index_of(desk, "brow_inner_L"), 0.7);
+  desk.app->controls().set_parameter(index_of(desk, "brow_inner_L"), 0.7);
   desk.press('m', false, true);
   EXPECT_EQ(value_of(desk, "brow_inner_L"), 0);
   EXPECT_DOUBLE_EQ(value_of(desk, "brow_inner_R"), 0.7);
@@ -82,14 +82,14 @@ TEST(Sides, APoseIsFlippedAndCopiedByKeys) {
   const auto state = desk.app->workspace().state();
   desk.press('m', true);
   EXPECT_EQ(desk.app->workspace().state(), state) << "they are the same already, and that is told";
-  EXPECT_FALSE(desk.app->notices().empty());
+  EXPECT_FALSE(desk.app->notices().all().empty());
 }
 
 TEST(Sides, AStrokeOnOneSideWorksOnBothAndIsOneStep) {
   Desk desk("x-mirror");
   desk.begin();
   desk.press('m');
-  ASSERT_TRUE(desk.app->panels().mirrors);
+  ASSERT_TRUE(desk.app->playback().while_drawing().mirrors);
   std::string brow;
   for (const auto& curve : desk.document().model->curves) {
     if (curve.name.find("brow") != std::string::npos && curve.name.find("_L") != std::string::npos) brow = curve.name;
@@ -130,13 +130,13 @@ TEST(Sides, AMirroredSessionReplaysToTheSameState) {
     std::filesystem::copy_file(desk.app->session_path(), desk.path("recorded.session"));
   }
   Desk desk("mirror-replay", "builtin:demo", false);
-  if (desk.app->panels().dialog == Dialog::recover) desk.click("Start anew");
+  if (desk.app->dialogs().open() == Dialog::recover) desk.click("Start anew");
   // Habits are not what a recording is played with.
-  desk.app->panels().mirrors = desk.app->panels().auto_key = true;
+  desk.app->playback().while_drawing().mirrors = desk.app->playback().while_drawing().auto_key = true;
   ASSERT_TRUE(desk.app->play_trace(desk.path("recorded.session")).ok());
-  desk.app->player()->set_speed(16);
-  for (int i = 0; i < 2000 && !desk.app->player()->finished(); ++i) desk.frames(1);
-  ASSERT_TRUE(desk.app->player()->finished());
+  desk.app->player().trace->set_speed(16);
+  for (int i = 0; i < 2000 && !desk.app->player().trace->finished(); ++i) desk.frames(1);
+  ASSERT_TRUE(desk.app->player().trace->finished());
   EXPECT_EQ(desk.app->workspace().state(), state);
 }
 

@@ -20,9 +20,9 @@ TEST(Tablets, WhereNoneCanBeWatchedItIsToldAndTheMouseDraws) {
       });
   ASSERT_EQ(woken.get_future().wait_for(std::chrono::seconds(20)), std::future_status::ready) << "the window is woken";
   tablets.take(*desk.app);
-  ASSERT_FALSE(desk.app->notices().empty());
-  EXPECT_TRUE(desk.app->notices().back().is_error);
-  EXPECT_EQ(desk.app->notices().back().text,
+  ASSERT_FALSE(desk.app->notices().all().empty());
+  EXPECT_TRUE(desk.app->notices().all().back().is_error);
+  EXPECT_EQ(desk.app->notices().all().back().text,
             "No tablet can be seen, only mouse and touch draw: udev gives no events; start udev");
   desk.stroke(desk.named_curve(any_curve(desk)));
   EXPECT_EQ(desk.document().curves.size(), 1U);

@@ -37,12 +37,12 @@ class Chin {
     return *rig::find_parameter(desk.document().model->rig->parameters(), made().sketch().name);
   }
   [[nodiscard]] bool says(const std::string& part) const {
-    const auto& notices = desk.app->notices();
+    const auto& notices = desk.app->notices().all();
     return std::any_of(notices.begin(), notices.end(),
                        [&](const Notice& one) { return one.text.find(part) != std::string::npos; });
   }
   [[nodiscard]] std::vector<PxPoint> seen(std::span<const geometry::ModelPoint> line) const {
-    const auto camera = *geometry::Camera::make(desk.app->view().camera, desk.app->view().viewport);
+    const auto camera = *geometry::Camera::make(desk.app->canvas().view().camera, desk.app->canvas().view().viewport);
     std::vector<PxPoint> px;
     for (const auto& point : line) px.push_back(*camera.project(point));
     return px;
@@ -64,7 +64,7 @@ TEST(ControlGoals, AnotherGoalIsDrawnAtTheValueThatTheSliderShowsDrawnAgainAndFo
   Chin chin("between");
   chin.sketch();
   const auto whole = chin.made().curve_at(1);
-  chin.desk.app->set_parameter(chin.parameter(), 0.5);
+  chin.desk.app->controls().set_parameter(chin.parameter(), 0.5);
   chin.desk.frames();
   chin.desk.click("Another goal at 0.50##between");
   std::vector<PxPoint> aside = chin.goal(4);
@@ -110,7 +110,7 @@ TEST(ControlGoals, AGoalIsPulledWhereItIsHeldAndTheRestOfItLess) {
 TEST(ControlGoals, TheFaceFollowsWhileAGoalIsPulledAndIsTheDocumentsAgainAfterwards) {
   Chin chin("pull-live");
   chin.sketch();
-  chin.desk.app->set_parameter(chin.parameter(), 0.0);
+  chin.desk.app->controls().set_parameter(chin.parameter(), 0.0);
   chin.desk.app->do_action(Action::tool_select);
   chin.desk.frames();
   const auto line = chin.seen(chin.made().target());
@@ -145,7 +145,7 @@ TEST(ControlGoals, TheFaceFollowsWhileAGoalIsPulledAndIsTheDocumentsAgainAfterwa
   chin.desk.frames();
   EXPECT_EQ(moved(shown(), rest), 0) << "the slider is where it was";
   // What was shown is what was made.
-  chin.desk.app->set_parameter(chin.parameter(), 1.0);
+  chin.desk.app->controls().set_parameter(chin.parameter(), 1.0);
   chin.desk.frames();
   EXPECT_LT(moved(shown(), before), 1e-9);
 }

@@ -20,7 +20,7 @@ void sketch_chin(Desk& desk) {
 }
 
 bool says(const Desk& desk, const std::string& part) {
-  const auto& notices = desk.app->notices();
+  const auto& notices = desk.app->notices().all();
   return std::any_of(notices.begin(), notices.end(),
                      [&](const Notice& one) { return one.text.find(part) != std::string::npos; });
 }
@@ -29,7 +29,7 @@ TEST(Controls, ATapWithTheRigToolLeavesTheFaceAndSaysWhatToDraw) {
   Desk desk("rig-tap");
   desk.begin();
   sketch_chin(desk);
-  desk.app->set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
+  desk.app->controls().set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
   const auto pose = desk.document().pose;
   const auto state = desk.app->workspace().state();
   desk.stroke({{450, 300}, {452, 301}}, false);
@@ -46,7 +46,7 @@ TEST(Controls, ATapWithTheRigToolLeavesTheFaceAndSaysWhatToDraw) {
   EXPECT_FALSE(desk.app->workspace().unsaved()) << "there is nothing to save of a tap";
   EXPECT_TRUE(unsaved);
   // The next line is the first of a control, with its own choices.
-  desk.app->panels().new_mode = articulation::Mode::rotate;
+  desk.app->controls().choose_for_new(articulation::Mode::rotate, {});
   desk.stroke(around({517, 530}, 60, 32));
   ASSERT_TRUE(desk.document().pending);
   EXPECT_FALSE(says(desk, "Nothing changed")) << "it is over";
@@ -58,14 +58,14 @@ TEST(Controls, ASwingEndsWithTheListOfControlsAndTheFaceIsAsItWas) {
   Desk desk("swing-end");
   desk.begin();
   desk.click("Controls");
-  desk.app->panels().deformer = "jaw";
+  desk.app->controls().select("jaw");
   desk.frames();
   desk.click("Swing");
   desk.frames(20);
   EXPECT_NE(desk.app->workspace().shown_pose(), desk.document().pose);
   desk.click("Parameters");
   desk.frames();
-  EXPECT_FALSE(desk.app->panels().swing);
+  EXPECT_FALSE(desk.app->controls().swings());
   EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
 }
 
@@ -113,23 +113,23 @@ TEST(Controls, AMirroredControlHasAGoodNameAndIsInHand) {
   EXPECT_FALSE(says(desk, "control 1")) << "nothing is said of a name that is gone";
   desk.click("Mirror");
   EXPECT_EQ(desk.document().model->deformers->deformers().back()->sketch().name, "dimple mirrored");
-  EXPECT_EQ(desk.app->panels().deformer, "dimple mirrored");
+  EXPECT_EQ(desk.app->controls().selected(), "dimple mirrored");
   EXPECT_TRUE(says(desk, "dimple mirrored is ready"));
   // Sides change places where a name has one.
-  desk.app->panels().deformer = "dimple";
+  desk.app->controls().select("dimple");
   desk.frames();
   desk.click("##rename");
   desk.type("left dimple");
   desk.hit_return();
   desk.click("Mirror");
-  EXPECT_EQ(desk.app->panels().deformer, "right dimple");
-  desk.app->panels().deformer = "left dimple";
+  EXPECT_EQ(desk.app->controls().selected(), "right dimple");
+  desk.app->controls().select("left dimple");
   desk.frames();
   const auto state = desk.app->workspace().state();
   desk.click("Mirror");
   EXPECT_EQ(desk.app->workspace().state(), state);
-  EXPECT_EQ(desk.app->panels().deformer, "left dimple") << "there is a right one already, and it is told";
-  EXPECT_TRUE(desk.app->notices().back().is_error);
+  EXPECT_EQ(desk.app->controls().selected(), "left dimple") << "there is a right one already, and it is told";
+  EXPECT_TRUE(desk.app->notices().all().back().is_error);
 }
 
 TEST(Controls, APartOfATargetIsDrawnOverAndTheRestStaysBeforeAndAfterThePenLifts) {
@@ -137,7 +137,7 @@ TEST(Controls, APartOfATargetIsDrawnOverAndTheRestStaysBeforeAndAfterThePenLifts
   desk.begin();
   pose_mouth(desk);
   const auto before = *desk.document().curves.front()->target;
-  const auto camera = *geometry::Camera::make(desk.app->view().camera, desk.app->view().viewport);
+  const auto camera = *geometry::Camera::make(desk.app->canvas().view().camera, desk.app->canvas().view().viewport);
   const auto seen = [&](std::size_t i) { return *camera.project(before.points[i]); };
   desk.click("Redraw");
   const std::size_t n = before.points.size();

@@ -26,11 +26,11 @@ TEST(Interface, WhatAPenHasToHitIsAtLeastNineMillimetresOnAnyDisplay) {
     for (const Dialog dialog :
          {Dialog::open, Dialog::save, Dialog::steps, Dialog::tablet, Dialog::sessions, Dialog::unsaved, Dialog::number,
           Dialog::key_name, Dialog::radial, Dialog::recent, Dialog::export_as, Dialog::recover}) {
-      desk.app->panels().number.parameter = "jaw";
-      desk.app->panels().dialog = dialog;
+      desk.app->dialogs().state<NumberEntry>().parameter = "jaw";
+      desk.app->dialogs().show(dialog);
       desk.frames();
       expect_large_enough(desk, dpi);
-      desk.app->panels().dialog = Dialog::none;
+      desk.app->dialogs().show(Dialog::none);
     }
     desk.app->panels().radial = PxPoint{600, 400};
     desk.frames();
@@ -70,7 +70,7 @@ TEST(Interface, TheSearchShowsWhatItFinds) {
   EXPECT_TRUE(desk.interface->wants_keys());
   desk.interface->text("JAW");
   desk.frames();
-  EXPECT_EQ(desk.app->panels().filter, "JAW");
+  EXPECT_EQ(desk.app->panels().own.of<ParameterList>().filter, "JAW");
   EXPECT_NE(desk.interface->find("slider jaw"), nullptr);
   EXPECT_EQ(desk.interface->find("slider cheek_L"), nullptr);
 }
@@ -84,7 +84,7 @@ TEST(Interface, WhoHasNoKeyboardTypesOnTheScreen) {
     desk.click(key);
     EXPECT_TRUE(desk.interface->wants_keys()) << "the field keeps what is typed";
   }
-  EXPECT_EQ(desk.app->panels().filter, "jaw");
+  EXPECT_EQ(desk.app->panels().own.of<ParameterList>().filter, "jaw");
   EXPECT_TRUE(desk.document().curves.empty()) << "keys never draw";
   desk.click("key Done");
   EXPECT_FALSE(desk.interface->wants_keys());
@@ -98,7 +98,7 @@ TEST(Interface, WhoHasNoKeyboardTypesOnTheScreen) {
 TEST(Interface, TheMenuAroundThePenStaysOnTheCanvas) {
   Desk desk("radial-place");
   desk.begin();
-  const Area free = desk.app->free_area();
+  const Area free = desk.app->canvas().free_area();
   for (const PxPoint at : {PxPoint{free.left, free.top}, PxPoint{free.right, free.bottom}}) {
     desk.app->panels().radial = at;
     desk.frames();
@@ -152,7 +152,7 @@ TEST(Interface, ACopyIsExportedAndAFileOpenedAgainWithThePenAlone) {
   desk.click("Menu");
   desk.click("Recent");
   desk.click("mine.glb##recent " + desk.path("mine.glb"));
-  EXPECT_EQ(desk.app->panels().dialog, Dialog::unsaved) << "what is not saved is asked about";
+  EXPECT_EQ(desk.app->dialogs().open(), Dialog::unsaved) << "what is not saved is asked about";
   desk.click("Open without saving");
   EXPECT_TRUE(desk.document().curves.empty());
   EXPECT_EQ(desk.app->project(), desk.path("mine.glb"));
@@ -161,12 +161,12 @@ TEST(Interface, ACopyIsExportedAndAFileOpenedAgainWithThePenAlone) {
 TEST(Interface, TheMenuAroundThePenOffersWhatWasChosenForIt) {
   Desk desk("radial");
   desk.begin();
-  desk.app->panels().dialog = Dialog::radial;
+  desk.app->dialogs().show(Dialog::radial);
   desk.frames();
   desk.click("Redo##place1");
   desk.click("Front##choose");
   desk.click("Done");
-  EXPECT_EQ(desk.app->settings().radial[1], Action::view_front);
+  EXPECT_EQ(desk.app->preferences().settings().radial[1], Action::view_front);
   EXPECT_EQ(load_settings(desk.path("config")).radial[1], Action::view_front) << "it is kept";
 }
 
@@ -180,7 +180,7 @@ TEST(Interface, AGroupOfParametersIsFoldedLockedAndReset) {
                 desk.app->workspace().perform(document::MirrorDeformer{"jaw"}));
   }
   desk.frames();
-  desk.app->set_parameter(4, desk.document().model->rig->parameters()[4].maximum);
+  desk.app->controls().set_parameter(4, desk.document().model->rig->parameters()[4].maximum);
   ASSERT_EQ(desk.document().model->rig->parameters()[4].name.substr(0, 5), "brow_");
   desk.frames();
   desk.click("##lock group brow");
@@ -196,7 +196,7 @@ TEST(Interface, AGroupOfParametersIsFoldedLockedAndReset) {
 TEST(Interface, ThePenIsTriedInTheTabletsSettings) {
   Desk desk("try");
   desk.begin();
-  desk.app->panels().dialog = Dialog::tablet;
+  desk.app->dialogs().show(Dialog::tablet);
   desk.frames();
   const Area area = *desk.interface->find("try");
   desk.app->tablet_arrived(1, replay::virtual_pen_identity());
@@ -208,9 +208,9 @@ TEST(Interface, ThePenIsTriedInTheTabletsSettings) {
                             replay::virtual_pen_report({at, 0.05 * i, true, i > 0, false, false}, viewport));
     desk.frames(1);
   }
-  ASSERT_GT(desk.app->panels().test_line.size(), 15U);
-  EXPECT_TRUE(area.holds(desk.app->panels().test_line.back())) << "the line is under the pen";
-  EXPECT_GT(desk.app->panels().test_pressure.back(), 0.5);
+  ASSERT_GT(desk.app->dialogs().state<PenTrial>().line.size(), 15U);
+  EXPECT_TRUE(area.holds(desk.app->dialogs().state<PenTrial>().line.back())) << "the line is under the pen";
+  EXPECT_GT(desk.app->dialogs().state<PenTrial>().pressure.back(), 0.5);
   EXPECT_TRUE(desk.document().curves.empty());
 }
 

@@ -19,7 +19,7 @@ TEST(Room, NothingIsCutOffInAnyWindowAtAnyScale) {
   for (const Size& size : {Size{800, 600, 96}, Size{1280, 800, 96}, Size{1280, 800, 144}, Size{1920, 1080, 144},
                            Size{3840, 2160, 96}, Size{3840, 2160, 192}}) {
     for (const Density density : {Density::compact, Density::usual, Density::touch}) {
-      desk.app->settings().density = density;
+      desk.app->preferences().settings().density = density;
       desk.app->resized({size.width, size.height}, size.dpi);
       desk.frames();
       const std::string which = std::to_string(size.width) + "x" + std::to_string(size.height) + " at " +
@@ -29,13 +29,13 @@ TEST(Room, NothingIsCutOffInAnyWindowAtAnyScale) {
         const bool listed = label.find("slider") == 0 || label.find("lock") != std::string::npos ||
                             label.find("##pair") != std::string::npos || label.find("##type") != std::string::npos ||
                             label.find("##reset") != std::string::npos || label.find("more##") == 0 ||
-                            area.left < desk.app->free_area().left;
+                            area.left < desk.app->canvas().free_area().left;
         EXPECT_GE(area.left, 0) << label << " in " << which;
         EXPECT_LE(area.right, size.width) << label << " in " << which;
         EXPECT_TRUE(listed || area.bottom <= size.height) << label << " in " << which;
       }
-      EXPECT_GT(desk.app->free_area().width(), 0.25 * size.width) << which;
-      EXPECT_GT(desk.app->free_area().height(), 0.3 * size.height) << which;
+      EXPECT_GT(desk.app->canvas().free_area().width(), 0.25 * size.width) << which;
+      EXPECT_GT(desk.app->canvas().free_area().height(), 0.3 * size.height) << which;
     }
   }
 }
@@ -48,7 +48,7 @@ TEST(Room, WhatHasNoRoomStandsInAMenu) {
   EXPECT_EQ(desk.interface->find("Onion"), nullptr);
   desk.click("More##more of time");
   desk.click("Onion");
-  EXPECT_FALSE(desk.app->panels().onion_skin);
+  EXPECT_FALSE(desk.app->canvas().look().onion_skin);
 }
 
 TEST(Room, ATooltipComesOnlyToAPointerThatRests) {

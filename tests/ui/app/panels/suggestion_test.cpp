@@ -12,7 +12,7 @@ namespace penpose::app {
 namespace {
 
 void set(Desk& desk, const std::string& name, double value) {
-  desk.app->set_parameter(*rig::find_parameter(desk.document().model->rig->parameters(), name), value);
+  desk.app->controls().set_parameter(*rig::find_parameter(desk.document().model->rig->parameters(), name), value);
   desk.frames(1);
 }
 
@@ -26,14 +26,14 @@ void key_faces(Desk& desk, int count = 3) {
     const double much = 0.3 + 0.3 * k;
     for (const char* name : {"mouth_corner_L", "mouth_corner_R"}) set(desk, name, much);
     for (const char* name : {"brow_inner_L", "brow_inner_R"}) set(desk, name, 0.9 * much);
-    desk.app->panels().time_s = 0.5 * k;
+    desk.app->playback().place_cursor(0.5 * k);
     desk.click("Key");
   }
   desk.click("Rest pose");
 }
 
 bool says(const Desk& desk, const std::string& part) {
-  const auto& notices = desk.app->notices();
+  const auto& notices = desk.app->notices().all();
   return std::any_of(notices.begin(), notices.end(),
                      [&](const Notice& one) { return one.text.find(part) != std::string::npos; });
 }
@@ -145,11 +145,11 @@ TEST(Suggestion, NotThisOneAsksAgainAndAStrokeASliderOrTheTimelineEndsIt) {
   EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
   desk.press('g');
   ASSERT_TRUE(desk.app->offer().open());
-  desk.app->scrub(0.25);
+  desk.app->playback().scrub(0.25);
   desk.frames(2);
   EXPECT_FALSE(desk.app->offer().open());
   EXPECT_TRUE(desk.app->workspace().previews()) << "what the timeline shows stays";
-  desk.app->end_scrub();
+  desk.app->playback().end_scrub();
   desk.press('g');
   ASSERT_TRUE(desk.app->offer().open());
   desk.click("Pose");

@@ -24,7 +24,7 @@ namespace {
 [[noreturn]] void draw_for_ever(Desk& desk, const std::string& model, int pipe, std::uint64_t seed) {
   if (!desk.app->open(model)) ::_exit(1);
   tests::Random random(seed);
-  const auto viewport = desk.app->view().viewport;
+  const auto viewport = desk.app->canvas().view().viewport;
   for (int i = 0;; ++i) {
     const double y = viewport.height * random.real(0.35, 0.65);
     desk.app->mouse_moved({viewport.width * 0.4, y});
@@ -55,7 +55,7 @@ TEST(Kill, ADiskThatIsFullForAWhileLosesNothing) {
   const rlimit full{std::filesystem::file_size(desk.app->session_path()) + 100, before.rlim_max};
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &full), 0);
-  const auto viewport = desk.app->view().viewport;
+  const auto viewport = desk.app->canvas().view().viewport;
   const auto draw = [&](int i) {
     const double y = viewport.height * (0.4 + 0.05 * i);
     desk.app->mouse_button(MouseButton::left, true, {viewport.width * 0.4, y});
@@ -67,7 +67,7 @@ TEST(Kill, ADiskThatIsFullForAWhileLosesNothing) {
     desk.frames(2);
   };
   const auto told = [&](const char* what) {
-    return std::any_of(desk.app->notices().begin(), desk.app->notices().end(),
+    return std::any_of(desk.app->notices().all().begin(), desk.app->notices().all().end(),
                        [&](const Notice& notice) { return notice.text.find(what) != std::string::npos; });
   };
   for (int i = 0; i < 4; ++i) draw(i);

@@ -85,7 +85,7 @@ TEST(Performing, PullingAtAGoalKeysWhatTheFaceDoesFrameByFrame) {
   const auto keyed = desk.document().pose;
   const auto curves = desk.document().curves;
   desk.press(' ', false, true);
-  ASSERT_TRUE(desk.app->panels().performs);
+  ASSERT_TRUE(desk.app->playback().while_drawing().performs);
   pull(desk, 60, 20);  // 60 frames of 16 ms
   const auto timeline = desk.document().timeline;
   // Time runs from where the pen has gone 5 of its 20 px.
@@ -94,7 +94,7 @@ TEST(Performing, PullingAtAGoalKeysWhatTheFaceDoesFrameByFrame) {
   EXPECT_NE(timeline->keys.back().pose, document::SharedPose(keyed));
   for (const auto& key : timeline->keys) EXPECT_DOUBLE_EQ(key.time_s, on_frame(key.time_s, 24));
   EXPECT_EQ(curves, desk.document().curves) << "the goal goes back: the pen was a string";
-  EXPECT_DOUBLE_EQ(desk.app->panels().time_s, timeline->keys.back().time_s);
+  EXPECT_DOUBLE_EQ(desk.app->playback().time_s(), timeline->keys.back().time_s);
   EXPECT_EQ(desk.document().pose, rig::Pose(timeline->keys.back().pose));
   desk.press('z', true);
   EXPECT_EQ(desk.document().timeline->keys.size(), 1U) << "one step takes the take back";
@@ -108,7 +108,7 @@ TEST(Performing, ASecondTakeKeepsWhatTheFirstOneMoved) {
   desk.press(' ', false, true);
   pull(desk, 60, 15);
   const auto first = desk.document().timeline;
-  desk.app->go_to(0);
+  desk.app->playback().go_to(0);
   desk.stroke(desk.named_curve("brow_L"));  // nothing: the tool is not one that draws
   desk.press('b');
   desk.stroke(desk.named_curve("brow_L"));
@@ -166,7 +166,7 @@ TEST(Performing, ATouchOfAGoalIsStillATouch) {
   const auto before = desk.document().timeline;
   pull(desk, 1, 1);
   EXPECT_EQ(desk.document().timeline, before);
-  EXPECT_FALSE(desk.app->performing());
+  EXPECT_FALSE(desk.app->performer().performing());
 }
 
 TEST(Performing, TheLineBelowSaysWhatTheTakeKeyedAndNotWhatAStrokeBeforeItDid) {
@@ -179,7 +179,7 @@ TEST(Performing, TheLineBelowSaysWhatTheTakeKeyedAndNotWhatAStrokeBeforeItDid) {
   const std::string take = outcome_of(desk.app->workspace());
   EXPECT_NE(take.find("frames are keyed"), std::string::npos) << take;
   // The next thing that happens is what there is to say.
-  desk.app->undo();
+  desk.app->playback().undo();
   desk.frames();
   EXPECT_EQ(outcome_of(desk.app->workspace()).find("frames are keyed"), std::string::npos);
 }

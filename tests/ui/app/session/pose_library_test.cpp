@@ -12,7 +12,7 @@ std::size_t index_of(const Desk& desk, const std::string& name) {
   return *rig::find_parameter(desk.document().model->rig->parameters(), name);
 }
 
-void set(Desk& desk, const std::string& name, double value) { desk.app->set_parameter(index_of(desk, name), value); }
+void set(Desk& desk, const std::string& name, double value) { desk.app->controls().set_parameter(index_of(desk, name), value); }
 double value_of(const Desk& desk, const std::string& name) { return desk.document().pose[index_of(desk, name)]; }
 
 /// A key at 1 s, named "wink", of a brow and the jaw; then back at rest.
@@ -20,9 +20,9 @@ void key_wink(Desk& desk) {
   desk.begin();
   set(desk, "brow_inner_L", 0.8);
   set(desk, "jaw", 0.5);
-  desk.app->panels().time_s = 1;
+  desk.app->playback().place_cursor(1);
   desk.app->do_action(Action::key_pose);
-  desk.app->name_key("wink");
+  desk.app->keys().name("wink");
   desk.app->workspace().perform(document::ResetParameters{});
   desk.frames();
 }

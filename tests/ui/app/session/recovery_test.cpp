@@ -42,7 +42,7 @@ TEST(Recovery, AfterACrashTheWorkComesBackWithItsStepsAndIsOfferedAgainAfterTheN
   const auto lost = desk->app->workspace().state();
   const std::string session = crash(std::move(desk));
   desk = start("crash");
-  ASSERT_EQ(desk->app->panels().dialog, Dialog::recover);
+  ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover);
   desk->click("Bring it back");
   EXPECT_EQ(desk->app->workspace().state(), lost);
   EXPECT_TRUE(desk->app->workspace().unsaved()) << "quitting asks";
@@ -56,7 +56,7 @@ TEST(Recovery, AfterACrashTheWorkComesBackWithItsStepsAndIsOfferedAgainAfterTheN
   // The next crash comes before anything else is done.
   crash(std::move(desk));
   desk = start("crash");
-  ASSERT_EQ(desk->app->panels().dialog, Dialog::recover);
+  ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover);
   desk->click("Bring it back");
   EXPECT_EQ(desk->app->workspace().state(), lost);
   // And one after more work.
@@ -64,7 +64,7 @@ TEST(Recovery, AfterACrashTheWorkComesBackWithItsStepsAndIsOfferedAgainAfterTheN
   const auto later = desk->app->workspace().state();
   crash(std::move(desk));
   desk = start("crash");
-  ASSERT_EQ(desk->app->panels().dialog, Dialog::recover);
+  ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover);
   desk->click("Bring it back");
   EXPECT_EQ(desk->app->workspace().state(), later);
   EXPECT_EQ(desk->app->workspace().editor().history().undo_count(), 3U);
@@ -78,23 +78,23 @@ TEST(Recovery, SaveGoesWhereTheWorkWasSavedBeforeTheCrash) {
   // Nothing is lost when everything was saved.
   crash(std::move(desk));
   desk = start("crash-project");
-  EXPECT_NE(desk->app->panels().dialog, Dialog::recover);
+  EXPECT_NE(desk->app->dialogs().open(), Dialog::recover);
   // The project is opened, saved over itself, and gone on with.
   ASSERT_TRUE(desk->app->open(project).ok());
   desk->frames();
   desk->click("Key");
   desk->press('s', true);
   EXPECT_FALSE(desk->app->workspace().unsaved());
-  desk->app->set_parameter(0, desk->document().model->rig->parameters()[0].maximum);
+  desk->app->controls().set_parameter(0, desk->document().model->rig->parameters()[0].maximum);
   const auto lost = desk->app->workspace().state();
   crash(std::move(desk));
   desk = start("crash-project");
-  ASSERT_EQ(desk->app->panels().dialog, Dialog::recover);
+  ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover);
   desk->click("Bring it back");
   EXPECT_EQ(desk->app->workspace().state(), lost) << "though the file that it began on was written over";
   EXPECT_EQ(desk->app->project(), project);
   desk->press('s', true);
-  EXPECT_EQ(desk->app->panels().dialog, Dialog::none) << "no name is asked for";
+  EXPECT_EQ(desk->app->dialogs().open(), Dialog::none) << "no name is asked for";
   EXPECT_FALSE(desk->app->workspace().unsaved());
 }
 
@@ -109,7 +109,7 @@ TEST(Recovery, AStrokeThatTheCrashCutOffIsKeptAsFarAsItCame) {
   const std::size_t last = text.rfind("\nE:");
   std::ofstream(session, std::ios::binary) << text.substr(0, last + 12);
   desk = start("crash-stroke");
-  ASSERT_EQ(desk->app->panels().dialog, Dialog::recover);
+  ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover);
   desk->click("Bring it back");
   ASSERT_EQ(desk->document().curves.size(), 1U);
   EXPECT_TRUE(desk->document().curves.front()->target.has_value());
@@ -140,7 +140,7 @@ TEST(Recovery, WhereverTheFileWasCutOffItGoesOnAndReplays) {
     std::ofstream(session, std::ios::binary) << whole.substr(0, cut);
     std::ofstream(session + ".open") << note;
     desk = start("crash-cut");
-    ASSERT_EQ(desk->app->panels().dialog, Dialog::recover) << "cut at byte " << cut;
+    ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover) << "cut at byte " << cut;
     desk->click("Bring it back");
     desk->begin();
     desk->click("Key");
@@ -161,17 +161,17 @@ TEST(Recovery, WhatIsLeftForLaterIsOfferedAtTheNextStart) {
   pose_mouth(*desk);
   crash(std::move(desk));
   desk = start("crash-later");
-  ASSERT_EQ(desk->app->panels().dialog, Dialog::recover);
+  ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover);
   desk->hit_escape();
-  EXPECT_EQ(desk->app->panels().dialog, Dialog::none);
+  EXPECT_EQ(desk->app->dialogs().open(), Dialog::none);
   desk.reset();
   desk = start("crash-later");
-  ASSERT_EQ(desk->app->panels().dialog, Dialog::recover);
+  ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover);
   desk->click("Start anew");
-  EXPECT_EQ(desk->app->panels().dialog, Dialog::none);
+  EXPECT_EQ(desk->app->dialogs().open(), Dialog::none);
   desk.reset();
   desk = start("crash-later");
-  EXPECT_EQ(desk->app->panels().dialog, Dialog::none);
+  EXPECT_EQ(desk->app->dialogs().open(), Dialog::none);
 }
 
 TEST(Recovery, WorkThatASignalInterruptsIsOfferedAtTheNextStart) {
@@ -187,7 +187,7 @@ TEST(Recovery, WorkThatASignalInterruptsIsOfferedAtTheNextStart) {
     EXPECT_TRUE(desk.app->wants_quit()) << "nobody is asked";
   }
   Desk desk("signal", "builtin:demo", false);
-  ASSERT_EQ(desk.app->panels().dialog, Dialog::recover);
+  ASSERT_EQ(desk.app->dialogs().open(), Dialog::recover);
   desk.click("Bring it back");
   EXPECT_EQ(desk.app->workspace().state().parts[3], lost.parts[3]);
 }

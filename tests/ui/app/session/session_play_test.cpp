@@ -51,15 +51,15 @@ Played play(const std::string& name, const std::string& text) {
     EXPECT_EQ(desk.app->workspace().state(), before) << "what is refused changes nothing";
     return out;
   }
-  desk.app->player()->set_speed(16);
-  for (int i = 0; i < 2000 && !desk.app->player()->finished(); ++i) {
+  desk.app->player().trace->set_speed(16);
+  for (int i = 0; i < 2000 && !desk.app->player().trace->finished(); ++i) {
     desk.frames(1);
-    for (const Notice& notice : desk.app->notices()) {
+    for (const Notice& notice : desk.app->notices().all()) {
       if (notice.is_error) out.said = notice.text;
     }
   }
-  EXPECT_TRUE(desk.app->player()->finished());
-  out.divergence = desk.app->player()->divergence();
+  EXPECT_TRUE(desk.app->player().trace->finished());
+  out.divergence = desk.app->player().trace->divergence();
   return out;
 }
 

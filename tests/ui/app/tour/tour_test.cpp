@@ -54,7 +54,7 @@ TEST(Tour, WhatIsNoTourIsRefusedWithItsLine) {
 
 /// The line that a tour shows, as the hand sees it; moved by some px.
 std::vector<PxPoint> shown_line(Desk& desk, PxPoint by = {}) {
-  const document::View& view = desk.app->view();
+  const document::View& view = desk.app->canvas().view();
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   std::vector<PxPoint> line;
   for (const auto& point : desk.app->tour().ghost()) line.push_back(*camera->project(point) + by);
@@ -74,7 +74,7 @@ TEST(Tour, TheFirstStartOffersThemAndTheSearchFindsThem) {
   desk.click("Tour: pose a face");
   ASSERT_TRUE(desk.app->tour().active());
   EXPECT_EQ(desk.app->tour().tour().name, "pose");
-  EXPECT_TRUE(desk.app->settings().steps_seen) << "it is not offered at every start";
+  EXPECT_TRUE(desk.app->preferences().settings().steps_seen) << "it is not offered at every start";
   const auto found = find_commands(*desk.app, "tour");
   ASSERT_GE(found.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(found[i].text.starts_with("Tour: ")) << found[i].text;
@@ -116,7 +116,7 @@ TEST(Tour, WhoTakesBackAStrokeIsShownItAgain) {
   desk.stroke(shown_line(desk));
   desk.stroke(shown_line(desk));
   ASSERT_EQ(desk.app->tour().step(), 2U);
-  desk.app->undo();
+  desk.app->playback().undo();
   desk.frames();
   EXPECT_EQ(desk.app->tour().step(), 1U);
   desk.stroke(shown_line(desk));
@@ -160,7 +160,7 @@ TEST(Tour, ThreeLinesMakeTheControlOfTheSecond) {
   const Area at = *found;
   const PxPoint middle = at.middle();
   // Half of the way is not its end.
-  desk.app->set_parameter(0, 0.4);
+  desk.app->controls().set_parameter(0, 0.4);
   desk.frames();
   EXPECT_FALSE(desk.app->tour().done());
   EXPECT_NE(desk.app->tour().again(), "");
@@ -180,7 +180,7 @@ TEST(Tour, TwoKeysAndPlayEndTheThird) {
   begin_tour(desk, "animate");
   desk.click("Key");
   ASSERT_EQ(desk.app->tour().step(), 1U);
-  desk.app->go_to(0.5);
+  desk.app->playback().go_to(0.5);
   desk.frames();
   EXPECT_EQ(desk.app->tour().step(), 1U);
   EXPECT_NE(desk.app->tour().again().find("frame"), std::string::npos);
@@ -233,7 +233,7 @@ TEST(Tour, TheCardCutsNothingInAWindowOfAnySize) {
   for (const auto& [width, height] : {std::pair{800, 600}, std::pair{1280, 800}, std::pair{3840, 2160}}) {
     desk.app->resized({width, height}, 96);
     desk.frames();
-    const Area free = desk.app->free_area();
+    const Area free = desk.app->canvas().free_area();
     for (const PxPoint& p : shown_line(desk)) EXPECT_TRUE(free.holds(p)) << width;
     for (const char* label : {"Skip##tour", "Leave##tour"}) {
       const Area* at = desk.interface->find(label);

@@ -43,7 +43,7 @@ TEST(Outcome, ALineOfWhichAPartWasLeftOutIsSaidSo) {
     desk.begin();
     line = desk.named_curve("brow_L");
     desk.stroke(line);
-    for (const auto& one : desk.app->notices())
+    for (const auto& one : desk.app->notices().all())
       EXPECT_EQ(one.text.find("% of the line"), std::string::npos) << one.text;
   }
   // On, and far out of the face.
@@ -52,7 +52,7 @@ TEST(Outcome, ALineOfWhichAPartWasLeftOutIsSaidSo) {
   Desk desk("outcome-cut");
   desk.begin();
   desk.stroke(line);
-  const auto notices = desk.app->notices();
+  const auto notices = desk.app->notices().all();
   ASSERT_FALSE(notices.empty());
   EXPECT_NE(notices.back().text.find("% of the line was kept"), std::string::npos) << notices.back().text;
 }

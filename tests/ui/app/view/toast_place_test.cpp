@@ -29,12 +29,12 @@ TEST(ToastPlace, ItCoversNothingThatIsDrawnWhereACornerIsFree) {
 TEST(ToastPlace, WhatIsSaidGoesAfterFourSeconds) {
   Desk desk("toast");
   desk.begin();
-  desk.app->tell("something happened");
+  desk.app->notices().tell("something happened");
   desk.frames(200);  // 3.2 s
-  ASSERT_EQ(desk.app->notices().size(), 1U);
+  ASSERT_EQ(desk.app->notices().all().size(), 1U);
   EXPECT_GE(desk.app->next_frame_ms(), 0) << "it goes without an event";
   desk.frames(60);
-  EXPECT_TRUE(desk.app->notices().empty());
+  EXPECT_TRUE(desk.app->notices().all().empty());
   EXPECT_EQ(desk.app->next_frame_ms(), -1) << "then nothing is to be drawn any more";
 }
 

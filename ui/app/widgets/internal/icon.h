@@ -10,7 +10,7 @@
 namespace penpose::app {
 
 /// The drawing of an action's icon (icon.cpp tells the language); empty: it has none.
-[[nodiscard]] std::string_view icon_of(Action action);
+[[nodiscard]] inline std::string_view icon_of(Action action) { return info(action).icon; }
 
 /// Draws one in a square of `size` px about a middle.
 void draw_icon(ImDrawList& list, std::string_view icon, ImVec2 middle, float size, ImU32 color);

@@ -12,6 +12,11 @@
 namespace penpose::app {
 namespace {
 
+/// Whether the cursor was placed in the field of a dialog that has just taken the keyboard.
+struct FieldCursor {
+  bool placed = true;
+};
+
 constexpr float k_pi = 3.14159265F;
 
 /// Puts the cursor at the end of a field that has just taken the keyboard; of a file's name all but its ending is
@@ -47,7 +52,7 @@ void tooltip(PanelContext& context, const char* text) {
   // Over the canvas beside the panel that the item is on, else below it.
   const ImVec2 least = ImGui::GetItemRectMin();
   const ImVec2 most = ImGui::GetItemRectMax();
-  const Area free = context.app.free_area();
+  const Area free = context.app.canvas().free_area();
   const auto left = static_cast<float>(free.left);
   const auto right = static_cast<float>(free.right);
   const auto top = static_cast<float>(free.top);
@@ -201,7 +206,7 @@ bool action_button(PanelContext& context, Action action, float width, bool chose
 bool begin_panel(PanelContext& context, const char* name, const Area& area, bool scrolls) {
   ImGui::SetNextWindowPos({static_cast<float>(area.left), static_cast<float>(area.top)});
   ImGui::SetNextWindowSize({static_cast<float>(area.width()), static_cast<float>(area.height())});
-  context.app.hits().panels.push_back(area);
+  context.app.canvas().hits().panels.push_back(area);
   return ImGui::Begin(name, nullptr,
                       ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                           (scrolls ? 0 : ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_NoMove |
@@ -212,9 +217,9 @@ bool begin_panel(PanelContext& context, const char* name, const Area& area, bool
 void end_panel() { ImGui::End(); }
 
 bool begin_dialog(PanelContext& context, const char* title, float width_units) {
-  const auto window = context.app.window();
+  const auto window = context.app.canvas().window();
   const ImVec2 size{static_cast<float>(window.width), static_cast<float>(window.height)};
-  context.app.hits().all = true;
+  context.app.canvas().hits().all = true;
   // Everything behind it lies in shade.
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(size);
@@ -257,7 +262,7 @@ void note_field(PanelContext& context, const char* label) {
 
 bool begin_menu(PanelContext& context, const char* name) {
   if (!ImGui::BeginPopup(name)) return false;
-  context.app.hits().all = true;
+  context.app.canvas().hits().all = true;
   context.menu_open = true;
   if (context.cancels) ImGui::CloseCurrentPopup();
   return true;
@@ -267,12 +272,12 @@ void dialog_field(PanelContext& context, const char* label, std::string& text, c
   context.has_field = true;
   if (context.field_first) {
     ImGui::SetKeyboardFocusHere();
-    context.app.panels().cursor_placed = false;
+    context.app.panels().own.of<FieldCursor>().placed = false;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5F * (context.unit - ImGui::GetFontSize())});
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint(label, hint, &text, ImGuiInputTextFlags_CallbackAlways, place_cursor,
-                           &context.app.panels().cursor_placed);
+                           &context.app.panels().own.of<FieldCursor>().placed);
   note_field(context, label);
   ImGui::PopStyleVar();
 }

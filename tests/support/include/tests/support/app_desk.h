@@ -25,7 +25,7 @@ class Desk {
     options.clock = [this] { return now_us; };
     options.date = [] { return std::string("2026-01-02_03-04-05"); };
     app = std::make_unique<App>(options);
-    app->panels().folder = folder.string();
+    app->dialogs().state<FileChoice>().folder = folder.string();
     const auto opened = app->open(model);
     EXPECT_TRUE(opened.ok()) << (opened.ok() ? "" : opened.error().line());
     interface = std::make_unique<Interface>(*app);
@@ -112,13 +112,13 @@ class Desk {
   }
   /// Where the view shows points of a named curve of the model at rest, moved by some px.
   [[nodiscard]] std::vector<PxPoint> named_curve(const std::string& name, PxPoint by = {}) const {
-    const document::View& view = app->view();
+    const document::View& view = app->canvas().view();
     const auto camera = geometry::Camera::make(view.camera, view.viewport);
     std::vector<PxPoint> line;
     for (const auto& curve : document().model->curves) {
       if (curve.name != name) continue;
       for (const auto& point : curve.points) {
-        const auto px = camera->project(geometry::ModelPoint(app->surface().at(point)));
+        const auto px = camera->project(geometry::ModelPoint(app->canvas().surface().at(point)));
         if (px) line.push_back(*px + by);
       }
     }

@@ -56,7 +56,7 @@ class PadDesk : public Desk {
   }
   [[nodiscard]] drawing::ToolKind tool() const { return app->workspace().editor().tool().kind; }
   [[nodiscard]] bool told(const std::string& text) const {
-    for (const Notice& one : app->notices()) {
+    for (const Notice& one : app->notices().all()) {
       if (one.text == text) return true;
     }
     return false;

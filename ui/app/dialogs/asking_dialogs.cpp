@@ -11,7 +11,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void recover_dialog(PanelContext& context) {
+}  // namespace
+
+void show_recover_dialog(PanelContext& context) {
   App& app = context.app;
   if (begin_dialog(context, "There is work that was not saved", 13)) {
     const std::string name = app.abandoned().empty() ? "" : fs::path(app.abandoned().front()).stem().string();
@@ -27,7 +29,7 @@ void recover_dialog(PanelContext& context) {
   end_dialog();
 }
 
-void steps_dialog(PanelContext& context) {
+void show_steps_dialog(PanelContext& context) {
   App& app = context.app;
   if (begin_dialog(context, "Draw, and the face follows", 14)) {
     ImGui::TextWrapped("1   Draw along a feature as it is: the line of the mouth, a brow, an eyelid.");
@@ -50,7 +52,7 @@ void steps_dialog(PanelContext& context) {
   end_dialog();
 }
 
-void sessions_dialog(PanelContext& context) {
+void show_sessions_dialog(PanelContext& context) {
   App& app = context.app;
   if (begin_dialog(context, "Sessions", 17)) {
     const std::string now = app.session_path();
@@ -61,7 +63,7 @@ void sessions_dialog(PanelContext& context) {
       if (path == now) continue;
       ImGui::PushID(path.c_str());
       if (wide_button(context, "Play##session", 2.4F * context.unit, false, "Watch it in this window")) {
-        if (const auto played = app.play_trace(path); !played) app.tell(played.error().line(path), true);
+        if (const auto played = app.play_trace(path); !played) app.notices().tell(played.error().line(path), true);
       }
       ImGui::SameLine();
       if (wide_button(context, "Go on##session", 2.4F * context.unit, false, "Open where it ended")) app.try_open(path);
@@ -70,89 +72,24 @@ void sessions_dialog(PanelContext& context) {
       ImGui::PopID();
     }
     ImGui::EndChild();
-    if (wide_button(context, "Close") || context.accepts) app.panels().dialog = Dialog::none;
+    if (wide_button(context, "Close") || context.accepts) app.dialogs().show(Dialog::none);
   }
   end_dialog();
 }
 
-void unsaved_dialog(PanelContext& context) {
+void show_unsaved_dialog(PanelContext& context) {
   App& app = context.app;
   if (begin_dialog(context, "There is unsaved work", 13)) {
     ImGui::TextWrapped("It is kept in the list of sessions in any case.");
     if (wide_button(context, "Save first") || context.accepts) app.save_first();
     ImGui::SameLine();
-    const char* without = app.panels().after_unsaved.empty() ? "Quit without saving" : "Open without saving";
+    const char* without =
+        app.dialogs().state<UnsavedWork>().then_opens.empty() ? "Quit without saving" : "Open without saving";
     if (wide_button(context, without)) app.go_on_without_saving();
     ImGui::SameLine();
     if (wide_button(context, "Cancel")) app.do_action(Action::cancel);
   }
   end_dialog();
-}
-
-}  // namespace
-
-void show_dialog(PanelContext& context) {
-  const Dialog dialog = context.app.panels().dialog;
-  switch (dialog) {
-    case Dialog::none:
-      break;
-    case Dialog::open:
-      show_open_dialog(context);
-      break;
-    case Dialog::save:
-      show_save_dialog(context);
-      break;
-    case Dialog::export_as:
-      show_export_dialog(context);
-      break;
-    case Dialog::recent:
-      show_recent_dialog(context);
-      break;
-    case Dialog::recover:
-      recover_dialog(context);
-      break;
-    case Dialog::steps:
-      steps_dialog(context);
-      break;
-    case Dialog::tablet:
-      show_tablet_dialog(context);
-      break;
-    case Dialog::pad:
-      show_pad_dialog(context);
-      break;
-    case Dialog::number:
-      show_number_dialog(context);
-      break;
-    case Dialog::key_name:
-      show_key_dialog(context);
-      break;
-    case Dialog::radial:
-      show_radial_dialog(context);
-      break;
-    case Dialog::sessions:
-      sessions_dialog(context);
-      break;
-    case Dialog::shortcuts:
-      show_shortcuts_dialog(context);
-      break;
-    case Dialog::search:
-      show_search_dialog(context);
-      break;
-    case Dialog::history:
-      show_history_dialog(context);
-      break;
-    case Dialog::film:
-      show_film_dialog(context);
-      break;
-    case Dialog::backdrop:
-      show_backdrop_dialog(context);
-      break;
-    case Dialog::unsaved:
-      unsaved_dialog(context);
-      break;
-  }
-  if (context.cancels && dialog != Dialog::none && context.app.panels().dialog == dialog)
-    context.app.do_action(Action::cancel);
 }
 
 }  // namespace penpose::app

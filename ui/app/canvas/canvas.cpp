@@ -1,0 +1,152 @@
+#include "ui/app/canvas/canvas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "ui/app/input/navigation.h"
+
+namespace penpose::app {
+namespace {
+
+constexpr double k_target_mm = 9;
+constexpr double k_mm_per_inch = 25.4;
+/// Sizes of what is hit by density, where the usual is 1.
+constexpr double k_compact = 0.72;
+constexpr double k_touch = 1.3;
+/// Displays that say less or more than this say nonsense.
+constexpr double k_least_dpi = 60;
+constexpr double k_most_dpi = 600;
+
+/// The view by which a project keeps what its front is.
+constexpr std::string_view k_front = "front";
+
+/// Degrees about +Y by which the model's own front stands away from +Z.
+double front_of(const document::Document& document) {
+  for (const auto& named : document.views) {
+    if (named->name == k_front) return viewpoint_of(named->view.camera).yaw_degrees;
+  }
+  return 0;
+}
+
+}  // namespace
+
+Canvas::Canvas(Workspace& workspace, Preferences& preferences, Notices& notices, const Player& player)
+    : workspace_(workspace), preferences_(preferences), notices_(notices), player_(player) {
+  // Before the first frame nobody knows where panels are.
+  hits_.all = true;
+}
+
+double Canvas::dpi() const { return dpi_ >= k_least_dpi && dpi_ <= k_most_dpi ? dpi_ : 96; }
+
+double Canvas::scale() const { return preferences_.settings().scale * dpi() / 96; }
+
+double Canvas::target_px() const {
+  const Settings& settings = preferences_.settings();
+  const double density = settings.density == Density::compact ? k_compact
+                         : settings.density == Density::touch ? k_touch
+                                                              : 1.0;
+  return std::ceil(k_target_mm / k_mm_per_inch * dpi() * std::max(1.0, settings.scale) * density);
+}
+
+void Canvas::resized(geometry::Viewport window, double dpi) {
+  window = {std::clamp(window.width, 1, 16384), std::clamp(window.height, 1, 16384)};
+  dpi_ = dpi;
+  if (window == window_ && view_.viewport == window) return;
+  window_ = window;
+  view_.viewport = window;
+  free_.right = std::max(free_.left + 1, std::min(free_.right, static_cast<double>(window.width)));
+  free_.bottom = std::max(free_.top + 1, std::min(free_.bottom, static_cast<double>(window.height)));
+  if (framed_) frame_from(viewpoint_);
+}
+
+void Canvas::set_free_area(const Area& area) {
+  if (area == free_ || area.width() < 50 || area.height() < 50) return;
+  free_ = area;
+  if (framed_) frame_from(viewpoint_);
+}
+
+void Canvas::commit() {
+  if (workspace_.pen_is_drawing() || player_.plays_session()) return;
+  workspace_.set_view(view_);
+}
+
+void Canvas::set_camera(const geometry::CameraPose& camera) {
+  view_.camera = camera;
+  framed_ = false;
+}
+
+void Canvas::show_played() { view_.camera = workspace_.editor().view().camera; }
+
+void Canvas::frame_all() { frame_from(viewpoint_of(view_.camera)); }
+
+void Canvas::begin() {
+  surface_.update(workspace_.shown_model(), workspace_.shown_pose());
+  framed_ = true;
+  set_flat(false);
+  look_from(*render::find_viewpoint("front"));
+}
+
+void Canvas::turn(double yaw, double pitch) { set_camera(orbited(view_.camera, yaw, pitch)); }
+
+void Canvas::zoom(double factor, PxPoint about) { set_camera(zoomed(view_, factor, about, surface_.size())); }
+
+void Canvas::pan(PxPoint by) { set_camera(panned(view_, by)); }
+
+void Canvas::frame_from(const render::Viewpoint& from) {
+  viewpoint_ = from;
+  framed_ = true;
+  const bool was_flat = flat();
+  view_ = framed(surface_.positions(), window_, free_, from);
+  if (was_flat) set_flat(true);
+}
+
+void Canvas::look_from(const render::Viewpoint& viewpoint) {
+  const render::Viewpoint from{viewpoint.yaw_degrees + front_of(workspace_.document()), viewpoint.pitch_degrees};
+  if (framed_) return frame_from(from);
+  // Whoever looks closely goes on looking closely; Frame shows all.
+  if (!workspace_.pen_is_drawing()) view_.camera = seen_from(view_, from, free_.middle());
+}
+
+render::Viewpoint Canvas::looking_from() const {
+  const render::Viewpoint now = viewpoint_of(view_.camera);
+  return {now.yaw_degrees - front_of(workspace_.document()), now.pitch_degrees};
+}
+
+void Canvas::set_front() {
+  if (workspace_.pen_is_drawing()) return;
+  document::View view = view_;
+  view.camera = seen_from(view_, {viewpoint_of(view_.camera).yaw_degrees, 0}, free_.middle());
+  if (!workspace_.perform(document::SaveView{std::string(k_front), view})) return;
+  view_.camera = view.camera;
+  framed_ = false;
+  notices_.tell("this side is the model's front now: Front, 3/4 and Side go by it");
+}
+
+bool Canvas::flat() const { return view_.camera.vertical_fov_degrees < k_flat_degrees + 0.5; }
+
+void Canvas::set_flat(bool on) {
+  if (on == flat() || workspace_.pen_is_drawing()) return;
+  // What lies at the depth of the middle stays as large as it is.
+  view_.camera = with_field_of_view(view_.camera, on ? k_flat_degrees : k_usual_degrees);
+}
+
+bool open_backdrop(Canvas& canvas, Notices& notices, const std::string& path) {
+  geometry::Box box;
+  for (const glm::vec3& p : canvas.surface().positions()) box.add(geometry::ModelPoint(p));
+  const bool empty = canvas.surface().positions().empty();
+  auto made = Backdrop::open(path, empty ? geometry::ModelPoint(0) : box.center(),
+                             empty ? 1.0 : std::max(box.maximum.y - box.minimum.y, 0.1 * box.diagonal()));
+  if (!made) {
+    notices.tell(made.error().line(path), true);
+    return false;
+  }
+  canvas.look().backdrop = std::move(*made);
+  const std::size_t frames = canvas.look().backdrop->frame_count();
+  notices.tell(frames > 1 ? std::to_string(frames) + " pictures, one a frame: drag them to where they fit, then Done"
+                          : "Drag the picture to where it fits, the wheel sizes it, then Done");
+  return true;
+}
+
+}  // namespace penpose::app

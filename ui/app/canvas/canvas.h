@@ -1,0 +1,97 @@
+#pragma once
+
+#include <memory>
+
+#include "ui/app/files/player.h"
+#include "ui/app/notices.h"
+#include "ui/app/preferences.h"
+#include "ui/app/session/workspace.h"
+#include "ui/app/view/area.h"
+#include "ui/app/view/backdrop.h"
+#include "ui/app/view/hit_map.h"
+#include "ui/app/view/posed_surface.h"
+#include "ui/render/framing.h"
+
+namespace penpose::app {
+
+/// How the canvas is shown. Nothing of it is saved.
+struct CanvasLook {
+  bool wireframe = false;
+  bool onion_skin = true;              ///< lines of the keys before and after
+  bool fullscreen = false;             ///< of the window
+  std::shared_ptr<Backdrop> backdrop;  ///< a picture behind the model; null: none
+};
+
+/// The model as it is seen: the window's size, the part that panels leave free, the camera, the posed surface.
+/// Coordinates are px of the window.
+class Canvas {
+ public:
+  Canvas(Workspace& workspace, Preferences& preferences, Notices& notices, const Player& player);
+
+  // The place of it.
+  void resized(geometry::Viewport window, double dpi);
+  [[nodiscard]] geometry::Viewport window() const { return window_; }
+  /// Px of the display for each px of an ordinary one.
+  [[nodiscard]] double scale() const;
+  /// Px of a target that a finger or a pen hits for certain: 9 mm.
+  [[nodiscard]] double target_px() const;
+  /// The part of the window that no panel covers.
+  [[nodiscard]] const Area& free_area() const { return free_; }
+  void set_free_area(const Area& area);
+  [[nodiscard]] HitMap& hits() { return hits_; }
+  [[nodiscard]] const HitMap& hits() const { return hits_; }
+  [[nodiscard]] CanvasLook& look() { return look_; }
+  [[nodiscard]] const CanvasLook& look() const { return look_; }
+  [[nodiscard]] PosedSurface& surface() { return surface_; }
+  [[nodiscard]] const PosedSurface& surface() const { return surface_; }
+
+  // The camera.
+  /// As it is shown now.
+  [[nodiscard]] const document::View& view() const { return view_; }
+  /// Makes it the view of the strokes to come, unless one is being drawn or a session is played.
+  void commit();
+  /// Another camera; the view frames the model no longer.
+  void set_camera(const geometry::CameraPose& camera);
+  /// The camera that a session is played with.
+  void show_played();
+  /// Looks at all of the model from where one looks.
+  void frame_all();
+  /// Looks at all of another model from its front.
+  void begin();
+  /// Degrees about the model.
+  void turn(double yaw, double pitch);
+  void zoom(double factor, PxPoint about);
+  void pan(PxPoint by);
+  /// Looks from a direction by the model's own front; a view that was zoomed into stays as near as it is.
+  void look_from(const render::Viewpoint& viewpoint);
+  /// The direction in which one looks, by the model's own front.
+  [[nodiscard]] render::Viewpoint looking_from() const;
+  /// What is seen from here is the model's front from now on.
+  void set_front();
+  /// With perspective or without.
+  [[nodiscard]] bool flat() const;
+  void set_flat(bool on);
+
+ private:
+  void frame_from(const render::Viewpoint& from);
+  [[nodiscard]] double dpi() const;
+
+  Workspace& workspace_;
+  Preferences& preferences_;
+  Notices& notices_;
+  const Player& player_;
+  PosedSurface surface_;
+  CanvasLook look_;
+  HitMap hits_;
+  geometry::Viewport window_{1280, 800};
+  double dpi_ = 96;
+  Area free_{0, 0, 1280, 800};
+  document::View view_;
+  render::Viewpoint viewpoint_;
+  bool framed_ = false;  ///< the view still frames the model: it follows the window's size
+};
+
+/// Puts a picture, or the frames of a film, behind the model. False, and said why, where it cannot be read.
+bool open_backdrop(Canvas& canvas, Notices& notices, const std::string& path);
+
+}  // namespace penpose::app

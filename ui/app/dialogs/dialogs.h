@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "ui/app/states.h"
+
+namespace penpose::app {
+
+/// A dialog by its name in the list of dialogs (dialog_list.cpp).
+struct Dialog {
+  std::string_view name;
+  friend constexpr bool operator==(Dialog, Dialog) = default;
+
+  // Those that are asked for by name elsewhere.
+  static const Dialog none, open, save, export_as, recent, recover, steps, tablet, pad, sessions, unsaved, number,
+      key_name, radial, shortcuts, search, history, film, backdrop;
+};
+inline constexpr Dialog Dialog::none{""}, Dialog::open{"open"}, Dialog::save{"save"}, Dialog::export_as{"export"},
+    Dialog::recent{"recent"}, Dialog::recover{"recover"}, Dialog::steps{"steps"}, Dialog::tablet{"tablet"},
+    Dialog::pad{"pad"}, Dialog::sessions{"sessions"}, Dialog::unsaved{"unsaved"}, Dialog::number{"number"},
+    Dialog::key_name{"key name"}, Dialog::radial{"radial"}, Dialog::shortcuts{"shortcuts"}, Dialog::search{"search"},
+    Dialog::history{"history"}, Dialog::film{"film"}, Dialog::backdrop{"backdrop"};
+
+/// Which dialog is open, and what each keeps for itself.
+class Dialogs {
+ public:
+  [[nodiscard]] Dialog open() const { return open_; }
+  [[nodiscard]] bool any() const { return open_ != Dialog::none; }
+  void show(Dialog dialog) { open_ = dialog; }
+  void close() { open_ = Dialog::none; }
+  /// What a dialog keeps, made when it is first asked for.
+  template <typename State>
+  [[nodiscard]] State& state() {
+    return states_.of<State>();
+  }
+
+ private:
+  Dialog open_ = Dialog::none;
+  States states_;
+};
+
+/// What dialogs of files share: where one looks, and the name that is being typed.
+struct FileChoice {
+  std::string folder;
+  std::string name;
+};
+
+}  // namespace penpose::app

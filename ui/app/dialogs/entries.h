@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/geometry/camera.h"
+#include "ui/app/input/binding.h"
+#include "ui/app/view/area.h"
+
+// What dialogs keep that others fill or look at.
+
+namespace penpose::app {
+
+/// A number being typed for a parameter.
+struct NumberEntry {
+  enum class Field : std::uint8_t { value, least, most };
+  std::string parameter;
+  std::string text;
+  Field field = Field::value;
+};
+
+/// A name being typed for the key at the timeline's cursor.
+struct KeyNameEntry {
+  std::string text;
+};
+
+/// In the search, and in the list of shortcuts.
+struct SearchEntry {
+  std::string text;
+  std::size_t chosen = 0;  ///< of what was found
+};
+
+/// Whose keys are shown, and which of them something is chosen for.
+struct PadChoice {
+  std::pair<std::string, std::string> tablet;  ///< by key and unit; empty: the first
+  PadControl control;
+  float height = 0;   ///< px of the picture of its keys in the last frame
+  bool once = false;  ///< actions are offered, else what holds while a key is held
+};
+
+/// What was drawn in the test area of the tablet's settings.
+struct PenTrial {
+  std::vector<PxPoint> line;
+  std::vector<double> pressure;
+  Area area{};
+};
+
+/// What waits for the answer to the question about unsaved work.
+struct UnsavedWork {
+  std::string then_opens;    ///< empty: the program ends
+  bool saves_first = false;  ///< that was the answer: it is done once something was saved
+};
+
+}  // namespace penpose::app

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "core/document/drawing/pose_curve.h"
+#include "ui/app/panels/panel_entries.h"
+#include "ui/app/states.h"
+#include "ui/app/view/area.h"
+
+namespace penpose::app {
+
+/// Which panels are shown. Nothing of it is saved.
+struct PanelState {
+  bool shown = true;
+  bool controls_tab = false;      ///< of the side panel: sketched controls, else all parameters
+  bool poses_tab = false;         ///< the poses that are keyed, in place of both
+  bool has_keyboard = false;      ///< a key was pressed on one
+  std::optional<PxPoint> radial;  ///< middle of the radial menu while it is open
+  std::optional<std::pair<document::CurveId, PxPoint>> curve_menu;  ///< what can be done with a curve, and where
+  States own;                                                       ///< what each panel keeps for itself
+};
+
+}  // namespace penpose::app

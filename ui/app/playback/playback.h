@@ -1,0 +1,75 @@
+#pragma once
+
+#include <functional>
+
+#include "ui/app/notices.h"
+#include "ui/app/preferences.h"
+#include "ui/app/session/loop_range.h"
+#include "ui/app/session/workspace.h"
+
+namespace penpose::app {
+
+/// What is done besides while one draws.
+struct WhileDrawing {
+  bool mirrors = false;   ///< strokes work on both sides
+  bool auto_key = false;  ///< every change of the pose is keyed
+  bool performs = false;  ///< time runs while the pen holds a target, and what the face does is keyed
+};
+
+/// The timeline's cursor: scrubbed, stepped and played. Moments are seconds.
+class Playback {
+ public:
+  using Clock = std::function<std::int64_t()>;
+  Playback(Clock clock, Workspace& workspace, Notices& notices, Preferences& preferences);
+
+  [[nodiscard]] double time_s() const { return time_s_; }
+  /// Moves the cursor alone, and not the pose.
+  void place_cursor(double time_s) { time_s_ = time_s; }
+  [[nodiscard]] int rate() const { return rate_; }
+  /// Frames a second, which other documents take over.
+  void set_rate(int rate);
+  [[nodiscard]] LoopRange& loop() { return loop_; }
+  [[nodiscard]] const LoopRange& loop() const { return loop_; }
+  [[nodiscard]] WhileDrawing& while_drawing() { return while_drawing_; }
+  [[nodiscard]] const WhileDrawing& while_drawing() const { return while_drawing_; }
+
+  [[nodiscard]] bool playing() const { return playing_; }
+  /// Plays, or stops where it plays.
+  void play_or_stop();
+  void stop() { playing_ = false; }
+  /// Plays on up to a moment of the clock, microseconds.
+  void advance(std::int64_t now_us);
+
+  void scrub(double time_s);
+  void end_scrub();
+  /// Goes to a moment at once, as scrubbing and letting go does.
+  void go_to(double time_s);
+  /// Goes to the key before (-1) or after (1).
+  void step_key(int direction);
+
+  // Steps of the document, with which the cursor goes.
+  void undo();
+  void redo();
+  /// Undoes or redoes until so many commands are done.
+  void go_to_step(std::size_t commands);
+
+  /// Another document was opened.
+  void begin();
+
+ private:
+  void follow_time(double was_s);
+
+  Clock clock_;
+  Workspace& workspace_;
+  Notices& notices_;
+  Preferences& preferences_;
+  double time_s_ = 0;
+  int rate_ = k_usual_rate;
+  LoopRange loop_;
+  WhileDrawing while_drawing_;
+  bool playing_ = false;
+  double play_from_s_ = 0;
+  std::int64_t play_from_us_ = 0;
+};
+
+}  // namespace penpose::app
