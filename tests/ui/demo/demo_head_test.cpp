@@ -49,11 +49,10 @@ class DemoHead : public testing::Test {
 };
 document::Model* DemoHead::model_ = nullptr;
 
-TEST_F(DemoHead, HasFifteenDeformersOfAtMostFourStrokes) {
-  EXPECT_EQ(model_->deformers->size(), 15U);
-  EXPECT_EQ(model_->rig->parameters().size(), 15U);
+TEST_F(DemoHead, HasEighteenControls) {
+  EXPECT_EQ(model_->deformers->size(), 18U);
+  EXPECT_EQ(model_->rig->parameters().size(), 18U);
   for (const auto& one : model_->deformers->deformers()) {
-    EXPECT_LE(stroke_count(one->sketch()), 4U);
     EXPECT_GT(one->vertices().size(), 50U) << one->sketch().name;
     EXPECT_LT(one->vertices().size(), model_->mesh->vertex_count() / 3) << one->sketch().name;
     EXPECT_EQ(*std::max_element(one->weights().begin(), one->weights().end()), 1.0);
