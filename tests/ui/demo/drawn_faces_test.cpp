@@ -48,7 +48,7 @@ class DrawnFaces : public testing::Test {
     auto drawn = document::apply(document_, document::DrawReference{view_, reference}, work);
     ASSERT_TRUE(drawn.ok()) << drawn.error().line();
     const document::CurveId id = drawn->curves.back()->id;
-    auto posed = document::apply(*drawn, document::DrawTarget{id, view_, target}, work);
+    auto posed = document::apply(*drawn, document::DrawTarget{id, view_, target, {}}, work);
     ASSERT_TRUE(posed.ok()) << posed.error().line();
     pose_ = posed->pose;
   }
