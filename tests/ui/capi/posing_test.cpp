@@ -41,7 +41,7 @@ TEST(CPosing, ACallAndTheSameInASessionGiveTheSameBits) {
       << desk.error.message;
   EXPECT_TRUE(script.perform(document::DrawReference{view, px_points(over)}).ok());
   EXPECT_TRUE(script.perform(document::DrawConstraint{view, px_points(keep)}).ok());
-  EXPECT_TRUE(script.perform(document::DrawTarget{{curve}, view, px_points(to)}).ok());
+  EXPECT_TRUE(script.perform(document::DrawTarget{{curve}, view, px_points(to), {}}).ok());
   EXPECT_EQ(desk.state(), script.editor().state().whole.hex());
   EXPECT_GT(desk.pose()[0], 0.3);
   ASSERT_EQ(penpose_solve(desk.open, desk.sheet, PENPOSE_PRESET_DEFAULT, nullptr), PENPOSE_OK);

@@ -108,7 +108,7 @@ TEST(PullBetween, AnotherViewMovesItParallelToThatPicture) {
 TEST(PullTarget, MovesThePlaceThatIsHeldAndLeavesTheRestToTheBit) {
   DocumentHand hand;
   hand.does(DrawReference{hand.view, hand.line(-0.4, 0, 0.4, 0)});
-  hand.does(DrawTarget{CurveId{1}, hand.view, hand.line(-0.4, 0.1, 0.4, 0.1)});
+  hand.does(DrawTarget{CurveId{1}, hand.view, hand.line(-0.4, 0.1, 0.4, 0.1), {}});
   const auto before = *find_curve(hand.document(), CurveId{1})->target;
   hand.does(PullTarget{CurveId{1}, hand.view, hand.seen(-0.4, 0.1), {0, -30}, 0.3});
   const auto after = *find_curve(hand.document(), CurveId{1})->target;
