@@ -19,12 +19,14 @@ TEST(RegionCells, FadeFromTheColourIntoTheSkinWithTheWeight) {
     names += cell.legends.size();
     ASSERT_EQ(cell.overlay.size(), model->mesh->vertex_count());
   }
-  EXPECT_EQ(names, 9U);  // six pairs, jaw, upper lip, pucker
+  EXPECT_EQ(names, 11U);  // seven pairs, jaw, upper lip, pucker, nose
 
   const auto& lid = *model->deformers->deformers()[0];
   const Legend& legend = cells[0].legends[0];
   EXPECT_EQ(legend.text, "eyelid_upper");
   for (std::size_t k = 0; k < lid.vertices().size(); ++k) {
+    // Regions of one picture may share vertices that both move little.
+    if (lid.weights()[k] <= 0.4) continue;
     const render::Color color = cells[0].overlay[lid.vertices()[k]];
     EXPECT_FLOAT_EQ(color.a, static_cast<float>(lid.weights()[k]));
     EXPECT_EQ(color.r, legend.color.r);

@@ -60,7 +60,7 @@ TEST(ApplyArticulation, ARegionThatHoldsNothingIsToldAtOnce) {
   DocumentHand hand;
   const std::vector<PxPoint> corner{{0, 0}, {30, 0}, {30, 30}, {0, 30}};
   EXPECT_EQ(hand.refuses(SketchCurve{CurveRole::general, hand.view, corner}).place, "line");
-  EXPECT_EQ(hand.refuses(SketchCurve{CurveRole::general, hand.view, {}}).place, "line");
+  EXPECT_EQ(hand.refuses(SketchCurve{CurveRole::general, hand.view, {}}).place, "line/general");
   hand.does(SketchCurve{CurveRole::general, hand.view, hand.diamond(0.8)});
   EXPECT_EQ(hand.refuses(SketchCurve{CurveRole::specific, hand.view, corner}).place, "line/core");
   hand.does(SketchCurve{CurveRole::specific, hand.view, hand.diamond(0.4)});
