@@ -61,4 +61,22 @@ const TrackFormat* format_of_track(base::Bytes bytes) {
   return nullptr;
 }
 
+base::Result<FormattedTrack> read_track(base::Bytes bytes, const TrackFormat* format,
+                                        std::optional<PictureSize> picture) {
+  if (bytes.empty()) return base::Error{"the file is empty", "line 1", "track the video again"};
+  const std::string_view text = base::as_text(bytes);
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
+    return base::Error{"the file is text as UTF-16, of two bytes a letter", "line 1", "save it as UTF-8"};
+  }
+  if (format == nullptr) format = format_of_track(bytes);
+  if (format == nullptr) {
+    return base::Error{
+        "the track's format is not known", "line 1",
+        std::string("name the bundled map of one: ").append(track_format_names("or")).append(", or write a map")};
+  }
+  auto track = format->read(bytes, picture);
+  if (!track) return track.error();
+  return FormattedTrack{format, std::move(track).value()};
+}
+
 }  // namespace penpose::io
