@@ -164,8 +164,9 @@ PENPOSE_API int32_t penpose_triangles(penpose_library* library, penpose_handle c
 /* The canonical hash of the document: 32 hex digits and a 0, as `penpose replay --json` prints it. */
 PENPOSE_API int32_t penpose_state(penpose_library* library, penpose_handle character, char state[33],
                                   penpose_error* error);
-/* The file of a character: `format` ".glb" (a project, which reads back with the same state) or ".obj" (the mesh as it
- * is posed). Writes `*size` bytes; PENPOSE_TOO_SMALL where `capacity` does not suffice (bytes may be NULL with 0). */
+/* The file of a character: `format` ".glb" (a project, which reads back with the same state), ".obj" (the mesh as it is
+ * posed) or ".csv" (its first animation or pose as ARKit's blend shapes, 60 frames a second). Writes `*size` bytes;
+ * PENPOSE_TOO_SMALL where `capacity` does not suffice (bytes may be NULL with 0). */
 PENPOSE_API int32_t penpose_write(penpose_library* library, penpose_handle character, const char* format, void* bytes,
                                   size_t capacity, size_t* size, penpose_error* error);
 

@@ -1,21 +1,21 @@
 #include "core/io/tracks/track_formats.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "core/base/text/letters.h"
 
 namespace penpose::io {
 
-// Each stands at the end of its reader, in the folder of its name. A new one is that folder, a line here and a row
-// below.
-TrackFormat openface_format();
-TrackFormat mediapipe_format();
-TrackFormat ibug68_format();
-TrackFormat curves_format();
-TrackFormat arkit_format();
+// Made by the build from the maps in the folders beside.
+std::vector<TrackFormat> known_track_formats();
 
 std::span<const TrackFormat> track_formats() {
-  static const TrackFormat formats[] = {
-      openface_format(), mediapipe_format(), ibug68_format(), curves_format(), arkit_format(),
-  };
+  static const std::vector<TrackFormat> formats = [] {
+    auto all = known_track_formats();
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.place < b.place; });
+    return all;
+  }();
   return formats;
 }
 

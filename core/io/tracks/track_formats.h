@@ -35,6 +35,7 @@ struct TrackText {
 /// A format of tracked faces: what the program knows of it beside the file of its map, which lies beside its reader.
 struct TrackFormat {
   std::string_view name;  ///< as maps, --map and the file of its map name it
+  int place;              ///< among the others, ascending, in which they are named and tried
   bool has_values;        ///< of controls by name: a map needs no curves
   bool (*looks_like)(const TrackText& text);
   base::Result<Track> (*read)(base::Bytes bytes, std::optional<PictureSize> picture);

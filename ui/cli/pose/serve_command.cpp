@@ -1,5 +1,3 @@
-#include "ui/cli/pose/serve_command.h"
-
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
@@ -104,15 +102,23 @@ int serve(const ServeArguments& arguments) {
   return k_success;
 }
 
-}  // namespace
-
-void add_serve_command(CLI::App& app, int& status) {
+void add_command(CLI::App& app, int& status) {
   auto arguments = std::make_shared<ServeArguments>();
   CLI::App* command = app.add_subcommand("serve", "Poses for another program: a conversation of JSON lines");
   command->footer(k_help);
   command->add_option("--session", arguments->session,
                       "Record the conversation as a session, a file that is not there");
   command->callback([arguments, &status] { status = serve(*arguments); });
+}
+
+}  // namespace
+
+Subcommand serve_subcommand() {
+  return {"serve",
+          add_command,
+          {{{"penpose serve <<< '{\"do\": \"load\", \"model\": \"builtin:head\"}'", "one line in, one line out"},
+            {"penpose serve --session talk.session <<< '{\"do\": \"load\", \"model\": \"builtin:demo\"}'",
+             "what is said, recorded to be replayed"}}}};
 }
 
 }  // namespace penpose::cli

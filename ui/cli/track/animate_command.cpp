@@ -1,5 +1,3 @@
-#include "ui/cli/track/animate_command.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -25,7 +23,7 @@ namespace penpose::cli {
 namespace {
 
 struct AnimateArguments {
-  io::GlbOptions glb;
+  io::WriteOptions glb;
   std::string model;
   std::string track;
   std::string map;
@@ -189,9 +187,7 @@ int animate(const AnimateArguments& arguments) {
   return k_success;
 }
 
-}  // namespace
-
-void add_animate_command(CLI::App& app, int& status) {
+void add_command(CLI::App& app, int& status) {
   auto arguments = std::make_shared<AnimateArguments>();
   CLI::App* command = app.add_subcommand("animate", "Makes keyframes from the curves that a face tracker saw");
   command->add_option("MODEL", arguments->model, "Model with controls")->required();
@@ -234,6 +230,17 @@ void add_animate_command(CLI::App& app, int& status) {
   command->add_flag("--json", arguments->json, "Print one JSON object");
   add_tolerance_option(*command, arguments->glb);
   command->callback([arguments, &status] { status = animate(*arguments); });
+}
+
+}  // namespace
+
+Subcommand animate_subcommand() {
+  return {
+      "animate",
+      add_command,
+      {{{"penpose animate face.glb --track track.json -o clip.glb", "keyframes from a tracked face"},
+        {"penpose animate face.glb --track track.json --smooth 0.1 -o clip.glb --json", "steadier, and for scripts"}}},
+      {{"--picture", Completes::nothing}}};
 }
 
 }  // namespace penpose::cli
