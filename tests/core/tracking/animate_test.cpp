@@ -74,8 +74,8 @@ TEST_F(Animate, SaysWhatIsWrongAndWhichInputIsToBlame) {
     AnimateOptions options;
     options.*member = value;
     const auto animated = animate(options);
-    EXPECT_FALSE(animated) << place << value;
-    if (!animated) EXPECT_EQ(animated.error().place, place);
+    ASSERT_FALSE(animated) << place << value;
+    EXPECT_EQ(animated.error().place, place);
   };
   for (const double wrong : {-1.0, 1e9, std::nan("")}) {
     refuses(&AnimateOptions::smooth_s, wrong, "smooth");

@@ -167,12 +167,12 @@ void show_export_dialog(PanelContext& context) {
   if (begin_dialog(context, "Export", k_wide)) {
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
     const io::ModelFormat* chosen = io::format_of_name(name);
-    bool left = true;
+    bool starts_row = true;
     for (const io::ModelFormat& format : io::model_formats()) {
       if (format.holds.empty()) continue;
       const std::string label = std::string(format.holds) + " (" + std::string(format.extension) + ")";
-      if (!left) ImGui::SameLine();
-      left = !left;
+      if (!starts_row) ImGui::SameLine();
+      starts_row = !starts_row;
       if (wide_button(context, label.c_str(), half, &format == chosen, std::string(format.detail).c_str()))
         name = fs::path(name).replace_extension(format.extension).string();
     }
