@@ -97,7 +97,7 @@ class Character {
   [[nodiscard]] View view_from(double yaw_degrees, double pitch_degrees = 0, geometry::Viewport viewport = {}) const;
 
   [[nodiscard]] document::DocumentState state() { return hasher_(document_); }
-  /// A project as .glb, which reads back with the same state, or .obj as it is posed.
+  /// A project as .glb, which reads back with the same state, or another format that is written (io::model_formats).
   [[nodiscard]] base::Result<std::vector<std::uint8_t>> write(std::string_view file_name_hint = ".glb") const;
 
   /// Called with the commands that a call means and the document after each, before they count: what it throws, or an

@@ -38,7 +38,7 @@ class References {
   [[nodiscard]] base::Error missing(const std::string& name, std::string place) const {
     const auto close = base::closest_name(name, names_);
     std::string remedy = close            ? "did you mean " + *close + "?"
-                         : names_.empty() ? "list its vertices in the map, or give a file of curves with --curves"
+                         : names_.empty() ? "list its vertices in the map, or give a file of curves"
                                           : "`penpose info` lists the model's curves";
     return {"the model has no curve \"" + name + "\"", std::move(place), std::move(remedy)};
   }
@@ -121,7 +121,7 @@ base::Status say_names(const animation::PointTrack& track, const io::MapFile& ma
     if (group_of(track, *name) == nullptr) lacking.push_back(*name);
   }
   if (!wanted.empty() && lacking.size() == wanted.size()) {
-    return base::Error{"the track has none of the curves that the bundled map names", "--map",
+    return base::Error{"the track has none of the curves that the bundled map names", "map",
                        "name its curves " + base::joined(wanted) + ", or write a map"};
   }
   if (!lacking.empty())
@@ -188,9 +188,9 @@ base::Result<std::vector<posing::CurvePoint>> reference_of(const document::Model
 }  // namespace
 
 base::Result<animation::TrackSetup> make_setup(const document::Model& model, const animation::PointTrack& track,
-                                               const io::MapFile& map, bool bundled,
-                                               const std::vector<io::VertexCurve>& landmarks,
+                                               const io::MapFile& map, const std::vector<io::VertexCurve>& landmarks,
                                                std::vector<std::string>& notes) {
+  const bool bundled = map.bundled;
   if (bundled) {
     if (auto names = say_names(track, map, notes); !names) return names.error();
   }
@@ -247,8 +247,8 @@ base::Result<animation::TrackSetup> make_setup(const document::Model& model, con
   }
   if (setup.curves.empty() && left_out) {
     left_out->what = "the model has none of the curves that the bundled map names";
-    left_out->place = "--map";
-    left_out->remedy = "write a map with the model's vertices, or give a file of curves with --curves";
+    left_out->place = "map";
+    left_out->remedy = "write a map with the model's vertices, or give a file of curves";
     return *left_out;
   }
   if (auto found = find_points(track, map.stable, bundled, "/stable", setup.points.stable); !found) {

@@ -17,7 +17,6 @@ namespace penpose::tracking {
 /// note, as long as one is left. Errors (place: JSON pointer in the map): a name or a vertex that does not exist.
 [[nodiscard]] base::Result<animation::TrackSetup> make_setup(const document::Model& model,
                                                              const animation::PointTrack& track, const io::MapFile& map,
-                                                             bool bundled,
                                                              const std::vector<io::VertexCurve>& landmarks,
                                                              std::vector<std::string>& notes);
 

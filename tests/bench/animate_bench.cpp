@@ -18,11 +18,11 @@ void animate_face(benchmark::State& state) {
   const auto input =
       cli::read_track((tests::shared_dir() / "tracks" / "openface_head_test.csv").string(), {}, {}).value();
   const auto& track = std::get<animation::PointTrack>(input.track);
-  auto map = io::read_map_file(base::as_bytes(io::bundled_map(input.format->name))).value();
+  auto map = io::read_bundled_map(*input.format).value();
   map.curves.resize(static_cast<std::size_t>(state.range(0)));
   if (state.range(1) != 0) map.free.clear();
   std::vector<std::string> notes;
-  const auto setup = tracking::make_setup(model, track, map, true, {}, notes).value();
+  const auto setup = tracking::make_setup(model, track, map, {}, notes).value();
   const auto camera = geometry::frame_box(document::rest_world_box(model), {1000, 1000}, 0);
   for (auto _ : state) benchmark::DoNotOptimize(animation::animate_track(*model.rig, track, setup, camera));
   state.counters["frames_per_second"] =

@@ -62,7 +62,7 @@ double median(Signal values) {
 struct Desk {
   document::Model model = files::load_model((tests::shared_dir() / "meshes" / "ict_face.glb").string()).value();
   std::vector<std::uint32_t> points;
-  io::MapFile map = io::read_map_file(base::as_bytes(io::bundled_map("openface"))).value();
+  io::MapFile map = io::read_bundled_map(*io::track_format_named("openface")).value();
   geometry::Camera camera = geometry::frame_box(document::rest_world_box(model), {1000, 1000}, 0);
   bool units = false;
   double unit_weight = -1;
@@ -78,7 +78,7 @@ struct Desk {
   }
   animation::TrackedAnimation animate(const animation::PointTrack& track) const {
     std::vector<std::string> notes;
-    auto setup = tracking::make_setup(model, track, map, true, {}, notes).value();
+    auto setup = tracking::make_setup(model, track, map, {}, notes).value();
     if (units) setup.units = tracking::unit_controls(model, track);
     if (unit_weight >= 0) setup.unit_weight = unit_weight;
     if (const char* t = std::getenv("TREMOR")) setup.tremor_px = std::atof(t);

@@ -159,6 +159,28 @@ class Calls(unittest.TestCase):
         self.assertNotEqual(spoiled, character.recorded)
         self.assertEqual(status(penpose.play, spoiled, again), penpose.Status.DIVERGED)
 
+    def test_a_track_becomes_an_animation(self):
+        character = sheet()
+        state = character.state
+        take = b'Timecode,BlendShapeCount,Lift,TongueOut\n0:0:0:0,2,0.25,0\n0:0:0:1,2,nan,0\n0:0:0:2,2,0.5,0.5\n'
+        made = penpose.animate(character, take)
+        self.assertEqual((made.held, made.unmatched, made.rest), (1, 1, None))
+        np.testing.assert_array_equal(made.poses[:, 0], [0.25, 0.25, 0.5])
+        self.assertEqual(made.times.shape, (3,))
+        self.assertTrue(any('line 3' in note for note in made.notes), made.notes)
+        self.assertNotEqual(made.character.state, state)
+        self.assertEqual(character.state, state)
+        again = penpose.animate(character, take, '{"format": "arkit", "names": {"TongueOut": "lean"}}', fps=10)
+        self.assertEqual((again.unmatched, again.poses[2, 1]), (0, 0.5))
+        np.testing.assert_allclose(again.times, [0, 0.1, 0.2])
+        refused = penpose.Status.REFUSED
+        self.assertEqual(status(penpose.animate, character, b''), refused)
+        self.assertEqual(status(penpose.animate, character, take, 'openface'), refused)
+        self.assertEqual(status(lambda: penpose.animate(character, take, smooth_s=99)), refused)
+        for wrong in ({'head': 'nod'}, {'neutral': -1}):
+            with self.assertRaises(ValueError):
+                penpose.animate(character, take, **wrong)
+
     def test_characters_of_several_threads(self):
         """Each thread with one of its own, and all with one that is shared, come to what one thread comes to."""
         shared, failed = sheet(), []

@@ -2,6 +2,7 @@
 
 #include "core/base/byte_reader.h"
 #include "core/base/text/utf8.h"
+#include "core/io/model/model_formats.h"
 #include "ui/capi/from_c.h"
 
 using namespace penpose;        // NOLINT(google-build-using-namespace): functions of C have no namespace of their own
@@ -169,7 +170,8 @@ int32_t penpose_write(penpose_library* library, penpose_handle character, const 
                       size_t capacity, size_t* size, penpose_error* error) {
   return call_character(library, character, error, [&](const character::Character& one, CharacterObject&) {
     const std::string_view wanted = text(format, "format");
-    if (wanted != ".glb" && wanted != ".obj") fail_argument("there is no such format", "format", "give .glb or .obj");
+    if (!io::format_to_write(wanted))
+      fail_argument("there is no such format", "format", "give " + io::extensions_to_write());
     const auto file = taken(one.write(wanted));
     write_list<std::uint8_t>(file, static_cast<std::uint8_t*>(bytes), capacity, size, "bytes");
   });

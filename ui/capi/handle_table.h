@@ -8,7 +8,7 @@
 
 namespace penpose::capi {
 
-enum class Kind : std::uint8_t { character = 1, live = 2, tablet = 3 };
+enum class Kind : std::uint8_t { character = 1, live = 2, tablet = 3, animation = 4 };
 
 /// What a handle names. Calls with one handle wait for each other.
 struct Object {

@@ -7,6 +7,7 @@
 
 #include "core/character/character.h"
 #include "core/character/live_target.h"
+#include "core/tracking/animate.h"
 #include "firmware_io/decode/decoder_factory.h"
 #include "replay/session/command_recorder.h"
 #include "ui/capi/handle_table.h"
@@ -33,6 +34,13 @@ struct LiveObject final : Object {
   explicit LiveObject(character::LiveTarget begun) : Object(k_kind), live(std::move(begun)) {}
 
   character::LiveTarget live;
+};
+
+struct AnimationObject final : Object {
+  static constexpr Kind k_kind = Kind::animation;
+  explicit AnimationObject(tracking::Animated made) : Object(k_kind), animated(std::move(made)) {}
+
+  tracking::Animated animated;
 };
 
 struct TabletObject final : Object {

@@ -71,7 +71,7 @@ typedef struct penpose_error {
 
 typedef struct penpose_library penpose_library;
 
-/* A character, a live target or a tablet. 0 names nothing. */
+/* A character, a live target, an animation or a tablet. 0 names nothing. */
 typedef uint64_t penpose_handle;
 
 /* ---- The library ---- */
@@ -164,8 +164,9 @@ PENPOSE_API int32_t penpose_triangles(penpose_library* library, penpose_handle c
 /* The canonical hash of the document: 32 hex digits and a 0, as `penpose replay --json` prints it. */
 PENPOSE_API int32_t penpose_state(penpose_library* library, penpose_handle character, char state[33],
                                   penpose_error* error);
-/* The file of a character: `format` ".glb" (a project, which reads back with the same state) or ".obj" (the mesh as it
- * is posed). Writes `*size` bytes; PENPOSE_TOO_SMALL where `capacity` does not suffice (bytes may be NULL with 0). */
+/* The file of a character: `format` ".glb" (a project, which reads back with the same state), ".obj" (the mesh as it is
+ * posed) or ".csv" (its first animation or pose as ARKit's blend shapes, 60 frames a second). Writes `*size` bytes;
+ * PENPOSE_TOO_SMALL where `capacity` does not suffice (bytes may be NULL with 0). */
 PENPOSE_API int32_t penpose_write(penpose_library* library, penpose_handle character, const char* format, void* bytes,
                                   size_t capacity, size_t* size, penpose_error* error);
 
@@ -346,6 +347,55 @@ PENPOSE_API int32_t penpose_record(penpose_library* library, penpose_handle char
  * recorded. */
 PENPOSE_API int32_t penpose_recorded(penpose_library* library, penpose_handle character, char* text, size_t capacity,
                                      size_t* size, penpose_error* error);
+
+/* ---- Animations from tracked faces ---- */
+
+enum { PENPOSE_HEAD_AS_MAP = 0, PENPOSE_HEAD_DROP = 1, PENPOSE_HEAD_APPLY = 2 };
+
+/* How a track is played. Begin with PENPOSE_ANIMATE_DEFAULTS. */
+typedef struct penpose_animate_options {
+  int32_t head;     /* the head's turn: as the map says, left out, or part of the animation */
+  int32_t units;    /* 1: action units of the track (AU12, ...) are evidence beside its points; 0: they are not */
+  int64_t neutral;  /* frame, from 0, in which the face is at rest; -1: chosen from the clip */
+  double tremor_px; /* how far points shake, 0..1000; -1: 1, less for small faces */
+  double smooth_s;  /* smooths over so many seconds to each side, 0..60 */
+  double least_confidence; /* frames of less are held, 0..1 */
+  double fps;              /* frames a second, 0.1..10000; 0: the times of the track */
+  double picture[2];       /* width and height of the video, px, for normalised coordinates; 0, 0: unknown */
+  const char* curves;      /* JSON of curves of the model that the map may name; NULL: the model's own alone */
+} penpose_animate_options;
+#define PENPOSE_ANIMATE_DEFAULTS \
+  { PENPOSE_HEAD_AS_MAP, 0, -1, -1.0, 0.0, 0.2, 0.0, {0.0, 0.0}, NULL }
+
+/* What came out. */
+typedef struct penpose_animated {
+  size_t frames;
+  size_t held; /* of these, how many show no face and keep the pose before */
+  size_t blinks;
+  size_t unmatched; /* names of the track that the character has no parameter for */
+  int64_t rest;     /* the frame that was taken for rest; -1: none was chosen */
+  double fps;
+} penpose_animated;
+
+/* Makes keyframes from what a face tracker saw: OpenFace CSV, MediaPipe landmarks (JSON or CSV), 68 points (.pts or
+ * CSV), curves (JSON) or ARKit blend shapes (CSV), told apart by their content. `map`: the text of a map file, which
+ * says what drives what (docs/command-line.md), or the name of one that the library brings: openface, mediapipe,
+ * ibug68, curves, arkit; NULL: the one of the track's format. `options` and `animated` may be NULL. The character stays
+ * as it is. */
+PENPOSE_API int32_t penpose_animate(penpose_library* library, penpose_handle character, const void* track, size_t size,
+                                    const char* map, const penpose_animate_options* options, penpose_handle* animation,
+                                    penpose_animated* animated, penpose_error* error);
+/* Time (s) and pose of each frame: `values` takes one value a parameter of the character, frame after frame. `room`:
+ * frames that there is room for in both; NULL, NULL and 0: the number of frames alone. PENPOSE_TOO_SMALL where it does
+ * not suffice, with the number written. */
+PENPOSE_API int32_t penpose_animation_frames(penpose_library* library, penpose_handle animation, double* times_s,
+                                             double* values, size_t room, size_t* count, penpose_error* error);
+/* What was left out or held, a line each, `*size` bytes and no 0 at the end. As penpose_write. */
+PENPOSE_API int32_t penpose_animation_notes(penpose_library* library, penpose_handle animation, char* text,
+                                            size_t capacity, size_t* size, penpose_error* error);
+/* The character with the animation, named "tracked", before those that it had: penpose_write keeps it. */
+PENPOSE_API int32_t penpose_animation_character(penpose_library* library, penpose_handle animation,
+                                                penpose_handle* character, penpose_error* error);
 
 /* ---- Tablets ---- */
 

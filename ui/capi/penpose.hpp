@@ -7,25 +7,24 @@
 //
 //   #include <penpose.hpp>
 //   auto head = penpose::Character::read(bytes);                         // or built_in(), make(pieces)
-//   auto lip = head->place_reference(*head->points_of("lip_upper"));     // or points_at(vertices), draw_reference(view, px)
-//   auto places = *head->positions_of(*lip);
-//   for (auto& p : places) p.y += 0.002;
-//   if (auto placed = head->place_target(*lip, places); !placed) return fail(placed.error().line());
-//   if (auto solved = head->solve(); !solved) return fail(solved.error().line());
-//   std::vector<penpose::Point> positions(head->vertex_count());
-//   head->evaluate(head->pose(), positions);
+//   auto lip = head->place_reference(*head->points_of("lip_upper"));     // or points_at(vertices),
+//   draw_reference(view, px) auto places = *head->positions_of(*lip); for (auto& p : places) p.y += 0.002; if (auto
+//   placed = head->place_target(*lip, places); !placed) return fail(placed.error().line()); if (auto solved =
+//   head->solve(); !solved) return fail(solved.error().line()); std::vector<penpose::Point>
+//   positions(head->vertex_count()); head->evaluate(head->pose(), positions);
 //
 // Nothing throws but what memory throws. What may fail gives a Result: test it, then `*result` is the value and
 // `result.error().line()` one line for a person. A value of a Result that is an error ends the program.
 //
-// Model space is right-handed, y up, in the model's own unit of length; px have their origin at the top left. A Character
-// is used by one thread at a time; different ones by different threads. All of a character is its Document, a value that
-// is cheap to copy and that nothing but commands changes: `head->document()` is a snapshot, and
+// Model space is right-handed, y up, in the model's own unit of length; px have their origin at the top left. A
+// Character is used by one thread at a time; different ones by different threads. All of a character is its Document, a
+// value that is cheap to copy and that nothing but commands changes: `head->document()` is a snapshot, and
 // `penpose::Character(snapshot)` goes on from it.
 #pragma once
 
 #include "core/character/character.h"
 #include "core/character/live_target.h"
+#include "core/tracking/animate.h"
 
 namespace penpose {
 
@@ -37,8 +36,15 @@ using character::Preset;      // what a solve minimises
 using character::View;        // where somebody draws from
 using Point = geometry::ModelPoint;
 using Px = geometry::PxPoint;
-using mesh::MeshPoint;       // a point of the surface
 using articulation::Sketch;  // a deformer in four strokes
+using mesh::MeshPoint;       // a point of the surface
+
+// `animate(head.document(), track, map)` makes keyframes from what a face tracker saw, with a track of
+// `io::read_track(bytes, nullptr, {})` and its map of `io::read_bundled_map(*track->format)` or
+// `io::read_map_file(bytes)`.
+using tracking::animate;
+using tracking::Animated;
+using tracking::AnimateOptions;
 
 }  // namespace penpose
 

@@ -2,48 +2,38 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <string_view>
+#include <span>
 
+#include "core/io/model/model_formats.h"
 #include "ui/cli/program_options.h"
 
 namespace penpose::cli {
 namespace {
 
-/// What the parser does not know of a value: which files fit, or that it names none. Without a row any file is offered.
-struct ValueRow {
-  std::string_view command;  ///< empty: of every command
-  std::string_view name;
-  Completes completes;
-  std::array<std::string_view, 6> extensions{};
-};
-
-constexpr std::array<std::string_view, 6> k_models{".glb", ".gltf", ".obj", ".ply", ".off", ".stl"};
-constexpr std::array<std::string_view, 6> k_sessions{".session", ".hid"};
-constexpr auto k_values = std::to_array<ValueRow>({
-    {"", "--set", Completes::nothing},
-    {"", "--hold", Completes::nothing},
-    {"", "--case", Completes::nothing},
-    {"", "--protocol", Completes::nothing},
-    {"", "--size", Completes::nothing},
-    {"", "--picture", Completes::nothing},
-    {"", "--rules-folder", Completes::folders},
-    {"demo", "-o", Completes::folders},
-    {"", "MODEL", Completes::files, k_models},
-    {"", "--model", Completes::files, k_models},
-    {"", "IN", Completes::files, k_models},
-    {"convert", "OUT", Completes::files, {".glb", ".obj", ".csv"}},
-    {"", "SESSION", Completes::files, k_sessions},
-    {"", "trace", Completes::files, k_sessions},
-    {"", "--session", Completes::files, k_sessions},
-    {"", "--cases", Completes::files, {".json"}},
-    {"", "--sketch", Completes::files, {".json"}},
-    {"", "--labels", Completes::files, {".json"}},
-    {"", "--curves", Completes::files, {".json"}},
-    {"", "--camera", Completes::files, {".json"}},
-    {"", "--png", Completes::files, {".png"}},
-    {"render", "-o", Completes::files, {".png"}},
-});
+/// Options that are alike wherever they come. Without a row any file is offered.
+std::span<const ValueRow> common_values() {
+  const std::vector<std::string> models = io::extensions_read();
+  const std::vector<std::string> sessions{".session", ".hid"};
+  const std::vector<std::string> json{".json"};
+  static const ValueRow rows[] = {
+      {"--set", Completes::nothing},
+      {"--case", Completes::nothing},
+      {"--size", Completes::nothing},
+      {"MODEL", Completes::files, models},
+      {"--model", Completes::files, models},
+      {"IN", Completes::files, models},
+      {"SESSION", Completes::files, sessions},
+      {"trace", Completes::files, sessions},
+      {"--session", Completes::files, sessions},
+      {"--cases", Completes::files, json},
+      {"--sketch", Completes::files, json},
+      {"--labels", Completes::files, json},
+      {"--curves", Completes::files, json},
+      {"--camera", Completes::files, json},
+      {"--png", Completes::files, {".png"}},
+  };
+  return rows;
+}
 
 /// "{front,side}" of a type's text, as the parser prints it; empty where it lists none.
 std::vector<std::string> choices_in(const std::string& type) {
@@ -77,17 +67,19 @@ std::vector<std::string> names_of(const std::set<CLI::Option*>& options) {
 
 void add_completion(OptionRow& row, const std::string& command) {
   row.completes = Completes::files;
-  for (const ValueRow& known : k_values) {
-    const bool named = std::find(row.names.begin(), row.names.end(), known.name) != row.names.end();
-    if (!named || (!known.command.empty() && known.command != command)) continue;
-    row.completes = known.completes;
-    for (const std::string_view extension : known.extensions) {
-      if (!extension.empty()) row.extensions.emplace_back(extension);
+  const auto take = [&](std::span<const ValueRow> rows) {
+    for (const ValueRow& known : rows) {
+      if (std::find(row.names.begin(), row.names.end(), known.name) == row.names.end()) continue;
+      row.completes = known.completes;
+      row.extensions = known.extensions;
+      // What opens in the window, too.
+      if (command.empty() && known.name == "MODEL") row.extensions.emplace_back(".session");
+      return true;
     }
-    // What opens in the window, too.
-    if (command.empty() && known.name == "MODEL") row.extensions.emplace_back(".session");
-    return;
-  }
+    return false;
+  };
+  const Subcommand* own = subcommand_named(command);
+  if (own == nullptr || !take(own->values)) take(common_values());
 }
 
 /// Types are written as the parser prints them: `FLOAT:0 to 60`, `TEXT:{drop,apply}`, `TEXT:WxH`, `TEXT`.

@@ -4,12 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "ui/cli/examples.h"
+#include "ui/cli/commands.h"
 
 namespace penpose::cli {
-
-/// What a shell offers where a value is typed.
-enum class Completes : std::uint8_t { nothing, choices, files, folders };
 
 /// One thing that can be given to a command: an option, a flag, or a positional.
 struct OptionRow {

@@ -1,39 +1,57 @@
 #include "ui/cli/commands.h"
 
-#include "ui/cli/model/articulate_command.h"
-#include "ui/cli/model/convert_command.h"
-#include "ui/cli/model/demo_command.h"
-#include "ui/cli/model/info_command.h"
-#include "ui/cli/model/render_command.h"
-#include "ui/cli/pose/pose_command.h"
-#include "ui/cli/pose/serve_command.h"
-#include "ui/cli/pose/suggest_command.h"
-#include "ui/cli/tablet/decode_command.h"
-#include "ui/cli/tablet/devices_command.h"
-#include "ui/cli/tablet/record_command.h"
-#include "ui/cli/tablet/replay_command.h"
-#include "ui/cli/track/animate_command.h"
-#include "ui/cli/track/track_command.h"
-
 namespace penpose::cli {
 
-std::vector<AddCommand> all_commands() {
-  return {
-      add_demo_command,        //
-      add_info_command,        //
-      add_devices_command,     //
-      add_record_command,      //
-      add_decode_command,      //
-      add_replay_command,      //
-      add_pose_command,        //
-      add_suggest_command,     //
-      add_articulate_command,  //
-      add_track_command,       //
-      add_animate_command,     //
-      add_render_command,      //
-      add_convert_command,     //
-      add_serve_command,       //
+// Each stands at the end of its file. A new one is that file, a line here and a row below.
+Subcommand demo_subcommand();
+Subcommand info_subcommand();
+Subcommand devices_subcommand();
+Subcommand record_subcommand();
+Subcommand decode_subcommand();
+Subcommand replay_subcommand();
+Subcommand pose_subcommand();
+Subcommand suggest_subcommand();
+Subcommand articulate_subcommand();
+Subcommand track_subcommand();
+Subcommand animate_subcommand();
+Subcommand render_subcommand();
+Subcommand convert_subcommand();
+Subcommand serve_subcommand();
+
+std::span<const Subcommand> subcommands() {
+  static const Subcommand all[] = {
+      demo_subcommand(),        //
+      info_subcommand(),        //
+      devices_subcommand(),     //
+      record_subcommand(),      //
+      decode_subcommand(),      //
+      replay_subcommand(),      //
+      pose_subcommand(),        //
+      suggest_subcommand(),     //
+      articulate_subcommand(),  //
+      track_subcommand(),       //
+      animate_subcommand(),     //
+      render_subcommand(),      //
+      convert_subcommand(),     //
+      serve_subcommand(),       //
   };
+  return all;
+}
+
+const Subcommand* subcommand_named(std::string_view name) {
+  for (const Subcommand& command : subcommands()) {
+    if (command.name == name) return &command;
+  }
+  return nullptr;
+}
+
+std::span<const Example> examples_of(std::string_view command) {
+  static constexpr std::array<Example, 2> k_program{
+      {{"penpose demo -o out", "the built-in head, rigged and posed by a bundled pen session"},
+       {"penpose replay drawn.session -o face.glb", "a recorded session, drawn again"}}};
+  if (command.empty()) return k_program;
+  const Subcommand* found = subcommand_named(command);
+  return found == nullptr ? std::span<const Example>() : found->examples;
 }
 
 }  // namespace penpose::cli

@@ -1,6 +1,10 @@
 #pragma once
 
-#include <functional>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "ui/files/process/exit_status.h"
@@ -15,10 +19,38 @@ using files::k_failure;
 using files::k_success;
 using files::k_wrong_usage;
 
-/// Adds a subcommand to the app; when it runs it stores its exit status in the second argument, which outlives the app.
-using AddCommand = std::function<void(CLI::App&, int&)>;
+/// A call as one would type it, for the end of --help and of a man page. Tests run every one of them.
+struct Example {
+  std::string_view call;
+  std::string_view does;
+};
 
-/// One function for each subcommand, in the order in which --help lists them. Each lives in `NAME_command.cpp`.
-[[nodiscard]] std::vector<AddCommand> all_commands();
+/// What a shell offers where a value is typed.
+enum class Completes : std::uint8_t { nothing, choices, files, folders };
+
+/// What the parser does not know of a value: which files fit, or that it names none.
+struct ValueRow {
+  std::string_view name;  ///< of the option or positional
+  Completes completes = Completes::files;
+  std::vector<std::string> extensions = {};  ///< of the files that fit; empty: all
+};
+
+/// A subcommand as `NAME_command.cpp` says it at its end.
+struct Subcommand {
+  std::string_view name;
+  /// Adds it to the app; when it runs it stores its exit status in `status`, which outlives the app.
+  void (*add)(CLI::App& app, int& status);
+  std::array<Example, 2> examples;
+  std::vector<ValueRow> values = {};  ///< of options that are this command's own, before those of all (command_table)
+};
+
+/// All subcommands, in the order in which --help lists them.
+[[nodiscard]] std::span<const Subcommand> subcommands();
+
+/// Null where there is none of that name.
+[[nodiscard]] const Subcommand* subcommand_named(std::string_view name);
+
+/// The examples of a subcommand, or of the program itself for an empty name; none for a name that is unknown.
+[[nodiscard]] std::span<const Example> examples_of(std::string_view command);
 
 }  // namespace penpose::cli

@@ -6,7 +6,6 @@
 
 #include "core/base/result.h"
 #include "ui/cli/commands.h"
-#include "ui/cli/examples.h"
 #include "ui/files/own_tablets.h"
 
 namespace penpose::cli {
@@ -55,7 +54,7 @@ void add_program_options(CLI::App& app, int& status, files::WindowRequest& reque
                   (has_window ? " Without a subcommand it opens its window." : ""));
   app.require_subcommand(has_window ? 0 : 1, 1);
   app.set_version_flag("--version", PENPOSE_VERSION);
-  for (const auto& add : all_commands()) add(app, status);
+  for (const Subcommand& command : subcommands()) command.add(app, status);
   forbid_empty_names(app);
   app.failure_message([](const CLI::App*, const CLI::Error& error) {
     return "penpose: " + base::Error{error.what(), "", "--help lists what can be given"}.line() + "\n";

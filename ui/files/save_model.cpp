@@ -18,43 +18,45 @@ constexpr std::size_t k_longest_path = 4096;
 /// What comes out of standard output has no name that says its format.
 std::string format_hint(const std::string& path) { return path == k_standard_stream ? ".glb" : path; }
 
-base::Status save(const base::Result<std::vector<std::uint8_t>>& bytes, const io::GlbReport& baking,
-                  const io::GlbOptions& options, bool animated, const std::string& path, SaveNotes say) {
+base::Status save(const base::Result<std::vector<std::uint8_t>>& bytes, const io::WriteReport& report,
+                  const io::WriteOptions& options, bool animated, const std::string& path, SaveNotes say) {
   if (!bytes) return bytes.error();
   constexpr double k_rounding = 1e-6;  // of the file's numbers; what is off by less needs no word
-  if (say == SaveNotes::loud && (baking.baked > 0 || baking.bake_error > k_rounding)) {
-    const int digits = baking.bake_error < 1e-4 ? 6 : 3;
-    std::cerr << "penpose: " << base::shown_name(path, k_longest_path) << ": deformers are baked to " << baking.baked
-              << " morph targets more; no vertex is off by over " << base::format_fixed(100 * baking.bake_error, digits)
+  if (say == SaveNotes::loud && (report.baked > 0 || report.bake_error > k_rounding)) {
+    const int digits = report.bake_error < 1e-4 ? 6 : 3;
+    std::cerr << "penpose: " << base::shown_name(path, k_longest_path) << ": deformers are baked to " << report.baked
+              << " morph targets more; no vertex is off by over " << base::format_fixed(100 * report.bake_error, digits)
               << " % of the model's size";
-    if (baking.bake_error > options.bake_tolerance) std::cerr << ", which is as near to the tolerance as it gets";
+    if (report.bake_error > options.bake_tolerance) std::cerr << ", which is as near to the tolerance as it gets";
     std::cerr << '\n';
   }
-  if (say == SaveNotes::loud && animated && baking.targets > io::k_common_targets) {
-    std::cerr << "penpose: " << base::shown_name(path, k_longest_path) << ": it has " << baking.targets
+  if (say == SaveNotes::loud && animated && report.targets > io::k_common_targets) {
+    std::cerr << "penpose: " << base::shown_name(path, k_longest_path) << ": it has " << report.targets
               << " morph targets; some viewers show no more than 8 at a time\n";
   }
-  return write_file(path, *bytes);
+  if (auto written = write_file(path, *bytes); !written || say == SaveNotes::quiet) return written;
+  for (const std::string& note : report.notes) warn(note, path);
+  return base::Done{};
 }
 
 }  // namespace
 
 base::Status save_model(const document::Model& model, const std::string& path, SaveNotes say,
-                        const io::GlbOptions& options) {
-  io::GlbReport baking;
-  return save(io::write_model(model, format_hint(path), options, &baking), baking, options, !model.animations.empty(),
+                        const io::WriteOptions& options) {
+  io::WriteReport report;
+  return save(io::write_model(model, format_hint(path), options, &report), report, options, !model.animations.empty(),
               path, say);
 }
 
 base::Status save_document(const document::Document& document, const std::string& path, SaveNotes say,
-                           const io::GlbOptions& options) {
-  io::GlbReport baking;
+                           const io::WriteOptions& options) {
+  io::WriteReport report;
   const bool animated = !document.timeline->keys.empty() || !document.model->animations.empty();
-  return save(io::write_document(document, format_hint(path), options, &baking), baking, options, animated, path, say);
+  return save(io::write_document(document, format_hint(path), options, &report), report, options, animated, path, say);
 }
 
 base::Status save_as_it_came(const document::Document& document, const std::string& path, SaveNotes say,
-                             const io::GlbOptions& options) {
+                             const io::WriteOptions& options) {
   return document::is_plain(document) ? save_model(document::model_of(document), path, say, options)
                                       : save_document(document, path, say, options);
 }

@@ -15,12 +15,12 @@ enum class SaveNotes : bool { quiet, loud };
 /// Writes a model in the format that the path's extension asks for, atomically. Errors of the writer and of the file
 /// system.
 [[nodiscard]] base::Status save_model(const document::Model& model, const std::string& path,
-                                      SaveNotes say = SaveNotes::loud, const io::GlbOptions& options = {});
+                                      SaveNotes say = SaveNotes::loud, const io::WriteOptions& options = {});
 /// Writes a document, .glb as a project, atomically. Errors of the writer and of the file system.
 [[nodiscard]] base::Status save_document(const document::Document& document, const std::string& path,
-                                         SaveNotes say = SaveNotes::loud, const io::GlbOptions& options = {});
+                                         SaveNotes say = SaveNotes::loud, const io::WriteOptions& options = {});
 /// Writes a document as what it came from: a model that nothing was drawn on stays a model.
 [[nodiscard]] base::Status save_as_it_came(const document::Document& document, const std::string& path,
-                                           SaveNotes say = SaveNotes::loud, const io::GlbOptions& options = {});
+                                           SaveNotes say = SaveNotes::loud, const io::WriteOptions& options = {});
 
 }  // namespace penpose::files

@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "core/document/commands/command_text.h"
+#include "core/tracking/animate.h"
+#include "ui/serve/animation_json.h"
 #include "ui/serve/internal/request.h"
 
 namespace penpose::serve {
@@ -266,13 +268,66 @@ struct Conversation::Actions {
     return {{"bytes", bytes.size()}};
   }
 
+  Json animate() {
+    request.allow({"do", "id", "track", "map", "curves", "head", "neutral", "tremor", "smooth", "confidence", "fps",
+                   "picture", "units"});
+    if (talk.files_.record)
+      refuse("an animation is no command that a session can hold", "/do", "begin a conversation that is not recorded");
+    const tracking::AnimateOptions options = animate_options();
+    auto map = request.has("map") ? std::optional(map_named(request.text("map"))) : std::nullopt;
+    auto read = taken(talk.files_.track(request.text("track"), map ? map->format : nullptr, picture()));
+    if (!map) map = taken(io::read_bundled_map(*read.format));
+    auto animated = taken(tracking::animate(one().document(), std::move(read.track), *map, options));
+    Json answer = animation_json(animated);
+    answer["times"] = animated.times_s;
+    answer["notes"] = animated.notes;
+    talk.character_.emplace(std::move(animated.document));
+    talk.listen();
+    return answer;
+  }
+
+  io::MapFile map_named(const std::string& name) {
+    if (const io::TrackFormat* named = io::track_format_named(name)) return taken(io::read_bundled_map(*named));
+    return taken(io::read_map_file(taken(talk.files_.read(name))));
+  }
+
+  std::optional<io::PictureSize> picture() {
+    if (!request.has("picture")) return std::nullopt;
+    const auto sides = request.wholes("picture");
+    constexpr std::uint32_t k_widest_px = 100000;
+    const bool fits =
+        sides.size() == 2 && std::min(sides[0], sides[1]) > 0 && std::max(sides[0], sides[1]) <= k_widest_px;
+    if (!fits) refuse("the size of a picture was expected", request.at("picture"), "give [width, height] in px");
+    return io::PictureSize{static_cast<double>(sides[0]), static_cast<double>(sides[1])};
+  }
+
+  tracking::AnimateOptions animate_options() {
+    tracking::AnimateOptions options;
+    if (request.has("head")) {
+      const std::string head = request.text("head");
+      if (head != "drop" && head != "apply")
+        refuse("there is no such choice", request.at("head"), "give drop or apply");
+      options.apply_head = head == "apply";
+    }
+    if (request.has("neutral")) options.neutral = request.whole("neutral");
+    if (request.has("tremor")) options.tremor_px = request.number_or("tremor", 0);
+    options.smooth_s = request.number_or("smooth", options.smooth_s);
+    options.least_confidence = request.number_or("confidence", options.least_confidence);
+    options.fps = request.number_or("fps", options.fps);
+    options.units = request.truth_or("units", false);
+    if (request.has("curves"))
+      options.curves = taken(io::read_landmarks(taken(talk.files_.read(request.text("curves")))));
+    return options;
+  }
+
   Json run() {
     using Action = Json (Actions::*)();
-    constexpr std::array<std::pair<std::string_view, Action>, 11> k_actions{{{"load", &Actions::load},
+    constexpr std::array<std::pair<std::string_view, Action>, 12> k_actions{{{"load", &Actions::load},
                                                                              {"curve", &Actions::curve},
                                                                              {"target", &Actions::target},
                                                                              {"solve", &Actions::solve},
                                                                              {"sketch", &Actions::sketch},
+                                                                             {"animate", &Actions::animate},
                                                                              {"set", &Actions::set},
                                                                              {"perform", &Actions::perform},
                                                                              {"evaluate", &Actions::evaluate},

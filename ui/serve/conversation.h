@@ -4,9 +4,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/byte_reader.h"
 #include "core/character/character.h"
+#include "core/io/tracks/track_formats.h"
 #include "replay/session/command_recorder.h"
 
 namespace penpose::serve {
@@ -17,6 +19,12 @@ struct Files {
   std::function<base::Status(const std::string& path, base::Bytes bytes)> save;
   /// Takes lines of the session; empty: nothing is recorded.
   std::function<base::Status(std::string_view text)> record = {};
+  /// The bytes of a map of tracks, or of curves.
+  std::function<base::Result<std::vector<std::uint8_t>>(const std::string& path)> read = {};
+  /// As io::read_track; a path may also name a folder of .pts files.
+  std::function<base::Result<io::FormattedTrack>(const std::string& path, const io::TrackFormat* format,
+                                                 std::optional<io::PictureSize> picture)>
+      track = {};
 };
 
 /// A conversation of JSON lines about one character: load, curve, target, solve, sketch, evaluate, save and what else

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,29 +19,32 @@ namespace penpose::io {
 /// the model's size) at every amount, so that the file plays the same in any viewer; reading the file back takes them
 /// for what they are. Viewers mix weights evenly between keys, which deformers do not: where that shows, keys are added
 /// in between, and reading drops them again.
-struct GlbOptions {
+struct WriteOptions {
   double bake_tolerance = 1e-4;
+  double fps = 60;  ///< frames a second of formats that give every frame
 };
 /// What came of it, for whoever wants to say so.
-struct GlbReport {
+struct WriteReport {
   std::size_t targets = 0;  ///< morph targets in all
   std::size_t baked = 0;    ///< of them made for deformers beside their own
   double bake_error = 0;    ///< farthest that baking moves a vertex, at keys and in between, share of the model's size
+  std::vector<std::string> notes = {};  ///< what the format has no place for, one line each
 };
 /// Viewers that show no more morph targets at a time than this are common.
 inline constexpr std::size_t k_common_targets = 8;
 [[nodiscard]] base::Result<std::vector<std::uint8_t>> write_glb(const document::Model& model,
-                                                                const GlbOptions& options = {},
-                                                                GlbReport* report = nullptr);
+                                                                const WriteOptions& options = {},
+                                                                WriteReport* report = nullptr);
 
 /// A Wavefront OBJ file of the positions at the model's pose, one object a part, with smooth normals. Coordinates are
 /// rounded to float.
 [[nodiscard]] base::Result<std::vector<std::uint8_t>> write_obj(const document::Model& model);
 
-/// Writes in the format that the file name's extension asks for: .glb or .obj. Errors: any other extension.
+/// Writes in the format that the file name's extension asks for. Errors: no format that is written has it
+/// (extensions_written), those of the writer.
 [[nodiscard]] base::Result<std::vector<std::uint8_t>> write_model(const document::Model& model,
                                                                   std::string_view file_name,
-                                                                  const GlbOptions& options = {},
-                                                                  GlbReport* report = nullptr);
+                                                                  const WriteOptions& options = {},
+                                                                  WriteReport* report = nullptr);
 
 }  // namespace penpose::io

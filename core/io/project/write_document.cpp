@@ -1,14 +1,17 @@
 #include "core/io/project/write_document.h"
 
-#include "core/io/model/formats.h"
-#include "core/io/model/write_model.h"
+#include "core/io/model/model_formats.h"
 
 namespace penpose::io {
 
 base::Result<std::vector<std::uint8_t>> write_document(const document::Document& document, std::string_view file_name,
-                                                       const GlbOptions& options, GlbReport* report) {
-  if (format_of_name(file_name) == Format::glb) return write_project(document, options, report);
-  return write_model(document::model_of(document), file_name, options, report);
+                                                       const WriteOptions& options, WriteReport* report) {
+  const auto format = format_to_write(file_name);
+  if (!format) return format.error();
+  WriteReport ignored;
+  WriteReport& told = report == nullptr ? ignored : *report;
+  if ((*format)->write_project != nullptr) return (*format)->write_project(document, options, told);
+  return (*format)->write(document::model_of(document), options, told);
 }
 
 }  // namespace penpose::io

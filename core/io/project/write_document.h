@@ -14,14 +14,14 @@ namespace penpose::io {
 /// model, with all that is needed to go on working under the extras key "penpose". Reads back with the same
 /// document::DocumentState.
 [[nodiscard]] base::Result<std::vector<std::uint8_t>> write_project(const document::Document& document,
-                                                                    const GlbOptions& options = {},
-                                                                    GlbReport* report = nullptr);
+                                                                    const WriteOptions& options = {},
+                                                                    WriteReport* report = nullptr);
 
-/// Writes in the format that the file name's extension asks for: .glb a project, .obj the mesh as it is posed. Errors:
-/// any other extension.
+/// Writes in the format that the file name's extension asks for, as a project where it holds one. Errors: as
+/// write_model.
 [[nodiscard]] base::Result<std::vector<std::uint8_t>> write_document(const document::Document& document,
                                                                      std::string_view file_name,
-                                                                     const GlbOptions& options = {},
-                                                                     GlbReport* report = nullptr);
+                                                                     const WriteOptions& options = {},
+                                                                     WriteReport* report = nullptr);
 
 }  // namespace penpose::io

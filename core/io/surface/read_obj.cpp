@@ -5,7 +5,9 @@
 #include <set>
 
 #include "core/base/numbers.h"
+#include "core/base/text/letters.h"
 #include "core/base/text/utf8.h"
+#include "core/io/model/model_formats.h"
 #include "core/io/surface/polygon.h"
 #include "core/io/surface/surface_model.h"
 #include "core/io/text/names.h"
@@ -190,8 +192,36 @@ class ObjReader {
   bool has_normals_ = false;
 };
 
+bool looks_like_obj(std::string_view text) {
+  constexpr std::array<std::string_view, 6> k_starts = {"v ", "o ", "g ", "mtllib ", "vn ", "v\t"};
+  for (int line = 0; line < 100 && !text.empty(); ++line) {
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    const std::string_view content = base::trim(text.substr(0, end));
+    if (std::any_of(k_starts.begin(), k_starts.end(), [&](auto start) { return content.starts_with(start); }))
+      return true;
+    if (!content.empty() && content.front() != '#') return false;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return false;
+}
+
 }  // namespace
 
 base::Result<document::Model> read_obj(base::Bytes bytes) { return ObjReader(bytes).read(); }
+
+ModelFormat obj_format() {
+  return {.name = "OBJ",
+          .extension = ".obj",
+          .looks_like =
+              [](base::Bytes bytes) {
+                std::string_view text = base::without_mark(base::as_text(bytes));
+                text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+                return looks_like_obj(text);
+              },
+          .read = [](base::Bytes bytes, const FileResolver&) { return read_obj(bytes); },
+          .write = [](const document::Model& model, const WriteOptions&, WriteReport&) { return write_obj(model); },
+          .holds = "This pose alone",
+          .detail = "The face as it is now"};
+}
 
 }  // namespace penpose::io

@@ -6,6 +6,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text/letters.h"
+#include "core/io/model/model_formats.h"
 #include "core/io/surface/polygon.h"
 #include "core/io/surface/surface_model.h"
 #include "core/io/text/text_lines.h"
@@ -126,5 +127,19 @@ class OffReader {
 }  // namespace
 
 base::Result<document::Model> read_off(base::Bytes bytes) { return OffReader(bytes).read(); }
+
+ModelFormat off_format() {
+  return {.name = "OFF",
+          .extension = ".off",
+          .looks_like =
+              [](base::Bytes bytes) {
+                std::string_view text = base::without_mark(base::as_text(bytes));
+                text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+                const auto word = text.substr(0, std::min<std::size_t>(text.find_first_of(" \t\r\n#"), 8));
+                // Letters for colours, normals, texture coordinates and so on may stand in front.
+                return word.ends_with("OFF") && word.find_first_not_of("STCN4n") >= word.size() - 3;
+              },
+          .read = [](base::Bytes bytes, const FileResolver&) { return read_off(bytes); }};
+}
 
 }  // namespace penpose::io

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/numbers.h"
+#include "core/io/model/model_formats.h"
 #include "core/io/surface/polygon.h"
 #include "core/io/surface/surface_model.h"
 #include "core/io/text/text_lines.h"
@@ -360,6 +361,17 @@ base::Result<document::Model> read_ply(base::Bytes bytes) {
   const auto header = read_header(bytes);
   if (!header) return header.error();
   return PlyReader(*header, bytes.size()).read();
+}
+
+ModelFormat ply_format() {
+  return {.name = "PLY",
+          .extension = ".ply",
+          .looks_like =
+              [](base::Bytes bytes) {
+                const std::string_view text = base::as_text(bytes);
+                return text.starts_with("ply\n") || text.starts_with("ply\r");
+              },
+          .read = [](base::Bytes bytes, const FileResolver&) { return read_ply(bytes); }};
 }
 
 }  // namespace penpose::io

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "core/base/numbers.h"
+#include "core/base/text/letters.h"
 #include "core/base/text/utf8.h"
+#include "core/io/model/model_formats.h"
 #include "core/io/surface/surface_model.h"
 #include "core/io/text/names.h"
 #include "core/io/text/text_lines.h"
@@ -119,6 +121,20 @@ base::Result<document::Model> read_text(base::Bytes bytes) {
   return soup.finish();
 }
 
+/// A binary file has no mark of its own, but a size that follows from its count: 84 bytes and 50 a triangle.
+bool is_binary(base::Bytes bytes) {
+  base::ByteReader reader(bytes);
+  if (!reader.seek(80)) return false;
+  const auto count = reader.read<std::uint32_t>();
+  return count && *count > 0 && bytes.size() == 84 + 50 * std::uint64_t{*count};
+}
+
+bool starts_a_text(base::Bytes bytes) {
+  std::string_view text = base::without_mark(base::as_text(bytes));
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  return text.starts_with("solid") && text.find("facet") != std::string_view::npos;
+}
+
 }  // namespace
 
 base::Result<document::Model> read_stl(base::Bytes bytes) {
@@ -127,6 +143,13 @@ base::Result<document::Model> read_stl(base::Bytes bytes) {
   const bool is_text = base::trim(text).starts_with("solid") && text.find("facet") != std::string_view::npos &&
                        text.substr(0, 80).find('\0') == std::string_view::npos;
   return is_text ? read_text(bytes) : read_binary(bytes);
+}
+
+ModelFormat stl_format() {
+  return {.name = "STL",
+          .extension = ".stl",
+          .looks_like = [](base::Bytes bytes) { return is_binary(bytes) || starts_a_text(bytes); },
+          .read = [](base::Bytes bytes, const FileResolver&) { return read_stl(bytes); }};
 }
 
 }  // namespace penpose::io

@@ -157,4 +157,14 @@ base::Result<MapFile> read_map_file(base::Bytes bytes) {
   return map;
 }
 
+base::Result<MapFile> read_bundled_map(const TrackFormat& format) {
+  const std::string_view text = bundled_map(format.name);
+  if (text.empty()) {
+    return base::Error{std::string("the program has no map for ").append(format.name), "", "write one"};
+  }
+  auto map = read_map_file(base::as_bytes(text));
+  if (map) map->bundled = true;
+  return map;
+}
+
 }  // namespace penpose::io

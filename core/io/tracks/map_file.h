@@ -38,6 +38,7 @@ struct MapFile {
   /// For "arkit": names of the track and of the model's controls where they differ.
   std::vector<std::pair<std::string, std::string>> names;
   std::vector<std::string> skipped;  ///< JSON pointers of members that no reader knows
+  bool bundled = false;              ///< it came with the program, and may name more than a model or a track has
 };
 
 /// Reads {"format", "curves": [{"track", "reference", "anchor", "meets", "touches", "weight", "gain"}], "stable",
@@ -45,5 +46,8 @@ struct MapFile {
 /// else is optional. Errors (place: JSON pointer): a member that is missing, unknown in value or of another type,
 /// curves of one point, weights not above 0.
 [[nodiscard]] base::Result<MapFile> read_map_file(base::Bytes bytes);
+
+/// The map that the program brings for a format (bundled_map). Errors: it brings none.
+[[nodiscard]] base::Result<MapFile> read_bundled_map(const TrackFormat& format);
 
 }  // namespace penpose::io

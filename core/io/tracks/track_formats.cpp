@@ -1,21 +1,21 @@
 #include "core/io/tracks/track_formats.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "core/base/text/letters.h"
 
 namespace penpose::io {
 
-// Each stands at the end of its reader, in the folder of its name. A new one is that folder, a line here and a row
-// below.
-TrackFormat openface_format();
-TrackFormat mediapipe_format();
-TrackFormat ibug68_format();
-TrackFormat curves_format();
-TrackFormat arkit_format();
+// Made by the build from the maps in the folders beside.
+std::vector<TrackFormat> known_track_formats();
 
 std::span<const TrackFormat> track_formats() {
-  static const TrackFormat formats[] = {
-      openface_format(), mediapipe_format(), ibug68_format(), curves_format(), arkit_format(),
-  };
+  static const std::vector<TrackFormat> formats = [] {
+    auto all = known_track_formats();
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.place < b.place; });
+    return all;
+  }();
   return formats;
 }
 
@@ -59,6 +59,24 @@ const TrackFormat* format_of_track(base::Bytes bytes) {
     if (format.looks_like(text)) return &format;
   }
   return nullptr;
+}
+
+base::Result<FormattedTrack> read_track(base::Bytes bytes, const TrackFormat* format,
+                                        std::optional<PictureSize> picture) {
+  if (bytes.empty()) return base::Error{"the file is empty", "line 1", "track the video again"};
+  const std::string_view text = base::as_text(bytes);
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
+    return base::Error{"the file is text as UTF-16, of two bytes a letter", "line 1", "save it as UTF-8"};
+  }
+  if (format == nullptr) format = format_of_track(bytes);
+  if (format == nullptr) {
+    return base::Error{
+        "the track's format is not known", "line 1",
+        std::string("name the bundled map of one: ").append(track_format_names("or")).append(", or write a map")};
+  }
+  auto track = format->read(bytes, picture);
+  if (!track) return track.error();
+  return FormattedTrack{format, std::move(track).value()};
 }
 
 }  // namespace penpose::io

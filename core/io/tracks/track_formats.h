@@ -35,6 +35,7 @@ struct TrackText {
 /// A format of tracked faces: what the program knows of it beside the file of its map, which lies beside its reader.
 struct TrackFormat {
   std::string_view name;  ///< as maps, --map and the file of its map name it
+  int place;              ///< among the others, ascending, in which they are named and tried
   bool has_values;        ///< of controls by name: a map needs no curves
   bool (*looks_like)(const TrackText& text);
   base::Result<Track> (*read)(base::Bytes bytes, std::optional<PictureSize> picture);
@@ -57,6 +58,16 @@ base::Result<Track> as_track(base::Result<Read> read) {
 
 /// Which format a track looks to be of: by the columns of a table or by the shape of JSON. Null for anything else.
 [[nodiscard]] const TrackFormat* format_of_track(base::Bytes bytes);
+
+/// A track, and which format it was of.
+struct FormattedTrack {
+  const TrackFormat* format = nullptr;
+  Track track;
+};
+/// Reads a track of any format. `format`: what a map says; null: as its content looks. `picture`: for normalised
+/// coordinates. Errors: those of the reader; an empty file, text as UTF-16, a format that is not known.
+[[nodiscard]] base::Result<FormattedTrack> read_track(base::Bytes bytes, const TrackFormat* format,
+                                                      std::optional<PictureSize> picture);
 
 /// The map that the program brings for a format, for models with curves of the names that the built-in head has:
 /// brow_L, brow_R, eyelid_upper_L, ..., lip_upper, lip_lower, lip_upper_inner, lip_lower_inner. Tracks of

@@ -40,6 +40,16 @@ int replay(const std::string& argument) {
   return 0;
 }
 
+/// A take of two frames opens the jaw.
+bool animates(const penpose::document::Document& document) {
+  const std::string take = "Timecode,BlendShapeCount,Jaw\n0:0:0:0,1,0\n0:0:0:1,1,0.5\n";
+  auto track = penpose::io::read_track(penpose::base::as_bytes(take), nullptr, {});
+  if (!track) return false;
+  const auto map = penpose::io::read_bundled_map(*track->format);
+  const auto animated = penpose::animate(document, std::move(track->track), map.value());
+  return animated && animated->document.model->animations.size() == 1 && animated->poses[1] != animated->poses[0];
+}
+
 int pose() {
   auto model = penpose::character::make_demo_head();
   if (!model) return fail(model.error().line());
@@ -52,6 +62,7 @@ int pose() {
   const auto distances = head.distances_of(*lip).value();
   std::vector<penpose::Point> positions(head.vertex_count());
   head.evaluate(head.pose(), positions);
+  if (!animates(head.document())) return fail("a track does not become an animation");
   std::printf("pose %.17g %.17g\n", *std::max_element(distances.begin(), distances.end()),
               positions[positions.size() / 2].x);
   return 0;

@@ -11,24 +11,13 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::string_view k_take =
+    "Timecode,BlendShapeCount,Lift,TongueOut\n0:0:0:0,2,0.25,0.5\n0:0:0:1,2,0.5,0\n";
+
 /// A conversation about the bent sheet, its files kept in memory.
 class Talk {
  public:
-  Talk()
-      : conversation_({[](const std::string& path) -> base::Result<document::Document> {
-                         if (path == "sheet") return document::make_document(sheet_model());
-                         return base::Error{"there is no file \"" + path + "\"", "", ""};
-                       },
-                       [this](const std::string& path, base::Bytes bytes) -> base::Status {
-                         if (path.starts_with("no/")) return base::Error{"there is no such folder", "", ""};
-                         saved.assign(bytes.begin(), bytes.end());
-                         return base::Done{};
-                       },
-                       [this](std::string_view text) -> base::Status {
-                         if (disk_full) return base::Error{"the disk is full", "", "make room"};
-                         session += text;
-                         return base::Done{};
-                       }}) {}
+  explicit Talk(bool recorded = true) : conversation_(files(recorded)) {}
 
   std::vector<std::uint8_t> saved;
   std::string session;
@@ -49,6 +38,35 @@ class Talk {
   character::Character* character() { return conversation_.character(); }
 
  private:
+  serve::Files files(bool recorded) {
+    serve::Files files;
+    files.load = [](const std::string& path) -> base::Result<document::Document> {
+      if (path == "sheet") return document::make_document(sheet_model());
+      return base::Error{"there is no file \"" + path + "\"", "", ""};
+    };
+    files.save = [this](const std::string& path, base::Bytes bytes) -> base::Status {
+      if (path.starts_with("no/")) return base::Error{"there is no such folder", "", ""};
+      saved.assign(bytes.begin(), bytes.end());
+      return base::Done{};
+    };
+    if (recorded) {
+      files.record = [this](std::string_view text) -> base::Status {
+        if (disk_full) return base::Error{"the disk is full", "", "make room"};
+        session += text;
+        return base::Done{};
+      };
+    }
+    files.read = [](const std::string& path) -> base::Result<std::vector<std::uint8_t>> {
+      const std::string text = R"({"format": "arkit", "names": {"TongueOut": "lean"}})";
+      if (path == "map.json") return std::vector<std::uint8_t>(text.begin(), text.end());
+      return base::Error{"there is no file \"" + path + "\"", "", ""};
+    };
+    files.track = [](const std::string& path, const io::TrackFormat* format, std::optional<io::PictureSize> picture) {
+      return io::read_track(base::as_bytes(path == "take.csv" ? k_take : ""), format, picture);
+    };
+    return files;
+  }
+
   serve::Conversation conversation_;
 };
 
@@ -170,6 +188,7 @@ TEST(Serve, ALineThatMeansNothingChangesNothing) {
                                  R"({"do":"target","curve":1,"points":[[0,0,0]]})",
                                  R"({"do":"target","curve":1,"points":[[0,0,"a"]]})",
                                  R"({"do":"sketch"})",
+                                 R"({"do":"animate","track":"take.csv"})",
                                  R"({"do":"set","parameters":{"lift":9}})",
                                  R"({"do":"set","parameters":{"nothing":0}})",
                                  R"({"do":"set","parameters":[1]})",
@@ -189,6 +208,34 @@ TEST(Serve, ALineThatMeansNothingChangesNothing) {
   EXPECT_EQ(talk.says(R"({"do":"fly","id":"a"})")["id"], "a") << "an error says whose it is";
   EXPECT_NE(talk.says(R"({"do":"curve","vertices":[1,999]})")["error"].get<std::string>().find("vertices/1"),
             std::string::npos);
+}
+
+TEST(Serve, ATrackBecomesAnAnimation) {
+  Talk talk(false);
+  talk.load();
+  const std::string before = talk.state();
+  const Json animated = talk.does(R"({"do":"animate","track":"take.csv"})");
+  EXPECT_EQ(animated["frames"], 2);
+  EXPECT_EQ(animated["parameters"]["lift"], Json({0.25, 0.5}));
+  EXPECT_EQ(animated["unmatched"], Json({"TongueOut"}));
+  EXPECT_EQ(animated["times"].size(), 2U);
+  EXPECT_EQ(animated["state"], talk.state());
+  EXPECT_NE(talk.state(), before);
+  talk.does(R"({"do":"save","path":"out.glb"})");
+  EXPECT_EQ(character::Character::read(talk.saved)->document().model->animations.size(), 1U);
+  EXPECT_EQ(talk.does(R"({"do":"animate","track":"take.csv","map":"map.json","fps":10})")["times"], Json({0, 0.1}));
+  EXPECT_EQ(talk.character()->document().model->animations.size(), 2U);
+  const std::string after = talk.state();
+  for (const char* line : {R"({"do":"animate"})", R"({"do":"animate","track":"none.csv"})",
+                           R"({"do":"animate","track":"take.csv","map":"openface"})",
+                           R"({"do":"animate","track":"take.csv","curves":"none.json"})",
+                           R"({"do":"animate","track":"take.csv","head":"nod"})",
+                           R"({"do":"animate","track":"take.csv","units":1})",
+                           R"({"do":"animate","track":"take.csv","smooth":99})",
+                           R"({"do":"animate","track":"take.csv","picture":[1,0]})"}) {
+    EXPECT_FALSE(talk.says(line)["ok"].get<bool>()) << line;
+    EXPECT_EQ(talk.state(), after) << line;
+  }
 }
 
 TEST(Serve, WhatCannotBeRecordedIsNotDone) {

@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <span>
 
 #include "core/base/text/letters.h"
+#include "core/io/model/model_formats.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/view/backdrop.h"
 #include "ui/app/widgets/internal/widgets.h"
@@ -17,16 +17,24 @@ namespace fs = std::filesystem;
 
 constexpr float k_wide = 17;
 
-bool has_extension(const fs::path& path, std::span<const char* const> extensions) {
+bool has_extension(const fs::path& path, std::span<const std::string> extensions) {
   const std::string extension = base::lower_case(path.extension().string());
   return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-constexpr std::array k_opened{".glb", ".gltf", ".obj", ".ply", ".off", ".stl", ".session", ".hid", ".trace"};
-constexpr std::array k_pictures{".png", ".jpg", ".jpeg"};
+/// Models, and what a session or a trace is kept in.
+std::vector<std::string> opened() {
+  auto extensions = io::extensions_read();
+  extensions.insert(extensions.end(), {".session", ".hid", ".trace"});
+  return extensions;
+}
+const std::vector<std::string>& pictures() {
+  static const std::vector<std::string> extensions{".png", ".jpg", ".jpeg"};
+  return extensions;
+}
 
 /// Folders first, then files with some extensions, by name.
-std::vector<fs::directory_entry> entries_of(const std::string& folder, std::span<const char* const> extensions) {
+std::vector<fs::directory_entry> entries_of(const std::string& folder, std::span<const std::string> extensions) {
   std::vector<fs::directory_entry> entries;
   std::error_code code;
   for (fs::directory_iterator it(folder, code), end; !code && it != end; it.increment(code)) {
@@ -44,7 +52,7 @@ std::vector<fs::directory_entry> entries_of(const std::string& folder, std::span
 }
 
 /// The folder with its parent and what is in it. Gives the file that was chosen.
-std::string browse(PanelContext& context, float height, std::span<const char* const> extensions = k_opened) {
+std::string browse(PanelContext& context, float height, std::span<const std::string> extensions) {
   std::string& folder = context.app.dialogs().state<FileChoice>().folder;
   std::string chosen;
   ImGui::TextUnformatted(folder.c_str());
@@ -69,7 +77,7 @@ std::string browse(PanelContext& context, float height, std::span<const char* co
 bool choose_name(PanelContext& context, const char* does, std::string& path) {
   App& app = context.app;
   dialog_field(context, "##name", app.dialogs().state<FileChoice>().name, "name.glb");
-  if (const std::string file = browse(context, 6 * context.unit); !file.empty()) {
+  if (const std::string file = browse(context, 6 * context.unit, opened()); !file.empty()) {
     app.dialogs().state<FileChoice>().name = fs::path(file).filename().string();
   }
   const bool pressed = wide_button(context, does, 4 * context.unit) || context.accepts;
@@ -92,7 +100,7 @@ void show_open_dialog(PanelContext& context) {
     std::string chosen;
     if (wide_button(context, "The built-in head with its controls", -1)) chosen = "builtin:demo";
     if (wide_button(context, "The built-in head alone, to sketch controls on", -1)) chosen = "builtin:head";
-    if (const std::string file = browse(context, 8 * context.unit); !file.empty()) chosen = file;
+    if (const std::string file = browse(context, 8 * context.unit, opened()); !file.empty()) chosen = file;
     if (wide_button(context, "Cancel")) app.do_action(Action::cancel);
     if (!chosen.empty()) app.ask_to_open(chosen);
   }
@@ -103,7 +111,7 @@ void show_backdrop_dialog(PanelContext& context) {
   App& app = context.app;
   if (begin_dialog(context, "A picture behind the model", k_wide)) {
     ImGui::TextDisabled("PNG or JPEG; of numbered pictures all are taken, one a frame");
-    const std::string chosen = browse(context, 8 * context.unit, k_pictures);
+    const std::string chosen = browse(context, 8 * context.unit, pictures());
     if (wide_button(context, "Cancel")) app.do_action(Action::cancel);
     if (!chosen.empty() && open_backdrop(app.canvas(), app.notices(), chosen)) {
       app.dialogs().close();
@@ -158,13 +166,15 @@ void show_export_dialog(PanelContext& context) {
   }
   if (begin_dialog(context, "Export", k_wide)) {
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-    const bool pose_alone = fs::path(name).extension() == ".obj";
-    if (wide_button(context, "The face that moves (.glb)", half, !pose_alone, "With its controls and keys")) {
-      name = fs::path(name).replace_extension(".glb").string();
-    }
-    ImGui::SameLine();
-    if (wide_button(context, "This pose alone (.obj)", half, pose_alone, "The face as it is now")) {
-      name = fs::path(name).replace_extension(".obj").string();
+    const io::ModelFormat* chosen = io::format_of_name(name);
+    bool starts_row = true;
+    for (const io::ModelFormat& format : io::model_formats()) {
+      if (format.holds.empty()) continue;
+      const std::string label = std::string(format.holds) + " (" + std::string(format.extension) + ")";
+      if (!starts_row) ImGui::SameLine();
+      starts_row = !starts_row;
+      if (wide_button(context, label.c_str(), half, &format == chosen, std::string(format.detail).c_str()))
+        name = fs::path(name).replace_extension(format.extension).string();
     }
     std::string path;
     if (choose_name(context, "Export##now", path)) {

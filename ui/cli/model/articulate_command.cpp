@@ -1,5 +1,3 @@
-#include "ui/cli/model/articulate_command.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -30,7 +28,7 @@ using articulation::SketchedDeformers;
 using json::Json;
 
 struct ArticulateArguments {
-  io::GlbOptions glb;
+  io::WriteOptions glb;
   std::string model;
   std::string sketch;
   std::string out;
@@ -228,9 +226,7 @@ int articulate(const ArticulateArguments& arguments) {
   return k_success;
 }
 
-}  // namespace
-
-void add_articulate_command(CLI::App& app, int& status) {
+void add_command(CLI::App& app, int& status) {
   auto arguments = std::make_shared<ArticulateArguments>();
   CLI::App* command = app.add_subcommand("articulate", "Gives a model controls from the strokes of a sketch file");
   command->add_option("MODEL", arguments->model, "Model to articulate")->required();
@@ -245,6 +241,16 @@ void add_articulate_command(CLI::App& app, int& status) {
       ->check(CLI::IsMember({"default", "paper"}));
   add_tolerance_option(*command, arguments->glb);
   command->callback([arguments, &status] { status = articulate(*arguments); });
+}
+
+}  // namespace
+
+Subcommand articulate_subcommand() {
+  return {
+      "articulate",
+      add_command,
+      {{{"penpose articulate elephant.glb --sketch trunk.json -o rigged.glb", "controls from strokes"},
+        {"penpose articulate elephant.glb --sketch trunk.json -o paper.glb --preset paper", "as published in 2006"}}}};
 }
 
 }  // namespace penpose::cli

@@ -1,5 +1,3 @@
-#include "ui/cli/model/convert_command.h"
-
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
@@ -7,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/io/model/formats.h"
+#include "core/io/model/model_formats.h"
 #include "core/io/surface/shape_list.h"
-#include "core/io/tracks/arkit/write_arkit.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/pose/tolerance_option.h"
@@ -23,11 +20,10 @@ namespace penpose::cli {
 namespace {
 
 struct ConvertArguments {
-  io::GlbOptions glb;
+  io::WriteOptions write;
   std::string in;
   std::string out;
   std::vector<std::string> shapes;
-  double fps = 60;
 };
 
 /// The files that --shapes names: each as it is, a folder's models in the order of their names, numbers as numbers. An
@@ -38,7 +34,7 @@ base::Result<std::vector<std::string>> shape_files(const std::vector<std::string
     blamed = path;
     auto inside = files::folder_files(path, [](const std::filesystem::path& file) {
       // What file managers leave beside a file is none.
-      return !file.filename().string().starts_with('.') && io::format_of_name(file.string());
+      return !file.filename().string().starts_with('.') && io::format_to_read({}, file.string()) != nullptr;
     });
     if (!inside) return inside.error();
     if (!*inside) {
@@ -80,39 +76,39 @@ int run_convert(const ConvertArguments& arguments) {
   std::string blamed = arguments.in;
   const auto document = load_with_shapes(arguments, blamed);
   if (!document) return files::report(document.error(), blamed);
-  if (arguments.out.ends_with(".csv")) {
-    const auto take = io::write_arkit(document::model_of(*document), arguments.fps);
-    if (!take) return files::report(take.error(), arguments.in);
-    const auto written = files::write_file(arguments.out, base::as_bytes(take->text));
-    if (!written) return files::report(written.error(), arguments.out);
-    for (const std::string& note : take->notes) files::warn(note, arguments.in);
-    return k_success;
-  }
-  if (const auto saved = files::save_as_it_came(*document, arguments.out, files::SaveNotes::loud, arguments.glb);
+  if (const auto saved = files::save_as_it_came(*document, arguments.out, files::SaveNotes::loud, arguments.write);
       !saved)
     return files::report(saved.error(), arguments.out);
   for (const std::string& note : document->model->notes) files::warn(note, arguments.in);
   return k_success;
 }
 
-}  // namespace
-
-void add_convert_command(CLI::App& app, int& status) {
+void add_command(CLI::App& app, int& status) {
   auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command =
       app.add_subcommand("convert", "Converts a model to GLB, to OBJ at its pose, or its animation to ARKit CSV");
-  command->add_option("IN", arguments->in, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
+  command->add_option("IN", arguments->in, io::names_read() + " file")->required();
   command
       ->add_option("OUT", arguments->out,
-                   ".glb or .obj file to write, or .csv for the blend shapes as Live Link Face writes them")
+                   io::extensions_to_write() + " file to write; .csv: the blend shapes as Live Link Face writes them")
       ->required();
   command->add_option("--shapes", arguments->shapes,
                       "Files, or folders of files, that each show one blend shape; their names become its name");
-  command->add_option("--fps", arguments->fps, "Frames a second of a .csv file")
+  command->add_option("--fps", arguments->write.fps, "Frames a second of a .csv file")
       ->check(CLI::Validator(number_range(0.1, 1000.0), "0.1 to 1000"))
       ->capture_default_str();
-  add_tolerance_option(*command, arguments->glb);
+  add_tolerance_option(*command, arguments->write);
   command->callback([arguments, &status] { status = run_convert(*arguments); });
+}
+
+}  // namespace
+
+Subcommand convert_subcommand() {
+  return {"convert",
+          add_command,
+          {{{"penpose convert scan.obj scan.glb --shapes shapes", "OBJ files as blend shapes"},
+            {"penpose convert posed.glb posed.obj", "the pose as it stands"}}},
+          {{"OUT", Completes::files, io::extensions_written()}}};
 }
 
 }  // namespace penpose::cli

@@ -1,5 +1,3 @@
-#include "ui/cli/model/demo_command.h"
-
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
@@ -159,15 +157,23 @@ int run_demo_command(const DemoArguments& arguments) {
   return k_success;
 }
 
-}  // namespace
-
-void add_demo_command(CLI::App& app, int& status) {
+void add_command(CLI::App& app, int& status) {
   auto arguments = std::make_shared<DemoArguments>();
   CLI::App* command =
       app.add_subcommand("demo", "Replays the bundled pen session on the built-in head, writes demo.glb and demo.png");
   command->add_option("-o", arguments->folder, "Folder to write to")->capture_default_str();
   command->add_flag("--json", arguments->json, "Print one JSON object");
   command->callback([arguments, &status] { status = run_demo_command(*arguments); });
+}
+
+}  // namespace
+
+Subcommand demo_subcommand() {
+  return {"demo",
+          add_command,
+          {{{"penpose demo -o out", "writes out/demo.glb and out/demo.png"},
+            {"penpose demo -o out --json", "what it did, for scripts"}}},
+          {{"-o", Completes::folders}}};
 }
 
 }  // namespace penpose::cli

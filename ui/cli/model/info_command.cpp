@@ -1,5 +1,3 @@
-#include "ui/cli/model/info_command.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iomanip>
@@ -135,14 +133,21 @@ int run_info(const InfoArguments& arguments) {
   return k_success;
 }
 
-}  // namespace
-
-void add_info_command(CLI::App& app, int& status) {
+void add_command(CLI::App& app, int& status) {
   auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command = app.add_subcommand("info", "Says what is in a model");
   command->add_option("MODEL", arguments->model, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
   command->add_flag("--json", arguments->json, "print one JSON object");
   command->callback([arguments, &status] { status = run_info(*arguments); });
+}
+
+}  // namespace
+
+Subcommand info_subcommand() {
+  return {"info",
+          add_command,
+          {{{"penpose info face.glb", "what can be posed"},
+            {"penpose info builtin:demo --json", "the built-in head with its controls, for scripts"}}}};
 }
 
 }  // namespace penpose::cli

@@ -1,5 +1,3 @@
-#include "ui/cli/model/render_command.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -15,6 +13,8 @@
 #include "core/document/time/animation_sampling.h"
 #include "core/io/project/camera_file.h"
 #include "core/io/project/case_file.h"
+#include "ui/cli/commands.h"
+#include "ui/cli/model/frame_name.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/progress.h"
 #include "ui/files/file_roles.h"
@@ -215,19 +215,7 @@ int run_render(const Options& options) {
   return k_success;
 }
 
-}  // namespace
-
-std::string frame_name(const std::string& pattern, std::size_t number) {
-  std::string stem = pattern.ends_with(".png") ? pattern.substr(0, pattern.size() - 4) : pattern;
-  const std::size_t after = stem.find_last_not_of('#') + 1;
-  const std::size_t width = after < stem.size() ? stem.size() - after : 4;
-  stem.resize(after);
-  std::string digits = std::to_string(number);
-  while (digits.size() < width) digits.insert(digits.begin(), '0');
-  return stem + digits + ".png";
-}
-
-void add_render_command(CLI::App& app, int& status) {
+void add_command(CLI::App& app, int& status) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("render", "Draws a picture of a model");
   command->add_option("MODEL", options->model, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
@@ -261,6 +249,16 @@ void add_render_command(CLI::App& app, int& status) {
   case_name->needs(cases);
   command->add_option("-o,--output", options->output, "PNG file to write")->required();
   command->callback([options, &status] { status = run_render(*options); });
+}
+
+}  // namespace
+
+Subcommand render_subcommand() {
+  return {"render",
+          add_command,
+          {{{"penpose render builtin:demo --set jaw=0.4 --view front -o jaw.png", "a picture"},
+            {"penpose render clip.glb --frames --size 320x320 -o frames/clip", "frames/clip0001.png, ... for ffmpeg"}}},
+          {{"-o", Completes::files, {".png"}}}};
 }
 
 }  // namespace penpose::cli

@@ -1,5 +1,3 @@
-#include "ui/cli/pose/pose_command.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -33,7 +31,7 @@ using json::Json;
 enum class Preset : std::uint8_t { meant, exact, paper };
 
 struct PoseArguments {
-  io::GlbOptions glb;
+  io::WriteOptions glb;
   std::string model;
   std::string cases;
   std::string name;
@@ -203,9 +201,7 @@ int pose(const PoseArguments& arguments) {
   return k_success;
 }
 
-}  // namespace
-
-void add_pose_command(CLI::App& app, int& status) {
+void add_command(CLI::App& app, int& status) {
   auto arguments = std::make_shared<PoseArguments>();
   CLI::App* command =
       app.add_subcommand("pose", "Solves posing cases: brings curves of a model to where they should be");
@@ -236,6 +232,15 @@ void add_pose_command(CLI::App& app, int& status) {
   command->add_flag("--json", arguments->json, "Print one JSON object");
   add_tolerance_option(*command, arguments->glb);
   command->callback([arguments, &status] { status = pose(*arguments); });
+}
+
+}  // namespace
+
+Subcommand pose_subcommand() {
+  return {"pose",
+          add_command,
+          {{{"penpose pose face.glb --cases cases.json --case smile -o smile.glb", "one case, and the posed model"},
+            {"penpose pose face.glb --cases cases.json --json", "all cases, for scripts"}}}};
 }
 
 }  // namespace penpose::cli

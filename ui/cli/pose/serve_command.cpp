@@ -1,5 +1,3 @@
-#include "ui/cli/pose/serve_command.h"
-
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
@@ -7,6 +5,7 @@
 #include <string>
 
 #include "ui/cli/commands.h"
+#include "ui/cli/track/track_input.h"
 #include "ui/files/append_file.h"
 #include "ui/files/file_roles.h"
 #include "ui/files/files.h"
@@ -25,8 +24,10 @@ constexpr const char* k_help =
     "Answers JSON lines on standard input with one JSON line each on standard output, in order, until the input ends. "
     "A line with an error, {\"ok\": false, \"error\": \"...\"}, has changed nothing.\n"
     "\"do\": load (model), curve (name, vertices, points, or view and line; role), target (curve; points, or view and "
-    "line), solve (preset), sketch (view, general, specific, reference, target), set (parameters), perform (command), "
-    "evaluate (parameters, vertices), view (yaw, pitch, width, height), state, save (path). docs/library.md has all of "
+    "line), solve (preset), sketch (view, general, specific, reference, target), animate (track, map), set "
+    "(parameters), "
+    "perform (command), evaluate (parameters, vertices), view (yaw, pitch, width, height), state, save (path). "
+    "docs/library.md has all of "
     "it.";
 
 /// What goes on for so long without an end of a line is no conversation, and may never end.
@@ -81,6 +82,15 @@ int serve(const ServeArguments& arguments) {
       return base::Error{"the file is the session's, or what it is recorded on", "", "choose another name"};
     return files::write_file(path, bytes);
   };
+  files.read = [&](const std::string& path) -> base::Result<std::vector<std::uint8_t>> {
+    if (const auto fits = check_path(path); !fits) return fits.error();
+    return files::read_plain_file(path, files::k_most_text_bytes);
+  };
+  files.track = [&](const std::string& path, const io::TrackFormat* format,
+                    std::optional<io::PictureSize> picture) -> base::Result<io::FormattedTrack> {
+    if (const auto fits = check_path(path); !fits) return fits.error();
+    return read_track(path, format, picture);
+  };
   serve::Conversation conversation(std::move(files));
   std::string line;
   while (std::cout) {
@@ -92,15 +102,23 @@ int serve(const ServeArguments& arguments) {
   return k_success;
 }
 
-}  // namespace
-
-void add_serve_command(CLI::App& app, int& status) {
+void add_command(CLI::App& app, int& status) {
   auto arguments = std::make_shared<ServeArguments>();
   CLI::App* command = app.add_subcommand("serve", "Poses for another program: a conversation of JSON lines");
   command->footer(k_help);
   command->add_option("--session", arguments->session,
                       "Record the conversation as a session, a file that is not there");
   command->callback([arguments, &status] { status = serve(*arguments); });
+}
+
+}  // namespace
+
+Subcommand serve_subcommand() {
+  return {"serve",
+          add_command,
+          {{{"penpose serve <<< '{\"do\": \"load\", \"model\": \"builtin:head\"}'", "one line in, one line out"},
+            {"penpose serve --session talk.session <<< '{\"do\": \"load\", \"model\": \"builtin:demo\"}'",
+             "what is said, recorded to be replayed"}}}};
 }
 
 }  // namespace penpose::cli

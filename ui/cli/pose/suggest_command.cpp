@@ -1,5 +1,3 @@
-#include "ui/cli/pose/suggest_command.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iomanip>
@@ -240,9 +238,7 @@ int suggest(const SuggestArguments& arguments) {
   return k_success;
 }
 
-}  // namespace
-
-void add_suggest_command(CLI::App& app, int& status) {
+void add_command(CLI::App& app, int& status) {
   auto arguments = std::make_shared<SuggestArguments>();
   CLI::App* command = app.add_subcommand("suggest", "Suggests the rest of a pose from poses that are keyed");
   command->add_option("MODEL", arguments->model, "model, project or session (.session) whose pose is half made")
@@ -278,6 +274,16 @@ void add_suggest_command(CLI::App& app, int& status) {
       ->excludes(out);
   command->add_flag("--json", arguments->json, "print one JSON object");
   command->callback([arguments, &status] { status = suggest(*arguments); });
+}
+
+}  // namespace
+
+Subcommand suggest_subcommand() {
+  return {"suggest",
+          add_command,
+          {{{"penpose suggest keyed.glb --set jaw=0.3", "the rest of the face, from the poses that are keyed"},
+            {"penpose suggest keyed.glb --leave-one-out", "how well the keyed poses foretell each other"}}},
+          {{"--hold", Completes::nothing}}};
 }
 
 }  // namespace penpose::cli

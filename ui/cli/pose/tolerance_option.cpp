@@ -6,7 +6,7 @@
 
 namespace penpose::cli {
 
-void add_tolerance_option(CLI::App& command, io::GlbOptions& options) {
+void add_tolerance_option(CLI::App& command, io::WriteOptions& options) {
   command
       .add_option("--tolerance", options.bake_tolerance,
                   "How far baking sketched deformers for other programs may move a vertex, share of the model's size")

@@ -10,6 +10,6 @@ namespace penpose::cli {
 
 /// Adds --tolerance, how exactly sketched deformers are baked, to a command that writes models. `options` outlives the
 /// parsing.
-void add_tolerance_option(CLI::App& command, io::GlbOptions& options);
+void add_tolerance_option(CLI::App& command, io::WriteOptions& options);
 
 }  // namespace penpose::cli

@@ -1,5 +1,3 @@
-#include "ui/cli/tablet/decode_command.h"
-
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
@@ -236,9 +234,7 @@ int decode_trace(const DecodeOptions& options) {
   return DecodeRun(options, &*own).run();
 }
 
-}  // namespace
-
-void add_decode_command(CLI::App& app, int& status) {
+void add_command(CLI::App& app, int& status) {
   auto options = std::make_shared<DecodeOptions>();
   CLI::App* command = app.add_subcommand("decode", "Prints what pen or hand did in a trace of raw HID reports");
   command->add_option("trace", options->trace, "Trace in hid-recorder's text format")->required();
@@ -251,6 +247,16 @@ void add_decode_command(CLI::App& app, int& status) {
                       "Read every report with this protocol, whatever the trace's device is");
   command->add_option(files::k_tablets_option, options->tablets, files::k_tablets_help);
   command->callback([options, &status] { status = decode_trace(*options); });
+}
+
+}  // namespace
+
+Subcommand decode_subcommand() {
+  return {"decode",
+          add_command,
+          {{{"penpose decode pen.hid --csv", "the pen, sample by sample"},
+            {"penpose decode pen.hid --pad", "what the keys and rings of the tablet did"}}},
+          {{"--protocol", Completes::nothing}}};
 }
 
 }  // namespace penpose::cli

@@ -1,5 +1,3 @@
-#include "ui/cli/tablet/devices_command.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <bit>
@@ -189,9 +187,7 @@ int run_devices(const Options& options) {
   return list_live_devices(*own, options.json);
 }
 
-}  // namespace
-
-void add_devices_command(CLI::App& app, int& status) {
+void add_command(CLI::App& app, int& status) {
   auto options = std::make_shared<Options>();
   auto* command = app.add_subcommand("devices", "Lists the tablets that are plugged in, or those that can be read.");
   auto* known = command->add_flag("--known", options->known, "All tablets of the table, plugged in or not");
@@ -209,6 +205,16 @@ void add_devices_command(CLI::App& app, int& status) {
   }
   command->add_option(files::k_tablets_option, options->tablets, files::k_tablets_help);
   command->callback([options, &status] { status = run_devices(*options); });
+}
+
+}  // namespace
+
+Subcommand devices_subcommand() {
+  return {"devices",
+          add_command,
+          {{{"penpose devices", "the tablets that are plugged in, and what is missing to open them"},
+            {"penpose devices --known", "every tablet whose raw reports are understood"}}},
+          {{"--rules-folder", Completes::folders}}};
 }
 
 }  // namespace penpose::cli

@@ -1,5 +1,3 @@
-#include "ui/cli/tablet/record_command.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -281,9 +279,7 @@ int record(const Options& options) {
   return RecordRun(options, &*own).run();
 }
 
-}  // namespace
-
-void add_record_command(CLI::App& app, int& status) {
+void add_command(CLI::App& app, int& status) {
   auto options = std::make_shared<Options>();
   auto* command = app.add_subcommand(
       "record", "Records what tablets send, in hid-recorder's format, until Ctrl-C or until they are unplugged.");
@@ -293,6 +289,15 @@ void add_record_command(CLI::App& app, int& status) {
       ->check(CLI::Validator(number_range(1e-3, 1e9), "0.001 to 1000000000"));
   command->add_option(files::k_tablets_option, options->tablets, files::k_tablets_help);
   command->callback([options, &status] { status = record(*options); });
+}
+
+}  // namespace
+
+Subcommand record_subcommand() {
+  return {"record",
+          add_command,
+          {{{"penpose record -o pen.hid", "until Ctrl-C, or until the tablets are unplugged"},
+            {"penpose record -o short.hid --seconds 10", "ten seconds of them"}}}};
 }
 
 }  // namespace penpose::cli

@@ -1,5 +1,3 @@
-#include "ui/cli/tablet/replay_command.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -39,7 +37,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t k_longest_name = 4096;
 
 struct ReplayArguments {
-  io::GlbOptions glb;
+  io::WriteOptions glb;
   std::string session;
   std::string model;
   std::string output;
@@ -271,9 +269,7 @@ int replay_session(const ReplayArguments& arguments) {
   return played->divergence ? files::report(replay::error_of(*played->divergence), arguments.session) : status;
 }
 
-}  // namespace
-
-void add_replay_command(CLI::App& app, int& status) {
+void add_command(CLI::App& app, int& status) {
   auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command = app.add_subcommand("replay", "Draws a recorded session, or a plain trace, again");
   command->add_option("SESSION", arguments->session, "Session or trace in hid-recorder's text format")->required();
@@ -288,6 +284,15 @@ void add_replay_command(CLI::App& app, int& status) {
   command->add_flag("--json", arguments->json, "Print one JSON object");
   add_tolerance_option(*command, arguments->glb);
   command->callback([arguments, &status] { status = replay_session(*arguments); });
+}
+
+}  // namespace
+
+Subcommand replay_subcommand() {
+  return {"replay",
+          add_command,
+          {{{"penpose replay drawn.session -o face.glb --png face.png", "the project and a picture of it"},
+            {"penpose replay drawn.session --stroke 3 --json", "what it was after three strokes"}}}};
 }
 
 }  // namespace penpose::cli

@@ -1,5 +1,3 @@
-#include "ui/cli/track/track_command.h"
-
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
@@ -9,6 +7,7 @@
 #include "core/animation/points/face_layout.h"
 #include "core/io/tracks/label_file.h"
 #include "core/io/tracks/read_pgm.h"
+#include "ui/cli/commands.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/progress.h"
 #include "ui/files/file_roles.h"
@@ -166,9 +165,7 @@ int track(const TrackArguments& arguments) {
   return k_success;
 }
 
-}  // namespace
-
-void add_track_command(CLI::App& app, int& status) {
+void add_command(CLI::App& app, int& status) {
   auto arguments = std::make_shared<TrackArguments>();
   CLI::App* command = app.add_subcommand("track", "Finds curves in a picture sequence, learned from labelled pictures");
   command->add_option("PICTURES", arguments->pictures, "PNG or PGM files, or folders of them, in order")->required();
@@ -181,6 +178,15 @@ void add_track_command(CLI::App& app, int& status) {
       ->check(CLI::Validator(number_range(0.1, 10000.0), "0.1 to 10000"))
       ->capture_default_str();
   command->callback([arguments, &status] { status = track(*arguments); });
+}
+
+}  // namespace
+
+Subcommand track_subcommand() {
+  return {"track",
+          add_command,
+          {{{"penpose track frames --labels labels.json -o lips.json", "curves in a folder of pictures"},
+            {"penpose track frames --labels labels.json -o lips.json --fps 30", "of a faster camera"}}}};
 }
 
 }  // namespace penpose::cli

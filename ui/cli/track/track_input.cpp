@@ -88,8 +88,8 @@ base::Result<PointFolder> read_folder(const std::vector<std::string>& named) {
 
 }  // namespace
 
-base::Result<TrackInput> read_track(const std::string& path, const io::TrackFormat* format,
-                                    std::optional<io::PictureSize> picture) {
+base::Result<io::FormattedTrack> read_track(const std::string& path, const io::TrackFormat* format,
+                                            std::optional<io::PictureSize> picture) {
   const auto named = files::folder_files(path, is_points);
   if (!named) return named.error();
   if (*named) {
@@ -99,24 +99,11 @@ base::Result<TrackInput> read_track(const std::string& path, const io::TrackForm
     // Its place would be a line of a text that nobody has.
     if (!track) return base::Error{track.error().what, "", track.error().remedy};
     track->notes = folder->notes;  // the reader's own count the lines of a text that nobody has
-    return TrackInput{io::track_format_named("ibug68"), std::move(track).value()};
+    return io::FormattedTrack{io::track_format_named("ibug68"), std::move(track).value()};
   }
   const auto bytes = files::read_file(path, files::k_most_track_bytes);
   if (!bytes) return bytes.error();
-  if (bytes->empty()) return base::Error{"the file is empty", "line 1", "track the video again"};
-  const std::string_view text = base::as_text(*bytes);
-  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
-    return base::Error{"the file is text as UTF-16, of two bytes a letter", "line 1", "save it as UTF-8"};
-  }
-  if (format == nullptr) format = io::format_of_track(*bytes);
-  if (format == nullptr) {
-    return base::Error{
-        "the track's format is not known", "line 1",
-        std::string("name it with --map ").append(io::track_format_names("or")).append(", or write a map")};
-  }
-  auto track = format->read(*bytes, picture);
-  if (!track) return track.error();
-  return TrackInput{format, std::move(track).value()};
+  return io::read_track(*bytes, format, picture);
 }
 
 }  // namespace penpose::cli

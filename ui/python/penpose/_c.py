@@ -3,7 +3,7 @@ import ctypes
 import ctypes.util
 import enum
 import os
-from ctypes import POINTER, byref, c_char, c_char_p, c_double, c_int32, c_size_t, c_uint16, c_uint32, c_uint64, c_void_p
+from ctypes import POINTER, byref, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint16, c_uint32, c_uint64, c_void_p
 from typing import Any, Callable
 
 ABI_VERSION = 0
@@ -75,6 +75,16 @@ class CPlayback(ctypes.Structure):
                 ('differing', c_uint64), ('line', c_uint64), ('state', c_char * 33)]
 
 
+class CAnimateOptions(ctypes.Structure):
+    _fields_ = [('head', c_int32), ('units', c_int32), ('neutral', c_int64), ('tremor_px', c_double), ('smooth_s', c_double),
+                ('least_confidence', c_double), ('fps', c_double), ('picture', c_double * 2), ('curves', c_char_p)]
+
+
+class CAnimated(ctypes.Structure):
+    _fields_ = [('frames', c_size_t), ('held', c_size_t), ('blinks', c_size_t), ('unmatched', c_size_t), ('rest', c_int64),
+                ('fps', c_double)]
+
+
 class CInterface(ctypes.Structure):
     _fields_ = [('bus', c_uint16), ('vendor', c_uint16), ('product', c_uint16), ('name', c_char_p), ('descriptor', c_char_p),
                 ('descriptor_size', c_size_t)]
@@ -141,6 +151,10 @@ _FUNCTIONS = {
     'penpose_session_play': (_LIBRARY, c_char_p, c_size_t, _HANDLE, _HANDLES, POINTER(CPlayback)),
     'penpose_record': _ON + (c_char_p,),
     'penpose_recorded': _ON + (c_void_p, c_size_t, _SIZES),
+    'penpose_animate': _ON + (c_char_p, c_size_t, c_char_p, POINTER(CAnimateOptions), _HANDLES, POINTER(CAnimated)),
+    'penpose_animation_frames': _ON + (c_void_p, c_void_p, c_size_t, _SIZES),
+    'penpose_animation_notes': _ON + (c_void_p, c_size_t, _SIZES),
+    'penpose_animation_character': _ON + (_HANDLES,),
     'penpose_tablet': (_LIBRARY, POINTER(CInterface), _HANDLES, POINTER(CAxes)),
     'penpose_tablet_report': _ON + (c_char_p, c_size_t, POINTER(CSample), c_size_t, _SIZES),
 }
@@ -219,6 +233,13 @@ class Handle:
 
     def _call(self, function: Function, *arguments: Any) -> None:
         check(function, *self._on, *arguments)
+
+    def _bytes(self, function: Function, *arguments: Any) -> bytes:
+        size = c_size_t()
+        self._call(function, *arguments, None, 0, byref(size))
+        buffer = ctypes.create_string_buffer(max(1, size.value))
+        self._call(function, *arguments, ctypes.cast(buffer, c_void_p), size.value, byref(size))
+        return ctypes.string_at(buffer, size.value)
 
     def close(self) -> None:
         """Frees it; any use after that raises Error with Status.BAD_HANDLE."""

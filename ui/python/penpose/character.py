@@ -1,6 +1,6 @@
 """Characters: made, given curves, targets and constraints, solved, evaluated."""
 import enum
-from ctypes import byref, c_double, c_int32, c_size_t, c_uint32, c_void_p, cast, create_string_buffer, POINTER, string_at
+from ctypes import byref, c_double, c_size_t, c_uint32, create_string_buffer
 from dataclasses import dataclass, field
 from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple, Union
 
@@ -187,13 +187,6 @@ class Character(_c.Handle):
     def write(self, format: str = '.glb') -> bytes:
         """A project as .glb, or .obj as it is posed."""
         return self._bytes(C.penpose_write, text(format))
-
-    def _bytes(self, function: _c.Function, *arguments: object) -> bytes:
-        size = c_size_t()
-        self._call(function, *arguments, None, 0, byref(size))
-        buffer = create_string_buffer(max(1, size.value))
-        self._call(function, *arguments, cast(buffer, c_void_p), size.value, byref(size))
-        return string_at(buffer, size.value)
 
     # The pose.
 

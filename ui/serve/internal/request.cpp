@@ -66,6 +66,12 @@ double Request::number_or(const char* name, double fallback) const {
   return has(name) ? number_at(need(name), at(name)) : fallback;
 }
 
+bool Request::truth_or(const char* name, bool fallback) const {
+  if (!has(name)) return fallback;
+  if (!need(name).is_boolean()) refuse("true or false was expected", at(name), "give one");
+  return need(name).get<bool>();
+}
+
 std::uint32_t Request::whole(const char* name) const { return whole_at(need(name), at(name)); }
 
 std::uint32_t Request::whole_or(const char* name, std::uint32_t fallback) const {

@@ -41,6 +41,7 @@ struct Request {
   [[nodiscard]] std::string text(const char* name) const;
   [[nodiscard]] std::string text_or(const char* name, std::string_view fallback) const;
   [[nodiscard]] double number_or(const char* name, double fallback) const;
+  [[nodiscard]] bool truth_or(const char* name, bool fallback) const;
   [[nodiscard]] std::uint32_t whole(const char* name) const;
   [[nodiscard]] std::uint32_t whole_or(const char* name, std::uint32_t fallback) const;
   /// A list of numbers; one of rows of so many numbers, all after each other.

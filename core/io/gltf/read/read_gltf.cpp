@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text/letters.h"
 #include "core/io/gltf/internal/gltf_extras.h"
 #include "core/io/gltf/read/internal/gltf_animations.h"
 #include "core/io/gltf/read/internal/gltf_deformers.h"
@@ -13,7 +14,9 @@
 #include "core/io/gltf/read/internal/gltf_shapes.h"
 #include "core/io/gltf/read/internal/gltf_skins.h"
 #include "core/io/gltf/read/internal/gltf_weight_ranges.h"
+#include "core/io/model/model_formats.h"
 #include "core/io/project/internal/project_json.h"
+#include "core/io/project/write_document.h"
 
 namespace penpose::io {
 namespace {
@@ -223,6 +226,33 @@ base::Result<document::Document> read_gltf_document(base::Bytes bytes, const Fil
     read->model = std::make_shared<const document::Model>(std::move(rest));
   }
   return read;
+}
+
+ModelFormat glb_format() {
+  return {.name = "glTF (.glb)",
+          .extension = ".glb",
+          .looks_like = [](base::Bytes bytes) { return base::as_text(bytes).starts_with("glTF"); },
+          .read = read_gltf,
+          .read_project = read_gltf_document,
+          .write = [](const document::Model& model, const WriteOptions& options,
+                      WriteReport& report) { return write_glb(model, options, &report); },
+          .write_project = [](const document::Document& document, const WriteOptions& options,
+                              WriteReport& report) { return write_project(document, options, &report); },
+          .holds = "The face that moves",
+          .detail = "With its controls and keys"};
+}
+
+ModelFormat gltf_format() {
+  return {.name = "glTF (.gltf)",
+          .extension = ".gltf",
+          .looks_like =
+              [](base::Bytes bytes) {
+                const std::string_view text = base::without_mark(base::as_text(bytes));
+                const std::size_t first = text.find_first_not_of(" \t\r\n");
+                return first != std::string_view::npos && text[first] == '{';
+              },
+          .read = read_gltf,
+          .read_project = read_gltf_document};
 }
 
 }  // namespace penpose::io

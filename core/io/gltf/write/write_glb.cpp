@@ -34,7 +34,7 @@ std::vector<float> flatten(std::span<const V> vectors) {
 
 class GlbWriter {
  public:
-  GlbWriter(const document::Model& model, const GlbOptions& options, json::Json project)
+  GlbWriter(const document::Model& model, const WriteOptions& options, json::Json project)
       : model_(model),
         project_(std::move(project)),
         morphs_(model, options.bake_tolerance),
@@ -54,12 +54,14 @@ class GlbWriter {
     builder_.root["scene"] = 0;
     write_animations();
     const double size = morphs_.size();
-    report = {weights_.targets().size(), morphs_.all().size() - morphs_.own_count(),
-              morphs_.bake_error() + (size > 0 ? between_error_ / size : 0.0)};
+    report = {weights_.targets().size(),
+              morphs_.all().size() - morphs_.own_count(),
+              morphs_.bake_error() + (size > 0 ? between_error_ / size : 0.0),
+              {}};
     return builder_.finish();
   }
 
-  GlbReport report;
+  WriteReport report;
 
  private:
   [[nodiscard]] std::span<const rig::Joint> joints() const {
@@ -297,16 +299,16 @@ class GlbWriter {
 
 }  // namespace
 
-base::Result<std::vector<std::uint8_t>> write_glb(const document::Model& model, const GlbOptions& options,
-                                                  GlbReport* report) {
+base::Result<std::vector<std::uint8_t>> write_glb(const document::Model& model, const WriteOptions& options,
+                                                  WriteReport* report) {
   GlbWriter writer(model, options, nullptr);
   auto bytes = writer.write();
   if (report != nullptr) *report = writer.report;
   return bytes;
 }
 
-base::Result<std::vector<std::uint8_t>> write_project(const document::Document& document, const GlbOptions& options,
-                                                      GlbReport* report) {
+base::Result<std::vector<std::uint8_t>> write_project(const document::Document& document, const WriteOptions& options,
+                                                      WriteReport* report) {
   const document::Model model = document::model_of(document);
   GlbWriter writer(model, options, project_to_json(document));
   auto bytes = writer.write();

@@ -220,7 +220,7 @@ base::Result<animation::WeightTrack> read_arkit_track(base::Bytes bytes) {
 }
 
 TrackFormat arkit_format() {
-  return {"arkit", true, [](const TrackText& text) { return !text.json && text.has("Timecode"); },
+  return {"arkit", 5, true, [](const TrackText& text) { return !text.json && text.has("Timecode"); },
           [](base::Bytes bytes, std::optional<PictureSize>) { return as_track(read_arkit_track(bytes)); }};
 }
 

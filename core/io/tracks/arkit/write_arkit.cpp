@@ -7,6 +7,7 @@
 #include "core/base/numbers.h"
 #include "core/document/time/animation_sampling.h"
 #include "core/geometry/rotation.h"
+#include "core/io/model/model_formats.h"
 #include "core/io/tracks/arkit/arkit_names.h"
 #include "core/io/tracks/arkit/timecode.h"
 #include "core/rig/control_names.h"
@@ -141,6 +142,20 @@ base::Result<ArkitText> write_arkit(const document::Model& model, double fps) {
   }
   result.notes = notes_on(parameters, columns);
   return result;
+}
+
+ModelFormat arkit_format_of_models() {
+  return {.name = "ARKit CSV",
+          .extension = ".csv",
+          .write = [](const document::Model& model, const WriteOptions& options,
+                      WriteReport& report) -> ModelFormat::Written {
+            auto take = write_arkit(model, options.fps);
+            if (!take) return take.error();
+            report.notes = std::move(take->notes);
+            return std::vector<std::uint8_t>(take->text.begin(), take->text.end());
+          },
+          .holds = "Blend shapes over time",
+          .detail = "As Live Link Face writes them, for programs that play such takes"};
 }
 
 }  // namespace penpose::io

@@ -195,7 +195,7 @@ base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes, FrameOrd
 }
 
 TrackFormat curves_format() {
-  return {"curves", false, [](const TrackText& text) { return text.json && text.mentions("\"curves\""); },
+  return {"curves", 4, false, [](const TrackText& text) { return text.json && text.mentions("\"curves\""); },
           [](base::Bytes bytes, std::optional<PictureSize>) { return as_track(read_curve_track(bytes)); }};
 }
 

@@ -140,7 +140,7 @@ base::Result<animation::PointTrack> read_ibug_track(base::Bytes bytes) {
 }
 
 TrackFormat ibug68_format() {
-  return {"ibug68", false,
+  return {"ibug68", 3, false,
           [](const TrackText& text) {
             if (text.json) return false;
             if (text.text.find("n_points") != std::string_view::npos) return true;

@@ -142,7 +142,7 @@ base::Result<animation::PointTrack> read_mediapipe_csv(base::Bytes bytes, std::o
 }
 
 TrackFormat mediapipe_format() {
-  return {"mediapipe", false,
+  return {"mediapipe", 2, false,
           [](const TrackText& text) {
             if (text.json) return !text.mentions("\"curves\"");
             for (const auto* column :

@@ -204,7 +204,7 @@ base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
 }
 
 TrackFormat openface_format() {
-  return {"openface", false,
+  return {"openface", 1, false,
           [](const TrackText& text) {
             return text.has("x_0") && !text.has("x_467") &&
                    (text.has("success") || text.has("gaze_0_x") || text.has("confidence"));

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/io/model/formats.h"
+#include "core/io/model/model_formats.h"
 #include "tests/support/models/gltf_sample.h"
 
 namespace penpose::io {
@@ -10,8 +10,8 @@ namespace {
 
 TEST(WriteModel, TheExtensionChoosesTheFormat) {
   const auto model = tests::square_sample().read().value();
-  EXPECT_EQ(format_of_content(write_model(model, "x.glb").value()), Format::glb);
-  EXPECT_EQ(format_of_content(write_model(model, "x.OBJ").value()), Format::obj);
+  EXPECT_EQ(format_of_content(write_model(model, "x.glb").value())->extension, ".glb");
+  EXPECT_EQ(format_of_content(write_model(model, "x.OBJ").value())->extension, ".obj");
   for (const char* name : {"x.ply", "x.gltf", "x", "x.png"}) {
     const auto bytes = write_model(model, name);
     ASSERT_FALSE(bytes.ok());

@@ -1,5 +1,3 @@
-#include "ui/cli/model/articulate_command.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,3 @@
-#include "ui/cli/model/convert_command.h"
-
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,3 @@
-#include "ui/cli/model/info_command.h"
-
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

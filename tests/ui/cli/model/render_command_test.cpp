@@ -1,5 +1,3 @@
-#include "ui/cli/model/render_command.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +8,7 @@
 
 #include "tests/support/command_run.h"
 #include "tests/support/shared_data.h"
+#include "ui/cli/model/frame_name.h"
 
 namespace penpose::cli {
 namespace {

@@ -1,5 +1,3 @@
-#include "ui/cli/pose/pose_command.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>

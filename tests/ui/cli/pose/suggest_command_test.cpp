@@ -1,5 +1,3 @@
-#include "ui/cli/pose/suggest_command.h"
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,3 @@
-#include "ui/cli/tablet/devices_command.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

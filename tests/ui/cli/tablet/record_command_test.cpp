@@ -1,5 +1,3 @@
-#include "ui/cli/tablet/record_command.h"
-
 #include "tests/support/command_run.h"
 
 namespace penpose::cli {

@@ -1,5 +1,3 @@
-#include "ui/cli/track/animate_command.h"
-
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>

@@ -25,9 +25,9 @@ class SharedRealTrack : public testing::Test {
     model_ = files::load_model((tests::shared_dir() / "meshes" / "ict_face.glb").string()).value();
     track_ = std::get<animation::PointTrack>(
         read_track((tests::shared_dir() / "tracks" / "openface_head_test.csv").string(), {}, {}).value().track);
-    const auto map = io::read_map_file(base::as_bytes(io::bundled_map("openface"))).value();
+    const auto map = io::read_bundled_map(*io::track_format_named("openface")).value();
     std::vector<std::string> notes;
-    const auto setup = tracking::make_setup(model_, track_, map, true, {}, notes).value();
+    const auto setup = tracking::make_setup(model_, track_, map, {}, notes).value();
     const auto camera = geometry::frame_box(document::rest_world_box(model_), {1000, 1000}, 0);
     result_ = animation::animate_track(*model_.rig, track_, setup, camera).value();
   }

@@ -1,5 +1,3 @@
-#include "ui/cli/track/track_command.h"
-
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>

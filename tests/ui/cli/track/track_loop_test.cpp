@@ -27,7 +27,7 @@ class SharedTrackLoop : public testing::Test {
     const auto bytes = files::read_file((tests::shared_dir() / "meshes" / "ict_face_landmarks.json").string()).value();
     const auto json = nlohmann::json::parse(bytes.begin(), bytes.end());
     points_ = json["landmarks68"].get<std::vector<std::uint32_t>>();
-    map_ = io::read_map_file(base::as_bytes(io::bundled_map("openface"))).value();
+    map_ = io::read_bundled_map(*io::track_format_named("openface")).value();
     poses_ = tests::talking_clip(*model_.rig, 300);
     std::vector<geometry::ModelPoint> rest(model_.mesh->vertex_count());
     model_.rig->evaluate(rig::rest_pose(*model_.rig), rest);
@@ -46,7 +46,7 @@ class SharedTrackLoop : public testing::Test {
   animation::TrackedAnimation animate(animation::PointTrack track) {
     for (auto& frame : track.frames) frame.depths = io::common_depths(frame.points);
     std::vector<std::string> notes;
-    auto setup = tracking::make_setup(model_, track, map_, true, {}, notes).value();
+    auto setup = tracking::make_setup(model_, track, map_, {}, notes).value();
     const auto camera = geometry::frame_box(document::rest_world_box(model_), {1000, 1000}, 0);
     return animation::animate_track(*model_.rig, track, setup, camera).value();
   }

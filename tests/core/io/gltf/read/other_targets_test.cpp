@@ -98,7 +98,7 @@ TEST_F(OtherTargets, AnAnimationCarriesTheWeightOfTheCorrection) {
   hand.does(document::SetKey{0, ""});
   hand.does(document::SetParameters{{{"up", 1}, {"aside", 0.8}}});
   hand.does(document::SetKey{1, ""});
-  GlbReport report;
+  WriteReport report;
   const auto bytes = write_glb(document::model_of(hand.document()), {}, &report);
   ASSERT_TRUE(bytes.ok()) << bytes.error().line();
   EXPECT_LT(report.bake_error, 1e-3) << "also between the keys, where the product is no straight line";

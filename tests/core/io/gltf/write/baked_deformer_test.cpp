@@ -57,7 +57,7 @@ TEST(BakedDeformer, AFilePlaysTheSameWithoutItsExtras) {
   }
   model.animations = {document::make_animation(model, "curl", times, poses)};
   model.pose = {0.4};
-  GlbReport report;
+  WriteReport report;
   const auto bytes = write_glb(model, {1e-3}, &report).value();
   EXPECT_EQ(report.targets, 1 + report.baked);
   EXPECT_GT(report.baked, 0U);
@@ -95,7 +95,7 @@ TEST(BakedDeformer, AFilePlaysTheSameBetweenKeysThatLieFarApart) {
     channel.times_s = {0, 2, 3};
     channel.values = cubic ? std::vector<double>{0, 0, 0.5, 0, 1, 0, -1, 0.25, 0} : std::vector<double>{0, 1, 0.25};
     model.animations = {{"curl", {channel}}};
-    GlbReport report;
+    WriteReport report;
     const auto bytes = write_glb(model, {1e-3}, &report).value();
     EXPECT_LE(report.bake_error, 1e-3);
     const auto own = read_model(bytes, "curl.glb").value();

@@ -1,0 +1,182 @@
+#include "core/tracking/animate.h"
+
+#include <algorithm>
+
+#include "core/document/time/animation_building.h"
+#include "core/tracking/head_stand.h"
+#include "core/tracking/track_setup.h"
+#include "core/tracking/weight_animation.h"
+
+namespace penpose::tracking {
+namespace {
+
+/// The head's way, beside the animation of the controls.
+struct HeadWay {
+  std::vector<document::Stand> stands;
+  geometry::ModelPoint pivot{0};
+};
+
+struct Solved {
+  Animated animated;
+  HeadWay head;
+};
+
+base::Status check_options(const AnimateOptions& options) {
+  const auto within = [](double value, double least, double most) { return value >= least && value <= most; };
+  const auto wrong = [](const char* place, const char* range) {
+    return base::Status(base::Error{"the value is out of range", place, std::string("use ") + range});
+  };
+  if (!within(options.smooth_s, 0, 60)) return wrong("smooth", "0 to 60 s");
+  if (!within(options.least_confidence, 0, 1)) return wrong("confidence", "0 to 1");
+  if (options.fps != 0 && !within(options.fps, 0.1, 10000)) return wrong("fps", "0.1 to 10000");
+  if (options.tremor_px && !within(*options.tremor_px, 0, 1000)) return wrong("tremor", "0 to 1000 px");
+  return base::Done{};
+}
+
+/// Frames at an even rate, whatever times the file gives. Notes of the track with the one on its rate, where it counts.
+template <typename Track>
+std::vector<std::string> retime(Track& track, double fps) {
+  std::vector<std::string> notes = track.notes;
+  if (fps <= 0 && !track.rate_note.empty()) notes.push_back(track.rate_note);
+  for (std::size_t f = 0; fps > 0 && f < track.frames.size(); ++f) {
+    track.frames[f].time_s = static_cast<double>(f) / fps;
+  }
+  return notes;
+}
+
+base::Result<Solved> from_values(const document::Model& model, animation::WeightTrack& track, const io::MapFile& map,
+                                 const AnimateOptions& options, bool apply_head) {
+  Solved solved;
+  Animated& out = solved.animated;
+  out.notes = retime(track, options.fps);
+  WeightAnimation played = animate_weights(model, track, map, apply_head, options.smooth_s);
+  if (played.unmatched.size() == track.names.size()) {
+    return base::Error{"the model has a control for none of its " + std::to_string(track.names.size()) + " columns",
+                       "line 1", "write a map whose \"names\" say which control each column drives"};
+  }
+  out.times_s = std::move(played.times_s);
+  out.poses = std::move(played.poses);
+  out.held = std::move(played.held);
+  out.unmatched = std::move(played.unmatched);
+  out.notes.insert(out.notes.end(), played.notes.begin(), played.notes.end());
+  if (apply_head && played.stands.empty()) {
+    out.notes.emplace_back(
+        "the head cannot be followed and stays still: there is no column HeadYaw, HeadPitch or HeadRoll");
+  }
+  solved.head = {std::move(played.stands), document::rest_world_box(model).center()};
+  return solved;
+}
+
+/// What keeps a head from being followed; empty where nothing does, or make_setup has said so.
+std::string head_note(const io::MapFile& map, const animation::TrackSetup& setup) {
+  const std::size_t count = setup.points.stable.size();
+  if (count >= 2 || (map.bundled && count == 0)) return {};
+  return count == 0 ? "the head cannot be followed and stays still: the map lists no stable points; list two or more "
+                      "in \"stable\""
+                    : "the head's turn cannot be followed, only its shift: the map lists a single stable point; list "
+                      "two or more in \"stable\"";
+}
+
+base::Result<Solved> from_points(const document::Model& model, animation::PointTrack& track, const io::MapFile& map,
+                                 const AnimateOptions& options, bool apply_head, const animation::FrameWatch& watch) {
+  Solved solved;
+  Animated& out = solved.animated;
+  out.notes = retime(track, options.fps);
+  auto setup = make_setup(model, track, map, options.curves, out.notes);
+  if (!setup) return setup.error();
+  if (std::string note = head_note(map, *setup); apply_head && !note.empty()) out.notes.push_back(std::move(note));
+  if (options.neutral.value_or(0) >= track.frames.size()) {
+    return base::Error{"there is no frame " + std::to_string(*options.neutral) + "; the track has " +
+                           std::to_string(track.frames.size()),
+                       "neutral", "frames count from 0"};
+  }
+  if (options.units) {
+    setup->units = unit_controls(model, track);
+    if (setup->units.empty()) out.notes.emplace_back("the track has no action units that the model has controls for");
+  }
+  setup->neutral = options.neutral;
+  setup->tremor_px = options.tremor_px;
+  setup->smooth_s = options.smooth_s;
+  setup->least_confidence = options.least_confidence;
+  const auto camera = geometry::frame_box(document::rest_world_box(model), {1000, 1000}, 0);
+  auto tracked = animation::animate_track(*model.rig, track, *setup, camera, watch);
+  if (!tracked) return tracked.error();
+  if (apply_head) {
+    solved.head.pivot = head_pivot(*model.rig, *setup, *tracked, camera);
+    solved.head.stands = head_stands(*tracked, solved.head.pivot, camera, options.smooth_s);
+  }
+  out.times_s = std::move(tracked->times_s);
+  out.poses = std::move(tracked->poses);
+  out.held = std::move(tracked->held);
+  out.rest = std::move(tracked->rest);
+  out.eyes = std::move(tracked->eyes);
+  if (out.rest && !out.rest->near_rest) {
+    out.notes.emplace_back(
+        "nothing in the clip is near rest: the lips never touch; if they do in a frame, name it as the neutral one");
+  }
+  out.head = std::move(tracked->still.turns);
+  return solved;
+}
+
+void put_on_whole_frames(Animated& animated) {
+  constexpr double k_off_frame = 0.3;
+  std::vector<double>& times_s = animated.times_s;
+  const double whole = animation::whole_frame_rate(times_s, k_off_frame);
+  animated.whole_frames = whole > 0;
+  if (whole > 0) times_s = animation::at_whole_frames(times_s, whole);
+  animated.fps = whole > 0 ? whole : animation::frames_per_second(times_s.front(), times_s.back(), times_s.size());
+}
+
+/// The animation comes first, which is what viewers play.
+base::Result<document::Document> with_animation(const document::Document& document, document::Model model,
+                                                const Animated& animated, const HeadWay& head) {
+  model.animations.insert(model.animations.begin(),
+                          document::make_animation(model, "tracked", animated.times_s, animated.poses));
+  // Joints are turned by the animation itself; a pose of theirs would be added to it.
+  model.pose = rig::rest_pose(*model.rig);
+  std::copy_n(animated.poses.front().begin(), document::weight_count(model), model.pose.begin());
+  if (!head.stands.empty()) {
+    auto with_head = document::with_stand(std::move(model), 0, head.pivot, animated.times_s, head.stands);
+    if (!with_head) return with_head.error();
+    model = std::move(with_head).value();
+  }
+  document::Document result = document::with_model(document, model);
+  result.timeline = std::make_shared<const document::Timeline>();
+  result.pose = model.pose;
+  return result;
+}
+
+}  // namespace
+
+base::Result<Animated> animate(const document::Document& document, io::Track track, const io::MapFile& map,
+                               const AnimateOptions& options, const animation::FrameWatch& watch,
+                               AnimateInput* blamed) {
+  AnimateInput ignored{};
+  AnimateInput& about = blamed == nullptr ? ignored : *blamed;
+  about = AnimateInput::track;
+  if (const auto fits = check_options(options); !fits) return fits.error();
+  document::Model model = document::model_of(document);
+  about = AnimateInput::model;
+  if (model.rig->parameters().empty()) {
+    return base::Error{"the model has no control to animate", "", "articulate it first"};
+  }
+  const bool apply_head = options.apply_head.value_or(map.apply_head);
+  base::Result<Solved> solved = base::Error{};
+  if (auto* values = std::get_if<animation::WeightTrack>(&track)) {
+    about = AnimateInput::track;
+    solved = from_values(model, *values, map, options, apply_head);
+  } else {
+    about = AnimateInput::map;
+    solved = from_points(model, std::get<animation::PointTrack>(track), map, options, apply_head, watch);
+  }
+  if (!solved) return solved.error();
+  Animated animated = std::move(solved->animated);
+  put_on_whole_frames(animated);
+  auto with = with_animation(document, std::move(model), animated, solved->head);
+  about = AnimateInput::model;
+  if (!with) return with.error();
+  animated.document = std::move(with).value();
+  return animated;
+}
+
+}  // namespace penpose::tracking
