@@ -70,8 +70,10 @@ class Monkey {
     }
     desk_.now_us += below(20000);
     // Files are written below the test's own folder alone.
-    if (app.dialogs().state<FileChoice>().folder.find(desk_.folder.string()) != 0) app.dialogs().state<FileChoice>().folder = desk_.folder.string();
-    if (app.dialogs().state<FileChoice>().name.find('/') != std::string::npos) app.dialogs().state<FileChoice>().name.clear();
+    if (app.dialogs().state<FileChoice>().folder.find(desk_.folder.string()) != 0)
+      app.dialogs().state<FileChoice>().folder = desk_.folder.string();
+    if (app.dialogs().state<FileChoice>().name.find('/') != std::string::npos)
+      app.dialogs().state<FileChoice>().name.clear();
   }
 
  private:

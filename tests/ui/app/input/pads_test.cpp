@@ -36,7 +36,8 @@ TEST(Pads, WhileAKeyIsHeldThePenMovesTheViewAndDrawsNothing) {
   desk.draw({{500, 400}, {520, 400}, {560, 420}, {600, 430}});
   desk.frames();
   EXPECT_NE(desk.app->canvas().view().camera.eye, before.eye) << "moved";
-  EXPECT_EQ(desk.app->canvas().view().camera.eye - before.eye, desk.app->canvas().view().camera.look_at - before.look_at)
+  EXPECT_EQ(desk.app->canvas().view().camera.eye - before.eye,
+            desk.app->canvas().view().camera.look_at - before.look_at)
       << "and not turned";
   EXPECT_TRUE(desk.document().curves.empty());
   desk.hold(0);

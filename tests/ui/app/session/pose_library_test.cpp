@@ -12,7 +12,9 @@ std::size_t index_of(const Desk& desk, const std::string& name) {
   return *rig::find_parameter(desk.document().model->rig->parameters(), name);
 }
 
-void set(Desk& desk, const std::string& name, double value) { desk.app->controls().set_parameter(index_of(desk, name), value); }
+void set(Desk& desk, const std::string& name, double value) {
+  desk.app->controls().set_parameter(index_of(desk, name), value);
+}
 double value_of(const Desk& desk, const std::string& name) { return desk.document().pose[index_of(desk, name)]; }
 
 /// A key at 1 s, named "wink", of a brow and the jaw; then back at rest.
