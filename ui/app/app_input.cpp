@@ -1,12 +1,9 @@
-// One file above the usual size: what pen, mouse and fingers do to the canvas depends on who has it.
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include "core/articulation/edit.h"
-#include "core/articulation/measure/doubts.h"
 #include "core/curve/polyline.h"
 #include "core/document/drawing/target_line.h"
 #include "ui/app/app.h"

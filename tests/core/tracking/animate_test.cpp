@@ -54,7 +54,8 @@ TEST_F(Animate, TurnsTheHeadWhereAsked) {
   const auto turned = animate(options);
   ASSERT_TRUE(turned) << turned.error().line();
   EXPECT_EQ(turned->unmatched, std::vector<std::string>{"TongueOut"});
-  EXPECT_GT(turned->document.model->animations[0].channels.size(), animate()->document.model->animations[0].channels.size());
+  EXPECT_GT(turned->document.model->animations[0].channels.size(),
+            animate()->document.model->animations[0].channels.size());
 }
 
 TEST_F(Animate, TakesAFrameRateInsteadOfTheTracksTimes) {

@@ -92,8 +92,9 @@ TEST(CAnimations, OptionsOutOfTheirRangesAreRefused) {
   EXPECT_EQ(with([](auto& o) { o.neutral = -2; }), PENPOSE_BAD_ARGUMENT);
   EXPECT_EQ(with([](auto& o) { o.picture[0] = 640; }), PENPOSE_BAD_ARGUMENT);
   penpose_handle animation = 0;
-  EXPECT_EQ(penpose_animate(take.desk.open, take.desk.sheet, nullptr, 5, nullptr, nullptr, &animation, nullptr, nullptr),
-            PENPOSE_BAD_ARGUMENT);
+  EXPECT_EQ(
+      penpose_animate(take.desk.open, take.desk.sheet, nullptr, 5, nullptr, nullptr, &animation, nullptr, nullptr),
+      PENPOSE_BAD_ARGUMENT);
   EXPECT_EQ(penpose_animate(take.desk.open, take.desk.sheet, "", 0, nullptr, nullptr, &animation, nullptr, nullptr),
             PENPOSE_REFUSED);
   EXPECT_EQ(penpose_animate(take.desk.open, take.desk.sheet, k_take.data(), k_take.size(), nullptr, nullptr, nullptr,

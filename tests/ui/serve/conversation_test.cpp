@@ -11,8 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view k_take =
-    "Timecode,BlendShapeCount,Lift,TongueOut\n0:0:0:0,2,0.25,0.5\n0:0:0:1,2,0.5,0\n";
+constexpr std::string_view k_take = "Timecode,BlendShapeCount,Lift,TongueOut\n0:0:0:0,2,0.25,0.5\n0:0:0:1,2,0.5,0\n";
 
 /// A conversation about the bent sheet, its files kept in memory.
 class Talk {
@@ -226,13 +225,13 @@ TEST(Serve, ATrackBecomesAnAnimation) {
   EXPECT_EQ(talk.does(R"({"do":"animate","track":"take.csv","map":"map.json","fps":10})")["times"], Json({0, 0.1}));
   EXPECT_EQ(talk.character()->document().model->animations.size(), 2U);
   const std::string after = talk.state();
-  for (const char* line : {R"({"do":"animate"})", R"({"do":"animate","track":"none.csv"})",
-                           R"({"do":"animate","track":"take.csv","map":"openface"})",
-                           R"({"do":"animate","track":"take.csv","curves":"none.json"})",
-                           R"({"do":"animate","track":"take.csv","head":"nod"})",
-                           R"({"do":"animate","track":"take.csv","units":1})",
-                           R"({"do":"animate","track":"take.csv","smooth":99})",
-                           R"({"do":"animate","track":"take.csv","picture":[1,0]})"}) {
+  for (const char* line :
+       {R"({"do":"animate"})", R"({"do":"animate","track":"none.csv"})",
+        R"({"do":"animate","track":"take.csv","map":"openface"})",
+        R"({"do":"animate","track":"take.csv","curves":"none.json"})",
+        R"({"do":"animate","track":"take.csv","head":"nod"})", R"({"do":"animate","track":"take.csv","units":1})",
+        R"({"do":"animate","track":"take.csv","smooth":99})",
+        R"({"do":"animate","track":"take.csv","picture":[1,0]})"}) {
     EXPECT_FALSE(talk.says(line)["ok"].get<bool>()) << line;
     EXPECT_EQ(talk.state(), after) << line;
   }

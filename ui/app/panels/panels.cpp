@@ -142,8 +142,8 @@ void show_top_bar(PanelContext& context, const Area& area) {
     const ImVec2 middle{static_cast<float>(area.right) - 0.7F * context.unit, 0.5F * static_cast<float>(area.height())};
     ButtonRow row(context, "more views");
     // Icons that everybody knows stand alone.
-    row.add(Action::undo, false, app.workspace().can_undo() > 0, false);
-    row.add(Action::redo, false, app.workspace().can_redo() > 0, false);
+    row.add(Action::undo, false, true, false);
+    row.add(Action::redo, false, true, false);
     row.add(Action::history, false, true, false);
     for (const Action action : {Action::view_front, Action::view_three_quarter, Action::view_side}) row.add(action);
     row.add(Action::frame_all, false, true, false);

@@ -280,7 +280,7 @@ void show_buttons(PanelContext& context) {
   rate.width = 2.1F * context.unit;
   row.add(std::move(rate));
   row.add(Action::key_pose);
-  row.add(Action::delete_key, false, on_key, false);
+  row.add(Action::delete_key, false, true, false);
   ButtonRow::Button name{"Name##key", {}, "Give the pose of this key a name"};
   name.enabled = on_key;
   name.does = [&app, named = on_key ? here->name : std::string()] {
@@ -291,7 +291,7 @@ void show_buttons(PanelContext& context) {
   row.add(Action::auto_key, app.playback().while_drawing().auto_key, true, false);
   row.add(Action::perform, app.playback().while_drawing().performs, true, false);
   row.add(Action::copy_key, false, true, false);
-  row.add(Action::paste_key, false, app.keys().copied(), false);
+  row.add(Action::paste_key, false, true, false);
   row.add(Action::loop_from, app.playback().loop().from_s.has_value(), true, false);
   row.add(Action::loop_to, app.playback().loop().to_s.has_value(), true, false);
   if (app.playback().loop().any()) row.add(Action::loop_off, false, true, false);

@@ -14,7 +14,7 @@ void ButtonRow::add(Action action, bool chosen, bool enabled, bool text) {
   button.tip = tooltip_of(action);
   button.text = text || button.icon.empty();
   button.chosen = chosen;
-  button.enabled = enabled;
+  button.enabled = enabled && (info(action).usable == nullptr || info(action).usable(context_.app));
   button.does = [this, action] { context_.app.do_action(action); };
   add(std::move(button));
 }
