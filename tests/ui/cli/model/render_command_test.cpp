@@ -8,6 +8,7 @@
 
 #include "tests/support/command_run.h"
 #include "tests/support/shared_data.h"
+#include "ui/cli/commands.h"
 #include "ui/cli/model/frame_name.h"
 
 namespace penpose::cli {
