@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/command_run.h"
+#include "ui/cli/commands.h"
 
 namespace penpose::cli {
 namespace {
