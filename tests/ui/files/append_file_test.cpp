@@ -154,7 +154,7 @@ TEST(AppendFile, NoStrokeThatHadEndedIsLostWhenTheProgramIsKilled) {
       draw_for_ever(path, ends[1], static_cast<std::uint64_t>(round));
     }
     ::close(ends[1]);
-    ::usleep(static_cast<useconds_t>(random.below(30000)));
+    ::usleep(static_cast<useconds_t>(random.below(60000)));
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
     std::size_t ended = 0;
