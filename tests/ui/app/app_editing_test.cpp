@@ -21,11 +21,11 @@ TEST(AppEditing, TheFaceFollowsATargetThatIsDraggedOrDrawnOverBeforeThePenLifts)
   desk.click("Select");
   const PxPoint from = line[line.size() / 2];
   // As far as the lips can go: at a limit the reading at pen-up may do without the control that stands there.
-  desk.stroke({from, from + PxPoint{0, 15}}, false);
+  desk.stroke({from, from + PxPoint{0, 6}}, false);
   EXPECT_NE(desk.app->workspace().shown_pose(), settled) << "it follows";
   EXPECT_EQ(desk.app->workspace().state(), state) << "it is no command yet";
   const auto shown = desk.app->workspace().shown_pose();
-  desk.app->mouse_button(MouseButton::left, false, from + PxPoint{0, 15});
+  desk.app->mouse_button(MouseButton::left, false, from + PxPoint{0, 6});
   double apart = 0;
   for (std::size_t i = 0; i < shown.size(); ++i) apart = std::max(apart, std::abs(shown[i] - desk.document().pose[i]));
   EXPECT_LT(apart, 0.3) << "what was shown is about what came of it";

@@ -48,6 +48,8 @@ TEST(Sides, LeftAndRightStandInOneRow) {
 TEST(Sides, ALockedSliderDoesNotMove) {
   Desk desk("locked-slider");
   desk.begin();
+  desk.app->resized({1280, 1400}, 96);  // so that the list shows it
+  desk.frames(2);
   desk.click("##lock jaw");
   const auto state = desk.app->workspace().state();
   drag_slider(desk, "jaw", 0.9);

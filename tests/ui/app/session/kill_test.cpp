@@ -119,7 +119,7 @@ TEST(Kill, NoStrokeThatHadEndedIsLostWhenTheAppIsKilled) {
       draw_for_ever(desk, model, ends[1], static_cast<std::uint64_t>(round));
     }
     ::close(ends[1]);
-    ::usleep(static_cast<useconds_t>(random.below(60000)));
+    ::usleep(static_cast<useconds_t>(random.below(120000)));
     ::kill(child, SIGKILL);
     int status = 0;
     ::waitpid(child, &status, 0);
