@@ -96,11 +96,11 @@ TEST_F(ArticulateCommand, BakesAsExactlyAsAsked) {
   EXPECT_LE(first.error, 1e-4) << error_;
   const auto again = [&](const char* command, const char* tolerance) {
     const std::string to = path("again.glb");
-    std::vector<std::string> arguments{"penpose", command};
-    if (arguments[1] == "convert") arguments.insert(arguments.end(), {path("out.glb"), to});
-    if (arguments[1] == "articulate")
+    std::vector<std::string> arguments{command};
+    if (arguments[0] == "convert") arguments.insert(arguments.end(), {path("out.glb"), to});
+    if (arguments[0] == "articulate")
       arguments.insert(arguments.end(), {path("model.glb"), "--sketch", path("sketch.json"), "-o", to});
-    if (arguments[1] == "animate")
+    if (arguments[0] == "animate")
       arguments.insert(arguments.end(), {path("out.glb"), "--track", path("take.csv"), "-o", to});
     arguments.insert(arguments.end(), {"--tolerance", tolerance});
     return run(arguments);
@@ -149,7 +149,9 @@ TEST_F(ArticulateCommand, RefusesANameThatIsTakenAndOutputsThatCannotHoldDeforme
   EXPECT_EQ(articulate({path("model.glb"), "-o", path("out.glb")}), k_wrong_usage);
 }
 
-TEST_F(ArticulateCommand, WarnsOfATargetThatWasTurnedRound) {
+TEST_F(ArticulateCommand, ByThePaperWarnsOfATargetThatWasTurnedRound) {
+  file_.sketches[0].paper = true;
+  save("sketch.json", io::write_sketch_file(file_));
   const std::vector<std::string> arguments{path("model.glb"), "--sketch", path("sketch.json"), "-o", path("out.glb")};
   ASSERT_EQ(articulate(arguments), k_success) << error_;
   EXPECT_EQ(out_.find("warning"), std::string::npos) << out_;
@@ -174,7 +176,7 @@ TEST_F(ArticulateCommand, WarnsOfATargetThatWasTurnedRound) {
   EXPECT_EQ(out_.find("warning"), std::string::npos) << out_;
 }
 
-TEST_F(ArticulateCommand, WarnsOfATargetThatWasTurnedRoundByTheRulesOfTodayToo) {
+TEST_F(ArticulateCommand, WarnsOfATargetThatWasTurnedRound) {
   auto& target = file_.sketches[0].target;
   std::reverse(target.begin(), target.end());
   save("sketch.json", io::write_sketch_file(file_));

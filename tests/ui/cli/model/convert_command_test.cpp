@@ -123,7 +123,11 @@ TEST_F(ConvertCommand, WhatIsLeftOutIsSaid) {
 }
 
 TEST_F(ConvertCommand, AModelWithoutArkitsNamesGivesNoTake) {
-  EXPECT_EQ(run({"convert", "builtin:demo", path("out.csv")}), 1);
+  save("in.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  std::filesystem::create_directories(path("shapes"));
+  save("shapes/k1.obj", std::string("v 0 0 1\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  ASSERT_EQ(run({"convert", path("in.obj"), path("in.glb"), "--shapes", path("shapes")}), 0) << error_;
+  EXPECT_EQ(run({"convert", path("in.glb"), path("out.csv")}), 1);
   EXPECT_NE(error_.find("jawOpen"), std::string::npos) << error_;
   EXPECT_EQ(std::count(error_.begin(), error_.end(), '\n'), 1) << error_;
   EXPECT_FALSE(std::filesystem::exists(path("out.csv")));

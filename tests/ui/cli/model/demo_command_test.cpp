@@ -39,7 +39,7 @@ TEST_F(DemoCommand, BuiltInModelsAreModelsLikeAnyOther) {
   ASSERT_EQ(run({"info", "builtin:head", "--json"}), 0) << error_;
   EXPECT_EQ(nlohmann::json::parse(out_)["parameters"].size(), 0U);
   ASSERT_EQ(run({"info", "builtin:demo", "--json"}), 0) << error_;
-  EXPECT_EQ(nlohmann::json::parse(out_)["parameters"].size(), 15U);
+  EXPECT_EQ(nlohmann::json::parse(out_)["parameters"].size(), 18U);
   EXPECT_EQ(run({"info", "builtin:heda"}), 1);
   EXPECT_NE(error_.find("builtin:head"), std::string::npos);
 }
