@@ -69,7 +69,7 @@ def a_real_hand(program, screen, folder, recording):
     done = done_in(session)
     # The ring goes through time before the first key and between its two; its second light zooms, fingers turn the view.
     tools = [one for one in done if one.startswith("tool")]
-    assert tools == ["tool", "tool kind=constraint", "tool", "tool kind=pin", "tool", "tool kind=erase", "tool"], done
+    assert tools == ["tool kind=constraint", "tool", "tool kind=pin", "tool", "tool kind=erase", "tool"], done
     commands = [one for one in done if one.startswith(("do", "undo"))]
     assert commands == ["do set_key", "do go_to_time", "do set_key"], done
     assert done[-1] == "view", done
