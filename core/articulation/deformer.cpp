@@ -86,12 +86,9 @@ Place closest_place(PxPoint p, std::span<const PxPoint> line) {
   Place best;
   double nearest = 0;
   for (std::uint32_t k = 0; k + 1 < line.size(); ++k) {
-    const PxPoint along = line[k + 1] - line[k];
-    const PxPoint to = p - line[k];
-    const double length = along.x * along.x + along.y * along.y;
-    const double u = length > 0.0 ? std::clamp((to.x * along.x + to.y * along.y) / length, 0.0, 1.0) : 0.0;
-    const PxPoint off = to - along * u;
-    const double squared = off.x * off.x + off.y * off.y;
+    const double u = geometry::nearest_share(p, line[k], line[k + 1]);
+    const PxPoint off = p - line[k] - (line[k + 1] - line[k]) * u;
+    const double squared = geometry::dot(off, off);
     if (k > 0 && squared >= nearest) continue;
     nearest = squared;
     best = {k, u};

@@ -192,7 +192,7 @@ class Trial {
     for (int round = 0; round < k_hold_rounds && !judge.passes(nearest); ++round) {
       if (strain.turned_over + strain.creased > 0) {
         std::fill(marked.begin(), marked.end(), 0);
-        meter_.mark_worst(1e9, marked);
+        meter_.mark_torn(marked);
         grow(marked);
         stiff = marked;
         grow(marked, 1 + round / 2);
@@ -316,7 +316,6 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
   result.vertices.shrink_to_fit();
   result.weights.shrink_to_fit();
   result.strain = best->strain;
-  result.passes = judge.holds(best->strain);
   result.strain.node = parts.patch.vertex(best->strain.node);
   result.carriage = Carriage(best->motion, parts.surface, passengers, parts.canvas.carried());
   if (parts.whole) result.of_nodes = Carriage(best->motion, parts.surface, best->passengers, false);

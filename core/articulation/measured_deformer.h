@@ -33,9 +33,8 @@ struct MeasuredMotion {
   Carriage carriage;
   std::vector<std::uint32_t> vertices;
   std::vector<double> weights;
-  Strain strain;       ///< the worst at several amounts
-  bool passes = true;  ///< it turns nothing over and stretches nothing beyond the bound
-  Carriage of_nodes;   ///< where the whole is wanted: the inner nodes of the patch, as they are seen
+  Strain strain;      ///< the worst at several amounts
+  Carriage of_nodes;  ///< where the whole is wanted: the inner nodes of the patch, as they are seen
 };
 
 /// Of both ways of moving (or the one that is asked for) the one that distorts the surface least, and of several depths

@@ -38,8 +38,8 @@ struct Pieces {
 };
 
 /// A character that a program poses: a document, with all that solving it keeps in memory. What it is asked for becomes
-/// a command of the document, so that the window, a session and a program come to the
-/// same bits. On an error nothing has changed. One thread at a time; a copy of the document costs a few hundred bytes.
+/// a command of the document, so that the window, a session and a program come to the same bits. On an error nothing
+/// has changed. One thread at a time; a copy of the document costs a few hundred bytes.
 class Character {
  public:
   explicit Character(document::Document document);

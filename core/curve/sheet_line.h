@@ -34,10 +34,11 @@ enum class SheetChoice : std::uint8_t { nearer, other };
 /// of the line hits one sheet, the same as surface_curve. Else each sample may take what lies behind the first hit and
 /// what lies within k_stick_px beside the pen where it stays beside its neighbours; the sequence with the least cost is
 /// found by dynamic programming (Viterbi 1967): px beside the pen, what is hidden or seen from behind, and above all
-/// going over from one sheet to another. Parts of a model that touch may be crossed at a cost; where a line leaves its
-/// sheet all the same it is cut, and the longest run in px is kept, where it would be cut k_farthest_stick times as
-/// far, too. Every point of the result is a neighbour of the next. `dropped` counts samples of the line outside of that
-/// run. Errors as project_stroke; no other sheet near the line where that is asked for; a line of leaps alone.
+/// going over from one sheet to another. Parts of a model that touch may be crossed at a cost. Where a line leaves its
+/// sheet all the same, it may stick up to k_farthest_stick times as far from the pen; what leaves it even then is cut
+/// off, and the longest run in px is kept. Every point of the result is a neighbour of the next. `dropped` counts
+/// samples of the line outside of that run. Errors as project_stroke; no other sheet near the line where that is asked
+/// for; a line of leaps alone.
 [[nodiscard]] base::Result<ProjectedStroke> sheet_curve(std::span<const PxPoint> stroke, std::size_t count,
                                                         const geometry::Camera& camera, const SheetSurface& surface,
                                                         SheetChoice choice = SheetChoice::nearer);

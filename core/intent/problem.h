@@ -56,7 +56,7 @@ struct IntentProblem {
   std::vector<KnownCurve> known;
   std::vector<KnownCurve> kept;   ///< constraints: curves that stay where they were when they were set
   std::vector<std::size_t> free;  ///< parameters that may move, ascending
-  /// Parameters that might be meant but are held by the artist, ascending: without one that the strokes mean, no more
+  /// Parameters that might be meant but are locked by the artist, ascending: without one that the strokes mean, no more
   /// controls move than would with it.
   std::vector<std::size_t> locked;
   rig::Pose start;  ///< one value a parameter

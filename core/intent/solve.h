@@ -62,7 +62,8 @@ class Workspace {
 /// taken back (SlidingLine), next to nothing along the ray; nu = 150 makes what no control can reach count little more.
 /// Matching and choosing alternate, the values of a choice by least squares within the ranges; downhill simplex then
 /// searches the values of the best choice on this energy itself, with its logarithms.
-/// Where the strokes mean a control that is locked, the best reading without it that moves no more controls.
+/// Where the strokes mean a control that is locked: of a pair, or of the angles of a joint, what is free does what it
+/// was meant to; else the best reading without the locked that moves no more controls.
 /// Stops count evaluations, never time. Errors: those of check_problem. `whole` is that of the rig.
 [[nodiscard]] base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
                                            const SolveOptions& options, Workspace& work);

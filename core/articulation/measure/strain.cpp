@@ -247,17 +247,10 @@ double Strainmeter::squared_stretch(std::uint32_t a, std::uint32_t b) const {
   return square > 0.0 ? glm::dot(is, is) / square : 1.0;
 }
 
-void Strainmeter::mark_worst(double bound, std::span<std::uint8_t> nodes) const {
+void Strainmeter::mark_torn(std::span<std::uint8_t> nodes) const {
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    const mesh::Triangle& t = patch_.triangles()[i];
-    bool bad = over_[i] != 0;
-    // What has a surface knows how far its edges are stretched at most, but for rounding.
-    const bool asked = !(cells_[i].area > 0.0) || !(shares_[i].bound * (1.0 + 1e-9) <= bound * bound);
-    for (std::size_t k = 0; k < 3 && asked && !bad; ++k) {
-      bad = squared_stretch(t[k], t[(k + 1) % 3]) > bound * bound;
-    }
-    if (!bad) continue;
-    for (const std::uint32_t node : t) nodes[node] = 1;
+    if (over_[i] == 0) continue;
+    for (const std::uint32_t node : patch_.triangles()[i]) nodes[node] = 1;
   }
   for (std::size_t i = 0; i < hinges_.size(); ++i) {
     if (folded_[i] == 0) continue;

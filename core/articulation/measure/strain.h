@@ -29,11 +29,8 @@ class Strainmeter {
   /// `moves` displaces the nodes. Where few of them went elsewhere than the time before, only what is about those is
   /// looked at again; the result is the same to the bit.
   [[nodiscard]] Strain measure(std::span<const ModelVector> moves);
-  /// After `measure`: marks (1) the nodes of triangles that are turned over, lie on each other or have an edge
-  /// stretched beyond a bound.
-  void mark_worst(double bound, std::span<std::uint8_t> nodes) const;
-  /// After `measure`: the square of the ratio of an edge's length to that at rest.
-  [[nodiscard]] double squared_stretch(std::uint32_t a, std::uint32_t b) const;
+  /// After `measure`: marks (1) the nodes of triangles that are turned over or lie on each other.
+  void mark_torn(std::span<std::uint8_t> nodes) const;
 
  private:
   struct Cell {
@@ -50,6 +47,8 @@ class Strainmeter {
     double energy = 0;
     double bound = 0;  ///< of the square of its edges' stretch
   };
+  /// The square of the ratio of an edge's length to that at rest.
+  [[nodiscard]] double squared_stretch(std::uint32_t a, std::uint32_t b) const;
   void find_hinges();
   void find_hinges_about();
   [[nodiscard]] bool folded(const Hinge& hinge) const;

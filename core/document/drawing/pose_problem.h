@@ -14,7 +14,7 @@ namespace penpose::document {
 /// The most references that are brought to their targets at a time, the latest ones. Who draws more has long gone on to
 /// another expression; without a bound every stroke of a long session would cost more than the one before.
 inline constexpr std::size_t k_most_pairs = 48;
-/// The same for what was meant, where each curve is matched anew.
+/// The most drawn targets that are read at a time for what was meant, where each curve is matched anew.
 inline constexpr std::size_t k_most_meant = 16;
 
 /// How far a hand strays, as a share of the size of what it draws (2.1 of 700 px).

@@ -78,9 +78,9 @@ class SlidingLine {
 
 /// Which alignments of a line with a reference are worth trying, the likeliest first. Which way round it runs is told
 /// by both its ends and its direction together; where they do not tell, both ways are named. Lines much shorter or
-/// longer than the reference may be a part of it, or overshoot it. `near_px`: ends within it meet (loops). A
-/// line that overshoots at one end alone is the less likely the more it does. The last one takes the line for one that
-/// tells a shape and lies beside where it was meant.
+/// longer than the reference may be a part of it, or overshoot it. `near_px`: ends within it meet (loops). A line
+/// that overshoots at one end alone is the less likely the more it does. The last one takes the line for one that tells
+/// a shape and lies beside where it was meant.
 [[nodiscard]] std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const PxPoint> line,
                                                 double near_px);
 

@@ -38,8 +38,9 @@ struct Choice {
 /// The energy of a choice: E of the curves, and what leaving the pose costs. Each unit that moves costs a constant; the
 /// logarithm of how exactly the drawn curves would tell its value (a control that must move by a hundredth of its range
 /// is a less likely reading than one that moves by half: the evidence of Bayesian model comparison, MacKay 1992); and
-/// the logarithm of how far it moves the whole model. Few controls rather than many, and those that go where the pen
-/// went and move little else.
+/// the logarithms of how far it moves the whole model, other parts of it, what surrounds the curve, and the curve along
+/// itself. A control near an end of its range costs more, and so does a pair whose sides differ. Few controls rather
+/// than many, and those that go where the pen went and move little else.
 struct Costs {
   double unit = 8.0;
   double evidence = 1.0;   ///< times log(1 + curvature)

@@ -200,6 +200,35 @@ TEST_F(HeadLooks, AKissShutsTheEyesAndPushesTheLipsForward) {
   EXPECT_LT(lips.back().x - lips.front().x, 0.75 * (lips_before.back().x - lips_before.front().x));
 }
 
+/// The sharpest fold of the skin between the brows, in degrees: of two triangles that share an edge.
+double sharpest_fold(const document::Model& model, const Line& now) {
+  const auto triangles = model.mesh->triangles();
+  const auto normal = [&](const mesh::Triangle& t) {
+    return geometry::normalized(glm::cross(now[t[1]] - now[t[0]], now[t[2]] - now[t[0]]), ModelVector{0});
+  };
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> sides;
+  double sharpest = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const mesh::Triangle& t = triangles[i];
+    const ModelPoint middle = (now[t[0]] + now[t[1]] + now[t[2]]) / 3.0;
+    if (std::abs(middle.x) > 0.014 || middle.y < 0.012 || middle.y > 0.040 || middle.z < 0.05) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto side = std::minmax(t[k], t[(k + 1) % 3]);
+      const auto [other, first] = sides.emplace(side, i);
+      if (first) continue;
+      const double cosine = glm::dot(normal(t), normal(triangles[other->second]));
+      sharpest = std::max(sharpest, std::acos(std::clamp(cosine, -1.0, 1.0)) * 57.29577951308232);
+    }
+  }
+  return sharpest;
+}
+
+TEST_F(HeadLooks, NoNotchOpensBetweenBrowsThatAreDrawnTogether) {
+  const double at_rest = sharpest_fold(model(), rest());
+  const double drawn_together = sharpest_fold(model(), expression("angry"));
+  EXPECT_LT(drawn_together, at_rest + 10);
+}
+
 TEST_F(HeadLooks, RowsOfAClosingLidKeepTheirWidth) {
   const ModelPoint center = head::head_landmarks().left.center;
   const auto deformers = model().deformers->deformers();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
+#include "core/character/demo_head.h"
 #include "core/document/document_hash.h"
 #include "core/io/project/read_document.h"
 #include "core/io/project/write_document.h"
@@ -24,6 +25,16 @@ TEST(RunDemo, ReplaysThePenToSixExpressionsOrMore) {
     poses.insert(one.pose);
   }
   EXPECT_EQ(poses.size(), made->poses.size());
+}
+
+TEST(RunDemo, TheBuiltInControlsAreThoseThatItSketches) {
+  const auto made = run_demo();
+  ASSERT_TRUE(made.ok());
+  document::Model sketched = *made->document.model;
+  sketched.pose = rig::rest_pose(*sketched.rig);
+  document::DocumentHasher hasher;
+  EXPECT_EQ(hasher(document::make_document(character::make_demo_head().value())).whole,
+            hasher(document::make_document(std::move(sketched))).whole);
 }
 
 TEST(RunDemo, TheProjectReadsBackEqual) {

@@ -125,8 +125,7 @@ base::Result<OpenedModel> read_opened(GltfDocument& document) {
   if (root->of_another_edition) {
     document.notes.push_back(
         "the project was drawn under another edition of penpose: its controls are the blend shapes that they were "
-        "baked "
-        "to, and can no longer be drawn again");
+        "baked to, and can no longer be drawn again");
   }
   const auto deformers = read_deformers(*mesh, skeleton.get(), *root, *shapes, document.notes);
   std::vector<std::string> deformer_names;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/edition.h"
+#include "core/io/model/write_model.h"
 #include "core/io/project/read_document.h"
 #include "core/io/project/write_document.h"
 #include "tests/support/document_hand.h"
@@ -39,6 +40,30 @@ TEST(ProjectEditions, AProjectOfThisOneIsDrawnOn) {
   ASSERT_NE(document->model->deformers, nullptr);
   EXPECT_EQ(document->model->deformers->parameters()[0].name, "bump");
   EXPECT_EQ(document->curves.size(), 1U);
+}
+
+/// The same bytes with the name of a member changed to another of its length.
+std::vector<std::uint8_t> renamed(std::vector<std::uint8_t> bytes, std::string_view name, std::string_view other) {
+  const std::string text(bytes.begin(), bytes.end());
+  const std::size_t key = text.find(name);
+  EXPECT_NE(key, std::string::npos);
+  std::copy(other.begin(), other.end(), bytes.begin() + static_cast<std::ptrdiff_t>(key));
+  return bytes;
+}
+
+TEST(ProjectEditions, OneOfBeforeThereWereEditionsIsOfAnother) {
+  const auto document = read_document(renamed(drawn_project(), "\"edition\"", "\"version\""), "project.glb");
+  ASSERT_TRUE(document) << document.error().line();
+  EXPECT_EQ(document->model->deformers, nullptr);
+  EXPECT_TRUE(rig::find_parameter(document->model->rig->parameters(), "bump"));
+}
+
+TEST(ProjectEditions, AModelWithNothingDrawnIsOfEveryEdition) {
+  tests::DocumentHand hand;
+  const auto bytes = of_edition(write_glb(*hand.document().model).value(), '9');
+  const auto document = read_document(bytes, "model.glb");
+  ASSERT_TRUE(document) << document.error().line();
+  EXPECT_TRUE(document->model->notes.empty());
 }
 
 TEST(ProjectEditions, AProjectOfAnotherKeepsWhatItWasBakedTo) {

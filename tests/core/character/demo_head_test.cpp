@@ -10,7 +10,7 @@
 #include "core/head/head.h"
 #include "core/head/skin.h"
 
-namespace penpose::demo {
+namespace penpose::character {
 namespace {
 
 using geometry::ModelPoint;
@@ -18,7 +18,7 @@ using geometry::ModelPoint;
 class DemoHead : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    auto made = character::make_demo_head();
+    auto made = make_demo_head();
     ASSERT_TRUE(made.ok()) << made.error().line();
     model_ = new document::Model(std::move(made).value());
   }
@@ -292,4 +292,4 @@ TEST_F(DemoHead, BrowsAndCornersMoveTheirWay) {
 }
 
 }  // namespace
-}  // namespace penpose::demo
+}  // namespace penpose::character
