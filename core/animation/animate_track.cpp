@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/animation/face/contact_share.h"
 #include "core/animation/face/gaze.h"
 #include "core/animation/face/lid_controls.h"
 #include "core/animation/face/lips.h"
-#include "core/animation/face/meeting.h"
 #include "core/animation/head/face_depths.h"
 #include "core/animation/head/head_fit.h"
+#include "core/animation/signal/denoise.h"
 #include "core/animation/signal/statistics.h"
-#include "core/animation/signal/steady.h"
 #include "core/animation/solve/uncertainty.h"
 
 namespace penpose::animation {
@@ -38,7 +38,7 @@ void steady_curves(std::span<const TrackedCurve> curves, double tremor_px, Still
     std::stable_sort(points.begin(), points.end());
     std::erase_if(points, [&](std::size_t i) { return std::find(done.begin(), done.end(), i) != done.end(); });
     points.erase(std::unique(points.begin(), points.end()), points.end());
-    steady(still, points, tremor_px);
+    denoise(still, points, tremor_px);
     done.insert(done.end(), points.begin(), points.end());
   };
   steady_new(lid_points(curves));
@@ -119,7 +119,7 @@ void settle_poses(const rig::Rig& rig, std::span<const std::size_t> searched, co
     tremor.push_back(std::min(doubt.parameters[i], k_trembles * trembles(rows, i)));
     sharp.push_back(k_sharp * doubt.parameters[i]);
   }
-  settle(tremor, confidence.subspan(first), rows);
+  denoise_parameters(tremor, confidence.subspan(first), rows);
   round_corners(sharp, rows);
   for (std::size_t f = first; f < result.poses.size(); ++f) {
     std::vector<double>& row = rows[f - first];
@@ -153,15 +153,15 @@ Transfer without_curves(const Transfer& all, const std::vector<bool>& done) {
     left.curve.push_back(all.curve[i]);
     left.weights.push_back(all.weights[i]);
     left.scale.push_back(all.scale[i]);
-    if (i < all.meetings.size()) left.meetings.push_back(all.meetings[i]);
+    if (i < all.contact_shares.size()) left.contact_shares.push_back(all.contact_shares[i]);
   }
   for (const auto& pair : all.contacts) {
     if (!done[all.curve[pair[0]]] && !done[all.curve[pair[1]]]) {
       left.contacts.push_back({place[pair[0]], place[pair[1]]});
     }
   }
-  for (Meeting& meeting : left.meetings) {
-    for (std::size_t& across : meeting.across) across = place[across];
+  for (ContactShare& share : left.contact_shares) {
+    for (std::size_t& across : share.across) across = place[across];
   }
   return left;
 }
@@ -318,7 +318,7 @@ base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTra
   see_contacts(track, setup.curves, *still);
   auto transfer = make_transfer(rig, setup.rest, track, *still, setup.curves, camera);
   if (!transfer) return transfer.error();
-  share_meetings(rig, setup.rest, setup.free, track.frames[still->neutral], setup.curves, camera, *transfer);
+  share_contact(rig, setup.rest, setup.free, track.frames[still->neutral], setup.curves, camera, *transfer);
   const double span = span_px(setup.curves, track.frames[still->neutral]);
   const double tremor_px = setup.tremor_px.value_or(std::min(1.0, span / k_usual_span_px));
   Lids lids = find_lids(rig, setup, *transfer, camera);

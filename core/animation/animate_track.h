@@ -25,7 +25,7 @@ struct TrackSetup {
   rig::Pose rest;                      ///< the pose of the neutral frame
   std::optional<std::size_t> neutral;  ///< a frame; by default as choose_rest says, else the first that shows a face
   double least_confidence = 0.2;       ///< frames below show no face
-  /// How far points shake, px of the track (`steady`); by default 1, or less where the face is smaller than 320 px.
+  /// How far points shake, px of the track (`denoise`); by default 1, or less where the face is smaller than 320 px.
   std::optional<double> tremor_px;
   std::vector<UnitControl> units;  ///< what action units say, as evidence beside the curves; linear rigs alone take it
   double unit_weight = 0.02;       ///< of it, in the unit of FrameOptions::near_last

@@ -79,8 +79,8 @@ base::Result<std::shared_ptr<const Correction>> build_correction(CorrectionSketc
   const Deformer& deformer = *correction.deformer;
   correction.vertices.assign(deformer.vertices().begin(), deformer.vertices().end());
   correction.moves.resize(correction.vertices.size());
-  CarriageWorkspace work;
-  deformer.carriage().displacements(1.0, work, correction.moves);
+  CurveSkinWorkspace work;
+  deformer.skin().displacements(1.0, work, correction.moves);
   return std::make_shared<const Correction>(std::move(correction));
 }
 

@@ -131,7 +131,7 @@ base::Result<std::vector<Curve>> between_targets(const Sketch& sketch, const Cur
                                                  const KeptSurface& surface) {
   std::vector<Curve> targets;
   for (std::size_t i = 0; i < sketch.betweens.size(); ++i) {
-    const InBetween& one = sketch.betweens[i];
+    const Between& one = sketch.betweens[i];
     const std::string key = "betweens/" + std::to_string(i);
     const auto camera = camera_of(sketch, one.camera);
     if (!camera) return at((key + "/camera").c_str(), camera.error());
@@ -151,7 +151,7 @@ base::Result<std::vector<Curve>> between_targets(const Sketch& sketch, const Cur
 /// Amounts at which a deformer with other targets is measured: at all of them, its ends, and half-way between.
 std::vector<double> measured_amounts(const Sketch& sketch) {
   std::vector<double> ends{sketch.minimum, sketch.maximum, 0.0, 1.0};
-  for (const InBetween& one : sketch.betweens) ends.push_back(one.value);
+  for (const Between& one : sketch.betweens) ends.push_back(one.value);
   std::stable_sort(ends.begin(), ends.end());
   std::vector<double> amounts{ends.front()};
   for (std::size_t i = 1; i < ends.size(); ++i) {
@@ -166,23 +166,23 @@ std::vector<double> measured_amounts(const Sketch& sketch) {
 /// together as any.
 base::Result<std::vector<Curve>> add_betweens(const Sketch& sketch, const MeasuredParts& parts,
                                               MeasuredMotion& motion) {
-  auto targets = between_targets(sketch, motion.carriage.motion(), parts.surface);
+  auto targets = between_targets(sketch, motion.skin.motion(), parts.surface);
   if (!targets) return targets.error();
-  std::vector<CarriageBetween> riders;
-  std::vector<CarriageBetween> nodes;
-  CarriageWorkspace work;
+  std::vector<BetweenDisplacements> vertices;
+  std::vector<BetweenDisplacements> nodes;
+  CurveSkinWorkspace work;
   for (std::size_t i = 0; i < targets->size(); ++i) {
     MeasuredParts own = parts;
     own.target = (*targets)[i];
     const auto there = measured_motion(own, sketch.mode, {});
     if (!there) return at("general", there.error());
     const double amount = sketch.betweens[i].value;
-    riders.push_back({amount, std::vector<ModelVector>(there->carriage.size())});
-    there->carriage.displacements(1.0, work, riders.back().moves);
+    vertices.push_back({amount, std::vector<ModelVector>(there->skin.size())});
+    there->skin.displacements(1.0, work, vertices.back().moves);
     nodes.push_back({amount, std::vector<ModelVector>(there->of_nodes.size())});
     there->of_nodes.displacements(1.0, work, nodes.back().moves);
   }
-  motion.carriage.add_betweens(std::move(riders));
+  motion.skin.add_betweens(std::move(vertices));
   motion.of_nodes.add_betweens(std::move(nodes));
   motion.strain = strain_at(parts, motion.of_nodes, measured_amounts(sketch));
   return targets;
@@ -191,11 +191,11 @@ base::Result<std::vector<Curve>> add_betweens(const Sketch& sketch, const Measur
 }  // namespace
 
 std::vector<ModelPoint> Deformer::curve_at(double amount) const {
-  const CurveMotion& motion = built_->carriage.motion();
+  const CurveMotion& motion = built_->skin.motion();
   std::vector<ModelPoint> points = motion.points(amount);
   if (sketch_.betweens.empty()) return points;
   std::vector<double> amounts;
-  for (const InBetween& one : sketch_.betweens) amounts.push_back(one.value);
+  for (const Between& one : sketch_.betweens) amounts.push_back(one.value);
   const std::vector<Knot> knots = knots_of(amounts);
   for (std::size_t i = 0; i < knots.size(); ++i) {
     const double weight = knots[i].weight(amount);
@@ -267,7 +267,7 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::measured(const Sketch& s
   }
   auto deformer = std::make_shared<Deformer>();
   deformer->sketch_ = sketch;
-  deformer->built_ = std::make_shared<const Built>(Built{std::move(motion->carriage), std::move(motion->vertices),
+  deformer->built_ = std::make_shared<const Built>(Built{std::move(motion->skin), std::move(motion->vertices),
                                                          std::move(motion->weights), curves->turned_round,
                                                          motion->strain, falloff.reaches_beyond(), curves->kept,
                                                          std::move(betweens), region->pieces, std::move(doubtful)});
@@ -314,22 +314,22 @@ base::Result<std::shared_ptr<const Deformer>> Deformer::by_paper(const Sketch& s
     seen.push_back(*px);
   }
   Deformer::Built built;
-  std::vector<Rider> riders;
+  std::vector<ClosestBinding> bindings;
   for (std::size_t i = 0; i < region->vertices.size(); ++i) {
     if (!(weights->weights[i] > 0.0)) continue;
     const std::uint32_t v = region->vertices[i];
     const Place place = closest_place(region->seen[i], seen);
     auto to_rest = canvas.to_rest(v);
     if (!to_rest) return at("general", to_rest.error());
-    riders.push_back({place.segment, place.fraction, weights->weights[i], canvas.positions()[v], *to_rest});
+    bindings.push_back({place.segment, place.fraction, weights->weights[i], canvas.positions()[v], *to_rest});
     built.vertices.push_back(v);
     built.weights.push_back(weights->weights[i]);
   }
   built.vertices.shrink_to_fit();
   built.weights.shrink_to_fit();
   built.turned_round = curves->turned_round;
-  built.carriage = Carriage(std::make_shared<const CurveMotion>(std::move(reference), std::move(target), mode),
-                            std::move(*surface), riders, canvas.carried());
+  built.skin = CurveSkin(std::make_shared<const CurveMotion>(std::move(reference), std::move(target), mode),
+                         std::move(*surface), bindings, canvas.carried());
   auto deformer = std::make_shared<Deformer>();
   deformer->sketch_ = sketch;
   deformer->built_ = std::make_shared<const Deformer::Built>(std::move(built));

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/articulation/measure/strain.h"
-#include "core/articulation/motion/carriage.h"
+#include "core/articulation/motion/curve_skin.h"
 #include "core/articulation/region/canvas.h"
 #include "core/articulation/sketch.h"
 #include "core/base/result.h"
@@ -21,7 +21,7 @@ class Deformer {
   [[nodiscard]] const Sketch& sketch() const { return sketch_; }
   [[nodiscard]] rig::Parameter parameter() const { return {sketch_.name, 0.0, sketch_.minimum, sketch_.maximum}; }
   /// What `Mode::automatic` came to; translate or rotate.
-  [[nodiscard]] Mode mode() const { return built_->carriage.motion().mode(); }
+  [[nodiscard]] Mode mode() const { return built_->skin.motion().mode(); }
   /// True when the reference was inferred.
   [[nodiscard]] bool inferred() const { return sketch_.reference.empty(); }
   /// True when the target was drawn against a drawn reference and was therefore turned round (method, section 1). A
@@ -38,8 +38,8 @@ class Deformer {
   [[nodiscard]] const std::string& reaches_beyond() const { return built_->reaches_beyond; }
 
   /// The curves in world space at rest, equally many points.
-  [[nodiscard]] std::span<const ModelPoint> reference() const { return built_->carriage.motion().reference(); }
-  [[nodiscard]] std::span<const ModelPoint> target() const { return built_->carriage.motion().target(); }
+  [[nodiscard]] std::span<const ModelPoint> reference() const { return built_->skin.motion().reference(); }
+  [[nodiscard]] std::span<const ModelPoint> target() const { return built_->skin.motion().target(); }
   /// The curve at an amount: the reference at 0, the target at 1, its other targets at their values. Without the
   /// surface.
   [[nodiscard]] std::vector<ModelPoint> curve_at(double amount) const;
@@ -53,8 +53,8 @@ class Deformer {
   /// The vertices that it moves (weight above 0; with other targets all of its region), ascending, and their weights.
   [[nodiscard]] std::span<const std::uint32_t> vertices() const { return built_->vertices; }
   [[nodiscard]] std::span<const double> weights() const { return built_->weights; }
-  /// Their displacements.
-  [[nodiscard]] const Carriage& carriage() const { return built_->carriage; }
+  /// Computes their displacements.
+  [[nodiscard]] const CurveSkin& skin() const { return built_->skin; }
 
   /// The same deformer under another name or range.
   [[nodiscard]] base::Result<std::shared_ptr<const Deformer>> renamed(std::string name) const;
@@ -71,7 +71,7 @@ class Deformer {
 
   /// What takes memory; name and range are not in it, so that deformers which differ in these alone share it.
   struct Built {
-    Carriage carriage;
+    CurveSkin skin;
     std::vector<std::uint32_t> vertices;
     std::vector<double> weights;
     bool turned_round = false;

@@ -28,8 +28,8 @@ constexpr double k_bound = 1.95;
 /// Above which what was given way to is still right, times that: 2, but for rounding.
 constexpr double k_held = 1.999 / 1.95;
 
-/// What the whole curve has to say to every node, without weights.
-struct Bond {
+/// The influence of the whole curve on every node, without weights.
+struct CurveInfluence {
   std::vector<double> places;
   std::vector<double> distances;
   std::vector<ModelVector> moves;
@@ -38,34 +38,34 @@ struct Bond {
   std::vector<ModelVector> tilts;
 };
 
-Bond bond_of(const MeasuredParts& parts, const Swing* swing, const Slide* slide) {
-  Bond bond;
+CurveInfluence influence_of(const MeasuredParts& parts, const Swing* swing, const Slide* slide) {
+  CurveInfluence influence;
   const std::size_t n = parts.patch.inner_count();
-  bond.places.resize(n);
-  bond.distances.assign(parts.patch.node_count(), 0.0);
-  bond.moves.resize(n);
-  if (swing != nullptr) bond.turns.resize(n);
+  influence.places.resize(n);
+  influence.distances.assign(parts.patch.node_count(), 0.0);
+  influence.moves.resize(n);
+  if (swing != nullptr) influence.turns.resize(n);
   std::vector<ModelVector> ways;
   for (std::size_t i = 0; i < parts.reference.size(); ++i) ways.push_back(parts.target[i] - parts.reference[i]);
   Attachment attachment(parts.reference);
   for (std::size_t node = 0; node < n; ++node) {
     attachment.attach(parts.patch.rests()[node]);
-    bond.places[node] = attachment.place();
-    bond.distances[node] = attachment.distance();
-    bond.moves[node] = attachment.mean_of_points(ways);
+    influence.places[node] = attachment.place();
+    influence.distances[node] = attachment.distance();
+    influence.moves[node] = attachment.mean_of_points(ways);
     if (slide != nullptr) {
-      bond.slides.push_back(attachment.mean_of_points(slide->turns()));
-      bond.tilts.push_back(attachment.mean_of_points(slide->tilts()));
+      influence.slides.push_back(attachment.mean_of_points(slide->turns()));
+      influence.tilts.push_back(attachment.mean_of_points(slide->tilts()));
     }
-    if (swing != nullptr) bond.turns[node] = attachment.mean_of_segments(swing->turns());
+    if (swing != nullptr) influence.turns[node] = attachment.mean_of_segments(swing->turns());
   }
-  return bond;
+  return influence;
 }
 
 /// A motion of all inner nodes, measured.
 struct Outcome {
   std::shared_ptr<const CurveMotion> motion;
-  std::vector<Passenger> passengers;  ///< one an inner node
+  std::vector<BlendedBinding> bindings;  ///< one an inner node
   Strain strain;
   bool looked = false;  ///< between the amounts
 };
@@ -95,9 +95,9 @@ struct Judge {
 
 class Trial {
  public:
-  Trial(const MeasuredParts& parts, const Bond& bond, Range range)
+  Trial(const MeasuredParts& parts, const CurveInfluence& influence, Range range)
       : parts_(parts),
-        bond_(bond),
+        influence_(influence),
         range_(range),
         length_(curve::arc_length<ModelPoint>(parts.reference)),
         meter_(parts.patch),
@@ -106,21 +106,21 @@ class Trial {
   [[nodiscard]] Outcome attempt(const std::shared_ptr<const CurveMotion>& motion, std::span<const double> weights) {
     Outcome outcome{motion, {}, {}};
     const auto last = static_cast<double>(motion->segment_count() - 1);
-    outcome.passengers.reserve(parts_.patch.inner_count());
+    outcome.bindings.reserve(parts_.patch.inner_count());
     for (std::size_t node = 0; node < parts_.patch.inner_count(); ++node) {
-      Passenger passenger;
-      const double segment = std::min(std::floor(bond_.places[node]), last);
-      passenger.segment = static_cast<std::uint32_t>(segment);
-      passenger.fraction = bond_.places[node] - segment;
-      passenger.weight = weights[node];
-      passenger.rest = parts_.patch.rests()[node];
-      passenger.move = bond_.moves[node] * weights[node];
-      if (motion->swing() != nullptr) passenger.turn = bond_.turns[node] * weights[node];
+      BlendedBinding binding;
+      const double segment = std::min(std::floor(influence_.places[node]), last);
+      binding.segment = static_cast<std::uint32_t>(segment);
+      binding.fraction = influence_.places[node] - segment;
+      binding.weight = weights[node];
+      binding.rest = parts_.patch.rests()[node];
+      binding.move = influence_.moves[node] * weights[node];
+      if (motion->swing() != nullptr) binding.turn = influence_.turns[node] * weights[node];
       if (motion->slide() != nullptr) {
-        passenger.turn = bond_.slides[node] * weights[node];
-        passenger.move = bond_.tilts[node] * weights[node];
+        binding.turn = influence_.slides[node] * weights[node];
+        binding.move = influence_.tilts[node] * weights[node];
       }
-      outcome.passengers.push_back(passenger);
+      outcome.bindings.push_back(binding);
     }
     measure(outcome);
     return outcome;
@@ -130,11 +130,11 @@ class Trial {
   void look_between(Outcome& outcome, const Judge& judge) {
     if (outcome.looked || !judge.holds(outcome.strain)) return;
     outcome.looked = true;
-    const Carriage carriage(outcome.motion, parts_.surface, outcome.passengers, false);
+    const CurveSkin skin(outcome.motion, parts_.surface, outcome.bindings, false);
     const double energy = outcome.strain.energy;
-    if (range_.minimum < 0.0) outcome.strain = worse(outcome.strain, at(carriage, 0.5 * range_.minimum));
+    if (range_.minimum < 0.0) outcome.strain = worse(outcome.strain, at(skin, 0.5 * range_.minimum));
     for (const double share : k_between_amounts) {
-      outcome.strain = worse(outcome.strain, at(carriage, share * range_.maximum));
+      outcome.strain = worse(outcome.strain, at(skin, share * range_.maximum));
     }
     outcome.strain.energy = energy;
   }
@@ -156,17 +156,17 @@ class Trial {
   static constexpr int k_unfold_sweeps = 12;
   static constexpr int k_limit_sweeps = 10;
 
-  Strain at(const Carriage& carriage, double amount) {
-    carriage.displacements(amount, work_, std::span(moves_).first(carriage.size()));
+  Strain at(const CurveSkin& skin, double amount) {
+    skin.displacements(amount, work_, std::span(moves_).first(skin.size()));
     return meter_.measure(moves_);
   }
 
   void measure(Outcome& outcome) {
-    const Carriage carriage(outcome.motion, parts_.surface, outcome.passengers, false);
+    const CurveSkin skin(outcome.motion, parts_.surface, outcome.bindings, false);
     outcome.looked = false;
     outcome.strain = {};
-    if (range_.minimum < 0.0) outcome.strain = at(carriage, range_.minimum);
-    for (const double share : k_amounts) outcome.strain = worse(outcome.strain, at(carriage, share * range_.maximum));
+    if (range_.minimum < 0.0) outcome.strain = at(skin, range_.minimum);
+    for (const double share : k_amounts) outcome.strain = worse(outcome.strain, at(skin, share * range_.maximum));
   }
 
   void hold_at(double amount, Outcome& held, const Judge& judge) {
@@ -175,12 +175,12 @@ class Trial {
       const double near = k_near * length_;
       std::vector<double> give(n);
       for (std::size_t node = 0; node < n; ++node) {
-        const double square = bond_.distances[node] * bond_.distances[node];
+        const double square = influence_.distances[node] * influence_.distances[node];
         give[node] = square > 1e-12 * length_ * length_ ? square / (square + near * near) : 0.0;
       }
       relaxation_.emplace(parts_.patch, std::move(give));
     }
-    Strain strain = at(Carriage(held.motion, parts_.surface, held.passengers, false), amount);
+    Strain strain = at(CurveSkin(held.motion, parts_.surface, held.bindings, false), amount);
     if (judge.passes(strain)) return;
     const std::vector<ModelVector> before(moves_.begin(), moves_.begin() + static_cast<std::ptrdiff_t>(n));
     std::vector<ModelVector> best = before;
@@ -213,7 +213,7 @@ class Trial {
       best.assign(moves_.begin(), moves_.begin() + static_cast<std::ptrdiff_t>(n));
     }
     for (std::size_t node = 0; node < n; ++node) {
-      Passenger& own = held.passengers[node];
+      BlendedBinding& own = held.bindings[node];
       if (best[node] == before[node]) continue;
       const ModelVector more = (best[node] - before[node]) / amount;
       if (amount < 0.0) {
@@ -246,11 +246,11 @@ class Trial {
   }
 
   const MeasuredParts& parts_;
-  const Bond& bond_;
+  const CurveInfluence& influence_;
   Range range_;
   double length_;  ///< of the reference
   Strainmeter meter_;
-  CarriageWorkspace work_;
+  CurveSkinWorkspace work_;
   std::vector<ModelVector> moves_;
   std::optional<Relaxation> relaxation_;
 };
@@ -269,15 +269,17 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
   const auto straight = mode == Mode::rotate ? nullptr : motion_of(Mode::translate);
   const bool slides = straight && straight->slide() != nullptr && mode == Mode::automatic;
   const auto swing = mode == Mode::translate || slides ? nullptr : motion_of(Mode::rotate);
-  const Bond bond = bond_of(parts, swing ? swing->swing() : nullptr, straight ? straight->slide() : nullptr);
+  const CurveInfluence influence =
+      influence_of(parts, swing ? swing->swing() : nullptr, straight ? straight->slide() : nullptr);
   const double length = curve::arc_length<ModelPoint>(parts.reference);
   const Judge judge{k_bound * std::max(1.0, curve::arc_length<ModelPoint>(parts.target) / length)};
-  Trial trial(parts, bond, range);
+  Trial trial(parts, influence, range);
   std::optional<Outcome> best;
   std::vector<double> inward;
   for (const double depth : k_depths) {
     if (depth > 0.0 && inward.empty()) inward = parts.falloff.inward();
-    const auto weights = depth > 0.0 ? parts.falloff.weights(depth, inward, bond.distances) : parts.falloff.weights();
+    const auto weights =
+        depth > 0.0 ? parts.falloff.weights(depth, inward, influence.distances) : parts.falloff.weights();
     std::vector<Outcome> tried;
     for (const auto& [motion, factor] : {std::pair{straight, 1.0}, std::pair{swing, k_measurably}}) {
       if (!motion) continue;
@@ -300,31 +302,31 @@ base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mo
   }
 
   MeasuredMotion result;
-  std::vector<Passenger> passengers;
+  std::vector<BlendedBinding> bindings;
   for (std::size_t i = 0; i < parts.region.vertices.size(); ++i) {
-    Passenger passenger = best->passengers[parts.patch.nodes()[i]];
-    if (!(passenger.weight > 0.0) && !parts.whole) continue;
+    BlendedBinding binding = best->bindings[parts.patch.nodes()[i]];
+    if (!(binding.weight > 0.0) && !parts.whole) continue;
     const std::uint32_t v = parts.region.vertices[i];
     auto to_rest = parts.canvas.to_rest(v);
     if (!to_rest) return to_rest.error();
-    passenger.to_rest = *to_rest;
-    passenger.rest = parts.canvas.positions()[v];
-    passengers.push_back(passenger);
+    binding.to_rest = *to_rest;
+    binding.rest = parts.canvas.positions()[v];
+    bindings.push_back(binding);
     result.vertices.push_back(v);
-    result.weights.push_back(passenger.weight);
+    result.weights.push_back(binding.weight);
   }
   result.vertices.shrink_to_fit();
   result.weights.shrink_to_fit();
   result.strain = best->strain;
   result.strain.node = parts.patch.vertex(best->strain.node);
-  result.carriage = Carriage(best->motion, parts.surface, passengers, parts.canvas.carried());
-  if (parts.whole) result.of_nodes = Carriage(best->motion, parts.surface, best->passengers, false);
+  result.skin = CurveSkin(best->motion, parts.surface, bindings, parts.canvas.carried());
+  if (parts.whole) result.of_nodes = CurveSkin(best->motion, parts.surface, best->bindings, false);
   return result;
 }
 
-Strain strain_at(const MeasuredParts& parts, const Carriage& of_nodes, std::span<const double> amounts) {
+Strain strain_at(const MeasuredParts& parts, const CurveSkin& of_nodes, std::span<const double> amounts) {
   Strainmeter meter(parts.patch);
-  CarriageWorkspace work;
+  CurveSkinWorkspace work;
   std::vector<ModelVector> moves(parts.patch.node_count());
   Strain strain;
   for (const double amount : amounts) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/articulation/measure/strain.h"
-#include "core/articulation/motion/carriage.h"
+#include "core/articulation/motion/curve_skin.h"
 #include "core/articulation/region/canvas.h"
 #include "core/articulation/region/falloff.h"
 
@@ -19,7 +19,7 @@ struct MeasuredParts {
   std::vector<ModelPoint> reference;
   std::vector<ModelPoint> target;
   KeptSurface surface;
-  bool whole = false;  ///< vertices that do not move are kept, and the motion of the nodes
+  bool whole = false;  ///< also keep vertices that do not move, and the motion of the nodes
 };
 
 /// The range of a deformer's parameter.
@@ -28,21 +28,21 @@ struct Range {
   double maximum = 1;
 };
 
-/// A way of moving that was measured.
+/// A motion with its strain.
 struct MeasuredMotion {
-  Carriage carriage;
+  CurveSkin skin;
   std::vector<std::uint32_t> vertices;
   std::vector<double> weights;
-  Strain strain;      ///< the worst at several amounts
-  Carriage of_nodes;  ///< where the whole is wanted: the inner nodes of the patch, as they are seen
+  Strain strain;       ///< the worst at several amounts
+  CurveSkin of_nodes;  ///< where `whole`: the inner nodes of the patch, as seen
 };
 
-/// Of both ways of moving (or the one that is asked for) the one that distorts the surface least, and of several depths
-/// to which its weights may reach into the region of specific interest the shallowest that turns no triangle over.
-/// Errors: a vertex whose joints flatten it.
+/// Tries translation and rotation, or the one in `mode`, and takes the one that distorts the surface least. Its weights
+/// may reach into the region of specific interest to several depths: the shallowest that turns no triangle over is
+/// used. Errors: a vertex whose joints flatten it.
 [[nodiscard]] base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mode, Range range);
 
-/// The worst at several amounts of what a carriage of the patch's inner nodes does.
-[[nodiscard]] Strain strain_at(const MeasuredParts& parts, const Carriage& of_nodes, std::span<const double> amounts);
+/// The worst strain at several amounts of a skin of the patch's inner nodes.
+[[nodiscard]] Strain strain_at(const MeasuredParts& parts, const CurveSkin& of_nodes, std::span<const double> amounts);
 
 }  // namespace penpose::articulation

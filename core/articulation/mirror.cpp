@@ -114,7 +114,7 @@ Sketch mirrored(const Sketch& sketch, const SymmetryPlane& plane) {
   for (auto* curve : {&other.general, &other.specific, &other.reference, &other.target}) {
     reflect(*curve, sketch.viewport);
   }
-  for (InBetween& one : other.betweens) {
+  for (Between& one : other.betweens) {
     reflect(one.target, sketch.viewport);
     if (one.camera) reflect(*one.camera, plane);
   }

@@ -43,7 +43,7 @@ std::optional<base::Error> check_betweens(const Sketch& sketch) {
     return base::Error{"the control has too many targets", "betweens", "use at most 64 beside its own"};
   }
   for (std::size_t i = 0; i < sketch.betweens.size(); ++i) {
-    const InBetween& one = sketch.betweens[i];
+    const Between& one = sketch.betweens[i];
     const std::string key = "betweens/" + std::to_string(i);
     if (!(std::abs(one.value) > k_apart && std::abs(one.value - 1.0) > k_apart)) {
       return base::Error{"at 0 the control rests and at 1 it has its own target", key + "/value", "use another value"};
@@ -137,7 +137,7 @@ void add_to_hash(base::StateHash& hash, const Sketch& sketch) {
   if (sketch.other_sheet) hash.add("other sheet");
   if (sketch.reach == Reach::front) hash.add("front only");
   if (sketch.piece != 0) hash.add(std::uint64_t{sketch.piece});
-  for (const InBetween& one : sketch.betweens) {
+  for (const Between& one : sketch.betweens) {
     hash.add("between");
     hash.add(one.value);
     add_curve(hash, one.target);

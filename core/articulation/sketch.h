@@ -46,11 +46,11 @@ inline constexpr std::size_t k_most_points = 100000;
 inline constexpr std::size_t k_most_betweens = 64;
 
 /// Another target of a deformer: where its curve is at a value other than 0 and 1.
-struct InBetween {
+struct Between {
   double value = 0.5;
   std::vector<PxPoint> target;
   std::optional<geometry::CameraPose> camera;  ///< set when it was drawn under another camera than the regions
-  friend bool operator==(const InBetween&, const InBetween&) = default;
+  friend bool operator==(const Between&, const Between&) = default;
 };
 
 /// What was drawn to make one deformer: all that is needed to build it again, and what a user can draw anew. Curves are
@@ -72,8 +72,8 @@ struct Sketch {
   bool paper = false;        ///< built as the paper says (method, section 3), without a measure of what it distorts
   bool other_sheet = false;  ///< a drawn reference lies on the other of two sheets; not where `paper`
   Reach reach = Reach::through;
-  std::uint32_t piece = 0;          ///< of the pieces inside the first lasso which one, the nearest being 0
-  std::vector<InBetween> betweens;  ///< ascending by their values; none where `paper`
+  std::uint32_t piece = 0;        ///< of the pieces inside the first lasso which one, the nearest being 0
+  std::vector<Between> betweens;  ///< ascending by their values; none where `paper`
   friend bool operator==(const Sketch&, const Sketch&) = default;
 };
 

@@ -14,18 +14,18 @@ class BoundDeformers final : public rig::BoundLayer {
   BoundDeformers(std::span<const std::shared_ptr<const Deformer>> deformers, std::span<const std::uint32_t> vertices) {
     for (const auto& deformer : deformers) {
       Part part;
-      std::vector<std::uint32_t> riders;
+      std::vector<std::uint32_t> places;
       const auto moved = deformer->vertices();
       for (std::uint32_t place = 0; place < vertices.size(); ++place) {
         const auto found = std::lower_bound(moved.begin(), moved.end(), vertices[place]);
         if (found == moved.end() || *found != vertices[place]) continue;
         part.places.push_back(place);
-        riders.push_back(static_cast<std::uint32_t>(found - moved.begin()));
+        places.push_back(static_cast<std::uint32_t>(found - moved.begin()));
       }
-      part.carriage = deformer->carriage().subset(riders);
-      part.displacements.assign(riders.size(), ModelVector{0});
+      part.skin = deformer->skin().subset(places);
+      part.displacements.assign(places.size(), ModelVector{0});
       // Once here, so that no evaluation allocates.
-      part.carriage.displacements(1.0, work_, part.displacements);
+      part.skin.displacements(1.0, work_, part.displacements);
       part.value = 1.0;
       parts_.push_back(std::move(part));
     }
@@ -36,7 +36,7 @@ class BoundDeformers final : public rig::BoundLayer {
       Part& part = parts_[i];
       if (values[i] == 0.0 || part.places.empty()) continue;
       if (values[i] != part.value) {
-        part.carriage.displacements(values[i], work_, part.displacements);
+        part.skin.displacements(values[i], work_, part.displacements);
         part.value = values[i];
       }
       for (std::size_t k = 0; k < part.places.size(); ++k) displacements[part.places[k]] += part.displacements[k];
@@ -49,20 +49,20 @@ class BoundDeformers final : public rig::BoundLayer {
     const Part& part = parts_[parameter];
     std::fill(displacements.begin(), displacements.end(), ModelVector{0});
     if (part.places.empty()) return true;
-    if (!part.carriage.linear()) return false;
-    for (std::size_t k = 0; k < part.places.size(); ++k) displacements[part.places[k]] = part.carriage.columns()[k];
+    if (!part.skin.linear()) return false;
+    for (std::size_t k = 0; k < part.places.size(); ++k) displacements[part.places[k]] = part.skin.columns()[k];
     return true;
   }
 
  private:
   struct Part {
     std::vector<std::uint32_t> places;
-    Carriage carriage;
+    CurveSkin skin;
     std::vector<ModelVector> displacements;  ///< at `value`
     double value = 0;
   };
   std::vector<Part> parts_;
-  CarriageWorkspace work_;
+  CurveSkinWorkspace work_;
 };
 
 }  // namespace
@@ -104,13 +104,13 @@ std::vector<Sketch> SketchedDeformers::sketches() const {
 }
 
 void SketchedDeformers::add(std::span<const double> values, std::span<ModelVector> displacements) const {
-  CarriageWorkspace work;
+  CurveSkinWorkspace work;
   std::vector<ModelVector> moved;
   for (std::size_t i = 0; i < deformers_.size(); ++i) {
     if (values[i] == 0.0) continue;
     const auto vertices = deformers_[i]->vertices();
     moved.resize(vertices.size());
-    deformers_[i]->carriage().displacements(values[i], work, moved);
+    deformers_[i]->skin().displacements(values[i], work, moved);
     for (std::size_t k = 0; k < vertices.size(); ++k) displacements[vertices[k]] += moved[k];
   }
 }

@@ -10,10 +10,10 @@
 
 namespace penpose::intent {
 
-/// The joints that a stroke along these points means: those that carry the points most, and those between them in the
-/// skeleton; ascending. Empty for rigs without joints and points that no joint carries.
-/// `body`: what a helper carries belongs to the joint that it helps, and where a stroke overlaps a little what its limb
-/// hangs on, that is not meant; null for a rig without a body.
+/// The joints that a stroke along these points means: those with the most influence on the points, and those between
+/// them in the skeleton; ascending. Empty for rigs without joints and for points that follow no joint.
+/// `body`: points of a helper count for the joint that it helps, and a small overlap of the stroke with the parent of
+/// its limb is ignored; null for a rig without a body.
 [[nodiscard]] std::vector<std::size_t> chain_of(const rig::Rig& rig, std::span<const posing::CurvePoint> points,
                                                 const joints::Body* body = nullptr);
 

@@ -77,7 +77,7 @@ IntentProblem without_the_rest(const IntentProblem& problem) {
 }
 
 IntentProblem with_others_held(const rig::Rig& rig, const Reader& reader, const IntentProblem& problem) {
-  const auto ways = reader.ways_of_curves();
+  const auto ways = reader.curve_displacements();
   const auto shares = shares_of_units(reader, ways);
   const std::size_t drawn = problem.drawn.size();
   const auto tell_the_same = [&](std::size_t a, std::size_t b) {

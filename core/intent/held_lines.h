@@ -4,30 +4,29 @@
 #include "core/intent/problem.h"
 #include "core/intent/reading/reader.h"
 
-// Lines that were drawn before, and what of them is read anew.
+// Lines drawn earlier, and which of them are read again.
 
 namespace penpose::intent {
 
-/// The problem from the pose that an earlier solve came to: the references of what was drawn before stay where they are
-/// there. The problem itself where there is no such pose. Precondition: check_problem passed.
+/// The problem started from the pose of an earlier solve, with the references of earlier lines constrained to where
+/// they are in it. The problem itself where there is no such pose. Precondition: check_problem passed.
 [[nodiscard]] IntentProblem with_the_rest_held(const rig::Rig& rig, const IntentProblem& problem);
 
-/// The same without what was drawn before.
+/// The same without the earlier lines.
 [[nodiscard]] IntentProblem without_the_rest(const IntentProblem& problem);
 
-/// The part of a problem that is read anew: what is new, and of what was drawn before those lines that tell of the same
-/// controls. Their controls start where they started; the rest stays as posed, its references where they are.
-/// Precondition: a pose that an earlier solve came to; the reader is that of the problem and has no chain.
+/// The part of a problem that is read again: the new lines, and those earlier lines that involve the same controls.
+/// Their controls start where they started; all others stay as posed, and their references stay where they are.
+/// Precondition: the problem has the pose of an earlier solve; the reader is that of the problem and has no chain.
 [[nodiscard]] IntentProblem with_others_held(const rig::Rig& rig, const Reader& reader, const IntentProblem& problem);
 
-/// What a pose comes to in a problem, each line aligned as the pose fits it best. Lines that were drawn before give way
-/// to those that are new.
+/// How well a pose fits a problem, with each line in its best alignment. New lines take precedence over earlier ones.
 struct Fit {
   double energy = 0;
   std::vector<double> squares;       ///< of each drawn curve
   std::vector<std::size_t> aligned;  ///< and how it is aligned (Reader::align)
 };
-/// `as`: lines that were drawn before are aligned as there.
+/// `as`: earlier lines keep the alignment that they have there.
 [[nodiscard]] Fit fit_of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
                          const rig::Pose& pose, Quadratic& quadratic, const Fit* as = nullptr);
 

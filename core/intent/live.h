@@ -9,30 +9,29 @@
 
 namespace penpose::intent {
 
-/// What one pen report did.
+/// The effect of one pen report.
 struct LiveStep {
   bool solved = false;
   std::size_t evaluations = 0;
 };
 
-/// Follows a target that is still being drawn or changed, by the energy of `solve`. Each report looks once at the
-/// curves as the last solution posed them and chooses from the controls of the last choice on, so that a step costs
-/// little and the face does not flicker between readings that are equally good. When the pen lifts, `solve` with the
-/// whole target has the last word.
+/// Follows a target that is still being drawn or changed, by the energy of `solve`. Each report
+/// linearises once at the last solution and starts from the controls chosen there, so that a step is cheap and the face
+/// does not flicker between readings that are equally good. When the pen lifts, `solve` with the whole target decides.
 class LivePoser {
  public:
-  /// `problem.drawn.front()` is the curve whose target is drawn; its line is not read and may be empty. Others, known
-  /// and kept curves hold what they hold. Errors: those of check_problem. The rig must outlive it.
+  /// `problem.drawn.front()` is the curve whose target is being drawn; its line is not read and may be empty. All other
+  /// curves keep their targets. Errors: those of check_problem. The rig must outlive it.
   static base::Result<LivePoser> start(const rig::Rig& rig, WholeModel whole, IntentProblem problem);
   ~LivePoser();
   LivePoser(LivePoser&&) noexcept;
   LivePoser& operator=(LivePoser&&) noexcept;
 
-  /// The target as drawn so far, all samples since pen-down: a line shorter than the reference belongs to its beginning
-  /// (or its end, where it was begun there). Reports left out are not missed. With fewer than two distinct samples
-  /// nothing moves.
+  /// The target as drawn so far, all samples since pen-down: a line shorter than the reference is matched with
+  /// its beginning (or its end, if drawing started there). Reports may be left out. With fewer than two distinct
+  /// samples nothing moves.
   LiveStep follow(std::span<const PxPoint> line);
-  /// A target that is there as a whole and is being changed.
+  /// A complete target that is being changed.
   LiveStep follow_whole(std::span<const PxPoint> line);
 
   [[nodiscard]] const rig::Pose& pose() const;

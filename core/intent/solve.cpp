@@ -7,14 +7,14 @@
 
 #include "core/intent/held_lines.h"
 #include "core/intent/reading/reader.h"
-#include "core/intent/reading/reading.h"
+#include "core/intent/reading/reading_solver.h"
 
 namespace penpose::intent {
 
-Workspace::Workspace() : buffers_(std::make_unique<Buffers>()) {}
-Workspace::~Workspace() = default;
-Workspace::Workspace(Workspace&&) noexcept = default;
-Workspace& Workspace::operator=(Workspace&&) noexcept = default;
+SolveWorkspace::SolveWorkspace() : buffers_(std::make_unique<Buffers>()) {}
+SolveWorkspace::~SolveWorkspace() = default;
+SolveWorkspace::SolveWorkspace(SolveWorkspace&&) noexcept = default;
+SolveWorkspace& SolveWorkspace::operator=(SolveWorkspace&&) noexcept = default;
 
 namespace {
 
@@ -46,7 +46,7 @@ constexpr double k_shape_gain = 4.0;
 
 /// A line that is shorter than its limb may show it leaning towards the eye or away from it. The first order of the
 /// picture does not tell that of a limb that lies across the view, so that other readings have to begin there.
-Reading foreshortened(Reader& reader, Solver& solver, std::size_t drawn, Reading best) {
+Reading foreshortened(Reader& reader, ReadingSolver& solver, std::size_t drawn, Reading best) {
   const auto fits = [&](const Reading& one) {
     bool all = true;
     for (std::size_t c = 0; c < drawn; ++c) all = all && reader.squares_of(c, one.choice) < k_fits;
@@ -98,7 +98,7 @@ std::vector<double> squares_of_all(Reader& reader, const Choice& choice, std::si
 
 /// Tries the other ways in which line c may be aligned. Its squares: `asked` before anything moved, `met` by the best
 /// reading of all of it; -1: by the best reading so far.
-void realign(Reader& reader, Solver& solver, std::size_t c, double asked, double met, Reading& best) {
+void realign(Reader& reader, ReadingSolver& solver, std::size_t c, double asked, double met, Reading& best) {
   std::size_t chosen = reader.aligned(c);
   const bool beyond = strained(reader, best.choice);
   const bool fits = reader.squares_of(c, best.choice) < k_fits;
@@ -140,7 +140,7 @@ void realign(Reader& reader, Solver& solver, std::size_t c, double asked, double
 }
 
 /// The best reading over the ways in which single lines may be aligned.
-Reading best_alignment(Reader& reader, Solver& solver, std::size_t drawn) {
+Reading best_alignment(Reader& reader, ReadingSolver& solver, std::size_t drawn) {
   for (std::size_t c = 0; c < drawn; ++c) reader.align(c, 0);
   solver.match({});
   const std::vector<double> asked = squares_of_all(reader, {}, drawn);
@@ -181,7 +181,7 @@ void describe(const rig::Rig& rig, const IntentProblem& problem, Reader& reader,
 
 /// A checked problem, whatever is locked. `units`: receives how many moved.
 Solution solve_free(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
-                    const SolveOptions& options, Workspace& work, std::size_t& units) {
+                    const SolveOptions& options, SolveWorkspace& work, std::size_t& units) {
   Reader reader(rig, whole, problem);
   Solution solution;
   solution.pose = problem.start;
@@ -190,7 +190,7 @@ Solution solve_free(const rig::Rig& rig, const WholeModel& whole, const IntentPr
   const Reader::Left before = reader.left(problem.start);
   solution.energy_start = before.sum;
 
-  Solver solver(reader, options, work.buffers());
+  ReadingSolver solver(reader, options, work.buffers());
   const std::vector<std::size_t> chain(reader.chain().begin(), reader.chain().end());
   if (!chain.empty()) reader.restrict_to(chain);
   Reading reading = best_alignment(reader, solver, problem.drawn.size());
@@ -249,7 +249,7 @@ namespace {
 
 /// A checked problem, what is locked being heeded.
 base::Result<Solution> solve_whole(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
-                                   const SolveOptions& options, Workspace& work) {
+                                   const SolveOptions& options, SolveWorkspace& work) {
   std::size_t units = 0;
   if (problem.locked.empty()) return solve_free(rig, whole, problem, options, work, units);
   const IntentProblem unlocked = as_if_unlocked(problem);
@@ -284,7 +284,7 @@ bool goes_to_limit(const rig::Rig& rig, const IntentProblem& problem, const rig:
 /// A checked problem of which a part was solved for already. What is new moves what it moves, and what was drawn before
 /// is read anew with it only where that is clearly better.
 base::Result<Solution> solve_with_posed(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
-                                        const Reader& reader, const SolveOptions& options, Workspace& work) {
+                                        const Reader& reader, const SolveOptions& options, SolveWorkspace& work) {
   if (!reader.chain().empty()) return solve_whole(rig, whole, with_the_rest_held(rig, problem), options, work);
   const IntentProblem part = with_others_held(rig, reader, problem);
   if (part.start == problem.posed) return solve_whole(rig, whole, part, options, work);
@@ -315,7 +315,7 @@ base::Result<Solution> solve_with_posed(const rig::Rig& rig, const WholeModel& w
 }  // namespace
 
 base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
-                             const SolveOptions& options, Workspace& work) {
+                             const SolveOptions& options, SolveWorkspace& work) {
   if (auto status = check_problem(rig, problem); !status) return status.error();
   if (problem.posed.empty()) return solve_whole(rig, whole, problem, options, work);
   Reader reader(rig, whole, problem);

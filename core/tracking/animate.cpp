@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/document/time/animation_building.h"
-#include "core/tracking/head_stand.h"
+#include "core/tracking/head_placement.h"
 #include "core/tracking/track_setup.h"
 #include "core/tracking/weight_animation.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 /// The head's way, beside the animation of the controls.
 struct HeadWay {
-  std::vector<document::Stand> stands;
+  std::vector<document::Placement> placements;
   geometry::ModelPoint pivot{0};
 };
 
@@ -59,11 +59,11 @@ base::Result<Solved> from_values(const document::Model& model, animation::Weight
   out.held = std::move(played.held);
   out.unmatched = std::move(played.unmatched);
   out.notes.insert(out.notes.end(), played.notes.begin(), played.notes.end());
-  if (apply_head && played.stands.empty()) {
+  if (apply_head && played.placements.empty()) {
     out.notes.emplace_back(
         "the head cannot be followed and stays still: there is no column HeadYaw, HeadPitch or HeadRoll");
   }
-  solved.head = {std::move(played.stands), document::rest_world_box(model).center()};
+  solved.head = {std::move(played.placements), document::rest_world_box(model).center()};
   return solved;
 }
 
@@ -103,7 +103,7 @@ base::Result<Solved> from_points(const document::Model& model, animation::PointT
   if (!tracked) return tracked.error();
   if (apply_head) {
     solved.head.pivot = head_pivot(*model.rig, *setup, *tracked, camera);
-    solved.head.stands = head_stands(*tracked, solved.head.pivot, camera, options.smooth_s);
+    solved.head.placements = head_placements(*tracked, solved.head.pivot, camera, options.smooth_s);
   }
   out.times_s = std::move(tracked->times_s);
   out.poses = std::move(tracked->poses);
@@ -135,8 +135,8 @@ base::Result<document::Document> with_animation(const document::Document& docume
   // Joints are turned by the animation itself; a pose of theirs would be added to it.
   model.pose = rig::rest_pose(*model.rig);
   std::copy_n(animated.poses.front().begin(), document::weight_count(model), model.pose.begin());
-  if (!head.stands.empty()) {
-    auto with_head = document::with_stand(std::move(model), 0, head.pivot, animated.times_s, head.stands);
+  if (!head.placements.empty()) {
+    auto with_head = document::with_placements(std::move(model), 0, head.pivot, animated.times_s, head.placements);
     if (!with_head) return with_head.error();
     model = std::move(with_head).value();
   }

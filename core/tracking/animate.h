@@ -48,7 +48,7 @@ struct Animated {
 /// points. Precondition: the track is as its reader gave it. Errors (the place is of the map where it is a JSON
 /// pointer; `blamed` takes what the error is about): an option out of its range, a model without controls, a frame
 /// that the track lacks, names of the map that the track or the model lacks, a track that drives no control, those of
-/// animation::animate_track and document::with_stand.
+/// animation::animate_track and document::with_placements.
 [[nodiscard]] base::Result<Animated> animate(const document::Document& document, io::Track track,
                                              const io::MapFile& map, const AnimateOptions& options = {},
                                              const animation::FrameWatch& watch = {}, AnimateInput* blamed = nullptr);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/animation/signal/steady.h"
+#include "core/animation/signal/denoise.h"
 #include "core/base/numbers.h"
 #include "core/geometry/rotation.h"
 #include "core/rig/control_names.h"
@@ -89,7 +89,7 @@ WeightAnimation animate_weights(const document::Model& model, const animation::W
   if (!apply_head || !turns) return result;
   animation::smooth_over_time(result.times_s, smooth_s, angles);
   for (const auto& a : angles) {
-    result.stands.push_back({geometry::quaternion_from_xyz({a[0], a[1], a[2]}), geometry::ModelVector(0), 1});
+    result.placements.push_back({geometry::quaternion_from_xyz({a[0], a[1], a[2]}), geometry::ModelVector(0), 1});
   }
   return result;
 }

@@ -13,9 +13,9 @@ struct WeightAnimation {
   std::vector<double> times_s;
   std::vector<rig::Pose> poses;  ///< within the controls' ranges
   std::vector<std::size_t> held;
-  std::vector<std::string> unmatched;   ///< names that the model has no control for
-  std::vector<std::string> notes;       ///< on values far outside their controls' ranges
-  std::vector<document::Stand> stands;  ///< from HeadYaw, HeadPitch and HeadRoll, where asked for and there
+  std::vector<std::string> unmatched;           ///< names that the model has no control for
+  std::vector<std::string> notes;               ///< on values far outside their controls' ranges
+  std::vector<document::Placement> placements;  ///< from HeadYaw, HeadPitch and HeadRoll, where asked for and there
 };
 
 /// Values by name straight to parameters, names compared without case and separators and by the map's own list first.

@@ -84,7 +84,7 @@ std::map<std::string, std::vector<double>>& table() {
 
 void solve(benchmark::State& state, int number, std::size_t index, const std::string& row) {
   const auto problem = subject(number).problem(index);
-  intent::Workspace work;
+  intent::SolveWorkspace work;
   std::vector<double> times;
   for (auto _ : state) {
     const auto before = std::chrono::steady_clock::now();
@@ -98,7 +98,7 @@ void solve(benchmark::State& state, int number, std::size_t index, const std::st
 void subplex(benchmark::State& state, std::size_t index) {
   const Subject& face = subject(0);
   const auto problem = face.problem(index);
-  intent::Workspace work;
+  intent::SolveWorkspace work;
   const auto found = intent::solve(*face.model.rig, face.whole, problem, {}, work).value();
   intent::Reader reader(*face.model.rig, face.whole, problem);
   intent::Quadratic quadratic;

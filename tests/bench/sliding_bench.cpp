@@ -93,7 +93,7 @@ int main(int argc, char** argv) {
         const double hand_px = hand / curve.camera.units_per_px(curve.camera.depth(rest[curve.reference[0].vertex[0]]));
         curve.doubt_px = intent::stroke_doubt_px(curve.target, hand_px);
       }
-      intent::Workspace work;
+      intent::SolveWorkspace work;
       const auto found =
           tests::all_positions(*model.rig, intent::solve(*model.rig, whole, problem, {}, work).value().pose);
       double off = 0, moved = 0;

@@ -39,13 +39,14 @@ document::Model animated(document::Model model) {
   }
   model.animations = {document::make_animation(model, "clip", times, poses)};
   model.pose = rig::rest_pose(*model.rig);
-  std::vector<document::Stand> stands;
+  std::vector<document::Placement> placements;
   for (int f = 0; f <= 60; ++f) {
     const double a = 0.3 * std::sin(0.1 * f);
-    stands.push_back({glm::dquat(std::cos(a / 2), 0, std::sin(a / 2), 0), {0.01 * f, 0, 0}, 1 + 0.002 * f});
+    placements.push_back({glm::dquat(std::cos(a / 2), 0, std::sin(a / 2), 0), {0.01 * f, 0, 0}, 1 + 0.002 * f});
   }
   if (model.skeleton) return model;
-  return document::with_stand(std::move(model), 0, document::rest_world_box(model).center(), times, stands).value();
+  return document::with_placements(std::move(model), 0, document::rest_world_box(model).center(), times, placements)
+      .value();
 }
 
 /// Writes the file and where its vertices should be: at times of all kinds, or at keys.

@@ -108,7 +108,7 @@ struct Feature {
   Line line;
   double specific = 20;  ///< px about the line
   double general = 100;
-  std::function<Line(const Line&, double)> goal;
+  std::function<Line(const Line&, double)> target;
   bool drawn = true;
 };
 
@@ -121,7 +121,7 @@ void add(std::vector<SketchCase>& cases, const Stage& stage, const Feature& feat
     sketch.general = around(feature.line, feature.general);
     sketch.specific = around(feature.line, feature.specific);
     if (feature.drawn) sketch.reference = feature.line;
-    sketch.target = feature.goal(feature.line, strength.factor);
+    sketch.target = feature.target(feature.line, strength.factor);
     cases.push_back({stage.name, feature.name, strength.name, stage.canvas, std::move(sketch)});
   }
 }

@@ -34,8 +34,8 @@ document::Model tracked() {
   const std::vector<double> times{0, 0.1, 0.1, 0.3};
   const std::vector<rig::Pose> poses{{0}, {0.4}, {0.4}, {1}};
   model.animations = {document::make_animation(model, "tracked", times, poses)};
-  const std::vector<document::Stand> stands{{}, {}, {}, {glm::dquat(0.8, 0, 0.6, 0), {0.1, 0, 0}, 1.2}};
-  return document::with_stand(std::move(model), 0, {0, 0, 0}, times, stands).value();
+  const std::vector<document::Placement> placements{{}, {}, {}, {glm::dquat(0.8, 0, 0.6, 0), {0.1, 0, 0}, 1.2}};
+  return document::with_placements(std::move(model), 0, {0, 0, 0}, times, placements).value();
 }
 
 }  // namespace

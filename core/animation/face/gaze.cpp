@@ -7,8 +7,8 @@
 #include <glm/matrix.hpp>
 #include <optional>
 
+#include "core/animation/signal/denoise.h"
 #include "core/animation/signal/statistics.h"
-#include "core/animation/signal/steady.h"
 #include "core/base/math.h"
 #include "core/rig/control_names.h"
 
@@ -232,7 +232,7 @@ std::vector<std::vector<Gaze>> gaze_of(const PointTrack& track, const StillTrack
   std::vector<double> bends;
   for (std::size_t f = 1; f + 1 < frames; ++f) bends.push_back(rows[f - 1][0] - 2 * rows[f][0] + rows[f + 1][0]);
   const double tremor = spread(bends) / std::sqrt(6.0);
-  steady_rows(trust, k_strength * std::max(tremor, 1e-4), rows);
+  denoise_rows(trust, k_strength * std::max(tremor, 1e-4), rows);
   std::vector<std::vector<Gaze>> gaze(k_eyes);
   for (const auto& row : rows) {
     for (std::size_t e = 0; e < k_eyes; ++e) gaze[e].push_back({row[2 * e], row[2 * e + 1]});

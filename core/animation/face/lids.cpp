@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/animation/signal/blinks.h"
+#include "core/animation/signal/denoise.h"
 #include "core/animation/signal/statistics.h"
-#include "core/animation/signal/steady.h"
 
 namespace penpose::animation {
 namespace {
@@ -55,7 +55,7 @@ std::vector<std::vector<double>> lasting_openings(const std::vector<std::vector<
     for (std::size_t e = 0; e < eyes; ++e) row[e] = rest[e][f] - row[eyes];
     row[eyes] *= all;
   }
-  steady_rows(confidence, k_strength * tremor, rows);
+  denoise_rows(confidence, k_strength * tremor, rows);
   for (std::size_t f = 0; f < rows.size(); ++f) {
     for (std::size_t e = 0; e < eyes; ++e) rest[e][f] = rows[f][e] + rows[f][eyes] / all;
   }

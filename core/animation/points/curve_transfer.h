@@ -27,8 +27,8 @@ struct TrackedCurve {
 /// The place of each curve's first point among the points of all, one curve behind the other.
 [[nodiscard]] std::vector<std::size_t> first_points(std::span<const TrackedCurve> curves);
 
-/// What a point does for the curve that its own one meets (share_meetings).
-struct Meeting {
+/// What a point does for the curve that its own one meets (share_contact).
+struct ContactShare {
   std::array<std::size_t, 2> across{};  ///< the points of the transfer on the other curve that it meets between
   double between = 0;                   ///< 0..1: where between them
   double takes_over = 0;                ///< how much of what those cannot do it does instead, the other way
@@ -43,7 +43,7 @@ struct Transfer {
   std::vector<std::vector<std::size_t>> anchors;  ///< one list a curve
   std::vector<double> weights;
   std::vector<double> scale;                         ///< |C_u| / |C_v0| times the gain, one a point
-  std::vector<Meeting> meetings;                     ///< one a point, or none
+  std::vector<ContactShare> contact_shares;          ///< one a point, or none
   std::vector<std::array<std::size_t, 2>> contacts;  ///< points of curves that touch at rest, across from each other
   double turn_cosine = 1;                            ///< the neutral frame's own roll, taken out of every movement
   double turn_sine = 0;

@@ -157,8 +157,8 @@ struct FrameSolver::State {
       const auto px = camera.project(now[point]);
       return px ? targets[point] - *px : geometry::PxPoint{};
     };
-    for (std::size_t i = 0; i < transfer.meetings.size(); ++i) {
-      const Meeting& m = transfer.meetings[i];
+    for (std::size_t i = 0; i < transfer.contact_shares.size(); ++i) {
+      const ContactShare& m = transfer.contact_shares[i];
       if (!(m.takes_over > 0)) continue;
       const geometry::PxPoint rest = short_of(m.across[0]) * (1.0 - m.between) + short_of(m.across[1]) * m.between;
       aim(i, curve::lift(targets[i] - rest * m.takes_over, now[i], camera), transfer.weights[i] * confidence);

@@ -20,7 +20,7 @@ namespace penpose::document {
 
 struct ApplyWorkspace::Parts {
   posing::SolveWorkspace solve;
-  intent::Workspace meant;
+  intent::SolveWorkspace meant;
 
   /// What the controls of the document's rig do to the whole model.
   const intent::WholeModel& whole_of(const Document& document);

@@ -15,15 +15,15 @@
 namespace penpose::document {
 namespace {
 
-using articulation::InBetween;
+using articulation::Between;
 using articulation::Sketch;
 
 /// Values nearer to each other than that are one.
 constexpr double k_same_value = 1e-3;
 
-std::vector<InBetween>::iterator find_between(Sketch& sketch, double value) {
+std::vector<Between>::iterator find_between(Sketch& sketch, double value) {
   return std::find_if(sketch.betweens.begin(), sketch.betweens.end(),
-                      [&](const InBetween& one) { return std::abs(one.value - value) <= k_same_value; });
+                      [&](const Between& one) { return std::abs(one.value - value) <= k_same_value; });
 }
 
 base::Error no_such_target(const std::string& deformer, double value) {
@@ -79,7 +79,7 @@ Changed run(const Document& document, const DrawBetween& command, Parts& work) {
   if (const auto own = geometry::Camera::make(command.view.camera, command.view.viewport); !own) {
     return at("view", own.error());
   }
-  InBetween one{command.value, rescaled(command.line, command.view.viewport, sketch.viewport), std::nullopt};
+  Between one{command.value, rescaled(command.line, command.view.viewport, sketch.viewport), std::nullopt};
   if (!(command.view.camera == sketch.camera)) one.camera = command.view.camera;
   const auto known = find_between(sketch, command.value);
   if (known != sketch.betweens.end()) {
@@ -87,7 +87,7 @@ Changed run(const Document& document, const DrawBetween& command, Parts& work) {
     *known = std::move(one);
   } else {
     const auto after = std::find_if(sketch.betweens.begin(), sketch.betweens.end(),
-                                    [&](const InBetween& other) { return other.value > command.value; });
+                                    [&](const Between& other) { return other.value > command.value; });
     sketch.betweens.insert(after, std::move(one));
   }
   return with_deformer_from(document, *number, sketch, work);

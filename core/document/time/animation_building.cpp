@@ -106,8 +106,8 @@ Animation make_animation(const Model& model, std::string name, std::span<const d
   return animation;
 }
 
-base::Result<Model> with_stand(Model model, std::size_t animation, const geometry::ModelPoint& pivot,
-                               std::span<const double> times_s, std::span<const Stand> stands) {
+base::Result<Model> with_placements(Model model, std::size_t animation, const geometry::ModelPoint& pivot,
+                                    std::span<const double> times_s, std::span<const Placement> placements) {
   auto skeleton = carry_all(model.skeleton.get(), model.mesh->vertex_count());
   if (!skeleton) return skeleton.error();
   if (*skeleton) {
@@ -131,10 +131,11 @@ base::Result<Model> with_stand(Model model, std::size_t animation, const geometr
     Channel turn{rotation, j, Interpolation::linear, keys.times_s, {}};
     Channel size{scale, j, Interpolation::linear, keys.times_s, {}};
     for (const std::size_t f : keys.frames) {
-      const Stand& stand = stands[f];
-      add_vector(pivot + stand.shift + stand.rotation * (joint.translation - pivot) * stand.scale, shift.values);
-      add_quaternion(stand.rotation * joint.rest_rotation, turn.values);
-      add_vector(joint.scale * stand.scale, size.values);
+      const Placement& placement = placements[f];
+      add_vector(pivot + placement.shift + placement.rotation * (joint.translation - pivot) * placement.scale,
+                 shift.values);
+      add_quaternion(placement.rotation * joint.rest_rotation, turn.values);
+      add_vector(joint.scale * placement.scale, size.values);
     }
     channels.push_back(std::move(shift));
     channels.push_back(std::move(turn));

@@ -16,16 +16,17 @@ namespace penpose::document {
 [[nodiscard]] Animation make_animation(const Model& model, std::string name, std::span<const double> times_s,
                                        std::span<const rig::Pose> poses);
 
-/// How the whole model stands at one time, in world space: p becomes pivot + shift + scale * rotation * (p - pivot).
-struct Stand {
+/// Where the whole model is at one time, in world space: p becomes pivot + shift + scale * rotation * (p - pivot).
+struct Placement {
   glm::dquat rotation{1, 0, 0, 0};
   geometry::ModelVector shift{0};
   double scale = 1;
 };
-/// The model with the whole of it moved by the animation too: the joints without parents are moved, and vertices that
-/// no joint carries, all of them where there is no skeleton, are given to one more joint "head" at the origin.
-/// Precondition: one time a stand. Errors of the rig.
-[[nodiscard]] base::Result<Model> with_stand(Model model, std::size_t animation, const geometry::ModelPoint& pivot,
-                                             std::span<const double> times_s, std::span<const Stand> stands);
+/// Lets the animation also move the whole model: its joints without parents move, and vertices that follow no joint
+/// (all of them in a model without a skeleton) follow one more joint, "head", at the origin. Precondition: one
+/// placement a time. Errors of the rig.
+[[nodiscard]] base::Result<Model> with_placements(Model model, std::size_t animation, const geometry::ModelPoint& pivot,
+                                                  std::span<const double> times_s,
+                                                  std::span<const Placement> placements);
 
 }  // namespace penpose::document

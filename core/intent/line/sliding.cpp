@@ -88,7 +88,7 @@ Matching SlidingLine::match(std::span<const PxPoint> seen, const Alignment& alig
   const std::vector<double> along = curve::cumulative_length<PxPoint>(seen);
   const double reference = std::max(along.back(), 1e-9);
   Matching m;
-  m.goal.resize(n);
+  m.target.resize(n);
   m.tangent.resize(n);
   m.weight = along.back() > 0.0 ? stretches(along) : std::vector<double>(n, 1.0 / static_cast<double>(n));
   m.slid.assign(n, 0.0);
@@ -117,7 +117,7 @@ Matching SlidingLine::match(std::span<const PxPoint> seen, const Alignment& alig
     for (std::size_t i = 0; i < n; ++i) {
       m.slid[i] = times(m.modes[i], at);
       const Place p = place(equal[i] + m.slid[i], alignment);
-      m.goal[i] = p.at;
+      m.target[i] = p.at;
       m.tangent[i] = p.tangent;
       m.along[i] = equal[i] + m.slid[i];
     }
@@ -126,7 +126,7 @@ Matching SlidingLine::match(std::span<const PxPoint> seen, const Alignment& alig
     Modes right{};
     for (std::size_t i = 0; i < n; ++i) {
       const double w = m.weight[i] * k_looks / (doubt * doubt);
-      const double left = dot(seen[i] - m.goal[i], m.tangent[i]) + m.slid[i];
+      const double left = dot(seen[i] - m.target[i], m.tangent[i]) + m.slid[i];
       for (std::size_t a = 0; a < k_modes; ++a) right[a] += w * m.modes[i][a] * left;
       grow(matrix, m.modes[i], w);
     }

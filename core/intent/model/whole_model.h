@@ -12,24 +12,25 @@ namespace penpose::intent {
 
 inline constexpr std::size_t k_no_partner = static_cast<std::size_t>(-1);
 
-/// What the controls of a rig do to the whole model, whatever is drawn. Measured once for a rig.
+/// The effect of a rig's controls on the whole model, independent of any drawing. Measured once for a rig.
 struct WholeModel {
-  /// How far each parameter moves the model: the sum over all vertices of the way between the ends of its range, as a
-  /// multiple of the median over the parameters that move anything. Without unit, so that it means the same on any rig.
+  /// How far each parameter moves the model: the sum over all vertices of their displacement between the ends of its
+  /// range, as a multiple of the median over the parameters that move anything. Dimensionless, so it compares across
+  /// rigs.
   std::vector<double> movement;
-  /// How far what a parameter moves goes between the ends of its range: the mean over the vertices, each weighted by
-  /// its own way. Model units.
+  /// How far the vertices that a parameter moves go between the ends of its range: the mean displacement, weighted by
+  /// itself. Model units.
   std::vector<double> stride;
   /// The parameter that does the same on the model's other side, or k_no_partner. Found by where and how far they move
   /// the model, never by name.
   std::vector<std::size_t> partner;
-  /// Parameters of one joint come together: the first parameter of the joint, or the parameter itself.
+  /// Groups the parameters of a joint: the first parameter of the joint, or the parameter itself.
   std::vector<std::size_t> group;
   /// For parameters of joints: the joint's number; k_no_partner for others.
   std::vector<std::size_t> joint;
   /// The shape of the skeleton; null without one.
   std::shared_ptr<const joints::Body> body;
-  /// Its vertices as they rest.
+  /// Its vertices at rest.
   std::shared_ptr<const Surroundings> surroundings;
   /// Diagonal of the box of the rest pose, model units.
   double size = 0;

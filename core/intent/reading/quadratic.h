@@ -6,14 +6,14 @@
 
 namespace penpose::intent {
 
-/// What the drawn curves ask of a few variables z near one pose, as squares:
+/// The error of the drawn curves near one pose, as a quadratic form of a few variables z:
 ///
 ///   E(z) = |R z - r|^2 - |P z - p|^2
 ///
-/// R has one row for each direction of each point, already divided by the doubt. P takes back what the points may slide
-/// along their lines: the modes of sliding are minimised over, which leaves this difference (a Schur complement), and
-/// so E is never below zero. Columns are kept one a variable, so that a model of hundreds of controls costs only what
-/// those in question need: the matrix of all pairs is never made.
+/// R has one row for each direction of each point, already divided by the doubt. P removes the error that
+/// points can slide away along their lines: minimising over the modes of sliding leaves this difference (a Schur
+/// complement), so E is never below zero. One column is kept for each variable. The matrix of all pairs is never made,
+/// so a model of hundreds of controls costs only as much as the variables in question.
 class Quadratic {
  public:
   /// Makes room for `variables` columns of `rows` and `slides` numbers, all zero.
@@ -26,22 +26,22 @@ class Quadratic {
   [[nodiscard]] std::span<const double> column(std::size_t j) const {
     return {columns_.data() + j * stride(), stride()};
   }
-  /// r and p, one behind the other.
+  /// r and p, concatenated.
   [[nodiscard]] std::span<double> right() { return right_; }
   [[nodiscard]] std::span<const double> right() const { return right_; }
 
-  /// Call it when columns and right side are filled. `only`: the variables in question, or none for all.
+  /// Call it once columns and right side are filled. `only`: the variables in question; empty: all.
   void finish(std::span<const std::size_t> only = {});
-  /// The curvature of E between two variables, halved. One product, or none where one of them is prepared.
+  /// Half the second derivative of E by two variables. Costs one product, or none where one of them is prepared.
   [[nodiscard]] double curvature(std::size_t i, std::size_t j) const;
-  /// Makes the curvatures of variable i with all others, once.
+  /// Computes the second derivatives of variable i with all others, once.
   void prepare(std::size_t i);
   [[nodiscard]] double curvature(std::size_t i) const { return diagonal_[i]; }
-  /// Half the descent of E along variable i at z = 0.
+  /// Half the negative derivative of E by variable i at z = 0.
   [[nodiscard]] double pull(std::size_t i) const { return pull_[i]; }
   /// E(0).
   [[nodiscard]] double constant() const { return constant_; }
-  /// A product of two runs of rows and slides as E counts it.
+  /// The inner product of E on two runs of rows and slides.
   [[nodiscard]] double product(std::span<const double> a, std::span<const double> b) const;
 
  private:
@@ -52,8 +52,8 @@ class Quadratic {
   std::size_t variables_ = 0, rows_ = 0, slides_ = 0;
   std::vector<double> columns_, right_, diagonal_, pull_;
   double constant_ = 0;
-  std::vector<std::vector<double>> gram_;  ///< rows that are prepared; others are empty
-  std::vector<std::size_t> asked_;         ///< columns whose products with one are to be made
+  std::vector<std::vector<double>> gram_;  ///< prepared rows; others are empty
+  std::vector<std::size_t> asked_;         ///< columns to multiply with one
 };
 
 }  // namespace penpose::intent

@@ -115,7 +115,7 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
   turn_of_ = std::move(kept_turns);
   axis_of_ = std::move(kept_axes);
   make_runs();
-  measure_besides();
+  measure_side_effects();
   all_.resize(parameters_.size());
   for (std::size_t v = all_.size(); v < variable_count(); ++v) all_.push_back(v);
   make_units();
@@ -182,7 +182,7 @@ void Reader::make_units() {
       const joints::Turn& turn = turns_[turn_of_[j]];
       add_turn_units(j, unit.count, turn.planar && axis_of_[j] == 0, turn.bends_in_depth ? 0.0 : turn.across);
     } else {
-      if (whole_.joint[p] == k_no_partner) unit.charge = beside_charge(j);
+      if (whole_.joint[p] == k_no_partner) unit.charge = side_effect_cost(j);
       choices_.units.push_back(unit);
     }
     j += unit.count;
@@ -194,12 +194,14 @@ void Reader::make_units() {
     if (other == k_no_partner || other <= j) continue;
     // Of a pair that the strokes see one side of, that side is meant.
     constexpr double k_one_side = 0.1;
-    if (std::min(ways_[j], ways_[other]) < k_one_side * std::max(ways_[j], ways_[other])) continue;
+    if (std::min(curve_displacements_[j], curve_displacements_[other]) <
+        k_one_side * std::max(curve_displacements_[j], curve_displacements_[other]))
+      continue;
     Unit unit;
     unit.members = {j, other, 0};
     unit.count = 2;
     unit.tied = true;
-    unit.charge = std::min(beside_charge(j), beside_charge(other));
+    unit.charge = std::min(side_effect_cost(j), side_effect_cost(other));
     choices_.units.push_back(unit);
   }
   make_run_units();
@@ -365,7 +367,7 @@ Reader::Left Reader::left(const rig::Pose& pose) {
       double distance = 0;
       if (block.drawn) {
         if (m.weight[i] == 0.0) continue;
-        const double in_picture = geometry::distance(m.goal[i], px[i]);
+        const double in_picture = geometry::distance(m.target[i], px[i]);
         px_sum += in_picture;
         distance = in_picture * block.drawn->camera.units_per_px(std::max(0.0, block.drawn->camera.depth(at)));
       } else {

@@ -19,8 +19,8 @@ namespace penpose::intent {
 /// nu of the energy: beyond this many squares of doubt a curve is out of reach and counts by its logarithm.
 inline constexpr double k_reach = 150.0;
 
-/// Reads a problem as squares near a pose: what all ways of solving it have in common. Variables are the free
-/// parameters that move a curve, as changes from the start in shares of their ranges. The rig, the whole model and the
+/// Evaluates and linearises a problem near a pose: the part that all ways of solving it share. Variables are the free
+/// parameters that move a curve, as changes from the start, in units of their ranges. The rig, the whole model and the
 /// problem must outlive it. One object for each thread.
 class Reader {
  public:
@@ -34,18 +34,19 @@ class Reader {
   [[nodiscard]] std::span<const std::size_t> chain() const { return chain_; }
   [[nodiscard]] bool linear() const { return linear_; }
   [[nodiscard]] std::size_t curve_count() const { return blocks_.size(); }
-  /// Units that bend one joint of the chain each within the picture, ascending; none where they are more than can be
-  /// chosen from at once.
+  /// Units that each bend one joint of the chain within the picture, ascending; none where there are too many to choose
+  /// from at once.
   [[nodiscard]] std::vector<std::size_t> all_bends() const;
   /// First guesses for lines that are shorter than their limbs: each joint of the chain, and the longest run of it,
-  /// leaning towards the eye and away from it. `costs`: what believing in it costs: away from the eye a little.
+  /// leaning towards the eye and away from it. Choice::costs: its prior cost, slightly higher away from the eye.
   [[nodiscard]] std::vector<Choice> leans_in_depth() const;
   /// Whether a choice takes a joint or run out of the picture.
   [[nodiscard]] bool leans(const Choice& choice) const;
   /// Only units of these joints may move; empty: all.
   void restrict_to(std::span<const std::size_t> joints);
 
-  /// Values may go this many ranges beyond the limits: to see what a line means that asks for more than can be. 0: not.
+  /// Lets values go this many ranges beyond their limits, to see what a line means that goes beyond them. 0: not at
+  /// all.
   void stretch(double ranges);
 
   /// How drawn curve c is aligned; all of `alignments` are worth trying.
@@ -56,38 +57,39 @@ class Reader {
   [[nodiscard]] bool ends_told(std::size_t c) const;
   /// The points of drawn curve c on its picture, at the start.
   [[nodiscard]] std::vector<PxPoint> seen_at_start(std::size_t c) const { return seen(blocks_[c], start_); }
-  /// Takes another line for drawn curve c. Precondition: at least two points, of positive length.
+  /// Replaces the line of drawn curve c. Precondition: at least two points, of positive length.
   void redraw(std::size_t c, std::span<const PxPoint> line, Alignment alignment);
 
-  /// What takes the start to a pose: pairs where both sides moved. Its energy is not known. Precondition: no chain.
+  /// The choice that leads from the start to a pose, with pairs where both sides moved. Its energy is not set.
+  /// Precondition: no chain.
   [[nodiscard]] Choice choice_of(const rig::Pose& pose) const;
   /// The pose of a choice: within all ranges.
   [[nodiscard]] rig::Pose pose_of(const Choice& choice) const;
-  /// Sets up the squares around a choice; `slide`: points slide to where they fit (not in the first round, when the
-  /// curves are still apart); `only`: the variables in question, or none for all. Each curve weighs as its last share
-  /// (see weigh) says.
+  /// Sets up the quadratic form around a choice; `slide`: points slide to where they fit (not in the first round, when
+  /// the curves are still apart); `only`: the variables in question; empty: all. Each curve is weighted by its last
+  /// share (see weigh).
   void look(const Choice& at, bool slide, Quadratic& quadratic, std::span<const std::size_t> only = {});
-  /// The energy of a choice at its true pose, matching as last looked at. `costs`: what its units cost.
+  /// The energy of a choice at its true pose, with the matching of the last look. `costs`: those of its units.
   double energy(const Choice& choice, double costs);
   /// The energy without costs, of an image: R z - r and P z - p of the last look.
   [[nodiscard]] double energy_of_image(std::span<const double> image, std::size_t rows) const;
   /// How far each variable's whole range moves each drawn curve in its picture, root mean square, model units; one row
   /// a curve. Precondition: no chain.
-  [[nodiscard]] std::vector<std::vector<double>> ways_of_curves() const;
-  /// Whether a choice moves drawn curve c by more than the line lies beside where it was meant.
+  [[nodiscard]] std::vector<std::vector<double>> curve_displacements() const;
+  /// Whether a choice moves drawn curve c by more than the line is off from where it was meant.
   bool takes_shape(std::size_t c, const Choice& choice);
   /// D of drawn curve c alone.
   double squares_of(std::size_t c, const Choice& choice);
-  /// All curves weigh fully again.
+  /// Gives all curves full weight again.
   void weigh_evenly();
-  /// Curves that are out of reach at a choice weigh less from the next look on.
+  /// Lowers the weight of curves that are out of reach at a choice, from the next look on.
   void weigh(const Choice& choice);
 
   struct Left {
     std::vector<double> px, units;  ///< mean of each curve
     double sum = 0, longest = 0;    ///< model units
   };
-  /// Distances at a pose from where the points go; with sliding.
+  /// Distances of the points from their targets at a pose; with sliding.
   [[nodiscard]] Left left(const rig::Pose& pose);
 
  private:
@@ -99,25 +101,25 @@ class Reader {
     std::vector<Alignment> alignments;
     std::size_t aligned = 0;
     double doubt = 1;            ///< px or model units
-    std::vector<PxPoint> shown;  ///< of a drawn curve: where the hand saw it; empty where that does not matter
+    std::vector<PxPoint> shown;  ///< of a drawn curve: where it was in the picture; empty where unused
     double share = 1;            ///< 1 / (1 + D / nu) of the last weigh
     std::size_t row = 0, rows = 0, slide = 0;
     std::array<Overshoot, 2> overshoots{};  ///< of a drawn curve as last looked at
     Matching matching;
-    ModeMatrix factor{};  ///< Cholesky factor of what sliding costs
+    ModeMatrix factor{};  ///< Cholesky factor of the sliding cost
   };
-  /// Of faces alone: where a limb ends is told by its joints.
+  /// For faces only: the joints determine where a limb ends.
   [[nodiscard]] bool overshoots_tell() const { return chain_.empty(); }
   /// Of a drawn curve, as it is aligned, px.
   [[nodiscard]] static double doubt_of(const Block& block);
-  /// A line is the less exact the farther it is from where the hand saw the curve.
+  /// Raises the doubt of a line with its distance from where the curve was seen.
   void doubt_what_is_far(Block& block, std::span<const PxPoint> line) const;
   void look_at_drawn(Block& block, Quadratic& quadratic, std::span<const double> at, bool slide,
                      std::span<const std::size_t> variables);
-  /// Which ends of a drawn curve are told by what the line leaves beyond them.
+  /// Finds which ends of a drawn curve follow from the part of the line beyond them.
   void tell_ends(Block& block) const;
   [[nodiscard]] static double squares_of(const Overshoot& one, PxPoint end, double doubt);
-  /// What the overshoots of a curve as matched add to D.
+  /// The contribution of a matched curve's overshoots to D.
   [[nodiscard]] double overshoot_squares(const Block& block, std::span<const ModelPoint> positions) const;
   void look_at_overshoots(Block& block, std::span<const PxPoint> px, Quadratic& quadratic, std::span<const double> at,
                           std::span<const std::size_t> variables);
@@ -128,16 +130,16 @@ class Reader {
   void make_units();
   /// All points at a pose, those of drawn curves where the pen drew them.
   void place(const rig::Pose& pose, std::vector<ModelPoint>& out);
-  /// How far each parameter moves what lies next to each drawn or known curve away from it, root mean square, model
+  /// How far each parameter moves the surroundings of each drawn or known curve relative to it, root mean square, model
   /// units.
-  [[nodiscard]] std::vector<std::vector<double>> ways_apart() const;
+  [[nodiscard]] std::vector<std::vector<double>> surrounding_displacements() const;
   /// The connected pieces of the surface that a reference lies on, ascending.
   [[nodiscard]] std::vector<std::uint32_t> pieces_of(std::span<const posing::CurvePoint> reference) const;
-  /// Fills besides_ and arounds_.
-  void measure_besides();
-  /// What a control costs for moving other things farther than what is drawn.
-  [[nodiscard]] double beside_charge(std::size_t variable) const;
-  // Joints turn about axes of their own (reader_joints.cpp).
+  /// Fills the ratios and curve_displacements_.
+  void measure_side_effects();
+  /// The cost of a control for moving other parts farther than the drawn curves.
+  [[nodiscard]] double side_effect_cost(std::size_t variable) const;
+  // Turns of joints about their own axes (reader_joints.cpp).
   void find_chain();
   void make_turns();
   void make_runs();
@@ -153,10 +155,10 @@ class Reader {
   [[nodiscard]] std::optional<ModelVector> only_view() const;
   [[nodiscard]] bool swings_others(std::size_t joint) const;
   [[nodiscard]] double movement_about(std::size_t variable) const;
-  /// D of a curve at positions of all points, not yet less for being out of reach.
+  /// D of a curve at positions of all points, before the logarithm.
   [[nodiscard]] double squares(const Block& block, std::span<const ModelPoint> positions) const;
 
-  /// A variable of a run of joints: the turns that one unit of it makes.
+  /// A variable of a run of joints: the turns for one unit of it.
   struct RunVariable {
     struct Part {
       std::size_t variable;  ///< of a turn
@@ -185,14 +187,14 @@ class Reader {
   std::vector<std::size_t> axis_of_;        ///< of the turn
   std::vector<RunVariable> run_variables_;  ///< their numbers come after those of the parameters; three a run
   Choices choices_;
-  std::vector<double> besides_;  ///< WholeModel::stride beside what a variable does to the curves, at least 1
-  std::vector<double> ways_;     ///< of the curve that a variable moves most, root mean square, model units
-  std::vector<double> alongs_;   ///< the way of the curve beside its way across the curve, 1 to 10
-  std::vector<double> arounds_;  ///< what it does around the curve beside what it does to it, at least 1
+  std::vector<double> side_effect_ratios_;   ///< WholeModel::stride over curve_displacements_, at least 1
+  std::vector<double> curve_displacements_;  ///< of the curve that a variable moves most, root mean square, model units
+  std::vector<double> tangential_ratios_;    ///< displacement of that curve over its part across the curve, 1 to 10
+  std::vector<double> surrounding_ratios_;   ///< surrounding displacement over curve_displacements_, at least 1
   bool linear_ = false;
   std::vector<ModelVector> columns_;  ///< one run of points a variable, for its whole range
   std::vector<ModelPoint> start_, positions_, moved_;
-  /// What a way of a point is worth in its three rows; all zero where nothing is asked of it.
+  /// Maps a point's displacement to its three rows; all zero where the point has no target.
   struct PointRows {
     ModelVector normal{0}, along{0}, ray{0};
     double root = 0;  ///< of the point's weight
@@ -200,9 +202,9 @@ class Reader {
   std::vector<PointRows> rows_;
 };
 
-/// A line that asks for more than can be: what it means is told by what would explain it were there no limits, and that
-/// goes as far as it can; what else could bring the curve a little nearer stays still. `within`: a choice that stands
-/// at a limit, at which the reader looked last. Nothing where that is meant already. `evaluations` grows.
+/// For a line that goes beyond the limits: finds the choice that would explain it without limits and moves that as far
+/// as it goes. Controls that would only bring the curve a little nearer do not move. `within`: a choice at a limit, at
+/// which the reader looked last. Nothing where `within` is that choice already. Adds to `evaluations`.
 [[nodiscard]] std::optional<Choice> meant_without_limits(Reader& reader, Quadratic& quadratic, const Choice& within,
                                                          std::size_t most_units, std::size_t& evaluations);
 

@@ -116,7 +116,7 @@ void Reader::look_at_drawn(Block& block, Quadratic& quadratic, std::span<const d
     rows.normal = (d->x * across(m.tangent[i]).x + d->y * across(m.tangent[i]).y) * root;
     rows.along = (d->x * m.tangent[i].x + d->y * m.tangent[i].y) * root;
     rows.ray = d->ray * (root * k_ray);
-    const PxPoint off = m.goal[i] - px[i];
+    const PxPoint off = m.target[i] - px[i];
     right[row] = dot(off, across(m.tangent[i])) * root;
     right[row + 1] = (dot(off, m.tangent[i]) - m.slid[i]) * root;
     right[row + 2] = -glm::dot(rows.ray, positions_[block.first + i] - start_[block.first + i]);
@@ -212,7 +212,7 @@ double Reader::squares(const Block& block, std::span<const ModelPoint> positions
     if (m.weight[i] == 0.0) continue;
     const double w = m.weight[i] * k_looks / (doubt * doubt);
     const auto px = block.drawn->camera.project(positions[block.first + i]);
-    const PxPoint off = m.goal[i] - (px ? *px : PxPoint{-1e6, -1e6});
+    const PxPoint off = m.target[i] - (px ? *px : PxPoint{-1e6, -1e6});
     const double normal = dot(off, across(m.tangent[i]));
     const double along = dot(off, m.tangent[i]) - m.slid[i];
     sum += w * (normal * normal + along * along);
@@ -269,7 +269,7 @@ bool Reader::takes_shape(std::size_t c, const Choice& choice) {
     moved += m.weight[i] * dot(way, way);
     all += m.weight[i];
     const double w = m.weight[i] * k_looks / (doubt_of(block) * doubt_of(block));
-    off += w * m.across[i] * dot(m.goal[i] - *now, across(m.tangent[i]));
+    off += w * m.across[i] * dot(m.target[i] - *now, across(m.tangent[i]));
     grown += w * m.across[i] * m.across[i];
   }
   const double offset = block.alignments[block.aligned].offset_px * off / grown;

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/base/numbers.h"
-#include "core/io/tracks/growing.h"
+#include "core/io/tracks/increasing_values.h"
 #include "core/io/tracks/read_track.h"
 
 namespace penpose::io {
@@ -38,7 +38,7 @@ std::vector<std::optional<double>> times_in(const std::vector<TrackRow>& rows) {
 }  // namespace
 
 void take_small_units(std::vector<TrackRow>& rows) {
-  double step = usual_step(times_in(rows));
+  double step = typical_step(times_in(rows));
   double unit = 1;
   for (; step >= 5 && unit < 1e9; step /= 1000.0) unit *= 1000.0;
   if (unit == 1) return;
@@ -60,8 +60,8 @@ bool says_nothing(std::span<const std::optional<double>> values) {
 }
 
 /// Rows a second: by the usual step of their times, else `fps`.
-double usual_rate(const std::vector<TrackRow>& rows, double fps) {
-  const double step = usual_step(times_in(rows));
+double typical_rate(const std::vector<TrackRow>& rows, double fps) {
+  const double step = typical_step(times_in(rows));
   return step > 0 ? 1 / step : fps > 0 ? fps : k_common_fps;
 }
 
@@ -71,26 +71,26 @@ bool take_numbers(std::vector<TrackRow>& rows, double fps, RowName name, FrameNo
   for (const TrackRow& row : rows) {
     numbers.push_back(row.frame ? std::optional(static_cast<double>(*row.frame)) : std::nullopt);
   }
-  const Growing growing = find_growing(numbers);
-  if (growing.known < rows.size() || says_nothing(numbers)) return rows.size() == 1 && growing.known == 1;
-  const auto astray = std::find(growing.in_order.begin(), growing.in_order.end(), false);
-  const auto first = static_cast<std::size_t>(astray - growing.in_order.begin());
-  if (!growing.trusted()) {
+  const IncreasingValues increasing = find_increasing(numbers);
+  if (increasing.known < rows.size() || says_nothing(numbers)) return rows.size() == 1 && increasing.known == 1;
+  const auto out_of_order = std::find(increasing.in_order.begin(), increasing.in_order.end(), false);
+  const auto first = static_cast<std::size_t>(out_of_order - increasing.in_order.begin());
+  if (!increasing.trusted()) {
     notes.add(text_of(rows[first], name) + ": the frame numbers do not grow; rows are taken one after the other");
     return false;
   }
   // Without times numbers count frames; with times they count what they do.
-  const double a_row = usual_step(times_in(rows)) > 0 ? usual_step(numbers) : 1;
-  const double least = k_longest_pause_s * usual_rate(rows, fps) * a_row;
-  if (const auto leap = find_leap(numbers, growing, least)) {
+  const double a_row = typical_step(times_in(rows)) > 0 ? typical_step(numbers) : 1;
+  const double least = k_longest_pause_s * typical_rate(rows, fps) * a_row;
+  if (const auto leap = find_leap(numbers, increasing, least)) {
     notes.add(text_of(rows[*leap], name) + ": the frame number leaps to " + std::to_string(*rows[*leap].frame) +
               "; rows are taken one after the other");
     return false;
   }
-  if (astray == growing.in_order.end()) return true;
+  if (out_of_order == increasing.in_order.end()) return true;
   std::vector<TrackRow> kept;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (growing.in_order[i]) {
+    if (increasing.in_order[i]) {
       kept.push_back(std::move(rows[i]));
     } else {
       notes.add(text_of(rows[i], name) + ": frame " + std::to_string(*rows[i].frame) +
@@ -105,13 +105,13 @@ bool take_numbers(std::vector<TrackRow>& rows, double fps, RowName name, FrameNo
 std::vector<double> take_times(std::vector<TrackRow>& rows, std::span<const double> places, bool numbered, double fps,
                                RowName name, FrameNotes& notes, std::string& rate_note) {
   const auto times = times_in(rows);
-  const Growing growing = find_growing(times);
+  const IncreasingValues increasing = find_increasing(times);
   // A few rows may be anything, such as pictures of a story.
-  const auto leap = rows.size() < 10 ? std::nullopt : find_leap(times, growing, k_longest_pause_s);
-  if (leap || !growing.trusted() || growing.known - growing.astray < 2) {
-    const double rate = leap ? usual_rate(rows, fps) : fps > 0 ? fps : k_common_fps;
-    if (growing.known > 0 && !says_nothing(times)) {
-      std::string why = growing.astray > 0 ? "the times do not grow" : "most times are missing";
+  const auto leap = rows.size() < 10 ? std::nullopt : find_leap(times, increasing, k_longest_pause_s);
+  if (leap || !increasing.trusted() || increasing.known - increasing.out_of_order < 2) {
+    const double rate = leap ? typical_rate(rows, fps) : fps > 0 ? fps : k_common_fps;
+    if (increasing.known > 0 && !says_nothing(times)) {
+      std::string why = increasing.out_of_order > 0 ? "the times do not grow" : "most times are missing";
       if (leap) why = "the time leaps by far in " + text_of(rows[*leap], name);
       rate_note = why + ": " + base::format_fixed(rate, 2) + " frames a second are taken; --fps sets another rate";
     }
@@ -120,7 +120,7 @@ std::vector<double> take_times(std::vector<TrackRow>& rows, std::span<const doub
     return even;
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (growing.in_order[i] || !times[i]) continue;
+    if (increasing.in_order[i] || !times[i]) continue;
     const char* what = "its time does not come after the ones before";
     if (numbered) {
       notes.add(text_of(rows[i], name) + ": " + what + "; it is placed by its frame number");
@@ -128,7 +128,7 @@ std::vector<double> take_times(std::vector<TrackRow>& rows, std::span<const doub
       rows[i].why_held = what;
     }
   }
-  return placed_between(times, growing, places);
+  return interpolate_missing(times, increasing, places);
 }
 
 }  // namespace

@@ -123,9 +123,9 @@ TEST(BadRegions, DuplicateVerticesMoveAlike) {
                          static_cast<std::uint32_t>(split.triangles.size())});
   const auto canvas = tests::canvas_of(std::move(split));
   const auto built = build_deformer(lift(), *canvas).value();
-  CarriageWorkspace work;
+  CurveSkinWorkspace work;
   std::vector<ModelVector> moves(built->vertices().size());
-  built->carriage().displacements(1, work, moves);
+  built->skin().displacements(1, work, moves);
   std::vector<ModelVector> of(canvas->positions().size(), ModelVector{0});
   for (std::size_t i = 0; i < moves.size(); ++i) of[built->vertices()[i]] = moves[i];
   for (std::uint32_t v = 0; v < of.size(); ++v) EXPECT_EQ(of[v], of[canvas->mesh().weld()[v]]) << v;

@@ -15,9 +15,9 @@ namespace {
 using tests::Trunk;
 
 std::vector<ModelVector> moves_of(const Deformer& deformer, double amount) {
-  CarriageWorkspace work;
+  CurveSkinWorkspace work;
   std::vector<ModelVector> moves(deformer.vertices().size());
-  deformer.carriage().displacements(amount, work, moves);
+  deformer.skin().displacements(amount, work, moves);
   return moves;
 }
 
@@ -29,7 +29,7 @@ Sketch curl(const Trunk& trunk) {
 /// The same with its half-way target up instead of down.
 Sketch with_between(const Trunk& trunk, double value) {
   Sketch sketch = curl(trunk);
-  InBetween up{value, {}, std::nullopt};
+  Between up{value, {}, std::nullopt};
   for (const PxPoint& p : sketch.reference) up.target.push_back({p.x, p.y - 0.15 * (p.x - sketch.reference.front().x)});
   sketch.betweens = {up};
   return sketch;

@@ -26,9 +26,9 @@ std::shared_ptr<const Deformer> built(Sketch sketch, const Canvas& canvas) {
 /// All vertices of the model with the deformer at an amount.
 std::vector<ModelPoint> posed(const Canvas& canvas, const Deformer& deformer, double amount) {
   std::vector<ModelPoint> positions(canvas.positions().begin(), canvas.positions().end());
-  CarriageWorkspace work;
+  CurveSkinWorkspace work;
   std::vector<ModelVector> moves(deformer.vertices().size());
-  deformer.carriage().displacements(amount, work, moves);
+  deformer.skin().displacements(amount, work, moves);
   for (std::size_t i = 0; i < moves.size(); ++i) positions[deformer.vertices()[i]] += moves[i];
   return positions;
 }
@@ -173,26 +173,26 @@ TEST(Deformer, MovesNothingAtZeroAndReachesTheTargetAtOne) {
       Sketch tried = sketch;
       tried.mode = mode;
       const auto deformer = built(tried, *canvas);
-      CarriageWorkspace work;
+      CurveSkinWorkspace work;
       std::vector<ModelVector> moves(deformer->vertices().size(), ModelVector{7});
-      deformer->carriage().displacements(0.0, work, moves);
+      deformer->skin().displacements(0.0, work, moves);
       for (const ModelVector& move : moves) EXPECT_EQ(move, ModelVector{0});
       const auto start = deformer->curve_at(0.0);
       const auto end = deformer->curve_at(1.0);
       // The reference's own points, carried with weight 1 and with the surface in the way, reach the target.
-      std::vector<Rider> riders;
+      std::vector<ClosestBinding> bindings;
       for (std::uint32_t i = 0; i < start.size(); ++i) {
         const bool last = i + 1 == start.size();
-        riders.push_back({last ? i - 1 : i, last ? 1.0 : 0.0, 1.0, deformer->reference()[i], glm::dmat3(1)});
+        bindings.push_back({last ? i - 1 : i, last ? 1.0 : 0.0, 1.0, deformer->reference()[i], glm::dmat3(1)});
       }
-      const Carriage own(std::make_shared<const CurveMotion>(deformer->carriage().motion()),
-                         KeptSurface::make(tried.surface, *canvas).value(), riders, false);
-      std::vector<ModelVector> own_moves(riders.size());
+      const CurveSkin own(std::make_shared<const CurveMotion>(deformer->skin().motion()),
+                          KeptSurface::make(tried.surface, *canvas).value(), bindings, false);
+      std::vector<ModelVector> own_moves(bindings.size());
       own.displacements(1.0, work, own_moves);
       for (std::size_t i = 0; i < start.size(); ++i) {
         EXPECT_LT(geometry::distance(start[i], deformer->reference()[i]), 1e-12);
         EXPECT_LT(geometry::distance(end[i], deformer->target()[i]), 1e-12);
-        EXPECT_LT(geometry::distance(riders[i].rest + own_moves[i], deformer->target()[i]), 1e-9);
+        EXPECT_LT(geometry::distance(bindings[i].rest + own_moves[i], deformer->target()[i]), 1e-9);
       }
     }
   }

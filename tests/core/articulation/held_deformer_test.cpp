@@ -16,9 +16,9 @@ using tests::Eye;
 
 std::vector<ModelPoint> posed(const Canvas& canvas, const Deformer& deformer, double amount) {
   std::vector<ModelPoint> positions(canvas.positions().begin(), canvas.positions().end());
-  CarriageWorkspace work;
+  CurveSkinWorkspace work;
   std::vector<ModelVector> moves(deformer.vertices().size());
-  deformer.carriage().displacements(amount, work, moves);
+  deformer.skin().displacements(amount, work, moves);
   for (std::size_t i = 0; i < moves.size(); ++i) positions[deformer.vertices()[i]] += moves[i];
   return positions;
 }

@@ -17,9 +17,9 @@ base::Result<std::shared_ptr<const Deformer>> build(Sketch sketch, const Canvas&
 }
 
 std::vector<ModelVector> moves_of(const Deformer& deformer, double amount) {
-  CarriageWorkspace work;
+  CurveSkinWorkspace work;
   std::vector<ModelVector> moves(deformer.vertices().size());
-  deformer.carriage().displacements(amount, work, moves);
+  deformer.skin().displacements(amount, work, moves);
   return moves;
 }
 

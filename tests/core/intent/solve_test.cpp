@@ -206,8 +206,8 @@ TEST(Intent, TheSameProblemTwiceGivesTheSameBits) {
   const rig::Pose answer = face.pose({{"cornerLeft", 0.6}, {"jawOpen", 0.4}});
   const auto problem = face.problem({face.drawn(Face::mouth(), tests::shaken(face.seen(Face::mouth(), answer), 3, 1))});
   const auto other = face.problem({face.drawn(Face::left_brow(), {{100, 100}, {700, 300}})});
-  Workspace used;
-  Workspace fresh;
+  SolveWorkspace used;
+  SolveWorkspace fresh;
   const Solution one = solve(*face.rig, whole, problem, {}, used).value();
   ASSERT_TRUE(solve(*face.rig, whole, other, {}, used));
   const Solution two = solve(*face.rig, whole, problem, {}, used).value();

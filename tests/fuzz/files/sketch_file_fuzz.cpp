@@ -34,9 +34,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const auto& sketch : file->sketches) {
     const auto deformer = penpose::articulation::build_deformer(sketch, *canvas);
     if (!deformer) continue;
-    penpose::articulation::CarriageWorkspace work;
+    penpose::articulation::CurveSkinWorkspace work;
     std::vector<penpose::geometry::ModelVector> moves((*deformer)->vertices().size());
-    (*deformer)->carriage().displacements(0.5, work, moves);
+    (*deformer)->skin().displacements(0.5, work, moves);
   }
   (void)penpose::io::write_sketch_file(*file);
   return 0;

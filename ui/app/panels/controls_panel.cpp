@@ -268,7 +268,7 @@ void show_betweens(PanelContext& context, const articulation::Deformer& deformer
     app.controls().draw_between(name, value);
   }
   ImGui::EndDisabled();
-  for (const articulation::InBetween& one : deformer.sketch().betweens) {
+  for (const articulation::Between& one : deformer.sketch().betweens) {
     const std::string shown = base::format_fixed(one.value, 2);
     const float half = share(2);
     if (wide_button(context, ("Goal at " + shown + "##again" + shown).c_str(), half, false, "Draw this goal again")) {

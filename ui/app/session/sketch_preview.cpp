@@ -221,7 +221,7 @@ void SketchPreview::follow_redraw(const document::Document& document, const draw
   if (tool.kind == drawing::ToolKind::between) {
     articulation::Sketch other = before;
     std::erase_if(other.betweens, [&](const auto& one) { return std::abs(one.value - tool.value) < 1e-3; });
-    articulation::InBetween one{tool.value, document::rescaled(line, view.viewport, before.viewport), std::nullopt};
+    articulation::Between one{tool.value, document::rescaled(line, view.viewport, before.viewport), std::nullopt};
     if (!(view.camera == before.camera)) one.camera = view.camera;
     const auto after = std::find_if(other.betweens.begin(), other.betweens.end(),
                                     [&](const auto& each) { return each.value > tool.value; });

@@ -52,7 +52,7 @@ struct SolvedCase {
 /// What solving needs of a model, made once.
 struct Solvers {
   posing::SolveWorkspace plain;
-  intent::Workspace meant;
+  intent::SolveWorkspace meant;
   intent::WholeModel whole;
   double hand = 0;  ///< doubt of the hand, model units
 };

@@ -48,13 +48,13 @@ BakedDeformer bake_deformer(const articulation::Deformer& deformer, double toler
   const double low = std::min(0.0, range.minimum);
   const double high = std::max(1.0, range.maximum);
   const rig::BlendShape sample = sample_deformer(deformer);
-  articulation::CarriageWorkspace work;
+  articulation::CurveSkinWorkspace work;
   std::vector<Moves> left;
   for (std::size_t j = 0; j < k_amounts; ++j) {
     const double amount = low + (high - low) * static_cast<double>(j) / static_cast<double>(k_amounts - 1);
     baked.amounts.push_back(amount);
     Moves& moves = left.emplace_back(sample.vertices.size());
-    deformer.carriage().displacements(amount, work, moves);
+    deformer.skin().displacements(amount, work, moves);
     for (std::size_t i = 0; i < moves.size(); ++i) moves[i] -= geometry::ModelVector(sample.deltas[i]) * amount;
   }
   while (true) {
@@ -92,7 +92,7 @@ BakedDeformer bake_deformer(const articulation::Deformer& deformer, double toler
   for (std::size_t j = 0; j + 1 < k_amounts; ++j) {
     const double amount = (baked.amounts[j] + baked.amounts[j + 1]) / 2;
     Moves moves(sample.vertices.size());
-    deformer.carriage().displacements(amount, work, moves);
+    deformer.skin().displacements(amount, work, moves);
     for (std::size_t i = 0; i < moves.size(); ++i) {
       moves[i] -= geometry::ModelVector(sample.deltas[i]) * amount;
       for (std::size_t k = 0; k < baked.targets.size(); ++k) {

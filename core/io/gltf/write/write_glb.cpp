@@ -88,7 +88,7 @@ class GlbWriter {
         {"NORMAL", builder_.add_floats(
                        flatten(std::span<const glm::vec3>(normals_).subspan(part.first_vertex, part.vertex_count)),
                        "VEC3", BufferUse::vertices, false)}};
-    if (skin_.carried(index) == Carried::skinned) skin_.write_weights(part, builder_, attributes);
+    if (skin_.binding(index) == Binding::skinned) skin_.write_weights(part, builder_, attributes);
     std::vector<std::uint32_t> corners;
     for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
       for (const std::uint32_t v : model_.mesh->triangles()[t]) corners.push_back(v - part.first_vertex);
@@ -110,8 +110,8 @@ class GlbWriter {
     const mesh::Part& part = model_.mesh->parts()[index];
     json::Json node = {{"mesh", mesh}};
     if (!part.name.empty()) node["name"] = part.name;
-    if (skin_.carried(index) != Carried::rigid) {
-      if (skin_.carried(index) == Carried::skinned) node["skin"] = 0;
+    if (skin_.binding(index) != Binding::rigid) {
+      if (skin_.binding(index) == Binding::skinned) node["skin"] = 0;
       out_.scene.push_back(out_.nodes.size());
     } else {
       const std::size_t joint = model_.skeleton->influences_of(part.first_vertex)[0].joint;

@@ -165,7 +165,7 @@ Problem read_betweens(const json::Json& value, const std::string& pointer, Sketc
     const json::Json* amount = one.is_object() ? given(one, "value") : nullptr;
     const auto n = amount == nullptr ? std::nullopt : json::number(*amount);
     if (!n) return wrong("a target with its \"value\" was expected", at);
-    articulation::InBetween& between = out.betweens.emplace_back();
+    articulation::Between& between = out.betweens.emplace_back();
     between.value = *n;
     if (given(one, "target") == nullptr) return missing("target", at);
     if (auto problem = read_curve(one, "target", at, between.target)) return problem;
@@ -303,7 +303,7 @@ json::Json to_json(const Sketch& sketch, Viewports viewports) {
   if (sketch.other_sheet) value["sheet"] = "other";
   if (sketch.reach == articulation::Reach::front) value["reach"] = "front";
   if (sketch.piece != 0) value["piece"] = sketch.piece;
-  for (const articulation::InBetween& one : sketch.betweens) {
+  for (const articulation::Between& one : sketch.betweens) {
     json::Json between = {{"value", one.value}, {"target", to_json(one.target)}};
     if (one.camera) between["camera"] = to_json(*one.camera);
     value["betweens"].push_back(std::move(between));

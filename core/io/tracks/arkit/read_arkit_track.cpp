@@ -6,7 +6,7 @@
 #include "core/base/numbers.h"
 #include "core/io/text/csv_reader.h"
 #include "core/io/tracks/arkit/timecode.h"
-#include "core/io/tracks/growing.h"
+#include "core/io/tracks/increasing_values.h"
 #include "core/io/tracks/read_track.h"
 #include "core/io/tracks/track_formats.h"
 #include "core/io/tracks/track_rows.h"
@@ -47,15 +47,15 @@ struct Placed {
 };
 
 /// Numbers of frames of rows whose times are a multiple of the usual step apart: what a take leaves out counts as well.
-std::vector<double> places_of(const std::vector<std::optional<double>>& seconds, const Growing& growing) {
-  const double step = usual_step(seconds);
+std::vector<double> places_of(const std::vector<std::optional<double>>& seconds, const IncreasingValues& increasing) {
+  const double step = typical_step(seconds);
   std::vector<double> places(seconds.size());
   std::iota(places.begin(), places.end(), 0.0);
   std::vector<std::size_t> sure;
   std::size_t pairs = 0;
   std::size_t usual = 0;
   for (std::size_t i = 0; i < seconds.size(); ++i) {
-    if (!growing.in_order[i]) continue;
+    if (!increasing.in_order[i]) continue;
     if (!sure.empty() && sure.back() + 1 == i) {
       ++pairs;
       if (std::abs(*seconds[i] - *seconds[i - 1] - step) < step / 2) ++usual;
@@ -92,19 +92,19 @@ Placed place_rows(const std::vector<std::optional<Timecode>>& codes, const std::
   }
   const CountedRate rate = counted_rate(known);
   const auto seconds = seconds_of(codes, rate.count);
-  const Growing growing = find_growing(seconds);
+  const IncreasingValues increasing = find_increasing(seconds);
   Placed rows;
   rows.places.resize(codes.size());
   std::iota(rows.places.begin(), rows.places.end(), 0.0);
   std::size_t first = 0;
-  while (first < codes.size() && !growing.in_order[first]) ++first;
+  while (first < codes.size() && !increasing.in_order[first]) ++first;
   std::size_t last = codes.size();
-  while (last > first && !growing.in_order[last - 1]) --last;
-  const auto leap = find_leap(seconds, growing, k_longest_pause_s);
-  if (leap || !growing.trusted() || last - first < 2) {
+  while (last > first && !increasing.in_order[last - 1]) --last;
+  const auto leap = find_leap(seconds, increasing, k_longest_pause_s);
+  if (leap || !increasing.trusted() || last - first < 2) {
     // Timecodes that stand still for some rows, such as those of 30 a second for 60 faces, still tell how long it took.
     const bool grow = last - first >= 2;
-    const double fps = leap   ? 1 / usual_step(seconds)
+    const double fps = leap   ? 1 / typical_step(seconds)
                        : grow ? static_cast<double>(last - 1 - first) / (*seconds[last - 1] - *seconds[first])
                               : k_live_link_fps;
     for (const double place : rows.places) rows.times.push_back(place / fps);
@@ -114,16 +114,16 @@ Placed place_rows(const std::vector<std::optional<Timecode>>& codes, const std::
     return rows;
   }
   if (!rate.told) rate_note = "the timecodes do not tell how many frames make a second: " + taken(rate.count);
-  rows.places = places_of(seconds, growing);
+  rows.places = places_of(seconds, increasing);
   for (std::size_t f = 0; f < codes.size(); ++f) {
     if (!codes[f]) {
       notes.add("line " + std::to_string(lines[f]) +
                 ": its timecode cannot be read; the frame is placed between its neighbours");
-    } else if (!growing.in_order[f] && why[f].empty()) {
+    } else if (!increasing.in_order[f] && why[f].empty()) {
       why[f] = "its timecode does not come after the ones before";
     }
   }
-  rows.times = placed_between(seconds, growing, rows.places);
+  rows.times = interpolate_missing(seconds, increasing, rows.places);
   const double begin = rows.times.front();
   for (double& time : rows.times) time -= begin;
   return rows;

@@ -41,9 +41,9 @@ TEST(AnimationBuilding, AStandMovesTheWholeModelAboutItsPivot) {
   const std::vector<rig::Pose> poses(2, rig::Pose{0, 0});
   model.animations = {make_animation(model, "talk", times, poses)};
   const double half = std::sqrt(0.5);
-  const std::vector<Stand> stands{{}, {glm::dquat(half, 0, 0, half), {1, 2, 3}, 2}};
+  const std::vector<Placement> placements{{}, {glm::dquat(half, 0, 0, half), {1, 2, 3}, 2}};
   const geometry::ModelPoint pivot(0.5, 0, 0);
-  const auto moved = with_stand(std::move(model), 0, pivot, times, stands);
+  const auto moved = with_placements(std::move(model), 0, pivot, times, placements);
   ASSERT_TRUE(moved.ok());
   const auto end = model_at(*moved, sample(*moved, moved->animations[0], 1)).value();
   const auto positions = posed_positions(end);
@@ -71,8 +71,8 @@ TEST(AnimationBuilding, AStandMovesTheVerticesThatNoJointCarriesToo) {
   const auto rest = posed_positions(model);
   const std::vector<double> times{0, 1};
   model.animations = {make_animation(model, "nod", times, std::vector<rig::Pose>(2, model.pose))};
-  const std::vector<Stand> stands{{}, {glm::dquat(1, 0, 0, 0), {1, 2, 3}, 1}};
-  const auto moved = with_stand(std::move(model), 0, geometry::ModelPoint(0), times, stands).value();
+  const std::vector<Placement> placements{{}, {glm::dquat(1, 0, 0, 0), {1, 2, 3}, 1}};
+  const auto moved = with_placements(std::move(model), 0, geometry::ModelPoint(0), times, placements).value();
   const auto end = model_at(moved, sample(moved, moved.animations[0], 1)).value();
   const auto positions = posed_positions(end);
   for (std::size_t v = 0; v < rest.size(); ++v) {

@@ -21,24 +21,24 @@ Line bow(double height = 80, std::size_t count = 25) {
   return curve::resample<PxPoint>(line, count).value();
 }
 
-/// Mean distance of the goals from where the points belong.
+/// Mean distance of the targets from where the points belong.
 double off(const Matching& m, const Line& wanted) {
   double sum = 0;
   double weight = 0;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    sum += m.weight[i] * geometry::distance(m.goal[i], wanted[i]);
+    sum += m.weight[i] * geometry::distance(m.target[i], wanted[i]);
     weight += m.weight[i];
   }
   return sum / weight;
 }
 
-/// How far each goal lies along a line that runs to the right.
+/// How far each target lies along a line that runs to the right.
 void expect_in_order(const Matching& m, bool reversed) {
-  for (std::size_t i = 0; i + 1 < m.goal.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < m.target.size(); ++i) {
     if (reversed) {
-      EXPECT_LT(m.goal[i + 1].x, m.goal[i].x) << i;
+      EXPECT_LT(m.target[i + 1].x, m.target[i].x) << i;
     } else {
-      EXPECT_GT(m.goal[i + 1].x, m.goal[i].x) << i;
+      EXPECT_GT(m.target[i + 1].x, m.target[i].x) << i;
     }
   }
 }
@@ -49,8 +49,8 @@ TEST(SlidingLine, WithoutSlidingPointsGoToTheSameShareOfTheLength) {
   const Matching m = SlidingLine(line).match(seen, {}, false, 2);
   const Line equal = curve::resample<PxPoint>(line, seen.size()).value();
   EXPECT_LT(off(m, equal), 0.5);
-  EXPECT_NEAR(m.goal.front().x, line.front().x, 1e-9);
-  EXPECT_NEAR(m.goal.back().x, line.back().x, 1e-9);
+  EXPECT_NEAR(m.target.front().x, line.front().x, 1e-9);
+  EXPECT_NEAR(m.target.back().x, line.back().x, 1e-9);
   double sum = 0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     EXPECT_NEAR(dot(m.tangent[i], m.tangent[i]), 1, 1e-9);
@@ -112,10 +112,10 @@ TEST(SlidingLine, PointsStayOnTheLineOrStraightOnBeyondItsEnds) {
   const Line line = tests::shaken(bow(60), 4, 5);
   const Matching m = SlidingLine(line).match(seen, {}, true, 2);
   const Line fine = tests::part(line, -0.2, 1.2, 8000);
-  for (const PxPoint& goal : m.goal) {
+  for (const PxPoint& target : m.target) {
     double near = 1e9;
-    for (const PxPoint& p : fine) near = std::min(near, geometry::distance(p, goal));
-    if (goal.x < line.front().x || goal.x > line.back().x) continue;
+    for (const PxPoint& p : fine) near = std::min(near, geometry::distance(p, target));
+    if (target.x < line.front().x || target.x > line.back().x) continue;
     EXPECT_LT(near, 0.2);
   }
 }
@@ -129,7 +129,7 @@ TEST(SlidingLine, OnlyTheAlignedPartOfTheReferenceIsAskedFor) {
   for (std::size_t i = 0; i < seen.size(); ++i) {
     EXPECT_EQ(m.weight[i] > 0, i <= 12) << i;
     if (i <= 12) {
-      EXPECT_LT(geometry::distance(m.goal[i], seen[i]), 1.0) << i;
+      EXPECT_LT(geometry::distance(m.target[i], seen[i]), 1.0) << i;
     }
   }
 }

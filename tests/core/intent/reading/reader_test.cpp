@@ -55,7 +55,7 @@ double drawn_squares(const Desk& desk, const Matching& m, const rig::Pose& pose,
     for (const double v : a) sum += v * v;
     for (std::size_t i = 0; i < px.size(); ++i) {
       const double w = m.weight[i] * 7.0 / (doubt * doubt);
-      const PxPoint off = m.goal[i] - px[i];
+      const PxPoint off = m.target[i] - px[i];
       double along = off.x * m.tangent[i].x + off.y * m.tangent[i].y - m.slid[i];
       const double across = -off.x * m.tangent[i].y + off.y * m.tangent[i].x;
       for (std::size_t k = 0; k < a.size(); ++k) along += m.modes[i][k] * a[k];

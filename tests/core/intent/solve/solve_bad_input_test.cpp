@@ -13,7 +13,7 @@ using tests::Line;
 
 /// Solves, and expects plain numbers within the ranges.
 rig::Pose plain(const Face& face, const IntentProblem& problem) {
-  Workspace work;
+  SolveWorkspace work;
   const auto solution = solve(*face.rig, measure_whole_model(*face.rig), problem, {}, work);
   if (!solution) {
     ADD_FAILURE() << solution.error().what;
@@ -35,7 +35,7 @@ TEST(IntentBadInput, ATargetFarOffTheScreenMovesNothingElse) {
     plain(face, face.problem({face.drawn(Face::mouth(), {{far, far}, {far - 200, far}})}));
     plain(face, face.problem({face.drawn(Face::mouth(), {{-far, -far}, {far, far}})}));
   }
-  Workspace work;
+  SolveWorkspace work;
   const auto problem = face.problem({face.drawn(Face::mouth(), {{1e7, 0}, {1e7, 300}})});
   const auto refused = solve(*face.rig, measure_whole_model(*face.rig), problem, {}, work);
   ASSERT_FALSE(refused);
@@ -64,7 +64,7 @@ TEST(IntentBadInput, AStrokeOfTwoPointsIsALine) {
 
 TEST(IntentBadInput, ADotIsNoLine) {
   const Face face = tests::usual_face();
-  Workspace work;
+  SolveWorkspace work;
   const auto problem = face.problem({face.drawn(Face::mouth(), {{500, 500}, {500.3, 500}})});
   const auto solution = solve(*face.rig, measure_whole_model(*face.rig), problem, {}, work);
   ASSERT_FALSE(solution);
@@ -182,7 +182,7 @@ TEST(IntentBadInput, AControlWithoutRangeStaysAndTheOthersMove) {
   const WholeModel whole = measure_whole_model(rig);
   for (const double movement : whole.movement) EXPECT_TRUE(std::isfinite(movement));
   EXPECT_EQ(whole.movement[face.number("jawOpen")], 0);
-  Workspace work;
+  SolveWorkspace work;
   const Line line = face.seen(Face::mouth(), face.pose({{"cornerLeft", 0.6}}));
   const auto solution = solve(rig, whole, face.problem({face.drawn(Face::mouth(), line)}), {}, work).value();
   EXPECT_EQ(solution.pose[face.number("jawOpen")], 0);
@@ -197,7 +197,7 @@ TEST(IntentBadInput, AShapeThatIsNoNumberLeavesThePoseOfTheOthersPlain) {
   const WholeModel whole = measure_whole_model(rig);
   for (const double movement : whole.movement) EXPECT_TRUE(std::isfinite(movement));
   EXPECT_TRUE(std::isfinite(whole.size));
-  Workspace work;
+  SolveWorkspace work;
   const Line line = face.seen(Face::mouth(), face.pose({{"cornerLeft", 0.6}}));
   const auto solution = solve(rig, whole, face.problem({face.drawn(Face::mouth(), line)}), {}, work).value();
   EXPECT_EQ(solution.pose[spoiled], 0);

@@ -66,7 +66,7 @@ struct Figure {
     return problem;
   }
   [[nodiscard]] Solution solve(const IntentProblem& problem) const {
-    Workspace work;
+    SolveWorkspace work;
     return intent::solve(*rig, whole, problem, {}, work).value();
   }
   /// Root mean square over all vertices, per cent of the height.

@@ -36,8 +36,8 @@ GlbSkin::GlbSkin(const document::Model& model) : model_(model) {
   in_skin_.assign(joints().size(), false);
   for (std::size_t j = 0; j < joints().size(); ++j) in_skin_[j] = joints()[j].inverse_bind != glm::dmat4(1);
   for (const mesh::Part& part : model_.mesh->parts()) {
-    carried_.push_back(carried_of(part));
-    if (carried_.back() != Carried::skinned) continue;
+    bindings_.push_back(binding_of(part));
+    if (bindings_.back() != Binding::skinned) continue;
     for (std::uint32_t v = part.first_vertex; v < part.first_vertex + part.vertex_count; ++v) {
       const auto influences = model_.skeleton->influences_of(v);
       for (const rig::Influence& influence : influences) in_skin_[influence.joint] = true;
@@ -46,8 +46,8 @@ GlbSkin::GlbSkin(const document::Model& model) : model_(model) {
   }
 }
 
-Carried GlbSkin::carried_of(const mesh::Part& part) const {
-  if (!model_.skeleton) return Carried::free;
+Binding GlbSkin::binding_of(const mesh::Part& part) const {
+  if (!model_.skeleton) return Binding::free;
   bool none = true;
   bool rigid = true;
   const auto first = model_.skeleton->influences_of(part.first_vertex);
@@ -57,7 +57,7 @@ Carried GlbSkin::carried_of(const mesh::Part& part) const {
     rigid = rigid && influences.size() == 1 && influences[0].weight == 1.0 && influences[0].joint == first[0].joint &&
             joints()[influences[0].joint].inverse_bind == glm::dmat4(1);
   }
-  return none ? Carried::free : rigid ? Carried::rigid : Carried::skinned;
+  return none ? Binding::free : rigid ? Binding::rigid : Binding::skinned;
 }
 
 void GlbSkin::write_joints(GlbNodes& out) const {

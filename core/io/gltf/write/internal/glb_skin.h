@@ -16,15 +16,15 @@ struct GlbNodes {
   json::Json scene = json::Json::array();  ///< numbers of those at the root
 };
 
-/// How the vertices of a part are carried.
-enum class Carried : std::uint8_t { free, rigid, skinned };
+/// How the vertices of a part are bound to joints: to none, all to one, or by weights.
+enum class Binding : std::uint8_t { free, rigid, skinned };
 
 /// What a file says of a model's joints: their nodes, the skin, which of them carry each vertex. The model outlives it.
 class GlbSkin {
  public:
   explicit GlbSkin(const document::Model& model);
 
-  [[nodiscard]] Carried carried(std::size_t part) const { return carried_[part]; }
+  [[nodiscard]] Binding binding(std::size_t part) const { return bindings_[part]; }
   /// Joints are the first nodes, in their order, so that they come back in it.
   void write_joints(GlbNodes& out) const;
   /// One skin serves all parts. Its joints need a common root (glTF 2.0, section 5.28), so roots are gathered below a
@@ -37,10 +37,10 @@ class GlbSkin {
   [[nodiscard]] std::span<const rig::Joint> joints() const {
     return model_.skeleton ? model_.skeleton->joints() : std::span<const rig::Joint>();
   }
-  [[nodiscard]] Carried carried_of(const mesh::Part& part) const;
+  [[nodiscard]] Binding binding_of(const mesh::Part& part) const;
 
   const document::Model& model_;
-  std::vector<Carried> carried_;
+  std::vector<Binding> bindings_;
   std::vector<bool> in_skin_;
   std::vector<std::size_t> skin_place_;
   std::size_t still_place_ = 0;

@@ -12,9 +12,9 @@ TEST(DeformerSample, IsWhatTheDeformerDoesAtOne) {
   const auto deformer = articulation::build_deformer(trunk.curl(), *trunk.canvas).value();
   rig::BlendShape shape = sample_deformer(*deformer);
   EXPECT_EQ(shape.parameter, deformer->parameter());
-  articulation::CarriageWorkspace work;
+  articulation::CurveSkinWorkspace work;
   std::vector<geometry::ModelVector> moves(shape.vertices.size());
-  deformer->carriage().displacements(1.0, work, moves);
+  deformer->skin().displacements(1.0, work, moves);
   for (std::size_t i = 0; i < moves.size(); ++i) EXPECT_EQ(shape.deltas[i], glm::vec3(moves[i]));
 
   EXPECT_TRUE(is_sample_of(shape, *deformer, 0.0));

@@ -96,9 +96,9 @@ TEST(WriteArkit, MergesSidesThatArkitHasAsOne) {
 TEST(WriteArkit, KeepsTheTurnOfTheHead) {
   auto model = with_controls({"jawOpen"});
   const std::vector<double> times{0, 1};
-  const std::vector<document::Stand> stands{{}, {geometry::quaternion_from_xyz({0.1, 0.3, -0.2}), {}, 1}};
+  const std::vector<document::Placement> placements{{}, {geometry::quaternion_from_xyz({0.1, 0.3, -0.2}), {}, 1}};
   model.animations = {document::make_animation(model, "clip", times, std::vector<rig::Pose>{{0}, {1}})};
-  model = document::with_stand(std::move(model), 0, geometry::ModelPoint(0), times, stands).value();
+  model = document::with_placements(std::move(model), 0, geometry::ModelPoint(0), times, placements).value();
   const auto track = read_arkit_track(base::as_bytes(write_arkit(model, 30)->text)).value();
   const auto& values = track.frames.back().values;
   EXPECT_NEAR(values[column_of(track, "HeadPitch")], 0.1, 1e-6);

@@ -24,13 +24,13 @@ inline double way_over_surface(const mesh::TriangleMesh& mesh, const Beside& bes
   std::map<std::uint32_t, double> known;
   std::set<std::pair<double, std::uint32_t>> open;
   for (const std::uint32_t v : mesh.triangles()[from]) open.insert({0.0, mesh.weld()[v]});
-  std::set<std::uint32_t> goal;
-  for (const std::uint32_t v : mesh.triangles()[to]) goal.insert(mesh.weld()[v]);
+  std::set<std::uint32_t> destination;
+  for (const std::uint32_t v : mesh.triangles()[to]) destination.insert(mesh.weld()[v]);
   while (!open.empty()) {
     const auto [way, vertex] = *open.begin();
     open.erase(open.begin());
     if (way > most) return way;
-    if (goal.count(vertex) > 0) return way;
+    if (destination.count(vertex) > 0) return way;
     if (!known.insert({vertex, way}).second) continue;
     for (const std::uint32_t next : beside[vertex]) {
       if (known.count(next) == 0)

@@ -121,7 +121,7 @@ struct Face {
     return problem;
   }
   [[nodiscard]] intent::Solution solve(const intent::IntentProblem& problem) const {
-    intent::Workspace work;
+    intent::SolveWorkspace work;
     return intent::solve(*rig, intent::measure_whole_model(*rig), problem, {}, work).value();
   }
   /// Mean distance of all vertices between two poses, as a share of how far the second lies from rest.

@@ -1,4 +1,4 @@
-#include "core/animation/face/meeting.h"
+#include "core/animation/face/contact_share.h"
 
 #include <algorithm>
 
@@ -49,21 +49,21 @@ double mobility(const rig::Rig& rig, std::span<const double> rest, std::span<con
 
 /// What lies across point `share` of the way along a curve on the other one, which may run the other way and of which
 /// the points begin at `first`.
-void find_across(std::size_t first, std::span<const double> shares, double share, bool backwards, Meeting& meeting) {
+void find_across(std::size_t first, std::span<const double> shares, double share, bool backwards, ContactShare& out) {
   if (backwards) share = 1.0 - share;
   std::size_t i = 0;
   while (i + 2 < shares.size() && shares[i + 1] < share) ++i;
   const double length = shares[i + 1] - shares[i];
-  meeting.across = {first + i, first + i + 1};
-  meeting.between = length > 0 ? std::clamp((share - shares[i]) / length, 0.0, 1.0) : 0.0;
+  out.across = {first + i, first + i + 1};
+  out.between = length > 0 ? std::clamp((share - shares[i]) / length, 0.0, 1.0) : 0.0;
 }
 
 }  // namespace
 
-void share_meetings(const rig::Rig& rig, std::span<const double> rest, std::span<const std::size_t> free,
-                    const TrackFrame& neutral, std::span<const TrackedCurve> curves, const geometry::Camera& camera,
-                    Transfer& transfer) {
-  transfer.meetings.assign(transfer.points.size(), {});
+void share_contact(const rig::Rig& rig, std::span<const double> rest, std::span<const std::size_t> free,
+                   const TrackFrame& neutral, std::span<const TrackedCurve> curves, const geometry::Camera& camera,
+                   Transfer& transfer) {
+  transfer.contact_shares.assign(transfer.points.size(), {});
   std::vector<double> reach(curves.size(), 0.0);
   for (std::size_t c = 0; c < curves.size(); ++c) {
     if (curves[c].meets) reach[c] = mobility(rig, rest, free, seen_points(rig, transfer, c, camera));
@@ -84,9 +84,9 @@ void share_meetings(const rig::Rig& rig, std::span<const double> rest, std::span
         apart(own_places.front(), other_places.front()) + apart(own_places.back(), other_places.back()) >
         apart(own_places.front(), other_places.back()) + apart(own_places.back(), other_places.front());
     for (std::size_t i = 0; i < own->size(); ++i) {
-      Meeting& meeting = transfer.meetings[firsts[c] + i];
-      find_across(firsts[*curves[c].meets], *shares, (*own)[i], backwards, meeting);
-      meeting.takes_over = 1.0 - std::min(1.0, 2 * reach[*curves[c].meets] / both);
+      ContactShare& share = transfer.contact_shares[firsts[c] + i];
+      find_across(firsts[*curves[c].meets], *shares, (*own)[i], backwards, share);
+      share.takes_over = 1.0 - std::min(1.0, 2 * reach[*curves[c].meets] / both);
     }
   }
 }

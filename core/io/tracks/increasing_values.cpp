@@ -1,19 +1,19 @@
-#include "core/io/tracks/growing.h"
+#include "core/io/tracks/increasing_values.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace penpose::io {
 
-Growing find_growing(std::span<const std::optional<double>> values) {
-  // The longest growing subsequence: ends[k] is the lowest value that k + 1 growing ones can end with.
-  Growing growing;
-  growing.in_order.resize(values.size());
+IncreasingValues find_increasing(std::span<const std::optional<double>> values) {
+  // The longest increasing subsequence: ends[k] is the lowest value that one of length k + 1 can end with.
+  IncreasingValues increasing;
+  increasing.in_order.resize(values.size());
   std::vector<std::size_t> ends;
   std::vector<std::size_t> before(values.size(), values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!values[i]) continue;
-    ++growing.known;
+    ++increasing.known;
     const auto at = std::lower_bound(ends.begin(), ends.end(), *values[i],
                                      [&](std::size_t end, double value) { return *values[end] < value; });
     if (at != ends.begin()) before[i] = *(at - 1);
@@ -24,12 +24,12 @@ Growing find_growing(std::span<const std::optional<double>> values) {
     }
   }
   std::size_t i = ends.empty() ? values.size() : ends.back();
-  for (; i < values.size(); i = before[i]) growing.in_order[i] = true;
-  growing.astray = growing.known - ends.size();
-  return growing;
+  for (; i < values.size(); i = before[i]) increasing.in_order[i] = true;
+  increasing.out_of_order = increasing.known - ends.size();
+  return increasing;
 }
 
-double usual_step(std::span<const std::optional<double>> values) {
+double typical_step(std::span<const std::optional<double>> values) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < values.size(); ++i) {
     if (values[i] && values[i - 1] && *values[i] > *values[i - 1]) steps.push_back(*values[i] - *values[i - 1]);
@@ -49,30 +49,30 @@ double usual_step(std::span<const std::optional<double>> values) {
   return sum / count;
 }
 
-std::optional<std::size_t> find_leap(std::span<const std::optional<double>> values, const Growing& growing,
+std::optional<std::size_t> find_leap(std::span<const std::optional<double>> values, const IncreasingValues& increasing,
                                      double least) {
-  const double step = usual_step(values);
-  if (!growing.trusted() || !(step > 0)) return std::nullopt;
+  const double step = typical_step(values);
+  if (!increasing.trusted() || !(step > 0)) return std::nullopt;
   const double most = std::max(least, 10 * step * static_cast<double>(values.size()));
   std::optional<double> before;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!growing.in_order[i]) continue;
+    if (!increasing.in_order[i]) continue;
     if (before && *values[i] - *before > most) return i;
     before = values[i];
   }
   return std::nullopt;
 }
 
-std::vector<double> placed_between(std::span<const std::optional<double>> times, const Growing& growing,
-                                   std::span<const double> places) {
+std::vector<double> interpolate_missing(std::span<const std::optional<double>> times,
+                                        const IncreasingValues& increasing, std::span<const double> places) {
   std::vector<std::size_t> sure;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    if (growing.in_order[i]) sure.push_back(i);
+    if (increasing.in_order[i]) sure.push_back(i);
   }
   std::vector<double> result(times.size());
   std::size_t after = 1;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    if (growing.in_order[i]) {
+    if (increasing.in_order[i]) {
       result[i] = *times[i];
       continue;
     }

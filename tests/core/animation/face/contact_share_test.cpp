@@ -1,4 +1,4 @@
-#include "core/animation/face/meeting.h"
+#include "core/animation/face/contact_share.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ std::shared_ptr<const rig::CharacterRig> eye_rig(bool with_raise) {
   return rig::CharacterRig::make(mesh, {rig::BlendShapes::make(shapes, mesh->vertex_count()).value()}, nullptr).value();
 }
 
-class Meeting : public testing::Test {
+class ContactShare : public testing::Test {
  protected:
   /// An eye of which both lids go 0.3 towards the middle in the last frame, seen by a tracker.
   void see(bool with_raise, bool lower_backwards) {
@@ -69,21 +69,21 @@ class Meeting : public testing::Test {
   PointTrack track_;
 };
 
-TEST_F(Meeting, ALidThatMovesAloneClosesTheEyeAsFarAsBothLidsOfTheFace) {
+TEST_F(ContactShare, ALidThatMovesAloneClosesTheEyeAsFarAsBothLidsOfTheFace) {
   for (const bool backwards : {false, true}) {
     see(false, backwards);
     EXPECT_NEAR(last()[0], 0.6, 0.03) << backwards;
   }
 }
 
-TEST_F(Meeting, WhereBothLidsMoveEachFollowsItsOwn) {
+TEST_F(ContactShare, WhereBothLidsMoveEachFollowsItsOwn) {
   see(true, false);
   const auto pose = last();
   EXPECT_NEAR(pose[0], 0.3, 0.03);
   EXPECT_NEAR(pose[1], 0.3, 0.03);
 }
 
-TEST_F(Meeting, CurvesThatMeetNothingAreLeftAsTheyWere) {
+TEST_F(ContactShare, CurvesThatMeetNothingAreLeftAsTheyWere) {
   see(false, false);
   for (TrackedCurve& curve : setup_.curves) curve.meets.reset();
   EXPECT_NEAR(last()[0], 0.3, 0.03);

@@ -11,27 +11,27 @@
 
 namespace penpose::intent {
 
-/// Rivals are those within this of the best energy.
+/// Rivals are choices within this of the best energy.
 inline constexpr double k_rival_window = 12.0;
-/// A joint's squares hold near the pose where they were taken: most that an angle changes in a round, share of its
+/// The linearisation of a joint is valid near its pose only: the most that an angle may change in a round, share of its
 /// range.
 inline constexpr double k_trust = 0.2;
 
-struct Workspace::Buffers {
+struct SolveWorkspace::Buffers {
   Quadratic quadratic;
   posing::SimplexWorkspace simplex;
 };
 
-/// What the strokes mean, and what believing so comes to.
+/// One reading of the strokes, and its energy.
 struct Reading {
   Choice choice;
   double energy = 0;
 };
 
-/// Reads a problem: matching and choosing in turn.
-class Solver {
+/// Finds the best reading of a problem, matching and choosing in turn.
+class ReadingSolver {
  public:
-  Solver(Reader& reader, const SolveOptions& options, Workspace::Buffers& buffers)
+  ReadingSolver(Reader& reader, const SolveOptions& options, SolveWorkspace::Buffers& buffers)
       : reader_(reader), options_(options), b_(buffers) {}
 
   /// Matching and choosing in turn, from nothing moved or from a first guess.
@@ -39,7 +39,7 @@ class Solver {
     if (!reader_.linear()) {
       reader_.weigh_evenly();
     } else {
-      // From few controls to many: far from the line each must bring it nearer by a good share of the way.
+      // From few controls to many: far from the line, each must cover a good share of the distance.
       reader_.look(choice, false, b_.quadratic);
       reader_.weigh(choice);
     }
@@ -53,7 +53,7 @@ class Solver {
       if (something) selection.forbid_nothing();
       Choice next = selection.select(selection.fit(before.units), options_.most_units);
       if (!reader_.all_bends().empty()) {
-        // What bends to and fro gains little by its first bend alone: from all bends on, fewer.
+        // Alternating bends gain little by the first one alone, so also start from all bends and remove some.
         Choice other = selection.select(selection.fit(reader_.all_bends()), options_.most_units);
         if (other.energy < next.energy - 1e-9 && other.units.size() <= options_.most_units) next = std::move(other);
       }
@@ -85,7 +85,7 @@ class Solver {
     return best;
   }
 
-  /// A choice of units with matching of its own, and what it comes to.
+  /// A choice of units, matched on its own, and its energy.
   Reading matched(Choice choice) {
     for (int k = 0; k < 2; ++k) {
       if (choice.variables.empty()) break;
@@ -98,7 +98,7 @@ class Solver {
     return {choice, reader_.energy(choice, choice.costs)};
   }
 
-  /// As Selection and Reader have it of a line that asks for more than can be.
+  /// See meant_without_limits (reader.h).
   void keep_to_what_is_meant(Reading& reading, std::size_t most_units) {
     if (!stands_at_limit(reading.choice, reader_.choices())) return;
     reader_.look(reading.choice, true, b_.quadratic);
@@ -107,7 +107,7 @@ class Solver {
     if (meant) reading = matched(*meant);
   }
 
-  /// Matches the curves as a reading leaves them.
+  /// Matches the curves at the pose of a reading.
   void match(const Reading& reading) { reader_.look(reading.choice, true, b_.quadratic, reading.choice.variables); }
 
   /// Downhill simplex on the values of the last reading.
@@ -120,9 +120,9 @@ class Solver {
   }
 
   std::size_t evaluations = 0;
-  /// Readings move something (Selection::forbid_nothing).
+  /// Readings must move something (Selection::forbid_nothing).
   bool something = false;
-  /// The line whose shape readings take on (Reader::takes_shape), where any does.
+  /// The line whose shape readings must take on (Reader::takes_shape), if any.
   std::optional<std::size_t> shape;
 
  private:
@@ -143,7 +143,7 @@ class Solver {
 
   Reader& reader_;
   const SolveOptions& options_;
-  Workspace::Buffers& b_;
+  SolveWorkspace::Buffers& b_;
 };
 
 }  // namespace penpose::intent

@@ -14,8 +14,8 @@ namespace penpose::tracking {
 
 /// The head's turns in model space, seen through the camera: px of the track become model units by the size that the
 /// tracked curves have on the model. `smooth_s`: as animation::smooth_over_time.
-[[nodiscard]] std::vector<document::Stand> head_stands(const animation::TrackedAnimation& tracked,
-                                                       const geometry::ModelPoint& pivot,
-                                                       const geometry::Camera& camera, double smooth_s);
+[[nodiscard]] std::vector<document::Placement> head_placements(const animation::TrackedAnimation& tracked,
+                                                               const geometry::ModelPoint& pivot,
+                                                               const geometry::Camera& camera, double smooth_s);
 
 }  // namespace penpose::tracking

@@ -1,4 +1,4 @@
-#include "core/animation/signal/steady.h"
+#include "core/animation/signal/denoise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +58,7 @@ std::vector<double> principal_axes(const Rows& rows, std::size_t n) {
   return algebra::symmetric_eigen(std::move(scatter), n).vectors;
 }
 
-/// steady() of points that are few enough for a table of all of them against all.
+/// denoise() of points that are few enough for a table of all of them against all.
 void steady_few(StillTrack& track, std::span<const std::size_t> points, double tremor_px) {
   constexpr double k_strength = 2;  // times the deviation: what costs no more is taken for tremor
   const Rows rows = rows_of(track, points);
@@ -84,7 +84,7 @@ void steady_few(StillTrack& track, std::span<const std::size_t> points, double t
 
 }  // namespace
 
-void steady(StillTrack& track, std::span<const std::size_t> points, double tremor_px) {
+void denoise(StillTrack& track, std::span<const std::size_t> points, double tremor_px) {
   if (!(tremor_px > 0) || points.empty()) return;
   constexpr std::size_t k_most = 64;  // the lids of both eyes have 32 in MediaPipe's mesh, other curves some twenty
   const std::size_t runs = (points.size() + k_most - 1) / k_most;
@@ -94,7 +94,7 @@ void steady(StillTrack& track, std::span<const std::size_t> points, double tremo
   }
 }
 
-void steady_rows(std::span<const double> confidence, double strength, std::vector<std::vector<double>>& rows) {
+void denoise_rows(std::span<const double> confidence, double strength, std::vector<std::vector<double>>& rows) {
   follow_trend(trust_in(confidence), strength, rows);
 }
 
@@ -125,8 +125,8 @@ void measure_from(StillTrack& track, std::span<const std::size_t> like) {
   }
 }
 
-void settle(std::span<const double> tremor, std::span<const double> confidence,
-            std::vector<std::vector<double>>& rows) {
+void denoise_parameters(std::span<const double> tremor, std::span<const double> confidence,
+                        std::vector<std::vector<double>>& rows) {
   std::vector<std::size_t> moving;
   for (std::size_t i = 0; i < tremor.size(); ++i) {
     const bool moves = std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row[i] != rows[0][i]; });

@@ -29,9 +29,9 @@ std::size_t nearest_of(std::span<const ModelPoint> places, const ModelPoint& p) 
 
 }  // namespace
 
-void Reader::measure_besides() {
+void Reader::measure_side_effects() {
   const std::size_t n = start_.size();
-  const auto apart = ways_apart();
+  const auto apart = surrounding_displacements();
   for (std::size_t j = 0; j < parameters_.size(); ++j) {
     double most = 0;
     double around = 0;  // of the curve that it moves most
@@ -63,14 +63,14 @@ void Reader::measure_besides() {
       around = apart.empty() ? 0.0 : apart[c][j];
     }
     const double stride = whole_.stride[parameters_[j]];
-    besides_.push_back(most > 0.0 ? std::max(1.0, stride / most) : 1e3);
-    ways_.push_back(most);
-    alongs_.push_back(aside > 0.0 ? std::min(10.0, most / aside) : 10.0);
-    arounds_.push_back(most > 0.0 ? std::max(1.0, around / most) : 1e3);
+    side_effect_ratios_.push_back(most > 0.0 ? std::max(1.0, stride / most) : 1e3);
+    curve_displacements_.push_back(most);
+    tangential_ratios_.push_back(aside > 0.0 ? std::min(10.0, most / aside) : 10.0);
+    surrounding_ratios_.push_back(most > 0.0 ? std::max(1.0, around / most) : 1e3);
   }
 }
 
-std::vector<std::vector<double>> Reader::ways_of_curves() const {
+std::vector<std::vector<double>> Reader::curve_displacements() const {
   const std::size_t n = start_.size();
   std::vector<std::vector<double>> ways;
   for (std::size_t c = 0; c < problem_.drawn.size(); ++c) {
@@ -89,9 +89,10 @@ std::vector<std::vector<double>> Reader::ways_of_curves() const {
   return ways;
 }
 
-double Reader::beside_charge(std::size_t variable) const {
-  return costs_.beside * base::log(besides_[variable]) + costs_.around * base::log(arounds_[variable]) +
-         costs_.along * base::log(alongs_[variable]);
+double Reader::side_effect_cost(std::size_t variable) const {
+  return costs_.side_effect * base::log(side_effect_ratios_[variable]) +
+         costs_.surrounding * base::log(surrounding_ratios_[variable]) +
+         costs_.tangential * base::log(tangential_ratios_[variable]);
 }
 
 std::vector<std::uint32_t> Reader::pieces_of(std::span<const posing::CurvePoint> reference) const {
@@ -102,7 +103,7 @@ std::vector<std::uint32_t> Reader::pieces_of(std::span<const posing::CurvePoint>
   return pieces;
 }
 
-std::vector<std::vector<double>> Reader::ways_apart() const {
+std::vector<std::vector<double>> Reader::surrounding_displacements() const {
   // Of a curve's length: what lies as near as that is drawn with it.
   constexpr double k_near = 0.05;
   constexpr std::size_t k_most_near = 64;

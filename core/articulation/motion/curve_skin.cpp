@@ -1,4 +1,4 @@
-#include "core/articulation/motion/carriage.h"
+#include "core/articulation/motion/curve_skin.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -22,119 +22,119 @@ std::vector<T> chosen(const std::vector<T>& all, std::span<const std::uint32_t> 
 
 }  // namespace
 
-Carriage::Carriage(std::shared_ptr<const CurveMotion> motion, KeptSurface surface, std::span<const Rider> riders,
-                   bool carried)
+CurveSkin::CurveSkin(std::shared_ptr<const CurveMotion> motion, KeptSurface surface,
+                     std::span<const ClosestBinding> bindings, bool carried)
     : motion_(std::move(motion)), surface_(std::move(surface)) {
   const auto reference = motion_->reference();
   const auto target = motion_->target();
-  reserve(riders.size(), carried);
-  for (const Rider& rider : riders) {
-    const std::uint32_t k = rider.segment;
-    rests_.push_back(rider.rest);
-    if (surface_.exists()) levels_.push_back(surface_.level(rider.rest));
-    if (carried) to_rest_.push_back(rider.to_rest);
+  reserve(bindings.size(), carried);
+  for (const ClosestBinding& binding : bindings) {
+    const std::uint32_t k = binding.segment;
+    rests_.push_back(binding.rest);
+    if (surface_.exists()) levels_.push_back(surface_.level(binding.rest));
+    if (carried) to_rest_.push_back(binding.to_rest);
     if (!turning()) {
-      const ModelVector move = mix(target[k] - reference[k], target[k + 1] - reference[k + 1], rider.fraction);
-      const ModelVector column = move * rider.weight;
-      columns_.push_back(carried && linear() ? rider.to_rest * column : column);
+      const ModelVector move = mix(target[k] - reference[k], target[k + 1] - reference[k + 1], binding.fraction);
+      const ModelVector column = move * binding.weight;
+      columns_.push_back(carried && linear() ? binding.to_rest * column : column);
       continue;
     }
     const ModelVector axis = motion_->axis(k);
-    const ModelVector offset = rider.rest - mix(reference[k], reference[k + 1], rider.fraction);
+    const ModelVector offset = binding.rest - mix(reference[k], reference[k + 1], binding.fraction);
     const ModelVector along = axis * glm::dot(axis, offset);
     segments_.push_back(k);
-    fractions_.push_back(rider.fraction);
-    weights_.push_back(rider.weight);
-    turns_.push_back(rider.fraction * motion_->angle(k));
+    fractions_.push_back(binding.fraction);
+    weights_.push_back(binding.weight);
+    turns_.push_back(binding.fraction * motion_->angle(k));
     offsets_.push_back({along, offset - along, glm::cross(axis, offset)});
   }
   mark_segments();
 }
 
-Carriage::Carriage(std::shared_ptr<const CurveMotion> motion, KeptSurface surface,
-                   std::span<const Passenger> passengers, bool carried)
+CurveSkin::CurveSkin(std::shared_ptr<const CurveMotion> motion, KeptSurface surface,
+                     std::span<const BlendedBinding> bindings, bool carried)
     : motion_(std::move(motion)), surface_(std::move(surface)) {
   const auto reference = motion_->reference();
-  reserve(passengers.size(), carried);
+  reserve(bindings.size(), carried);
   const bool slides = motion_->slide() != nullptr;
-  for (const Passenger& one : passengers) {
+  for (const BlendedBinding& one : bindings) {
     if (one.more == ModelVector{0} && one.less == ModelVector{0}) continue;
-    for (const Passenger& each : passengers) {
+    for (const BlendedBinding& each : bindings) {
       mores_.push_back(each.more);
       lesses_.push_back(each.less);
     }
     break;
   }
-  for (const Passenger& passenger : passengers) {
-    rests_.push_back(passenger.rest);
-    if (surface_.exists()) levels_.push_back(surface_.level(passenger.rest));
-    if (carried) to_rest_.push_back(passenger.to_rest);
-    if (slides) slides_.push_back(passenger.turn);
+  for (const BlendedBinding& binding : bindings) {
+    rests_.push_back(binding.rest);
+    if (surface_.exists()) levels_.push_back(surface_.level(binding.rest));
+    if (carried) to_rest_.push_back(binding.to_rest);
+    if (slides) slides_.push_back(binding.turn);
     if (!turning()) {
-      columns_.push_back(carried && linear() ? passenger.to_rest * passenger.move : passenger.move);
+      columns_.push_back(carried && linear() ? binding.to_rest * binding.move : binding.move);
       continue;
     }
-    const std::uint32_t k = passenger.segment;
-    const ModelPoint about = mix(reference[k], reference[k + 1], passenger.fraction);
-    const ModelVector offset = passenger.rest - about;
-    const ModelVector axis = geometry::normalized(passenger.turn);
+    const std::uint32_t k = binding.segment;
+    const ModelPoint about = mix(reference[k], reference[k + 1], binding.fraction);
+    const ModelVector offset = binding.rest - about;
+    const ModelVector axis = geometry::normalized(binding.turn);
     const ModelVector along = axis * glm::dot(axis, offset);
     segments_.push_back(k);
-    fractions_.push_back(passenger.fraction);
-    weights_.push_back(passenger.weight);
-    turns_.push_back(geometry::length(passenger.turn));
+    fractions_.push_back(binding.fraction);
+    weights_.push_back(binding.weight);
+    turns_.push_back(geometry::length(binding.turn));
     offsets_.push_back({along, offset - along, glm::cross(axis, offset)});
-    bases_.push_back(about * passenger.weight + offset - along);
+    bases_.push_back(about * binding.weight + offset - along);
   }
 }
 
 /// No more than is used: edits of deformers keep many of them for undo.
-void Carriage::reserve(std::size_t riders, bool carried) {
-  rests_.reserve(riders);
-  if (surface_.exists()) levels_.reserve(riders);
-  if (carried) to_rest_.reserve(riders);
-  if (!turning()) return columns_.reserve(riders);
-  segments_.reserve(riders);
-  fractions_.reserve(riders);
-  weights_.reserve(riders);
-  turns_.reserve(riders);
-  offsets_.reserve(riders);
-  if (motion_->swing() != nullptr) bases_.reserve(riders);
+void CurveSkin::reserve(std::size_t count, bool carried) {
+  rests_.reserve(count);
+  if (surface_.exists()) levels_.reserve(count);
+  if (carried) to_rest_.reserve(count);
+  if (!turning()) return columns_.reserve(count);
+  segments_.reserve(count);
+  fractions_.reserve(count);
+  weights_.reserve(count);
+  turns_.reserve(count);
+  offsets_.reserve(count);
+  if (motion_->swing() != nullptr) bases_.reserve(count);
 }
 
-void Carriage::mark_segments() {
+void CurveSkin::mark_segments() {
   for (const std::uint32_t k : segments_) {
     if (k >= wanted_.size()) wanted_.resize(k + 1, 0);
     wanted_[k] = 1;
   }
 }
 
-Carriage Carriage::subset(std::span<const std::uint32_t> riders) const {
-  Carriage some;
+CurveSkin CurveSkin::subset(std::span<const std::uint32_t> places) const {
+  CurveSkin some;
   some.motion_ = motion_;
   some.surface_ = surface_;
-  some.rests_ = chosen(rests_, riders);
-  some.levels_ = chosen(levels_, riders);
-  some.columns_ = chosen(columns_, riders);
-  some.segments_ = chosen(segments_, riders);
-  some.fractions_ = chosen(fractions_, riders);
-  some.weights_ = chosen(weights_, riders);
-  some.turns_ = chosen(turns_, riders);
-  some.offsets_ = chosen(offsets_, riders);
-  some.to_rest_ = chosen(to_rest_, riders);
-  some.bases_ = chosen(bases_, riders);
-  some.mores_ = chosen(mores_, riders);
-  some.lesses_ = chosen(lesses_, riders);
-  some.slides_ = chosen(slides_, riders);
-  for (const Between& one : betweens_) some.betweens_.push_back({one.knot, chosen(one.differences, riders)});
+  some.rests_ = chosen(rests_, places);
+  some.levels_ = chosen(levels_, places);
+  some.columns_ = chosen(columns_, places);
+  some.segments_ = chosen(segments_, places);
+  some.fractions_ = chosen(fractions_, places);
+  some.weights_ = chosen(weights_, places);
+  some.turns_ = chosen(turns_, places);
+  some.offsets_ = chosen(offsets_, places);
+  some.to_rest_ = chosen(to_rest_, places);
+  some.bases_ = chosen(bases_, places);
+  some.mores_ = chosen(mores_, places);
+  some.lesses_ = chosen(lesses_, places);
+  some.slides_ = chosen(slides_, places);
+  for (const BetweenKnot& one : betweens_) some.betweens_.push_back({one.knot, chosen(one.differences, places)});
   if (some.bases_.empty()) some.mark_segments();
   return some;
 }
 
 namespace {
 
-/// Sines and cosines of the riders' own turns.
-void turn_riders(double amount, std::span<const double> turns, CarriageWorkspace& work) {
+/// Sines and cosines of the vertices' own turns.
+void turn_vertices(double amount, std::span<const double> turns, CurveSkinWorkspace& work) {
   work.angles.resize(turns.size());
   work.sines.resize(turns.size());
   work.cosines.resize(turns.size());
@@ -144,10 +144,10 @@ void turn_riders(double amount, std::span<const double> turns, CarriageWorkspace
 
 }  // namespace
 
-void Carriage::turned(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const {
+void CurveSkin::turned(double amount, CurveSkinWorkspace& work, std::span<ModelVector> out) const {
   motion_->frames(amount, wanted_, work.motion);
   const std::size_t n = rests_.size();
-  turn_riders(amount, turns_, work);
+  turn_vertices(amount, turns_, work);
   for (std::size_t i = 0; i < n; ++i) {
     const SegmentFrame& frame = work.motion.frames[segments_[i]];
     const Offset& offset = offsets_[i];
@@ -157,12 +157,12 @@ void Carriage::turned(double amount, CarriageWorkspace& work, std::span<ModelVec
   }
 }
 
-void Carriage::swung(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const {
+void CurveSkin::swung(double amount, CurveSkinWorkspace& work, std::span<ModelVector> out) const {
   std::vector<ModelPoint>& points = work.motion.points;
   points.resize(motion_->reference().size());
   motion_->swing()->points(amount, work.motion.swing, points);
   const std::size_t n = rests_.size();
-  turn_riders(amount, turns_, work);
+  turn_vertices(amount, turns_, work);
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint32_t k = segments_[i];
     const Offset& offset = offsets_[i];
@@ -171,12 +171,12 @@ void Carriage::swung(double amount, CarriageWorkspace& work, std::span<ModelVect
   }
 }
 
-void Carriage::add_more(double amount, std::span<ModelVector> out) const {
+void CurveSkin::add_more(double amount, std::span<ModelVector> out) const {
   const std::vector<ModelVector>& more = amount < 0.0 ? lesses_ : mores_;
   for (std::size_t i = 0; i < more.size(); ++i) out[i] += more[i] * amount;
 }
 
-void Carriage::slid(double amount, std::span<ModelVector> out) const {
+void CurveSkin::slid(double amount, std::span<ModelVector> out) const {
   const ModelPoint& center = motion_->slide()->center();
   for (std::size_t i = 0; i < rests_.size(); ++i) {
     const ModelVector from = rests_[i] - center;
@@ -184,36 +184,36 @@ void Carriage::slid(double amount, std::span<ModelVector> out) const {
   }
 }
 
-void Carriage::displacements(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const {
+void CurveSkin::displacements(double amount, CurveSkinWorkspace& work, std::span<ModelVector> out) const {
   if (amount == 0.0) {
     std::fill(out.begin(), out.end(), ModelVector{0});
     return;
   }
   moved(amount, work, out);
-  for (const Between& between : betweens_) {
+  for (const BetweenKnot& between : betweens_) {
     const double weight = between.knot.weight(amount);
     if (weight == 0.0) continue;
     for (std::size_t i = 0; i < out.size(); ++i) out[i] += between.differences[i] * weight;
   }
 }
 
-void Carriage::add_betweens(std::vector<CarriageBetween> betweens) {
+void CurveSkin::add_betweens(std::vector<BetweenDisplacements> betweens) {
   std::vector<double> amounts;
-  for (const CarriageBetween& one : betweens) amounts.push_back(one.amount);
+  for (const BetweenDisplacements& one : betweens) amounts.push_back(one.amount);
   const std::vector<Knot> knots = knots_of(amounts);
-  CarriageWorkspace work;
+  CurveSkinWorkspace work;
   std::vector<ModelVector> before(size());
-  std::vector<Between> added;
+  std::vector<BetweenKnot> added;
   for (std::size_t i = 0; i < betweens.size(); ++i) {
     displacements(amounts[i], work, before);
-    Between one{knots[i], std::move(betweens[i].moves)};
+    BetweenKnot one{knots[i], std::move(betweens[i].moves)};
     for (std::size_t k = 0; k < before.size(); ++k) one.differences[k] -= before[k];
     added.push_back(std::move(one));
   }
   betweens_ = std::move(added);
 }
 
-void Carriage::moved(double amount, CarriageWorkspace& work, std::span<ModelVector> out) const {
+void CurveSkin::moved(double amount, CurveSkinWorkspace& work, std::span<ModelVector> out) const {
   if (!bases_.empty()) {
     swung(amount, work, out);
   } else if (turning()) {

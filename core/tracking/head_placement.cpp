@@ -1,8 +1,8 @@
-#include "core/tracking/head_stand.h"
+#include "core/tracking/head_placement.h"
 
 #include <algorithm>
 
-#include "core/animation/signal/steady.h"
+#include "core/animation/signal/denoise.h"
 
 namespace penpose::tracking {
 
@@ -17,8 +17,9 @@ geometry::ModelPoint head_pivot(const rig::Rig& rig, const animation::TrackSetup
   return sum / static_cast<double>(tracked.transfer.points.size());
 }
 
-std::vector<document::Stand> head_stands(const animation::TrackedAnimation& tracked, const geometry::ModelPoint& pivot,
-                                         const geometry::Camera& camera, double smooth_s) {
+std::vector<document::Placement> head_placements(const animation::TrackedAnimation& tracked,
+                                                 const geometry::ModelPoint& pivot, const geometry::Camera& camera,
+                                                 double smooth_s) {
   std::vector<double> scales = tracked.transfer.scale;
   std::stable_sort(scales.begin(), scales.end());
   const double units_per_px = camera.units_per_px(camera.depth(pivot)) * scales[scales.size() / 2];
@@ -37,11 +38,11 @@ std::vector<document::Stand> head_stands(const animation::TrackedAnimation& trac
     rows.push_back({q.w, q.x, q.y, q.z, shift.x, shift.y, shift.z, turn.scale});
   }
   animation::smooth_over_time(tracked.times_s, smooth_s, rows);
-  std::vector<document::Stand> stands;
+  std::vector<document::Placement> placements;
   for (const auto& r : rows) {
-    stands.push_back({glm::dquat(r[0], r[1], r[2], r[3]), {r[4], r[5], r[6]}, r[7]});
+    placements.push_back({glm::dquat(r[0], r[1], r[2], r[3]), {r[4], r[5], r[6]}, r[7]});
   }
-  return stands;
+  return placements;
 }
 
 }  // namespace penpose::tracking

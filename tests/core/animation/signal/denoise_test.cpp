@@ -1,4 +1,4 @@
-#include "core/animation/signal/steady.h"
+#include "core/animation/signal/denoise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,42 +33,42 @@ double roughness(const StillTrack& track) {
   return sum / static_cast<double>(track.offsets.size() - 1);
 }
 
-TEST(Steady, TakesTremorAway) {
+TEST(Denoise, TakesTremorAway) {
   auto track = one_curve(std::vector<double>(100, 0.0), 1);
   const double before = roughness(track);
-  steady(track, k_all, 1);
+  denoise(track, k_all, 1);
   EXPECT_LT(roughness(track), before / 3);
 }
 
-TEST(Steady, KeepsABlinkSharpAndOnTime) {
+TEST(Denoise, KeepsABlinkSharpAndOnTime) {
   std::vector<double> y(40, 0.0);
   y[19] = y[21] = 8;
   y[20] = 14;
   auto track = one_curve(y);
-  steady(track, k_all, 1);
+  denoise(track, k_all, 1);
   EXPECT_NEAR(track.offsets[20][2].y, 14, 0.2);
   EXPECT_NEAR(track.offsets[19][2].y, 8, 0.7);  // less than the tremor
   EXPECT_NEAR(track.offsets[17][2].y, 0, 0.2);
 }
 
-TEST(Steady, DoesNotLagBehindASteadyMovement) {
+TEST(Denoise, DoesNotLagBehindASteadyMovement) {
   std::vector<double> y;
   for (int f = 0; f < 40; ++f) y.push_back(0.3 * f);
   auto track = one_curve(y);
-  steady(track, k_all, 1);
+  denoise(track, k_all, 1);
   for (std::size_t f = 6; f < 34; ++f) EXPECT_NEAR(track.offsets[f][0].y, y[f], 1e-9);
 }
 
-TEST(Steady, PassesOverFramesWithoutAFace) {
+TEST(Denoise, PassesOverFramesWithoutAFace) {
   auto track = one_curve(std::vector<double>(10, 3.0));
   track.offsets[4].clear();
   track.confidence[4] = 0;
-  steady(track, k_all, 1);
+  denoise(track, k_all, 1);
   EXPECT_TRUE(track.offsets[4].empty());
   EXPECT_NEAR(track.offsets[5][0].y, 3, 1e-12);
 }
 
-TEST(Steady, TwoMovementsAtDifferentTimesLeaveEachOtherAlone) {
+TEST(Denoise, TwoMovementsAtDifferentTimesLeaveEachOtherAlone) {
   // Points 0 and 1 rise by 6 px in the frames 20 to 26, points 3 and 4 go aside by 6 px in the frames 45 to 51; all
   // shake by a px.
   StillTrack track;
@@ -84,7 +84,7 @@ TEST(Steady, TwoMovementsAtDifferentTimesLeaveEachOtherAlone) {
     for (PxPoint& p : offsets) p = p + PxPoint{random(), random()};
   }
   const StillTrack shaken = track;
-  steady(track, k_all, 1);
+  denoise(track, k_all, 1);
   double before = 0;
   double after = 0;
   for (std::size_t f = 0; f < 80; ++f) {
@@ -99,7 +99,7 @@ TEST(Steady, TwoMovementsAtDifferentTimesLeaveEachOtherAlone) {
   EXPECT_LT(roughness(track), 0.03);            // point 2 takes part in neither
 }
 
-TEST(Steady, TakesACurveOfAThousandPointsToo) {
+TEST(Denoise, TakesACurveOfAThousandPointsToo) {
   StillTrack track;
   tests::Shaker random;
   std::vector<std::size_t> points(1000);
@@ -112,7 +112,7 @@ TEST(Steady, TakesACurveOfAThousandPointsToo) {
       offsets.push_back({dx, 0.5 * f + random()});
     }
   }
-  steady(track, points, 1);
+  denoise(track, points, 1);
   for (const std::size_t i : {0U, 500U, 999U}) EXPECT_NEAR(track.offsets[15][i].y, 7.5, 0.5) << i;
   EXPECT_LT(std::abs(track.offsets[15][999].x), 0.5);
 }
@@ -126,12 +126,12 @@ TEST(MeasureFrom, TakesHalfOfWhatTheNeutralFrameWasOffOutOfAllOthers) {
   EXPECT_TRUE(track.offsets[2].empty());
 }
 
-TEST(Settle, KeepsLargeMovementsAndLevelsSmallOnes) {
+TEST(DenoiseParameters, KeepsLargeMovementsAndLevelsSmallOnes) {
   std::vector<std::vector<double>> rows;
   const std::vector<double> confidence(40, 1.0);
   for (int f = 0; f < 40; ++f)
     rows.push_back({(f < 20 ? 0.0 : 0.8) + (f % 2 == 0 ? 0.02 : -0.02), f % 2 == 0 ? 0.02 : -0.02});
-  settle(std::vector<double>{0.03, 0}, confidence, rows);
+  denoise_parameters(std::vector<double>{0.03, 0}, confidence, rows);
   EXPECT_LT(std::abs(rows[10][0] - rows[11][0]), 0.01);
   EXPECT_GT(rows[20][0] - rows[19][0], 0.6);
   EXPECT_NEAR(rows[17][0], 0, 0.03);
