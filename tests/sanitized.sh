@@ -18,8 +18,8 @@ failed=0
 left_out='^(house|install|vm|blender|three|validator|other_machine|fuzz)/|^golden/aarch64|^library/(symbols|installed|document)|^ui/program/(limits|budget|hostile)'
 # Threads are started by the ordered loop, by sessions on two to four threads, by tablets that are read, by pipes, by the window's
 # pictures behind the model and its tablets, and by callers of the C library.
-threads='^core/base/Parallel|^golden/[2-4]_threads|^firmware_io/device/Report|^ui/files/(OpenFile|Files)\.|^ui/app/(Backdrop|Tablets)\.|^ui/capi/CThreads'
-thread_programs='core_base_test golden firmware_io_device_test ui_files_test ui_app_test ui_capi_test'
+threads='^core/Parallel|^golden/[2-4]_threads|^tablets/Report|^program/(OpenFile|Files)\.|^ui/app/(Backdrop|Tablets)\.|^ui/capi/CThreads'
+thread_programs='core_test golden tablets_test program_test ui_app_test ui_capi_test'
 
 # Tests that put a library of their own first (LD_PRELOAD) are not refused for it.
 export ASAN_OPTIONS=${ASAN_OPTIONS:-verify_asan_link_order=0:detect_stack_use_after_return=1:allocator_may_return_null=1}

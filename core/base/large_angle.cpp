@@ -9,7 +9,7 @@ namespace penpose::base {
 namespace {
 
 // The binary digits of 2/pi after the point, 32 a word: enough for the largest double.
-constexpr std::array<std::uint32_t, 38> k_two_over_pi = {
+constexpr std::array<std::uint32_t, 38> k_two_over_pi_words = {
     0xa2f9836e, 0x4e441529, 0xfc2757d1, 0xf534ddc0, 0xdb629599, 0x3c439041, 0xfe5163ab, 0xdebbc561,
     0xb7246e3a, 0x424dd2e0, 0x06492eea, 0x09d1921c, 0xfe1deb1c, 0xb129a73e, 0xe88235f5, 0x2ebb4484,
     0xe99c7026, 0xb45f7e41, 0x3991d639, 0x835339f4, 0x9c845f8b, 0xbdf9283b, 0x1ff897ff, 0xde05980f,
@@ -31,7 +31,7 @@ std::uint32_t digits_at(int first) {
   const auto index = static_cast<std::size_t>(first - 1);
   const std::size_t word = index / 32;
   const std::size_t shift = index % 32;
-  const auto at = [](std::size_t i) { return std::uint64_t{i < k_two_over_pi.size() ? k_two_over_pi[i] : 0}; };
+  const auto at = [](std::size_t i) { return std::uint64_t{i < k_two_over_pi_words.size() ? k_two_over_pi_words[i] : 0}; };
   return static_cast<std::uint32_t>(((at(word) << 32 | at(word + 1)) << shift) >> 32);
 }
 

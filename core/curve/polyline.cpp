@@ -12,7 +12,7 @@ bool finite(const PxPoint& p) { return std::isfinite(p.x) && std::isfinite(p.y);
 bool finite(const ModelPoint& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 template <typename Point>
-Point mix(const Point& a, const Point& b, double t) {
+Point between_points(const Point& a, const Point& b, double t) {
   return a * (1.0 - t) + b * t;
 }
 
@@ -30,7 +30,7 @@ std::optional<base::Error> check(std::span<const Point> points, double length) {
 
 template <typename Point>
 Point at_place(std::span<const Point> points, const PolylinePlace& place) {
-  return mix(points[place.segment], points[place.segment + 1], place.fraction);
+  return between_points(points[place.segment], points[place.segment + 1], place.fraction);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 namespace penpose::document {
 namespace {
 
-void add_vector(base::StateHash& hash, const geometry::ModelVector& v) {
+void add_point(base::StateHash& hash, const geometry::ModelVector& v) {
   hash.add(v.x);
   hash.add(v.y);
   hash.add(v.z);
@@ -12,7 +12,7 @@ void add_vector(base::StateHash& hash, const geometry::ModelVector& v) {
 void add_mesh(base::StateHash& hash, const mesh::TriangleMesh& mesh) {
   hash.add("mesh");
   hash.add(std::uint64_t{mesh.vertex_count()});
-  for (const auto& p : mesh.positions()) add_vector(hash, p);
+  for (const auto& p : mesh.positions()) add_point(hash, p);
   hash.add(std::uint64_t{mesh.triangle_count()});
   for (const auto& triangle : mesh.triangles()) {
     for (const std::uint32_t v : triangle) hash.add(std::uint64_t{v});
@@ -29,11 +29,11 @@ void add_skeleton(base::StateHash& hash, const rig::Skeleton& skeleton) {
   for (const rig::Joint& joint : skeleton.joints()) {
     hash.add(joint.name);
     hash.add(static_cast<std::uint64_t>(static_cast<std::int64_t>(joint.parent)));
-    add_vector(hash, joint.translation);
+    add_point(hash, joint.translation);
     const glm::dquat& q = joint.rest_rotation;
-    add_vector(hash, {q.x, q.y, q.z});
+    add_point(hash, {q.x, q.y, q.z});
     hash.add(q.w);
-    add_vector(hash, joint.scale);
+    add_point(hash, joint.scale);
     for (int c = 0; c < 4; ++c) {
       for (int r = 0; r < 4; ++r) hash.add(joint.inverse_bind[c][r]);
     }
@@ -55,7 +55,7 @@ void add_shapes(base::StateHash& hash, const rig::BlendShapes& shapes) {
     hash.add(std::uint64_t{shape.vertices.size()});
     for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
       hash.add(std::uint64_t{shape.vertices[i]});
-      add_vector(hash, shape.deltas[i]);
+      add_point(hash, shape.deltas[i]);
     }
   }
 }

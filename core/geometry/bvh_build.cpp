@@ -14,11 +14,11 @@ using algebra::lower;
 using algebra::splat;
 using algebra::upper;
 
-constexpr float k_infinity = std::numeric_limits<float>::infinity();
+constexpr float k_unbounded = std::numeric_limits<float>::infinity();
 
 struct FloatBox {
-  Float4 minimum = splat(k_infinity);
-  Float4 maximum = splat(-k_infinity);
+  Float4 minimum = splat(k_unbounded);
+  Float4 maximum = splat(-k_unbounded);
 
   void add(Float4 p) {
     minimum = lower(minimum, p);
@@ -112,7 +112,7 @@ struct TriangleBvh::Builder {
     if (build == Build::quick) return split_quickly(node, spread);
     std::size_t best_axis = 3;
     std::size_t best_bin = 0;
-    float best_cost = k_infinity;
+    float best_cost = k_unbounded;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!(size[axis] > 0.0F) || node.level > k_deepest_costed_level) continue;
       std::array<FloatBox, k_bins> bin_box;
@@ -129,7 +129,7 @@ struct TriangleBvh::Builder {
       for (std::size_t bin = k_bins; bin-- > 1;) {
         sweep.add(bin_box[bin]);
         seen += bin_count[bin];
-        right_cost[bin] = seen == 0 ? k_infinity : sweep.area() * static_cast<float>(seen);
+        right_cost[bin] = seen == 0 ? k_unbounded : sweep.area() * static_cast<float>(seen);
       }
       sweep = {};
       seen = 0;

@@ -7,14 +7,14 @@
 namespace penpose::head {
 namespace {
 
-constexpr std::size_t k_count = 12;
+constexpr std::size_t k_eye_points = 12;
 struct Offset {
   double x, y;
 };
-using Loop = std::array<Offset, k_count>;
+using EyeLoop = std::array<Offset, k_eye_points>;
 
 // Loops relative to the eye's centre as seen from the front, counter-clockwise from the outer corner; cm.
-constexpr Loop k_rim{{{1.92, 0.04},
+constexpr EyeLoop k_rim{{{1.92, 0.04},
                       {1.34, 0.30},
                       {0.84, 0.49},
                       {0.14, 0.56},
@@ -26,7 +26,7 @@ constexpr Loop k_rim{{{1.92, 0.04},
                       {0.14, -0.60},
                       {0.80, -0.52},
                       {1.36, -0.26}}};
-constexpr Loop k_lid{{{2.14, 0.04},
+constexpr EyeLoop k_lid{{{2.14, 0.04},
                       {1.66, 0.70},
                       {1.02, 1.06},
                       {0.14, 1.20},
@@ -38,7 +38,7 @@ constexpr Loop k_lid{{{2.14, 0.04},
                       {0.14, -1.03},
                       {0.94, -0.92},
                       {1.62, -0.48}}};
-constexpr Loop k_crease{{{2.42, 0.04},
+constexpr EyeLoop k_crease{{{2.42, 0.04},
                          {1.89, 1.18},
                          {1.17, 1.64},
                          {0.23, 1.78},
@@ -51,7 +51,7 @@ constexpr Loop k_crease{{{2.42, 0.04},
                          {1.12, -1.49},
                          {1.96, -0.88}}};
 /// How far in front of the eye's centre the crease lies, cm.
-constexpr std::array<double, k_count> k_crease_depth{1.50, 1.76, 2.02, 2.14, 2.20, 2.26,
+constexpr std::array<double, k_eye_points> k_crease_depth{1.50, 1.76, 2.02, 2.14, 2.20, 2.26,
                                                      2.30, 2.50, 2.60, 2.52, 2.20, 1.68};
 /// Width of the lids' edges as seen from the front, cm; the upper one carries the lashes.
 constexpr double k_upper_edge = 0.16;
@@ -67,20 +67,20 @@ ModelPoint on_sphere(const Offset& o, double radius) {
 }
 
 /// +1 for the upper lid, -1 for the lower, 0 for the corners.
-double lid_of(std::size_t i) { return i % (k_count / 2) == 0 ? 0.0 : i < k_count / 2 ? 1.0 : -1.0; }
+double lid_of(std::size_t i) { return i % (k_eye_points / 2) == 0 ? 0.0 : i < k_eye_points / 2 ? 1.0 : -1.0; }
 
 }  // namespace
 
 void add_eye(Cage& cage, const std::vector<std::uint32_t>& border) {
   for (const std::uint32_t v : border) cage.marks[v].x = 4;
   std::array<std::vector<std::uint32_t>, 7> loops;
-  for (std::size_t i = 0; i < k_count; ++i) {
+  for (std::size_t i = 0; i < k_eye_points; ++i) {
     const Offset& rim = k_rim[i];
     const double lid = lid_of(i);
     const double around = std::sqrt(rim.x * rim.x + rim.y * rim.y);
     const double width = lid > 0 ? k_upper_edge : lid < 0 ? k_lower_edge : k_corner_edge;
     const Offset edge{rim.x + width * rim.x / around, rim.y + width * (rim.y / around + 0.3 * lid)};
-    const double turn = 2 * base::k_pi * static_cast<double>(i) / k_count;
+    const double turn = 2 * base::k_pi * static_cast<double>(i) / k_eye_points;
     const ModelVector outward{base::cos(turn), base::sin(turn), 0};
     const double pocket = k_eye_radius * 1.06;
     const ModelVector crease{k_crease[i].x, k_crease[i].y, k_crease_depth[i]};
@@ -94,12 +94,12 @@ void add_eye(Cage& cage, const std::vector<std::uint32_t>& border) {
     loops[6].push_back(cage.add(center() + outward * (pocket * 0.8) + ModelVector{0, 0, -pocket * 0.75}, {-2, 5, 0}));
   }
   cage.add_strip(border, loops[0], true);
-  std::fill_n(cage.kinds.end() - k_count / 2, k_count / 2, QuadKind::coarse_skin);  // below the eye
+  std::fill_n(cage.kinds.end() - k_eye_points / 2, k_eye_points / 2, QuadKind::coarse_skin);  // below the eye
   for (std::size_t i = 0; i + 1 < loops.size(); ++i) {
     const std::size_t first = cage.quads.size();
     cage.add_strip(loops[i], loops[i + 1], true, i >= 3 ? QuadKind::coarse_skin : QuadKind::skin);
     // The edge of the upper lid.
-    if (i == 2) std::fill_n(cage.kinds.begin() + static_cast<std::ptrdiff_t>(first), k_count / 2, QuadKind::lash);
+    if (i == 2) std::fill_n(cage.kinds.begin() + static_cast<std::ptrdiff_t>(first), k_eye_points / 2, QuadKind::lash);
   }
   // The back of the socket: the last loop as a rectangle of 4 x 2 quads.
   const auto& last = loops.back();

@@ -7,7 +7,7 @@
 namespace penpose::head {
 namespace {
 
-constexpr std::size_t k_around = 64;
+constexpr std::size_t k_strands = 64;
 constexpr std::size_t k_rings = 13;
 /// The middle from which hair grows outwards, and far enough away to be outside.
 const ModelPoint k_middle{0, 3.2, -0.9};
@@ -76,8 +76,8 @@ ModelPoint grown(const ModelPoint& p, double inside) {
 Surface make_hair(const Surface& skin) {
   const Scalp scalp(skin);
   Surface hair;
-  for (std::size_t j = 0; j < k_around; ++j) {
-    const double turn = 360.0 * static_cast<double>(j) / k_around;
+  for (std::size_t j = 0; j < k_strands; ++j) {
+    const double turn = 360.0 * static_cast<double>(j) / k_strands;
     const double around = base::radians(turn);
     const ModelVector level{base::sin(around), 0, base::cos(around)};
     const ModelPoint line = scalp.towards({0, hair_line(turn > 180 ? 360 - turn : turn), k_middle.z}, level);
@@ -93,8 +93,8 @@ Surface make_hair(const Surface& skin) {
   const auto crown = static_cast<std::uint32_t>(hair.points.size());
   const ModelPoint top = scalp.towards(k_middle, {0, 1, 0});
   hair.points.push_back(grown(top, 8));
-  const auto at = [](std::size_t j, std::size_t i) { return static_cast<std::uint32_t>(j % k_around * k_rings + i); };
-  for (std::size_t j = 0; j < k_around; ++j) {
+  const auto at = [](std::size_t j, std::size_t i) { return static_cast<std::uint32_t>(j % k_strands * k_rings + i); };
+  for (std::size_t j = 0; j < k_strands; ++j) {
     for (std::size_t i = 0; i + 1 < k_rings; ++i) {
       hair.triangles.push_back({at(j, i), at(j + 1, i), at(j + 1, i + 1)});
       hair.triangles.push_back({at(j, i), at(j + 1, i + 1), at(j, i + 1)});

@@ -3,16 +3,16 @@
 namespace penpose::head {
 namespace {
 
-constexpr std::size_t k_count = 11;
+constexpr std::size_t k_mouth_points = 11;
 /// Sideways, above the line where the lips meet, and in front of the bare face.
 struct Spot {
   double x, height, lift;
 };
-using Loop = std::array<Spot, k_count>;
+using MouthLoop = std::array<Spot, k_mouth_points>;
 
 // From the middle of the lower lip over the corner (entry 5) to the middle of the upper lip. At the line both lips are
 // drawn a little too far; make_half presses them flat against each other.
-constexpr Loop k_around{{{0, -1.25, -0.02},
+constexpr MouthLoop k_around_mouth{{{0, -1.25, -0.02},
                          {0.6, -1.22, -0.02},
                          {1.2, -1.1, 0},
                          {1.85, -0.82, 0.02},
@@ -23,7 +23,7 @@ constexpr Loop k_around{{{0, -1.25, -0.02},
                          {1.25, 1, 0.08},
                          {0.5, 1.12, 0.1},
                          {0, 1.02, 0.04}}};
-constexpr Loop k_border{{{0, -0.92, 0.2},
+constexpr MouthLoop k_border{{{0, -0.92, 0.2},
                          {0.5, -0.9, 0.2},
                          {1.05, -0.79, 0.18},
                          {1.65, -0.56, 0.12},
@@ -34,7 +34,7 @@ constexpr Loop k_border{{{0, -0.92, 0.2},
                          {1.05, 0.68, 0.22},
                          {0.42, 0.84, 0.28},
                          {0, 0.72, 0.25}}};
-constexpr Loop k_full{{{0, -0.42, 0.62},
+constexpr MouthLoop k_full{{{0, -0.42, 0.62},
                        {0.5, -0.42, 0.6},
                        {1.05, -0.36, 0.5},
                        {1.6, -0.26, 0.33},
@@ -45,7 +45,7 @@ constexpr Loop k_full{{{0, -0.42, 0.62},
                        {1.05, 0.33, 0.42},
                        {0.46, 0.4, 0.52},
                        {0, 0.36, 0.56}}};
-constexpr Loop k_meet{{{0, 0.22, 0.22},
+constexpr MouthLoop k_meet{{{0, 0.22, 0.22},
                        {0.5, 0.22, 0.22},
                        {1.05, 0.2, 0.16},
                        {1.6, 0.16, 0.03},
@@ -56,7 +56,7 @@ constexpr Loop k_meet{{{0, 0.22, 0.22},
                        {1.05, -0.2, 0.16},
                        {0.5, -0.22, 0.22},
                        {0, -0.22, 0.22}}};
-constexpr Loop k_behind{{{0, -0.3, -0.5},
+constexpr MouthLoop k_behind{{{0, -0.3, -0.5},
                          {0.5, -0.3, -0.5},
                          {1.05, -0.28, -0.55},
                          {1.6, -0.22, -0.65},
@@ -67,7 +67,7 @@ constexpr Loop k_behind{{{0, -0.3, -0.5},
                          {1.05, 0.28, -0.55},
                          {0.5, 0.3, -0.5},
                          {0, 0.3, -0.5}}};
-constexpr Loop k_cavity{{{0, -1, -2},
+constexpr MouthLoop k_cavity{{{0, -1, -2},
                          {0.5, -1, -2},
                          {1.1, -0.95, -2},
                          {1.7, -0.8, -2},
@@ -85,7 +85,7 @@ double mouth_line(double x) { return k_mouth_y + 0.035 * x * x - 0.05 * bump(x *
 
 void add_mouth(Cage& cage, const std::vector<std::uint32_t>& border) {
   for (const std::uint32_t v : border) cage.marks[v].y = 4;
-  const std::array<const Loop*, 6> shapes{&k_around, &k_border, &k_full, &k_meet, &k_behind, &k_cavity};
+  const std::array<const MouthLoop*, 6> shapes{&k_around_mouth, &k_border, &k_full, &k_meet, &k_behind, &k_cavity};
   // A mouth that opens shows what lies behind the line where the lips meet, and from the side as a wall.
   const std::array<QuadKind, 6> kinds{QuadKind::skin, QuadKind::skin,      QuadKind::lip,
                                       QuadKind::lip,  QuadKind::inner_lip, QuadKind::lining};
@@ -93,7 +93,7 @@ void add_mouth(Cage& cage, const std::vector<std::uint32_t>& border) {
   const auto lip = [](std::size_t i) { return i == 5 ? 0.0 : i < 5 ? -1.0 : 1.0; };
   for (std::size_t loop = 0; loop < shapes.size(); ++loop) {
     std::vector<std::uint32_t> inner;
-    for (std::size_t i = 0; i < k_count; ++i) {
+    for (std::size_t i = 0; i < k_mouth_points; ++i) {
       const Spot& s = (*shapes[loop])[i];
       const double y = mouth_line(s.x) + s.height;
       inner.push_back(cage.add({s.x, y, bare_depth(s.x, y) + s.lift}, {5, 3 - static_cast<double>(loop), lip(i)}));

@@ -10,7 +10,7 @@
 namespace penpose::head {
 namespace {
 
-constexpr std::uint32_t k_none = 0xffffffffU;
+constexpr std::uint32_t k_unnumbered = 0xffffffffU;
 constexpr std::size_t k_kinds = 7;
 constexpr double k_lip_gap = 0.02;
 
@@ -92,11 +92,11 @@ void add_fan(std::vector<mesh::Triangle>& triangles, std::span<const std::uint32
 
 /// The vertices that triangles of the half use, and their mirror images.
 Surface mirrored_part(const Half& half, std::vector<mesh::Triangle> triangles) {
-  std::vector<std::uint32_t> number(half.points.size(), k_none);
+  std::vector<std::uint32_t> number(half.points.size(), k_unnumbered);
   std::vector<ModelPoint> points;
   for (mesh::Triangle& t : triangles) {
     for (std::uint32_t& v : t) {
-      if (number[v] == k_none) {
+      if (number[v] == k_unnumbered) {
         number[v] = static_cast<std::uint32_t>(points.size());
         points.push_back(half.points[v]);
       }
@@ -134,13 +134,13 @@ base::Result<Half> make_half() {
     }
   }
   Half half;
-  std::vector<std::uint32_t> number(pair.shape.positions.size(), k_none);
+  std::vector<std::uint32_t> number(pair.shape.positions.size(), k_unnumbered);
   for (std::size_t q = 0; q < pair.shape.quads.size(); ++q) {
     const std::uint32_t of_cage = cage_quad[coarser[q]];
     if (of_cage >= cage.quads.size()) continue;
     mesh::Quad quad = pair.shape.quads[q];
     for (std::uint32_t& v : quad) {
-      if (number[v] == k_none) {
+      if (number[v] == k_unnumbered) {
         number[v] = static_cast<std::uint32_t>(half.points.size());
         ModelPoint p = pair.shape.positions[v];
         if (std::abs(p.x) < 1e-9) p.x = 0;

@@ -15,7 +15,7 @@ namespace {
 /// Units at most while the pen draws.
 constexpr std::size_t k_most_units = 12;
 /// An angle moves by this share of its range at most in one report.
-constexpr double k_trust = 0.1;
+constexpr double k_live_trust = 0.1;
 /// While a part of the line is drawn other joints move only where that lowers the energy by this: a limb does not
 /// flicker between readings.
 constexpr double k_change = 5.0;
@@ -95,7 +95,7 @@ struct LivePoser::State {
         const auto at = std::lower_bound(choice.variables.begin(), choice.variables.end(), next.variables[i]);
         const bool had = at != choice.variables.end() && *at == next.variables[i];
         const double was = had ? choice.values[static_cast<std::size_t>(at - choice.variables.begin())] : 0.0;
-        next.values[i] = std::clamp(next.values[i], was - k_trust, was + k_trust);
+        next.values[i] = std::clamp(next.values[i], was - k_live_trust, was + k_live_trust);
       }
     }
     std::size_t evaluations = selection.evaluations();

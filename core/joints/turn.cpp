@@ -20,7 +20,7 @@ constexpr double k_straight = 0.1;    ///< a hinge gives by this beyond the stra
 constexpr double k_least_room = 0.5;  ///< of a range, radians: joints with less turn by their angles alone
 constexpr double k_aligned = 0.7;     ///< cosine between a hinge and the axis that it is
 /// Bones that point more than this towards the eye or away from it do not bend within the picture (sine).
-constexpr double k_least_seen = 0.3;
+constexpr double k_least_seen_turn = 0.3;
 
 double cost_of(double width) { return 1.0 / (width * width); }
 
@@ -105,7 +105,7 @@ Turn make_turn(const Body& body, const rig::Joint& joint, std::size_t number, st
   if (view) {
     const glm::dvec3 seen = glm::conjugate(place.turn) * *view;
     const glm::dvec3 out = glm::cross(bone, seen);
-    turn.planar = geometry::length(out) > k_least_seen;
+    turn.planar = geometry::length(out) > k_least_seen_turn;
     turn.across = std::max(0.0, 1.0 - 2.0 * std::abs(glm::dot(bone, seen)));
     if (turn.planar) turn.axes = glm::dmat3(seen, geometry::normalized(out), bone);
   }

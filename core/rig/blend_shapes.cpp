@@ -7,7 +7,7 @@
 namespace penpose::rig {
 namespace {
 
-std::optional<base::Error> check(const BlendShape& shape, std::size_t index, std::size_t vertex_count) {
+std::optional<base::Error> check_shape(const BlendShape& shape, std::size_t index, std::size_t vertex_count) {
   const std::string place = "target " + (shape.parameter.name.empty() ? std::to_string(index) : shape.parameter.name);
   const auto fail = [&](const char* what, const char* remedy) { return base::Error{what, place, remedy}; };
   if (shape.deltas.size() != shape.vertices.size())
@@ -79,7 +79,7 @@ base::Result<std::shared_ptr<const BlendShapes>> BlendShapes::make(std::vector<B
                                                                    std::size_t vertex_count) {
   auto made = std::make_shared<BlendShapes>();
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    if (auto error = check(shapes[i], i, vertex_count)) return *error;
+    if (auto error = check_shape(shapes[i], i, vertex_count)) return *error;
     made->parameters_.push_back(shapes[i].parameter);
   }
   made->first_entry_.assign(vertex_count + 1, 0);

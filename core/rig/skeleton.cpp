@@ -9,7 +9,7 @@ namespace {
 
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-std::optional<base::Error> check(const Joint& joint, std::size_t index) {
+std::optional<base::Error> check_joint(const Joint& joint, std::size_t index) {
   const std::string place = "joint " + std::to_string(index) + (joint.name.empty() ? "" : " (" + joint.name + ")");
   if (joint.parent < -1 || joint.parent >= static_cast<std::int64_t>(index)) {
     return base::Error{"does not come after its parent", place, "list parents before their children"};
@@ -33,7 +33,7 @@ base::Result<std::shared_ptr<const Skeleton>> Skeleton::make(std::vector<Joint> 
                                                              std::vector<std::uint32_t> first_influence,
                                                              std::vector<Influence> influences) {
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    if (auto error = check(joints[i], i)) return *error;
+    if (auto error = check_joint(joints[i], i)) return *error;
   }
   if (first_influence.empty() || first_influence.front() != 0 || first_influence.back() != influences.size()) {
     return base::Error{"the influences do not fit the vertices", "", "export the model again"};

@@ -3,18 +3,13 @@
 #include <algorithm>
 
 namespace penpose::replay {
-namespace {
-
-constexpr std::uint16_t k_bus_virtual = 6;  ///< BUS_VIRTUAL of Linux
-
-}  // namespace
 
 void HandInput::connect(int device, const decode::DeviceIdentity& identity) {
   auto hand = decode::make_hand_decoders(identity, own_, switches_.join(device, identity));
   interfaces_.erase(device);
   pens_.erase(device);
-  if (identity.bus == k_bus_virtual) virtual_.insert(device);
-  if (identity.bus != k_bus_virtual) virtual_.erase(device);
+  if (identity.bus == decode::k_bus_virtual) virtual_.insert(device);
+  if (identity.bus != decode::k_bus_virtual) virtual_.erase(device);
   if (!hand.pad && !hand.touch) return;
   Interface& interface = interfaces_[device];
   if (hand.pad) interface.events = decode::PadEvents(hand.pad->features());

@@ -7,7 +7,6 @@
 namespace penpose::replay {
 namespace {
 
-constexpr std::uint16_t k_bus_virtual = 6;  // BUS_VIRTUAL of Linux's input.h
 constexpr double k_largest_position = 65535;
 constexpr double k_largest_pressure = 4095;
 
@@ -58,7 +57,7 @@ TraceDevice virtual_pen_device() {
   TraceDevice device;
   device.report_descriptor.assign(k_descriptor.begin(), k_descriptor.end());
   device.name = "penpose virtual pen";
-  device.bus = k_bus_virtual;
+  device.bus = decode::k_bus_virtual;
   return device;
 }
 

@@ -16,7 +16,7 @@ cross() {
   local way=$1 sysroot=$folder/sysroot-$2
   # shellcheck disable=SC2086
   if command -v "$3-g++-12" >/dev/null && command -v "$4" >/dev/null && "$source/ui/install/sysroot.sh" "$2" "$sysroot" $sysroot_packages; then
-    PENPOSE_TRIPLET=$3 PENPOSE_SYSROOT=$sysroot run "$way" -DCMAKE_TOOLCHAIN_FILE="$source/ui/install/cross.cmake" -DCMAKE_CXX_FLAGS=-O1 || failed=1
+    PENPOSE_TRIPLET=$3 PENPOSE_SYSROOT=$sysroot run "$way" -DCMAKE_TOOLCHAIN_FILE="$source/ui/install/cross.cmake" -DCMAKE_CXX_FLAGS=-O1 -DPENPOSE_UNITY=ON || failed=1
   else
     echo "$way: left out, its compiler or the packages of its sysroot cannot be had"
     left_out=1

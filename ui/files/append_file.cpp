@@ -15,7 +15,7 @@
 namespace penpose::files {
 namespace {
 
-base::Error system_error(const char* what) {
+base::Error append_error(const char* what) {
   return {std::string(what) + " (" + std::generic_category().message(errno) + ")", "",
           "check the folder, its permissions and the free space"};
 }
@@ -27,7 +27,7 @@ base::Result<AppendFile> AppendFile::create(const std::string& path, std::string
   struct stat there {};
   if (::stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode)) {
     AppendFile existing(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY));
-    if (existing.file_ < 0) return system_error("cannot be written");
+    if (existing.file_ < 0) return append_error("cannot be written");
     if (const auto status = existing.append(first_piece); !status) return status.error();
     return existing;
   }
@@ -47,7 +47,7 @@ base::Result<AppendFile> AppendFile::create_new(const std::string& path) {
   if (made.file_ < 0 && errno == EEXIST) {
     return base::Error{"exists already and is not written over", "", "choose another name or move it away"};
   }
-  if (made.file_ < 0) return system_error("cannot be written");
+  if (made.file_ < 0) return append_error("cannot be written");
   flush_folder_of(path);
   return made;
 }
@@ -56,7 +56,7 @@ base::Result<AppendFile> AppendFile::go_on(const std::string& path) {
   AppendFile there(::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
   struct stat facts {};
   if (there.file_ < 0 || ::fstat(there.file_, &facts) != 0 || !S_ISREG(facts.st_mode))
-    return system_error("cannot be written");
+    return append_error("cannot be written");
   off_t end = facts.st_size;
   char last = 0;
   std::string tail;
@@ -71,7 +71,7 @@ base::Result<AppendFile> AppendFile::go_on(const std::string& path) {
   if (replay::parse_trace_line(tail, bytes).kind == replay::TraceLineKind::report) {
     if (const auto ended = there.append("\n"); !ended) return ended.error();
   } else if (::ftruncate(there.file_, end) != 0) {
-    return system_error("cannot be written");
+    return append_error("cannot be written");
   }
   return there;
 }
@@ -97,7 +97,7 @@ base::Status AppendFile::append(std::string_view piece, bool sync) {
     const ssize_t written = ::write(file_, piece.data(), piece.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
-      auto problem = system_error("cannot be written");
+      auto problem = append_error("cannot be written");
       take_back(end);
       return problem;
     }
@@ -111,7 +111,7 @@ base::Status AppendFile::append(std::string_view piece, bool sync) {
 
 base::Status AppendFile::flush() {
   // Pipes and such have no disk.
-  if (::fdatasync(file_) != 0 && errno != EINVAL && errno != EROFS) return system_error("cannot be written");
+  if (::fdatasync(file_) != 0 && errno != EINVAL && errno != EROFS) return append_error("cannot be written");
   return base::Done{};
 }
 

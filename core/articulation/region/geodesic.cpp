@@ -9,7 +9,7 @@
 namespace penpose::articulation {
 namespace {
 
-constexpr double k_far = std::numeric_limits<double>::infinity();
+constexpr double k_unreached = std::numeric_limits<double>::infinity();
 
 /// The distance at `c` from the source that lies `to_a` from a and `to_b` from b, in the plane of the triangle and on
 /// the other side of a b; along the nearer edge where the straight way leaves the triangle.
@@ -64,7 +64,7 @@ class Waiting {
 
 std::vector<double> geodesic_distances(const Patch& patch, std::span<const GeodesicSeed> seeds,
                                        std::span<const std::uint8_t> open) {
-  std::vector<double> distances(patch.node_count(), k_far);
+  std::vector<double> distances(patch.node_count(), k_unreached);
   std::vector<std::uint8_t> known(patch.node_count(), 0);
   Waiting waiting;
   const auto offer = [&](std::uint32_t node, double distance) {

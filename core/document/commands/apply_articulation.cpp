@@ -56,7 +56,7 @@ Changed with_set(const Document& document, const base::Result<SketchedDeformers:
   return changed;
 }
 
-std::string free_name(const Document& document) {
+std::string free_deformer_name(const Document& document) {
   for (std::size_t n = 1;; ++n) {
     std::string name = "deformer " + std::to_string(n);
     if (!rig::find_parameter(document.model->rig->parameters(), name)) return name;
@@ -148,7 +148,7 @@ Changed with_deformers(const Document& document, std::shared_ptr<const articulat
 
 Changed run(const Document& document, const BeginDeformer& command, Parts&) {
   Sketch sketch;
-  sketch.name = command.name.empty() ? free_name(document) : command.name;
+  sketch.name = command.name.empty() ? free_deformer_name(document) : command.name;
   if (rig::find_parameter(document.model->rig->parameters(), sketch.name)) {
     return base::Error{"a control has the name \"" + sketch.name + "\" already", "name", "give it another name"};
   }
@@ -169,7 +169,7 @@ Changed run(const Document& document, const SketchCurve& command, Parts& work) {
   if (document.pending) {
     sketch = document.pending->sketch;
   } else {
-    sketch.name = free_name(document);
+    sketch.name = free_deformer_name(document);
   }
   if (command.line.size() > articulation::k_most_points) {
     return base::Error{"the curve has too many points", "line", "use at most 100,000"};

@@ -13,7 +13,7 @@ using articulation::Driver;
 /// Nearer to rest than that a control is at rest.
 constexpr double k_at_rest = 1e-9;
 
-std::string free_name(const Document& document) {
+std::string free_correction_name(const Document& document) {
   const auto sketches = correction_sketches(*document.model);
   for (std::size_t n = 1;; ++n) {
     const std::string name = "correction " + std::to_string(n);
@@ -129,7 +129,7 @@ base::Status check_pending_pose(const Document& document) {
 
 Changed run(const Document& document, const BeginCorrection& command, Parts&) {
   PendingSketch pending;
-  pending.sketch.name = command.name.empty() ? free_name(document) : command.name;
+  pending.sketch.name = command.name.empty() ? free_correction_name(document) : command.name;
   pending.sketch.mode = command.mode;
   if (rig::find_parameter(document.model->rig->parameters(), pending.sketch.name)) {
     return base::Error{"a control has the name \"" + pending.sketch.name + "\" already", "name",

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/document/commands/apply_parts.h"
+#include "core/document/commands/text_form.h"
 
 // Curves and targets of points that are known and not drawn.
 
@@ -11,8 +12,6 @@ namespace {
 
 /// Barycentric coordinates may miss what they should be by so much.
 constexpr double k_rounding = 1e-6;
-/// The largest number that a session can hold.
-constexpr double k_largest_number = 1e15;
 
 bool is_on(const mesh::MeshPoint& point, const mesh::TriangleMesh& mesh) {
   if (point.triangle >= mesh.triangle_count()) return false;

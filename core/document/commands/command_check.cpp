@@ -4,14 +4,11 @@
 #include <type_traits>
 
 #include "core/base/text/utf8.h"
+#include "core/document/commands/text_form.h"
 #include "core/geometry/lasso.h"
 
 namespace penpose::document {
 namespace {
-
-// As text_form.cpp reads them.
-constexpr double k_largest_number = 1e15;
-constexpr int k_largest_side_px = 32768;
 
 const char* wrong(double value) {
   return std::abs(value) <= k_largest_number ? nullptr : "a number that is not finite or too large";

@@ -10,8 +10,6 @@
 namespace penpose::document {
 namespace {
 
-constexpr double k_largest_number = 1e15;
-
 bool stands_for_itself(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
 }
@@ -73,8 +71,6 @@ std::optional<geometry::ModelPoint> read_point(std::string_view text) {
   if (!values) return std::nullopt;
   return geometry::ModelPoint((*values)[0], (*values)[1], (*values)[2]);
 }
-
-constexpr int k_largest_side_px = 32768;
 
 std::optional<int> read_side(std::string_view text) {
   const auto value = base::parse_int(text);

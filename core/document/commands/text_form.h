@@ -12,6 +12,11 @@
 
 namespace penpose::document {
 
+/// The largest number that a session can hold.
+inline constexpr double k_largest_number = 1e15;
+/// The largest side of a view in a session, px.
+inline constexpr int k_largest_side_px = 32768;
+
 // How each type of a command's members is written. `write` appends, `read` takes the whole text or nothing.
 
 [[nodiscard]] std::string escape(std::string_view text);

@@ -19,7 +19,7 @@ constexpr double k_turn = base::k_pi;
 /// Difference by which a turn's columns are made, radians.
 constexpr double k_step = 1e-4 * base::k_pi;
 /// What the square of a bend costs: no more than what keeps undetermined ones where they are.
-constexpr double k_stiffness = 0.5;
+constexpr double k_bend_stiffness = 0.5;
 /// Bends out of the picture: the line hardly shows them, and few poses that are drawn in one view go far out of it.
 constexpr double k_depth = 0.26;  ///< width, radians
 constexpr double k_depth_charge = 14.0;
@@ -106,7 +106,7 @@ void Reader::add_turn(std::size_t variable) {
   choices_.high.push_back(0.75);
   const joints::Turn& turn = turns_[turn_of_[variable]];
   const bool depth = turn.planar && axis_of_[variable] == 1 && !turn.bends_in_depth;
-  choices_.stiffness.push_back(depth ? k_alone * turn.across * depth_stiffness(1) + k_stiffness : k_stiffness);
+  choices_.stiffness.push_back(depth ? k_alone * turn.across * depth_stiffness(1) + k_bend_stiffness : k_bend_stiffness);
   choices_.movement.push_back(movement_about(variable));
 }
 
@@ -149,8 +149,8 @@ void Reader::make_run_units() {
     choices_.high.push_back(0.5);
     choices_.movement.push_back(run.movement);
     const bool depth = run.planar && r % 3 == 1;
-    choices_.stiffness.push_back(depth ? run.across * depth_stiffness(static_cast<double>(run.joints)) + k_stiffness
-                                       : k_stiffness);
+    choices_.stiffness.push_back(depth ? run.across * depth_stiffness(static_cast<double>(run.joints)) + k_bend_stiffness
+                                       : k_bend_stiffness);
     if (r % 3 == 0) add_turn_units(parameters_.size() + r, 3, run.planar, run.across);
   }
 }

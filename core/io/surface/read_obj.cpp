@@ -8,6 +8,7 @@
 #include "core/base/text/letters.h"
 #include "core/base/text/utf8.h"
 #include "core/io/model/model_formats.h"
+#include "core/io/remedies.h"
 #include "core/io/surface/polygon.h"
 #include "core/io/surface/surface_model.h"
 #include "core/io/text/names.h"
@@ -15,8 +16,6 @@
 
 namespace penpose::io {
 namespace {
-
-constexpr const char* k_export_again = "the file is damaged; export it again";
 
 /// What an "o" line begins.
 struct Object {

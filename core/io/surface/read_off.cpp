@@ -7,14 +7,13 @@
 #include "core/base/numbers.h"
 #include "core/base/text/letters.h"
 #include "core/io/model/model_formats.h"
+#include "core/io/remedies.h"
 #include "core/io/surface/polygon.h"
 #include "core/io/surface/surface_model.h"
 #include "core/io/text/text_lines.h"
 
 namespace penpose::io {
 namespace {
-
-constexpr const char* k_export_again = "the file is damaged; export it again";
 
 class OffReader {
  public:

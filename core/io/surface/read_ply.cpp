@@ -10,14 +10,13 @@
 
 #include "core/base/numbers.h"
 #include "core/io/model/model_formats.h"
+#include "core/io/remedies.h"
 #include "core/io/surface/polygon.h"
 #include "core/io/surface/surface_model.h"
 #include "core/io/text/text_lines.h"
 
 namespace penpose::io {
 namespace {
-
-constexpr const char* k_export_again = "the file is cut off or damaged; copy or export it again";
 
 enum class Number : std::uint8_t { i8, u8, i16, u16, i32, u32, f32, f64 };
 
@@ -73,18 +72,18 @@ struct Header {
 };
 
 base::Status read_property(TextLines& lines, std::string_view line, std::vector<Element>& elements) {
-  if (elements.empty()) return lines.error("a property before the first element", k_export_again);
+  if (elements.empty()) return lines.error("a property before the first element", k_copy_again);
   Property property;
   std::string_view type = take_word(line);
   if (type == "list") {
     property.list_count = number_type(take_word(line));
     if (!property.list_count || size_of(*property.list_count) > 4 || *property.list_count == Number::f32) {
-      return lines.error("a list whose count is no whole number", k_export_again);
+      return lines.error("a list whose count is no whole number", k_copy_again);
     }
     type = take_word(line);
   }
   const auto number = number_type(type);
-  if (!number) return lines.error("the type \"" + std::string(type.substr(0, 20)) + "\" is not known", k_export_again);
+  if (!number) return lines.error("the type \"" + std::string(type.substr(0, 20)) + "\" is not known", k_copy_again);
   property.type = *number;
   property.name = take_word(line);
   elements.back().properties.push_back(std::move(property));
@@ -98,7 +97,7 @@ base::Result<Header> read_header(base::Bytes bytes) {
   if (lines.next() != "ply") return lines.error("the file does not begin with ply", "choose a PLY file");
   while (true) {
     const auto next = lines.next();
-    if (!next) return lines.error("the header has no end", k_export_again);
+    if (!next) return lines.error("the header has no end", k_copy_again);
     std::string_view line = *next;
     const std::string_view keyword = take_word(line);
     if (keyword == "end_header") break;
@@ -107,19 +106,19 @@ base::Result<Header> read_header(base::Bytes bytes) {
       if (name == "ascii") encoding = Encoding::text;
       if (name == "binary_little_endian") encoding = Encoding::little;
       if (name == "binary_big_endian") encoding = Encoding::big;
-      if (!encoding) return lines.error("the format is not known", k_export_again);
+      if (!encoding) return lines.error("the format is not known", k_copy_again);
     } else if (keyword == "element") {
       Element element;
       element.name = take_word(line);
       const auto count = base::parse_uint(take_word(line));
-      if (!count) return lines.error("the number of elements was expected", k_export_again);
+      if (!count) return lines.error("the number of elements was expected", k_copy_again);
       element.count = *count;
       header.elements.push_back(std::move(element));
     } else if (keyword == "property") {
       if (auto status = read_property(lines, line, header.elements); !status) return status.error();
     }
   }
-  if (!encoding) return lines.error("the header names no format", k_export_again);
+  if (!encoding) return lines.error("the header names no format", k_copy_again);
   header.encoding = *encoding;
   header.lines = lines.number();
   header.body = base::as_bytes(lines.rest());
@@ -176,7 +175,7 @@ class NumberSource {
     const std::string place = encoding_ == Encoding::text
                                   ? "line " + std::to_string(first_line_ + lines_.number())
                                   : "byte offset " + std::to_string(first_byte_ + bytes_.offset());
-    return {std::move(what), place, k_export_again};
+    return {std::move(what), place, k_copy_again};
   }
 
  private:
@@ -333,7 +332,7 @@ class PlyReader {
         if (v < source_.positions.size()) continue;
         return base::Error{"the face names vertex " + std::to_string(v) + ", but there are " +
                                std::to_string(source_.positions.size()) + " vertices",
-                           "face " + std::to_string(f), k_export_again};
+                           "face " + std::to_string(f), k_copy_again};
       }
       if (corners.size() < 3) {
         thin = true;

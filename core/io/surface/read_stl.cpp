@@ -9,14 +9,13 @@
 #include "core/base/text/letters.h"
 #include "core/base/text/utf8.h"
 #include "core/io/model/model_formats.h"
+#include "core/io/remedies.h"
 #include "core/io/surface/surface_model.h"
 #include "core/io/text/names.h"
 #include "core/io/text/text_lines.h"
 
 namespace penpose::io {
 namespace {
-
-constexpr const char* k_export_again = "the file is cut off or damaged; copy or export it again";
 
 /// Gathers loose triangles and makes corners at one place one vertex.
 class Soup {
@@ -65,11 +64,11 @@ base::Result<document::Model> read_binary(base::Bytes bytes) {
   base::ByteReader reader(bytes);
   const auto count = reader.seek(80) ? reader.read<std::uint32_t>() : std::nullopt;
   if (!count)
-    return base::Error{"the header is cut off", "byte offset " + std::to_string(bytes.size()), k_export_again};
+    return base::Error{"the header is cut off", "byte offset " + std::to_string(bytes.size()), k_copy_again};
   if (*count > reader.remaining() / 50) {
     return base::Error{"the file says " + std::to_string(*count) + " triangles, but there is room for " +
                            std::to_string(reader.remaining() / 50),
-                       "byte offset 80", k_export_again};
+                       "byte offset 80", k_copy_again};
   }
   Soup soup;
   soup.begin_solid("");
@@ -104,20 +103,20 @@ base::Result<document::Model> read_text(base::Bytes bytes) {
       soup.begin_solid(base::valid_utf8(base::trim(content)));
       in_solid = true;
     } else if (keyword == "vertex") {
-      if (!in_solid || corner >= 3) return lines.error("a vertex outside a facet of three", k_export_again);
+      if (!in_solid || corner >= 3) return lines.error("a vertex outside a facet of three", k_copy_again);
       for (float& coordinate : corners[corner]) {
         const auto number = parse_coordinate(take_word(content));
-        if (!number) return lines.error("three finite numbers were expected", k_export_again);
+        if (!number) return lines.error("three finite numbers were expected", k_copy_again);
         coordinate = static_cast<float>(*number);
       }
       ++corner;
     } else if (keyword == "endfacet") {
-      if (corner != 3) return lines.error("a facet without three vertices", k_export_again);
+      if (corner != 3) return lines.error("a facet without three vertices", k_copy_again);
       soup.add(corners);
       corner = 0;
     }
   }
-  if (corner != 0) return lines.error("the file ends inside a facet", k_export_again);
+  if (corner != 0) return lines.error("the file ends inside a facet", k_copy_again);
   return soup.finish();
 }
 

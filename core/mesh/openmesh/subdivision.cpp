@@ -17,7 +17,7 @@ struct DoubleTraits : OpenMesh::DefaultTraits {
 using PolyMesh = OpenMesh::PolyMesh_ArrayKernelT<DoubleTraits>;
 using Subdivider = OpenMesh::Subdivider::Uniform::CatmullClarkT<PolyMesh, double>;
 
-base::Error bad_quad(std::size_t quad, const char* what) {
+base::Error wrong_quad(std::size_t quad, const char* what) {
   return {what, "quad " + std::to_string(quad), "use quads that form a manifold"};
 }
 
@@ -30,14 +30,14 @@ base::Result<QuadMesh> catmull_clark(const QuadMesh& mesh) {
     std::vector<PolyMesh::VertexHandle> corners;
     Quad sorted = mesh.quads[q];
     std::stable_sort(sorted.begin(), sorted.end());
-    if (sorted[3] >= mesh.positions.size()) return bad_quad(q, "an index is out of range");
-    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return bad_quad(q, "a vertex is repeated");
+    if (sorted[3] >= mesh.positions.size()) return wrong_quad(q, "an index is out of range");
+    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return wrong_quad(q, "a vertex is repeated");
     for (const std::uint32_t v : mesh.quads[q]) corners.emplace_back(static_cast<int>(v));
     // OpenMesh says why on std::cerr; the error returned here is the only one that a user sees.
     ::omerr().disable();
     const bool added = poly.add_face(corners).is_valid();
     ::omerr().enable();
-    if (!added) return bad_quad(q, "the mesh is no manifold");
+    if (!added) return wrong_quad(q, "the mesh is no manifold");
   }
   const auto first_middle = static_cast<std::uint32_t>(poly.n_vertices() + poly.n_edges());
   try {

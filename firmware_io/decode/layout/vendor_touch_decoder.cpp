@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t k_message_slots = 16;
 constexpr std::int32_t k_message_maximum = 4095;
 
-TouchAxes axes_of(const Protocol& protocol, const Tablet* tablet) {
+TouchAxes touch_axes(const Protocol& protocol, const Tablet* tablet) {
   TouchAxes axes;
   for (const Protocol::Rule& rule : protocol.rules) {
     const Layout& layout = *rule.layout;
@@ -36,7 +36,7 @@ bool has_touch(const Protocol& protocol) {
 }
 
 VendorTouchDecoder::VendorTouchDecoder(std::shared_ptr<const Protocol> protocol, const Tablet* tablet)
-    : TouchDecoder(axes_of(*protocol, tablet)), protocol_(std::move(protocol)) {}
+    : TouchDecoder(touch_axes(*protocol, tablet)), protocol_(std::move(protocol)) {}
 
 bool VendorTouchDecoder::decode(base::Bytes report) {
   if (report.size() < protocol_->skip) return false;

@@ -11,6 +11,7 @@ namespace penpose::decode {
 
 inline constexpr std::uint16_t k_bus_usb = 3;
 inline constexpr std::uint16_t k_bus_bluetooth = 5;
+inline constexpr std::uint16_t k_bus_virtual = 6;
 
 /// What is known of one interface of a device before its first report. A trace knows bus, ids, name and report
 /// descriptor; live hardware may know the rest too. Absent means unknown, never "none": an unknown value contradicts no

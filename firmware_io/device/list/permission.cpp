@@ -26,7 +26,7 @@ ACTION=="remove", GOTO="penpose_end"
 )";
 constexpr std::string_view k_tail = "LABEL=\"penpose_end\"\n";
 
-std::string hex(std::uint16_t id, const char* form) {
+std::string hex_digits(std::uint16_t id, const char* form) {
   std::array<char, 8> digits{};
   std::snprintf(digits.data(), digits.size(), form, id);
   return digits.data();
@@ -41,12 +41,12 @@ void append_rules(std::string& rule, std::uint16_t vendor, const std::set<std::u
       parents += '|';
       ids += '|';
     }
-    parents += "*:" + hex(vendor, "%04X") + ":" + hex(product, "%04X") + ".*";
-    ids += hex(product, "%04x");
+    parents += "*:" + hex_digits(vendor, "%04X") + ":" + hex_digits(product, "%04X") + ".*";
+    ids += hex_digits(product, "%04x");
   }
-  if (products.empty()) parents = "*:" + hex(vendor, "%04X") + ":*";
+  if (products.empty()) parents = "*:" + hex_digits(vendor, "%04X") + ":*";
   rule += "SUBSYSTEM==\"hidraw\", KERNELS==\"" + parents + "\", TAG+=\"uaccess\"\n";
-  rule += "SUBSYSTEM==\"usb\", ENV{DEVTYPE}==\"usb_device\", ATTR{idVendor}==\"" + hex(vendor, "%04x") + "\"";
+  rule += "SUBSYSTEM==\"usb\", ENV{DEVTYPE}==\"usb_device\", ATTR{idVendor}==\"" + hex_digits(vendor, "%04x") + "\"";
   if (!products.empty()) rule += ", ATTR{idProduct}==\"" + ids + "\"";
   rule += ", TAG+=\"uaccess\"\n";
 }

@@ -11,7 +11,7 @@
 namespace penpose::render {
 namespace {
 
-const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+const void* byte_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
 struct Run {
   int first = 0;
@@ -32,7 +32,7 @@ base::Result<CurvePass> CurvePass::make() {
   glBindBuffer(GL_ARRAY_BUFFER, made.corners_);
   const auto attribute = [](unsigned place, int size, unsigned type, bool normalized, std::size_t start) {
     glEnableVertexAttribArray(place);
-    glVertexAttribPointer(place, size, type, normalized ? GL_TRUE : GL_FALSE, sizeof(CurveCorner), offset(start));
+    glVertexAttribPointer(place, size, type, normalized ? GL_TRUE : GL_FALSE, sizeof(CurveCorner), byte_offset(start));
   };
   attribute(0, 2, GL_FLOAT, false, offsetof(CurveCorner, x));
   attribute(1, 4, GL_FLOAT, false, offsetof(CurveCorner, ends));

@@ -30,7 +30,7 @@ struct Failure {
   std::longjmp(failure.back, 1);
 }
 
-void keep_quiet(j_common_ptr, int) {}
+void trace_nothing(j_common_ptr, int) {}
 void say_nothing(j_common_ptr) {}
 
 void count_scans(j_common_ptr info) {
@@ -79,7 +79,7 @@ base::Result<Image> decode_jpeg(std::span<const std::uint8_t> bytes, int most_px
   jpeg_decompress_struct reader{};
   reader.err = jpeg_std_error(&failure.manager);
   failure.manager.error_exit = &fail;
-  failure.manager.emit_message = &keep_quiet;
+  failure.manager.emit_message = &trace_nothing;
   failure.manager.output_message = &say_nothing;
   if (setjmp(failure.back) != 0) return base::Error{"the memory does not suffice for the picture", "", ""};
   jpeg_create_decompress(&reader);

@@ -7,7 +7,7 @@
 namespace penpose::decode {
 namespace {
 
-using P = WacomPad;
+using Pad = WacomPad;
 
 constexpr std::size_t k_intuos_size = 10;
 constexpr std::size_t k_bamboo_two_fingers = 20;
@@ -21,12 +21,12 @@ constexpr PadKeys k_program_keys = key_bit(PadKey::program1) | key_bit(PadKey::p
 
 /// The keys that `show` and its like read the lights from.
 PadKeys mode_keys_of(const WacomHand& hand, const PadFeatures& has) {
-  if (has.modes == 0 || hand.pad == P::remote) return 0;
-  if (hand.pad == P::intuos_pro_bluetooth) return key_bit(numbered_key(hand.keys - 1U));
+  if (has.modes == 0 || hand.pad == Pad::remote) return 0;
+  if (hand.pad == Pad::intuos_pro_bluetooth) return key_bit(numbered_key(hand.keys - 1U));
   PadKeys keys = 0;
   for (unsigned group = 0; group < has.modes; ++group) {
     const unsigned first = group * (hand.keys / has.modes);
-    const unsigned count = hand.pad == P::cintiq_24hd ? has.lights : 1;
+    const unsigned count = hand.pad == Pad::cintiq_24hd ? has.lights : 1;
     for (unsigned i = 0; i < count; ++i) keys |= key_bit(numbered_key(first + i));
   }
   return keys;
@@ -48,59 +48,59 @@ PadFeatures features_of(const WacomHand& hand) {
     has.lights = lights;
   };
   switch (hand.pad) {
-    case P::none:
-    case P::dtus:
-    case P::dtk:
-    case P::cintiq_hybrid:
-    case P::cintiq_companion2:
-    case P::graphire_bluetooth:
-    case P::intuos_2018_bluetooth:
+    case Pad::none:
+    case Pad::dtus:
+    case Pad::dtk:
+    case Pad::cintiq_hybrid:
+    case Pad::cintiq_companion2:
+    case Pad::graphire_bluetooth:
+    case Pad::intuos_2018_bluetooth:
       break;
-    case P::graphire4:
+    case Pad::graphire4:
       has.keys = key_bit(PadKey::back) | key_bit(PadKey::forward);
       has.wheels = 1;
       break;
-    case P::bamboo_first:
+    case Pad::bamboo_first:
       has.keys = k_bamboo_keys;
       rings(1);
       break;
-    case P::bamboo:
-    case P::intuos_ht:
+    case Pad::bamboo:
+    case Pad::intuos_ht:
       has.keys = k_bamboo_keys;
       break;
-    case P::intuos3_small:
+    case Pad::intuos3_small:
       strips(1);
       break;
-    case P::intuos3:
+    case Pad::intuos3:
       strips(2);
       break;
-    case P::intuos4:
-    case P::intuos4_bluetooth:
-    case P::intuos5:
-    case P::intuos_pro_bluetooth:
-    case P::remote:
+    case Pad::intuos4:
+    case Pad::intuos4_bluetooth:
+    case Pad::intuos5:
+    case Pad::intuos_pro_bluetooth:
+    case Pad::remote:
       rings(1);
       modes(1, 4);
       break;
-    case P::cintiq_21ux2:
+    case Pad::cintiq_21ux2:
       strips(2);
       modes(2, 4);
       break;
-    case P::cintiq_22hd:
+    case Pad::cintiq_22hd:
       has.keys |= k_program_keys | key_bit(PadKey::button_config) | key_bit(PadKey::info);
       strips(2);
       break;
-    case P::cintiq_24hd:
+    case Pad::cintiq_24hd:
       has.keys |= k_program_keys | key_bit(PadKey::screen_keyboard) | key_bit(PadKey::info);
       if (!hand.has_partner) has.keys |= key_bit(PadKey::button_config);
       rings(2);
       modes(2, 3);
       break;
-    case P::cintiq_27qhd:
+    case Pad::cintiq_27qhd:
       has.keys |= k_program_keys | key_bit(PadKey::screen_keyboard) | key_bit(PadKey::button_config);
       if (!hand.has_partner) has.keys |= key_bit(PadKey::control_panel);
       break;
-    case P::cintiq_13hd:
+    case Pad::cintiq_13hd:
       rings(1);  // as Linux has it; no report ever moves it
       break;
   }
@@ -111,7 +111,7 @@ PadFeatures features_of(const WacomHand& hand) {
 constexpr std::uint8_t k_status_report = 0xc0;
 
 /// Models that take a module with a battery, for a receiver.
-bool has_wireless_kit(P pad) { return pad == P::bamboo || pad == P::intuos_ht || pad == P::intuos5; }
+bool has_wireless_kit(Pad pad) { return pad == Pad::bamboo || pad == Pad::intuos_ht || pad == Pad::intuos5; }
 
 PadKeys when(bool holds, PadKey key) { return holds ? key_bit(key) : 0; }
 
@@ -133,7 +133,7 @@ void WacomPadDecoder::reset() {
 
 void WacomPadDecoder::set_light(std::size_t side, std::int8_t light) {
   // A remote tells of its own.
-  if (side >= features_.modes || hand_.pad == P::remote) return;
+  if (side >= features_.modes || hand_.pad == Pad::remote) return;
   lights_[side].set(light, features_.lights);
   sample_.mode[side] = lights_[side].now();
 }
@@ -145,26 +145,26 @@ bool WacomPadDecoder::decode(base::Bytes report) {
     return false;
   }
   switch (hand_.pad) {
-    case P::none:
+    case Pad::none:
       return false;
-    case P::graphire4:
-    case P::graphire_bluetooth:
-    case P::bamboo_first:
+    case Pad::graphire4:
+    case Pad::graphire_bluetooth:
+    case Pad::bamboo_first:
       return decode_graphire(report);
-    case P::bamboo:
-    case P::intuos_ht:
+    case Pad::bamboo:
+    case Pad::intuos_ht:
       return decode_bamboo(report);
-    case P::dtus:
+    case Pad::dtus:
       return decode_dtus(report);
-    case P::intuos4_bluetooth:
+    case Pad::intuos4_bluetooth:
       return decode_intuos_bluetooth(report);
-    case P::intuos_pro_bluetooth:
+    case Pad::intuos_pro_bluetooth:
       return decode_pro_bluetooth(report);
-    case P::intuos_2018_bluetooth:
+    case Pad::intuos_2018_bluetooth:
       return decode_2018_bluetooth(report);
-    case P::remote:
+    case Pad::remote:
       return decode_remote(report);
-    case P::intuos5:
+    case Pad::intuos5:
       return report.size() != k_many_fingers && decode_intuos(report);
     default:
       return decode_intuos(report);
@@ -183,17 +183,17 @@ void WacomPadDecoder::take_status(base::Bytes report) {
 
 /// Pen and keys share a report. Keys are told of while one is held, and once more when the last is let go.
 bool WacomPadDecoder::decode_graphire(base::Bytes report) {
-  const bool bluetooth = hand_.pad == P::graphire_bluetooth;
-  const std::size_t size = hand_.pad == P::bamboo_first ? 9 : 8;
+  const bool bluetooth = hand_.pad == Pad::graphire_bluetooth;
+  const std::size_t size = hand_.pad == Pad::bamboo_first ? 9 : 8;
   if (report.size() < size || report[0] != (bluetooth ? 0x03 : 0x02)) return false;
   sample_.wheel = {};
   const std::uint8_t byte = report[7];
   bool active = false;
   PadKeys keys = 0;
-  if (hand_.pad == P::graphire4) {
+  if (hand_.pad == Pad::graphire4) {
     active = (byte & 0xf8) != 0;
     keys = when((byte & 0x40) != 0, PadKey::back) | when((byte & 0x80) != 0, PadKey::forward);
-  } else if (hand_.pad == P::bamboo_first) {
+  } else if (hand_.pad == Pad::bamboo_first) {
     active = (byte & 0xf8) != 0 || report[8] != 0;
     keys = when((byte & 0x08) != 0, PadKey::back) | when((byte & 0x20) != 0, PadKey::left) |
            when((byte & 0x10) != 0, PadKey::forward) | when((byte & 0x40) != 0, PadKey::right);
@@ -207,8 +207,8 @@ bool WacomPadDecoder::decode_graphire(base::Bytes report) {
   active_ = active;
   if (!told) return false;
   sample_.keys = keys;
-  if (hand_.pad == P::graphire4) sample_.wheel[0] = ((byte & 0x18) >> 3) - ((byte & 0x20) >> 3);
-  if (hand_.pad == P::bamboo_first) {
+  if (hand_.pad == Pad::graphire4) sample_.wheel[0] = ((byte & 0x18) >> 3) - ((byte & 0x20) >> 3);
+  if (hand_.pad == Pad::bamboo_first) {
     sample_.ring[0] = report[8] & 0x7f;
     sample_.ring_touched[0] = bit(report, 8, 0x80);
   }
@@ -229,7 +229,7 @@ bool WacomPadDecoder::decode_bamboo(base::Bytes report) {
   }
   if (report.size() != k_many_fingers) return false;
   constexpr std::uint8_t k_keys_message = 128;
-  const bool swapped = hand_.pad == P::intuos_ht;
+  const bool swapped = hand_.pad == Pad::intuos_ht;
   bool told = false;
   const std::size_t count = report[1] & 0x07U;
   for (std::size_t i = 0; i < count; ++i) {
@@ -263,26 +263,26 @@ WacomPadDecoder::Frame WacomPadDecoder::read_intuos(base::Bytes report) const {
                    static_cast<std::int32_t>((byte(3) & 0x1f) << 8 | byte(4))};
   };
   switch (hand_.pad) {
-    case P::intuos4:
-    case P::intuos4_bluetooth:
+    case Pad::intuos4:
+    case Pad::intuos4_bluetooth:
       frame.numbered = byte(3) << 1 | (byte(2) & 1);
       frame.ring[0] = report[1];
       break;
-    case P::intuos5:
+    case Pad::intuos5:
       frame.numbered = byte(4) << 1 | (byte(3) & 1);
       frame.ring[0] = report[2];
       break;
-    case P::dtk:
+    case Pad::dtk:
       frame.numbered = byte(6);
       break;
-    case P::cintiq_13hd:
-    case P::cintiq_hybrid:
+    case Pad::cintiq_13hd:
+    case Pad::cintiq_hybrid:
       frame.numbered = byte(4) << 1 | (byte(3) & 1);
       break;
-    case P::cintiq_companion2:
+    case Pad::cintiq_companion2:
       frame.numbered = (byte(2) >> 4) << 7 | (byte(1) & 0x04) << 4 | (byte(2) & 0x0f) << 2 | (byte(1) & 0x03);
       break;
-    case P::cintiq_24hd: {
+    case Pad::cintiq_24hd: {
       frame.numbered = byte(8) << 8 | byte(6);
       frame.ring = {report[1], report[2]};
       const bool first = (byte(4) & 0x07) != 0;
@@ -293,15 +293,15 @@ WacomPadDecoder::Frame WacomPadDecoder::read_intuos(base::Bytes report) const {
                     when(first, PadKey::button_config);
       break;
     }
-    case P::cintiq_27qhd:
+    case Pad::cintiq_27qhd:
       frame.named = program_keys(byte(2) & 0x07) | when((byte(2) & 0x01) != 0, PadKey::button_config) |
                     when((byte(2) & 0x02) != 0, PadKey::screen_keyboard) |
                     when((byte(2) & 0x04) != 0, PadKey::control_panel);
       break;
-    case P::cintiq_21ux2:
-    case P::cintiq_22hd:
+    case Pad::cintiq_21ux2:
+    case Pad::cintiq_22hd:
       frame.numbered = byte(8) << 10 | (byte(7) & 1) << 9 | byte(6) << 1 | (byte(5) & 1);
-      if (hand_.pad == P::cintiq_22hd) {
+      if (hand_.pad == Pad::cintiq_22hd) {
         frame.named = program_keys(byte(9) & 0x07) | when((byte(9) & 0x01) != 0, PadKey::info) |
                       when((byte(9) & 0x02) != 0, PadKey::button_config);
       }
@@ -324,7 +324,7 @@ void WacomPadDecoder::show(const Frame& frame) {
     }
     if (i < features_.strips) sample_.strip[i] = frame.strip[i];
   }
-  if (hand_.pad == P::cintiq_24hd) {
+  if (hand_.pad == Pad::cintiq_24hd) {
     sample_.mode[0] = lights_[0].choose(frame.numbered & 0xff, features_.lights);
     sample_.mode[1] = lights_[1].choose(static_cast<unsigned>(frame.numbered >> 8), features_.lights);
     return;

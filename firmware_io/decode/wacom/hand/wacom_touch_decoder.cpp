@@ -7,10 +7,10 @@
 namespace penpose::decode {
 namespace {
 
-using T = WacomTouch;
+using Touch = WacomTouch;
 
 constexpr std::size_t k_two_fingers = 20;
-constexpr std::size_t k_many_fingers = 64;
+constexpr std::size_t k_finger_report = 64;
 
 }  // namespace
 
@@ -30,23 +30,23 @@ bool WacomTouchDecoder::finish() {
 bool WacomTouchDecoder::decode(base::Bytes report) {
   if (report.empty()) return false;
   switch (format_) {
-    case T::none:
+    case Touch::none:
       return false;
-    case T::bamboo:
+    case Touch::bamboo:
       if (report.size() == k_two_fingers) return decode_two(report);
-      return report.size() == k_many_fingers && decode_messages(report);
-    case T::intuos:
-      return report.size() == k_many_fingers && decode_messages(report);
-    case T::display:
-    case T::display_27qhd:
+      return report.size() == k_finger_report && decode_messages(report);
+    case Touch::intuos:
+      return report.size() == k_finger_report && decode_messages(report);
+    case Touch::display:
+    case Touch::display_27qhd:
       return decode_display(report);
-    case T::tablet_pc:
-    case T::tablet_pc_many:
-    case T::tablet_pc_many_bare:
+    case Touch::tablet_pc:
+    case Touch::tablet_pc_many:
+    case Touch::tablet_pc_many_bare:
       return decode_tablet_pc(report);
-    case T::bamboo_pad:
+    case Touch::bamboo_pad:
       return decode_bamboo_pad(report);
-    case T::intuos_pro_bluetooth:
+    case Touch::intuos_pro_bluetooth:
       return decode_pro_bluetooth(report);
   }
   return false;
@@ -89,7 +89,7 @@ bool WacomTouchDecoder::decode_messages(base::Bytes report) {
 
 /// The first report of a frame says how many fingers it has in all.
 bool WacomTouchDecoder::decode_display(base::Bytes report) {
-  const bool wide = format_ == T::display_27qhd;
+  const bool wide = format_ == Touch::display_27qhd;
   const std::size_t count_at = wide ? 63 : 61;
   const std::int32_t most = wide ? 10 : 4;
   const std::size_t size = wide ? 6 : 14;
@@ -159,7 +159,7 @@ bool WacomTouchDecoder::decode_tablet_pc_two(base::Bytes report) {
 
 bool WacomTouchDecoder::decode_many(base::Bytes report) {
   constexpr std::int32_t k_most = 5;
-  const bool bare = format_ == T::tablet_pc_many_bare;
+  const bool bare = format_ == Touch::tablet_pc_many_bare;
   const std::size_t size = bare ? 7 : 11;
   const std::size_t x_at = bare ? 3 : 7;
   if (report.size() < 3) return false;

@@ -4,12 +4,13 @@
 #include <bit>
 #include <type_traits>
 
+#include "core/io/remedies.h"
+
 namespace penpose::io {
 namespace {
 
 /// Zeros that no byte of the file stands for are dear: whoever writes them has nothing to say.
 constexpr std::uint64_t k_cost_of_zeros = 16;
-constexpr const char* k_export_again = "the file is damaged; export it again";
 
 base::Error wrong(std::string what, std::string pointer, std::string remedy = k_export_again) {
   return {std::move(what), std::move(pointer), std::move(remedy)};

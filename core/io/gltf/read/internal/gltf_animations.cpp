@@ -6,11 +6,10 @@
 
 #include "core/io/gltf/internal/gltf_extras.h"
 #include "core/io/gltf/read/internal/gltf_accessor.h"
+#include "core/io/remedies.h"
 
 namespace penpose::io {
 namespace {
-
-constexpr const char* k_export_again = "the file is damaged; export it again";
 
 /// Keys as the file has them: `per_key` numbers for each element that is animated.
 struct Keys {

@@ -5,13 +5,12 @@
 #include <set>
 
 #include "core/io/gltf/read/internal/gltf_accessor.h"
+#include "core/io/remedies.h"
 #include "core/io/surface/normals.h"
 #include "core/io/text/names.h"
 
 namespace penpose::io {
 namespace {
-
-constexpr const char* k_export_again = "the file is damaged; export it again";
 
 bool is_surface(const tinygltf::Primitive& primitive) { return primitive.mode >= TINYGLTF_MODE_TRIANGLES; }
 

@@ -7,10 +7,11 @@
 #include <limits>
 #include <span>
 
+#include "core/io/remedies.h"
+
 namespace penpose::io {
 namespace {
 
-constexpr const char* k_export_again = "the file is damaged; export it again";
 // On a 32-bit machine no more than tinygltf's size_t holds: a larger one must not be cut to another that fits.
 constexpr std::int64_t k_most_bytes =
     static_cast<std::int64_t>(std::min<std::uint64_t>(std::uint64_t{1} << 40, std::numeric_limits<std::size_t>::max()));

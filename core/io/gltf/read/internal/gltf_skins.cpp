@@ -8,12 +8,12 @@
 #include <set>
 
 #include "core/io/gltf/read/internal/gltf_accessor.h"
+#include "core/io/remedies.h"
 #include "core/io/text/names.h"
 
 namespace penpose::io {
 namespace {
 
-constexpr const char* k_export_again = "the file is damaged; export it again";
 constexpr std::int32_t k_none = -1;
 /// Joints of a skin that stand for nothing: vertices that follow them have no influence.
 constexpr std::uint32_t k_still = 0xffffffffU;
