@@ -9,7 +9,7 @@
 
 namespace penpose::decode {
 
-/// Where a finger's values stand; they stay what they were while other reports come.
+/// The controls with a finger's values; values persist while other reports arrive.
 struct MultitouchFinger {
   std::optional<DescribedControl> id, x, y, tip, in_range, confidence;
   std::uint8_t report_id = 0;
@@ -27,8 +27,8 @@ struct MultitouchApplication {
 
 struct MultitouchLayout {
   bool has_report_ids = false;
-  bool certified = false;  ///< says that Windows 8 may rely on it: palms, hovering, one place for each finger
-  std::array<std::uint32_t, 256> report_length{};  ///< 0 where no fingers are
+  bool certified = false;  ///< certified for Windows 8: palms, hovering, one place for each finger
+  std::array<std::uint32_t, 256> report_length{};  ///< 0 for reports without fingers
   std::vector<MultitouchApplication> applications;
   TouchAxes axes;
 };
@@ -37,7 +37,7 @@ struct MultitouchLayout {
 [[nodiscard]] std::optional<MultitouchLayout> find_multitouch(const hid::ReportDescriptor& descriptor);
 
 /// Fingers as the Digitizer page describes them (HID Usage Tables 1.3, 16.5), read as Linux does (hid-multitouch.c).
-/// A frame may span several reports, of which the first says how many fingers it has.
+/// A frame may span several reports; the first has the number of fingers.
 class MultitouchDecoder final : public TouchDecoder {
  public:
   explicit MultitouchDecoder(MultitouchLayout layout);
@@ -70,7 +70,7 @@ class MultitouchDecoder final : public TouchDecoder {
 
   MultitouchLayout layout_;
   std::vector<State> states_;  ///< of the applications
-  std::vector<bool> palms_;    ///< by slot: lifted as a palm, which is to be told of once more
+  std::vector<bool> palms_;    ///< by slot: lifted as a palm, to be reported once more
 };
 
 }  // namespace penpose::decode
