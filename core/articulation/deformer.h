@@ -53,7 +53,9 @@ class Deformer {
   /// The vertices that it moves (weight above 0; with other targets all of its region), ascending, and their weights.
   [[nodiscard]] std::span<const std::uint32_t> vertices() const { return built_->vertices; }
   [[nodiscard]] std::span<const double> weights() const { return built_->weights; }
-  /// Computes their displacements.
+  /// Their displacements at an amount.
+  [[nodiscard]] std::vector<ModelVector> displacements(double amount) const;
+  /// Computes the same without allocating.
   [[nodiscard]] const CurveSkin& skin() const { return built_->skin; }
 
   /// The same deformer under another name or range.

@@ -46,16 +46,8 @@ class MultitouchDecoder final : public TouchDecoder {
   void reset() override;
 
  private:
-  struct Finger {
-    std::int32_t id = 0;
-    std::int32_t x = 0;
-    std::int32_t y = 0;
-    bool tip = false;
-    bool in_range = false;
-    bool confident = true;
-  };
   struct State {
-    std::vector<Finger> fingers;
+    std::vector<ReportedFinger> fingers;
     std::int64_t count = 0;
     std::int64_t scan_time = 0;
     std::int64_t last_scan_time = 0;
@@ -66,7 +58,7 @@ class MultitouchDecoder final : public TouchDecoder {
   bool decode_application(const MultitouchApplication& layout, State& state);
   void read(const MultitouchApplication& layout, State& state, std::uint8_t id, base::Bytes report) const;
   /// False when the finger is not one of this frame.
-  bool take(const MultitouchApplication& layout, const State& state, const Finger& finger);
+  bool take(const MultitouchApplication& layout, const State& state, const ReportedFinger& finger);
 
   MultitouchLayout layout_;
   std::vector<State> states_;  ///< of the applications

@@ -17,6 +17,16 @@ struct TouchContact {
   friend bool operator==(const TouchContact&, const TouchContact&) = default;
 };
 
+/// A finger in a described report.
+struct ReportedFinger {
+  std::int32_t id = 0;
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  bool tip = false;
+  bool in_range = false;
+  bool confident = true;
+};
+
 /// Follows fingers from frame to frame as Linux does (input-mt.c): a finger keeps its slot, and a slot keeps its last
 /// values. A frame may span several reports; `publish` makes it visible. Never allocates after construction.
 class TouchSlots {

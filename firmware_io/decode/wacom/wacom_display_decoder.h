@@ -23,6 +23,8 @@ class WacomDisplayDecoder final : public PenDecoder {
   ReportKind decode_dtu(base::Bytes report);
   ReportKind decode_dtus(base::Bytes report);
   ReportKind decode_tablet_pc(base::Bytes report);
+  /// Reads what DTU and tablet PC reports share; `high_pressure`: mask of the pressure bits in byte 7.
+  void read_state(base::Bytes report, std::uint8_t high_pressure);
   /// Sets tool and proximity; a repeated report that nothing is near is not a pen report.
   ReportKind finish(bool near);
 

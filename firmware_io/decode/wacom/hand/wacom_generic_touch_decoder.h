@@ -48,14 +48,6 @@ class WacomGenericTouchDecoder final : public TouchDecoder {
   void reset() override;
 
  private:
-  struct Finger {
-    std::int32_t id = 0;
-    std::int32_t x = 0;
-    std::int32_t y = 0;
-    bool tip = false;
-    bool confident = true;
-  };
-
   [[nodiscard]] bool muted() const { return gate_ != nullptr && gate_->mutes(); }
   void begin(const FingerReport& layout, base::Bytes report);
   void apply(const FingerControl& control, std::int64_t value);
@@ -64,7 +56,7 @@ class WacomGenericTouchDecoder final : public TouchDecoder {
 
   FingerLayout layout_;
   std::shared_ptr<TouchSwitch> gate_;
-  Finger finger_;
+  ReportedFinger finger_;
   std::int32_t expected_ = 0;
   std::int32_t received_ = 0;
   bool invalid_ = false;
