@@ -11,7 +11,7 @@
 
 namespace penpose::animation {
 
-/// A control that an action unit of the track tells of.
+/// A control that an action unit of the track gives evidence for.
 struct UnitControl {
   std::size_t unit = 0;  ///< number in PointTrack::unit_names
   std::size_t parameter = 0;
@@ -23,34 +23,34 @@ struct TrackSetup {
   StablePoints points;
   std::vector<std::size_t> free;       ///< parameters that may move, ascending
   rig::Pose rest;                      ///< the pose of the neutral frame
-  std::optional<std::size_t> neutral;  ///< a frame; by default as choose_rest says, else the first that shows a face
-  double least_confidence = 0.2;       ///< frames below show no face
+  std::optional<std::size_t> neutral;  ///< a frame; by default from choose_rest, else the first that shows a face
+  double least_confidence = 0.2;       ///< frames below this show no face
   /// How far points shake, px of the track (`denoise`); by default 1, or less where the face is smaller than 320 px.
   std::optional<double> tremor_px;
-  std::vector<UnitControl> units;  ///< what action units say, as evidence beside the curves; linear rigs alone take it
-  double unit_weight = 0.02;       ///< of it, in the unit of FrameOptions::near_last
-  double smooth_s = 0;             ///< as smooth_over_time, for parameters and the head's turn
-  std::vector<std::uint32_t> components;  ///< of the mesh, one a vertex, to know eyeballs by; or none
-  FrameOptions frame;                     ///< but for its tremor_px, which follows from the above
+  std::vector<UnitControl> units;         ///< action units as evidence in addition to the curves; for linear rigs only
+  double unit_weight = 0.02;              ///< of that evidence, in the unit of FrameOptions::near_last
+  double smooth_s = 0;                    ///< as smooth_over_time, for parameters and the head's turn
+  std::vector<std::uint32_t> components;  ///< of the mesh, one a vertex, to find eyeballs; or none
+  FrameOptions frame;                     ///< tremor_px is ignored; it follows from the above
 };
 
-/// What came out: one entry a frame of the track.
+/// The result: one entry a frame of the track.
 struct TrackedAnimation {
   std::vector<double> times_s;
   std::vector<rig::Pose> poses;
   std::vector<std::size_t> held;   ///< frames that show no face and keep the pose before
-  StillTrack still;                ///< the head's turns, and what is left without them
-  Transfer transfer;               ///< which point of the track drives which of the model
+  StillTrack still;                ///< the head's turns, and the track without them
+  Transfer transfer;               ///< which point of the track drives which point of the model
   std::size_t variables = 0;       ///< parameters in the search
-  std::optional<RestChoice> rest;  ///< where it was chosen from the clip
-  EyeMotion eyes;                  ///< what the eyes do, where the curves have lids
+  std::optional<RestChoice> rest;  ///< if it was chosen from the clip
+  EyeMotion eyes;                  ///< motion of the eyes, if the curves have lids
   std::size_t gaze_controls = 0;   ///< how many controls the gaze drives
 };
 
 /// Called around the solving of each frame, before (false) and after (true), for a clock and a progress bar.
 using FrameWatch = std::function<void(bool done)>;
 
-/// Animation from tracked curves (method, section 4): takes the head's motion out, steadies the curves, brings them to
+/// Animation from tracked curves (method, section 4): removes the head's motion, denoises the curves, transfers them to
 /// the image plane of `camera` and solves the frames in order. The rig must outlive the call. Errors: those of
 /// take_head_motion_out, make_transfer and FrameSolver::make.
 [[nodiscard]] base::Result<TrackedAnimation> animate_track(const rig::Rig& rig, const PointTrack& track,

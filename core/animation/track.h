@@ -19,23 +19,23 @@ struct Gaze {
   double down = 0;
 };
 
-/// What a tracker says of a face beside its points.
+/// What a tracker reports about a face besides its points.
 struct TrackerSays {
   std::optional<double> closing = std::nullopt;  ///< how far the eyes close, in its own unit (AU45 of OpenFace)
-  std::vector<Gaze> gaze = {};     ///< one an eye, the picture's left one first; empty where it says nothing
-  std::vector<double> units = {};  ///< one a name of PointTrack::unit_names, 0..1; empty where it says nothing
+  std::vector<Gaze> gaze = {};                   ///< one an eye, the picture's left one first; empty where unknown
+  std::vector<double> units = {};                ///< one a name of PointTrack::unit_names, 0..1; empty where unknown
 };
 
-/// What a tracker saw in one picture of a video.
+/// What a tracker found in one picture of a video.
 struct TrackFrame {
   double time_s = 0;
   double confidence = 0;        ///< 0..1; 0: no face was found, and `points` may be empty
   std::vector<PxPoint> points;  ///< px of the video, y down; one a point of the format
-  std::vector<double> depths;   ///< px towards the camera, one a point; empty where nothing is known of it
-  /// How the head is turned, from a face that looks into the camera (x right, y down, z away), where the tracker says.
+  std::vector<double> depths;   ///< px towards the camera, one a point; empty where unknown
+  /// The head's rotation from a face that looks into the camera (x right, y down, z away), if the tracker reports it.
   std::optional<glm::dmat3> rotation = std::nullopt;
   TrackerSays says = {};
-  std::string why_held = {};  ///< why the frame shows no face; empty where it does or the file leaves it out
+  std::string why_held = {};  ///< why the frame shows no face; empty where it does or the file does not say
 
   [[nodiscard]] bool found() const { return confidence > 0 && !points.empty(); }
 };
@@ -47,14 +47,14 @@ struct TrackGroup {
   std::size_t count = 0;
 };
 
-/// Tracked points over time. Every frame that was found has `point_count` points.
+/// Tracked points over time. Every frame with a face has `point_count` points.
 struct PointTrack {
   std::size_t point_count = 0;
   std::vector<TrackFrame> frames;       ///< in order of time
   std::vector<TrackGroup> groups;       ///< for formats that name their curves; empty otherwise
   std::vector<std::string> unit_names;  ///< of action units ("AU12"); empty where the file has none
-  std::vector<std::string> notes;       ///< what was left out or held, one line each
-  std::string rate_note;                ///< where the file does not tell the frame rate: which one was taken
+  std::vector<std::string> notes;       ///< frames left out or held, one line each
+  std::string rate_note;                ///< the assumed frame rate, where the file has none
 };
 
 struct WeightFrame {
@@ -63,7 +63,7 @@ struct WeightFrame {
   std::vector<double> values;  ///< one a name; empty where not found
 };
 
-/// Values of named controls over time, as a tracker with a rig of its own gives them.
+/// Values of named controls over time, from a tracker with a rig of its own.
 struct WeightTrack {
   std::vector<std::string> names;
   std::vector<WeightFrame> frames;
@@ -71,13 +71,13 @@ struct WeightTrack {
   std::string rate_note;
 };
 
-/// Frames a second of evenly spaced times; 0 for fewer than two frames or times that do not grow.
+/// Frames a second of evenly spaced times; 0 for fewer than two frames or times that do not increase.
 [[nodiscard]] double frames_per_second(double first_s, double last_s, std::size_t frames);
 
-/// The frame rate of which all these times (ascending, s) are whole frames to within a share of one: one that video is
-/// made in where one fits, else what most steps say; 0 where there is none.
+/// The frame rate for which all these times (ascending, s) are whole frames to within a share of one: a standard video
+/// rate if one fits, else the rate of most steps; 0 where there is none.
 [[nodiscard]] double whole_frame_rate(std::span<const double> times_s, double within);
-/// The times at whole frames of that rate.
+/// The times rounded to whole frames of that rate.
 [[nodiscard]] std::vector<double> at_whole_frames(std::span<const double> times_s, double fps);
 
 }  // namespace penpose::animation

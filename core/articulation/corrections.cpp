@@ -78,9 +78,7 @@ base::Result<std::shared_ptr<const Correction>> build_correction(CorrectionSketc
   Correction correction{std::move(drawn), {}, {}, std::move(canvas), std::move(*built)};
   const Deformer& deformer = *correction.deformer;
   correction.vertices.assign(deformer.vertices().begin(), deformer.vertices().end());
-  correction.moves.resize(correction.vertices.size());
-  CurveSkinWorkspace work;
-  deformer.skin().displacements(1.0, work, correction.moves);
+  correction.moves = deformer.displacements(1.0);
   return std::make_shared<const Correction>(std::move(correction));
 }
 

@@ -12,39 +12,39 @@
 
 namespace penpose::articulation {
 
-/// A control that brings a correction in, and its value in the pose that was corrected; never its value at rest.
+/// A control that brings in a correction, and its value in the corrected pose; never its value at rest.
 struct Driver {
   std::string control;
   double value = 1;
   friend bool operator==(const Driver&, const Driver&) = default;
 };
 
-/// Fewer controls make no combination (another target of the one does), more are a pose and no combination.
+/// Fewer controls are no combination (use another target of the one), more are a pose rather than a combination.
 inline constexpr std::size_t k_fewest_drivers = 2, k_most_drivers = 8;
 
-/// What was drawn to correct a pose that several controls make together: a sketch on the model so posed.
+/// The strokes that correct a pose of several controls: a sketch on the model in that pose.
 struct CorrectionSketch {
   Sketch sketch;
   std::vector<Driver> drivers;
   friend bool operator==(const CorrectionSketch&, const CorrectionSketch&) = default;
 };
 
-/// A correction that was built: displacements of rest vertices where its drivers have their values.
+/// A built correction: displacements of rest vertices for the pose in which its drivers have their values.
 struct Correction {
   CorrectionSketch drawn;
   std::vector<std::uint32_t> vertices;  ///< ascending
   std::vector<ModelVector> moves;
-  std::shared_ptr<const Canvas> canvas;      ///< that it was drawn on
-  std::shared_ptr<const Deformer> deformer;  ///< as it was built there
+  std::shared_ptr<const Canvas> canvas;      ///< the canvas it was drawn on
+  std::shared_ptr<const Deformer> deformer;  ///< the deformer built there
 };
 
 /// Errors: those of build_deformer, and a correction with other targets.
 [[nodiscard]] base::Result<std::shared_ptr<const Correction>> build_correction(CorrectionSketch drawn,
                                                                                std::shared_ptr<const Canvas> canvas);
 
-/// Corrections of a rig. They have no parameters of their own: the values of all the rig's weights tell how much of
-/// each there is, the product over its drivers of how far each has come from rest to its value, cut off at 0 and 1. So
-/// it is all there where it was drawn and beyond, and nothing where any of them rests.
+/// Corrections of a rig. They have no parameters of their own: the amount of each follows from the rig's weights. It is
+/// the product over its drivers of how far each is from rest to its value, clamped to 0..1. So it is 1 in the pose
+/// where it was drawn and beyond, and 0 where any driver is at rest.
 class Corrections final : public rig::DisplacementLayer {
  public:
   using Shared = std::shared_ptr<const Corrections>;
@@ -56,7 +56,7 @@ class Corrections final : public rig::DisplacementLayer {
 
   [[nodiscard]] std::span<const std::shared_ptr<const Correction>> all() const { return corrections_; }
   [[nodiscard]] std::size_t size() const { return corrections_.size(); }
-  /// How much of a correction there is, 0..1. Precondition: `pose` has at least all weights of the rig.
+  /// The amount of a correction, 0..1. Precondition: `pose` has at least all weights of the rig.
   [[nodiscard]] double amount(std::size_t correction, std::span<const double> pose) const;
 
   [[nodiscard]] std::span<const rig::Parameter> parameters() const override { return {}; }
@@ -77,7 +77,7 @@ class Corrections final : public rig::DisplacementLayer {
   std::vector<std::vector<Lever>> levers_;
 };
 
-/// Adds what every correction was sketched from, in order.
+/// Adds the sketch of every correction, in order.
 void add_to_hash(base::StateHash& hash, const CorrectionSketch& correction);
 
 }  // namespace penpose::articulation

@@ -206,6 +206,13 @@ std::vector<ModelPoint> Deformer::curve_at(double amount) const {
   return points;
 }
 
+std::vector<ModelVector> Deformer::displacements(double amount) const {
+  CurveSkinWorkspace work;
+  std::vector<ModelVector> moves(vertices().size());
+  skin().displacements(amount, work, moves);
+  return moves;
+}
+
 base::Result<std::shared_ptr<const Deformer>> Deformer::renamed(std::string name) const {
   auto other = std::make_shared<Deformer>(*this);
   other->sketch_.name = std::move(name);

@@ -9,13 +9,13 @@
 
 namespace penpose::articulation {
 
-// Edits of a set of deformers. Each gives a new set and shares every deformer that it does not touch. An index that
-// does not exist is an error, and so is a name that is taken.
+// Edits of a set of deformers. Each gives a new set and shares every deformer that it does not change. An index that
+// does not exist and a name that is taken are errors.
 
 /// Adds at the end.
 [[nodiscard]] base::Result<SketchedDeformers::Shared> with_added(const SketchedDeformers& set,
                                                                  std::shared_ptr<const Deformer> deformer);
-/// Builds deformer `index` again from another sketch: one with a curve drawn anew, another mode, surface or range.
+/// Builds deformer `index` again from another sketch: one with a redrawn curve, another mode, surface or range.
 [[nodiscard]] base::Result<SketchedDeformers::Shared> with_sketch(const SketchedDeformers& set, std::size_t index,
                                                                   const Sketch& sketch, const Canvas& canvas);
 [[nodiscard]] base::Result<SketchedDeformers::Shared> without(const SketchedDeformers& set, std::size_t index);
@@ -23,7 +23,7 @@ namespace penpose::articulation {
                                                                 std::string name);
 [[nodiscard]] base::Result<SketchedDeformers::Shared> with_range(const SketchedDeformers& set, std::size_t index,
                                                                  double minimum, double maximum);
-/// Takes deformer `from` out and puts it back as number `to`.
+/// Moves deformer `from` to index `to`.
 [[nodiscard]] base::Result<SketchedDeformers::Shared> moved(const SketchedDeformers& set, std::size_t from,
                                                             std::size_t to);
 /// Adds the mirror image of deformer `index` at the end, under a name or, where that is empty, the other side's.
@@ -32,7 +32,7 @@ namespace penpose::articulation {
 
 enum class CurveRole : std::uint8_t { general, specific, reference, target };
 
-/// The sketch with one curve drawn anew under a camera. No points for the reference: it is inferred again. Error: a
+/// The sketch with one curve redrawn under a camera. No points for the reference: it is inferred again. Error: a
 /// region under another camera than the sketch's, because both regions are compared in px of one picture.
 [[nodiscard]] base::Result<Sketch> redrawn(const Sketch& sketch, CurveRole role, std::vector<PxPoint> points,
                                            const geometry::CameraPose& camera);

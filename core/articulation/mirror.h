@@ -23,8 +23,8 @@ struct SymmetryPlane {
 /// and "Right" in any case of letters; the first that is found. A name without a side gets "_mirrored" at its end.
 [[nodiscard]] std::string mirrored_name(std::string_view name);
 
-/// What would have been drawn on the other side: cameras and ball reflected, strokes reflected with the picture, the
-/// name and that of the surface's part changed to the other side's.
+/// The sketch for the other side: cameras and ball reflected, strokes reflected with the picture, the name and that of
+/// the surface's part changed to the other side's.
 [[nodiscard]] Sketch mirrored(const Sketch& sketch, const SymmetryPlane& plane);
 
 /// The same deformer on the other side of the model, in one call: a left eyelid's makes the right eyelid's. Errors: no

@@ -16,13 +16,13 @@ using geometry::ModelPoint;
 using geometry::ModelVector;
 using geometry::PxPoint;
 
-/// How a deformer goes from its reference curve to its target (method, section 3).
+/// How a deformer moves from its reference curve to its target (method, section 3).
 enum class Mode : std::uint8_t { automatic, translate, rotate };
 
 /// A ball that vertices keep their distance from, in world space at rest.
 struct Sphere {
   ModelPoint center{0};
-  double radius = 1;  ///< > 0; what is drawn of the ball, the kept distance is that of each vertex from the centre
+  double radius = 1;  ///< > 0; radius of the drawn ball; each vertex keeps its own distance from the centre
   friend bool operator==(const Sphere&, const Sphere&) = default;
 };
 
@@ -32,17 +32,17 @@ struct PartSurface {
   friend bool operator==(const PartSurface&, const PartSurface&) = default;
 };
 
-/// What a deformer slides over; nothing for most.
+/// The surface that a deformer slides over; none for most.
 using Surface = std::variant<std::monostate, Sphere, PartSurface>;
 
-/// How far into the model a lasso reaches: to what lies behind, or only to what the camera sees.
+/// How far into the model a lasso reaches: also to hidden parts, or only to visible ones.
 enum class Reach : std::uint8_t { through, front };
 
 /// The widest range that a deformer's parameter may have.
 inline constexpr double k_widest_amount = 10;
 /// The most points that a curve may have.
 inline constexpr std::size_t k_most_points = 100000;
-/// The most targets that a deformer may have beside its own.
+/// The most other targets that a deformer may have.
 inline constexpr std::size_t k_most_betweens = 64;
 
 /// Another target of a deformer: where its curve is at a value other than 0 and 1.
@@ -53,7 +53,7 @@ struct Between {
   friend bool operator==(const Between&, const Between&) = default;
 };
 
-/// What was drawn to make one deformer: all that is needed to build it again, and what a user can draw anew. Curves are
+/// The strokes that make one deformer: everything needed to build it again, and that a user can redraw. Curves are in
 /// px of the viewport. Strokes are drawn on the model at rest.
 struct Sketch {
   std::string name;
@@ -69,21 +69,21 @@ struct Sketch {
   Surface surface;
   double minimum = 0;        ///< range of the parameter, <= 0
   double maximum = 1;        ///< > 0
-  bool paper = false;        ///< built as the paper says (method, section 3), without a measure of what it distorts
-  bool other_sheet = false;  ///< a drawn reference lies on the other of two sheets; not where `paper`
+  bool paper = false;        ///< built as in the paper (method, section 3), without measuring strain
+  bool other_sheet = false;  ///< a drawn reference is on the other of two sheets; not where `paper`
   Reach reach = Reach::through;
-  std::uint32_t piece = 0;        ///< of the pieces inside the first lasso which one, the nearest being 0
+  std::uint32_t piece = 0;        ///< which of the pieces inside the first lasso; 0 is the nearest
   std::vector<Between> betweens;  ///< ascending by their values; none where `paper`
   friend bool operator==(const Sketch&, const Sketch&) = default;
 };
 
-/// Checks what can be checked without a model. Errors carry the key of the sketch file as their place ("target",
+/// Checks that need no model. Errors carry the key of the sketch file as their place ("target",
 /// "target/3", "surface/sphere/radius"): no name, a missing curve, too many points, coordinates that are not finite or
 /// beyond a million px, a ball without radius, a range without 0, other targets that are not in ascending order within
-/// the range or stand where the deformer's own do.
+/// the range, or have the value 0 or 1.
 [[nodiscard]] base::Status check_sketch(const Sketch& sketch);
 
-/// Adds everything that was drawn to a canonical hash.
+/// Adds all strokes and settings to a canonical hash.
 void add_to_hash(base::StateHash& hash, const Sketch& sketch);
 
 }  // namespace penpose::articulation

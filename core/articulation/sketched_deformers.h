@@ -13,8 +13,8 @@
 
 namespace penpose::articulation {
 
-/// Any number of sketched deformers. Their displacements, each computed from the mesh at rest, add up in their order.
-/// Never changes: editing gives another set. A deformer that has not changed is shared between the sets.
+/// Any number of sketched deformers. Their displacements, each computed from the mesh at rest, are added in order.
+/// Immutable: editing gives another set, which shares unchanged deformers.
 class SketchedDeformers final : public rig::DisplacementLayer {
  public:
   using Shared = std::shared_ptr<const SketchedDeformers>;
@@ -38,7 +38,7 @@ class SketchedDeformers final : public rig::DisplacementLayer {
   std::vector<rig::Parameter> parameters_;
 };
 
-/// Adds what every deformer was sketched from, in order.
+/// Adds the sketch of every deformer, in order.
 void add_to_hash(base::StateHash& hash, const SketchedDeformers& deformers);
 
 }  // namespace penpose::articulation

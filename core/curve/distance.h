@@ -7,7 +7,7 @@
 
 namespace penpose::curve {
 
-/// From a place to the nearest one of a line of at least one point, px.
+/// Distance from a place to a line of at least one point, px.
 [[nodiscard]] inline double distance_to(std::span<const PxPoint> line, PxPoint p) {
   double nearest = geometry::distance(line.front(), p);
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {

@@ -9,12 +9,12 @@
 
 namespace penpose::curve {
 
-/// Ends within this distance are "the same place" on a viewport 1000 px high; it grows with the height, so that a dense
-/// screen behaves like any other (method, sections 1 and 3).
+/// Ends within this distance are "the same place" on a viewport 1000 px high; it scales with the height, so that a
+/// dense screen behaves like any other (method, sections 1 and 3).
 inline constexpr double k_pairing_distance_px = 10;
 [[nodiscard]] double pairing_distance_px(geometry::Viewport viewport);
 
-/// Both ends lie in the same place: a lip or an eye drawn around.
+/// Whether both ends are in the same place, as in a line around a lip or an eye.
 [[nodiscard]] bool is_closed(std::span<const PxPoint> line, double distance_px);
 
 /// True when the target runs against the reference: its end is nearer to the reference's start than its own start is
@@ -35,8 +35,8 @@ struct PairedTarget {
 /// Orders, reparameterises and lifts a drawn target (method, section 1). `reference` are the positions of the
 /// reference's points now, on the posed mesh. Point i of the target sits at the share of its length that reference
 /// point i has of the reference's on the image plane, which for an evenly spaced reference is (i - 1)/(n - 1). Two
-/// closed curves have no start to trust: all cyclic shifts and both directions are tried and the pairing with the least
-/// sum of distances is kept. Errors: a line of fewer than two points or of no length; a reference behind the camera or
+/// closed curves have no reliable start: of all cyclic shifts and both directions, the pairing with the least sum of
+/// distances is kept. Errors: a line of fewer than two points or of no length; a reference behind the camera or
 /// without length on the image plane.
 [[nodiscard]] base::Result<PairedTarget> pair_target(std::span<const ModelPoint> reference,
                                                      std::span<const PxPoint> target, const geometry::Camera& camera);

@@ -9,7 +9,7 @@
 
 namespace penpose::curve {
 
-/// A point that polylines are made of: px or model space.
+/// The point of a polyline: px or model space.
 template <typename Point>
 concept CurveSpace = std::same_as<Point, PxPoint> || std::same_as<Point, ModelPoint>;
 

@@ -4,14 +4,14 @@
 
 namespace penpose::curve {
 
-/// A part of less than this share of the largest one's area is slight.
+/// A part with less than this share of the largest part's area is slight.
 inline constexpr double k_slight = 0.005;
-/// How far what it stands on may be from where it was drawn, beside the length of what was drawn.
+/// The most distance between a slight part's line and the surface it is attached to, as a share of the line's length.
 inline constexpr double k_stand = 0.3;
 
-/// What was drawn on slight parts is meant for what they stand on: lashes on a lid. Each such point is taken to the
-/// nearest place of the largest part that all of them have within k_stand; `aside` grows by the way back. Nothing
-/// changes where there is no such part.
+/// A line drawn on slight parts is meant for the part they are attached to: lashes on a lid. Moves each such point to
+/// the nearest place of the largest part that is within k_stand of all of them, and adds the offset back to `aside`.
+/// Nothing changes where there is no such part.
 void stand_on_body(ProjectedStroke& drawn, const SheetSurface& surface);
 
 }  // namespace penpose::curve

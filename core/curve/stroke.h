@@ -10,7 +10,7 @@ namespace penpose::curve {
 using geometry::ModelPoint;
 using geometry::PxPoint;
 
-/// One report of the pen while it drew.
+/// One report of the pen while drawing.
 struct StrokeSample {
   PxPoint position;
   double pressure = 1;       ///< 0..1
@@ -18,7 +18,7 @@ struct StrokeSample {
   friend bool operator==(const StrokeSample&, const StrokeSample&) = default;
 };
 
-/// What one pen-down to pen-up drew.
+/// The samples from pen-down to pen-up.
 using Stroke = std::vector<StrokeSample>;
 
 [[nodiscard]] std::vector<PxPoint> positions_of(const Stroke& stroke);

@@ -11,11 +11,11 @@
 
 namespace penpose::document {
 
-/// What a state is made of, in the order in which it is hashed.
+/// The parts of a state, in the order in which they are hashed.
 enum class StatePart : std::uint8_t { model, deformers, parameters, curves, keys };
 inline constexpr std::array<std::string_view, 5> k_state_parts{"model", "deformers", "parameters", "curves", "keys"};
 
-/// The canonical hash of a document (method, section 5), with that of every part so that a difference can be named.
+/// The canonical hash of a document (method, section 5), with that of every part, so that a difference can be named.
 struct DocumentState {
   base::Hash128 whole;
   std::array<std::uint32_t, k_state_parts.size()> parts{};  ///< the low 32 bits of each part's own hash
@@ -25,8 +25,8 @@ struct DocumentState {
 /// The names of the parts in which two states differ.
 [[nodiscard]] std::vector<std::string_view> differing_parts(const DocumentState& a, const DocumentState& b);
 
-/// Hashes documents. Remembers the hash of what is shared between them, so that hashing after every stroke costs the
-/// size of what changed.
+/// Hashes documents. Remembers the hashes of shared parts, so that hashing after every stroke costs only as much as the
+/// parts that changed.
 class DocumentHasher {
  public:
   [[nodiscard]] DocumentState operator()(const Document& document);

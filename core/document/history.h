@@ -11,16 +11,16 @@
 
 namespace penpose::document {
 
-/// A document with everything that was done to it. Undo and redo go through all steps since it was opened. A step keeps
-/// of the document before it what the command changed, so that its size depends on neither the mesh nor on how much is
-/// drawn already.
+/// A document with its history. Undo and redo go through all steps since it was opened. A step keeps only the parts of
+/// the document that the command changed, so that its size depends neither on the mesh nor on how much is already
+/// drawn.
 class History {
  public:
   explicit History(Document document) : current_(std::move(document)) {}
 
   [[nodiscard]] const Document& document() const { return current_; }
 
-  /// Applies a command; what was undone before is given up. On an error nothing changes.
+  /// Applies a command and drops undone steps. On an error nothing changes.
   base::Status perform(const Command& command, ApplyWorkspace& work);
   /// Errors: nothing to undo or redo.
   base::Status undo();
@@ -28,10 +28,10 @@ class History {
 
   [[nodiscard]] std::size_t undo_count() const { return done_.size(); }
   [[nodiscard]] std::size_t redo_count() const { return undone_.size(); }
-  /// The name of the command that undo takes back, or redo brings back. Precondition: there is one.
+  /// The name of the command that undo or redo would apply to. Precondition: there is one.
   [[nodiscard]] std::string_view next_undo() const { return done_.back().command; }
   [[nodiscard]] std::string_view next_redo() const { return undone_.back().command; }
-  /// The name of any step: those that are done come first, those that redo would bring back after them. Precondition:
+  /// The name of any step: first the done steps, then those that redo would bring back. Precondition:
   /// step < undo_count() + redo_count().
   [[nodiscard]] std::string_view name_of_step(std::size_t step) const {
     return step < done_.size() ? done_[step].command : undone_[undone_.size() - 1 - (step - done_.size())].command;
@@ -39,12 +39,12 @@ class History {
 
  private:
   struct Step {
-    std::string_view command;  ///< its name; strokes are not kept
-    Document other;            ///< of `done_` the document before the command, of `undone_` the one after it
-    // What `other` has in common with the document on the step's other side is not kept in it.
-    std::size_t first_curves = 0;  ///< at the front of the list that are the same
+    std::string_view command;  ///< its name only; strokes are not kept
+    Document other;            ///< in `done_` the document before the command, in `undone_` the one after it
+    // Parts that `other` shares with the document on the other side of the step are not kept in it.
+    std::size_t first_curves = 0;  ///< number of equal ones at the front of the list
     std::size_t last_curves = 0;   ///< and at its end
-    Timeline timeline;             ///< that of `other`, without the keys that are the same
+    Timeline timeline;             ///< that of `other`, without equal keys
     std::size_t first_keys = 0;
     std::size_t last_keys = 0;
     bool same_timeline = false;

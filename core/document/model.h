@@ -18,7 +18,7 @@
 
 namespace penpose::document {
 
-/// How the surface of a part looks. Colour is linear RGBA, 0..1.
+/// The look of a part's surface. Colour is linear RGBA, 0..1.
 struct Material {
   std::string name;
   std::array<double, 4> base_color{0.8, 0.8, 0.8, 1.0};
@@ -26,7 +26,7 @@ struct Material {
   double roughness = 0.6;
 };
 
-/// A curve of the model that has a name: points glued to the surface.
+/// A named curve of the model: points glued to the surface.
 struct NamedCurve {
   std::string name;
   std::vector<mesh::MeshPoint> points;
@@ -53,22 +53,22 @@ struct Animation {
   std::vector<Channel> channels;
 };
 
-/// A character as a file holds it: what can be posed and where it stands.
+/// A character as in a file: its rig and its pose.
 struct Model {
   std::shared_ptr<const mesh::TriangleMesh> mesh;
   std::vector<Material> materials;                                   ///< one a part, in the order of the parts
   std::shared_ptr<const rig::BlendShapes> shapes;                    ///< null: none
   std::shared_ptr<const articulation::SketchedDeformers> deformers;  ///< null: none
-  std::shared_ptr<const articulation::Corrections> corrections;      ///< of the combinations of both; null: none
+  std::shared_ptr<const articulation::Corrections> corrections;      ///< for combinations of both; null: none
   std::shared_ptr<const rig::Skeleton> skeleton;                     ///< null: none
-  std::shared_ptr<const rig::CharacterRig> rig;                      ///< the sum of all, parameters in this order
+  std::shared_ptr<const rig::CharacterRig> rig;                      ///< the sum of them all, parameters in this order
   rig::Pose pose;                                                    ///< one value a parameter of the rig
   std::vector<NamedCurve> curves;
   std::vector<Animation> animations;
-  std::vector<std::string> notes;  ///< what a reader had to leave out, one line each
+  std::vector<std::string> notes;  ///< parts that a reader left out, one line each
 };
 
-/// Puts the pieces together: makes the rig and starts at its rest pose. Errors: shapes for another number of
+/// Assembles a model: makes the rig and starts at its rest pose. Errors: shapes for another number of
 /// vertices, and those of the rig.
 [[nodiscard]] base::Result<Model> make_model(std::shared_ptr<const mesh::TriangleMesh> mesh,
                                              std::shared_ptr<const rig::BlendShapes> shapes,
@@ -77,35 +77,35 @@ struct Model {
                                              std::shared_ptr<const articulation::Corrections> corrections = {});
 
 /// The model with other blend shapes and sketched deformers (null: none). Pose and animations are kept by the names of
-/// the parameters; new ones are at rest. Corrections are built again where what they were drawn on has changed, and go
-/// with any of the controls that brought them in. Errors: those of make_model, such as a name that there are two of; a
-/// correction that does not fit any more (place: "correction NAME").
+/// the parameters; new ones are at rest. Corrections are built again if the model they were drawn on has changed, and
+/// removed with any of their drivers. Errors: those of make_model, such as a duplicate name; a correction that no
+/// longer fits (place: "correction NAME").
 [[nodiscard]] base::Result<Model> with_controls(Model model, std::shared_ptr<const rig::BlendShapes> shapes,
                                                 std::shared_ptr<const articulation::SketchedDeformers> deformers);
-/// The model with other sketched deformers and the blend shapes that it has.
+/// The model with other sketched deformers and its own blend shapes.
 [[nodiscard]] base::Result<Model> with_deformers(Model model,
                                                  std::shared_ptr<const articulation::SketchedDeformers> deformers);
-/// The model with these corrections and no others. Each is built on the model as the ones before it have it. Errors
-/// (place "N/..."): those of build_correction and Corrections::make; a name that a control has.
+/// The model with exactly these corrections. Each is built on the model with the ones before it. Errors
+/// (place "N/..."): those of build_correction and Corrections::make; a name that is a control's.
 [[nodiscard]] base::Result<Model> with_corrections(Model model,
                                                    std::span<const articulation::CorrectionSketch> corrections);
-/// What a correction at a pose of these controls is drawn on: all others at rest. Errors (place "drivers/N"): no such
-/// control, or one that is a joint's.
+/// The canvas for a correction at a pose of these controls, with all others at rest. Errors (place "drivers/N"): no
+/// such control, or one of a joint.
 [[nodiscard]] base::Result<std::shared_ptr<const articulation::Canvas>> make_posed_canvas(
     const Model& model, std::span<const articulation::Driver> drivers);
 [[nodiscard]] std::vector<articulation::CorrectionSketch> correction_sketches(const Model& model);
 
-/// What strokes are drawn on.
+/// The canvas for strokes.
 [[nodiscard]] base::Result<std::shared_ptr<const articulation::Canvas>> make_canvas(const Model& model);
 /// Number of parameters that are weights in an animation: blend shapes and deformers.
 [[nodiscard]] std::size_t weight_count(const Model& model);
 
 /// World positions of all vertices at the model's pose.
 [[nodiscard]] std::vector<geometry::ModelPoint> posed_positions(const Model& model);
-/// The box around the world positions at rest, which frames pictures and scales tolerances.
+/// The box around the world positions at rest; it frames pictures and scales tolerances.
 [[nodiscard]] geometry::Box rest_world_box(const Model& model);
 
-/// The canonical hash (method, section 5) of a document that holds the model as it is and nothing else.
+/// The canonical hash (method, section 5) of a document with only this model.
 [[nodiscard]] base::Hash128 state_hash(const Model& model);
 
 }  // namespace penpose::document

@@ -9,7 +9,7 @@ namespace penpose::document {
 
 // Pieces of the canonical form of a model (method, section 5).
 
-/// The hash of what is posed: mesh, blend shapes and skeleton.
+/// The hash of mesh, blend shapes and skeleton.
 [[nodiscard]] base::Hash128 hash_surface(const Model& model);
 void add_parameters(base::StateHash& hash, const rig::Rig& rig);
 void add_mesh_points(base::StateHash& hash, std::span<const mesh::MeshPoint> points);

@@ -5,7 +5,7 @@
 
 namespace penpose::posing {
 
-/// What a clean-up works on: a solution whose variables can go back to where they were, one at a time.
+/// A solution whose variables can be reset to their values before the solve, one at a time.
 class Revertible {
  public:
   virtual ~Revertible() = default;
@@ -14,16 +14,16 @@ class Revertible {
   Revertible& operator=(const Revertible&) = delete;
 
   [[nodiscard]] virtual std::size_t count() const = 0;
-  /// True when variable i is not where it was before the solve.
+  /// True when variable i differs from its value before the solve.
   [[nodiscard]] virtual bool changed(std::size_t i) const = 0;
-  /// The energy with variable i also put back.
+  /// The energy with variable i also reset.
   virtual double energy_without(std::size_t i) = 0;
   virtual void put_back(std::size_t i) = 0;
 };
 
-/// Puts variables back that the search changed without need (paper 3.1; method, section 2, "Clean-up"): those whose
-/// return keeps the energy within `limit`, one at a time in order of least change, each re-checked with those before
-/// it, so that together they cannot undo the solution. Returns how many went back.
+/// Resets variables that the search changed without need (paper 3.1; method, section 2, "Clean-up"): those whose reset
+/// keeps the energy within `limit`, one at a time in order of least change, each checked together with those before it,
+/// so that they cannot undo the solution. Returns how many were reset.
 std::size_t clean_up(Revertible& solution, double limit);
 
 }  // namespace penpose::posing

@@ -24,11 +24,11 @@ class CurveSystem {
   [[nodiscard]] std::size_t residual_count() const { return 3 * weights_.size(); }
   /// w_i of every point, padded with zeros to whole blocks.
   [[nodiscard]] std::span<const double> weights() const { return weights_; }
-  /// Another target or weight for one point, for a target that is still being drawn. Precondition: the point exists;
+  /// Changes target and weight of one point, for a target that is still being drawn. Precondition: the point exists;
   /// weight >= 0.
   void set_target(std::size_t point, const ModelPoint& target) { targets_[point] = target; }
   void set_weight(std::size_t point, double weight) { weights_[point] = weight; }
-  /// Below this length residuals count as squares (weighted_lengths); 0 unless told.
+  /// Below this length residuals count as squares (weighted_lengths); 0 by default.
   void set_softness(double length) { softness_ = length; }
   [[nodiscard]] double softness() const { return softness_; }
   [[nodiscard]] const rig::Rig& rig() const { return rig_; }
@@ -36,11 +36,11 @@ class CurveSystem {
 
   /// The residuals r_i - t_i at a pose, from the rig itself. Precondition: residual_count() places.
   void residuals(std::span<const double> pose, std::span<double> out);
-  /// Where every curve point is at a pose.
+  /// The position of every curve point at a pose.
   void positions(std::span<const double> pose, std::span<ModelPoint> out);
   /// Sum of weighted lengths: the energy, without the staying-near term.
   [[nodiscard]] double energy(std::span<const double> residuals) const;
-  /// Length of the longest residual of a point with weight.
+  /// Length of the longest residual of a point with nonzero weight.
   [[nodiscard]] double longest(std::span<const double> residuals) const;
 
   /// One column a free parameter: how the residuals change when the parameter moves by one. Nothing when the rig is not

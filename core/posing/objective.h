@@ -21,7 +21,7 @@ class Objective {
   [[nodiscard]] virtual std::size_t image_size() const = 0;
   /// The image at u, from scratch.
   virtual void make_image(std::span<const double> u, std::span<double> image) = 0;
-  /// Moves the image along when variable i of u grows by delta.
+  /// Updates the image for an increase of variable i of u by delta.
   virtual void shift_image(std::size_t i, double delta, std::span<double> image) = 0;
   /// The value at u, whose image is given. Counts as one evaluation.
   virtual double value(std::span<const double> u, std::span<const double> image) = 0;

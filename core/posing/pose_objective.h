@@ -9,7 +9,7 @@
 
 namespace penpose::posing {
 
-/// Two variables of which one undoes the other, as a lid that closes and one that opens wide.
+/// Two variables that undo each other, such as closing a lid and opening it wide.
 struct Opposed {
   std::size_t a = 0;
   std::size_t b = 0;
@@ -21,9 +21,9 @@ struct Variables {
   std::vector<std::size_t> parameter;
   std::vector<double> minimum;
   std::vector<double> range;
-  std::vector<double> start;  ///< u at the start of the solve, which the staying-near term pulls to
+  std::vector<double> start;  ///< u at the start of the solve; the staying-near term pulls to it
   std::vector<Opposed> opposed;
-  std::vector<double> opposed_from;  ///< u that opposed variables are measured from, one value a variable
+  std::vector<double> opposed_from;  ///< origin of u for opposed variables, one value a variable
   double opposed_weight = 1;         ///< 0..1, times the shares
 
   [[nodiscard]] std::size_t count() const { return parameter.size(); }
@@ -32,20 +32,20 @@ struct Variables {
 [[nodiscard]] Variables make_variables(const rig::Rig& rig, std::span<const std::size_t> parameters,
                                        std::span<const double> pose);
 
-/// What the staying-near term adds for opposed variables: opposed_weight times the sum of
-/// 2 share (u_a - from_a) (u_b - from_b). Both away the same way cost more than one of them; with all shares of a
-/// variable at most 1 in sum the whole term stays convex.
+/// The part of the staying-near term for opposed variables: opposed_weight times the sum of
+/// 2 share (u_a - from_a) (u_b - from_b). Moving both the same way costs more than moving one. If all shares of a
+/// variable add up to 1 at most, the whole term stays convex.
 [[nodiscard]] double opposed_term(const Variables& variables, std::span<const double> u);
 
-/// E(x) + near_weight * (sum (u_i - start_i)^2 + opposed_term) over a chosen subset of the variables, the others
-/// standing at `at`.
+/// E(x) + near_weight * (sum (u_i - start_i)^2 + opposed_term) over a chosen subset of the variables, with the
+/// others at `at`.
 class PoseObjective : public Objective {
  public:
   /// Chooses the subset that the next simplex moves. `at` holds all variables.
   virtual void select(std::span<const std::size_t> subset, std::span<const double> at) = 0;
 };
 
-/// The objective of a rig that is linear in all variables: its image are the residuals themselves, so that a value
+/// The objective of a rig that is linear in all variables: its image is the residuals themselves, so that a value
 /// costs O(points) whatever the number of variables.
 struct LinearModel {
   Variables variables;

@@ -41,7 +41,7 @@ struct PoseProblem {
   std::vector<CurvePair> pairs;
   std::vector<Constraint> constraints;
   std::vector<std::size_t> free;  ///< parameters that may move, ascending
-  rig::Pose start;                ///< one value a parameter; where the search starts and what the others keep
+  rig::Pose start;                ///< one value a parameter: where the search starts; other parameters keep it
 };
 
 /// Errors: nothing to match, another number of targets than of reference points, weights that are negative or all zero,

@@ -8,7 +8,7 @@
 
 namespace penpose::posing {
 
-/// The parameters that matter to the curves and how much.
+/// The parameters that move the curves, and how far.
 struct Relevance {
   std::vector<std::size_t> parameters;  ///< ascending
   std::vector<double> effects;          ///< sum over the points of how far the parameter moves them within its range
@@ -17,7 +17,7 @@ struct Relevance {
 };
 
 /// Drops every free parameter that moves no curve point by more than `threshold` (model units) anywhere in its range,
-/// the others standing at `pose`. A rig that is not linear in a parameter is tried at nine values of it.
+/// with the others at `pose`. A rig that is not linear in a parameter is tried at nine values of it.
 [[nodiscard]] Relevance relevant_parameters(CurveSystem& system, std::span<const double> pose,
                                             std::span<const std::size_t> free, double threshold);
 

@@ -9,7 +9,7 @@
 
 namespace penpose::posing {
 
-/// A solution of a linear model that variables can be taken out of; its residuals are carried along.
+/// A solution of a linear model whose variables can be reset; updates its residuals.
 class LinearSolution final : public Revertible {
  public:
   /// Changes `u` in place. Both references must outlive it.
@@ -30,7 +30,7 @@ class LinearSolution final : public Revertible {
   std::size_t evaluations_ = 0;
 };
 
-/// The same for any rig, which is evaluated for every question.
+/// The same for any rig, with an evaluation for every query.
 class GeneralSolution final : public Revertible {
  public:
   GeneralSolution(CurveSystem& system, const Variables& variables, std::span<const double> start,

@@ -11,13 +11,13 @@ namespace penpose::posing {
 struct SolveOptions {
   /// The paper's own solver: one simplex over all relevant parameters, tolerance 0.05, nothing beyond.
   bool paper = false;
-  /// Finishing for linear rigs (method, section 2); without it the simplex stands alone.
+  /// Finishing for linear rigs (method, section 2); without it only the simplex runs.
   bool finish = true;
   /// lambda of the staying-near term, as a share of the energy at the start divided by the number of variables.
   double near_weight = 1e-4;
   /// A parameter that moves no curve point by more than this share of the rig's size at rest is left out.
   double relevance = 1e-5;
-  /// Share of the improvement that the clean-up may give away in all.
+  /// Share of the improvement that the clean-up may lose in all.
   double clean_up = 2e-4;
   std::size_t max_evaluations = 200000;
 };
@@ -43,7 +43,7 @@ struct Solution {
   double max_distance = 0;      ///< longest distance left between a point and its target
   std::size_t variables = 0;    ///< parameters in the search, after relevance
   std::size_t evaluations = 0;  ///< of the energy, all stages together
-  std::size_t put_back = 0;     ///< parameters that the clean-up returned
+  std::size_t put_back = 0;     ///< parameters that the clean-up reset
   bool linear = false;          ///< solved through the linear form
 };
 

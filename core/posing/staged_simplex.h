@@ -30,7 +30,7 @@ struct StageResult {
 
 /// Downhill simplex for any number of variables. Few are searched together, restarting from the best point with a fresh
 /// simplex until a restart no longer gains. Many are searched in stages, an idea of Rowan's subplex (1990): ranked by
-/// effect, a few variables at a time from the largest effect down, sweep after sweep until a whole sweep gains nothing.
+/// effect, a few variables at a time in descending order, sweep after sweep until a whole sweep gains nothing.
 /// u never gets worse. Precondition: u and effects have one value a variable.
 StageResult run_stages(PoseObjective& objective, std::span<const double> effects, const StageOptions& options,
                        std::span<double> u, StageWorkspace& work);

@@ -12,13 +12,13 @@ namespace penpose::posing {
 using Residuals = std::vector<double>;
 inline constexpr std::size_t k_block_points = 4;
 inline constexpr std::size_t k_block_numbers = 12;
-/// Place of a point's coordinate (axis 0..2) in Residuals.
+/// Index of a point's coordinate (axis 0..2) in Residuals.
 [[nodiscard]] constexpr std::size_t residual_index(std::size_t point, std::size_t axis) {
   return point / k_block_points * k_block_numbers + axis * k_block_points + point % k_block_points;
 }
 
 /// Sum over the points of w_i sqrt(x_i^2 + y_i^2 + z_i^2 + softness^2): lengths, but those below `softness` count as
-/// squares do, so that many small ones are shared out and not pushed onto few points (Charbonnier, Blanc-Feraud, Aubert
+/// squares, so that many small ones are spread over all points instead of a few (Charbonnier, Blanc-Feraud, Aubert
 /// and Barlaud 1994). Precondition: one weight a point, padding included.
 [[nodiscard]] double weighted_lengths(const double* residuals, std::span<const double> weights, double softness = 0);
 
@@ -32,7 +32,7 @@ class Column {
   void scale(double factor);
   /// Sum of value_i b_i over all places.
   [[nodiscard]] double dot(const double* b) const;
-  /// out_i = value_i b_i where the column is not zero; other places of out keep what they hold.
+  /// out_i = value_i b_i where the column is not zero; other entries of out do not change.
   void multiply(const double* b, double* out) const;
   /// Sum of a_i b_i over the places where this column is not zero.
   [[nodiscard]] double dot_within(const double* a, const double* b) const;

@@ -10,18 +10,18 @@
 
 namespace penpose::decode {
 
-/// A decoder and how it was chosen.
+/// A decoder, and the reason for its choice.
 struct Recognition {
   std::unique_ptr<PenDecoder> decoder;
   std::string method;   ///< "descriptor", "wacom FAMILY NAME", "protocol NAME" or "descriptor, protocol NAME"
-  bool is_pad = false;  ///< the interface carries keys of a tablet and no pen
+  bool is_pad = false;  ///< the interface has keys of a tablet but no pen
 };
 
-/// Chooses how to read an interface, in this order: a Wacom format by product id; the pens that the descriptor
+/// Chooses the decoder of an interface, in this order: a Wacom format by product id; the pens that the descriptor
 /// describes and, for every report that fits none of them, the protocol that the table of tablets names for the device.
 ///
-/// `own` (may be null) holds the user's tablets; it goes before everything else. Errors: nothing known reads this
-/// interface (a mouse, a touch screen), with the descriptor's own error when it is illegal.
+/// `own` (may be null) holds the user's tablets, which take precedence. Errors: no known decoder for this interface (a
+/// mouse, a touch screen), with the descriptor's own error if it is illegal.
 [[nodiscard]] base::Result<Recognition> make_decoder(const DeviceIdentity& device, const TabletTable* own = nullptr);
 
 /// Sets the report lengths that the descriptor implies where they are not known yet.

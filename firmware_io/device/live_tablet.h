@@ -16,8 +16,8 @@
 namespace penpose::device {
 
 enum class Transport : std::uint8_t {
-  hidraw,  ///< beside the kernel's driver
-  libusb,  ///< instead of it
+  hidraw,  ///< in parallel with the kernel's driver
+  libusb,  ///< instead of the kernel's driver
 };
 
 /// What an interface is for.
@@ -25,19 +25,19 @@ enum class Carries : std::uint8_t {
   pen,       ///< and perhaps keys and fingers
   pad,       ///< keys and dials, and perhaps fingers
   touch,     ///< fingers alone
-  receiver,  ///< says which tablet the other interfaces of a wireless receiver bring
+  receiver,  ///< tells which tablet the other interfaces of a wireless receiver belong to
   other,
 };
 
 /// Whether an interface may be opened.
 enum class Access : std::uint8_t {
   allowed,
-  denied,  ///< for want of permission
+  denied,  ///< no permission
   busy,    ///< another program has it
   absent,  ///< the system made no node to open
 };
 
-/// An interface, recognised.
+/// A recognised interface.
 struct LiveTablet {
   HidInterface interface;
   Carries carries = Carries::other;
@@ -51,31 +51,30 @@ struct LiveTablet {
 
   /// What is opened: "/dev/hidraw3" or "/dev/bus/usb/001/004".
   [[nodiscard]] const std::string& node() const;
-  /// Names the interface on the command line: "/dev/hidraw3", or "usb:1-2:1.0" where it is read through libusb.
+  /// The interface's name on the command line: "/dev/hidraw3", or "usb:1-2:1.0" where it is read through libusb.
   [[nodiscard]] std::string path() const;
-  /// Chooses another way than the program would.
+  /// Overrides the choice of transport.
   void use(Transport other);
-  /// What wakes it, empty where the kernel's driver has done that, or where it is not certain which tablet this is.
+  /// The steps that wake it; empty if the kernel's driver has done that, or if the tablet is not certain.
   [[nodiscard]] WakeUp wake_up() const;
 };
 
 /// Reads a USB string of a device; replaced in tests.
 using ReadString = std::function<base::Result<std::string>(const std::string& usb_node, std::uint8_t index)>;
 
-/// Recognises an interface: reads those strings, unless they are known, that the table asks for to tell its tablets
-/// apart, and decides how to open it. Takes no interface from anybody. `own` (may be null) holds the user's tablets and
+/// Recognises an interface: reads the strings that the table needs to distinguish its tablets, unless they are known,
+/// and decides how to open it. Takes no interface away from a driver. `own` (may be null) holds the user's tablets and
 /// must live as long as the result.
 [[nodiscard]] LiveTablet recognise(HidInterface interface, const decode::TabletTable* own = nullptr,
                                    const ReadString& read_string = {});
 
-/// Every interface that carries a pen, the keys or the fingers of a tablet; what feels fingers and belongs to no tablet
-/// is left to the desktop. Strings of devices that were there `before` are taken
-/// over and not asked for again. Errors: those of listing.
+/// Every interface with a pen, the keys or the fingers of a tablet; touch devices that belong to no tablet are left to
+/// the desktop. Strings of devices in `before` are reused and not requested again. Errors: those of listing.
 [[nodiscard]] base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* own = nullptr,
                                                                  const std::vector<LiveTablet>& before = {});
 
-/// Opens it as `transport` says. A descriptor that only the device itself could tell is asked for, and the tablet
-/// recognised anew by it. Errors say what is missing.
+/// Opens it through `transport`. If only the device itself knows its descriptor, reads that and recognises the tablet
+/// again. Errors say what is missing.
 [[nodiscard]] base::Result<std::unique_ptr<ReportSource>> open_tablet(LiveTablet& tablet,
                                                                       const decode::TabletTable* own = nullptr);
 

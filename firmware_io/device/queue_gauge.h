@@ -4,15 +4,15 @@
 
 namespace penpose::device {
 
-/// Tells from the reads of a queue that drops without a word whether it was full: then all that it holds is there at
-/// once, faster than any tablet sends. A reader that is merely slow sees no end of the queue either, but takes longer.
+/// Infers from the reads of a queue that drops silently whether it was full: then all its reports are available at
+/// once, faster than any tablet sends. A merely slow reader also never empties the queue, but takes longer.
 class QueueGauge {
  public:
-  /// Reports that Linux keeps for a reader of /dev/hidrawN; what comes when there are as many is dropped.
+  /// Number of reports that Linux queues for a reader of /dev/hidrawN; further ones are dropped.
   static constexpr int k_capacity = 63;
 
-  /// After each read: whether its report was there already, and when it was read. True when the queue was full, once
-  /// each time that it was.
+  /// Call after each read: whether its report was already waiting, and when it was read. True when the queue was full,
+  /// once each time.
   bool was_full(bool at_once, std::int64_t time_us);
 
  private:

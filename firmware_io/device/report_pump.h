@@ -14,8 +14,8 @@
 
 namespace penpose::device {
 
-/// Drains a tablet in a thread of its own, from construction to destruction: wakes it, again after every sleep of the
-/// system, and puts its reports with their times of receipt into a ring, whether or not anybody takes them out.
+/// Reads a tablet in a thread of its own, from construction to destruction: wakes it, also after every sleep of the
+/// system, and puts its reports with their times of receipt into a ring, whether or not they are taken out.
 class ReportPump {
  public:
   struct Options {
@@ -26,17 +26,17 @@ class ReportPump {
   };
 
   ReportPump(std::unique_ptr<ReportSource> source, Options options);
-  /// Stops and closes the source; takes at most the time of one step of waking or 50 ms.
+  /// Stops and closes the source; takes at most one waking step or 50 ms.
   ~ReportPump();
   ReportPump(const ReportPump&) = delete;
   ReportPump& operator=(const ReportPump&) = delete;
 
-  /// The oldest record that was not taken yet, false when there is none. One thread alone may take.
+  /// Takes the oldest record; false if there is none. Only one thread may take.
   bool take(Record& into) { return ring_.pop(into); }
-  /// Waits until there is a record, the tablet is gone or the time is over. True unless the time is over.
+  /// Waits until there is a record, the tablet is gone or the time is over. False if the time is over.
   bool wait(int timeout_ms);
-  /// Sends a feature report as soon as the thread comes to it, within 50 ms; of several that wait, the last alone.
-  /// With `only` the tablet is asked for the report first, and that byte of it alone is changed.
+  /// Sends a feature report from the thread within 50 ms; of several pending ones, only the last. With `only`, the
+  /// report is read from the tablet first, and only that byte is changed.
   void send_feature(std::vector<std::uint8_t> report, std::optional<std::size_t> only = {});
   /// Becomes readable when a record comes; `wait(0)` makes it unreadable again.
   [[nodiscard]] int wake_fd() const { return event_; }
@@ -44,12 +44,12 @@ class ReportPump {
   [[nodiscard]] std::uint64_t received() const { return received_.load(std::memory_order_relaxed); }
   /// Reports that were received and did not fit into the ring.
   [[nodiscard]] std::uint64_t overruns() const { return ring_.overruns(); }
-  /// How often the system's own queue was found full, because this program did not run for long; how many reports it
-  /// dropped then nobody knows.
+  /// How often the system's own queue was full because this program did not run for long; the number of dropped reports
+  /// is unknown.
   [[nodiscard]] std::uint64_t full_queues() const { return full_queues_.load(std::memory_order_relaxed); }
-  /// The tablet is gone; what it sent before may still be in the ring.
+  /// The tablet is gone; earlier reports may still be in the ring.
   [[nodiscard]] bool gone() const { return gone_.load(std::memory_order_acquire); }
-  /// Reports of waking and of lights that the tablet refused.
+  /// Number of reports for waking and lights that the tablet refused.
   [[nodiscard]] int refused() const { return refused_.load(std::memory_order_relaxed); }
 
  private:

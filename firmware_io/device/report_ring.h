@@ -10,32 +10,32 @@ namespace penpose::device {
 
 enum class RecordKind : std::uint8_t {
   report,  ///< `bytes` as the device sent them
-  note,    ///< text in `bytes`: what was sent to the device to wake it, and why reading ended
+  note,    ///< text in `bytes`: reports sent to wake the device, and why reading ended
   lost,    ///< `lost` reports between the one before and the one after did not fit into the ring
 };
 
-/// One thing that came from a tablet, with its time (monotonic microseconds).
+/// A record from a tablet, with its time (monotonic microseconds).
 struct Record {
   RecordKind kind = RecordKind::report;
   std::int64_t time_us = 0;
   std::uint64_t lost = 0;
-  std::vector<std::uint8_t> bytes;  ///< keeps its memory when the record is used again
+  std::vector<std::uint8_t> bytes;  ///< keeps its memory when the record is reused
 };
 
-/// Passes records of any length from exactly one thread to exactly one other, in order, with neither ever waiting for
-/// the other. What does not fit is counted and left out; a record of kind `lost` stands in its place.
+/// Passes records of any length from exactly one thread to exactly one other, in order and without locks. Records that
+/// do not fit are dropped and counted; a record of kind `lost` replaces them.
 class ReportRing {
  public:
-  /// Memory for about `bytes` of reports, rounded up to a power of two; a report costs 16 bytes beside its own.
+  /// Memory for about `bytes` of reports, rounded up to a power of two; a report costs 16 bytes plus its own.
   explicit ReportRing(std::size_t bytes);
 
-  /// Producer: false when it did not fit.
+  /// Producer: false if it did not fit.
   bool push(RecordKind kind, std::int64_t time_us, base::Bytes bytes);
 
-  /// Consumer: the oldest record, false when there is none.
+  /// Consumer: takes the oldest record; false if there is none.
   bool pop(Record& into);
 
-  /// Either: reports left out so far.
+  /// Either: reports dropped so far.
   [[nodiscard]] std::uint64_t overruns() const { return overruns_.load(std::memory_order_relaxed); }
   /// Consumer: whether `pop` would give one.
   [[nodiscard]] bool empty() const;
@@ -54,8 +54,8 @@ class ReportRing {
 
   std::vector<std::uint8_t> memory_;
   std::uint64_t mask_;
-  std::uint64_t untold_ = 0;  ///< producer's: overruns that no record tells of yet
-  // Bytes ever written and ever read; on lines of their own, so that the two threads do not slow each other down.
+  std::uint64_t untold_ = 0;  ///< producer's: overruns without a record yet
+  // Total bytes written and read; on separate cache lines, so that the two threads do not slow each other down.
   alignas(64) std::atomic<std::uint64_t> written_{0};
   alignas(64) std::atomic<std::uint64_t> read_{0};
   alignas(64) std::atomic<std::uint64_t> overruns_{0};

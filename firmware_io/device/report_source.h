@@ -15,19 +15,19 @@ inline constexpr std::size_t k_longest_report = 16384;
 
 enum class ReadState : std::uint8_t {
   report,   ///< `length` bytes were read, received at `time_us`
-  nothing,  ///< none came within the time
-  gone,     ///< the device was unplugged or failed; nothing more will come
+  nothing,  ///< no report within the time
+  gone,     ///< the device was unplugged or failed; there are no more reports
 };
 
 struct ReadOutcome {
   ReadState state = ReadState::nothing;
   std::size_t length = 0;
   std::int64_t time_us = 0;
-  bool queue_was_full = false;  ///< before this report, so that others may be missing there
+  bool queue_was_full = false;  ///< before this report, so that reports may be missing there
 };
 
-/// One open HID interface. All calls come from one thread at a time. Closed by its destructor, which also gives back
-/// to the system what was taken from it.
+/// One open HID interface. All calls come from one thread at a time. The destructor closes it and gives
+/// the interface back to the system.
 class ReportSource {
  public:
   virtual ~ReportSource() = default;
@@ -41,7 +41,7 @@ class ReportSource {
   /// Sends a report, first byte its id (0 where reports have none).
   virtual base::Status send_feature(base::Bytes report) = 0;
   virtual base::Status send_output(base::Bytes report) = 0;
-  /// Asks for a feature report of at most that length, its id first.
+  /// Reads a feature report of at most that length, its id first.
   virtual base::Result<std::vector<std::uint8_t>> get_feature(std::uint8_t id, std::size_t length) = 0;
   /// Reads a USB string descriptor; characters outside ASCII come as '?'.
   virtual base::Result<std::string> read_string(std::uint8_t index) = 0;

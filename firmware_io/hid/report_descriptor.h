@@ -21,7 +21,7 @@ struct Collection {
   std::int32_t parent = -1;  ///< index of the collection around it, -1 at the top
 };
 
-/// What a report descriptor says about the reports of one interface.
+/// The reports of one interface, as described by its report descriptor.
 struct ReportDescriptor {
   std::vector<Collection> collections;  ///< in order of opening
   std::vector<Field> fields;            ///< in order of appearance, padding included
@@ -41,8 +41,8 @@ struct ReportDescriptor {
   std::array<std::array<std::uint32_t, 256>, 3> report_bits{};
 };
 
-/// `tolerant` steps over what is illegal but harmless, as systems do because devices in the field have it: reserved
-/// items and ranges with one end or with one end given twice.
+/// `tolerant` skips illegal but harmless items that real devices have, as operating systems do: reserved items, and
+/// ranges with one end or with one end given twice.
 enum class Strictness : std::uint8_t { exact, tolerant };
 
 /// Parses a report descriptor of up to 64 KiB as the class specification 1.11 defines it. Memory grows with the number

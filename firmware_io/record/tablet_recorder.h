@@ -18,37 +18,37 @@ namespace penpose::record {
 
 struct RecordingCounts {
   std::uint64_t reports = 0;
-  std::uint64_t lost = 0;  ///< did not fit between the tablet and here; a comment stands where they are missing
+  std::uint64_t lost = 0;  ///< reports lost before they were recorded; comments mark where they are missing
   std::uint64_t strokes = 0;
   std::uint64_t keys = 0;    ///< presses of keys on tablets
   std::int64_t span_us = 0;  ///< from the first report to the last
 };
 
-/// Makes the trace of what tablets send, and counts the strokes in it. Opens no file: `take` gives the text.
+/// Writes a trace of tablets' reports and counts the strokes in it. Opens no file: `take` gives the text.
 class TabletRecorder {
  public:
-  /// Declares a tablet and gives its number in the trace. Reports of an interface that nothing known reads are recorded
-  /// all the same.
+  /// Declares a tablet and returns its number in the trace. Reports of interfaces without a known decoder are also
+  /// recorded.
   int add_tablet(const decode::DeviceIdentity& identity, const std::string& physical,
                  const decode::TabletTable* own = nullptr);
 
-  /// What came from that tablet, in order. Times count from the first report of all; one that lies before the last
-  /// report of another tablet counts as simultaneous with it, so that a trace never goes back.
+  /// Adds records of that tablet, in order. Times count from the first report of all; one before the last report of
+  /// another tablet counts as simultaneous with it, so that times in a trace never decrease.
   void add(int tablet, const device::Record& record);
 
-  /// The tablet is gone: its open stroke ends, and keys that were held are let go; their names as Linux has them, empty
-  /// where none was.
+  /// The tablet is gone: its open stroke ends, and its held keys are released. Returns the Linux names of those keys,
+  /// or nothing.
   std::string end(int tablet);
 
-  /// The text since the last call, whole lines.
+  /// The text since the last call, in whole lines.
   [[nodiscard]] std::string take() { return writer_.take(); }
-  /// Whether a stroke has ended since the last call: time to bring the file to the disk.
+  /// Whether a stroke has ended since the last call, so that the file should be synced to disk.
   [[nodiscard]] bool take_pen_up();
   [[nodiscard]] const RecordingCounts& counts() const { return counts_; }
 
  private:
   struct Tablet {
-    std::unique_ptr<decode::PenDecoder> decoder;  ///< null: nothing known reads it
+    std::unique_ptr<decode::PenDecoder> decoder;  ///< null: no known decoder
     decode::PenEvents events;
     decode::HandDecoders hand;
     decode::PadEvents pad_events;

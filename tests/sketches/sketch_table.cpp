@@ -72,11 +72,9 @@ Row measure(const SketchCase& one, Mode mode) {
   for (std::size_t i = 0; i < reached.size(); ++i) {
     row.miss = std::max(row.miss, geometry::distance(reached[i], built.target()[i]));
   }
-  articulation::CurveSkinWorkspace work;
-  std::vector<articulation::ModelVector> moves(built.vertices().size());
   for (const double amount : {0.25, 0.5, 0.75, 1.0}) {
     std::vector<ModelPoint> posed(one.canvas->positions().begin(), one.canvas->positions().end());
-    built.skin().displacements(amount, work, moves);
+    const std::vector<articulation::ModelVector> moves = built.displacements(amount);
     for (std::size_t i = 0; i < moves.size(); ++i) posed[built.vertices()[i]] += moves[i];
     const SurfaceCheck check = check_surface(*one.canvas, posed, built.vertices());
     row.against = std::max(row.against, check.against_neighbours);

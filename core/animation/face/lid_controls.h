@@ -11,36 +11,35 @@
 
 namespace penpose::animation {
 
-/// Controls that go together from rest to `full`, and how far the lids close on the way.
+/// Controls that move together from rest to `full`, and how far the lids close on the way.
 struct LidTravel {
   std::vector<std::size_t> parameters;
   std::vector<double> full;  ///< their values at the end of the way
   std::vector<double>
-      reached;  ///< at even steps of the way: the closing, 0 at rest, growing (LidTravel of opening: widening)
+      reached;  ///< at even steps of the way: the closing, 0 at rest, increasing (for opening: the widening)
 };
 
-/// What closes and what widens one eye of a model.
+/// The controls that close and widen one eye of a model.
 struct LidControls {
   LidTravel close;
   LidTravel widen;
 };
 
-/// Finds by what they move, never by name, the controls that bring the lids of each eye together: the one that does so
-/// while it moves the rest of the model least, and others with it where it does not do alone. Eyes that nothing can
-/// close by half have none. One entry an eye.
+/// Finds the controls that close the lids of each eye, by what they move and never by name: the one that does so while
+/// it moves other parts of the model least, and more if that one is not enough. An eye that no control can close by
+/// half has none. One entry an eye.
 [[nodiscard]] std::vector<LidControls> find_lid_controls(const rig::Rig& rig, std::span<const double> rest,
                                                          std::span<const std::size_t> free, const Transfer& transfer,
                                                          std::span<const EyeCurves> eyes,
                                                          const geometry::Camera& camera);
 
-/// Those of `free` that move lids and little else of what is tracked: what is left to find from the other curves.
+/// Those of `free` that move lids and few other tracked points. The remaining ones are solved from the other curves.
 [[nodiscard]] std::vector<std::size_t> without_lid_controls(const rig::Rig& rig, std::span<const double> rest,
                                                             std::span<const std::size_t> free, const Transfer& transfer,
                                                             std::span<const EyeCurves> eyes,
                                                             const geometry::Camera& camera);
 
-/// Sets the controls of the eyes: `closed` one an eye as EyeMotion has it. Controls that serve several eyes take the
-/// mean.
+/// Sets the controls of the eyes: `closed` one an eye as in EyeMotion. Controls of several eyes take the mean.
 void set_lids(const rig::Rig& rig, std::span<const LidControls> controls, std::span<const double> closed,
               std::span<double> pose);
 

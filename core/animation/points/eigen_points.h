@@ -19,7 +19,7 @@ struct GreyImage {
   std::vector<std::uint8_t> pixels;
 };
 
-/// A picture in which somebody has marked the points.
+/// A picture with marked points.
 struct LabelledImage {
   GreyImage image;
   std::vector<PxPoint> points;
@@ -35,7 +35,7 @@ struct LabelledFeature {
 struct EigenOptions {
   std::size_t patch = 24;  ///< side of a feature's grey patch, samples
   double margin = 0.35;    ///< of the patch around the feature's points, share of their extent
-  double kept = 0.995;     ///< share of the variation that the principal components keep
+  double kept = 0.995;     ///< share of the variance that the principal components keep
   std::size_t most_components = 24;
   int search_px = 3;  ///< how far a feature may have moved between pictures
 };
@@ -43,18 +43,18 @@ struct EigenOptions {
 /// A feature: points that are found from one patch, such as those of the mouth.
 struct EigenFeature {
   std::vector<std::size_t> points;
-  PxPoint corner;  ///< of the patch in the pictures that were labelled
+  PxPoint corner;  ///< of the patch in the labelled pictures
   PxPoint size;
   std::vector<double> mean;   ///< of the patch's samples, then of the points' x and y (weighted)
   std::vector<double> basis;  ///< the components, one after the other, each as long as the mean
   std::size_t components = 0;
   std::vector<double> solve;  ///< inverse of the components' products on the patch alone, components squared
-  double contrast = 0;        ///< of the patches that were labelled, RMS grey levels, their mean
-  double point_weight = 1;    ///< what points were multiplied with beside samples
+  double contrast = 0;        ///< mean RMS of the labelled patches, grey levels
+  double point_weight = 1;    ///< weight of points relative to samples
 };
 
 /// The linear map from grey patches to point positions that Covell and Bregler learn ("Eigen-points", 1996): principal
-/// components of patch and points joined; seen the patch alone, the components' amounts are found by least squares and
+/// components of patch and points together; given the patch alone, least squares finds the components' amounts, which
 /// give the points.
 struct EigenPoints {
   std::size_t patch = 0;
@@ -63,26 +63,26 @@ struct EigenPoints {
   std::vector<EigenFeature> features;
 };
 
-/// Learns from labelled pictures. Patches are freed of their mean and contrast, so
+/// Learns from labelled pictures. Patches are normalised to zero mean and equal contrast, so
 /// that brighter or darker pictures count the same. Errors: fewer than two pictures, pictures of other sizes or numbers
-/// of points than the first, a feature without extent, points that do not exist or lie far outside their picture,
-/// pictures that are all the same. Their place is the name, or else the number, of the picture or feature.
+/// of points than the first, a feature without extent, points that do not exist or are far outside their picture,
+/// pictures that are all the same. Their place is the name or number of the picture or feature.
 [[nodiscard]] base::Result<EigenPoints> learn_eigen_points(std::span<const LabelledImage> images,
                                                            std::span<const LabelledFeature> features,
                                                            const EigenOptions& options = {});
 
-/// Where a feature's patch would lie for its points to be in the middle of these.
+/// The shift of a feature's patch that centres it on these points.
 [[nodiscard]] std::vector<PxPoint> shifts_for(const EigenPoints& learned, std::span<const PxPoint> points);
 
-/// What was found in one picture.
+/// The points found in one picture.
 struct EigenFound {
   std::vector<PxPoint> points;
-  std::vector<PxPoint> shifts;  ///< one a feature: where its patch lay, to start the next picture from
+  std::vector<PxPoint> shifts;  ///< one a feature: the shift of its patch, to start the next picture from
   double confidence = 0;        ///< 0..1: how much of the patches the components explain; 0 where all are flat
 };
 
-/// Finds the points. Each feature's patch is looked for within search_px of `shifts` (empty: of where it was learned),
-/// where the components explain it best. Errors: a picture that is empty.
+/// Finds the points. Searches each feature's patch within search_px of `shifts` (empty: of where it was learned) for
+/// the place that the components explain best. Errors: a picture that is empty.
 [[nodiscard]] base::Result<EigenFound> find_eigen_points(const EigenPoints& learned, const GreyImage& image,
                                                          std::span<const PxPoint> shifts);
 

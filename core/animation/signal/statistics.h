@@ -5,11 +5,10 @@
 
 namespace penpose::animation {
 
-/// The value below which a share of the numbers lies, between neighbours in a straight line; 0 of none.
+/// The quantile of the numbers at a share, interpolated linearly; 0 for no numbers.
 [[nodiscard]] double quantile(std::span<const double> numbers, double share);
 
-/// How far numbers usually are from their median: 1.4826 times the median distance, which is the standard deviation of
-/// a normal law and does not see a few that are far off.
+/// A robust standard deviation: 1.4826 times the median distance from the median.
 [[nodiscard]] double spread(std::span<const double> numbers);
 
 /// The median of each number's neighbours, `half` to each side, fewer at the ends.

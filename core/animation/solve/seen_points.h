@@ -10,7 +10,7 @@
 
 namespace penpose::animation {
 
-/// Where points of a rig are seen, pose by pose. Rig and camera must outlive it.
+/// Projects points of a rig in any pose. Rig and camera must outlive it.
 class SeenPoints {
  public:
   SeenPoints(const rig::Rig& rig, std::vector<posing::CurvePoint> points, const geometry::Camera& camera);

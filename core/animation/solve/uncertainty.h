@@ -10,17 +10,17 @@
 
 namespace penpose::animation {
 
-/// How far tremor of the tracked points leaves parameters in doubt when a pose is found from one frame. Controls that
-/// undo or repeat one another on the curves, as a frown and a smile, are in doubt each, but what they do together is
-/// not; so the doubt is told along directions of which each is in doubt on its own, too.
+/// The uncertainty of parameters due to tremor of the tracked points when a pose is found from one frame. Controls that
+/// undo or repeat each other on the curves, such as a frown and a smile, are each uncertain, but their sum is not. So
+/// the uncertainty is also given along independent directions.
 struct Uncertainty {
-  std::vector<double> directions;  ///< one run of a number a parameter, of length one, parameters as shares of their
-                                   ///< ranges; the most certain first
+  std::vector<double> directions;  ///< unit vectors, one number a parameter, parameters as shares of their ranges; the
+                                   ///< most certain first
   std::vector<double> deviations;  ///< standard deviation along each direction, above 0 to 0.25
-  std::vector<double> parameters;  ///< that of each parameter, as a share of its range, above 0 to 0.25
+  std::vector<double> parameters;  ///< the same for each parameter, as a share of its range, above 0 to 0.25
 };
 
-/// What the points tell of the parameters `searched` in one frame, J^T W J / deviation^2 (n rows of n), with J the seen
+/// The information of one frame about the parameters `searched`, J^T W J / deviation^2 (n rows of n), with J the seen
 /// movement of the points from `rest`, parameters as shares of their ranges, and W their weights. `deviation_px`:
 /// standard deviation of the tremor along each axis, px of the track, above 0.
 [[nodiscard]] std::vector<double> seen_information(const rig::Rig& rig, std::span<const double> rest,

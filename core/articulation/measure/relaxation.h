@@ -11,20 +11,20 @@
 
 namespace penpose::articulation {
 
-/// Gives way where a moved patch is torn. Two steps, both on the places of its nodes, and both leave alone what is
-/// held: `limit_stretch` pulls the ends of edges together that are longer than they may be (strain limiting after
-/// Provot 1995, position based dynamics of Mueller et al. 2007); `unfold` brings the surroundings of folds as near to a
-/// rigid motion of their rest shape as what lies about them lets them be (Sorkine and Alexa 2007), which no fold is.
+/// Relaxes a moved patch where it is torn. There are two steps, both on the positions of its nodes, and neither moves a
+/// fixed node: `limit_stretch` pulls together the ends of edges that are too long (strain limiting after Provot 1995,
+/// position based dynamics of Mueller et al. 2007); `unfold` brings the surroundings of folds as near to a rigid motion
+/// of their rest shape as their neighbours allow (Sorkine and Alexa 2007), which removes the folds.
 class Relaxation {
  public:
-  /// `give` 0..1, one an inner node: how much it gives way to stretch, 0 for what is held. Nodes of the rim are held.
+  /// `give` 0..1, one an inner node: how much it yields to stretch, 0 for fixed nodes. Nodes of the rim are fixed.
   Relaxation(const Patch& patch, std::vector<double> give);
 
   /// Sweeps over the edges until none is longer than `bound` times its length at rest, at most `sweeps` times. True
   /// when none is.
   bool limit_stretch(double bound, int sweeps, std::span<ModelPoint> places);
-  /// Brings the marked nodes (1) as near to rigid motions of their rest shape as may be, in `sweeps` sweeps; those that
-  /// are `stiff` (1) before all.
+  /// Brings the marked nodes (1) as near to rigid motions of their rest shape as may be, in `sweeps` sweeps; `stiff`
+  /// nodes (1) have priority.
   void unfold(std::span<const std::uint8_t> stiff, std::span<const std::uint8_t> marked, int sweeps,
               std::span<ModelPoint> places);
 
@@ -48,7 +48,7 @@ class Relaxation {
   std::vector<std::uint32_t> begins_;
   std::vector<std::uint32_t> edges_about_;  ///< those of every node, beginning at edge_begins_
   std::vector<std::uint32_t> edge_begins_;
-  /// Edges to look at, a bit each: in a sweep only what an end has moved of can have grown too long.
+  /// Edges to check, a bit each: in a sweep only edges with a moved end can have become too long.
   std::vector<std::uint64_t> waiting_;
   // Of `unfold`, kept for their memory: the rotation of every node, and whether it has been found.
   std::vector<glm::dquat> turns_;

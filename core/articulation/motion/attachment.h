@@ -10,9 +10,9 @@ namespace penpose::articulation {
 using geometry::ModelPoint;
 using geometry::ModelVector;
 
-/// How much each segment of a curve has to say about a point in space, and where on it: the nearer the segment the
-/// more, over a width that grows with the point's distance. On the curve itself only the place there counts; far away
-/// the whole curve does. Smooth through space, where the closest point alone jumps from one limb of a curve to another.
+/// Weights of a curve's segments for a point in space, and the place on each: nearer segments weigh more, over a width
+/// that grows with the point's distance. On the curve itself only the place there counts; far away the whole curve
+/// does. Smooth in space, where the closest point alone would jump from one limb of a curve to another.
 class Attachment {
  public:
   /// Precondition: at least two points.
@@ -21,11 +21,11 @@ class Attachment {
   void attach(const ModelPoint& point);
 
   [[nodiscard]] double distance() const { return distance_; }  ///< to the curve
-  /// The place on the curve, in segments from its start: the mean of all places.
+  /// The place on the curve, in segments from its start: the weighted mean of all places.
   [[nodiscard]] double place() const;
-  /// The mean of what is given at the curve's points, `values`, at all places.
+  /// The weighted mean of `values`, one for each point of the curve.
   [[nodiscard]] ModelVector mean_of_points(std::span<const ModelVector> values) const;
-  /// The mean of what is given for the curve's segments.
+  /// The weighted mean of values, one for each segment of the curve.
   [[nodiscard]] ModelVector mean_of_segments(std::span<const ModelVector> values) const;
 
  private:

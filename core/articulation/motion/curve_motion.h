@@ -29,7 +29,7 @@ struct MotionWorkspace {
 
 class Slide;
 
-/// How a curve turns: each segment relative to those before it, as the paper has it, or as a whole (swing.h).
+/// How a curve turns: each segment relative to those before it, as in the paper, or as a whole (swing.h).
 enum class Turning : std::uint8_t { chained, swung };
 
 /// The motion of a curve from a reference to a target of as many points (method, section 3, "Curve interpolation").
@@ -37,7 +37,7 @@ enum class Turning : std::uint8_t { chained, swung };
 /// `rotate`: segment j turns by its own part of the way, relative to the segments before it, and scales; with R_j =
 /// Psi_1 ... Psi_j (each Psi_j about an axis in the frame that the turns before it made) the target's segment is s_j
 /// R_j e_j, and at amount a every Psi_j turns by a times its angle and every segment is scaled by 1 + a (s_j - 1). The
-/// first point goes straight. `translate`: every point goes straight.
+/// first point moves straight. `translate`: every point moves straight.
 class CurveMotion {
  public:
   CurveMotion() = default;
@@ -51,7 +51,7 @@ class CurveMotion {
   [[nodiscard]] std::size_t segment_count() const { return reference_.size() - 1; }
   /// The swing of mode rotate when it turns as a whole, else null.
   [[nodiscard]] const Swing* swing() const { return swing_.get(); }
-  /// How mode translate goes over a ball (slide.h), where it does; the curve's own points go straight all the same.
+  /// How mode translate slides over a ball (slide.h), where it does; the curve's own points still move straight.
   [[nodiscard]] const Slide* slide() const { return slide_.get(); }
   void set_slide(std::shared_ptr<const Slide> slide) { slide_ = std::move(slide); }
   /// Axis (unit) and angle of a segment's turn, in the frame that the turns before it made.
@@ -59,7 +59,7 @@ class CurveMotion {
   [[nodiscard]] double angle(std::size_t segment) const { return segments_[segment].angle; }
 
   /// The frames of segments at an amount, for mode rotate, left in work.frames. Only those with a nonzero flag are
-  /// made, segments beyond the flags are not even passed through. Allocates only the first time.
+  /// computed; segments beyond the flags are skipped. Allocates only the first time.
   void frames(double amount, std::span<const std::uint8_t> wanted, MotionWorkspace& work) const;
   /// All points of the interpolated curve at an amount.
   [[nodiscard]] std::vector<ModelPoint> points(double amount) const;

@@ -5,14 +5,14 @@
 
 namespace penpose::articulation {
 
-/// One of the amounts at which a deformer has a target beside those at 0 and 1.
+/// An amount other than 0 and 1 at which a deformer has a target.
 struct Knot {
   double amount = 0.5;
-  double below = 0;  ///< the neighbouring amounts at which there is something else; its own where there is none
+  double below = 0;  ///< the neighbouring amounts with targets; its own where there is none
   double above = 1;
 
-  /// What its target counts at an amount: 1 at its own, 0 from the neighbouring ones on, straight between them; where
-  /// there is no neighbour it grows on as it came.
+  /// The weight of its target at an amount: 1 at its own, 0 from the neighbouring ones on, linear between them, and
+  /// extrapolated where there is no neighbour.
   [[nodiscard]] double weight(double at) const;
 };
 

@@ -18,13 +18,13 @@ inline constexpr std::size_t k_light_kernel = 5;
 
 /// The reference curve inferred from V_s: its vertices ordered by projected x (by projected y where that extent is
 /// larger), their world positions smoothed by a triangle filter whose kernel is a third of their number, then lightly,
-/// and spaced evenly as `count` points. Errors: vertices that make no curve.
+/// and spaced evenly as `count` points. Errors: vertices that form no curve.
 [[nodiscard]] base::Result<std::vector<ModelPoint>> infer_reference(const Canvas& canvas, const Region& region,
                                                                     std::span<const std::uint32_t> specific,
                                                                     std::size_t count);
 
-/// Why a reference that was inferred is not to be trusted, in words for a user; empty where it is: its vertices lie on
-/// two sheets of the surface (both lips), or it runs far beside what it was inferred from.
+/// Why an inferred reference cannot be trusted, in words for a user; empty where it can. Its vertices are on two sheets
+/// of the surface (both lips), or it runs far from the vertices it was inferred from.
 [[nodiscard]] std::string doubt_of_inferred(const Canvas& canvas, const Region& region,
                                             std::span<const std::uint32_t> specific,
                                             std::span<const ModelPoint> inferred);
@@ -38,8 +38,8 @@ inline constexpr std::size_t k_light_kernel = 5;
 /// A drawn reference that stays on one sheet of the surface.
 struct SheetReference {
   std::vector<ModelPoint> points;
-  std::vector<ModelVector> aside;  ///< from each point to where the pen was
-  double kept = 1;                 ///< share of the line; what is below 1 was cut off
+  std::vector<ModelVector> aside;  ///< from each point to the pen
+  double kept = 1;                 ///< share of the line that was not cut off
 };
 
 /// The same on one sheet of the surface (core/curve/sheet_line.h), or on the other one of two.

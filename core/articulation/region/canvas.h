@@ -15,8 +15,8 @@ namespace penpose::articulation {
 using geometry::ModelPoint;
 using geometry::ModelVector;
 
-/// The model at rest as it is seen: what strokes are drawn on. Joints (and the nodes of rigid parts) carry rest
-/// vertices to where they are seen; a deformer moves what is seen and hands its displacements back through the inverse,
+/// The model at rest in world space, as strokes are drawn on it. Joints (and the nodes of rigid parts) transform rest
+/// vertices to world space. A deformer moves world positions and takes its displacements back through the inverse,
 /// because displacements act before joints.
 class Canvas {
  public:
@@ -32,9 +32,9 @@ class Canvas {
   [[nodiscard]] const mesh::TriangleMesh& mesh() const { return *mesh_; }
   /// World positions of all vertices, at rest or as posed.
   [[nodiscard]] std::span<const ModelPoint> positions() const { return positions_; }
-  /// True when the vertices are carried by anything.
+  /// True when joints or nodes transform the vertices.
   [[nodiscard]] bool carried() const { return !carriers_.empty(); }
-  /// From a displacement of what is seen to one of the rest vertex. Error (place "vertex N"): the vertex's joints
+  /// From a displacement in world space to one of the rest vertex. Error (place "vertex N"): the vertex's joints
   /// flatten it.
   [[nodiscard]] base::Result<glm::dmat3> to_rest(std::uint32_t vertex) const;
 

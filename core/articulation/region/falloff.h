@@ -11,7 +11,7 @@
 
 namespace penpose::articulation {
 
-/// What a pen drew around, on a patch.
+/// The regions drawn on a patch.
 struct DrawnRegions {
   const geometry::Camera& camera;  ///< of both
   const geometry::Lasso& general;
@@ -20,23 +20,23 @@ struct DrawnRegions {
 
 /// Weights that fall off over the surface: 1 at the nodes of the core, 0 outside of the region, between them g/(g + c)
 /// with g the distance over the surface to the region's border and c to the core's. Both borders run through triangles
-/// where the pen crossed them. A free end of the surface is no border: the tip of an ear that was drawn around moves as
-/// much as what carries it.
+/// where the pen crossed them. A free end of the surface is no border: the tip of an ear inside the lasso moves as much
+/// as the part below it.
 class Falloff {
  public:
   Falloff(const Patch& patch, const DrawnRegions& drawn);
 
   /// Nodes of the patch that lie inside the region of specific interest; 1 a node.
   [[nodiscard]] std::span<const std::uint8_t> specific() const { return specific_; }
-  /// Where the region of specific interest reaches over the model beyond that of general interest, as seen from the
-  /// middle of what it holds inside ("on its left"); empty where it does not.
+  /// Where the region of specific interest extends beyond that of general interest on the model, as seen from the
+  /// middle of its part inside ("on its left"); empty where it does not.
   [[nodiscard]] const std::string& reaches_beyond() const { return reaches_beyond_; }
   /// The weight of every node when all of the region of specific interest is the core.
   [[nodiscard]] std::vector<double> weights() const;
-  /// How deep every node of the region of specific interest lies in it: its distance over the surface to the border.
+  /// The depth of every node of the region of specific interest: its distance over the surface to the border.
   [[nodiscard]] std::vector<double> inward() const;
   /// The same with a smaller core: `depth` 0..1 of the way from the border of the region of specific interest to the
-  /// curve is given to the falloff, where `to_curve` is the distance of every node to the curve and `inward` as above.
+  /// curve belongs to the falloff, where `to_curve` is the distance of every node to the curve and `inward` as above.
   [[nodiscard]] std::vector<double> weights(double depth, std::span<const double> inward,
                                             std::span<const double> to_curve) const;
 

@@ -21,12 +21,12 @@ class KeptSurface {
   static base::Result<KeptSurface> make(const Surface& surface, const Canvas& canvas);
 
   [[nodiscard]] bool exists() const { return surface_.index() != 0; }
-  /// The ball, where it is one.
+  /// The ball, if it is one.
   [[nodiscard]] const Sphere* ball() const { return std::get_if<Sphere>(&surface_); }
   /// True for a vertex of the surface itself: of the part, or on or inside the ball (within a thousandth of its
   /// radius).
   [[nodiscard]] bool consists_of(std::uint32_t vertex, const ModelPoint& rest) const;
-  /// The distance to keep of a point at rest: from the centre of a ball; signed, from any other surface.
+  /// The distance that a point at rest keeps: from the centre of a ball; signed, from any other surface.
   [[nodiscard]] double level(const ModelPoint& rest) const;
   /// The point moved to a level: along the ray from the centre of a ball; along the surface normal of the closest point
   /// of any other surface, where a point off the surface takes the direction to its closest point for that normal (at
@@ -34,8 +34,8 @@ class KeptSurface {
   /// direction when the moved point has none.
   [[nodiscard]] ModelPoint keep(const ModelPoint& moved, const ModelPoint& rest, double level) const;
   /// The point of a ray (unit direction) that lies on a level, the one nearest to `near`, the distance along the ray
-  /// where the method lifts a target without a surface. Lifted there, a target is where the surface will hold the curve
-  /// that reaches it, under the line that was drawn. `near` itself, or the ray's closest approach to a ball, where the
+  /// where the method lifts a target without a surface. Lifted there, a target is where the surface constrains the
+  /// curve that reaches it, under the drawn line. `near` itself, or the ray's closest approach to a ball, where the
   /// ray misses the level.
   [[nodiscard]] double lift(const geometry::Ray& ray, double near, double level) const;
 

@@ -10,23 +10,24 @@
 namespace penpose::articulation {
 
 /// The surface of a region of general interest as a small mesh of its own: its vertices, welded, and around them the
-/// rim, the vertices beside it that stay where they are. Nodes of the region come first, those of the rim after them.
+/// rim, the neighbouring vertices that stay where they are. Nodes of the region come first, those of the rim after
+/// them.
 class Patch {
  public:
-  /// Two rings of triangles outside of the region belong to it, so that the rim's own surroundings are known.
+  /// It includes two rings of triangles outside of the region, so that the rim's own surroundings are known.
   Patch(const Canvas& canvas, const Region& region);
 
-  /// Nodes of the region, and all with the rim.
+  /// Number of nodes of the region, and of all with the rim.
   [[nodiscard]] std::size_t inner_count() const { return inner_count_; }
   [[nodiscard]] std::size_t node_count() const { return rests_.size(); }
   [[nodiscard]] std::span<const ModelPoint> rests() const { return rests_; }
-  /// A vertex of the mesh that the node stands for.
+  /// A vertex of the mesh that the node represents.
   [[nodiscard]] std::uint32_t vertex(std::uint32_t node) const { return vertices_[node]; }
   /// The node of each vertex of the region, in the region's order.
   [[nodiscard]] std::span<const std::uint32_t> nodes() const { return nodes_; }
   /// Triangles that touch the region.
   [[nodiscard]] std::span<const mesh::Triangle> triangles() const { return triangles_; }
-  /// The triangles about a node.
+  /// The triangles around a node.
   [[nodiscard]] std::span<const std::uint32_t> star(std::uint32_t node) const {
     return std::span(stars_).subspan(star_begins_[node], star_begins_[node + 1] - star_begins_[node]);
   }

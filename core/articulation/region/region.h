@@ -19,24 +19,24 @@ struct Region {
   std::vector<std::uint32_t> vertices;  ///< ascending
   std::vector<PxPoint> seen;            ///< one a vertex: where the camera sees it
   std::vector<double> border_px;        ///< one a vertex: g_i, distance to the lasso
-  std::uint32_t pieces = 1;             ///< that lie inside the lasso and could be meant
+  std::uint32_t pieces = 1;             ///< inside the lasso that could be meant
 };
 
-/// What of a model a lasso takes.
+/// Which part of a model a lasso selects.
 struct Taken {
   Reach reach = Reach::through;
   std::uint32_t piece = 0;  ///< 0 is the one with the vertex closest to the camera, 1 the next
   friend bool operator==(const Taken&, const Taken&) = default;
 };
 
-/// Whether the distances to the lasso are wanted.
+/// Whether to compute the distances to the lasso.
 enum class Borders : std::uint8_t { measured, skipped };
 
-/// Of the connected components, within the lasso, of all vertices inside it (hidden ones too), with more than 10
-/// vertices, the one with the vertex closest to the camera. Vertices of a seam count as connected. Vertices of the
-/// surface that the deformer slides over are never meant, though an eyeball bulges nearer to the camera than its lid.
-/// With `Reach::front` only what the camera sees counts as inside: what faces it with nothing in front. Errors: those
-/// of the lasso; nothing inside; only scraps inside; a piece that is not there.
+/// Takes all vertices inside the lasso (hidden ones too), splits them into connected components, and selects the one
+/// with the vertex closest to the camera among those of more than 10 vertices. Vertices of a seam count as connected.
+/// Vertices of the surface that the deformer slides over are never selected, even if an eyeball is nearer to the camera
+/// than its lid. With `Reach::front` only visible vertices count: those that face the camera with nothing in front.
+/// Errors: those of the lasso; nothing inside; only small pieces inside; a piece that does not exist.
 [[nodiscard]] base::Result<Region> general_region(const Canvas& canvas, const geometry::Camera& camera,
                                                   std::span<const PxPoint> lasso, const KeptSurface& surface = {},
                                                   Borders borders = Borders::measured, const Taken& taken = {});
@@ -47,11 +47,11 @@ struct Weights {
   std::vector<std::uint32_t> specific;  ///< places in Region::vertices of V_s, ascending
 };
 
-/// An error where a lasso crosses itself in earnest (an eight, or twice around): where the area that it runs around,
-/// counted by its turns, is not about the area inside. Ends that overlap are no crossing.
+/// An error where a lasso really crosses itself (an eight, or twice around): where its area counted by winding number
+/// differs from the area inside. Ends that overlap are no crossing.
 [[nodiscard]] base::Status check_crossing(std::span<const PxPoint> lasso);
 
-/// That the second lasso holds nothing of the region, and on which side of it it was drawn.
+/// The error of a second lasso with nothing of the region inside: it says on which side of the region the lasso is.
 [[nodiscard]] base::Error core_outside(const Region& region, std::span<const PxPoint> lasso);
 
 /// Errors: those of the lasso; no vertex of the region inside.

@@ -24,7 +24,7 @@ struct PxBox {
   }
 };
 
-/// The triangles that a stroke could hit, or what lies within `around` px of it, so that a tree is built over a few
+/// The triangles that a stroke could hit, or that are within `around` px of it, so that a tree is built over a few
 /// instead of all.
 [[nodiscard]] std::vector<mesh::Triangle> triangles_under(const Canvas& canvas, const geometry::Camera& camera,
                                                           std::span<const geometry::PxPoint> stroke, double around = 1);

@@ -10,17 +10,18 @@
 
 namespace penpose::curve::sheet_walk {
 
-// Parts of sheet_curve (sheet_line.h): the samples of a line, what each may stick to, and the cheapest way through.
+// Parts of sheet_curve (sheet_line.h): the samples of a line, the candidates of each, and the cheapest sequence.
 
 inline constexpr double k_spacing_px = 2.0;  ///< of samples, at 1000 px high
 inline constexpr std::size_t k_fewest = 32, k_most = 128;
-inline constexpr int k_layers = 4;       ///< hits behind each other that are looked at
+inline constexpr int k_layers = 4;       ///< most hits along one ray
 inline constexpr double k_hidden = 0.7;  ///< cost of each surface in front
 inline constexpr double k_from_behind = 1.5;
-/// Cost of going over to a part that touches. To a part and on to another sheet costs more than a leap, which it is.
+/// Cost of crossing to a part that touches. Crossing to a part and on to another sheet costs more than a leap, which it
+/// is.
 inline constexpr double k_other_part = 20.5;
-inline constexpr double k_leap = 40.0;  ///< of going over to what does not, or is far over the surface
-inline constexpr double k_reach = 2.0;  ///< how far a walk may stray, steps between samples
+inline constexpr double k_leap = 40.0;  ///< cost of crossing to a part that does not touch, or is far over the surface
+inline constexpr double k_reach = 2.0;  ///< how far a path may deviate, in steps between samples
 inline constexpr double k_touch = 2.0;  ///< how far parts that touch may be from each other, reaches
 
 struct Candidate {
@@ -44,7 +45,7 @@ class Walk {
   Walk(const geometry::Camera& camera, const SheetSurface& surface)
       : camera_(camera), surface_(surface), scale_(camera.viewport().height / 1000.0) {}
 
-  /// How far beside the pen a sheet is looked for, times k_stick_px.
+  /// How far from the pen to search for a sheet, times k_stick_px.
   void stick(double far) { stick_px_ = far * k_stick_px * scale_; }
 
   std::vector<Node> nodes;
@@ -63,7 +64,7 @@ class Walk {
       nodes.push_back({(*even)[i], i > 0 ? geometry::distance((*even)[i - 1], (*even)[i]) : 0.0, {}});
       layers(nodes.back(), 1);
     }
-    // A model that is wound inside out is seen from its front all the same.
+    // A model that is wound inside out still shows its front.
     std::size_t behind = 0, hits = 0;
     for (const Node& node : nodes) {
       hits += node.candidates.size();
@@ -78,7 +79,7 @@ class Walk {
     return true;
   }
 
-  /// Whether the first hits already are one walk over the surface.
+  /// Whether the first hits already are one path over the surface.
   bool whole() {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const auto& here = nodes[i].candidates;
@@ -112,8 +113,8 @@ class Walk {
     return best;
   }
 
-  /// Takes the sheet of a run away: what is joined to it is no candidate any more, nor what is hidden behind it or seen
-  /// from behind, which is its own other side.
+  /// Removes the sheet of a run: everything joined to it is no longer a candidate, nor is anything hidden behind it or
+  /// seen from behind, which is its own other side.
   void leave(const Run& run) {
     for (std::size_t i = 0; i < run.taken.size(); ++i) {
       Node& node = nodes[run.first + i];
@@ -127,7 +128,7 @@ class Walk {
     }
   }
 
-  /// Nearer to the pen, where a place beside it was taken: as near as its sheet comes.
+  /// Moves candidates next to the pen as near to it as their sheet comes.
   void refine(const Node& node, Candidate& taken) {
     if (taken.offset == PxPoint{}) return;
     double near = 0.0, far = 1.0;
@@ -146,7 +147,7 @@ class Walk {
     taken.offset = taken.offset * far;
   }
 
-  /// Puts back what came nearer to the pen and is not beside its neighbours any more, until all are.
+  /// Moves those back that are no longer next to their neighbours, until all are.
   void keep_beside(const Run& run, std::vector<Candidate>& taken) {
     const auto as_found = [&](std::size_t i) -> const Candidate& {
       return nodes[run.first + i].candidates[run.taken[i]];
@@ -183,7 +184,7 @@ class Walk {
     return parts && geometry::distance(a.position, b.position) <= k_touch * reach(a, b, px);
   }
 
-  /// The surface under a place of the picture that lies on the sheet of one that is known.
+  /// The surface at a place of the picture that is on the sheet of a known place.
   bool on_sheet(PxPoint px, const Candidate& known, double step, Candidate& out) {
     Node probe{px, step, {}};
     layers(probe, k_layers);
@@ -239,7 +240,7 @@ class Walk {
     node.candidates.push_back(one);
   }
 
-  /// What lies beside the pen on sheets that it does not meet itself.
+  /// Candidates near the pen on sheets that it does not hit itself.
   void around(Node& node) {
     constexpr double k_diagonal = 0.70710678118654752;
     constexpr PxPoint k_ways[] = {{1, 0},
@@ -264,7 +265,7 @@ class Walk {
     }
   }
 
-  /// What going over costs.
+  /// The cost of a crossing.
   double step_cost(const Candidate& a, const Candidate& b, double px) {
     if (joined(a, b, px)) return 0.0;
     const bool near = geometry::distance(a.position, b.position) <= reach(a, b, px);
@@ -278,7 +279,7 @@ class Walk {
       const auto& before = nodes[i - 1].candidates;
       for (Candidate& one : nodes[i].candidates) {
         for (std::size_t k = 0; k < before.size(); ++k) {
-          // Going over costs something or nothing; most need not be asked.
+          // A crossing costs something or nothing; most need not be computed.
           if (k > 0 && before[k].best + one.cost >= one.best) continue;
           const double over = step_cost(before[k], one, nodes[i].step);
           const double cost = before[k].best + over + one.cost;

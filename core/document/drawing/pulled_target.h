@@ -7,8 +7,8 @@
 namespace penpose::document {
 
 /// A target pulled at a place of a view (curve/bend.h). Its points move parallel to the picture; those that do not
-/// follow stay where they are, to the bit. Errors: a camera that cannot be, a target behind it or of no length in it, a
-/// way or a reach that cannot be.
+/// follow keep their exact positions. Errors: an invalid camera, a target behind it or of no length in it, an invalid
+/// pull or reach.
 [[nodiscard]] base::Result<DrawnTarget> pulled_target(const DrawnTarget& before, const PullTarget& pull);
 
 }  // namespace penpose::document

@@ -9,9 +9,9 @@
 
 namespace penpose::document {
 
-/// The animation that goes through the poses at the times, linear between them: a weights channel for blend shapes and
+/// The animation through the poses at the times, linear between them: a weights channel for blend shapes and
 /// deformers and a rotation channel for each joint that turns. Times start at 0 and, like values, are rounded to float,
-/// as files keep them; a pose whose time is then not after the one before is left out. Precondition: one time a pose,
+/// as in files; a pose whose rounded time is not after the one before is left out. Precondition: one time a pose,
 /// one value a parameter of the model.
 [[nodiscard]] Animation make_animation(const Model& model, std::string name, std::span<const double> times_s,
                                        std::span<const rig::Pose> poses);

@@ -9,14 +9,14 @@
 
 namespace penpose::document {
 
-/// One joint's own transform below its parent.
+/// A joint's transform relative to its parent.
 struct JointTransform {
   glm::dvec3 translation{0};
   glm::dquat rotation{1, 0, 0, 0};
   glm::dvec3 scale{1};
 };
 
-/// A moment of an animation.
+/// An animation at one time.
 struct AnimationSample {
   std::vector<double>
       weights;  ///< one a blend shape and then one a sketched deformer, or empty where the animation drives none
@@ -36,8 +36,8 @@ struct AnimationSample {
 /// are left out.
 [[nodiscard]] AnimationSample sample(const Model& model, const Animation& animation, double time_s);
 
-/// The model at that moment: its weights become the pose (clamped to the parameters' ranges), and its joints rest where
-/// the sample has them, so that joint parameters turn on from there. Errors of the rig.
+/// The model at that time: the weights become the pose (clamped to the parameters' ranges), and the sample's joint
+/// transforms become the rest pose of its joints, so that joint parameters turn relative to them. Errors of the rig.
 [[nodiscard]] base::Result<Model> model_at(const Model& model, const AnimationSample& moment);
 
 }  // namespace penpose::document

@@ -12,7 +12,7 @@
 
 namespace penpose::document {
 
-/// A pose that never changes, shared by all copies: undo keeps many timelines that differ by one key.
+/// An immutable pose, shared by all copies: undo keeps many timelines that differ by one key.
 class SharedPose {
  public:
   SharedPose() : SharedPose(rig::Pose()) {}
@@ -32,7 +32,7 @@ class SharedPose {
   std::shared_ptr<const rig::Pose> pose_;
 };
 
-/// A pose at a moment.
+/// A pose at a time.
 struct PoseKey {
   double time_s = 0;
   SharedPose pose;   ///< one value a parameter of the rig
@@ -40,29 +40,29 @@ struct PoseKey {
   friend bool operator==(const PoseKey&, const PoseKey&) = default;
 };
 
-/// How poses between keys are made.
+/// Interpolation between keys.
 enum class KeyInterpolation : std::uint8_t {
   linear,
   smooth,  ///< cubic Hermite whose tangents never overshoot the keys (Fritsch and Carlson 1980)
 };
 
-/// Key poses, ascending in time, no two at one moment.
+/// Key poses, ascending in time, no two at the same time.
 struct Timeline {
   KeyInterpolation interpolation = KeyInterpolation::smooth;
   std::vector<PoseKey> keys;
   friend bool operator==(const Timeline&, const Timeline&) = default;
 };
 
-/// The latest moment a key may have, seconds.
+/// The latest time of a key, seconds.
 inline constexpr double k_latest_key_s = 36000;
 
-/// The pose at a moment, held before the first and after the last key. Precondition: there is a key.
+/// The pose at a time, held before the first and after the last key. Precondition: there is a key.
 [[nodiscard]] rig::Pose sample(const Timeline& timeline, double time_s);
 
 /// The slope at every key of one parameter's curve, in units a second, for `smooth`.
 [[nodiscard]] std::vector<double> monotone_tangents(std::span<const double> times_s, std::span<const double> values);
 
-/// The timeline as an animation that any viewer plays: weights of shapes and deformers exactly, joints sampled
+/// The timeline as an animation that any viewer can play: weights of shapes and deformers exactly, joints sampled
 /// `joint_samples_per_s` times a second between their keys. Empty for a timeline without keys.
 [[nodiscard]] Animation to_animation(const Model& model, const Timeline& timeline, double joint_samples_per_s = 60);
 

@@ -8,7 +8,7 @@
 
 namespace penpose::decode {
 
-/// Where a device describes the charge of its battery, as many do over Bluetooth.
+/// The control with the charge of a battery, which many devices describe over Bluetooth.
 struct BatteryLayout {
   bool has_report_ids = false;
   std::uint8_t report_id = 0;
@@ -17,10 +17,10 @@ struct BatteryLayout {
 };
 
 /// The charge that an interface describes: Battery Strength of the Generic Device Controls, or the state of charge of
-/// the Battery System. Nothing where there is none, or where it is that of a pen.
+/// the Battery System. Nothing if there is none, or if it is a pen's.
 [[nodiscard]] std::optional<BatteryLayout> find_battery(const hid::ReportDescriptor& descriptor);
 
-/// A pad without keys, which tells of its battery alone.
+/// A pad without keys, which reports only its battery.
 class BatteryDecoder final : public PadDecoder {
  public:
   explicit BatteryDecoder(const BatteryLayout& layout) : PadDecoder(PadFeatures{}), layout_(layout) {}

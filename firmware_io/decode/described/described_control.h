@@ -8,7 +8,7 @@
 
 namespace penpose::decode {
 
-/// One control of a report as its descriptor places it.
+/// One control of a report, placed by its descriptor.
 struct DescribedControl {
   std::uint32_t bit_offset = 0;
   std::uint32_t bit_size = 0;
@@ -34,8 +34,8 @@ struct DescribedControl {
 /// More controls than any field of keys or fingers has; one that claims more is an opaque block.
 inline constexpr std::uint64_t k_most_controls_of_field = 64;
 
-/// The fields of a type that have usages, report by report in the order in which the descriptor first names them, which
-/// is the order in which Linux maps them.
+/// The fields of a type that have usages, report by report in the order in which the descriptor first names them, as in
+/// Linux.
 [[nodiscard]] inline std::vector<const hid::Field*> fields_by_report(const hid::ReportDescriptor& descriptor,
                                                                      hid::ReportType type) {
   std::vector<const hid::Field*> fields;

@@ -7,8 +7,8 @@ namespace penpose::decode {
 
 /// Pens that describe themselves with the Digitizer page (Windows Ink tablets, N-trig, USI and AES pens).
 ///
-/// A pen reports its two ends with In Range, Invert and Eraser; this follows Linux's hid-input where devices stray from
-/// the usage tables: Eraser alone makes the tool an eraser, and the tip switch counts for the pen end only. Values
+/// A pen reports its two ends with In Range, Invert and Eraser; this follows Linux's hid-input where devices deviate
+/// from the usage tables: Eraser alone makes the tool an eraser, and the tip switch counts for the pen end only. Values
 /// outside of their logical range are left out where the field has a null state and clamped where it has none.
 class DescriptorDecoder final : public PenDecoder {
  public:
@@ -21,7 +21,7 @@ class DescriptorDecoder final : public PenDecoder {
  private:
   struct Proximity {
     Tool tool = Tool::none;
-    bool active = false;  ///< some control of the report so far says that a tool is there
+    bool active = false;  ///< some control of the report so far indicates a tool
   };
 
   void apply(const PenReport& report, const PenControl& control, std::int64_t value, Proximity& proximity);

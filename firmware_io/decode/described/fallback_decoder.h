@@ -12,8 +12,8 @@ namespace penpose::decode {
 using ForeignReports = std::array<std::uint32_t, 256>;
 [[nodiscard]] ForeignReports find_foreign_reports(const hid::ReportDescriptor& descriptor);
 
-/// A tablet with a protocol of its vendor, whose reports no descriptor mentions, beside what it does describe. A report
-/// that has just the id and length of a described pen goes to the first decoder (if there is one), one of a described
+/// A tablet with a vendor protocol that its descriptor does not mention, in addition to described reports. A report
+/// with the id and exact length of a described pen goes to the first decoder (if there is one), one of a described
 /// mouse or keyboard to none, every other to the vendor's.
 class FallbackDecoder final : public PenDecoder {
  public:

@@ -8,7 +8,7 @@
 
 namespace penpose::decode {
 
-/// The states of one report, without allocation. When there are more than fit, the newest take the last place.
+/// The states of one report, without allocation. If there are too many, the newest overwrites the last.
 class FrameList {
  public:
   static constexpr std::size_t k_most = 8;

@@ -10,21 +10,21 @@
 
 namespace penpose::decode {
 
-/// Which light is on at each side, from 0, as PadSample::mode has it.
+/// The light that is on at each side, from 0, as in PadSample::mode.
 using Lights = std::array<std::int8_t, k_pad_sides>;
 
-/// The feature report that makes a tablet show these lights; nothing where it switches them by itself (ExpressKey
-/// Remote), has none, or does not declare such a report. The interface is that of its keys, which behind a wireless
-/// receiver is the receiver's second one, whatever it declares. Source: Linux, wacom_sys.c
-/// (wacom_led_control), with the brightness that its driver begins with.
+/// The feature report that sets a tablet's lights; nothing if it switches them itself (ExpressKey Remote), has none, or
+/// does not declare such a report. The interface is the one with its keys; behind a wireless receiver that is the
+/// receiver's second one, whatever it declares. Source: Linux, wacom_sys.c (wacom_led_control), with the initial
+/// brightness of its driver.
 [[nodiscard]] std::optional<std::vector<std::uint8_t>> light_report(const DeviceIdentity& identity,
                                                                     const Lights& lights);
 
-/// The only byte of that report that says which light is on, where what the others say is the tablet's own affair: they
-/// have to be asked for first. Nothing where all are ours.
+/// The only byte of that report to change, where the others belong to the tablet and must be read first. Nothing if all
+/// bytes are ours.
 [[nodiscard]] std::optional<std::size_t> only_light_byte(const DeviceIdentity& identity);
 
-/// The side at which Linux's group of lights is: of two groups its first one is at the right.
+/// The side of Linux's group of lights: of two groups, the first is at the right.
 [[nodiscard]] std::size_t side_of_light_group(const DeviceIdentity& identity, std::size_t group);
 
 }  // namespace penpose::decode

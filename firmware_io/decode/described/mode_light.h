@@ -4,8 +4,8 @@
 
 namespace penpose::decode {
 
-/// The lights at a ring or strip, of which one is on and says what the ring does now. Tablets do not tell which; it
-/// follows from the presses of their mode key, each of which moves on to the next light, from the first.
+/// The lights at a ring or strip; the one that is on shows the ring's current mode. Tablets do not report it. It
+/// follows from the presses of the mode key: each moves on to the next light, starting from the first.
 class ModeLight {
  public:
   /// The light after a report in which the mode key is `down`.

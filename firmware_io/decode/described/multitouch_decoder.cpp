@@ -199,7 +199,7 @@ void MultitouchDecoder::read(const MultitouchApplication& layout, State& state, 
   for (std::size_t i = 0; i < layout.fingers.size(); ++i) {
     const MultitouchFinger& from = layout.fingers[i];
     if (from.report_id != id) continue;
-    Finger& to = state.fingers[i];
+    ReportedFinger& to = state.fingers[i];
     const auto number = [&](const std::optional<DescribedControl>& control, std::int32_t& into) {
       if (control) into = static_cast<std::int32_t>(control->value(report));
     };
@@ -222,7 +222,7 @@ bool MultitouchDecoder::decode_application(const MultitouchApplication& layout, 
     if (state.count >= 0 && (new_time || state.count != 0)) state.expected = state.count;
   }
   state.last_scan_time = state.scan_time;
-  for (const Finger& finger : state.fingers) {
+  for (const ReportedFinger& finger : state.fingers) {
     if (take(layout, state, finger)) ++state.received;
   }
   if (state.received < state.expected) return false;
@@ -243,7 +243,7 @@ bool MultitouchDecoder::decode_application(const MultitouchApplication& layout, 
   return true;
 }
 
-bool MultitouchDecoder::take(const MultitouchApplication& layout, const State& state, const Finger& finger) {
+bool MultitouchDecoder::take(const MultitouchApplication& layout, const State& state, const ReportedFinger& finger) {
   // Where reports have room for one finger only, or are not counted, it is believed always.
   const bool counted = layout.count.has_value() && layout.fingers.size() > 1;
   if (counted && state.received >= state.expected) return false;

@@ -9,7 +9,7 @@
 
 namespace penpose::decode {
 
-/// Where a finger's values stand; they stay what they were while other reports come.
+/// The controls with a finger's values; values persist while other reports arrive.
 struct MultitouchFinger {
   std::optional<DescribedControl> id, x, y, tip, in_range, confidence;
   std::uint8_t report_id = 0;
@@ -27,8 +27,8 @@ struct MultitouchApplication {
 
 struct MultitouchLayout {
   bool has_report_ids = false;
-  bool certified = false;  ///< says that Windows 8 may rely on it: palms, hovering, one place for each finger
-  std::array<std::uint32_t, 256> report_length{};  ///< 0 where no fingers are
+  bool certified = false;  ///< certified for Windows 8: palms, hovering, one place for each finger
+  std::array<std::uint32_t, 256> report_length{};  ///< 0 for reports without fingers
   std::vector<MultitouchApplication> applications;
   TouchAxes axes;
 };
@@ -37,7 +37,7 @@ struct MultitouchLayout {
 [[nodiscard]] std::optional<MultitouchLayout> find_multitouch(const hid::ReportDescriptor& descriptor);
 
 /// Fingers as the Digitizer page describes them (HID Usage Tables 1.3, 16.5), read as Linux does (hid-multitouch.c).
-/// A frame may span several reports, of which the first says how many fingers it has.
+/// A frame may span several reports; the first has the number of fingers.
 class MultitouchDecoder final : public TouchDecoder {
  public:
   explicit MultitouchDecoder(MultitouchLayout layout);
@@ -46,16 +46,8 @@ class MultitouchDecoder final : public TouchDecoder {
   void reset() override;
 
  private:
-  struct Finger {
-    std::int32_t id = 0;
-    std::int32_t x = 0;
-    std::int32_t y = 0;
-    bool tip = false;
-    bool in_range = false;
-    bool confident = true;
-  };
   struct State {
-    std::vector<Finger> fingers;
+    std::vector<ReportedFinger> fingers;
     std::int64_t count = 0;
     std::int64_t scan_time = 0;
     std::int64_t last_scan_time = 0;
@@ -66,11 +58,11 @@ class MultitouchDecoder final : public TouchDecoder {
   bool decode_application(const MultitouchApplication& layout, State& state);
   void read(const MultitouchApplication& layout, State& state, std::uint8_t id, base::Bytes report) const;
   /// False when the finger is not one of this frame.
-  bool take(const MultitouchApplication& layout, const State& state, const Finger& finger);
+  bool take(const MultitouchApplication& layout, const State& state, const ReportedFinger& finger);
 
   MultitouchLayout layout_;
   std::vector<State> states_;  ///< of the applications
-  std::vector<bool> palms_;    ///< by slot: lifted as a palm, which is to be told of once more
+  std::vector<bool> palms_;    ///< by slot: lifted as a palm, to be reported once more
 };
 
 }  // namespace penpose::decode

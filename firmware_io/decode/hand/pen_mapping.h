@@ -17,19 +17,19 @@ struct TabletArea {
 };
 
 struct PenMappingOptions {
-  double width_px = 0;  ///< of the picture that the tablet stands for; both above 0
+  double width_px = 0;  ///< of the picture that the tablet maps to; both above 0
   double height_px = 0;
-  bool keep_aspect = false;  ///< use only as much of the area as has the picture's shape, around its middle
+  bool keep_aspect = false;  ///< use only the central part of the area that has the picture's shape
   int quarter_turns = 0;     ///< how far the tablet itself is turned clockwise on the desk
   bool left_handed = false;  ///< turned by half a turn, keys on the right; adds to `quarter_turns`
   std::optional<TabletArea> area = std::nullopt;  ///< the user's part of the tablet, before any turn
   PressureCurve pressure = {};
 };
 
-/// A sample as an application wants it. Position and pressure are exact functions of the raw sample; nothing is
+/// A sample in an application's units. Position and pressure are exact functions of the raw sample; nothing is
 /// smoothed.
 struct MappedSample {
-  double x_px = 0;  ///< 0..width, outside of the area the nearer edge
+  double x_px = 0;  ///< 0..width, clamped to the area
   double y_px = 0;
   double pressure = 0;        ///< 0..1 after the curve
   double tilt_x_degrees = 0;  ///< leaning right in the picture is positive

@@ -6,7 +6,7 @@
 
 namespace penpose::decode {
 
-/// A user's pressure curve: straight lines between points of pressure as pressed and pressure as meant, both 0..1.
+/// A user's pressure curve: piecewise linear from pressed to meant pressure, both 0..1.
 class PressureCurve {
  public:
   struct Point {
@@ -14,18 +14,18 @@ class PressureCurve {
     double meant = 0;
   };
 
-  /// Leaves pressure as it is.
+  /// The identity.
   PressureCurve() = default;
 
   /// At least two points from pressed 0 to pressed 1, `pressed` rising, `meant` never falling, all within 0..1. The
-  /// error names the number of the point that breaks this.
+  /// error names the number of the first bad point.
   [[nodiscard]] static base::Result<PressureCurve> make(std::vector<Point> points);
 
-  /// `pressed` outside of 0..1 counts as the nearer end.
+  /// `pressed` is clamped to 0..1.
   [[nodiscard]] double operator()(double pressed) const;
 
  private:
-  std::vector<Point> points_;  ///< empty: straight from 0 to 1
+  std::vector<Point> points_;  ///< empty: the identity
 };
 
 }  // namespace penpose::decode

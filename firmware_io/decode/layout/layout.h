@@ -10,12 +10,12 @@
 
 namespace penpose::decode {
 
-/// What a report that fits a layout says.
+/// The meaning of a report that fits a layout.
 enum class Gives : std::uint8_t {
   ignored,    ///< nothing
-  pen,        ///< where the pen is and what it does
-  mouse,      ///< a puck or lens cursor that lies on the tablet
-  tool,       ///< which tool has just come near; its position follows in other reports
+  pen,        ///< position and state of the pen
+  mouse,      ///< a puck or lens cursor on the tablet
+  tool,       ///< the tool that has just come near; its position follows in other reports
   leave,      ///< the tool has left
   pad,        ///< keys and wheels of the tablet
   touch_pad,  ///< a 64-byte Wacom touch report: contacts, and pad keys among them
@@ -47,18 +47,18 @@ struct KeyCodes {
   std::vector<Key> keys;
 };
 
-/// Fingers, one behind the other. Fields count from the first byte of an entry.
+/// Consecutive entries of fingers. Fields count from the first byte of an entry.
 struct ContactList {
   std::size_t from = 0;       ///< byte of the report where the first entry begins
   std::size_t size = 0;       ///< bytes of an entry
-  std::size_t most = 0;       ///< entries that are looked at; fewer where the report ends before
-  std::int64_t first_id = 0;  ///< entries with another number than these are none
+  std::size_t most = 0;       ///< entries to read; fewer if the report ends before
+  std::int64_t first_id = 0;  ///< entries with numbers outside of this range are ignored
   std::int64_t last_id = 0;
   BitNumber id, x, y;
   BitTest down;
 };
 
-/// How one kind of report is laid out. Fields that it does not have are empty.
+/// The layout of one kind of report. Missing fields are empty.
 struct Layout {
   Gives gives = Gives::ignored;
   std::size_t shortest = 0;  ///< shorter reports are ignored; covers every field
@@ -69,10 +69,10 @@ struct Layout {
   std::optional<BitTest> eraser;
   std::optional<BitTest> near;  ///< empty: always near
   std::optional<StepField> scroll;
-  bool last_pressure = false;  ///< as in the last report that had one
+  bool last_pressure = false;  ///< pressure is that of the last report with one
   bool last_tilt = false;
   bool last_buttons = false;
-  bool eraser_by_tool = false;      ///< as the last tool report said
+  bool eraser_by_tool = false;      ///< as in the last tool report
   bool rotation_is_marker = false;  ///< the Wacom art pen's code rather than a number
   int eraser_button = 0;            ///< 1-based: this button's bit means the eraser if set when the tool came near
 
@@ -87,13 +87,13 @@ struct Layout {
   std::optional<BitNumber> wheel_buttons;
   std::optional<StepField> dial, second_dial;
 
-  std::optional<BitNumber> battery;  ///< of reports that are of nothing else
+  std::optional<BitNumber> battery;  ///< of reports with nothing else
   std::int64_t battery_full = 100;
 
   std::optional<ContactList> contacts;
 };
 
-/// The reports of one family of tablets: the first rule whose test holds says which layout a report has.
+/// The reports of one family of tablets: the first rule whose test holds gives the layout of a report.
 struct Protocol {
   struct Rule {
     BitTest when;
@@ -102,7 +102,7 @@ struct Protocol {
   std::string name;
   std::size_t skip = 0;        ///< leading bytes to drop; all byte numbers count after them
   std::size_t shortest = 0;    ///< shorter reports are ignored before any rule
-  std::int64_t tip_above = 0;  ///< pressure above this means that the tip touches, where there is no tip bit
+  std::int64_t tip_above = 0;  ///< without a tip bit, the tip touches above this pressure
   std::vector<Rule> rules;     ///< a report that fits none is ignored
 };
 

@@ -10,7 +10,7 @@ namespace penpose::decode {
 /// Decodes the reports of one protocol by its layouts. Axes that no layout of the protocol has are not present.
 class LayoutDecoder final : public PenDecoder {
  public:
-  /// `axes` gives ranges and resolutions where they are known; presence is the protocol's.
+  /// `axes` gives ranges and resolutions where known; the protocol determines which axes are present.
   explicit LayoutDecoder(std::shared_ptr<const Protocol> protocol, const PenAxes& axes = {});
 
   ReportKind decode(base::Bytes report) override;
@@ -18,7 +18,7 @@ class LayoutDecoder final : public PenDecoder {
   [[nodiscard]] const PenAxes& axes() const override { return axes_; }
 
  private:
-  /// What one report leaves behind for those after it.
+  /// State that one report leaves for later ones.
   struct Memory {
     std::int32_t pressure = 0;
     std::int32_t tilt_x = 0;

@@ -12,7 +12,7 @@ namespace penpose::decode {
 using ProtocolMap = std::map<std::string, std::shared_ptr<const Protocol>, std::less<>>;
 
 /// Reads the members `layouts`, `rule_lists` and `protocols` of a tablet file (their form is in tablets/README.md).
-/// Things wrong go to the error of `file`; what is returned then means nothing.
+/// Errors go to the error of `file`; the result is then meaningless.
 [[nodiscard]] ProtocolMap read_protocols(const JsonPlace& file);
 
 }  // namespace penpose::decode

@@ -10,8 +10,8 @@
 
 namespace penpose::decode {
 
-/// What a control of a pen report stands for. The order of the first five is the order in which a report's controls are
-/// weighed, because each settles what the next one means.
+/// The meaning of a control of a pen report. The controls of a report are evaluated in the order of the first five,
+/// because each determines what the next one means.
 enum class PenRole : std::uint8_t {
   eraser,
   invert,
@@ -47,9 +47,9 @@ struct PenControl {
   std::int64_t maximum = 0;
   std::int32_t collection = -1;
 
-  /// Its value in a report that reaches at least to its end, as `PenLayout::find` makes sure. Written out here because
-  /// this is where a decoder spends its time; at most 32 bits. Both loops end at the report's end, so that each byte
-  /// need not be looked up in bounds once more: eight of them are one load then.
+  /// Its value in a report that reaches at least to its end, as `PenLayout::find` makes sure. Defined inline because
+  /// decoders spend their time here; at most 32 bits. Both loops end at the report's end, so that bytes need no further
+  /// bounds checks and eight of them become one load.
   [[nodiscard]] std::int64_t value(base::Bytes report) const {
     const std::size_t first = bit_offset / 8;
     const unsigned shift = bit_offset % 8;
@@ -67,22 +67,22 @@ struct PenControl {
   }
 };
 
-/// An input report that carries a pen.
+/// An input report with a pen.
 struct PenReport {
   std::uint8_t id = 0;
   std::uint32_t length = 0;  ///< bytes as described, id included
   std::uint32_t needed = 0;  ///< bytes up to the last control of the pen
-  bool is_puck = false;      ///< the tool is a mouse that lies on the tablet
+  bool is_puck = false;      ///< the tool is a mouse on the tablet
   bool has_tip = false;
   bool has_invert = false;
-  bool has_proximity = false;        ///< says itself whether the pen is near
+  bool has_proximity = false;        ///< has a control for whether the pen is near
   std::vector<PenControl> controls;  ///< in order of the descriptor
 };
 
-/// How the usages of a descriptor are read.
+/// How to interpret the usages of a descriptor.
 enum class Dialect : std::uint8_t {
   standard,  ///< Digitizer page as the HID Usage Tables define it
-  wacom,     ///< the same and Wacom's vendor pages 0xff0d and 0xff11, collections as Wacom nests them
+  wacom,     ///< the same and Wacom's vendor pages 0xff0d and 0xff11, with Wacom's nesting of collections
 };
 
 /// The pen reports of an interface.
@@ -92,10 +92,10 @@ struct PenLayout {
   bool has_sense = false;
   bool has_serial = false;
   std::vector<PenReport> reports;
-  std::array<std::int16_t, 256> report_of_id{};  ///< index into `reports`, -1 where an id carries no pen
+  std::array<std::int16_t, 256> report_of_id{};  ///< index into `reports`, -1 for ids without a pen
   PenAxes axes;
 
-  /// The layout of a raw report that a pen is described for and that is long enough; null otherwise.
+  /// The layout of a raw report with a described pen that is long enough; null otherwise.
   [[nodiscard]] const PenReport* find(base::Bytes report) const {
     if (report.empty()) return nullptr;
     const std::int16_t index = report_of_id[has_report_ids ? report[0] : 0];
@@ -110,7 +110,7 @@ struct PenLayout {
 
 /// Whether a field belongs to a pen in Wacom's way of nesting collections, whatever its usage.
 [[nodiscard]] bool is_wacom_pen_field(const hid::ReportDescriptor& descriptor, const hid::Field& field);
-/// The same for touch fields that are no pen fields.
+/// The same for touch fields that are not pen fields.
 [[nodiscard]] bool is_wacom_touch_field(const hid::ReportDescriptor& descriptor, const hid::Field& field);
 
 }  // namespace penpose::decode

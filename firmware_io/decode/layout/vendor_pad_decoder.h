@@ -8,18 +8,18 @@
 
 namespace penpose::decode {
 
-/// Whether any report of a protocol tells of keys or wheels.
+/// Whether any report of a protocol has keys or wheels.
 [[nodiscard]] bool has_battery(const Protocol& protocol);
 [[nodiscard]] bool has_pad(const Protocol& protocol);
 
-/// What the pad of a tablet of the table has; of a protocol alone (`tablet` null) all that its reports have room for.
+/// The controls of the pad of a tablet in the table; for a protocol alone (`tablet` null), all that its reports can
+/// have.
 [[nodiscard]] PadFeatures pad_features(const Protocol& protocol, const Tablet* tablet);
 
-/// The keys and wheels of a vendor's protocol. Keys are numbered as Linux numbers those of tablets; the buttons in
-/// wheels follow the others.
+/// The keys and wheels of a vendor's protocol. Keys are numbered as in Linux; the buttons in wheels follow the others.
 class VendorPadDecoder final : public PadDecoder {
  public:
-  /// `reports` decodes the protocol's reports, a fresh decoder of its own beside the pen's.
+  /// `reports` decodes the protocol's reports; it must be a separate decoder from the pen's.
   VendorPadDecoder(std::unique_ptr<PenDecoder> reports, const Protocol& protocol, const Tablet* tablet);
 
   bool decode(base::Bytes report) override;

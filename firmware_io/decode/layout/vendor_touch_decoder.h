@@ -7,10 +7,10 @@
 
 namespace penpose::decode {
 
-/// Whether any report of a protocol tells of fingers.
+/// Whether any report of a protocol has fingers.
 [[nodiscard]] bool has_touch(const Protocol& protocol);
 
-/// The fingers in the reports of a vendor's protocol. A finger has its slot by its number; every report ends a frame.
+/// The fingers in the reports of a vendor's protocol. A finger's number is its slot; every report ends a frame.
 class VendorTouchDecoder final : public TouchDecoder {
  public:
   /// `tablet` (may be null) gives ranges and resolution.

@@ -13,8 +13,8 @@ namespace penpose::decode {
 ///   `1.5` bit 5 of byte 1 is set (bit 0 is the lowest)    `!1.5` it is clear
 ///   `0=02` byte 0 is 02h    `0=02/10` it is 02h or 10h    `0!=02` it is not 02h
 ///   `1&fc=c0` byte 1 masked with FCh is C0h               `length>=12` the report has at least 12 bytes
-/// Bytes and bits count in decimal, values are hexadecimal. A test of a byte that the report does not have fails. No
-/// part: true.
+/// Bytes and bits count in decimal, values are hexadecimal. A test of a byte beyond the end of the report fails.
+/// Without parts: true.
 class BitTest {
  public:
   [[nodiscard]] static base::Result<BitTest> parse(std::string_view text);
@@ -28,7 +28,7 @@ class BitTest {
     }
     return true;
   }
-  /// Bytes that a report needs so that every part can be looked at.
+  /// Bytes that a report needs so that every part can be evaluated.
   [[nodiscard]] std::size_t reach() const { return shortest_; }
   /// The largest `length>=` part, 0 without one.
   [[nodiscard]] std::size_t stated_length() const { return stated_length_; }
@@ -67,7 +67,7 @@ class BitNumber {
 
   /// Precondition: the report has at least reach() bytes and is_there() says yes.
   [[nodiscard]] std::int64_t read(base::Bytes report) const {
-    // Nearly all numbers are of one run, or of a byte and the next one above it.
+    // Nearly all numbers have one run, or two consecutive bytes.
     std::uint64_t bits = 0;
     if (shape_ != Shape::any) {
       const std::uint8_t* const at = report.data() + first_.byte;
@@ -87,7 +87,7 @@ class BitNumber {
   [[nodiscard]] std::int64_t read_or(base::Bytes report, std::int64_t otherwise) const {
     return is_there(report) ? read(report) : otherwise;
   }
-  /// Bytes that a report needs so that read_or() may be called; 0 where an `if length>=N` sees to that itself.
+  /// Bytes that a report needs before read_or() may be called; 0 if an `if length>=N` checks that itself.
   [[nodiscard]] std::size_t reach() const { return reach_; }
   /// Bits that the runs fill, at most 32.
   [[nodiscard]] int width() const { return width_; }

@@ -5,9 +5,9 @@
 
 namespace penpose::decode {
 
-/// Turns the raw reports of one interface into the state of the keys and wheels on the tablet. Works beside the
-/// interface's PenDecoder and gets the same reports, every one, in order. It never allocates in `decode`, never reads
-/// outside the report, and takes any bytes whatever.
+/// Turns the raw reports of one interface into the state of the keys and wheels on the tablet. Works in parallel
+/// with the interface's PenDecoder and gets all the same reports, in order. It never allocates in `decode`, never reads
+/// outside the report, and accepts any bytes.
 class PadDecoder {
  public:
   virtual ~PadDecoder() = default;
@@ -15,16 +15,16 @@ class PadDecoder {
   PadDecoder(const PadDecoder&) = delete;
   PadDecoder& operator=(const PadDecoder&) = delete;
 
-  /// One raw report, report id first. True when it said something about the pad; what it said is then in `sample()`,
-  /// the wheels being the steps of this report alone.
+  /// One raw report, report id first. True if it was about the pad; its state is then in `sample()`, where wheels are
+  /// the steps of this report alone.
   virtual bool decode(base::Bytes report) = 0;
-  /// Forgets all state, as after plugging in.
+  /// Resets all state, as after plugging in.
   virtual void reset() {
     sample_ = {};
     battery_ = {};
   }
 
-  /// The light that is on at a side, where something else than the reports tells it.
+  /// Sets the light that is on at a side, where another source than the reports knows it.
   virtual void set_light(std::size_t side, std::int8_t light) {
     static_cast<void>(side);
     static_cast<void>(light);

@@ -8,18 +8,18 @@
 
 namespace penpose::decode {
 
-/// What a hand turns on a tablet.
+/// A dial of a tablet.
 enum class PadDial : std::uint8_t {
-  ring,   ///< felt by a finger that goes round
-  strip,  ///< felt by a finger that goes along
-  wheel,  ///< turned itself
+  ring,   ///< a finger moves around it
+  strip,  ///< a finger moves along it
+  wheel,  ///< turns itself
 };
 
 enum class PadEventKind : std::uint8_t {
   key_down,  ///< `key`
   key_up,
   touched,  ///< a finger came to a ring or strip
-  turned,   ///< a dial went on by `steps`
+  turned,   ///< a dial moved by `steps`
   let_go,   ///< the finger left
 };
 
@@ -37,18 +37,18 @@ struct PadEvent {
 
 /// Parts of a notch, as Linux counts them for wheels of high resolution.
 inline constexpr std::int32_t k_notch = 120;
-/// A ring's notches: one for each 10 degrees, about what a finger means by a step. Of a ring that feels fewer places,
-/// each place is one.
+/// A ring's notches: one for each 10 degrees, about one intended step of a finger. A ring with fewer positions has one
+/// for each.
 inline constexpr std::int32_t k_ring_notches = 36;
 
-/// Turns the states of a pad into events: a press and a release for each key, turns by how far they went.
+/// Turns the states of a pad into events: a press and a release for each key, and turns with their distance.
 class PadEvents {
  public:
   explicit PadEvents(const PadFeatures& features = {}) : features_(features) {}
 
   /// Appends the events of a state, keys first. `out` grows by at most a few dozen.
   void add(const PadSample& sample, std::int64_t time_us, std::vector<PadEvent>& out);
-  /// Lets go of everything that is held when no more states will come.
+  /// Releases everything that is held when there are no more states.
   void finish(std::int64_t time_us, std::vector<PadEvent>& out);
 
   [[nodiscard]] PadKeys held() const { return last_.keys; }

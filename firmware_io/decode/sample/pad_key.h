@@ -6,7 +6,7 @@
 namespace penpose::decode {
 
 /// The keys that a pad may have, in the order of Linux's key codes (input-event-codes.h), which is the order in which
-/// they are listed and drawn. Tablets number most of theirs; those with a meaning of their own have a name.
+/// they are listed and drawn. Most keys of tablets are numbered; those with a fixed meaning have a name.
 enum class PadKey : std::uint8_t {
   // clang-format off
   program1, program2, program3,
@@ -31,7 +31,7 @@ using PadKeys = std::uint64_t;
 /// How many keys can be numbered.
 inline constexpr unsigned k_numbered_keys = 22 + k_extra_keys;
 
-/// The key that Linux gives to the tablet's key `number` (0-based, below k_numbered_keys): BTN_0 to BTN_9, then BTN_A
+/// Linux's key for the tablet's key `number` (0-based, below k_numbered_keys): BTN_0 to BTN_9, then BTN_A
 /// to BTN_Z, then BTN_BASE and on.
 [[nodiscard]] constexpr PadKey numbered_key(unsigned number) {
   const auto from = [](PadKey first, unsigned by) { return static_cast<PadKey>(static_cast<unsigned>(first) + by); };
@@ -41,13 +41,13 @@ inline constexpr unsigned k_numbered_keys = 22 + k_extra_keys;
   return from(PadKey::extra1, number - 22);
 }
 
-/// The first `count` numbered keys of which bit i of `pressed` says that key i is down.
+/// The keys that are down among the first `count` numbered ones: bit i of `pressed` is key i.
 [[nodiscard]] PadKeys numbered_keys(std::uint64_t pressed, unsigned count);
 
 /// Linux's code of a key.
 [[nodiscard]] std::uint16_t key_code(PadKey key);
 
-/// Linux's name of a key, such as `BTN_0` or `KEY_PROG1`; of keys that most tables of names leave out the code
+/// Linux's name of a key, such as `BTN_0` or `KEY_PROG1`; for keys that most name tables lack, the code
 /// (`0x166`).
 [[nodiscard]] std::string key_name(PadKey key);
 

@@ -8,28 +8,28 @@
 
 namespace penpose::decode {
 
-/// What a report was about.
+/// The kind of a report.
 enum class ReportKind : std::uint8_t {
-  ignored,  ///< nothing for us: touch, status, unknown id, wrong length
-  pen,      ///< carries pen state: the sample after this report is in `sample()`
+  ignored,  ///< not used: touch, status, unknown id, wrong length
+  pen,      ///< has pen state: the sample after this report is in `sample()`
   pad,      ///< express keys, wheels: see `pad()`
 };
 
 /// The state of the keys and wheels on the tablet itself.
 struct PadState {
   std::uint64_t keys = 0;               ///< bit i: key i is down
-  std::int32_t wheel_delta = 0;         ///< steps since the report before, clockwise positive
+  std::int32_t wheel_delta = 0;         ///< steps since the previous report, clockwise positive
   std::int32_t second_wheel_delta = 0;  ///< the same of a second dial
   std::int32_t wheel_position = -1;     ///< absolute position of a touch ring, -1 while not touched
   std::int32_t second_wheel_position = -1;
   std::int32_t strip = 0;  ///< position on a touch strip, 0 while not touched
   std::int32_t second_strip = 0;
   std::uint32_t wheel_buttons = 0;  ///< bit i: the button in wheel i is down
-  std::int8_t battery = -1;         ///< percent; -1: nothing was said
+  std::int8_t battery = -1;         ///< percent; -1: unknown
 };
 
 /// Turns the raw input reports of one interface into pen samples. Stateful: feed every report of the interface in
-/// order. A decoder never allocates in `decode`, never reads outside the report, and takes any bytes whatever.
+/// order. A decoder never allocates in `decode`, never reads outside the report, and accepts any bytes.
 class PenDecoder {
  public:
   virtual ~PenDecoder() = default;
@@ -37,9 +37,9 @@ class PenDecoder {
   PenDecoder(const PenDecoder&) = delete;
   PenDecoder& operator=(const PenDecoder&) = delete;
 
-  /// One raw report, report id first as hidraw and hid-recorder give it.
+  /// One raw report, report id first as from hidraw and hid-recorder.
   virtual ReportKind decode(base::Bytes report) = 0;
-  /// Forgets all state, as after plugging in.
+  /// Resets all state, as after plugging in.
   virtual void reset() = 0;
   [[nodiscard]] virtual const PenAxes& axes() const = 0;
 
@@ -48,7 +48,7 @@ class PenDecoder {
   [[nodiscard]] const PadState& pad() const { return pad_; }
 
   /// All states that the last report of kind `pen` went through, oldest first: the last one is `sample()`. More than
-  /// one only where a device puts several frames into a report (over Bluetooth). Valid until the next call of `decode`.
+  /// one only if a device puts several frames into a report (over Bluetooth). Valid until the next call of `decode`.
   [[nodiscard]] virtual std::span<const PenSample> frames() const { return {&sample_, 1}; }
 
  protected:

@@ -15,7 +15,7 @@ enum class PenEventKind : std::uint8_t {
   hover,         ///< a position without contact
   stroke_begin,  ///< contact, with the stroke's first point
   stroke_point,
-  stroke_end,  ///< contact ended; carries no point of its own
+  stroke_end,  ///< contact ended; has no point of its own
 };
 
 struct PenEvent {
@@ -23,7 +23,7 @@ struct PenEvent {
   Tool tool = Tool::none;
   std::uint8_t button = 0;
   std::int64_t time_us = 0;
-  PenSample sample;  ///< raw, as the decoder gave it
+  PenSample sample;  ///< raw, from the decoder
 };
 
 /// When the tip counts as touching.
@@ -42,7 +42,7 @@ class PenEvents {
 
   /// Appends the events of a sample. `out` grows by at most a few dozen.
   void add(const PenSample& sample, std::int64_t time_us, std::vector<PenEvent>& out);
-  /// Ends what is still open when no more samples will come.
+  /// Ends an open stroke and releases buttons when there are no more samples.
   void finish(std::int64_t time_us, std::vector<PenEvent>& out);
 
  private:

@@ -6,8 +6,8 @@ namespace penpose::decode {
 
 enum class Tool : std::uint8_t { none, pen, eraser, mouse };
 
-/// What a pen says in one report, in the device's own units: nothing scaled, nothing filtered. A field that the device
-/// does not have is left at zero and its bit in `AxisSet` (see PenAxes) is clear.
+/// The state of a pen in one report, in the device's own units, neither scaled nor filtered. A field that the device
+/// does not have is zero and its bit in `AxisSet` (see PenAxes) is clear.
 struct PenSample {
   std::int32_t x = 0;
   std::int32_t y = 0;

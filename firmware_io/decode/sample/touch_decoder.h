@@ -8,13 +8,13 @@
 
 namespace penpose::decode {
 
-/// The switch that turns touch off, which a tablet may have among its keys, on another interface than its fingers. One
-/// for all interfaces of a tablet.
+/// The switch that turns touch off. A tablet may have it among its keys, on another interface than its fingers; all
+/// interfaces of the tablet share it.
 struct TouchSwitch {
   bool present = false;    ///< the tablet has such a switch
-  bool on = false;         ///< as it was last said
-  bool has_touch = false;  ///< there is an interface to be switched
-  unsigned told = 0;       ///< how often its state was told of
+  bool on = false;         ///< its last known state
+  bool has_touch = false;  ///< there is an interface to switch
+  unsigned told = 0;       ///< how often its state was reported
 
   [[nodiscard]] bool mutes() const { return present && !on; }
 };
@@ -25,9 +25,9 @@ struct TouchAxes {
   bool on_screen = false;  ///< the fingers touch the picture itself
 };
 
-/// Turns the raw reports of one interface into the fingers on the tablet. Works beside the interface's PenDecoder and
-/// gets the same reports, every one, in order. It never allocates in `decode`, never reads outside the report, and
-/// takes any bytes whatever.
+/// Turns the raw reports of one interface into the fingers on the tablet. Works in parallel with the interface's
+/// PenDecoder and gets all the same reports, in order. It never allocates in `decode`, never reads outside the report,
+/// and accepts any bytes.
 class TouchDecoder {
  public:
   virtual ~TouchDecoder() = default;
@@ -37,10 +37,10 @@ class TouchDecoder {
 
   /// One raw report, report id first. True when it ended a frame; `contacts()` are the fingers then.
   virtual bool decode(base::Bytes report) = 0;
-  /// Forgets all state, as after plugging in.
+  /// Resets all state, as after plugging in.
   virtual void reset() { slots_.clear(); }
-  /// Ends a frame early, with what reports have said of it so far: Linux does whenever the state of the switch is told
-  /// of, which comes by the fingers' device. True when that showed anything new.
+  /// Ends a frame early with the data so far, as Linux does whenever the fingers' device reports the switch. True if
+  /// that gave anything new.
   bool end_early() {
     if (!slots_.has_news()) return false;
     slots_.publish();

@@ -8,8 +8,7 @@
 
 namespace penpose::decode {
 
-/// A finger on the tablet. `id` stays the same from the moment it is put down until it is lifted and is not used
-/// again for long.
+/// A finger on the tablet. `id` stays the same from touch to lift and is not reused for a long time.
 struct TouchContact {
   std::uint32_t id = 0;
   std::int32_t x = 0;
@@ -18,29 +17,38 @@ struct TouchContact {
   friend bool operator==(const TouchContact&, const TouchContact&) = default;
 };
 
-/// Follows fingers from frame to frame as Linux does (input-mt.c): a finger keeps the slot that it was given, and what
-/// a slot was told last holds until it is told otherwise. A frame may span several reports; what it says becomes
-/// visible with `publish`. Never allocates after construction.
+/// A finger in a described report.
+struct ReportedFinger {
+  std::int32_t id = 0;
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  bool tip = false;
+  bool in_range = false;
+  bool confident = true;
+};
+
+/// Follows fingers from frame to frame as Linux does (input-mt.c): a finger keeps its slot, and a slot keeps its last
+/// values. A frame may span several reports; `publish` makes it visible. Never allocates after construction.
 class TouchSlots {
  public:
   explicit TouchSlots(std::size_t count) : slots_(count) { visible_.reserve(count); }
 
-  /// The slot of the finger that the device calls `key`: the one that it holds, or else a free one. Nothing when all
-  /// are taken.
+  /// The slot of the finger with the device's number `key`: its current one, or else a free one. Nothing if all are
+  /// taken.
   [[nodiscard]] std::optional<std::size_t> slot_of(std::int32_t key);
   [[nodiscard]] std::size_t size() const { return slots_.size(); }
   [[nodiscard]] bool is_active(std::size_t slot) const { return slots_[slot].active; }
-  /// Whether this frame has spoken of the slot already.
+  /// Whether this frame has set the slot already.
   [[nodiscard]] bool is_used(std::size_t slot) const { return slots_[slot].frame == frame_; }
   [[nodiscard]] bool any_active() const;
 
   void set(std::size_t slot, bool active);
   void move(std::size_t slot, std::int32_t x, std::int32_t y);
-  /// Ends a frame; with `drop_unused` the slots that it has not spoken of are free.
+  /// Ends a frame; with `drop_unused`, slots that it has not set become free.
   void end_frame(bool drop_unused = false);
   /// Makes the present state visible.
   void publish();
-  /// Whether something was said since the last time.
+  /// Whether anything was set since the last time.
   [[nodiscard]] bool has_news() const { return news_; }
   void clear();
 

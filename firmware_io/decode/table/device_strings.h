@@ -7,8 +7,8 @@
 
 namespace penpose::decode {
 
-/// What a tablet's USB strings must hold: an object of patterns, each under the index of its string, 0 to 255. Of an
-/// absent place none.
+/// Patterns that a tablet's USB strings must match: an object with each pattern under the index of its string, 0 to
+/// 255. None for an absent place.
 [[nodiscard]] std::vector<TabletIdentifier::StringCheck> read_device_strings(const JsonPlace& place);
 
 }  // namespace penpose::decode

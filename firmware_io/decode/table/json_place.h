@@ -16,11 +16,11 @@ namespace penpose::decode {
 /// offset.
 [[nodiscard]] base::Result<json::Json> parse_json(std::string_view text);
 
-/// A place in a document that knows its JSON pointer. Reads never fail on the spot: the first thing wrong is kept in
-/// the error that all places of a document share, and the reader looks at it once, at the end.
+/// A place in a document that knows its JSON pointer. Reads never fail immediately: the first error is kept in
+/// the error that all places of a document share, and the reader checks it once, at the end.
 class JsonPlace {
  public:
-  /// `error` outlives every place made from this one; it is untouched while all is well.
+  /// `error` must outlive every place made from this one; it does not change without an error.
   JsonPlace(const json::Json& value, base::Error& error) : value_(&value), error_(&error) {}
 
   [[nodiscard]] const std::string& pointer() const { return pointer_; }
@@ -31,18 +31,18 @@ class JsonPlace {
 
   /// The member of that name; a missing place when there is none.
   [[nodiscard]] JsonPlace at(std::string_view name) const;
-  /// The items of an array; of an absent place none.
+  /// The items of an array; none for an absent place.
   [[nodiscard]] std::vector<JsonPlace> items() const;
-  /// The members of an object in the order of the document; of an absent place none.
+  /// The members of an object in the order of the document; none for an absent place.
   [[nodiscard]] std::vector<std::pair<std::string, JsonPlace>> members() const;
 
-  /// These complain about an absent place; ask present() first where it may be absent.
+  /// An absent place is an error here; check present() first if it may be absent.
   [[nodiscard]] std::string text(std::size_t longest = 256) const;
   [[nodiscard]] std::int64_t integer(std::int64_t least, std::int64_t most) const;
   [[nodiscard]] double number(double least, double most) const;
   [[nodiscard]] bool boolean() const;
 
-  /// Complains about every member that is not in the list: a misspelt name must not be lost in silence.
+  /// Every member that is not in the list is an error, so that a misspelt name is noticed.
   void allow_only(std::initializer_list<std::string_view> names) const;
   /// Keeps the first error of the document.
   void fail(std::string what, std::string remedy) const;

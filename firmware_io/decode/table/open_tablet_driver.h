@@ -8,12 +8,12 @@ namespace penpose::decode {
 
 class JsonPlace;
 
-/// The protocol that decodes what a report parser class of OpenTabletDriver decodes, found by the last part of the
-/// class's name; empty when none does.
+/// The protocol that corresponds to a report parser class of OpenTabletDriver, found by the last part of the class's
+/// name; empty if there is none.
 [[nodiscard]] std::string_view protocol_of_parser(std::string_view class_name);
 
-/// Reads a configuration file of OpenTabletDriver as its users have it (versions 0.5 and 0.6; what it says beyond what
-/// a Tablet holds is passed over). Things wrong go to the error of `file`; what is returned then means nothing.
+/// Reads a configuration file of OpenTabletDriver (versions 0.5 and 0.6; data that a Tablet does not hold is skipped).
+/// Errors go to the error of `file`; the result is then meaningless.
 [[nodiscard]] Tablet read_open_tablet_driver(const JsonPlace& file);
 
 }  // namespace penpose::decode

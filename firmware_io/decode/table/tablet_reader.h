@@ -8,7 +8,7 @@
 namespace penpose::decode {
 
 /// Reads a file of tablets in the project's own form (tablets/README.md) or a configuration file of OpenTabletDriver;
-/// which one it is shows in its members. Errors name the JSON pointer.
+/// its members tell which. Errors name the JSON pointer.
 [[nodiscard]] base::Result<TabletTable> read_tablet_file(std::string_view text);
 
 }  // namespace penpose::decode

@@ -14,7 +14,7 @@
 
 namespace penpose::decode {
 
-/// One way in which an interface of a tablet shows itself, and how to wake it up and read it. Absent means any.
+/// One way to identify an interface of a tablet, and how to wake and read it. Absent means any.
 struct TabletIdentifier {
   struct StringCheck {
     std::uint8_t index = 0;  ///< USB string descriptor
@@ -30,7 +30,7 @@ struct TabletIdentifier {
   std::vector<StringCheck> strings;  ///< all must hold
   std::shared_ptr<const Protocol> protocol;
 
-  // To start it: read these strings, then send these feature reports, then these output reports (first byte: report
+  // To wake it: read these strings, then send these feature reports, then these output reports (first byte: report
   // id).
   std::vector<std::uint8_t> read_strings;
   std::vector<std::vector<std::uint8_t>> send_features;
@@ -45,13 +45,13 @@ struct TabletWheel {
   int buttons = 0;
 };
 
-/// The part of a tablet that feels fingers.
+/// The touch area of a tablet.
 struct TabletTouch {
-  double width_mm = 0;  ///< 0 where it is not known
+  double width_mm = 0;  ///< 0 if unknown
   double height_mm = 0;
   std::int32_t max_x = 0;  ///< largest raw values
   std::int32_t max_y = 0;
-  int contacts = 0;  ///< the most at a time, 0 where it is not known
+  int contacts = 0;  ///< the most at a time, 0 if unknown
 };
 
 struct Tablet {
@@ -68,18 +68,18 @@ struct Tablet {
   std::vector<TabletWheel> wheels;
   int strips = 0;
   std::optional<TabletTouch> touch;
-  bool hide_from_desktop = false;             ///< the system's own device would move the pointer too
+  bool hide_from_desktop = false;             ///< the system's own device would also move the pointer
   int feature_delay_ms = 0;                   ///< wait before each feature report
-  std::vector<TabletIdentifier> identifiers;  ///< how the pen interface may show itself
-  std::vector<TabletIdentifier> pads;         ///< further interfaces of the same tablet that carry keys or touch
+  std::vector<TabletIdentifier> identifiers;  ///< of the pen interface
+  std::vector<TabletIdentifier> pads;         ///< further interfaces of the same tablet with keys or touch
 };
 
-/// What `find` found. Both pointers live as long as the table.
+/// The result of `find`. Both pointers live as long as the table.
 struct TabletMatch {
   const Tablet* tablet = nullptr;
   const TabletIdentifier* identifier = nullptr;
   bool is_pad = false;   ///< one of the tablet's `pads`
-  bool certain = false;  ///< nothing that the identifier asks for was unknown, and no other tablet fits as well
+  bool certain = false;  ///< no condition of the identifier was unknown, and no other tablet fits as well
 };
 
 class TabletTable {
@@ -89,19 +89,19 @@ class TabletTable {
 
   [[nodiscard]] std::span<const Tablet> tablets() const { return tablets_; }
 
-  /// The tablet that the interface belongs to. An identifier fits when nothing known contradicts it; of several the one
-  /// with the most conditions met wins, then one of the protocol that most of the others have, then the earlier.
-  /// Nothing when none fits.
+  /// The tablet that the interface belongs to. An identifier fits if nothing known contradicts it; of several, the one
+  /// with the most conditions met wins, then one with the protocol of most of the others, then the earlier. Nothing if
+  /// none fits.
   [[nodiscard]] std::optional<TabletMatch> find(const DeviceIdentity& device) const;
 
  private:
   std::vector<Tablet> tablets_;
 };
 
-/// The tablets that the program knows by itself.
+/// The built-in tablets.
 [[nodiscard]] const TabletTable& known_tablets();
 
-/// Looks in `own` first (a user's tablets; may be null), then among the known ones.
+/// Searches `own` first (a user's tablets; may be null), then the built-in ones.
 [[nodiscard]] std::optional<TabletMatch> find_tablet(const DeviceIdentity& device, const TabletTable* own = nullptr);
 
 /// A fresh decoder for the reports of that interface, with the tablet's ranges and resolution in its axes.

@@ -11,7 +11,7 @@
 namespace penpose::decode {
 
 /// A regular expression for device strings, matched in bounded time whatever the pattern: no backtracking, no recursion
-/// over the text. Knows what ECMAScript and .NET patterns have in common: alternation, groups (capturing or `(?:`),
+/// over the text. Supports the common subset of ECMAScript and .NET patterns: alternation, groups (capturing or `(?:`),
 /// `(?=` and `(?!`, classes, `\d \w \s` and their opposites, `\xHH`, `. ^ $`, and the quantifiers `* + ? {n} {n,}
 /// {n,m}`, lazy or not. Back references and look-behind are refused. docs/measured.md says why it is not PCRE2.
 class TextPattern {
@@ -19,7 +19,7 @@ class TextPattern {
   /// At most 512 bytes. The error says what is wrong with the pattern.
   [[nodiscard]] static base::Result<TextPattern> parse(std::string_view pattern);
 
-  /// Whether some part of the text fits (of which at most 512 bytes are looked at).
+  /// Whether some part of the text matches; at most 512 bytes are searched.
   [[nodiscard]] bool found_in(std::string_view text) const;
   [[nodiscard]] const std::string& text() const { return pattern_; }
 

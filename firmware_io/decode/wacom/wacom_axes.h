@@ -5,7 +5,7 @@
 
 namespace penpose::decode {
 
-/// The axes of position, pressure and distance of a model; the picture's area where a display has margins around it.
+/// The axes of position, pressure and distance of a model; for displays with margins, those of the picture's area.
 [[nodiscard]] PenAxes wacom_axes(const WacomModel& model);
 
 /// Adds the tilt of Wacom's electromagnetic pens: -64 to 63, one unit a degree.

@@ -74,14 +74,18 @@ ReportKind WacomDisplayDecoder::decode_ptu(base::Bytes report) {
   return finish(bit(report, 1, 0x20));
 }
 
+void WacomDisplayDecoder::read_state(base::Bytes report, std::uint8_t high_pressure) {
+  sample_.x = le16(report, 2);
+  sample_.y = le16(report, 4);
+  sample_.pressure = report[6] | ((report[7] & high_pressure) << 8);
+  sample_.tip = (report[1] & 0x05) != 0;
+  sample_.buttons = (bit(report, 1, 0x02) ? 1u : 0u) | (bit(report, 1, 0x10) ? 2u : 0u);
+}
+
 ReportKind WacomDisplayDecoder::decode_dtu(base::Bytes report) {
   const bool near = bit(report, 1, 0x20);
   if (near) tool_ = (report[1] & 0x0c) != 0 ? Tool::eraser : Tool::pen;
-  sample_.x = le16(report, 2);
-  sample_.y = le16(report, 4);
-  sample_.pressure = report[6] | ((report[7] & 0x01) << 8);
-  sample_.tip = (report[1] & 0x05) != 0;
-  sample_.buttons = (bit(report, 1, 0x02) ? 1u : 0u) | (bit(report, 1, 0x10) ? 2u : 0u);
+  read_state(report, 0x01);
   return finish(near);
 }
 
@@ -104,16 +108,12 @@ ReportKind WacomDisplayDecoder::decode_dtus(base::Bytes report) {
   return finish(near);
 }
 
-/// The report that brings the pen near settles its tool until it leaves.
+/// The report that brings the pen near determines its tool until it leaves.
 ReportKind WacomDisplayDecoder::decode_tablet_pc(base::Bytes report) {
   if (report[0] != 0x02 && report.size() != 8) return ReportKind::ignored;
   if (!inside_) tool_ = (report[1] & 0x0c) != 0 ? Tool::eraser : Tool::pen;
   inside_ = bit(report, 1, 0x20);
-  sample_.x = le16(report, 2);
-  sample_.y = le16(report, 4);
-  sample_.pressure = report[6] | ((report[7] & 0x07) << 8);
-  sample_.tip = (report[1] & 0x05) != 0;
-  sample_.buttons = (bit(report, 1, 0x02) ? 1u : 0u) | (bit(report, 1, 0x10) ? 2u : 0u);
+  read_state(report, 0x07);
   return finish(inside_);
 }
 

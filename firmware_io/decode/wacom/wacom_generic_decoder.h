@@ -10,10 +10,9 @@ namespace penpose::decode {
 /// Wacom tablets that describe their reports, with the Digitizer page or with Wacom's mirror of it: Intuos Pro (2017),
 /// Intuos (2018), MobileStudio, One, Cintiq Pro, and the sensors built into notebooks.
 ///
-/// Differs from the standard reading in what the device means: axes count only while the pen is in range, Sense keeps a
-/// pen that is too far for a position, the tool is settled once on entering (by Invert or by its number), both barrel
-/// switches at once are the third button, values outside of the logical range are no values, and a report may hold
-/// several frames.
+/// Differs from the standard reading: axes count only while the pen is in range, Sense keeps a pen near that is too far
+/// for a position, the tool is determined once on entering (by Invert or by its number), both barrel switches at once
+/// are the third button, values outside of the logical range are ignored, and a report may hold several frames.
 class WacomGenericDecoder final : public PenDecoder {
  public:
   explicit WacomGenericDecoder(PenLayout layout);
@@ -24,7 +23,7 @@ class WacomGenericDecoder final : public PenDecoder {
   [[nodiscard]] std::span<const PenSample> frames() const override { return frames_.all(); }
 
  private:
-  /// Frames held back while the pen is near but has not said yet which one it is.
+  /// Frames held back while the pen is near but not yet identified.
   static constexpr unsigned k_longest_wait = 64;
 
   [[nodiscard]] bool waits_for_serial(const PenReport& report, base::Bytes raw);

@@ -9,11 +9,11 @@
 
 namespace penpose::decode {
 
-/// Intuos, Cintiq and DTK reports of ten bytes: big-endian positions, a tool that is named by number and serial in a
-/// report of its own when it enters, and pen, rotation, airbrush and mouse data in reports that alternate.
+/// Intuos, Cintiq and DTK reports of ten bytes: big-endian positions, a tool that is identified by number and serial
+/// in a separate report when it enters, and pen, rotation, airbrush and mouse data in alternating reports.
 ///
-/// Nothing is reported for a tool whose enter report was not seen. An "in range" report carries no position; it ends
-/// contact of the tool that was reporting before.
+/// Nothing is reported for a tool without an enter report. An "in range" report has no position; it ends contact of the
+/// tool before it.
 class WacomIntuosDecoder final : public PenDecoder {
  public:
   explicit WacomIntuosDecoder(const WacomModel& model);
@@ -49,7 +49,7 @@ class WacomIntuosDecoder final : public PenDecoder {
   std::array<ToolState, 2> tools_;
   bool reporting_ = false;
 
-  // What differs between the models.
+  // Differences between the models.
   bool two_tools_ = false;
   bool fine_ = true;  ///< one more bit of position
   bool has_tilt_ = true;

@@ -6,7 +6,7 @@
 
 namespace penpose::decode {
 
-/// The report formats of Wacom's tablets that do not describe themselves, with what differs between their models.
+/// The report formats of Wacom's tablets that do not describe themselves, with the differences between their models.
 enum class WacomFamily : std::uint8_t {
   penpartner,
   graphire,
@@ -17,7 +17,7 @@ enum class WacomFamily : std::uint8_t {
   intuos_2015,   ///< CTL-490 and its like: Intuos reports without tilt
   intuos,        ///< Intuos and Intuos2: two tools at a time
   intuos3,
-  intuos3_large,  ///< knows the lens cursor
+  intuos3_large,  ///< supports the lens cursor
   intuos4,
   intuos4_large,
   intuos4_bluetooth,  ///< several reports in one
@@ -25,7 +25,7 @@ enum class WacomFamily : std::uint8_t {
   intuos5_large,
   intuos_pro_bluetooth,
   intuos_2018_bluetooth,
-  cintiq,       ///< 21UX: data count only with the ready bit
+  cintiq,       ///< 21UX: data are valid only with the ready bit
   cintiq_wide,  ///< 12WX, 20WSX
   cintiq_21ux2,
   cintiq_hd,  ///< all later ones, DTK, Companion
@@ -55,8 +55,8 @@ inline constexpr std::uint16_t k_vendor_lenovo = 0x17ef;
 /// All models, ordered by product id. Source of the figures: the device table of the Linux wacom driver.
 [[nodiscard]] std::span<const WacomModel> wacom_models();
 
-/// The model with these ids on this bus (see k_bus_usb), null when the table has none: most later models are described
-/// well enough by their report descriptors.
+/// The model with these ids on this bus (see k_bus_usb), null if the table has none: the report descriptors of most
+/// later models are sufficient.
 [[nodiscard]] const WacomModel* find_wacom_model(std::uint16_t bus, std::uint16_t vendor, std::uint16_t product);
 
 }  // namespace penpose::decode

@@ -6,7 +6,7 @@
 
 namespace penpose::decode {
 
-/// The kinds of tool that Wacom's tool numbers tell apart and that differ in what they report.
+/// The kinds of tool that Wacom's tool numbers distinguish and whose reports differ.
 enum class WacomTool : std::uint8_t { none, pen, eraser, airbrush, mouse, lens };
 
 /// The kind of a tool number as the device sends it (20 bits, the upper ones in bits 12 to 19). Mice, lenses and

@@ -11,30 +11,30 @@
 
 namespace penpose::device {
 
-/// What has changed since the list before.
+/// Changes since the previous list.
 struct TabletChanges {
   std::vector<LiveTablet> arrived;
   std::vector<LiveTablet> left;
   [[nodiscard]] bool empty() const { return arrived.empty() && left.empty(); }
 };
 
-/// Compares two lists. A tablet is the same one while it stays plugged in; one whose permission changed (the udev rule
-/// came in between) has left and arrived, one that a program took from the kernel's driver has not.
+/// Compares two lists. A tablet stays the same one while it is plugged in. If its permission changed (a udev rule was
+/// installed), it has left and arrived; if a program took it from the kernel's driver, it has not.
 [[nodiscard]] TabletChanges changes_between(const std::vector<LiveTablet>& before,
                                             const std::vector<LiveTablet>& after);
 
-/// Holds back what is on its way: a device comes and goes in steps, and for some tens of milliseconds its driver, its
-/// node or both are missing. What stays like that is told after a while.
+/// Holds back devices in transition: a device comes and goes in steps, and for some tens of milliseconds its driver,
+/// its node or both are missing. One that stays like that is reported after a while.
 class Settling {
  public:
-  /// Of the tablets `seen` now those that are to be told; one of the `known` that is changing stays as it was.
+  /// The tablets to report of those `seen` now; a `known` one that is changing stays as it was.
   [[nodiscard]] std::vector<LiveTablet> settle(const std::vector<LiveTablet>& known, std::vector<LiveTablet> seen,
                                                std::int64_t now_us);
   /// When to look again, absent when nothing is held back.
   [[nodiscard]] std::optional<std::int64_t> until_us() const { return until_us_; }
 
  private:
-  std::map<std::string, std::int64_t> since_us_;  ///< by place, those that were on their way the last time
+  std::map<std::string, std::int64_t> since_us_;  ///< by place, those in transition at the last call
   std::optional<std::int64_t> until_us_;
 };
 
@@ -48,11 +48,11 @@ class TabletWatch {
   TabletWatch& operator=(TabletWatch&&) noexcept;
   ~TabletWatch();
 
-  /// What is plugged in now, as far as `next` has told.
+  /// The connected tablets, as reported by `next`.
   [[nodiscard]] const std::vector<LiveTablet>& tablets() const { return tablets_; }
-  /// Waits at most `timeout_ms` for a tablet to come or go; what it gives is empty when none did.
+  /// Waits at most `timeout_ms` for a tablet to come or go; the result is empty if none did.
   [[nodiscard]] TabletChanges next(int timeout_ms);
-  /// Becomes readable when `next` has something to look at.
+  /// Becomes readable when `next` has events to process.
   [[nodiscard]] int wake_fd() const;
 
  private:

@@ -7,15 +7,15 @@
 
 namespace penpose::device {
 
-/// Sees to it that the kernel's driver gets a USB interface back even when this process dies without a word, be it by
-/// SIGKILL: a small process of its own waits for the end of this one and then asks the kernel to bind its driver again.
-/// The usual way back, on an orderly close, is the owner's; the guard only stands by.
+/// Ensures that the kernel's driver gets a USB interface back even if this process is killed, also by SIGKILL: a small
+/// child process waits for the end of this one and then asks the kernel to bind its driver again. On an orderly close
+/// the owner gives the interface back; the guard is only a fallback.
 class DriverGuard {
  public:
-  /// Errors: the node may not be opened, or no process can be made.
+  /// Errors: no permission to open the node, or no process can be made.
   [[nodiscard]] static base::Result<std::unique_ptr<DriverGuard>> start(const std::string& usb_node, int interface);
 
-  /// Dismisses the other process: the driver was given back already.
+  /// Ends the child process: the driver already has the interface back.
   ~DriverGuard();
   DriverGuard(const DriverGuard&) = delete;
   DriverGuard& operator=(const DriverGuard&) = delete;
@@ -27,8 +27,8 @@ class DriverGuard {
   int process_;
 };
 
-/// Asks the kernel to bind its own driver to a USB interface that has none. Errors: it may not be opened, it has a
-/// driver, or no driver wants it.
+/// Asks the kernel to bind its own driver to a USB interface that has none. Errors: no permission to open it, it has
+/// a driver, or no driver binds to it.
 [[nodiscard]] base::Status bind_kernel_driver(const std::string& usb_node, int interface);
 
 }  // namespace penpose::device

@@ -7,8 +7,8 @@
 
 namespace penpose::device {
 
-/// Opens an interface through hidapi and /dev/hidrawN, beside the kernel's own driver. Strings are read from the USB
-/// device, which needs no interface of it.
+/// Opens an interface through hidapi and /dev/hidrawN, in parallel with the kernel's driver. Strings are read from the
+/// USB device, which needs no interface.
 [[nodiscard]] base::Result<std::unique_ptr<ReportSource>> open_hidraw(const HidInterface& interface);
 
 }  // namespace penpose::device

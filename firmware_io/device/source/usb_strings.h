@@ -8,18 +8,18 @@
 
 namespace penpose::device {
 
-/// Reads USB string descriptors of a device and leaves its interfaces and their drivers alone. Asking for some strings
-/// changes the mode of some tablets, so ask only for what the table of tablets names.
+/// Reads USB string descriptors of a device without touching its interfaces and their drivers. Reading some strings
+/// changes the mode of some tablets, so read only those that the table of tablets names.
 class UsbStrings {
  public:
-  /// `usb_node`: "/dev/bus/usb/001/004". Errors: it may not be opened.
+  /// `usb_node`: "/dev/bus/usb/001/004". Errors: no permission to open it.
   [[nodiscard]] static base::Result<UsbStrings> open(const std::string& usb_node);
 
   UsbStrings(UsbStrings&&) noexcept;
   UsbStrings& operator=(UsbStrings&&) noexcept;
   ~UsbStrings();
 
-  /// In American English, as all tablets have them; characters outside ASCII come as '?'. Errors: no such string.
+  /// In American English, which all tablets have; characters outside ASCII come as '?'. Errors: no such string.
   [[nodiscard]] base::Result<std::string> read(std::uint8_t index) const;
 
  private:

@@ -25,10 +25,10 @@ struct Item {
   }
 };
 
-/// What breaks HID 1.11, at a byte of a descriptor.
+/// A violation of HID 1.11, at a byte of a descriptor.
 [[nodiscard]] base::Error illegal(std::size_t offset, std::string what);
 
-/// The next short item; nothing at the end. Long items carry no defined meaning (6.2.2.3) and are stepped over.
+/// The next short item; nothing at the end. Long items have no defined meaning (6.2.2.3) and are skipped.
 [[nodiscard]] base::Result<std::optional<Item>> next_item(base::ByteReader& reader);
 
 }  // namespace penpose::hid

@@ -113,19 +113,9 @@ TEST(BadRegions, AMeshOfOneTriangleIsTold) {
 TEST(BadRegions, DuplicateVerticesMoveAlike) {
   mesh::MeshSource source = sheet();
   // Every triangle gets corners of its own.
-  mesh::MeshSource split;
-  for (const mesh::Triangle& t : source.triangles) {
-    const auto first = static_cast<std::uint32_t>(split.positions.size());
-    for (const std::uint32_t v : t) split.positions.push_back(source.positions[v]);
-    split.triangles.push_back({first, first + 1, first + 2});
-  }
-  split.parts.push_back({"split", 0, static_cast<std::uint32_t>(split.positions.size()), 0,
-                         static_cast<std::uint32_t>(split.triangles.size())});
-  const auto canvas = tests::canvas_of(std::move(split));
+  const auto canvas = tests::canvas_of(tests::triangle_soup(source));
   const auto built = build_deformer(lift(), *canvas).value();
-  CurveSkinWorkspace work;
-  std::vector<ModelVector> moves(built->vertices().size());
-  built->skin().displacements(1, work, moves);
+  const std::vector<ModelVector> moves = built->displacements(1);
   std::vector<ModelVector> of(canvas->positions().size(), ModelVector{0});
   for (std::size_t i = 0; i < moves.size(); ++i) of[built->vertices()[i]] = moves[i];
   for (std::uint32_t v = 0; v < of.size(); ++v) EXPECT_EQ(of[v], of[canvas->mesh().weld()[v]]) << v;

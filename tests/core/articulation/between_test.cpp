@@ -14,13 +14,6 @@ namespace {
 
 using tests::Trunk;
 
-std::vector<ModelVector> moves_of(const Deformer& deformer, double amount) {
-  CurveSkinWorkspace work;
-  std::vector<ModelVector> moves(deformer.vertices().size());
-  deformer.skin().displacements(amount, work, moves);
-  return moves;
-}
-
 Sketch curl(const Trunk& trunk) {
   Sketch sketch = trunk.curl();
   return sketch;
@@ -65,14 +58,14 @@ TEST(Between, IsReachedAtItsValueAndLeavesTheOwnTargetAlone) {
   EXPECT_GT(both->betweens()[0].back().y, 0.1) << "half-way it is up";
   EXPECT_LT(both->target().back().y, -0.5);
   // At its own target every vertex is where it was without the other one; at rest nothing has moved.
-  const auto moved = moves_of(*both, 1);
-  const auto before = moves_of(*plain, 1);
+  const auto moved = both->displacements(1);
+  const auto before = plain->displacements(1);
   for (std::size_t i = 0; i < plain->vertices().size(); ++i) {
     const auto at = std::lower_bound(both->vertices().begin(), both->vertices().end(), plain->vertices()[i]);
     ASSERT_TRUE(at != both->vertices().end() && *at == plain->vertices()[i]);
     EXPECT_LT(geometry::distance(moved[static_cast<std::size_t>(at - both->vertices().begin())], before[i]), 1e-9);
   }
-  for (const ModelVector& move : moves_of(*both, 0)) EXPECT_EQ(move, ModelVector{0});
+  for (const ModelVector& move : both->displacements(0)) EXPECT_EQ(move, ModelVector{0});
 }
 
 TEST(Between, IsWhatADeformerOfThatTargetAloneDoes) {
@@ -83,8 +76,8 @@ TEST(Between, IsWhatADeformerOfThatTargetAloneDoes) {
   alone.target = sketch.betweens[0].target;
   alone.betweens.clear();
   const auto other = build_deformer(alone, *trunk.canvas).value();
-  const auto moved = moves_of(*both, 0.4);
-  const auto wanted = moves_of(*other, 1);
+  const auto moved = both->displacements(0.4);
+  const auto wanted = other->displacements(1);
   double tip = 0;
   for (std::size_t i = 0; i < other->vertices().size(); ++i) {
     const auto at = std::lower_bound(both->vertices().begin(), both->vertices().end(), other->vertices()[i]);

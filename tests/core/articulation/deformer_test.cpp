@@ -26,9 +26,7 @@ std::shared_ptr<const Deformer> built(Sketch sketch, const Canvas& canvas) {
 /// All vertices of the model with the deformer at an amount.
 std::vector<ModelPoint> posed(const Canvas& canvas, const Deformer& deformer, double amount) {
   std::vector<ModelPoint> positions(canvas.positions().begin(), canvas.positions().end());
-  CurveSkinWorkspace work;
-  std::vector<ModelVector> moves(deformer.vertices().size());
-  deformer.skin().displacements(amount, work, moves);
+  const std::vector<ModelVector> moves = deformer.displacements(amount);
   for (std::size_t i = 0; i < moves.size(); ++i) positions[deformer.vertices()[i]] += moves[i];
   return positions;
 }

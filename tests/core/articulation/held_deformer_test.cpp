@@ -16,9 +16,7 @@ using tests::Eye;
 
 std::vector<ModelPoint> posed(const Canvas& canvas, const Deformer& deformer, double amount) {
   std::vector<ModelPoint> positions(canvas.positions().begin(), canvas.positions().end());
-  CurveSkinWorkspace work;
-  std::vector<ModelVector> moves(deformer.vertices().size());
-  deformer.skin().displacements(amount, work, moves);
+  const std::vector<ModelVector> moves = deformer.displacements(amount);
   for (std::size_t i = 0; i < moves.size(); ++i) positions[deformer.vertices()[i]] += moves[i];
   return positions;
 }
@@ -296,15 +294,7 @@ TEST(BadSketch, DuplicateVerticesHolesAndManyTrianglesAtAnEdgeAreHeldToo) {
     return std::abs(p.x - 0.9) < 0.25 && std::abs(p.y) < 0.25;
   });
   holes.parts.front().triangle_count = static_cast<std::uint32_t>(holes.triangles.size());
-  mesh::MeshSource twice = sheet_source();  // every triangle with vertices of its own
-  mesh::MeshSource apart;
-  for (const mesh::Triangle& t : twice.triangles) {
-    const auto n = static_cast<std::uint32_t>(apart.positions.size());
-    for (const std::uint32_t v : t) apart.positions.push_back(twice.positions[v]);
-    apart.triangles.push_back({n, n + 1, n + 2});
-  }
-  apart.parts.push_back({"apart", 0, static_cast<std::uint32_t>(apart.positions.size()), 0,
-                         static_cast<std::uint32_t>(apart.triangles.size())});
+  mesh::MeshSource apart = tests::triangle_soup(sheet_source());
   mesh::MeshSource fins = sheet_source();  // a third triangle at edges of the middle row
   for (std::uint32_t c = 15; c < 25; ++c) {
     fins.positions.push_back({c * 0.1 - 1.95, 0, 0.05});

@@ -16,13 +16,6 @@ base::Result<std::shared_ptr<const Deformer>> build(Sketch sketch, const Canvas&
   return build_deformer(sketch, canvas);
 }
 
-std::vector<ModelVector> moves_of(const Deformer& deformer, double amount) {
-  CurveSkinWorkspace work;
-  std::vector<ModelVector> moves(deformer.vertices().size());
-  deformer.skin().displacements(amount, work, moves);
-  return moves;
-}
-
 /// A flat sheet around the origin, 4 units wide, that is seen from +z; with a hole where `holed`.
 std::shared_ptr<const Canvas> sheet(bool holed = false) {
   mesh::MeshSource source;
@@ -76,7 +69,7 @@ TEST(MeasuredDeformer, ReachesTheTargetEitherWay) {
     // The vertex in the middle of the line goes where the line's middle goes.
     const auto vertices = deformer->vertices();
     const auto middle = std::lower_bound(vertices.begin(), vertices.end(), 20U * 41U + 20U) - vertices.begin();
-    const ModelVector moved = moves_of(*deformer, 1)[static_cast<std::size_t>(middle)];
+    const ModelVector moved = deformer->displacements(1)[static_cast<std::size_t>(middle)];
     const ModelVector way = (deformer->target()[15] + deformer->target()[16]) * 0.5 -
                             (deformer->reference()[15] + deformer->reference()[16]) * 0.5;
     EXPECT_LT(geometry::distance(moved, way), 1e-6);
@@ -118,8 +111,8 @@ TEST(MeasuredDeformer, DoesNotDependOnTheDirectionOfItsLines) {
   std::reverse(sketch.target.begin(), sketch.target.end());
   const auto other = build(sketch, *trunk.canvas).value();
   ASSERT_EQ(one->vertices().size(), other->vertices().size());
-  const auto a = moves_of(*one, 0.6);
-  const auto b = moves_of(*other, 0.6);
+  const auto a = one->displacements(0.6);
+  const auto b = other->displacements(0.6);
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_LT(geometry::distance(a[i], b[i]), 0.02);
 }
 

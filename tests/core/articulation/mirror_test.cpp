@@ -54,11 +54,8 @@ TEST(Mirror, TheLeftLidMakesTheRightLidAndBackAgain) {
     EXPECT_EQ(right->sketch().name, "blink_R");
     EXPECT_EQ(right->mode(), left->mode());
     ASSERT_EQ(left->vertices().size(), right->vertices().size());
-    CurveSkinWorkspace work;
-    std::vector<ModelVector> a(left->vertices().size());
-    std::vector<ModelVector> b(a.size());
-    left->skin().displacements(0.6, work, a);
-    right->skin().displacements(0.6, work, b);
+    const std::vector<ModelVector> a = left->displacements(0.6);
+    const std::vector<ModelVector> b = right->displacements(0.6);
     const std::uint32_t other_side = Eye::k_rings * Eye::k_columns;
     // Positions are floats; where the plane is not at 0 those of the two sides round differently.
     const double rounding = shift == 0.0 ? 1e-6 : 1e-4;

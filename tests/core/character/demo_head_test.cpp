@@ -148,9 +148,7 @@ TEST_F(DemoHead, LidsCutIntoTheEyeWithoutTheSphere) {
   sketch.surface = std::monostate{};
   const auto canvas = document::make_canvas(*model_).value();
   const auto lid = articulation::build_deformer(sketch, *canvas).value();
-  std::vector<geometry::ModelVector> moves(lid->vertices().size());
-  articulation::CurveSkinWorkspace work;
-  lid->skin().displacements(0.5, work, moves);
+  const std::vector<geometry::ModelVector> moves = lid->displacements(0.5);
   std::size_t inside = 0;
   double deepest = 0;
   for (std::size_t i = 0; i < moves.size(); ++i) {
@@ -232,9 +230,7 @@ TEST_F(DemoHead, TheLeftLidMakesTheRightOneInOneCommand) {
   const auto& mirrored = *again->deformers().back();
   const auto& lid = *set.deformers()[left];
   ASSERT_EQ(mirrored.vertices().size(), lid.vertices().size());
-  articulation::CurveSkinWorkspace work;
-  std::vector<geometry::ModelVector> moves(mirrored.vertices().size());
-  mirrored.skin().displacements(1.0, work, moves);
+  const std::vector<geometry::ModelVector> moves = mirrored.displacements(1.0);
   const head::Eyeball eye = head::head_landmarks().right;
   double farthest = 0;
   for (std::size_t i = 0; i < moves.size(); ++i) {

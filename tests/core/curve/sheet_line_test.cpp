@@ -30,22 +30,9 @@ std::shared_ptr<const mesh::TriangleMesh> swept(const std::vector<std::vector<st
   return mesh::TriangleMesh::build(std::move(source)).value();
 }
 
-/// 1 unit is 500 px; (0, 0) is at px (250, 750); the camera looks down z from z = 1.
-struct Look {
-  std::shared_ptr<const mesh::TriangleMesh> mesh;
-  std::vector<glm::vec3> positions;
-  geometry::TriangleBvh tree;
-  Sheets sheets;
-  geometry::Camera camera = geometry::Camera::make({{0.5, 0.5, 1}, {0.5, 0.5, 0}, {0, 1, 0}, 90}, {1000, 1000}).value();
-
-  explicit Look(std::shared_ptr<const mesh::TriangleMesh> m)
-      : mesh(std::move(m)),
-        positions(mesh->positions().begin(), mesh->positions().end()),
-        tree(positions, mesh->triangles()),
-        sheets(*mesh) {}
-  ProjectedStroke draw(const std::vector<PxPoint>& line) {
-    return sheet_curve(line, 32, camera, {tree, positions, mesh->triangles(), sheets}).value();
-  }
+struct Look : tests::Look {
+  using tests::Look::Look;
+  ProjectedStroke draw(const std::vector<PxPoint>& line) { return sheet_curve(line, 32, camera, surface()).value(); }
 };
 
 /// Along x at a height, with a wave: of so many px, over and under.

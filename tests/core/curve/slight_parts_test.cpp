@@ -8,30 +8,20 @@ namespace penpose::curve {
 namespace {
 
 /// A lid below y = 0.5, lashes that stand out before its rim and hang over it by `over`, an eye behind both.
-struct Look {
-  std::shared_ptr<const mesh::TriangleMesh> mesh;
-  std::vector<glm::vec3> positions;
-  geometry::TriangleBvh tree;
-  Sheets sheets;
-  geometry::Camera camera = geometry::Camera::make({{0.5, 0.5, 1}, {0.5, 0.5, 0}, {0, 1, 0}, 90}, {1000, 1000}).value();
-
+struct Look : tests::Look {
   explicit Look(double over)
-      : mesh([&] {
+      : tests::Look([&] {
           mesh::MeshSource source;
           tests::add_plate(source, -1.0, 2.0, -1.0, 0.5, 0.0);
           tests::add_plate(source, 0.2, 0.8, 0.499, 0.5 + over, 0.005);
           tests::add_plate(source, 0.2, 0.8, 0.4, 0.7, -0.05);
           return mesh::TriangleMesh::build(std::move(source)).value();
-        }()),
-        positions(mesh->positions().begin(), mesh->positions().end()),
-        tree(positions, mesh->triangles()),
-        sheets(*mesh) {}
+        }()) {}
 
   /// A line along the lashes' middle.
   ProjectedStroke draw(double y_px) {
     return sheet_curve(std::vector<PxPoint>{{370, y_px}, {630, y_px}}, 32, camera, surface()).value();
   }
-  [[nodiscard]] SheetSurface surface() { return {tree, positions, mesh->triangles(), sheets}; }
   [[nodiscard]] std::uint32_t part(const mesh::MeshPoint& point) const { return sheets.component(point.triangle); }
 };
 

@@ -80,10 +80,8 @@ TEST(Allocation, NoWacomDecoderAllocates) {
   const auto reports = reports_of_all_kinds();
   for (const WacomModel& model : wacom_models()) {
     for (const std::uint16_t bus : {k_bus_usb, k_bus_bluetooth}) {
-      DeviceIdentity device;
+      DeviceIdentity device = tests::device(k_vendor_wacom, model.product);
       device.bus = bus;
-      device.vendor = k_vendor_wacom;
-      device.product = model.product;
       auto made = make_decoder(device);
       if (!made) continue;
       EXPECT_EQ(allocations_of(*made->decoder, reports), 0u) << model.name;
@@ -116,10 +114,8 @@ TEST(Allocation, NoHandDecoderAllocates) {
   const auto reports = reports_of_all_kinds();
   for (const WacomHand& known : wacom_hands()) {
     for (const std::uint16_t bus : {k_bus_usb, k_bus_bluetooth}) {
-      DeviceIdentity device;
+      DeviceIdentity device = tests::device(k_vendor_wacom, known.product);
       device.bus = bus;
-      device.vendor = k_vendor_wacom;
-      device.product = known.product;
       auto hand = make_hand_decoders(device);
       EXPECT_EQ(allocations_of(hand, reports), 0u) << std::hex << known.product;
     }

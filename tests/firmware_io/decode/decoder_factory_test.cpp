@@ -7,24 +7,23 @@
 namespace penpose::decode {
 namespace {
 
-DeviceIdentity device(std::uint16_t vendor, std::uint16_t product, tests::Report descriptor = {}) {
-  DeviceIdentity identity;
-  identity.vendor = vendor;
-  identity.product = product;
-  identity.report_descriptor = std::move(descriptor);
-  return identity;
+using tests::device;
+
+/// The described pen of tests::ink_descriptor() is read.
+void expect_ink_pen(PenDecoder& decoder) {
+  PenSample sample;
+  sample.in_range = true;
+  sample.tool = Tool::pen;
+  sample.x = 77;
+  EXPECT_EQ(decoder.decode(tests::ink_pen(sample)), ReportKind::pen);
+  EXPECT_EQ(decoder.sample().x, 77);
 }
 
 TEST(DecoderFactory, APenThatDescribesItselfNeedsNoTable) {
   const auto made = make_decoder(device(0x1b96, 0x1234, tests::ink_descriptor()));
   ASSERT_TRUE(made);
   EXPECT_EQ(made->method, "descriptor");
-  PenSample sample;
-  sample.in_range = true;
-  sample.tool = Tool::pen;
-  sample.x = 77;
-  EXPECT_EQ(made->decoder->decode(tests::ink_pen(sample)), ReportKind::pen);
-  EXPECT_EQ(made->decoder->sample().x, 77);
+  expect_ink_pen(*made->decoder);
 }
 
 TEST(DecoderFactory, WacomModelsGoByTheirProductId) {
@@ -85,12 +84,7 @@ TEST(DecoderFactory, ATabletOfTheTableIsReadInBothItsModes) {
             ReportKind::pen);
   EXPECT_EQ(made->decoder->sample().x, 10000);
   EXPECT_EQ(made->decoder->sample().pressure, 1000);
-  PenSample sample;
-  sample.in_range = true;
-  sample.tool = Tool::pen;
-  sample.x = 77;
-  EXPECT_EQ(made->decoder->decode(tests::ink_pen(sample)), ReportKind::pen);
-  EXPECT_EQ(made->decoder->sample().x, 77);
+  expect_ink_pen(*made->decoder);
 }
 
 TEST(CompleteIdentity, TakesLengthsFromTheDescriptor) {

@@ -9,40 +9,34 @@
 namespace penpose::decode {
 namespace {
 
-DeviceIdentity device_of(std::uint16_t vendor, std::uint16_t product, tests::Report descriptor = {}) {
-  DeviceIdentity device;
-  device.vendor = vendor;
-  device.product = product;
-  device.report_descriptor = std::move(descriptor);
-  return device;
-}
+using tests::device;
 
 TEST(HandFactory, AWacomFormatGoesByProductAndInterface) {
-  const auto pen_side = make_hand_decoders(device_of(k_vendor_wacom, 0x0314, tests::ink_descriptor()));
+  const auto pen_side = make_hand_decoders(device(k_vendor_wacom, 0x0314, tests::ink_descriptor()));
   ASSERT_TRUE(pen_side.pad);
   EXPECT_FALSE(pen_side.touch);
   tests::Report opaque{0x06, 0x00, 0xff, 0x09, 0x01, 0xa1, 0x01, 0x85, 0x02, 0x09, 0x01, 0x15,
                        0x00, 0x26, 0xff, 0x00, 0x75, 0x08, 0x95, 0x3f, 0x81, 0x02, 0xc0};
-  const auto touch_side = make_hand_decoders(device_of(k_vendor_wacom, 0x0314, opaque));
+  const auto touch_side = make_hand_decoders(device(k_vendor_wacom, 0x0314, opaque));
   EXPECT_FALSE(touch_side.pad);
   ASSERT_TRUE(touch_side.touch);
   EXPECT_EQ(touch_side.touch->axes().contacts, 16u);
   EXPECT_EQ(touch_side.touch->axes().x.maximum, 4096);
   // Where the keys come with the fingers, that is where they are looked for.
-  EXPECT_TRUE(make_hand_decoders(device_of(k_vendor_wacom, 0x0302, opaque)).pad);
-  EXPECT_FALSE(make_hand_decoders(device_of(k_vendor_wacom, 0x0302, tests::ink_descriptor())).pad);
+  EXPECT_TRUE(make_hand_decoders(device(k_vendor_wacom, 0x0302, opaque)).pad);
+  EXPECT_FALSE(make_hand_decoders(device(k_vendor_wacom, 0x0302, tests::ink_descriptor())).pad);
 }
 
 TEST(HandFactory, ATabletWithoutKeysHasNone) {
-  const auto made = make_hand_decoders(device_of(k_vendor_wacom, 0x0041, tests::ink_descriptor()));
+  const auto made = make_hand_decoders(device(k_vendor_wacom, 0x0041, tests::ink_descriptor()));
   EXPECT_FALSE(made.pad);
   EXPECT_FALSE(made.touch);
 }
 
 TEST(HandFactory, DescribedKeysAndFingersOfWacom) {
   const auto shared = std::make_shared<TouchSwitch>();
-  auto fingers = make_hand_decoders(device_of(k_vendor_wacom, 0xfff0, tests::touch_descriptor(2)), nullptr, shared);
-  auto keys = make_hand_decoders(device_of(k_vendor_wacom, 0xfff0, tests::wacom_pad_descriptor()), nullptr, shared);
+  auto fingers = make_hand_decoders(device(k_vendor_wacom, 0xfff0, tests::touch_descriptor(2)), nullptr, shared);
+  auto keys = make_hand_decoders(device(k_vendor_wacom, 0xfff0, tests::wacom_pad_descriptor()), nullptr, shared);
   ASSERT_TRUE(fingers.touch);
   ASSERT_TRUE(keys.pad);
   const auto down = tests::touch_report({{5, 1, 10, 20}, {0, 0, 0, 0}}, 1);
@@ -55,7 +49,7 @@ TEST(HandFactory, DescribedKeysAndFingersOfWacom) {
 }
 
 TEST(HandFactory, DescribedFingersOfAnyone) {
-  const auto made = make_hand_decoders(device_of(0x1b96, 0x1000, tests::touch_descriptor(2)));
+  const auto made = make_hand_decoders(device(0x1b96, 0x1000, tests::touch_descriptor(2)));
   EXPECT_TRUE(made.touch);
   EXPECT_FALSE(made.pad);
 }
@@ -65,7 +59,7 @@ TEST(HandFactory, TheTablesTabletsHaveTheirProtocolsKeys) {
   for (const Tablet& tablet : known_tablets().tablets()) {
     const auto& identifier = tablet.identifiers.front();
     if (tablet.pad_keys == 0 || identifier.vendor == k_vendor_wacom) continue;
-    DeviceIdentity device = device_of(identifier.vendor, identifier.product);
+    DeviceIdentity device = device(identifier.vendor, identifier.product);
     device.input_report_length = identifier.input_report_length;
     const auto made = make_hand_decoders(device);
     if (made.pad && made.pad->features().keys != 0) ++with_keys;
@@ -79,7 +73,7 @@ TEST(HandFactory, AUsersTabletGoesFirst) {
     "size_mm": [100, 100], "max": [1, 1], "max_pressure": 1, "pad_keys": 2,
     "identifiers": [{"id": "056a:0314", "protocol": "mine"}]}]})");
   ASSERT_TRUE(own.ok()) << own.error().line();
-  const auto made = make_hand_decoders(device_of(k_vendor_wacom, 0x0314), &*own);
+  const auto made = make_hand_decoders(device(k_vendor_wacom, 0x0314), &*own);
   ASSERT_TRUE(made.pad);
   ASSERT_TRUE(made.pad->decode(tests::Report{7, 2}));
   EXPECT_EQ(key_names(made.pad->sample().keys), "BTN_1");
@@ -91,13 +85,7 @@ TEST(HandFactory, ProtocolsByName) {
   EXPECT_FALSE(make_protocol_hand_decoders("nothing").pad);
   auto touch = make_protocol_hand_decoders("wacom_touch64").touch;
   ASSERT_TRUE(touch);
-  tests::Report report(64);
-  report[0] = 2;
-  report[1] = 1;
-  report[2] = 3;
-  report[3] = 0x80;
-  report[4] = 1;
-  touch->decode(report);
+  touch->decode(tests::wacom_touch64({{3, true, 16, 0}}));
   ASSERT_EQ(touch->contacts().size(), 1u);
   EXPECT_EQ(touch->contacts()[0].x, 16);
 }

@@ -20,6 +20,13 @@ decode::DeviceIdentity ink_pen() {
   return identity;
 }
 
+decode::PenSample touching_pen() {
+  decode::PenSample sample;
+  sample.in_range = sample.tip = true;
+  sample.tool = decode::Tool::pen;
+  return sample;
+}
+
 device::Record report(std::int64_t time_us, std::vector<std::uint8_t> bytes) {
   return {device::RecordKind::report, time_us, 0, std::move(bytes)};
 }
@@ -56,9 +63,7 @@ TEST(TabletRecorder, WhatIsRecordedIsReadBack) {
 TEST(TabletRecorder, SaysWhenAPenWasLifted) {
   TabletRecorder recorder;
   const int pen = recorder.add_tablet(ink_pen(), "");
-  decode::PenSample sample;
-  sample.in_range = sample.tip = true;
-  sample.tool = decode::Tool::pen;
+  decode::PenSample sample = touching_pen();
   recorder.add(pen, report(0, tests::ink_pen(sample)));
   EXPECT_FALSE(recorder.take_pen_up());
   sample.tip = false;
@@ -70,10 +75,7 @@ TEST(TabletRecorder, SaysWhenAPenWasLifted) {
 TEST(TabletRecorder, UnpluggingEndsTheStroke) {
   TabletRecorder recorder;
   const int pen = recorder.add_tablet(ink_pen(), "");
-  decode::PenSample sample;
-  sample.in_range = sample.tip = true;
-  sample.tool = decode::Tool::pen;
-  recorder.add(pen, report(0, tests::ink_pen(sample)));
+  recorder.add(pen, report(0, tests::ink_pen(touching_pen())));
   recorder.end(pen);
   EXPECT_TRUE(recorder.take_pen_up());
   EXPECT_EQ(recorder.counts().strokes, 1u);

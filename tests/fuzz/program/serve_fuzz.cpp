@@ -10,19 +10,14 @@
 #include "tests/support/models/sheet_model.h"
 #include "ui/serve/conversation.h"
 
-namespace {
-
 using namespace penpose;  // NOLINT(google-build-using-namespace): a program of one file
-
-base::Result<document::Document> open(const std::string&) { return document::make_document(tests::sheet_model()); }
-
-}  // namespace
 
 // NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer looks for
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size > 1U << 15U) return 0;
   std::string session;
-  serve::Conversation conversation({open, [](const std::string&, base::Bytes) -> base::Status { return base::Done{}; },
+  serve::Conversation conversation({tests::open_sheet,
+                                    [](const std::string&, base::Bytes) -> base::Status { return base::Done{}; },
                                     [&](std::string_view text) -> base::Status {
                                       session += text;
                                       return base::Done{};
@@ -41,7 +36,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
   }
   replay::PlayerOptions options;
-  options.open = open;
+  options.open = tests::open_sheet;
   const auto again = replay::play_session(replay::read_from(base::as_bytes(session)), options);
   if (!again || !again->session || again->divergence || again->refused > 0) std::abort();
   if (!(again->session->editor().state() == conversation.character()->state())) std::abort();

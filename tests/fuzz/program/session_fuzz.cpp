@@ -9,13 +9,7 @@
 #include "replay/session/session_recorder.h"
 #include "tests/support/random_session.h"
 
-namespace {
-
 using namespace penpose;  // NOLINT(google-build-using-namespace): a program of one file
-
-base::Result<document::Document> open(const std::string&) { return document::make_document(tests::sheet_model()); }
-
-}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size > 1U << 16U) return 0;
@@ -28,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       "fuzz");
   replay::SessionRecorder recorder(writer);
   replay::PlayerOptions options;
-  options.open = open;
+  options.open = tests::open_sheet;
   options.observer = &recorder;
   const auto first = replay::play_session(replay::read_from({data, size}), options);
   if (!first || !first->session) return 0;

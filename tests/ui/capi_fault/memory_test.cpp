@@ -161,28 +161,15 @@ TEST(CMemory, ACallThatMakesSomethingMakesNothing) {
 /// A curve with a target, a sketched control and a key: all that a project holds.
 void fill(CDesk& desk) {
   static_cast<void>(desk.place_lift(0.5));
-  penpose_sketch sketch{};
-  sketch.name = "up";
-  sketch.view = desk.view;
   const auto around = [&](double x, double y) {
     std::vector<double> px;
     for (const auto& side : {desk.line(-x, -y, x, -y), desk.line(x, -y, x, y), desk.line(x, y, -x, y)})
       px.insert(px.end(), side.begin(), side.end());
     return px;
   };
-  const auto general = around(0.8, 0.5);
-  const auto specific = around(0.4, 0.2);
-  const auto reference = desk.line(-0.4, 0.0, 0.4, 0.0);
-  const auto target = desk.line(-0.4, 0.3, 0.4, 0.3);
-  sketch.reference = reference.data();
-  sketch.reference_count = reference.size() / 2;
-  sketch.general = general.data();
-  sketch.general_count = general.size() / 2;
-  sketch.specific = specific.data();
-  sketch.specific_count = specific.size() / 2;
-  sketch.target = target.data();
-  sketch.target_count = target.size() / 2;
-  sketch.maximum = 1;
+  const CSketch drawn{around(0.8, 0.5), around(0.4, 0.2), desk.line(-0.4, 0.0, 0.4, 0.0),
+                      desk.line(-0.4, 0.3, 0.4, 0.3)};
+  const penpose_sketch sketch = drawn.on(desk);
   EXPECT_EQ(penpose_sketch_deformer(desk.open, desk.sheet, &sketch, &desk.error), PENPOSE_OK) << desk.error.message;
   EXPECT_EQ(penpose_perform(desk.open, desk.sheet, "set_key time_s=1", nullptr), PENPOSE_OK);
 }

@@ -185,17 +185,14 @@ void DecodeRun::print(const replay::TraceReport& report, Interface& interface) {
 }
 
 base::Status DecodeRun::decode(replay::TraceSource& source) {
-  for (;;) {
-    const auto report = source.next();
-    if (!report) return report.error();
-    if (!report->has_value()) return base::Done{};
+  return for_each_report(source, [&](const replay::TraceReport& report) {
     ++reports_;
-    Interface& interface = interface_for(source, (*report)->device);
-    hear(**report);
-    if (interface.decoder && interface.decoder->decode((*report)->bytes) == decode::ReportKind::pen) {
-      print(**report, interface);
+    Interface& interface = interface_for(source, report.device);
+    hear(report);
+    if (interface.decoder && interface.decoder->decode(report.bytes) == decode::ReportKind::pen) {
+      print(report, interface);
     }
-  }
+  });
 }
 
 int DecodeRun::run() {

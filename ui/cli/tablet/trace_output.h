@@ -14,4 +14,15 @@ void print_gathered(std::string& text, std::size_t keep);
 /// many it had.
 [[nodiscard]] int end_of_trace(const replay::TraceSource& source, const std::string& path, std::uint64_t reports);
 
+/// Hands each report of the trace to `take`. Errors of the source.
+template <typename Take>
+base::Status for_each_report(replay::TraceSource& source, Take take) {
+  for (;;) {
+    const auto report = source.next();
+    if (!report) return report.error();
+    if (!report->has_value()) return base::Done{};
+    take(**report);
+  }
+}
+
 }  // namespace penpose::cli

@@ -7,10 +7,7 @@ rig::BlendShape sample_deformer(const articulation::Deformer& deformer) {
   shape.parameter = deformer.parameter();
   const auto vertices = deformer.vertices();
   shape.vertices.assign(vertices.begin(), vertices.end());
-  articulation::CurveSkinWorkspace work;
-  std::vector<geometry::ModelVector> moves(vertices.size());
-  deformer.skin().displacements(1.0, work, moves);
-  for (const geometry::ModelVector& move : moves) shape.deltas.emplace_back(move);
+  for (const geometry::ModelVector& move : deformer.displacements(1.0)) shape.deltas.emplace_back(move);
   return shape;
 }
 

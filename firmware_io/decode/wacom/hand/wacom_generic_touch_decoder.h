@@ -14,7 +14,7 @@ enum class FingerRole : std::uint8_t { x, y, id, tip, confidence, valid, other }
 /// One control of a report of fingers.
 struct FingerControl {
   FingerRole role = FingerRole::other;
-  bool ends_finger = false;  ///< with this one all is said of a finger
+  bool ends_finger = false;  ///< the last control of a finger
   bool ends_group = false;   ///< the last of its collection
   DescribedControl place;
 };
@@ -23,8 +23,8 @@ struct FingerControl {
 struct FingerReport {
   std::uint8_t id = 0;
   std::uint32_t length = 0;
-  std::int32_t fingers = 0;               ///< that it has room for
-  std::optional<DescribedControl> count;  ///< says how many fingers the frame has, 0 in those reports that carry on
+  std::int32_t fingers = 0;               ///< the most fingers in it
+  std::optional<DescribedControl> count;  ///< the number of fingers of the frame, 0 in its further reports
   std::vector<FingerControl> controls;    ///< in order of the descriptor
 };
 
@@ -38,8 +38,8 @@ struct FingerLayout {
 [[nodiscard]] std::optional<FingerLayout> find_wacom_fingers(const hid::ReportDescriptor& descriptor);
 
 /// Fingers on Wacom's tablets and screens that describe their reports. Differs from the standard reading: a frame ends
-/// when as many fingers were told of as its first report said, a finger that was never down takes no place, and nothing
-/// comes while the tablet's own switch is off.
+/// after as many fingers as its first report announced, a finger that was never down takes no slot, and nothing is
+/// reported while the tablet's own switch is off.
 class WacomGenericTouchDecoder final : public TouchDecoder {
  public:
   WacomGenericTouchDecoder(FingerLayout layout, std::shared_ptr<TouchSwitch> gate);
@@ -48,14 +48,6 @@ class WacomGenericTouchDecoder final : public TouchDecoder {
   void reset() override;
 
  private:
-  struct Finger {
-    std::int32_t id = 0;
-    std::int32_t x = 0;
-    std::int32_t y = 0;
-    bool tip = false;
-    bool confident = true;
-  };
-
   [[nodiscard]] bool muted() const { return gate_ != nullptr && gate_->mutes(); }
   void begin(const FingerReport& layout, base::Bytes report);
   void apply(const FingerControl& control, std::int64_t value);
@@ -64,7 +56,7 @@ class WacomGenericTouchDecoder final : public TouchDecoder {
 
   FingerLayout layout_;
   std::shared_ptr<TouchSwitch> gate_;
-  Finger finger_;
+  ReportedFinger finger_;
   std::int32_t expected_ = 0;
   std::int32_t received_ = 0;
   bool invalid_ = false;

@@ -9,8 +9,8 @@
 
 namespace penpose::decode {
 
-/// The keys, rings and strips of Wacom's tablets that do not describe themselves. As the Linux wacom driver reads them:
-/// a ring that is not touched is at 0, keys of a model's number or beyond are not there.
+/// The keys, rings and strips of Wacom's tablets that do not describe themselves. As in the Linux wacom driver:
+/// a ring that is not touched is at 0, and keys beyond a model's number do not exist.
 class WacomPadDecoder final : public PadDecoder {
  public:
   explicit WacomPadDecoder(const WacomHand& hand);
@@ -41,7 +41,7 @@ class WacomPadDecoder final : public PadDecoder {
   void show(const Frame& frame);
 
   WacomHand hand_;
-  bool active_ = false;  ///< the last report of a pen's and pad's kind had something of the pad
+  bool active_ = false;  ///< the last shared report of pen and pad had pad data
   std::array<ModeLight, k_pad_sides> lights_;
 };
 

@@ -7,7 +7,7 @@
 
 namespace penpose::decode {
 
-/// The fingers on Wacom's tablets that do not describe how they report them.
+/// The fingers on Wacom's tablets that do not describe their reports.
 class WacomTouchDecoder final : public TouchDecoder {
  public:
   /// `coarse` is for Bamboos with reports of two fingers in 32nds of the axes' units.
@@ -30,7 +30,7 @@ class WacomTouchDecoder final : public TouchDecoder {
 
   WacomTouch format_;
   bool coarse_;
-  std::int32_t left_ = 0;  ///< fingers of this frame that further reports bring
+  std::int32_t left_ = 0;  ///< fingers of this frame in further reports
 };
 
 }  // namespace penpose::decode

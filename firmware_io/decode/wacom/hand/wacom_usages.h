@@ -4,7 +4,7 @@
 
 namespace penpose::decode {
 
-// Wacom's vendor usages of keys and fingers, as the public Linux driver names their meaning (wacom_wac.h).
+// Wacom's vendor usages of keys and fingers, named as in the public Linux driver (wacom_wac.h).
 inline constexpr std::uint16_t k_page_wacom_fingers = 0xff00;
 inline constexpr hid::Usage k_pad_accelerometer_x = hid::usage(hid::k_page_wacom, 0x0401);
 inline constexpr hid::Usage k_pad_charging = hid::usage(hid::k_page_wacom, 0x0404);
@@ -26,16 +26,15 @@ inline constexpr hid::Usage k_battery_strength = hid::usage(hid::k_page_digitize
 inline constexpr hid::Usage k_ring_setting = hid::usage(hid::k_page_wacom, 0x1032);
 inline constexpr hid::Usage k_fingers_valid = hid::usage(k_page_wacom_fingers, 0x01d0);
 
-/// The standard usage that a vendor usage of fingers stands for: its second byte is the page, 0 the Digitizer page.
+/// The standard usage of a vendor usage of fingers: its second byte is the page, 0 the Digitizer page.
 [[nodiscard]] hid::Usage finger_usage(hid::Usage usage);
 
-/// Where a field belongs by the collections around it. A field may seem to belong to several; the pad goes first, then
-/// the pen.
+/// The group of a field by the collections around it. If several match, the pad takes precedence, then the pen.
 [[nodiscard]] bool is_wacom_pad(const hid::ReportDescriptor& descriptor, const hid::Field& field);
 [[nodiscard]] bool is_wacom_pen(const hid::ReportDescriptor& descriptor, const hid::Field& field);
 [[nodiscard]] bool is_wacom_finger(const hid::ReportDescriptor& descriptor, const hid::Field& field);
 
-/// Whether its keys are told of as a function key block, whose state counts as that of a hand at the pad.
+/// Whether its keys are reported in a function key block, whose state counts as a hand at the pad.
 [[nodiscard]] bool is_wacom_function_keys(const hid::ReportDescriptor& descriptor, const hid::Field& field);
 
 }  // namespace penpose::decode

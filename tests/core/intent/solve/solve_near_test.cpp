@@ -12,9 +12,8 @@ namespace penpose::intent {
 namespace {
 
 using tests::Face;
+using tests::fade;
 using tests::Line;
-
-double fade(double distance) { return std::abs(distance) < 0.25 ? std::pow(1 - std::pow(distance / 0.25, 2), 2) : 0.0; }
 
 Solution read(const Face& face, const tests::Points& points, const Line& line) {
   return face.solve(face.problem({face.drawn(points, line)}));

@@ -12,23 +12,6 @@ namespace {
 using tests::Face;
 using tests::Line;
 
-double fade(double distance) { return std::abs(distance) < 0.25 ? std::pow(1 - std::pow(distance / 0.25, 2), 2) : 0.0; }
-
-/// Brows, and a smile that lifts the whole mouth, its corners more.
-Face smiling_face() {
-  Face face;
-  face.bump("browLeft", -0.4, 0.5, {0, 0.15, 0});
-  face.bump("browRight", 0.4, 0.5, {0, 0.15, 0});
-  face.bump("lipUp", 0, -0.4, {0, 0.15, 0.02});
-  face.bump("cornerLeft", -0.4, -0.4, {0, 0.12, 0});
-  face.bump("cornerRight", 0.4, -0.4, {0, 0.12, 0});
-  face.control("smile", [](double x, double y) {
-    return geometry::ModelVector{0, (0.06 + x * x) * fade(y + 0.4) * (std::abs(x) < 0.6 ? 1.0 : 0.0), 0};
-  });
-  face.ready();
-  return face;
-}
-
 /// The problem of two lines, of which the first was solved for.
 IntentProblem second_of_two(const Face& face, DrawnCurve first, DrawnCurve second, const rig::Pose& posed) {
   first.before = true;
@@ -38,7 +21,7 @@ IntentProblem second_of_two(const Face& face, DrawnCurve first, DrawnCurve secon
 }
 
 TEST(Posed, ABrowDrawnAfterASmileLeavesTheSmile) {
-  const Face face = smiling_face();
+  const Face face = tests::smiling_face(true);
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     // Its middle is drawn lower than any control brings it: it is read for its shape.
     Line line = face.seen(Face::mouth(), face.pose({{"smile", 0.8}}));
@@ -57,7 +40,7 @@ TEST(Posed, ABrowDrawnAfterASmileLeavesTheSmile) {
 
 TEST(Posed, WhatASecondLineTellsOfTheFirstIsHeard) {
   // Of two lines at once both corners are told to move by the smile, where the first was taken for the corner alone.
-  const Face face = smiling_face();
+  const Face face = tests::smiling_face(true);
   const rig::Pose smile = face.pose({{"smile", 0.9}});
   const tests::Points left = Face::row(12, 12, 19);
   const tests::Points right = Face::row(12, 21, 28);
@@ -70,7 +53,7 @@ TEST(Posed, WhatASecondLineTellsOfTheFirstIsHeard) {
 }
 
 TEST(Posed, IsWithinTheRanges) {
-  const Face face = smiling_face();
+  const Face face = tests::smiling_face(true);
   const DrawnCurve mouth = face.drawn(Face::mouth(), face.seen(Face::mouth(), face.pose({{"smile", 0.5}})));
   IntentProblem problem = face.problem({mouth});
   problem.posed = problem.start;

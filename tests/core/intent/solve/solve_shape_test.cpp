@@ -10,25 +10,11 @@ namespace penpose::intent {
 namespace {
 
 using tests::Face;
+using tests::fade;
 using tests::Line;
 
 Solution read(const Face& face, const tests::Points& points, const Line& line) {
   return face.solve(face.problem({face.drawn(points, line)}));
-}
-
-double fade(double distance) { return std::abs(distance) < 0.25 ? std::pow(1 - std::pow(distance / 0.25, 2), 2) : 0.0; }
-
-/// The mouth's line is lifted as a whole by a smile, the corners more.
-Face smiling_face() {
-  Face face;
-  face.bump("browLeft", -0.4, 0.5, {0, 0.15, 0});
-  face.bump("browRight", 0.4, 0.5, {0, 0.15, 0});
-  face.bump("lipUp", 0, -0.4, {0, 0.15, 0.02});
-  face.control("smile", [](double x, double y) {
-    return geometry::ModelVector{0, (0.06 + x * x) * fade(y + 0.4) * (std::abs(x) < 0.6 ? 1.0 : 0.0), 0};
-  });
-  face.ready();
-  return face;
 }
 
 /// A smile drawn with its middle below where it was: what moves the lips up everywhere cannot be brought there.
@@ -39,7 +25,7 @@ Line deep_smile(const Face& face, double down_px) {
 }
 
 TEST(Shape, ASmileDrawnDeeperThanTheRigsIsASmile) {
-  const Face face = smiling_face();
+  const Face face = tests::smiling_face(false);
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const Line line = tests::shaken(deep_smile(face, 37), 1, seed);
     const Solution solution = read(face, Face::mouth(), line);
@@ -49,7 +35,7 @@ TEST(Shape, ASmileDrawnDeeperThanTheRigsIsASmile) {
 }
 
 TEST(Shape, ALineMovedAsAWholeIsStillThat) {
-  const Face face = smiling_face();
+  const Face face = tests::smiling_face(false);
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     const rig::Pose answer = face.pose({{"browLeft", 0.7}});
     const Line line = tests::shaken(face.seen(Face::left_brow(), answer), 1.5, seed);

@@ -1,7 +1,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "core/curve/sheet_line.h"
 #include "core/io/model/read_model.h"
 #include "tests/support/models/sheet_lines.h"
 #include "tests/support/shared_data.h"
@@ -18,16 +17,7 @@ TEST_P(SharedSheets, LinesNeverLeaveTheSheetThatTheyAreOn) {
   auto model = read_model(tests::read_file(tests::shared_dir() / "meshes" / GetParam()), GetParam());
   ASSERT_TRUE(model.ok());
   const mesh::TriangleMesh& mesh = *model->mesh;
-  const std::vector<glm::vec3> positions(mesh.positions().begin(), mesh.positions().end());
-  const geometry::TriangleBvh tree(positions, mesh.triangles());
-  curve::Sheets sheets(mesh);
-  std::vector<std::vector<std::uint32_t>> beside(mesh.vertex_count());
-  for (const mesh::Triangle& t : mesh.triangles()) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      beside[mesh.weld()[t[k]]].push_back(mesh.weld()[t[(k + 1) % 3]]);
-      beside[mesh.weld()[t[(k + 1) % 3]]].push_back(mesh.weld()[t[k]]);
-    }
-  }
+  tests::SheetLines sheet_lines(mesh);
   tests::Random random(11);
   int drawn = 0;
   for (int i = 0; i < 400; ++i) {
@@ -44,28 +34,7 @@ TEST_P(SharedSheets, LinesNeverLeaveTheSheetThatTheyAreOn) {
       line.push_back({start.x + (along * s - across * way) / norm + random(-2, 2),
                       start.y + (across * s + along * way) / norm + random(-2, 2)});
     }
-    const auto curve = curve::sheet_curve(line, 32, camera, {tree, positions, mesh.triangles(), sheets});
-    if (!curve) continue;
-    ++drawn;
-    for (std::size_t k = 0; k + 1 < curve->points.size(); ++k) {
-      const std::uint32_t one = curve->points[k].triangle, two = curve->points[k + 1].triangle;
-      // A walk looks at least 2 px of a picture 1000 px high ahead.
-      const double step = std::max(length / 31, 2.0) * camera.units_per_px(camera.depth(curve->positions[k]));
-      if (sheets.component(one) != sheets.component(two)) {
-        EXPECT_LT(geometry::distance(curve->positions[k], curve->positions[k + 1]), 8 * step + 1e-9)
-            << "parts may be crossed where they touch; line " << i;
-        continue;
-      }
-      double edge = 0;
-      for (const std::uint32_t t : {one, two}) {
-        const mesh::Triangle& c = mesh.triangles()[t];
-        for (std::size_t e = 0; e < 3; ++e)
-          edge = std::max(edge, geometry::distance(mesh.positions()[c[e]], mesh.positions()[c[(e + 1) % 3]]));
-      }
-      const double chord = geometry::distance(curve->positions[k], curve->positions[k + 1]);
-      const double most = 2 * chord + 6 * step + 4 * edge;
-      EXPECT_LE(tests::way_over_surface(mesh, beside, one, two, most), most) << "line " << i << " at point " << k;
-    }
+    drawn += sheet_lines.check(line, camera, length, i) ? 1 : 0;
   }
   EXPECT_GT(drawn, 200);
 }

@@ -4,6 +4,7 @@
 
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/decode/hand_factory.h"
+#include "tests/support/hands/hand_descriptors.h"
 #include "tests/support/hands/wacom_hand.h"
 #include "tests/support/hands/wacom_receiver.h"
 
@@ -56,15 +57,7 @@ TEST_F(WacomReceiverTest, ItsInterfacesBringThePenTheKeysAndTheFingersOfTheTable
   const auto fingers = make_hand_decoders(changes[2].identity);
   EXPECT_FALSE(fingers.pad);
   ASSERT_TRUE(fingers.touch);
-  tests::Report touch(64);
-  touch[0] = 2;
-  touch[1] = 1;
-  touch[2] = 2;
-  touch[3] = 0x80;
-  touch[4] = 0x12;
-  touch[5] = 0x34;
-  touch[6] = 0x56;
-  EXPECT_TRUE(fingers.touch->decode(touch));
+  EXPECT_TRUE(fingers.touch->decode(tests::wacom_touch64({{2, true, 0x125, 0x346}})));
   ASSERT_EQ(fingers.touch->contacts().size(), 1U);
   EXPECT_EQ(fingers.touch->contacts()[0].x, 0x125);
   EXPECT_EQ(fingers.touch->contacts()[0].y, 0x346);

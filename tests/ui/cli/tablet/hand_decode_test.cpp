@@ -35,18 +35,14 @@ std::string touch_trace() {
 }
 
 TEST_F(HandDecode, RowsOfAPadAreItsChanges) {
-  const auto outcome = decode(pad_trace(), {"--pad", "--csv"});
-  EXPECT_EQ(outcome.status, 0) << outcome.error;
-  EXPECT_EQ(outcome.out,
+  EXPECT_EQ(decoded(pad_trace(), {"--pad", "--csv"}),
             "report,time_us,keys,ring,ring2,strip,strip2,wheel,hwheel\n"
             "1,5000,BTN_1,10,,,,0,0\n"
             "3,15000,-,0,,,,0,0\n");
 }
 
 TEST_F(HandDecode, RowsOfTouchAreItsFrames) {
-  const auto outcome = decode(touch_trace(), {"--touch", "--csv"});
-  EXPECT_EQ(outcome.status, 0) << outcome.error;
-  EXPECT_EQ(outcome.out,
+  EXPECT_EQ(decoded(touch_trace(), {"--touch", "--csv"}),
             "report,time_us,contacts\n"
             "0,0,20:7 900:5\n"
             "1,5000,-\n");

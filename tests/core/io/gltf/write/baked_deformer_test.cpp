@@ -31,10 +31,8 @@ TEST(BakedDeformer, IsTheDeformerAtEveryAmount) {
   EXPECT_LE(baked.targets.size(), 6U);
   EXPECT_LE(baked.error, tolerance);
   const auto sample = sample_deformer(deformer);
-  articulation::CurveSkinWorkspace work;
-  std::vector<geometry::ModelVector> moves(sample.vertices.size());
   for (double amount = 0.013; amount < 1; amount += 0.11) {
-    deformer.skin().displacements(amount, work, moves);
+    const std::vector<geometry::ModelVector> moves = deformer.displacements(amount);
     for (std::size_t i = 0; i < moves.size(); ++i) {
       auto shown = geometry::ModelVector(sample.deltas[i]) * amount;
       for (std::size_t k = 0; k < baked.targets.size(); ++k) {

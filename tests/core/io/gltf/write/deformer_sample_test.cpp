@@ -12,9 +12,7 @@ TEST(DeformerSample, IsWhatTheDeformerDoesAtOne) {
   const auto deformer = articulation::build_deformer(trunk.curl(), *trunk.canvas).value();
   rig::BlendShape shape = sample_deformer(*deformer);
   EXPECT_EQ(shape.parameter, deformer->parameter());
-  articulation::CurveSkinWorkspace work;
-  std::vector<geometry::ModelVector> moves(shape.vertices.size());
-  deformer->skin().displacements(1.0, work, moves);
+  const std::vector<geometry::ModelVector> moves = deformer->displacements(1.0);
   for (std::size_t i = 0; i < moves.size(); ++i) EXPECT_EQ(shape.deltas[i], glm::vec3(moves[i]));
 
   EXPECT_TRUE(is_sample_of(shape, *deformer, 0.0));

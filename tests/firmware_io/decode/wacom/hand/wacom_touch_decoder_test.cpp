@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/hands/pen_reports.h"
+#include "tests/support/hands/hand_descriptors.h"
 
 namespace penpose::decode {
 namespace {
@@ -11,31 +11,16 @@ using tests::Report;
 
 TouchAxes axes_of(unsigned contacts) { return {{0, 4096, 0, true}, {0, 4096, 0, true}, contacts, false}; }
 
-/// One message of a finger: number, whether it is down, twelve bits of each place.
-void put_message(Report& report, std::size_t index, std::uint8_t id, bool down, int x, int y) {
-  const std::size_t at = 2 + 8 * index;
-  report[at] = id;
-  report[at + 1] = down ? 0x80 : 0;
-  report[at + 2] = static_cast<std::uint8_t>(x >> 4);
-  report[at + 3] = static_cast<std::uint8_t>(y >> 4);
-  report[at + 4] = static_cast<std::uint8_t>((x & 15) << 4 | (y & 15));
-}
+using tests::wacom_touch64;
 
 TEST(WacomTouchDecoder, FingersWithoutAMessageStayWhereTheyWere) {
   WacomTouchDecoder touch(WacomTouch::intuos, axes_of(16));
-  Report report(64);
-  report[0] = 0x02;
-  report[1] = 2;
-  put_message(report, 0, 2, true, 100, 200);
-  put_message(report, 1, 5, true, 4095, 4094);
-  ASSERT_TRUE(touch.decode(report));
+  ASSERT_TRUE(touch.decode(wacom_touch64({{2, true, 100, 200}, {5, true, 4095, 4094}})));
   ASSERT_EQ(touch.contacts().size(), 2u);
   const TouchContact second = touch.contacts()[1];
   EXPECT_EQ(second.x, 4095);
   EXPECT_EQ(second.y, 4094);
-  report[1] = 1;
-  put_message(report, 0, 2, false, 0, 0);
-  ASSERT_TRUE(touch.decode(report));
+  ASSERT_TRUE(touch.decode(wacom_touch64({{2, false, 0, 0}})));
   ASSERT_EQ(touch.contacts().size(), 1u);
   EXPECT_EQ(touch.contacts()[0], second);
   touch.reset();
@@ -44,12 +29,7 @@ TEST(WacomTouchDecoder, FingersWithoutAMessageStayWhereTheyWere) {
 
 TEST(WacomTouchDecoder, OtherMessagesAreNoFingers) {
   WacomTouchDecoder touch(WacomTouch::intuos, axes_of(16));
-  Report report(64);
-  report[0] = 0x02;
-  report[1] = 3;
-  put_message(report, 0, 128, true, 1, 1);
-  put_message(report, 1, 1, true, 1, 1);
-  put_message(report, 2, 18, true, 1, 1);
+  Report report = wacom_touch64({{128, true, 1, 1}, {1, true, 1, 1}, {18, true, 1, 1}});
   touch.decode(report);
   EXPECT_TRUE(touch.contacts().empty());
   report.resize(63);

@@ -112,4 +112,26 @@ class CDesk {
   }
 };
 
+/// The strokes of a deformer "up": owns the lines that a penpose_sketch points to.
+struct CSketch {
+  std::vector<double> general, specific, reference, target;  ///< px, x and y in turn
+
+  /// Valid as long as the lines.
+  [[nodiscard]] penpose_sketch on(const CDesk& desk) const {
+    penpose_sketch sketch{};
+    sketch.name = "up";
+    sketch.view = desk.view;
+    sketch.general = general.data();
+    sketch.general_count = general.size() / 2;
+    sketch.specific = specific.data();
+    sketch.specific_count = specific.size() / 2;
+    sketch.reference = reference.data();
+    sketch.reference_count = reference.size() / 2;
+    sketch.target = target.data();
+    sketch.target_count = target.size() / 2;
+    sketch.maximum = 1;
+    return sketch;
+  }
+};
+
 }  // namespace penpose::tests

@@ -12,6 +12,12 @@ class DecodeRun : public CommandRun {
     arguments.insert(arguments.begin(), {"decode", path("trace.hid")});
     return run_program(arguments);
   }
+  /// What it writes where it succeeds.
+  std::string decoded(const std::string& trace, const std::vector<std::string>& arguments) {
+    const Outcome outcome = decode(trace, arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    return outcome.out;
+  }
 };
 
 }  // namespace penpose::tests

@@ -24,6 +24,28 @@ inline Report input(const std::vector<std::uint32_t>& usages, std::uint8_t bits,
   append(items, {0x75, bits, 0x95, count, 0x81, flags});
   return items;
 }
+/// A message of a finger in Wacom's reports of 64 bytes: its number, whether it is down, twelve bits of each place.
+struct FingerMessage {
+  std::uint8_t id = 0;
+  bool down = true;
+  int x = 0, y = 0;
+};
+inline Report wacom_touch64(const std::vector<FingerMessage>& messages) {
+  Report report(64);
+  report[0] = 0x02;
+  report[1] = static_cast<std::uint8_t>(messages.size());
+  std::size_t at = 2;
+  for (const FingerMessage& one : messages) {
+    report[at] = one.id;
+    report[at + 1] = one.down ? 0x80 : 0;
+    report[at + 2] = static_cast<std::uint8_t>(one.x >> 4);
+    report[at + 3] = static_cast<std::uint8_t>(one.y >> 4);
+    report[at + 4] = static_cast<std::uint8_t>((one.x & 15) << 4 | (one.y & 15));
+    at += 8;
+  }
+  return report;
+}
+
 inline Report padding(std::uint8_t bits) { return {0x75, bits, 0x95, 0x01, 0x81, 0x03}; }
 
 /// Fingers of six bytes each: tip, in range and confidence, a number, two places of sixteen bits.

@@ -6,11 +6,15 @@
 
 #include <cstdint>
 #include <cstdlib>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "firmware_io/decode/hand/palm_guard.h"
 #include "firmware_io/decode/hand_factory.h"
+#include "firmware_io/decode/layout/protocol.h"
 #include "firmware_io/decode/sample/pad_events.h"
+#include "firmware_io/hid/report_descriptor.h"
 
 namespace penpose::fuzz {
 
@@ -140,6 +144,29 @@ inline std::vector<std::uint8_t> read_descriptor(base::ByteReader& reader) {
   const std::size_t length = reader.read<std::uint8_t>().value_or(0) * std::size_t{2};
   const auto bytes = reader.take(length);
   return bytes ? std::vector<std::uint8_t>(bytes->begin(), bytes->end()) : std::vector<std::uint8_t>{};
+}
+
+/// Names of the protocols of the table that have such hand decoders.
+inline std::vector<std::string> protocols_with(bool (*has)(const decode::HandDecoders&)) {
+  std::vector<std::string> names;
+  for (const auto& [name, protocol] : decode::known_protocols()) {
+    if (has(decode::make_protocol_hand_decoders(name))) names.push_back(name);
+  }
+  return names;
+}
+
+/// The hand decoders of one of the protocols; the first byte chooses it.
+inline decode::HandDecoders choose_protocol(base::ByteReader& reader, const std::vector<std::string>& names) {
+  return decode::make_protocol_hand_decoders(names[reader.read<std::uint8_t>().value_or(0) % names.size()]);
+}
+
+/// Reads a descriptor and, where `find` finds fingers in it, tries the remaining reports with a `Decoder`.
+template <typename Decoder, typename Find, typename... Options>
+void try_described_touch(base::ByteReader reader, Find find, Options... options) {
+  const auto parsed = hid::parse_report_descriptor(read_descriptor(reader), hid::Strictness::tolerant);
+  if (!parsed) return;
+  auto fingers = find(*parsed);
+  if (fingers) try_reports({nullptr, std::make_unique<Decoder>(std::move(*fingers), options...)}, reader);
 }
 
 }  // namespace penpose::fuzz

@@ -1,14 +1,24 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
+#include "firmware_io/decode/sample/device_identity.h"
 #include "firmware_io/decode/sample/pen_sample.h"
 
 // Writes reports from samples, the way tablets do: what the decoders are tested against.
 namespace penpose::tests {
 
 using Report = std::vector<std::uint8_t>;
+
+inline decode::DeviceIdentity device(std::uint16_t vendor, std::uint16_t product, Report descriptor = {}) {
+  decode::DeviceIdentity identity;
+  identity.vendor = vendor;
+  identity.product = product;
+  identity.report_descriptor = std::move(descriptor);
+  return identity;
+}
 
 inline std::uint8_t low(std::int32_t value) { return static_cast<std::uint8_t>(value & 0xff); }
 inline std::uint8_t high(std::int32_t value) { return static_cast<std::uint8_t>((value >> 8) & 0xff); }

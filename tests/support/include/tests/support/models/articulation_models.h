@@ -138,6 +138,19 @@ inline Eye make_eye() {
   return eye;
 }
 
+/// The same triangles, each with vertices of its own.
+inline mesh::MeshSource triangle_soup(const mesh::MeshSource& source) {
+  mesh::MeshSource soup;
+  for (const mesh::Triangle& t : source.triangles) {
+    const auto first = static_cast<std::uint32_t>(soup.positions.size());
+    for (const std::uint32_t v : t) soup.positions.push_back(source.positions[v]);
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  soup.parts.push_back({"soup", 0, static_cast<std::uint32_t>(soup.positions.size()), 0,
+                        static_cast<std::uint32_t>(soup.triangles.size())});
+  return soup;
+}
+
 /// A tube along +x that grows out of a body around x = -1.
 struct Trunk {
   static constexpr std::uint32_t k_rings = 120;

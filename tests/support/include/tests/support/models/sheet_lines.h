@@ -130,7 +130,7 @@ class SheetLines {
     return drawn;
   }
 
- private:
+  /// Whether a line touches the mesh; expects that it stays on one sheet. `length`: px. `number`: named in failures.
   bool check(const std::vector<PxPoint>& line, const geometry::Camera& camera, double length, int number) {
     const auto curve = curve::sheet_curve(line, 32, camera, {tree_, positions_, mesh_.triangles(), sheets_});
     if (!curve) return false;
@@ -156,6 +156,7 @@ class SheetLines {
     return true;
   }
 
+ private:
   const mesh::TriangleMesh& mesh_;
   std::vector<glm::vec3> positions_;
   geometry::TriangleBvh tree_;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "core/document/document.h"
 #include "core/document/model.h"
 
 namespace penpose::tests {
@@ -49,6 +51,11 @@ inline document::Model sheet_model() {
   return document::make_model(mesh, rig::BlendShapes::make(shapes, mesh->vertex_count()).value(),
                               rig::Skeleton::make(joints, first, influences).value())
       .value();
+}
+
+/// Opens the sheet whatever a session names.
+inline base::Result<document::Document> open_sheet(const std::string&) {
+  return document::make_document(sheet_model());
 }
 
 }  // namespace penpose::tests

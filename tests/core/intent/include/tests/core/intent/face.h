@@ -195,4 +195,26 @@ inline Line backwards(Line line) {
   return line;
 }
 
+/// 1 at no distance, smooth to 0 at 0.25.
+inline double fade(double distance) {
+  return std::abs(distance) < 0.25 ? std::pow(1 - std::pow(distance / 0.25, 2), 2) : 0.0;
+}
+
+/// Brows, a lip, its corners where wanted, and a smile that lifts the whole mouth, its corners more.
+inline Face smiling_face(bool with_corners) {
+  Face face;
+  face.bump("browLeft", -0.4, 0.5, {0, 0.15, 0});
+  face.bump("browRight", 0.4, 0.5, {0, 0.15, 0});
+  face.bump("lipUp", 0, -0.4, {0, 0.15, 0.02});
+  if (with_corners) {
+    face.bump("cornerLeft", -0.4, -0.4, {0, 0.12, 0});
+    face.bump("cornerRight", 0.4, -0.4, {0, 0.12, 0});
+  }
+  face.control("smile", [](double x, double y) {
+    return geometry::ModelVector{0, (0.06 + x * x) * fade(y + 0.4) * (std::abs(x) < 0.6 ? 1.0 : 0.0), 0};
+  });
+  face.ready();
+  return face;
+}
+
 }  // namespace penpose::tests
