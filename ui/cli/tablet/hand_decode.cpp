@@ -123,24 +123,21 @@ void HandRun::hear(const replay::TraceReport& report) {
 }
 
 base::Status HandRun::decode(replay::TraceSource& source) {
-  for (;;) {
-    const auto report = source.next();
-    if (!report) return report.error();
-    if (!report->has_value()) return base::Done{};
+  return each_report(source, [&](const replay::TraceReport& report) {
     ++reports_;
-    Interface& interface = interface_for(source, (*report)->device);
+    Interface& interface = interface_for(source, report.device);
     // Both get every report: a key of the pad may turn off the fingers.
-    hear(**report);
+    hear(report);
     const auto touch_switch = interface.touch_switch;
     const unsigned told = touch_switch ? touch_switch->told : 0;
-    const bool pad = interface.hand.pad && interface.hand.pad->decode((*report)->bytes);
-    const bool touch = interface.hand.touch && interface.hand.touch->decode((*report)->bytes);
-    if (options_.part == HandPart::pad && pad) print_pad(**report, interface);
-    if (options_.part == HandPart::touch && touch) print_touch(**report, interface);
+    const bool pad = interface.hand.pad && interface.hand.pad->decode(report.bytes);
+    const bool touch = interface.hand.touch && interface.hand.touch->decode(report.bytes);
+    if (options_.part == HandPart::pad && pad) print_pad(report, interface);
+    if (options_.part == HandPart::touch && touch) print_touch(report, interface);
     if (options_.part == HandPart::touch && touch_switch && touch_switch->told != told)
-      end_frames_early(**report, touch_switch.get());
+      end_frames_early(report, touch_switch.get());
     print_gathered(out_, std::size_t{1} << 16);
-  }
+  });
 }
 
 void HandRun::end_output(const replay::TraceSource& source) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "replay/trace/trace_source.h"
@@ -9,6 +10,9 @@ namespace penpose::cli {
 
 /// Prints what has been gathered, once it is more than `keep` bytes, and takes it out.
 void print_gathered(std::string& text, std::size_t keep);
+
+/// Calls take(report) for every report of a trace. Errors: those of the trace.
+base::Status each_report(replay::TraceSource& source, const std::function<void(const replay::TraceReport&)>& take);
 
 /// What the end of a trace comes to: the exit status, and on the error output what was wrong with it. `reports`: how
 /// many it had.
