@@ -12,9 +12,6 @@ namespace {
 constexpr double k_below = 0.995;
 /// ... and farther than that at a time, which sweeps need less of.
 constexpr double k_over = 1.3;
-/// Steps by which a rotation is found from the one before.
-constexpr int k_first_steps = 24;
-constexpr int k_steps = 3;
 /// How much more the edges within a fold say than those around it.
 constexpr double k_stiff = 25;
 
@@ -142,7 +139,7 @@ void Relaxation::unfold(std::span<const std::uint8_t> stiff, std::span<const std
     matrices_[node] = glm::mat3_cast(turns_[node]);
   };
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    const int steps = sweep == 0 ? k_first_steps : k_steps;
+    const int steps = sweep == 0 ? 24 : 3;  // by which a rotation is found from the one before
     for (const std::uint32_t node : nodes) {
       find_turn(node, steps);
       if (sweep > 0) continue;
