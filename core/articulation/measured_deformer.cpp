@@ -260,9 +260,9 @@ class Trial {
 base::Result<MeasuredMotion> measured_motion(const MeasuredParts& parts, Mode mode, Range range) {
   const auto motion_of = [&](Mode one) {
     auto motion = std::make_shared<CurveMotion>(parts.reference, parts.target, one, Turning::swung);
-    const Sphere* ball = parts.surface.ball();
-    if (ball != nullptr && one == Mode::translate) {
-      motion->set_slide(std::make_shared<const Slide>(ball->center, parts.reference, parts.target));
+    const auto center = parts.surface.center();
+    if (center && one == Mode::translate) {
+      motion->set_slide(std::make_shared<const Slide>(*center, parts.reference, parts.target));
     }
     return std::shared_ptr<const CurveMotion>(std::move(motion));
   };

@@ -44,7 +44,7 @@ std::string written_like(std::string_view model, std::string_view word) {
   return written;
 }
 
-void reflect(ModelPoint& p, const SymmetryPlane& plane) { p.x = 2.0 * plane.x - p.x; }
+void reflect(ModelPoint& p, const SymmetryPlane& plane) { p = reflected(p, plane); }
 
 void reflect(geometry::CameraPose& camera, const SymmetryPlane& plane) {
   reflect(camera.eye, plane);
@@ -118,11 +118,7 @@ Sketch mirrored(const Sketch& sketch, const SymmetryPlane& plane) {
     reflect(one.target, sketch.viewport);
     if (one.camera) reflect(*one.camera, plane);
   }
-  if (auto* ball = std::get_if<Sphere>(&other.surface)) reflect(ball->center, plane);
-  if (auto* surface = std::get_if<PartSurface>(&other.surface)) {
-    const std::string part = mirrored_name(surface->part);
-    if (part != surface->part + "_mirrored") surface->part = part;  // a skull in the middle stays the surface
-  }
+  other.surface = of_surface(sketch.surface, Surface(), [&](const auto& one) { return Surface(one.mirrored(plane)); });
   return other;
 }
 

@@ -6,14 +6,10 @@
 #include "core/articulation/deformer.h"
 #include "core/articulation/region/canvas.h"
 #include "core/articulation/sketch.h"
+#include "core/articulation/surface/symmetry_plane.h"
 #include "core/base/result.h"
 
 namespace penpose::articulation {
-
-/// The plane x = `x` that a model is symmetric about. Left of a character is +X (glTF: it looks along +Z, y is up).
-struct SymmetryPlane {
-  double x = 0;
-};
 
 /// The plane x = 0 or the middle of the model's box, whichever mirrors its surface better onto itself. Error: neither
 /// brings the vertices within 2 % of the box's diagonal of the surface, on average.

@@ -21,19 +21,6 @@ std::optional<base::Error> check_curve(std::span<const PxPoint> curve, const std
   return std::nullopt;
 }
 
-std::optional<base::Error> check_ball(const Surface& surface) {
-  const auto* ball = std::get_if<Sphere>(&surface);
-  if (ball == nullptr) return std::nullopt;
-  const ModelPoint& c = ball->center;
-  if (!std::isfinite(c.x) || !std::isfinite(c.y) || !std::isfinite(c.z)) {
-    return base::Error{"the centre of the ball is not finite", "surface/sphere/center", "give three plain numbers"};
-  }
-  if (!(ball->radius > 0.0) || !std::isfinite(ball->radius)) {
-    return base::Error{"the ball has no radius", "surface/sphere/radius", "give a radius above 0"};
-  }
-  return std::nullopt;
-}
-
 std::optional<base::Error> check_betweens(const Sketch& sketch) {
   if (sketch.betweens.empty()) return std::nullopt;
   if (sketch.paper) {
@@ -61,16 +48,18 @@ std::optional<base::Error> check_betweens(const Sketch& sketch) {
   return std::nullopt;
 }
 
-void add_vector(base::StateHash& hash, const ModelVector& v) {
+void add(base::StateHash& hash, double value) { hash.add(value); }
+void add(base::StateHash& hash, const std::string& text) { hash.add(text); }
+void add(base::StateHash& hash, const ModelVector& v) {
   hash.add(v.x);
   hash.add(v.y);
   hash.add(v.z);
 }
 
 void add_camera(base::StateHash& hash, const geometry::CameraPose& camera) {
-  add_vector(hash, camera.eye);
-  add_vector(hash, camera.look_at);
-  add_vector(hash, camera.up);
+  add(hash, camera.eye);
+  add(hash, camera.look_at);
+  add(hash, camera.up);
   hash.add(camera.vertical_fov_degrees);
 }
 
@@ -101,7 +90,8 @@ base::Status check_sketch(const Sketch& sketch) {
   if (auto error = check_curve(sketch.specific, "specific")) return *error;
   if (auto error = check_curve(sketch.reference, "reference")) return *error;
   if (auto error = check_curve(sketch.target, "target")) return *error;
-  if (auto error = check_ball(sketch.surface)) return *error;
+  const auto fits = of_surface(sketch.surface, base::Status(base::Done{}), [](const auto& one) { return one.check(); });
+  if (!fits) return fits.error();
   if (!(sketch.minimum <= 0.0 && sketch.maximum > 0.0) || sketch.minimum < -k_widest_amount ||
       sketch.maximum > k_widest_amount) {
     return base::Error{"the range does not start at or below 0 and end above it", "range",
@@ -125,12 +115,10 @@ void add_to_hash(base::StateHash& hash, const Sketch& sketch) {
   add_curve(hash, sketch.target);
   hash.add(static_cast<std::uint64_t>(sketch.mode));
   hash.add(std::uint64_t{sketch.surface.index()});
-  if (const auto* ball = std::get_if<Sphere>(&sketch.surface)) {
-    add_vector(hash, ball->center);
-    hash.add(ball->radius);
-  } else if (const auto* surface = std::get_if<PartSurface>(&sketch.surface)) {
-    hash.add(surface->part);
-  }
+  of_surface(sketch.surface, 0, [&](const auto& one) {
+    base::each_member(one, [&](std::string_view, const auto& value) { add(hash, value); });
+    return 0;
+  });
   hash.add(sketch.minimum);
   hash.add(sketch.maximum);
   if (sketch.paper) hash.add("paper");

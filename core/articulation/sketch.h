@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
+#include "core/articulation/surface/surface.h"
 #include "core/base/result.h"
 #include "core/base/state_hash.h"
 #include "core/geometry/camera.h"
@@ -18,22 +18,6 @@ using geometry::PxPoint;
 
 /// How a deformer moves from its reference curve to its target (method, section 3).
 enum class Mode : std::uint8_t { automatic, translate, rotate };
-
-/// A ball that vertices keep their distance from, in world space at rest.
-struct Sphere {
-  ModelPoint center{0};
-  double radius = 1;  ///< > 0; radius of the drawn ball; each vertex keeps its own distance from the centre
-  friend bool operator==(const Sphere&, const Sphere&) = default;
-};
-
-/// A part of the model that vertices keep their distance from, by its name.
-struct PartSurface {
-  std::string part;
-  friend bool operator==(const PartSurface&, const PartSurface&) = default;
-};
-
-/// The surface that a deformer slides over; none for most.
-using Surface = std::variant<std::monostate, Sphere, PartSurface>;
 
 /// How far into the model a lasso reaches: also to hidden parts, or only to visible ones.
 enum class Reach : std::uint8_t { through, front };

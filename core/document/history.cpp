@@ -69,7 +69,7 @@ base::Status History::perform(const Command& command, ApplyWorkspace& work) {
   auto changed = apply(current_, command, work);
   if (!changed) return changed.error();
   Step step;
-  step.command = name_of(command);
+  step.command = called(command);
   step.other = std::exchange(current_, std::move(changed).value());
   step.take_out(current_);
   done_.push_back(std::move(step));
@@ -77,25 +77,24 @@ base::Status History::perform(const Command& command, ApplyWorkspace& work) {
   return base::Done{};
 }
 
-base::Status History::undo() {
-  if (done_.empty()) return base::Error{"there is nothing to undo", "", ""};
-  Step step = std::move(done_.back());
-  done_.pop_back();
+void History::cross(std::vector<Step>& from, std::vector<Step>& to) {
+  Step step = std::move(from.back());
+  from.pop_back();
   step.put_back(current_);
   std::swap(current_, step.other);
   step.take_out(current_);
-  undone_.push_back(std::move(step));
+  to.push_back(std::move(step));
+}
+
+base::Status History::undo() {
+  if (done_.empty()) return base::Error{"there is nothing to undo", "", ""};
+  cross(done_, undone_);
   return base::Done{};
 }
 
 base::Status History::redo() {
   if (undone_.empty()) return base::Error{"there is nothing to redo", "", ""};
-  Step step = std::move(undone_.back());
-  undone_.pop_back();
-  step.put_back(current_);
-  std::swap(current_, step.other);
-  step.take_out(current_);
-  done_.push_back(std::move(step));
+  cross(undone_, done_);
   return base::Done{};
 }
 

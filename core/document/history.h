@@ -28,21 +28,21 @@ class History {
 
   [[nodiscard]] std::size_t undo_count() const { return done_.size(); }
   [[nodiscard]] std::size_t redo_count() const { return undone_.size(); }
-  /// The name of the command that undo or redo would apply to. Precondition: there is one.
-  [[nodiscard]] std::string_view next_undo() const { return done_.back().command; }
-  [[nodiscard]] std::string_view next_redo() const { return undone_.back().command; }
-  /// The name of any step: first the done steps, then those that redo would bring back. Precondition:
-  /// step < undo_count() + redo_count().
-  [[nodiscard]] std::string_view name_of_step(std::size_t step) const {
+  /// The name of the command that undo takes back, or redo brings back. Precondition: there is one.
+  [[nodiscard]] std::string_view next_undo() const { return done_.back().command.name; }
+  [[nodiscard]] std::string_view next_redo() const { return undone_.back().command.name; }
+  /// What the command of any step is called: those that are done come first, those that redo would bring back after
+  /// them. Precondition: step < undo_count() + redo_count().
+  [[nodiscard]] Called called_step(std::size_t step) const {
     return step < done_.size() ? done_[step].command : undone_[undone_.size() - 1 - (step - done_.size())].command;
   }
 
  private:
   struct Step {
-    std::string_view command;  ///< its name only; strokes are not kept
-    Document other;            ///< in `done_` the document before the command, in `undone_` the one after it
-    // Parts that `other` shares with the document on the other side of the step are not kept in it.
-    std::size_t first_curves = 0;  ///< number of equal ones at the front of the list
+    Called command;  ///< strokes are not kept
+    Document other;  ///< of `done_` the document before the command, of `undone_` the one after it
+    // What `other` has in common with the document on the step's other side is not kept in it.
+    std::size_t first_curves = 0;  ///< at the front of the list that are the same
     std::size_t last_curves = 0;   ///< and at its end
     Timeline timeline;             ///< that of `other`, without equal keys
     std::size_t first_keys = 0;
@@ -54,6 +54,9 @@ class History {
     void take_out(const Document& neighbour);
     void put_back(const Document& neighbour);
   };
+  /// Goes over the last step of one list, to what is on its other side.
+  void cross(std::vector<Step>& from, std::vector<Step>& to);
+
   Document current_;
   std::vector<Step> done_;
   std::vector<Step> undone_;

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/members.h"
 #include "core/base/result.h"
 #include "core/curve/stroke.h"
 #include "core/document/commands/command.h"
@@ -33,14 +34,9 @@ struct Tool {
   std::string deformer;         ///< redraw, between: of which deformer
   articulation::CurveRole role = articulation::CurveRole::target;  ///< redraw: which of its curves
   double value = 0.5;                                              ///< between: at which value
-  template <typename Self>
-  static void fields(Self& self, auto&& visit) {
-    visit("kind", self.kind);
-    visit("curve", self.curve);
-    visit("draw_reference", self.draw_reference);
-    visit("deformer", self.deformer);
-    visit("role", self.role);
-    visit("value", self.value);
+  static auto members(auto& self) {
+    return base::named("kind", self.kind, "curve", self.curve, "draw_reference", self.draw_reference, "deformer",
+                       self.deformer, "role", self.role, "value", self.value);
   }
   friend bool operator==(const Tool&, const Tool&) = default;
 };

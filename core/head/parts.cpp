@@ -43,6 +43,21 @@ Surface make_eye_cap(double radius, double from_degrees, double to_degrees, int 
 
 namespace {
 
+/// The triangles of a tube whose points are there: rings of as many points each, one after the other, both ends closed.
+void close_tube(Surface& tube, std::size_t rings, std::size_t around) {
+  const auto at = [&](std::size_t i, std::size_t j) { return static_cast<std::uint32_t>(i * around + j % around); };
+  for (std::size_t i = 0; i + 1 < rings; ++i) {
+    for (std::size_t j = 0; j < around; ++j) {
+      tube.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      tube.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  for (std::size_t j = 1; j + 1 < around; ++j) {
+    tube.triangles.push_back({at(0, 0), at(0, j), at(0, j + 1)});
+    tube.triangles.push_back({at(rings - 1, 0), at(rings - 1, j + 1), at(rings - 1, j)});
+  }
+}
+
 /// The arch of a row of teeth, an ellipse in the plane of `y` whose ends lie lower by `dip`; the band closes there.
 Surface arch(double y, double width, double back, double depth, double thick, double high, double dip = 0) {
   constexpr std::size_t k_along = 19;
@@ -60,17 +75,7 @@ Surface arch(double y, double width, double back, double depth, double thick, do
                              (out * (thick * base::cos(turn)) + ModelVector{0, high * base::sin(turn), 0}) * end);
     }
   }
-  const auto at = [](std::size_t i, std::size_t j) { return static_cast<std::uint32_t>(i * k_around + j % k_around); };
-  for (std::size_t i = 0; i + 1 < k_along; ++i) {
-    for (std::size_t j = 0; j < k_around; ++j) {
-      teeth.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      teeth.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  }
-  for (std::size_t j = 1; j + 1 < k_around; ++j) {
-    teeth.triangles.push_back({at(0, 0), at(0, j), at(0, j + 1)});
-    teeth.triangles.push_back({at(k_along - 1, 0), at(k_along - 1, j + 1), at(k_along - 1, j)});
-  }
+  close_tube(teeth, k_along, k_around);
   return teeth;
 }
 
@@ -96,19 +101,7 @@ Surface make_tongue() {
                                                    (0.42 * up - furrow) * base::sin(polar), 1.25 * base::cos(polar)});
     }
   }
-  const auto at = [](std::size_t i, std::size_t j) {
-    return static_cast<std::uint32_t>(i * k_segments + j % k_segments);
-  };
-  for (std::size_t i = 0; i + 1 < k_rings; ++i) {
-    for (std::size_t j = 0; j < k_segments; ++j) {
-      tongue.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      tongue.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  }
-  for (std::size_t j = 1; j + 1 < k_segments; ++j) {
-    tongue.triangles.push_back({at(0, 0), at(0, j), at(0, j + 1)});
-    tongue.triangles.push_back({at(k_rings - 1, 0), at(k_rings - 1, j + 1), at(k_rings - 1, j)});
-  }
+  close_tube(tongue, k_rings, k_segments);
   return tongue;
 }
 

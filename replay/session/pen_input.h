@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/members.h"
 #include "core/curve/stroke.h"
 #include "core/document/drawing/pose_curve.h"
 #include "firmware_io/decode/decoder_factory.h"
@@ -23,14 +24,10 @@ struct TabletSetting {
   std::vector<double> area;              ///< left, top, right, bottom in fractions; empty: all of the tablet
   std::vector<curve::PxPoint> pressure;  ///< points (pressed, meant) of the pressure curve; empty: straight
   std::uint32_t drawing_buttons = 0;     ///< of the pen: while only these are held it draws
-  template <typename Self>
-  static void fields(Self& self, auto&& visit) {
-    visit("keep_aspect", self.keep_aspect);
-    visit("left_handed", self.left_handed);
-    visit("quarter_turns", self.quarter_turns);
-    visit("area", self.area);
-    visit("pressure", self.pressure);
-    visit("drawing_buttons", self.drawing_buttons);
+  static auto members(auto& self) {
+    return base::named("keep_aspect", self.keep_aspect, "left_handed", self.left_handed, "quarter_turns",
+                       self.quarter_turns, "area", self.area, "pressure", self.pressure, "drawing_buttons",
+                       self.drawing_buttons);
   }
   friend bool operator==(const TabletSetting&, const TabletSetting&) = default;
 };

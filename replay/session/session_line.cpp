@@ -1,6 +1,7 @@
 #include "replay/session/session_line.h"
 
 #include "core/base/edition.h"
+#include "core/base/members.h"
 #include "core/base/numbers.h"
 #include "core/base/text/letters.h"
 #include "core/base/text/shown_text.h"
@@ -17,26 +18,16 @@ constexpr std::size_t k_longest_name = 60;
 
 struct HashMember {
   std::string path;
-  template <typename Self>
-  static void fields(Self& self, auto&& visit) {
-    visit("path", self.path);
-  }
+  static auto members(auto& self) { return base::named("path", self.path); }
 };
 struct LightMembers {
   std::uint32_t left = 0;
   std::uint32_t right = 0;
-  template <typename Self>
-  static void fields(Self& self, auto&& visit) {
-    visit("left", self.left);
-    visit("right", self.right);
-  }
+  static auto members(auto& self) { return base::named("left", self.left, "right", self.right); }
 };
 struct ProgramMember {
   std::string program;
-  template <typename Self>
-  static void fields(Self& self, auto&& visit) {
-    visit("program", self.program);
-  }
+  static auto members(auto& self) { return base::named("program", self.program); }
 };
 
 std::string hex8(std::uint32_t value) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -39,7 +40,7 @@ struct ValueRow {
 struct Subcommand {
   std::string_view name;
   /// Adds it to the app; when it runs it stores its exit status in `status`, which outlives the app.
-  void (*add)(CLI::App& app, int& status);
+  std::function<void(CLI::App& app, int& status)> add;
   std::array<Example, 2> examples;
   std::vector<ValueRow> values = {};  ///< of options that are this command's own, before those of all (command_table)
 };

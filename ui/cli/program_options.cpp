@@ -6,6 +6,7 @@
 
 #include "core/base/result.h"
 #include "ui/cli/commands.h"
+#include "ui/cli/live_option.h"
 #include "ui/files/own_tablets.h"
 
 namespace penpose::cli {
@@ -66,6 +67,7 @@ void add_program_options(CLI::App& app, int& status, files::WindowRequest& reque
       ->check(CLI::Validator(check_model, ""));
   app.add_option("--session", request.session, "Where to record the session; a file that is there is not written over");
   app.add_option(files::k_tablets_option, request.tablets, files::k_tablets_help);
+  add_live_option(app, request.live);
   app.add_flag("--fullscreen", request.fullscreen, "Use the whole screen");
   // For tests and measurements.
   app.add_option("--replay", request.replay)->group("");

@@ -13,6 +13,7 @@ struct WindowRequest {
   std::string session;  ///< where the session is written; empty: into the folder of sessions
   std::string replay;   ///< a trace that is played in place of a tablet; the window closes at its end
   std::string tablets;  ///< the user's own tablets
+  std::string live;     ///< where the pose of every frame is sent (ui/live); empty: nowhere
   std::string program;  ///< name and version for the session
   bool fullscreen = false;
   bool timings = false;  ///< prints how long things took when the window is closed

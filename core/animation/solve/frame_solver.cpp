@@ -27,9 +27,6 @@ constexpr double k_leave = 2.5;
 /// Weight of what lies between two points that touch, beside the sum of theirs.
 constexpr double k_contact = 1.5;
 
-/// Evaluations of the simplex, a frame, that a rig may cost that is not linear.
-constexpr std::size_t k_evaluations_a_variable = 100;
-
 /// A distance of the track, px, as a distance in the model, where its points are at rest; the mean of all points.
 double in_model(double px, const Transfer& transfer, std::span<const geometry::ModelPoint> at_rest,
                 const geometry::Camera& camera) {
@@ -272,7 +269,8 @@ struct FrameSolver::State {
       search.max_sweeps = 1;
       search.gain_tolerance = 0.02;
       // The simplex has to come to the last of its stages by itself.
-      search.max_evaluations = std::max(options.max_evaluations, k_evaluations_a_variable * u.size());
+      constexpr std::size_t k_a_variable = 100;  // a frame, of a rig that is not linear
+      search.max_evaluations = std::max(options.max_evaluations, k_a_variable * u.size());
       const auto objective = posing::make_general_objective(system, model.variables, pose, model.near_weight);
       posing::run_stages(*objective, relevance.effects, search, u, stages);
     }

@@ -10,12 +10,12 @@
 
 namespace penpose::document {
 
-ApplyWorkspace::ApplyWorkspace() : parts_(std::make_unique<Parts>()) {}
+ApplyWorkspace::ApplyWorkspace() : parts_(std::make_unique<ApplyParts>()) {}
 ApplyWorkspace::~ApplyWorkspace() = default;
 ApplyWorkspace::ApplyWorkspace(ApplyWorkspace&&) noexcept = default;
 ApplyWorkspace& ApplyWorkspace::operator=(ApplyWorkspace&&) noexcept = default;
 
-const geometry::TriangleBvh& ApplyWorkspace::Parts::surface_of(const Document& document) {
+const geometry::TriangleBvh& ApplyParts::surface_of(const Document& document) {
   const Model& model = *document.model;
   if (tree_ && tree_mesh_ == model.mesh && tree_rig_ == model.rig && tree_pose_ == document.pose) return *tree_;
   std::vector<geometry::ModelPoint> posed(model.mesh->vertex_count());
@@ -32,7 +32,7 @@ const geometry::TriangleBvh& ApplyWorkspace::Parts::surface_of(const Document& d
   return *tree_;
 }
 
-curve::Sheets& ApplyWorkspace::Parts::sheets_of(const Document& document) {
+curve::Sheets& ApplyParts::sheets_of(const Document& document) {
   if (!sheets_ || sheets_mesh_ != document.model->mesh) {
     sheets_.emplace(*document.model->mesh);
     sheets_mesh_ = document.model->mesh;
@@ -40,7 +40,7 @@ curve::Sheets& ApplyWorkspace::Parts::sheets_of(const Document& document) {
   return *sheets_;
 }
 
-const intent::WholeModel& ApplyWorkspace::Parts::whole_of(const Document& document) {
+const intent::WholeModel& ApplyParts::whole_of(const Document& document) {
   if (whole_rig_ != document.model->rig) {
     whole_ = intent::measure_whole_model(*document.model->rig);
     whole_rig_ = document.model->rig;
@@ -48,7 +48,7 @@ const intent::WholeModel& ApplyWorkspace::Parts::whole_of(const Document& docume
   return whole_;
 }
 
-base::Result<std::shared_ptr<const articulation::Canvas>> ApplyWorkspace::Parts::canvas_of(const Document& document) {
+base::Result<std::shared_ptr<const articulation::Canvas>> ApplyParts::canvas_of(const Document& document) {
   const Model& model = *document.model;
   if (canvas_ && canvas_mesh_ == model.mesh && canvas_skeleton_ == model.skeleton) return canvas_;
   auto canvas = make_canvas(model);
@@ -65,7 +65,7 @@ namespace {
 template <typename One>
 std::optional<base::Error> check_texts(const One& command) {
   std::optional<base::Error> error;
-  One::fields(command, [&](std::string_view member, const auto& value) {
+  base::each_member(command, [&](std::string_view member, const auto& value) {
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::string>) {
       if (base::valid_utf8(value) == value) return;
       error = base::Error{"the text is not valid UTF-8", std::string(member), "write it as UTF-8"};

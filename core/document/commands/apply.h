@@ -17,11 +17,10 @@ class ApplyWorkspace {
   ~ApplyWorkspace();
   ApplyWorkspace(ApplyWorkspace&&) noexcept;
   ApplyWorkspace& operator=(ApplyWorkspace&&) noexcept;
-  struct Parts;
-  [[nodiscard]] Parts& parts() { return *parts_; }
+  [[nodiscard]] ApplyParts& parts() { return *parts_; }
 
  private:
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<ApplyParts> parts_;
 };
 
 /// The document after a command. The same document and command give the same bits on any machine (method, section 5).

@@ -18,7 +18,7 @@
 
 namespace penpose::document {
 
-struct ApplyWorkspace::Parts {
+struct ApplyParts {
   posing::SolveWorkspace solve;
   intent::SolveWorkspace meant;
 
@@ -49,8 +49,7 @@ struct ApplyWorkspace::Parts {
   std::shared_ptr<const articulation::Canvas> canvas_;
 };
 
-using Parts = ApplyWorkspace::Parts;
-using Changed = base::Result<Document>;
+using Parts = ApplyParts;
 
 /// The error with a member of the command as its place.
 [[nodiscard]] base::Error at(const char* member, base::Error error);
@@ -69,54 +68,5 @@ using Changed = base::Result<Document>;
 [[nodiscard]] Document with_replaced(const Document& document, PoseCurve curve);
 /// Errors: no such curve, a constraint; with `with_line` one that has no drawn target.
 [[nodiscard]] base::Result<const PoseCurve*> reference_named(const Document& document, CurveId id, bool with_line);
-
-Changed run(const Document&, const SetParameters&, Parts&);
-Changed run(const Document&, const ResetParameters&, Parts&);
-Changed run(const Document&, const LockParameters&, Parts&);
-Changed run(const Document&, const SuggestRest&, Parts&);
-
-Changed run(const Document&, const DrawReference&, Parts&);
-Changed run(const Document&, const DrawTarget&, Parts&);
-Changed run(const Document&, const OversketchTarget&, Parts&);
-Changed run(const Document&, const DragTarget&, Parts&);
-Changed run(const Document&, const PullTarget&, Parts&);
-Changed run(const Document&, const DrawConstraint&, Parts&);
-Changed run(const Document&, const Pin&, Parts&);
-Changed run(const Document&, const KeepCurve&, Parts&);
-Changed run(const Document&, const DeleteCurve&, Parts&);
-Changed run(const Document&, const EraseCurves&, Parts&);
-Changed run(const Document&, const ClearCurves&, Parts&);
-Changed run(const Document&, const SolvePose&, Parts&);
-Changed run(const Document&, const PlaceCurve&, Parts&);
-Changed run(const Document&, const PlaceTarget&, Parts&);
-Changed run(const Document&, const SetPressureWeighting&, Parts&);
-Changed run(const Document&, const SetHand&, Parts&);
-Changed run(const Document&, const NameCurve&, Parts&);
-Changed run(const Document&, const DeleteNamedCurve&, Parts&);
-
-Changed run(const Document&, const BeginDeformer&, Parts&);
-Changed run(const Document&, const BeginCorrection&, Parts&);
-Changed run(const Document&, const DeleteCorrection&, Parts&);
-Changed run(const Document&, const TakeRegion&, Parts&);
-Changed run(const Document&, const DrawBetween&, Parts&);
-Changed run(const Document&, const DeleteBetween&, Parts&);
-Changed run(const Document&, const PullBetween&, Parts&);
-Changed run(const Document&, const SketchCurve&, Parts&);
-Changed run(const Document&, const CancelDeformer&, Parts&);
-Changed run(const Document&, const RedrawCurve&, Parts&);
-Changed run(const Document&, const ChangeDeformer&, Parts&);
-Changed run(const Document&, const MirrorDeformer&, Parts&);
-Changed run(const Document&, const RenameDeformer&, Parts&);
-Changed run(const Document&, const DeleteDeformer&, Parts&);
-Changed run(const Document&, const MoveDeformer&, Parts&);
-
-Changed run(const Document&, const SetKey&, Parts&);
-Changed run(const Document&, const KeyPoses&, Parts&);
-Changed run(const Document&, const DeleteKey&, Parts&);
-Changed run(const Document&, const MoveKey&, Parts&);
-Changed run(const Document&, const SetKeyInterpolation&, Parts&);
-Changed run(const Document&, const GoToTime&, Parts&);
-Changed run(const Document&, const SaveView&, Parts&);
-Changed run(const Document&, const DeleteView&, Parts&);
 
 }  // namespace penpose::document

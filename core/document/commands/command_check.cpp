@@ -46,12 +46,13 @@ const char* wrong(const View& view) {
   return wrong(view.camera.vertical_fov_degrees);
 }
 const char* wrong(const articulation::Surface& surface) {
-  if (const auto* part = std::get_if<articulation::PartSurface>(&surface)) return wrong(part->part);
-  if (const auto* ball = std::get_if<articulation::Sphere>(&surface)) {
-    const char* what = wrong(ball->center);
-    return what != nullptr ? what : wrong(ball->radius);
-  }
-  return nullptr;
+  return of_surface(surface, static_cast<const char*>(nullptr), [](const auto& one) {
+    const char* what = nullptr;
+    base::each_member(one, [&](std::string_view, const auto& value) {
+      if (what == nullptr) what = wrong(value);
+    });
+    return what;
+  });
 }
 template <typename T>
 requires(std::is_enum_v<T> || std::is_same_v<T, bool> || std::is_same_v<T, std::uint32_t> ||
@@ -77,7 +78,7 @@ base::Status check_command(const Command& command) {
   base::Status status{base::Done{}};
   std::visit(
       [&](const auto& one) {
-        std::decay_t<decltype(one)>::fields(one, [&](std::string_view member, const auto& value) {
+        base::each_member(one, [&](std::string_view member, const auto& value) {
           const char* what = wrong(value);
           if (what != nullptr && status)
             status = base::Error{std::string("there is ") + what, std::string(member), "give what a session can hold"};

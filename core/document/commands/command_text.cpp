@@ -12,7 +12,7 @@ base::Result<Command> parse_named(std::string_view name, std::string_view member
                        "a newer version of the program may know it"};
   } else {
     using One = std::variant_alternative_t<I, Command>;
-    if (One::k_name == name) {
+    if (One::k_called.name == name) {
       auto command = parse_members<One>(members);
       if (!command) return command.error();
       return Command(std::move(command).value());
@@ -24,7 +24,7 @@ base::Result<Command> parse_named(std::string_view name, std::string_view member
 }  // namespace
 
 std::string to_text(const Command& command) {
-  std::string out(name_of(command));
+  std::string out(called(command).name);
   std::visit([&](const auto& one) { append_members(out, one); }, command);
   return out;
 }

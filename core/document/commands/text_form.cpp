@@ -1,8 +1,10 @@
 #include "core/document/commands/text_form.h"
 
+#include <algorithm>
 #include <array>
-#include <span>
+#include <tuple>
 
+#include "core/base/members.h"
 #include "core/base/numbers.h"
 #include "core/base/text/letters.h"
 #include "core/geometry/lasso.h"
@@ -14,37 +16,28 @@ bool stands_for_itself(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
 }
 
-template <typename Enum>
-using EnumNames = std::span<const std::pair<Enum, std::string_view>>;
-
-template <typename Enum>
-void write_enum(std::string& out, Enum value, EnumNames<Enum> names) {
-  for (const auto& [one, name] : names) {
-    if (one == value) out += name;
-  }
-}
-template <typename Enum>
-std::optional<Enum> read_enum(std::string_view text, EnumNames<Enum> names) {
-  for (const auto& [one, name] : names) {
-    if (name == text) return one;
-  }
-  return std::nullopt;
-}
+template <typename Enum, std::size_t N>
+using EnumNames = std::array<std::pair<Enum, std::string_view>, N>;
 
 using articulation::Mode;
-constexpr std::array<std::pair<Mode, std::string_view>, 3> k_modes{
-    {{Mode::automatic, "auto"}, {Mode::translate, "translate"}, {Mode::rotate, "rotate"}}};
-using Role = articulation::CurveRole;
-constexpr std::array<std::pair<articulation::Reach, std::string_view>, 2> k_reaches{
-    {{articulation::Reach::through, "through"}, {articulation::Reach::front, "front"}}};
-constexpr std::array<std::pair<Role, std::string_view>, 4> k_roles{{{Role::general, "general"},
-                                                                    {Role::specific, "specific"},
-                                                                    {Role::reference, "reference"},
-                                                                    {Role::target, "target"}}};
-constexpr std::array<std::pair<KeyInterpolation, std::string_view>, 2> k_interpolations{
-    {{KeyInterpolation::linear, "linear"}, {KeyInterpolation::smooth, "smooth"}}};
-constexpr std::array<std::pair<Preset, std::string_view>, 3> k_presets{
-    {{Preset::meant, "meant"}, {Preset::exact, "exact"}, {Preset::paper, "paper"}}};
+constexpr EnumNames<Mode, 3> names_of(Mode) {
+  return {{{Mode::automatic, "auto"}, {Mode::translate, "translate"}, {Mode::rotate, "rotate"}}};
+}
+using articulation::Reach;
+constexpr EnumNames<Reach, 2> names_of(Reach) { return {{{Reach::through, "through"}, {Reach::front, "front"}}}; }
+using articulation::CurveRole;
+constexpr EnumNames<CurveRole, 4> names_of(CurveRole) {
+  return {{{CurveRole::general, "general"},
+           {CurveRole::specific, "specific"},
+           {CurveRole::reference, "reference"},
+           {CurveRole::target, "target"}}};
+}
+constexpr EnumNames<KeyInterpolation, 2> names_of(KeyInterpolation) {
+  return {{{KeyInterpolation::linear, "linear"}, {KeyInterpolation::smooth, "smooth"}}};
+}
+constexpr EnumNames<Preset, 3> names_of(Preset) {
+  return {{{Preset::meant, "meant"}, {Preset::exact, "exact"}, {Preset::paper, "paper"}}};
+}
 
 template <std::size_t N>
 void write_numbers(std::string& out, const std::array<double, N>& values) {
@@ -70,6 +63,31 @@ std::optional<geometry::ModelPoint> read_point(std::string_view text) {
   const auto values = read_numbers<3>(text);
   if (!values) return std::nullopt;
   return geometry::ModelPoint((*values)[0], (*values)[1], (*values)[2]);
+}
+
+/// How many pieces between commas a member takes.
+template <typename Value>
+constexpr std::size_t k_pieces = std::is_same_v<Value, geometry::ModelPoint> ? 3 : 1;
+
+/// The members of a surface with commas between them; what is left belongs to the last.
+template <typename Kind>
+std::optional<articulation::Surface> read_members(std::string_view text) {
+  Kind kind;
+  bool whole = true;
+  std::size_t left = std::tuple_size_v<decltype(Kind::members(kind))>;
+  base::each_member(kind, [&]<typename Value>(std::string_view, Value& member) {
+    std::size_t end = text.size();
+    if (--left > 0) {
+      end = text.find(',');
+      for (std::size_t i = 1; i < k_pieces<Value> && end != std::string_view::npos; ++i) end = text.find(',', end + 1);
+    }
+    auto value = TextForm<Value>::read(text.substr(0, end));
+    whole = whole && value && end != std::string_view::npos;
+    if (!whole) return;
+    member = *std::move(value);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  });
+  return whole ? std::optional<articulation::Surface>(std::move(kind)) : std::nullopt;
 }
 
 std::optional<int> read_side(std::string_view text) {
@@ -207,53 +225,45 @@ std::optional<View> TextForm<View>::read(std::string_view text) {
 }
 
 void TextForm<articulation::Surface>::write(std::string& out, const articulation::Surface& value) {
-  if (const auto* sphere = std::get_if<articulation::Sphere>(&value)) {
-    out += "sphere:";
-    write_numbers<4>(out, {sphere->center.x, sphere->center.y, sphere->center.z, sphere->radius});
-  } else if (const auto* part = std::get_if<articulation::PartSurface>(&value)) {
-    out += "part:" + escape(part->part);
-  } else {
-    out += "none";
-  }
+  out += of_surface(value, std::string("none"), [](const auto& one) {
+    std::string text(one.k_name);
+    char before = ':';
+    base::each_member(one, [&]<typename Value>(std::string_view, const Value& member) {
+      text += std::exchange(before, ',');
+      TextForm<Value>::write(text, member);
+    });
+    return text;
+  });
 }
 std::optional<articulation::Surface> TextForm<articulation::Surface>::read(std::string_view text) {
   if (text == "none") return articulation::Surface();
-  const std::string_view kind = take_piece(text, ':');
-  if (kind == "sphere") {
-    const auto values = read_numbers<4>(text);
-    if (!values) return std::nullopt;
-    return articulation::Sphere{{(*values)[0], (*values)[1], (*values)[2]}, (*values)[3]};
-  }
-  auto part = unescape(text);
-  if (kind != "part" || !part) return std::nullopt;
-  return articulation::PartSurface{*std::move(part)};
+  const std::string_view name = take_piece(text, ':');
+  std::optional<articulation::Surface> surface;
+  articulation::each_surface_kind([&]<typename Kind>() {
+    if (Kind::k_name == name) surface = read_members<Kind>(text);
+  });
+  return surface;
 }
 
-void TextForm<articulation::Mode>::write(std::string& out, articulation::Mode value) {
-  write_enum<Mode>(out, value, k_modes);
+template <typename Enum>
+requires std::is_enum_v<Enum>
+void TextForm<Enum>::write(std::string& out, Enum value) {
+  for (const auto& [one, name] : names_of(value)) {
+    if (one == value) out += name;
+  }
 }
-std::optional<articulation::Mode> TextForm<articulation::Mode>::read(std::string_view text) {
-  return read_enum<Mode>(text, k_modes);
+template <typename Enum>
+requires std::is_enum_v<Enum> std::optional<Enum> TextForm<Enum>::read(std::string_view text) {
+  for (const auto& [one, name] : names_of(Enum{})) {
+    if (name == text) return one;
+  }
+  return std::nullopt;
 }
-void TextForm<articulation::CurveRole>::write(std::string& out, articulation::CurveRole value) {
-  write_enum<Role>(out, value, k_roles);
-}
-std::optional<articulation::CurveRole> TextForm<articulation::CurveRole>::read(std::string_view text) {
-  return read_enum<Role>(text, k_roles);
-}
-void TextForm<articulation::Reach>::write(std::string& out, articulation::Reach value) {
-  write_enum<articulation::Reach>(out, value, k_reaches);
-}
-std::optional<articulation::Reach> TextForm<articulation::Reach>::read(std::string_view text) {
-  return read_enum<articulation::Reach>(text, k_reaches);
-}
-void TextForm<Preset>::write(std::string& out, Preset value) { write_enum<Preset>(out, value, k_presets); }
-std::optional<Preset> TextForm<Preset>::read(std::string_view text) { return read_enum<Preset>(text, k_presets); }
-void TextForm<KeyInterpolation>::write(std::string& out, KeyInterpolation value) {
-  write_enum<KeyInterpolation>(out, value, k_interpolations);
-}
-std::optional<KeyInterpolation> TextForm<KeyInterpolation>::read(std::string_view text) {
-  return read_enum<KeyInterpolation>(text, k_interpolations);
-}
+
+template struct TextForm<Mode>;
+template struct TextForm<Reach>;
+template struct TextForm<CurveRole>;
+template struct TextForm<KeyInterpolation>;
+template struct TextForm<Preset>;
 
 }  // namespace penpose::document

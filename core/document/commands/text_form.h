@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -84,30 +85,12 @@ struct TextForm<articulation::Surface> {
   static void write(std::string& out, const articulation::Surface& value);
   static std::optional<articulation::Surface> read(std::string_view text);
 };
-template <>
-struct TextForm<articulation::Mode> {
-  static void write(std::string& out, articulation::Mode value);
-  static std::optional<articulation::Mode> read(std::string_view text);
-};
-template <>
-struct TextForm<articulation::CurveRole> {
-  static void write(std::string& out, articulation::CurveRole value);
-  static std::optional<articulation::CurveRole> read(std::string_view text);
-};
-template <>
-struct TextForm<articulation::Reach> {
-  static void write(std::string& out, articulation::Reach value);
-  static std::optional<articulation::Reach> read(std::string_view text);
-};
-template <>
-struct TextForm<Preset> {
-  static void write(std::string& out, Preset value);
-  static std::optional<Preset> read(std::string_view text);
-};
-template <>
-struct TextForm<KeyInterpolation> {
-  static void write(std::string& out, KeyInterpolation value);
-  static std::optional<KeyInterpolation> read(std::string_view text);
+/// Enumerations of commands, by the names of their values.
+template <typename Enum>
+requires std::is_enum_v<Enum>
+struct TextForm<Enum> {
+  static void write(std::string& out, Enum value);
+  static std::optional<Enum> read(std::string_view text);
 };
 
 template <typename T>

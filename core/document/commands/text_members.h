@@ -5,10 +5,12 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/members.h"
 #include "core/base/result.h"
 #include "core/document/commands/text_form.h"
 
-// The text form of a struct with `fields`: " member=value" for every member that is not at its default.
+// The text form of a struct with `members` (base/members.h): " member=value" for every member that is not at its
+// default.
 
 namespace penpose::document {
 
@@ -27,9 +29,9 @@ void append_members(std::string& out, const One& one) {
   // Both are walked side by side: the same members in the same order.
   const One initial;
   std::vector<std::string> initial_texts;
-  One::fields(initial, [&](std::string_view, const auto& value) { initial_texts.push_back(text_of(value)); });
+  base::each_member(initial, [&](std::string_view, const auto& value) { initial_texts.push_back(text_of(value)); });
   std::size_t member = 0;
-  One::fields(one, [&](std::string_view name, const auto& value) {
+  base::each_member(one, [&](std::string_view name, const auto& value) {
     const std::string text = text_of(value);
     if (text == initial_texts[member++]) return;
     out += ' ';
@@ -44,7 +46,7 @@ template <typename One>
 std::optional<base::Error> set_member(One& command, std::string_view name, std::string_view text) {
   bool known = false;
   bool read = false;
-  One::fields(command, [&](std::string_view member, auto& value) {
+  base::each_member(command, [&](std::string_view member, auto& value) {
     if (member != name) return;
     known = true;
     if (auto parsed = TextForm<std::decay_t<decltype(value)>>::read(text)) {

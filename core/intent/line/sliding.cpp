@@ -14,13 +14,9 @@ namespace {
 constexpr double k_slide = 0.04;
 /// Lines that tell a shape lie beside where they were meant by this share of their length (root mean square).
 constexpr double k_offset = 0.07;
-/// They are drawn the more roughly.
-constexpr double k_rough = 1.3;
 /// Both ends of a line are places of the face, a corner of the mouth or of an eye: they say this much more than what
 /// lies between, over a tenth of the length each.
 constexpr double k_ends = 2.0;
-/// What believing that costs.
-constexpr double k_offset_charge = 4.0;
 
 PxPoint direction(PxPoint v) {
   const double length = geometry::distance(v, {});
@@ -231,8 +227,8 @@ std::vector<Alignment> alignments(std::span<const PxPoint> seen, std::span<const
   }
   Alignment beside = list.front();
   beside.offset_px = k_offset * drawn;
-  beside.charge = k_offset_charge;
-  beside.rough = k_rough;
+  beside.charge = 4.0;  // what believing that costs
+  beside.rough = 1.3;   // such lines are drawn the more roughly
   list.push_back(beside);
   for (Alignment& one : list) one.ends = k_ends;
   return list;

@@ -211,12 +211,7 @@ base::Result<document::Model> read_obj(base::Bytes bytes) { return ObjReader(byt
 ModelFormat obj_format() {
   return {.name = "OBJ",
           .extension = ".obj",
-          .looks_like =
-              [](base::Bytes bytes) {
-                std::string_view text = base::without_mark(base::as_text(bytes));
-                text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-                return looks_like_obj(text);
-              },
+          .looks_like = [](base::Bytes bytes) { return looks_like_obj(first_text(bytes)); },
           .read = [](base::Bytes bytes, const FileResolver&) { return read_obj(bytes); },
           .write = [](const document::Model& model, const WriteOptions&, WriteReport&) { return write_obj(model); },
           .holds = "This pose alone",

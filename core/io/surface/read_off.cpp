@@ -132,8 +132,7 @@ ModelFormat off_format() {
           .extension = ".off",
           .looks_like =
               [](base::Bytes bytes) {
-                std::string_view text = base::without_mark(base::as_text(bytes));
-                text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+                const std::string_view text = first_text(bytes);
                 const auto word = text.substr(0, std::min<std::size_t>(text.find_first_of(" \t\r\n#"), 8));
                 // Letters for colours, normals, texture coordinates and so on may stand in front.
                 return word.ends_with("OFF") && word.find_first_not_of("STCN4n") >= word.size() - 3;

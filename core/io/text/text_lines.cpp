@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/numbers.h"
+#include "core/base/text/letters.h"
 
 namespace penpose::io {
 
@@ -29,6 +30,12 @@ std::optional<std::string_view> TextLines::next_content() {
 
 base::Error TextLines::error(std::string what, std::string remedy) const {
   return {std::move(what), "line " + std::to_string(number_), std::move(remedy)};
+}
+
+std::string_view first_text(base::Bytes bytes) {
+  std::string_view text = base::without_mark(base::as_text(bytes));
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  return text;
 }
 
 std::string_view take_word(std::string_view& line) {

@@ -31,6 +31,9 @@ class TextLines {
   std::size_t number_ = 0;
 };
 
+/// The text of a file from its first letter on, without a byte order mark and blank lines in front.
+[[nodiscard]] std::string_view first_text(base::Bytes bytes);
+
 /// Takes the first word, up to a blank or tab, off the line; empty at its end.
 [[nodiscard]] std::string_view take_word(std::string_view& line);
 

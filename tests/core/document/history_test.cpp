@@ -50,7 +50,7 @@ TEST(History, StepsKeepTheirNamesAndPlacesWhetherDoneOrUndone) {
     const History& history = script.editor().history();
     std::vector<std::string> all;
     for (std::size_t i = 0; i < history.undo_count() + history.redo_count(); ++i) {
-      all.emplace_back(history.name_of_step(i));
+      all.emplace_back(history.called_step(i).name);
     }
     return all;
   };

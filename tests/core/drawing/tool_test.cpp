@@ -29,7 +29,7 @@ class ToolCommands : public testing::Test {
   template <typename One>
   One means(const Tool& tool, bool eraser = false) {
     const auto command = meant(tool, eraser);
-    EXPECT_TRUE(command.ok() && std::holds_alternative<One>(*command)) << One::k_name;
+    EXPECT_TRUE(command.ok() && std::holds_alternative<One>(*command)) << One::k_called.name;
     return command.ok() && std::holds_alternative<One>(*command) ? std::get<One>(*command) : One{};
   }
   static Tool tool(ToolKind kind) {

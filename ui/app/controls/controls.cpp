@@ -79,8 +79,8 @@ void Controls::rename(const std::string& deformer, const std::string& to) {
 
 void Controls::choose_for_new(articulation::Mode mode, const articulation::Surface& surface) {
   new_mode_ = mode;
-  // A ball was fitted to one region and is none for the next.
-  new_surface_ = std::holds_alternative<articulation::Sphere>(surface) ? articulation::Surface() : surface;
+  const bool of_region = of_surface(surface, false, [](const auto& one) { return one.k_of_region; });
+  new_surface_ = of_region ? articulation::Surface() : surface;
   const auto pending = workspace_.document().pending;
   if (pending && !pending->drivers.empty() && !(pending->sketch.mode == mode)) {
     notices_.tell("how it moves is chosen before a correction is begun: give it up and begin it anew");

@@ -5,7 +5,6 @@
 
 #include "core/articulation/edit.h"
 #include "core/base/numbers.h"
-#include "ui/app/input/fitted_ball.h"
 #include "ui/app/panels/corrections_panel.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/widgets/internal/widgets.h"
@@ -93,13 +92,11 @@ document::TakeRegion take_buttons(PanelContext& context, articulation::Reach rea
   return take;
 }
 
-/// The surface that was chosen, if one was. `ball`: one that fits the region, where there is one.
+/// The surface that was chosen, if one was.
 std::optional<Surface> surface_button(PanelContext& context, const Surface& now,
-                                      const std::function<std::optional<articulation::Sphere>()>& ball) {
+                                      const articulation::RegionPoints& region) {
   const bool slides = !std::holds_alternative<std::monostate>(now);
-  std::string over = "nothing";
-  if (const auto* part = std::get_if<articulation::PartSurface>(&now)) over = part->part;
-  if (std::holds_alternative<articulation::Sphere>(now)) over = "a ball";
+  const std::string over = of_surface(now, std::string("nothing"), [](const auto& one) { return one.words(); });
   if (wide_button(context, ("Over: " + over + "##surface").c_str(), -1, slides,
                   "What it slides over and keeps its distance from, as a lid does from the eye")) {
     ImGui::OpenPopup("surface");
@@ -108,20 +105,16 @@ std::optional<Surface> surface_button(PanelContext& context, const Surface& now,
   if (!begin_menu(context, "surface")) return chosen;
   const float width = 7 * context.unit;
   if (wide_button(context, "nothing", width)) chosen = Surface();
-  if (wide_button(context, "a ball", width, false, "A ball that fits the region, once it is drawn")) {
-    const auto fitted = ball();
-    if (fitted) {
-      chosen = *fitted;
-    } else {
-      context.app.notices().tell("a ball is fitted to the region: draw the region first, then choose the ball");
+  articulation::each_surface_kind([&]<typename Kind>() {
+    for (const auto& offered : Kind::offered(*context.app.workspace().document().model->mesh, region)) {
+      const char* tip = offered.tip.empty() ? nullptr : offered.tip.c_str();
+      if (!wide_button(context, offered.words.c_str(), width, false, tip)) continue;
+      chosen = offered.make();
+      if (chosen) continue;
+      context.app.notices().tell(offered.unable);
       ImGui::CloseCurrentPopup();
     }
-  }
-  for (const auto& part : context.app.workspace().document().model->mesh->parts()) {
-    if (!part.name.empty() && wide_button(context, part.name.c_str(), width)) {
-      chosen = articulation::PartSurface{part.name};
-    }
-  }
+  });
   if (chosen) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
   return chosen;
@@ -171,8 +164,8 @@ void show_new(PanelContext& context) {
   const articulation::Mode mode = pending ? pending->sketch.mode : app.controls().new_mode();
   const Surface surface = pending ? pending->sketch.surface : app.controls().new_surface();
   if (const auto pressed = mode_buttons(context, mode)) app.controls().choose_for_new(*pressed, surface);
-  const auto ball = [&] { return workspace.sketch().ball(); };
-  if (const auto chosen = surface_button(context, surface, ball)) app.controls().choose_for_new(mode, *chosen);
+  const auto region = [&] { return workspace.sketch().region_points(); };
+  if (const auto chosen = surface_button(context, surface, region)) app.controls().choose_for_new(mode, *chosen);
   if (pending) {
     const auto take = take_buttons(context, pending->sketch.reach, pending->sketch.piece, workspace.sketch().pieces());
     if (take.reach || take.piece) workspace.perform(take);
@@ -320,14 +313,14 @@ void show_chosen(PanelContext& context, const articulation::SketchedDeformers& s
   document::ChangeDeformer change;
   change.deformer = name;
   change.mode = mode_buttons(context, deformer.sketch().mode);
-  const auto ball = [&]() -> std::optional<articulation::Sphere> {
-    const auto canvas = document::make_canvas(*workspace.document().model);
-    if (!canvas) return std::nullopt;
+  const auto region = [&] {
     std::vector<geometry::ModelPoint> points;
+    const auto canvas = document::make_canvas(*workspace.document().model);
+    if (!canvas) return points;
     for (const std::uint32_t vertex : deformer.vertices()) points.push_back((*canvas)->positions()[vertex]);
-    return fitted_ball(points);
+    return points;
   };
-  change.surface = surface_button(context, deformer.sketch().surface, ball);
+  change.surface = surface_button(context, deformer.sketch().surface, region);
   const articulation::Sketch& sketch = deformer.sketch();
   if (!sketch.paper && !sketch.reference.empty() &&
       wide_button(context, "Other sheet", -1, sketch.other_sheet,

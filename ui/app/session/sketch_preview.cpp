@@ -10,7 +10,6 @@
 #include "core/articulation/region/kept_surface.h"
 #include "core/document/commands/apply.h"
 #include "core/geometry/lasso.h"
-#include "ui/app/input/fitted_ball.h"
 
 namespace penpose::app {
 
@@ -141,13 +140,13 @@ void SketchPreview::find_reference(const articulation::Sketch& sketch, const std
   if (found) reference_ = std::move(*found);
 }
 
-std::optional<articulation::Sphere> SketchPreview::ball() const {
-  if (weights_.empty() || !canvas_) return std::nullopt;
+std::vector<geometry::ModelPoint> SketchPreview::region_points() const {
   std::vector<geometry::ModelPoint> points;
+  if (weights_.empty() || !canvas_) return points;
   for (const std::uint32_t vertex : region_.vertices) {
     if (vertex < canvas_->positions().size()) points.push_back(canvas_->positions()[vertex]);
   }
-  return fitted_ball(points);
+  return points;
 }
 
 void SketchPreview::set_amount(double amount) {

@@ -48,8 +48,8 @@ class SketchPreview {
   [[nodiscard]] const std::vector<geometry::ModelPoint>& reference() const { return reference_; }
   /// Why one that was found by itself may not be what is meant; empty: nothing speaks against it.
   [[nodiscard]] const std::string& reference_doubt() const { return reference_doubt_; }
-  /// A ball under the region, for a deformer that slides over one; nothing before step 2 or for a flat region.
-  [[nodiscard]] std::optional<articulation::Sphere> ball() const;
+  /// Where the points of the region are, in world space at rest; none before step 2.
+  [[nodiscard]] std::vector<geometry::ModelPoint> region_points() const;
   /// How far the deformer that is drawn is shown, as a share of its range.
   void set_amount(double amount);
   [[nodiscard]] double amount() const { return amount_; }

@@ -39,7 +39,4 @@ struct ListedStep {
 [[nodiscard]] std::size_t commands_to_undo(const document::History& history, const JoinedCommands& joined);
 [[nodiscard]] std::size_t commands_to_redo(const document::History& history, const JoinedCommands& joined);
 
-/// What a command does, in an animator's words.
-[[nodiscard]] std::string_view step_text(std::string_view command);
-
 }  // namespace penpose::app

@@ -196,7 +196,7 @@ std::optional<std::size_t> TourGuide::given(const App& app) const {
   const auto& history = app.workspace().editor().history();
   const std::string_view name = document::name_of(*command);
   for (std::size_t i = begun_.back(); i < history.undo_count(); ++i) {
-    if (history.name_of_step(i) == name) return i;
+    if (history.called_step(i).name == name) return i;
   }
   return std::nullopt;
 }
@@ -303,7 +303,7 @@ void TourGuide::follow(App& app) {
     if (!found) {
       bool other = false;
       for (std::size_t i = begun_.back(); i < history.undo_count(); ++i)
-        other = other || draws(history.name_of_step(i));
+        other = other || draws(history.called_step(i).name);
       if (!other) return;
       app.playback().go_to_step(begun_.back());
       again_ = "Not yet that, so it is taken back";

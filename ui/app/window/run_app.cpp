@@ -14,6 +14,7 @@
 #include "ui/app/window/timings.h"
 #include "ui/app/window/window.h"
 #include "ui/files/own_tablets.h"
+#include "ui/live/live.h"
 
 namespace penpose::app {
 namespace {
@@ -46,6 +47,8 @@ base::Status run_app(const files::WindowRequest& request) {
     return base::Error{"exists already and is not written over", request.session,
                        "choose another name or move it away"};
   }
+  const auto live = live::open_way_out(request.live, live::ways_out());
+  if (!live) return live.error();
   auto window = Window::open(request.fullscreen);
   if (!window) return window.error();
   AppOptions options;
@@ -69,7 +72,7 @@ base::Status run_app(const files::WindowRequest& request) {
   Tablets tablets([&] { (*window)->wake(); }, &*own);
   Timings timings;
   timings.began_us = began;
-  const auto status = (*window)->run(app, interface, tablets, timings, !request.replay.empty());
+  const auto status = (*window)->run(app, interface, tablets, timings, *live, !request.replay.empty());
   if (request.timings) std::cout << timings.text();
   return status;
 }

@@ -227,7 +227,8 @@ void Window::wake() const {
   SDL_PushEvent(&event);
 }
 
-base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timings& timings, bool until_played) {
+base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timings& timings, const live::Listener& live,
+                         bool until_played) {
   SDL_Event picture_shown{};
   picture_shown.type = state_->picture_event;
   auto drawing = DrawThread::start(state_->window, state_->context, [&] { SDL_PushEvent(&picture_shown); });
@@ -298,6 +299,8 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
       thread.send_letters();
     }
     thread.draw(frames.make(app), *ImGui::GetDrawData());
+    live({app.workspace().shown_model()->rig->parameters(), app.workspace().shown_pose(),
+          static_cast<double>(now) * 1e-6});
     timings.frames_us.push_back(thread_cpu_us() - cpu_before);
     if (std::exchange(pose_number, app.canvas().surface().pose_number()) != app.canvas().surface().pose_number()) {
       timings.posed_us.push_back(timings.frames_us.back());

@@ -7,6 +7,7 @@
 #include "ui/app/input/tablets.h"
 #include "ui/app/interface.h"
 #include "ui/app/window/timings.h"
+#include "ui/live/live.h"
 
 namespace penpose::app {
 
@@ -19,8 +20,9 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Stays until the app wants to quit, or a played trace has ended where `until_played`.
-  base::Status run(App& app, Interface& interface, Tablets& tablets, Timings& timings, bool until_played);
+  /// Stays until the app wants to quit, or a played trace has ended where `until_played`. Tells `live` of every frame.
+  base::Status run(App& app, Interface& interface, Tablets& tablets, Timings& timings, const live::Listener& live,
+                   bool until_played);
   /// Makes `run` look for reports; from any thread.
   void wake() const;
 

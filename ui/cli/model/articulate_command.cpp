@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
@@ -12,9 +11,9 @@
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
 #include "core/io/project/sketch_file.h"
-#include "ui/cli/commands.h"
 #include "ui/cli/pose/tolerance_option.h"
 #include "ui/cli/progress.h"
+#include "ui/cli/subcommand.h"
 #include "ui/files/file_roles.h"
 #include "ui/files/files.h"
 #include "ui/files/load_model.h"
@@ -226,31 +225,27 @@ int articulate(const ArticulateArguments& arguments) {
   return k_success;
 }
 
-void add_command(CLI::App& app, int& status) {
-  auto arguments = std::make_shared<ArticulateArguments>();
-  CLI::App* command = app.add_subcommand("articulate", "Gives a model controls from the strokes of a sketch file");
-  command->add_option("MODEL", arguments->model, "Model to articulate")->required();
-  command->add_option("--sketch", arguments->sketch, "JSON file of strokes")->required();
-  command->add_option("-o", arguments->out, "Write the articulated model, .glb")->required();
-  command->add_flag("--json", arguments->json, "Print one JSON object");
+void add_options(CLI::App& command, ArticulateArguments& arguments) {
+  command.add_option("MODEL", arguments.model, "Model to articulate")->required();
+  command.add_option("--sketch", arguments.sketch, "JSON file of strokes")->required();
+  command.add_option("-o", arguments.out, "Write the articulated model, .glb")->required();
+  command.add_flag("--json", arguments.json, "Print one JSON object");
   command
-      ->add_option_function<std::string>(
-          "--preset", [arguments](const std::string& preset) { arguments->paper = preset == "paper"; },
+      .add_option_function<std::string>(
+          "--preset", [&arguments](const std::string& preset) { arguments.paper = preset == "paper"; },
           "default: weights that fall off over the surface, and of the ways of moving the one that distorts it least. "
           "paper: as published in 2006")
       ->check(CLI::IsMember({"default", "paper"}));
-  add_tolerance_option(*command, arguments->glb);
-  command->callback([arguments, &status] { status = articulate(*arguments); });
+  add_tolerance_option(command, arguments.glb);
 }
 
 }  // namespace
 
 Subcommand articulate_subcommand() {
-  return {
-      "articulate",
-      add_command,
-      {{{"penpose articulate elephant.glb --sketch trunk.json -o rigged.glb", "controls from strokes"},
-        {"penpose articulate elephant.glb --sketch trunk.json -o paper.glb --preset paper", "as published in 2006"}}}};
+  return subcommand<ArticulateArguments>(
+      "articulate", "Gives a model controls from the strokes of a sketch file", add_options, articulate,
+      {"penpose articulate elephant.glb --sketch trunk.json -o rigged.glb", "controls from strokes"},
+      {"penpose articulate elephant.glb --sketch trunk.json -o paper.glb --preset paper", "as published in 2006"});
 }
 
 }  // namespace penpose::cli

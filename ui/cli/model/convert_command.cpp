@@ -1,15 +1,13 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/io/model/model_formats.h"
 #include "core/io/surface/shape_list.h"
-#include "ui/cli/commands.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/pose/tolerance_option.h"
+#include "ui/cli/subcommand.h"
 #include "ui/files/file_roles.h"
 #include "ui/files/files.h"
 #include "ui/files/folder_files.h"
@@ -83,32 +81,28 @@ int run_convert(const ConvertArguments& arguments) {
   return k_success;
 }
 
-void add_command(CLI::App& app, int& status) {
-  auto arguments = std::make_shared<ConvertArguments>();
-  CLI::App* command =
-      app.add_subcommand("convert", "Converts a model to GLB, to OBJ at its pose, or its animation to ARKit CSV");
-  command->add_option("IN", arguments->in, io::names_read() + " file")->required();
+void add_options(CLI::App& command, ConvertArguments& arguments) {
+  command.add_option("IN", arguments.in, io::names_read() + " file")->required();
   command
-      ->add_option("OUT", arguments->out,
-                   io::extensions_to_write() + " file to write; .csv: the blend shapes as Live Link Face writes them")
+      .add_option("OUT", arguments.out,
+                  io::extensions_to_write() + " file to write; .csv: the blend shapes as Live Link Face writes them")
       ->required();
-  command->add_option("--shapes", arguments->shapes,
-                      "Files, or folders of files, that each show one blend shape; their names become its name");
-  command->add_option("--fps", arguments->write.fps, "Frames a second of a .csv file")
+  command.add_option("--shapes", arguments.shapes,
+                     "Files, or folders of files, that each show one blend shape; their names become its name");
+  command.add_option("--fps", arguments.write.fps, "Frames a second of a .csv file")
       ->check(CLI::Validator(number_range(0.1, 1000.0), "0.1 to 1000"))
       ->capture_default_str();
-  add_tolerance_option(*command, arguments->write);
-  command->callback([arguments, &status] { status = run_convert(*arguments); });
+  add_tolerance_option(command, arguments.write);
 }
 
 }  // namespace
 
 Subcommand convert_subcommand() {
-  return {"convert",
-          add_command,
-          {{{"penpose convert scan.obj scan.glb --shapes shapes", "OBJ files as blend shapes"},
-            {"penpose convert posed.glb posed.obj", "the pose as it stands"}}},
-          {{"OUT", Completes::files, io::extensions_written()}}};
+  return subcommand<ConvertArguments>(
+      "convert", "Converts a model to GLB, to OBJ at its pose, or its animation to ARKit CSV", add_options, run_convert,
+      {"penpose convert scan.obj scan.glb --shapes shapes", "OBJ files as blend shapes"},
+      {"penpose convert posed.glb posed.obj", "the pose as it stands"},
+      {{"OUT", Completes::files, io::extensions_written()}});
 }
 
 }  // namespace penpose::cli

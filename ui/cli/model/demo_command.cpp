@@ -1,14 +1,12 @@
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <system_error>
 
 #include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/document/document_hash.h"
-#include "ui/cli/commands.h"
+#include "ui/cli/subcommand.h"
 #include "ui/demo/contact_sheet.h"
 #include "ui/demo/run_demo.h"
 #include "ui/files/files.h"
@@ -157,23 +155,18 @@ int run_demo_command(const DemoArguments& arguments) {
   return k_success;
 }
 
-void add_command(CLI::App& app, int& status) {
-  auto arguments = std::make_shared<DemoArguments>();
-  CLI::App* command =
-      app.add_subcommand("demo", "Replays the bundled pen session on the built-in head, writes demo.glb and demo.png");
-  command->add_option("-o", arguments->folder, "Folder to write to")->capture_default_str();
-  command->add_flag("--json", arguments->json, "Print one JSON object");
-  command->callback([arguments, &status] { status = run_demo_command(*arguments); });
+void add_options(CLI::App& command, DemoArguments& arguments) {
+  command.add_option("-o", arguments.folder, "Folder to write to")->capture_default_str();
+  command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
 }  // namespace
 
 Subcommand demo_subcommand() {
-  return {"demo",
-          add_command,
-          {{{"penpose demo -o out", "writes out/demo.glb and out/demo.png"},
-            {"penpose demo -o out --json", "what it did, for scripts"}}},
-          {{"-o", Completes::folders}}};
+  return subcommand<DemoArguments>(
+      "demo", "Replays the bundled pen session on the built-in head, writes demo.glb and demo.png", add_options,
+      run_demo_command, {"penpose demo -o out", "writes out/demo.glb and out/demo.png"},
+      {"penpose demo -o out --json", "what it did, for scripts"}, {{"-o", Completes::folders}});
 }
 
 }  // namespace penpose::cli

@@ -1,15 +1,13 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
-#include <memory>
 #include <string>
 
 #include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
-#include "ui/cli/commands.h"
+#include "ui/cli/subcommand.h"
 #include "ui/files/files.h"
 #include "ui/files/load_model.h"
 
@@ -133,21 +131,17 @@ int run_info(const InfoArguments& arguments) {
   return k_success;
 }
 
-void add_command(CLI::App& app, int& status) {
-  auto arguments = std::make_shared<InfoArguments>();
-  CLI::App* command = app.add_subcommand("info", "Says what is in a model");
-  command->add_option("MODEL", arguments->model, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
-  command->add_flag("--json", arguments->json, "print one JSON object");
-  command->callback([arguments, &status] { status = run_info(*arguments); });
+void add_options(CLI::App& command, InfoArguments& arguments) {
+  command.add_option("MODEL", arguments.model, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
+  command.add_flag("--json", arguments.json, "print one JSON object");
 }
 
 }  // namespace
 
 Subcommand info_subcommand() {
-  return {"info",
-          add_command,
-          {{{"penpose info face.glb", "what can be posed"},
-            {"penpose info builtin:demo --json", "the built-in head with its controls, for scripts"}}}};
+  return subcommand<InfoArguments>(
+      "info", "Says what is in a model", add_options, run_info, {"penpose info face.glb", "what can be posed"},
+      {"penpose info builtin:demo --json", "the built-in head with its controls, for scripts"});
 }
 
 }  // namespace penpose::cli

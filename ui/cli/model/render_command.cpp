@@ -1,8 +1,6 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -13,10 +11,10 @@
 #include "core/document/time/animation_sampling.h"
 #include "core/io/project/camera_file.h"
 #include "core/io/project/case_file.h"
-#include "ui/cli/commands.h"
 #include "ui/cli/model/frame_name.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/progress.h"
+#include "ui/cli/subcommand.h"
 #include "ui/files/file_roles.h"
 #include "ui/files/files.h"
 #include "ui/files/load_model.h"
@@ -215,50 +213,47 @@ int run_render(const Options& options) {
   return k_success;
 }
 
-void add_command(CLI::App& app, int& status) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("render", "Draws a picture of a model");
-  command->add_option("MODEL", options->model, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
-  command->add_option("--set", options->assignments, "NAME=VALUE: a parameter of the pose; may be given many times")
+void add_options(CLI::App& command, Options& options) {
+  command.add_option("MODEL", options.model, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
+  command.add_option("--set", options.assignments, "NAME=VALUE: a parameter of the pose; may be given many times")
       ->allow_extra_args(false);
-  auto* time = command->add_option("--time", options->time_s, "second of the model's first animation")
+  auto* time = command.add_option("--time", options.time_s, "second of the model's first animation")
                    ->check(CLI::Validator(number_range(-1e6, 1e6), "-1000000 to 1000000"));
   command
-      ->add_flag("--frames", options->frames,
-                 "one picture a frame of the first animation: OUT0001.png, OUT0002.png, ... as Blender names them; ### "
-                 "at the end of OUT says how many digits; the folder is made if it is not there")
+      .add_flag("--frames", options.frames,
+                "one picture a frame of the first animation: OUT0001.png, OUT0002.png, ... as Blender names them; ### "
+                "at the end of OUT says how many digits; the folder is made if it is not there")
       ->excludes(time);
-  command->add_option("--fps", options->fps, "frames a second of --frames")
+  command.add_option("--fps", options.fps, "frames a second of --frames")
       ->check(CLI::Validator(number_range(0.1, 1000.0), "0.1 to 1000"))
       ->capture_default_str();
-  command->add_option("--size", options->size, "WIDTHxHEIGHT of the picture in px")
+  command.add_option("--size", options.size, "WIDTHxHEIGHT of the picture in px")
       ->check(CLI::Validator(check_size, "WxH"))
       ->capture_default_str();
-  auto* camera = command->add_option("--camera", options->camera,
-                                     R"(JSON file: {"eye", "look_at", "up", "vertical_fov_degrees"})");
-  command->add_option("--view", options->view, "where to look from")
+  auto* camera =
+      command.add_option("--camera", options.camera, R"(JSON file: {"eye", "look_at", "up", "vertical_fov_degrees"})");
+  command.add_option("--view", options.view, "where to look from")
       ->check(CLI::IsMember({"front", "side", "three-quarter", "back", "top"}))
       ->capture_default_str()
       ->excludes(camera);
-  command->add_flag("--wireframe", options->wireframe, "draw the edges too");
-  command->add_flag("--plain", options->plain, "the file's materials only: do not tell eyes and teeth apart by shape");
-  command->add_flag("--curves", options->curves, "draw the curves that the model carries");
-  auto* cases = command->add_option("--cases", options->cases, "file of posing cases; draws the curves of one");
-  auto* case_name = command->add_option("--case", options->case_name, "which case of the file");
+  command.add_flag("--wireframe", options.wireframe, "draw the edges too");
+  command.add_flag("--plain", options.plain, "the file's materials only: do not tell eyes and teeth apart by shape");
+  command.add_flag("--curves", options.curves, "draw the curves that the model carries");
+  auto* cases = command.add_option("--cases", options.cases, "file of posing cases; draws the curves of one");
+  auto* case_name = command.add_option("--case", options.case_name, "which case of the file");
   cases->needs(case_name);
   case_name->needs(cases);
-  command->add_option("-o,--output", options->output, "PNG file to write")->required();
-  command->callback([options, &status] { status = run_render(*options); });
+  command.add_option("-o,--output", options.output, "PNG file to write")->required();
 }
 
 }  // namespace
 
 Subcommand render_subcommand() {
-  return {"render",
-          add_command,
-          {{{"penpose render builtin:demo --set jaw=0.4 --view front -o jaw.png", "a picture"},
-            {"penpose render clip.glb --frames --size 320x320 -o frames/clip", "frames/clip0001.png, ... for ffmpeg"}}},
-          {{"-o", Completes::files, {".png"}}}};
+  return subcommand<Options>(
+      "render", "Draws a picture of a model", add_options, run_render,
+      {"penpose render builtin:demo --set jaw=0.4 --view front -o jaw.png", "a picture"},
+      {"penpose render clip.glb --frames --size 320x320 -o frames/clip", "frames/clip0001.png, ... for ffmpeg"},
+      {{"-o", Completes::files, {".png"}}});
 }
 
 }  // namespace penpose::cli

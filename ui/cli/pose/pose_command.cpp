@@ -1,9 +1,7 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <iomanip>
 #include <iostream>
-#include <memory>
 #include <optional>
 
 #include "core/base/json/json.h"
@@ -14,9 +12,9 @@
 #include "core/io/project/case_file.h"
 #include "core/posing/solve.h"
 #include "core/tracking/case_problem.h"
-#include "ui/cli/commands.h"
 #include "ui/cli/pose/tolerance_option.h"
 #include "ui/cli/progress.h"
+#include "ui/cli/subcommand.h"
 #include "ui/files/file_roles.h"
 #include "ui/files/files.h"
 #include "ui/files/load_model.h"
@@ -201,46 +199,42 @@ int pose(const PoseArguments& arguments) {
   return k_success;
 }
 
-void add_command(CLI::App& app, int& status) {
-  auto arguments = std::make_shared<PoseArguments>();
-  CLI::App* command =
-      app.add_subcommand("pose", "Solves posing cases: brings curves of a model to where they should be");
-  command->add_option("MODEL", arguments->model, "Model with blend shapes or joints")->required();
-  command->add_option("--cases", arguments->cases, "JSON file of posing cases")->required();
-  command->add_option("--case", arguments->name, "Only the case of this name");
-  command->add_option("--free", "Parameters that may move: those of the case, or all (default)")
+void add_options(CLI::App& command, PoseArguments& arguments) {
+  command.add_option("MODEL", arguments.model, "Model with blend shapes or joints")->required();
+  command.add_option("--cases", arguments.cases, "JSON file of posing cases")->required();
+  command.add_option("--case", arguments.name, "Only the case of this name");
+  command.add_option("--free", "Parameters that may move: those of the case, or all (default)")
       ->check(CLI::IsMember({"all", "case"}))
-      ->each([arguments](const std::string& set) {
-        arguments->free = set == "all" ? tracking::FreeSet::all : tracking::FreeSet::of_case;
+      ->each([&arguments](const std::string& set) {
+        arguments.free = set == "all" ? tracking::FreeSet::all : tracking::FreeSet::of_case;
       });
-  command->add_option("--form", "Targets as points, one a vertex (default), or as a drawn line")
+  command.add_option("--form", "Targets as points, one a vertex (default), or as a drawn line")
       ->check(CLI::IsMember({"points", "drawn"}))
-      ->each([arguments](const std::string& form) {
-        arguments->form = form == "points" ? io::TargetForm::points : io::TargetForm::drawn;
+      ->each([&arguments](const std::string& form) {
+        arguments.form = form == "points" ? io::TargetForm::points : io::TargetForm::drawn;
       });
   command
-      ->add_option(
+      .add_option(
           "--preset",
           "What is minimised. default: what the strokes mean, squares of distances in widths of doubt plus what "
           "the controls that move cost. exact: the sum of distances, to its least. paper: the same, by the "
           "single simplex of 2006")
       ->check(CLI::IsMember({"default", "exact", "paper"}))
-      ->each([arguments](const std::string& preset) {
-        arguments->preset = preset == "paper" ? Preset::paper : preset == "exact" ? Preset::exact : Preset::meant;
+      ->each([&arguments](const std::string& preset) {
+        arguments.preset = preset == "paper" ? Preset::paper : preset == "exact" ? Preset::exact : Preset::meant;
       });
-  command->add_option("-o", arguments->out, "Write the posed model, .glb or .obj (with one case)");
-  command->add_flag("--json", arguments->json, "Print one JSON object");
-  add_tolerance_option(*command, arguments->glb);
-  command->callback([arguments, &status] { status = pose(*arguments); });
+  command.add_option("-o", arguments.out, "Write the posed model, .glb or .obj (with one case)");
+  command.add_flag("--json", arguments.json, "Print one JSON object");
+  add_tolerance_option(command, arguments.glb);
 }
 
 }  // namespace
 
 Subcommand pose_subcommand() {
-  return {"pose",
-          add_command,
-          {{{"penpose pose face.glb --cases cases.json --case smile -o smile.glb", "one case, and the posed model"},
-            {"penpose pose face.glb --cases cases.json --json", "all cases, for scripts"}}}};
+  return subcommand<PoseArguments>(
+      "pose", "Solves posing cases: brings curves of a model to where they should be", add_options, pose,
+      {"penpose pose face.glb --cases cases.json --case smile -o smile.glb", "one case, and the posed model"},
+      {"penpose pose face.glb --cases cases.json --json", "all cases, for scripts"});
 }
 
 }  // namespace penpose::cli

@@ -1,10 +1,8 @@
-#include <CLI/CLI.hpp>
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <string>
 
-#include "ui/cli/commands.h"
+#include "ui/cli/subcommand.h"
 #include "ui/cli/track/track_input.h"
 #include "ui/files/append_file.h"
 #include "ui/files/file_roles.h"
@@ -102,23 +100,19 @@ int serve(const ServeArguments& arguments) {
   return k_success;
 }
 
-void add_command(CLI::App& app, int& status) {
-  auto arguments = std::make_shared<ServeArguments>();
-  CLI::App* command = app.add_subcommand("serve", "Poses for another program: a conversation of JSON lines");
-  command->footer(k_help);
-  command->add_option("--session", arguments->session,
-                      "Record the conversation as a session, a file that is not there");
-  command->callback([arguments, &status] { status = serve(*arguments); });
+void add_options(CLI::App& command, ServeArguments& arguments) {
+  command.footer(k_help);
+  command.add_option("--session", arguments.session, "Record the conversation as a session, a file that is not there");
 }
 
 }  // namespace
 
 Subcommand serve_subcommand() {
-  return {"serve",
-          add_command,
-          {{{"penpose serve <<< '{\"do\": \"load\", \"model\": \"builtin:head\"}'", "one line in, one line out"},
-            {"penpose serve --session talk.session <<< '{\"do\": \"load\", \"model\": \"builtin:demo\"}'",
-             "what is said, recorded to be replayed"}}}};
+  return subcommand<ServeArguments>(
+      "serve", "Poses for another program: a conversation of JSON lines", add_options, serve,
+      {"penpose serve <<< '{\"do\": \"load\", \"model\": \"builtin:head\"}'", "one line in, one line out"},
+      {"penpose serve --session talk.session <<< '{\"do\": \"load\", \"model\": \"builtin:demo\"}'",
+       "what is said, recorded to be replayed"});
 }
 
 }  // namespace penpose::cli

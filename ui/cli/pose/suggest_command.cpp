@@ -1,9 +1,7 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,11 +12,11 @@
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
 #include "core/document/suggestion.h"
-#include "ui/cli/commands.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/pose/keyed_poses.h"
 #include "ui/cli/pose/leave_out_table.h"
 #include "ui/cli/progress.h"
+#include "ui/cli/subcommand.h"
 #include "ui/files/file_roles.h"
 #include "ui/files/files.h"
 #include "ui/files/load_model.h"
@@ -238,52 +236,49 @@ int suggest(const SuggestArguments& arguments) {
   return k_success;
 }
 
-void add_command(CLI::App& app, int& status) {
-  auto arguments = std::make_shared<SuggestArguments>();
-  CLI::App* command = app.add_subcommand("suggest", "Suggests the rest of a pose from poses that are keyed");
-  command->add_option("MODEL", arguments->model, "model, project or session (.session) whose pose is half made")
+void add_options(CLI::App& command, SuggestArguments& arguments) {
+  command.add_option("MODEL", arguments.model, "model, project or session (.session) whose pose is half made")
       ->required();
   command
-      ->add_option("--keys", arguments->keys,
-                   "learn from the poses of this project, session or animated model, by the names of its parameters, "
-                   "in place of MODEL's own; may be given many times")
+      .add_option("--keys", arguments.keys,
+                  "learn from the poses of this project, session or animated model, by the names of its parameters, "
+                  "in place of MODEL's own; may be given many times")
       ->allow_extra_args(false);
-  command->add_option("--every", arguments->every, "take every so many keys: those of a track are nearly all alike")
+  command.add_option("--every", arguments.every, "take every so many keys: those of a track are nearly all alike")
       ->check(CLI::Validator(whole_range(1, 1'000'000), "1 to 1000000"))
       ->capture_default_str();
-  auto* set = command
-                  ->add_option("--set", arguments->assignments,
-                               "NAME=VALUE: a parameter that is posed; may be given many times")
-                  ->allow_extra_args(false);
+  auto* set =
+      command
+          ->add_option("--set", arguments.assignments, "NAME=VALUE: a parameter that is posed; may be given many times")
+          ->allow_extra_args(false);
   command
-      ->add_option("--hold", arguments->holds,
-                   "a parameter that stays, beside what is posed and locked; mouth* holds all that begin so; may be "
-                   "given many times")
+      .add_option("--hold", arguments.holds,
+                  "a parameter that stays, beside what is posed and locked; mouth* holds all that begin so; may be "
+                  "given many times")
       ->allow_extra_args(false);
   command
-      ->add_option("--strength", arguments->strength,
-                   "share of the way, 0 to 1; without it what would have served the keys best, each left out in turn")
+      .add_option("--strength", arguments.strength,
+                  "share of the way, 0 to 1; without it what would have served the keys best, each left out in turn")
       ->check(CLI::Validator(number_range(0, 1), "0 to 1"));
-  auto* out = command->add_option("-o,--output", arguments->out, "write the posed model or project (.glb, .obj)");
+  auto* out = command.add_option("-o,--output", arguments.out, "write the posed model or project (.glb, .obj)");
   command
-      ->add_flag("--leave-one-out", arguments->leave_one_out,
-                 "leave each key out, hold of it what --hold says (else the half of its controls that moves the model "
-                 "most), suggest the rest and print what error is left, in % of how far its pose moves the whole "
-                 "model, beside not moving the rest and beside the mean of the other keys")
+      .add_flag("--leave-one-out", arguments.leave_one_out,
+                "leave each key out, hold of it what --hold says (else the half of its controls that moves the model "
+                "most), suggest the rest and print what error is left, in % of how far its pose moves the whole "
+                "model, beside not moving the rest and beside the mean of the other keys")
       ->excludes(set)
       ->excludes(out);
-  command->add_flag("--json", arguments->json, "print one JSON object");
-  command->callback([arguments, &status] { status = suggest(*arguments); });
+  command.add_flag("--json", arguments.json, "print one JSON object");
 }
 
 }  // namespace
 
 Subcommand suggest_subcommand() {
-  return {"suggest",
-          add_command,
-          {{{"penpose suggest keyed.glb --set jaw=0.3", "the rest of the face, from the poses that are keyed"},
-            {"penpose suggest keyed.glb --leave-one-out", "how well the keyed poses foretell each other"}}},
-          {{"--hold", Completes::nothing}}};
+  return subcommand<SuggestArguments>(
+      "suggest", "Suggests the rest of a pose from poses that are keyed", add_options, suggest,
+      {"penpose suggest keyed.glb --set jaw=0.3", "the rest of the face, from the poses that are keyed"},
+      {"penpose suggest keyed.glb --leave-one-out", "how well the keyed poses foretell each other"},
+      {{"--hold", Completes::nothing}});
 }
 
 }  // namespace penpose::cli

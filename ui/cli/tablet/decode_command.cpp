@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -11,7 +10,7 @@
 #include "firmware_io/decode/layout/protocol.h"
 #include "firmware_io/decode/wacom/wacom_receiver.h"
 #include "replay/trace/trace_source.h"
-#include "ui/cli/commands.h"
+#include "ui/cli/subcommand.h"
 #include "ui/cli/tablet/hand_decode.h"
 #include "ui/cli/tablet/sample_printer.h"
 #include "ui/cli/tablet/trace_output.h"
@@ -185,7 +184,7 @@ void DecodeRun::print(const replay::TraceReport& report, Interface& interface) {
 }
 
 base::Status DecodeRun::decode(replay::TraceSource& source) {
-  return for_each_report(source, [&](const replay::TraceReport& report) {
+  return each_report(source, [&](const replay::TraceReport& report) {
     ++reports_;
     Interface& interface = interface_for(source, report.device);
     hear(report);
@@ -231,29 +230,24 @@ int decode_trace(const DecodeOptions& options) {
   return DecodeRun(options, &*own).run();
 }
 
-void add_command(CLI::App& app, int& status) {
-  auto options = std::make_shared<DecodeOptions>();
-  CLI::App* command = app.add_subcommand("decode", "Prints what pen or hand did in a trace of raw HID reports");
-  command->add_option("trace", options->trace, "Trace in hid-recorder's text format")->required();
-  auto* csv = command->add_flag("--csv", options->csv, "Comma-separated rows (the default)");
-  command->add_flag("--json", options->json, "One JSON object")->excludes(csv);
-  auto* pad =
-      command->add_flag("--pad", options->pad, "Keys, rings, strips and wheels of the tablet instead of its pen");
-  command->add_flag("--touch", options->touch, "Fingers on the tablet instead of its pen")->excludes(pad);
-  command->add_option("--protocol", options->protocol,
-                      "Read every report with this protocol, whatever the trace's device is");
-  command->add_option(files::k_tablets_option, options->tablets, files::k_tablets_help);
-  command->callback([options, &status] { status = decode_trace(*options); });
+void add_options(CLI::App& command, DecodeOptions& options) {
+  command.add_option("trace", options.trace, "Trace in hid-recorder's text format")->required();
+  auto* csv = command.add_flag("--csv", options.csv, "Comma-separated rows (the default)");
+  command.add_flag("--json", options.json, "One JSON object")->excludes(csv);
+  auto* pad = command.add_flag("--pad", options.pad, "Keys, rings, strips and wheels of the tablet instead of its pen");
+  command.add_flag("--touch", options.touch, "Fingers on the tablet instead of its pen")->excludes(pad);
+  command.add_option("--protocol", options.protocol,
+                     "Read every report with this protocol, whatever the trace's device is");
+  command.add_option(files::k_tablets_option, options.tablets, files::k_tablets_help);
 }
 
 }  // namespace
 
 Subcommand decode_subcommand() {
-  return {"decode",
-          add_command,
-          {{{"penpose decode pen.hid --csv", "the pen, sample by sample"},
-            {"penpose decode pen.hid --pad", "what the keys and rings of the tablet did"}}},
-          {{"--protocol", Completes::nothing}}};
+  return subcommand<DecodeOptions>("decode", "Prints what pen or hand did in a trace of raw HID reports", add_options,
+                                   decode_trace, {"penpose decode pen.hid --csv", "the pen, sample by sample"},
+                                   {"penpose decode pen.hid --pad", "what the keys and rings of the tablet did"},
+                                   {{"--protocol", Completes::nothing}});
 }
 
 }  // namespace penpose::cli

@@ -1,10 +1,8 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -16,7 +14,7 @@
 #include "firmware_io/decode/table/tablet_table.h"
 #include "firmware_io/decode/wacom/hand/wacom_hands.h"
 #include "firmware_io/device/list/permission.h"
-#include "ui/cli/commands.h"
+#include "ui/cli/subcommand.h"
 #include "ui/cli/tablet/live_devices.h"
 #include "ui/files/files.h"
 #include "ui/files/own_tablets.h"
@@ -187,34 +185,31 @@ int run_devices(const Options& options) {
   return list_live_devices(*own, options.json);
 }
 
-void add_command(CLI::App& app, int& status) {
-  auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand("devices", "Lists the tablets that are plugged in, or those that can be read.");
-  auto* known = command->add_flag("--known", options->known, "All tablets of the table, plugged in or not");
-  command->add_flag("--json", options->json, "Print one JSON object");
-  auto* rule = command->add_flag("--udev-rule", options->udev_rule,
-                                 "Print the udev rule that lets whoever sits at the machine open tablets");
-  auto* install = command->add_flag("--install-udev-rule", options->install, "Install and apply that rule (as root)");
-  command->add_option("--rules-folder", options->rules_folder, "Where to install it")->needs(install);
-  auto* give_back = command->add_flag("--give-back", options->give_back,
-                                      "Bind the system's drivers to devices that have lost them, as after a crash");
+void add_options(CLI::App& command, Options& options) {
+  auto* known = command.add_flag("--known", options.known, "All tablets of the table, plugged in or not");
+  command.add_flag("--json", options.json, "Print one JSON object");
+  auto* rule = command.add_flag("--udev-rule", options.udev_rule,
+                                "Print the udev rule that lets whoever sits at the machine open tablets");
+  auto* install = command.add_flag("--install-udev-rule", options.install, "Install and apply that rule (as root)");
+  command.add_option("--rules-folder", options.rules_folder, "Where to install it")->needs(install);
+  auto* give_back = command.add_flag("--give-back", options.give_back,
+                                     "Bind the system's drivers to devices that have lost them, as after a crash");
   for (auto* one : {known, rule, install, give_back}) {
     for (auto* other : {known, rule, install, give_back}) {
       if (one != other) one->excludes(other);
     }
   }
-  command->add_option(files::k_tablets_option, options->tablets, files::k_tablets_help);
-  command->callback([options, &status] { status = run_devices(*options); });
+  command.add_option(files::k_tablets_option, options.tablets, files::k_tablets_help);
 }
 
 }  // namespace
 
 Subcommand devices_subcommand() {
-  return {"devices",
-          add_command,
-          {{{"penpose devices", "the tablets that are plugged in, and what is missing to open them"},
-            {"penpose devices --known", "every tablet whose raw reports are understood"}}},
-          {{"--rules-folder", Completes::folders}}};
+  return subcommand<Options>("devices", "Lists the tablets that are plugged in, or those that can be read.",
+                             add_options, run_devices,
+                             {"penpose devices", "the tablets that are plugged in, and what is missing to open them"},
+                             {"penpose devices --known", "every tablet whose raw reports are understood"},
+                             {{"--rules-folder", Completes::folders}});
 }
 
 }  // namespace penpose::cli

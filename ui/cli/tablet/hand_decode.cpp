@@ -123,7 +123,7 @@ void HandRun::hear(const replay::TraceReport& report) {
 }
 
 base::Status HandRun::decode(replay::TraceSource& source) {
-  return for_each_report(source, [&](const replay::TraceReport& report) {
+  return each_report(source, [&](const replay::TraceReport& report) {
     ++reports_;
     Interface& interface = interface_for(source, report.device);
     // Both get every report: a key of the pad may turn off the fingers.

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -16,8 +15,8 @@
 #include "firmware_io/device/live_tablet.h"
 #include "firmware_io/device/report_pump.h"
 #include "firmware_io/record/tablet_recorder.h"
-#include "ui/cli/commands.h"
 #include "ui/cli/number_range.h"
+#include "ui/cli/subcommand.h"
 #include "ui/files/append_file.h"
 #include "ui/files/files.h"
 #include "ui/files/own_tablets.h"
@@ -279,25 +278,21 @@ int record(const Options& options) {
   return RecordRun(options, &*own).run();
 }
 
-void add_command(CLI::App& app, int& status) {
-  auto options = std::make_shared<Options>();
-  auto* command = app.add_subcommand(
-      "record", "Records what tablets send, in hid-recorder's format, until Ctrl-C or until they are unplugged.");
-  command->add_option("-o,--output", options->output, "The trace to write")->required();
-  command->add_option("--device", options->device, "One device by its path, as `penpose devices` gives it");
-  command->add_option("--seconds", options->seconds, "Stop after that time")
+void add_options(CLI::App& command, Options& options) {
+  command.add_option("-o,--output", options.output, "The trace to write")->required();
+  command.add_option("--device", options.device, "One device by its path, as `penpose devices` gives it");
+  command.add_option("--seconds", options.seconds, "Stop after that time")
       ->check(CLI::Validator(number_range(1e-3, 1e9), "0.001 to 1000000000"));
-  command->add_option(files::k_tablets_option, options->tablets, files::k_tablets_help);
-  command->callback([options, &status] { status = record(*options); });
+  command.add_option(files::k_tablets_option, options.tablets, files::k_tablets_help);
 }
 
 }  // namespace
 
 Subcommand record_subcommand() {
-  return {"record",
-          add_command,
-          {{{"penpose record -o pen.hid", "until Ctrl-C, or until the tablets are unplugged"},
-            {"penpose record -o short.hid --seconds 10", "ten seconds of them"}}}};
+  return subcommand<Options>(
+      "record", "Records what tablets send, in hid-recorder's format, until Ctrl-C or until they are unplugged.",
+      add_options, record, {"penpose record -o pen.hid", "until Ctrl-C, or until the tablets are unplugged"},
+      {"penpose record -o short.hid --seconds 10", "ten seconds of them"});
 }
 
 }  // namespace penpose::cli

@@ -1,10 +1,8 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <optional>
 
 #include "core/base/json/json.h"
@@ -12,10 +10,11 @@
 #include "core/base/text/shown_text.h"
 #include "replay/session/session_player.h"
 #include "replay/session/session_recorder.h"
-#include "ui/cli/commands.h"
+#include "ui/cli/live_option.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/pose/tolerance_option.h"
 #include "ui/cli/progress.h"
+#include "ui/cli/subcommand.h"
 #include "ui/files/append_file.h"
 #include "ui/files/file_roles.h"
 #include "ui/files/files.h"
@@ -24,6 +23,7 @@
 #include "ui/files/save_model.h"
 #include "ui/files/session_model.h"
 #include "ui/files/trace_file.h"
+#include "ui/live/live.h"
 #include "ui/render/appearance.h"
 #include "ui/render/document_curves.h"
 #include "ui/render/gl/renderer.h"
@@ -44,6 +44,7 @@ struct ReplayArguments {
   std::string picture;
   std::string record;
   std::string tablets;
+  std::string live;
   std::optional<std::size_t> strokes;
   bool real_time = false;
   bool json = false;
@@ -75,11 +76,12 @@ base::Result<document::Document> open_model(const ReplayArguments& arguments, co
   return document;
 }
 
-/// Counts steps on a terminal and hands everything on to a recorder.
+/// Counts steps on a terminal, tells of every pose and hands everything on to a recorder.
 class Watcher final : public replay::PlayerObserver {
  public:
-  Watcher(const ReplayArguments& arguments, std::uintmax_t file_size, std::FILE* file, replay::PlayerObserver* next)
-      : arguments_(arguments), progress_("replaying", file_size), file_(file), next_(next) {}
+  Watcher(const ReplayArguments& arguments, std::uintmax_t file_size, std::FILE* file, live::Listener live,
+          replay::PlayerObserver* next)
+      : arguments_(arguments), progress_("replaying", file_size), file_(file), live_(std::move(live)), next_(next) {}
 
   void on_begin(replay::Session& session, const std::string& path) override {
     if (next_ != nullptr) next_->on_begin(session, find_model(arguments_, path));
@@ -98,6 +100,9 @@ class Watcher final : public replay::PlayerObserver {
   }
   void on_step(replay::Session& session, const replay::SessionStep& step) override {
     if (next_ != nullptr) next_->on_step(session, step);
+    const document::Document& document = session.editor().document();
+    live_({document.model->rig->parameters(), document.pose,
+           std::chrono::duration<double>(Clock::now().time_since_epoch()).count()});
     const long at = std::ftell(file_);
     if (at <= shown_) return;
     progress_.advance(static_cast<std::size_t>(at - shown_));
@@ -108,6 +113,7 @@ class Watcher final : public replay::PlayerObserver {
   const ReplayArguments& arguments_;
   Progress progress_;
   std::FILE* file_;
+  live::Listener live_;
   replay::PlayerObserver* next_;
   long shown_ = 0;
 };
@@ -208,6 +214,8 @@ int replay_session(const ReplayArguments& arguments) {
   if (!own) return files::report(own.error(), arguments.tablets);
   const auto file = files::open_trace(arguments.session);
   if (!file) return files::report(file.error(), arguments.session);
+  auto live = live::open_way_out(arguments.live, live::ways_out());
+  if (!live) return files::report(live.error());
   std::optional<files::AppendFile> record;
   std::optional<replay::SessionWriter> writer;
   std::optional<replay::SessionRecorder> recorder;
@@ -221,7 +229,7 @@ int replay_session(const ReplayArguments& arguments) {
   }
   std::error_code code;
   const auto size = std::filesystem::file_size(arguments.session, code);
-  Watcher watcher(arguments, code ? 0 : size, file->get(), recorder ? &*recorder : nullptr);
+  Watcher watcher(arguments, code ? 0 : size, file->get(), std::move(live).value(), recorder ? &*recorder : nullptr);
 
   replay::PlayerOptions options;
   options.pace = arguments.real_time ? replay::Pace::real_time : replay::Pace::full_speed;
@@ -269,30 +277,28 @@ int replay_session(const ReplayArguments& arguments) {
   return played->divergence ? files::report(replay::error_of(*played->divergence), arguments.session) : status;
 }
 
-void add_command(CLI::App& app, int& status) {
-  auto arguments = std::make_shared<ReplayArguments>();
-  CLI::App* command = app.add_subcommand("replay", "Draws a recorded session, or a plain trace, again");
-  command->add_option("SESSION", arguments->session, "Session or trace in hid-recorder's text format")->required();
-  command->add_option("--model", arguments->model, "Model to draw on, when it is not where the session says");
-  command->add_option("-o,--output", arguments->output, "Project or model file to write at the end (.glb, .obj)");
-  command->add_option("--png", arguments->picture, "PNG file of the last view");
-  command->add_option("--stroke", arguments->strokes, "Stop after so many strokes")
+void add_options(CLI::App& command, ReplayArguments& arguments) {
+  command.add_option("SESSION", arguments.session, "Session or trace in hid-recorder's text format")->required();
+  command.add_option("--model", arguments.model, "Model to draw on, when it is not where the session says");
+  command.add_option("-o,--output", arguments.output, "Project or model file to write at the end (.glb, .obj)");
+  command.add_option("--png", arguments.picture, "PNG file of the last view");
+  command.add_option("--stroke", arguments.strokes, "Stop after so many strokes")
       ->check(CLI::Validator(whole_range(0, 1'000'000'000), "0 to 1000000000"));
-  command->add_flag("--realtime", arguments->real_time, "At the pace of the recording");
-  command->add_option("--session", arguments->record, "Write the replay down as a session of its own");
-  command->add_option(files::k_tablets_option, arguments->tablets, files::k_tablets_help);
-  command->add_flag("--json", arguments->json, "Print one JSON object");
-  add_tolerance_option(*command, arguments->glb);
-  command->callback([arguments, &status] { status = replay_session(*arguments); });
+  add_live_option(command, arguments.live);
+  command.add_flag("--realtime", arguments.real_time, "At the pace of the recording");
+  command.add_option("--session", arguments.record, "Write the replay down as a session of its own");
+  command.add_option(files::k_tablets_option, arguments.tablets, files::k_tablets_help);
+  command.add_flag("--json", arguments.json, "Print one JSON object");
+  add_tolerance_option(command, arguments.glb);
 }
 
 }  // namespace
 
 Subcommand replay_subcommand() {
-  return {"replay",
-          add_command,
-          {{{"penpose replay drawn.session -o face.glb --png face.png", "the project and a picture of it"},
-            {"penpose replay drawn.session --stroke 3 --json", "what it was after three strokes"}}}};
+  return subcommand<ReplayArguments>(
+      "replay", "Draws a recorded session, or a plain trace, again", add_options, replay_session,
+      {"penpose replay drawn.session -o face.glb --png face.png", "the project and a picture of it"},
+      {"penpose replay drawn.session --stroke 3 --json", "what it was after three strokes"});
 }
 
 }  // namespace penpose::cli

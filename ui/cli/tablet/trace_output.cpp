@@ -13,6 +13,15 @@ void print_gathered(std::string& text, std::size_t keep) {
   text.clear();
 }
 
+base::Status each_report(replay::TraceSource& source, const std::function<void(const replay::TraceReport&)>& take) {
+  for (;;) {
+    const auto report = source.next();
+    if (!report) return report.error();
+    if (!report->has_value()) return base::Done{};
+    take(**report);
+  }
+}
+
 int end_of_trace(const replay::TraceSource& source, const std::string& path, std::uint64_t reports) {
   if (!std::cout) return files::report({"the output cannot be written", "", "check the disk"});
   if (source.devices().empty() && reports == 0) {

@@ -1,17 +1,15 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iostream>
-#include <memory>
 
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/tracking/animate.h"
-#include "ui/cli/commands.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/pose/tolerance_option.h"
 #include "ui/cli/progress.h"
+#include "ui/cli/subcommand.h"
 #include "ui/cli/track/track_input.h"
 #include "ui/files/file_roles.h"
 #include "ui/files/files.h"
@@ -187,60 +185,55 @@ int animate(const AnimateArguments& arguments) {
   return k_success;
 }
 
-void add_command(CLI::App& app, int& status) {
-  auto arguments = std::make_shared<AnimateArguments>();
-  CLI::App* command = app.add_subcommand("animate", "Makes keyframes from the curves that a face tracker saw");
-  command->add_option("MODEL", arguments->model, "Model with controls")->required();
+void add_options(CLI::App& command, AnimateArguments& arguments) {
+  command.add_option("MODEL", arguments.model, "Model with controls")->required();
   command
-      ->add_option(
-          "--track", arguments->track,
-          "OpenFace CSV, MediaPipe landmarks (JSON or CSV), 68 points (.pts, a folder of them, or CSV), curves "
-          "(JSON) or ARKit blend shapes (CSV)")
+      .add_option("--track", arguments.track,
+                  "OpenFace CSV, MediaPipe landmarks (JSON or CSV), 68 points (.pts, a folder of them, or CSV), curves "
+                  "(JSON) or ARKit blend shapes (CSV)")
       ->required();
-  command->add_option(
-      "--map", arguments->map,
+  command.add_option(
+      "--map", arguments.map,
       std::string("Map file, or a bundled map: ").append(io::track_format_names("")) +
           " (default: by the track); that of "
           "curves takes brow_R, eyelid_upper_R, eyelid_lower_R (and _L), lip_upper, lip_lower, "
           "lip_upper_inner, lip_lower_inner, and nose_bridge, nose_base, eye_corners_R and _L for the head");
-  command->add_option("--curves", arguments->curves, "JSON file of curves of the model that the map may name");
-  command->add_option("-o", arguments->out, "Write the animated model, .glb")->required();
-  command->add_option("--head", arguments->head, "Turn of the head: drop it or apply it (default: as the map says)")
+  command.add_option("--curves", arguments.curves, "JSON file of curves of the model that the map may name");
+  command.add_option("-o", arguments.out, "Write the animated model, .glb")->required();
+  command.add_option("--head", arguments.head, "Turn of the head: drop it or apply it (default: as the map says)")
       ->check(CLI::IsMember({"drop", "apply"}));
   command
-      ->add_option("--neutral", arguments->neutral,
-                   "Frame, from 0, in which the face is at rest (default: chosen from the clip)")
+      .add_option("--neutral", arguments.neutral,
+                  "Frame, from 0, in which the face is at rest (default: chosen from the clip)")
       ->check(CLI::Validator(number_range(0, 1e6), "0 to 1000000"));
   command
-      ->add_option("--tremor", arguments->tremor_px,
-                   "How far the tracker's points shake, px; 0 leaves them (default: 1, less for small faces)")
+      .add_option("--tremor", arguments.tremor_px,
+                  "How far the tracker's points shake, px; 0 leaves them (default: 1, less for small faces)")
       ->check(CLI::Validator(number_range(0.0, 1000.0), "0 to 1000"));
-  command->add_option("--smooth", arguments->smooth_s, "Smooth over so many seconds to each side, without lag")
+  command.add_option("--smooth", arguments.smooth_s, "Smooth over so many seconds to each side, without lag")
       ->check(CLI::Validator(number_range(0.0, 60.0), "0 to 60"))
       ->capture_default_str();
-  command->add_option("--confidence", arguments->least_confidence, "Hold frames of less confidence, 0 to 1")
+  command.add_option("--confidence", arguments.least_confidence, "Hold frames of less confidence, 0 to 1")
       ->check(CLI::Validator(number_range(0.0, 1.0), "0 to 1"))
       ->capture_default_str();
-  command->add_option("--fps", arguments->fps, "Frames a second, instead of the track's own times")
+  command.add_option("--fps", arguments.fps, "Frames a second, instead of the track's own times")
       ->check(CLI::Validator(number_range(0.1, 10000.0), "0.1 to 10000"));
-  command->add_option("--picture", arguments->picture, "WIDTHxHEIGHT of the video in px, for normalised coordinates")
+  command.add_option("--picture", arguments.picture, "WIDTHxHEIGHT of the video in px, for normalised coordinates")
       ->check(CLI::Validator(check_picture, "WxH"));
-  command->add_flag("--units", arguments->units,
-                    "Take what the tracker says of action units (AU12, ...) as evidence beside its points");
-  command->add_flag("--json", arguments->json, "Print one JSON object");
-  add_tolerance_option(*command, arguments->glb);
-  command->callback([arguments, &status] { status = animate(*arguments); });
+  command.add_flag("--units", arguments.units,
+                   "Take what the tracker says of action units (AU12, ...) as evidence beside its points");
+  command.add_flag("--json", arguments.json, "Print one JSON object");
+  add_tolerance_option(command, arguments.glb);
 }
 
 }  // namespace
 
 Subcommand animate_subcommand() {
-  return {
-      "animate",
-      add_command,
-      {{{"penpose animate face.glb --track track.json -o clip.glb", "keyframes from a tracked face"},
-        {"penpose animate face.glb --track track.json --smooth 0.1 -o clip.glb --json", "steadier, and for scripts"}}},
-      {{"--picture", Completes::nothing}}};
+  return subcommand<AnimateArguments>(
+      "animate", "Makes keyframes from the curves that a face tracker saw", add_options, animate,
+      {"penpose animate face.glb --track track.json -o clip.glb", "keyframes from a tracked face"},
+      {"penpose animate face.glb --track track.json --smooth 0.1 -o clip.glb --json", "steadier, and for scripts"},
+      {{"--picture", Completes::nothing}});
 }
 
 }  // namespace penpose::cli

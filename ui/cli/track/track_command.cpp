@@ -1,15 +1,13 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 
 #include "core/animation/points/eigen_points.h"
 #include "core/animation/points/face_layout.h"
 #include "core/io/tracks/label_file.h"
 #include "core/io/tracks/read_pgm.h"
-#include "ui/cli/commands.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/progress.h"
+#include "ui/cli/subcommand.h"
 #include "ui/files/file_roles.h"
 #include "ui/files/files.h"
 #include "ui/files/folder_files.h"
@@ -165,28 +163,25 @@ int track(const TrackArguments& arguments) {
   return k_success;
 }
 
-void add_command(CLI::App& app, int& status) {
-  auto arguments = std::make_shared<TrackArguments>();
-  CLI::App* command = app.add_subcommand("track", "Finds curves in a picture sequence, learned from labelled pictures");
-  command->add_option("PICTURES", arguments->pictures, "PNG or PGM files, or folders of them, in order")->required();
+void add_options(CLI::App& command, TrackArguments& arguments) {
+  command.add_option("PICTURES", arguments.pictures, "PNG or PGM files, or folders of them, in order")->required();
   command
-      ->add_option("--labels", arguments->labels,
-                   R"(JSON file: {"frames": [{"image": FILE, "curves": {NAME: [[x, y], ...]}}, ...]})")
+      .add_option("--labels", arguments.labels,
+                  R"(JSON file: {"frames": [{"image": FILE, "curves": {NAME: [[x, y], ...]}}, ...]})")
       ->required();
-  command->add_option("-o", arguments->out, "Track of curves to write, .json, for penpose animate")->required();
-  command->add_option("--fps", arguments->fps, "Frames a second of the sequence")
+  command.add_option("-o", arguments.out, "Track of curves to write, .json, for penpose animate")->required();
+  command.add_option("--fps", arguments.fps, "Frames a second of the sequence")
       ->check(CLI::Validator(number_range(0.1, 10000.0), "0.1 to 10000"))
       ->capture_default_str();
-  command->callback([arguments, &status] { status = track(*arguments); });
 }
 
 }  // namespace
 
 Subcommand track_subcommand() {
-  return {"track",
-          add_command,
-          {{{"penpose track frames --labels labels.json -o lips.json", "curves in a folder of pictures"},
-            {"penpose track frames --labels labels.json -o lips.json --fps 30", "of a faster camera"}}}};
+  return subcommand<TrackArguments>(
+      "track", "Finds curves in a picture sequence, learned from labelled pictures", add_options, track,
+      {"penpose track frames --labels labels.json -o lips.json", "curves in a folder of pictures"},
+      {"penpose track frames --labels labels.json -o lips.json --fps 30", "of a faster camera"});
 }
 
 }  // namespace penpose::cli

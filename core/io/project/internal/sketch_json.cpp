@@ -1,12 +1,16 @@
 #include "core/io/project/internal/sketch_json.h"
 
 #include <cmath>
+#include <tuple>
+
+#include "core/base/members.h"
 
 namespace penpose::io {
 namespace {
 
 using articulation::Mode;
 using articulation::Sketch;
+using geometry::ModelPoint;
 using geometry::PxPoint;
 using Problem = std::optional<base::Error>;
 
@@ -99,31 +103,54 @@ Problem read_mode(const json::Json& value, const std::string& pointer, Mode& out
   return wrong("the mode is not known", json::child(pointer, "mode"), R"(use "auto", "translate" or "rotate")");
 }
 
+Problem read_member(const json::Json& value, const std::string& pointer, ModelPoint& out) {
+  return read_vector(value, pointer, out);
+}
+Problem read_member(const json::Json& value, const std::string& pointer, double& out) {
+  const auto n = coordinate(value);
+  if (!n) return wrong("a number was expected", pointer);
+  out = *n;
+  return std::nullopt;
+}
+Problem read_member(const json::Json& value, const std::string& pointer, std::string& out) {
+  if (!value.is_string()) return wrong("the name of a mesh was expected", pointer);
+  out = value.get<std::string>();
+  return std::nullopt;
+}
+
+/// One member stands alone, more are an object.
+template <typename Kind>
+Problem read_kind(const json::Json& value, const std::string& pointer, articulation::Surface& out) {
+  Kind kind;
+  constexpr bool k_alone = std::tuple_size_v<decltype(Kind::members(kind))> == 1;
+  Problem problem;
+  base::each_member(kind, [&](std::string_view name, auto& member) {
+    if (problem) return;
+    if (k_alone) {
+      problem = read_member(value, pointer, member);
+      return;
+    }
+    const std::string key(name);
+    const json::Json* found = given(value, key.c_str());
+    problem = found == nullptr ? missing(key.c_str(), pointer) : read_member(*found, json::child(pointer, key), member);
+  });
+  out = std::move(kind);
+  return problem;
+}
+
 Problem read_surface(const json::Json& value, const std::string& pointer, articulation::Surface& out) {
   const json::Json* surface = given(value, "surface");
   if (surface == nullptr) return std::nullopt;
   const std::string here = json::child(pointer, "surface");
-  if (const json::Json* part = given(*surface, "mesh")) {
-    if (!part->is_string()) return wrong("the name of a mesh was expected", json::child(here, "mesh"));
-    out = articulation::PartSurface{part->get<std::string>()};
-    return std::nullopt;
-  }
-  const json::Json* sphere = given(*surface, "sphere");
-  if (sphere == nullptr) {
-    return wrong("the surface is not known", here, R"(give {"sphere": {"center", "radius"}} or {"mesh": NAME})");
-  }
-  const std::string at = json::child(here, "sphere");
-  articulation::Sphere ball;
-  const json::Json* center = given(*sphere, "center");
-  if (center == nullptr) return missing("center", at);
-  if (auto problem = read_vector(*center, json::child(at, "center"), ball.center)) return problem;
-  const json::Json* radius = given(*sphere, "radius");
-  if (radius == nullptr) return missing("radius", at);
-  const auto n = coordinate(*radius);
-  if (!n) return wrong("a number was expected", json::child(at, "radius"));
-  ball.radius = *n;
-  out = ball;
-  return std::nullopt;
+  std::string forms;
+  std::optional<Problem> problem;
+  articulation::each_surface_kind([&]<typename Kind>() {
+    const std::string key(Kind::k_key);
+    const json::Json* one = given(*surface, key.c_str());
+    if (one != nullptr && !problem) problem = read_kind<Kind>(*one, json::child(here, key), out);
+    forms += (forms.empty() ? "give " : " or ") + std::string(Kind::k_form);
+  });
+  return problem ? *problem : wrong("the surface is not known", here, forms);
 }
 
 Problem read_range(const json::Json& value, const std::string& pointer, Sketch& out) {
@@ -187,6 +214,20 @@ json::Json to_json(const std::vector<PxPoint>& curve) {
   json::Json points = json::Json::array();
   for (const PxPoint& p : curve) points.push_back(json::Json::array({p.x, p.y}));
   return points;
+}
+
+json::Json to_json(double value) { return value; }
+json::Json to_json(const std::string& text) { return text; }
+
+/// Null where there is none.
+json::Json surface_json(const articulation::Surface& surface) {
+  return of_surface(surface, json::Json(), [](const auto& one) {
+    json::Json members = json::Json::object();
+    base::each_member(one,
+                      [&](std::string_view name, const auto& value) { members[std::string(name)] = to_json(value); });
+    const bool alone = members.size() == 1;
+    return json::Json{{std::string(one.k_key), alone ? json::Json(*members.begin()) : std::move(members)}};
+  });
 }
 
 }  // namespace
@@ -292,11 +333,8 @@ json::Json to_json(const Sketch& sketch, Viewports viewports) {
   if (!sketch.reference.empty()) value["reference"] = to_json(sketch.reference);
   if (sketch.reference_camera) value["reference_camera"] = to_json(*sketch.reference_camera);
   if (sketch.target_camera) value["target_camera"] = to_json(*sketch.target_camera);
-  if (const auto* ball = std::get_if<articulation::Sphere>(&sketch.surface)) {
-    value["surface"] = {{"sphere", {{"center", to_json(ball->center)}, {"radius", ball->radius}}}};
-  } else if (const auto* surface = std::get_if<articulation::PartSurface>(&sketch.surface)) {
-    value["surface"] = {{"mesh", surface->part}};
-  }
+  json::Json surface = surface_json(sketch.surface);
+  if (!surface.is_null()) value["surface"] = std::move(surface);
   if (sketch.minimum != 0.0 || sketch.maximum != 1.0)
     value["range"] = json::Json::array({sketch.minimum, sketch.maximum});
   if (sketch.paper) value["paper"] = true;

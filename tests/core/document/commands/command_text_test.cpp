@@ -86,12 +86,16 @@ TEST(CommandText, EveryCommandReadsBackAsItWas) {
 
 TEST(CommandText, MembersAtTheirDefaultsAreLeftOut) {
   std::set<std::string> names;
+  std::set<std::string_view> words;
   for (const Command& command : default_commands(std::make_index_sequence<std::variant_size_v<Command>>())) {
     EXPECT_EQ(to_text(command), name_of(command));
     EXPECT_EQ(parse_command(to_text(command)).value(), command);
     names.insert(to_text(command));
+    words.insert(called(command).words);
   }
   EXPECT_EQ(names.size(), std::variant_size_v<Command>) << "two commands have one name";
+  EXPECT_EQ(words.size(), names.size()) << "an animator cannot tell two commands apart";
+  EXPECT_EQ(words.count(""), 0U) << "an animator has no words for a command";
 }
 
 TEST(CommandText, IsWrittenAsTheFormatSays) {

@@ -1,8 +1,6 @@
 #include "ui/app/session/step_list.h"
 
 #include <gtest/gtest.h>
-#include <set>
-#include <variant>
 
 #include "tests/support/document_hand.h"
 
@@ -12,19 +10,6 @@ namespace {
 using document::GoToTime;
 using document::SetHand;
 using document::SetKey;
-
-TEST(StepList, EveryCommandHasWordsOfItsOwn) {
-  std::set<std::string_view> said;
-  const auto check = [&]<typename... Each>(std::variant<Each...>*) {
-    const auto one = [&](std::string_view name) {
-      if (name == "go_to_time") return;
-      EXPECT_NE(step_text(name), name) << "an animator does not say " << name;
-      EXPECT_TRUE(said.insert(step_text(name)).second) << step_text(name) << " is said of two";
-    };
-    (one(Each::k_name), ...);
-  };
-  check(static_cast<document::Command*>(nullptr));
-}
 
 class Steps : public ::testing::Test {
  protected:

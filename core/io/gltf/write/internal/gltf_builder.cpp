@@ -7,16 +7,16 @@
 namespace penpose::io {
 namespace {
 
-constexpr int k_byte = 5121;
-constexpr int k_short = 5123;
-constexpr int k_int = 5125;
-constexpr int k_float = 5126;
-
 std::size_t components_of(std::string_view type) {
   if (type == "VEC3") return 3;
   if (type == "VEC4") return 4;
   return type == "MAT4" ? 16 : 1;
 }
+
+constexpr int k_byte = 5121;
+constexpr int k_short = 5123;
+constexpr int k_int = 5125;
+constexpr int k_float = 5126;
 
 void set_bounds(json::Json& accessor, std::span<const float> numbers, std::size_t components, bool with_zero) {
   std::vector<float> low(components, with_zero ? 0.0F : numbers[0]);

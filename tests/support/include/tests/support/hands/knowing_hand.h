@@ -25,9 +25,9 @@ class KnowingHand {
 
   void act() {
     if (random_.chance(0.3)) return stroke();
-    const std::size_t what = random_.below(k_commands + 6);
-    if (what >= k_commands + 4) return stroke();
-    if (what >= k_commands) {
+    const std::size_t what = random_.below(k_commands.size() + 6);
+    if (what >= k_commands.size() + 4) return stroke();
+    if (what >= k_commands.size()) {
       if (random_.chance(0.6)) {
         static_cast<void>(script_.act(replay::Undone{}));
       } else {
@@ -36,7 +36,7 @@ class KnowingHand {
       return;
     }
     const document::Command command =
-        make_numbered(what, std::make_index_sequence<std::variant_size_v<document::Command>>());
+        make_named(k_commands[what], std::make_index_sequence<std::variant_size_v<document::Command>>());
     if (!script_.perform(command)) return;
     if (std::holds_alternative<document::MirrorDeformer>(command)) drawn_.emplace("mirror");
     if (std::holds_alternative<document::KeyPoses>(command)) drawn_.emplace("perform");
@@ -54,10 +54,14 @@ class KnowingHand {
   using Tag = std::type_identity<One>;
 
   template <std::size_t... I>
-  document::Command make_numbered(std::size_t number, std::index_sequence<I...>) {
+  document::Command make_named(std::string_view name, std::index_sequence<I...>) {
     document::Command out;
-    static_cast<void>(
-        ((number == I && (out = make(Tag<std::variant_alternative_t<I, document::Command>>{}), true)) || ...));
+    const auto makes = [&]<typename One>(Tag<One> one) {
+      if (One::k_called.name != name) return false;
+      out = make(one);
+      return true;
+    };
+    static_cast<void>((makes(Tag<std::variant_alternative_t<I, document::Command>>{}) || ...));
     return out;
   }
 
@@ -357,7 +361,24 @@ class KnowingHand {
   SessionScript& script_;
   Random random_;
   RandomHand hand_;
-  static constexpr std::size_t k_commands = std::variant_size_v<document::Command>;
+  /// In the order of the committed hashes, wherever the program lists them: a new one comes last.
+  static constexpr std::array<std::string_view, std::variant_size_v<document::Command>> k_commands{
+      "set_parameters",    "reset_parameters",   "lock_parameters",
+      "draw_reference",    "draw_target",        "oversketch_target",
+      "drag_target",       "draw_constraint",    "pin",
+      "keep_curve",        "delete_curve",       "erase_curves",
+      "clear_curves",      "solve_pose",         "set_pressure_weighting",
+      "name_curve",        "delete_named_curve", "begin_deformer",
+      "sketch_curve",      "cancel_deformer",    "redraw_curve",
+      "change_deformer",   "mirror_deformer",    "rename_deformer",
+      "delete_deformer",   "move_deformer",      "set_key",
+      "delete_key",        "move_key",           "set_key_interpolation",
+      "go_to_time",        "save_view",          "delete_view",
+      "suggest_rest",      "set_hand",           "begin_correction",
+      "delete_correction", "take_region",        "draw_between",
+      "delete_between",    "pull_between",       "pull_target",
+      "place_curve",       "place_target",       "key_poses",
+  };
   static constexpr std::size_t k_tools = static_cast<std::size_t>(drawing::ToolKind::between) + 1;
   std::set<std::string> drawn_;
   int names_ = 0;

@@ -1,3 +1,5 @@
+#include "core/document/commands/list/time_commands.h"
+
 #include <algorithm>
 #include <string>
 

@@ -1,3 +1,5 @@
+#include "core/document/commands/list/placed_commands.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>

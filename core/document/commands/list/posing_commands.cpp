@@ -1,3 +1,5 @@
+#include "core/document/commands/list/posing_commands.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,3 +1,5 @@
+#include "core/document/commands/list/deformer_commands.h"
+
 #include <algorithm>
 #include <string>
 

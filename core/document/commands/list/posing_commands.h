@@ -1,0 +1,153 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/curve/bend.h"
+#include "core/document/commands/command_members.h"
+#include "core/document/commands/command_parts.h"
+#include "core/document/drawing/pose_curve.h"
+
+// Commands of the curves that pose.
+
+namespace penpose::document {
+
+/// How curves are solved: for what was meant (core/intent), for the lowest sum of distances, or for that by the single
+/// simplex of 2006.
+enum class Preset : std::uint8_t { meant, exact, paper };
+
+/// Draws a reference curve on the posed surface.
+struct DrawReference : DrawnLine {
+  static constexpr Called k_called{"draw_reference", "Draw a feature"};
+};
+Changed run(const Document&, const DrawReference&, ApplyParts&);
+
+/// Draws (again) where a reference should go, and solves.
+struct DrawTarget {
+  static constexpr Called k_called{"draw_target", "Draw where it goes"};
+  CurveId curve;
+  View view;
+  std::vector<PxPoint> line;
+  std::vector<double> pressure;  ///< 0..1, one a point of the line; empty: all 1
+  static auto members(auto& self) {
+    return base::named("curve", self.curve, "view", self.view, "line", self.line, "pressure", self.pressure);
+  }
+};
+Changed run(const Document&, const DrawTarget&, ApplyParts&);
+
+/// Replaces the part of a target that a stroke runs along, and solves.
+struct OversketchTarget {
+  static constexpr Called k_called{"oversketch_target", "Draw over a goal"};
+  CurveId curve;
+  View view;
+  std::vector<PxPoint> line;
+  static auto members(auto& self) { return base::named("curve", self.curve, "view", self.view, "line", self.line); }
+};
+Changed run(const Document&, const OversketchTarget&, ApplyParts&);
+
+/// Moves a target by px of its own view, and solves.
+struct DragTarget {
+  static constexpr Called k_called{"drag_target", "Move a goal"};
+  CurveId curve;
+  PxPoint by;
+  static auto members(auto& self) { return base::named("curve", self.curve, "by", self.by); }
+};
+Changed run(const Document&, const DragTarget&, ApplyParts&);
+
+/// Pulls a target at a place: what is near it along the line follows, less the farther (curve/bend.h); what does not
+/// follow stays to the bit. Then solves.
+struct PullTarget {
+  static constexpr Called k_called{"pull_target", "Pull at a goal"};
+  CurveId curve;
+  View view;
+  PxPoint at;  ///< where it is held
+  PxPoint by;
+  double reach = curve::k_usual_reach;  ///< share of the line's length to either side; 0: the whole line
+  static auto members(auto& self) {
+    return base::named("curve", self.curve, "view", self.view, "at", self.at, "by", self.by, "reach", self.reach);
+  }
+};
+Changed run(const Document&, const PullTarget&, ApplyParts&);
+
+/// Draws a curve that should stay where it is now.
+struct DrawConstraint : DrawnLine {
+  static constexpr Called k_called{"draw_constraint", "Hold a line"};
+};
+Changed run(const Document&, const DrawConstraint&, ApplyParts&);
+
+/// Pins one point of the surface where it is now.
+struct Pin {
+  static constexpr Called k_called{"pin", "Pin a point"};
+  View view;
+  PxPoint at;
+  static auto members(auto& self) { return base::named("view", self.view, "at", self.at); }
+};
+Changed run(const Document&, const Pin&, ApplyParts&);
+
+/// Turns a reference into a constraint where its points are now.
+struct KeepCurve : OfCurve {
+  static constexpr Called k_called{"keep_curve", "Keep a line"};
+};
+Changed run(const Document&, const KeepCurve&, ApplyParts&);
+
+struct DeleteCurve : OfCurve {
+  static constexpr Called k_called{"delete_curve", "Delete a line"};
+};
+Changed run(const Document&, const DeleteCurve&, ApplyParts&);
+
+/// Deletes every curve that is seen under a stroke.
+struct EraseCurves : DrawnLine {
+  static constexpr Called k_called{"erase_curves", "Erase"};
+};
+Changed run(const Document&, const EraseCurves&, ApplyParts&);
+
+/// Deletes all curves of the posing tool; the pose stays.
+struct ClearCurves : NoMembers {
+  static constexpr Called k_called{"clear_curves", "Clear all lines"};
+};
+Changed run(const Document&, const ClearCurves&, ApplyParts&);
+
+/// Solves the curves that are there, from the pose as it is.
+struct SolvePose {
+  static constexpr Called k_called{"solve_pose", "Solve again"};
+  Preset preset = Preset::meant;
+  static auto members(auto& self) { return base::named("preset", self.preset); }
+};
+Changed run(const Document&, const SolvePose&, ApplyParts&);
+
+struct SetPressureWeighting {
+  static constexpr Called k_called{"set_pressure_weighting", "Pressure counts, or not"};
+  bool on = false;
+  static auto members(auto& self) { return base::named("on", self.on); }
+};
+Changed run(const Document&, const SetPressureWeighting&, ApplyParts&);
+
+/// How unsteady the artist's hand is, as a multiple of a usual one: what drawn lines are doubted by.
+struct SetHand {
+  static constexpr Called k_called{"set_hand", "How steady the hand is"};
+  double unsteadiness = 1;  ///< 0.25..4
+  static auto members(auto& self) { return base::named("unsteadiness", self.unsteadiness); }
+};
+Changed run(const Document&, const SetHand&, ApplyParts&);
+
+/// Gives the points of a drawn curve a name in the model, as maps of tracked curves use it.
+struct NameCurve {
+  static constexpr Called k_called{"name_curve", "Name a line"};
+  CurveId curve;
+  std::string name;
+  static auto members(auto& self) { return base::named("curve", self.curve, "name", self.name); }
+};
+Changed run(const Document&, const NameCurve&, ApplyParts&);
+
+struct DeleteNamedCurve : OfName {
+  static constexpr Called k_called{"delete_named_curve", "Forget a named line"};
+};
+Changed run(const Document&, const DeleteNamedCurve&, ApplyParts&);
+
+using PosingCommands = std::variant<DrawReference, DrawTarget, OversketchTarget, DragTarget, PullTarget, DrawConstraint,
+                                    Pin, KeepCurve, DeleteCurve, EraseCurves, ClearCurves, SolvePose,
+                                    SetPressureWeighting, SetHand, NameCurve, DeleteNamedCurve>;
+
+}  // namespace penpose::document

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/articulation/sketch.h"
+#include "core/curve/bend.h"
+#include "core/document/commands/command_members.h"
+#include "core/document/commands/command_parts.h"
+#include "core/document/drawing/pose_curve.h"
+
+// Commands of what the first lasso of a deformer takes and of its other targets.
+
+namespace penpose::document {
+
+/// What the first lasso of the deformer that was begun takes. Errors: none was begun; what general_region says.
+struct TakeRegion {
+  static constexpr Called k_called{"take_region", "Choose the region"};
+  std::optional<articulation::Reach> reach = {};
+  std::optional<std::uint32_t> piece = {};  ///< of those inside the lasso, the nearest being 0
+  static auto members(auto& self) { return base::named("reach", self.reach, "piece", self.piece); }
+};
+Changed run(const Document&, const TakeRegion&, ApplyParts&);
+
+/// Draws where the feature of a deformer is at a value other than 0 and 1: another target, or that one again. Errors: a
+/// value out of its range; those of build_deformer.
+struct DrawBetween {
+  static constexpr Called k_called{"draw_between", "Draw another goal"};
+  std::string deformer;
+  double value = 0.5;
+  View view;
+  std::vector<PxPoint> line;
+  static auto members(auto& self) {
+    return base::named("deformer", self.deformer, "value", self.value, "view", self.view, "line", self.line);
+  }
+};
+Changed run(const Document&, const DrawBetween&, ApplyParts&);
+
+struct DeleteBetween {
+  static constexpr Called k_called{"delete_between", "Forget another goal"};
+  std::string deformer;
+  double value = 0.5;
+  static auto members(auto& self) { return base::named("deformer", self.deformer, "value", self.value); }
+};
+Changed run(const Document&, const DeleteBetween&, ApplyParts&);
+
+/// Pulls a target of a deformer at a place: what is near it along the line follows, less the farther (curve/bend.h).
+struct PullBetween {
+  static constexpr Called k_called{"pull_between", "Pull at a control's goal"};
+  std::string deformer;
+  double value = 1;  ///< 1: its own target
+  View view;
+  PxPoint at;
+  PxPoint by;
+  double reach = curve::k_usual_reach;  ///< 0: the whole line
+  static auto members(auto& self) {
+    return base::named("deformer", self.deformer, "value", self.value, "view", self.view, "at", self.at, "by", self.by,
+                       "reach", self.reach);
+  }
+};
+Changed run(const Document&, const PullBetween&, ApplyParts&);
+
+using TargetCommands = std::variant<TakeRegion, DrawBetween, DeleteBetween, PullBetween>;
+
+}  // namespace penpose::document

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace penpose::cli {
+
+/// Adds "--live NAME=WHERE" to a command that shows frames, where the program has a way out for them (ui/live).
+void add_live_option(CLI::App& command, std::string& live);
+
+}  // namespace penpose::cli
