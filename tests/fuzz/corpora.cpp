@@ -12,13 +12,13 @@
 #include <vector>
 
 #define PENPOSE_FUZZER(name) extern "C" int fuzz_##name(const std::uint8_t* data, std::size_t size);
-#include "fuzz_targets.inc"
+#include "tests/fuzz/targets.inc"
 #undef PENPOSE_FUZZER
 
 int main(int argc, char** argv) {
 #define PENPOSE_FUZZER(name) {#name, &fuzz_##name},
   const std::map<std::string, int (*)(const std::uint8_t*, std::size_t)> targets = {
-#include "fuzz_targets.inc"
+#include "tests/fuzz/targets.inc"
   };
 #undef PENPOSE_FUZZER
   const auto target = argc == 3 ? targets.find(argv[1]) : targets.end();

@@ -249,7 +249,7 @@ void add_options(CLI::App& command, SuggestArguments& arguments) {
       ->capture_default_str();
   auto* set =
       command
-          ->add_option("--set", arguments.assignments, "NAME=VALUE: a parameter that is posed; may be given many times")
+          .add_option("--set", arguments.assignments, "NAME=VALUE: a parameter that is posed; may be given many times")
           ->allow_extra_args(false);
   command
       .add_option("--hold", arguments.holds,
