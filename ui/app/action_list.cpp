@@ -6,7 +6,7 @@
 #include "ui/app/input/side_pairs.h"
 #include "ui/app/session/frames.h"
 #include "ui/app/view/backdrop.h"
-#include "ui/app/view/said.h"
+#include "ui/app/view/user_messages.h"
 
 // Every action in a row: its words, its keys, its icon (widgets/internal/icon.cpp tells the language), what it does and
 // when it can be used. A new one is a row here.
@@ -37,11 +37,11 @@ void save(App& app) {
 void look(App& app, const char* viewpoint) { app.canvas().look_from(*render::find_viewpoint(viewpoint)); }
 
 void turn(App& app, double yaw, double pitch) {
-  if (!app.workspace().pen_is_drawing()) app.canvas().turn(yaw, pitch);
+  if (!app.editing().pen_is_drawing()) app.canvas().turn(yaw, pitch);
 }
 
 void zoom(App& app, double factor) {
-  if (!app.workspace().pen_is_drawing()) app.canvas().zoom(factor, app.canvas().free_area().middle());
+  if (!app.editing().pen_is_drawing()) app.canvas().zoom(factor, app.canvas().free_area().middle());
 }
 
 void resize(App& app, double by) {
@@ -54,21 +54,21 @@ void take_tool(App& app, drawing::ToolKind kind) {
   drawing::Tool tool;
   tool.kind = kind;
   app.playback().stop();
-  app.workspace().preview(std::nullopt);
-  app.workspace().set_tool(tool);
+  app.editing().preview(std::nullopt);
+  app.editing().set_tool(tool);
   app.panels().curve_menu.reset();
   const bool sketches = kind == drawing::ToolKind::articulate;
-  if (sketches && !app.workspace().document().pending) app.controls().begin();
+  if (sketches && !app.editing().document().pending) app.controls().begin();
   bool& tab = app.panels().controls_tab;
   tab = sketches || (kind == drawing::ToolKind::none && tab);
 }
 
 void suggest_rest(App& app) {
-  if (app.offer().open()) return app.offer().dismiss(app.workspace());
-  if (app.workspace().pen_is_drawing()) return;
+  if (app.offer().open()) return app.offer().dismiss(app.editing());
+  if (app.editing().pen_is_drawing()) return;
   app.playback().stop();
   if (app.controls().swings()) app.controls().set_swing(false);
-  if (const auto asked = app.offer().ask(app.workspace()); !asked) app.notices().tell(said(asked.error()), true);
+  if (const auto asked = app.offer().ask(app.editing()); !asked) app.notices().tell(message_of(asked.error()), true);
 }
 
 void close_dialog(App& app) {
@@ -90,30 +90,29 @@ void cancel(App& app) {
   } else if (app.dialogs().any()) {
     close_dialog(app);
   } else if (app.offer().open()) {
-    app.offer().dismiss(app.workspace());
+    app.offer().dismiss(app.editing());
   } else if (app.playback().playing()) {
     app.playback().play_or_stop();
-  } else if (app.workspace().document().pending) {
-    app.workspace().perform(document::CancelDeformer{});
+  } else if (app.editing().document().pending) {
+    app.editing().perform(document::CancelDeformer{});
   }
 }
 
 /// Sets the pose that is made of the one there is.
 template <typename Make>
 void change_pose(App& app, const char* unchanged, const Make& make) {
-  Workspace& workspace = app.workspace();
-  const document::Document& document = workspace.document();
+  EditingSession& editing = app.editing();
+  const document::Document& document = editing.document();
   const auto parameters = document.model->rig->parameters();
   const auto command =
       values_between(parameters, document.pose, make(parameters, document::weight_count(*document.model)));
   if (command.values.empty()) return app.notices().tell(unchanged);
-  workspace.perform(command);
+  editing.perform(command);
 }
 
 void copy_side(App& app, bool from_left) {
   change_pose(app, "both sides are the same already", [&](auto parameters, std::size_t count) {
-    return copied_over(parameters, app.workspace().two_sided_pairs(), app.workspace().document().pose, count,
-                       from_left);
+    return copied_over(parameters, app.editing().two_sided_pairs(), app.editing().document().pose, count, from_left);
   });
 }
 
@@ -127,12 +126,12 @@ Enum next_of(Enum value, int count) {
 }
 
 void do_clear_curves(App& app) {
-  if (!app.workspace().document().curves.empty()) app.workspace().perform(document::ClearCurves{});
+  if (!app.editing().document().curves.empty()) app.editing().perform(document::ClearCurves{});
 }
 
 void do_flip_pose(App& app) {
   change_pose(app, "both sides are the same: nothing to exchange", [&](auto parameters, std::size_t count) {
-    return flipped(parameters, side_pairs(parameters), app.workspace().document().pose, count);
+    return flipped(parameters, side_pairs(parameters), app.editing().document().pose, count);
   });
 }
 
@@ -187,10 +186,10 @@ constexpr std::array k_actions{
      "C6 18 2.5C18 6 2.5M8 16L16 8M4 6L10 6M7 3L7 9", [](App& app) { take_tool(app, drawing::ToolKind::articulate); }},
     ActionInfo{{"undo"}, "Undo", ctrl('z'), {}, "Take back the last step",
      "M9 5L4 10L9 15M4 10L14 10A14 14.5 4.5 -90 90M14 19L10 19",
-     [](App& app) { app.playback().undo(); }, [](App& app) { return app.workspace().can_undo() > 0; }},
+     [](App& app) { app.playback().undo(); }, [](App& app) { return app.editing().can_undo() > 0; }},
     ActionInfo{{"redo"}, "Redo", ctrl_shift('z'), ctrl('y'), "Bring back what was undone",
      "M15 5L20 10L15 15M20 10L10 10A10 14.5 4.5 270 90M10 19L14 19",
-     [](App& app) { app.playback().redo(); }, [](App& app) { return app.workspace().can_redo() > 0; }},
+     [](App& app) { app.playback().redo(); }, [](App& app) { return app.editing().can_redo() > 0; }},
     ActionInfo{{"clear_curves"}, "Clear", shift('x'), {}, "Remove all curves; the pose stays",
      "M5 7L19 7M9 7L9 4L15 4L15 7M7 7L8 20L16 20L17 7", do_clear_curves},
     ActionInfo{{"delete_curve"}, "Delete", plain(k_key_delete), plain('x'), "Delete the curve under the pen",
@@ -199,7 +198,7 @@ constexpr std::array k_actions{
      "M4 13L9 18L20 6", [](App& app) { app.keep_highlighted(); }},
     ActionInfo{{"reset_pose"}, "Rest pose", ctrl('r'), {}, "Put all parameters at rest",
      "C12 12 8M8 10L8 10.5M16 10L16 10.5M8 15.5L16 15.5",
-     [](App& app) { app.workspace().perform(document::ResetParameters{}); }},
+     [](App& app) { app.editing().perform(document::ResetParameters{}); }},
     ActionInfo{{"cancel"}, "Cancel", plain(k_key_escape), {}, "Give up what is being drawn",
      "M6 6L18 18M18 6L6 18", cancel},
     ActionInfo{{"view_front"}, "Front", plain('1'), {}, "Look from the front",

@@ -8,8 +8,8 @@
 
 #include "core/base/numbers.h"
 #include "ui/app/view/backdrop.h"
-#include "ui/app/view/said.h"
 #include "ui/app/view/toast_place.h"
+#include "ui/app/view/user_messages.h"
 
 namespace penpose::app {
 namespace {
@@ -27,21 +27,22 @@ App::App(AppOptions options)
     : options_(std::move(options)),
       notices_(options_.clock),
       preferences_(options_.folders.config, notices_),
-      workspace_(
+      editing_(
           options_.clock, [this](std::string text, bool is_error) { notices_.tell(std::move(text), is_error); },
           options_.own_tablets),
-      canvas_(workspace_, preferences_, notices_, player_),
-      controls_(workspace_, notices_, canvas_, panels_),
-      playback_(options_.clock, workspace_, notices_, preferences_),
-      keys_(workspace_, notices_, playback_),
-      performer_(workspace_, notices_, playback_, player_),
-      film_(workspace_, notices_, canvas_, playback_) {
+      canvas_(editing_, preferences_, notices_, player_),
+      controls_(editing_, notices_, canvas_, panels_),
+      playback_(options_.clock, editing_, notices_, preferences_),
+      keys_(editing_, notices_, playback_),
+      performer_(editing_, notices_, playback_, player_),
+      film_(editing_, notices_, canvas_, playback_) {
   if (!options_.folders.state.empty()) abandoned_ = abandoned_sessions(options_.folders.state + "/sessions");
   if (!abandoned_.empty()) {
     dialogs_.show(Dialog::recover);
   } else if (!preferences_.settings().steps_seen) {
     dialogs_.show(Dialog::steps);
   }
+  touch_ = TouchGestures(4 * canvas_.scale());
   const char* home = std::getenv("HOME");
   dialogs_.state<FileChoice>().folder = home != nullptr ? home : "/";
 }
@@ -65,14 +66,14 @@ void App::advance() {
   if (player_.trace && shown) {
     // A frame that took long must not swallow the trace: what is due is handed on report by report.
     const bool agreed = !player_.trace->divergence();
-    player_.trace->advance(workspace_, passed, *this);
+    player_.trace->advance(editing_, passed, *this);
     if (agreed && player_.trace->divergence())
       notices_.tell(replay::error_of(*player_.trace->divergence()).line(), true);
     if (player_.trace->is_session()) {
       // What its pen did to panels and tools is in its lines, in px of the window that it was drawn in.
       canvas_.show_played();
       controls_.show_new();
-      if (player_.trace->finished()) workspace_.set_tool(workspace_.editor().tool());
+      if (player_.trace->finished()) editing_.set_tool(editing_.editor().tool());
     }
   }
   hold_tools();
@@ -82,15 +83,15 @@ void App::advance() {
   playback_.advance(now);
   controls_.swing(now);
   // What was said of a stroke is over with the next one that does something, and with another tool.
-  const auto now_is = std::pair(workspace_.revision(), workspace_.editor().tool().kind);
+  const auto now_is = std::pair(editing_.revision(), editing_.editor().tool().kind);
   if (std::exchange(refused_at_, now_is) != now_is) {
     notices_.take_away([](const Notice& one) { return one.text.starts_with(k_nothing_changed); });
   }
   controls_.tell_new_doubts();
-  workspace_.follow_pen();
+  editing_.follow_pen();
   performer_.follow(now);
   controls_.tell_doubt_of_feature();
-  offer_.follow(workspace_);
+  offer_.follow(editing_);
 }
 
 void App::do_action(Action action) { info(action).run(*this); }
@@ -101,12 +102,12 @@ void App::key(const KeyStroke& key) {
 }
 
 void App::delete_highlighted() {
-  if (highlighted_) workspace_.perform(document::DeleteCurve{*highlighted_});
+  if (highlighted_) editing_.perform(document::DeleteCurve{*highlighted_});
   highlighted_.reset();
 }
 
 void App::keep_highlighted() {
-  if (highlighted_) workspace_.perform(document::KeepCurve{*highlighted_});
+  if (highlighted_) editing_.perform(document::KeepCurve{*highlighted_});
 }
 
 void App::follow_habits() {
@@ -117,24 +118,24 @@ void App::follow_habits() {
     if (playback_.while_drawing().auto_key && !playback_.playing() && !performer_.performing())
       habits.keys.emplace(playback_.time_s(), keys_.name_at(playback_.time_s()));
   }
-  workspace_.set_habits(habits);
+  editing_.set_habits(habits);
 }
 
 void App::begin_frame() {
   advance();
-  canvas_.surface().update(workspace_.shown_model(), workspace_.shown_pose());
+  canvas_.surface().update(editing_.shown_model(), editing_.shown_pose());
   CurveLook look;
   look.scale = static_cast<float>(canvas_.scale());
   look.highlighted = highlighted_;
   look.onion_skin = canvas_.look().onion_skin;
   // Lines of the moment in which a performance began are those that it pulls at.
-  look.time_s = performer_.performing() ? workspace_.document().time_s : playback_.time_s();
+  look.time_s = performer_.performing() ? editing_.document().time_s : playback_.time_s();
   look.window = canvas_.window();
   look.stabiliser = preferences_.settings().stabiliser;
-  look.handles = workspace_.editor().tool().kind == drawing::ToolKind::none;
-  if (goal_drag_) {
-    look.goal = goal_drag_->first;
-    look.dragged_by = at_ - goal_drag_->second;
+  look.handles = editing_.editor().tool().kind == drawing::ToolKind::none;
+  if (control_drag_) {
+    look.control_target = control_drag_->first;
+    look.dragged_by = at_ - control_drag_->second;
     look.pulled = pull_;
   }
   if (panels_.controls_tab) look.deformer = controls_.selected();
@@ -144,7 +145,7 @@ void App::begin_frame() {
     look.pulled = pull_;
   }
   tour_.follow(*this);
-  curves_ = shown_curves(workspace_, canvas_.surface(), look);
+  curves_ = shown_curves(editing_, canvas_.surface(), look);
   tell_of_recording();
 }
 
@@ -172,13 +173,13 @@ int App::next_frame_ms() const {
 }
 
 void App::ask_to_open(const std::string& path) {
-  if (!workspace_.unsaved()) return try_open(path);
+  if (!editing_.unsaved()) return try_open(path);
   dialogs_.state<UnsavedWork>().then_opens = path;
   dialogs_.show(Dialog::unsaved);
 }
 
 void App::ask_to_quit() {
-  if (workspace_.unsaved() && dialogs_.open() != Dialog::unsaved) {
+  if (editing_.unsaved() && dialogs_.open() != Dialog::unsaved) {
     dialogs_.state<UnsavedWork>().then_opens.clear();
     dialogs_.show(Dialog::unsaved);
     return;
@@ -188,14 +189,14 @@ void App::ask_to_quit() {
 
 void App::quit_at_once() {
   // A stroke that goes on ends here, as if the tablet had been unplugged.
-  for (const int device : workspace_.session().pens().drawing()) workspace_.disconnect(device);
-  leaves_work_ = workspace_.unsaved();
+  for (const int device : editing_.session().pens().drawing()) editing_.disconnect(device);
+  leaves_work_ = editing_.unsaved();
   quit_ = true;
 }
 
 std::string App::hint() const {
-  const document::Document& document = workspace_.document();
-  const drawing::Tool& tool = workspace_.editor().tool();
+  const document::Document& document = editing_.document();
+  const drawing::Tool& tool = editing_.editor().tool();
   if (performer_.performing()) return "Recording frame by frame: lift the pen to end the take";
   switch (tool.kind) {
     case drawing::ToolKind::pose:

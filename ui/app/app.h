@@ -28,9 +28,9 @@
 #include "ui/app/playback/performer.h"
 #include "ui/app/playback/playback.h"
 #include "ui/app/preferences.h"
+#include "ui/app/session/editing_session.h"
 #include "ui/app/session/session_files.h"
 #include "ui/app/session/suggestion_offer.h"
-#include "ui/app/session/workspace.h"
 #include "ui/app/tour/tour_guide.h"
 #include "ui/app/view/shown_curves.h"
 
@@ -39,7 +39,7 @@ namespace penpose::app {
 struct AppOptions {
   Folders folders;                         ///< empty members: nothing is kept
   std::string session;                     ///< the first session is written there instead
-  Workspace::Clock clock;                  ///< microseconds, never goes back
+  EditingSession::Clock clock;             ///< microseconds, never goes back
   std::function<std::string()> date = {};  ///< names sessions: "2026-05-31_14-02-11"; empty: "session"
   std::string program = "penpose";
   const decode::TabletTable* own_tablets = nullptr;
@@ -113,8 +113,8 @@ class App : private TracePlayer::Listener {
   void quit_at_once();
 
   // Who has what.
-  [[nodiscard]] Workspace& workspace() { return workspace_; }
-  [[nodiscard]] const Workspace& workspace() const { return workspace_; }
+  [[nodiscard]] EditingSession& editing() { return editing_; }
+  [[nodiscard]] const EditingSession& editing() const { return editing_; }
   [[nodiscard]] Notices& notices() { return notices_; }
   [[nodiscard]] Preferences& preferences() { return preferences_; }
   [[nodiscard]] Canvas& canvas() { return canvas_; }
@@ -208,8 +208,8 @@ class App : private TracePlayer::Listener {
   void drag_to(PxPoint at, bool pan, bool zoom);
   void end_barrel(PxPoint at);
   void select_at(PxPoint at);
-  [[nodiscard]] bool take_goal(PxPoint at);
-  [[nodiscard]] std::optional<document::PullBetween> goal_pull(PxPoint at) const;
+  [[nodiscard]] bool take_control_target(PxPoint at);
+  [[nodiscard]] std::optional<document::PullBetween> control_pull(PxPoint at) const;
   void hold_line(const std::vector<geometry::ModelPoint>& line, PxPoint at);
   void follow_habits();
   [[nodiscard]] bool tablet_is_near() const;
@@ -219,7 +219,7 @@ class App : private TracePlayer::Listener {
   Preferences preferences_;
   std::unique_ptr<SessionFile> file_;
   bool keep_file_ = false;  ///< a session that was asked for by name is kept, whatever is in it
-  Workspace workspace_;
+  EditingSession editing_;
   Player player_;
   PanelState panels_;
   Dialogs dialogs_;
@@ -265,9 +265,9 @@ class App : private TracePlayer::Listener {
   bool barrel_ = false;  ///< dragged by the pen's or the right button: a click opens the radial menu
   std::optional<document::CurveId> highlighted_;
   std::optional<std::pair<document::CurveId, PxPoint>> target_drag_;
-  std::optional<PullHold> pull_;  ///< the target or the goal in hand is held at a place; nothing: all of it
-  /// A goal of the chosen control in hand: its value, and where it was taken.
-  std::optional<std::pair<double, PxPoint>> goal_drag_;
+  std::optional<PullHold> pull_;  ///< the target in hand is held at a place; nothing: all of it
+  /// A target of the chosen control in hand: its value, and where it was taken.
+  std::optional<std::pair<double, PxPoint>> control_drag_;
   bool whole_ = false;                              ///< a modifier is held: lines are moved as a whole
   std::optional<document::CurveId> touched_curve_;  ///< by the tool select
   std::int64_t tablet_seen_us_ = -1;

@@ -24,7 +24,7 @@ constexpr std::int32_t k_ring_notches_per_undo = 3;
 
 void App::turn_pen_dials(int device, const replay::PenMoment& moment) {
   DeskTablet* tablet = desk_.find(device);
-  const decode::PenAxes* axes = workspace_.session().pens().axes_of(device);
+  const decode::PenAxes* axes = editing_.session().pens().axes_of(device);
   if (tablet == nullptr || axes == nullptr || moment.kind == decode::PenEventKind::away) return;
   for (const bool rotation : {false, true}) {
     const PadControl control{rotation ? PadControl::Kind::pen_rotation : PadControl::Kind::pen_wheel, 0, 0};
@@ -39,7 +39,7 @@ void App::turn_pen_dials(int device, const replay::PenMoment& moment) {
 
 void App::turn_dial(DialUse use, int device, const PadControl& control, std::int32_t steps) {
   if (canvas_.hits().all || dialogs_.open() != Dialog::none) return;
-  const replay::DrawnStroke* stroke = workspace_.session().pens().current();
+  const replay::DrawnStroke* stroke = editing_.session().pens().current();
   if (stroke != nullptr && stroke->on_canvas) return;
   if (dial_ && *dial_ != use) end_dial();
   dial_ = use;
@@ -77,12 +77,12 @@ void App::turn_dial(DialUse use, int device, const PadControl& control, std::int
 }
 
 void App::turn_control(double notches) {
-  const auto parameters = workspace_.document().model->rig->parameters();
+  const auto parameters = editing_.document().model->rig->parameters();
   if (dial_control_.empty()) {
     // The control that is selected, else the one that the last stroke moved most.
     std::string name = panels_.controls_tab ? controls_.selected() : std::string();
     if (!rig::find_parameter(parameters, name)) {
-      name = workspace_.movements().empty() ? std::string() : workspace_.movements().front().name;
+      name = editing_.movements().empty() ? std::string() : editing_.movements().front().name;
     }
     const auto index = rig::find_parameter(parameters, name);
     if (!index) {
@@ -90,7 +90,7 @@ void App::turn_control(double notches) {
       return;
     }
     dial_control_ = name;
-    dial_value_ = workspace_.document().pose[*index];
+    dial_value_ = editing_.document().pose[*index];
   }
   const auto index = rig::find_parameter(parameters, dial_control_);
   if (!index) return;
@@ -109,10 +109,10 @@ void App::end_dial() {
   if (use == DialUse::time) playback_.end_scrub();
   const std::string name = std::exchange(dial_control_, {});
   if (use != DialUse::control || name.empty()) return;
-  const auto index = rig::find_parameter(workspace_.document().model->rig->parameters(), name);
+  const auto index = rig::find_parameter(editing_.document().model->rig->parameters(), name);
   if (!index) {
-    workspace_.preview(std::nullopt);
-  } else if (workspace_.document().pose[*index] != dial_value_) {
+    editing_.preview(std::nullopt);
+  } else if (editing_.document().pose[*index] != dial_value_) {
     controls_.set_parameter(*index, dial_value_);
   }
 }

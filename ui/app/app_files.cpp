@@ -53,7 +53,7 @@ void App::end_session() {
   performer_.drop();
   if (!file_) return;
   const bool worth =
-      keep_file_ || workspace_.editor().history().undo_count() > 0 || workspace_.editor().history().redo_count() > 0;
+      keep_file_ || editing_.editor().history().undo_count() > 0 || editing_.editor().history().redo_count() > 0;
   if (!worth || !leaves_work_) file_->finish(worth);
 }
 
@@ -78,8 +78,8 @@ void App::begin_session(document::Document document, const std::string& path) {
   const bool built_in = path.starts_with("builtin:");
   const std::string full = built_in ? path : fs::absolute(path, code).string();
   player_.trace.reset();
-  // The workspace holds the writer of the session before until then.
-  workspace_.open(std::move(document), next ? &next->writer() : nullptr, code ? path : full);
+  // The editing holds the writer of the session before until then.
+  editing_.open(std::move(document), next ? &next->writer() : nullptr, code ? path : full);
   file_ = std::move(next);
   path_ = full;
   set_project(!built_in && extension_of(path) == ".glb" ? full : std::string());
@@ -91,7 +91,7 @@ void App::resume(replay::Playback played, std::unique_ptr<SessionFile> file) {
   keep_file_ = false;
   player_.trace.reset();
   const std::string project = project_of_session(file->path());
-  workspace_.resume(std::move(*played.session), &file->writer(), played.last_us);
+  editing_.resume(std::move(*played.session), &file->writer(), played.last_us);
   file_ = std::move(file);
   path_ = played.model;
   project_ = project;
@@ -101,7 +101,7 @@ void App::resume(replay::Playback played, std::unique_ptr<SessionFile> file) {
 void App::set_project(const std::string& path) {
   project_ = path;
   if (file_)
-    file_->note_project(path, workspace_.unsaved() || path.empty() ? std::string() : workspace_.state().whole.hex());
+    file_->note_project(path, editing_.unsaved() || path.empty() ? std::string() : editing_.state().whole.hex());
 }
 
 void App::show_anew() {
@@ -110,10 +110,10 @@ void App::show_anew() {
   controls_.open_document();
   highlighted_.reset();
   target_drag_.reset();
-  goal_drag_.reset();
+  control_drag_.reset();
   panels_.curve_menu.reset();
   canvas_.begin();
-  workspace_.set_tablet(0, {});
+  editing_.set_tablet(0, {});
   // The session is another: tablets are plugged in anew, and nothing is held or being turned.
   dial_.reset();
   dial_control_.clear();
@@ -125,15 +125,15 @@ void App::show_anew() {
     const decode::DeviceIdentity& tablet = tablets_.at(device);
     desk_.remove(device);
     raw_touch_.erase(device);
-    workspace_.connect(device, tablet);
+    editing_.connect(device, tablet);
     on_device(device, tablet);
-    if (workspace_.session().pens().decodes(device)) workspace_.set_tablet(device, setting_of(device));
+    if (editing_.session().pens().decodes(device)) editing_.set_tablet(device, setting_of(device));
     if (const auto on = lights_.find(device); on != lights_.end()) lights_seen(device, on->second);
   }
   // What a receiver hears is for this session to know from its reports, too.
   for (const auto& [device, status] : receiver_status_) {
-    workspace_.report(device, status);
-    const auto hand = workspace_.session().hand_moments();
+    editing_.report(device, status);
+    const auto hand = editing_.session().hand_moments();
     take_hand(std::vector<replay::HandMoment>(hand.begin(), hand.end()));
   }
 }
@@ -210,7 +210,7 @@ base::Status App::play_trace(const std::string& path) {
     begin_session(std::move(*document), model);
     // What is played is no work on the model's own file.
     set_project({});
-    workspace_.play(replay::ToolChosen{});
+    editing_.play(replay::ToolChosen{});
   }
   player_.trace.emplace(std::move(*player));
   last_frame_us_ = options_.clock();
@@ -229,10 +229,10 @@ base::Status App::save(const std::string& path) {
           "save under another name, or make room at " + fs::path(file_->path()).parent_path().string()};
     }
   }
-  auto saved = files::save_document(workspace_.document(), path, files::SaveNotes::quiet);
+  auto saved = files::save_document(editing_.document(), path, files::SaveNotes::quiet);
   if (!saved) return saved;
   if (extension_of(path) == ".glb") {
-    workspace_.mark_saved();
+    editing_.mark_saved();
     set_project(full);
   }
   remember_file(preferences_.settings(), full);
@@ -242,7 +242,7 @@ base::Status App::save(const std::string& path) {
 }
 
 base::Status App::export_to(const std::string& path) {
-  auto written = files::save_document(workspace_.document(), path, files::SaveNotes::quiet);
+  auto written = files::save_document(editing_.document(), path, files::SaveNotes::quiet);
   if (written) notices_.tell("exported " + path);
   return written;
 }
@@ -252,7 +252,7 @@ void App::save_from_dialog(const std::string& chosen) {
   if (const auto saved = save(path); !saved) return notices_.tell(saved.error().line(path), true);
   dialogs_.show(Dialog::none);
   dialogs_.state<FileChoice>().name.clear();
-  if (std::exchange(dialogs_.state<UnsavedWork>().saves_first, false) && !workspace_.unsaved()) go_on_without_saving();
+  if (std::exchange(dialogs_.state<UnsavedWork>().saves_first, false) && !editing_.unsaved()) go_on_without_saving();
 }
 
 void App::save_first() {

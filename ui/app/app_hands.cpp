@@ -59,7 +59,7 @@ replay::TabletSetting App::setting_of(int device) const {
 }
 
 std::int8_t App::dial_mode(const DeskTablet& tablet, std::uint8_t side) const {
-  const decode::PadDecoder* pad = workspace_.session().hands().pad(tablet.pad);
+  const decode::PadDecoder* pad = editing_.session().hands().pad(tablet.pad);
   if (tablet.features.modes == 0 || pad == nullptr) return tablet.next_mode[side];
   // Where there is one light for two dials it is the light of both.
   return pad->sample().mode[std::min<std::size_t>(side, tablet.features.modes - 1)];
@@ -71,22 +71,22 @@ const ViewHold* App::held_view() const {
 }
 
 void App::place_pen() {
-  if (!workspace_.pen_is_drawing()) workspace_.place_pen(canvas_.hits().on_canvas(at_) && held_view() == nullptr);
+  if (!editing_.pen_is_drawing()) editing_.place_pen(canvas_.hits().on_canvas(at_) && held_view() == nullptr);
 }
 
 void App::hold_tools() {
   const Binding* held = desk_.held(Kind::tool);
   const auto wanted = held != nullptr ? std::optional(held->tool) : std::nullopt;
   // A stroke ends as what it began.
-  if (wanted == tool_held_ || workspace_.pen_is_drawing()) return;
+  if (wanted == tool_held_ || editing_.pen_is_drawing()) return;
   if (wanted) {
-    if (!tool_before_) tool_before_ = workspace_.editor().tool();
+    if (!tool_before_) tool_before_ = editing_.editor().tool();
     drawing::Tool tool;
     tool.kind = *wanted;
-    workspace_.set_tool(tool);
+    editing_.set_tool(tool);
   } else if (tool_before_) {
     // Somebody who chose another tool meanwhile keeps it.
-    if (workspace_.editor().tool().kind == *tool_held_) workspace_.set_tool(*tool_before_);
+    if (editing_.editor().tool().kind == *tool_held_) editing_.set_tool(*tool_before_);
     tool_before_.reset();
   }
   tool_held_ = wanted;
@@ -134,7 +134,7 @@ void App::take_pen_button(int device, const replay::PenMoment& moment) {
   const PadControl control = pen_button_control(moment.button);
   DeskTablet* tablet = desk_.find(device);
   const Binding binding = tablet != nullptr ? bound(*tablet, control) : default_binding(control, {});
-  const bool free = canvas_.hits().on_canvas(at_) && !workspace_.pen_is_drawing() && !barrel_ && !pen_view_;
+  const bool free = canvas_.hits().on_canvas(at_) && !editing_.pen_is_drawing() && !barrel_ && !pen_view_;
   if (moment.kind == decode::PenEventKind::button_down) {
     const bool chooses = dialogs_.open() == Dialog::pad;
     if (!chooses && binding.kind == Kind::pen_menu && free) {
@@ -213,7 +213,7 @@ bool App::fingers_move_view() const {
 }
 
 PxPoint App::place_of_finger(int device, const decode::TouchContact& contact) const {
-  const decode::TouchAxes& axes = workspace_.session().hands().touch(device)->axes();
+  const decode::TouchAxes& axes = editing_.session().hands().touch(device)->axes();
   const auto share = [](const decode::Axis& axis, std::int32_t at) {
     const double range = static_cast<double>(axis.maximum) - axis.minimum;
     return range > 0 ? (static_cast<double>(at) - axis.minimum) / range : 0.0;
@@ -233,9 +233,9 @@ PxPoint App::place_of_finger(int device, const decode::TouchContact& contact) co
 }
 
 void App::take_fingers(int device) {
-  if (workspace_.session().hands().touch(device) == nullptr) return;
+  if (editing_.session().hands().touch(device) == nullptr) return;
   TouchGestures& gestures = raw_touch_.try_emplace(device, TouchGestures(4 * canvas_.scale())).first->second;
-  for (const auto& finger : desk_.fingers_changed(device, workspace_.session().hands().fingers(device))) {
+  for (const auto& finger : desk_.fingers_changed(device, editing_.session().hands().fingers(device))) {
     for (const TouchAct& act : gestures.add(finger.kind, finger.id, place_of_finger(device, finger.contact))) {
       using ActKind = TouchAct::Kind;
       // One finger is the desktop's: on a tablet it moves the pointer, on a display it draws.
@@ -247,7 +247,7 @@ void App::take_fingers(int device) {
 }
 
 void App::tell_battery(DeskTablet& tablet, int device) {
-  const auto* pad = workspace_.session().hands().pad(device);
+  const auto* pad = editing_.session().hands().pad(device);
   if (pad == nullptr) return;
   tablet.battery = pad->battery();
   const std::int8_t percent = tablet.battery.percent;
@@ -288,10 +288,10 @@ void App::change_tablets(std::span<const replay::HandMoment> moments) {
     if (!changed(moment) || desk_.find(moment.device) == nullptr) continue;
     const int device = moment.device;
     on_gone(device);
-    on_device(device, *workspace_.session().identity_of(device));
-    if (!workspace_.session().pens().decodes(device)) continue;
-    ready = workspace_.session().identity_of(device)->name;
-    if (tablets_.contains(device)) workspace_.set_tablet(device, setting_of(device));
+    on_device(device, *editing_.session().identity_of(device));
+    if (!editing_.session().pens().decodes(device)) continue;
+    ready = editing_.session().identity_of(device)->name;
+    if (tablets_.contains(device)) editing_.set_tablet(device, setting_of(device));
   }
   if (!gone.empty()) notices_.tell(gone + " is out of reach" + held, true);
   if (!ready.empty()) notices_.tell(ready + " is ready");
@@ -313,15 +313,15 @@ void App::forget_tablet(int device, const std::string& name, std::span<const rep
 }
 
 void App::on_device(int device, const decode::DeviceIdentity& identity) {
-  const decode::DeviceIdentity* shown = workspace_.session().identity_of(device);
-  desk_.add(device, shown != nullptr ? *shown : identity, workspace_.session().hands(),
-            workspace_.session().pens().axes_of(device), options_.own_tablets);
+  const decode::DeviceIdentity* shown = editing_.session().identity_of(device);
+  desk_.add(device, shown != nullptr ? *shown : identity, editing_.session().hands(),
+            editing_.session().pens().axes_of(device), options_.own_tablets);
   // A trace is drawn as it is, but for what its pen's buttons are bound to.
   if (tablets_.contains(device) || !player_.trace || player_.trace->is_session() || drawing_buttons(device) == 0)
     return;
   replay::TabletSetting setting;
   setting.drawing_buttons = drawing_buttons(device);
-  workspace_.set_tablet(device, setting);
+  editing_.set_tablet(device, setting);
 }
 
 void App::on_moments(int device, std::span<const replay::PenMoment> pen, std::span<const replay::HandMoment> hand) {

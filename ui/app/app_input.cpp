@@ -29,8 +29,10 @@ constexpr double k_mouse_pressure = 0.5;
 }  // namespace
 
 void App::resized(geometry::Viewport window, double dpi) {
+  const std::pair before(canvas_.window(), canvas_.scale());
   canvas_.resized(window, dpi);
-  touch_ = TouchGestures(4 * canvas_.scale());
+  // The window says its size before every frame, and fingers may be down meanwhile.
+  if (before != std::pair(canvas_.window(), canvas_.scale())) touch_ = TouchGestures(4 * canvas_.scale());
 }
 
 void App::hover_panels(PxPoint at, bool down) {
@@ -47,15 +49,15 @@ void App::hover(PxPoint at) {
   at_ = at;
   hover_panels(at, false);
   highlighted_.reset();
-  if (canvas_.hits().on_canvas(at) && !workspace_.pen_is_drawing() && !workspace_.document().curves.empty()) {
-    highlighted_ = curve_near(workspace_, canvas_.surface(), at, 8 * canvas_.scale());
+  if (canvas_.hits().on_canvas(at) && !editing_.pen_is_drawing() && !editing_.document().curves.empty()) {
+    highlighted_ = curve_near(editing_, canvas_.surface(), at, 8 * canvas_.scale());
   }
 }
 
 void App::pointer_left() { hover_panels({-1e4, -1e4}, false); }
 
 void App::pen_pressed(PxPoint at) {
-  if (workspace_.editor().tool().kind == drawing::ToolKind::none) select_at(at);
+  if (editing_.editor().tool().kind == drawing::ToolKind::none) select_at(at);
 }
 
 void App::hold_line(const std::vector<geometry::ModelPoint>& line, PxPoint at) {
@@ -72,8 +74,8 @@ void App::hold_line(const std::vector<geometry::ModelPoint>& line, PxPoint at) {
   if (whole_ || at_middle) pull_.reset();
 }
 
-bool App::take_goal(PxPoint at) {
-  const auto& deformers = workspace_.document().model->deformers;
+bool App::take_control_target(PxPoint at) {
+  const auto& deformers = editing_.document().model->deformers;
   const auto number =
       deformers && panels_.controls_tab ? articulation::find_deformer(*deformers, controls_.selected()) : std::nullopt;
   const auto camera = geometry::Camera::make(canvas_.view().camera, canvas_.view().viewport);
@@ -88,33 +90,33 @@ bool App::take_goal(PxPoint at) {
   };
   for (std::size_t i = 0; i < deformer.betweens().size(); ++i) {
     if (!near(deformer.betweens()[i])) continue;
-    goal_drag_.emplace(deformer.sketch().betweens[i].value, at);
+    control_drag_.emplace(deformer.sketch().betweens[i].value, at);
     hold_line(deformer.betweens()[i], at);
     return true;
   }
   if (!near(deformer.target())) return false;
-  goal_drag_.emplace(1.0, at);
+  control_drag_.emplace(1.0, at);
   hold_line({deformer.target().begin(), deformer.target().end()}, at);
   return true;
 }
 
-std::optional<document::PullBetween> App::goal_pull(PxPoint at) const {
-  const PxPoint by = at - goal_drag_->second;
+std::optional<document::PullBetween> App::control_pull(PxPoint at) const {
+  const PxPoint by = at - control_drag_->second;
   if (std::hypot(by.x, by.y) <= k_click_px * canvas_.scale()) return std::nullopt;
   return document::PullBetween{
-      controls_.selected(),      goal_drag_->first, workspace_.editor().view(), goal_drag_->second, by,
+      controls_.selected(),      control_drag_->first, editing_.editor().view(), control_drag_->second, by,
       pull_ ? pull_->reach : 0.0};
 }
 
 void App::select_at(PxPoint at) {
   target_drag_.reset();
-  goal_drag_.reset();
-  workspace_.hold_goal(std::nullopt);
+  control_drag_.reset();
+  editing_.hold_control_target(std::nullopt);
   touched_curve_.reset();
   panels_.curve_menu.reset();
-  highlighted_ = curve_near(workspace_, canvas_.surface(), at, 10 * canvas_.scale());
+  highlighted_ = curve_near(editing_, canvas_.surface(), at, 10 * canvas_.scale());
   if (highlighted_) {
-    const auto* curve = document::find_curve(workspace_.document(), *highlighted_);
+    const auto* curve = document::find_curve(editing_.document(), *highlighted_);
     if (curve != nullptr && curve->target) {
       target_drag_.emplace(*highlighted_, at);
       hold_line(curve->target->points, at);
@@ -122,14 +124,14 @@ void App::select_at(PxPoint at) {
     touched_curve_ = *highlighted_;
     return;
   }
-  if (take_goal(at)) return;
+  if (take_control_target(at)) return;
   const auto camera = geometry::Camera::make(canvas_.view().camera, canvas_.view().viewport);
   if (!camera) return;
   const auto hit = canvas_.surface().pick(*camera, at);
-  const auto& deformers = workspace_.document().model->deformers;
+  const auto& deformers = editing_.document().model->deformers;
   controls_.select({});
   if (!hit || !deformers) return;
-  const std::uint32_t vertex = workspace_.document().model->mesh->triangles()[hit->triangle][0];
+  const std::uint32_t vertex = editing_.document().model->mesh->triangles()[hit->triangle][0];
   double best = 0;
   for (const auto& deformer : deformers->deformers()) {
     const auto vertices = deformer->vertices();
@@ -145,32 +147,32 @@ void App::select_at(PxPoint at) {
 
 void App::pen_moved(PxPoint at) {
   at_ = at;
-  const replay::DrawnStroke* stroke = workspace_.session().pens().current();
-  const bool sketches = workspace_.editor().tool().kind == drawing::ToolKind::articulate;
+  const replay::DrawnStroke* stroke = editing_.session().pens().current();
+  const bool sketches = editing_.editor().tool().kind == drawing::ToolKind::articulate;
   // Only a line begins a control; a tap leaves the face as it is.
-  if (sketches && !workspace_.document().pending && stroke != nullptr && stroke->on_canvas && !stroke->eraser &&
+  if (sketches && !editing_.document().pending && stroke != nullptr && stroke->on_canvas && !stroke->eraser &&
       !drawing::is_tap(stroke->samples, stroke->view.viewport)) {
     controls_.begin();
   }
-  if (goal_drag_) workspace_.hold_goal(goal_pull(at));
+  if (control_drag_) editing_.hold_control_target(control_pull(at));
   if (!target_drag_) return;
   const PxPoint by = at - target_drag_->second;
-  if (std::hypot(by.x, by.y) > k_click_px * canvas_.scale()) workspace_.hold_target(target_drag_->first, by, pull_);
+  if (std::hypot(by.x, by.y) > k_click_px * canvas_.scale()) editing_.hold_target(target_drag_->first, by, pull_);
 }
 
 void App::pen_released(PxPoint at) {
   controls_.show_new();
-  if (goal_drag_) {
-    const auto pull = goal_pull(at);
-    goal_drag_.reset();
-    workspace_.hold_goal(std::nullopt);
-    if (pull) workspace_.perform(*pull);
+  if (control_drag_) {
+    const auto pull = control_pull(at);
+    control_drag_.reset();
+    editing_.hold_control_target(std::nullopt);
+    if (pull) editing_.perform(*pull);
     return;
   }
   if (performer_.performing()) {
     if (!performer_.end()) notices_.tell("the take moved nothing: nothing is keyed");
     target_drag_.reset();
-    workspace_.hold_target(std::nullopt);
+    editing_.hold_target(std::nullopt);
     touched_curve_.reset();
     return;
   }
@@ -178,10 +180,10 @@ void App::pen_released(PxPoint at) {
     const PxPoint by = at - target_drag_->second;
     const auto id = target_drag_->first;
     target_drag_.reset();
-    workspace_.hold_target(std::nullopt);
-    const auto* curve = document::find_curve(workspace_.document(), id);
+    editing_.hold_target(std::nullopt);
+    const auto* curve = document::find_curve(editing_.document(), id);
     if (curve != nullptr && std::hypot(by.x, by.y) > k_click_px * canvas_.scale()) {
-      workspace_.perform(drag_command(*curve, workspace_.editor().view(), by, pull_));
+      editing_.perform(drag_command(*curve, editing_.editor().view(), by, pull_));
       return;
     }
   }
@@ -192,7 +194,7 @@ void App::pen_released(PxPoint at) {
 }
 
 void App::begin_drag(PxPoint at) {
-  if (workspace_.pen_is_drawing()) return;
+  if (editing_.pen_is_drawing()) return;
   drag_ = at;
   drag_moved_ = false;
 }
@@ -247,7 +249,7 @@ void App::take_moments(int device, std::span<const replay::PenMoment> moments) {
           drag_moved_ = false;
           break;
         }
-        if (workspace_.session().pens().on_canvas()) {
+        if (editing_.session().pens().on_canvas()) {
           pen_pressed(at_);
         } else {
           mouse_on_panel_ = true;
@@ -294,7 +296,7 @@ void App::mouse_moved(PxPoint at) {
   if (drag_ && !touch_view_) {
     drag_to(at, drag_pans_, drag_zooms_);
   } else if (mouse_draws_) {
-    take_moments(0, workspace_.pen({at, k_mouse_pressure, true, true, false, false}));
+    take_moments(0, editing_.pen({at, k_mouse_pressure, true, true, false, false}));
   } else if (mouse_on_panel_) {
     try_pen(at, k_mouse_pressure, false);
     hover_panels(at, true);
@@ -335,14 +337,14 @@ void App::mouse_button(MouseButton button, bool down, PxPoint at, bool shift, bo
     hover_panels(at, true);
     hover_panels(at, false);
     canvas_.commit();
-    workspace_.place_pen(held_view() == nullptr);
+    editing_.place_pen(held_view() == nullptr);
     whole_ = shift || ctrl;
     mouse_draws_ = true;
-    take_moments(0, workspace_.pen({at, k_mouse_pressure, true, true, false, false}));
+    take_moments(0, editing_.pen({at, k_mouse_pressure, true, true, false, false}));
   } else if (mouse_draws_) {
     mouse_draws_ = false;
     whole_ = false;
-    take_moments(0, workspace_.pen({at, 0, true, false, false, false}));
+    take_moments(0, editing_.pen({at, 0, true, false, false, false}));
   } else if (mouse_on_panel_) {
     mouse_on_panel_ = false;
     hover_panels(at, false);
@@ -356,7 +358,7 @@ void App::wheel(double steps) {
     panel_wheel_ += steps;
     return;
   }
-  if (workspace_.pen_is_drawing()) return;
+  if (editing_.pen_is_drawing()) return;
   canvas_.zoom(std::pow(k_zoom_per_notch, std::clamp(steps, -20.0, 20.0)), at_);
 }
 
@@ -385,7 +387,7 @@ void App::finger(FingerKind kind, std::int64_t finger, PxPoint at) {
 }
 
 void App::do_gesture(const TouchAct& act) {
-  if (workspace_.pen_is_drawing() || dialogs_.open() != Dialog::none) return;
+  if (editing_.pen_is_drawing() || dialogs_.open() != Dialog::none) return;
   if (act.kind == TouchAct::Kind::orbit) {
     canvas_.turn(-act.by.x * k_degrees_per_px / canvas_.scale(), act.by.y * k_degrees_per_px / canvas_.scale());
   } else if (act.kind == TouchAct::Kind::pan) {

@@ -17,9 +17,9 @@ bool App::tablet_is_near() const {
 }
 
 void App::tablet_arrived(int device, const decode::DeviceIdentity& identity) {
-  workspace_.connect(device, identity);
+  editing_.connect(device, identity);
   on_device(device, identity);
-  if (workspace_.session().pens().decodes(device)) workspace_.set_tablet(device, setting_of(device));
+  if (editing_.session().pens().decodes(device)) editing_.set_tablet(device, setting_of(device));
   const bool again = tablets_.contains(device);
   tablets_[device] = identity;
   plugged_.insert(device);
@@ -34,12 +34,12 @@ void App::tablet_arrived(int device, const decode::DeviceIdentity& identity) {
 }
 
 void App::lights_seen(int device, const decode::Lights& lights) {
-  if (lights_of(device).value_or(lights) != lights) workspace_.see_lights(device, lights);
+  if (lights_of(device).value_or(lights) != lights) editing_.see_lights(device, lights);
   lights_[device] = lights;
 }
 
 std::optional<decode::Lights> App::lights_of(int device) const {
-  const decode::PadDecoder* pad = workspace_.session().hands().pad(device);
+  const decode::PadDecoder* pad = editing_.session().hands().pad(device);
   if (pad == nullptr || pad->features().modes == 0) return std::nullopt;
   return pad->sample().mode;
 }
@@ -47,18 +47,18 @@ std::optional<decode::Lights> App::lights_of(int device) const {
 void App::tablet_setting_changed() {
   preferences_.changed();
   for (const auto& [device, name] : tablets_) {
-    if (workspace_.session().pens().decodes(device)) workspace_.set_tablet(device, setting_of(device));
+    if (editing_.session().pens().decodes(device)) editing_.set_tablet(device, setting_of(device));
   }
 }
 
 void App::tablet_left(int device, const std::string& name) {
-  workspace_.disconnect(device);
+  editing_.disconnect(device);
   plugged_.erase(device);
   receiver_status_.erase(device);
   lights_.erase(device);
-  const auto hand = workspace_.session().hand_moments();
+  const auto hand = editing_.session().hand_moments();
   const std::vector<replay::HandMoment> let_go(hand.begin(), hand.end());
-  workspace_.follow_pen();
+  editing_.follow_pen();
   tablet_near_ = false;
   barrel_ = false;
   drag_.reset();
@@ -84,10 +84,10 @@ void App::try_pen(PxPoint at, double pressure, bool begins) {
 
 void App::tablet_report(int device, std::int64_t received_us, base::Bytes bytes) {
   canvas_.commit();
-  const auto moments = workspace_.report_at(device, received_us, bytes);
-  const auto hand = workspace_.session().hand_moments();
+  const auto moments = editing_.report_at(device, received_us, bytes);
+  const auto hand = editing_.session().hand_moments();
   take_hand(std::vector<replay::HandMoment>(hand.begin(), hand.end()));
-  if (const base::Bytes status = workspace_.session().receiver_status(device); !status.empty())
+  if (const base::Bytes status = editing_.session().receiver_status(device); !status.empty())
     receiver_status_[device].assign(status.begin(), status.end());
   if (const auto lights = lights_of(device)) lights_[device] = *lights;
   if (moments.empty()) return;

@@ -15,16 +15,16 @@ TEST(AppEditing, TheFaceFollowsATargetThatIsDraggedOrDrawnOverBeforeThePenLifts)
   desk.begin();
   pose_mouth(desk);
   const auto id = desk.document().curves.front()->id;
-  const auto state = desk.app->workspace().state();
+  const auto state = desk.app->editing().state();
   const auto settled = desk.document().pose;
   const auto line = desk.document().curves.front()->target->line;
   desk.click("Select");
   const PxPoint from = line[line.size() / 2];
   // As far as the lips can go: at a limit the reading at pen-up may do without the control that stands there.
   desk.stroke({from, from + PxPoint{0, 6}}, false);
-  EXPECT_NE(desk.app->workspace().shown_pose(), settled) << "it follows";
-  EXPECT_EQ(desk.app->workspace().state(), state) << "it is no command yet";
-  const auto shown = desk.app->workspace().shown_pose();
+  EXPECT_NE(desk.app->editing().shown_pose(), settled) << "it follows";
+  EXPECT_EQ(desk.app->editing().state(), state) << "it is no command yet";
+  const auto shown = desk.app->editing().shown_pose();
   desk.app->mouse_button(MouseButton::left, false, from + PxPoint{0, 6});
   double apart = 0;
   for (std::size_t i = 0; i < shown.size(); ++i) apart = std::max(apart, std::abs(shown[i] - desk.document().pose[i]));
@@ -41,13 +41,13 @@ TEST(AppEditing, TheFaceFollowsATargetThatIsDraggedOrDrawnOverBeforeThePenLifts)
   // Redrawing a part.
   desk.click("Front");
   desk.click("Redraw");
-  const auto before = desk.app->workspace().state();
+  const auto before = desk.app->editing().state();
   const auto now = desk.named_curve(any_curve(desk), {0, 10});
   desk.stroke({now[now.size() / 3], now[now.size() / 2], now[2 * now.size() / 3]}, false);
-  EXPECT_TRUE(desk.app->workspace().live().active());
-  EXPECT_EQ(desk.app->workspace().state(), before);
+  EXPECT_TRUE(desk.app->editing().live().active());
+  EXPECT_EQ(desk.app->editing().state(), before);
   desk.app->mouse_button(MouseButton::left, false, now[2 * now.size() / 3]);
-  EXPECT_NE(desk.app->workspace().state(), before);
+  EXPECT_NE(desk.app->editing().state(), before);
 }
 
 /// The two lassos of a control below the mouth.
@@ -68,7 +68,7 @@ TEST(AppEditing, AControlsFeatureModeAndSurfaceAreChosenBeforeAndWhileItIsMade) 
   const PxPoint middle = lasso_chin(desk);
   ASSERT_TRUE(desk.document().pending);
   // The feature that was found is shown, from wherever one looks.
-  EXPECT_GT(desk.app->workspace().sketch().reference().size(), 10U);
+  EXPECT_GT(desk.app->editing().sketch().reference().size(), 10U);
   const auto shows_feature = [&] {
     const auto& curves = desk.app->curves();
     return std::any_of(curves.begin(), curves.end(), [](const auto& curve) {
@@ -92,13 +92,13 @@ TEST(AppEditing, AControlsFeatureModeAndSurfaceAreChosenBeforeAndWhileItIsMade) 
   desk.click("a ball");
   ASSERT_TRUE(std::holds_alternative<articulation::Sphere>(desk.document().pending->sketch.surface));
   EXPECT_FALSE(desk.document().pending->sketch.specific.empty());
-  // It plays to and fro while the goal is drawn.
+  // It plays to and fro while the target is drawn.
   desk.click("Swing");
   desk.stroke({middle + PxPoint{-26, 18}, middle + PxPoint{0, 26}, middle + PxPoint{26, 18}}, false);
   desk.frames(3);
-  const auto first = desk.app->workspace().shown_pose();
+  const auto first = desk.app->editing().shown_pose();
   desk.frames(20);
-  EXPECT_NE(desk.app->workspace().shown_pose(), first);
+  EXPECT_NE(desk.app->editing().shown_pose(), first);
   desk.app->mouse_button(MouseButton::left, false, middle + PxPoint{26, 18});
   desk.frames();
   ASSERT_FALSE(desk.document().pending) << desk.app->notices().all().back().text;
@@ -117,10 +117,10 @@ TEST(AppEditing, AControlIsDrawnAgainAndTheFaceShowsItWhileItIsDrawn) {
   desk.stroke({middle + PxPoint{-26, 18}, middle + PxPoint{0, 26}, middle + PxPoint{26, 18}});
   const auto count = desk.document().model->deformers->deformers().size();
   const auto made = desk.document().model->deformers->deformers().back();
-  desk.click("Goal");
-  const auto rest = desk.app->workspace().shown_pose();
+  desk.click("Target");
+  const auto rest = desk.app->editing().shown_pose();
   desk.stroke({middle + PxPoint{-26, 38}, middle + PxPoint{0, 46}, middle + PxPoint{26, 38}}, false);
-  EXPECT_NE(desk.app->workspace().shown_pose(), rest);
+  EXPECT_NE(desk.app->editing().shown_pose(), rest);
   EXPECT_EQ(desk.document().model->deformers->deformers().back(), made);
   desk.app->mouse_button(MouseButton::left, false, middle + PxPoint{26, 38});
   desk.frames();
@@ -219,7 +219,7 @@ TEST(AppEditing, ASessionPlayedInAWindowOfAnotherSizeEndsInTheSameState) {
     const auto line = desk.document().curves.front()->target->line;
     desk.stroke({line[10], line[10] + PxPoint{0, 18}});
     desk.click("Key");
-    state = desk.app->workspace().state();
+    state = desk.app->editing().state();
     std::filesystem::copy_file(desk.app->session_path(), desk.path("recorded.session"));
   }
   Desk desk("played", "builtin:demo", false);
@@ -230,10 +230,10 @@ TEST(AppEditing, ASessionPlayedInAWindowOfAnotherSizeEndsInTheSameState) {
   desk.app->player().trace->set_speed(16);
   for (int i = 0; i < 2000 && !desk.app->player().trace->finished(); ++i) desk.frames(1);
   ASSERT_TRUE(desk.app->player().trace->finished());
-  EXPECT_EQ(desk.app->workspace().state(), state);
-  EXPECT_EQ(desk.app->workspace().editor().view().viewport.width, 1280) << "as it was drawn";
+  EXPECT_EQ(desk.app->editing().state(), state);
+  EXPECT_EQ(desk.app->editing().editor().view().viewport.width, 1280) << "as it was drawn";
   desk.frames(2);
-  EXPECT_EQ(desk.app->workspace().editor().view().viewport.width, 900) << "one goes on in this window";
+  EXPECT_EQ(desk.app->editing().editor().view().viewport.width, 900) << "one goes on in this window";
 }
 
 TEST(AppEditing, ACurveThatIsTouchedIsKeptOrDeletedWithThePenAlone) {

@@ -40,17 +40,17 @@ TEST(App, ANewUserSketchesPosesKeysSavesQuitsAndFindsEverythingAgain) {
     ASSERT_EQ(desk.document().curves.size(), 1U);
     EXPECT_TRUE(desk.document().curves.front()->target.has_value());
     EXPECT_NE(desk.document().pose, rest) << "the face followed";
-    EXPECT_FALSE(desk.app->workspace().movements().empty());
+    EXPECT_FALSE(desk.app->editing().movements().empty());
     desk.click("Key");
     ASSERT_EQ(desk.document().timeline->keys.size(), 1U);
     EXPECT_EQ(desk.document().timeline->keys.front().pose, desk.document().pose);
     // Save under the name that is offered, and quit.
-    EXPECT_TRUE(desk.app->workspace().unsaved());
+    EXPECT_TRUE(desk.app->editing().unsaved());
     desk.press('s', true);
     desk.click("Save##now");
-    EXPECT_FALSE(desk.app->workspace().unsaved());
+    EXPECT_FALSE(desk.app->editing().unsaved());
     EXPECT_EQ(desk.app->project(), desk.path("head.glb"));
-    saved = desk.app->workspace().state();
+    saved = desk.app->editing().state();
     session = desk.app->session_path();
     desk.app->ask_to_quit();
     EXPECT_TRUE(desk.app->wants_quit());
@@ -76,28 +76,28 @@ TEST(App, TheFaceFollowsThePenBeforeItLiftsAndTheDocumentChangesOnlyThen) {
   desk.begin();
   const std::string curve = "brow_L";
   desk.stroke(desk.named_curve(curve));
-  const auto before = desk.app->workspace().state();
+  const auto before = desk.app->editing().state();
   const rig::Pose rest = desk.document().pose;
   desk.stroke(desk.named_curve(curve, {0, -18}), false);
-  EXPECT_NE(desk.app->workspace().shown_pose(), rest);
-  EXPECT_EQ(desk.app->workspace().state(), before);
+  EXPECT_NE(desk.app->editing().shown_pose(), rest);
+  EXPECT_EQ(desk.app->editing().state(), before);
   desk.app->mouse_button(MouseButton::left, false, {400, 400});
-  EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+  EXPECT_EQ(desk.app->editing().shown_pose(), desk.document().pose);
   EXPECT_NE(desk.document().pose, rest);
   desk.press('z', true);
-  EXPECT_EQ(desk.app->workspace().state(), before);
+  EXPECT_EQ(desk.app->editing().state(), before);
   desk.press('z', true, true);
-  EXPECT_NE(desk.app->workspace().state(), before);
+  EXPECT_NE(desk.app->editing().state(), before);
 }
 
 TEST(App, StrokesOnPanelsNeverDraw) {
   Desk desk("panels");
   desk.begin();
-  const auto before = desk.app->workspace().state();
+  const auto before = desk.app->editing().state();
   desk.stroke({{1100, 200}, {700, 300}, {500, 300}});
   desk.stroke({{20, 200}, {300, 300}});
   EXPECT_EQ(desk.document().curves.size(), 0U);
-  EXPECT_EQ(desk.app->workspace().state().parts[3], before.parts[3]);
+  EXPECT_EQ(desk.app->editing().state().parts[3], before.parts[3]);
 }
 
 TEST(App, ASliderIsOneCommandHoweverFarItWasDragged) {
@@ -105,7 +105,7 @@ TEST(App, ASliderIsOneCommandHoweverFarItWasDragged) {
   desk.begin();
   const std::string name = desk.document().model->rig->parameters()[0].name;
   const Area area = *desk.interface->find("slider " + name);
-  const std::size_t undo = desk.app->workspace().editor().history().undo_count();
+  const std::size_t undo = desk.app->editing().editor().history().undo_count();
   desk.app->mouse_moved(area.middle());
   desk.app->mouse_button(MouseButton::left, true, area.middle());
   desk.frames();
@@ -113,25 +113,25 @@ TEST(App, ASliderIsOneCommandHoweverFarItWasDragged) {
     desk.app->mouse_moved(area.middle() + PxPoint{6.0 * i, 0});
     desk.frames(1);
   }
-  EXPECT_TRUE(desk.app->workspace().previews());
-  EXPECT_EQ(desk.app->workspace().editor().history().undo_count(), undo);
-  const double shown = desk.app->workspace().shown_pose()[0];
+  EXPECT_TRUE(desk.app->editing().previews());
+  EXPECT_EQ(desk.app->editing().editor().history().undo_count(), undo);
+  const double shown = desk.app->editing().shown_pose()[0];
   desk.app->mouse_button(MouseButton::left, false, area.middle() + PxPoint{60, 0});
   desk.frames();
-  EXPECT_EQ(desk.app->workspace().editor().history().undo_count(), undo + 1);
+  EXPECT_EQ(desk.app->editing().editor().history().undo_count(), undo + 1);
   EXPECT_DOUBLE_EQ(desk.document().pose[0], shown);
-  EXPECT_FALSE(desk.app->workspace().previews());
+  EXPECT_FALSE(desk.app->editing().previews());
 }
 
 TEST(App, ALockedParameterIsNotMovedByAStroke) {
   Desk desk("lock");
   desk.begin();
   pose_mouth(desk);
-  ASSERT_FALSE(desk.app->workspace().movements().empty());
-  const std::string moved = desk.app->workspace().movements().front().name;
+  ASSERT_FALSE(desk.app->editing().movements().empty());
+  const std::string moved = desk.app->editing().movements().front().name;
   desk.press('z', true);
   desk.press('z', true);
-  desk.app->workspace().perform(document::LockParameters{{moved}, true});
+  desk.app->editing().perform(document::LockParameters{{moved}, true});
   const auto index = *rig::find_parameter(desk.document().model->rig->parameters(), moved);
   const double before = desk.document().pose[index];
   pose_mouth(desk);
@@ -142,13 +142,13 @@ TEST(App, NotThisOneSolvesTheStrokeAgainAndGivingItBackToo) {
   Desk desk("not_this_one");
   desk.begin();
   pose_mouth(desk);
-  ASSERT_FALSE(desk.app->workspace().movements().empty());
-  const std::string moved = desk.app->workspace().movements().front().name;
+  ASSERT_FALSE(desk.app->editing().movements().empty());
+  const std::string moved = desk.app->editing().movements().front().name;
   const auto index = *rig::find_parameter(desk.document().model->rig->parameters(), moved);
   const rig::Pose meant = desk.document().pose;
-  desk.app->workspace().lock({moved}, true);
+  desk.app->editing().lock({moved}, true);
   EXPECT_DOUBLE_EQ(desk.document().pose[index], desk.document().model->rig->parameters()[index].rest);
-  desk.app->workspace().lock({moved}, false);
+  desk.app->editing().lock({moved}, false);
   for (std::size_t i = 0; i < meant.size(); ++i)
     EXPECT_NEAR(desk.document().pose[i], meant[i], 0.01) << "targets keep 64 points of a line";
 }
@@ -163,13 +163,13 @@ TEST(App, ATargetWhereItsCurveIsMovesNothingAndSaysSo) {
   };
   line();
   ASSERT_EQ(desk.document().curves.size(), 1U);
-  EXPECT_FALSE(desk.app->workspace().last_is_solved());
+  EXPECT_FALSE(desk.app->editing().last_is_solved());
   const rig::Pose before = desk.document().pose;
   line();
   EXPECT_EQ(desk.document().pose, before);
-  EXPECT_TRUE(desk.app->workspace().last_is_solved());
-  EXPECT_TRUE(desk.app->workspace().movements().empty());
-  EXPECT_LT(desk.app->workspace().left_px(), 4);
+  EXPECT_TRUE(desk.app->editing().last_is_solved());
+  EXPECT_TRUE(desk.app->editing().movements().empty());
+  EXPECT_LT(desk.app->editing().left_px(), 4);
 }
 
 TEST(App, ScrubbingShowsAndLettingGoTakesThePose) {
@@ -182,12 +182,12 @@ TEST(App, ScrubbingShowsAndLettingGoTakesThePose) {
   desk.app->controls().set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
   desk.click("Key");
   ASSERT_EQ(desk.document().timeline->keys.size(), 2U);
-  const auto state = desk.app->workspace().state();
+  const auto state = desk.app->editing().state();
   desk.app->playback().scrub(1);
-  EXPECT_NE(desk.app->workspace().shown_pose(), desk.document().pose);
-  EXPECT_EQ(desk.app->workspace().state(), state);
+  EXPECT_NE(desk.app->editing().shown_pose(), desk.document().pose);
+  EXPECT_EQ(desk.app->editing().state(), state);
   desk.app->playback().end_scrub();
-  EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+  EXPECT_EQ(desk.app->editing().shown_pose(), desk.document().pose);
   const double middle = desk.document().pose[0];
   EXPECT_GT(middle, 0);
   EXPECT_LT(middle, desk.document().model->rig->parameters()[0].maximum);
@@ -230,7 +230,7 @@ TEST(App, UnpluggingInTheMiddleOfAStrokeEndsItAndSaysSo) {
   identity.name = "Test Tablet";
   desk.app->tablet_arrived(1, identity);
   const auto line = desk.named_curve(any_curve(desk));
-  const auto viewport = desk.app->workspace().editor().view().viewport;
+  const auto viewport = desk.app->editing().editor().view().viewport;
   for (const PxPoint& at : line) {
     desk.now_us += 3333;
     desk.app->tablet_report(1, desk.now_us, replay::virtual_pen_report({at, 0.7, true, true, false, false}, viewport));
@@ -260,8 +260,8 @@ TEST(App, TabletsThatArePluggedInDrawOnTheNextModelToo) {
   desk.app->tablet_arrived(1, replay::virtual_pen_identity());
   ASSERT_TRUE(desk.app->open("builtin:head").ok());
   desk.frames();
-  EXPECT_FALSE(desk.app->workspace().session().pens().decodes(2)) << "what was unplugged stays so";
-  const auto viewport = desk.app->workspace().editor().view().viewport;
+  EXPECT_FALSE(desk.app->editing().session().pens().decodes(2)) << "what was unplugged stays so";
+  const auto viewport = desk.app->editing().editor().view().viewport;
   const PxPoint middle{viewport.width * 0.5, viewport.height * 0.5};
   desk.now_us += 2'000'000;
   for (int i = 0; i < 40; ++i) {
@@ -269,14 +269,14 @@ TEST(App, TabletsThatArePluggedInDrawOnTheNextModelToo) {
     const PxPoint at{middle.x - 40 + 2 * i, middle.y};
     desk.app->tablet_report(1, desk.now_us, replay::virtual_pen_report({at, 0.7, true, true, false, false}, viewport));
   }
-  EXPECT_TRUE(desk.app->workspace().session().pens().draws(1)) << "its stroke has begun";
+  EXPECT_TRUE(desk.app->editing().session().pens().draws(1)) << "its stroke has begun";
 }
 
 TEST(App, WhileATabletsPenIsNearTheDesktopsOwnPointerIsIgnored) {
   Desk desk("near");
   desk.begin();
   desk.app->tablet_arrived(1, replay::virtual_pen_identity());
-  const auto viewport = desk.app->workspace().editor().view().viewport;
+  const auto viewport = desk.app->editing().editor().view().viewport;
   desk.app->tablet_report(1, desk.now_us,
                           replay::virtual_pen_report({{400, 300}, 0, true, false, false, false}, viewport));
   desk.stroke(desk.named_curve(any_curve(desk)));
@@ -292,7 +292,7 @@ TEST(App, ATabletsPenPressesButtonsToo) {
   Desk desk("tablet-buttons");
   desk.begin();
   desk.app->tablet_arrived(1, replay::virtual_pen_identity());
-  const auto viewport = desk.app->workspace().editor().view().viewport;
+  const auto viewport = desk.app->editing().editor().view().viewport;
   const PxPoint key = desk.interface->find("Key")->middle();
   const auto send = [&](bool tip) {
     desk.now_us += 3000;
@@ -323,7 +323,7 @@ TEST(App, TheBarrelButtonTurnsTheViewAndAClickOpensTheMenuAroundThePen) {
   desk.frames();
   ASSERT_TRUE(desk.app->panels().radial.has_value());
   desk.click("Erase##radial");
-  EXPECT_EQ(desk.app->workspace().editor().tool().kind, drawing::ToolKind::erase);
+  EXPECT_EQ(desk.app->editing().editor().tool().kind, drawing::ToolKind::erase);
   EXPECT_FALSE(desk.app->panels().radial.has_value());
 }
 
@@ -334,7 +334,7 @@ TEST(App, ATraceInPlaceOfATabletDrawsTheSame) {
   replay::TraceWriter writer;
   writer.declare(0, replay::virtual_pen_device());
   std::int64_t time = 0;
-  const auto viewport = desk.app->workspace().editor().view().viewport;
+  const auto viewport = desk.app->editing().editor().view().viewport;
   for (const PxPoint by : {PxPoint{0, 0}, PxPoint{0, -12}}) {
     for (const PxPoint& at : desk.named_curve(any_curve(desk), by)) {
       writer.report(0, time += 3333, replay::virtual_pen_report({at, 0.6, true, true, false, false}, viewport));
@@ -395,15 +395,38 @@ TEST(App, OneFingerDrawsAndTwoTurnTheView) {
   EXPECT_FALSE(desk.document().curves.front()->target.has_value());
 }
 
+TEST(App, AFrameBetweenTwoMovesDoesNotEndAGestureOfTwoFingers) {
+  Desk desk("fingers and frames");
+  desk.begin();
+  // The window says its size before every frame.
+  const auto frame = [&] {
+    desk.app->resized(desk.app->canvas().window(), 96);
+    desk.frames(1);
+  };
+  const auto view = desk.app->canvas().view();
+  desk.app->finger(FingerKind::down, 1, {400, 300});
+  frame();
+  desk.app->finger(FingerKind::down, 2, {500, 300});
+  frame();
+  desk.app->finger(FingerKind::move, 2, {560, 300});
+  desk.frames();
+  EXPECT_FALSE(desk.app->canvas().view() == view) << "the fingers of the frame before are still known";
+  desk.app->finger(FingerKind::up, 2, {560, 300});
+  frame();
+  desk.app->finger(FingerKind::move, 1, {460, 360});
+  EXPECT_FALSE(desk.app->editing().pen_is_drawing()) << "the finger that is left over does not draw";
+  desk.app->finger(FingerKind::up, 1, {460, 360});
+}
+
 TEST(App, OpeningAFileThatIsNoneSaysSoAndKeepsTheWork) {
   Desk desk("broken");
   desk.begin();
   std::ofstream(desk.path("broken.glb")) << "not a glb";
   pose_mouth(desk);
-  const auto state = desk.app->workspace().state();
+  const auto state = desk.app->editing().state();
   desk.app->try_open(desk.path("broken.glb"));
   EXPECT_TRUE(desk.app->notices().all().back().is_error);
-  EXPECT_EQ(desk.app->workspace().state(), state);
+  EXPECT_EQ(desk.app->editing().state(), state);
 }
 
 TEST(App, ASessionWithoutWorkLeavesNoFileBehind) {

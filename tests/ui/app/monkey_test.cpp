@@ -143,7 +143,7 @@ TEST(Monkey, NoOrderOfEventsMakesTheAppFallOver) {
   desk.begin();
   Monkey monkey(desk, seed != nullptr ? static_cast<unsigned>(std::atoi(seed)) : 1U);
   for (int i = 0; i < events; ++i) monkey.act();
-  EXPECT_GT(desk.app->workspace().revision(), static_cast<std::uint64_t>(events) / 100) << "it did something";
+  EXPECT_GT(desk.app->editing().revision(), static_cast<std::uint64_t>(events) / 100) << "it did something";
   // Afterwards it still works: a dialog closes, a view is framed, what was done is undone.
   for (const int device : {1, 2}) desk.app->tablet_left(device, "a tablet");
   desk.now_us += 10'000'000;
@@ -156,7 +156,7 @@ TEST(Monkey, NoOrderOfEventsMakesTheAppFallOver) {
   desk.app->canvas().look().backdrop.reset();
   desk.app->resized({1280, 800}, 96);
   desk.frames(6);
-  while (desk.app->workspace().editor().history().undo_count() > 0) desk.app->do_action(Action::undo);
+  while (desk.app->editing().editor().history().undo_count() > 0) desk.app->do_action(Action::undo);
   desk.app->do_action(Action::tool_pose);
   desk.app->do_action(Action::view_front);
   desk.app->do_action(Action::frame_all);

@@ -5,7 +5,7 @@
 #include "ui/app/files/player.h"
 #include "ui/app/notices.h"
 #include "ui/app/preferences.h"
-#include "ui/app/session/workspace.h"
+#include "ui/app/session/editing_session.h"
 #include "ui/app/view/area.h"
 #include "ui/app/view/backdrop.h"
 #include "ui/app/view/hit_map.h"
@@ -26,7 +26,7 @@ struct CanvasLook {
 /// Coordinates are px of the window.
 class Canvas {
  public:
-  Canvas(Workspace& workspace, Preferences& preferences, Notices& notices, const Player& player);
+  Canvas(EditingSession& editing, Preferences& preferences, Notices& notices, const Player& player);
 
   // The place of it.
   void resized(geometry::Viewport window, double dpi);
@@ -76,7 +76,7 @@ class Canvas {
   void frame_from(const render::Viewpoint& from);
   [[nodiscard]] double dpi() const;
 
-  Workspace& workspace_;
+  EditingSession& editing_;
   Preferences& preferences_;
   Notices& notices_;
   const Player& player_;

@@ -31,7 +31,7 @@ bool take_number(App& app, std::size_t index) {
     app.notices().tell("\"" + entry.text + "\" is no number", true);
     return false;
   }
-  const rig::Parameter parameter = app.workspace().document().model->rig->parameters()[index];
+  const rig::Parameter parameter = app.editing().document().model->rig->parameters()[index];
   if (entry.field == NumberEntry::Field::value) {
     if (*value < parameter.minimum || *value > parameter.maximum) {
       app.notices().tell(parameter.name + " goes from " + shown(parameter.minimum) + " to " + shown(parameter.maximum));
@@ -42,7 +42,7 @@ bool take_number(App& app, std::size_t index) {
   document::ChangeDeformer change;
   change.deformer = parameter.name;
   (entry.field == NumberEntry::Field::least ? change.minimum : change.maximum) = *value;
-  return app.workspace().perform(change);
+  return app.editing().perform(change);
 }
 
 void keypad(PanelContext& context, std::string& text) {
@@ -65,7 +65,7 @@ void keypad(PanelContext& context, std::string& text) {
 void show_number_dialog(PanelContext& context) {
   App& app = context.app;
   NumberEntry& entry = app.dialogs().state<NumberEntry>();
-  const auto& model = *app.workspace().document().model;
+  const auto& model = *app.editing().document().model;
   const auto index = rig::find_parameter(model.rig->parameters(), entry.parameter);
   if (!index) {
     app.dialogs().show(Dialog::none);
@@ -76,7 +76,7 @@ void show_number_dialog(PanelContext& context) {
   if (begin_dialog(context, (parameter.name + "###number").c_str(), 9)) {
     using Field = NumberEntry::Field;
     const std::array<std::pair<Field, std::string>, 3> fields{
-        {{Field::value, "Value " + shown(app.workspace().document().pose[*index])},
+        {{Field::value, "Value " + shown(app.editing().document().pose[*index])},
          {Field::least, "Least " + shown(parameter.minimum)},
          {Field::most, "Most " + shown(parameter.maximum)}}};
     const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
@@ -98,7 +98,7 @@ void show_number_dialog(PanelContext& context) {
     }
     ImGui::SameLine();
     if (wide_button(context, "Rest##number", third, false, "Back to rest")) {
-      app.workspace().perform(document::ResetParameters{{parameter.name}});
+      app.editing().perform(document::ResetParameters{{parameter.name}});
       app.dialogs().show(Dialog::none);
     }
     ImGui::SameLine();

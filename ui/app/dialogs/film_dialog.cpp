@@ -47,7 +47,7 @@ void show_film_dialog(PanelContext& context) {
       }
     }
     dialog_field(context, "##film name", name, "name.mp4");
-    const auto& keys = app.workspace().document().timeline->keys;
+    const auto& keys = app.editing().document().timeline->keys;
     ImGui::TextWrapped("%s at %d frames a second, seen as now, into %s",
                        keys.empty() ? "Nothing is keyed yet" : "From the first frame to the last key",
                        app.playback().rate(), app.dialogs().state<FileChoice>().folder.c_str());

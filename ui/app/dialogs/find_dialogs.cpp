@@ -98,8 +98,8 @@ void show_shortcuts_dialog(PanelContext& context) {
 void show_history_dialog(PanelContext& context) {
   App& app = context.app;
   if (begin_dialog(context, "What was done", 12)) {
-    const auto steps = app.workspace().steps();
-    const std::size_t done = app.workspace().editor().history().undo_count();
+    const auto steps = app.editing().steps();
+    const std::size_t done = app.editing().editor().history().undo_count();
     ImGui::BeginChild("steps", {0, list_height(context)}, true);
     std::optional<std::size_t> to;
     const bool nothing = steps.empty() || steps.front().undone;

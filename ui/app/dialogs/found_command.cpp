@@ -62,7 +62,7 @@ std::vector<FoundCommand> find_commands(App& app, std::string_view text) {
     add({Kind::action, std::string(one.label), shortcut_text(one.key), one.action}, one.tip);
   }
   if (!words.empty()) {
-    const document::Document& document = app.workspace().document();
+    const document::Document& document = app.editing().document();
     const auto parameters = document.model->rig->parameters();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       add({Kind::control, parameters[i].name, base::format_fixed(document.pose[i], 2)}, "control");

@@ -12,7 +12,7 @@
 #include "firmware_io/device/list/permission.h"
 #include "firmware_io/device/report_pump.h"
 #include "firmware_io/device/tablet_lights.h"
-#include "ui/app/view/said.h"
+#include "ui/app/view/user_messages.h"
 #include "ui/files/process/own_program.h"
 
 namespace penpose::app {
@@ -93,7 +93,7 @@ struct Tablets::State {
     if (!watch) {
       {
         const std::scoped_lock lock(mutex);
-        refused.push_back("No tablet can be seen, only mouse and touch draw: " + said(watch.error()));
+        refused.push_back("No tablet can be seen, only mouse and touch draw: " + message_of(watch.error()));
       }
       wake();
       return;

@@ -12,7 +12,7 @@ namespace penpose::app {
 namespace {
 
 bool is_locked(const App& app, const std::string& name) {
-  const auto& locked = app.workspace().document().locked;
+  const auto& locked = app.editing().document().locked;
   return std::binary_search(locked.begin(), locked.end(), name);
 }
 
@@ -22,15 +22,15 @@ void lock_of(PanelContext& context, const std::string& name) {
   if (lock_button(context, ("##lock " + name).c_str(), locked,
                   locked ? "Locked: neither a stroke nor its slider moves it. Touch to free it"
                          : "Touch to lock it: no stroke will move it, and the last one is solved again without it")) {
-    app.workspace().lock({name}, !locked);
+    app.editing().lock({name}, !locked);
   }
 }
 
 void slider_of(PanelContext& context, std::size_t index, const std::string& shown_name, float width) {
   App& app = context.app;
-  const document::Document& document = app.workspace().document();
+  const document::Document& document = app.editing().document();
   const rig::Parameter parameter = document.model->rig->parameters()[index];
-  const rig::Pose& shown = app.workspace().shown_pose();
+  const rig::Pose& shown = app.editing().shown_pose();
   // While a control is sketched another model may be shown, with another number of parameters.
   double value = index < shown.size() ? shown[index] : document.pose[index];
   SliderLook look{width, parameter.name, shown_name, parameter.rest, is_locked(app, parameter.name)};
@@ -50,7 +50,7 @@ void type_value(App& app, const std::string& name) {
 
 void show_one(PanelContext& context, std::size_t index) {
   App& app = context.app;
-  const std::string name = app.workspace().document().model->rig->parameters()[index].name;
+  const std::string name = app.editing().document().model->rig->parameters()[index].name;
   lock_of(context, name);
   ImGui::SameLine();
   const float width = ImGui::GetContentRegionAvail().x - 2 * (context.unit + ImGui::GetStyle().ItemSpacing.x);
@@ -61,7 +61,7 @@ void show_one(PanelContext& context, std::size_t index) {
   ImGui::SameLine();
   ButtonLook reset{context.unit, false, "Back to rest", icon::k_back, false};
   if (icon_button(context, ("\u21ba##reset " + name).c_str(), reset)) {
-    app.workspace().perform(document::ResetParameters{{name}});
+    app.editing().perform(document::ResetParameters{{name}});
   }
 }
 
@@ -74,8 +74,8 @@ void pair_menu(PanelContext& context, const std::string& left, const std::string
     ImGui::OpenPopup("pair");
   }
   if (!begin_menu(context, "pair")) return;
-  const auto parameters = app.workspace().document().model->rig->parameters();
-  const rig::Pose pose = app.workspace().document().pose;
+  const auto parameters = app.editing().document().model->rig->parameters();
+  const rig::Pose pose = app.editing().document().pose;
   const auto entry = [&](const std::string& label, std::string_view drawn) {
     const bool pressed = menu_entry(context, label.c_str(), drawn, {}, nullptr);
     if (pressed) ImGui::CloseCurrentPopup();
@@ -91,13 +91,13 @@ void pair_menu(PanelContext& context, const std::string& left, const std::string
   }
   if (entry("Left to right##pair", icon_of(Action::copy_to_right))) copy(left, right);
   if (entry("Right to left##pair", icon_of(Action::copy_to_left))) copy(right, left);
-  if (entry("Both to rest##pair", icon::k_back)) app.workspace().perform(document::ResetParameters{{left, right}});
+  if (entry("Both to rest##pair", icon::k_back)) app.editing().perform(document::ResetParameters{{left, right}});
   ImGui::EndPopup();
 }
 
 void show_pair(PanelContext& context, const ControlRow& row) {
   App& app = context.app;
-  const auto parameters = app.workspace().document().model->rig->parameters();
+  const auto parameters = app.editing().document().model->rig->parameters();
   const std::string left = parameters[row.first].name;
   const std::string right = parameters[row.second].name;
   const float spacing = ImGui::GetStyle().ItemSpacing.x;

@@ -31,7 +31,7 @@ void show_step_list(PanelContext& context, const document::PendingSketch& pendin
     bool done;
   };
   const articulation::Sketch& sketch = pending.sketch;
-  const auto next = drawing::next_step(context.app.workspace().document(), tool);
+  const auto next = drawing::next_step(context.app.editing().document(), tool);
   const Step steps[] = {
       {"1  around all that may move", articulation::CurveRole::general, !sketch.general.empty()},
       {"2  around what moves fully", articulation::CurveRole::specific, !sketch.specific.empty()},
@@ -117,7 +117,7 @@ std::optional<Surface> surface_button(PanelContext& context, const Surface& now,
       ImGui::CloseCurrentPopup();
     }
   }
-  for (const auto& part : context.app.workspace().document().model->mesh->parts()) {
+  for (const auto& part : context.app.editing().document().model->mesh->parts()) {
     if (!part.name.empty() && wide_button(context, part.name.c_str(), width)) {
       chosen = articulation::PartSurface{part.name};
     }
@@ -137,7 +137,7 @@ void swing_button(PanelContext& context, float width) {
 
 /// Corrects the pose as it stands.
 void show_correct_button(PanelContext& context) {
-  const document::Document& document = context.app.workspace().document();
+  const document::Document& document = context.app.editing().document();
   const auto parameters = document.model->rig->parameters();
   std::size_t posed = 0;
   for (std::size_t i = 0; i < parameters.size(); ++i) posed += document.pose[i] != parameters[i].rest ? 1 : 0;
@@ -151,8 +151,8 @@ void show_correct_button(PanelContext& context) {
 
 void show_new(PanelContext& context) {
   App& app = context.app;
-  Workspace& workspace = app.workspace();
-  const auto pending = workspace.document().pending;
+  EditingSession& editing = app.editing();
+  const auto pending = editing.document().pending;
   if (!pending && wide_button(context, "New control", -1, false, "Sketch a control in three or four strokes")) {
     app.controls().select({});
     app.do_action(Action::tool_articulate);
@@ -160,70 +160,70 @@ void show_new(PanelContext& context) {
   }
   const bool none_chosen = app.controls().selected().empty();
   if (!pending) show_correct_button(context);
-  if (!pending && (workspace.editor().tool().kind != drawing::ToolKind::articulate || !none_chosen)) return;
+  if (!pending && (editing.editor().tool().kind != drawing::ToolKind::articulate || !none_chosen)) return;
   if (pending) {
     ImGui::Text(pending->drivers.empty() ? "Sketching %s" : "Sketching %s, of the pose", pending->sketch.name.c_str());
     for (const articulation::Driver& driver : pending->drivers) {
       ImGui::TextDisabled("  %s %.2f", driver.control.c_str(), driver.value);
     }
-    show_step_list(context, *pending, workspace.editor().tool());
+    show_step_list(context, *pending, editing.editor().tool());
   }
   const articulation::Mode mode = pending ? pending->sketch.mode : app.controls().new_mode();
   const Surface surface = pending ? pending->sketch.surface : app.controls().new_surface();
   if (const auto pressed = mode_buttons(context, mode)) app.controls().choose_for_new(*pressed, surface);
-  const auto ball = [&] { return workspace.sketch().ball(); };
+  const auto ball = [&] { return editing.sketch().ball(); };
   if (const auto chosen = surface_button(context, surface, ball)) app.controls().choose_for_new(mode, *chosen);
   if (pending) {
-    const auto take = take_buttons(context, pending->sketch.reach, pending->sketch.piece, workspace.sketch().pieces());
-    if (take.reach || take.piece) workspace.perform(take);
+    const auto take = take_buttons(context, pending->sketch.reach, pending->sketch.piece, editing.sketch().pieces());
+    if (take.reach || take.piece) editing.perform(take);
   }
-  drawing::Tool tool = workspace.editor().tool();
+  drawing::Tool tool = editing.editor().tool();
   if (wide_button(context, tool.draw_reference ? "Find the feature by itself" : "Draw the feature myself", -1, false,
                   "The green line: found in the middle of what moves fully, or drawn by you")) {
     tool.kind = drawing::ToolKind::articulate;
     tool.draw_reference = !tool.draw_reference;
-    workspace.set_tool(tool);
+    editing.set_tool(tool);
     // What was drawn before gives way to what is found, or to what will be drawn.
     if (pending && !pending->sketch.reference.empty()) {
-      workspace.perform(document::SketchCurve{CurveRole::reference, app.canvas().view(), {}});
+      editing.perform(document::SketchCurve{CurveRole::reference, app.canvas().view(), {}});
     }
   }
   if (!pending) return;
-  double amount = workspace.sketch().amount();
+  double amount = editing.sketch().amount();
   bool released = false;
   const float width = ImGui::GetContentRegionAvail().x - 2.4F * context.unit - ImGui::GetStyle().ItemSpacing.x;
   if (tall_slider(context, "##amount", amount, 0, 1, width, "how far", released)) {
     app.controls().set_swing(false);
-    workspace.sketch().set_amount(amount);
+    editing.sketch().set_amount(amount);
   }
   ImGui::SameLine();
   swing_button(context, -1);
   if (wide_button(context, "Give up", -1, false, "Forget the strokes of this control (Esc)")) {
-    workspace.perform(document::CancelDeformer{});
+    editing.perform(document::CancelDeformer{});
   }
 }
 
 void show_place(PanelContext& context, const std::string& name, std::size_t number, std::size_t count) {
-  Workspace& workspace = context.app.workspace();
+  EditingSession& editing = context.app.editing();
   const float quarter = share(4);
   if (wide_button(context, "Mirror", quarter, false, "Make the same control on the other side of the face")) {
     context.app.controls().mirror(name);
   }
   ImGui::SameLine();
   if (wide_button(context, "Remove", quarter, false, "Delete this control")) {
-    workspace.perform(document::DeleteDeformer{name});
+    editing.perform(document::DeleteDeformer{name});
     context.app.controls().select({});
   }
   ImGui::SameLine();
   ImGui::BeginDisabled(number == 0);
   if (wide_button(context, "Up", quarter, false, "Earlier in the list")) {
-    workspace.perform(document::MoveDeformer{name, static_cast<std::uint32_t>(number - 1)});
+    editing.perform(document::MoveDeformer{name, static_cast<std::uint32_t>(number - 1)});
   }
   ImGui::EndDisabled();
   ImGui::SameLine();
   ImGui::BeginDisabled(number + 1 >= count);
   if (wide_button(context, "Down", quarter, false, "Later in the list")) {
-    workspace.perform(document::MoveDeformer{name, static_cast<std::uint32_t>(number + 1)});
+    editing.perform(document::MoveDeformer{name, static_cast<std::uint32_t>(number + 1)});
   }
   ImGui::EndDisabled();
 }
@@ -239,23 +239,23 @@ void show_redraws(PanelContext& context, const articulation::Deformer& deformer)
       {"Region", CurveRole::general, "The next stroke goes around all that may move"},
       {"Core", CurveRole::specific, "The next stroke goes around what moves fully"},
       {"Feature", CurveRole::reference, "The next stroke goes along the feature as it is at rest"},
-      {"Goal", CurveRole::target, "The next stroke goes where the feature should go"}};
+      {"Target", CurveRole::target, "The next stroke goes where the feature should go"}};
   ImGui::TextDisabled("Draw again");
   const float quarter = share(4);
   const std::string name = deformer.sketch().name;
   for (const Redraw& one : k_redraws) {
-    const drawing::Tool& tool = app.workspace().editor().tool();
+    const drawing::Tool& tool = app.editing().editor().tool();
     const bool chosen = tool.kind == drawing::ToolKind::redraw && tool.deformer == name && tool.role == one.role;
     if (one.role != CurveRole::general) ImGui::SameLine();
     if (wide_button(context, one.label, quarter, chosen, one.tip)) app.controls().redraw(name, one.role);
   }
   if (!deformer.inferred() &&
       wide_button(context, "Find the feature by itself", -1, false, "Forget the feature's line that was drawn")) {
-    app.workspace().perform(document::RedrawCurve{name, CurveRole::reference, app.canvas().view(), {}});
+    app.editing().perform(document::RedrawCurve{name, CurveRole::reference, app.canvas().view(), {}});
   }
 }
 
-/// The other goals of a control: one more at the value that it shows, and those that there are.
+/// The other targets of a control: one more at the value that it shows, and those that there are.
 void show_betweens(PanelContext& context, const articulation::Deformer& deformer, double value) {
   App& app = context.app;
   const std::string name = deformer.sketch().name;
@@ -263,20 +263,21 @@ void show_betweens(PanelContext& context, const articulation::Deformer& deformer
   const std::string at = base::format_fixed(value, 2);
   const bool rests = std::abs(value) < 1e-3 || std::abs(value - 1) < 1e-3;
   ImGui::BeginDisabled(rests);
-  if (wide_button(context, ("Another goal at " + at + "##between").c_str(), -1, false,
-                  "The next stroke goes where the feature is at this value: set the slider between rest and goal")) {
+  if (wide_button(context, ("Another target at " + at + "##between").c_str(), -1, false,
+                  "The next stroke goes where the feature is at this value: set the slider between rest and target")) {
     app.controls().draw_between(name, value);
   }
   ImGui::EndDisabled();
   for (const articulation::InBetween& one : deformer.sketch().betweens) {
     const std::string shown = base::format_fixed(one.value, 2);
     const float half = share(2);
-    if (wide_button(context, ("Goal at " + shown + "##again" + shown).c_str(), half, false, "Draw this goal again")) {
+    if (wide_button(context, ("Target at " + shown + "##again" + shown).c_str(), half, false,
+                    "Draw this target again")) {
       app.controls().draw_between(name, one.value);
     }
     ImGui::SameLine();
-    if (wide_button(context, ("Remove##between" + shown).c_str(), half, false, "Forget this goal")) {
-      app.workspace().perform(document::DeleteBetween{name, one.value});
+    if (wide_button(context, ("Remove##between" + shown).c_str(), half, false, "Forget this target")) {
+      app.editing().perform(document::DeleteBetween{name, one.value});
       return;
     }
   }
@@ -284,15 +285,15 @@ void show_betweens(PanelContext& context, const articulation::Deformer& deformer
 
 void show_chosen(PanelContext& context, const articulation::SketchedDeformers& set, std::size_t number) {
   App& app = context.app;
-  Workspace& workspace = app.workspace();
+  EditingSession& editing = app.editing();
   const articulation::Deformer& deformer = *set.deformers()[number];
   const std::string name = deformer.sketch().name;
-  const auto index = rig::find_parameter(workspace.document().model->rig->parameters(), name);
+  const auto index = rig::find_parameter(editing.document().model->rig->parameters(), name);
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   if (index) {
     bool released = false;
-    const rig::Parameter& parameter = workspace.document().model->rig->parameters()[*index];
-    const auto& shown = workspace.shown_pose();
+    const rig::Parameter& parameter = editing.document().model->rig->parameters()[*index];
+    const auto& shown = editing.shown_pose();
     double value = *index < shown.size() ? shown[*index] : 0;
     const float width = ImGui::GetContentRegionAvail().x - 3.4F * context.unit - 2 * spacing;
     if (tall_slider(context, "##play", value, parameter.minimum, parameter.maximum, width, name, released)) {
@@ -321,7 +322,7 @@ void show_chosen(PanelContext& context, const articulation::SketchedDeformers& s
   change.deformer = name;
   change.mode = mode_buttons(context, deformer.sketch().mode);
   const auto ball = [&]() -> std::optional<articulation::Sphere> {
-    const auto canvas = document::make_canvas(*workspace.document().model);
+    const auto canvas = document::make_canvas(*editing.document().model);
     if (!canvas) return std::nullopt;
     std::vector<geometry::ModelPoint> points;
     for (const std::uint32_t vertex : deformer.vertices()) points.push_back((*canvas)->positions()[vertex]);
@@ -337,10 +338,10 @@ void show_chosen(PanelContext& context, const articulation::SketchedDeformers& s
   const auto take = take_buttons(context, sketch.reach, sketch.piece, deformer.pieces());
   change.reach = take.reach;
   change.piece = take.piece;
-  if (change.mode || change.surface || change.other_sheet || change.reach || change.piece) workspace.perform(change);
+  if (change.mode || change.surface || change.other_sheet || change.reach || change.piece) editing.perform(change);
   show_redraws(context, deformer);
-  if (index && *index < workspace.shown_pose().size()) {
-    show_betweens(context, deformer, workspace.shown_pose()[*index]);
+  if (index && *index < editing.shown_pose().size()) {
+    show_betweens(context, deformer, editing.shown_pose()[*index]);
   }
   show_place(context, name, number, set.deformers().size());
 }
@@ -352,9 +353,9 @@ void show_deformers(PanelContext& context) {
   show_new(context);
   show_corrections(context);
   // Held, because what is pressed may put another set in its place.
-  const auto deformers = app.workspace().document().model->deformers;
+  const auto deformers = app.editing().document().model->deformers;
   if (!deformers) return;
-  const auto chosen = app.workspace().document().pending
+  const auto chosen = app.editing().document().pending
                           ? std::nullopt
                           : articulation::find_deformer(*deformers, app.controls().selected());
   const float below = chosen ? 12.0F * context.unit : 0;

@@ -19,15 +19,15 @@ float share(int count) {
 
 /// Stands in the pose of a correction; the next stroke is its target anew.
 void redraw_correction(App& app, const std::string& correction) {
-  const auto corrections = app.workspace().document().model->corrections;
+  const auto corrections = app.editing().document().model->corrections;
   if (!corrections) return;
   for (const auto& one : corrections->all()) {
     if (one->drawn.sketch.name != correction) continue;
     app.controls().set_swing(false);
-    app.workspace().preview(std::nullopt);
+    app.editing().preview(std::nullopt);
     // It is drawn on the pose that it corrects: that of its controls alone.
     document::SetParameters values;
-    const auto parameters = app.workspace().document().model->rig->parameters();
+    const auto parameters = app.editing().document().model->rig->parameters();
     for (const rig::Parameter& parameter : parameters) {
       double value = parameter.rest;
       for (const articulation::Driver& driver : one->drawn.drivers) {
@@ -35,12 +35,12 @@ void redraw_correction(App& app, const std::string& correction) {
       }
       values.values.push_back({parameter.name, value});
     }
-    if (!app.workspace().perform(values)) return;
+    if (!app.editing().perform(values)) return;
     drawing::Tool tool;
     tool.kind = drawing::ToolKind::redraw;
     tool.deformer = correction;
     tool.role = articulation::CurveRole::target;
-    app.workspace().set_tool(tool);
+    app.editing().set_tool(tool);
     return;
   }
 }
@@ -49,8 +49,8 @@ void redraw_correction(App& app, const std::string& correction) {
 
 void show_corrections(PanelContext& context) {
   // Held, because what is pressed may put others in their place.
-  const auto corrections = context.app.workspace().document().model->corrections;
-  if (!corrections || context.app.workspace().document().pending) return;
+  const auto corrections = context.app.editing().document().model->corrections;
+  if (!corrections || context.app.editing().document().pending) return;
   for (const auto& one : corrections->all()) {
     const std::string& name = one->drawn.sketch.name;
     std::string tip = "Corrects";
@@ -62,7 +62,7 @@ void show_corrections(PanelContext& context) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", tip.c_str());
     const float half = share(2);
     App& app = context.app;
-    const drawing::Tool& tool = app.workspace().editor().tool();
+    const drawing::Tool& tool = app.editing().editor().tool();
     const bool redrawing = tool.kind == drawing::ToolKind::redraw && tool.deformer == name;
     bool done = false;
     const std::string again = "Stands in the pose of " + name + "; the next stroke goes where its feature should go";
@@ -72,7 +72,7 @@ void show_corrections(PanelContext& context) {
     }
     ImGui::SameLine();
     if (wide_button(context, "Mirror##correction", half, false, "The same on the other side") && !done) {
-      done = app.workspace().perform(document::MirrorDeformer{name, {}});
+      done = app.editing().perform(document::MirrorDeformer{name, {}});
     }
     // A text field holds one name, and that of a control goes before.
     if (app.controls().selected().empty()) {
@@ -82,12 +82,12 @@ void show_corrections(PanelContext& context) {
       ImGui::SameLine();
       if ((wide_button(context, "Rename##correction", half) || accepted) &&
           !app.panels().own.of<ControlList>().rename.empty() && !done) {
-        done = app.workspace().perform(
+        done = app.editing().perform(
             document::RenameDeformer{name, std::exchange(app.panels().own.of<ControlList>().rename, {})});
       }
     }
     if (wide_button(context, "Remove##correction", -1, false, tip.c_str()) && !done) {
-      app.workspace().perform(document::DeleteCorrection{name});
+      app.editing().perform(document::DeleteCorrection{name});
       done = true;
     }
     ImGui::PopID();

@@ -35,19 +35,19 @@ void show_hand_button(PanelContext& context) {
     double unsteadiness;
   };
   constexpr Hand k_hands[] = {{"Steady", 0.5}, {"Usual hand", 1.0}, {"Unsteady", 2.0}};
-  const double now = context.app.workspace().document().hand;
+  const double now = context.app.editing().document().hand;
   std::size_t is = 0;
   while (is + 1 < std::size(k_hands) && k_hands[is].unsteadiness < now) ++is;
   const char* tip = "How steady the hand is: what a line strays by is not taken for a wish. Press for the next";
   if (wide_button(context, k_hands[is].label, -1, now != 1.0, tip))
-    context.app.workspace().perform(document::SetHand{k_hands[(is + 1) % std::size(k_hands)].unsteadiness});
+    context.app.editing().perform(document::SetHand{k_hands[(is + 1) % std::size(k_hands)].unsteadiness});
 }
 
 }  // namespace
 
 void show_toolbar(PanelContext& context, const Area& area) {
   if (begin_panel(context, "tools", area, true)) {
-    const drawing::ToolKind kind = context.app.workspace().editor().tool().kind;
+    const drawing::ToolKind kind = context.app.editing().editor().tool().kind;
     for (const ToolButton& tool : k_tools) {
       if (tool.kind == drawing::ToolKind::articulate) ImGui::Dummy({1, context.gap});
       action_button(context, tool.action, -1, kind == tool.kind);
@@ -56,9 +56,9 @@ void show_toolbar(PanelContext& context, const Area& area) {
     action_button(context, Action::clear_curves, -1);
     action_button(context, Action::reset_pose, -1);
     show_suggest_button(context);
-    const bool weighted = context.app.workspace().document().pressure_weighting;
+    const bool weighted = context.app.editing().document().pressure_weighting;
     if (wide_button(context, "Pressure", -1, weighted, "A target pulls harder where the pen pressed harder")) {
-      context.app.workspace().perform(document::SetPressureWeighting{!weighted});
+      context.app.editing().perform(document::SetPressureWeighting{!weighted});
     }
     show_hand_button(context);
   }
@@ -218,8 +218,8 @@ void show_radial_menu(PanelContext& context) {
 void show_curve_menu(PanelContext& context) {
   App& app = context.app;
   const auto chosen = app.panels().curve_menu;
-  const auto* curve = chosen ? document::find_curve(app.workspace().document(), chosen->first) : nullptr;
-  if (curve == nullptr || app.workspace().editor().tool().kind != drawing::ToolKind::none) {
+  const auto* curve = chosen ? document::find_curve(app.editing().document(), chosen->first) : nullptr;
+  if (curve == nullptr || app.editing().editor().tool().kind != drawing::ToolKind::none) {
     app.panels().curve_menu.reset();
     return;
   }
@@ -239,15 +239,15 @@ void show_curve_menu(PanelContext& context) {
       drawing::Tool tool;
       tool.kind = drawing::ToolKind::oversketch;
       tool.curve = id;
-      app.workspace().set_tool(tool);
+      app.editing().set_tool(tool);
       done = true;
     }
     if (reference && wide_button(context, "Keep##curve", -1, false, tooltip_of(Action::keep_curve).c_str())) {
-      app.workspace().perform(document::KeepCurve{id});
+      app.editing().perform(document::KeepCurve{id});
       done = true;
     }
     if (wide_button(context, "Delete##curve", -1, false, tooltip_of(Action::delete_curve).c_str())) {
-      app.workspace().perform(document::DeleteCurve{id});
+      app.editing().perform(document::DeleteCurve{id});
       done = true;
     }
   }

@@ -50,7 +50,7 @@ void show_picture(PanelContext& context, const document::PoseKey& key, float wid
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(from, to, ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered : ImGuiCol_Button),
                      5);
-  if (const auto place = context.pictures.place_of(app.workspace().document(), key)) {
+  if (const auto place = context.pictures.place_of(app.editing().document(), key)) {
     list.AddImageRounded(ImGui::GetIO().Fonts->TexID, {from.x + 2, from.y + 2}, {to.x - 2, from.y + width - 2},
                          place->first, place->second, IM_COL32_WHITE, 4);
   }
@@ -72,7 +72,7 @@ void show_pictures(PanelContext& context, float height) {
   const float room = ImGui::GetContentRegionAvail().x;
   const int across = std::max(1, static_cast<int>((room + spacing) / (2.7F * context.unit + spacing)));
   const float width = (room - static_cast<float>(across - 1) * spacing) / static_cast<float>(across);
-  const auto held = app.workspace().document().timeline;
+  const auto held = app.editing().document().timeline;
   int column = 0;
   for (const auto& key : held->keys) {
     if (column++ % across != 0) ImGui::SameLine();
@@ -104,13 +104,13 @@ void show_choice(PanelContext& context) {
   if (icon_button(context, "Mirrored##pose", mirror)) choice.mirrored = !choice.mirrored;
   ImGui::SameLine();
   ImGui::BeginDisabled(choice.time_s < 0);
-  const auto pairs = side_pairs(app.workspace().document().model->rig->parameters());
+  const auto pairs = side_pairs(app.editing().document().model->rig->parameters());
   const auto take = [&](double amount) {
     PoseChoice all = choice;
     all.amount = amount;
-    const auto values = values_of_choice(app.workspace().document(), all, pairs);
-    app.workspace().preview(std::nullopt);
-    if (!values.values.empty()) app.workspace().perform(values);
+    const auto values = values_of_choice(app.editing().document(), all, pairs);
+    app.editing().preview(std::nullopt);
+    if (!values.values.empty()) app.editing().perform(values);
   };
   if (wide_button(context, "Take##pose", half, false, "The pose as it is keyed")) take(1);
   bool released = false;
@@ -118,8 +118,8 @@ void show_choice(PanelContext& context) {
   if (tall_slider(context, "##blend", amount, 0, 1, -1, "blend", released)) {
     app.panels().own.of<PosesShown>().blending = true;
     choice.amount = amount;
-    const auto& document = app.workspace().document();
-    app.workspace().preview(posed(document, values_of_choice(document, choice, pairs)));
+    const auto& document = app.editing().document();
+    app.editing().preview(posed(document, values_of_choice(document, choice, pairs)));
   }
   if (released && std::exchange(app.panels().own.of<PosesShown>().blending, false)) take(choice.amount);
   ImGui::EndDisabled();

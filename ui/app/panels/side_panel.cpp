@@ -33,7 +33,7 @@ std::string first_word(std::string_view name) {
 /// Frees one group and locks all others, or frees all again.
 void solo_button(PanelContext& context, const std::string& group, const std::vector<std::string>& members) {
   App& app = context.app;
-  const document::Document& document = app.workspace().document();
+  const document::Document& document = app.editing().document();
   std::vector<std::string> others;
   for (const auto& parameter : document.model->rig->parameters()) {
     if (std::find(members.begin(), members.end(), parameter.name) == members.end()) others.push_back(parameter.name);
@@ -45,22 +45,22 @@ void solo_button(PanelContext& context, const std::string& group, const std::vec
     return;
   }
   if (solo) {
-    app.workspace().perform(document::LockParameters{others, false});
+    app.editing().perform(document::LockParameters{others, false});
     return;
   }
   std::vector<std::string> locked_here;
   for (const std::string& name : members) {
     if (std::binary_search(document.locked.begin(), document.locked.end(), name)) locked_here.push_back(name);
   }
-  if (!app.workspace().perform(document::LockParameters{others, true})) return;
-  if (!locked_here.empty()) app.workspace().perform_with(document::LockParameters{locked_here, false});
+  if (!app.editing().perform(document::LockParameters{others, true})) return;
+  if (!locked_here.empty()) app.editing().perform_with(document::LockParameters{locked_here, false});
 }
 
 /// A group's name, which folds it, and what is done to all of it. True while it is unfolded.
 bool group_row(PanelContext& context, const std::string& group, const std::vector<std::string>& members) {
   App& app = context.app;
   auto& folded = app.panels().own.of<ParameterList>().folded;
-  const auto& locked = app.workspace().document().locked;
+  const auto& locked = app.editing().document().locked;
   const bool open = !folded.contains(group);
   const bool all_locked = std::all_of(members.begin(), members.end(), [&](const std::string& name) {
     return std::binary_search(locked.begin(), locked.end(), name);
@@ -83,12 +83,12 @@ bool group_row(PanelContext& context, const std::string& group, const std::vecto
   ImGui::SameLine();
   if (lock_button(context, ("##lock group " + group).c_str(), all_locked,
                   all_locked ? "Free the whole group" : "Lock the whole group: no stroke will move it")) {
-    app.workspace().lock(members, !all_locked);
+    app.editing().lock(members, !all_locked);
   }
   ImGui::SameLine();
   if (icon_button(context, ("\u21ba##reset group " + group).c_str(),
                   {context.unit, false, "The whole group back to rest", icon::k_back, false})) {
-    app.workspace().perform(document::ResetParameters{members});
+    app.editing().perform(document::ResetParameters{members});
   }
   ImGui::PopID();
   return open;
@@ -97,8 +97,8 @@ bool group_row(PanelContext& context, const std::string& group, const std::vecto
 /// Which parameters are listed: those whose names say what is searched for, and where it is asked for those alone that
 /// are not at rest.
 std::vector<bool> wanted_parameters(App& app) {
-  const auto parameters = app.workspace().document().model->rig->parameters();
-  const rig::Pose& shown = app.workspace().shown_pose();
+  const auto parameters = app.editing().document().model->rig->parameters();
+  const rig::Pose& shown = app.editing().shown_pose();
   std::vector<bool> wanted(parameters.size());
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const double by = i < shown.size() ? std::abs(shown[i] - parameters[i].rest) : 0;
@@ -112,14 +112,14 @@ std::vector<bool> wanted_parameters(App& app) {
 void show_list(PanelContext& context) {
   App& app = context.app;
   // A row may perform a command that makes another rig: the list is of the one there was.
-  const auto rig = app.workspace().document().model->rig;
+  const auto rig = app.editing().document().model->rig;
   const auto parameters = rig->parameters();
   const auto rows = control_rows(parameters, wanted_parameters(app));
   const bool grouped = app.panels().own.of<ParameterList>().filter.empty() &&
                        !app.panels().own.of<ParameterList>().moved_only && parameters.size() > k_many;
   std::string group;
   bool open = true;
-  for (std::size_t i = 0; i < rows.size() && app.workspace().document().model->rig == rig; ++i) {
+  for (std::size_t i = 0; i < rows.size() && app.editing().document().model->rig == rig; ++i) {
     const std::string word = first_word(parameters[rows[i].first].name);
     if (grouped && word != group) {
       group = word;
@@ -131,7 +131,7 @@ void show_list(PanelContext& context) {
       }
       if (!word.empty() && members.size() > 1) open = group_row(context, group, members);
     }
-    if (open && app.workspace().document().model->rig == rig) show_control_row(context, rows[i]);
+    if (open && app.editing().document().model->rig == rig) show_control_row(context, rows[i]);
   }
   if (!rows.empty()) return;
   if (parameters.empty()) {

@@ -25,7 +25,7 @@ ImU32 display(const render::Color& color) {
 std::vector<std::pair<ImU32, const char*>> legend(App& app) {
   using render::CurveKind;
   std::vector<std::pair<ImU32, const char*>> out;
-  const document::Document& document = app.workspace().document();
+  const document::Document& document = app.editing().document();
   const auto any = [&](const auto& is) { return std::any_of(document.curves.begin(), document.curves.end(), is); };
   const bool held = any([](const auto& c) { return c->role == document::PoseCurveRole::constraint; });
   const bool drawn = any([](const auto& c) { return c->role == document::PoseCurveRole::reference; });
@@ -67,7 +67,7 @@ void show_status(PanelContext& context, const Area& area) {
   if (begin_panel(context, "status", area)) {
     ImGui::PushFont(small_font());
     const float end = show_legend(context.app, area, context.gap);
-    const std::string text = outcome_of(context.app.workspace());
+    const std::string text = outcome_of(context.app.editing());
     if (!text.empty()) {
       const auto x = static_cast<float>(area.left) + context.gap;
       const auto y = static_cast<float>(area.middle().y) - 0.5F * ImGui::GetFontSize();

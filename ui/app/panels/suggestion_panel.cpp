@@ -38,7 +38,7 @@ std::string moved_text(const SuggestionOffer& offer) {
 
 void show_suggest_button(PanelContext& context) {
   SuggestionOffer& offer = context.app.offer();
-  const std::string& why_not = offer.why_not(context.app.workspace());
+  const std::string& why_not = offer.why_not(context.app.editing());
   if (why_not.empty() || offer.open()) {
     action_button(context, Action::suggest_rest, -1, offer.open());
     return;
@@ -75,17 +75,17 @@ void show_suggestion(PanelContext& context) {
     bool released = false;
     if (tall_slider(context, "##strength", strength, 0, 1, ImGui::GetContentRegionAvail().x, "how much of it",
                     released)) {
-      offer.set_strength(app.workspace(), strength);
+      offer.set_strength(app.editing(), strength);
     }
     if (offer.open()) ImGui::TextWrapped("%s", text.c_str());
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
     if (wide_button(context, "Take it##suggestion", half, false,
                     "The pose becomes this; what you posed stays, and Undo takes it back")) {
-      offer.take(app.workspace());
+      offer.take(app.editing());
     }
     ImGui::SameLine();
     if (wide_button(context, "Dismiss##suggestion", half, false, "The pose stays as it was (Esc)")) {
-      offer.dismiss(app.workspace());
+      offer.dismiss(app.editing());
     }
   }
   end_panel();

@@ -23,7 +23,7 @@ struct Shown {
 };
 
 Shown shown_moments(App& app) {
-  const document::Timeline& timeline = *app.workspace().document().timeline;
+  const document::Timeline& timeline = *app.editing().document().timeline;
   const double last = timeline.keys.empty() ? 0 : timeline.keys.back().time_s;
   const double all = std::max({k_least_range_s, std::ceil(last + 1), std::ceil(app.playback().time_s())});
   if (app.panels().own.of<TimelineShown>().span_s <= 0 || app.panels().own.of<TimelineShown>().span_s >= all) {
@@ -121,7 +121,7 @@ void show_ruler(PanelContext& context) {
   const Strip strip = begin_strip(context, "ruler", "Drag to go through time");
   if (ImGui::IsItemActive()) app.playback().scrub(on_frame(strip.time_of(ImGui::GetIO().MousePos.x), rate));
   if (ImGui::IsItemDeactivated()) app.playback().end_scrub();
-  const auto held = app.workspace().document().timeline;
+  const auto held = app.editing().document().timeline;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
   list.PushClipRect(strip.from, strip.to(), true);
@@ -158,7 +158,7 @@ void show_ruler(PanelContext& context) {
 /// What the pen does on the row of keys: a touch of a key goes to it, a pull takes it along.
 void use_keys(PanelContext& context, const Strip& strip) {
   App& app = context.app;
-  const document::Timeline& timeline = *app.workspace().document().timeline;
+  const document::Timeline& timeline = *app.editing().document().timeline;
   const float x = ImGui::GetIO().MousePos.x;
   if (ImGui::IsItemActivated()) {
     app.panels().own.of<TimelineShown>().key_drag.reset();
@@ -193,7 +193,7 @@ void show_keys(PanelContext& context) {
   App& app = context.app;
   const Strip strip = begin_strip(context, "track", "Touch a key to go to it, drag it to move it; Key makes one here");
   use_keys(context, strip);
-  const auto held = app.workspace().document().timeline;
+  const auto held = app.editing().document().timeline;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(strip.from, strip.to(), true);
   const float middle = strip.from.y + 0.5F * strip.size.y;
@@ -255,7 +255,7 @@ void show_rate(PanelContext& context, float width) {
 void show_buttons(PanelContext& context) {
   App& app = context.app;
   // A button may put another timeline in its place.
-  const auto held = app.workspace().document().timeline;
+  const auto held = app.editing().document().timeline;
   const document::Timeline& timeline = *held;
   const auto here = std::find_if(timeline.keys.begin(), timeline.keys.end(), [&](const auto& key) {
     return std::abs(key.time_s - app.playback().time_s()) < 1e-9;
@@ -298,8 +298,8 @@ void show_buttons(PanelContext& context) {
   const bool smooth = timeline.interpolation == document::KeyInterpolation::smooth;
   ButtonRow::Button between{smooth ? "Smooth" : "Linear", {}, "How poses between keys are made"};
   between.does = [&app, smooth] {
-    app.workspace().perform(document::SetKeyInterpolation{smooth ? document::KeyInterpolation::linear
-                                                                 : document::KeyInterpolation::smooth});
+    app.editing().perform(document::SetKeyInterpolation{smooth ? document::KeyInterpolation::linear
+                                                               : document::KeyInterpolation::smooth});
   };
   row.add(std::move(between));
   row.add(Action::onion_skin, app.canvas().look().onion_skin);

@@ -28,13 +28,13 @@ document::SetParameters pasted_values(const document::Document& document, const 
   return command;
 }
 
-void paste_pose(Workspace& workspace, const PoseClipboard& clipboard, double time_s) {
-  const auto values = pasted_values(workspace.document(), clipboard);
+void paste_pose(EditingSession& editing, const PoseClipboard& clipboard, double time_s) {
+  const auto values = pasted_values(editing.document(), clipboard);
   const document::SetKey key{time_s, clipboard.name};
   if (values.values.empty()) {
-    workspace.perform(key);
-  } else if (workspace.perform(values)) {
-    workspace.perform_with(key);
+    editing.perform(key);
+  } else if (editing.perform(values)) {
+    editing.perform_with(key);
   }
 }
 

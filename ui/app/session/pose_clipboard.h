@@ -5,7 +5,7 @@
 
 #include "core/document/commands/command.h"
 #include "core/document/document.h"
-#include "ui/app/session/workspace.h"
+#include "ui/app/session/editing_session.h"
 
 namespace penpose::app {
 
@@ -21,6 +21,6 @@ struct PoseClipboard {
 /// The values of the clipboard that a document's model has and that differ from its pose, within their ranges.
 [[nodiscard]] document::SetParameters pasted_values(const document::Document& document, const PoseClipboard& clipboard);
 /// Keys it at a moment, in one step.
-void paste_pose(Workspace& workspace, const PoseClipboard& clipboard, double time_s);
+void paste_pose(EditingSession& editing, const PoseClipboard& clipboard, double time_s);
 
 }  // namespace penpose::app

@@ -16,7 +16,7 @@ using geometry::ModelPoint;
 
 // How far lines may stray in the mean, px of the picture in which the tour was drawn.
 constexpr double k_feature_px = 20;
-constexpr double k_goal_px = 20;
+constexpr double k_target_px = 20;
 constexpr double k_lasso_px = 34;
 constexpr double k_near_s = 0.25;
 /// A slider that was pulled so much of the way is at its end.
@@ -127,7 +127,7 @@ void TourGuide::begin(App& app, Tour tour) {
   app.playback().place_cursor(0);
   app.do_action(Action::frame_all);
   for (int i = 0; i < k_times_nearer; ++i) app.do_action(Action::zoom_in);
-  begin_step(app, app.workspace().editor().history().undo_count());
+  begin_step(app, app.editing().editor().history().undo_count());
 }
 
 void TourGuide::begin_step(App& app, std::size_t commands) {
@@ -170,14 +170,14 @@ std::string TourGuide::pointed(const App& app) const {
   const Command& command = *due.wanted;
   if (drawn_by(command).line != nullptr) {
     const drawing::ToolKind kind = tool_for(command);
-    if (app.workspace().editor().tool().kind == kind) return {};
+    if (app.editing().editor().tool().kind == kind) return {};
     return std::string(info(kind == drawing::ToolKind::pose ? Action::tool_pose : Action::tool_articulate).label);
   }
   if (std::holds_alternative<document::BeginDeformer>(command)) return std::string(info(Action::tool_articulate).label);
   if (std::holds_alternative<document::SetKey>(command)) return std::string(info(Action::key_pose).label);
   if (std::holds_alternative<document::GoToTime>(command)) return "tour time";
   if (std::holds_alternative<document::SetParameters>(command))
-    return "slider " + last_control(app.workspace().document());
+    return "slider " + last_control(app.editing().document());
   return {};
 }
 
@@ -193,7 +193,7 @@ std::string TourGuide::says(const App& app) const {
 std::optional<std::size_t> TourGuide::given(const App& app) const {
   const Command* command = wanted();
   if (command == nullptr) return std::nullopt;
-  const auto& history = app.workspace().editor().history();
+  const auto& history = app.editing().editor().history();
   const std::string_view name = document::name_of(*command);
   for (std::size_t i = begun_.back(); i < history.undo_count(); ++i) {
     if (history.name_of_step(i) == name) return i;
@@ -204,7 +204,7 @@ std::optional<std::size_t> TourGuide::given(const App& app) const {
 TourGuide::Answer TourGuide::judge_drawn(App& app) const {
   const Command& command = *wanted();
   const Drawn drawn = drawn_by(command);
-  const document::Document& document = app.workspace().document();
+  const document::Document& document = app.editing().document();
   document::View view;
   std::vector<PxPoint> line;
   double within = k_feature_px;
@@ -213,7 +213,7 @@ TourGuide::Answer TourGuide::judge_drawn(App& app) const {
     const auto last = std::find_if(document.curves.rbegin(), document.curves.rend(),
                                    [](const auto& curve) { return curve->role == document::PoseCurveRole::reference; });
     if (last == document.curves.rend()) return {};
-    view = app.workspace().editor().view();
+    view = app.editing().editor().view();
     std::vector<ModelPoint> points;
     for (std::size_t i = 0; i < (*last)->points.size(); ++i) {
       points.emplace_back(app.canvas().surface().at((*last)->points[i]));
@@ -227,7 +227,7 @@ TourGuide::Answer TourGuide::judge_drawn(App& app) const {
     if (last == document.curves.rend()) return {};
     view = (*last)->target->view;
     line = (*last)->target->line;
-    within = k_goal_px;
+    within = k_target_px;
     from = ghost_before_;
   } else if (const auto* sketched = std::get_if<document::SketchCurve>(&command)) {
     const std::string control = last_control(document);
@@ -240,7 +240,7 @@ TourGuide::Answer TourGuide::judge_drawn(App& app) const {
     line = target                                               ? sketch.target
            : sketched->role == articulation::CurveRole::general ? sketch.general
                                                                 : sketch.specific;
-    within = target ? k_goal_px : k_lasso_px;
+    within = target ? k_target_px : k_lasso_px;
   }
   const auto asked = seen(ghost_, view);
   const auto before = seen(from, view);
@@ -252,7 +252,7 @@ TourGuide::Answer TourGuide::judge_drawn(App& app) const {
 
 TourGuide::Answer TourGuide::judge(App& app) const {
   const Command& command = *wanted();
-  const document::Document& document = app.workspace().document();
+  const document::Document& document = app.editing().document();
   if (drawn_by(command).line != nullptr) return judge_drawn(app);
   if (const auto* to = std::get_if<document::GoToTime>(&command)) {
     const int rate = app.playback().rate();
@@ -280,10 +280,10 @@ TourGuide::Answer TourGuide::judge(App& app) const {
 
 void TourGuide::follow(App& app) {
   if (!tour_) return;
-  const Workspace& workspace = app.workspace();
+  const EditingSession& editing = app.editing();
   if (app.path() != tour_->model || app.player().trace) return leave();
-  if (workspace.session().pens().current() != nullptr || workspace.live().active()) return;
-  const auto& history = workspace.editor().history();
+  if (editing.session().pens().current() != nullptr || editing.live().active()) return;
+  const auto& history = editing.editor().history();
   // The tour's own card is laid out after its first step has begun.
   if (step() == 0 && history.undo_count() == begun_.front()) bring_into_sight(app, ghost_);
   // Whoever takes back a step of the tour does it again.
@@ -320,11 +320,11 @@ void TourGuide::follow(App& app) {
 }
 
 void TourGuide::skip(App& app) {
-  if (!tour_ || done() || app.workspace().session().pens().current() != nullptr) return;
+  if (!tour_ || done() || app.editing().session().pens().current() != nullptr) return;
   const TourStep due = tour_->steps[step()];
   again_.clear();
   if (due.press) return app.do_action(*due.press);
-  const document::Document& document = app.workspace().document();
+  const document::Document& document = app.editing().document();
   if (std::holds_alternative<document::BeginDeformer>(*due.wanted)) return app.do_action(Action::tool_articulate);
   if (std::holds_alternative<document::SetKey>(*due.wanted)) return app.do_action(Action::key_pose);
   if (const auto* to = std::get_if<document::GoToTime>(&*due.wanted)) return app.playback().go_to(to->time_s);
@@ -333,7 +333,7 @@ void TourGuide::skip(App& app) {
     if (!one->values.empty()) one->values.front().name = last_control(document);
   }
   // Drawn as the user sees it, so that what comes after it fits.
-  const document::View& view = app.workspace().editor().view();
+  const document::View& view = app.editing().editor().view();
   const auto line = seen(ghost_, view);
   if (auto* one = std::get_if<document::DrawReference>(&command)) *one = {view, line};
   if (auto* one = std::get_if<document::SketchCurve>(&command)) {
@@ -347,7 +347,7 @@ void TourGuide::skip(App& app) {
     if (waits == document.curves.end()) return;
     *one = {(*waits)->id, view, line, {}};
   }
-  app.workspace().perform(command);
+  app.editing().perform(command);
 }
 
 }  // namespace penpose::app

@@ -20,7 +20,7 @@ void FrameMaker::update_surface(App& app) {
     last_.shape_number = surface.shape_number();
     last_.appearance = std::make_shared<const render::Appearance>(surface.appearance());
   }
-  // Not the workspace's: a panel may have opened another one since.
+  // Not the document's: a panel may have opened another one since.
   last_.model = surface.shared_model();
   if (last_.pose_number == surface.pose_number()) return;
   last_.pose_number = surface.pose_number();
@@ -31,8 +31,8 @@ void FrameMaker::update_surface(App& app) {
 }
 
 void FrameMaker::update_overlay(App& app) {
-  const SketchPreview& sketch = app.workspace().sketch();
-  const bool sketching = app.workspace().editor().tool().kind == drawing::ToolKind::articulate;
+  const SketchPreview& sketch = app.editing().sketch();
+  const bool sketching = app.editing().editor().tool().kind == drawing::ToolKind::articulate;
   const auto& model = app.canvas().surface().shared_model();
   const std::size_t count = model->mesh->vertex_count();
   const auto colored = [](float weight) {

@@ -16,7 +16,7 @@ inline constexpr double k_fade_s = 0.5;
 /// some, the one that covers the fewest. The lower left is taken first, then the lower right, the upper ones.
 [[nodiscard]] Area toast_place(const Area& inside, double width, double height, std::span<const PxPoint> points);
 
-/// Everything drawn that the canvas shows, as points close to each other: lines, goals and the stroke under the pen.
+/// Everything drawn that the canvas shows, as points close to each other: lines, targets and the stroke under the pen.
 [[nodiscard]] std::vector<PxPoint> drawn_px(const App& app);
 
 }  // namespace penpose::app

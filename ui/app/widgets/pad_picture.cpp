@@ -30,8 +30,8 @@ class Picture {
       : context_(context),
         app_(context.app),
         tablet_(tablet),
-        now_(tablet.pad >= 0 && context.app.workspace().session().hands().pad(tablet.pad) != nullptr
-                 ? context.app.workspace().session().hands().pad(tablet.pad)->sample()
+        now_(tablet.pad >= 0 && context.app.editing().session().hands().pad(tablet.pad) != nullptr
+                 ? context.app.editing().session().hands().pad(tablet.pad)->sample()
                  : decode::PadSample{}) {}
 
   void show();

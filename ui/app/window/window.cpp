@@ -303,7 +303,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
       timings.posed_us.push_back(timings.frames_us.back());
     }
     const std::string name = app.project().empty() ? app.path() : app.project();
-    const std::string now_title = (app.workspace().unsaved() ? "* " : "") + name + " - penpose";
+    const std::string now_title = (app.editing().unsaved() ? "* " : "") + name + " - penpose";
     if (now_title != title) SDL_SetWindowTitle(state_->window, (title = now_title).c_str());
     if (until_played && app.player().trace && app.player().trace->finished()) app.quit();
   }

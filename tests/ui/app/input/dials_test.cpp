@@ -163,7 +163,7 @@ TEST(Dials, TheSecondButtonOfAPenHoldsWhatItIsBoundTo) {
   DialDesk desk("barrel", tablet(k_intuos4_m));
   desk.bind(pen_button_control(1), binding_of(ToolKind::erase));
   desk.bind(pen_button_control(0), binding_of(ToolKind::pin));
-  const auto tool = [&] { return desk.app->workspace().editor().tool().kind; };
+  const auto tool = [&] { return desk.app->editing().editor().tool().kind; };
   const ToolKind before = tool();
   desk.send({tests::intuos_enter(k_grip_pen, 9), packet(0, 0, 0), packet(2, 0, 0)});
   EXPECT_EQ(tool(), ToolKind::erase);

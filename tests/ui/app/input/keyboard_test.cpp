@@ -69,7 +69,7 @@ TEST(Keyboard, ReturnTakesAKeysNameAndEscapeForgetsIt) {
   desk.hit_escape();
   EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
   EXPECT_EQ(desk.document().timeline->keys.front().name, "smile");
-  EXPECT_EQ(desk.app->workspace().editor().tool().kind, drawing::ToolKind::pose) << "letters chose no tool";
+  EXPECT_EQ(desk.app->editing().editor().tool().kind, drawing::ToolKind::pose) << "letters chose no tool";
 }
 
 TEST(Keyboard, EscapeClosesEveryDialogAndReturnDoesWhatItIsFor) {
@@ -160,7 +160,7 @@ TEST(Keyboard, BehindADialogNothingIsPressedAndNoKeyDoesAnything) {
 TEST(Keyboard, WhatIsTypedInTheSlowFrameOfAClickIntoAFieldIsTyped) {
   Desk desk("slow-frame");
   desk.begin();
-  const auto tool = desk.app->workspace().editor().tool().kind;
+  const auto tool = desk.app->editing().editor().tool().kind;
   const PxPoint field = desk.interface->find("##search")->middle();
   desk.app->mouse_moved(field);
   desk.app->mouse_button(MouseButton::left, true, field);
@@ -168,7 +168,7 @@ TEST(Keyboard, WhatIsTypedInTheSlowFrameOfAClickIntoAFieldIsTyped) {
   // No frame has been made since: "e" would be the eraser and "i" a key.
   desk.type("ie");
   EXPECT_EQ(desk.app->panels().own.of<ParameterList>().filter, "ie");
-  EXPECT_EQ(desk.app->workspace().editor().tool().kind, tool);
+  EXPECT_EQ(desk.app->editing().editor().tool().kind, tool);
   EXPECT_TRUE(desk.document().timeline->keys.empty());
 }
 
@@ -181,7 +181,7 @@ TEST(Keyboard, KeysInTheSlowFrameOfAClickOnAButtonAreTheProgramsOwn) {
   desk.app->mouse_button(MouseButton::left, false, button);
   desk.type("i");
   EXPECT_EQ(desk.document().timeline->keys.size(), 1U);
-  EXPECT_EQ(desk.app->workspace().editor().tool().kind, drawing::ToolKind::constraint);
+  EXPECT_EQ(desk.app->editing().editor().tool().kind, drawing::ToolKind::constraint);
 }
 
 }  // namespace

@@ -42,10 +42,10 @@ TEST(PadDevices, TwoTabletsOfOneModelShareBindingsAndNothingElse) {
   send(1, 1U << 2);
   desk.app->tablet_left(10, "Wacom Intuos Pro S");
   desk.frames(2);
-  EXPECT_EQ(desk.app->workspace().editor().tool().kind, ToolKind::pin);
+  EXPECT_EQ(desk.app->editing().editor().tool().kind, ToolKind::pin);
   EXPECT_EQ(desk.app->desk().find(10), nullptr);
   send(1, 0);
-  EXPECT_NE(desk.app->workspace().editor().tool().kind, ToolKind::pin);
+  EXPECT_NE(desk.app->editing().editor().tool().kind, ToolKind::pin);
   desk.click("Menu");
   desk.click("Tablet keys");
   EXPECT_NE(desk.interface->find("BTN_3"), nullptr);

@@ -13,7 +13,7 @@ using drawing::ToolKind;
 
 TEST(Pads, KeysUndoAndRedoAndKeyThePose) {
   PadDesk desk("pad-actions");
-  desk.app->workspace().perform(document::SetParameters{{{desk.document().model->rig->parameters()[0].name, 0.5}}});
+  desk.app->editing().perform(document::SetParameters{{{desk.document().model->rig->parameters()[0].name, 0.5}}});
   const auto posed = desk.document().pose;
   desk.tap(1);
   EXPECT_NE(desk.document().pose, posed);
@@ -87,15 +87,15 @@ TEST(Pads, TheRingIsABrushOfTimeAndItsLightsOtherValues) {
   const std::string name = desk.document().model->rig->parameters()[0].name;
   desk.app->do_action(Action::key_pose);
   desk.app->playback().scrub(2);
-  desk.app->workspace().perform(document::SetParameters{{{name, 1.0}}});
+  desk.app->editing().perform(document::SetParameters{{{name, 1.0}}});
   desk.app->do_action(Action::key_pose);
   desk.app->playback().scrub(0);
   desk.app->playback().end_scrub();
   desk.ring(10, 58, false);
   EXPECT_NEAR(desk.app->playback().time_s(), 1.0, 1e-9) << "48 places are 24 notches are 24 frames";
-  EXPECT_TRUE(desk.app->workspace().previews());
+  EXPECT_TRUE(desk.app->editing().previews());
   desk.hold(0);
-  EXPECT_FALSE(desk.app->workspace().previews());
+  EXPECT_FALSE(desk.app->editing().previews());
   EXPECT_NEAR(desk.document().time_s, 1.0, 1e-9) << "let go, the pose is there";
   // The middle key moves on to the next light, and it is said what that means.
   const auto before = desk.app->canvas().view().camera;
@@ -112,29 +112,29 @@ TEST(Pads, TheRingIsABrushOfTimeAndItsLightsOtherValues) {
   EXPECT_EQ(desk.document().timeline->keys.size(), 2U);
   desk.ring(30, 18);
   EXPECT_EQ(desk.document().timeline->keys.size(), 1U);
-  EXPECT_EQ(desk.app->workspace().editor().history().undo_count(), 1U) << "three notches each: two steps";
+  EXPECT_EQ(desk.app->editing().editor().history().undo_count(), 1U) << "three notches each: two steps";
   desk.ring(18, 30);
   EXPECT_EQ(desk.document().timeline->keys.size(), 2U);
-  EXPECT_EQ(desk.app->workspace().can_redo(), 0U);
+  EXPECT_EQ(desk.app->editing().can_redo(), 0U);
 }
 
 TEST(Pads, ARingChangesTheControlInHandOnceItIsLetGo) {
   PadDesk desk("pad-control");
   desk.bind(dial_control(decode::PadDial::ring, 0, 0), binding_of(DialUse::control));
   pose_mouth(desk);
-  ASSERT_FALSE(desk.app->workspace().movements().empty());
-  const std::string name = desk.app->workspace().movements().front().name;
+  ASSERT_FALSE(desk.app->editing().movements().empty());
+  const std::string name = desk.app->editing().movements().front().name;
   const auto index = *rig::find_parameter(desk.document().model->rig->parameters(), name);
   const auto& range = desk.document().model->rig->parameters()[index];
   const double was = desk.document().pose[index];
   const int way = was < 0.5 * (range.minimum + range.maximum) ? 1 : -1;
-  const std::size_t done = desk.app->workspace().editor().history().undo_count();
+  const std::size_t done = desk.app->editing().editor().history().undo_count();
   desk.ring(36, 36 + 18 * way, false);
   EXPECT_EQ(desk.document().pose[index], was) << "shown only, while the finger is on it";
-  EXPECT_NEAR(desk.app->workspace().shown_pose()[index], was + way * (range.maximum - range.minimum) / 6, 1e-9);
+  EXPECT_NEAR(desk.app->editing().shown_pose()[index], was + way * (range.maximum - range.minimum) / 6, 1e-9);
   desk.hold(0);
   EXPECT_NEAR(desk.document().pose[index], was + way * (range.maximum - range.minimum) / 6, 1e-9);
-  EXPECT_EQ(desk.app->workspace().editor().history().undo_count(), done + 1) << "one step to take back";
+  EXPECT_EQ(desk.app->editing().editor().history().undo_count(), done + 1) << "one step to take back";
 }
 
 TEST(Pads, AKeyHeldWhenItIsUnpluggedIsLetGoAndSaid) {
@@ -173,7 +173,7 @@ TEST(Pads, WhatIsPressedIsChosenForAndThePenAloneBindsIt) {
     ASSERT_NE(desk.interface->find("BTN_3"), nullptr) << "the pad's keys are shown";
     ASSERT_NE(desk.interface->find("ring 1 light 4"), nullptr);
     desk.hold(1U << 1);
-    EXPECT_EQ(desk.app->workspace().editor().history().undo_count(), 0U);
+    EXPECT_EQ(desk.app->editing().editor().history().undo_count(), 0U);
     EXPECT_EQ(desk.app->dialogs().state<PadChoice>().control, key(1));
     desk.hold(0);
     EXPECT_NE(desk.interface->find("choose action Undo"), nullptr) << "what it does now is among what is offered";
@@ -216,13 +216,12 @@ TEST(Pads, EachTabletHasBindingsOfItsOwn) {
   EXPECT_EQ(other.name, "Wacom ExpressKey Remote");
   EXPECT_EQ(keys_of(other.features).size(), 18U);
   EXPECT_NE(desk.app->bound(other, key(1)), binding_of(Action::play));
-  desk.app->workspace().perform(document::SetParameters{{{desk.document().model->rig->parameters()[0].name, 0.5}}});
+  desk.app->editing().perform(document::SetParameters{{{desk.document().model->rig->parameters()[0].name, 0.5}}});
   tests::Report report(13);
   report[0] = 0x11;
   report[9] = 1;
   desk.app->tablet_report(7, desk.now_us += 1000, report);
-  EXPECT_EQ(desk.app->workspace().editor().history().undo_count(), 0U)
-      << "its first key is Undo, for the same document";
+  EXPECT_EQ(desk.app->editing().editor().history().undo_count(), 0U) << "its first key is Undo, for the same document";
 }
 
 TEST(Pads, AButtonOfThePenCanHoldATool) {
@@ -287,7 +286,7 @@ TEST(SharedPads, EveryKeyAndTheRingOfARecordedIntuosProDoWhatIsBound) {
   desk.begin();
   desk.app->do_action(Action::key_pose);
   desk.app->playback().scrub(4);
-  desk.app->workspace().perform(document::SetParameters{{{desk.document().model->rig->parameters()[0].name, 1.0}}});
+  desk.app->editing().perform(document::SetParameters{{{desk.document().model->rig->parameters()[0].name, 1.0}}});
   desk.app->do_action(Action::key_pose);
   desk.app->playback().scrub(1);
   desk.app->playback().end_scrub();
@@ -312,8 +311,8 @@ TEST(SharedPads, EveryKeyAndTheRingOfARecordedIntuosProDoWhatIsBound) {
     count("wire", desk.app->canvas().look().wireframe);
     count("onion", !desk.app->canvas().look().onion_skin);
     count("turn", desk.app->desk().held(Binding::Kind::view) != nullptr);
-    count("pin", desk.app->workspace().editor().tool().kind == ToolKind::pin);
-    count("hold", desk.app->workspace().editor().tool().kind == ToolKind::constraint);
+    count("pin", desk.app->editing().editor().tool().kind == ToolKind::pin);
+    count("hold", desk.app->editing().editor().tool().kind == ToolKind::constraint);
     count("light", desk.app->preferences().settings().light);
     latest = std::max(latest, desk.app->playback().time_s());
   }

@@ -51,11 +51,11 @@ TEST(Sides, ALockedSliderDoesNotMove) {
   desk.app->resized({1280, 1400}, 96);  // so that the list shows it
   desk.frames(2);
   desk.click("##lock jaw");
-  const auto state = desk.app->workspace().state();
+  const auto state = desk.app->editing().state();
   drag_slider(desk, "jaw", 0.9);
   EXPECT_EQ(value_of(desk, "jaw"), 0);
-  EXPECT_FALSE(desk.app->workspace().previews());
-  EXPECT_EQ(desk.app->workspace().state(), state);
+  EXPECT_FALSE(desk.app->editing().previews());
+  EXPECT_EQ(desk.app->editing().state(), state);
   desk.click("##lock jaw");
   drag_slider(desk, "jaw", 0.9);
   EXPECT_GT(value_of(desk, "jaw"), 0.5);
@@ -81,9 +81,9 @@ TEST(Sides, APoseIsFlippedAndCopiedByKeys) {
   EXPECT_DOUBLE_EQ(value_of(desk, "brow_inner_R"), 0.7);
   desk.press('m', true, true);
   EXPECT_DOUBLE_EQ(value_of(desk, "brow_inner_L"), 0.7) << "right to left";
-  const auto state = desk.app->workspace().state();
+  const auto state = desk.app->editing().state();
   desk.press('m', true);
-  EXPECT_EQ(desk.app->workspace().state(), state) << "they are the same already, and that is told";
+  EXPECT_EQ(desk.app->editing().state(), state) << "they are the same already, and that is told";
   EXPECT_FALSE(desk.app->notices().all().empty());
 }
 
@@ -97,12 +97,12 @@ TEST(Sides, AStrokeOnOneSideWorksOnBothAndIsOneStep) {
     if (curve.name.find("brow") != std::string::npos && curve.name.find("_L") != std::string::npos) brow = curve.name;
   }
   ASSERT_FALSE(brow.empty());
-  const auto count = desk.app->workspace().editor().history().undo_count();
+  const auto count = desk.app->editing().editor().history().undo_count();
   desk.stroke(desk.named_curve(brow));
   const auto raised = desk.named_curve(brow, {0, -10});
   desk.stroke(raised, false);
   desk.frames();
-  const rig::Pose shown = desk.app->workspace().shown_pose();
+  const rig::Pose shown = desk.app->editing().shown_pose();
   desk.app->mouse_button(MouseButton::left, false, raised.back());
   desk.frames();
   double moved = 0;
@@ -114,9 +114,9 @@ TEST(Sides, AStrokeOnOneSideWorksOnBothAndIsOneStep) {
   EXPECT_GT(moved, 0.05);
   EXPECT_NEAR(shown[index_of(desk, "brow_inner_L")], shown[index_of(desk, "brow_inner_R")], 1e-12)
       << "the other side follows the pen, too";
-  EXPECT_GE(desk.app->workspace().left_px(), 0) << "what the stroke came to is still told";
+  EXPECT_GE(desk.app->editing().left_px(), 0) << "what the stroke came to is still told";
   desk.press('z', true);
-  EXPECT_EQ(desk.app->workspace().editor().history().undo_count(), count + 1) << "both sides go back in one step";
+  EXPECT_EQ(desk.app->editing().editor().history().undo_count(), count + 1) << "both sides go back in one step";
   EXPECT_EQ(value_of(desk, "brow_inner_R"), 0);
 }
 
@@ -128,7 +128,7 @@ TEST(Sides, AMirroredSessionReplaysToTheSameState) {
     desk.press('m');
     desk.press('k', false, true);
     pose_mouth(desk);
-    state = desk.app->workspace().state();
+    state = desk.app->editing().state();
     std::filesystem::copy_file(desk.app->session_path(), desk.path("recorded.session"));
   }
   Desk desk("mirror-replay", "builtin:demo", false);
@@ -139,7 +139,7 @@ TEST(Sides, AMirroredSessionReplaysToTheSameState) {
   desk.app->player().trace->set_speed(16);
   for (int i = 0; i < 2000 && !desk.app->player().trace->finished(); ++i) desk.frames(1);
   ASSERT_TRUE(desk.app->player().trace->finished());
-  EXPECT_EQ(desk.app->workspace().state(), state);
+  EXPECT_EQ(desk.app->editing().state(), state);
 }
 
 }  // namespace

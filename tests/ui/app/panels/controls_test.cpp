@@ -31,19 +31,19 @@ TEST(Controls, ATapWithTheRigToolLeavesTheFaceAndSaysWhatToDraw) {
   sketch_chin(desk);
   desk.app->controls().set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
   const auto pose = desk.document().pose;
-  const auto state = desk.app->workspace().state();
+  const auto state = desk.app->editing().state();
   desk.stroke({{450, 300}, {452, 301}}, false);
-  EXPECT_EQ(desk.app->workspace().shown_pose(), pose) << "the face does not fall back to rest";
+  EXPECT_EQ(desk.app->editing().shown_pose(), pose) << "the face does not fall back to rest";
   desk.app->mouse_button(MouseButton::left, false, {452, 301});
   desk.frames();
-  EXPECT_EQ(desk.app->workspace().state(), state);
-  EXPECT_EQ(desk.app->workspace().shown_pose(), pose);
+  EXPECT_EQ(desk.app->editing().state(), state);
+  EXPECT_EQ(desk.app->editing().shown_pose(), pose);
   EXPECT_TRUE(says(desk, "draw around everything on the face that may move"));
   EXPECT_FALSE(says(desk, "line:"));
-  const bool unsaved = desk.app->workspace().unsaved();
-  desk.app->workspace().mark_saved();
+  const bool unsaved = desk.app->editing().unsaved();
+  desk.app->editing().mark_saved();
   desk.stroke({{450, 300}, {452, 301}});
-  EXPECT_FALSE(desk.app->workspace().unsaved()) << "there is nothing to save of a tap";
+  EXPECT_FALSE(desk.app->editing().unsaved()) << "there is nothing to save of a tap";
   EXPECT_TRUE(unsaved);
   // The next line is the first of a control, with its own choices.
   desk.app->controls().choose_for_new(articulation::Mode::rotate, {});
@@ -62,20 +62,20 @@ TEST(Controls, ASwingEndsWithTheListOfControlsAndTheFaceIsAsItWas) {
   desk.frames();
   desk.click("Swing");
   desk.frames(20);
-  EXPECT_NE(desk.app->workspace().shown_pose(), desk.document().pose);
+  EXPECT_NE(desk.app->editing().shown_pose(), desk.document().pose);
   desk.click("Parameters");
   desk.frames();
   EXPECT_FALSE(desk.app->controls().swings());
-  EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+  EXPECT_EQ(desk.app->editing().shown_pose(), desk.document().pose);
 }
 
 TEST(Controls, OnlyStrokesSayWhatTheyMoved) {
   Desk desk("moved");
   desk.begin();
   pose_mouth(desk);
-  EXPECT_FALSE(desk.app->workspace().movements().empty());
+  EXPECT_FALSE(desk.app->editing().movements().empty());
   desk.click("Rest pose");
-  EXPECT_TRUE(desk.app->workspace().movements().empty()) << "what is set at once needs no telling";
+  EXPECT_TRUE(desk.app->editing().movements().empty()) << "what is set at once needs no telling";
 }
 
 TEST(Controls, ATapBetweenTheStepsLosesNothingAndNamesTheStep) {
@@ -84,9 +84,9 @@ TEST(Controls, ATapBetweenTheStepsLosesNothingAndNamesTheStep) {
   desk.click("Rig");
   desk.stroke(around({517, 530}, 60, 32));
   desk.stroke(around({517, 530}, 28, 14));
-  const auto state = desk.app->workspace().state();
+  const auto state = desk.app->editing().state();
   desk.stroke({{517, 540}, {518, 541}});
-  EXPECT_EQ(desk.app->workspace().state(), state) << "a tap is no goal";
+  EXPECT_EQ(desk.app->editing().state(), state) << "a tap is no target";
   EXPECT_TRUE(says(desk, "draw a line where the feature should go"));
 }
 
@@ -125,9 +125,9 @@ TEST(Controls, AMirroredControlHasAGoodNameAndIsInHand) {
   EXPECT_EQ(desk.app->controls().selected(), "right dimple");
   desk.app->controls().select("left dimple");
   desk.frames();
-  const auto state = desk.app->workspace().state();
+  const auto state = desk.app->editing().state();
   desk.click("Mirror");
-  EXPECT_EQ(desk.app->workspace().state(), state);
+  EXPECT_EQ(desk.app->editing().state(), state);
   EXPECT_EQ(desk.app->controls().selected(), "left dimple") << "there is a right one already, and it is told";
   EXPECT_TRUE(desk.app->notices().all().back().is_error);
 }
@@ -142,7 +142,7 @@ TEST(Controls, APartOfATargetIsDrawnOverAndTheRestStaysBeforeAndAfterThePenLifts
   desk.click("Redraw");
   const std::size_t n = before.points.size();
   desk.stroke({seen(2 * n / 3), seen(5 * n / 6) + PxPoint{0, -25}, seen(n - 1) + PxPoint{0, -30}}, false);
-  const auto* shown = desk.app->workspace().live().target();
+  const auto* shown = desk.app->editing().live().target();
   ASSERT_NE(shown, nullptr) << "all of it is shown while a part is drawn";
   for (std::size_t i = 0; i < n / 2; ++i) EXPECT_EQ(shown->points[i], before.points[i]) << i;
   desk.app->mouse_button(MouseButton::left, false, seen(n - 1) + PxPoint{0, -30});

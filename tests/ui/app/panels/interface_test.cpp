@@ -148,7 +148,7 @@ TEST(Interface, ACopyIsExportedAndAFileOpenedAgainWithThePenAlone) {
   desk.click("Export##now");
   EXPECT_TRUE(std::filesystem::exists(desk.path("mine-export.obj")));
   EXPECT_EQ(desk.app->project(), desk.path("mine.glb")) << "the work stays where it is saved";
-  EXPECT_TRUE(desk.app->workspace().unsaved());
+  EXPECT_TRUE(desk.app->editing().unsaved());
   desk.click("Menu");
   desk.click("Recent");
   desk.click("mine.glb##recent " + desk.path("mine.glb"));
@@ -176,8 +176,8 @@ TEST(Interface, AGroupOfParametersIsFoldedLockedAndReset) {
   // With few parameters there are no groups; sketched controls of one first word make one.
   while (desk.document().model->rig->parameters().size() <= 16) {
     const auto& last = desk.document().model->deformers->deformers().back()->sketch();
-    ASSERT_TRUE(desk.app->workspace().perform(document::MirrorDeformer{last.name}) ||
-                desk.app->workspace().perform(document::MirrorDeformer{"jaw"}));
+    ASSERT_TRUE(desk.app->editing().perform(document::MirrorDeformer{last.name}) ||
+                desk.app->editing().perform(document::MirrorDeformer{"jaw"}));
   }
   desk.frames();
   desk.app->controls().set_parameter(4, desk.document().model->rig->parameters()[4].maximum);
@@ -200,7 +200,7 @@ TEST(Interface, ThePenIsTriedInTheTabletsSettings) {
   desk.frames();
   const Area area = *desk.interface->find("try");
   desk.app->tablet_arrived(1, replay::virtual_pen_identity());
-  const auto viewport = desk.app->workspace().editor().view().viewport;
+  const auto viewport = desk.app->editing().editor().view().viewport;
   for (int i = 0; i < 20; ++i) {
     desk.now_us += 4000;
     const PxPoint at{area.left + 10 + 4 * i, area.middle().y};

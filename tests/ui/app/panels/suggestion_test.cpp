@@ -41,7 +41,7 @@ bool says(const Desk& desk, const std::string& part) {
 TEST(Suggestion, IsGreyAndSaysWhyUntilTwoPosesAreKeyed) {
   Desk desk("suggest-grey");
   desk.begin();
-  EXPECT_NE(desk.app->offer().why_not(desk.app->workspace()).find("no pose is keyed yet"), std::string::npos);
+  EXPECT_NE(desk.app->offer().why_not(desk.app->editing()).find("no pose is keyed yet"), std::string::npos);
   key_faces(desk, 1);
   set(desk, "mouth_corner_L", 0.5);
   desk.click("Suggest");
@@ -51,7 +51,7 @@ TEST(Suggestion, IsGreyAndSaysWhyUntilTwoPosesAreKeyed) {
   EXPECT_TRUE(says(desk, "only one pose is keyed yet"));
   EXPECT_TRUE(says(desk, "key two different poses or more"));
   key_faces(desk, 2);
-  EXPECT_EQ(desk.app->offer().why_not(desk.app->workspace()), "");
+  EXPECT_EQ(desk.app->offer().why_not(desk.app->editing()), "");
 }
 
 TEST(Suggestion, IsShownAndChangesTheDocumentOnlyWhenItIsTaken) {
@@ -60,20 +60,20 @@ TEST(Suggestion, IsShownAndChangesTheDocumentOnlyWhenItIsTaken) {
   key_faces(desk);
   set(desk, "mouth_corner_L", 0.5);
   set(desk, "mouth_corner_R", 0.5);
-  const auto before = desk.app->workspace().state();
-  const std::size_t undo = desk.app->workspace().editor().history().undo_count();
+  const auto before = desk.app->editing().state();
+  const std::size_t undo = desk.app->editing().editor().history().undo_count();
   desk.click("Suggest");
   ASSERT_TRUE(desk.app->offer().open());
-  EXPECT_EQ(desk.app->workspace().state(), before);
-  const rig::Pose shown = desk.app->workspace().shown_pose();
+  EXPECT_EQ(desk.app->editing().state(), before);
+  const rig::Pose shown = desk.app->editing().shown_pose();
   EXPECT_GT(value_of(shown, desk, "brow_inner_L"), 0.2) << "the brow goes with the mouth";
   EXPECT_EQ(value_of(shown, desk, "mouth_corner_L"), 0.5) << "what was posed stays";
   desk.click("Take it##suggestion");
   EXPECT_FALSE(desk.app->offer().open());
   EXPECT_EQ(desk.document().pose, shown);
-  EXPECT_EQ(desk.app->workspace().editor().history().undo_count(), undo + 1);
+  EXPECT_EQ(desk.app->editing().editor().history().undo_count(), undo + 1);
   desk.press('z', true);
-  EXPECT_EQ(desk.app->workspace().state(), before);
+  EXPECT_EQ(desk.app->editing().state(), before);
 }
 
 TEST(Suggestion, DismissedTheFaceIsAsItWasAndNothingIsRecorded) {
@@ -81,22 +81,22 @@ TEST(Suggestion, DismissedTheFaceIsAsItWasAndNothingIsRecorded) {
   desk.begin();
   key_faces(desk);
   set(desk, "mouth_corner_L", 0.5);
-  const auto before = desk.app->workspace().state();
-  const auto revision = desk.app->workspace().revision();
+  const auto before = desk.app->editing().state();
+  const auto revision = desk.app->editing().revision();
   for (const bool by_button : {true, false}) {
     desk.press('g');
     ASSERT_TRUE(desk.app->offer().open());
-    EXPECT_NE(desk.app->workspace().shown_pose(), desk.document().pose);
+    EXPECT_NE(desk.app->editing().shown_pose(), desk.document().pose);
     if (by_button) {
       desk.click("Dismiss##suggestion");
     } else {
       desk.hit_escape();
     }
     EXPECT_FALSE(desk.app->offer().open());
-    EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+    EXPECT_EQ(desk.app->editing().shown_pose(), desk.document().pose);
   }
-  EXPECT_EQ(desk.app->workspace().state(), before);
-  EXPECT_EQ(desk.app->workspace().revision(), revision);
+  EXPECT_EQ(desk.app->editing().state(), before);
+  EXPECT_EQ(desk.app->editing().revision(), revision);
 }
 
 TEST(Suggestion, ThePenAloneTakesHalfOfIt) {
@@ -123,7 +123,7 @@ TEST(Suggestion, ThePenAloneTakesHalfOfIt) {
   ASSERT_TRUE(desk.app->offer().open());
   const double strength = desk.app->offer().suggestion().command.strength;
   EXPECT_NEAR(strength, 0.5, 0.1);
-  const double half = value_of(desk.app->workspace().shown_pose(), desk, "brow_inner_L");
+  const double half = value_of(desk.app->editing().shown_pose(), desk, "brow_inner_L");
   desk.click("Take it##suggestion");
   EXPECT_EQ(value_of(desk.document().pose, desk, "brow_inner_L"), half);
   EXPECT_GT(half, 0.05);
@@ -138,24 +138,24 @@ TEST(Suggestion, NotThisOneAsksAgainAndAStrokeASliderOrTheTimelineEndsIt) {
   ASSERT_TRUE(desk.app->offer().open());
   desk.click("##lock brow_inner_L");
   ASSERT_TRUE(desk.app->offer().open());
-  EXPECT_EQ(value_of(desk.app->workspace().shown_pose(), desk, "brow_inner_L"), 0);
-  EXPECT_GT(value_of(desk.app->workspace().shown_pose(), desk, "brow_inner_R"), 0.1);
+  EXPECT_EQ(value_of(desk.app->editing().shown_pose(), desk, "brow_inner_L"), 0);
+  EXPECT_GT(value_of(desk.app->editing().shown_pose(), desk, "brow_inner_R"), 0.1);
   set(desk, "jaw", 0.4);
   EXPECT_FALSE(desk.app->offer().open());
-  EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+  EXPECT_EQ(desk.app->editing().shown_pose(), desk.document().pose);
   desk.press('g');
   ASSERT_TRUE(desk.app->offer().open());
   desk.app->playback().scrub(0.25);
   desk.frames(2);
   EXPECT_FALSE(desk.app->offer().open());
-  EXPECT_TRUE(desk.app->workspace().previews()) << "what the timeline shows stays";
+  EXPECT_TRUE(desk.app->editing().previews()) << "what the timeline shows stays";
   desk.app->playback().end_scrub();
   desk.press('g');
   ASSERT_TRUE(desk.app->offer().open());
   desk.click("Pose");
   desk.stroke(desk.named_curve(any_curve(desk)), false);
   EXPECT_FALSE(desk.app->offer().open());
-  EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+  EXPECT_EQ(desk.app->editing().shown_pose(), desk.document().pose);
 }
 
 TEST(Suggestion, ATakenOneIsReplayed) {
@@ -166,7 +166,7 @@ TEST(Suggestion, ATakenOneIsReplayed) {
   desk.press('g');
   ASSERT_TRUE(desk.app->offer().open());
   desk.click("Take it##suggestion");
-  const auto state = desk.app->workspace().state();
+  const auto state = desk.app->editing().state();
   const std::string session = desk.app->session_path();
   const auto file = files::open_trace(session);
   ASSERT_TRUE(file.ok()) << file.error().line(session);

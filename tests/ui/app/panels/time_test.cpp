@@ -70,7 +70,7 @@ TEST(Time, AFileOpensWithTheRateOfItsKeys) {
   Desk desk("rate");
   desk.begin();
   for (const double time : {0.0, 5.0 / 30, 7.0 / 30})
-    ASSERT_TRUE(desk.app->workspace().perform(document::SetKey{time, {}}));
+    ASSERT_TRUE(desk.app->editing().perform(document::SetKey{time, {}}));
   ASSERT_TRUE(desk.app->save(desk.path("thirty.glb")).ok());
   EXPECT_EQ(desk.app->playback().rate(), 24);
   ASSERT_TRUE(desk.app->open(desk.path("thirty.glb")).ok());
@@ -116,7 +116,7 @@ TEST(Time, UndoSkipsMovesInTimeAndThePlayheadReturnsWithThePose) {
   EXPECT_EQ(desk.document().timeline->keys.size(), 1U) << "the key is taken back, not three looks at other moments";
   EXPECT_DOUBLE_EQ(desk.app->playback().time_s(), desk.document().time_s);
   EXPECT_DOUBLE_EQ(jaw(desk), 0.5) << "the pose is there that was keyed";
-  const auto steps = desk.app->workspace().steps();
+  const auto steps = desk.app->editing().steps();
   ASSERT_EQ(steps.size(), 3U);
   EXPECT_EQ(steps[0].text, "Key the pose");
   EXPECT_EQ(steps[1].text, "Set a control");
@@ -132,7 +132,7 @@ TEST(Time, UndoSkipsMovesInTimeAndThePlayheadReturnsWithThePose) {
 TEST(Time, WhatIsPlayedIsTheLoop) {
   Desk desk("loop");
   desk.begin();
-  for (const double time : {0.0, 1.0, 2.0}) ASSERT_TRUE(desk.app->workspace().perform(document::SetKey{time, {}}));
+  for (const double time : {0.0, 1.0, 2.0}) ASSERT_TRUE(desk.app->editing().perform(document::SetKey{time, {}}));
   desk.app->playback().go_to(0.5);
   desk.press('[');
   desk.app->playback().go_to(1);

@@ -54,7 +54,7 @@ TEST(Performance, APenThatMovesNothingKeysNothing) {
   EXPECT_FALSE(performance.keys(three_controls(), {0.5, 0, 0}));
 }
 
-/// A lip's line with a goal, the goal in hand to be pulled.
+/// A lip's line with a target, the target in hand to be pulled.
 void draw_smile(Desk& desk) {
   desk.begin();
   desk.press('b');
@@ -63,7 +63,7 @@ void draw_smile(Desk& desk) {
   desk.press('s');
 }
 
-/// Pulls the goal by its middle, a frame of the screen for each step.
+/// Pulls the target by its middle, a frame of the screen for each step.
 void pull(Desk& desk, int frames, double by) {
   ASSERT_FALSE(desk.document().curves.empty());
   const auto& target = *desk.document().curves.back()->target;
@@ -78,7 +78,7 @@ void pull(Desk& desk, int frames, double by) {
   desk.frames();
 }
 
-TEST(Performing, PullingAtAGoalKeysWhatTheFaceDoesFrameByFrame) {
+TEST(Performing, PullingAtATargetKeysWhatTheFaceDoesFrameByFrame) {
   Desk desk("perform");
   draw_smile(desk);
   desk.click("Key");
@@ -93,7 +93,7 @@ TEST(Performing, PullingAtAGoalKeysWhatTheFaceDoesFrameByFrame) {
   EXPECT_EQ(timeline->keys.front().pose, document::SharedPose(keyed)) << "it begins with what was there";
   EXPECT_NE(timeline->keys.back().pose, document::SharedPose(keyed));
   for (const auto& key : timeline->keys) EXPECT_DOUBLE_EQ(key.time_s, on_frame(key.time_s, 24));
-  EXPECT_EQ(curves, desk.document().curves) << "the goal goes back: the pen was a string";
+  EXPECT_EQ(curves, desk.document().curves) << "the target goes back: the pen was a string";
   EXPECT_DOUBLE_EQ(desk.app->playback().time_s(), timeline->keys.back().time_s);
   EXPECT_EQ(desk.document().pose, rig::Pose(timeline->keys.back().pose));
   desk.press('z', true);
@@ -151,15 +151,15 @@ TEST(Performing, AFaceThatIsBehindThePenSettlesWhileThePenRests) {
   desk.frames(2);
   desk.app->mouse_moved(middle + PxPoint{0, 30});
   desk.frames(40);
-  const rig::Pose rested = desk.app->workspace().shown_pose();
+  const rig::Pose rested = desk.app->editing().shown_pose();
   desk.frames(40);
-  EXPECT_EQ(desk.app->workspace().shown_pose(), rested) << "it comes to rest";
+  EXPECT_EQ(desk.app->editing().shown_pose(), rested) << "it comes to rest";
   desk.app->mouse_button(MouseButton::left, false, middle + PxPoint{0, 30});
   desk.frames();
   EXPECT_EQ(rig::Pose(desk.document().timeline->keys.back().pose), rested) << "and is keyed as it rests";
 }
 
-TEST(Performing, ATouchOfAGoalIsStillATouch) {
+TEST(Performing, ATouchOfATargetIsStillATouch) {
   Desk desk("touch");
   draw_smile(desk);
   desk.press(' ', false, true);
@@ -172,16 +172,16 @@ TEST(Performing, ATouchOfAGoalIsStillATouch) {
 TEST(Performing, TheLineBelowSaysWhatTheTakeKeyedAndNotWhatAStrokeBeforeItDid) {
   Desk desk("take-said");
   draw_smile(desk);
-  const std::string stroke = outcome_of(desk.app->workspace());
+  const std::string stroke = outcome_of(desk.app->editing());
   ASSERT_FALSE(stroke.empty());
   desk.press(' ', false, true);
   pull(desk, 24, 20);
-  const std::string take = outcome_of(desk.app->workspace());
+  const std::string take = outcome_of(desk.app->editing());
   EXPECT_NE(take.find("frames are keyed"), std::string::npos) << take;
   // The next thing that happens is what there is to say.
   desk.app->playback().undo();
   desk.frames();
-  EXPECT_EQ(outcome_of(desk.app->workspace()).find("frames are keyed"), std::string::npos);
+  EXPECT_EQ(outcome_of(desk.app->editing()).find("frames are keyed"), std::string::npos);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ void key_wink(Desk& desk) {
   desk.app->playback().place_cursor(1);
   desk.app->do_action(Action::key_pose);
   desk.app->keys().name("wink");
-  desk.app->workspace().perform(document::ResetParameters{});
+  desk.app->editing().perform(document::ResetParameters{});
   desk.frames();
 }
 
@@ -71,8 +71,8 @@ TEST(PoseLibrary, APoseIsChosenByItsPictureAndBlendedInWithThePen) {
   desk.frames();
   desk.app->mouse_moved(at(0.5));
   desk.frames();
-  EXPECT_TRUE(desk.app->workspace().previews()) << "the face shows it before it is let go";
-  EXPECT_NEAR(desk.app->workspace().shown_pose()[index_of(desk, "jaw")], 0.25, 0.02);
+  EXPECT_TRUE(desk.app->editing().previews()) << "the face shows it before it is let go";
+  EXPECT_NEAR(desk.app->editing().shown_pose()[index_of(desk, "jaw")], 0.25, 0.02);
   desk.app->mouse_button(MouseButton::left, false, at(0.5));
   desk.frames();
   EXPECT_NEAR(value_of(desk, "jaw"), 0.25, 0.02);

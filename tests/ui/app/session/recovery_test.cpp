@@ -39,35 +39,35 @@ std::unique_ptr<Desk> start(const std::string& name, bool fresh = false) {
 TEST(Recovery, AfterACrashTheWorkComesBackWithItsStepsAndIsOfferedAgainAfterTheNext) {
   auto desk = start("crash", true);
   pose_mouth(*desk);
-  const auto lost = desk->app->workspace().state();
+  const auto lost = desk->app->editing().state();
   const std::string session = crash(std::move(desk));
   desk = start("crash");
   ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover);
   desk->click("Bring it back");
-  EXPECT_EQ(desk->app->workspace().state(), lost);
-  EXPECT_TRUE(desk->app->workspace().unsaved()) << "quitting asks";
+  EXPECT_EQ(desk->app->editing().state(), lost);
+  EXPECT_TRUE(desk->app->editing().unsaved()) << "quitting asks";
   EXPECT_TRUE(abandoned_sessions(desk->path("state/sessions")).empty()) << "another window does not offer it";
   // Undo goes back beyond the crash, and the same file goes on.
   EXPECT_EQ(desk->app->session_path(), session);
   desk->press('z', true);
   EXPECT_FALSE(desk->document().curves.front()->target.has_value());
   desk->press('z', true, true);
-  EXPECT_EQ(desk->app->workspace().state(), lost);
+  EXPECT_EQ(desk->app->editing().state(), lost);
   // The next crash comes before anything else is done.
   crash(std::move(desk));
   desk = start("crash");
   ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover);
   desk->click("Bring it back");
-  EXPECT_EQ(desk->app->workspace().state(), lost);
+  EXPECT_EQ(desk->app->editing().state(), lost);
   // And one after more work.
   desk->click("Key");
-  const auto later = desk->app->workspace().state();
+  const auto later = desk->app->editing().state();
   crash(std::move(desk));
   desk = start("crash");
   ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover);
   desk->click("Bring it back");
-  EXPECT_EQ(desk->app->workspace().state(), later);
-  EXPECT_EQ(desk->app->workspace().editor().history().undo_count(), 3U);
+  EXPECT_EQ(desk->app->editing().state(), later);
+  EXPECT_EQ(desk->app->editing().editor().history().undo_count(), 3U);
 }
 
 TEST(Recovery, SaveGoesWhereTheWorkWasSavedBeforeTheCrash) {
@@ -84,18 +84,18 @@ TEST(Recovery, SaveGoesWhereTheWorkWasSavedBeforeTheCrash) {
   desk->frames();
   desk->click("Key");
   desk->press('s', true);
-  EXPECT_FALSE(desk->app->workspace().unsaved());
+  EXPECT_FALSE(desk->app->editing().unsaved());
   desk->app->controls().set_parameter(0, desk->document().model->rig->parameters()[0].maximum);
-  const auto lost = desk->app->workspace().state();
+  const auto lost = desk->app->editing().state();
   crash(std::move(desk));
   desk = start("crash-project");
   ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover);
   desk->click("Bring it back");
-  EXPECT_EQ(desk->app->workspace().state(), lost) << "though the file that it began on was written over";
+  EXPECT_EQ(desk->app->editing().state(), lost) << "though the file that it began on was written over";
   EXPECT_EQ(desk->app->project(), project);
   desk->press('s', true);
   EXPECT_EQ(desk->app->dialogs().open(), Dialog::none) << "no name is asked for";
-  EXPECT_FALSE(desk->app->workspace().unsaved());
+  EXPECT_FALSE(desk->app->editing().unsaved());
 }
 
 TEST(Recovery, AStrokeThatTheCrashCutOffIsKeptAsFarAsItCame) {
@@ -113,11 +113,11 @@ TEST(Recovery, AStrokeThatTheCrashCutOffIsKeptAsFarAsItCame) {
   desk->click("Bring it back");
   ASSERT_EQ(desk->document().curves.size(), 1U);
   EXPECT_TRUE(desk->document().curves.front()->target.has_value());
-  const auto state = desk->app->workspace().state();
+  const auto state = desk->app->editing().state();
   crash(std::move(desk));
   desk = start("crash-stroke");
   desk->click("Bring it back");
-  EXPECT_EQ(desk->app->workspace().state(), state) << "the file that was mended replays";
+  EXPECT_EQ(desk->app->editing().state(), state) << "the file that was mended replays";
 }
 
 // A power cut stops in the middle of a line, or right before its break: whatever came back goes on in a file that
@@ -144,7 +144,7 @@ TEST(Recovery, WhereverTheFileWasCutOffItGoesOnAndReplays) {
     desk->click("Bring it back");
     desk->begin();
     desk->click("Key");
-    const auto state = desk->app->workspace().state();
+    const auto state = desk->app->editing().state();
     ASSERT_EQ(desk->document().timeline->keys.size(), 1U);
     const std::string text = text_of(session);
     replay::PlayerOptions options;
@@ -183,13 +183,13 @@ TEST(Recovery, WorkThatASignalInterruptsIsOfferedAtTheNextStart) {
     desk.stroke(desk.named_curve("brow_L"), false);
     desk.app->quit_at_once();
     EXPECT_EQ(desk.document().curves.size(), 2U) << "the stroke under the pen is kept, too";
-    lost = desk.app->workspace().state();
+    lost = desk.app->editing().state();
     EXPECT_TRUE(desk.app->wants_quit()) << "nobody is asked";
   }
   Desk desk("signal", "builtin:demo", false);
   ASSERT_EQ(desk.app->dialogs().open(), Dialog::recover);
   desk.click("Bring it back");
-  EXPECT_EQ(desk.app->workspace().state().parts[3], lost.parts[3]);
+  EXPECT_EQ(desk.app->editing().state().parts[3], lost.parts[3]);
 }
 
 }  // namespace

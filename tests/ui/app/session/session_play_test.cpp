@@ -45,10 +45,10 @@ Played play(const std::string& name, const std::string& text) {
   const std::string path = desk.path("played.session");
   std::ofstream(path, std::ios::binary) << text;
   Played out;
-  const auto before = desk.app->workspace().state();
+  const auto before = desk.app->editing().state();
   out.status = desk.app->play_trace(path);
   if (!out.status) {
-    EXPECT_EQ(desk.app->workspace().state(), before) << "what is refused changes nothing";
+    EXPECT_EQ(desk.app->editing().state(), before) << "what is refused changes nothing";
     return out;
   }
   desk.app->player().trace->set_speed(16);
@@ -117,7 +117,7 @@ TEST(SessionPlay, ASessionReplaysAfterItsProjectWasSavedOverItself) {
     desk.frames();
     pose_mouth(desk);
     ASSERT_TRUE(desk.app->save(project).ok());
-    const auto state = desk.app->workspace().state();
+    const auto state = desk.app->editing().state();
     const std::string session = desk.app->session_path();
     replay::PlayerOptions options;
     options.open = [&](const std::string& named) {
@@ -146,7 +146,7 @@ TEST(SessionPlay, AProjectIsNotSavedOverWhereItsSessionCouldNotBeReplayedAnyMore
   ASSERT_FALSE(saved);
   EXPECT_NE(saved.error().line().find("save under another name"), std::string::npos) << saved.error().line();
   EXPECT_EQ(text_of(project), before);
-  EXPECT_TRUE(desk.app->workspace().unsaved());
+  EXPECT_TRUE(desk.app->editing().unsaved());
   EXPECT_TRUE(desk.app->save(desk.path("other.glb")).ok());
 }
 

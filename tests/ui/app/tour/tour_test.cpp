@@ -103,7 +103,7 @@ TEST(Tour, AStrokeElsewhereIsTakenBackAndSaidWhy) {
   desk.stroke(shown_line(desk));
   EXPECT_EQ(desk.app->tour().step(), 1U);
   EXPECT_EQ(desk.app->tour().again(), "");
-  // Where the feature is already is no goal for it.
+  // Where the feature is already is no target for it.
   desk.stroke(desk.named_curve("lip_upper_inner"));
   EXPECT_EQ(desk.app->tour().step(), 1U);
   EXPECT_FALSE(desk.document().curves.front()->target.has_value());

@@ -12,13 +12,13 @@ namespace {
 TEST(Outcome, WhatIsLeftIsSaidFirstAndThenWhatMoved) {
   Desk desk("outcome");
   desk.begin();
-  EXPECT_EQ(outcome_of(desk.app->workspace()), "");
+  EXPECT_EQ(outcome_of(desk.app->editing()), "");
   pose_mouth(desk);
-  const std::string text = outcome_of(desk.app->workspace());
+  const std::string text = outcome_of(desk.app->editing());
   char left[32];
-  std::snprintf(left, sizeof left, "%.1f px left", desk.app->workspace().left_px());
+  std::snprintf(left, sizeof left, "%.1f px left", desk.app->editing().left_px());
   EXPECT_TRUE(text.starts_with(left)) << text;
-  EXPECT_NE(text.find("Moved " + desk.app->workspace().movements().front().name), std::string::npos) << text;
+  EXPECT_NE(text.find("Moved " + desk.app->editing().movements().front().name), std::string::npos) << text;
 }
 
 TEST(Outcome, AControlThatCanGoNoFurtherIsNamed) {
@@ -27,10 +27,10 @@ TEST(Outcome, AControlThatCanGoNoFurtherIsNamed) {
   const auto raised = desk.named_curve("brow_L", {0, -45});
   desk.stroke(desk.named_curve("brow_L"));
   desk.stroke(raised);
-  const auto& movements = desk.app->workspace().movements();
+  const auto& movements = desk.app->editing().movements();
   const auto at_limit = std::find_if(movements.begin(), movements.end(), [](const auto& one) { return one.at_limit; });
   ASSERT_NE(at_limit, movements.end()) << "no brow goes that far";
-  const std::string text = outcome_of(desk.app->workspace());
+  const std::string text = outcome_of(desk.app->editing());
   EXPECT_NE(text.find(at_limit->name), std::string::npos) << text;
   EXPECT_TRUE(text.find("at its limit") != std::string::npos || text.find("at their limits") != std::string::npos)
       << text;

@@ -125,7 +125,7 @@ class Desk {
     EXPECT_GT(line.size(), 1U) << "the model has no curve " << name;
     return line;
   }
-  [[nodiscard]] const document::Document& document() const { return app->workspace().document(); }
+  [[nodiscard]] const document::Document& document() const { return app->editing().document(); }
   [[nodiscard]] std::string path(const std::string& name) const { return (folder / name).string(); }
 
   std::int64_t now_us = 1'000'000;

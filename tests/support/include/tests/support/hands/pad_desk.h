@@ -42,7 +42,7 @@ class PadDesk : public Desk {
   }
   void pen(PxPoint at, bool tip, bool barrel = false, bool near = true) {
     now_us += 3000;
-    const auto viewport = app->workspace().editor().view().viewport;
+    const auto viewport = app->editing().editor().view().viewport;
     app->tablet_report(k_pen, now_us, replay::virtual_pen_report({at, 0.5, near, tip, false, barrel}, viewport));
     app->begin_frame();
   }
@@ -54,7 +54,7 @@ class PadDesk : public Desk {
   void bind(const PadControl& control, const Binding& binding) {
     app->bind(*app->desk().find(k_pad), control, binding);
   }
-  [[nodiscard]] drawing::ToolKind tool() const { return app->workspace().editor().tool().kind; }
+  [[nodiscard]] drawing::ToolKind tool() const { return app->editing().editor().tool().kind; }
   [[nodiscard]] bool told(const std::string& text) const {
     for (const Notice& one : app->notices().all()) {
       if (one.text == text) return true;

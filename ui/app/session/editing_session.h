@@ -30,14 +30,14 @@ struct Habits {
 
 /// The document being worked on and what is shown of it: a session, the pose under the pen before it is a command, and
 /// what there is to say. Knows neither window nor panels.
-class Workspace {
+class EditingSession {
  public:
   /// Microseconds of a clock that never goes back.
   using Clock = std::function<std::int64_t()>;
   /// Tells somebody something; `is_error` where it did not work.
   using Tell = std::function<void(std::string text, bool is_error)>;
 
-  Workspace(Clock clock, Tell tell, const decode::TabletTable* own = nullptr);
+  EditingSession(Clock clock, Tell tell, const decode::TabletTable* own = nullptr);
 
   /// Begins a session on a document. `writer` may be null and must outlive the session.
   void open(document::Document document, replay::SessionWriter* writer, const std::string& path);
@@ -92,8 +92,8 @@ class Workspace {
   /// A target in hand, moved by px of the view as it is: the face follows. Nothing: it was let go.
   void hold_target(std::optional<document::CurveId> curve, geometry::PxPoint by = {},
                    const std::optional<PullHold>& pull = std::nullopt);
-  /// How a control's goal is pulled so far; nothing: it is not in hand. The face follows with follow_pen.
-  void hold_goal(std::optional<document::PullBetween> pull);
+  /// How a control's target is pulled so far; nothing: it is not in hand. The face follows with follow_pen.
+  void hold_control_target(std::optional<document::PullBetween> pull);
 
   /// A pose to show in place of the document's until another or none is given: a slider or the timeline in hand.
   void preview(std::optional<rig::Pose> pose) { preview_ = std::move(pose); }
@@ -158,8 +158,8 @@ class Workspace {
   std::optional<document::CurveId> held_;
   geometry::PxPoint held_by_;
   std::optional<PullHold> held_pull_;
-  std::optional<document::PullBetween> held_goal_;
-  bool goal_shown_ = false;
+  std::optional<document::PullBetween> held_pull_between_;
+  bool control_target_shown_ = false;
   geometry::PxPoint followed_by_;
   std::size_t followed_ = 0;
   std::vector<Movement> movements_;

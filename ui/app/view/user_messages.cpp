@@ -1,20 +1,11 @@
-#include "ui/app/view/said.h"
+#include "ui/app/view/user_messages.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
-#include <utility>
 
 namespace penpose::app {
 namespace {
 
 using articulation::CurveRole;
-
-void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
-    text.replace(at, from.size(), to);
-  }
-}
 
 std::string of_step(CurveRole step) {
   switch (step) {
@@ -59,22 +50,15 @@ std::string what_to_draw(const drawing::Tool& tool, const document::Document& be
 
 }  // namespace
 
-std::string said(const base::Error& error) {
-  std::string text = error.what + (error.remedy.empty() ? "" : "; " + error.remedy);
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> k_words{{
-      {"deformer", "control"},
-      {"region of general interest", "first line"},
-      {"region of specific interest", "second line"},
-      {"vertex of the model", "part of the face"},
-  }};
-  for (const auto& [from, to] : k_words) replace_all(text, from, to);
-  return text;
+std::string message_of(const base::Error& error) {
+  return error.what + (error.remedy.empty() ? "" : "; " + error.remedy);
 }
 
-std::string said_of_stroke(const base::Error& error, const drawing::Tool& tool, const document::Document& before) {
+std::string message_of_stroke(const base::Error& error, const drawing::Tool& tool, const document::Document& before) {
   if (error.place == "view" && before.pending) return "The view has turned: draw both lines around it in one view";
-  if (error.place.starts_with("line/core") || error.place.starts_with("line/general")) return said(error);
-  if (error.place != "line" && error.place != "at" && error.place != "role" && !error.place.empty()) return said(error);
+  if (error.place.starts_with("line/core") || error.place.starts_with("line/general")) return message_of(error);
+  if (error.place != "line" && error.place != "at" && error.place != "role" && !error.place.empty())
+    return message_of(error);
   return k_nothing_changed + what_to_draw(tool, before);
 }
 

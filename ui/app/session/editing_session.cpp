@@ -1,4 +1,4 @@
-#include "ui/app/session/workspace.h"
+#include "ui/app/session/editing_session.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "core/document/drawing/pose_problem.h"
 #include "core/intent/solve.h"
 #include "ui/app/session/kept_line.h"
-#include "ui/app/view/said.h"
+#include "ui/app/view/user_messages.h"
 
 namespace penpose::app {
 
@@ -42,10 +42,10 @@ document::CurveId new_target(const document::Document& before, const document::D
 
 }  // namespace
 
-Workspace::Workspace(Clock clock, Tell tell, const decode::TabletTable* own)
+EditingSession::EditingSession(Clock clock, Tell tell, const decode::TabletTable* own)
     : clock_(std::move(clock)), tell_(std::move(tell)), own_(own) {}
 
-void Workspace::forget() {
+void EditingSession::forget() {
   follow_.end();
   sketch_.end();
   preview_.reset();
@@ -54,13 +54,13 @@ void Workspace::forget() {
   joined_.clear();
   habits_ = {};
   held_.reset();
-  held_goal_.reset();
+  held_pull_between_.reset();
   movements_.clear();
   stroke_seen_ = false;
   live_.reset();
 }
 
-void Workspace::resume(replay::Session session, replay::SessionWriter* writer, std::int64_t last_us) {
+void EditingSession::resume(replay::Session session, replay::SessionWriter* writer, std::int64_t last_us) {
   forget();
   began_us_ = clock_() - last_us;
   live_ = std::make_unique<replay::LiveSession>(std::move(session), writer, last_us);
@@ -69,7 +69,7 @@ void Workspace::resume(replay::Session session, replay::SessionWriter* writer, s
   saved_revision_ = revision_++;
 }
 
-void Workspace::open(document::Document document, replay::SessionWriter* writer, const std::string& path) {
+void EditingSession::open(document::Document document, replay::SessionWriter* writer, const std::string& path) {
   forget();
   began_us_ = clock_();
   live_ = std::make_unique<replay::LiveSession>(std::move(document), writer, path, own_);
@@ -78,25 +78,25 @@ void Workspace::open(document::Document document, replay::SessionWriter* writer,
   saved_revision_ = ++revision_;
 }
 
-bool Workspace::act(const replay::SessionLine& line) {
+bool EditingSession::act(const replay::SessionLine& line) {
   const document::Document before = document();
   const std::size_t count = editor().history().undo_count();
   const base::Status status = live_->act(line, now());
   if (std::holds_alternative<replay::Performed>(line) && editor().history().undo_count() > count)
     joined_.performed(count, joins_);
   after_steps(before, solves(line));
-  if (!status && live_->session().steps().empty()) tell_(said(status.error()), true);
+  if (!status && live_->session().steps().empty()) tell_(message_of(status.error()), true);
   return status.ok();
 }
 
-void Workspace::after_steps(const document::Document& before, bool solved) {
+void EditingSession::after_steps(const document::Document& before, bool solved) {
   const auto steps = live_->session().steps();
   if (steps.empty()) return;
   for (const auto& step : steps) {
     if (step.status) continue;
     // A stroke that means nothing does no harm.
     const base::Error& error = step.status.error();
-    tell_(step.is_stroke ? said_of_stroke(error, editor().tool(), before) : said(error), !step.is_stroke);
+    tell_(step.is_stroke ? message_of_stroke(error, editor().tool(), before) : message_of(error), !step.is_stroke);
   }
   const bool any = std::any_of(steps.begin(), steps.end(), [](const auto& step) { return step.status.ok(); });
   if (!any) return;
@@ -123,7 +123,7 @@ void Workspace::after_steps(const document::Document& before, bool solved) {
   measure_left();
 }
 
-void Workspace::tell_of_cut(const document::Document& before, const replay::DrawnStroke& drawn) {
+void EditingSession::tell_of_cut(const document::Document& before, const replay::DrawnStroke& drawn) {
   constexpr double k_most_of_it = 0.85;
   for (const auto& curve : document().curves) {
     if (curve->target || curve->points.size() < 2 || document::find_curve(before, curve->id) != nullptr) continue;
@@ -136,7 +136,7 @@ void Workspace::tell_of_cut(const document::Document& before, const replay::Draw
   }
 }
 
-void Workspace::measure_left() {
+void EditingSession::measure_left() {
   document::Document last = document();
   // The target that was drawn or dragged; the last one where all were solved again.
   auto drawn = std::find_if(last.curves.rbegin(), last.curves.rend(), [&](const auto& curve) {
@@ -148,16 +148,16 @@ void Workspace::measure_left() {
   if (left && !left->empty()) left_px_ = left->front().px;
 }
 
-void Workspace::say_outcome(std::string text) {
+void EditingSession::say_outcome(std::string text) {
   movements_.clear();
   left_px_ = -1;
   outcome_ = std::move(text);
   outcome_revision_ = revision_;
 }
 
-bool Workspace::last_is_solved() const { return left_px_ >= 0 && solved_revision_ == revision_; }
+bool EditingSession::last_is_solved() const { return left_px_ >= 0 && solved_revision_ == revision_; }
 
-void Workspace::lock(const std::vector<std::string>& names, bool locked) {
+void EditingSession::lock(const std::vector<std::string>& names, bool locked) {
   const auto moved = [&](const std::string& name) {
     return std::any_of(movements_.begin(), movements_.end(), [&](const Movement& one) { return one.name == name; });
   };
@@ -179,7 +179,7 @@ void Workspace::lock(const std::vector<std::string>& names, bool locked) {
   perform(document::DrawTarget{curve, target.view, target.line, target.pressure});
 }
 
-bool Workspace::perform(const document::Command& command) {
+bool EditingSession::perform(const document::Command& command) {
   const document::Document before = document();
   const replay::SessionLine line = replay::Performed{command};
   if (!act(line)) return false;
@@ -190,14 +190,14 @@ bool Workspace::perform(const document::Command& command) {
   return true;
 }
 
-bool Workspace::perform_with(const document::Command& command) {
+bool EditingSession::perform_with(const document::Command& command) {
   joins_ = true;
   const bool done = act(replay::Performed{command});
   joins_ = false;
   return done;
 }
 
-const std::vector<std::size_t>& Workspace::two_sided_pairs() {
+const std::vector<std::size_t>& EditingSession::two_sided_pairs() {
   if (paired_rig_ != document().model->rig) {
     paired_rig_ = document().model->rig;
     pairs_ = two_sided(side_pairs(paired_rig_->parameters()), follow_.whole_of(document()).partner);
@@ -205,7 +205,7 @@ const std::vector<std::size_t>& Workspace::two_sided_pairs() {
   return pairs_;
 }
 
-void Workspace::follow_habits(const document::Document& before, bool solved) {
+void EditingSession::follow_habits(const document::Document& before, bool solved) {
   const document::Document& now = document();
   if (before.model != now.model || before.pose == now.pose) return;
   // What the stroke moved is still what there is to say.
@@ -225,58 +225,60 @@ void Workspace::follow_habits(const document::Document& before, bool solved) {
   solved_revision_ = revision_;
 }
 
-void Workspace::undo() {
+void EditingSession::undo() {
   for (std::size_t n = can_undo(); n > 0; --n) act(replay::Undone{});
 }
 
-void Workspace::redo() {
+void EditingSession::redo() {
   for (std::size_t n = can_redo(); n > 0; --n) act(replay::Redone{});
 }
 
-void Workspace::go_to_step(std::size_t commands) {
+void EditingSession::go_to_step(std::size_t commands) {
   while (editor().history().undo_count() > commands && act(replay::Undone{})) {
   }
   while (editor().history().undo_count() < commands && editor().history().redo_count() > 0 && act(replay::Redone{})) {
   }
 }
 
-void Workspace::set_tool(drawing::Tool tool) {
+void EditingSession::set_tool(drawing::Tool tool) {
   if (tool == editor().tool()) return;
   if (!sketches(tool)) sketch_.end();
   act(replay::ToolChosen{tool});
 }
 
-void Workspace::set_view(const document::View& view) {
+void EditingSession::set_view(const document::View& view) {
   if (view == editor().view()) return;
   act(replay::ViewChanged{view});
 }
 
-void Workspace::set_tablet(int device, const replay::TabletSetting& setting) {
+void EditingSession::set_tablet(int device, const replay::TabletSetting& setting) {
   act(replay::TabletSet{device, setting});
 }
 
-void Workspace::place_pen(bool on_canvas) {
+void EditingSession::place_pen(bool on_canvas) {
   if (session().pens().on_canvas() == on_canvas) return;
   act(replay::PenPlace{on_canvas});
 }
 
-std::vector<PenMoment> Workspace::pen(const replay::VirtualPenState& state) {
+std::vector<PenMoment> EditingSession::pen(const replay::VirtualPenState& state) {
   return report(0, replay::virtual_pen_report(state, editor().view().viewport));
 }
 
-void Workspace::connect(int device, const decode::DeviceIdentity& identity) {
+void EditingSession::connect(int device, const decode::DeviceIdentity& identity) {
   const document::Document before = document();
   live_->connect(device, identity);
   after_steps(before);
 }
 
-void Workspace::see_lights(int device, const decode::Lights& lights) { act(replay::LightsSeen{device, lights}); }
+void EditingSession::see_lights(int device, const decode::Lights& lights) { act(replay::LightsSeen{device, lights}); }
 
-void Workspace::disconnect(int device) { act(replay::TabletGone{device}); }
+void EditingSession::disconnect(int device) { act(replay::TabletGone{device}); }
 
-std::vector<PenMoment> Workspace::report(int device, base::Bytes bytes) { return report_at(device, clock_(), bytes); }
+std::vector<PenMoment> EditingSession::report(int device, base::Bytes bytes) {
+  return report_at(device, clock_(), bytes);
+}
 
-std::vector<PenMoment> Workspace::report_at(int device, std::int64_t received_us, base::Bytes bytes) {
+std::vector<PenMoment> EditingSession::report_at(int device, std::int64_t received_us, base::Bytes bytes) {
   const std::int64_t time_us = std::max<std::int64_t>(0, received_us - began_us_);
   const document::Document before = document();
   const std::size_t count = editor().history().undo_count();
@@ -299,8 +301,8 @@ std::vector<PenMoment> Workspace::report_at(int device, std::int64_t received_us
   return out;
 }
 
-void Workspace::hold_target(std::optional<document::CurveId> curve, geometry::PxPoint by,
-                            const std::optional<PullHold>& pull) {
+void EditingSession::hold_target(std::optional<document::CurveId> curve, geometry::PxPoint by,
+                                 const std::optional<PullHold>& pull) {
   held_pull_ = pull;
   held_ = curve;
   held_by_ = by;
@@ -308,14 +310,14 @@ void Workspace::hold_target(std::optional<document::CurveId> curve, geometry::Px
   if (!held_) mirrored_.reset();
 }
 
-void Workspace::hold_goal(std::optional<document::PullBetween> pull) {
-  if (held_goal_ == pull) return;
+void EditingSession::hold_control_target(std::optional<document::PullBetween> pull) {
+  if (held_pull_between_ == pull) return;
   if (!pull) sketch_.end();
-  held_goal_ = std::move(pull);
-  goal_shown_ = false;
+  held_pull_between_ = std::move(pull);
+  control_target_shown_ = false;
 }
 
-void Workspace::follow_pen() {
+void EditingSession::follow_pen() {
   follow_stroke();
   mirrored_.reset();
   if (!habits_.mirrors || !follow_.active()) return;
@@ -324,7 +326,7 @@ void Workspace::follow_pen() {
                             document::weight_count(model));
 }
 
-void Workspace::follow_stroke() {
+void EditingSession::follow_stroke() {
   if (held_) {
     if (!follow_.active() || !(follow_.curve() == *held_)) {
       follow_.begin_drag(document(), *held_, editor().view(), held_pull_);
@@ -335,8 +337,8 @@ void Workspace::follow_stroke() {
     followed_by_ = held_by_;
     return;
   }
-  if (held_goal_) {
-    if (!std::exchange(goal_shown_, true)) sketch_.pull(document(), *held_goal_);
+  if (held_pull_between_) {
+    if (!std::exchange(control_target_shown_, true)) sketch_.pull(document(), *held_pull_between_);
     return;
   }
   const replay::DrawnStroke* stroke = session().pens().current();
@@ -359,14 +361,14 @@ void Workspace::follow_stroke() {
   }
 }
 
-const rig::Pose& Workspace::shown_pose() const {
+const rig::Pose& EditingSession::shown_pose() const {
   if (follow_.active()) return staged_ ? *staged_ : pen_pose();
   if (preview_ && preview_->size() == document().pose.size() && !sketch_.model()) return *preview_;
   if (sketch_.pose()) return *sketch_.pose();
   return document().pose;
 }
 
-const std::shared_ptr<const document::Model>& Workspace::shown_model() const {
+const std::shared_ptr<const document::Model>& EditingSession::shown_model() const {
   return sketch_.model() ? sketch_.model() : document().model;
 }
 

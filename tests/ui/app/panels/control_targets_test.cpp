@@ -5,14 +5,15 @@
 #include "core/articulation/edit.h"
 #include "tests/support/app_desk.h"
 
-// What a control's goal can be after it was drawn first: several at several values, pulled, on another sheet, doubted.
+// What a control's target can be after it was drawn first: several at several values, pulled, on another sheet,
+// doubted.
 
 namespace penpose::app {
 namespace {
 
 using articulation::Deformer;
 
-/// A desk with a control below the mouth, its goal `goal` px down.
+/// A desk with a control below the mouth, its target `target` px down.
 class Chin {
  public:
   explicit Chin(const std::string& name) : desk(name) {
@@ -27,9 +28,9 @@ class Chin {
   }
   void sketch(double down = 10) {
     lassos();
-    desk.stroke(goal(down));
+    desk.stroke(target_line(down));
   }
-  [[nodiscard]] std::vector<PxPoint> goal(double down) const {
+  [[nodiscard]] std::vector<PxPoint> target_line(double down) const {
     return {middle + PxPoint{-26, down}, middle + PxPoint{0, down + 6}, middle + PxPoint{26, down}};
   }
   [[nodiscard]] const Deformer& made() const { return *desk.document().model->deformers->deformers().back(); }
@@ -52,7 +53,7 @@ class Chin {
   PxPoint middle;
 };
 
-TEST(ControlGoals, AFeatureThatWasFoundByAGuessIsDoubtedBeforeTheGoalIsDrawn) {
+TEST(ControlTargets, AFeatureThatWasFoundByAGuessIsDoubtedBeforeTheTargetIsDrawn) {
   Chin chin("guess");
   chin.desk.stroke(around(chin.middle, 70, 42));
   EXPECT_FALSE(chin.says("The green line"));
@@ -60,14 +61,14 @@ TEST(ControlGoals, AFeatureThatWasFoundByAGuessIsDoubtedBeforeTheGoalIsDrawn) {
   EXPECT_TRUE(chin.says("The green line is the feature that was found, but"));
 }
 
-TEST(ControlGoals, AnotherGoalIsDrawnAtTheValueThatTheSliderShowsDrawnAgainAndForgotten) {
+TEST(ControlTargets, AnotherTargetIsDrawnAtTheValueThatTheSliderShowsDrawnAgainAndForgotten) {
   Chin chin("between");
   chin.sketch();
   const auto whole = chin.made().curve_at(1);
   chin.desk.app->controls().set_parameter(chin.parameter(), 0.5);
   chin.desk.frames();
-  chin.desk.click("Another goal at 0.50##between");
-  std::vector<PxPoint> aside = chin.goal(4);
+  chin.desk.click("Another target at 0.50##between");
+  std::vector<PxPoint> aside = chin.target_line(4);
   for (PxPoint& p : aside) p.x += 14;
   chin.desk.stroke(aside);
   ASSERT_EQ(chin.made().sketch().betweens.size(), 1U);
@@ -79,10 +80,10 @@ TEST(ControlGoals, AnotherGoalIsDrawnAtTheValueThatTheSliderShowsDrawnAgainAndFo
     return off;
   };
   EXPECT_LE(lies(0.5, {chin.made().betweens()[0].begin(), chin.made().betweens()[0].end()}), 1e-9);
-  EXPECT_LE(lies(1, whole), 1e-9) << "its own goal is where it was";
+  EXPECT_LE(lies(1, whole), 1e-9) << "its own target is where it was";
   const auto first = chin.made().sketch().betweens[0].target;
-  chin.desk.click("Goal at 0.50##again0.50");
-  chin.desk.stroke(chin.goal(-6));
+  chin.desk.click("Target at 0.50##again0.50");
+  chin.desk.stroke(chin.target_line(-6));
   ASSERT_EQ(chin.made().sketch().betweens.size(), 1U);
   EXPECT_NE(chin.made().sketch().betweens[0].target, first);
   chin.desk.click("Remove##between0.50");
@@ -90,7 +91,7 @@ TEST(ControlGoals, AnotherGoalIsDrawnAtTheValueThatTheSliderShowsDrawnAgainAndFo
   EXPECT_LE(lies(1, whole), 1e-9);
 }
 
-TEST(ControlGoals, AGoalIsPulledWhereItIsHeldAndTheRestOfItLess) {
+TEST(ControlTargets, ATargetIsPulledWhereItIsHeldAndTheRestOfItLess) {
   Chin chin("pull");
   chin.sketch();
   const std::vector<geometry::ModelPoint> before(chin.made().target().begin(), chin.made().target().end());
@@ -107,7 +108,7 @@ TEST(ControlGoals, AGoalIsPulledWhereItIsHeldAndTheRestOfItLess) {
   EXPECT_LT(after[n / 3].y - line[n / 3].y, 7.5);
 }
 
-TEST(ControlGoals, TheFaceFollowsWhileAGoalIsPulledAndIsTheDocumentsAgainAfterwards) {
+TEST(ControlTargets, TheFaceFollowsWhileATargetIsPulledAndIsTheDocumentsAgainAfterwards) {
   Chin chin("pull-live");
   chin.sketch();
   chin.desk.app->controls().set_parameter(chin.parameter(), 0.0);
@@ -116,8 +117,8 @@ TEST(ControlGoals, TheFaceFollowsWhileAGoalIsPulledAndIsTheDocumentsAgainAfterwa
   const auto line = chin.seen(chin.made().target());
   const std::size_t held = line.size() / 5;
   const auto shown = [&] {
-    document::Model model = *chin.desk.app->workspace().shown_model();
-    model.pose = chin.desk.app->workspace().shown_pose();
+    document::Model model = *chin.desk.app->editing().shown_model();
+    model.pose = chin.desk.app->editing().shown_pose();
     return document::posed_positions(model);
   };
   const auto moved = [](const std::vector<geometry::ModelPoint>& a, const std::vector<geometry::ModelPoint>& b) {
@@ -126,7 +127,7 @@ TEST(ControlGoals, TheFaceFollowsWhileAGoalIsPulledAndIsTheDocumentsAgainAfterwa
     return most;
   };
   const auto rest = shown();
-  const std::uint64_t steps = chin.desk.app->workspace().can_undo();
+  const std::uint64_t steps = chin.desk.app->editing().can_undo();
   chin.desk.app->mouse_moved(line[held]);
   chin.desk.app->mouse_button(MouseButton::left, true, line[held]);
   chin.desk.frames();
@@ -140,7 +141,7 @@ TEST(ControlGoals, TheFaceFollowsWhileAGoalIsPulledAndIsTheDocumentsAgainAfterwa
     EXPECT_GT(moved(now, before), 0.0005) << k << ": the face follows the pen";
     before = now;
   }
-  EXPECT_EQ(chin.desk.app->workspace().can_undo(), steps) << "nothing is done before the pen lifts";
+  EXPECT_EQ(chin.desk.app->editing().can_undo(), steps) << "nothing is done before the pen lifts";
   chin.desk.app->mouse_button(MouseButton::left, false, line[held] + PxPoint{0, 24});
   chin.desk.frames();
   EXPECT_EQ(moved(shown(), rest), 0) << "the slider is where it was";
@@ -150,7 +151,7 @@ TEST(ControlGoals, TheFaceFollowsWhileAGoalIsPulledAndIsTheDocumentsAgainAfterwa
   EXPECT_LT(moved(shown(), before), 1e-9);
 }
 
-TEST(ControlGoals, ByItsMiddleOrWithAModifierAllOfAGoalIsMoved) {
+TEST(ControlTargets, ByItsMiddleOrWithAModifierAllOfATargetIsMoved) {
   for (const bool modifier : {false, true}) {
     Chin chin("pull-whole");
     chin.sketch();
@@ -174,7 +175,7 @@ TEST(ControlGoals, ByItsMiddleOrWithAModifierAllOfAGoalIsMoved) {
   }
 }
 
-TEST(ControlGoals, OfTwoLipsTheOtherSheetIsATapAway) {
+TEST(ControlTargets, OfTwoLipsTheOtherSheetIsATapAway) {
   Chin chin("sheet");
   const auto mouth = chin.desk.named_curve(any_curve(chin.desk));
   const PxPoint middle = mouth[mouth.size() / 2];
@@ -183,10 +184,10 @@ TEST(ControlGoals, OfTwoLipsTheOtherSheetIsATapAway) {
   chin.desk.stroke(around(middle, 40, 16));
   chin.desk.stroke({mouth.begin() + static_cast<std::ptrdiff_t>(mouth.size() / 4),
                     mouth.begin() + static_cast<std::ptrdiff_t>(3 * mouth.size() / 4)});
-  std::vector<PxPoint> goal(mouth.begin() + static_cast<std::ptrdiff_t>(mouth.size() / 4),
-                            mouth.begin() + static_cast<std::ptrdiff_t>(3 * mouth.size() / 4));
-  for (PxPoint& p : goal) p.y += 8;
-  chin.desk.stroke(goal);
+  std::vector<PxPoint> target(mouth.begin() + static_cast<std::ptrdiff_t>(mouth.size() / 4),
+                                   mouth.begin() + static_cast<std::ptrdiff_t>(3 * mouth.size() / 4));
+  for (PxPoint& p : target) p.y += 8;
+  chin.desk.stroke(target);
   ASSERT_FALSE(chin.desk.document().pending);
   const double before = chin.seen(chin.made().reference())[10].y;
   chin.desk.click("Other sheet");
@@ -197,28 +198,28 @@ TEST(ControlGoals, OfTwoLipsTheOtherSheetIsATapAway) {
   EXPECT_EQ(chin.seen(chin.made().reference())[10].y, before);
 }
 
-TEST(ControlGoals, AGoalFarLongerThanItsFeatureIsToldAtOnceAndByHowMuch) {
+TEST(ControlTargets, ATargetFarLongerThanItsFeatureIsToldAtOnceAndByHowMuch) {
   Chin chin("doubts");
   chin.lassos();
   chin.desk.stroke({chin.middle + PxPoint{-130, 12}, chin.middle + PxPoint{0, 26}, chin.middle + PxPoint{130, 12}});
   EXPECT_TRUE(chin.says("times as long as the feature, and what lies along it is stretched by as much"));
 }
 
-TEST(ControlGoals, ADoubtfulGoalIsToldAlsoWhenItIsDrawnAgain) {
+TEST(ControlTargets, ADoubtfulTargetIsToldAlsoWhenItIsDrawnAgain) {
   Chin other("doubts-again");
   other.sketch();
   EXPECT_FALSE(other.says("times as long as the feature"));
-  other.desk.click("Goal");
+  other.desk.click("Target");
   other.desk.stroke({other.middle + PxPoint{-130, 12}, other.middle + PxPoint{0, 26}, other.middle + PxPoint{130, 12}});
   EXPECT_TRUE(other.says("times as long as the feature"));
 }
 
-TEST(ControlGoals, AGoalThatRunsAgainstADrawnFeatureIsToldToHaveBeenTurnedRound) {
+TEST(ControlTargets, ATargetThatRunsAgainstADrawnFeatureIsToldToHaveBeenTurnedRound) {
   Chin chin("turned");
   chin.desk.click("Draw the feature myself");
   chin.lassos();
-  chin.desk.stroke(chin.goal(0));
-  auto back = chin.goal(12);
+  chin.desk.stroke(chin.target_line(0));
+  auto back = chin.target_line(12);
   std::reverse(back.begin(), back.end());
   chin.desk.stroke(back);
   ASSERT_FALSE(chin.desk.document().pending);
@@ -226,14 +227,14 @@ TEST(ControlGoals, AGoalThatRunsAgainstADrawnFeatureIsToldToHaveBeenTurnedRound)
   EXPECT_TRUE(chin.says("turned round"));
 }
 
-TEST(ControlGoals, TheFirstLineTakesWhatIsSeenOrAllThrough) {
+TEST(ControlTargets, TheFirstLineTakesWhatIsSeenOrAllThrough) {
   Chin chin("front");
   chin.desk.stroke(around(chin.middle, 70, 42));
   ASSERT_TRUE(chin.desk.document().pending);
   chin.desk.click("Front only");
   EXPECT_EQ(chin.desk.document().pending->sketch.reach, articulation::Reach::front);
   chin.desk.stroke(around(chin.middle, 30, 14));
-  chin.desk.stroke(chin.goal(10));
+  chin.desk.stroke(chin.target_line(10));
   ASSERT_FALSE(chin.desk.document().pending);
   const auto front = chin.made().vertices().size();
   chin.desk.click("Through");
@@ -241,12 +242,12 @@ TEST(ControlGoals, TheFirstLineTakesWhatIsSeenOrAllThrough) {
   EXPECT_GE(chin.made().vertices().size(), front);
 }
 
-TEST(ControlGoals, TheOtherPiecesInsideTheFirstLineAreATapAway) {
+TEST(ControlTargets, TheOtherPiecesInsideTheFirstLineAreATapAway) {
   Chin chin("piece");
   const auto lid = chin.desk.named_curve("eyelid_upper_L");
   const PxPoint eye = lid[lid.size() / 2] + PxPoint{0, 8};
   chin.desk.stroke(around(eye, 60, 40));
-  const auto pieces = chin.desk.app->workspace().sketch().pieces();
+  const auto pieces = chin.desk.app->editing().sketch().pieces();
   ASSERT_GT(pieces, 1U) << "the eye lies inside the line as well as the skin";
   const std::string many = std::to_string(pieces);
   chin.desk.click("Piece 1 of " + many + ": take the next##piece");
@@ -255,10 +256,10 @@ TEST(ControlGoals, TheOtherPiecesInsideTheFirstLineAreATapAway) {
   EXPECT_EQ(chin.desk.document().pending->sketch.piece, 2U % pieces);
 }
 
-TEST(ControlGoals, LinesThatTakeNothingOrCrossThemselvesSayItAndChangeNothing) {
+TEST(ControlTargets, LinesThatTakeNothingOrCrossThemselvesSayItAndChangeNothing) {
   Chin chin("nothing");
   chin.desk.stroke(around({chin.middle.x - 330, chin.middle.y - 300}, 20, 20));
-  const auto begun = chin.desk.app->workspace().state();
+  const auto begun = chin.desk.app->editing().state();
   EXPECT_TRUE(!chin.desk.document().pending || chin.desk.document().pending->sketch.general.empty());
   EXPECT_TRUE(chin.says("draw around everything on the face that may move"));
   // An eight.
@@ -269,12 +270,12 @@ TEST(ControlGoals, LinesThatTakeNothingOrCrossThemselvesSayItAndChangeNothing) {
   }
   chin.desk.stroke(eight);
   EXPECT_TRUE(chin.says("crosses itself"));
-  EXPECT_EQ(chin.desk.app->workspace().state(), begun);
+  EXPECT_EQ(chin.desk.app->editing().state(), begun);
   chin.desk.stroke(around(chin.middle, 70, 42));
-  const auto lassoed = chin.desk.app->workspace().state();
+  const auto lassoed = chin.desk.app->editing().state();
   chin.desk.stroke(around(chin.middle + PxPoint{0, -200}, 12, 8));
-  EXPECT_EQ(chin.desk.app->workspace().state(), lassoed) << "a core outside of the region";
-  EXPECT_TRUE(chin.says("middle of that region")) << "and where it lies is said";
+  EXPECT_EQ(chin.desk.app->editing().state(), lassoed) << "a core outside of the region";
+  EXPECT_TRUE(chin.says("middle of the first")) << "and where it lies is said";
 }
 
 }  // namespace
