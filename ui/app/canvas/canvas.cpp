@@ -33,10 +33,7 @@ double front_of(const document::Document& document) {
 }  // namespace
 
 Canvas::Canvas(EditingSession& editing, Preferences& preferences, Notices& notices, const Player& player)
-    : editing_(editing), preferences_(preferences), notices_(notices), player_(player) {
-  // Before the first frame nobody knows where panels are.
-  hits_.all = true;
-}
+    : editing_(editing), preferences_(preferences), notices_(notices), player_(player) {}
 
 double Canvas::dpi() const { return dpi_ >= k_least_dpi && dpi_ <= k_most_dpi ? dpi_ : 96; }
 
@@ -82,7 +79,7 @@ void Canvas::show_played() { view_.camera = editing_.editor().view().camera; }
 void Canvas::frame_all() { frame_from(viewpoint_of(view_.camera)); }
 
 void Canvas::begin() {
-  surface_.update(editing_.shown_model(), editing_.shown_pose());
+  surface_.update(editing_.shown().model(), editing_.shown().pose());
   framed_ = true;
   set_flat(false);
   look_from(*render::find_viewpoint("front"));
@@ -132,7 +129,7 @@ void Canvas::set_flat(bool on) {
   view_.camera = with_field_of_view(view_.camera, on ? k_flat_degrees : k_usual_degrees);
 }
 
-bool open_backdrop(Canvas& canvas, Notices& notices, const std::string& path) {
+bool open_backdrop(const Canvas& canvas, CanvasLook& look, Notices& notices, const std::string& path) {
   geometry::Box box;
   for (const glm::vec3& p : canvas.surface().positions()) box.add(geometry::ModelPoint(p));
   const bool empty = canvas.surface().positions().empty();
@@ -142,8 +139,8 @@ bool open_backdrop(Canvas& canvas, Notices& notices, const std::string& path) {
     notices.tell(made.error().line(path), true);
     return false;
   }
-  canvas.look().backdrop = std::move(*made);
-  const std::size_t frames = canvas.look().backdrop->frame_count();
+  look.backdrop = std::move(*made);
+  const std::size_t frames = look.backdrop->frame_count();
   notices.tell(frames > 1 ? std::to_string(frames) + " pictures, one a frame: drag them to where they fit, then Done"
                           : "Drag the picture to where it fits, the wheel sizes it, then Done");
   return true;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "ui/app/files/player.h"
 #include "ui/app/notices.h"
@@ -8,9 +9,9 @@
 #include "ui/app/session/editing_session.h"
 #include "ui/app/view/area.h"
 #include "ui/app/view/backdrop.h"
-#include "ui/app/view/hit_map.h"
 #include "ui/app/view/posed_surface.h"
 #include "ui/render/framing.h"
+#include "ui/render/scene.h"
 
 namespace penpose::app {
 
@@ -20,6 +21,11 @@ struct CanvasLook {
   bool onion_skin = true;              ///< lines of the keys before and after
   bool fullscreen = false;             ///< of the window
   std::shared_ptr<Backdrop> backdrop;  ///< a picture behind the model; null: none
+};
+
+/// What the canvas shows over the model, as of the last frame.
+struct CanvasDrawing {
+  std::vector<render::CurveDrawing> curves;
 };
 
 /// The model as it is seen: the window's size, the part that panels leave free, the camera, the posed surface.
@@ -38,10 +44,6 @@ class Canvas {
   /// The part of the window that no panel covers.
   [[nodiscard]] const Area& free_area() const { return free_; }
   void set_free_area(const Area& area);
-  [[nodiscard]] HitMap& hits() { return hits_; }
-  [[nodiscard]] const HitMap& hits() const { return hits_; }
-  [[nodiscard]] CanvasLook& look() { return look_; }
-  [[nodiscard]] const CanvasLook& look() const { return look_; }
   [[nodiscard]] PosedSurface& surface() { return surface_; }
   [[nodiscard]] const PosedSurface& surface() const { return surface_; }
 
@@ -81,8 +83,6 @@ class Canvas {
   Notices& notices_;
   const Player& player_;
   PosedSurface surface_;
-  CanvasLook look_;
-  HitMap hits_;
   geometry::Viewport window_{1280, 800};
   double dpi_ = 96;
   Area free_{0, 0, 1280, 800};
@@ -92,6 +92,6 @@ class Canvas {
 };
 
 /// Puts a picture, or the frames of a film, behind the model. False, and said why, where it cannot be read.
-bool open_backdrop(Canvas& canvas, Notices& notices, const std::string& path);
+bool open_backdrop(const Canvas& canvas, CanvasLook& look, Notices& notices, const std::string& path);
 
 }  // namespace penpose::app

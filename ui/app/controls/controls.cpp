@@ -46,7 +46,7 @@ void Controls::begin() {
 void Controls::tell_doubt_of_feature() {
   const auto& pending = editing_.document().pending;
   const drawing::Tool& tool = editing_.editor().tool();
-  const std::string& doubt = editing_.sketch().reference_doubt();
+  const std::string& doubt = editing_.shown().sketch().reference_doubt();
   if (!pending || doubted_ == pending || editing_.pen_is_drawing() || doubt.empty() || tool.draw_reference ||
       tool.kind != drawing::ToolKind::articulate ||
       drawing::next_step(editing_.document(), tool) != articulation::CurveRole::target)
@@ -113,7 +113,7 @@ void Controls::redraw(const std::string& deformer, articulation::CurveRole role)
   tool.kind = drawing::ToolKind::redraw;
   tool.deformer = deformer;
   tool.role = role;
-  editing_.preview(std::nullopt);
+  editing_.shown().preview(std::nullopt);
   editing_.set_tool(tool);
 }
 
@@ -130,7 +130,7 @@ void Controls::draw_between(const std::string& deformer, double value) {
 
 void Controls::correct_pose() {
   set_swing(false);
-  editing_.preview(std::nullopt);
+  editing_.shown().preview(std::nullopt);
   if (editing_.document().pending && !editing_.perform(document::CancelDeformer{})) return;
   drawing::Tool tool;
   tool.kind = drawing::ToolKind::articulate;
@@ -144,8 +144,8 @@ void Controls::correct_pose() {
 void Controls::set_swing(bool on) {
   swings_ = on;
   if (on) return;
-  editing_.preview(std::nullopt);
-  editing_.sketch().set_amount(1);
+  editing_.shown().preview(std::nullopt);
+  editing_.shown().sketch().set_amount(1);
 }
 
 void Controls::swing(std::int64_t now_us) {
@@ -153,7 +153,7 @@ void Controls::swing(std::int64_t now_us) {
   constexpr double k_period_s = 2;
   const double turns = static_cast<double>(now_us) * 1e-6 / k_period_s;
   const double amount = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * turns);
-  editing_.sketch().set_amount(amount);
+  editing_.shown().sketch().set_amount(amount);
   const auto& document = editing_.document();
   const auto index = rig::find_parameter(document.model->rig->parameters(), selected_);
   if (document.pending || editing_.pen_is_drawing()) return;
@@ -200,11 +200,11 @@ void Controls::preview_parameter(std::size_t parameter, double value) {
   rig::Pose pose = editing_.document().pose;
   if (parameter >= pose.size()) return;
   pose[parameter] = value;
-  editing_.preview(std::move(pose));
+  editing_.shown().preview(std::move(pose));
 }
 
 void Controls::set_parameter(std::size_t parameter, double value) {
-  editing_.preview(std::nullopt);
+  editing_.shown().preview(std::nullopt);
   const auto parameters = editing_.document().model->rig->parameters();
   if (parameter >= parameters.size()) return;
   const auto& one = parameters[parameter];

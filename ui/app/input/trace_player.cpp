@@ -82,23 +82,23 @@ void TracePlayer::advance(EditingSession& editing, std::int64_t by_us, Listener&
         }
         continue;
       }
-      editing.play(*event.line);
+      editing.act(*event.line);
     } else if (event.identity) {
-      editing.connect(event.device, *event.identity);
+      editing.input().connect(event.device, *event.identity);
       listener.on_device(event.device, *event.identity);
     } else {
-      const auto moments = editing.report(event.device, event.bytes);
+      const auto moments = editing.input().report(event.device, event.bytes);
       const auto hand = editing.session().hand_moments();
       const std::vector<replay::HandMoment> kept(hand.begin(), hand.end());
       listener.on_moments(event.device, moments, kept);
-      editing.follow_pen();
+      editing.shown().follow_pen();
     }
   }
   if (next_ < events_.size() || ended_) return;
   ended_ = true;
   for (const Event& event : events_) {
     if (event.identity) {
-      editing.disconnect(event.device);
+      editing.input().disconnect(event.device);
       listener.on_gone(event.device);
     }
   }

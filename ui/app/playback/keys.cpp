@@ -63,7 +63,7 @@ void Keys::move(double from_s, double to_s) {
   if (std::abs(from_s - to_s) < k_same_moment_s) return;
   if (!editing_.perform(document::MoveKey{from_s, to_s})) return;
   playback_.place_cursor(to_s);
-  editing_.preview(std::nullopt);
+  editing_.shown().preview(std::nullopt);
   editing_.perform(document::GoToTime{to_s});
 }
 

@@ -5,8 +5,8 @@
 
 #include "ui/app/notices.h"
 #include "ui/app/playback/playback.h"
+#include "ui/app/playback/pose_clipboard.h"
 #include "ui/app/session/editing_session.h"
-#include "ui/app/session/pose_clipboard.h"
 
 namespace penpose::app {
 

@@ -4,9 +4,9 @@
 
 #include "ui/app/files/player.h"
 #include "ui/app/notices.h"
+#include "ui/app/playback/performance.h"
 #include "ui/app/playback/playback.h"
 #include "ui/app/session/editing_session.h"
-#include "ui/app/session/performance.h"
 
 namespace penpose::app {
 

@@ -49,22 +49,22 @@ void Playback::follow_time(double was_s) {
 
 void Playback::undo() {
   const double was = editing_.document().time_s;
-  editing_.preview(std::nullopt);
-  if (editing_.can_undo() > 0) editing_.undo();
+  editing_.shown().preview(std::nullopt);
+  if (editing_.steps().can_undo() > 0) editing_.steps().undo();
   follow_time(was);
 }
 
 void Playback::redo() {
   const double was = editing_.document().time_s;
-  editing_.preview(std::nullopt);
-  if (editing_.can_redo() > 0) editing_.redo();
+  editing_.shown().preview(std::nullopt);
+  if (editing_.steps().can_redo() > 0) editing_.steps().redo();
   follow_time(was);
 }
 
 void Playback::go_to_step(std::size_t commands) {
   const double was = editing_.document().time_s;
-  editing_.preview(std::nullopt);
-  editing_.go_to_step(commands);
+  editing_.shown().preview(std::nullopt);
+  editing_.steps().go_to(commands);
   follow_time(was);
 }
 
@@ -88,18 +88,18 @@ void Playback::step_key(int direction) {
   }
   if (to == nullptr) return;
   time_s_ = to->time_s;
-  editing_.preview(std::nullopt);
+  editing_.shown().preview(std::nullopt);
   editing_.perform(document::GoToTime{time_s_});
 }
 
 void Playback::scrub(double time_s) {
   time_s_ = std::clamp(time_s, 0.0, document::k_latest_key_s);
   const auto& timeline = *editing_.document().timeline;
-  if (!timeline.keys.empty()) editing_.preview(document::sample(timeline, time_s_));
+  if (!timeline.keys.empty()) editing_.shown().preview(document::sample(timeline, time_s_));
 }
 
 void Playback::end_scrub() {
-  editing_.preview(std::nullopt);
+  editing_.shown().preview(std::nullopt);
   const document::Document& document = editing_.document();
   if (document.timeline->keys.empty()) return;
   // A pose that is on no key yet is carried along to where it shall be keyed, and not lost to a touch.
@@ -122,7 +122,7 @@ void Playback::advance(std::int64_t now_us) {
   const auto& keys = editing_.document().timeline->keys;
   if (keys.empty()) {
     playing_ = false;
-    editing_.preview(std::nullopt);
+    editing_.shown().preview(std::nullopt);
     return;
   }
   const double begin = loop_.begin_s();
@@ -135,7 +135,7 @@ void Playback::advance(std::int64_t now_us) {
     play_from_us_ = now_us;
     play_from_s_ = time_s_ = begin;
   }
-  editing_.preview(document::sample(*editing_.document().timeline, time_s_));
+  editing_.shown().preview(document::sample(*editing_.document().timeline, time_s_));
 }
 
 }  // namespace penpose::app

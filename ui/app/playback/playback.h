@@ -3,9 +3,9 @@
 #include <functional>
 
 #include "ui/app/notices.h"
+#include "ui/app/playback/loop_range.h"
 #include "ui/app/preferences.h"
 #include "ui/app/session/editing_session.h"
-#include "ui/app/session/loop_range.h"
 
 namespace penpose::app {
 

@@ -31,7 +31,7 @@ void SuggestionOffer::show(EditingSession& editing) {
                    [](const Movement& a, const Movement& b) { return std::abs(a.by) > std::abs(b.by); });
   asked_ = document;
   revision_ = editing.revision();
-  editing.preview(suggestion_->pose);
+  editing.shown().preview(suggestion_->pose);
 }
 
 base::Status SuggestionOffer::ask(EditingSession& editing) {
@@ -64,7 +64,7 @@ void SuggestionOffer::take(EditingSession& editing) {
 void SuggestionOffer::dismiss(EditingSession& editing) {
   if (!suggestion_) return;
   suggestion_.reset();
-  editing.preview(std::nullopt);
+  editing.shown().preview(std::nullopt);
 }
 
 void SuggestionOffer::follow(EditingSession& editing) {
@@ -75,7 +75,8 @@ void SuggestionOffer::follow(EditingSession& editing) {
     return;
   }
   // A stroke, a slider or the timeline shows a pose of its own, which stays.
-  if (!editing.previews() || (!editing.live().active() && editing.shown_pose() != suggestion_->pose)) {
+  if (!editing.shown().previews() ||
+      (!editing.shown().live().active() && editing.shown().pose() != suggestion_->pose)) {
     suggestion_.reset();
   }
 }

@@ -14,7 +14,8 @@ constexpr std::size_t k_named = 3;
 
 /// Whether what is left of the last target is what a hand leaves.
 bool within_hand(const EditingSession& editing) {
-  return editing.left_px() <= 2.0 * document::hand_px(editing.document(), editing.editor().view().viewport);
+  return editing.last_stroke().left_px() <=
+         2.0 * document::hand_px(editing.document(), editing.editor().view().viewport);
 }
 
 std::string why_nothing_moved(const EditingSession& editing) {
@@ -54,9 +55,9 @@ std::string moved_text(const std::vector<Movement>& movements) {
 }  // namespace
 
 std::string outcome_of(const EditingSession& editing) {
-  if (const std::string said = editing.outcome(); !said.empty()) return said;
-  const auto& movements = editing.movements();
-  const bool nothing_moved = movements.empty() && editing.last_is_solved();
+  if (const std::string said = editing.last_stroke().text(); !said.empty()) return said;
+  const auto& movements = editing.last_stroke().movements();
+  const bool nothing_moved = movements.empty() && editing.last_stroke().is_newest();
   if ((movements.empty() && !nothing_moved) || editing.document().curves.empty() ||
       editing.editor().tool().kind == drawing::ToolKind::articulate) {
     return {};
@@ -64,7 +65,7 @@ std::string outcome_of(const EditingSession& editing) {
   if (nothing_moved) return "Nothing moved: " + why_nothing_moved(editing);
   // What is left comes first: it is what one acts on.
   std::string text;
-  if (const double left = editing.left_px(); left >= 0) text = number("%.1f px left", left);
+  if (const double left = editing.last_stroke().left_px(); left >= 0) text = number("%.1f px left", left);
   if (const std::string limits = at_limits(movements); !limits.empty()) text += (text.empty() ? "" : ", ") + limits;
   return text + (text.empty() ? "" : "   |   ") + moved_text(movements);
 }

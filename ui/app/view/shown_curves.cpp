@@ -8,6 +8,7 @@
 #include "core/curve/pairing.h"
 #include "core/document/commands/apply.h"
 #include "core/document/drawing/target_line.h"
+#include "ui/app/tools/tool.h"
 
 namespace penpose::app {
 namespace {
@@ -47,15 +48,9 @@ std::vector<PxPoint> seen_in_view(const std::vector<ModelPoint>& points, const d
   return seen;
 }
 
-CurveKind kind_of(const drawing::Tool& tool, const document::Document& document, const document::View& view,
-                  const curve::Stroke& stroke) {
-  if (tool.kind == drawing::ToolKind::articulate) {
-    const auto step = drawing::next_step(document, tool);
-    return step == articulation::CurveRole::target ? CurveKind::target : CurveKind::reference;
-  }
-  if (tool.kind == drawing::ToolKind::redraw) {
-    return tool.role == articulation::CurveRole::target ? CurveKind::target : CurveKind::reference;
-  }
+CurveKind kind_of(const WindowTool& window, const drawing::Tool& tool, const document::Document& document,
+                  const document::View& view, const curve::Stroke& stroke) {
+  if (window.line != nullptr) return window.line({document, tool});
   const auto command = drawing::command_of(document, tool, view, stroke, false);
   if (!command) return CurveKind::reference;
   if (std::holds_alternative<document::DrawReference>(*command)) return CurveKind::reference;
@@ -117,8 +112,8 @@ void add_pose_curves(std::vector<CurveDrawing>& out, const EditingSession& editi
     out.push_back(std::move(on_surface));
     // While the target is drawn anew the old one would only be in the way; one that is drawn over is shown as it will
     // be.
-    const bool drawn = !held && editing.live().active() && editing.live().curve() == curve->id;
-    const document::DrawnTarget* now_wanted = drawn           ? editing.live().target()
+    const bool drawn = !held && editing.shown().live().active() && editing.shown().live().curve() == curve->id;
+    const document::DrawnTarget* now_wanted = drawn           ? editing.shown().live().target()
                                               : curve->target ? &*curve->target
                                                               : nullptr;
     if (now_wanted == nullptr) continue;
@@ -158,7 +153,7 @@ void add_pose_curves(std::vector<CurveDrawing>& out, const EditingSession& editi
 /// by itself or was drawn, from wherever one looks.
 void add_sketch(std::vector<CurveDrawing>& out, const EditingSession& editing, const CurveLook& look) {
   const auto& pending = editing.document().pending;
-  const auto& found = editing.sketch().reference();
+  const auto& found = editing.shown().sketch().reference();
   if (pending && !found.empty()) {
     CurveDrawing drawing;
     drawing.points = found;
@@ -181,12 +176,12 @@ void add_sketch(std::vector<CurveDrawing>& out, const EditingSession& editing, c
   add(sketch.general, CurveKind::constraint, true);
   add(sketch.specific, CurveKind::reference, true);
   // One that was refused, so that it is seen where it was drawn.
-  if (sketch.specific.empty()) add(editing.sketch().refused_core(), CurveKind::constraint, true);
+  if (sketch.specific.empty()) add(editing.shown().sketch().refused_core(), CurveKind::constraint, true);
 }
 
 /// The border of what the first lasso took, light over dark, so that it is seen on any material.
 void add_outline(std::vector<CurveDrawing>& out, const EditingSession& editing, const CurveLook& look) {
-  for (const auto& line : editing.sketch().outline()) {
+  for (const auto& line : editing.shown().sketch().outline()) {
     CurveDrawing drawing;
     drawing.points = line;
     drawing.color = render::from_srgb(0xfff7d0, 0.95F);
@@ -197,13 +192,13 @@ void add_outline(std::vector<CurveDrawing>& out, const EditingSession& editing, 
 
 /// A control's feature where the control has brought it, and where it goes at most.
 void add_deformer(std::vector<CurveDrawing>& out, const EditingSession& editing, const CurveLook& look) {
-  const auto& model = editing.shown_model();
+  const auto& model = editing.shown().model();
   const auto number = look.deformer.empty() || !model->deformers || editing.document().pending
                           ? std::nullopt
                           : articulation::find_deformer(*model->deformers, look.deformer);
   const auto parameter =
       number ? rig::find_parameter(model->rig->parameters(), look.deformer) : std::optional<std::size_t>();
-  if (!parameter || *parameter >= editing.shown_pose().size()) return;
+  if (!parameter || *parameter >= editing.shown().pose().size()) return;
   const articulation::Deformer& deformer = *model->deformers->deformers()[*number];
   const auto add_target = [&](double value, std::span<const ModelPoint> points) {
     CurveDrawing line;
@@ -227,7 +222,7 @@ void add_deformer(std::vector<CurveDrawing>& out, const EditingSession& editing,
     add_target(pulled.sketch().betweens[i].value, pulled.betweens()[i]);
   }
   CurveDrawing feature;
-  feature.points = deformer.curve_at(editing.shown_pose()[*parameter]);
+  feature.points = deformer.curve_at(editing.shown().pose()[*parameter]);
   feature.kind = CurveKind::reference;
   feature.width_px = 3 * look.scale;
   out.push_back(std::move(feature));
@@ -237,10 +232,11 @@ void add_stroke(std::vector<CurveDrawing>& out, const EditingSession& editing, c
   const replay::DrawnStroke* stroke = editing.session().pens().current();
   if (stroke == nullptr || !stroke->on_canvas || stroke->samples.empty()) return;
   const drawing::Tool& tool = editing.editor().tool();
-  if (tool.kind == drawing::ToolKind::none) return;
+  const WindowTool& window = look.tool != nullptr ? *look.tool : window_tool(tool.kind);
+  if (!window.draws()) return;
   CurveDrawing drawing;
-  const bool erases = stroke->eraser || tool.kind == drawing::ToolKind::erase;
-  drawing.kind = kind_of(tool, editing.document(), stroke->view, stroke->samples);
+  const bool erases = stroke->eraser || window.erases;
+  drawing.kind = kind_of(window, tool, editing.document(), stroke->view, stroke->samples);
   if (erases) drawing.color = render::from_srgb(0xf2efe8, 0.7F);
   std::vector<PxPoint> line;
   std::vector<double> pressures;

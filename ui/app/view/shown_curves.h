@@ -12,6 +12,8 @@
 
 namespace penpose::app {
 
+struct WindowTool;
+
 struct CurveLook {
   float scale = 1;  ///< px of the display for each px of an ordinary one
   std::optional<document::CurveId> highlighted;
@@ -24,6 +26,7 @@ struct CurveLook {
   double time_s = 0;                         ///< of which moment
   std::string deformer;                      ///< whose reference and target are shown; empty: of none
   Stabiliser stabiliser = Stabiliser::off;   ///< of lines as they are shown
+  const WindowTool* tool = nullptr;          ///< in hand; null: the one of its kind
   geometry::Viewport window;                 ///< in whose px curves on the glass are given
 };
 

@@ -38,12 +38,13 @@ class Chin {
     return *rig::find_parameter(desk.document().model->rig->parameters(), made().sketch().name);
   }
   [[nodiscard]] bool says(const std::string& part) const {
-    const auto& notices = desk.app->notices().all();
+    const auto& notices = desk.app->of<Notices>().all();
     return std::any_of(notices.begin(), notices.end(),
                        [&](const Notice& one) { return one.text.find(part) != std::string::npos; });
   }
   [[nodiscard]] std::vector<PxPoint> seen(std::span<const geometry::ModelPoint> line) const {
-    const auto camera = *geometry::Camera::make(desk.app->canvas().view().camera, desk.app->canvas().view().viewport);
+    const auto camera =
+        *geometry::Camera::make(desk.app->of<Canvas>().view().camera, desk.app->of<Canvas>().view().viewport);
     std::vector<PxPoint> px;
     for (const auto& point : line) px.push_back(*camera.project(point));
     return px;
@@ -65,7 +66,7 @@ TEST(ControlTargets, AnotherTargetIsDrawnAtTheValueThatTheSliderShowsDrawnAgainA
   Chin chin("between");
   chin.sketch();
   const auto whole = chin.made().curve_at(1);
-  chin.desk.app->controls().set_parameter(chin.parameter(), 0.5);
+  chin.desk.app->of<Controls>().set_parameter(chin.parameter(), 0.5);
   chin.desk.frames();
   chin.desk.click("Another target at 0.50##between");
   std::vector<PxPoint> aside = chin.target_line(4);
@@ -97,7 +98,7 @@ TEST(ControlTargets, ATargetIsPulledWhereItIsHeldAndTheRestOfItLess) {
   const std::vector<geometry::ModelPoint> before(chin.made().target().begin(), chin.made().target().end());
   const auto line = chin.seen(before);
   const std::size_t n = line.size(), held = n / 5;
-  chin.desk.app->do_action(Action::tool_select);
+  chin.desk.app->of<Actions>().run(Action::tool_select);
   chin.desk.frames();
   const std::vector<PxPoint> way{line[held], line[held] + PxPoint{0, 8}};
   chin.desk.stroke(way);
@@ -111,14 +112,14 @@ TEST(ControlTargets, ATargetIsPulledWhereItIsHeldAndTheRestOfItLess) {
 TEST(ControlTargets, TheFaceFollowsWhileATargetIsPulledAndIsTheDocumentsAgainAfterwards) {
   Chin chin("pull-live");
   chin.sketch();
-  chin.desk.app->controls().set_parameter(chin.parameter(), 0.0);
-  chin.desk.app->do_action(Action::tool_select);
+  chin.desk.app->of<Controls>().set_parameter(chin.parameter(), 0.0);
+  chin.desk.app->of<Actions>().run(Action::tool_select);
   chin.desk.frames();
   const auto line = chin.seen(chin.made().target());
   const std::size_t held = line.size() / 5;
   const auto shown = [&] {
-    document::Model model = *chin.desk.app->editing().shown_model();
-    model.pose = chin.desk.app->editing().shown_pose();
+    document::Model model = *chin.desk.app->of<EditingSession>().shown().model();
+    model.pose = chin.desk.app->of<EditingSession>().shown().pose();
     return document::posed_positions(model);
   };
   const auto moved = [](const std::vector<geometry::ModelPoint>& a, const std::vector<geometry::ModelPoint>& b) {
@@ -127,26 +128,26 @@ TEST(ControlTargets, TheFaceFollowsWhileATargetIsPulledAndIsTheDocumentsAgainAft
     return most;
   };
   const auto rest = shown();
-  const std::uint64_t steps = chin.desk.app->editing().can_undo();
-  chin.desk.app->mouse_moved(line[held]);
-  chin.desk.app->mouse_button(MouseButton::left, true, line[held]);
+  const std::uint64_t steps = chin.desk.app->of<EditingSession>().steps().can_undo();
+  chin.desk.app->of<Pointer>().moved(line[held]);
+  chin.desk.app->of<Pointer>().button(MouseButton::left, true, line[held]);
   chin.desk.frames();
   EXPECT_EQ(moved(shown(), rest), 0) << "only taken in hand yet";
   auto before = rest;
   for (int k = 1; k <= 3; ++k) {
     chin.desk.now_us += 3000;
-    chin.desk.app->mouse_moved(line[held] + PxPoint{0, 8.0 * k});
+    chin.desk.app->of<Pointer>().moved(line[held] + PxPoint{0, 8.0 * k});
     chin.desk.frames();
     const auto now = shown();
     EXPECT_GT(moved(now, before), 0.0005) << k << ": the face follows the pen";
     before = now;
   }
-  EXPECT_EQ(chin.desk.app->editing().can_undo(), steps) << "nothing is done before the pen lifts";
-  chin.desk.app->mouse_button(MouseButton::left, false, line[held] + PxPoint{0, 24});
+  EXPECT_EQ(chin.desk.app->of<EditingSession>().steps().can_undo(), steps) << "nothing is done before the pen lifts";
+  chin.desk.app->of<Pointer>().button(MouseButton::left, false, line[held] + PxPoint{0, 24});
   chin.desk.frames();
   EXPECT_EQ(moved(shown(), rest), 0) << "the slider is where it was";
   // What was shown is what was made.
-  chin.desk.app->controls().set_parameter(chin.parameter(), 1.0);
+  chin.desk.app->of<Controls>().set_parameter(chin.parameter(), 1.0);
   chin.desk.frames();
   EXPECT_LT(moved(shown(), before), 1e-9);
 }
@@ -158,15 +159,15 @@ TEST(ControlTargets, ByItsMiddleOrWithAModifierAllOfATargetIsMoved) {
     const auto line = chin.seen(chin.made().target());
     const std::size_t n = line.size();
     const PxPoint from = modifier ? line[n / 5] : line[n / 2];
-    chin.desk.app->do_action(Action::tool_select);
+    chin.desk.app->of<Actions>().run(Action::tool_select);
     chin.desk.frames();
-    chin.desk.app->mouse_moved(from);
-    chin.desk.app->mouse_button(MouseButton::left, true, from, modifier);
+    chin.desk.app->of<Pointer>().moved(from);
+    chin.desk.app->of<Pointer>().button(MouseButton::left, true, from, modifier);
     for (int k = 1; k <= 8; ++k) {
       chin.desk.now_us += 3000;
-      chin.desk.app->mouse_moved(from + PxPoint{0, 1.0 * k});
+      chin.desk.app->of<Pointer>().moved(from + PxPoint{0, 1.0 * k});
     }
-    chin.desk.app->mouse_button(MouseButton::left, false, from + PxPoint{0, 8});
+    chin.desk.app->of<Pointer>().button(MouseButton::left, false, from + PxPoint{0, 8});
     chin.desk.frames();
     const auto after = chin.seen(chin.made().target());
     for (const std::size_t i : {std::size_t{0}, n / 2, n - 1}) {
@@ -185,7 +186,7 @@ TEST(ControlTargets, OfTwoLipsTheOtherSheetIsATapAway) {
   chin.desk.stroke({mouth.begin() + static_cast<std::ptrdiff_t>(mouth.size() / 4),
                     mouth.begin() + static_cast<std::ptrdiff_t>(3 * mouth.size() / 4)});
   std::vector<PxPoint> target(mouth.begin() + static_cast<std::ptrdiff_t>(mouth.size() / 4),
-                                   mouth.begin() + static_cast<std::ptrdiff_t>(3 * mouth.size() / 4));
+                              mouth.begin() + static_cast<std::ptrdiff_t>(3 * mouth.size() / 4));
   for (PxPoint& p : target) p.y += 8;
   chin.desk.stroke(target);
   ASSERT_FALSE(chin.desk.document().pending);
@@ -247,7 +248,7 @@ TEST(ControlTargets, TheOtherPiecesInsideTheFirstLineAreATapAway) {
   const auto lid = chin.desk.named_curve("eyelid_upper_L");
   const PxPoint eye = lid[lid.size() / 2] + PxPoint{0, 8};
   chin.desk.stroke(around(eye, 60, 40));
-  const auto pieces = chin.desk.app->editing().sketch().pieces();
+  const auto pieces = chin.desk.app->of<EditingSession>().shown().sketch().pieces();
   ASSERT_GT(pieces, 1U) << "the eye lies inside the line as well as the skin";
   const std::string many = std::to_string(pieces);
   chin.desk.click("Piece 1 of " + many + ": take the next##piece");
@@ -259,7 +260,7 @@ TEST(ControlTargets, TheOtherPiecesInsideTheFirstLineAreATapAway) {
 TEST(ControlTargets, LinesThatTakeNothingOrCrossThemselvesSayItAndChangeNothing) {
   Chin chin("nothing");
   chin.desk.stroke(around({chin.middle.x - 330, chin.middle.y - 300}, 20, 20));
-  const auto begun = chin.desk.app->editing().state();
+  const auto begun = chin.desk.app->of<EditingSession>().state();
   EXPECT_TRUE(!chin.desk.document().pending || chin.desk.document().pending->sketch.general.empty());
   EXPECT_TRUE(chin.says("draw around everything on the face that may move"));
   // An eight.
@@ -270,11 +271,11 @@ TEST(ControlTargets, LinesThatTakeNothingOrCrossThemselvesSayItAndChangeNothing)
   }
   chin.desk.stroke(eight);
   EXPECT_TRUE(chin.says("crosses itself"));
-  EXPECT_EQ(chin.desk.app->editing().state(), begun);
+  EXPECT_EQ(chin.desk.app->of<EditingSession>().state(), begun);
   chin.desk.stroke(around(chin.middle, 70, 42));
-  const auto lassoed = chin.desk.app->editing().state();
+  const auto lassoed = chin.desk.app->of<EditingSession>().state();
   chin.desk.stroke(around(chin.middle + PxPoint{0, -200}, 12, 8));
-  EXPECT_EQ(chin.desk.app->editing().state(), lassoed) << "a core outside of the region";
+  EXPECT_EQ(chin.desk.app->of<EditingSession>().state(), lassoed) << "a core outside of the region";
   EXPECT_TRUE(chin.says("middle of the first")) << "and where it lies is said";
 }
 
