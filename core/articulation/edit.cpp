@@ -11,7 +11,7 @@ Deformers all_of(const SketchedDeformers& set) { return {set.deformers().begin()
 
 std::optional<base::Error> check_index(const SketchedDeformers& set, std::size_t index) {
   if (index < set.size()) return std::nullopt;
-  return base::Error{"there is no deformer " + std::to_string(index), "",
+  return base::Error{"there is no control " + std::to_string(index), "",
                      "the set has " + std::to_string(set.size()) + ", numbered from 0"};
 }
 

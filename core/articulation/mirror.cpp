@@ -60,7 +60,7 @@ void reflect(std::vector<PxPoint>& curve, geometry::Viewport viewport) {
 
 base::Result<SymmetryPlane> find_symmetry_plane(const Canvas& canvas) {
   const base::Error asymmetric{"the model is not symmetric about a plane across x", "",
-                               "draw the other side's deformer by hand"};
+                               "draw the other side's control by hand"};
   const auto positions = canvas.positions();
   if (canvas.mesh().triangle_count() == 0) return asymmetric;
   geometry::Box box;

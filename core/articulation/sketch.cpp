@@ -79,7 +79,7 @@ void add_curve(base::StateHash& hash, std::span<const PxPoint> curve) {
 }  // namespace
 
 base::Status check_sketch(const Sketch& sketch) {
-  if (sketch.name.empty()) return base::Error{"the deformer has no name", "name", "give it a name"};
+  if (sketch.name.empty()) return base::Error{"the control has no name", "name", "give it a name"};
   const auto missing = [](const char* key) {
     return base::Error{std::string("the ") + key + " curve is missing", key, "draw it"};
   };

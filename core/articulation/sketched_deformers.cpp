@@ -74,7 +74,7 @@ base::Result<SketchedDeformers::Shared> SketchedDeformers::make(
   for (std::size_t i = 0; i < deformers.size(); ++i) {
     made->parameters_.push_back(deformers[i]->parameter());
     if (!names.insert(made->parameters_.back().name).second) {
-      return base::Error{"another deformer is called '" + made->parameters_.back().name + "' too",
+      return base::Error{"another control is called '" + made->parameters_.back().name + "' too",
                          std::to_string(i) + "/name", "rename one of them"};
     }
   }

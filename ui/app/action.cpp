@@ -1,6 +1,7 @@
-#include "ui/app/action.h"
-
 #include "core/base/text/letters.h"
+#include "ui/app/actions.h"
+#include "ui/app/app.h"
+#include "ui/app/tools/tool_in_hand.h"
 
 namespace penpose::app {
 namespace {
@@ -59,6 +60,21 @@ std::string tooltip_of(Action action) {
   const ActionInfo& one = info(action);
   const std::string key = shortcut_text(one.key);
   return std::string(one.tip) + (key.empty() ? "" : " (" + key + ")");
+}
+
+void Actions::run(Action action) {
+  const ActionInfo& one = info(action);
+  if (one.tool != nullptr) return app_.of<ToolInHand>().take(*one.tool);
+  one.run(app_);
+}
+
+void Actions::press(const KeyStroke& key) {
+  if (const ActionInfo* one = action_of(key); one != nullptr) run(one->action);
+}
+
+bool Actions::usable(Action action) const {
+  const ActionInfo& one = info(action);
+  return one.usable == nullptr || one.usable(app_);
 }
 
 }  // namespace penpose::app

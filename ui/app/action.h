@@ -1,14 +1,16 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "ui/app/key_stroke.h"
+
 namespace penpose::app {
 
 class App;
+struct WindowTool;
 
 /// What can be chosen from a menu, the radial menu, the toolbar or by a key, by its name in the list of actions
 /// (action_list.cpp).
@@ -115,34 +117,16 @@ inline constexpr std::array k_named_actions{Action::tool_select,
                                             Action::backdrop,
                                             Action::backdrop_off};
 
-/// Keys that are no character.
-inline constexpr std::uint32_t k_key_escape = 27;
-inline constexpr std::uint32_t k_key_tab = 9;
-inline constexpr std::uint32_t k_key_delete = 127;
-inline constexpr std::uint32_t k_key_home = 0x110000;
-inline constexpr std::uint32_t k_key_left = 0x110001;
-inline constexpr std::uint32_t k_key_right = 0x110002;
-inline constexpr std::uint32_t k_key_up = 0x110003;
-inline constexpr std::uint32_t k_key_down = 0x110004;
-inline constexpr std::uint32_t k_key_f1 = 0x110005;
-inline constexpr std::uint32_t k_key_f11 = 0x110006;
-
-struct KeyStroke {
-  std::uint32_t key = 0;  ///< the character without shift, in lower case, or one of the constants; 0: none
-  bool ctrl = false;
-  bool shift = false;
-  friend bool operator==(const KeyStroke&, const KeyStroke&) = default;
-};
-
 struct ActionInfo {
   Action action;
   std::string_view label;
   KeyStroke key;
   KeyStroke other;  ///< a second key for the same
   std::string_view tip;
-  std::string_view icon;  ///< icon.h
-  void (*run)(App& app);
+  std::string_view icon;               ///< icon.h
+  void (*run)(App& app);               ///< owners.h: `does(...)` makes it of a function of owners
   bool (*usable)(App& app) = nullptr;  ///< whether its buttons can be pressed; null: always
+  const WindowTool* tool = nullptr;    ///< that it takes in hand, in place of `run`
 };
 
 [[nodiscard]] std::span<const ActionInfo> all_actions();

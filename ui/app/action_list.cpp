@@ -1,15 +1,17 @@
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "ui/app/action.h"
-#include "ui/app/app.h"
 #include "ui/app/input/side_pairs.h"
-#include "ui/app/session/frames.h"
+#include "ui/app/owners.h"
+#include "ui/app/playback/frames.h"
+#include "ui/app/tools/tool.h"
 #include "ui/app/view/backdrop.h"
-#include "ui/app/view/said.h"
+#include "ui/app/view/user_messages.h"
 
 // Every action in a row: its words, its keys, its icon (widgets/internal/icon.cpp tells the language), what it does and
-// when it can be used. A new one is a row here.
+// when it can be used. A new one is a row here. Those that take a tool in hand come from the tools' own files.
 
 namespace penpose::app {
 namespace {
@@ -19,149 +21,148 @@ constexpr double k_zoom = 0.85;
 
 void flip(bool& on) { on = !on; }
 
-void find(App& app, Dialog dialog) {
-  app.dialogs().state<SearchEntry>() = {};
-  app.dialogs().show(dialog);
+/// Opens a dialog in which one searches, with nothing searched for.
+void find(Dialogs& dialogs, Dialog dialog) {
+  dialogs.state<SearchEntry>() = {};
+  dialogs.show(dialog);
 }
 
-void name_file(App& app, Dialog dialog) {
-  app.dialogs().state<FileChoice>().name.clear();
-  app.dialogs().show(dialog);
+/// Opens a dialog in which a file is named, with no name.
+void name_file(Dialogs& dialogs, Dialog dialog) {
+  dialogs.state<FileChoice>().name.clear();
+  dialogs.show(dialog);
 }
 
-void save(App& app) {
-  if (app.project().empty()) return name_file(app, Dialog::save);
-  if (const auto saved = app.save(app.project()); !saved) app.notices().tell(saved.error().line(app.project()), true);
+void save(Files& files, Dialogs& dialogs, Notices& notices) {
+  const std::string project = files.project();
+  if (project.empty()) return name_file(dialogs, Dialog::save);
+  if (const auto saved = files.save(project); !saved) notices.tell(saved.error().line(project), true);
 }
 
-void look(App& app, const char* viewpoint) { app.canvas().look_from(*render::find_viewpoint(viewpoint)); }
+void look(Canvas& canvas, const char* viewpoint) { canvas.look_from(*render::find_viewpoint(viewpoint)); }
 
-void turn(App& app, double yaw, double pitch) {
-  if (!app.workspace().pen_is_drawing()) app.canvas().turn(yaw, pitch);
+void turn(const EditingSession& editing, Canvas& canvas, double yaw, double pitch) {
+  if (!editing.pen_is_drawing()) canvas.turn(yaw, pitch);
 }
 
-void zoom(App& app, double factor) {
-  if (!app.workspace().pen_is_drawing()) app.canvas().zoom(factor, app.canvas().free_area().middle());
+void zoom(const EditingSession& editing, Canvas& canvas, double factor) {
+  if (!editing.pen_is_drawing()) canvas.zoom(factor, canvas.free_area().middle());
 }
 
-void resize(App& app, double by) {
-  double& scale = app.preferences().settings().scale;
+void resize(Preferences& preferences, double by) {
+  double& scale = preferences.settings().scale;
   scale = std::clamp(scale + by, 0.5, 3.0);
-  app.preferences().changed();
+  preferences.changed();
 }
 
-void take_tool(App& app, drawing::ToolKind kind) {
-  drawing::Tool tool;
-  tool.kind = kind;
-  app.playback().stop();
-  app.workspace().preview(std::nullopt);
-  app.workspace().set_tool(tool);
-  app.panels().curve_menu.reset();
-  const bool sketches = kind == drawing::ToolKind::articulate;
-  if (sketches && !app.workspace().document().pending) app.controls().begin();
-  bool& tab = app.panels().controls_tab;
-  tab = sketches || (kind == drawing::ToolKind::none && tab);
+void suggest_rest(EditingSession& editing, SuggestionOffer& offer, Playback& playback, Controls& controls,
+                  Notices& notices) {
+  if (offer.open()) return offer.dismiss(editing);
+  if (editing.pen_is_drawing()) return;
+  playback.stop();
+  if (controls.swings()) controls.set_swing(false);
+  if (const auto asked = offer.ask(editing); !asked) notices.tell(message_of(asked.error()), true);
 }
 
-void suggest_rest(App& app) {
-  if (app.offer().open()) return app.offer().dismiss(app.workspace());
-  if (app.workspace().pen_is_drawing()) return;
-  app.playback().stop();
-  if (app.controls().swings()) app.controls().set_swing(false);
-  if (const auto asked = app.offer().ask(app.workspace()); !asked) app.notices().tell(said(asked.error()), true);
-}
-
-void close_dialog(App& app) {
-  Settings& settings = app.preferences().settings();
-  const Dialog dialog = app.dialogs().open();
+void close_dialog(Dialogs& dialogs, Preferences& preferences) {
+  Settings& settings = preferences.settings();
+  const Dialog dialog = dialogs.open();
   if (dialog == Dialog::steps) {
     settings.steps_seen = true;
-    app.preferences().changed();
+    preferences.changed();
   }
   // Work that was not saved is offered again at the next start.
-  app.dialogs().show(dialog == Dialog::recover && !settings.steps_seen ? Dialog::steps : Dialog::none);
-  app.dialogs().state<FileChoice>().name.clear();
-  app.dialogs().state<UnsavedWork>().saves_first = false;
+  dialogs.show(dialog == Dialog::recover && !settings.steps_seen ? Dialog::steps : Dialog::none);
+  dialogs.state<FileChoice>().name.clear();
+  dialogs.state<UnsavedWork>().saves_first = false;
 }
 
-void cancel(App& app) {
-  if (app.panels().radial) {
-    app.panels().radial.reset();
-  } else if (app.dialogs().any()) {
-    close_dialog(app);
-  } else if (app.offer().open()) {
-    app.offer().dismiss(app.workspace());
-  } else if (app.playback().playing()) {
-    app.playback().play_or_stop();
-  } else if (app.workspace().document().pending) {
-    app.workspace().perform(document::CancelDeformer{});
+void cancel(EditingSession& editing, PanelState& panels, Dialogs& dialogs, Preferences& preferences,
+            SuggestionOffer& offer, Playback& playback) {
+  if (panels.radial) {
+    panels.radial.reset();
+  } else if (dialogs.any()) {
+    close_dialog(dialogs, preferences);
+  } else if (offer.open()) {
+    offer.dismiss(editing);
+  } else if (playback.playing()) {
+    playback.play_or_stop();
+  } else if (editing.document().pending) {
+    editing.perform(document::CancelDeformer{});
   }
 }
 
 /// Sets the pose that is made of the one there is.
 template <typename Make>
-void change_pose(App& app, const char* unchanged, const Make& make) {
-  Workspace& workspace = app.workspace();
-  const document::Document& document = workspace.document();
+void change_pose(EditingSession& editing, Notices& notices, const char* unchanged, const Make& make) {
+  const document::Document& document = editing.document();
   const auto parameters = document.model->rig->parameters();
   const auto command =
       values_between(parameters, document.pose, make(parameters, document::weight_count(*document.model)));
-  if (command.values.empty()) return app.notices().tell(unchanged);
-  workspace.perform(command);
+  if (command.values.empty()) return notices.tell(unchanged);
+  editing.perform(command);
 }
 
-void copy_side(App& app, bool from_left) {
-  change_pose(app, "both sides are the same already", [&](auto parameters, std::size_t count) {
-    return copied_over(parameters, app.workspace().two_sided_pairs(), app.workspace().document().pose, count,
-                       from_left);
+void copy_side(EditingSession& editing, Notices& notices, bool from_left) {
+  change_pose(editing, notices, "both sides are the same already", [&](auto parameters, std::size_t count) {
+    return copied_over(parameters, editing.two_sided_pairs(), editing.document().pose, count, from_left);
   });
 }
 
-void step(App& app, int frames) {
-  app.playback().go_to(step_frame(app.playback().time_s(), frames, app.playback().rate()));
+void flip_pose(EditingSession& editing, Notices& notices) {
+  change_pose(editing, notices, "both sides are the same: nothing to exchange",
+              [&](auto parameters, std::size_t count) {
+                return flipped(parameters, side_pairs(parameters), editing.document().pose, count);
+              });
 }
+
+void step(Playback& playback, int frames) { playback.go_to(step_frame(playback.time_s(), frames, playback.rate())); }
 
 template <typename Enum>
 Enum next_of(Enum value, int count) {
   return static_cast<Enum>((static_cast<int>(value) + 1) % count);
 }
 
-void do_clear_curves(App& app) {
-  if (!app.workspace().document().curves.empty()) app.workspace().perform(document::ClearCurves{});
+void clear_curves(EditingSession& editing) {
+  if (!editing.document().curves.empty()) editing.perform(document::ClearCurves{});
 }
 
-void do_flip_pose(App& app) {
-  change_pose(app, "both sides are the same: nothing to exchange", [&](auto parameters, std::size_t count) {
-    return flipped(parameters, side_pairs(parameters), app.workspace().document().pose, count);
-  });
+void next_stabiliser(Preferences& preferences, Notices& notices) {
+  constexpr std::array k_messages{"lines are shown as they are drawn", "lines are smoothed a little to the eye",
+                                  "lines are smoothed much to the eye"};
+  Stabiliser& stabiliser = preferences.settings().stabiliser;
+  stabiliser = next_of(stabiliser, 3);
+  preferences.changed();
+  notices.tell(k_messages[static_cast<std::size_t>(stabiliser)]);
 }
 
-void do_stabiliser(App& app) {
-  constexpr std::array k_said{"lines are shown as they are drawn", "lines are smoothed a little to the eye",
-                              "lines are smoothed much to the eye"};
-  app.preferences().settings().stabiliser = next_of(app.preferences().settings().stabiliser, 3);
-  app.preferences().changed();
-  app.notices().tell(k_said[static_cast<std::size_t>(app.preferences().settings().stabiliser)]);
+void next_density(Preferences& preferences) {
+  preferences.settings().density = next_of(preferences.settings().density, 3);
+  preferences.changed();
 }
 
-void do_density(App& app) {
-  app.preferences().settings().density = next_of(app.preferences().settings().density, 3);
-  app.preferences().changed();
+void show_library(PanelState& panels) {
+  panels.shown = true;
+  panels.poses_tab = !panels.poses_tab;
+  panels.controls_tab = false;
 }
 
-void do_library(App& app) {
-  app.panels().shown = true;
-  app.panels().poses_tab = !app.panels().poses_tab;
-  app.panels().controls_tab = false;
+void adjust_backdrop(CanvasLook& look, Dialogs& dialogs) {
+  if (!look.backdrop) return find(dialogs, Dialog::backdrop);
+  look.backdrop->adjusting = !look.backdrop->adjusting;
 }
 
-void do_backdrop(App& app) {
-  const auto& backdrop = app.canvas().look().backdrop;
-  if (!backdrop) return find(app, Dialog::backdrop);
-  backdrop->adjusting = !backdrop->adjusting;
+void name_film(Dialogs& dialogs) {
+  dialogs.state<FileChoice>().name.clear();
+  find(dialogs, Dialog::film);
 }
 
-constexpr KeyStroke plain(std::uint32_t key) { return {key, false, false}; }
+void change_theme(Preferences& preferences) {
+  flip(preferences.settings().light);
+  preferences.changed();
+}
+
+constexpr KeyStroke plain(std::uint32_t key) { return plain_key(key); }
 constexpr KeyStroke ctrl(std::uint32_t key) { return {key, true, false}; }
 constexpr KeyStroke ctrl_shift(std::uint32_t key) { return {key, true, true}; }
 constexpr KeyStroke shift(std::uint32_t key) { return {key, false, true}; }
@@ -170,175 +171,195 @@ constexpr KeyStroke shift(std::uint32_t key) { return {key, false, true}; }
 // Krita's for drawing.
 // clang-format off
 constexpr std::array k_actions{
-    ActionInfo{{"tool_select"}, "Select", plain('s'), {}, "Drag targets, pick the control under the pen",
-     "M6 3L6 18L10 14.5L13 21L15.5 20L12.5 13.5L18 13Z", [](App& app) { take_tool(app, drawing::ToolKind::none); }},
-    ActionInfo{{"tool_pose"}, "Pose", plain('b'), plain('p'), "Draw where a feature is, then where it should go",
-     "M3 16L8 11L12 15L21 7M16 6L21 7L20 12", [](App& app) { take_tool(app, drawing::ToolKind::pose); }},
-    ActionInfo{{"tool_oversketch"}, "Redraw", plain('o'), {}, "Draw over a part of the last target",
-     "M3 18L9 13L13 16M14 13L20 4L22 6L16 14L13 15Z", [](App& app) { take_tool(app, drawing::ToolKind::oversketch); }},
-    ActionInfo{{"tool_constraint"}, "Hold", plain('c'), {}, "Draw along what should stay where it is",
-     "M6 11L18 11L18 20L6 20Z A12 11 4 180 360", [](App& app) { take_tool(app, drawing::ToolKind::constraint); }},
-    ActionInfo{{"tool_pin"}, "Pin", plain('n'), {}, "Touch one point that should stay where it is",
-     "C12 8 4M12 12L12 21", [](App& app) { take_tool(app, drawing::ToolKind::pin); }},
-    ActionInfo{{"tool_erase"}, "Erase", plain('e'), {}, "Draw over curves to delete them; so does the pen's other end",
-     "M4 15L13 5L20 11L12 20L8 20Z M9 10L16 16M12 20L20 20",
-     [](App& app) { take_tool(app, drawing::ToolKind::erase); }},
-    ActionInfo{{"tool_articulate"}, "Rig", plain('a'), {}, "Sketch a new control in three or four strokes",
-     "C6 18 2.5C18 6 2.5M8 16L16 8M4 6L10 6M7 3L7 9", [](App& app) { take_tool(app, drawing::ToolKind::articulate); }},
     ActionInfo{{"undo"}, "Undo", ctrl('z'), {}, "Take back the last step",
      "M9 5L4 10L9 15M4 10L14 10A14 14.5 4.5 -90 90M14 19L10 19",
-     [](App& app) { app.playback().undo(); }, [](App& app) { return app.workspace().can_undo() > 0; }},
+
+     does([](Playback& playback) { playback.undo(); }), does([](EditingSession& editing) { return editing.steps().can_undo() > 0; })},
     ActionInfo{{"redo"}, "Redo", ctrl_shift('z'), ctrl('y'), "Bring back what was undone",
      "M15 5L20 10L15 15M20 10L10 10A10 14.5 4.5 270 90M10 19L14 19",
-     [](App& app) { app.playback().redo(); }, [](App& app) { return app.workspace().can_redo() > 0; }},
+
+     does([](Playback& playback) { playback.redo(); }), does([](EditingSession& editing) { return editing.steps().can_redo() > 0; })},
     ActionInfo{{"clear_curves"}, "Clear", shift('x'), {}, "Remove all curves; the pose stays",
-     "M5 7L19 7M9 7L9 4L15 4L15 7M7 7L8 20L16 20L17 7", do_clear_curves},
+     "M5 7L19 7M9 7L9 4L15 4L15 7M7 7L8 20L16 20L17 7", does<clear_curves>},
     ActionInfo{{"delete_curve"}, "Delete", plain(k_key_delete), plain('x'), "Delete the curve under the pen",
-     "M4 16L9 11L13 14L16 11M16 16L21 21M21 16L16 21", [](App& app) { app.delete_highlighted(); }},
+     "M4 16L9 11L13 14L16 11M16 16L21 21M21 16L16 21", does([](CurvesInHand& curves) { curves.delete_lit(); })},
     ActionInfo{{"keep_curve"}, "Keep", plain('h'), {}, "Hold the curve under the pen where it is now",
-     "M4 13L9 18L20 6", [](App& app) { app.keep_highlighted(); }},
+     "M4 13L9 18L20 6", does([](CurvesInHand& curves) { curves.keep_lit(); })},
     ActionInfo{{"reset_pose"}, "Rest pose", ctrl('r'), {}, "Put all parameters at rest",
      "C12 12 8M8 10L8 10.5M16 10L16 10.5M8 15.5L16 15.5",
-     [](App& app) { app.workspace().perform(document::ResetParameters{}); }},
+     does([](EditingSession& editing) { editing.perform(document::ResetParameters{}); })},
     ActionInfo{{"cancel"}, "Cancel", plain(k_key_escape), {}, "Give up what is being drawn",
-     "M6 6L18 18M18 6L6 18", cancel},
+     "M6 6L18 18M18 6L6 18", does<cancel>},
     ActionInfo{{"view_front"}, "Front", plain('1'), {}, "Look from the front",
-     "C12 11 7M12 8L12 12M9 15L15 15", [](App& app) { look(app, "front"); }},
+     "C12 11 7M12 8L12 12M9 15L15 15", does([](Canvas& canvas) { look(canvas, "front"); })},
     ActionInfo{{"view_side"}, "Side", plain('3'), {}, "Look from the side",
-     "M8 4L14 4L17 9L19 13L16.5 13.5L16 18L12 19L12 21M8 4L6 9L8 15L8 21", [](App& app) { look(app, "side"); }},
+     "M8 4L14 4L17 9L19 13L16.5 13.5L16 18L12 19L12 21M8 4L6 9L8 15L8 21",
+     does([](Canvas& canvas) { look(canvas, "side"); })},
     ActionInfo{{"view_three_quarter"}, "3/4", plain('2'), plain('7'), "Look from between front and side",
-     "C12 11 7M14 8L15 12M11 15L16 14", [](App& app) { look(app, "three-quarter"); }},
+     "C12 11 7M14 8L15 12M11 15L16 14", does([](Canvas& canvas) { look(canvas, "three-quarter"); })},
     ActionInfo{{"frame_all"}, "Frame", plain(k_key_home), plain('f'), "Show all of the model",
-     "M4 9L4 4L9 4M15 4L20 4L20 9M20 15L20 20L15 20M9 20L4 20L4 15", [](App& app) { app.canvas().frame_all(); }},
+     "M4 9L4 4L9 4M15 4L20 4L20 9M20 15L20 20L15 20M9 20L4 20L4 15", does([](Canvas& canvas) { canvas.frame_all(); })},
     ActionInfo{{"orbit_left"}, "Turn left", plain(k_key_left), plain('4'), "Turn the view",
-     "A12 12 8 100 330M4 12L4 18L10 18", [](App& app) { turn(app, -k_turn_degrees, 0); }},
+     "A12 12 8 100 330M4 12L4 18L10 18",
+     does([](const EditingSession& editing, Canvas& canvas) { turn(editing, canvas, -k_turn_degrees, 0); })},
     ActionInfo{{"orbit_right"}, "Turn right", plain(k_key_right), plain('6'), "Turn the view",
-     "A12 12 8 -150 80M20 12L20 18L14 18", [](App& app) { turn(app, k_turn_degrees, 0); }},
+     "A12 12 8 -150 80M20 12L20 18L14 18",
+     does([](const EditingSession& editing, Canvas& canvas) { turn(editing, canvas, k_turn_degrees, 0); })},
     ActionInfo{{"orbit_up"}, "Turn up", plain(k_key_up), plain('8'), "Turn the view",
-     "M12 20L12 5M6 11L12 5L18 11", [](App& app) { turn(app, 0, k_turn_degrees); }},
+     "M12 20L12 5M6 11L12 5L18 11",
+     does([](const EditingSession& editing, Canvas& canvas) { turn(editing, canvas, 0, k_turn_degrees); })},
     ActionInfo{{"orbit_down"}, "Turn down", plain(k_key_down), {}, "Turn the view",
-     "M12 4L12 19M6 13L12 19L18 13", [](App& app) { turn(app, 0, -k_turn_degrees); }},
+     "M12 4L12 19M6 13L12 19L18 13",
+     does([](const EditingSession& editing, Canvas& canvas) { turn(editing, canvas, 0, -k_turn_degrees); })},
     ActionInfo{{"zoom_in"}, "Nearer", plain('+'), plain('='), "Zoom in",
-     "C10 10 6M15 15L21 21M10 7L10 13M7 10L13 10", [](App& app) { zoom(app, k_zoom); }},
+     "C10 10 6M15 15L21 21M10 7L10 13M7 10L13 10",
+     does([](const EditingSession& editing, Canvas& canvas) { zoom(editing, canvas, k_zoom); })},
     ActionInfo{{"zoom_out"}, "Farther", plain('-'), {}, "Zoom out",
-     "C10 10 6M15 15L21 21M7 10L13 10", [](App& app) { zoom(app, 1 / k_zoom); }},
+     "C10 10 6M15 15L21 21M7 10L13 10",
+     does([](const EditingSession& editing, Canvas& canvas) { zoom(editing, canvas, 1 / k_zoom); })},
     ActionInfo{{"wireframe"}, "Wire", shift('z'), {}, "Show the edges of the mesh",
-     "M4 18L12 4L20 18Z M8 11L16 11L12 18Z", [](App& app) { flip(app.canvas().look().wireframe); }},
+     "M4 18L12 4L20 18Z M8 11L16 11L12 18Z", does([](CanvasLook& look) { flip(look.wireframe); })},
     ActionInfo{{"key_pose"}, "Key", plain('i'), plain('k'), "Keep the pose at this moment",
-     "M12 4L20 12L12 20L4 12F", [](App& app) { app.keys().set(); }},
+     "M12 4L20 12L12 20L4 12F", does([](Keys& keys) { keys.set(); })},
     ActionInfo{{"delete_key"}, "Delete key", shift('i'), {}, "Remove the key at this moment",
      "M10 4L18 12L10 20L2 12Z M17 4L22 9M22 4L17 9",
-     [](App& app) { app.keys().remove(); }, [](App& app) { return app.keys().at_cursor(); }},
+     does([](Keys& keys) { keys.remove(); }), does([](Keys& keys) { return keys.at_cursor(); })},
     ActionInfo{{"previous_key"}, "Key before", plain(','), {}, "Go to the key before",
-     "M5 5L5 19M18 5L9 12L18 19Z", [](App& app) { app.playback().step_key(-1); }},
+     "M5 5L5 19M18 5L9 12L18 19Z", does([](Playback& playback) { playback.step_key(-1); })},
     ActionInfo{{"next_key"}, "Key after", plain('.'), {}, "Go to the key after",
-     "M19 5L19 19M6 5L15 12L6 19Z", [](App& app) { app.playback().step_key(1); }},
+     "M19 5L19 19M6 5L15 12L6 19Z", does([](Playback& playback) { playback.step_key(1); })},
     ActionInfo{{"play"}, "Play", plain(' '), {}, "Play from key to key",
-     "M7 4L20 12L7 20F", [](App& app) { app.playback().play_or_stop(); }},
+     "M7 4L20 12L7 20F", does([](Playback& playback) { playback.play_or_stop(); })},
     ActionInfo{{"onion_skin"}, "Onion", shift('o'), {}, "Show the curves at the keys before and after",
-     "C9 12 6C15 12 6", [](App& app) { flip(app.canvas().look().onion_skin); }},
+     "C9 12 6C15 12 6", does([](CanvasLook& look) { flip(look.onion_skin); })},
     ActionInfo{{"suggest_rest"}, "Suggest", plain('g'), {},
      "Suggest the rest of the face from the poses that are keyed",
-     "M12 3L14 10L21 12L14 14L12 21L10 14L3 12L10 10Z", suggest_rest},
+     "M12 3L14 10L21 12L14 14L12 21L10 14L3 12L10 10Z", does<suggest_rest>},
     ActionInfo{{"open"}, "Open", ctrl('o'), {}, "Open a model, a project or a session",
-     "M3 19L3 5L9 5L11 8L20 8L20 11M3 19L7 11L22 11L19 19Z", [](App& app) { app.dialogs().show(Dialog::open); }},
+     "M3 19L3 5L9 5L11 8L20 8L20 11M3 19L7 11L22 11L19 19Z",
+     does([](Dialogs& dialogs) { dialogs.show(Dialog::open); })},
     ActionInfo{{"recent"}, "Recent", ctrl_shift('o'), {}, "Open what was opened or saved before",
-     "C12 12 8M12 7L12 12L16 14", [](App& app) { app.dialogs().show(Dialog::recent); }},
+     "C12 12 8M12 7L12 12L16 14", does([](Dialogs& dialogs) { dialogs.show(Dialog::recent); })},
     ActionInfo{{"save"}, "Save", ctrl('s'), {}, "Save the project",
-     "M4 4L17 4L20 7L20 20L4 20Z M8 4L8 9L15 9L15 4M7 20L7 14L17 14L17 20", save},
+     "M4 4L17 4L20 7L20 20L4 20Z M8 4L8 9L15 9L15 4M7 20L7 14L17 14L17 20", does<save>},
     ActionInfo{{"save_as"}, "Save as", ctrl_shift('s'), {}, "Save under another name",
      "M4 4L17 4L20 7L20 12M4 4L4 20L11 20M8 4L8 9L15 9L15 4M14 20L19 15L21 17L16 22L14 22Z",
-     [](App& app) { name_file(app, Dialog::save); }},
+     does([](Dialogs& dialogs) { name_file(dialogs, Dialog::save); })},
     ActionInfo{{"export_as"}, "Export", {}, {}, "Write a copy for other programs",
-     "M12 15L12 4M7 9L12 4L17 9M4 14L4 20L20 20L20 14", [](App& app) { name_file(app, Dialog::export_as); }},
+     "M12 15L12 4M7 9L12 4L17 9M4 14L4 20L20 20L20 14",
+     does([](Dialogs& dialogs) { name_file(dialogs, Dialog::export_as); })},
     ActionInfo{{"panels"}, "Panels", plain(k_key_tab), {}, "Hide or show the panels",
-     "M3 5L21 5L21 19L3 19Z M15 5L15 19", [](App& app) { flip(app.panels().shown); }},
+     "M3 5L21 5L21 19L3 19Z M15 5L15 19", does([](PanelState& panels) { flip(panels.shown); })},
     ActionInfo{{"fullscreen"}, "Full screen", plain(k_key_f11), {}, "Use the whole screen",
      "M4 9L4 4L9 4M15 4L20 4L20 9M20 15L20 20L15 20M9 20L4 20L4 15M4 4L9 9M20 20L15 15",
-     [](App& app) { flip(app.canvas().look().fullscreen); }},
+     does([](CanvasLook& look) { flip(look.fullscreen); })},
     ActionInfo{{"theme"}, "Light", {}, {}, "Dark or light colours",
      "C12 12 4M12 3L12 5M12 19L12 21M3 12L5 12M19 12L21 12M6 6L7 7M17 17L18 18M18 6L17 7M6 18L7 17",
-     [](App& app) { flip(app.preferences().settings().light); app.preferences().changed(); }},
+     does<change_theme>},
     ActionInfo{{"larger"}, "Larger", ctrl('+'), ctrl('='), "Make everything larger",
-     "M3 19L9 5L15 19M5 14L13 14M17 8L23 8M20 5L20 11", [](App& app) { resize(app, 0.25); }},
+     "M3 19L9 5L15 19M5 14L13 14M17 8L23 8M20 5L20 11",
+     does([](Preferences& preferences) { resize(preferences, 0.25); })},
     ActionInfo{{"smaller"}, "Smaller", ctrl('-'), {}, "Make everything smaller",
-     "M3 19L9 5L15 19M5 14L13 14M17 8L23 8", [](App& app) { resize(app, -0.25); }},
+     "M3 19L9 5L15 19M5 14L13 14M17 8L23 8", does([](Preferences& preferences) { resize(preferences, -0.25); })},
     ActionInfo{{"help"}, "Help", {}, {}, "The first steps again, and tours that show them",
-     "C12 12 9A12 10 3 180 400M13.5 13L12 14.5M12 17.5L12 18", [](App& app) { app.dialogs().show(Dialog::steps); }},
+     "C12 12 9A12 10 3 180 400M13.5 13L12 14.5M12 17.5L12 18",
+     does([](Dialogs& dialogs) { dialogs.show(Dialog::steps); })},
     ActionInfo{{"quit"}, "Quit", ctrl('q'), {}, "Close the program",
-     "M14 4L4 4L4 20L14 20M9 12L21 12M16 7L21 12L16 17", [](App& app) { app.ask_to_quit(); }},
+     "M14 4L4 4L4 20L14 20M9 12L21 12M16 7L21 12L16 17", does([](Leaving& leaving) { leaving.ask_to_quit(); })},
     ActionInfo{{"shortcuts"}, "Shortcuts", plain(k_key_f1), shift('/'), "All keys and what they do",
      "M3 6L21 6L21 18L3 18Z M7 10L7 10.5M11 10L11 10.5M15 10L15 10.5M8 14.5L16 14.5",
-     [](App& app) { find(app, Dialog::shortcuts); }},
+     does([](Dialogs& dialogs) { find(dialogs, Dialog::shortcuts); })},
     ActionInfo{{"search"}, "Search", ctrl('k'), {}, "Find an action, a control, a pose or a file by its name",
-     "C10 10 6M15 15L21 21", [](App& app) { find(app, Dialog::search); }},
+     "C10 10 6M15 15L21 21", does([](Dialogs& dialogs) { find(dialogs, Dialog::search); })},
     ActionInfo{{"history"}, "History", ctrl('h'), {}, "What was done, by name, to go back to",
-     "A12 12 8 -160 130M4 4L4 9L9 9M12 8L12 12L15 14", [](App& app) { find(app, Dialog::history); }},
+     "A12 12 8 -160 130M4 4L4 9L9 9M12 8L12 12L15 14", does([](Dialogs& dialogs) { find(dialogs, Dialog::history); })},
     ActionInfo{{"previous_frame"}, "Frame back", shift(','), ctrl(k_key_left), "Go one frame back",
-     "M15 5L7 12L15 19Z", [](App& app) { step(app, -1); }},
+     "M15 5L7 12L15 19Z", does([](Playback& playback) { step(playback, -1); })},
     ActionInfo{{"next_frame"}, "Frame on", shift('.'), ctrl(k_key_right), "Go one frame on",
-     "M9 5L17 12L9 19Z", [](App& app) { step(app, 1); }},
+     "M9 5L17 12L9 19Z", does([](Playback& playback) { step(playback, 1); })},
     ActionInfo{{"copy_key"}, "Copy", ctrl('c'), {}, "Copy the pose of this moment, to be put at another one",
-     "M8 8L20 8L20 20L8 20Z M16 8L16 4L4 4L4 16L8 16", [](App& app) { app.keys().copy(); }},
+     "M8 8L20 8L20 20L8 20Z M16 8L16 4L4 4L4 16L8 16", does([](Keys& keys) { keys.copy(); })},
     ActionInfo{{"paste_key"}, "Paste", ctrl('v'), {}, "Key the pose that was copied at this moment",
      "M7 5L4 5L4 21L16 21L16 18M8 3L20 3L20 17L8 17Z M11 10L17 10M14 7L14 13",
-     [](App& app) { app.keys().paste(); }, [](App& app) { return app.keys().copied(); }},
+     does([](Keys& keys) { keys.paste(); }), does([](Keys& keys) { return keys.copied(); })},
     ActionInfo{{"loop_from"}, "Loop from", plain('['), {}, "What is played begins here",
      "M8 4L4 4L4 20L8 20M20 12L10 12M14 8L10 12L14 16",
-     [](App& app) { app.playback().loop().begin_at(app.playback().time_s()); }},
+     does([](Playback& playback) { playback.loop().begin_at(playback.time_s()); })},
     ActionInfo{{"loop_to"}, "Loop to", plain(']'), {}, "What is played ends here",
      "M16 4L20 4L20 20L16 20M4 12L14 12M10 8L14 12L10 16",
-     [](App& app) { app.playback().loop().end_at(app.playback().time_s()); }},
+     does([](Playback& playback) { playback.loop().end_at(playback.time_s()); })},
     ActionInfo{{"loop_off"}, "Loop all", plain('\\'), {}, "All is played, from the first frame to the last key",
-     "A12 12 7 -150 150M6 4L6 9L11 9M16 16L22 22M22 16L16 22", [](App& app) { app.playback().loop() = {}; }},
+     "A12 12 7 -150 150M6 4L6 9L11 9M16 16L22 22M22 16L16 22", does([](Playback& playback) { playback.loop() = {}; })},
     ActionInfo{{"auto_key"}, "Auto-key", shift('k'), {}, "Every change of the pose is keyed at this moment",
-     "M9 5L16 12L9 19L2 12F D20 5 3", [](App& app) { flip(app.playback().while_drawing().auto_key); }},
+     "M9 5L16 12L9 19L2 12F D20 5 3", does([](Playback& playback) { flip(playback.while_drawing().auto_key); })},
     ActionInfo{{"mirror_strokes"}, "X-mirror", plain('m'), {}, "What is drawn on one side is done on both",
-     "M12 3L12 21M9 7L3 17L9 17Z M15 7L21 17L15 17Z", [](App& app) { flip(app.playback().while_drawing().mirrors); }},
+     "M12 3L12 21M9 7L3 17L9 17Z M15 7L21 17L15 17Z",
+     does([](Playback& playback) { flip(playback.while_drawing().mirrors); })},
     ActionInfo{{"flip_pose"}, "Flip", shift('m'), {}, "Exchange left and right of the pose",
-     "M12 3L12 21M4 9L9 9M6 6L3.5 9L6 12M20 15L15 15M18 12L20.5 15L18 18", do_flip_pose},
+     "M12 3L12 21M4 9L9 9M6 6L3.5 9L6 12M20 15L15 15M18 12L20.5 15L18 18", does<flip_pose>},
     ActionInfo{{"copy_to_right"}, "Left to right", ctrl('m'), {}, "The left side of the pose on the right, too",
-     "M12 3L12 21M3 12L9 12M15 7L21 12L15 17F", [](App& app) { copy_side(app, true); }},
+     "M12 3L12 21M3 12L9 12M15 7L21 12L15 17F",
+     does([](EditingSession& editing, Notices& notices) { copy_side(editing, notices, true); })},
     ActionInfo{{"copy_to_left"}, "Right to left", ctrl_shift('m'), {}, "The right side of the pose on the left, too",
-     "M12 3L12 21M15 12L21 12M9 7L3 12L9 17F", [](App& app) { copy_side(app, false); }},
+     "M12 3L12 21M15 12L21 12M9 7L3 12L9 17F",
+     does([](EditingSession& editing, Notices& notices) { copy_side(editing, notices, false); })},
     ActionInfo{{"stabiliser"}, "Steady line", {}, {},
      "How much drawn lines are smoothed to the eye: off, light or strong",
-     "M3 16A7.5 16 4.5 180 360M12 16A16.5 16 4.5 180 0", do_stabiliser},
+     "M3 16A7.5 16 4.5 180 360M12 16A16.5 16 4.5 180 0", does<next_stabiliser>},
     ActionInfo{{"moved_only"}, "Moved only", {}, {}, "List only the controls that are not at rest",
-     "M4 7L20 7M4 12L14 12M4 17L9 17", [](App& app) { flip(app.panels().own.of<ParameterList>().moved_only); }},
+     "M4 7L20 7M4 12L14 12M4 17L9 17",
+     does([](PanelState& panels) { flip(panels.own.of<ParameterList>().moved_only); })},
     ActionInfo{{"density"}, "Density", {}, {}, "Compact, usual or for touch",
-     "M4 5L20 5M4 9.5L20 9.5M4 14L20 14M4 18.5L20 18.5", do_density},
+     "M4 5L20 5M4 9.5L20 9.5M4 14L20 14M4 18.5L20 18.5", does<next_density>},
     ActionInfo{{"film"}, "Film", {}, {}, "Write a film (.mp4) or its pictures (.png) of what is played",
      "M3 5L21 5L21 19L3 19Z M7 5L7 19M17 5L17 19M3 12L7 12M17 12L21 12",
-     [](App& app) { app.dialogs().state<FileChoice>().name.clear(); find(app, Dialog::film); }},
+     does<name_film>},
     ActionInfo{{"perform"}, "Perform", shift(' '), {},
      "Time runs while the pen holds a target, and what the face does is keyed",
-     "C12 12 9D12 12 5", [](App& app) { flip(app.playback().while_drawing().performs); }},
+     "C12 12 9D12 12 5", does([](Playback& playback) { flip(playback.while_drawing().performs); })},
     ActionInfo{{"library"}, "Poses", plain('l'), {}, "The poses that are keyed, to be used again",
-     "M4 4L11 4L11 11L4 11Z M13 4L20 4L20 11L13 11Z M4 13L11 13L11 20L4 20Z M13 13L20 13L20 20L13 20Z", do_library},
+     "M4 4L11 4L11 11L4 11Z M13 4L20 4L20 11L13 11Z M4 13L11 13L11 20L4 20Z M13 13L20 13L20 20L13 20Z",
+     does<show_library>},
     ActionInfo{{"tour_pose"}, "Tour: pose a face", {}, {},
      "Six strokes on the built-in head, each shown before it is drawn",
-     "M7 4L20 12L7 20Z", [](App& app) { app.ask_to_open("tour:pose"); }},
+     "M7 4L20 12L7 20Z", does([](Leaving& leaving) { leaving.ask_to_open("tour:pose"); })},
     ActionInfo{{"tour_rig"}, "Tour: make a control", {}, {}, "A control for a brow, sketched line by line",
-     "M7 4L20 12L7 20Z", [](App& app) { app.ask_to_open("tour:rig"); }},
+     "M7 4L20 12L7 20Z", does([](Leaving& leaving) { leaving.ask_to_open("tour:rig"); })},
     ActionInfo{{"tour_animate"}, "Tour: animate", {}, {}, "Two keys and a smile between them",
-     "M7 4L20 12L7 20Z", [](App& app) { app.ask_to_open("tour:animate"); }},
+     "M7 4L20 12L7 20Z", does([](Leaving& leaving) { leaving.ask_to_open("tour:animate"); })},
     ActionInfo{{"flat_view"}, "Flat", plain('5'), {}, "Look without perspective, as a drawing does; again: with it",
      "M5 8L14 8L14 17L5 17Z M5 8L9 4L18 4L14 8M18 4L18 13L14 17",
-     [](App& app) { app.canvas().set_flat(!app.canvas().flat()); }},
+     does([](Canvas& canvas) { canvas.set_flat(!canvas.flat()); })},
     ActionInfo{{"set_front"}, "Front is here", {}, {},
      "From here on this side is the model's front; the project keeps it",
-     "C12 9 5M4 20A12 20 8 180 360", [](App& app) { app.canvas().set_front(); }},
+     "C12 9 5M4 20A12 20 8 180 360", does([](Canvas& canvas) { canvas.set_front(); })},
     ActionInfo{{"backdrop"}, "Picture behind", {}, {},
      "A picture, or the frames of a film, behind the model to draw after",
-     "M3 5L21 5L21 19L3 19Z M4 17L9 11L13 15L16 12L20 16", do_backdrop},
+     "M3 5L21 5L21 19L3 19Z M4 17L9 11L13 15L16 12L20 16", does<adjust_backdrop>},
     ActionInfo{{"backdrop_off"}, "No picture", {}, {}, "Take the picture behind the model away",
-     "M3 5L21 5L21 19L3 19Z M8 8L16 16M16 8L8 16", [](App& app) { app.canvas().look().backdrop.reset(); }},
+     "M3 5L21 5L21 19L3 19Z M8 8L16 16M16 8L8 16", does([](CanvasLook& look) { look.backdrop.reset(); })},
 };
 // clang-format on
 
+/// An action that takes a tool in hand.
+ActionInfo action_of_tool(const WindowTool& tool) {
+  return {{tool.name}, tool.label, tool.key, tool.other, tool.tip, tool.icon, nullptr, nullptr, &tool};
+}
+
+std::vector<ActionInfo> made_actions() {
+  std::vector<ActionInfo> all;
+  for (const WindowTool& tool : window_tools()) {
+    if (!tool.label.empty()) all.push_back(action_of_tool(tool));
+  }
+  all.insert(all.end(), k_actions.begin(), k_actions.end());
+  return all;
+}
+
 }  // namespace
 
-std::span<const ActionInfo> all_actions() { return k_actions; }
+std::span<const ActionInfo> all_actions() {
+  static const std::vector<ActionInfo> all = made_actions();
+  return all;
+}
 
 }  // namespace penpose::app

@@ -29,7 +29,16 @@ constexpr std::array k_sign_families{"DejaVu Sans"};
 
 }  // namespace
 
-Interface::Interface(App& app) : app_(app), pictures_(std::make_unique<PosePictures>()) {
+Interface::Interface(App& app)
+    : app_(app),
+      canvas_(app.of<Canvas>()),
+      hits_(app.of<HitMap>()),
+      panels_(app.of<PanelState>()),
+      dialogs_(app.of<Dialogs>()),
+      actions_(app.of<Actions>()),
+      input_(app.of<PanelInput>()),
+      preferences_(app.of<Preferences>()),
+      pictures_(std::make_unique<PosePictures>()) {
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
@@ -45,9 +54,9 @@ Interface::~Interface() { ImGui::DestroyContext(); }
 void Interface::disturb() { unsettled_ = k_settle_frames; }
 
 void Interface::apply_look() {
-  const double scale = app_.canvas().scale();
-  const bool light = app_.preferences().settings().light;
-  const bool pictures = app_.panels().poses_tab && !pictures_->reserved();
+  const double scale = canvas_.scale();
+  const bool light = preferences_.settings().light;
+  const bool pictures = panels_.poses_tab && !pictures_->reserved();
   if (scale == look_scale_ && light == look_light_ && !pictures) return;
   if (scale != look_scale_ || pictures) load_fonts(scale);
   look_scale_ = scale;
@@ -73,7 +82,7 @@ void Interface::load_fonts(double scale) {
     fonts.AddFontFromFileTTF(sign_file.c_str(), px, &config, k_signs);
   }
   // Poses are pictured only where somebody looks at them.
-  if (app_.panels().poses_tab || pictures_->reserved()) pictures_->reserve(fonts);
+  if (panels_.poses_tab || pictures_->reserved()) pictures_->reserve(fonts);
   unsigned char* pixels = nullptr;
   int width = 0;
   int height = 0;
@@ -101,72 +110,38 @@ int Interface::next_frame_ms() const {
 void Interface::frame(double passed_s) {
   ImGuiIO& io = ImGui::GetIO();
   apply_look();
-  const auto window = app_.canvas().window();
+  const auto window = canvas_.window();
   io.DisplaySize = {static_cast<float>(window.width), static_cast<float>(window.height)};
   io.DeltaTime = static_cast<float>(std::clamp(passed_s, 1e-4, 0.5));
   // A dialog that opens knows nothing of what was pressed before.
-  const Dialog dialog = app_.dialogs().open();
+  const Dialog dialog = dialogs_.open();
   const bool opens = std::exchange(shown_, dialog) != dialog;
   if (opens) {
     dialog_area_.reset();
     types_ = has_field_ = false;
-    opening_ = app_.panels().has_keyboard ? 2 : 0;
+    opening_ = panels_.has_keyboard ? 2 : 0;
   }
   take_pointer();
   take_typed();
   rest_pointer(passed_s);
   ImGui::NewFrame();
   targets_.clear();
-  app_.canvas().hits() = {};
+  hits_ = {};
   app_.lay_out();
-  const auto unit = static_cast<float>(app_.canvas().target_px());
+  const auto unit = static_cast<float>(canvas_.target_px());
   pictures_->begin_frame();
-  PanelContext context{app_, targets_, *pictures_, unit, static_cast<float>(6 * app_.canvas().scale())};
+  PanelContext context{actions_,      hits_,
+                       panels_.own,   canvas_.free_area(),
+                       panels_.shown, window,
+                       targets_,      *pictures_,
+                       unit,          static_cast<float>(6 * canvas_.scale())};
   context.dialog_opens = opens;
   context.tip_due = rested_s_ >= k_tip_s;
   context.accepts = std::exchange(accepts_, false);
   context.cancels = std::exchange(cancels_, false);
   context.field_first = !wants_keys() && !io.MouseDown[0] && (types_ || opening_ > 0);
   if (opening_ > 0) --opening_;
-  const double width = window.width;
-  const double height = window.height;
-  const double top = unit + 2 * context.gap;
-  const double left = 2.6 * unit + 2 * context.gap;
-  const double right = std::min(9.5 * unit, 0.4 * width);
-  const double bottom = 3 * unit + 4 * context.gap;
-  const double status = 0.7 * unit;
-  const double player = app_.player().trace ? unit + 2 * context.gap : 0;
-  Area free{0, 0, width, height};
-  if (app_.panels().shown) {
-    free = {left, top, width - right, height - bottom - player - status};
-    show_top_bar(context, {0, 0, width, top});
-    show_toolbar(context, {0, top, left, height - bottom});
-    show_side_panel(context, {width - right, top, width, height - bottom});
-    show_status(context, {left, height - bottom - player - status, width - right, height - bottom - player});
-    show_timeline(context, {0, height - bottom, width, height});
-  } else {
-    // The way back, for whoever has no keyboard at hand.
-    const double side = 3 * unit;
-    if (begin_panel(context, "back", {0, 0, side, top})) action_button(context, Action::panels, -1);
-    end_panel();
-  }
-  if (app_.player().trace)
-    show_player(context, {free.left, height - (app_.panels().shown ? bottom : 0) - player, free.right,
-                          height - (app_.panels().shown ? bottom : 0)});
-  const double card = tour_height(context, free.width());
-  if (card > 0) {
-    free.bottom -= card;
-    show_tour(context, {free.left, free.bottom, free.right, free.bottom + card});
-  }
-  app_.canvas().set_free_area(free);
-  show_backdrop(context, free);
-  show_axes(context, free);
-  show_curve_menu(context);
-  show_suggestion(context);
-  show_notices(context);
-  show_radial_menu(context);
-  show_dialog(context);
-  show_tour_ghost(context);
+  show_all(context);
   show_keyboard(context);
   if (pictures_->take_changed()) ++font_revision_;
   if (pictures_->waits()) disturb();
@@ -177,7 +152,44 @@ void Interface::frame(double passed_s) {
   dialog_area_ = context.dialog_area;
   ImGui::Render();
   if (unsettled_ > 0) --unsettled_;
-  if (!app_.panel_pointer().empty() || !typed_.empty() || shown_ != app_.dialogs().open()) disturb();
+  if (!input_.pointer().empty() || !typed_.empty() || shown_ != dialogs_.open()) disturb();
+}
+
+void Interface::show_all(PanelContext& context) {
+  const auto unit = static_cast<double>(context.unit);
+  const auto gap = static_cast<double>(context.gap);
+  const double width = context.window.width;
+  const double height = context.window.height;
+  const double top = unit + 2 * gap;
+  const double left = 2.6 * unit + 2 * gap;
+  const double right = std::min(9.5 * unit, 0.4 * width);
+  const double bottom = 3 * unit + 4 * gap;
+  const double status = 0.7 * unit;
+  const bool plays = app_.of<Player>().trace.has_value();
+  const double player = plays ? unit + 2 * gap : 0;
+  const auto show = [&](PanelPlace place, const Area& area) { show_panels(context, app_, place, area); };
+  Area free{0, 0, width, height};
+  const double foot = height - (panels_.shown ? bottom : 0);
+  if (panels_.shown) {
+    free = {left, top, width - right, height - bottom - player - status};
+    show(PanelPlace::top, {0, 0, width, top});
+    show(PanelPlace::left, {0, top, left, height - bottom});
+    show(PanelPlace::right, {width - right, top, width, height - bottom});
+    show(PanelPlace::status, {left, height - bottom - player - status, width - right, height - bottom - player});
+    show(PanelPlace::timeline, {0, height - bottom, width, height});
+  } else {
+    // The way back, for whoever has no keyboard at hand.
+    if (begin_panel(context, "back", {0, 0, 3 * unit, top})) action_button(context, Action::panels, -1);
+    end_panel();
+  }
+  if (plays) show(PanelPlace::player, {free.left, foot - player, free.right, foot});
+  if (const double card = tour_height(context, free.width(), app_.of<TourGuide>()); card > 0) {
+    free.bottom -= card;
+    show(PanelPlace::tour, {free.left, free.bottom, free.right, free.bottom + card});
+  }
+  canvas_.set_free_area(free);
+  show(PanelPlace::canvas, free);
+  show(PanelPlace::window, {0, 0, width, height});
 }
 
 void Interface::take_pointer() {
@@ -188,7 +200,7 @@ void Interface::take_pointer() {
     io.KeysDown[key_to_release_] = false;
     key_to_release_ = -1;
   }
-  auto& pointer = app_.panel_pointer();
+  auto& pointer = input_.pointer();
   while (!pointer.empty()) {
     const PanelPointer next = pointer.front();
     pointer.pop_front();
@@ -211,7 +223,7 @@ void Interface::take_pointer() {
   if (shown_ != Dialog::none && !io.MouseDown[0] && !(dialog_area_ && dialog_area_->holds(at))) {
     io.MousePos = {-FLT_MAX, -FLT_MAX};
   }
-  io.MouseWheel = static_cast<float>(app_.take_wheel());
+  io.MouseWheel = static_cast<float>(input_.take_wheel());
 }
 
 bool Interface::type_on_screen(const PanelPointer& pointer) {
@@ -234,14 +246,14 @@ bool Interface::type_on_screen(const PanelPointer& pointer) {
 }
 
 void Interface::show_keyboard(PanelContext& context) {
-  if (!context.typed_into || app_.panels().has_keyboard) {
+  if (!context.typed_into || panels_.has_keyboard) {
     keyboard_.hide();
     return;
   }
-  const auto window = app_.canvas().window();
+  const auto window = canvas_.window();
   keyboard_.show({0, 0, static_cast<double>(window.width), static_cast<double>(window.height)}, *context.typed_into,
                  static_cast<double>(context.unit), static_cast<double>(context.gap));
-  app_.canvas().hits().panels.push_back(keyboard_.area());
+  hits_.panels.push_back(keyboard_.area());
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   const auto corner = [](double x, double y) { return ImVec2{static_cast<float>(x), static_cast<float>(y)}; };
   const Area& all = keyboard_.area();

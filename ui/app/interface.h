@@ -68,6 +68,7 @@ class Interface {
   /// A text field was pressed, and does not have the keyboard yet.
   [[nodiscard]] bool field_pressed() const;
   void rest_pointer(double passed_s);
+  void show_all(PanelContext& context);
   void take_pointer();
   void take_typed();
   /// Presses on the keyboard of the screen go to the text field and to nothing else.
@@ -75,6 +76,13 @@ class Interface {
   void show_keyboard(PanelContext& context);
 
   App& app_;
+  Canvas& canvas_;
+  HitMap& hits_;
+  PanelState& panels_;
+  Dialogs& dialogs_;
+  Actions& actions_;
+  PanelInput& input_;
+  const Preferences& preferences_;
   std::unique_ptr<PosePictures> pictures_;
   double look_scale_ = 0;
   bool look_light_ = false;

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "ui/app/notices.h"
-#include "ui/app/session/settings.h"
+#include "ui/app/settings.h"
 
 namespace penpose::app {
 

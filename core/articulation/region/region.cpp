@@ -116,7 +116,7 @@ base::Result<Region> general_region(const Canvas& canvas, const geometry::Camera
     component.moves = component.moves || !surface.consists_of(v, positions[v]);
     component.nearest = std::min(component.nearest, geometry::distance(positions[v], camera.eye()));
   }
-  if (!any) return base::Error{"no vertex of the model lies inside the curve", "", "draw around a part of the model"};
+  if (!any) return base::Error{"no part of the model lies inside the curve", "", "draw around a part of the model"};
   std::vector<const Component*> meant;
   bool surface_alone = false;
   for (const Component& component : components) {
@@ -185,9 +185,9 @@ base::Error core_outside(const Region& region, std::span<const PxPoint> lasso) {
   for (const PxPoint& p : region.seen) way = way - p * (1.0 / static_cast<double>(region.seen.size()));
   const bool beside = std::abs(way.x) > std::abs(way.y);
   const char* side = beside ? (way.x > 0.0 ? "right of" : "left of") : (way.y > 0.0 ? "below" : "above");
-  return {std::string("no vertex of the region of general interest lies inside the curve, which is ") + side +
-              " the middle of that region",
-          "", "draw it inside the first region, around at least one vertex"};
+  return {std::string("nothing that the first line took lies inside the second line, which is ") + side +
+              " the middle of the first",
+          "", "draw it inside the first line, around a part of the model"};
 }
 
 base::Result<Weights> specific_region(const Region& region, std::span<const PxPoint> lasso_px) {
@@ -204,8 +204,8 @@ base::Result<Weights> specific_region(const Region& region, std::span<const PxPo
     result.weights.push_back(g > 0.0 ? g / (g + lasso->distance(region.seen[i])) : 0.0);
   }
   if (result.specific.empty()) {
-    return base::Error{"no vertex of the region of general interest lies inside the curve", "",
-                       "draw it inside the first region, around at least one vertex"};
+    return base::Error{"nothing that the first line took lies inside the second line", "",
+                       "draw it inside the first line, around a part of the model"};
   }
   return result;
 }

@@ -46,7 +46,7 @@ base::Result<SketchFile> read_sketch_file(base::Bytes bytes) {
     if (auto problem = read_sketch((*deformers)[i], pointer, viewport, file.sketches.back())) return *problem;
     json::list_unknown((*deformers)[i], pointer, k_deformer_members, file.skipped);
     if (!names.insert(file.sketches.back().name).second) {
-      return base::Error{"another deformer is called '" + file.sketches.back().name + "' too", pointer + "/name",
+      return base::Error{"another control is called '" + file.sketches.back().name + "' too", pointer + "/name",
                          "rename one of them"};
     }
   }

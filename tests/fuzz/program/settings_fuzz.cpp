@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "ui/app/session/settings.h"
+#include "ui/app/settings.h"
 
 using namespace penpose;
 

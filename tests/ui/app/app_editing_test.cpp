@@ -15,23 +15,24 @@ TEST(AppEditing, TheFaceFollowsATargetThatIsDraggedOrDrawnOverBeforeThePenLifts)
   desk.begin();
   pose_mouth(desk);
   const auto id = desk.document().curves.front()->id;
-  const auto state = desk.app->workspace().state();
+  const auto state = desk.app->of<EditingSession>().state();
   const auto settled = desk.document().pose;
   const auto line = desk.document().curves.front()->target->line;
   desk.click("Select");
   const PxPoint from = line[line.size() / 2];
   // As far as the lips can go: at a limit the reading at pen-up may do without the control that stands there.
   desk.stroke({from, from + PxPoint{0, 6}}, false);
-  EXPECT_NE(desk.app->workspace().shown_pose(), settled) << "it follows";
-  EXPECT_EQ(desk.app->workspace().state(), state) << "it is no command yet";
-  const auto shown = desk.app->workspace().shown_pose();
-  desk.app->mouse_button(MouseButton::left, false, from + PxPoint{0, 6});
+  EXPECT_NE(desk.app->of<EditingSession>().shown().pose(), settled) << "it follows";
+  EXPECT_EQ(desk.app->of<EditingSession>().state(), state) << "it is no command yet";
+  const auto shown = desk.app->of<EditingSession>().shown().pose();
+  desk.app->of<Pointer>().button(MouseButton::left, false, from + PxPoint{0, 6});
   double apart = 0;
   for (std::size_t i = 0; i < shown.size(); ++i) apart = std::max(apart, std::abs(shown[i] - desk.document().pose[i]));
   EXPECT_LT(apart, 0.3) << "what was shown is about what came of it";
   // From another view the target is moved as it is seen there.
   desk.click("3/4");
-  const auto camera = geometry::Camera::make(desk.app->canvas().view().camera, desk.app->canvas().view().viewport);
+  const auto camera =
+      geometry::Camera::make(desk.app->of<Canvas>().view().camera, desk.app->of<Canvas>().view().viewport);
   const auto& target = *desk.document().curves.front()->target;
   const PxPoint seen = *camera->project(target.points[target.points.size() / 2]);
   desk.stroke({seen, seen + PxPoint{0, -20}});
@@ -41,13 +42,13 @@ TEST(AppEditing, TheFaceFollowsATargetThatIsDraggedOrDrawnOverBeforeThePenLifts)
   // Redrawing a part.
   desk.click("Front");
   desk.click("Redraw");
-  const auto before = desk.app->workspace().state();
+  const auto before = desk.app->of<EditingSession>().state();
   const auto now = desk.named_curve(any_curve(desk), {0, 10});
   desk.stroke({now[now.size() / 3], now[now.size() / 2], now[2 * now.size() / 3]}, false);
-  EXPECT_TRUE(desk.app->workspace().live().active());
-  EXPECT_EQ(desk.app->workspace().state(), before);
-  desk.app->mouse_button(MouseButton::left, false, now[2 * now.size() / 3]);
-  EXPECT_NE(desk.app->workspace().state(), before);
+  EXPECT_TRUE(desk.app->of<EditingSession>().shown().live().active());
+  EXPECT_EQ(desk.app->of<EditingSession>().state(), before);
+  desk.app->of<Pointer>().button(MouseButton::left, false, now[2 * now.size() / 3]);
+  EXPECT_NE(desk.app->of<EditingSession>().state(), before);
 }
 
 /// The two lassos of a control below the mouth.
@@ -68,9 +69,9 @@ TEST(AppEditing, AControlsFeatureModeAndSurfaceAreChosenBeforeAndWhileItIsMade) 
   const PxPoint middle = lasso_chin(desk);
   ASSERT_TRUE(desk.document().pending);
   // The feature that was found is shown, from wherever one looks.
-  EXPECT_GT(desk.app->workspace().sketch().reference().size(), 10U);
+  EXPECT_GT(desk.app->of<EditingSession>().shown().sketch().reference().size(), 10U);
   const auto shows_feature = [&] {
-    const auto& curves = desk.app->curves();
+    const auto& curves = desk.app->of<CanvasDrawing>().curves;
     return std::any_of(curves.begin(), curves.end(), [](const auto& curve) {
       return curve.kind == render::CurveKind::reference && curve.points.size() > 10;
     });
@@ -78,7 +79,7 @@ TEST(AppEditing, AControlsFeatureModeAndSurfaceAreChosenBeforeAndWhileItIsMade) 
   EXPECT_TRUE(shows_feature());
   // It is drawn by hand in its place, and then found again.
   desk.click("Draw the feature myself");
-  EXPECT_NE(desk.app->hint().find("3 of 4"), std::string::npos);
+  EXPECT_NE(desk.app->of<ToolInHand>().hint().find("3 of 4"), std::string::npos);
   desk.stroke({middle + PxPoint{-20, 4}, middle + PxPoint{20, 4}});
   EXPECT_FALSE(desk.document().pending->sketch.reference.empty());
   EXPECT_TRUE(shows_feature());
@@ -92,21 +93,21 @@ TEST(AppEditing, AControlsFeatureModeAndSurfaceAreChosenBeforeAndWhileItIsMade) 
   desk.click("a ball");
   ASSERT_TRUE(std::holds_alternative<articulation::Sphere>(desk.document().pending->sketch.surface));
   EXPECT_FALSE(desk.document().pending->sketch.specific.empty());
-  // It plays to and fro while the goal is drawn.
+  // It plays to and fro while the target is drawn.
   desk.click("Swing");
   desk.stroke({middle + PxPoint{-26, 18}, middle + PxPoint{0, 26}, middle + PxPoint{26, 18}}, false);
   desk.frames(3);
-  const auto first = desk.app->workspace().shown_pose();
+  const auto first = desk.app->of<EditingSession>().shown().pose();
   desk.frames(20);
-  EXPECT_NE(desk.app->workspace().shown_pose(), first);
-  desk.app->mouse_button(MouseButton::left, false, middle + PxPoint{26, 18});
+  EXPECT_NE(desk.app->of<EditingSession>().shown().pose(), first);
+  desk.app->of<Pointer>().button(MouseButton::left, false, middle + PxPoint{26, 18});
   desk.frames();
-  ASSERT_FALSE(desk.document().pending) << desk.app->notices().all().back().text;
+  ASSERT_FALSE(desk.document().pending) << desk.app->of<Notices>().all().back().text;
   const auto& made = desk.document().model->deformers->deformers().back();
   EXPECT_EQ(made->mode(), articulation::Mode::translate);
   EXPECT_TRUE(std::holds_alternative<articulation::Sphere>(made->sketch().surface));
   desk.click("Swing");
-  EXPECT_FALSE(desk.app->controls().swings());
+  EXPECT_FALSE(desk.app->of<Controls>().swings());
 }
 
 TEST(AppEditing, AControlIsDrawnAgainAndTheFaceShowsItWhileItIsDrawn) {
@@ -117,12 +118,12 @@ TEST(AppEditing, AControlIsDrawnAgainAndTheFaceShowsItWhileItIsDrawn) {
   desk.stroke({middle + PxPoint{-26, 18}, middle + PxPoint{0, 26}, middle + PxPoint{26, 18}});
   const auto count = desk.document().model->deformers->deformers().size();
   const auto made = desk.document().model->deformers->deformers().back();
-  desk.click("Goal");
-  const auto rest = desk.app->workspace().shown_pose();
+  desk.click("Target");
+  const auto rest = desk.app->of<EditingSession>().shown().pose();
   desk.stroke({middle + PxPoint{-26, 38}, middle + PxPoint{0, 46}, middle + PxPoint{26, 38}}, false);
-  EXPECT_NE(desk.app->workspace().shown_pose(), rest);
+  EXPECT_NE(desk.app->of<EditingSession>().shown().pose(), rest);
   EXPECT_EQ(desk.document().model->deformers->deformers().back(), made);
-  desk.app->mouse_button(MouseButton::left, false, middle + PxPoint{26, 38});
+  desk.app->of<Pointer>().button(MouseButton::left, false, middle + PxPoint{26, 38});
   desk.frames();
   ASSERT_EQ(desk.document().model->deformers->deformers().size(), count);
   EXPECT_NE(desk.document().model->deformers->deformers().back()->sketch().target, made->sketch().target);
@@ -138,7 +139,7 @@ TEST(AppEditing, NumbersAndRangesAreTypedWithThePenAlone) {
   desk.begin();
   const auto jaw = [&] { return *rig::find_parameter(desk.document().model->rig->parameters(), "jaw"); };
   const auto open = [&] {
-    desk.app->panels().own.of<ParameterList>().filter = "jaw";
+    desk.app->of<PanelState>().own.of<ParameterList>().filter = "jaw";
     desk.frames();
     desk.click("\u270e##type jaw");
   };
@@ -155,8 +156,8 @@ TEST(AppEditing, NumbersAndRangesAreTypedWithThePenAlone) {
   open();
   desk.click("-##pad");
   desk.click("Set##number");
-  EXPECT_EQ(desk.app->dialogs().open(), Dialog::number) << "what is no number is told";
-  EXPECT_TRUE(desk.app->notices().all().back().is_error);
+  EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::number) << "what is no number is told";
+  EXPECT_TRUE(desk.app->of<Notices>().all().back().is_error);
   desk.click("Rest##number");
   EXPECT_DOUBLE_EQ(desk.document().pose[jaw()], 0);
 }
@@ -171,38 +172,38 @@ TEST(AppEditing, AKeyIsNamedDraggedAndKeepsItsNameWhenItIsKeyedAnew) {
   desk.click("key m");
   desk.click("Name it");
   ASSERT_EQ(desk.document().timeline->keys.front().name, "sm");
-  desk.app->controls().set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
+  desk.app->of<Controls>().set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
   desk.click("Key");
   EXPECT_EQ(desk.document().timeline->keys.front().name, "sm");
   const auto pose = desk.document().pose;
   const Area track = *desk.interface->find("track");
   const auto at = [&](double share) { return PxPoint{track.left + share * track.width(), track.middle().y}; };
-  desk.app->mouse_moved(at(0.01));
-  desk.app->mouse_button(MouseButton::left, true, at(0.01));
+  desk.app->of<Pointer>().moved(at(0.01));
+  desk.app->of<Pointer>().button(MouseButton::left, true, at(0.01));
   desk.frames();
   for (const double share : {0.1, 0.3, 0.5}) {
-    desk.app->mouse_moved(at(share));
+    desk.app->of<Pointer>().moved(at(share));
     desk.frames(2);
   }
   EXPECT_EQ(desk.document().timeline->keys.front().time_s, 0) << "it moves when it is let go";
-  desk.app->mouse_button(MouseButton::left, false, at(0.5));
+  desk.app->of<Pointer>().button(MouseButton::left, false, at(0.5));
   desk.frames();
   ASSERT_EQ(desk.document().timeline->keys.size(), 1U);
   EXPECT_NEAR(desk.document().timeline->keys.front().time_s, 2, 0.1);
   EXPECT_EQ(desk.document().timeline->keys.front().name, "sm");
   EXPECT_EQ(desk.document().pose, pose);
   // Nearer and farther.
-  const double all = desk.app->panels().own.of<TimelineShown>().span_s;
+  const double all = desk.app->of<PanelState>().own.of<TimelineShown>().span_s;
   desk.click("+##track");
-  EXPECT_GT(desk.app->panels().own.of<TimelineShown>().span_s, all);
-  const double from = desk.app->panels().own.of<TimelineShown>().from_s;
+  EXPECT_GT(desk.app->of<PanelState>().own.of<TimelineShown>().span_s, all);
+  const double from = desk.app->of<PanelState>().own.of<TimelineShown>().from_s;
   desk.click("<##track");
-  EXPECT_LT(desk.app->panels().own.of<TimelineShown>().from_s, from);
+  EXPECT_LT(desk.app->of<PanelState>().own.of<TimelineShown>().from_s, from);
   desk.click(">##track");
   desk.click(">##track");
-  EXPECT_GT(desk.app->panels().own.of<TimelineShown>().from_s, from) << "also away from the cursor";
+  EXPECT_GT(desk.app->of<PanelState>().own.of<TimelineShown>().from_s, from) << "also away from the cursor";
   desk.click("-##track");
-  EXPECT_EQ(desk.app->panels().own.of<TimelineShown>().span_s, 0);
+  EXPECT_EQ(desk.app->of<PanelState>().own.of<TimelineShown>().span_s, 0);
 }
 
 TEST(AppEditing, ASessionPlayedInAWindowOfAnotherSizeEndsInTheSameState) {
@@ -219,21 +220,21 @@ TEST(AppEditing, ASessionPlayedInAWindowOfAnotherSizeEndsInTheSameState) {
     const auto line = desk.document().curves.front()->target->line;
     desk.stroke({line[10], line[10] + PxPoint{0, 18}});
     desk.click("Key");
-    state = desk.app->workspace().state();
-    std::filesystem::copy_file(desk.app->session_path(), desk.path("recorded.session"));
+    state = desk.app->of<EditingSession>().state();
+    std::filesystem::copy_file(desk.app->of<Recording>().path(), desk.path("recorded.session"));
   }
   Desk desk("played", "builtin:demo", false);
-  if (desk.app->dialogs().open() == Dialog::recover) desk.click("Start anew");
-  desk.app->resized({900, 1000}, 96);
+  if (desk.app->of<Dialogs>().open() == Dialog::recover) desk.click("Start anew");
+  desk.app->of<Pointer>().resized({900, 1000}, 96);
   desk.frames();
-  ASSERT_TRUE(desk.app->play_trace(desk.path("recorded.session")).ok());
-  desk.app->player().trace->set_speed(16);
-  for (int i = 0; i < 2000 && !desk.app->player().trace->finished(); ++i) desk.frames(1);
-  ASSERT_TRUE(desk.app->player().trace->finished());
-  EXPECT_EQ(desk.app->workspace().state(), state);
-  EXPECT_EQ(desk.app->workspace().editor().view().viewport.width, 1280) << "as it was drawn";
+  ASSERT_TRUE(desk.app->of<Files>().play_trace(desk.path("recorded.session")).ok());
+  desk.app->of<Player>().trace->set_speed(16);
+  for (int i = 0; i < 2000 && !desk.app->of<Player>().trace->finished(); ++i) desk.frames(1);
+  ASSERT_TRUE(desk.app->of<Player>().trace->finished());
+  EXPECT_EQ(desk.app->of<EditingSession>().state(), state);
+  EXPECT_EQ(desk.app->of<EditingSession>().editor().view().viewport.width, 1280) << "as it was drawn";
   desk.frames(2);
-  EXPECT_EQ(desk.app->workspace().editor().view().viewport.width, 900) << "one goes on in this window";
+  EXPECT_EQ(desk.app->of<EditingSession>().editor().view().viewport.width, 900) << "one goes on in this window";
 }
 
 TEST(AppEditing, ACurveThatIsTouchedIsKeptOrDeletedWithThePenAlone) {
@@ -243,8 +244,9 @@ TEST(AppEditing, ACurveThatIsTouchedIsKeptOrDeletedWithThePenAlone) {
   desk.click("Select");
   const auto touch = [&] {
     const auto& curve = *desk.document().curves.front();
-    const auto camera = geometry::Camera::make(desk.app->canvas().view().camera, desk.app->canvas().view().viewport);
-    const PxPoint at = *camera->project(geometry::ModelPoint(desk.app->canvas().surface().at(curve.points[5])));
+    const auto camera =
+        geometry::Camera::make(desk.app->of<Canvas>().view().camera, desk.app->of<Canvas>().view().viewport);
+    const PxPoint at = *camera->project(geometry::ModelPoint(desk.app->of<Canvas>().surface().at(curve.points[5])));
     desk.stroke({at, at + PxPoint{1, 0}});
   };
   touch();

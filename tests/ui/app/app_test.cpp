@@ -20,7 +20,7 @@ TEST(App, ANewUserSketchesPosesKeysSavesQuitsAndFindsEverythingAgain) {
   {
     Desk desk("whole", "builtin:demo");
     desk.begin();
-    EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
+    EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::none);
     // Sketch one control around the chin.
     deformers = desk.document().model->deformers->size();
     desk.click("Rig");
@@ -29,9 +29,9 @@ TEST(App, ANewUserSketchesPosesKeysSavesQuitsAndFindsEverythingAgain) {
     desk.stroke(around(middle, 60, 32));
     desk.stroke(around(middle, 28, 14));
     desk.stroke({middle + PxPoint{-26, 18}, middle + PxPoint{0, 26}, middle + PxPoint{26, 18}});
-    ASSERT_EQ(desk.document().model->deformers->size(), deformers + 1) << desk.app->notices().all().back().text;
+    ASSERT_EQ(desk.document().model->deformers->size(), deformers + 1) << desk.app->of<Notices>().all().back().text;
     EXPECT_FALSE(desk.document().pending);
-    EXPECT_EQ(desk.app->controls().selected(), desk.document().model->deformers->deformers().back()->sketch().name)
+    EXPECT_EQ(desk.app->of<Controls>().selected(), desk.document().model->deformers->deformers().back()->sketch().name)
         << "the new control is shown";
     // Pose the mouth and key it.
     desk.click("Pose");
@@ -40,20 +40,20 @@ TEST(App, ANewUserSketchesPosesKeysSavesQuitsAndFindsEverythingAgain) {
     ASSERT_EQ(desk.document().curves.size(), 1U);
     EXPECT_TRUE(desk.document().curves.front()->target.has_value());
     EXPECT_NE(desk.document().pose, rest) << "the face followed";
-    EXPECT_FALSE(desk.app->workspace().movements().empty());
+    EXPECT_FALSE(desk.app->of<EditingSession>().last_stroke().movements().empty());
     desk.click("Key");
     ASSERT_EQ(desk.document().timeline->keys.size(), 1U);
     EXPECT_EQ(desk.document().timeline->keys.front().pose, desk.document().pose);
     // Save under the name that is offered, and quit.
-    EXPECT_TRUE(desk.app->workspace().unsaved());
+    EXPECT_TRUE(desk.app->of<EditingSession>().unsaved());
     desk.press('s', true);
     desk.click("Save##now");
-    EXPECT_FALSE(desk.app->workspace().unsaved());
-    EXPECT_EQ(desk.app->project(), desk.path("head.glb"));
-    saved = desk.app->workspace().state();
-    session = desk.app->session_path();
-    desk.app->ask_to_quit();
-    EXPECT_TRUE(desk.app->wants_quit());
+    EXPECT_FALSE(desk.app->of<EditingSession>().unsaved());
+    EXPECT_EQ(desk.app->of<Files>().project(), desk.path("head.glb"));
+    saved = desk.app->of<EditingSession>().state();
+    session = desk.app->of<Recording>().path();
+    desk.app->of<Leaving>().ask_to_quit();
+    EXPECT_TRUE(desk.app->of<Leaving>().wants_quit());
   }
   auto again = files::load_document((Desk::folder_of("whole") / "head.glb").string());
   ASSERT_TRUE(again.ok());
@@ -76,28 +76,28 @@ TEST(App, TheFaceFollowsThePenBeforeItLiftsAndTheDocumentChangesOnlyThen) {
   desk.begin();
   const std::string curve = "brow_L";
   desk.stroke(desk.named_curve(curve));
-  const auto before = desk.app->workspace().state();
+  const auto before = desk.app->of<EditingSession>().state();
   const rig::Pose rest = desk.document().pose;
   desk.stroke(desk.named_curve(curve, {0, -18}), false);
-  EXPECT_NE(desk.app->workspace().shown_pose(), rest);
-  EXPECT_EQ(desk.app->workspace().state(), before);
-  desk.app->mouse_button(MouseButton::left, false, {400, 400});
-  EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+  EXPECT_NE(desk.app->of<EditingSession>().shown().pose(), rest);
+  EXPECT_EQ(desk.app->of<EditingSession>().state(), before);
+  desk.app->of<Pointer>().button(MouseButton::left, false, {400, 400});
+  EXPECT_EQ(desk.app->of<EditingSession>().shown().pose(), desk.document().pose);
   EXPECT_NE(desk.document().pose, rest);
   desk.press('z', true);
-  EXPECT_EQ(desk.app->workspace().state(), before);
+  EXPECT_EQ(desk.app->of<EditingSession>().state(), before);
   desk.press('z', true, true);
-  EXPECT_NE(desk.app->workspace().state(), before);
+  EXPECT_NE(desk.app->of<EditingSession>().state(), before);
 }
 
 TEST(App, StrokesOnPanelsNeverDraw) {
   Desk desk("panels");
   desk.begin();
-  const auto before = desk.app->workspace().state();
+  const auto before = desk.app->of<EditingSession>().state();
   desk.stroke({{1100, 200}, {700, 300}, {500, 300}});
   desk.stroke({{20, 200}, {300, 300}});
   EXPECT_EQ(desk.document().curves.size(), 0U);
-  EXPECT_EQ(desk.app->workspace().state().parts[3], before.parts[3]);
+  EXPECT_EQ(desk.app->of<EditingSession>().state().parts[3], before.parts[3]);
 }
 
 TEST(App, ASliderIsOneCommandHoweverFarItWasDragged) {
@@ -105,33 +105,33 @@ TEST(App, ASliderIsOneCommandHoweverFarItWasDragged) {
   desk.begin();
   const std::string name = desk.document().model->rig->parameters()[0].name;
   const Area area = *desk.interface->find("slider " + name);
-  const std::size_t undo = desk.app->workspace().editor().history().undo_count();
-  desk.app->mouse_moved(area.middle());
-  desk.app->mouse_button(MouseButton::left, true, area.middle());
+  const std::size_t undo = desk.app->of<EditingSession>().editor().history().undo_count();
+  desk.app->of<Pointer>().moved(area.middle());
+  desk.app->of<Pointer>().button(MouseButton::left, true, area.middle());
   desk.frames();
   for (int i = 1; i <= 10; ++i) {
-    desk.app->mouse_moved(area.middle() + PxPoint{6.0 * i, 0});
+    desk.app->of<Pointer>().moved(area.middle() + PxPoint{6.0 * i, 0});
     desk.frames(1);
   }
-  EXPECT_TRUE(desk.app->workspace().previews());
-  EXPECT_EQ(desk.app->workspace().editor().history().undo_count(), undo);
-  const double shown = desk.app->workspace().shown_pose()[0];
-  desk.app->mouse_button(MouseButton::left, false, area.middle() + PxPoint{60, 0});
+  EXPECT_TRUE(desk.app->of<EditingSession>().shown().previews());
+  EXPECT_EQ(desk.app->of<EditingSession>().editor().history().undo_count(), undo);
+  const double shown = desk.app->of<EditingSession>().shown().pose()[0];
+  desk.app->of<Pointer>().button(MouseButton::left, false, area.middle() + PxPoint{60, 0});
   desk.frames();
-  EXPECT_EQ(desk.app->workspace().editor().history().undo_count(), undo + 1);
+  EXPECT_EQ(desk.app->of<EditingSession>().editor().history().undo_count(), undo + 1);
   EXPECT_DOUBLE_EQ(desk.document().pose[0], shown);
-  EXPECT_FALSE(desk.app->workspace().previews());
+  EXPECT_FALSE(desk.app->of<EditingSession>().shown().previews());
 }
 
 TEST(App, ALockedParameterIsNotMovedByAStroke) {
   Desk desk("lock");
   desk.begin();
   pose_mouth(desk);
-  ASSERT_FALSE(desk.app->workspace().movements().empty());
-  const std::string moved = desk.app->workspace().movements().front().name;
+  ASSERT_FALSE(desk.app->of<EditingSession>().last_stroke().movements().empty());
+  const std::string moved = desk.app->of<EditingSession>().last_stroke().movements().front().name;
   desk.press('z', true);
   desk.press('z', true);
-  desk.app->workspace().perform(document::LockParameters{{moved}, true});
+  desk.app->of<EditingSession>().perform(document::LockParameters{{moved}, true});
   const auto index = *rig::find_parameter(desk.document().model->rig->parameters(), moved);
   const double before = desk.document().pose[index];
   pose_mouth(desk);
@@ -142,13 +142,13 @@ TEST(App, NotThisOneSolvesTheStrokeAgainAndGivingItBackToo) {
   Desk desk("not_this_one");
   desk.begin();
   pose_mouth(desk);
-  ASSERT_FALSE(desk.app->workspace().movements().empty());
-  const std::string moved = desk.app->workspace().movements().front().name;
+  ASSERT_FALSE(desk.app->of<EditingSession>().last_stroke().movements().empty());
+  const std::string moved = desk.app->of<EditingSession>().last_stroke().movements().front().name;
   const auto index = *rig::find_parameter(desk.document().model->rig->parameters(), moved);
   const rig::Pose meant = desk.document().pose;
-  desk.app->workspace().lock({moved}, true);
+  lock_parameters(desk.app->of<EditingSession>(), {moved}, true);
   EXPECT_DOUBLE_EQ(desk.document().pose[index], desk.document().model->rig->parameters()[index].rest);
-  desk.app->workspace().lock({moved}, false);
+  lock_parameters(desk.app->of<EditingSession>(), {moved}, false);
   for (std::size_t i = 0; i < meant.size(); ++i)
     EXPECT_NEAR(desk.document().pose[i], meant[i], 0.01) << "targets keep 64 points of a line";
 }
@@ -156,48 +156,48 @@ TEST(App, NotThisOneSolvesTheStrokeAgainAndGivingItBackToo) {
 TEST(App, ATargetWhereItsCurveIsMovesNothingAndSaysSo) {
   Desk desk("still");
   desk.begin();
-  const geometry::PxPoint middle = desk.app->canvas().free_area().middle();
+  const geometry::PxPoint middle = desk.app->of<Canvas>().free_area().middle();
   const auto line = [&] {
     desk.stroke(
         {middle + geometry::PxPoint{-60, 20}, middle + geometry::PxPoint{0, 24}, middle + geometry::PxPoint{60, 20}});
   };
   line();
   ASSERT_EQ(desk.document().curves.size(), 1U);
-  EXPECT_FALSE(desk.app->workspace().last_is_solved());
+  EXPECT_FALSE(desk.app->of<EditingSession>().last_stroke().is_newest());
   const rig::Pose before = desk.document().pose;
   line();
   EXPECT_EQ(desk.document().pose, before);
-  EXPECT_TRUE(desk.app->workspace().last_is_solved());
-  EXPECT_TRUE(desk.app->workspace().movements().empty());
-  EXPECT_LT(desk.app->workspace().left_px(), 4);
+  EXPECT_TRUE(desk.app->of<EditingSession>().last_stroke().is_newest());
+  EXPECT_TRUE(desk.app->of<EditingSession>().last_stroke().movements().empty());
+  EXPECT_LT(desk.app->of<EditingSession>().last_stroke().left_px(), 4);
 }
 
 TEST(App, ScrubbingShowsAndLettingGoTakesThePose) {
   Desk desk("scrub");
   desk.begin();
   desk.click("Key");
-  desk.app->controls().set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
-  desk.app->playback().scrub(2);
-  desk.app->playback().end_scrub();
-  desk.app->controls().set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
+  desk.app->of<Controls>().set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
+  desk.app->of<Playback>().scrub(2);
+  desk.app->of<Playback>().end_scrub();
+  desk.app->of<Controls>().set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
   desk.click("Key");
   ASSERT_EQ(desk.document().timeline->keys.size(), 2U);
-  const auto state = desk.app->workspace().state();
-  desk.app->playback().scrub(1);
-  EXPECT_NE(desk.app->workspace().shown_pose(), desk.document().pose);
-  EXPECT_EQ(desk.app->workspace().state(), state);
-  desk.app->playback().end_scrub();
-  EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+  const auto state = desk.app->of<EditingSession>().state();
+  desk.app->of<Playback>().scrub(1);
+  EXPECT_NE(desk.app->of<EditingSession>().shown().pose(), desk.document().pose);
+  EXPECT_EQ(desk.app->of<EditingSession>().state(), state);
+  desk.app->of<Playback>().end_scrub();
+  EXPECT_EQ(desk.app->of<EditingSession>().shown().pose(), desk.document().pose);
   const double middle = desk.document().pose[0];
   EXPECT_GT(middle, 0);
   EXPECT_LT(middle, desk.document().model->rig->parameters()[0].maximum);
   // Playing goes round and changes nothing but what is shown.
   desk.press(' ');
-  EXPECT_TRUE(desk.app->playback().playing());
+  EXPECT_TRUE(desk.app->of<Playback>().playing());
   desk.frames(200);
   EXPECT_EQ(desk.document().pose[0], middle);
   desk.press(' ');
-  EXPECT_FALSE(desk.app->playback().playing());
+  EXPECT_FALSE(desk.app->of<Playback>().playing());
 }
 
 TEST(App, APoseThatIsNotKeyedYetIsCarriedAlongTheTimeline) {
@@ -208,18 +208,18 @@ TEST(App, APoseThatIsNotKeyedYetIsCarriedAlongTheTimeline) {
   const auto pose = desk.document().pose;
   const Area track = *desk.interface->find("track");
   const PxPoint at{track.left + 0.5 * track.width(), track.middle().y};
-  desk.app->mouse_moved(at);
-  desk.app->mouse_button(MouseButton::left, true, at);
+  desk.app->of<Pointer>().moved(at);
+  desk.app->of<Pointer>().button(MouseButton::left, true, at);
   desk.frames();
-  desk.app->mouse_button(MouseButton::left, false, at);
+  desk.app->of<Pointer>().button(MouseButton::left, false, at);
   desk.frames();
-  EXPECT_GT(desk.app->playback().time_s(), 1);
+  EXPECT_GT(desk.app->of<Playback>().time_s(), 1);
   EXPECT_EQ(desk.document().pose, pose);
   desk.click("Key");
   ASSERT_EQ(desk.document().timeline->keys.size(), 2U);
   EXPECT_EQ(desk.document().timeline->keys.back().pose, pose);
   desk.press(',');
-  EXPECT_EQ(desk.app->playback().time_s(), 0);
+  EXPECT_EQ(desk.app->of<Playback>().time_s(), 0);
   EXPECT_NE(desk.document().pose, pose);
 }
 
@@ -228,24 +228,27 @@ TEST(App, UnpluggingInTheMiddleOfAStrokeEndsItAndSaysSo) {
   desk.begin();
   auto identity = replay::virtual_pen_identity();
   identity.name = "Test Tablet";
-  desk.app->tablet_arrived(1, identity);
+  desk.app->of<TabletEvents>().arrived(1, identity);
   const auto line = desk.named_curve(any_curve(desk));
-  const auto viewport = desk.app->workspace().editor().view().viewport;
+  const auto viewport = desk.app->of<EditingSession>().editor().view().viewport;
   for (const PxPoint& at : line) {
     desk.now_us += 3333;
-    desk.app->tablet_report(1, desk.now_us, replay::virtual_pen_report({at, 0.7, true, true, false, false}, viewport));
+    desk.app->of<TabletEvents>().report(1, desk.now_us,
+                                        replay::virtual_pen_report({at, 0.7, true, true, false, false}, viewport));
   }
   EXPECT_EQ(desk.document().curves.size(), 0U);
-  desk.app->tablet_left(1, "Test Tablet");
+  desk.app->of<TabletEvents>().left(1, "Test Tablet");
   EXPECT_EQ(desk.document().curves.size(), 1U) << "what was drawn is kept";
-  EXPECT_EQ(desk.app->notices().all().back().text, "Test Tablet was unplugged");
+  EXPECT_EQ(desk.app->of<Notices>().all().back().text, "Test Tablet was unplugged");
   // It comes back under its number and goes on.
-  desk.app->tablet_arrived(1, identity);
+  desk.app->of<TabletEvents>().arrived(1, identity);
   for (const PxPoint& at : desk.named_curve(any_curve(desk), {0, 12})) {
     desk.now_us += 3333;
-    desk.app->tablet_report(1, desk.now_us, replay::virtual_pen_report({at, 0.7, true, true, false, false}, viewport));
+    desk.app->of<TabletEvents>().report(1, desk.now_us,
+                                        replay::virtual_pen_report({at, 0.7, true, true, false, false}, viewport));
   }
-  desk.app->tablet_report(1, desk.now_us, replay::virtual_pen_report({{0, 0}, 0, true, false, false, false}, viewport));
+  desk.app->of<TabletEvents>().report(1, desk.now_us,
+                                      replay::virtual_pen_report({{0, 0}, 0, true, false, false, false}, viewport));
   ASSERT_EQ(desk.document().curves.size(), 1U);
   EXPECT_TRUE(desk.document().curves.front()->target.has_value());
 }
@@ -255,30 +258,31 @@ TEST(App, TabletsThatArePluggedInDrawOnTheNextModelToo) {
   desk.begin();
   auto gone = replay::virtual_pen_identity();
   gone.name = "Gone";
-  desk.app->tablet_arrived(2, gone);
-  desk.app->tablet_left(2, "Gone");
-  desk.app->tablet_arrived(1, replay::virtual_pen_identity());
-  ASSERT_TRUE(desk.app->open("builtin:head").ok());
+  desk.app->of<TabletEvents>().arrived(2, gone);
+  desk.app->of<TabletEvents>().left(2, "Gone");
+  desk.app->of<TabletEvents>().arrived(1, replay::virtual_pen_identity());
+  ASSERT_TRUE(desk.app->of<Files>().open("builtin:head").ok());
   desk.frames();
-  EXPECT_FALSE(desk.app->workspace().session().pens().decodes(2)) << "what was unplugged stays so";
-  const auto viewport = desk.app->workspace().editor().view().viewport;
+  EXPECT_FALSE(desk.app->of<EditingSession>().session().pens().decodes(2)) << "what was unplugged stays so";
+  const auto viewport = desk.app->of<EditingSession>().editor().view().viewport;
   const PxPoint middle{viewport.width * 0.5, viewport.height * 0.5};
   desk.now_us += 2'000'000;
   for (int i = 0; i < 40; ++i) {
     desk.now_us += 3333;
     const PxPoint at{middle.x - 40 + 2 * i, middle.y};
-    desk.app->tablet_report(1, desk.now_us, replay::virtual_pen_report({at, 0.7, true, true, false, false}, viewport));
+    desk.app->of<TabletEvents>().report(1, desk.now_us,
+                                        replay::virtual_pen_report({at, 0.7, true, true, false, false}, viewport));
   }
-  EXPECT_TRUE(desk.app->workspace().session().pens().draws(1)) << "its stroke has begun";
+  EXPECT_TRUE(desk.app->of<EditingSession>().session().pens().draws(1)) << "its stroke has begun";
 }
 
 TEST(App, WhileATabletsPenIsNearTheDesktopsOwnPointerIsIgnored) {
   Desk desk("near");
   desk.begin();
-  desk.app->tablet_arrived(1, replay::virtual_pen_identity());
-  const auto viewport = desk.app->workspace().editor().view().viewport;
-  desk.app->tablet_report(1, desk.now_us,
-                          replay::virtual_pen_report({{400, 300}, 0, true, false, false, false}, viewport));
+  desk.app->of<TabletEvents>().arrived(1, replay::virtual_pen_identity());
+  const auto viewport = desk.app->of<EditingSession>().editor().view().viewport;
+  desk.app->of<TabletEvents>().report(1, desk.now_us,
+                                      replay::virtual_pen_report({{400, 300}, 0, true, false, false, false}, viewport));
   desk.stroke(desk.named_curve(any_curve(desk)));
   // The stroke above took longer than a pen stays near without a report; its press came while it was near.
   EXPECT_EQ(desk.document().curves.size(), 0U);
@@ -291,12 +295,13 @@ TEST(App, WhileATabletsPenIsNearTheDesktopsOwnPointerIsIgnored) {
 TEST(App, ATabletsPenPressesButtonsToo) {
   Desk desk("tablet-buttons");
   desk.begin();
-  desk.app->tablet_arrived(1, replay::virtual_pen_identity());
-  const auto viewport = desk.app->workspace().editor().view().viewport;
+  desk.app->of<TabletEvents>().arrived(1, replay::virtual_pen_identity());
+  const auto viewport = desk.app->of<EditingSession>().editor().view().viewport;
   const PxPoint key = desk.interface->find("Key")->middle();
   const auto send = [&](bool tip) {
     desk.now_us += 3000;
-    desk.app->tablet_report(1, desk.now_us, replay::virtual_pen_report({key, 0.5, true, tip, false, false}, viewport));
+    desk.app->of<TabletEvents>().report(1, desk.now_us,
+                                        replay::virtual_pen_report({key, 0.5, true, tip, false, false}, viewport));
     desk.frames(1);
   };
   send(false);
@@ -312,19 +317,19 @@ TEST(App, ATabletsPenPressesButtonsToo) {
 TEST(App, TheBarrelButtonTurnsTheViewAndAClickOpensTheMenuAroundThePen) {
   Desk desk("barrel");
   desk.begin();
-  const auto before = desk.app->canvas().view();
-  desk.app->mouse_button(MouseButton::right, true, {500, 400});
-  desk.app->mouse_moved({560, 400});
-  desk.app->mouse_button(MouseButton::right, false, {560, 400});
-  EXPECT_FALSE(desk.app->canvas().view() == before);
-  EXPECT_FALSE(desk.app->panels().radial.has_value());
-  desk.app->mouse_button(MouseButton::right, true, {500, 400});
-  desk.app->mouse_button(MouseButton::right, false, {500, 400});
+  const auto before = desk.app->of<Canvas>().view();
+  desk.app->of<Pointer>().button(MouseButton::right, true, {500, 400});
+  desk.app->of<Pointer>().moved({560, 400});
+  desk.app->of<Pointer>().button(MouseButton::right, false, {560, 400});
+  EXPECT_FALSE(desk.app->of<Canvas>().view() == before);
+  EXPECT_FALSE(desk.app->of<PanelState>().radial.has_value());
+  desk.app->of<Pointer>().button(MouseButton::right, true, {500, 400});
+  desk.app->of<Pointer>().button(MouseButton::right, false, {500, 400});
   desk.frames();
-  ASSERT_TRUE(desk.app->panels().radial.has_value());
+  ASSERT_TRUE(desk.app->of<PanelState>().radial.has_value());
   desk.click("Erase##radial");
-  EXPECT_EQ(desk.app->workspace().editor().tool().kind, drawing::ToolKind::erase);
-  EXPECT_FALSE(desk.app->panels().radial.has_value());
+  EXPECT_EQ(desk.app->of<EditingSession>().editor().tool().kind, drawing::ToolKind::erase);
+  EXPECT_FALSE(desk.app->of<PanelState>().radial.has_value());
 }
 
 TEST(App, ATraceInPlaceOfATabletDrawsTheSame) {
@@ -334,7 +339,7 @@ TEST(App, ATraceInPlaceOfATabletDrawsTheSame) {
   replay::TraceWriter writer;
   writer.declare(0, replay::virtual_pen_device());
   std::int64_t time = 0;
-  const auto viewport = desk.app->workspace().editor().view().viewport;
+  const auto viewport = desk.app->of<EditingSession>().editor().view().viewport;
   for (const PxPoint by : {PxPoint{0, 0}, PxPoint{0, -12}}) {
     for (const PxPoint& at : desk.named_curve(any_curve(desk), by)) {
       writer.report(0, time += 3333, replay::virtual_pen_report({at, 0.6, true, true, false, false}, viewport));
@@ -342,9 +347,9 @@ TEST(App, ATraceInPlaceOfATabletDrawsTheSame) {
     writer.report(0, time += 3333, replay::virtual_pen_report({{500, 500}, 0, true, false, false, false}, viewport));
   }
   std::ofstream(desk.path("pen.hid")) << writer.take();
-  ASSERT_TRUE(desk.app->play_trace(desk.path("pen.hid")).ok());
+  ASSERT_TRUE(desk.app->of<Files>().play_trace(desk.path("pen.hid")).ok());
   desk.frames(200);
-  EXPECT_TRUE(desk.app->player().trace->finished());
+  EXPECT_TRUE(desk.app->of<Player>().trace->finished());
   ASSERT_EQ(desk.document().curves.size(), 1U);
   EXPECT_TRUE(desk.document().curves.front()->target.has_value());
 }
@@ -371,7 +376,7 @@ TEST(App, TouchingTheFaceWithTheToolSelectPicksTheControlThatMovesItMost) {
   desk.click("Select");
   const auto brow = desk.named_curve("brow_L");
   desk.stroke({brow.front(), brow.front() + PxPoint{1, 0}});
-  EXPECT_EQ(desk.app->controls().selected().substr(0, 4), "brow");
+  EXPECT_EQ(desk.app->of<Controls>().selected().substr(0, 4), "brow");
   EXPECT_TRUE(desk.document().curves.empty());
 }
 
@@ -379,20 +384,43 @@ TEST(App, OneFingerDrawsAndTwoTurnTheView) {
   Desk desk("fingers");
   desk.begin();
   const auto line = desk.named_curve(any_curve(desk));
-  desk.app->finger(FingerKind::down, 7, line.front());
-  for (const PxPoint& at : line) desk.app->finger(FingerKind::move, 7, at);
-  desk.app->finger(FingerKind::up, 7, line.back());
+  desk.app->of<Pointer>().finger(FingerKind::down, 7, line.front());
+  for (const PxPoint& at : line) desk.app->of<Pointer>().finger(FingerKind::move, 7, at);
+  desk.app->of<Pointer>().finger(FingerKind::up, 7, line.back());
   EXPECT_EQ(desk.document().curves.size(), 1U);
-  const auto view = desk.app->canvas().view();
-  desk.app->finger(FingerKind::down, 1, {400, 300});
-  desk.app->finger(FingerKind::down, 2, {500, 300});
-  desk.app->finger(FingerKind::move, 2, {560, 300});
-  desk.app->finger(FingerKind::up, 1, {400, 300});
-  desk.app->finger(FingerKind::up, 2, {560, 300});
+  const auto view = desk.app->of<Canvas>().view();
+  desk.app->of<Pointer>().finger(FingerKind::down, 1, {400, 300});
+  desk.app->of<Pointer>().finger(FingerKind::down, 2, {500, 300});
+  desk.app->of<Pointer>().finger(FingerKind::move, 2, {560, 300});
+  desk.app->of<Pointer>().finger(FingerKind::up, 1, {400, 300});
+  desk.app->of<Pointer>().finger(FingerKind::up, 2, {560, 300});
   desk.frames();
-  EXPECT_FALSE(desk.app->canvas().view() == view);
+  EXPECT_FALSE(desk.app->of<Canvas>().view() == view);
   EXPECT_EQ(desk.document().curves.size(), 1U);
   EXPECT_FALSE(desk.document().curves.front()->target.has_value());
+}
+
+TEST(App, AFrameBetweenTwoMovesDoesNotEndAGestureOfTwoFingers) {
+  Desk desk("fingers and frames");
+  desk.begin();
+  // The window says its size before every frame.
+  const auto frame = [&] {
+    desk.app->of<Pointer>().resized(desk.app->of<Canvas>().window(), 96);
+    desk.frames(1);
+  };
+  const auto view = desk.app->of<Canvas>().view();
+  desk.app->of<Pointer>().finger(FingerKind::down, 1, {400, 300});
+  frame();
+  desk.app->of<Pointer>().finger(FingerKind::down, 2, {500, 300});
+  frame();
+  desk.app->of<Pointer>().finger(FingerKind::move, 2, {560, 300});
+  desk.frames();
+  EXPECT_FALSE(desk.app->of<Canvas>().view() == view) << "the fingers of the frame before are still known";
+  desk.app->of<Pointer>().finger(FingerKind::up, 2, {560, 300});
+  frame();
+  desk.app->of<Pointer>().finger(FingerKind::move, 1, {460, 360});
+  EXPECT_FALSE(desk.app->of<EditingSession>().pen_is_drawing()) << "the finger that is left over does not draw";
+  desk.app->of<Pointer>().finger(FingerKind::up, 1, {460, 360});
 }
 
 TEST(App, OpeningAFileThatIsNoneSaysSoAndKeepsTheWork) {
@@ -400,17 +428,17 @@ TEST(App, OpeningAFileThatIsNoneSaysSoAndKeepsTheWork) {
   desk.begin();
   std::ofstream(desk.path("broken.glb")) << "not a glb";
   pose_mouth(desk);
-  const auto state = desk.app->workspace().state();
-  desk.app->try_open(desk.path("broken.glb"));
-  EXPECT_TRUE(desk.app->notices().all().back().is_error);
-  EXPECT_EQ(desk.app->workspace().state(), state);
+  const auto state = desk.app->of<EditingSession>().state();
+  desk.app->of<Files>().try_open(desk.path("broken.glb"));
+  EXPECT_TRUE(desk.app->of<Notices>().all().back().is_error);
+  EXPECT_EQ(desk.app->of<EditingSession>().state(), state);
 }
 
 TEST(App, ASessionWithoutWorkLeavesNoFileBehind) {
   std::string session;
   {
     Desk desk("empty");
-    session = desk.app->session_path();
+    session = desk.app->of<Recording>().path();
     EXPECT_TRUE(std::filesystem::exists(session));
   }
   EXPECT_FALSE(std::filesystem::exists(session));

@@ -39,19 +39,19 @@ class AppFaults : public tests::CommandRun {
     desk.begin();
     tests::begin_faults(plan);
     const auto at = [&](double x, double y) {
-      const document::View& view = desk.app->canvas().view();
+      const document::View& view = desk.app->of<Canvas>().view();
       return *geometry::Camera::make(view.camera, view.viewport)->project({x, y, 0});
     };
     desk.stroke({at(0.1, 0.2), at(1, 0.2), at(1.9, 0.2)});
     desk.stroke({at(0.1, 0.45), at(1, 0.2), at(1.9, 0.45)});
-    desk.app->do_action(Action::key_pose);
-    desk.app->playback().scrub(1);
-    desk.app->playback().end_scrub();
-    desk.app->do_action(Action::reset_pose);
-    desk.app->do_action(Action::key_pose);
-    desk.app->do_action(Action::undo);
-    const bool saved = desk.app->save(path("work.glb")).ok();
-    desk.app->do_action(Action::theme);
+    desk.app->of<Actions>().run(Action::key_pose);
+    desk.app->of<Playback>().scrub(1);
+    desk.app->of<Playback>().end_scrub();
+    desk.app->of<Actions>().run(Action::reset_pose);
+    desk.app->of<Actions>().run(Action::key_pose);
+    desk.app->of<Actions>().run(Action::undo);
+    const bool saved = desk.app->of<Files>().save(path("work.glb")).ok();
+    desk.app->of<Actions>().run(Action::theme);
     desk.frames();
     return saved;
   }

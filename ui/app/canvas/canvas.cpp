@@ -32,11 +32,8 @@ double front_of(const document::Document& document) {
 
 }  // namespace
 
-Canvas::Canvas(Workspace& workspace, Preferences& preferences, Notices& notices, const Player& player)
-    : workspace_(workspace), preferences_(preferences), notices_(notices), player_(player) {
-  // Before the first frame nobody knows where panels are.
-  hits_.all = true;
-}
+Canvas::Canvas(EditingSession& editing, Preferences& preferences, Notices& notices, const Player& player)
+    : editing_(editing), preferences_(preferences), notices_(notices), player_(player) {}
 
 double Canvas::dpi() const { return dpi_ >= k_least_dpi && dpi_ <= k_most_dpi ? dpi_ : 96; }
 
@@ -68,8 +65,8 @@ void Canvas::set_free_area(const Area& area) {
 }
 
 void Canvas::commit() {
-  if (workspace_.pen_is_drawing() || player_.plays_session()) return;
-  workspace_.set_view(view_);
+  if (editing_.pen_is_drawing() || player_.plays_session()) return;
+  editing_.set_view(view_);
 }
 
 void Canvas::set_camera(const geometry::CameraPose& camera) {
@@ -77,12 +74,12 @@ void Canvas::set_camera(const geometry::CameraPose& camera) {
   framed_ = false;
 }
 
-void Canvas::show_played() { view_.camera = workspace_.editor().view().camera; }
+void Canvas::show_played() { view_.camera = editing_.editor().view().camera; }
 
 void Canvas::frame_all() { frame_from(viewpoint_of(view_.camera)); }
 
 void Canvas::begin() {
-  surface_.update(workspace_.shown_model(), workspace_.shown_pose());
+  surface_.update(editing_.shown().model(), editing_.shown().pose());
   framed_ = true;
   set_flat(false);
   look_from(*render::find_viewpoint("front"));
@@ -103,22 +100,22 @@ void Canvas::frame_from(const render::Viewpoint& from) {
 }
 
 void Canvas::look_from(const render::Viewpoint& viewpoint) {
-  const render::Viewpoint from{viewpoint.yaw_degrees + front_of(workspace_.document()), viewpoint.pitch_degrees};
+  const render::Viewpoint from{viewpoint.yaw_degrees + front_of(editing_.document()), viewpoint.pitch_degrees};
   if (framed_) return frame_from(from);
   // Whoever looks closely goes on looking closely; Frame shows all.
-  if (!workspace_.pen_is_drawing()) view_.camera = seen_from(view_, from, free_.middle());
+  if (!editing_.pen_is_drawing()) view_.camera = seen_from(view_, from, free_.middle());
 }
 
 render::Viewpoint Canvas::looking_from() const {
   const render::Viewpoint now = viewpoint_of(view_.camera);
-  return {now.yaw_degrees - front_of(workspace_.document()), now.pitch_degrees};
+  return {now.yaw_degrees - front_of(editing_.document()), now.pitch_degrees};
 }
 
 void Canvas::set_front() {
-  if (workspace_.pen_is_drawing()) return;
+  if (editing_.pen_is_drawing()) return;
   document::View view = view_;
   view.camera = seen_from(view_, {viewpoint_of(view_.camera).yaw_degrees, 0}, free_.middle());
-  if (!workspace_.perform(document::SaveView{std::string(k_front), view})) return;
+  if (!editing_.perform(document::SaveView{std::string(k_front), view})) return;
   view_.camera = view.camera;
   framed_ = false;
   notices_.tell("this side is the model's front now: Front, 3/4 and Side go by it");
@@ -127,12 +124,12 @@ void Canvas::set_front() {
 bool Canvas::flat() const { return view_.camera.vertical_fov_degrees < k_flat_degrees + 0.5; }
 
 void Canvas::set_flat(bool on) {
-  if (on == flat() || workspace_.pen_is_drawing()) return;
+  if (on == flat() || editing_.pen_is_drawing()) return;
   // What lies at the depth of the middle stays as large as it is.
   view_.camera = with_field_of_view(view_.camera, on ? k_flat_degrees : k_usual_degrees);
 }
 
-bool open_backdrop(Canvas& canvas, Notices& notices, const std::string& path) {
+bool open_backdrop(const Canvas& canvas, CanvasLook& look, Notices& notices, const std::string& path) {
   geometry::Box box;
   for (const glm::vec3& p : canvas.surface().positions()) box.add(geometry::ModelPoint(p));
   const bool empty = canvas.surface().positions().empty();
@@ -142,8 +139,8 @@ bool open_backdrop(Canvas& canvas, Notices& notices, const std::string& path) {
     notices.tell(made.error().line(path), true);
     return false;
   }
-  canvas.look().backdrop = std::move(*made);
-  const std::size_t frames = canvas.look().backdrop->frame_count();
+  look.backdrop = std::move(*made);
+  const std::size_t frames = look.backdrop->frame_count();
   notices.tell(frames > 1 ? std::to_string(frames) + " pictures, one a frame: drag them to where they fit, then Done"
                           : "Drag the picture to where it fits, the wheel sizes it, then Done");
   return true;

@@ -1,16 +1,17 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "ui/app/files/player.h"
 #include "ui/app/notices.h"
 #include "ui/app/preferences.h"
-#include "ui/app/session/workspace.h"
+#include "ui/app/session/editing_session.h"
 #include "ui/app/view/area.h"
 #include "ui/app/view/backdrop.h"
-#include "ui/app/view/hit_map.h"
 #include "ui/app/view/posed_surface.h"
 #include "ui/render/framing.h"
+#include "ui/render/scene.h"
 
 namespace penpose::app {
 
@@ -22,11 +23,16 @@ struct CanvasLook {
   std::shared_ptr<Backdrop> backdrop;  ///< a picture behind the model; null: none
 };
 
+/// What the canvas shows over the model, as of the last frame.
+struct CanvasDrawing {
+  std::vector<render::CurveDrawing> curves;
+};
+
 /// The model as it is seen: the window's size, the part that panels leave free, the camera, the posed surface.
 /// Coordinates are px of the window.
 class Canvas {
  public:
-  Canvas(Workspace& workspace, Preferences& preferences, Notices& notices, const Player& player);
+  Canvas(EditingSession& editing, Preferences& preferences, Notices& notices, const Player& player);
 
   // The place of it.
   void resized(geometry::Viewport window, double dpi);
@@ -38,10 +44,6 @@ class Canvas {
   /// The part of the window that no panel covers.
   [[nodiscard]] const Area& free_area() const { return free_; }
   void set_free_area(const Area& area);
-  [[nodiscard]] HitMap& hits() { return hits_; }
-  [[nodiscard]] const HitMap& hits() const { return hits_; }
-  [[nodiscard]] CanvasLook& look() { return look_; }
-  [[nodiscard]] const CanvasLook& look() const { return look_; }
   [[nodiscard]] PosedSurface& surface() { return surface_; }
   [[nodiscard]] const PosedSurface& surface() const { return surface_; }
 
@@ -76,13 +78,11 @@ class Canvas {
   void frame_from(const render::Viewpoint& from);
   [[nodiscard]] double dpi() const;
 
-  Workspace& workspace_;
+  EditingSession& editing_;
   Preferences& preferences_;
   Notices& notices_;
   const Player& player_;
   PosedSurface surface_;
-  CanvasLook look_;
-  HitMap hits_;
   geometry::Viewport window_{1280, 800};
   double dpi_ = 96;
   Area free_{0, 0, 1280, 800};
@@ -92,6 +92,6 @@ class Canvas {
 };
 
 /// Puts a picture, or the frames of a film, behind the model. False, and said why, where it cannot be read.
-bool open_backdrop(Canvas& canvas, Notices& notices, const std::string& path);
+bool open_backdrop(const Canvas& canvas, CanvasLook& look, Notices& notices, const std::string& path);
 
 }  // namespace penpose::app

@@ -24,33 +24,32 @@ std::string free_name(const document::Document& document, const std::string& nam
 
 }  // namespace
 
-Controls::Controls(Workspace& workspace, Notices& notices, Canvas& canvas, PanelState& panels)
-    : workspace_(workspace), notices_(notices), canvas_(canvas), panels_(panels) {}
+Controls::Controls(EditingSession& editing, Notices& notices, Canvas& canvas, PanelState& panels)
+    : editing_(editing), notices_(notices), canvas_(canvas), panels_(panels) {}
 
 void Controls::open_document() {
   selected_.clear();
   new_surface_ = {};
-  const auto& deformers = workspace_.document().model->deformers;
+  const auto& deformers = editing_.document().model->deformers;
   deformer_count_ = deformers ? deformers->size() : 0;
   seen_deformers_ = deformers;
-  const auto& corrections = workspace_.document().model->corrections;
+  const auto& corrections = editing_.document().model->corrections;
   correction_count_ = corrections ? corrections->size() : 0;
 }
 
 std::string Controls::shown() const { return panels_.controls_tab ? selected_ : std::string(); }
 
 void Controls::begin() {
-  workspace_.perform(
-      document::BeginDeformer{free_name(workspace_.document(), "control"), new_mode_, new_surface_, 0, 1});
+  editing_.perform(document::BeginDeformer{free_name(editing_.document(), "control"), new_mode_, new_surface_, 0, 1});
 }
 
 void Controls::tell_doubt_of_feature() {
-  const auto& pending = workspace_.document().pending;
-  const drawing::Tool& tool = workspace_.editor().tool();
-  const std::string& doubt = workspace_.sketch().reference_doubt();
-  if (!pending || doubted_ == pending || workspace_.pen_is_drawing() || doubt.empty() || tool.draw_reference ||
+  const auto& pending = editing_.document().pending;
+  const drawing::Tool& tool = editing_.editor().tool();
+  const std::string& doubt = editing_.shown().sketch().reference_doubt();
+  if (!pending || doubted_ == pending || editing_.pen_is_drawing() || doubt.empty() || tool.draw_reference ||
       tool.kind != drawing::ToolKind::articulate ||
-      drawing::next_step(workspace_.document(), tool) != articulation::CurveRole::target)
+      drawing::next_step(editing_.document(), tool) != articulation::CurveRole::target)
     return;
   doubted_ = pending;
   notices_.tell("The green line is the feature that was found, but " + doubt +
@@ -61,17 +60,17 @@ void Controls::mirror(const std::string& deformer) {
   std::string to = articulation::mirrored_name(deformer);
   // A name without a side.
   if (to.size() > deformer.size() && to.starts_with(deformer)) {
-    to = free_name(workspace_.document(), deformer + " mirrored", true);
+    to = free_name(editing_.document(), deformer + " mirrored", true);
   }
   set_swing(false);
-  if (!workspace_.perform(document::MirrorDeformer{deformer, to})) return;
+  if (!editing_.perform(document::MirrorDeformer{deformer, to})) return;
   selected_ = to;
-  deformer_count_ = workspace_.document().model->deformers->size();
+  deformer_count_ = editing_.document().model->deformers->size();
   notices_.tell(to + " is ready: " + deformer + " on the other side");
 }
 
 void Controls::rename(const std::string& deformer, const std::string& to) {
-  if (!workspace_.perform(document::RenameDeformer{deformer, to})) return;
+  if (!editing_.perform(document::RenameDeformer{deformer, to})) return;
   selected_ = to;
   // What was said of it by its old name is no help any more.
   notices_.take_away([&](const Notice& one) { return one.text.find(deformer) != std::string::npos; });
@@ -81,7 +80,7 @@ void Controls::choose_for_new(articulation::Mode mode, const articulation::Surfa
   new_mode_ = mode;
   const bool of_region = of_surface(surface, false, [](const auto& one) { return one.k_of_region; });
   new_surface_ = of_region ? articulation::Surface() : surface;
-  const auto pending = workspace_.document().pending;
+  const auto pending = editing_.document().pending;
   if (pending && !pending->drivers.empty() && !(pending->sketch.mode == mode)) {
     notices_.tell("how it moves is chosen before a correction is begun: give it up and begin it anew");
     return;
@@ -90,19 +89,19 @@ void Controls::choose_for_new(articulation::Mode mode, const articulation::Surfa
   const articulation::Sketch& sketch = pending->sketch;
   const auto draw = [&](articulation::CurveRole role, const std::vector<PxPoint>& line,
                         const geometry::CameraPose& camera) {
-    return line.empty() || workspace_.perform(document::SketchCurve{role, {camera, sketch.viewport}, line});
+    return line.empty() || editing_.perform(document::SketchCurve{role, {camera, sketch.viewport}, line});
   };
   static_cast<void>(
-      workspace_.perform(document::BeginDeformer{sketch.name, mode, surface, sketch.minimum, sketch.maximum}) &&
-      (sketch.reach == articulation::Reach::through || workspace_.perform(document::TakeRegion{sketch.reach, {}})) &&
+      editing_.perform(document::BeginDeformer{sketch.name, mode, surface, sketch.minimum, sketch.maximum}) &&
+      (sketch.reach == articulation::Reach::through || editing_.perform(document::TakeRegion{sketch.reach, {}})) &&
       draw(articulation::CurveRole::general, sketch.general, sketch.camera) &&
-      (sketch.piece == 0 || workspace_.perform(document::TakeRegion{{}, sketch.piece})) &&
+      (sketch.piece == 0 || editing_.perform(document::TakeRegion{{}, sketch.piece})) &&
       draw(articulation::CurveRole::specific, sketch.specific, sketch.camera) &&
       draw(articulation::CurveRole::reference, sketch.reference, sketch.reference_camera.value_or(sketch.camera)));
 }
 
 void Controls::redraw(const std::string& deformer, articulation::CurveRole role) {
-  const auto& deformers = workspace_.document().model->deformers;
+  const auto& deformers = editing_.document().model->deformers;
   const auto number = deformers ? articulation::find_deformer(*deformers, deformer) : std::nullopt;
   if (!number) return;
   const articulation::Sketch& sketch = deformers->deformers()[*number]->sketch();
@@ -114,8 +113,8 @@ void Controls::redraw(const std::string& deformer, articulation::CurveRole role)
   tool.kind = drawing::ToolKind::redraw;
   tool.deformer = deformer;
   tool.role = role;
-  workspace_.preview(std::nullopt);
-  workspace_.set_tool(tool);
+  editing_.shown().preview(std::nullopt);
+  editing_.set_tool(tool);
 }
 
 void Controls::draw_between(const std::string& deformer, double value) {
@@ -124,29 +123,29 @@ void Controls::draw_between(const std::string& deformer, double value) {
   tool.kind = drawing::ToolKind::between;
   tool.deformer = deformer;
   tool.value = value;
-  const auto index = rig::find_parameter(workspace_.document().model->rig->parameters(), deformer);
+  const auto index = rig::find_parameter(editing_.document().model->rig->parameters(), deformer);
   if (index) set_parameter(*index, value);
-  workspace_.set_tool(tool);
+  editing_.set_tool(tool);
 }
 
 void Controls::correct_pose() {
   set_swing(false);
-  workspace_.preview(std::nullopt);
-  if (workspace_.document().pending && !workspace_.perform(document::CancelDeformer{})) return;
+  editing_.shown().preview(std::nullopt);
+  if (editing_.document().pending && !editing_.perform(document::CancelDeformer{})) return;
   drawing::Tool tool;
   tool.kind = drawing::ToolKind::articulate;
   selected_.clear();
   panels_.controls_tab = true;
-  if (workspace_.perform(document::BeginCorrection{{}, {}, new_mode_})) {
-    workspace_.set_tool(tool);
+  if (editing_.perform(document::BeginCorrection{{}, {}, new_mode_})) {
+    editing_.set_tool(tool);
   }
 }
 
 void Controls::set_swing(bool on) {
   swings_ = on;
   if (on) return;
-  workspace_.preview(std::nullopt);
-  workspace_.sketch().set_amount(1);
+  editing_.shown().preview(std::nullopt);
+  editing_.shown().sketch().set_amount(1);
 }
 
 void Controls::swing(std::int64_t now_us) {
@@ -154,28 +153,28 @@ void Controls::swing(std::int64_t now_us) {
   constexpr double k_period_s = 2;
   const double turns = static_cast<double>(now_us) * 1e-6 / k_period_s;
   const double amount = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * turns);
-  workspace_.sketch().set_amount(amount);
-  const auto& document = workspace_.document();
+  editing_.shown().sketch().set_amount(amount);
+  const auto& document = editing_.document();
   const auto index = rig::find_parameter(document.model->rig->parameters(), selected_);
-  if (document.pending || workspace_.pen_is_drawing()) return;
+  if (document.pending || editing_.pen_is_drawing()) return;
   // Nothing swings out of sight.
   if (!panels_.controls_tab || !index) return set_swing(false);
   preview_parameter(*index, amount * document.model->rig->parameters()[*index].maximum);
 }
 
 void Controls::show_new() {
-  const auto& deformers = workspace_.document().model->deformers;
+  const auto& deformers = editing_.document().model->deformers;
   const std::size_t count = deformers ? deformers->size() : 0;
-  if (count == deformer_count_ + 1 && !workspace_.document().pending) {
+  if (count == deformer_count_ + 1 && !editing_.document().pending) {
     selected_ = deformers->deformers().back()->sketch().name;
     panels_.controls_tab = true;
     notices_.tell(selected_ + " is ready: its slider is in the panel");
     for (const std::string& doubt : articulation::doubts_of(*deformers->deformers().back())) notices_.tell(doubt);
   }
   deformer_count_ = count;
-  const auto& corrections = workspace_.document().model->corrections;
+  const auto& corrections = editing_.document().model->corrections;
   const std::size_t corrected = corrections ? corrections->size() : 0;
-  if (corrected == correction_count_ + 1 && !workspace_.document().pending) {
+  if (corrected == correction_count_ + 1 && !editing_.document().pending) {
     const articulation::Correction& one = *corrections->all().back();
     notices_.tell(one.drawn.sketch.name + " is there wherever its controls come together");
     for (const std::string& doubt : articulation::doubts_of(*one.deformer)) notices_.tell(doubt);
@@ -184,7 +183,7 @@ void Controls::show_new() {
 }
 
 void Controls::tell_new_doubts() {
-  const auto now = workspace_.document().model->deformers;
+  const auto now = editing_.document().model->deformers;
   const auto before = std::exchange(seen_deformers_, now);
   if (!before || !now || before == now) return;
   for (const auto& deformer : now->deformers()) {
@@ -198,18 +197,18 @@ void Controls::tell_new_doubts() {
 }
 
 void Controls::preview_parameter(std::size_t parameter, double value) {
-  rig::Pose pose = workspace_.document().pose;
+  rig::Pose pose = editing_.document().pose;
   if (parameter >= pose.size()) return;
   pose[parameter] = value;
-  workspace_.preview(std::move(pose));
+  editing_.shown().preview(std::move(pose));
 }
 
 void Controls::set_parameter(std::size_t parameter, double value) {
-  workspace_.preview(std::nullopt);
-  const auto parameters = workspace_.document().model->rig->parameters();
+  editing_.shown().preview(std::nullopt);
+  const auto parameters = editing_.document().model->rig->parameters();
   if (parameter >= parameters.size()) return;
   const auto& one = parameters[parameter];
-  workspace_.perform(document::SetParameters{{{one.name, std::clamp(value, one.minimum, one.maximum)}}});
+  editing_.perform(document::SetParameters{{{one.name, std::clamp(value, one.minimum, one.maximum)}}});
 }
 
 }  // namespace penpose::app

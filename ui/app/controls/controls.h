@@ -8,14 +8,14 @@
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/notices.h"
 #include "ui/app/panels/panel_state.h"
-#include "ui/app/session/workspace.h"
+#include "ui/app/session/editing_session.h"
 
 namespace penpose::app {
 
 /// What is done with controls: values of all of them, and those that are sketched.
 class Controls {
  public:
-  Controls(Workspace& workspace, Notices& notices, Canvas& canvas, PanelState& panels);
+  Controls(EditingSession& editing, Notices& notices, Canvas& canvas, PanelState& panels);
 
   /// Of the sketched ones the one that is selected; empty: none is.
   [[nodiscard]] const std::string& selected() const { return selected_; }
@@ -40,7 +40,7 @@ class Controls {
   // One that there is.
   /// The next stroke draws a curve of it again; regions in the view in which they were drawn.
   void redraw(const std::string& deformer, articulation::CurveRole role);
-  /// The next stroke draws another goal of it, at the value that it shows.
+  /// The next stroke draws another target of it, at the value that it shows.
   void draw_between(const std::string& deformer, double value);
   /// Makes the same control on the other side, and takes it in hand.
   void mirror(const std::string& deformer);
@@ -56,13 +56,13 @@ class Controls {
   void show_new();
   /// Says what is doubtful of a control that was changed and was not before.
   void tell_new_doubts();
-  /// Says so before the goal is drawn where the feature that was found may not be the one that is meant.
+  /// Says so before the target is drawn where the feature that was found may not be the one that is meant.
   void tell_doubt_of_feature();
   /// Another document was opened.
   void open_document();
 
  private:
-  Workspace& workspace_;
+  EditingSession& editing_;
   Notices& notices_;
   Canvas& canvas_;
   PanelState& panels_;

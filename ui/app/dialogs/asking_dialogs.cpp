@@ -1,5 +1,12 @@
 #include <filesystem>
 
+#include "ui/app/dialogs/dialogs.h"
+#include "ui/app/dialogs/entries.h"
+#include "ui/app/files/files.h"
+#include "ui/app/files/leaving.h"
+#include "ui/app/files/recording.h"
+#include "ui/app/files/recovery.h"
+#include "ui/app/notices.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/tour/tour_panel.h"
 #include "ui/app/widgets/internal/widgets.h"
@@ -13,24 +20,22 @@ namespace fs = std::filesystem;
 
 }  // namespace
 
-void show_recover_dialog(PanelContext& context) {
-  App& app = context.app;
+void show_recover_dialog(PanelContext& context, Recovery& recovery) {
   if (begin_dialog(context, "There is work that was not saved", 13)) {
-    const std::string name = app.abandoned().empty() ? "" : fs::path(app.abandoned().front()).stem().string();
+    const std::string name = recovery.abandoned().empty() ? "" : fs::path(recovery.abandoned().front()).stem().string();
     ImGui::TextWrapped("What was drawn in the session %s is kept, to the last stroke.", name.c_str());
     if (wide_button(context, "Bring it back", 5 * context.unit) || context.accepts) {
-      app.recover(true);
+      recovery.recover(true);
     } else {
       ImGui::SameLine();
       if (wide_button(context, "Start anew", 5 * context.unit, false, "The session stays in the list of sessions"))
-        app.recover(false);
+        recovery.recover(false);
     }
   }
   end_dialog();
 }
 
 void show_steps_dialog(PanelContext& context) {
-  App& app = context.app;
   if (begin_dialog(context, "Draw, and the face follows", 14)) {
     ImGui::TextWrapped("1   Draw along a feature as it is: the line of the mouth, a brow, an eyelid.");
     ImGui::Dummy({1, context.gap});
@@ -47,47 +52,47 @@ void show_steps_dialog(PanelContext& context) {
     ImGui::PopStyleColor();
     ImGui::TextWrapped("Or be shown, and do each step with your own hand:");
     show_tour_buttons(context);
-    if (wide_button(context, "Begin", -1) || context.accepts) app.do_action(Action::cancel);
+    if (wide_button(context, "Begin", -1) || context.accepts) context.actions.run(Action::cancel);
   }
   end_dialog();
 }
 
-void show_sessions_dialog(PanelContext& context) {
-  App& app = context.app;
+void show_sessions_dialog(PanelContext& context, Files& files, Recording& recording, Notices& notices,
+                          Dialogs& dialogs) {
   if (begin_dialog(context, "Sessions", 17)) {
-    const std::string now = app.session_path();
+    const std::string now = recording.path();
     ImGui::TextWrapped("Everything that is drawn is recorded. This session: %s",
                        now.empty() ? "not recorded" : now.c_str());
     ImGui::BeginChild("sessions", {0, 8 * context.unit}, true);
-    for (const std::string& path : past_sessions(app.options().folders.state + "/sessions")) {
+    for (const std::string& path : recording.past()) {
       if (path == now) continue;
       ImGui::PushID(path.c_str());
       if (wide_button(context, "Play##session", 2.4F * context.unit, false, "Watch it in this window")) {
-        if (const auto played = app.play_trace(path); !played) app.notices().tell(played.error().line(path), true);
+        if (const auto played = files.play_trace(path); !played) notices.tell(played.error().line(path), true);
       }
       ImGui::SameLine();
-      if (wide_button(context, "Go on##session", 2.4F * context.unit, false, "Open where it ended")) app.try_open(path);
+      if (wide_button(context, "Go on##session", 2.4F * context.unit, false, "Open where it ended"))
+        files.try_open(path);
       ImGui::SameLine();
       text_beside(context, fs::path(path).stem().string().c_str());
       ImGui::PopID();
     }
     ImGui::EndChild();
-    if (wide_button(context, "Close") || context.accepts) app.dialogs().show(Dialog::none);
+    if (wide_button(context, "Close") || context.accepts) dialogs.show(Dialog::none);
   }
   end_dialog();
 }
 
-void show_unsaved_dialog(PanelContext& context) {
-  App& app = context.app;
+void show_unsaved_dialog(PanelContext& context, Leaving& leaving, Dialogs& dialogs) {
   if (begin_dialog(context, "There is unsaved work", 13)) {
     ImGui::TextWrapped("It is kept in the list of sessions in any case.");
-    if (wide_button(context, "Save first") || context.accepts) app.save_first();
+    if (wide_button(context, "Save first") || context.accepts) leaving.save_first();
     ImGui::SameLine();
     const char* without =
-        app.dialogs().state<UnsavedWork>().then_opens.empty() ? "Quit without saving" : "Open without saving";
-    if (wide_button(context, without)) app.go_on_without_saving();
+        dialogs.state<UnsavedWork>().then_opens.empty() ? "Quit without saving" : "Open without saving";
+    if (wide_button(context, without)) leaving.go_on_without_saving();
     ImGui::SameLine();
-    if (wide_button(context, "Cancel")) app.do_action(Action::cancel);
+    if (wide_button(context, "Cancel")) context.actions.run(Action::cancel);
   }
   end_dialog();
 }

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "core/geometry/camera.h"
-#include "ui/app/input/binding.h"
+#include "ui/app/dialogs/dialogs.h"
+#include "ui/app/hands/binding.h"
 #include "ui/app/view/area.h"
 
 // What dialogs keep that others fill or look at.
@@ -45,6 +46,9 @@ struct PenTrial {
   std::vector<double> pressure;
   Area area{};
 };
+
+/// Adds to the line in the test area, where the dialog is open.
+void try_pen(Dialogs& dialogs, PxPoint at, double pressure, bool begins);
 
 /// What waits for the answer to the question about unsaved work.
 struct UnsavedWork {

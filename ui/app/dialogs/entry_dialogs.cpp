@@ -4,13 +4,28 @@
 
 #include "core/articulation/edit.h"
 #include "core/base/numbers.h"
+#include "ui/app/controls/controls.h"
+#include "ui/app/dialogs/dialogs.h"
+#include "ui/app/dialogs/entries.h"
+#include "ui/app/notices.h"
 #include "ui/app/panels/panels.h"
+#include "ui/app/playback/keys.h"
+#include "ui/app/preferences.h"
+#include "ui/app/session/editing_session.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 // Dialogs that take a number or a name: with a pen, or with a keyboard where there is one.
 
 namespace penpose::app {
 namespace {
+
+/// What is shown and changed here.
+struct Owners {
+  EditingSession& editing;
+  Controls& controls;
+  Notices& notices;
+  Dialogs& dialogs;
+};
 
 /// The place of the pen's menu that is being chosen for.
 struct RadialEntry {
@@ -24,25 +39,25 @@ std::string shown(double value) {
 }
 
 /// Sets what was typed. False, and said why, where it is none or does not fit.
-bool take_number(App& app, std::size_t index) {
-  const NumberEntry& entry = app.dialogs().state<NumberEntry>();
+bool take_number(const Owners& with, std::size_t index) {
+  const NumberEntry& entry = with.dialogs.state<NumberEntry>();
   const auto value = base::parse_double(entry.text);
   if (!value || !std::isfinite(*value)) {
-    app.notices().tell("\"" + entry.text + "\" is no number", true);
+    with.notices.tell("\"" + entry.text + "\" is no number", true);
     return false;
   }
-  const rig::Parameter parameter = app.workspace().document().model->rig->parameters()[index];
+  const rig::Parameter parameter = with.editing.document().model->rig->parameters()[index];
   if (entry.field == NumberEntry::Field::value) {
     if (*value < parameter.minimum || *value > parameter.maximum) {
-      app.notices().tell(parameter.name + " goes from " + shown(parameter.minimum) + " to " + shown(parameter.maximum));
+      with.notices.tell(parameter.name + " goes from " + shown(parameter.minimum) + " to " + shown(parameter.maximum));
     }
-    app.controls().set_parameter(index, *value);
+    with.controls.set_parameter(index, *value);
     return true;
   }
   document::ChangeDeformer change;
   change.deformer = parameter.name;
   (entry.field == NumberEntry::Field::least ? change.minimum : change.maximum) = *value;
-  return app.workspace().perform(change);
+  return with.editing.perform(change);
 }
 
 void keypad(PanelContext& context, std::string& text) {
@@ -62,13 +77,14 @@ void keypad(PanelContext& context, std::string& text) {
 
 }  // namespace
 
-void show_number_dialog(PanelContext& context) {
-  App& app = context.app;
-  NumberEntry& entry = app.dialogs().state<NumberEntry>();
-  const auto& model = *app.workspace().document().model;
+void show_number_dialog(PanelContext& context, EditingSession& editing, Controls& controls, Notices& notices,
+                        Dialogs& dialogs) {
+  const Owners with{editing, controls, notices, dialogs};
+  NumberEntry& entry = dialogs.state<NumberEntry>();
+  const auto& model = *editing.document().model;
   const auto index = rig::find_parameter(model.rig->parameters(), entry.parameter);
   if (!index) {
-    app.dialogs().show(Dialog::none);
+    dialogs.show(Dialog::none);
     return;
   }
   const rig::Parameter parameter = model.rig->parameters()[*index];
@@ -76,7 +92,7 @@ void show_number_dialog(PanelContext& context) {
   if (begin_dialog(context, (parameter.name + "###number").c_str(), 9)) {
     using Field = NumberEntry::Field;
     const std::array<std::pair<Field, std::string>, 3> fields{
-        {{Field::value, "Value " + shown(app.workspace().document().pose[*index])},
+        {{Field::value, "Value " + shown(editing.document().pose[*index])},
          {Field::least, "Least " + shown(parameter.minimum)},
          {Field::most, "Most " + shown(parameter.maximum)}}};
     const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
@@ -93,39 +109,37 @@ void show_number_dialog(PanelContext& context) {
     dialog_field(context, "##number", entry.text, "type a number");
     keypad(context, entry.text);
     ImGui::Dummy({1, context.gap});
-    if ((wide_button(context, "Set##number", third) || context.accepts) && take_number(app, *index)) {
-      app.dialogs().show(Dialog::none);
+    if ((wide_button(context, "Set##number", third) || context.accepts) && take_number(with, *index)) {
+      dialogs.show(Dialog::none);
     }
     ImGui::SameLine();
     if (wide_button(context, "Rest##number", third, false, "Back to rest")) {
-      app.workspace().perform(document::ResetParameters{{parameter.name}});
-      app.dialogs().show(Dialog::none);
+      editing.perform(document::ResetParameters{{parameter.name}});
+      dialogs.show(Dialog::none);
     }
     ImGui::SameLine();
-    if (wide_button(context, "Cancel", third)) app.dialogs().show(Dialog::none);
+    if (wide_button(context, "Cancel", third)) dialogs.show(Dialog::none);
   }
   end_dialog();
 }
 
-void show_key_dialog(PanelContext& context) {
-  App& app = context.app;
-  std::string& name = app.dialogs().state<KeyNameEntry>().text;
+void show_key_dialog(PanelContext& context, Keys& keys, Dialogs& dialogs) {
+  std::string& name = dialogs.state<KeyNameEntry>().text;
   if (begin_dialog(context, "A name for this pose", 11)) {
     dialog_field(context, "##key name", name, "smile");
     if (wide_button(context, "Name it", 4 * context.unit) || context.accepts) {
-      app.keys().name(name);
-      app.dialogs().show(Dialog::none);
+      keys.name(name);
+      dialogs.show(Dialog::none);
     }
     ImGui::SameLine();
-    if (wide_button(context, "Cancel")) app.dialogs().show(Dialog::none);
+    if (wide_button(context, "Cancel")) dialogs.show(Dialog::none);
   }
   end_dialog();
 }
 
-void show_radial_dialog(PanelContext& context) {
-  App& app = context.app;
-  auto& radial = app.preferences().settings().radial;
-  std::size_t& place = app.dialogs().state<RadialEntry>().place;
+void show_radial_dialog(PanelContext& context, Preferences& preferences, Dialogs& dialogs) {
+  auto& radial = preferences.settings().radial;
+  std::size_t& place = dialogs.state<RadialEntry>().place;
   if (begin_dialog(context, "The menu around the pen", 15)) {
     ImGui::TextWrapped("Touch a place of the menu, clockwise from the top, then what it should do.");
     const float quarter = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetStyle().ItemSpacing.x) / 4;
@@ -142,16 +156,16 @@ void show_radial_dialog(PanelContext& context) {
       const std::string label = std::string(one.label) + "##choose";
       if (wide_button(context, label.c_str(), third, false, std::string(one.tip).c_str()) && place < radial.size()) {
         radial[place] = one.action;
-        app.preferences().changed();
+        preferences.changed();
       }
     }
     ImGui::EndChild();
     if (wide_button(context, "As it was##radial menu")) {
       radial = Settings().radial;
-      app.preferences().changed();
+      preferences.changed();
     }
     ImGui::SameLine();
-    if (wide_button(context, "Done") || context.accepts) app.dialogs().show(Dialog::none);
+    if (wide_button(context, "Done") || context.accepts) dialogs.show(Dialog::none);
   }
   end_dialog();
 }

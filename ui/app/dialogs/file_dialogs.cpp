@@ -4,7 +4,13 @@
 
 #include "core/base/text/letters.h"
 #include "core/io/model/model_formats.h"
+#include "ui/app/canvas/canvas.h"
+#include "ui/app/dialogs/dialogs.h"
+#include "ui/app/files/files.h"
+#include "ui/app/files/leaving.h"
+#include "ui/app/notices.h"
 #include "ui/app/panels/panels.h"
+#include "ui/app/preferences.h"
 #include "ui/app/view/backdrop.h"
 #include "ui/app/widgets/internal/widgets.h"
 
@@ -12,6 +18,12 @@
 
 namespace penpose::app {
 namespace {
+
+/// What is shown and changed here.
+struct Owners {
+  Files& files;
+  Dialogs& dialogs;
+};
 
 namespace fs = std::filesystem;
 
@@ -52,8 +64,8 @@ std::vector<fs::directory_entry> entries_of(const std::string& folder, std::span
 }
 
 /// The folder with its parent and what is in it. Gives the file that was chosen.
-std::string browse(PanelContext& context, float height, std::span<const std::string> extensions) {
-  std::string& folder = context.app.dialogs().state<FileChoice>().folder;
+std::string browse(PanelContext& context, const Owners& with, float height, std::span<const std::string> extensions) {
+  std::string& folder = with.dialogs.state<FileChoice>().folder;
   std::string chosen;
   ImGui::TextUnformatted(folder.c_str());
   ImGui::BeginChild("files", {0, height}, true);
@@ -74,58 +86,57 @@ std::string browse(PanelContext& context, float height, std::span<const std::str
 }
 
 /// A name for what is written, and a place. True when it is to be written; the full path is in `path`.
-bool choose_name(PanelContext& context, const char* does, std::string& path) {
-  App& app = context.app;
-  dialog_field(context, "##name", app.dialogs().state<FileChoice>().name, "name.glb");
-  if (const std::string file = browse(context, 6 * context.unit, opened()); !file.empty()) {
-    app.dialogs().state<FileChoice>().name = fs::path(file).filename().string();
+bool choose_name(PanelContext& context, const Owners& with, const char* does, std::string& path) {
+  dialog_field(context, "##name", with.dialogs.state<FileChoice>().name, "name.glb");
+  if (const std::string file = browse(context, with, 6 * context.unit, opened()); !file.empty()) {
+    with.dialogs.state<FileChoice>().name = fs::path(file).filename().string();
   }
   const bool pressed = wide_button(context, does, 4 * context.unit) || context.accepts;
   ImGui::SameLine();
-  if (wide_button(context, "Cancel")) context.app.do_action(Action::cancel);
-  path = (fs::path(app.dialogs().state<FileChoice>().folder) / app.dialogs().state<FileChoice>().name).string();
-  return pressed && !app.dialogs().state<FileChoice>().name.empty();
+  if (wide_button(context, "Cancel")) context.actions.run(Action::cancel);
+  path = (fs::path(with.dialogs.state<FileChoice>().folder) / with.dialogs.state<FileChoice>().name).string();
+  return pressed && !with.dialogs.state<FileChoice>().name.empty();
 }
 
-std::string stem_of(const App& app) {
-  const std::string from = !app.project().empty() ? app.project() : app.path();
+std::string stem_of(const Owners& with) {
+  const std::string from = !with.files.project().empty() ? with.files.project() : with.files.path();
   return from.starts_with("builtin:") ? "head" : fs::path(from).stem().string();
 }
 
 }  // namespace
 
-void show_open_dialog(PanelContext& context) {
-  App& app = context.app;
+void show_open_dialog(PanelContext& context, Files& files, Leaving& leaving, Dialogs& dialogs) {
+  const Owners with{files, dialogs};
   if (begin_dialog(context, "Open", k_wide)) {
     std::string chosen;
     if (wide_button(context, "The built-in head with its controls", -1)) chosen = "builtin:demo";
     if (wide_button(context, "The built-in head alone, to sketch controls on", -1)) chosen = "builtin:head";
-    if (const std::string file = browse(context, 8 * context.unit, opened()); !file.empty()) chosen = file;
-    if (wide_button(context, "Cancel")) app.do_action(Action::cancel);
-    if (!chosen.empty()) app.ask_to_open(chosen);
+    if (const std::string file = browse(context, with, 8 * context.unit, opened()); !file.empty()) chosen = file;
+    if (wide_button(context, "Cancel")) context.actions.run(Action::cancel);
+    if (!chosen.empty()) leaving.ask_to_open(chosen);
   }
   end_dialog();
 }
 
-void show_backdrop_dialog(PanelContext& context) {
-  App& app = context.app;
+void show_backdrop_dialog(PanelContext& context, Canvas& canvas, CanvasLook& look, Files& files, Notices& notices,
+                          Dialogs& dialogs) {
+  const Owners with{files, dialogs};
   if (begin_dialog(context, "A picture behind the model", k_wide)) {
     ImGui::TextDisabled("PNG or JPEG; of numbered pictures all are taken, one a frame");
-    const std::string chosen = browse(context, 8 * context.unit, pictures());
-    if (wide_button(context, "Cancel")) app.do_action(Action::cancel);
-    if (!chosen.empty() && open_backdrop(app.canvas(), app.notices(), chosen)) {
-      app.dialogs().close();
-      app.dialogs().state<FileChoice>().folder = fs::path(chosen).parent_path().string();
+    const std::string chosen = browse(context, with, 8 * context.unit, pictures());
+    if (wide_button(context, "Cancel")) context.actions.run(Action::cancel);
+    if (!chosen.empty() && open_backdrop(canvas, look, notices, chosen)) {
+      dialogs.close();
+      dialogs.state<FileChoice>().folder = fs::path(chosen).parent_path().string();
     }
   }
   end_dialog();
 }
 
-void show_recent_dialog(PanelContext& context) {
-  App& app = context.app;
+void show_recent_dialog(PanelContext& context, Leaving& leaving, Preferences& preferences) {
   if (begin_dialog(context, "Opened and saved before", k_wide)) {
     std::string chosen;
-    const auto recent = app.preferences().settings().recent;
+    const auto recent = preferences.settings().recent;
     if (recent.empty()) ImGui::TextUnformatted("Nothing yet.");
     ImGui::BeginChild("recent", {0, 8 * context.unit}, true);
     for (const std::string& path : recent) {
@@ -133,36 +144,35 @@ void show_recent_dialog(PanelContext& context) {
       if (wide_button(context, label.c_str(), -1, false, path.c_str())) chosen = path;
     }
     ImGui::EndChild();
-    if (wide_button(context, "Cancel")) app.do_action(Action::cancel);
-    if (!chosen.empty()) app.ask_to_open(chosen);
+    if (wide_button(context, "Cancel")) context.actions.run(Action::cancel);
+    if (!chosen.empty()) leaving.ask_to_open(chosen);
   }
   end_dialog();
 }
 
-void show_save_dialog(PanelContext& context) {
-  App& app = context.app;
-  if (app.dialogs().state<FileChoice>().name.empty() && context.dialog_opens) {
+void show_save_dialog(PanelContext& context, Files& files, Leaving& leaving, Dialogs& dialogs) {
+  const Owners with{files, dialogs};
+  if (dialogs.state<FileChoice>().name.empty() && context.dialog_opens) {
     // A free name, so that Save alone is enough for whoever has no keyboard at hand.
-    app.dialogs().state<FileChoice>().name =
-        app.project().empty()
-            ? fs::path(free_path(app.dialogs().state<FileChoice>().folder, stem_of(app), ".glb")).filename().string()
-            : fs::path(app.project()).filename().string();
+    dialogs.state<FileChoice>().name =
+        files.project().empty()
+            ? fs::path(free_path(dialogs.state<FileChoice>().folder, stem_of(with), ".glb")).filename().string()
+            : fs::path(files.project()).filename().string();
   }
   if (begin_dialog(context, "Save", k_wide)) {
     ImGui::TextDisabled("The whole project, as a .glb file that any viewer plays");
     std::string path;
-    if (choose_name(context, "Save##now", path)) app.save_from_dialog(path);
+    if (choose_name(context, with, "Save##now", path)) leaving.save_from_dialog(path);
   }
   end_dialog();
 }
 
-void show_export_dialog(PanelContext& context) {
-  App& app = context.app;
-  std::string& name = app.dialogs().state<FileChoice>().name;
+void show_export_dialog(PanelContext& context, Files& files, Notices& notices, Dialogs& dialogs) {
+  const Owners with{files, dialogs};
+  std::string& name = dialogs.state<FileChoice>().name;
   if (name.empty() && context.dialog_opens) {
-    name = fs::path(free_path(app.dialogs().state<FileChoice>().folder, stem_of(app) + "-export", ".glb"))
-               .filename()
-               .string();
+    name =
+        fs::path(free_path(dialogs.state<FileChoice>().folder, stem_of(with) + "-export", ".glb")).filename().string();
   }
   if (begin_dialog(context, "Export", k_wide)) {
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
@@ -177,11 +187,11 @@ void show_export_dialog(PanelContext& context) {
         name = fs::path(name).replace_extension(format.extension).string();
     }
     std::string path;
-    if (choose_name(context, "Export##now", path)) {
-      if (const auto written = app.export_to(path); !written) {
-        app.notices().tell(written.error().line(path), true);
+    if (choose_name(context, with, "Export##now", path)) {
+      if (const auto written = files.export_to(path); !written) {
+        notices.tell(written.error().line(path), true);
       } else {
-        app.do_action(Action::cancel);
+        context.actions.run(Action::cancel);
       }
     }
   }

@@ -1,7 +1,14 @@
 #include <algorithm>
 
+#include "ui/app/dialogs/dialogs.h"
+#include "ui/app/dialogs/entries.h"
 #include "ui/app/dialogs/found_command.h"
+#include "ui/app/files/leaving.h"
+#include "ui/app/panels/panel_entries.h"
+#include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
+#include "ui/app/playback/playback.h"
+#include "ui/app/session/editing_session.h"
 #include "ui/app/widgets/internal/icon.h"
 #include "ui/app/widgets/internal/widgets.h"
 
@@ -11,6 +18,20 @@ namespace penpose::app {
 namespace {
 
 constexpr float k_wide = 17;
+
+/// What is looked through, and changed by what is found.
+struct Owners {
+  const EditingSession& editing;
+  Playback& playback;
+  const Preferences& preferences;
+  Leaving& leaving;
+  Dialogs& dialogs;
+  PanelState& panels;
+};
+
+SearchedIn searched_in(const Owners& with) {
+  return {with.editing.document(), with.playback.rate(), with.preferences.settings().recent};
+}
 
 std::string_view icon_of(const FoundCommand& found) {
   switch (found.kind) {
@@ -44,42 +65,66 @@ void move_choice(std::size_t& chosen, std::size_t count) {
 
 /// Px that a list may have.
 float list_height(const PanelContext& context) {
-  return std::min(9 * context.unit, static_cast<float>(context.app.canvas().window().height) - 5 * context.unit);
+  return std::min(9 * context.unit, static_cast<float>(context.window.height) - 5 * context.unit);
+}
+
+/// Does it: an action; a control is shown alone in the panel; the playhead goes to a pose; a file is opened.
+void do_found(PanelContext& context, const Owners& with, const FoundCommand& found) {
+  with.dialogs.show(Dialog::none);
+  switch (found.kind) {
+    case FoundCommand::Kind::action:
+      context.actions.run(found.action);
+      break;
+    case FoundCommand::Kind::control:
+      with.panels.shown = true;
+      with.panels.controls_tab = false;
+      with.panels.own.of<ParameterList>().moved_only = false;
+      with.panels.own.of<ParameterList>().filter = found.text;
+      break;
+    case FoundCommand::Kind::pose:
+      with.playback.go_to(found.time_s);
+      break;
+    case FoundCommand::Kind::file:
+      with.leaving.ask_to_open(found.detail);
+      break;
+  }
 }
 
 }  // namespace
 
-void show_search_dialog(PanelContext& context) {
-  App& app = context.app;
+void show_search_dialog(PanelContext& context, EditingSession& editing, Playback& playback, Preferences& preferences,
+                        Leaving& leaving, Dialogs& dialogs, PanelState& panels) {
+  const Owners with{editing, playback, preferences, leaving, dialogs, panels};
   if (begin_dialog(context, "Search", k_wide)) {
-    const std::string before = app.dialogs().state<SearchEntry>().text;
-    dialog_field(context, "##find", app.dialogs().state<SearchEntry>().text, "an action, a control, a pose, a file");
-    if (app.dialogs().state<SearchEntry>().text != before) app.dialogs().state<SearchEntry>().chosen = 0;
-    const auto found = find_commands(app, app.dialogs().state<SearchEntry>().text);
-    move_choice(app.dialogs().state<SearchEntry>().chosen, found.size());
+    const std::string before = dialogs.state<SearchEntry>().text;
+    dialog_field(context, "##find", dialogs.state<SearchEntry>().text, "an action, a control, a pose, a file");
+    if (dialogs.state<SearchEntry>().text != before) dialogs.state<SearchEntry>().chosen = 0;
+    const auto found = find_commands(searched_in(with), dialogs.state<SearchEntry>().text);
+    move_choice(dialogs.state<SearchEntry>().chosen, found.size());
     std::optional<FoundCommand> done;
     ImGui::BeginChild("found", {0, list_height(context)}, true);
     for (std::size_t i = 0; i < found.size(); ++i) {
       const FoundCommand& one = found[i];
       const std::string label = one.text + "##found " + std::to_string(static_cast<int>(one.kind)) + one.detail;
-      if (row(context, label, icon_of(one), one.detail, i == app.dialogs().state<SearchEntry>().chosen)) done = one;
-      if (i == app.dialogs().state<SearchEntry>().chosen && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
+      if (row(context, label, icon_of(one), one.detail, i == dialogs.state<SearchEntry>().chosen)) done = one;
+      if (i == dialogs.state<SearchEntry>().chosen && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
     }
     if (found.empty()) ImGui::TextWrapped("Nothing is called that.");
     ImGui::EndChild();
-    if (context.accepts && !found.empty()) done = found[app.dialogs().state<SearchEntry>().chosen];
-    if (done) do_found(app, *done);
+    if (context.accepts && !found.empty()) done = found[dialogs.state<SearchEntry>().chosen];
+    if (done) do_found(context, with, *done);
   }
   end_dialog();
 }
 
-void show_shortcuts_dialog(PanelContext& context) {
-  App& app = context.app;
+void show_shortcuts_dialog(PanelContext& context, EditingSession& editing, Playback& playback, Preferences& preferences,
+                           Leaving& leaving, Dialogs& dialogs, PanelState& panels) {
+  const Owners with{editing, playback, preferences, leaving, dialogs, panels};
   if (begin_dialog(context, "Keys", k_wide)) {
-    dialog_field(context, "##key search", app.dialogs().state<SearchEntry>().text, "search");
+    dialog_field(context, "##key search", dialogs.state<SearchEntry>().text, "search");
     std::optional<FoundCommand> done;
     ImGui::BeginChild("keys", {0, list_height(context)}, true);
-    for (const FoundCommand& one : find_commands(app, app.dialogs().state<SearchEntry>().text)) {
+    for (const FoundCommand& one : find_commands(searched_in(with), dialogs.state<SearchEntry>().text)) {
       if (one.kind != FoundCommand::Kind::action) continue;
       const ActionInfo& action = info(one.action);
       const std::string second = shortcut_text(action.other);
@@ -89,17 +134,16 @@ void show_shortcuts_dialog(PanelContext& context) {
     }
     ImGui::EndChild();
     ImGui::TextDisabled("The pen's button or the middle mouse button turns the view; with Shift it moves it.");
-    if (wide_button(context, "Close") || context.accepts) app.dialogs().show(Dialog::none);
-    if (done) do_found(app, *done);
+    if (wide_button(context, "Close") || context.accepts) dialogs.show(Dialog::none);
+    if (done) do_found(context, with, *done);
   }
   end_dialog();
 }
 
-void show_history_dialog(PanelContext& context) {
-  App& app = context.app;
+void show_history_dialog(PanelContext& context, EditingSession& editing, Playback& playback, Dialogs& dialogs) {
   if (begin_dialog(context, "What was done", 12)) {
-    const auto steps = app.workspace().steps();
-    const std::size_t done = app.workspace().editor().history().undo_count();
+    const auto steps = editing.steps().list();
+    const std::size_t done = editing.editor().history().undo_count();
     ImGui::BeginChild("steps", {0, list_height(context)}, true);
     std::optional<std::size_t> to;
     const bool nothing = steps.empty() || steps.front().undone;
@@ -112,8 +156,8 @@ void show_history_dialog(PanelContext& context) {
       if (now && context.dialog_opens) ImGui::SetScrollHereY();
     }
     ImGui::EndChild();
-    if (to && *to != done) app.playback().go_to_step(*to);
-    if (wide_button(context, "Close") || context.accepts) app.dialogs().show(Dialog::none);
+    if (to && *to != done) playback.go_to_step(*to);
+    if (wide_button(context, "Close") || context.accepts) dialogs.show(Dialog::none);
   }
   end_dialog();
 }

@@ -5,8 +5,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text/letters.h"
-#include "ui/app/app.h"
-#include "ui/app/session/frames.h"
+#include "ui/app/playback/frames.h"
 
 namespace penpose::app {
 namespace {
@@ -51,7 +50,7 @@ int fits(std::string_view name, std::string_view besides, const std::vector<std:
 
 }  // namespace
 
-std::vector<FoundCommand> find_commands(App& app, std::string_view text) {
+std::vector<FoundCommand> find_commands(const SearchedIn& in, std::string_view text) {
   const auto words = words_of(text);
   std::vector<std::pair<int, FoundCommand>> all;
   const auto add = [&](FoundCommand command, std::string_view besides) {
@@ -62,16 +61,16 @@ std::vector<FoundCommand> find_commands(App& app, std::string_view text) {
     add({Kind::action, std::string(one.label), shortcut_text(one.key), one.action}, one.tip);
   }
   if (!words.empty()) {
-    const document::Document& document = app.workspace().document();
+    const document::Document& document = in.document;
     const auto parameters = document.model->rig->parameters();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       add({Kind::control, parameters[i].name, base::format_fixed(document.pose[i], 2)}, "control");
     }
     for (const auto& key : document.timeline->keys) {
       if (key.name.empty()) continue;
-      add({Kind::pose, key.name, "frame " + frame_text(key.time_s, app.playback().rate()), {}, key.time_s}, "pose key");
+      add({Kind::pose, key.name, "frame " + frame_text(key.time_s, in.rate), {}, key.time_s}, "pose key");
     }
-    for (const std::string& path : app.preferences().settings().recent) {
+    for (const std::string& path : in.recent_files) {
       const std::filesystem::path file(path);
       add({Kind::file, file.filename().string(), path}, "file open");
     }
@@ -82,27 +81,6 @@ std::vector<FoundCommand> find_commands(App& app, std::string_view text) {
     if (found.size() < k_most_found) found.push_back(std::move(command));
   }
   return found;
-}
-
-void do_found(App& app, const FoundCommand& found) {
-  app.dialogs().show(Dialog::none);
-  switch (found.kind) {
-    case Kind::action:
-      app.do_action(found.action);
-      break;
-    case Kind::control:
-      app.panels().shown = true;
-      app.panels().controls_tab = false;
-      app.panels().own.of<ParameterList>().moved_only = false;
-      app.panels().own.of<ParameterList>().filter = found.text;
-      break;
-    case Kind::pose:
-      app.playback().go_to(found.time_s);
-      break;
-    case Kind::file:
-      app.ask_to_open(found.detail);
-      break;
-  }
 }
 
 }  // namespace penpose::app

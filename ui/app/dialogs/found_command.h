@@ -1,15 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/document/document.h"
 #include "ui/app/action.h"
 
 namespace penpose::app {
-
-class App;
 
 /// Something that can be done, found by its name.
 struct FoundCommand {
@@ -23,11 +23,15 @@ struct FoundCommand {
 
 inline constexpr std::size_t k_most_found = 60;
 
+/// Where things are looked for, besides among actions.
+struct SearchedIn {
+  const document::Document& document;
+  int rate = 24;  ///< frames a second
+  std::span<const std::string> recent_files;
+};
+
 /// Actions, controls, keyed poses and recent files with all words of the text in their names or in what is said of
 /// them, the best first; without any text the actions as they are listed.
-[[nodiscard]] std::vector<FoundCommand> find_commands(App& app, std::string_view text);
-
-/// Does it: an action; a control is shown alone in the panel; the playhead goes to a pose; a file is opened.
-void do_found(App& app, const FoundCommand& found);
+[[nodiscard]] std::vector<FoundCommand> find_commands(const SearchedIn& in, std::string_view text);
 
 }  // namespace penpose::app

@@ -2,11 +2,20 @@
 #include <array>
 
 #include "firmware_io/decode/hand/pressure_curve.h"
+#include "ui/app/dialogs/dialogs.h"
+#include "ui/app/dialogs/entries.h"
+#include "ui/app/hands/bindings.h"
 #include "ui/app/panels/panels.h"
+#include "ui/app/preferences.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {
 namespace {
+
+/// What is shown and changed here.
+struct Owners {
+  Dialogs& dialogs;
+};
 
 decode::PressureCurve curve_of(const replay::TabletSetting& setting) {
   std::vector<decode::PressureCurve::Point> points;
@@ -16,7 +25,8 @@ decode::PressureCurve curve_of(const replay::TabletSetting& setting) {
 }
 
 /// Hard pressed to the right, meant upwards, with the pen's last pressure as it is meant.
-void show_pressure(PanelContext& context, const replay::TabletSetting& setting, ImVec2 from, ImVec2 size) {
+void show_pressure(PanelContext& context, const Owners& with, const replay::TabletSetting& setting, ImVec2 from,
+                   ImVec2 size) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(from, {from.x + size.x, from.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 4);
   const decode::PressureCurve curve = curve_of(setting);
@@ -29,41 +39,54 @@ void show_pressure(PanelContext& context, const replay::TabletSetting& setting, 
     const double b = static_cast<double>(i + 1) / k_steps;
     list.AddLine(place(a, curve(a)), place(b, curve(b)), ImGui::GetColorU32(ImGuiCol_PlotLines), 2);
   }
-  const auto& pressure = context.app.dialogs().state<PenTrial>().pressure;
+  const auto& pressure = with.dialogs.state<PenTrial>().pressure;
   if (pressure.empty()) return;
   const ImVec2 end = place(1, pressure.back());
   list.AddLine({from.x, end.y}, end, ImGui::GetColorU32(ImGuiCol_ButtonActive), 2);
 }
 
 /// A place to draw in: the line appears under the pen, as thick as it is pressed.
-void test_area(PanelContext& context, const replay::TabletSetting& setting) {
+void test_area(PanelContext& context, const Owners& with, const replay::TabletSetting& setting) {
   ImGui::TextDisabled("Draw here to try it; beside it, what pressing means");
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const float height = 4.5F * context.unit;
   const ImVec2 size{ImGui::GetContentRegionAvail().x - height - context.gap, height};
   ImGui::InvisibleButton("try", size);
   note(context, "try");
-  context.app.dialogs().state<PenTrial>().area = {from.x, from.y, from.x + size.x, from.y + size.y};
+  with.dialogs.state<PenTrial>().area = {from.x, from.y, from.x + size.x, from.y + size.y};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 to{from.x + size.x, from.y + size.y};
   list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), 4);
   list.PushClipRect(from, to, true);
-  const auto& line = context.app.dialogs().state<PenTrial>().line;
+  const auto& line = with.dialogs.state<PenTrial>().line;
   for (std::size_t i = 1; i < line.size(); ++i) {
     const auto place = [](PxPoint p) { return ImVec2{static_cast<float>(p.x), static_cast<float>(p.y)}; };
     list.AddLine(place(line[i - 1]), place(line[i]), ImGui::GetColorU32(ImGuiCol_PlotLines),
-                 1 + 8 * static_cast<float>(context.app.dialogs().state<PenTrial>().pressure[i]));
+                 1 + 8 * static_cast<float>(with.dialogs.state<PenTrial>().pressure[i]));
   }
   list.PopClipRect();
-  show_pressure(context, setting, {to.x + context.gap, from.y}, {height, height});
+  show_pressure(context, with, setting, {to.x + context.gap, from.y}, {height, height});
   ImGui::Dummy({1, context.gap});
 }
 
 }  // namespace
 
-void show_tablet_dialog(PanelContext& context) {
-  App& app = context.app;
-  replay::TabletSetting& setting = app.preferences().settings().tablet;
+void try_pen(Dialogs& dialogs, PxPoint at, double pressure, bool begins) {
+  if (dialogs.open() != Dialog::tablet) return;
+  constexpr std::size_t k_most = 100000;
+  PenTrial& trial = dialogs.state<PenTrial>();
+  if (begins && trial.area.holds(at)) {
+    trial.line.clear();
+    trial.pressure.clear();
+  }
+  if (trial.line.size() >= k_most || (trial.line.empty() && !trial.area.holds(at))) return;
+  trial.line.push_back(at);
+  trial.pressure.push_back(pressure);
+}
+
+void show_tablet_dialog(PanelContext& context, Bindings& bindings, Preferences& preferences, Dialogs& dialogs) {
+  const Owners with{dialogs};
+  replay::TabletSetting& setting = preferences.settings().tablet;
   if (begin_dialog(context, "Tablet", 17)) {
     bool changed = false;
     const auto flag = [&](const char* label, bool& on, const char* tip) {
@@ -103,14 +126,14 @@ void show_tablet_dialog(PanelContext& context) {
     }
     note(context, "softness");
     ImGui::PopStyleVar();
-    if (changed) app.tablet_setting_changed();
-    test_area(context, setting);
+    if (changed) bindings.setting_changed();
+    test_area(context, with, setting);
     if (wide_button(context, "As it was##tablet")) {
       setting = {};
-      app.tablet_setting_changed();
+      bindings.setting_changed();
     }
     ImGui::SameLine();
-    if (wide_button(context, "Done") || context.accepts) app.dialogs().show(Dialog::none);
+    if (wide_button(context, "Done") || context.accepts) dialogs.show(Dialog::none);
   }
   end_dialog();
 }

@@ -69,36 +69,36 @@ base::Result<TracePlayer> TracePlayer::load(const std::string& path) {
   return player;
 }
 
-void TracePlayer::advance(Workspace& workspace, std::int64_t by_us, Listener& listener) {
+void TracePlayer::advance(EditingSession& editing, std::int64_t by_us, Listener& listener) {
   if (!playing()) return;
   time_us_ += static_cast<double>(by_us) * speed_;
   for (; next_ < events_.size() && static_cast<double>(events_[next_].time_us) <= time_us_; ++next_) {
     const Event& event = events_[next_];
     if (event.line) {
       if (const auto* reached = std::get_if<replay::StateReached>(event.line.get())) {
-        const auto state = is_session_ && !divergence_ ? workspace.state() : reached->state;
+        const auto state = is_session_ && !divergence_ ? editing.state() : reached->state;
         if (!(state == reached->state)) {
           divergence_ = replay::Divergence{event.number, document::differing_parts(state, reached->state)};
         }
         continue;
       }
-      workspace.play(*event.line);
+      editing.act(*event.line);
     } else if (event.identity) {
-      workspace.connect(event.device, *event.identity);
+      editing.input().connect(event.device, *event.identity);
       listener.on_device(event.device, *event.identity);
     } else {
-      const auto moments = workspace.report(event.device, event.bytes);
-      const auto hand = workspace.session().hand_moments();
+      const auto moments = editing.input().report(event.device, event.bytes);
+      const auto hand = editing.session().hand_moments();
       const std::vector<replay::HandMoment> kept(hand.begin(), hand.end());
       listener.on_moments(event.device, moments, kept);
-      workspace.follow_pen();
+      editing.shown().follow_pen();
     }
   }
   if (next_ < events_.size() || ended_) return;
   ended_ = true;
   for (const Event& event : events_) {
     if (event.identity) {
-      workspace.disconnect(event.device);
+      editing.input().disconnect(event.device);
       listener.on_gone(event.device);
     }
   }

@@ -10,11 +10,11 @@
 #include "core/base/result.h"
 #include "firmware_io/decode/sample/device_identity.h"
 #include "replay/session/session_player.h"
-#include "ui/app/session/workspace.h"
+#include "ui/app/session/editing_session.h"
 
 namespace penpose::app {
 
-/// A trace or a session in place of hardware, played into a workspace at its own pace.
+/// A trace or a session in place of hardware, played into an editing session at its own pace.
 class TracePlayer {
  public:
   /// Reads the whole file. Errors: those of reading it; nothing in it; a session of a version that is not known.
@@ -38,7 +38,7 @@ class TracePlayer {
   };
 
   /// Hands everything up to `by_us` of playing time on, report by report. At the end tablets have gone.
-  void advance(Workspace& workspace, std::int64_t by_us, Listener& listener);
+  void advance(EditingSession& editing, std::int64_t by_us, Listener& listener);
   void set_playing(bool playing) { playing_ = playing; }
   [[nodiscard]] bool playing() const { return playing_ && !finished(); }
   void set_speed(double speed) { speed_ = speed; }
@@ -48,7 +48,7 @@ class TracePlayer {
   /// Microseconds until the next event, at the speed chosen.
   [[nodiscard]] std::int64_t next_in_us() const;
   [[nodiscard]] std::size_t report_count() const { return reports_; }
-  /// The first recorded state that the workspace did not come to.
+  /// The first recorded state that the editing session did not come to.
   [[nodiscard]] const std::optional<replay::Divergence>& divergence() const { return divergence_; }
 
  private:

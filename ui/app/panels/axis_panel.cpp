@@ -3,7 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/app/canvas/canvas.h"
+#include "ui/app/dialogs/dialogs.h"
 #include "ui/app/input/navigation.h"
+#include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
@@ -12,6 +15,11 @@
 
 namespace penpose::app {
 namespace {
+
+/// What is shown and changed here.
+struct Owners {
+  Dialogs& dialogs;
+};
 
 struct Axis {
   const char* label;
@@ -39,16 +47,16 @@ geometry::ModelVector way_of(const Axis& axis, double front_degrees) {
 }
 
 /// An end of an axis, which is a button on the canvas itself: panels lie above it.
-bool show_end(PanelContext& context, const Axis& axis, ImVec2 at) {
+bool show_end(PanelContext& context, const Owners& with, const Axis& axis, ImVec2 at) {
   const float half = 0.5F * context.unit;
   const Area area{static_cast<double>(at.x - half), static_cast<double>(at.y - half), static_cast<double>(at.x + half),
                   static_cast<double>(at.y + half)};
-  context.app.canvas().hits().panels.push_back(area);
+  context.hits.panels.push_back(area);
   context.targets[axis.label] = area;
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const bool hovered = area.holds({static_cast<double>(mouse.x), static_cast<double>(mouse.y)}) &&
                        !ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow) && !context.menu_open &&
-                       context.app.dialogs().open() == Dialog::none && !ImGui::IsAnyItemActive();
+                       with.dialogs.open() == Dialog::none && !ImGui::IsAnyItemActive();
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddCircleFilled(at, (hovered ? 1.25F : 1.0F) * k_disc * context.unit, axis.color);
   const ImVec2 size = ImGui::CalcTextSize(axis.letter);
@@ -60,12 +68,12 @@ bool show_end(PanelContext& context, const Axis& axis, ImVec2 at) {
 
 }  // namespace
 
-void show_axes(PanelContext& context, const Area& free) {
-  App& app = context.app;
-  const auto camera = geometry::Camera::make(app.canvas().view().camera, app.canvas().view().viewport);
+void show_axes(PanelContext& context, const Area& free, Canvas& canvas, Dialogs& dialogs, PanelState& panels) {
+  const Owners with{dialogs};
+  const auto camera = geometry::Camera::make(canvas.view().camera, canvas.view().viewport);
   const auto unit = static_cast<double>(context.unit);
-  if (!camera || !app.panels().shown || std::min(free.width(), free.height()) < k_least_units * unit) return;
-  const double front = viewpoint_of(app.canvas().view().camera).yaw_degrees - app.canvas().looking_from().yaw_degrees;
+  if (!camera || !panels.shown || std::min(free.width(), free.height()) < k_least_units * unit) return;
+  const double front = viewpoint_of(canvas.view().camera).yaw_degrees - canvas.looking_from().yaw_degrees;
   const float reach = k_reach * context.unit;
   const float inset = reach + 0.6F * context.unit;
   const ImVec2 middle{static_cast<float>(free.right) - inset, static_cast<float>(free.top) + inset};
@@ -86,7 +94,7 @@ void show_axes(PanelContext& context, const Area& free) {
   ImDrawList& lines = *ImGui::GetBackgroundDrawList();
   for (const Placed& one : placed) lines.AddLine(middle, one.at, one.axis->color, 0.07F * context.unit);
   for (const Placed& one : placed) {
-    if (show_end(context, *one.axis, one.at)) app.canvas().look_from(one.axis->from);
+    if (show_end(context, with, *one.axis, one.at)) canvas.look_from(one.axis->from);
   }
 }
 

@@ -2,7 +2,11 @@
 #include <cmath>
 #include <filesystem>
 
+#include "ui/app/canvas/canvas.h"
+#include "ui/app/dialogs/dialogs.h"
+#include "ui/app/notices.h"
 #include "ui/app/panels/panels.h"
+#include "ui/app/playback/playback.h"
 #include "ui/app/view/backdrop.h"
 #include "ui/app/widgets/internal/widgets.h"
 
@@ -11,17 +15,21 @@
 namespace penpose::app {
 namespace {
 
+/// What is shown and changed here.
+struct Owners {
+  Canvas& canvas;
+};
+
 constexpr double k_step = 1.08;
 constexpr double k_bar_units = 15;
 
 /// Takes the canvas, so that what is dragged is the picture.
-void take_canvas(PanelContext& context, Backdrop& backdrop, const Area& free) {
-  App& app = context.app;
+void take_canvas(PanelContext& context, const Owners& with, Backdrop& backdrop, const Area& free) {
   ImGui::SetNextWindowBgAlpha(0);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   if (begin_panel(context, "backdrop canvas", free)) {
     ImGui::InvisibleButton("backdrop drag", {static_cast<float>(free.width()), static_cast<float>(free.height())});
-    const document::View& view = app.canvas().view();
+    const document::View& view = with.canvas.view();
     const ImGuiIO& io = ImGui::GetIO();
     const PxPoint at{static_cast<double>(io.MousePos.x), static_cast<double>(io.MousePos.y)};
     if (ImGui::IsItemActivated()) backdrop.held = at;
@@ -40,13 +48,14 @@ void take_canvas(PanelContext& context, Backdrop& backdrop, const Area& free) {
 
 }  // namespace
 
-void show_backdrop(PanelContext& context, const Area& free) {
-  App& app = context.app;
-  const auto backdrop = app.canvas().look().backdrop;
+void show_backdrop(PanelContext& context, const Area& free, Canvas& canvas, CanvasLook& look, Playback& playback,
+                   Notices& notices, Dialogs& dialogs) {
+  const Owners with{canvas};
+  const auto backdrop = look.backdrop;
   if (!backdrop) return;
-  if (const auto shown = backdrop->show(app.playback().time_s(), app.playback().rate()); !shown)
-    app.notices().tell(shown.error().line(backdrop->path()), true);
-  if (!backdrop->adjusting || app.dialogs().open() != Dialog::none) return;
+  if (const auto shown = backdrop->show(playback.time_s(), playback.rate()); !shown)
+    notices.tell(shown.error().line(backdrop->path()), true);
+  if (!backdrop->adjusting || dialogs.open() != Dialog::none) return;
   const double unit = static_cast<double>(context.unit);
   const double gap = static_cast<double>(context.gap);
   const double wide = std::min(free.width(), k_bar_units * unit);
@@ -58,22 +67,22 @@ void show_backdrop(PanelContext& context, const Area& free) {
     if (tall_slider(context, "##behind", opacity, 0, 1, 0.34F * each, "Shows", released)) backdrop->opacity = opacity;
     ImGui::SameLine();
     if (wide_button(context, "-##behind", context.unit, false, "Smaller; so does the wheel"))
-      backdrop->enlarge(app.canvas().view(), 1 / k_step, free.middle());
+      backdrop->enlarge(canvas.view(), 1 / k_step, free.middle());
     ImGui::SameLine();
     if (wide_button(context, "+##behind", context.unit, false, "Larger; so does the wheel"))
-      backdrop->enlarge(app.canvas().view(), k_step, free.middle());
+      backdrop->enlarge(canvas.view(), k_step, free.middle());
     ImGui::SameLine();
     if (wide_button(context, "Other##behind", 0, false, "Choose another picture")) {
-      app.dialogs().show(Dialog::backdrop);
+      dialogs.show(Dialog::backdrop);
     }
     ImGui::SameLine();
-    if (wide_button(context, "Remove##behind", 0, false, "Take the picture away")) app.canvas().look().backdrop.reset();
+    if (wide_button(context, "Remove##behind", 0, false, "Take the picture away")) look.backdrop.reset();
     ImGui::SameLine();
     if (wide_button(context, "Done##behind", -1, true, "Leave it there and draw")) backdrop->adjusting = false;
   }
   end_panel();
   // Of windows that never come to the front the one that was first lies above.
-  take_canvas(context, *backdrop, free);
+  take_canvas(context, with, *backdrop, free);
 }
 
 }  // namespace penpose::app

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/app/controls/controls.h"
+#include "ui/app/dialogs/dialogs.h"
+#include "ui/app/dialogs/entries.h"
 #include "ui/app/input/side_pairs.h"
+#include "ui/app/session/editing_session.h"
 #include "ui/app/widgets/internal/icon.h"
 #include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
@@ -11,71 +15,75 @@
 namespace penpose::app {
 namespace {
 
-bool is_locked(const App& app, const std::string& name) {
-  const auto& locked = app.workspace().document().locked;
+/// What is shown and changed here.
+struct Owners {
+  EditingSession& editing;
+  Controls& controls;
+  Dialogs& dialogs;
+};
+
+bool is_locked(const Owners& with, const std::string& name) {
+  const auto& locked = with.editing.document().locked;
   return std::binary_search(locked.begin(), locked.end(), name);
 }
 
-void lock_of(PanelContext& context, const std::string& name) {
-  App& app = context.app;
-  const bool locked = is_locked(app, name);
+void lock_of(PanelContext& context, const Owners& with, const std::string& name) {
+  const bool locked = is_locked(with, name);
   if (lock_button(context, ("##lock " + name).c_str(), locked,
                   locked ? "Locked: neither a stroke nor its slider moves it. Touch to free it"
                          : "Touch to lock it: no stroke will move it, and the last one is solved again without it")) {
-    app.workspace().lock({name}, !locked);
+    lock_parameters(with.editing, {name}, !locked);
   }
 }
 
-void slider_of(PanelContext& context, std::size_t index, const std::string& shown_name, float width) {
-  App& app = context.app;
-  const document::Document& document = app.workspace().document();
+void slider_of(PanelContext& context, const Owners& with, std::size_t index, const std::string& shown_name,
+               float width) {
+  const document::Document& document = with.editing.document();
   const rig::Parameter parameter = document.model->rig->parameters()[index];
-  const rig::Pose& shown = app.workspace().shown_pose();
+  const rig::Pose& shown = with.editing.shown().pose();
   // While a control is sketched another model may be shown, with another number of parameters.
   double value = index < shown.size() ? shown[index] : document.pose[index];
-  SliderLook look{width, parameter.name, shown_name, parameter.rest, is_locked(app, parameter.name)};
+  SliderLook look{width, parameter.name, shown_name, parameter.rest, is_locked(with, parameter.name)};
   bool released = false;
   ImGui::PushID(static_cast<int>(index));
   if (control_slider(context, "##value", value, parameter.minimum, parameter.maximum, look, released)) {
-    app.controls().preview_parameter(index, value);
+    with.controls.preview_parameter(index, value);
   }
-  if (released) app.controls().set_parameter(index, value);
+  if (released) with.controls.set_parameter(index, value);
   ImGui::PopID();
 }
 
-void type_value(App& app, const std::string& name) {
-  app.dialogs().state<NumberEntry>() = {name, {}, NumberEntry::Field::value};
-  app.dialogs().show(Dialog::number);
+void type_value(const Owners& with, const std::string& name) {
+  with.dialogs.state<NumberEntry>() = {name, {}, NumberEntry::Field::value};
+  with.dialogs.show(Dialog::number);
 }
 
-void show_one(PanelContext& context, std::size_t index) {
-  App& app = context.app;
-  const std::string name = app.workspace().document().model->rig->parameters()[index].name;
-  lock_of(context, name);
+void show_one(PanelContext& context, const Owners& with, std::size_t index) {
+  const std::string name = with.editing.document().model->rig->parameters()[index].name;
+  lock_of(context, with, name);
   ImGui::SameLine();
   const float width = ImGui::GetContentRegionAvail().x - 2 * (context.unit + ImGui::GetStyle().ItemSpacing.x);
-  slider_of(context, index, name, width);
+  slider_of(context, with, index, name, width);
   ImGui::SameLine();
   ButtonLook type{context.unit, false, "Type its value, or change its range", icon::k_pencil, false};
-  if (icon_button(context, ("\u270e##type " + name).c_str(), type)) type_value(app, name);
+  if (icon_button(context, ("\u270e##type " + name).c_str(), type)) type_value(with, name);
   ImGui::SameLine();
   ButtonLook reset{context.unit, false, "Back to rest", icon::k_back, false};
   if (icon_button(context, ("\u21ba##reset " + name).c_str(), reset)) {
-    app.workspace().perform(document::ResetParameters{{name}});
+    with.editing.perform(document::ResetParameters{{name}});
   }
 }
 
 /// What is done to a pair besides moving it.
-void pair_menu(PanelContext& context, const std::string& left, const std::string& right) {
-  App& app = context.app;
+void pair_menu(PanelContext& context, const Owners& with, const std::string& left, const std::string& right) {
   const std::string both = common_name(left, right);
   if (icon_button(context, ("more##pair " + both).c_str(),
                   {context.unit, false, "Type a value, copy a side, back to rest", icon::k_more, false})) {
     ImGui::OpenPopup("pair");
   }
   if (!begin_menu(context, "pair")) return;
-  const auto parameters = app.workspace().document().model->rig->parameters();
-  const rig::Pose pose = app.workspace().document().pose;
+  const auto parameters = with.editing.document().model->rig->parameters();
+  const rig::Pose pose = with.editing.document().pose;
   const auto entry = [&](const std::string& label, std::string_view drawn) {
     const bool pressed = menu_entry(context, label.c_str(), drawn, {}, nullptr);
     if (pressed) ImGui::CloseCurrentPopup();
@@ -84,36 +92,35 @@ void pair_menu(PanelContext& context, const std::string& left, const std::string
   const auto copy = [&](const std::string& from, const std::string& to) {
     const auto a = rig::find_parameter(parameters, from);
     const auto b = rig::find_parameter(parameters, to);
-    if (a && b) app.controls().set_parameter(*b, pose[*a]);
+    if (a && b) with.controls.set_parameter(*b, pose[*a]);
   };
   for (const std::string& name : {left, right}) {
-    if (entry("Type " + name + "##type " + name, icon::k_pencil)) type_value(app, name);
+    if (entry("Type " + name + "##type " + name, icon::k_pencil)) type_value(with, name);
   }
   if (entry("Left to right##pair", icon_of(Action::copy_to_right))) copy(left, right);
   if (entry("Right to left##pair", icon_of(Action::copy_to_left))) copy(right, left);
-  if (entry("Both to rest##pair", icon::k_back)) app.workspace().perform(document::ResetParameters{{left, right}});
+  if (entry("Both to rest##pair", icon::k_back)) with.editing.perform(document::ResetParameters{{left, right}});
   ImGui::EndPopup();
 }
 
-void show_pair(PanelContext& context, const ControlRow& row) {
-  App& app = context.app;
-  const auto parameters = app.workspace().document().model->rig->parameters();
+void show_pair(PanelContext& context, const Owners& with, const ControlRow& row) {
+  const auto parameters = with.editing.document().model->rig->parameters();
   const std::string left = parameters[row.first].name;
   const std::string right = parameters[row.second].name;
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   ImGui::PushFont(small_font());
   ImGui::TextUnformatted(common_name(left, right).c_str());
   ImGui::PopFont();
-  lock_of(context, left);
+  lock_of(context, with, left);
   ImGui::SameLine();
   const float width = 0.5F * (ImGui::GetContentRegionAvail().x - 2 * (context.unit + spacing) - spacing);
-  slider_of(context, row.first, "L", width);
+  slider_of(context, with, row.first, "L", width);
   ImGui::SameLine();
-  slider_of(context, row.second, "R", width);
+  slider_of(context, with, row.second, "R", width);
   ImGui::SameLine();
-  lock_of(context, right);
+  lock_of(context, with, right);
   ImGui::SameLine();
-  pair_menu(context, left, right);
+  pair_menu(context, with, left, right);
 }
 
 }  // namespace
@@ -134,12 +141,14 @@ std::vector<ControlRow> control_rows(std::span<const rig::Parameter> parameters,
   return rows;
 }
 
-void show_control_row(PanelContext& context, const ControlRow& row) {
+void show_control_row(PanelContext& context, const ControlRow& row, EditingSession& editing, Controls& controls,
+                      Dialogs& dialogs) {
+  const Owners with{editing, controls, dialogs};
   ImGui::PushID(static_cast<int>(row.first));
   if (row.pair()) {
-    show_pair(context, row);
+    show_pair(context, with, row);
   } else {
-    show_one(context, row.first);
+    show_one(context, with, row.first);
   }
   ImGui::PopID();
 }

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "ui/app/controls/controls.h"
+#include "ui/app/dialogs/dialogs.h"
 #include "ui/app/panels/panels.h"
 
 namespace penpose::app {
@@ -22,6 +24,7 @@ struct ControlRow {
                                                    const std::vector<bool>& wanted);
 
 /// Sliders, locks and what else there is to a row.
-void show_control_row(PanelContext& context, const ControlRow& row);
+void show_control_row(PanelContext& context, const ControlRow& row, EditingSession& editing, Controls& controls,
+                      Dialogs& dialogs);
 
 }  // namespace penpose::app

@@ -5,14 +5,32 @@
 
 #include "core/articulation/edit.h"
 #include "core/base/numbers.h"
-#include "ui/app/panels/corrections_panel.h"
+#include "ui/app/canvas/canvas.h"
+#include "ui/app/controls/controls.h"
+#include "ui/app/dialogs/dialogs.h"
+#include "ui/app/dialogs/entries.h"
+#include "ui/app/notices.h"
+#include "ui/app/panels/panel_entries.h"
+#include "ui/app/panels/panel_parts.h"
+#include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
+#include "ui/app/session/editing_session.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 // The sketched controls: the one that is being drawn, the list of them, and what can be done with the chosen one.
 
 namespace penpose::app {
 namespace {
+
+/// What is shown and changed here.
+struct Owners {
+  EditingSession& editing;
+  Canvas& canvas;
+  Controls& controls;
+  Notices& notices;
+  Dialogs& dialogs;
+  PanelState& panels;
+};
 
 using articulation::CurveRole;
 using articulation::Surface;
@@ -23,14 +41,15 @@ float share(int count) {
          static_cast<float>(count);
 }
 
-void show_step_list(PanelContext& context, const document::PendingSketch& pending, const drawing::Tool& tool) {
+void show_step_list(PanelContext& context, const Owners& with, const document::PendingSketch& pending,
+                    const drawing::Tool& tool) {
   struct Step {
     const char* text;
     articulation::CurveRole role;
     bool done;
   };
   const articulation::Sketch& sketch = pending.sketch;
-  const auto next = drawing::next_step(context.app.workspace().document(), tool);
+  const auto next = drawing::next_step(with.editing.document(), tool);
   const Step steps[] = {
       {"1  around all that may move", articulation::CurveRole::general, !sketch.general.empty()},
       {"2  around what moves fully", articulation::CurveRole::specific, !sketch.specific.empty()},
@@ -93,7 +112,7 @@ document::TakeRegion take_buttons(PanelContext& context, articulation::Reach rea
 }
 
 /// The surface that was chosen, if one was.
-std::optional<Surface> surface_button(PanelContext& context, const Surface& now,
+std::optional<Surface> surface_button(PanelContext& context, const Owners& with, const Surface& now,
                                       const articulation::RegionPoints& region) {
   const bool slides = !std::holds_alternative<std::monostate>(now);
   const std::string over = of_surface(now, std::string("nothing"), [](const auto& one) { return one.words(); });
@@ -106,12 +125,12 @@ std::optional<Surface> surface_button(PanelContext& context, const Surface& now,
   const float width = 7 * context.unit;
   if (wide_button(context, "nothing", width)) chosen = Surface();
   articulation::each_surface_kind([&]<typename Kind>() {
-    for (const auto& offered : Kind::offered(*context.app.workspace().document().model->mesh, region)) {
+    for (const auto& offered : Kind::offered(*with.editing.document().model->mesh, region)) {
       const char* tip = offered.tip.empty() ? nullptr : offered.tip.c_str();
       if (!wide_button(context, offered.words.c_str(), width, false, tip)) continue;
       chosen = offered.make();
       if (chosen) continue;
-      context.app.notices().tell(offered.unable);
+      with.notices.tell(offered.unable);
       ImGui::CloseCurrentPopup();
     }
   });
@@ -120,109 +139,108 @@ std::optional<Surface> surface_button(PanelContext& context, const Surface& now,
   return chosen;
 }
 
-void swing_button(PanelContext& context, float width) {
-  App& app = context.app;
-  if (wide_button(context, "Swing", width, app.controls().swings(),
+void swing_button(PanelContext& context, const Owners& with, float width) {
+  if (wide_button(context, "Swing", width, with.controls.swings(),
                   "Plays the control to and fro, also while drawing")) {
-    app.controls().set_swing(!app.controls().swings());
+    with.controls.set_swing(!with.controls.swings());
   }
 }
 
 /// Corrects the pose as it stands.
-void show_correct_button(PanelContext& context) {
-  const document::Document& document = context.app.workspace().document();
+void show_correct_button(PanelContext& context, const Owners& with) {
+  const document::Document& document = with.editing.document();
   const auto parameters = document.model->rig->parameters();
   std::size_t posed = 0;
   for (std::size_t i = 0; i < parameters.size(); ++i) posed += document.pose[i] != parameters[i].rest ? 1 : 0;
   ImGui::BeginDisabled(posed < articulation::k_fewest_drivers);
   if (wide_button(context, "Correct this pose", -1, false,
                   "Sketch what the controls that are away from rest should do where they come together")) {
-    context.app.controls().correct_pose();
+    with.controls.correct_pose();
   }
   ImGui::EndDisabled();
 }
 
-void show_new(PanelContext& context) {
-  App& app = context.app;
-  Workspace& workspace = app.workspace();
-  const auto pending = workspace.document().pending;
+void show_new(PanelContext& context, const Owners& with) {
+  EditingSession& editing = with.editing;
+  const auto pending = editing.document().pending;
   if (!pending && wide_button(context, "New control", -1, false, "Sketch a control in three or four strokes")) {
-    app.controls().select({});
-    app.do_action(Action::tool_articulate);
+    with.controls.select({});
+    context.actions.run(Action::tool_articulate);
     return;
   }
-  const bool none_chosen = app.controls().selected().empty();
-  if (!pending) show_correct_button(context);
-  if (!pending && (workspace.editor().tool().kind != drawing::ToolKind::articulate || !none_chosen)) return;
+  const bool none_chosen = with.controls.selected().empty();
+  if (!pending) show_correct_button(context, with);
+  if (!pending && (editing.editor().tool().kind != drawing::ToolKind::articulate || !none_chosen)) return;
   if (pending) {
     ImGui::Text(pending->drivers.empty() ? "Sketching %s" : "Sketching %s, of the pose", pending->sketch.name.c_str());
     for (const articulation::Driver& driver : pending->drivers) {
       ImGui::TextDisabled("  %s %.2f", driver.control.c_str(), driver.value);
     }
-    show_step_list(context, *pending, workspace.editor().tool());
+    show_step_list(context, with, *pending, editing.editor().tool());
   }
-  const articulation::Mode mode = pending ? pending->sketch.mode : app.controls().new_mode();
-  const Surface surface = pending ? pending->sketch.surface : app.controls().new_surface();
-  if (const auto pressed = mode_buttons(context, mode)) app.controls().choose_for_new(*pressed, surface);
-  const auto region = [&] { return workspace.sketch().region_points(); };
-  if (const auto chosen = surface_button(context, surface, region)) app.controls().choose_for_new(mode, *chosen);
+  const articulation::Mode mode = pending ? pending->sketch.mode : with.controls.new_mode();
+  const Surface surface = pending ? pending->sketch.surface : with.controls.new_surface();
+  if (const auto pressed = mode_buttons(context, mode)) with.controls.choose_for_new(*pressed, surface);
+  const auto region = [&] { return editing.shown().sketch().region_points(); };
+  if (const auto chosen = surface_button(context, with, surface, region)) with.controls.choose_for_new(mode, *chosen);
   if (pending) {
-    const auto take = take_buttons(context, pending->sketch.reach, pending->sketch.piece, workspace.sketch().pieces());
-    if (take.reach || take.piece) workspace.perform(take);
+    const auto take =
+        take_buttons(context, pending->sketch.reach, pending->sketch.piece, editing.shown().sketch().pieces());
+    if (take.reach || take.piece) editing.perform(take);
   }
-  drawing::Tool tool = workspace.editor().tool();
+  drawing::Tool tool = editing.editor().tool();
   if (wide_button(context, tool.draw_reference ? "Find the feature by itself" : "Draw the feature myself", -1, false,
                   "The green line: found in the middle of what moves fully, or drawn by you")) {
     tool.kind = drawing::ToolKind::articulate;
     tool.draw_reference = !tool.draw_reference;
-    workspace.set_tool(tool);
+    editing.set_tool(tool);
     // What was drawn before gives way to what is found, or to what will be drawn.
     if (pending && !pending->sketch.reference.empty()) {
-      workspace.perform(document::SketchCurve{CurveRole::reference, app.canvas().view(), {}});
+      editing.perform(document::SketchCurve{CurveRole::reference, with.canvas.view(), {}});
     }
   }
   if (!pending) return;
-  double amount = workspace.sketch().amount();
+  double amount = editing.shown().sketch().amount();
   bool released = false;
   const float width = ImGui::GetContentRegionAvail().x - 2.4F * context.unit - ImGui::GetStyle().ItemSpacing.x;
   if (tall_slider(context, "##amount", amount, 0, 1, width, "how far", released)) {
-    app.controls().set_swing(false);
-    workspace.sketch().set_amount(amount);
+    with.controls.set_swing(false);
+    editing.shown().sketch().set_amount(amount);
   }
   ImGui::SameLine();
-  swing_button(context, -1);
+  swing_button(context, with, -1);
   if (wide_button(context, "Give up", -1, false, "Forget the strokes of this control (Esc)")) {
-    workspace.perform(document::CancelDeformer{});
+    editing.perform(document::CancelDeformer{});
   }
 }
 
-void show_place(PanelContext& context, const std::string& name, std::size_t number, std::size_t count) {
-  Workspace& workspace = context.app.workspace();
+void show_place(PanelContext& context, const Owners& with, const std::string& name, std::size_t number,
+                std::size_t count) {
+  EditingSession& editing = with.editing;
   const float quarter = share(4);
   if (wide_button(context, "Mirror", quarter, false, "Make the same control on the other side of the face")) {
-    context.app.controls().mirror(name);
+    with.controls.mirror(name);
   }
   ImGui::SameLine();
   if (wide_button(context, "Remove", quarter, false, "Delete this control")) {
-    workspace.perform(document::DeleteDeformer{name});
-    context.app.controls().select({});
+    editing.perform(document::DeleteDeformer{name});
+    with.controls.select({});
   }
   ImGui::SameLine();
   ImGui::BeginDisabled(number == 0);
   if (wide_button(context, "Up", quarter, false, "Earlier in the list")) {
-    workspace.perform(document::MoveDeformer{name, static_cast<std::uint32_t>(number - 1)});
+    editing.perform(document::MoveDeformer{name, static_cast<std::uint32_t>(number - 1)});
   }
   ImGui::EndDisabled();
   ImGui::SameLine();
   ImGui::BeginDisabled(number + 1 >= count);
   if (wide_button(context, "Down", quarter, false, "Later in the list")) {
-    workspace.perform(document::MoveDeformer{name, static_cast<std::uint32_t>(number + 1)});
+    editing.perform(document::MoveDeformer{name, static_cast<std::uint32_t>(number + 1)});
   }
   ImGui::EndDisabled();
 }
 
-void show_redraws(PanelContext& context, const articulation::Deformer& deformer) {
-  App& app = context.app;
+void show_redraws(PanelContext& context, const Owners& with, const articulation::Deformer& deformer) {
   struct Redraw {
     const char* label;
     CurveRole role;
@@ -232,82 +250,82 @@ void show_redraws(PanelContext& context, const articulation::Deformer& deformer)
       {"Region", CurveRole::general, "The next stroke goes around all that may move"},
       {"Core", CurveRole::specific, "The next stroke goes around what moves fully"},
       {"Feature", CurveRole::reference, "The next stroke goes along the feature as it is at rest"},
-      {"Goal", CurveRole::target, "The next stroke goes where the feature should go"}};
+      {"Target", CurveRole::target, "The next stroke goes where the feature should go"}};
   ImGui::TextDisabled("Draw again");
   const float quarter = share(4);
   const std::string name = deformer.sketch().name;
   for (const Redraw& one : k_redraws) {
-    const drawing::Tool& tool = app.workspace().editor().tool();
+    const drawing::Tool& tool = with.editing.editor().tool();
     const bool chosen = tool.kind == drawing::ToolKind::redraw && tool.deformer == name && tool.role == one.role;
     if (one.role != CurveRole::general) ImGui::SameLine();
-    if (wide_button(context, one.label, quarter, chosen, one.tip)) app.controls().redraw(name, one.role);
+    if (wide_button(context, one.label, quarter, chosen, one.tip)) with.controls.redraw(name, one.role);
   }
   if (!deformer.inferred() &&
       wide_button(context, "Find the feature by itself", -1, false, "Forget the feature's line that was drawn")) {
-    app.workspace().perform(document::RedrawCurve{name, CurveRole::reference, app.canvas().view(), {}});
+    with.editing.perform(document::RedrawCurve{name, CurveRole::reference, with.canvas.view(), {}});
   }
 }
 
-/// The other goals of a control: one more at the value that it shows, and those that there are.
-void show_betweens(PanelContext& context, const articulation::Deformer& deformer, double value) {
-  App& app = context.app;
+/// The other targets of a control: one more at the value that it shows, and those that there are.
+void show_betweens(PanelContext& context, const Owners& with, const articulation::Deformer& deformer, double value) {
   const std::string name = deformer.sketch().name;
   if (deformer.sketch().paper) return;
   const std::string at = base::format_fixed(value, 2);
   const bool rests = std::abs(value) < 1e-3 || std::abs(value - 1) < 1e-3;
   ImGui::BeginDisabled(rests);
-  if (wide_button(context, ("Another goal at " + at + "##between").c_str(), -1, false,
-                  "The next stroke goes where the feature is at this value: set the slider between rest and goal")) {
-    app.controls().draw_between(name, value);
+  if (wide_button(context, ("Another target at " + at + "##between").c_str(), -1, false,
+                  "The next stroke goes where the feature is at this value: set the slider between rest and target")) {
+    with.controls.draw_between(name, value);
   }
   ImGui::EndDisabled();
   for (const articulation::Between& one : deformer.sketch().betweens) {
     const std::string shown = base::format_fixed(one.value, 2);
     const float half = share(2);
-    if (wide_button(context, ("Goal at " + shown + "##again" + shown).c_str(), half, false, "Draw this goal again")) {
-      app.controls().draw_between(name, one.value);
+    if (wide_button(context, ("Target at " + shown + "##again" + shown).c_str(), half, false,
+                    "Draw this target again")) {
+      with.controls.draw_between(name, one.value);
     }
     ImGui::SameLine();
-    if (wide_button(context, ("Remove##between" + shown).c_str(), half, false, "Forget this goal")) {
-      app.workspace().perform(document::DeleteBetween{name, one.value});
+    if (wide_button(context, ("Remove##between" + shown).c_str(), half, false, "Forget this target")) {
+      with.editing.perform(document::DeleteBetween{name, one.value});
       return;
     }
   }
 }
 
-void show_chosen(PanelContext& context, const articulation::SketchedDeformers& set, std::size_t number) {
-  App& app = context.app;
-  Workspace& workspace = app.workspace();
+void show_chosen(PanelContext& context, const Owners& with, const articulation::SketchedDeformers& set,
+                 std::size_t number) {
+  EditingSession& editing = with.editing;
   const articulation::Deformer& deformer = *set.deformers()[number];
   const std::string name = deformer.sketch().name;
-  const auto index = rig::find_parameter(workspace.document().model->rig->parameters(), name);
+  const auto index = rig::find_parameter(editing.document().model->rig->parameters(), name);
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   if (index) {
     bool released = false;
-    const rig::Parameter& parameter = workspace.document().model->rig->parameters()[*index];
-    const auto& shown = workspace.shown_pose();
+    const rig::Parameter& parameter = editing.document().model->rig->parameters()[*index];
+    const auto& shown = editing.shown().pose();
     double value = *index < shown.size() ? shown[*index] : 0;
     const float width = ImGui::GetContentRegionAvail().x - 3.4F * context.unit - 2 * spacing;
     if (tall_slider(context, "##play", value, parameter.minimum, parameter.maximum, width, name, released)) {
-      app.controls().set_swing(false);
-      app.controls().preview_parameter(*index, value);
+      with.controls.set_swing(false);
+      with.controls.preview_parameter(*index, value);
     }
-    if (released) app.controls().set_parameter(*index, value);
+    if (released) with.controls.set_parameter(*index, value);
     ImGui::SameLine();
     if (wide_button(context, "\u270e##range", context.unit, false, "Type its value, or change its range")) {
-      app.dialogs().state<NumberEntry>() = {name, {}, NumberEntry::Field::value};
-      app.dialogs().show(Dialog::number);
+      with.dialogs.state<NumberEntry>() = {name, {}, NumberEntry::Field::value};
+      with.dialogs.show(Dialog::number);
     }
     ImGui::SameLine();
-    swing_button(context, -1);
+    swing_button(context, with, -1);
   }
   bool accepted = false;
-  text_field(context, "##rename", app.panels().own.of<ControlList>().rename,
+  text_field(context, "##rename", with.panels.own.of<ControlList>().rename,
              ImGui::GetContentRegionAvail().x - 3 * context.unit - spacing, "another name", &accepted);
   ImGui::SameLine();
-  if ((wide_button(context, "Rename", -1) || accepted) && !app.panels().own.of<ControlList>().rename.empty()) {
-    const std::string to = std::exchange(app.panels().own.of<ControlList>().rename, {});
-    app.controls().rename(name, to);
+  if ((wide_button(context, "Rename", -1) || accepted) && !with.panels.own.of<ControlList>().rename.empty()) {
+    const std::string to = std::exchange(with.panels.own.of<ControlList>().rename, {});
+    with.controls.rename(name, to);
     return;
   }
   document::ChangeDeformer change;
@@ -315,12 +333,12 @@ void show_chosen(PanelContext& context, const articulation::SketchedDeformers& s
   change.mode = mode_buttons(context, deformer.sketch().mode);
   const auto region = [&] {
     std::vector<geometry::ModelPoint> points;
-    const auto canvas = document::make_canvas(*workspace.document().model);
+    const auto canvas = document::make_canvas(*editing.document().model);
     if (!canvas) return points;
     for (const std::uint32_t vertex : deformer.vertices()) points.push_back((*canvas)->positions()[vertex]);
     return points;
   };
-  change.surface = surface_button(context, deformer.sketch().surface, region);
+  change.surface = surface_button(context, with, deformer.sketch().surface, region);
   const articulation::Sketch& sketch = deformer.sketch();
   if (!sketch.paper && !sketch.reference.empty() &&
       wide_button(context, "Other sheet", -1, sketch.other_sheet,
@@ -330,41 +348,40 @@ void show_chosen(PanelContext& context, const articulation::SketchedDeformers& s
   const auto take = take_buttons(context, sketch.reach, sketch.piece, deformer.pieces());
   change.reach = take.reach;
   change.piece = take.piece;
-  if (change.mode || change.surface || change.other_sheet || change.reach || change.piece) workspace.perform(change);
-  show_redraws(context, deformer);
-  if (index && *index < workspace.shown_pose().size()) {
-    show_betweens(context, deformer, workspace.shown_pose()[*index]);
+  if (change.mode || change.surface || change.other_sheet || change.reach || change.piece) editing.perform(change);
+  show_redraws(context, with, deformer);
+  if (index && *index < editing.shown().pose().size()) {
+    show_betweens(context, with, deformer, editing.shown().pose()[*index]);
   }
-  show_place(context, name, number, set.deformers().size());
+  show_place(context, with, name, number, set.deformers().size());
 }
 
 }  // namespace
 
-void show_deformers(PanelContext& context) {
-  App& app = context.app;
-  show_new(context);
-  show_corrections(context);
+void show_deformers(PanelContext& context, EditingSession& editing, Canvas& canvas, Controls& controls,
+                    Notices& notices, Dialogs& dialogs, PanelState& panels) {
+  const Owners with{editing, canvas, controls, notices, dialogs, panels};
+  show_new(context, with);
+  show_corrections(context, editing, controls, panels);
   // Held, because what is pressed may put another set in its place.
-  const auto deformers = app.workspace().document().model->deformers;
+  const auto deformers = editing.document().model->deformers;
   if (!deformers) return;
-  const auto chosen = app.workspace().document().pending
-                          ? std::nullopt
-                          : articulation::find_deformer(*deformers, app.controls().selected());
+  const auto chosen =
+      editing.document().pending ? std::nullopt : articulation::find_deformer(*deformers, controls.selected());
   const float below = chosen ? 12.0F * context.unit : 0;
   const float list_height = std::max(2.5F * context.unit, ImGui::GetContentRegionAvail().y - below);
   ImGui::BeginChild("controls", {0, list_height});
   for (const auto& deformer : deformers->deformers()) {
     const std::string& name = deformer->sketch().name;
-    if (wide_button(context, name.c_str(), -1, name == app.controls().selected())) {
-      app.controls().set_swing(false);
-      app.controls().select(name == app.controls().selected() ? std::string() : name);
+    if (wide_button(context, name.c_str(), -1, name == controls.selected())) {
+      controls.set_swing(false);
+      controls.select(name == controls.selected() ? std::string() : name);
     }
-    if (name == app.controls().selected() && name != app.panels().own.of<ControlList>().scrolled_to)
-      ImGui::SetScrollHereY();
+    if (name == controls.selected() && name != panels.own.of<ControlList>().scrolled_to) ImGui::SetScrollHereY();
   }
   ImGui::EndChild();
-  app.panels().own.of<ControlList>().scrolled_to = app.controls().selected();
-  if (chosen) show_chosen(context, *deformers, *chosen);
+  panels.own.of<ControlList>().scrolled_to = controls.selected();
+  if (chosen) show_chosen(context, with, *deformers, *chosen);
 }
 
 }  // namespace penpose::app

@@ -49,7 +49,7 @@ bool Interface::wants_keys() const { return ImGui::GetIO().WantTextInput; }
 
 bool Interface::field_pressed() const {
   if (std::any_of(typed_.begin(), typed_.end(), [](const Typed& one) { return one.waits; })) return true;
-  const auto& pointer = app_.panel_pointer();
+  const auto& pointer = input_.pointer();
   return std::any_of(pointer.begin(), pointer.end(), [&](const PanelPointer& one) {
     return one.down &&
            std::any_of(fields_.begin(), fields_.end(), [&](const Area& field) { return field.holds(one.at); });
@@ -63,23 +63,23 @@ void Interface::text(const char* utf8) {
     typed_.back().waits = true;
     return;
   }
-  if (wants_keys() || app_.dialogs().open() != Dialog::none) typed_.push_back({utf8});
+  if (wants_keys() || dialogs_.open() != Dialog::none) typed_.push_back({utf8});
 }
 
 void Interface::key(int scancode, const KeyStroke& stroke, bool down) {
   disturb();
-  app_.panels().has_keyboard = true;
+  panels_.has_keyboard = true;
   Typed typed{{}, scancode, down, stroke.ctrl, stroke.shift};
   // Behind a dialog or a menu nothing is to happen.
-  const bool owned = app_.dialogs().open() != Dialog::none || menu_open_ || wants_keys();
+  const bool owned = dialogs_.open() != Dialog::none || menu_open_ || wants_keys();
   if (!owned && field_pressed()) {
     typed.waits = true;
     typed.stroke = stroke;
     typed_.push_back(typed);
   } else if (!down || owned) {
     typed_.push_back(typed);
-  } else if (!app_.canvas().hits().all || stroke.key == k_key_escape) {
-    app_.key(stroke);
+  } else if (!hits_.all || stroke.key == k_key_escape) {
+    actions_.press(stroke);
   }
 }
 
@@ -88,11 +88,11 @@ void Interface::take_typed() {
   while (!typed_.empty()) {
     const Typed next = typed_.front();
     if (next.waits) {
-      if (!app_.panel_pointer().empty() || pressed_frames_ > 0) return;
+      if (!input_.pointer().empty() || pressed_frames_ > 0) return;
       if (!wants_keys()) {
         // The press was of something else: what was typed is the app's, as ever.
         typed_.pop_front();
-        if (next.down && !app_.canvas().hits().all) app_.key(next.stroke);
+        if (next.down && !hits_.all) actions_.press(next.stroke);
         continue;
       }
     }

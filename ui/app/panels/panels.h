@@ -6,17 +6,25 @@
 #include <string_view>
 #include <vector>
 
-#include "ui/app/app.h"
+#include "ui/app/actions.h"
+#include "ui/app/states.h"
+#include "ui/app/view/area.h"
+#include "ui/app/view/hit_map.h"
 
-// The pieces of the interface. Called between ImGui's NewFrame and Render alone.
+// What panels and dialogs are made with. Called between ImGui's NewFrame and Render alone.
 
 namespace penpose::app {
 
 class PosePictures;
 
-/// What every piece works with.
+/// What every panel and every dialog works with. What it shows besides, it takes by name.
 struct PanelContext {
-  App& app;
+  Actions& actions;
+  HitMap& hits;              ///< where panels lie
+  States& own;               ///< what widgets keep
+  const Area& free;          ///< the part of the window that no panel covers
+  const bool& panels_shown;  ///< as they are now
+  geometry::Viewport window;
   std::map<std::string, Area, std::less<>>& targets;
   PosePictures& pictures;
   float unit = 34;  ///< px of a target that a pen hits for certain
@@ -34,30 +42,22 @@ struct PanelContext {
   bool tip_waits = false;                ///< it rests on something that has one
 };
 
-void show_toolbar(PanelContext& context, const Area& area);
-void show_top_bar(PanelContext& context, const Area& area);
-void show_side_panel(PanelContext& context, const Area& area);
-void show_parameters(PanelContext& context);
-void show_deformers(PanelContext& context);
-/// What came of the last stroke, and what colours mean.
-void show_status(PanelContext& context, const Area& area);
-void show_timeline(PanelContext& context, const Area& area);
-/// Poses that are keyed, to be taken again.
-void show_poses(PanelContext& context);
-/// The model's axes in a corner of the canvas.
-void show_axes(PanelContext& context, const Area& free);
-/// The picture behind the model, and its handling.
-void show_backdrop(PanelContext& context, const Area& free);
-void show_player(PanelContext& context, const Area& area);
-void show_radial_menu(PanelContext& context);
-void show_notices(PanelContext& context);
-/// Asks for the rest of the face; grey, and saying why, while there are too few keys.
-void show_suggest_button(PanelContext& context);
-/// What is suggested, to be taken or dismissed.
-void show_suggestion(PanelContext& context);
-/// What can be done with a curve that was touched, beside it.
-void show_curve_menu(PanelContext& context);
-/// The dialog that is open (dialog_list.cpp).
-void show_dialog(PanelContext& context);
+/// Where panels lie in the window.
+enum class PanelPlace : std::uint8_t {
+  top,       ///< a bar above everything
+  left,      ///< beside the canvas
+  right,     ///< likewise
+  status,    ///< a line below the canvas
+  timeline,  ///< below everything
+  player,    ///< while something is played
+  tour,      ///< at the foot of the canvas, while a tour is under way
+  canvas,    ///< over the canvas, wherever they choose
+  window,    ///< over everything, dialogs among them
+};
+
+/// Shows the panels of a place (panel_list.cpp).
+void show_panels(PanelContext& context, App& app, PanelPlace place, const Area& area);
+/// Shows the dialog that is open (dialog_list.cpp).
+void show_dialog(PanelContext& context, App& app);
 
 }  // namespace penpose::app

@@ -3,8 +3,11 @@
 #include <utility>
 
 #include "ui/app/input/side_pairs.h"
+#include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
-#include "ui/app/session/frames.h"
+#include "ui/app/playback/frames.h"
+#include "ui/app/playback/playback.h"
+#include "ui/app/session/editing_session.h"
 #include "ui/app/session/pose_library.h"
 #include "ui/app/widgets/internal/icon.h"
 #include "ui/app/widgets/internal/pose_picture.h"
@@ -15,6 +18,13 @@
 
 namespace penpose::app {
 namespace {
+
+/// What is shown and changed here.
+struct Owners {
+  EditingSession& editing;
+  Playback& playback;
+  PanelState& panels;
+};
 
 /// What is being taken of a pose.
 struct PosesShown {
@@ -33,11 +43,10 @@ rig::Pose posed(const document::Document& document, const document::SetParameter
 }
 
 /// A picture of a key, which chooses it.
-void show_picture(PanelContext& context, const document::PoseKey& key, float width) {
-  App& app = context.app;
-  PoseChoice& choice = app.panels().own.of<PosesShown>().choice;
+void show_picture(PanelContext& context, const Owners& with, const document::PoseKey& key, float width) {
+  PoseChoice& choice = with.panels.own.of<PosesShown>().choice;
   const bool chosen = std::abs(choice.time_s - key.time_s) < 1e-6;
-  const std::string frame = "frame " + frame_text(key.time_s, app.playback().rate());
+  const std::string frame = "frame " + frame_text(key.time_s, with.playback.rate());
   const std::string label = (key.name.empty() ? frame : key.name) + "##pose " + frame;
   const float line = ImGui::GetFontSize() + context.gap;
   const ImVec2 size{width, width + line};
@@ -50,7 +59,7 @@ void show_picture(PanelContext& context, const document::PoseKey& key, float wid
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(from, to, ImGui::GetColorU32(ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered : ImGuiCol_Button),
                      5);
-  if (const auto place = context.pictures.place_of(app.workspace().document(), key)) {
+  if (const auto place = context.pictures.place_of(with.editing.document(), key)) {
     list.AddImageRounded(ImGui::GetIO().Fonts->TexID, {from.x + 2, from.y + 2}, {to.x - 2, from.y + width - 2},
                          place->first, place->second, IM_COL32_WHITE, 4);
   }
@@ -65,18 +74,17 @@ void show_picture(PanelContext& context, const document::PoseKey& key, float wid
   choice.amount = 1;
 }
 
-void show_pictures(PanelContext& context, float height) {
-  App& app = context.app;
+void show_pictures(PanelContext& context, const Owners& with, float height) {
   ImGui::BeginChild("pictures", {0, height});
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float room = ImGui::GetContentRegionAvail().x;
   const int across = std::max(1, static_cast<int>((room + spacing) / (2.7F * context.unit + spacing)));
   const float width = (room - static_cast<float>(across - 1) * spacing) / static_cast<float>(across);
-  const auto held = app.workspace().document().timeline;
+  const auto held = with.editing.document().timeline;
   int column = 0;
   for (const auto& key : held->keys) {
     if (column++ % across != 0) ImGui::SameLine();
-    show_picture(context, key, width);
+    show_picture(context, with, key, width);
   }
   if (held->keys.empty()) {
     ImGui::TextWrapped(
@@ -86,9 +94,8 @@ void show_pictures(PanelContext& context, float height) {
 }
 
 /// What of the chosen pose is taken, and how much of it.
-void show_choice(PanelContext& context) {
-  App& app = context.app;
-  PoseChoice& choice = app.panels().own.of<PosesShown>().choice;
+void show_choice(PanelContext& context, const Owners& with) {
+  PoseChoice& choice = with.panels.own.of<PosesShown>().choice;
   constexpr std::array<std::pair<FacePart, const char*>, 4> k_parts{{{FacePart::all, "All##part"},
                                                                      {FacePart::brows, "Brows##part"},
                                                                      {FacePart::eyes, "Eyes##part"},
@@ -104,33 +111,34 @@ void show_choice(PanelContext& context) {
   if (icon_button(context, "Mirrored##pose", mirror)) choice.mirrored = !choice.mirrored;
   ImGui::SameLine();
   ImGui::BeginDisabled(choice.time_s < 0);
-  const auto pairs = side_pairs(app.workspace().document().model->rig->parameters());
+  const auto pairs = side_pairs(with.editing.document().model->rig->parameters());
   const auto take = [&](double amount) {
     PoseChoice all = choice;
     all.amount = amount;
-    const auto values = values_of_choice(app.workspace().document(), all, pairs);
-    app.workspace().preview(std::nullopt);
-    if (!values.values.empty()) app.workspace().perform(values);
+    const auto values = values_of_choice(with.editing.document(), all, pairs);
+    with.editing.shown().preview(std::nullopt);
+    if (!values.values.empty()) with.editing.perform(values);
   };
   if (wide_button(context, "Take##pose", half, false, "The pose as it is keyed")) take(1);
   bool released = false;
-  double amount = app.panels().own.of<PosesShown>().blending ? choice.amount : 0;
+  double amount = with.panels.own.of<PosesShown>().blending ? choice.amount : 0;
   if (tall_slider(context, "##blend", amount, 0, 1, -1, "blend", released)) {
-    app.panels().own.of<PosesShown>().blending = true;
+    with.panels.own.of<PosesShown>().blending = true;
     choice.amount = amount;
-    const auto& document = app.workspace().document();
-    app.workspace().preview(posed(document, values_of_choice(document, choice, pairs)));
+    const auto& document = with.editing.document();
+    with.editing.shown().preview(posed(document, values_of_choice(document, choice, pairs)));
   }
-  if (released && std::exchange(app.panels().own.of<PosesShown>().blending, false)) take(choice.amount);
+  if (released && std::exchange(with.panels.own.of<PosesShown>().blending, false)) take(choice.amount);
   ImGui::EndDisabled();
 }
 
 }  // namespace
 
-void show_poses(PanelContext& context) {
+void show_poses(PanelContext& context, EditingSession& editing, Playback& playback, PanelState& panels) {
+  const Owners with{editing, playback, panels};
   const float below = 3 * (context.unit + ImGui::GetStyle().ItemSpacing.y);
-  show_pictures(context, std::max(context.unit, ImGui::GetContentRegionAvail().y - below));
-  show_choice(context);
+  show_pictures(context, with, std::max(context.unit, ImGui::GetContentRegionAvail().y - below));
+  show_choice(context, with);
 }
 
 }  // namespace penpose::app

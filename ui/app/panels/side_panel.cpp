@@ -4,7 +4,10 @@
 
 #include "core/base/text/letters.h"
 #include "ui/app/panels/control_rows.h"
-#include "ui/app/panels/panels.h"
+#include "ui/app/panels/panel_entries.h"
+#include "ui/app/panels/panel_parts.h"
+#include "ui/app/panels/panel_state.h"
+#include "ui/app/session/editing_session.h"
 #include "ui/app/widgets/internal/icon.h"
 #include "ui/app/widgets/internal/widgets.h"
 
@@ -12,6 +15,14 @@
 
 namespace penpose::app {
 namespace {
+
+/// What is shown and changed here.
+struct Owners {
+  EditingSession& editing;
+  Controls& controls;
+  Dialogs& dialogs;
+  PanelState& panels;
+};
 
 /// With more parameters than these they stand in groups.
 constexpr std::size_t k_many = 16;
@@ -31,9 +42,9 @@ std::string first_word(std::string_view name) {
 }
 
 /// Frees one group and locks all others, or frees all again.
-void solo_button(PanelContext& context, const std::string& group, const std::vector<std::string>& members) {
-  App& app = context.app;
-  const document::Document& document = app.workspace().document();
+void solo_button(PanelContext& context, const Owners& with, const std::string& group,
+                 const std::vector<std::string>& members) {
+  const document::Document& document = with.editing.document();
   std::vector<std::string> others;
   for (const auto& parameter : document.model->rig->parameters()) {
     if (std::find(members.begin(), members.end(), parameter.name) == members.end()) others.push_back(parameter.name);
@@ -45,22 +56,22 @@ void solo_button(PanelContext& context, const std::string& group, const std::vec
     return;
   }
   if (solo) {
-    app.workspace().perform(document::LockParameters{others, false});
+    with.editing.perform(document::LockParameters{others, false});
     return;
   }
   std::vector<std::string> locked_here;
   for (const std::string& name : members) {
     if (std::binary_search(document.locked.begin(), document.locked.end(), name)) locked_here.push_back(name);
   }
-  if (!app.workspace().perform(document::LockParameters{others, true})) return;
-  if (!locked_here.empty()) app.workspace().perform_with(document::LockParameters{locked_here, false});
+  if (!with.editing.perform(document::LockParameters{others, true})) return;
+  if (!locked_here.empty()) with.editing.perform_with(document::LockParameters{locked_here, false});
 }
 
 /// A group's name, which folds it, and what is done to all of it. True while it is unfolded.
-bool group_row(PanelContext& context, const std::string& group, const std::vector<std::string>& members) {
-  App& app = context.app;
-  auto& folded = app.panels().own.of<ParameterList>().folded;
-  const auto& locked = app.workspace().document().locked;
+bool group_row(PanelContext& context, const Owners& with, const std::string& group,
+               const std::vector<std::string>& members) {
+  auto& folded = with.panels.own.of<ParameterList>().folded;
+  const auto& locked = with.editing.document().locked;
   const bool open = !folded.contains(group);
   const bool all_locked = std::all_of(members.begin(), members.end(), [&](const std::string& name) {
     return std::binary_search(locked.begin(), locked.end(), name);
@@ -79,16 +90,16 @@ bool group_row(PanelContext& context, const std::string& group, const std::vecto
     }
   }
   ImGui::SameLine();
-  solo_button(context, group, members);
+  solo_button(context, with, group, members);
   ImGui::SameLine();
   if (lock_button(context, ("##lock group " + group).c_str(), all_locked,
                   all_locked ? "Free the whole group" : "Lock the whole group: no stroke will move it")) {
-    app.workspace().lock(members, !all_locked);
+    lock_parameters(with.editing, members, !all_locked);
   }
   ImGui::SameLine();
   if (icon_button(context, ("\u21ba##reset group " + group).c_str(),
                   {context.unit, false, "The whole group back to rest", icon::k_back, false})) {
-    app.workspace().perform(document::ResetParameters{members});
+    with.editing.perform(document::ResetParameters{members});
   }
   ImGui::PopID();
   return open;
@@ -96,30 +107,29 @@ bool group_row(PanelContext& context, const std::string& group, const std::vecto
 
 /// Which parameters are listed: those whose names say what is searched for, and where it is asked for those alone that
 /// are not at rest.
-std::vector<bool> wanted_parameters(App& app) {
-  const auto parameters = app.workspace().document().model->rig->parameters();
-  const rig::Pose& shown = app.workspace().shown_pose();
+std::vector<bool> wanted_parameters(const Owners& with) {
+  const auto parameters = with.editing.document().model->rig->parameters();
+  const rig::Pose& shown = with.editing.shown().pose();
   std::vector<bool> wanted(parameters.size());
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const double by = i < shown.size() ? std::abs(shown[i] - parameters[i].rest) : 0;
     const bool moved = by >= k_moved * (parameters[i].maximum - parameters[i].minimum);
-    wanted[i] = contains(parameters[i].name, app.panels().own.of<ParameterList>().filter) &&
-                (moved || !app.panels().own.of<ParameterList>().moved_only);
+    wanted[i] = contains(parameters[i].name, with.panels.own.of<ParameterList>().filter) &&
+                (moved || !with.panels.own.of<ParameterList>().moved_only);
   }
   return wanted;
 }
 
-void show_list(PanelContext& context) {
-  App& app = context.app;
+void show_list(PanelContext& context, const Owners& with) {
   // A row may perform a command that makes another rig: the list is of the one there was.
-  const auto rig = app.workspace().document().model->rig;
+  const auto rig = with.editing.document().model->rig;
   const auto parameters = rig->parameters();
-  const auto rows = control_rows(parameters, wanted_parameters(app));
-  const bool grouped = app.panels().own.of<ParameterList>().filter.empty() &&
-                       !app.panels().own.of<ParameterList>().moved_only && parameters.size() > k_many;
+  const auto rows = control_rows(parameters, wanted_parameters(with));
+  const bool grouped = with.panels.own.of<ParameterList>().filter.empty() &&
+                       !with.panels.own.of<ParameterList>().moved_only && parameters.size() > k_many;
   std::string group;
   bool open = true;
-  for (std::size_t i = 0; i < rows.size() && app.workspace().document().model->rig == rig; ++i) {
+  for (std::size_t i = 0; i < rows.size() && with.editing.document().model->rig == rig; ++i) {
     const std::string word = first_word(parameters[rows[i].first].name);
     if (grouped && word != group) {
       group = word;
@@ -129,61 +139,63 @@ void show_list(PanelContext& context) {
         members.push_back(parameters[rows[k].first].name);
         if (rows[k].pair()) members.push_back(parameters[rows[k].second].name);
       }
-      if (!word.empty() && members.size() > 1) open = group_row(context, group, members);
+      if (!word.empty() && members.size() > 1) open = group_row(context, with, group, members);
     }
-    if (open && app.workspace().document().model->rig == rig) show_control_row(context, rows[i]);
+    if (open && with.editing.document().model->rig == rig)
+      show_control_row(context, rows[i], with.editing, with.controls, with.dialogs);
   }
   if (!rows.empty()) return;
   if (parameters.empty()) {
     ImGui::TextWrapped("This model has nothing to pose yet. Take the tool Rig and sketch a control.");
   } else {
-    ImGui::TextWrapped(app.panels().own.of<ParameterList>().filter.empty() ? "Everything is at rest."
-                                                                           : "Nothing has this in its name.");
+    ImGui::TextWrapped(with.panels.own.of<ParameterList>().filter.empty() ? "Everything is at rest."
+                                                                          : "Nothing has this in its name.");
   }
 }
 
 }  // namespace
 
-void show_parameters(PanelContext& context) {
-  App& app = context.app;
+void show_parameters(PanelContext& context, EditingSession& editing, Controls& controls, Dialogs& dialogs,
+                     PanelState& panels) {
+  const Owners with{editing, controls, dialogs, panels};
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float moved = button_width(context, "Moved", {}, true);
-  text_field(context, "##search", app.panels().own.of<ParameterList>().filter,
+  text_field(context, "##search", panels.own.of<ParameterList>().filter,
              ImGui::GetContentRegionAvail().x - context.unit - moved - 2 * spacing, "search");
   ImGui::SameLine();
   if (icon_button(context, "x##clear", {context.unit, false, "Show all", icon::k_cross, false})) {
-    app.panels().own.of<ParameterList>().filter.clear();
-    app.panels().own.of<ParameterList>().moved_only = false;
+    panels.own.of<ParameterList>().filter.clear();
+    panels.own.of<ParameterList>().moved_only = false;
   }
   ImGui::SameLine();
-  action_button(context, Action::moved_only, moved, app.panels().own.of<ParameterList>().moved_only, "Moved");
+  action_button(context, Action::moved_only, moved, panels.own.of<ParameterList>().moved_only, "Moved");
   ImGui::BeginChild("list");
-  show_list(context);
+  show_list(context, with);
   ImGui::EndChild();
 }
 
-void show_side_panel(PanelContext& context, const Area& area) {
-  App& app = context.app;
+void show_side_panel(PanelContext& context, const Area& area, EditingSession& editing, Canvas& canvas,
+                     Controls& controls, Playback& playback, Notices& notices, Dialogs& dialogs, PanelState& panels) {
   if (begin_panel(context, "side", area)) {
-    if (app.panels().controls_tab) app.panels().poses_tab = false;
+    if (panels.controls_tab) panels.poses_tab = false;
     const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
-    const auto tab = [&](const char* label, bool controls, bool poses, const char* tip) {
-      const bool chosen = app.panels().controls_tab == controls && app.panels().poses_tab == poses;
+    const auto tab = [&](const char* label, bool of_controls, bool of_poses, const char* tip) {
+      const bool chosen = panels.controls_tab == of_controls && panels.poses_tab == of_poses;
       if (!wide_button(context, label, third, chosen, tip)) return;
-      app.panels().controls_tab = controls;
-      app.panels().poses_tab = poses;
+      panels.controls_tab = of_controls;
+      panels.poses_tab = of_poses;
     };
     tab("Parameters", false, false, "Everything that moves the model, as sliders");
     ImGui::SameLine();
     tab("Controls", true, false, "Controls that were sketched, and new ones");
     ImGui::SameLine();
     tab("Poses", false, true, "Poses that are keyed, to be taken again");
-    if (app.panels().poses_tab) {
-      show_poses(context);
-    } else if (app.panels().controls_tab) {
-      show_deformers(context);
+    if (panels.poses_tab) {
+      show_poses(context, editing, playback, panels);
+    } else if (panels.controls_tab) {
+      show_deformers(context, editing, canvas, controls, notices, dialogs, panels);
     } else {
-      show_parameters(context);
+      show_parameters(context, editing, controls, dialogs, panels);
     }
   }
   end_panel();

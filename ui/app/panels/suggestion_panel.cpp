@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "ui/app/canvas/canvas.h"
 #include "ui/app/panels/panels.h"
+#include "ui/app/session/editing_session.h"
+#include "ui/app/session/suggestion_offer.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 // The rest of the face as the keys suggest it: asked for in the toolbar, taken or dismissed beside the model.
@@ -36,9 +39,8 @@ std::string moved_text(const SuggestionOffer& offer) {
 
 }  // namespace
 
-void show_suggest_button(PanelContext& context) {
-  SuggestionOffer& offer = context.app.offer();
-  const std::string& why_not = offer.why_not(context.app.workspace());
+void show_suggest_button(PanelContext& context, EditingSession& editing, SuggestionOffer& offer) {
+  const std::string& why_not = offer.why_not(editing);
   if (why_not.empty() || offer.open()) {
     action_button(context, Action::suggest_rest, -1, offer.open());
     return;
@@ -52,11 +54,10 @@ void show_suggest_button(PanelContext& context) {
   tooltip(context, tip.c_str());
 }
 
-void show_suggestion(PanelContext& context) {
-  App& app = context.app;
-  SuggestionOffer& offer = app.offer();
+void show_suggestion(PanelContext& context, const Area& /*area*/, EditingSession& editing, Canvas& canvas,
+                     SuggestionOffer& offer) {
   if (!offer.open()) return;
-  const Area free = app.canvas().free_area();
+  const Area free = canvas.free_area();
   const double width =
       std::min(7.5 * static_cast<double>(context.unit), free.width() - 2 * static_cast<double>(context.gap));
   const std::string text = moved_text(offer);
@@ -75,17 +76,17 @@ void show_suggestion(PanelContext& context) {
     bool released = false;
     if (tall_slider(context, "##strength", strength, 0, 1, ImGui::GetContentRegionAvail().x, "how much of it",
                     released)) {
-      offer.set_strength(app.workspace(), strength);
+      offer.set_strength(editing, strength);
     }
     if (offer.open()) ImGui::TextWrapped("%s", text.c_str());
     const float half = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
     if (wide_button(context, "Take it##suggestion", half, false,
                     "The pose becomes this; what you posed stays, and Undo takes it back")) {
-      offer.take(app.workspace());
+      offer.take(editing);
     }
     ImGui::SameLine();
     if (wide_button(context, "Dismiss##suggestion", half, false, "The pose stays as it was (Esc)")) {
-      offer.dismiss(app.workspace());
+      offer.dismiss(editing);
     }
   }
   end_panel();

@@ -4,14 +4,38 @@
 #include <cstdio>
 #include <utility>
 
+#include "ui/app/canvas/canvas.h"
+#include "ui/app/dialogs/dialogs.h"
+#include "ui/app/dialogs/entries.h"
+#include "ui/app/notices.h"
+#include "ui/app/panels/panel_entries.h"
+#include "ui/app/panels/panel_state.h"
 #include "ui/app/panels/panels.h"
-#include "ui/app/session/frames.h"
+#include "ui/app/playback/frames.h"
+#include "ui/app/playback/keys.h"
+#include "ui/app/playback/performer.h"
+#include "ui/app/playback/playback.h"
+#include "ui/app/session/editing_session.h"
+#include "ui/app/tour/tour_guide.h"
 #include "ui/app/widgets/button_row.h"
 #include "ui/app/widgets/internal/icon.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {
 namespace {
+
+/// What is shown and changed here.
+struct Owners {
+  EditingSession& editing;
+  CanvasLook& look;
+  Playback& playback;
+  Keys& keys;
+  Performer& performer;
+  TourGuide& tour;
+  Notices& notices;
+  Dialogs& dialogs;
+  PanelState& panels;
+};
 
 constexpr double k_least_range_s = 4;
 constexpr double k_least_span_s = 0.5;
@@ -22,42 +46,41 @@ struct Shown {
   double span = 0;
 };
 
-Shown shown_moments(App& app) {
-  const document::Timeline& timeline = *app.workspace().document().timeline;
+Shown shown_moments(const Owners& with) {
+  const document::Timeline& timeline = *with.editing.document().timeline;
   const double last = timeline.keys.empty() ? 0 : timeline.keys.back().time_s;
-  const double all = std::max({k_least_range_s, std::ceil(last + 1), std::ceil(app.playback().time_s())});
-  if (app.panels().own.of<TimelineShown>().span_s <= 0 || app.panels().own.of<TimelineShown>().span_s >= all) {
-    app.panels().own.of<TimelineShown>().span_s = app.panels().own.of<TimelineShown>().from_s = 0;
+  const double all = std::max({k_least_range_s, std::ceil(last + 1), std::ceil(with.playback.time_s())});
+  if (with.panels.own.of<TimelineShown>().span_s <= 0 || with.panels.own.of<TimelineShown>().span_s >= all) {
+    with.panels.own.of<TimelineShown>().span_s = with.panels.own.of<TimelineShown>().from_s = 0;
     return {0, all};
   }
   // The cursor is in sight wherever it goes.
-  if (std::exchange(app.panels().own.of<TimelineShown>().seen_time_s, app.playback().time_s()) !=
-      app.playback().time_s()) {
-    if (app.playback().time_s() < app.panels().own.of<TimelineShown>().from_s)
-      app.panels().own.of<TimelineShown>().from_s = app.playback().time_s();
-    if (app.playback().time_s() >
-        app.panels().own.of<TimelineShown>().from_s + app.panels().own.of<TimelineShown>().span_s)
-      app.panels().own.of<TimelineShown>().from_s =
-          app.playback().time_s() - app.panels().own.of<TimelineShown>().span_s;
+  if (std::exchange(with.panels.own.of<TimelineShown>().seen_time_s, with.playback.time_s()) !=
+      with.playback.time_s()) {
+    if (with.playback.time_s() < with.panels.own.of<TimelineShown>().from_s)
+      with.panels.own.of<TimelineShown>().from_s = with.playback.time_s();
+    if (with.playback.time_s() >
+        with.panels.own.of<TimelineShown>().from_s + with.panels.own.of<TimelineShown>().span_s)
+      with.panels.own.of<TimelineShown>().from_s = with.playback.time_s() - with.panels.own.of<TimelineShown>().span_s;
   }
-  app.panels().own.of<TimelineShown>().from_s =
-      std::clamp(app.panels().own.of<TimelineShown>().from_s, 0.0, all - app.panels().own.of<TimelineShown>().span_s);
-  return {app.panels().own.of<TimelineShown>().from_s, app.panels().own.of<TimelineShown>().span_s};
+  with.panels.own.of<TimelineShown>().from_s =
+      std::clamp(with.panels.own.of<TimelineShown>().from_s, 0.0, all - with.panels.own.of<TimelineShown>().span_s);
+  return {with.panels.own.of<TimelineShown>().from_s, with.panels.own.of<TimelineShown>().span_s};
 }
 
 /// Shows more or less of the timeline, about its cursor.
-void zoom_track(App& app, double factor) {
-  const Shown now = shown_moments(app);
+void zoom_track(const Owners& with, double factor) {
+  const Shown now = shown_moments(with);
   const double span = std::max(k_least_span_s, now.span * factor);
-  const double share = std::clamp((app.playback().time_s() - now.from) / now.span, 0.0, 1.0);
-  app.panels().own.of<TimelineShown>().span_s = span;
-  app.panels().own.of<TimelineShown>().from_s = std::max(0.0, app.playback().time_s() - share * span);
+  const double share = std::clamp((with.playback.time_s() - now.from) / now.span, 0.0, 1.0);
+  with.panels.own.of<TimelineShown>().span_s = span;
+  with.panels.own.of<TimelineShown>().from_s = std::max(0.0, with.playback.time_s() - share * span);
 }
 
 /// Shows another part of the timeline, by a share of what is shown.
-void pan_track(App& app, double share) {
-  const Shown now = shown_moments(app);
-  app.panels().own.of<TimelineShown>().from_s = std::max(0.0, now.from + share * now.span);
+void pan_track(const Owners& with, double share) {
+  const Shown now = shown_moments(with);
+  with.panels.own.of<TimelineShown>().from_s = std::max(0.0, now.from + share * now.span);
 }
 
 /// Where moments lie on a strip of the panel.
@@ -78,9 +101,9 @@ struct Strip {
 };
 
 /// A strip as wide as the panel, which is hit under a name.
-Strip begin_strip(PanelContext& context, const char* name, const char* tip) {
+Strip begin_strip(PanelContext& context, const Owners& with, const char* name, const char* tip) {
   Strip strip;
-  strip.shown = shown_moments(context.app);
+  strip.shown = shown_moments(with);
   strip.from = ImGui::GetCursorScreenPos();
   strip.size = {std::max(context.unit, ImGui::GetContentRegionAvail().x), context.unit};
   strip.inset = 0.3F * context.unit;
@@ -88,7 +111,7 @@ Strip begin_strip(PanelContext& context, const char* name, const char* tip) {
   note(context, name);
   tooltip(context, tip);
   if (ImGui::IsItemHovered() && ImGui::GetIO().MouseWheel != 0) {
-    zoom_track(context.app, std::pow(0.8, static_cast<double>(ImGui::GetIO().MouseWheel)));
+    zoom_track(with, std::pow(0.8, static_cast<double>(ImGui::GetIO().MouseWheel)));
   }
   ImGui::GetWindowDrawList()->AddRectFilled(strip.from, strip.to(), ImGui::GetColorU32(ImGuiCol_FrameBg), 4);
   return strip;
@@ -115,17 +138,16 @@ void show_loop(const Strip& strip, const LoopRange& loop, double last_s) {
 }
 
 /// Frames by number. Dragged along it, the playhead goes along, and nothing else.
-void show_ruler(PanelContext& context) {
-  App& app = context.app;
-  const int rate = app.playback().rate();
-  const Strip strip = begin_strip(context, "ruler", "Drag to go through time");
-  if (ImGui::IsItemActive()) app.playback().scrub(on_frame(strip.time_of(ImGui::GetIO().MousePos.x), rate));
-  if (ImGui::IsItemDeactivated()) app.playback().end_scrub();
-  const auto held = app.workspace().document().timeline;
+void show_ruler(PanelContext& context, const Owners& with) {
+  const int rate = with.playback.rate();
+  const Strip strip = begin_strip(context, with, "ruler", "Drag to go through time");
+  if (ImGui::IsItemActive()) with.playback.scrub(on_frame(strip.time_of(ImGui::GetIO().MousePos.x), rate));
+  if (ImGui::IsItemDeactivated()) with.playback.end_scrub();
+  const auto held = with.editing.document().timeline;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
   list.PushClipRect(strip.from, strip.to(), true);
-  show_loop(strip, app.playback().loop(), held->keys.empty() ? 0 : held->keys.back().time_s);
+  show_loop(strip, with.playback.loop(), held->keys.empty() ? 0 : held->keys.back().time_s);
   const int apart = frames_apart(strip, rate, 1.3F * context.unit);
   const int marks = frames_apart(strip, rate, 0.2F * context.unit);
   const auto first = static_cast<int>(std::floor(strip.shown.from * rate / apart)) * apart;
@@ -139,73 +161,72 @@ void show_ruler(PanelContext& context) {
     list.AddText({x + 3, strip.from.y + 2}, faint, number.c_str());
   }
   // Where a tour asks to go.
-  if (const auto asked = app.tour().active() ? app.tour().asked_time() : std::nullopt) {
+  if (const auto asked = with.tour.active() ? with.tour.asked_time() : std::nullopt) {
     const auto at = static_cast<double>(strip.x_of(*asked));
     const double half_wide = 0.5 * static_cast<double>(context.unit);
     context.targets["tour time"] = {at - half_wide, static_cast<double>(strip.from.y), at + half_wide,
                                     static_cast<double>(strip.to().y)};
   }
   // The playhead, with a handle to see it by.
-  const float x = strip.x_of(app.playback().time_s());
+  const float x = strip.x_of(with.playback.time_s());
   const float half = 0.22F * context.unit;
   const ImU32 accent =
-      app.performer().performing() ? IM_COL32(232, 64, 52, 255) : ImGui::GetColorU32(ImGuiCol_ButtonActive);
+      with.performer.performing() ? IM_COL32(232, 64, 52, 255) : ImGui::GetColorU32(ImGuiCol_ButtonActive);
   list.AddTriangleFilled({x - half, strip.from.y}, {x + half, strip.from.y}, {x, strip.from.y + 1.6F * half}, accent);
   list.AddLine({x, strip.from.y}, {x, strip.to().y}, accent, 2);
   list.PopClipRect();
 }
 
 /// What the pen does on the row of keys: a touch of a key goes to it, a pull takes it along.
-void use_keys(PanelContext& context, const Strip& strip) {
-  App& app = context.app;
-  const document::Timeline& timeline = *app.workspace().document().timeline;
+void use_keys(PanelContext& context, const Owners& with, const Strip& strip) {
+  const document::Timeline& timeline = *with.editing.document().timeline;
   const float x = ImGui::GetIO().MousePos.x;
   if (ImGui::IsItemActivated()) {
-    app.panels().own.of<TimelineShown>().key_drag.reset();
+    with.panels.own.of<TimelineShown>().key_drag.reset();
     float nearest = 0.5F * context.unit;
     for (const auto& key : timeline.keys) {
       if (std::abs(strip.x_of(key.time_s) - x) >= nearest) continue;
       nearest = std::abs(strip.x_of(key.time_s) - x);
-      app.panels().own.of<TimelineShown>().key_drag = {key.time_s, key.time_s};
+      with.panels.own.of<TimelineShown>().key_drag = {key.time_s, key.time_s};
     }
   }
   if (ImGui::IsItemActive()) {
-    const double time = on_frame(strip.time_of(x), app.playback().rate());
-    if (app.panels().own.of<TimelineShown>().key_drag) {
-      auto& [from, to] = *app.panels().own.of<TimelineShown>().key_drag;
+    const double time = on_frame(strip.time_of(x), with.playback.rate());
+    if (with.panels.own.of<TimelineShown>().key_drag) {
+      auto& [from, to] = *with.panels.own.of<TimelineShown>().key_drag;
       const bool pulled = std::abs(ImGui::GetMouseDragDelta(0, 0).x) > 0.4F * context.unit;
       to = pulled || to != from ? time : from;
-      if (to == from) app.playback().scrub(from);
+      if (to == from) with.playback.scrub(from);
     } else {
-      app.playback().scrub(time);
+      with.playback.scrub(time);
     }
   }
   if (!ImGui::IsItemDeactivated()) return;
-  const auto drag = std::exchange(app.panels().own.of<TimelineShown>().key_drag, std::nullopt);
+  const auto drag = std::exchange(with.panels.own.of<TimelineShown>().key_drag, std::nullopt);
   if (drag && drag->first != drag->second) {
-    app.keys().move(drag->first, drag->second);
+    with.keys.move(drag->first, drag->second);
   } else {
-    app.playback().end_scrub();
+    with.playback.end_scrub();
   }
 }
 
-void show_keys(PanelContext& context) {
-  App& app = context.app;
-  const Strip strip = begin_strip(context, "track", "Touch a key to go to it, drag it to move it; Key makes one here");
-  use_keys(context, strip);
-  const auto held = app.workspace().document().timeline;
+void show_keys(PanelContext& context, const Owners& with) {
+  const Strip strip =
+      begin_strip(context, with, "track", "Touch a key to go to it, drag it to move it; Key makes one here");
+  use_keys(context, with, strip);
+  const auto held = with.editing.document().timeline;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(strip.from, strip.to(), true);
   const float middle = strip.from.y + 0.5F * strip.size.y;
   const float half = 0.24F * context.unit;
-  const float cursor = strip.x_of(app.playback().time_s());
+  const float cursor = strip.x_of(with.playback.time_s());
   list.AddLine({cursor, strip.from.y}, {cursor, strip.to().y}, ImGui::GetColorU32(ImGuiCol_ButtonActive), 2);
   for (std::size_t i = 0; i < held->keys.size(); ++i) {
     const auto& key = held->keys[i];
-    const auto& drag = app.panels().own.of<TimelineShown>().key_drag;
+    const auto& drag = with.panels.own.of<TimelineShown>().key_drag;
     const bool dragged = drag && drag->first == key.time_s;
     const float x = strip.x_of(dragged ? drag->second : key.time_s);
-    const bool here = std::abs(key.time_s - app.playback().time_s()) < 1e-9;
+    const bool here = std::abs(key.time_s - with.playback.time_s()) < 1e-9;
     list.AddQuadFilled({x - half, middle}, {x, middle - half}, {x + half, middle}, {x, middle + half},
                        dragged || here ? IM_COL32(255, 214, 92, 255) : IM_COL32(255, 168, 0, 255));
     list.AddQuad({x - half, middle}, {x, middle - half}, {x + half, middle}, {x, middle + half},
@@ -220,105 +241,101 @@ void show_keys(PanelContext& context) {
 }
 
 /// The frame of the playhead, to be typed over.
-void show_frame_field(PanelContext& context, float width) {
-  App& app = context.app;
+void show_frame_field(PanelContext& context, const Owners& with, float width) {
   bool accepted = false;
-  text_field(context, "##frame", app.panels().own.of<TimelineShown>().frame_text, width, "frame", &accepted);
+  text_field(context, "##frame", with.panels.own.of<TimelineShown>().frame_text, width, "frame", &accepted);
   tooltip(context, "The frame; type one to go there, or seconds as in 1.5s");
   if (accepted) {
-    if (const auto moment = typed_moment(app.panels().own.of<TimelineShown>().frame_text, app.playback().rate())) {
-      app.playback().go_to(*moment);
+    if (const auto moment = typed_moment(with.panels.own.of<TimelineShown>().frame_text, with.playback.rate())) {
+      with.playback.go_to(*moment);
     } else {
-      app.notices().tell("\"" + app.panels().own.of<TimelineShown>().frame_text +
-                             "\" is no frame: type a number of one, or seconds as in 1.5s",
-                         true);
+      with.notices.tell("\"" + with.panels.own.of<TimelineShown>().frame_text +
+                            "\" is no frame: type a number of one, or seconds as in 1.5s",
+                        true);
     }
   }
   if (!ImGui::IsItemActive())
-    app.panels().own.of<TimelineShown>().frame_text = frame_text(app.playback().time_s(), app.playback().rate());
+    with.panels.own.of<TimelineShown>().frame_text = frame_text(with.playback.time_s(), with.playback.rate());
 }
 
-void show_rate(PanelContext& context, float width) {
-  App& app = context.app;
-  const std::string label = std::to_string(app.playback().rate()) + " fps##rate";
+void show_rate(PanelContext& context, const Owners& with, float width) {
+  const std::string label = std::to_string(with.playback.rate()) + " fps##rate";
   if (wide_button(context, label.c_str(), width, false, "Frames a second")) ImGui::OpenPopup("rates");
   if (!begin_menu(context, "rates")) return;
   for (const int rate : k_frame_rates) {
     const std::string one = std::to_string(rate) + "##choose rate";
-    if (!wide_button(context, one.c_str(), 4 * context.unit, rate == app.playback().rate())) continue;
-    app.playback().set_rate(rate);
+    if (!wide_button(context, one.c_str(), 4 * context.unit, rate == with.playback.rate())) continue;
+    with.playback.set_rate(rate);
     ImGui::CloseCurrentPopup();
   }
   ImGui::EndPopup();
 }
 
-void show_buttons(PanelContext& context) {
-  App& app = context.app;
+void show_buttons(PanelContext& context, const Owners& with) {
   // A button may put another timeline in its place.
-  const auto held = app.workspace().document().timeline;
+  const auto held = with.editing.document().timeline;
   const document::Timeline& timeline = *held;
-  const auto here = std::find_if(timeline.keys.begin(), timeline.keys.end(), [&](const auto& key) {
-    return std::abs(key.time_s - app.playback().time_s()) < 1e-9;
-  });
+  const auto here = std::find_if(timeline.keys.begin(), timeline.keys.end(),
+                                 [&](const auto& key) { return std::abs(key.time_s - with.playback.time_s()) < 1e-9; });
   const bool on_key = here != timeline.keys.end();
   ButtonRow row(context, "more of time");
   row.add(Action::previous_key, false, true, false);
   row.add(Action::previous_frame, false, true, false);
-  ButtonRow::Button play{app.playback().playing() ? "Stop" : "Play",
-                         app.playback().playing() ? icon::k_stop : icon_of(Action::play), tooltip_of(Action::play)};
-  play.chosen = app.playback().playing();
-  play.does = [&] { app.do_action(Action::play); };
+  ButtonRow::Button play{with.playback.playing() ? "Stop" : "Play",
+                         with.playback.playing() ? icon::k_stop : icon_of(Action::play), tooltip_of(Action::play)};
+  play.chosen = with.playback.playing();
+  play.does = [&] { context.actions.run(Action::play); };
   row.add(std::move(play));
   row.add(Action::next_frame, false, true, false);
   row.add(Action::next_key, false, true, false);
   ButtonRow::Button frame{"##frame"};
-  frame.shows = [](PanelContext& panel, float width) { show_frame_field(panel, width); };
+  frame.shows = [&with](PanelContext& panel, float width) { show_frame_field(panel, with, width); };
   frame.width = 2 * context.unit;
   row.add(std::move(frame));
   ButtonRow::Button rate{"##rates"};
-  rate.shows = [](PanelContext& panel, float width) { show_rate(panel, width); };
+  rate.shows = [&with](PanelContext& panel, float width) { show_rate(panel, with, width); };
   rate.width = 2.1F * context.unit;
   row.add(std::move(rate));
   row.add(Action::key_pose);
   row.add(Action::delete_key, false, true, false);
   ButtonRow::Button name{"Name##key", {}, "Give the pose of this key a name"};
   name.enabled = on_key;
-  name.does = [&app, named = on_key ? here->name : std::string()] {
-    app.dialogs().state<KeyNameEntry>().text = named;
-    app.dialogs().show(Dialog::key_name);
+  name.does = [&with, named = on_key ? here->name : std::string()] {
+    with.dialogs.state<KeyNameEntry>().text = named;
+    with.dialogs.show(Dialog::key_name);
   };
   row.add(std::move(name));
-  row.add(Action::auto_key, app.playback().while_drawing().auto_key, true, false);
-  row.add(Action::perform, app.playback().while_drawing().performs, true, false);
+  row.add(Action::auto_key, with.playback.while_drawing().auto_key, true, false);
+  row.add(Action::perform, with.playback.while_drawing().performs, true, false);
   row.add(Action::copy_key, false, true, false);
   row.add(Action::paste_key, false, true, false);
-  row.add(Action::loop_from, app.playback().loop().from_s.has_value(), true, false);
-  row.add(Action::loop_to, app.playback().loop().to_s.has_value(), true, false);
-  if (app.playback().loop().any()) row.add(Action::loop_off, false, true, false);
+  row.add(Action::loop_from, with.playback.loop().from_s.has_value(), true, false);
+  row.add(Action::loop_to, with.playback.loop().to_s.has_value(), true, false);
+  if (with.playback.loop().any()) row.add(Action::loop_off, false, true, false);
   const bool smooth = timeline.interpolation == document::KeyInterpolation::smooth;
   ButtonRow::Button between{smooth ? "Smooth" : "Linear", {}, "How poses between keys are made"};
-  between.does = [&app, smooth] {
-    app.workspace().perform(document::SetKeyInterpolation{smooth ? document::KeyInterpolation::linear
-                                                                 : document::KeyInterpolation::smooth});
+  between.does = [&with, smooth] {
+    with.editing.perform(document::SetKeyInterpolation{smooth ? document::KeyInterpolation::linear
+                                                              : document::KeyInterpolation::smooth});
   };
   row.add(std::move(between));
-  row.add(Action::onion_skin, app.canvas().look().onion_skin);
+  row.add(Action::onion_skin, with.look.onion_skin);
   const auto view = [&](const char* label, std::string_view drawn, const char* tip, bool enabled, auto does) {
     ButtonRow::Button button{label, drawn, tip, false};
     button.enabled = enabled;
     button.does = does;
     row.add(std::move(button));
   };
-  const bool part = app.panels().own.of<TimelineShown>().span_s > 0;
-  view("-##track", icon::k_minus, "Show more of the timeline", true, [&app] { zoom_track(app, 1.6); });
+  const bool part = with.panels.own.of<TimelineShown>().span_s > 0;
+  view("-##track", icon::k_minus, "Show more of the timeline", true, [&with] { zoom_track(with, 1.6); });
   view("+##track", icon::k_plus, "Show less of the timeline, about the playhead", true,
-       [&app] { zoom_track(app, 1 / 1.6); });
-  view("<##track", icon::k_left, "Show what comes before", part, [&app] { pan_track(app, -0.5); });
-  view(">##track", icon::k_right, "Show what comes after", part, [&app] { pan_track(app, 0.5); });
+       [&with] { zoom_track(with, 1 / 1.6); });
+  view("<##track", icon::k_left, "Show what comes before", part, [&with] { pan_track(with, -0.5); });
+  view(">##track", icon::k_right, "Show what comes after", part, [&with] { pan_track(with, 0.5); });
   const float used = row.show(ImGui::GetContentRegionAvail().x);
   const float left = ImGui::GetContentRegionAvail().x - used;
   std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.2f s   %zu keys", app.playback().time_s(), timeline.keys.size());
+  std::snprintf(text.data(), text.size(), "%.2f s   %zu keys", with.playback.time_s(), timeline.keys.size());
   if (left < ImGui::CalcTextSize(text.data()).x + 3 * context.gap) return;
   ImGui::SameLine();
   text_beside(context, text.data());
@@ -326,32 +343,14 @@ void show_buttons(PanelContext& context) {
 
 }  // namespace
 
-void show_timeline(PanelContext& context, const Area& area) {
+void show_timeline(PanelContext& context, const Area& area, EditingSession& editing, CanvasLook& look,
+                   Playback& playback, Keys& keys, Performer& performer, TourGuide& tour, Notices& notices,
+                   Dialogs& dialogs, PanelState& panels) {
+  const Owners with{editing, look, playback, keys, performer, tour, notices, dialogs, panels};
   if (begin_panel(context, "timeline", area)) {
-    show_buttons(context);
-    show_ruler(context);
-    show_keys(context);
-  }
-  end_panel();
-}
-
-void show_player(PanelContext& context, const Area& area) {
-  auto& player = context.app.player().trace;
-  if (!player) return;
-  if (begin_panel(context, "player", area)) {
-    if (wide_button(context, player->playing() ? "Pause" : "Go on", 2.4F * context.unit))
-      player->set_playing(!player->playing());
-    for (const auto& [speed, label] :
-         {std::pair{0.5, "x1/2"}, std::pair{1.0, "x1"}, std::pair{4.0, "x4"}, std::pair{16.0, "x16"}}) {
-      ImGui::SameLine();
-      if (wide_button(context, label, 0, player->speed() == speed)) player->set_speed(speed);
-    }
-    ImGui::SameLine();
-    const bool close = wide_button(context, "Close##player");
-    ImGui::SameLine();
-    ImGui::ProgressBar(static_cast<float>(player->progress()), {-1, context.unit},
-                       player->finished() ? "at its end" : "playing a recording");
-    if (close) player.reset();
+    show_buttons(context, with);
+    show_ruler(context, with);
+    show_keys(context, with);
   }
   end_panel();
 }

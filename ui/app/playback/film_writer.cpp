@@ -6,8 +6,8 @@
 
 namespace penpose::app {
 
-FilmWriter::FilmWriter(Workspace& workspace, Notices& notices, const Canvas& canvas, const Playback& playback)
-    : workspace_(workspace), notices_(notices), canvas_(canvas), playback_(playback) {}
+FilmWriter::FilmWriter(EditingSession& editing, Notices& notices, const Canvas& canvas, const Playback& playback)
+    : editing_(editing), notices_(notices), canvas_(canvas), playback_(playback) {}
 
 bool FilmWriter::write(const std::string& path, geometry::Viewport size) {
   if (job_) {
@@ -20,7 +20,7 @@ bool FilmWriter::write(const std::string& path, geometry::Viewport size) {
   order.rate = playback_.rate();
   const Area all{0, 0, static_cast<double>(size.width), static_cast<double>(size.height)};
   order.camera = framed(canvas_.surface().positions(), size, all, viewpoint_of(canvas_.view().camera)).camera;
-  auto job = FilmJob::start(workspace_.document(), order);
+  auto job = FilmJob::start(editing_.document(), order);
   if (!job) {
     notices_.tell(job.error().line(path), true);
     return false;

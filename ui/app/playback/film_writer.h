@@ -7,14 +7,14 @@
 #include "ui/app/dialogs/film_job.h"
 #include "ui/app/notices.h"
 #include "ui/app/playback/playback.h"
-#include "ui/app/session/workspace.h"
+#include "ui/app/session/editing_session.h"
 
 namespace penpose::app {
 
 /// The film that is being written, one at a time.
 class FilmWriter {
  public:
-  FilmWriter(Workspace& workspace, Notices& notices, const Canvas& canvas, const Playback& playback);
+  FilmWriter(EditingSession& editing, Notices& notices, const Canvas& canvas, const Playback& playback);
 
   /// Writes a film of what is keyed, seen from where one looks; it goes on beside. False, and said why, where it
   /// cannot begin.
@@ -24,7 +24,7 @@ class FilmWriter {
   void follow();
 
  private:
-  Workspace& workspace_;
+  EditingSession& editing_;
   Notices& notices_;
   const Canvas& canvas_;
   const Playback& playback_;

@@ -5,15 +5,15 @@
 
 #include "ui/app/notices.h"
 #include "ui/app/playback/playback.h"
-#include "ui/app/session/pose_clipboard.h"
-#include "ui/app/session/workspace.h"
+#include "ui/app/playback/pose_clipboard.h"
+#include "ui/app/session/editing_session.h"
 
 namespace penpose::app {
 
 /// What is done with the keys of the timeline, at its cursor.
 class Keys {
  public:
-  Keys(Workspace& workspace, Notices& notices, Playback& playback);
+  Keys(EditingSession& editing, Notices& notices, Playback& playback);
 
   /// Keys the pose. A name that was given to this key stays.
   void set();
@@ -32,7 +32,7 @@ class Keys {
  private:
   [[nodiscard]] const document::PoseKey* find(double time_s) const;
 
-  Workspace& workspace_;
+  EditingSession& editing_;
   Notices& notices_;
   Playback& playback_;
   std::optional<PoseClipboard> clipboard_;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/document/time/timeline.h"
-#include "ui/app/session/frames.h"
+#include "ui/app/playback/frames.h"
 
 namespace penpose::app {
 namespace {
@@ -21,21 +21,21 @@ std::string listed(const std::vector<std::string>& names) {
 
 }  // namespace
 
-Performer::Performer(Workspace& workspace, Notices& notices, Playback& playback, const Player& player)
-    : workspace_(workspace), notices_(notices), playback_(playback), player_(player) {}
+Performer::Performer(EditingSession& editing, Notices& notices, Playback& playback, const Player& player)
+    : editing_(editing), notices_(notices), playback_(playback), player_(player) {}
 
 void Performer::begin(std::int64_t now_us) {
   playback_.stop();
-  workspace_.preview(std::nullopt);
+  editing_.shown().preview(std::nullopt);
   playback_.place_cursor(on_frame(playback_.time_s(), playback_.rate()));
-  performance_.emplace(playback_.time_s(), playback_.rate(), workspace_.document().pose);
-  steps_ = workspace_.editor().history().undo_count();
+  performance_.emplace(playback_.time_s(), playback_.rate(), editing_.document().pose);
+  steps_ = editing_.editor().history().undo_count();
   from_s_ = playback_.time_s();
   from_us_ = now_us;
 }
 
 void Performer::follow(std::int64_t now_us) {
-  const bool holds = workspace_.live().active();
+  const bool holds = editing_.shown().live().active();
   if (!performance_) {
     if (playback_.while_drawing().performs && holds && !player_.plays_session()) begin(now_us);
     return;
@@ -52,27 +52,27 @@ void Performer::follow(std::int64_t now_us) {
   }
   time_s = std::min(time_s, document::k_latest_key_s);
   playback_.place_cursor(time_s);
-  const document::Document& document = workspace_.document();
-  const rig::Pose& pen = workspace_.pen_pose();
+  const document::Document& document = editing_.document();
+  const rig::Pose& pen = editing_.shown().pen_pose();
   performance_->take(time_s, pen);
   const bool keyed = !document.timeline->keys.empty();
-  workspace_.stage(performance_->over(keyed ? document::sample(*document.timeline, time_s) : document.pose, pen));
+  editing_.shown().stage(performance_->over(keyed ? document::sample(*document.timeline, time_s) : document.pose, pen));
 }
 
 bool Performer::end() {
   const Performance performance = *std::exchange(performance_, std::nullopt);
-  workspace_.stage(std::nullopt);
-  const document::Document& document = workspace_.document();
+  editing_.shown().stage(std::nullopt);
+  const document::Document& document = editing_.document();
   const auto keys = performance.keys(document.model->rig->parameters(), document.pose);
   const bool any = keys && performance.frame_count() > 1;
   playback_.place_cursor(any ? performance.last_s() : document.time_s);
   if (!any) return false;
   // What a drawn target did to the pose belongs to it.
-  const bool drawn = workspace_.editor().history().undo_count() > steps_;
-  if (!(drawn ? workspace_.perform_with(*keys) : workspace_.perform(*keys))) return true;
-  workspace_.perform_with(document::GoToTime{playback_.time_s()});
+  const bool drawn = editing_.editor().history().undo_count() > steps_;
+  if (!(drawn ? editing_.perform_with(*keys) : editing_.perform(*keys))) return true;
+  editing_.perform_with(document::GoToTime{playback_.time_s()});
   const std::string keyed = std::to_string(performance.frame_count()) + " frames are keyed: " + listed(keys->names);
-  workspace_.say_outcome(keyed);
+  editing_.last_stroke().say(keyed);
   notices_.tell(keyed + "; Undo takes the take back");
   return true;
 }

@@ -4,16 +4,16 @@
 
 #include "ui/app/files/player.h"
 #include "ui/app/notices.h"
+#include "ui/app/playback/performance.h"
 #include "ui/app/playback/playback.h"
-#include "ui/app/session/performance.h"
-#include "ui/app/session/workspace.h"
+#include "ui/app/session/editing_session.h"
 
 namespace penpose::app {
 
 /// The pen as a puppet's string: time runs while it holds a target, and what the face does is keyed.
 class Performer {
  public:
-  Performer(Workspace& workspace, Notices& notices, Playback& playback, const Player& player);
+  Performer(EditingSession& editing, Notices& notices, Playback& playback, const Player& player);
 
   /// What the pen does is being keyed frame by frame.
   [[nodiscard]] bool performing() const { return performance_.has_value(); }
@@ -27,7 +27,7 @@ class Performer {
  private:
   void begin(std::int64_t now_us);
 
-  Workspace& workspace_;
+  EditingSession& editing_;
   Notices& notices_;
   Playback& playback_;
   const Player& player_;

@@ -9,25 +9,25 @@
 namespace penpose::app {
 namespace {
 
-constexpr double k_same_moment_s = 1e-4;
+constexpr double k_same_time_s = 1e-4;
 constexpr double k_same_value = 1e-9;
 
 }  // namespace
 
-Playback::Playback(Clock clock, Workspace& workspace, Notices& notices, Preferences& preferences)
-    : clock_(std::move(clock)), workspace_(workspace), notices_(notices), preferences_(preferences) {}
+Playback::Playback(Clock clock, EditingSession& editing, Notices& notices, Preferences& preferences)
+    : clock_(std::move(clock)), editing_(editing), notices_(notices), preferences_(preferences) {}
 
 void Playback::begin() {
   playing_ = false;
-  time_s_ = workspace_.document().time_s;
+  time_s_ = editing_.document().time_s;
   std::vector<double> moments;
-  for (const auto& key : workspace_.document().timeline->keys) moments.push_back(key.time_s);
+  for (const auto& key : editing_.document().timeline->keys) moments.push_back(key.time_s);
   rate_ = rate_of(moments).value_or(preferences_.settings().rate);
   loop_ = {};
 }
 
 void Playback::play_or_stop() {
-  const auto& keys = workspace_.document().timeline->keys;
+  const auto& keys = editing_.document().timeline->keys;
   if (keys.empty()) {
     notices_.tell("there is nothing to play yet: key a pose first");
   } else if (playing_) {
@@ -44,27 +44,27 @@ void Playback::play_or_stop() {
 
 void Playback::follow_time(double was_s) {
   // The playhead returns with the pose.
-  if (workspace_.document().time_s != was_s) time_s_ = workspace_.document().time_s;
+  if (editing_.document().time_s != was_s) time_s_ = editing_.document().time_s;
 }
 
 void Playback::undo() {
-  const double was = workspace_.document().time_s;
-  workspace_.preview(std::nullopt);
-  if (workspace_.can_undo() > 0) workspace_.undo();
+  const double was = editing_.document().time_s;
+  editing_.shown().preview(std::nullopt);
+  if (editing_.steps().can_undo() > 0) editing_.steps().undo();
   follow_time(was);
 }
 
 void Playback::redo() {
-  const double was = workspace_.document().time_s;
-  workspace_.preview(std::nullopt);
-  if (workspace_.can_redo() > 0) workspace_.redo();
+  const double was = editing_.document().time_s;
+  editing_.shown().preview(std::nullopt);
+  if (editing_.steps().can_redo() > 0) editing_.steps().redo();
   follow_time(was);
 }
 
 void Playback::go_to_step(std::size_t commands) {
-  const double was = workspace_.document().time_s;
-  workspace_.preview(std::nullopt);
-  workspace_.go_to_step(commands);
+  const double was = editing_.document().time_s;
+  editing_.shown().preview(std::nullopt);
+  editing_.steps().go_to(commands);
   follow_time(was);
 }
 
@@ -80,27 +80,27 @@ void Playback::set_rate(int rate) {
 }
 
 void Playback::step_key(int direction) {
-  const auto& keys = workspace_.document().timeline->keys;
+  const auto& keys = editing_.document().timeline->keys;
   const document::PoseKey* to = nullptr;
   for (const auto& key : keys) {
-    if (direction < 0 && key.time_s < time_s_ - k_same_moment_s) to = &key;
-    if (direction > 0 && key.time_s > time_s_ + k_same_moment_s && to == nullptr) to = &key;
+    if (direction < 0 && key.time_s < time_s_ - k_same_time_s) to = &key;
+    if (direction > 0 && key.time_s > time_s_ + k_same_time_s && to == nullptr) to = &key;
   }
   if (to == nullptr) return;
   time_s_ = to->time_s;
-  workspace_.preview(std::nullopt);
-  workspace_.perform(document::GoToTime{time_s_});
+  editing_.shown().preview(std::nullopt);
+  editing_.perform(document::GoToTime{time_s_});
 }
 
 void Playback::scrub(double time_s) {
   time_s_ = std::clamp(time_s, 0.0, document::k_latest_key_s);
-  const auto& timeline = *workspace_.document().timeline;
-  if (!timeline.keys.empty()) workspace_.preview(document::sample(timeline, time_s_));
+  const auto& timeline = *editing_.document().timeline;
+  if (!timeline.keys.empty()) editing_.shown().preview(document::sample(timeline, time_s_));
 }
 
 void Playback::end_scrub() {
-  workspace_.preview(std::nullopt);
-  const document::Document& document = workspace_.document();
+  editing_.shown().preview(std::nullopt);
+  const document::Document& document = editing_.document();
   if (document.timeline->keys.empty()) return;
   // A pose that is on no key yet is carried along to where it shall be keyed, and not lost to a touch.
   const auto same = [&](const rig::Pose& pose) {
@@ -111,7 +111,7 @@ void Playback::end_scrub() {
   const bool kept = same(document::sample(*document.timeline, document.time_s)) ||
                     std::any_of(keys.begin(), keys.end(), [&](const auto& key) { return same(key.pose); });
   if (kept) {
-    workspace_.perform(document::GoToTime{time_s_});
+    editing_.perform(document::GoToTime{time_s_});
   } else {
     notices_.tell("the pose is not on the timeline yet: Key puts it here; going to another key leaves it");
   }
@@ -119,10 +119,10 @@ void Playback::end_scrub() {
 
 void Playback::advance(std::int64_t now_us) {
   if (!playing_) return;
-  const auto& keys = workspace_.document().timeline->keys;
+  const auto& keys = editing_.document().timeline->keys;
   if (keys.empty()) {
     playing_ = false;
-    workspace_.preview(std::nullopt);
+    editing_.shown().preview(std::nullopt);
     return;
   }
   const double begin = loop_.begin_s();
@@ -135,7 +135,7 @@ void Playback::advance(std::int64_t now_us) {
     play_from_us_ = now_us;
     play_from_s_ = time_s_ = begin;
   }
-  workspace_.preview(document::sample(*workspace_.document().timeline, time_s_));
+  editing_.shown().preview(document::sample(*editing_.document().timeline, time_s_));
 }
 
 }  // namespace penpose::app

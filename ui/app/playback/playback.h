@@ -3,9 +3,9 @@
 #include <functional>
 
 #include "ui/app/notices.h"
+#include "ui/app/playback/loop_range.h"
 #include "ui/app/preferences.h"
-#include "ui/app/session/loop_range.h"
-#include "ui/app/session/workspace.h"
+#include "ui/app/session/editing_session.h"
 
 namespace penpose::app {
 
@@ -20,7 +20,7 @@ struct WhileDrawing {
 class Playback {
  public:
   using Clock = std::function<std::int64_t()>;
-  Playback(Clock clock, Workspace& workspace, Notices& notices, Preferences& preferences);
+  Playback(Clock clock, EditingSession& editing, Notices& notices, Preferences& preferences);
 
   [[nodiscard]] double time_s() const { return time_s_; }
   /// Moves the cursor alone, and not the pose.
@@ -60,7 +60,7 @@ class Playback {
   void follow_time(double was_s);
 
   Clock clock_;
-  Workspace& workspace_;
+  EditingSession& editing_;
   Notices& notices_;
   Preferences& preferences_;
   double time_s_ = 0;

@@ -22,8 +22,8 @@ class SketchPreview {
   /// A stroke goes on.
   void follow(const document::Document& document, const drawing::Tool& tool, const document::View& view,
               const curve::Stroke& stroke);
-  /// A control's goal is pulled: the face as the control would make it at that goal, as posed elsewhere. A pull that
-  /// would be refused leaves what is shown.
+  /// A control's target is pulled: the face as the control would make it at that target, as posed elsewhere. A pull
+  /// that would be refused leaves what is shown.
   void pull(const document::Document& document, const document::PullBetween& pull);
   void stroke_ended();
   /// Another tool was taken.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/app/view/said.h"
+#include "ui/app/view/user_messages.h"
 
 namespace penpose::app {
 namespace {
@@ -17,8 +17,8 @@ bool locks_alone(const document::Document& a, const document::Document& b) {
 
 }  // namespace
 
-void SuggestionOffer::show(Workspace& workspace) {
-  const document::Document& document = workspace.document();
+void SuggestionOffer::show(EditingSession& editing) {
+  const document::Document& document = editing.document();
   const auto parameters = document.model->rig->parameters();
   movements_.clear();
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -30,61 +30,62 @@ void SuggestionOffer::show(Workspace& workspace) {
   std::stable_sort(movements_.begin(), movements_.end(),
                    [](const Movement& a, const Movement& b) { return std::abs(a.by) > std::abs(b.by); });
   asked_ = document;
-  revision_ = workspace.revision();
-  workspace.preview(suggestion_->pose);
+  revision_ = editing.revision();
+  editing.shown().preview(suggestion_->pose);
 }
 
-base::Status SuggestionOffer::ask(Workspace& workspace) {
-  auto suggestion = document::suggest_rest(workspace.document());
+base::Status SuggestionOffer::ask(EditingSession& editing) {
+  auto suggestion = document::suggest_rest(editing.document());
   if (!suggestion) {
-    dismiss(workspace);
+    dismiss(editing);
     return suggestion.error();
   }
   suggestion_ = std::move(suggestion).value();
-  show(workspace);
+  show(editing);
   return base::Done{};
 }
 
-void SuggestionOffer::set_strength(Workspace& workspace, double strength) {
+void SuggestionOffer::set_strength(EditingSession& editing, double strength) {
   if (!suggestion_) return;
-  auto other = document::suggest_rest(workspace.document(), workspace.document().timeline->keys,
-                                      suggestion_->command.held, std::clamp(strength, 0.0, 1.0));
-  if (!other) return dismiss(workspace);
+  auto other = document::suggest_rest(editing.document(), editing.document().timeline->keys, suggestion_->command.held,
+                                      std::clamp(strength, 0.0, 1.0));
+  if (!other) return dismiss(editing);
   suggestion_ = std::move(other).value();
-  show(workspace);
+  show(editing);
 }
 
-void SuggestionOffer::take(Workspace& workspace) {
+void SuggestionOffer::take(EditingSession& editing) {
   if (!suggestion_) return;
   const document::SuggestRest command = suggestion_->command;
-  dismiss(workspace);
-  workspace.perform(command);
+  dismiss(editing);
+  editing.perform(command);
 }
 
-void SuggestionOffer::dismiss(Workspace& workspace) {
+void SuggestionOffer::dismiss(EditingSession& editing) {
   if (!suggestion_) return;
   suggestion_.reset();
-  workspace.preview(std::nullopt);
+  editing.shown().preview(std::nullopt);
 }
 
-void SuggestionOffer::follow(Workspace& workspace) {
+void SuggestionOffer::follow(EditingSession& editing) {
   if (!suggestion_) return;
-  if (workspace.revision() != revision_) {
-    if (!locks_alone(asked_, workspace.document())) return dismiss(workspace);
-    static_cast<void>(ask(workspace));
+  if (editing.revision() != revision_) {
+    if (!locks_alone(asked_, editing.document())) return dismiss(editing);
+    static_cast<void>(ask(editing));
     return;
   }
   // A stroke, a slider or the timeline shows a pose of its own, which stays.
-  if (!workspace.previews() || (!workspace.live().active() && workspace.shown_pose() != suggestion_->pose)) {
+  if (!editing.shown().previews() ||
+      (!editing.shown().live().active() && editing.shown().pose() != suggestion_->pose)) {
     suggestion_.reset();
   }
 }
 
-const std::string& SuggestionOffer::why_not(const Workspace& workspace) {
-  if (looked_at_ == workspace.revision()) return why_not_;
-  looked_at_ = workspace.revision();
-  const auto error = document::no_suggestion(workspace.document());
-  why_not_ = error ? said(*error) : std::string();
+const std::string& SuggestionOffer::why_not(const EditingSession& editing) {
+  if (looked_at_ == editing.revision()) return why_not_;
+  looked_at_ = editing.revision();
+  const auto error = document::no_suggestion(editing.document());
+  why_not_ = error ? message_of(*error) : std::string();
   return why_not_;
 }
 

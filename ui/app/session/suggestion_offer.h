@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/document/suggestion.h"
-#include "ui/app/session/workspace.h"
+#include "ui/app/session/editing_session.h"
 
 namespace penpose::app {
 
@@ -13,25 +13,25 @@ namespace penpose::app {
 class SuggestionOffer {
  public:
   /// Shows what is suggested. Errors: there are no keys to learn from, nothing is posed, ...
-  base::Status ask(Workspace& workspace);
+  base::Status ask(EditingSession& editing);
   [[nodiscard]] bool open() const { return suggestion_.has_value(); }
   /// Precondition: open.
   [[nodiscard]] const document::Suggestion& suggestion() const { return *suggestion_; }
   /// Controls that it moves, the most first; by shares of their ranges.
   [[nodiscard]] const std::vector<Movement>& movements() const { return movements_; }
   /// How much of the way, 0..1.
-  void set_strength(Workspace& workspace, double strength);
+  void set_strength(EditingSession& editing, double strength);
   /// Makes it a command.
-  void take(Workspace& workspace);
-  void dismiss(Workspace& workspace);
+  void take(EditingSession& editing);
+  void dismiss(EditingSession& editing);
   /// Call it for every frame. What was locked since ("not this one") is asked again; what else happened ends the offer.
-  void follow(Workspace& workspace);
+  void follow(EditingSession& editing);
 
   /// Why there is nothing to ask for, in an animator's words; empty where there is.
-  [[nodiscard]] const std::string& why_not(const Workspace& workspace);
+  [[nodiscard]] const std::string& why_not(const EditingSession& editing);
 
  private:
-  void show(Workspace& workspace);
+  void show(EditingSession& editing);
 
   std::optional<document::Suggestion> suggestion_;
   std::vector<Movement> movements_;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/app/app.h"
-#include "ui/app/session/frames.h"
+#include "ui/app/files/files.h"
+#include "ui/app/playback/frames.h"
 #include "ui/app/tour/tour_line.h"
 
 namespace penpose::app {
@@ -16,7 +16,7 @@ using geometry::ModelPoint;
 
 // How far lines may stray in the mean, px of the picture in which the tour was drawn.
 constexpr double k_feature_px = 20;
-constexpr double k_goal_px = 20;
+constexpr double k_target_px = 20;
 constexpr double k_lasso_px = 34;
 constexpr double k_near_s = 0.25;
 /// A slider that was pulled so much of the way is at its end.
@@ -94,18 +94,6 @@ std::string last_control(const document::Document& document) {
 /// So many times nearer than all of the head the face fills a canvas; brows and mouth lie about the head's middle.
 constexpr int k_times_nearer = 4;
 
-/// Brings a line on the canvas into sight, on a face as large as there is room.
-void bring_into_sight(App& app, std::span<const ModelPoint> line) {
-  const auto camera = geometry::Camera::make(app.canvas().view().camera, app.canvas().view().viewport);
-  const auto hidden = [&](const ModelPoint& point) {
-    const auto px = camera ? camera->project(point) : std::nullopt;
-    return !px || !app.canvas().free_area().holds(*px);
-  };
-  if (std::none_of(line.begin(), line.end(), hidden)) return;
-  app.do_action(Action::frame_all);
-  for (int i = 0; i < k_times_nearer; ++i) app.do_action(Action::zoom_in);
-}
-
 /// The tool that draws what a command draws.
 drawing::ToolKind tool_for(const Command& command) {
   if (std::holds_alternative<document::SketchCurve>(command)) return drawing::ToolKind::articulate;
@@ -114,37 +102,50 @@ drawing::ToolKind tool_for(const Command& command) {
 
 }  // namespace
 
-void TourGuide::begin(App& app, Tour tour) {
+/// On a face as large as there is room.
+void TourGuide::bring_into_sight(std::span<const ModelPoint> line) {
+  const auto camera = geometry::Camera::make(parts_.canvas.view().camera, parts_.canvas.view().viewport);
+  const auto hidden = [&](const ModelPoint& point) {
+    const auto px = camera ? camera->project(point) : std::nullopt;
+    return !px || !parts_.canvas.free_area().holds(*px);
+  };
+  if (std::none_of(line.begin(), line.end(), hidden)) return;
+  parts_.actions.run(Action::frame_all);
+  for (int i = 0; i < k_times_nearer; ++i) parts_.actions.run(Action::zoom_in);
+}
+
+void TourGuide::begin(Tour tour) {
   tour_ = std::move(tour);
   begun_.clear();
   ghost_.clear();
   // What would be done besides is not of the tour.
-  app.panels().shown = true;
-  app.panels().poses_tab = app.panels().controls_tab = false;
-  app.panels().own.of<TimelineShown>() = {};
-  app.playback().while_drawing() = {};
-  app.playback().loop() = {};
-  app.playback().place_cursor(0);
-  app.do_action(Action::frame_all);
-  for (int i = 0; i < k_times_nearer; ++i) app.do_action(Action::zoom_in);
-  begin_step(app, app.workspace().editor().history().undo_count());
+  parts_.panels.shown = true;
+  parts_.panels.poses_tab = parts_.panels.controls_tab = false;
+  parts_.panels.own.of<TimelineShown>() = {};
+  parts_.playback.while_drawing() = {};
+  parts_.playback.loop() = {};
+  parts_.playback.place_cursor(0);
+  parts_.actions.run(Action::frame_all);
+  for (int i = 0; i < k_times_nearer; ++i) parts_.actions.run(Action::zoom_in);
+  begin_step(parts_.editing.editor().history().undo_count());
 }
 
-void TourGuide::begin_step(App& app, std::size_t commands) {
+void TourGuide::begin_step(std::size_t commands) {
   begun_.push_back(commands);
   again_.clear();
-  ghost_ = line_of(app, step());
-  ghost_before_ = step() > 0 ? line_of(app, step() - 1) : std::vector<ModelPoint>();
+  ghost_ = line_of(step());
+  ghost_before_ = step() > 0 ? line_of(step() - 1) : std::vector<ModelPoint>();
   const Command* command = wanted();
   if (command == nullptr) return;
-  bring_into_sight(app, ghost_);
-  if (std::holds_alternative<document::SetParameters>(*command)) app.panels().controls_tab = true;
+  bring_into_sight(ghost_);
+  if (std::holds_alternative<document::SetParameters>(*command)) parts_.panels.controls_tab = true;
 }
 
-std::vector<ModelPoint> TourGuide::line_of(App& app, std::size_t step) const {
+std::vector<ModelPoint> TourGuide::line_of(std::size_t step) const {
   if (step >= tour_->steps.size() || !tour_->steps[step].wanted) return {};
   const Drawn drawn = drawn_by(*tour_->steps[step].wanted);
-  return drawn.line != nullptr ? on_model(app.canvas().surface(), *drawn.view, *drawn.line) : std::vector<ModelPoint>();
+  return drawn.line != nullptr ? on_model(parts_.canvas.surface(), *drawn.view, *drawn.line)
+                               : std::vector<ModelPoint>();
 }
 
 const Command* TourGuide::wanted() const {
@@ -163,37 +164,37 @@ std::optional<double> TourGuide::asked_time() const {
   return to != nullptr ? std::optional(to->time_s) : std::nullopt;
 }
 
-std::string TourGuide::pointed(const App& app) const {
+std::string TourGuide::pointed() const {
   if (done()) return {};
   const TourStep& due = tour_->steps[step()];
   if (due.press) return std::string(*due.press == Action::play ? "Play" : info(*due.press).label);
   const Command& command = *due.wanted;
   if (drawn_by(command).line != nullptr) {
     const drawing::ToolKind kind = tool_for(command);
-    if (app.workspace().editor().tool().kind == kind) return {};
+    if (parts_.editing.editor().tool().kind == kind) return {};
     return std::string(info(kind == drawing::ToolKind::pose ? Action::tool_pose : Action::tool_articulate).label);
   }
   if (std::holds_alternative<document::BeginDeformer>(command)) return std::string(info(Action::tool_articulate).label);
   if (std::holds_alternative<document::SetKey>(command)) return std::string(info(Action::key_pose).label);
   if (std::holds_alternative<document::GoToTime>(command)) return "tour time";
   if (std::holds_alternative<document::SetParameters>(command))
-    return "slider " + last_control(app.workspace().document());
+    return "slider " + last_control(parts_.editing.document());
   return {};
 }
 
-std::string TourGuide::says(const App& app) const {
+std::string TourGuide::says() const {
   if (done()) return tour_->ends;
   const TourStep& due = tour_->steps[step()];
   // A line that another tool would draw is told before it is drawn.
-  if (due.wanted && drawn_by(*due.wanted).line != nullptr && !pointed(app).empty())
-    return "Press " + pointed(app) + " first. Then: " + due.says;
+  if (due.wanted && drawn_by(*due.wanted).line != nullptr && !pointed().empty())
+    return "Press " + pointed() + " first. Then: " + due.says;
   return due.says;
 }
 
-std::optional<std::size_t> TourGuide::given(const App& app) const {
+std::optional<std::size_t> TourGuide::given() const {
   const Command* command = wanted();
   if (command == nullptr) return std::nullopt;
-  const auto& history = app.workspace().editor().history();
+  const auto& history = parts_.editing.editor().history();
   const std::string_view name = document::name_of(*command);
   for (std::size_t i = begun_.back(); i < history.undo_count(); ++i) {
     if (history.called_step(i).name == name) return i;
@@ -201,10 +202,10 @@ std::optional<std::size_t> TourGuide::given(const App& app) const {
   return std::nullopt;
 }
 
-TourGuide::Answer TourGuide::judge_drawn(App& app) const {
+TourGuide::Answer TourGuide::judge_drawn() const {
   const Command& command = *wanted();
   const Drawn drawn = drawn_by(command);
-  const document::Document& document = app.workspace().document();
+  const document::Document& document = parts_.editing.document();
   document::View view;
   std::vector<PxPoint> line;
   double within = k_feature_px;
@@ -213,10 +214,10 @@ TourGuide::Answer TourGuide::judge_drawn(App& app) const {
     const auto last = std::find_if(document.curves.rbegin(), document.curves.rend(),
                                    [](const auto& curve) { return curve->role == document::PoseCurveRole::reference; });
     if (last == document.curves.rend()) return {};
-    view = app.workspace().editor().view();
+    view = parts_.editing.editor().view();
     std::vector<ModelPoint> points;
     for (std::size_t i = 0; i < (*last)->points.size(); ++i) {
-      points.emplace_back(app.canvas().surface().at((*last)->points[i]));
+      points.emplace_back(parts_.canvas.surface().at((*last)->points[i]));
       // Where the pen was, and not where the sheet is that the line sticks to.
       if (i < (*last)->aside.size()) points.back() += (*last)->aside[i];
     }
@@ -227,7 +228,7 @@ TourGuide::Answer TourGuide::judge_drawn(App& app) const {
     if (last == document.curves.rend()) return {};
     view = (*last)->target->view;
     line = (*last)->target->line;
-    within = k_goal_px;
+    within = k_target_px;
     from = ghost_before_;
   } else if (const auto* sketched = std::get_if<document::SketchCurve>(&command)) {
     const std::string control = last_control(document);
@@ -240,7 +241,7 @@ TourGuide::Answer TourGuide::judge_drawn(App& app) const {
     line = target                                               ? sketch.target
            : sketched->role == articulation::CurveRole::general ? sketch.general
                                                                 : sketch.specific;
-    within = target ? k_goal_px : k_lasso_px;
+    within = target ? k_target_px : k_lasso_px;
   }
   const auto asked = seen(ghost_, view);
   const auto before = seen(from, view);
@@ -250,12 +251,12 @@ TourGuide::Answer TourGuide::judge_drawn(App& app) const {
   return {judgement.near, judgement.again};
 }
 
-TourGuide::Answer TourGuide::judge(App& app) const {
+TourGuide::Answer TourGuide::judge() const {
   const Command& command = *wanted();
-  const document::Document& document = app.workspace().document();
-  if (drawn_by(command).line != nullptr) return judge_drawn(app);
+  const document::Document& document = parts_.editing.document();
+  if (drawn_by(command).line != nullptr) return judge_drawn();
   if (const auto* to = std::get_if<document::GoToTime>(&command)) {
-    const int rate = app.playback().rate();
+    const int rate = parts_.playback.rate();
     if (std::abs(document.time_s - to->time_s) <= k_near_s) return {true, {}};
     return {false,
             "That is frame " + frame_text(document.time_s, rate) + ": go to frame " + frame_text(to->time_s, rate),
@@ -273,67 +274,67 @@ TourGuide::Answer TourGuide::judge(App& app) const {
     const bool later = keys.size() > 1 && keys.back().time_s > k_near_s;
     return {later, later ? ""
                          : "That keyed the first moment again: go to frame " +
-                               frame_text(key->time_s, app.playback().rate()) + " before"};
+                               frame_text(key->time_s, parts_.playback.rate()) + " before"};
   }
   return {true, {}};
 }
 
-void TourGuide::follow(App& app) {
+void TourGuide::follow() {
   if (!tour_) return;
-  const Workspace& workspace = app.workspace();
-  if (app.path() != tour_->model || app.player().trace) return leave();
-  if (workspace.session().pens().current() != nullptr || workspace.live().active()) return;
-  const auto& history = workspace.editor().history();
+  const EditingSession& editing = parts_.editing;
+  if (parts_.files.path() != tour_->model || parts_.player.trace) return leave();
+  if (editing.session().pens().current() != nullptr || editing.shown().live().active()) return;
+  const auto& history = editing.editor().history();
   // The tour's own card is laid out after its first step has begun.
-  if (step() == 0 && history.undo_count() == begun_.front()) bring_into_sight(app, ghost_);
+  if (step() == 0 && history.undo_count() == begun_.front()) bring_into_sight(ghost_);
   // Whoever takes back a step of the tour does it again.
   while (begun_.size() > 1 && history.undo_count() < begun_.back()) {
     begun_.pop_back();
     const std::size_t again = begun_.back();
     begun_.pop_back();
-    begin_step(app, std::min(again, history.undo_count()));
+    begin_step(std::min(again, history.undo_count()));
   }
   while (!done()) {
     if (const auto& press = tour_->steps[step()].press) {
-      if (*press == Action::play && !app.playback().playing()) return;
-      begin_step(app, history.undo_count());
+      if (*press == Action::play && !parts_.playback.playing()) return;
+      begin_step(history.undo_count());
       continue;
     }
-    const auto found = given(app);
+    const auto found = given();
     if (!found) {
       bool other = false;
       for (std::size_t i = begun_.back(); i < history.undo_count(); ++i)
         other = other || draws(history.called_step(i).name);
       if (!other) return;
-      app.playback().go_to_step(begun_.back());
+      parts_.playback.go_to_step(begun_.back());
       again_ = "Not yet that, so it is taken back";
       return;
     }
-    const Answer answer = judge(app);
+    const Answer answer = judge();
     if (!answer.right) {
-      if (answer.taken_back) app.playback().go_to_step(begun_.back());
+      if (answer.taken_back) parts_.playback.go_to_step(begun_.back());
       again_ = answer.again;
       return;
     }
-    begin_step(app, *found + 1);
+    begin_step(*found + 1);
   }
 }
 
-void TourGuide::skip(App& app) {
-  if (!tour_ || done() || app.workspace().session().pens().current() != nullptr) return;
+void TourGuide::skip() {
+  if (!tour_ || done() || parts_.editing.session().pens().current() != nullptr) return;
   const TourStep due = tour_->steps[step()];
   again_.clear();
-  if (due.press) return app.do_action(*due.press);
-  const document::Document& document = app.workspace().document();
-  if (std::holds_alternative<document::BeginDeformer>(*due.wanted)) return app.do_action(Action::tool_articulate);
-  if (std::holds_alternative<document::SetKey>(*due.wanted)) return app.do_action(Action::key_pose);
-  if (const auto* to = std::get_if<document::GoToTime>(&*due.wanted)) return app.playback().go_to(to->time_s);
+  if (due.press) return parts_.actions.run(*due.press);
+  const document::Document& document = parts_.editing.document();
+  if (std::holds_alternative<document::BeginDeformer>(*due.wanted)) return parts_.actions.run(Action::tool_articulate);
+  if (std::holds_alternative<document::SetKey>(*due.wanted)) return parts_.actions.run(Action::key_pose);
+  if (const auto* to = std::get_if<document::GoToTime>(&*due.wanted)) return parts_.playback.go_to(to->time_s);
   Command command = *due.wanted;
   if (auto* one = std::get_if<document::SetParameters>(&command)) {
     if (!one->values.empty()) one->values.front().name = last_control(document);
   }
   // Drawn as the user sees it, so that what comes after it fits.
-  const document::View& view = app.workspace().editor().view();
+  const document::View& view = parts_.editing.editor().view();
   const auto line = seen(ghost_, view);
   if (auto* one = std::get_if<document::DrawReference>(&command)) *one = {view, line};
   if (auto* one = std::get_if<document::SketchCurve>(&command)) {
@@ -347,7 +348,7 @@ void TourGuide::skip(App& app) {
     if (waits == document.curves.end()) return;
     *one = {(*waits)->id, view, line, {}};
   }
-  app.workspace().perform(command);
+  parts_.editing.perform(command);
 }
 
 }  // namespace penpose::app

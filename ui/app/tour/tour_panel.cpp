@@ -4,6 +4,10 @@
 #include <cmath>
 #include <vector>
 
+#include "ui/app/canvas/canvas.h"
+#include "ui/app/dialogs/dialogs.h"
+#include "ui/app/files/files.h"
+#include "ui/app/preferences.h"
 #include "ui/app/tour/tour_guide.h"
 #include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
@@ -27,10 +31,10 @@ struct CardText {
   std::string again;
 };
 
-CardText text_of(const App& app, const TourGuide& guide) {
+CardText text_of(const TourGuide& guide) {
   const std::size_t all = guide.tour().steps.size();
   const std::string where = guide.done() ? "done" : std::to_string(guide.step() + 1) + " of " + std::to_string(all);
-  return {"Tour: " + guide.tour().title + ", " + where, guide.says(app), guide.again()};
+  return {"Tour: " + guide.tour().title + ", " + where, guide.says(), guide.again()};
 }
 
 bool buttons_beside(const PanelContext& context, double width) {
@@ -97,10 +101,9 @@ void add_ends(ImDrawList& list, const std::vector<ImVec2>& line, float scale, bo
 
 }  // namespace
 
-double tour_height(const PanelContext& context, double width) {
-  const TourGuide& guide = context.app.tour();
+double tour_height(const PanelContext& context, double width, const TourGuide& guide) {
   if (!guide.active()) return 0;
-  const CardText text = text_of(context.app, guide);
+  const CardText text = text_of(guide);
   const float wide = text_width(context, width);
   // As high for every step, so that the face stays where it is.
   float says = height_of(guide.tour().ends, wide);
@@ -111,11 +114,9 @@ double tour_height(const PanelContext& context, double width) {
   return static_cast<double>(high + 3 * context.gap);
 }
 
-void show_tour(PanelContext& context, const Area& area) {
-  App& app = context.app;
-  TourGuide& guide = app.tour();
+void show_tour(PanelContext& context, const Area& area, TourGuide& guide, Files& files, Preferences& preferences) {
   if (!guide.active()) return;
-  const CardText text = text_of(app, guide);
+  const CardText text = text_of(guide);
   const bool beside = buttons_beside(context, area.width());
   const float wide = text_width(context, area.width());
   enum class Pressed : std::uint8_t { none, skip, leave, next } pressed = Pressed::none;
@@ -135,7 +136,7 @@ void show_tour(PanelContext& context, const Area& area) {
     };
     say(text.counted, ImGui::GetColorU32(ImGuiCol_TextDisabled));
     say(text.says, ImGui::GetColorU32(ImGuiCol_Text));
-    say(text.again, app.preferences().settings().light ? k_again_light : k_again_dark);
+    say(text.again, preferences.settings().light ? k_again_light : k_again_dark);
     const float width = 0.5F * ((beside ? k_buttons_units * context.unit : wide) - 2 * context.gap);
     const float button_y = beside ? static_cast<float>(area.middle().y) - 0.5F * context.unit
                                   : static_cast<float>(area.bottom) - context.unit - context.gap;
@@ -154,18 +155,16 @@ void show_tour(PanelContext& context, const Area& area) {
     }
   }
   end_panel();
-  if (pressed == Pressed::skip) guide.skip(app);
+  if (pressed == Pressed::skip) guide.skip();
   if (pressed == Pressed::leave) guide.leave();
   // What was drawn on a tour is kept with its session; nobody is asked about it.
-  if (pressed == Pressed::next) app.try_open("tour:" + std::string(*next));
+  if (pressed == Pressed::next) files.try_open("tour:" + std::string(*next));
 }
 
-void show_tour_ghost(PanelContext& context) {
-  App& app = context.app;
-  const TourGuide& guide = app.tour();
-  if (!guide.active() || app.dialogs().open() != Dialog::none || context.menu_open) return;
-  const auto scale = static_cast<float>(app.canvas().scale());
-  if (const std::string label = guide.pointed(app); !label.empty()) {
+void show_tour_ghost(PanelContext& context, const Area& /*area*/, Canvas& canvas, TourGuide& guide, Dialogs& dialogs) {
+  if (!guide.active() || dialogs.open() != Dialog::none || context.menu_open) return;
+  const auto scale = static_cast<float>(canvas.scale());
+  if (const std::string label = guide.pointed(); !label.empty()) {
     const auto found = context.targets.find(label);
     if (found == context.targets.end()) return;
     const Area& at = found->second;
@@ -175,7 +174,7 @@ void show_tour_ghost(PanelContext& context) {
                                             k_ring, 6 * scale, 0, 3 * scale);
     return;
   }
-  const auto camera = geometry::Camera::make(app.canvas().view().camera, app.canvas().view().viewport);
+  const auto camera = geometry::Camera::make(canvas.view().camera, canvas.view().viewport);
   std::vector<ImVec2> line;
   for (const auto& point : guide.ghost()) {
     const auto px = camera ? camera->project(point) : std::nullopt;
@@ -189,14 +188,13 @@ void show_tour_ghost(PanelContext& context) {
 }
 
 void show_tour_buttons(PanelContext& context) {
-  App& app = context.app;
   for (const Action action : {Action::tour_pose, Action::tour_rig, Action::tour_animate}) {
     const ActionInfo& one = info(action);
     ButtonLook look{-1, false, nullptr, "M7 4L20 12L7 20F"};
     look.left_aligned = true;
     if (!icon_button(context, std::string(one.label).c_str(), look)) continue;
-    app.do_action(Action::cancel);
-    app.do_action(action);
+    context.actions.run(Action::cancel);
+    context.actions.run(action);
   }
 }
 

@@ -14,13 +14,13 @@ constexpr float k_faint_weight = 0.25F;
 
 }  // namespace
 
-void FrameMaker::update_surface(App& app) {
-  const PosedSurface& surface = app.canvas().surface();
+void FrameMaker::update_surface() {
+  const PosedSurface& surface = parts_.canvas.surface();
   if (last_.shape_number != surface.shape_number()) {
     last_.shape_number = surface.shape_number();
     last_.appearance = std::make_shared<const render::Appearance>(surface.appearance());
   }
-  // Not the workspace's: a panel may have opened another one since.
+  // Not the document's: a panel may have opened another one since.
   last_.model = surface.shared_model();
   if (last_.pose_number == surface.pose_number()) return;
   last_.pose_number = surface.pose_number();
@@ -30,10 +30,10 @@ void FrameMaker::update_surface(App& app) {
   last_.normals = std::make_shared<const std::vector<glm::vec3>>(normals.begin(), normals.end());
 }
 
-void FrameMaker::update_overlay(App& app) {
-  const SketchPreview& sketch = app.workspace().sketch();
-  const bool sketching = app.workspace().editor().tool().kind == drawing::ToolKind::articulate;
-  const auto& model = app.canvas().surface().shared_model();
+void FrameMaker::update_overlay() {
+  const SketchPreview& sketch = parts_.editing.shown().sketch();
+  const bool sketching = parts_.editing.editor().tool().kind == drawing::ToolKind::articulate;
+  const auto& model = parts_.canvas.surface().shared_model();
   const std::size_t count = model->mesh->vertex_count();
   const auto colored = [](float weight) {
     render::Color color = render::weight_color(weight);
@@ -54,11 +54,9 @@ void FrameMaker::update_overlay(App& app) {
     ++last_.overlay_number;
     return;
   }
-  const std::string& name = app.controls().selected();
+  const std::string name = parts_.controls.shown();
   const auto& deformers = model->deformers;
-  const auto found = name.empty() || !deformers || !app.panels().controls_tab
-                         ? std::nullopt
-                         : articulation::find_deformer(*deformers, name);
+  const auto found = name.empty() || !deformers ? std::nullopt : articulation::find_deformer(*deformers, name);
   if (!found) {
     if (last_.overlay) ++last_.overlay_number;
     last_.overlay.reset();
@@ -82,17 +80,18 @@ void FrameMaker::update_overlay(App& app) {
   ++last_.overlay_number;
 }
 
-DrawFrame FrameMaker::make(App& app) {
+DrawFrame FrameMaker::make() {
   if (last_.overlay_number == 0) last_.overlay_number = 1;
-  update_surface(app);
-  update_overlay(app);
+  update_surface();
+  update_overlay();
   last_.background = {};
-  if (app.preferences().settings().light) last_.background = {render::from_srgb(0xe4e7ea), render::from_srgb(0xaab2ba)};
-  last_.wireframe = app.canvas().look().wireframe;
-  last_.view = {app.canvas().view().camera, app.canvas().window()};
+  if (parts_.preferences.settings().light)
+    last_.background = {render::from_srgb(0xe4e7ea), render::from_srgb(0xaab2ba)};
+  last_.wireframe = parts_.look.wireframe;
+  last_.view = {parts_.canvas.view().camera, parts_.canvas.window()};
   DrawFrame frame = last_;
-  frame.curves = app.curves();
-  frame.behind = app.canvas().look().backdrop ? app.canvas().look().backdrop->seen(last_.view) : render::Behind();
+  frame.curves = parts_.drawing.curves;
+  frame.behind = parts_.look.backdrop ? parts_.look.backdrop->seen(last_.view) : render::Behind();
   return frame;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/app/app.h"
+#include "ui/app/controls/controls.h"
 #include "ui/render/gl/behind_pass.h"
 #include "ui/render/scene.h"
 
@@ -29,15 +29,26 @@ struct DrawFrame {
   document::View view;
 };
 
-/// Makes frames of the app as it stands; what has not changed since the one before is shared with it.
+/// Makes frames of what is shown; what has not changed since the one before is shared with it.
 class FrameMaker {
  public:
-  [[nodiscard]] DrawFrame make(App& app);
+  struct Parts {
+    const EditingSession& editing;
+    const Canvas& canvas;
+    const CanvasLook& look;
+    const CanvasDrawing& drawing;
+    const Controls& controls;
+    const Preferences& preferences;
+  };
+  explicit FrameMaker(const Parts& parts) : parts_(parts) {}
+
+  [[nodiscard]] DrawFrame make();
 
  private:
-  void update_surface(App& app);
-  void update_overlay(App& app);
+  void update_surface();
+  void update_overlay();
 
+  Parts parts_;
   DrawFrame last_;
   std::uint64_t weights_revision_ = 0;
   std::shared_ptr<const document::Model> overlay_model_;

@@ -13,14 +13,15 @@ namespace {
 constexpr std::size_t k_named = 3;
 
 /// Whether what is left of the last target is what a hand leaves.
-bool within_hand(const Workspace& workspace) {
-  return workspace.left_px() <= 2.0 * document::hand_px(workspace.document(), workspace.editor().view().viewport);
+bool within_hand(const EditingSession& editing) {
+  return editing.last_stroke().left_px() <=
+         2.0 * document::hand_px(editing.document(), editing.editor().view().viewport);
 }
 
-std::string why_nothing_moved(const Workspace& workspace) {
-  if (within_hand(workspace)) return "the curve already is where the line was drawn";
-  return workspace.document().locked.empty() ? "no control of this model brings the curve to the line"
-                                             : "no control that is not locked brings the curve to the line";
+std::string why_nothing_moved(const EditingSession& editing) {
+  if (within_hand(editing)) return "the curve already is where the line was drawn";
+  return editing.document().locked.empty() ? "no control of this model brings the curve to the line"
+                                           : "no control that is not locked brings the curve to the line";
 }
 
 std::string number(const char* format, double value) {
@@ -53,18 +54,18 @@ std::string moved_text(const std::vector<Movement>& movements) {
 
 }  // namespace
 
-std::string outcome_of(const Workspace& workspace) {
-  if (const std::string said = workspace.outcome(); !said.empty()) return said;
-  const auto& movements = workspace.movements();
-  const bool nothing_moved = movements.empty() && workspace.last_is_solved();
-  if ((movements.empty() && !nothing_moved) || workspace.document().curves.empty() ||
-      workspace.editor().tool().kind == drawing::ToolKind::articulate) {
+std::string outcome_of(const EditingSession& editing) {
+  if (const std::string said = editing.last_stroke().text(); !said.empty()) return said;
+  const auto& movements = editing.last_stroke().movements();
+  const bool nothing_moved = movements.empty() && editing.last_stroke().is_newest();
+  if ((movements.empty() && !nothing_moved) || editing.document().curves.empty() ||
+      editing.editor().tool().kind == drawing::ToolKind::articulate) {
     return {};
   }
-  if (nothing_moved) return "Nothing moved: " + why_nothing_moved(workspace);
+  if (nothing_moved) return "Nothing moved: " + why_nothing_moved(editing);
   // What is left comes first: it is what one acts on.
   std::string text;
-  if (const double left = workspace.left_px(); left >= 0) text = number("%.1f px left", left);
+  if (const double left = editing.last_stroke().left_px(); left >= 0) text = number("%.1f px left", left);
   if (const std::string limits = at_limits(movements); !limits.empty()) text += (text.empty() ? "" : ", ") + limits;
   return text + (text.empty() ? "" : "   |   ") + moved_text(movements);
 }

@@ -2,12 +2,12 @@
 
 #include <string>
 
-#include "ui/app/session/workspace.h"
+#include "ui/app/session/editing_session.h"
 
 namespace penpose::app {
 
 /// What came of the last stroke, in one line: what moved and by how much, what is left of the way and which controls
 /// can go no further. Empty: there is nothing to say.
-[[nodiscard]] std::string outcome_of(const Workspace& workspace);
+[[nodiscard]] std::string outcome_of(const EditingSession& editing);
 
 }  // namespace penpose::app

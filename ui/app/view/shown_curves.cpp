@@ -8,6 +8,7 @@
 #include "core/curve/pairing.h"
 #include "core/document/commands/apply.h"
 #include "core/document/drawing/target_line.h"
+#include "ui/app/tools/tool.h"
 
 namespace penpose::app {
 namespace {
@@ -47,15 +48,9 @@ std::vector<PxPoint> seen_in_view(const std::vector<ModelPoint>& points, const d
   return seen;
 }
 
-CurveKind kind_of(const drawing::Tool& tool, const document::Document& document, const document::View& view,
-                  const curve::Stroke& stroke) {
-  if (tool.kind == drawing::ToolKind::articulate) {
-    const auto step = drawing::next_step(document, tool);
-    return step == articulation::CurveRole::target ? CurveKind::target : CurveKind::reference;
-  }
-  if (tool.kind == drawing::ToolKind::redraw) {
-    return tool.role == articulation::CurveRole::target ? CurveKind::target : CurveKind::reference;
-  }
+CurveKind kind_of(const WindowTool& window, const drawing::Tool& tool, const document::Document& document,
+                  const document::View& view, const curve::Stroke& stroke) {
+  if (window.line != nullptr) return window.line({document, tool});
   const auto command = drawing::command_of(document, tool, view, stroke, false);
   if (!command) return CurveKind::reference;
   if (std::holds_alternative<document::DrawReference>(*command)) return CurveKind::reference;
@@ -81,8 +76,8 @@ double left_across(const document::DrawnTarget& target, const geometry::ModelPoi
 }
 
 /// A line in hand, as far as it was moved or pulled.
-void move_line(std::vector<PxPoint>& line, const Workspace& workspace, const CurveLook& look) {
-  const double near = curve::pairing_distance_px(workspace.editor().view().viewport);
+void move_line(std::vector<PxPoint>& line, const EditingSession& editing, const CurveLook& look) {
+  const double near = curve::pairing_distance_px(editing.editor().view().viewport);
   const auto bent = look.pulled ? curve::bent(line, look.pulled->at, look.dragged_by, look.pulled->reach,
                                               curve::is_closed(line, near))
                                 : std::nullopt;
@@ -103,10 +98,10 @@ void add_handle(std::vector<CurveDrawing>& out, const std::vector<ModelPoint>& l
   out.push_back(std::move(handle));
 }
 
-void add_pose_curves(std::vector<CurveDrawing>& out, const Workspace& workspace, const PosedSurface& surface,
+void add_pose_curves(std::vector<CurveDrawing>& out, const EditingSession& editing, const PosedSurface& surface,
                      const CurveLook& look) {
   const bool held = look.dragged.has_value();
-  for (const auto& curve : workspace.document().curves) {
+  for (const auto& curve : editing.document().curves) {
     const bool lit = look.highlighted == curve->id;
     const auto now = points_now(*curve, surface);
     CurveDrawing on_surface;
@@ -117,8 +112,8 @@ void add_pose_curves(std::vector<CurveDrawing>& out, const Workspace& workspace,
     out.push_back(std::move(on_surface));
     // While the target is drawn anew the old one would only be in the way; one that is drawn over is shown as it will
     // be.
-    const bool drawn = !held && workspace.live().active() && workspace.live().curve() == curve->id;
-    const document::DrawnTarget* now_wanted = drawn           ? workspace.live().target()
+    const bool drawn = !held && editing.shown().live().active() && editing.shown().live().curve() == curve->id;
+    const document::DrawnTarget* now_wanted = drawn           ? editing.shown().live().target()
                                               : curve->target ? &*curve->target
                                                               : nullptr;
     if (now_wanted == nullptr) continue;
@@ -136,7 +131,7 @@ void add_pose_curves(std::vector<CurveDrawing>& out, const Workspace& workspace,
           pressure.empty() ? 0 : i * (pressure.size() - 1) / std::max<std::size_t>(1, now.size() - 1);
       pressed.push_back(pressure.empty() ? 0.5 : pressure[at]);
     }
-    const auto seen = seen_in_view(target.points, workspace.editor().view());
+    const auto seen = seen_in_view(target.points, editing.editor().view());
     if (seen.size() == target.points.size()) {
       target.widths_px = ink_widths(seen, pressed, ink_look(look, true));
     } else {
@@ -146,8 +141,8 @@ void add_pose_curves(std::vector<CurveDrawing>& out, const Workspace& workspace,
       target = {};
       target.kind = CurveKind::target;
       target.highlighted = true;
-      target.points_px = seen_in_view(curve->target->points, workspace.editor().view());
-      move_line(target.points_px, workspace, look);
+      target.points_px = seen_in_view(curve->target->points, editing.editor().view());
+      move_line(target.points_px, editing, look);
     }
     if (look.handles && !held) add_handle(out, target.points, look);
     out.push_back(std::move(target));
@@ -156,9 +151,9 @@ void add_pose_curves(std::vector<CurveDrawing>& out, const Workspace& workspace,
 
 /// The curves of the sketch so far: the lassos in px of the view in which they were drawn, the reference as it is found
 /// by itself or was drawn, from wherever one looks.
-void add_sketch(std::vector<CurveDrawing>& out, const Workspace& workspace, const CurveLook& look) {
-  const auto& pending = workspace.document().pending;
-  const auto& found = workspace.sketch().reference();
+void add_sketch(std::vector<CurveDrawing>& out, const EditingSession& editing, const CurveLook& look) {
+  const auto& pending = editing.document().pending;
+  const auto& found = editing.shown().sketch().reference();
   if (pending && !found.empty()) {
     CurveDrawing drawing;
     drawing.points = found;
@@ -166,9 +161,9 @@ void add_sketch(std::vector<CurveDrawing>& out, const Workspace& workspace, cons
     drawing.width_px = 4 * look.scale;
     out.push_back(std::move(drawing));
   }
-  if (!pending || !(pending->sketch.camera == workspace.editor().view().camera)) return;
+  if (!pending || !(pending->sketch.camera == editing.editor().view().camera)) return;
   const articulation::Sketch& sketch = pending->sketch;
-  if (!(sketch.viewport == workspace.editor().view().viewport)) return;
+  if (!(sketch.viewport == editing.editor().view().viewport)) return;
   const auto add = [&](const std::vector<PxPoint>& line, CurveKind kind, bool closed) {
     if (line.empty()) return;
     CurveDrawing drawing;
@@ -181,12 +176,12 @@ void add_sketch(std::vector<CurveDrawing>& out, const Workspace& workspace, cons
   add(sketch.general, CurveKind::constraint, true);
   add(sketch.specific, CurveKind::reference, true);
   // One that was refused, so that it is seen where it was drawn.
-  if (sketch.specific.empty()) add(workspace.sketch().refused_core(), CurveKind::constraint, true);
+  if (sketch.specific.empty()) add(editing.shown().sketch().refused_core(), CurveKind::constraint, true);
 }
 
 /// The border of what the first lasso took, light over dark, so that it is seen on any material.
-void add_outline(std::vector<CurveDrawing>& out, const Workspace& workspace, const CurveLook& look) {
-  for (const auto& line : workspace.sketch().outline()) {
+void add_outline(std::vector<CurveDrawing>& out, const EditingSession& editing, const CurveLook& look) {
+  for (const auto& line : editing.shown().sketch().outline()) {
     CurveDrawing drawing;
     drawing.points = line;
     drawing.color = render::from_srgb(0xfff7d0, 0.95F);
@@ -196,51 +191,52 @@ void add_outline(std::vector<CurveDrawing>& out, const Workspace& workspace, con
 }
 
 /// A control's feature where the control has brought it, and where it goes at most.
-void add_deformer(std::vector<CurveDrawing>& out, const Workspace& workspace, const CurveLook& look) {
-  const auto& model = workspace.shown_model();
-  const auto number = look.deformer.empty() || !model->deformers || workspace.document().pending
+void add_deformer(std::vector<CurveDrawing>& out, const EditingSession& editing, const CurveLook& look) {
+  const auto& model = editing.shown().model();
+  const auto number = look.deformer.empty() || !model->deformers || editing.document().pending
                           ? std::nullopt
                           : articulation::find_deformer(*model->deformers, look.deformer);
   const auto parameter =
       number ? rig::find_parameter(model->rig->parameters(), look.deformer) : std::optional<std::size_t>();
-  if (!parameter || *parameter >= workspace.shown_pose().size()) return;
+  if (!parameter || *parameter >= editing.shown().pose().size()) return;
   const articulation::Deformer& deformer = *model->deformers->deformers()[*number];
-  const auto add_goal = [&](double value, std::span<const ModelPoint> points) {
-    CurveDrawing goal;
-    goal.points.assign(points.begin(), points.end());
-    goal.kind = CurveKind::target;
-    goal.width_px = k_thin_px * look.scale;
-    if (look.goal == value) {
-      goal.points_px = seen_in_view(goal.points, workspace.editor().view());
-      move_line(goal.points_px, workspace, look);
-      goal.highlighted = true;
+  const auto add_target = [&](double value, std::span<const ModelPoint> points) {
+    CurveDrawing line;
+    line.points.assign(points.begin(), points.end());
+    line.kind = CurveKind::target;
+    line.width_px = k_thin_px * look.scale;
+    if (look.control_target == value) {
+      line.points_px = seen_in_view(line.points, editing.editor().view());
+      move_line(line.points_px, editing, look);
+      line.highlighted = true;
     } else if (look.handles) {
-      add_handle(out, goal.points, look);
+      add_handle(out, line.points, look);
     }
-    out.push_back(std::move(goal));
+    out.push_back(std::move(line));
   };
   // While one of them is in hand the face shows what it would do; the line is pulled from where it was.
-  const document::Model& drawn = look.goal ? *workspace.document().model : *model;
+  const document::Model& drawn = look.control_target ? *editing.document().model : *model;
   const articulation::Deformer& pulled = *drawn.deformers->deformers()[*number];
-  add_goal(1.0, pulled.target());
+  add_target(1.0, pulled.target());
   for (std::size_t i = 0; i < pulled.betweens().size(); ++i) {
-    add_goal(pulled.sketch().betweens[i].value, pulled.betweens()[i]);
+    add_target(pulled.sketch().betweens[i].value, pulled.betweens()[i]);
   }
   CurveDrawing feature;
-  feature.points = deformer.curve_at(workspace.shown_pose()[*parameter]);
+  feature.points = deformer.curve_at(editing.shown().pose()[*parameter]);
   feature.kind = CurveKind::reference;
   feature.width_px = 3 * look.scale;
   out.push_back(std::move(feature));
 }
 
-void add_stroke(std::vector<CurveDrawing>& out, const Workspace& workspace, const CurveLook& look) {
-  const replay::DrawnStroke* stroke = workspace.session().pens().current();
+void add_stroke(std::vector<CurveDrawing>& out, const EditingSession& editing, const CurveLook& look) {
+  const replay::DrawnStroke* stroke = editing.session().pens().current();
   if (stroke == nullptr || !stroke->on_canvas || stroke->samples.empty()) return;
-  const drawing::Tool& tool = workspace.editor().tool();
-  if (tool.kind == drawing::ToolKind::none) return;
+  const drawing::Tool& tool = editing.editor().tool();
+  const WindowTool& window = look.tool != nullptr ? *look.tool : window_tool(tool.kind);
+  if (!window.draws()) return;
   CurveDrawing drawing;
-  const bool erases = stroke->eraser || tool.kind == drawing::ToolKind::erase;
-  drawing.kind = kind_of(tool, workspace.document(), stroke->view, stroke->samples);
+  const bool erases = stroke->eraser || window.erases;
+  drawing.kind = kind_of(window, tool, editing.document(), stroke->view, stroke->samples);
   if (erases) drawing.color = render::from_srgb(0xf2efe8, 0.7F);
   std::vector<PxPoint> line;
   std::vector<double> pressures;
@@ -256,8 +252,8 @@ void add_stroke(std::vector<CurveDrawing>& out, const Workspace& workspace, cons
 }
 
 /// Where the curves of the model lie at the keys before and after a moment.
-void add_onion_skins(std::vector<CurveDrawing>& out, const Workspace& workspace, const CurveLook& look) {
-  const document::Document& document = workspace.document();
+void add_onion_skins(std::vector<CurveDrawing>& out, const EditingSession& editing, const CurveLook& look) {
+  const document::Document& document = editing.document();
   const auto& keys = document.timeline->keys;
   const document::PoseKey* before = nullptr;
   const document::PoseKey* after = nullptr;
@@ -301,19 +297,20 @@ render::Color distance_color(double distance, double model_size) {
   return render::mix(render::curve_color(CurveKind::target), render::from_srgb(0xffb000), static_cast<float>(share));
 }
 
-std::vector<CurveDrawing> shown_curves(const Workspace& workspace, const PosedSurface& surface, const CurveLook& look) {
+std::vector<CurveDrawing> shown_curves(const EditingSession& editing, const PosedSurface& surface,
+                                       const CurveLook& look) {
   std::vector<CurveDrawing> out;
-  if (look.onion_skin) add_onion_skins(out, workspace, look);
-  if (workspace.editor().tool().kind == drawing::ToolKind::articulate) {
-    add_outline(out, workspace, look);
-    add_sketch(out, workspace, look);
+  if (look.onion_skin) add_onion_skins(out, editing, look);
+  if (editing.editor().tool().kind == drawing::ToolKind::articulate) {
+    add_outline(out, editing, look);
+    add_sketch(out, editing, look);
   } else {
-    add_pose_curves(out, workspace, surface, look);
+    add_pose_curves(out, editing, surface, look);
   }
-  add_deformer(out, workspace, look);
-  add_stroke(out, workspace, look);
+  add_deformer(out, editing, look);
+  add_stroke(out, editing, look);
   // A recording that is played may have been drawn in a window of another size.
-  const geometry::Viewport drawn_in = workspace.editor().view().viewport;
+  const geometry::Viewport drawn_in = editing.editor().view().viewport;
   if (look.window.width > 0 && !(look.window == drawn_in)) {
     for (CurveDrawing& drawing : out) {
       drawing.points_px = document::rescaled(drawing.points_px, drawn_in, look.window);
@@ -322,9 +319,9 @@ std::vector<CurveDrawing> shown_curves(const Workspace& workspace, const PosedSu
   return out;
 }
 
-std::optional<document::CurveId> curve_near(const Workspace& workspace, const PosedSurface& surface, PxPoint at,
+std::optional<document::CurveId> curve_near(const EditingSession& editing, const PosedSurface& surface, PxPoint at,
                                             double within_px) {
-  const document::View& view = workspace.editor().view();
+  const document::View& view = editing.editor().view();
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!camera) return std::nullopt;
   std::optional<document::CurveId> found;
@@ -336,7 +333,7 @@ std::optional<document::CurveId> curve_near(const Workspace& workspace, const Po
     }
     return document::come_near(seen, pen, within_px);
   };
-  for (const auto& curve : workspace.document().curves) {
+  for (const auto& curve : editing.document().curves) {
     if ((curve->target && near(curve->target->points)) || near(points_now(*curve, surface))) found = curve->id;
   }
   return found;

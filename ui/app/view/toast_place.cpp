@@ -4,7 +4,6 @@
 #include <array>
 
 #include "core/geometry/camera.h"
-#include "ui/app/app.h"
 
 namespace penpose::app {
 namespace {
@@ -32,11 +31,11 @@ Area toast_place(const Area& inside, double width, double height, std::span<cons
                            [&](const Area& a, const Area& b) { return covered(a, points) < covered(b, points); });
 }
 
-std::vector<PxPoint> drawn_px(const App& app) {
+std::vector<PxPoint> drawn_px(const document::View& view, std::span<const render::CurveDrawing> curves) {
   std::vector<PxPoint> points;
-  const auto camera = geometry::Camera::make(app.canvas().view().camera, app.canvas().view().viewport);
+  const auto camera = geometry::Camera::make(view.camera, view.viewport);
   if (!camera) return points;
-  for (const auto& curve : app.curves()) {
+  for (const auto& curve : curves) {
     points.insert(points.end(), curve.points_px.begin(), curve.points_px.end());
     if (!curve.points_px.empty()) continue;
     for (const auto& point : curve.points) {

@@ -14,8 +14,8 @@ void ButtonRow::add(Action action, bool chosen, bool enabled, bool text) {
   button.tip = tooltip_of(action);
   button.text = text || button.icon.empty();
   button.chosen = chosen;
-  button.enabled = enabled && (info(action).usable == nullptr || info(action).usable(context_.app));
-  button.does = [this, action] { context_.app.do_action(action); };
+  button.enabled = enabled && context_.actions.usable(action);
+  button.does = [this, action] { context_.actions.run(action); };
   add(std::move(button));
 }
 

@@ -5,6 +5,10 @@
 #include <cmath>
 #include <span>
 
+#include "ui/app/dialogs/dialogs.h"
+#include "ui/app/dialogs/entries.h"
+#include "ui/app/hands/bindings.h"
+#include "ui/app/hands/hand_desk.h"
 #include "ui/app/widgets/internal/widgets.h"
 
 namespace penpose::app {
@@ -26,12 +30,12 @@ struct Dial {
 /// Keys above a dial, the dial, and keys below it, as tablets have them along their edge.
 class Picture {
  public:
-  Picture(PanelContext& context, const DeskTablet& tablet)
+  Picture(PanelContext& context, const PadOwners& with, const DeskTablet& tablet)
       : context_(context),
-        app_(context.app),
+        with_(with),
         tablet_(tablet),
-        now_(tablet.pad >= 0 && context.app.workspace().session().hands().pad(tablet.pad) != nullptr
-                 ? context.app.workspace().session().hands().pad(tablet.pad)->sample()
+        now_(tablet.pad >= 0 && with.editing.session().hands().pad(tablet.pad) != nullptr
+                 ? with.editing.session().hands().pad(tablet.pad)->sample()
                  : decode::PadSample{}) {}
 
   void show();
@@ -45,17 +49,19 @@ class Picture {
   void show_mode_key(std::uint8_t side, ImVec2 middle);
   void show_pen();
   void control_button(const PadControl& control, const std::string& label, float width, bool lit);
-  [[nodiscard]] std::string label(const PadControl& control) const { return label_of(app_.bound(tablet_, control)); }
+  [[nodiscard]] std::string label(const PadControl& control) const {
+    return label_of(with_.bindings.bound(tablet_, control));
+  }
   [[nodiscard]] std::vector<decode::PadKey> mode_keys(std::uint8_t side) const;
 
   PanelContext& context_;
-  App& app_;
+  PadOwners with_;
   const DeskTablet& tablet_;
   const decode::PadSample now_;
 };
 
 void Picture::control_button(const PadControl& control, const std::string& text, float width, bool lit) {
-  const bool chosen = app_.dialogs().state<PadChoice>().control == control;
+  const bool chosen = with_.dialogs.state<PadChoice>().control == control;
   if (lit) {
     for (const auto color : {ImGuiCol_Button, ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive})
       ImGui::PushStyleColor(color, k_lit);
@@ -63,7 +69,7 @@ void Picture::control_button(const PadControl& control, const std::string& text,
   }
   const std::string id = text + "###" + name_of(control);
   if (wide_button(context_, id.c_str(), width, chosen && !lit, title_of(control, tablet_.features).c_str())) {
-    app_.dialogs().state<PadChoice>().control = control;
+    with_.dialogs.state<PadChoice>().control = control;
   }
   if (lit) ImGui::PopStyleColor(4);
   // Found by its own name, whatever is written on it.
@@ -77,7 +83,7 @@ void Picture::show_key(decode::PadKey key) {
   const PadControl control = key_control(key);
   std::string text = label(control);
   if (const auto light = mode_key(key, tablet_.features)) {
-    const bool bare = app_.bound(tablet_, control).kind == Binding::Kind::none;
+    const bool bare = with_.bindings.bound(tablet_, control).kind == Binding::Kind::none;
     const std::string which = light->light < 0 ? "Next light" : "Light " + std::to_string(light->light + 1);
     text = bare ? which : which + ", " + text;
   }
@@ -133,17 +139,17 @@ void Picture::show_mode_key(std::uint8_t side, ImVec2 middle) {
   const ImVec2 after = ImGui::GetCursorScreenPos();
   ImGui::SetCursorScreenPos({middle.x - radius, middle.y - radius});
   if (ImGui::InvisibleButton(name_of(control).c_str(), {2 * radius, 2 * radius}))
-    app_.dialogs().state<PadChoice>().control = control;
+    with_.dialogs.state<PadChoice>().control = control;
   note(context_, name_of(control).c_str());
   tooltip(context_, title_of(control, tablet_.features).c_str());
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool down = (now_.keys & decode::key_bit(keys.front())) != 0;
   const auto color = ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered : ImGuiCol_Button;
   list.AddCircleFilled(middle, radius, down ? k_lit : ImGui::GetColorU32(color), 32);
-  if (app_.dialogs().state<PadChoice>().control == control)
+  if (with_.dialogs.state<PadChoice>().control == control)
     list.AddCircle(middle, radius, ImGui::GetColorU32(ImGuiCol_Text), 32, 2);
   // Its light stands in one of four corners, as on the tablet.
-  const std::int8_t mode = app_.dial_mode(tablet_, side);
+  const std::int8_t mode = with_.bindings.dial_mode(tablet_, side);
   const auto count = static_cast<float>(std::max<int>(modes_of(tablet_.features), 1));
   for (std::int8_t light = 0; light < modes_of(tablet_.features); ++light) {
     const float angle = -0.75F * k_pi + 2 * k_pi * static_cast<float>(light) / count;
@@ -173,7 +179,7 @@ void Picture::show_dial(const Dial& dial, bool lights_beside) {
   ImGui::Dummy({k_key_units * unit, height});
   if (lights_beside) ImGui::SameLine();
   ImGui::BeginGroup();
-  const std::int8_t mode = app_.dial_mode(tablet_, dial.side);
+  const std::int8_t mode = with_.bindings.dial_mode(tablet_, dial.side);
   for (std::int8_t light = 0; light < modes; ++light) {
     const PadControl control{dial.kind, dial.side, light};
     control_button(control, std::to_string(light + 1) + "   " + label(control), k_key_units * unit, light == mode);
@@ -201,7 +207,7 @@ void Picture::show_pen() {
     if (i > 0) ImGui::SameLine();
     const PadControl control = pen_button_control(i);
     const auto held = std::any_of(tablet_.devices.begin(), tablet_.devices.end(),
-                                  [&](int device) { return app_.desk().is_held(device, control); });
+                                  [&](int device) { return with_.desk.is_held(device, control); });
     control_button(control, label(control), 3.2F * context_.unit, held);
   }
   const PadControl wheel{PadControl::Kind::pen_wheel, 0, 0};
@@ -241,6 +247,8 @@ void Picture::show() {
 
 }  // namespace
 
-void show_pad_picture(PanelContext& context, const DeskTablet& tablet) { Picture(context, tablet).show(); }
+void show_pad_picture(PanelContext& context, const PadOwners& with, const DeskTablet& tablet) {
+  Picture(context, with, tablet).show();
+}
 
 }  // namespace penpose::app

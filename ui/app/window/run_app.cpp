@@ -8,7 +8,7 @@
 #include "core/base/numbers.h"
 #include "firmware_io/device/clock.h"
 #include "ui/app/app.h"
-#include "ui/app/input/tablets.h"
+#include "ui/app/hands/tablets.h"
 #include "ui/app/interface.h"
 #include "ui/app/window/stop_watch.h"
 #include "ui/app/window/timings.h"
@@ -60,12 +60,13 @@ base::Status run_app(const files::WindowRequest& request) {
   options.own_tablets = &*own;
   App app(options);
   const std::string model = request.model.empty() ? "builtin:demo" : request.model;
-  if (const auto opened = app.open(model); !opened) return in_file(opened.error(), model);
-  if (!request.session.empty() && app.session_path().empty()) {
+  if (const auto opened = app.of<Files>().open(model); !opened) return in_file(opened.error(), model);
+  if (!request.session.empty() && app.of<Recording>().path().empty()) {
     return base::Error{"cannot be written", request.session, "check the folder, its permissions and the free space"};
   }
   if (!request.replay.empty()) {
-    if (const auto played = app.play_trace(request.replay); !played) return in_file(played.error(), request.replay);
+    if (const auto played = app.of<Files>().play_trace(request.replay); !played)
+      return in_file(played.error(), request.replay);
   }
   Interface interface(app);
   const StopWatch stop([&] { (*window)->wake(); });

@@ -129,27 +129,28 @@ void Window::State::take_event(const SDL_Event& event, App& app, Interface& inte
                                          : MouseButton::right;
   };
   const auto finger = [&](FingerKind kind) {
-    app.finger(
+    app.of<Pointer>().finger(
         kind, event.tfinger.fingerId,
         {static_cast<double>(event.tfinger.x) * size().width, static_cast<double>(event.tfinger.y) * size().height});
   };
   switch (event.type) {
     case SDL_QUIT:
-      app.ask_to_quit();
+      app.of<Leaving>().ask_to_quit();
       break;
     case SDL_MOUSEMOTION:
-      app.mouse_moved(place(event.motion.x, event.motion.y));
+      app.of<Pointer>().moved(place(event.motion.x, event.motion.y));
       break;
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP: {
       if (event.button.button > SDL_BUTTON_RIGHT) break;
       const SDL_Keymod held = SDL_GetModState();
-      app.mouse_button(button_of(event.button.button), event.type == SDL_MOUSEBUTTONDOWN,
-                       place(event.button.x, event.button.y), (held & KMOD_SHIFT) != 0, (held & KMOD_CTRL) != 0);
+      app.of<Pointer>().button(button_of(event.button.button), event.type == SDL_MOUSEBUTTONDOWN,
+                               place(event.button.x, event.button.y), (held & KMOD_SHIFT) != 0,
+                               (held & KMOD_CTRL) != 0);
       break;
     }
     case SDL_MOUSEWHEEL:
-      app.wheel(static_cast<double>(event.wheel.preciseY));
+      app.of<Pointer>().wheel(static_cast<double>(event.wheel.preciseY));
       break;
     case SDL_FINGERDOWN:
       finger(FingerKind::down);
@@ -168,11 +169,11 @@ void Window::State::take_event(const SDL_Event& event, App& app, Interface& inte
       interface.text(event.text.text);
       break;
     case SDL_DROPFILE:
-      app.ask_to_open(event.drop.file);
+      app.of<Leaving>().ask_to_open(event.drop.file);
       SDL_free(event.drop.file);
       break;
     case SDL_WINDOWEVENT:
-      if (event.window.event == SDL_WINDOWEVENT_LEAVE) app.pointer_left();
+      if (event.window.event == SDL_WINDOWEVENT_LEAVE) app.of<Pointer>().left();
       break;
     default:
       break;
@@ -234,17 +235,23 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
   auto drawing = DrawThread::start(state_->window, state_->context, [&] { SDL_PushEvent(&picture_shown); });
   if (!drawing) return drawing.error();
   DrawThread& thread = **drawing;
-  FrameMaker frames;
+  const Canvas& canvas = app.of<Canvas>();
+  const CanvasLook& look = app.of<CanvasLook>();
+  const Files& files = app.of<Files>();
+  const EditingSession& editing = app.of<EditingSession>();
+  const Player& player = app.of<Player>();
+  Leaving& leaving = app.of<Leaving>();
+  FrameMaker frames({editing, canvas, look, app.of<CanvasDrawing>(), app.of<Controls>(), app.of<Preferences>()});
   SDL_StartTextInput();
   FullScreen full_screen(state_->window);
-  bool wanted_fullscreen = app.canvas().look().fullscreen;
+  bool wanted_fullscreen = look.fullscreen;
   int fonts = interface.font_revision();
-  std::uint64_t pose_number = app.canvas().surface().pose_number();
+  std::uint64_t pose_number = canvas.surface().pose_number();
   std::string title;
   std::int64_t last_us = device::monotonic_us();
   base::Status status = base::Done{};
   bool due = true;  // something happened that the last frame does not show
-  while (!app.wants_quit()) {
+  while (!leaving.wants_quit()) {
     // While a frame is being drawn the next one waits, and reports do not.
     const bool busy = thread.busy();
     int wait_ms = interface.unsettled() || due ? 0 : app.next_frame_ms();
@@ -252,7 +259,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
       wait_ms = tip_ms;
     if (thread.refining() && (wait_ms < 0 || wait_ms > k_refine_ms)) wait_ms = k_refine_ms;
     if (full_screen.waits() && (wait_ms < 0 || wait_ms > k_look_again_ms)) wait_ms = k_look_again_ms;
-    if (busy) wait_ms = app.player().trace && app.player().trace->playing() ? std::max(1, app.next_frame_ms()) : -1;
+    if (busy) wait_ms = player.trace && player.trace->playing() ? std::max(1, app.next_frame_ms()) : -1;
     SDL_Event event;
     const bool came = wait_ms < 0   ? SDL_WaitEvent(&event) == 1
                       : wait_ms > 0 ? SDL_WaitEventTimeout(&event, wait_ms) == 1
@@ -266,8 +273,8 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
         state_->take_event(event, app, interface);
       } while (SDL_PollEvent(&event) == 1);
     }
-    tablets.take(app);
-    if (StopWatch::asked()) app.quit_at_once();
+    tablets.take(app.of<TabletEvents>(), app.of<Notices>());
+    if (StopWatch::asked()) leaving.quit_at_once();
     // Reports that are due, and the face that follows them, are no part of a frame.
     app.advance();
     if (timings.first_frame_us == 0 && thread.drawn_count() > 0) {
@@ -279,17 +286,16 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     if (!status) break;
     // The picture that was drawn last may have found the window larger or smaller.
     const auto drawable = thread.drawable();
-    due = full_screen.settle(drawable, device::monotonic_us()) || (drawable && !(*drawable == app.canvas().window())) ||
-          due;
+    due = full_screen.settle(drawable, device::monotonic_us()) || (drawable && !(*drawable == canvas.window())) || due;
     if (!due || thread.busy()) continue;
     due = false;
-    if (app.canvas().look().fullscreen != wanted_fullscreen) {
-      wanted_fullscreen = app.canvas().look().fullscreen;
+    if (look.fullscreen != wanted_fullscreen) {
+      wanted_fullscreen = look.fullscreen;
       full_screen.toggle(device::monotonic_us());
     }
     const std::int64_t cpu_before = thread_cpu_us();
     const std::int64_t now = device::monotonic_us();
-    app.resized(thread.drawable().value_or(state_->size()), state_->dpi());
+    app.of<Pointer>().resized(thread.drawable().value_or(state_->size()), state_->dpi());
     app.begin_frame();
     interface.frame(static_cast<double>(now - last_us) * 1e-6);
     last_us = now;
@@ -298,17 +304,16 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
       fonts = interface.font_revision();
       thread.send_letters();
     }
-    thread.draw(frames.make(app), *ImGui::GetDrawData());
-    live({app.workspace().shown_model()->rig->parameters(), app.workspace().shown_pose(),
-          static_cast<double>(now) * 1e-6});
+    thread.draw(frames.make(), *ImGui::GetDrawData());
+    live({editing.shown().model()->rig->parameters(), editing.shown().pose(), static_cast<double>(now) * 1e-6});
     timings.frames_us.push_back(thread_cpu_us() - cpu_before);
-    if (std::exchange(pose_number, app.canvas().surface().pose_number()) != app.canvas().surface().pose_number()) {
+    if (std::exchange(pose_number, canvas.surface().pose_number()) != canvas.surface().pose_number()) {
       timings.posed_us.push_back(timings.frames_us.back());
     }
-    const std::string name = app.project().empty() ? app.path() : app.project();
-    const std::string now_title = (app.workspace().unsaved() ? "* " : "") + name + " - penpose";
+    const std::string name = files.project().empty() ? files.path() : files.project();
+    const std::string now_title = (editing.unsaved() ? "* " : "") + name + " - penpose";
     if (now_title != title) SDL_SetWindowTitle(state_->window, (title = now_title).c_str());
-    if (until_played && app.player().trace && app.player().trace->finished()) app.quit();
+    if (until_played && player.trace && player.trace->finished()) leaving.quit();
   }
   timings.drawn_us = thread.times_us();
   return status;

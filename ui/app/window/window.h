@@ -4,7 +4,7 @@
 
 #include "core/base/result.h"
 #include "ui/app/app.h"
-#include "ui/app/input/tablets.h"
+#include "ui/app/hands/tablets.h"
 #include "ui/app/interface.h"
 #include "ui/app/window/timings.h"
 #include "ui/live/live.h"

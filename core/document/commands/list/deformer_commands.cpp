@@ -22,8 +22,7 @@ SketchedDeformers::Shared deformers_of(const Document& document) {
 
 base::Result<std::size_t> deformer_number(const Document& document, const std::string& name) {
   const auto number = find_deformer(*deformers_of(document), name);
-  if (!number)
-    return base::Error{"there is no deformer \"" + name + "\"", "deformer", "look at the names in the model"};
+  if (!number) return base::Error{"there is no control \"" + name + "\"", "deformer", "look at the names in the model"};
   return *number;
 }
 
@@ -46,7 +45,7 @@ std::optional<base::Error> check_pending_name(const Document& document) {
                        "complete or cancel it first"};
   }
   if (!rig::find_parameter(document.model->rig->parameters(), name)) return std::nullopt;
-  return base::Error{"the deformer that is being sketched has the name \"" + name + "\"", "",
+  return base::Error{"the control that is being sketched has the name \"" + name + "\"", "",
                      "complete or cancel it first"};
 }
 
@@ -85,11 +84,10 @@ Changed draw_region(const Document& document, Sketch sketch, const SketchCurve& 
     sketch.reference_camera.reset();
   } else {
     if (sketch.general.empty()) {
-      return not_yet("the region of general interest is not drawn yet", "draw around all that should move");
+      return not_yet("the first line is not drawn yet", "draw around all that should move");
     }
     if (!(sketch.camera == command.view.camera) || !(sketch.viewport == command.view.viewport)) {
-      return base::Error{"the view has changed since the region of general interest was drawn", "view",
-                         "draw both regions in one view"};
+      return base::Error{"the view has changed since the first line was drawn", "view", "draw both lines in one view"};
     }
   }
   const auto camera = geometry::Camera::make(sketch.camera, sketch.viewport);
@@ -180,7 +178,7 @@ Changed run(const Document& document, const SketchCurve& command, Parts& work) {
     return draw_region(document, std::move(sketch), command, work);
   }
   if (sketch.specific.empty()) {
-    return not_yet("the region of specific interest is not drawn yet", "draw around what should move as a whole");
+    return not_yet("the second line is not drawn yet", "draw around what should move as a whole");
   }
   if (const auto own = geometry::Camera::make(command.view.camera, command.view.viewport); !own) {
     return at("view", own.error());
@@ -202,7 +200,7 @@ Changed run(const Document& document, const SketchCurve& command, Parts& work) {
 }
 
 Changed run(const Document& document, const CancelDeformer&, Parts&) {
-  if (!document.pending) return base::Error{"no deformer is being sketched", "", ""};
+  if (!document.pending) return base::Error{"no control is being sketched", "", ""};
   Document changed = document;
   changed.pending.reset();
   return changed;

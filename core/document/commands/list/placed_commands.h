@@ -25,7 +25,7 @@ Changed run(const Document&, const PlaceCurve&, ApplyParts&);
 /// Says where each point of a reference should go, and solves nothing yet. Errors: no such reference, another number of
 /// points, a point beyond what numbers in files can say.
 struct PlaceTarget {
-  static constexpr Called k_called{"place_target", "Place its goal"};
+  static constexpr Called k_called{"place_target", "Place its target"};
   CurveId curve;
   std::vector<geometry::ModelPoint> points;
   static auto members(auto& self) { return base::named("curve", self.curve, "points", self.points); }

@@ -39,7 +39,7 @@ Changed run(const Document&, const DrawTarget&, ApplyParts&);
 
 /// Replaces the part of a target that a stroke runs along, and solves.
 struct OversketchTarget {
-  static constexpr Called k_called{"oversketch_target", "Draw over a goal"};
+  static constexpr Called k_called{"oversketch_target", "Draw over a target"};
   CurveId curve;
   View view;
   std::vector<PxPoint> line;
@@ -49,7 +49,7 @@ Changed run(const Document&, const OversketchTarget&, ApplyParts&);
 
 /// Moves a target by px of its own view, and solves.
 struct DragTarget {
-  static constexpr Called k_called{"drag_target", "Move a goal"};
+  static constexpr Called k_called{"drag_target", "Move a target"};
   CurveId curve;
   PxPoint by;
   static auto members(auto& self) { return base::named("curve", self.curve, "by", self.by); }
@@ -59,7 +59,7 @@ Changed run(const Document&, const DragTarget&, ApplyParts&);
 /// Pulls a target at a place: what is near it along the line follows, less the farther (curve/bend.h); what does not
 /// follow stays to the bit. Then solves.
 struct PullTarget {
-  static constexpr Called k_called{"pull_target", "Pull at a goal"};
+  static constexpr Called k_called{"pull_target", "Pull at a target"};
   CurveId curve;
   View view;
   PxPoint at;  ///< where it is held

@@ -47,7 +47,7 @@ base::Status check_pull(PxPoint at, PxPoint by, double reach) {
 }  // namespace
 
 Changed run(const Document& document, const TakeRegion& command, Parts& work) {
-  if (!document.pending) return base::Error{"no deformer is being sketched", "", "begin one"};
+  if (!document.pending) return base::Error{"no control is being sketched", "", "begin one"};
   PendingSketch pending = *document.pending;
   Sketch& sketch = pending.sketch;
   if (command.reach) {
@@ -56,8 +56,7 @@ Changed run(const Document& document, const TakeRegion& command, Parts& work) {
   }
   if (command.piece) sketch.piece = *command.piece;
   if (sketch.general.empty()) {
-    if (command.piece)
-      return base::Error{"the first region is not drawn yet", "piece", "draw around all that may move"};
+    if (command.piece) return base::Error{"the first line is not drawn yet", "piece", "draw around all that may move"};
     return with_pending(document, std::move(pending));
   }
   const auto canvas = pending_canvas(document, work);

@@ -28,7 +28,7 @@ Changed run(const Document&, const TakeRegion&, ApplyParts&);
 /// Draws where the feature of a deformer is at a value other than 0 and 1: another target, or that one again. Errors: a
 /// value out of its range; those of build_deformer.
 struct DrawBetween {
-  static constexpr Called k_called{"draw_between", "Draw another goal"};
+  static constexpr Called k_called{"draw_between", "Draw another target"};
   std::string deformer;
   double value = 0.5;
   View view;
@@ -40,7 +40,7 @@ struct DrawBetween {
 Changed run(const Document&, const DrawBetween&, ApplyParts&);
 
 struct DeleteBetween {
-  static constexpr Called k_called{"delete_between", "Forget another goal"};
+  static constexpr Called k_called{"delete_between", "Forget another target"};
   std::string deformer;
   double value = 0.5;
   static auto members(auto& self) { return base::named("deformer", self.deformer, "value", self.value); }
@@ -49,7 +49,7 @@ Changed run(const Document&, const DeleteBetween&, ApplyParts&);
 
 /// Pulls a target of a deformer at a place: what is near it along the line follows, less the farther (curve/bend.h).
 struct PullBetween {
-  static constexpr Called k_called{"pull_between", "Pull at a control's goal"};
+  static constexpr Called k_called{"pull_between", "Pull at a control's target"};
   std::string deformer;
   double value = 1;  ///< 1: its own target
   View view;

@@ -17,8 +17,8 @@ TEST(FilmJob, ThereIsNothingToFilmBeforeAPoseIsKeyed) {
   const auto job = FilmJob::start(desk.document(), order);
   ASSERT_FALSE(job.ok());
   EXPECT_NE(job.error().remedy.find("key"), std::string::npos);
-  desk.app->film().write(order.output, order.size);
-  EXPECT_TRUE(desk.app->notices().all().back().is_error);
+  desk.app->of<FilmWriter>().write(order.output, order.size);
+  EXPECT_TRUE(desk.app->of<Notices>().all().back().is_error);
 }
 
 TEST(FilmJob, AFilmWithoutFfmpegIsRefusedWithWhatToDo) {
@@ -42,15 +42,15 @@ TEST(FilmJob, TheDialogWritesWhereItSays) {
   desk.begin();
   desk.click("Menu");
   desk.click("Film");
-  ASSERT_EQ(desk.app->dialogs().open(), Dialog::film);
+  ASSERT_EQ(desk.app->of<Dialogs>().open(), Dialog::film);
   desk.click("Pictures (.png)");
-  EXPECT_TRUE(desk.app->dialogs().state<FileChoice>().name.ends_with(".png"));
+  EXPECT_TRUE(desk.app->of<Dialogs>().state<FileChoice>().name.ends_with(".png"));
   desk.click("1920 x 1080");
-  EXPECT_EQ(desk.app->dialogs().state<FilmEntry>().size.width, 1920);
+  EXPECT_EQ(desk.app->of<Dialogs>().state<FilmEntry>().size.width, 1920);
   desk.click("A film (.mp4)");
-  EXPECT_TRUE(desk.app->dialogs().state<FileChoice>().name.ends_with(".mp4"));
+  EXPECT_TRUE(desk.app->of<Dialogs>().state<FileChoice>().name.ends_with(".mp4"));
   desk.click("Cancel");
-  EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
+  EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::none);
 }
 
 }  // namespace

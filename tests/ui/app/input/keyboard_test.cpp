@@ -8,7 +8,7 @@ namespace penpose::app {
 namespace {
 
 void open_number(Desk& desk) {
-  desk.app->panels().own.of<ParameterList>().filter = "jaw";
+  desk.app->of<PanelState>().own.of<ParameterList>().filter = "jaw";
   desk.frames();
   desk.click("\u270e##type jaw");
 }
@@ -23,17 +23,17 @@ TEST(Keyboard, ANumberIsTypedWithoutTouchingTheField) {
   open_number(desk);
   desk.type("0.54");
   desk.hit_backspace();
-  EXPECT_EQ(desk.app->dialogs().state<NumberEntry>().text, "0.5") << "not even the first digit is lost";
+  EXPECT_EQ(desk.app->of<Dialogs>().state<NumberEntry>().text, "0.5") << "not even the first digit is lost";
   EXPECT_EQ(desk.interface->find("key q"), nullptr) << "no keys on the screen for whoever has a keyboard";
   desk.hit_return();
-  EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
+  EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::none);
   EXPECT_DOUBLE_EQ(jaw_of(desk), 0.5);
   open_number(desk);
   desk.type("-");
   desk.hit_return();
-  EXPECT_EQ(desk.app->dialogs().open(), Dialog::number) << "what is no number is told";
+  EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::number) << "what is no number is told";
   desk.hit_escape();
-  EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
+  EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::none);
   EXPECT_DOUBLE_EQ(jaw_of(desk), 0.5);
 }
 
@@ -45,9 +45,9 @@ TEST(Keyboard, TheNumberPadAndTheKeysMix) {
   desk.click(".##pad");
   desk.type("2");
   desk.click("5##pad");
-  EXPECT_EQ(desk.app->dialogs().state<NumberEntry>().text, "0.25");
+  EXPECT_EQ(desk.app->of<Dialogs>().state<NumberEntry>().text, "0.25");
   desk.type("1");
-  EXPECT_EQ(desk.app->dialogs().state<NumberEntry>().text, "0.251");
+  EXPECT_EQ(desk.app->of<Dialogs>().state<NumberEntry>().text, "0.251");
   desk.hit_return();
   EXPECT_DOUBLE_EQ(jaw_of(desk), 0.251);
 }
@@ -61,15 +61,15 @@ TEST(Keyboard, ReturnTakesAKeysNameAndEscapeForgetsIt) {
   EXPECT_TRUE(desk.interface->wants_keys()) << "the field has the keyboard when it opens";
   desk.type("smile");
   desk.hit_return();
-  EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
+  EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::none);
   ASSERT_EQ(desk.document().timeline->keys.size(), 1U);
   EXPECT_EQ(desk.document().timeline->keys.front().name, "smile");
   desk.click("Name##key");
   desk.type("grin");
   desk.hit_escape();
-  EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
+  EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::none);
   EXPECT_EQ(desk.document().timeline->keys.front().name, "smile");
-  EXPECT_EQ(desk.app->workspace().editor().tool().kind, drawing::ToolKind::pose) << "letters chose no tool";
+  EXPECT_EQ(desk.app->of<EditingSession>().editor().tool().kind, drawing::ToolKind::pose) << "letters chose no tool";
 }
 
 TEST(Keyboard, EscapeClosesEveryDialogAndReturnDoesWhatItIsFor) {
@@ -78,23 +78,23 @@ TEST(Keyboard, EscapeClosesEveryDialogAndReturnDoesWhatItIsFor) {
   for (const Dialog dialog :
        {Dialog::open, Dialog::recent, Dialog::save, Dialog::export_as, Dialog::steps, Dialog::tablet, Dialog::sessions,
         Dialog::unsaved, Dialog::number, Dialog::key_name, Dialog::radial, Dialog::recover}) {
-    desk.app->dialogs().state<NumberEntry>().parameter = "jaw";
-    desk.app->dialogs().show(dialog);
+    desk.app->of<Dialogs>().state<NumberEntry>().parameter = "jaw";
+    desk.app->of<Dialogs>().show(dialog);
     desk.frames();
     desk.hit_escape();
-    EXPECT_EQ(desk.app->dialogs().open(), Dialog::none) << dialog.name;
+    EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::none) << dialog.name;
   }
   for (const Dialog dialog : {Dialog::steps, Dialog::tablet, Dialog::sessions, Dialog::radial}) {
-    desk.app->dialogs().show(dialog);
+    desk.app->of<Dialogs>().show(dialog);
     desk.frames();
     desk.hit_return();
-    EXPECT_EQ(desk.app->dialogs().open(), Dialog::none) << dialog.name;
+    EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::none) << dialog.name;
   }
   desk.hit(22, 's', true);
   desk.type("mine");
   desk.hit_return();
   EXPECT_TRUE(std::filesystem::exists(desk.path("mine.glb"))) << "the ending of the name that is offered stays";
-  EXPECT_EQ(desk.app->dialogs().open(), Dialog::none);
+  EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::none);
 }
 
 TEST(Keyboard, ReturnSavesFirstAndThenWhatWasAskedForIsDone) {
@@ -102,13 +102,13 @@ TEST(Keyboard, ReturnSavesFirstAndThenWhatWasAskedForIsDone) {
   desk.begin();
   pose_mouth(desk);
   desk.hit(20, 'q', true);
-  ASSERT_EQ(desk.app->dialogs().open(), Dialog::unsaved);
+  ASSERT_EQ(desk.app->of<Dialogs>().open(), Dialog::unsaved);
   desk.hit_return();
-  ASSERT_EQ(desk.app->dialogs().open(), Dialog::save);
-  EXPECT_FALSE(desk.app->wants_quit());
+  ASSERT_EQ(desk.app->of<Dialogs>().open(), Dialog::save);
+  EXPECT_FALSE(desk.app->of<Leaving>().wants_quit());
   desk.hit_return();
   EXPECT_TRUE(std::filesystem::exists(desk.path("head.glb")));
-  EXPECT_TRUE(desk.app->wants_quit());
+  EXPECT_TRUE(desk.app->of<Leaving>().wants_quit());
 }
 
 TEST(Keyboard, EscapeClosesTheMenuAndTheNextStrokeDraws) {
@@ -130,28 +130,28 @@ TEST(Keyboard, ReturnRenamesAControl) {
   Desk desk("rename-return");
   desk.begin();
   desk.click("Controls");
-  desk.app->controls().select(desk.document().model->deformers->deformers().front()->sketch().name);
+  desk.app->of<Controls>().select(desk.document().model->deformers->deformers().front()->sketch().name);
   desk.frames();
   desk.click("##rename");
   desk.type("grin");
   desk.hit_return();
   EXPECT_EQ(desk.document().model->deformers->deformers().front()->sketch().name, "grin");
-  EXPECT_EQ(desk.app->controls().selected(), "grin");
+  EXPECT_EQ(desk.app->of<Controls>().selected(), "grin");
 }
 
 TEST(Keyboard, BehindADialogNothingIsPressedAndNoKeyDoesAnything) {
   Desk desk("behind");
   desk.begin();
   const Area key = *desk.interface->find("Key");
-  desk.app->dialogs().show(Dialog::tablet);
+  desk.app->of<Dialogs>().show(Dialog::tablet);
   desk.frames();
-  desk.app->mouse_moved(key.middle());
-  desk.app->mouse_button(MouseButton::left, true, key.middle());
-  desk.app->mouse_button(MouseButton::left, false, key.middle());
+  desk.app->of<Pointer>().moved(key.middle());
+  desk.app->of<Pointer>().button(MouseButton::left, true, key.middle());
+  desk.app->of<Pointer>().button(MouseButton::left, false, key.middle());
   desk.frames();
   desk.hit(12, 'i');
   EXPECT_TRUE(desk.document().timeline->keys.empty());
-  EXPECT_EQ(desk.app->dialogs().open(), Dialog::tablet);
+  EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::tablet);
   desk.click("Done");
   desk.hit(12, 'i');
   EXPECT_EQ(desk.document().timeline->keys.size(), 1U);
@@ -160,15 +160,15 @@ TEST(Keyboard, BehindADialogNothingIsPressedAndNoKeyDoesAnything) {
 TEST(Keyboard, WhatIsTypedInTheSlowFrameOfAClickIntoAFieldIsTyped) {
   Desk desk("slow-frame");
   desk.begin();
-  const auto tool = desk.app->workspace().editor().tool().kind;
+  const auto tool = desk.app->of<EditingSession>().editor().tool().kind;
   const PxPoint field = desk.interface->find("##search")->middle();
-  desk.app->mouse_moved(field);
-  desk.app->mouse_button(MouseButton::left, true, field);
-  desk.app->mouse_button(MouseButton::left, false, field);
+  desk.app->of<Pointer>().moved(field);
+  desk.app->of<Pointer>().button(MouseButton::left, true, field);
+  desk.app->of<Pointer>().button(MouseButton::left, false, field);
   // No frame has been made since: "e" would be the eraser and "i" a key.
   desk.type("ie");
-  EXPECT_EQ(desk.app->panels().own.of<ParameterList>().filter, "ie");
-  EXPECT_EQ(desk.app->workspace().editor().tool().kind, tool);
+  EXPECT_EQ(desk.app->of<PanelState>().own.of<ParameterList>().filter, "ie");
+  EXPECT_EQ(desk.app->of<EditingSession>().editor().tool().kind, tool);
   EXPECT_TRUE(desk.document().timeline->keys.empty());
 }
 
@@ -176,12 +176,12 @@ TEST(Keyboard, KeysInTheSlowFrameOfAClickOnAButtonAreTheProgramsOwn) {
   Desk desk("slow-button");
   desk.begin();
   const PxPoint button = desk.interface->find("Hold")->middle();
-  desk.app->mouse_moved(button);
-  desk.app->mouse_button(MouseButton::left, true, button);
-  desk.app->mouse_button(MouseButton::left, false, button);
+  desk.app->of<Pointer>().moved(button);
+  desk.app->of<Pointer>().button(MouseButton::left, true, button);
+  desk.app->of<Pointer>().button(MouseButton::left, false, button);
   desk.type("i");
   EXPECT_EQ(desk.document().timeline->keys.size(), 1U);
-  EXPECT_EQ(desk.app->workspace().editor().tool().kind, drawing::ToolKind::constraint);
+  EXPECT_EQ(desk.app->of<EditingSession>().editor().tool().kind, drawing::ToolKind::constraint);
 }
 
 }  // namespace

@@ -18,12 +18,12 @@ void drag_slider(Desk& desk, const std::string& name, double to) {
   ASSERT_NE(area, nullptr) << name;
   const Area slider = *area;
   const auto at = [&](double share) { return PxPoint{slider.left + share * slider.width(), slider.middle().y}; };
-  desk.app->mouse_moved(at(0.3));
-  desk.app->mouse_button(MouseButton::left, true, at(0.3));
+  desk.app->of<Pointer>().moved(at(0.3));
+  desk.app->of<Pointer>().button(MouseButton::left, true, at(0.3));
   desk.frames();
-  desk.app->mouse_moved(at(to));
+  desk.app->of<Pointer>().moved(at(to));
   desk.frames();
-  desk.app->mouse_button(MouseButton::left, false, at(to));
+  desk.app->of<Pointer>().button(MouseButton::left, false, at(to));
   desk.frames();
 }
 
@@ -48,14 +48,14 @@ TEST(Sides, LeftAndRightStandInOneRow) {
 TEST(Sides, ALockedSliderDoesNotMove) {
   Desk desk("locked-slider");
   desk.begin();
-  desk.app->resized({1280, 1400}, 96);  // so that the list shows it
+  desk.app->of<Pointer>().resized({1280, 1400}, 96);  // so that the list shows it
   desk.frames(2);
   desk.click("##lock jaw");
-  const auto state = desk.app->workspace().state();
+  const auto state = desk.app->of<EditingSession>().state();
   drag_slider(desk, "jaw", 0.9);
   EXPECT_EQ(value_of(desk, "jaw"), 0);
-  EXPECT_FALSE(desk.app->workspace().previews());
-  EXPECT_EQ(desk.app->workspace().state(), state);
+  EXPECT_FALSE(desk.app->of<EditingSession>().shown().previews());
+  EXPECT_EQ(desk.app->of<EditingSession>().state(), state);
   desk.click("##lock jaw");
   drag_slider(desk, "jaw", 0.9);
   EXPECT_GT(value_of(desk, "jaw"), 0.5);
@@ -64,7 +64,7 @@ TEST(Sides, ALockedSliderDoesNotMove) {
 TEST(Sides, OnlyWhatMovedIsListedWhereThatIsAskedFor) {
   Desk desk("moved-only");
   desk.begin();
-  desk.app->controls().set_parameter(index_of(desk, "jaw"), 0.5);
+  desk.app->of<Controls>().set_parameter(index_of(desk, "jaw"), 0.5);
   desk.click("Moved");
   EXPECT_NE(desk.interface->find("slider jaw"), nullptr);
   EXPECT_EQ(desk.interface->find("slider brow_inner_L"), nullptr);
@@ -75,35 +75,35 @@ TEST(Sides, OnlyWhatMovedIsListedWhereThatIsAskedFor) {
 TEST(Sides, APoseIsFlippedAndCopiedByKeys) {
   Desk desk("flip");
   desk.begin();
-  desk.app->controls().set_parameter(index_of(desk, "brow_inner_L"), 0.7);
+  desk.app->of<Controls>().set_parameter(index_of(desk, "brow_inner_L"), 0.7);
   desk.press('m', false, true);
   EXPECT_EQ(value_of(desk, "brow_inner_L"), 0);
   EXPECT_DOUBLE_EQ(value_of(desk, "brow_inner_R"), 0.7);
   desk.press('m', true, true);
   EXPECT_DOUBLE_EQ(value_of(desk, "brow_inner_L"), 0.7) << "right to left";
-  const auto state = desk.app->workspace().state();
+  const auto state = desk.app->of<EditingSession>().state();
   desk.press('m', true);
-  EXPECT_EQ(desk.app->workspace().state(), state) << "they are the same already, and that is told";
-  EXPECT_FALSE(desk.app->notices().all().empty());
+  EXPECT_EQ(desk.app->of<EditingSession>().state(), state) << "they are the same already, and that is told";
+  EXPECT_FALSE(desk.app->of<Notices>().all().empty());
 }
 
 TEST(Sides, AStrokeOnOneSideWorksOnBothAndIsOneStep) {
   Desk desk("x-mirror");
   desk.begin();
   desk.press('m');
-  ASSERT_TRUE(desk.app->playback().while_drawing().mirrors);
+  ASSERT_TRUE(desk.app->of<Playback>().while_drawing().mirrors);
   std::string brow;
   for (const auto& curve : desk.document().model->curves) {
     if (curve.name.find("brow") != std::string::npos && curve.name.find("_L") != std::string::npos) brow = curve.name;
   }
   ASSERT_FALSE(brow.empty());
-  const auto count = desk.app->workspace().editor().history().undo_count();
+  const auto count = desk.app->of<EditingSession>().editor().history().undo_count();
   desk.stroke(desk.named_curve(brow));
   const auto raised = desk.named_curve(brow, {0, -10});
   desk.stroke(raised, false);
   desk.frames();
-  const rig::Pose shown = desk.app->workspace().shown_pose();
-  desk.app->mouse_button(MouseButton::left, false, raised.back());
+  const rig::Pose shown = desk.app->of<EditingSession>().shown().pose();
+  desk.app->of<Pointer>().button(MouseButton::left, false, raised.back());
   desk.frames();
   double moved = 0;
   for (const char* name : {"brow_inner", "brow_outer"}) {
@@ -114,9 +114,10 @@ TEST(Sides, AStrokeOnOneSideWorksOnBothAndIsOneStep) {
   EXPECT_GT(moved, 0.05);
   EXPECT_NEAR(shown[index_of(desk, "brow_inner_L")], shown[index_of(desk, "brow_inner_R")], 1e-12)
       << "the other side follows the pen, too";
-  EXPECT_GE(desk.app->workspace().left_px(), 0) << "what the stroke came to is still told";
+  EXPECT_GE(desk.app->of<EditingSession>().last_stroke().left_px(), 0) << "what the stroke came to is still told";
   desk.press('z', true);
-  EXPECT_EQ(desk.app->workspace().editor().history().undo_count(), count + 1) << "both sides go back in one step";
+  EXPECT_EQ(desk.app->of<EditingSession>().editor().history().undo_count(), count + 1)
+      << "both sides go back in one step";
   EXPECT_EQ(value_of(desk, "brow_inner_R"), 0);
 }
 
@@ -128,18 +129,18 @@ TEST(Sides, AMirroredSessionReplaysToTheSameState) {
     desk.press('m');
     desk.press('k', false, true);
     pose_mouth(desk);
-    state = desk.app->workspace().state();
-    std::filesystem::copy_file(desk.app->session_path(), desk.path("recorded.session"));
+    state = desk.app->of<EditingSession>().state();
+    std::filesystem::copy_file(desk.app->of<Recording>().path(), desk.path("recorded.session"));
   }
   Desk desk("mirror-replay", "builtin:demo", false);
-  if (desk.app->dialogs().open() == Dialog::recover) desk.click("Start anew");
+  if (desk.app->of<Dialogs>().open() == Dialog::recover) desk.click("Start anew");
   // Habits are not what a recording is played with.
-  desk.app->playback().while_drawing().mirrors = desk.app->playback().while_drawing().auto_key = true;
-  ASSERT_TRUE(desk.app->play_trace(desk.path("recorded.session")).ok());
-  desk.app->player().trace->set_speed(16);
-  for (int i = 0; i < 2000 && !desk.app->player().trace->finished(); ++i) desk.frames(1);
-  ASSERT_TRUE(desk.app->player().trace->finished());
-  EXPECT_EQ(desk.app->workspace().state(), state);
+  desk.app->of<Playback>().while_drawing().mirrors = desk.app->of<Playback>().while_drawing().auto_key = true;
+  ASSERT_TRUE(desk.app->of<Files>().play_trace(desk.path("recorded.session")).ok());
+  desk.app->of<Player>().trace->set_speed(16);
+  for (int i = 0; i < 2000 && !desk.app->of<Player>().trace->finished(); ++i) desk.frames(1);
+  ASSERT_TRUE(desk.app->of<Player>().trace->finished());
+  EXPECT_EQ(desk.app->of<EditingSession>().state(), state);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ void sketch_chin(Desk& desk) {
 }
 
 bool says(const Desk& desk, const std::string& part) {
-  const auto& notices = desk.app->notices().all();
+  const auto& notices = desk.app->of<Notices>().all();
   return std::any_of(notices.begin(), notices.end(),
                      [&](const Notice& one) { return one.text.find(part) != std::string::npos; });
 }
@@ -29,24 +29,24 @@ TEST(Controls, ATapWithTheRigToolLeavesTheFaceAndSaysWhatToDraw) {
   Desk desk("rig-tap");
   desk.begin();
   sketch_chin(desk);
-  desk.app->controls().set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
+  desk.app->of<Controls>().set_parameter(0, desk.document().model->rig->parameters()[0].maximum);
   const auto pose = desk.document().pose;
-  const auto state = desk.app->workspace().state();
+  const auto state = desk.app->of<EditingSession>().state();
   desk.stroke({{450, 300}, {452, 301}}, false);
-  EXPECT_EQ(desk.app->workspace().shown_pose(), pose) << "the face does not fall back to rest";
-  desk.app->mouse_button(MouseButton::left, false, {452, 301});
+  EXPECT_EQ(desk.app->of<EditingSession>().shown().pose(), pose) << "the face does not fall back to rest";
+  desk.app->of<Pointer>().button(MouseButton::left, false, {452, 301});
   desk.frames();
-  EXPECT_EQ(desk.app->workspace().state(), state);
-  EXPECT_EQ(desk.app->workspace().shown_pose(), pose);
+  EXPECT_EQ(desk.app->of<EditingSession>().state(), state);
+  EXPECT_EQ(desk.app->of<EditingSession>().shown().pose(), pose);
   EXPECT_TRUE(says(desk, "draw around everything on the face that may move"));
   EXPECT_FALSE(says(desk, "line:"));
-  const bool unsaved = desk.app->workspace().unsaved();
-  desk.app->workspace().mark_saved();
+  const bool unsaved = desk.app->of<EditingSession>().unsaved();
+  desk.app->of<EditingSession>().mark_saved();
   desk.stroke({{450, 300}, {452, 301}});
-  EXPECT_FALSE(desk.app->workspace().unsaved()) << "there is nothing to save of a tap";
+  EXPECT_FALSE(desk.app->of<EditingSession>().unsaved()) << "there is nothing to save of a tap";
   EXPECT_TRUE(unsaved);
   // The next line is the first of a control, with its own choices.
-  desk.app->controls().choose_for_new(articulation::Mode::rotate, {});
+  desk.app->of<Controls>().choose_for_new(articulation::Mode::rotate, {});
   desk.stroke(around({517, 530}, 60, 32));
   ASSERT_TRUE(desk.document().pending);
   EXPECT_FALSE(says(desk, "Nothing changed")) << "it is over";
@@ -58,24 +58,25 @@ TEST(Controls, ASwingEndsWithTheListOfControlsAndTheFaceIsAsItWas) {
   Desk desk("swing-end");
   desk.begin();
   desk.click("Controls");
-  desk.app->controls().select("jaw");
+  desk.app->of<Controls>().select("jaw");
   desk.frames();
   desk.click("Swing");
   desk.frames(20);
-  EXPECT_NE(desk.app->workspace().shown_pose(), desk.document().pose);
+  EXPECT_NE(desk.app->of<EditingSession>().shown().pose(), desk.document().pose);
   desk.click("Parameters");
   desk.frames();
-  EXPECT_FALSE(desk.app->controls().swings());
-  EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+  EXPECT_FALSE(desk.app->of<Controls>().swings());
+  EXPECT_EQ(desk.app->of<EditingSession>().shown().pose(), desk.document().pose);
 }
 
 TEST(Controls, OnlyStrokesSayWhatTheyMoved) {
   Desk desk("moved");
   desk.begin();
   pose_mouth(desk);
-  EXPECT_FALSE(desk.app->workspace().movements().empty());
+  EXPECT_FALSE(desk.app->of<EditingSession>().last_stroke().movements().empty());
   desk.click("Rest pose");
-  EXPECT_TRUE(desk.app->workspace().movements().empty()) << "what is set at once needs no telling";
+  EXPECT_TRUE(desk.app->of<EditingSession>().last_stroke().movements().empty())
+      << "what is set at once needs no telling";
 }
 
 TEST(Controls, ATapBetweenTheStepsLosesNothingAndNamesTheStep) {
@@ -84,9 +85,9 @@ TEST(Controls, ATapBetweenTheStepsLosesNothingAndNamesTheStep) {
   desk.click("Rig");
   desk.stroke(around({517, 530}, 60, 32));
   desk.stroke(around({517, 530}, 28, 14));
-  const auto state = desk.app->workspace().state();
+  const auto state = desk.app->of<EditingSession>().state();
   desk.stroke({{517, 540}, {518, 541}});
-  EXPECT_EQ(desk.app->workspace().state(), state) << "a tap is no goal";
+  EXPECT_EQ(desk.app->of<EditingSession>().state(), state) << "a tap is no target";
   EXPECT_TRUE(says(desk, "draw a line where the feature should go"));
 }
 
@@ -113,23 +114,23 @@ TEST(Controls, AMirroredControlHasAGoodNameAndIsInHand) {
   EXPECT_FALSE(says(desk, "control 1")) << "nothing is said of a name that is gone";
   desk.click("Mirror");
   EXPECT_EQ(desk.document().model->deformers->deformers().back()->sketch().name, "dimple mirrored");
-  EXPECT_EQ(desk.app->controls().selected(), "dimple mirrored");
+  EXPECT_EQ(desk.app->of<Controls>().selected(), "dimple mirrored");
   EXPECT_TRUE(says(desk, "dimple mirrored is ready"));
   // Sides change places where a name has one.
-  desk.app->controls().select("dimple");
+  desk.app->of<Controls>().select("dimple");
   desk.frames();
   desk.click("##rename");
   desk.type("left dimple");
   desk.hit_return();
   desk.click("Mirror");
-  EXPECT_EQ(desk.app->controls().selected(), "right dimple");
-  desk.app->controls().select("left dimple");
+  EXPECT_EQ(desk.app->of<Controls>().selected(), "right dimple");
+  desk.app->of<Controls>().select("left dimple");
   desk.frames();
-  const auto state = desk.app->workspace().state();
+  const auto state = desk.app->of<EditingSession>().state();
   desk.click("Mirror");
-  EXPECT_EQ(desk.app->workspace().state(), state);
-  EXPECT_EQ(desk.app->controls().selected(), "left dimple") << "there is a right one already, and it is told";
-  EXPECT_TRUE(desk.app->notices().all().back().is_error);
+  EXPECT_EQ(desk.app->of<EditingSession>().state(), state);
+  EXPECT_EQ(desk.app->of<Controls>().selected(), "left dimple") << "there is a right one already, and it is told";
+  EXPECT_TRUE(desk.app->of<Notices>().all().back().is_error);
 }
 
 TEST(Controls, APartOfATargetIsDrawnOverAndTheRestStaysBeforeAndAfterThePenLifts) {
@@ -137,15 +138,16 @@ TEST(Controls, APartOfATargetIsDrawnOverAndTheRestStaysBeforeAndAfterThePenLifts
   desk.begin();
   pose_mouth(desk);
   const auto before = *desk.document().curves.front()->target;
-  const auto camera = *geometry::Camera::make(desk.app->canvas().view().camera, desk.app->canvas().view().viewport);
+  const auto camera =
+      *geometry::Camera::make(desk.app->of<Canvas>().view().camera, desk.app->of<Canvas>().view().viewport);
   const auto seen = [&](std::size_t i) { return *camera.project(before.points[i]); };
   desk.click("Redraw");
   const std::size_t n = before.points.size();
   desk.stroke({seen(2 * n / 3), seen(5 * n / 6) + PxPoint{0, -25}, seen(n - 1) + PxPoint{0, -30}}, false);
-  const auto* shown = desk.app->workspace().live().target();
+  const auto* shown = desk.app->of<EditingSession>().shown().live().target();
   ASSERT_NE(shown, nullptr) << "all of it is shown while a part is drawn";
   for (std::size_t i = 0; i < n / 2; ++i) EXPECT_EQ(shown->points[i], before.points[i]) << i;
-  desk.app->mouse_button(MouseButton::left, false, seen(n - 1) + PxPoint{0, -30});
+  desk.app->of<Pointer>().button(MouseButton::left, false, seen(n - 1) + PxPoint{0, -30});
   desk.frames();
   const auto after = *desk.document().curves.front()->target;
   for (std::size_t i = 0; i < n / 2; ++i) EXPECT_EQ(after.points[i], before.points[i]) << i;

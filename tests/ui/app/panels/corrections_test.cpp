@@ -22,7 +22,7 @@ class Corrected {
   void set(const std::string& control, double value) {
     const auto index = rig::find_parameter(desk.document().model->rig->parameters(), control);
     ASSERT_TRUE(index) << control;
-    desk.app->controls().set_parameter(*index, value);
+    desk.app->of<Controls>().set_parameter(*index, value);
     desk.frames();
   }
   /// Where the corner of the mouth is seen now.

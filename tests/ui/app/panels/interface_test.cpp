@@ -20,22 +20,22 @@ TEST(Interface, WhatAPenHasToHitIsAtLeastNineMillimetresOnAnyDisplay) {
   Desk desk("targets");
   desk.begin();
   for (const double dpi : {96.0, 160.0, 220.0}) {
-    desk.app->resized({static_cast<int>(1280 * dpi / 96), static_cast<int>(800 * dpi / 96)}, dpi);
+    desk.app->of<Pointer>().resized({static_cast<int>(1280 * dpi / 96), static_cast<int>(800 * dpi / 96)}, dpi);
     desk.frames();
     expect_large_enough(desk, dpi);
     for (const Dialog dialog :
          {Dialog::open, Dialog::save, Dialog::steps, Dialog::tablet, Dialog::sessions, Dialog::unsaved, Dialog::number,
           Dialog::key_name, Dialog::radial, Dialog::recent, Dialog::export_as, Dialog::recover}) {
-      desk.app->dialogs().state<NumberEntry>().parameter = "jaw";
-      desk.app->dialogs().show(dialog);
+      desk.app->of<Dialogs>().state<NumberEntry>().parameter = "jaw";
+      desk.app->of<Dialogs>().show(dialog);
       desk.frames();
       expect_large_enough(desk, dpi);
-      desk.app->dialogs().show(Dialog::none);
+      desk.app->of<Dialogs>().show(Dialog::none);
     }
-    desk.app->panels().radial = PxPoint{600, 400};
+    desk.app->of<PanelState>().radial = PxPoint{600, 400};
     desk.frames();
     expect_large_enough(desk, dpi);
-    desk.app->panels().radial.reset();
+    desk.app->of<PanelState>().radial.reset();
   }
 }
 
@@ -70,7 +70,7 @@ TEST(Interface, TheSearchShowsWhatItFinds) {
   EXPECT_TRUE(desk.interface->wants_keys());
   desk.interface->text("JAW");
   desk.frames();
-  EXPECT_EQ(desk.app->panels().own.of<ParameterList>().filter, "JAW");
+  EXPECT_EQ(desk.app->of<PanelState>().own.of<ParameterList>().filter, "JAW");
   EXPECT_NE(desk.interface->find("slider jaw"), nullptr);
   EXPECT_EQ(desk.interface->find("slider cheek_L"), nullptr);
 }
@@ -84,13 +84,13 @@ TEST(Interface, WhoHasNoKeyboardTypesOnTheScreen) {
     desk.click(key);
     EXPECT_TRUE(desk.interface->wants_keys()) << "the field keeps what is typed";
   }
-  EXPECT_EQ(desk.app->panels().own.of<ParameterList>().filter, "jaw");
+  EXPECT_EQ(desk.app->of<PanelState>().own.of<ParameterList>().filter, "jaw");
   EXPECT_TRUE(desk.document().curves.empty()) << "keys never draw";
   desk.click("key Done");
   EXPECT_FALSE(desk.interface->wants_keys());
   EXPECT_EQ(desk.interface->find("key j"), nullptr);
   // A real key says that there is a keyboard.
-  desk.app->panels().has_keyboard = true;
+  desk.app->of<PanelState>().has_keyboard = true;
   desk.click("##search");
   EXPECT_EQ(desk.interface->find("key j"), nullptr);
 }
@@ -98,9 +98,9 @@ TEST(Interface, WhoHasNoKeyboardTypesOnTheScreen) {
 TEST(Interface, TheMenuAroundThePenStaysOnTheCanvas) {
   Desk desk("radial-place");
   desk.begin();
-  const Area free = desk.app->canvas().free_area();
+  const Area free = desk.app->of<Canvas>().free_area();
   for (const PxPoint at : {PxPoint{free.left, free.top}, PxPoint{free.right, free.bottom}}) {
-    desk.app->panels().radial = at;
+    desk.app->of<PanelState>().radial = at;
     desk.frames();
     for (const auto& [label, area] : desk.interface->targets()) {
       if (label.find("##radial") == std::string::npos) continue;
@@ -123,14 +123,14 @@ TEST(Interface, TheMenuEndsWithQuit) {
 TEST(Interface, AMenuLongerThanTheWindowScrollsToItsEnd) {
   Desk desk("menu-small");
   desk.begin();
-  desk.app->resized({640, 400}, 96);
+  desk.app->of<Pointer>().resized({640, 400}, 96);
   desk.frames();
   desk.click("Menu");
   ASSERT_NE(desk.interface->find("Save"), nullptr);
-  desk.app->mouse_moved(desk.interface->find("Save")->middle());
+  desk.app->of<Pointer>().moved(desk.interface->find("Save")->middle());
   desk.frames();
   for (int i = 0; i < 12; ++i) {
-    desk.app->wheel(-1);
+    desk.app->of<Pointer>().wheel(-1);
     desk.frames(2);
   }
   ASSERT_NE(desk.interface->find("Quit"), nullptr);
@@ -140,33 +140,33 @@ TEST(Interface, AMenuLongerThanTheWindowScrollsToItsEnd) {
 TEST(Interface, ACopyIsExportedAndAFileOpenedAgainWithThePenAlone) {
   Desk desk("export");
   desk.begin();
-  ASSERT_TRUE(desk.app->save(desk.path("mine.glb")).ok());
+  ASSERT_TRUE(desk.app->of<Files>().save(desk.path("mine.glb")).ok());
   pose_mouth(desk);
   desk.click("Menu");
   desk.click("Export");
   desk.click("This pose alone (.obj)");
   desk.click("Export##now");
   EXPECT_TRUE(std::filesystem::exists(desk.path("mine-export.obj")));
-  EXPECT_EQ(desk.app->project(), desk.path("mine.glb")) << "the work stays where it is saved";
-  EXPECT_TRUE(desk.app->workspace().unsaved());
+  EXPECT_EQ(desk.app->of<Files>().project(), desk.path("mine.glb")) << "the work stays where it is saved";
+  EXPECT_TRUE(desk.app->of<EditingSession>().unsaved());
   desk.click("Menu");
   desk.click("Recent");
   desk.click("mine.glb##recent " + desk.path("mine.glb"));
-  EXPECT_EQ(desk.app->dialogs().open(), Dialog::unsaved) << "what is not saved is asked about";
+  EXPECT_EQ(desk.app->of<Dialogs>().open(), Dialog::unsaved) << "what is not saved is asked about";
   desk.click("Open without saving");
   EXPECT_TRUE(desk.document().curves.empty());
-  EXPECT_EQ(desk.app->project(), desk.path("mine.glb"));
+  EXPECT_EQ(desk.app->of<Files>().project(), desk.path("mine.glb"));
 }
 
 TEST(Interface, TheMenuAroundThePenOffersWhatWasChosenForIt) {
   Desk desk("radial");
   desk.begin();
-  desk.app->dialogs().show(Dialog::radial);
+  desk.app->of<Dialogs>().show(Dialog::radial);
   desk.frames();
   desk.click("Redo##place1");
   desk.click("Front##choose");
   desk.click("Done");
-  EXPECT_EQ(desk.app->preferences().settings().radial[1], Action::view_front);
+  EXPECT_EQ(desk.app->of<Preferences>().settings().radial[1], Action::view_front);
   EXPECT_EQ(load_settings(desk.path("config")).radial[1], Action::view_front) << "it is kept";
 }
 
@@ -176,11 +176,11 @@ TEST(Interface, AGroupOfParametersIsFoldedLockedAndReset) {
   // With few parameters there are no groups; sketched controls of one first word make one.
   while (desk.document().model->rig->parameters().size() <= 16) {
     const auto& last = desk.document().model->deformers->deformers().back()->sketch();
-    ASSERT_TRUE(desk.app->workspace().perform(document::MirrorDeformer{last.name}) ||
-                desk.app->workspace().perform(document::MirrorDeformer{"jaw"}));
+    ASSERT_TRUE(desk.app->of<EditingSession>().perform(document::MirrorDeformer{last.name}) ||
+                desk.app->of<EditingSession>().perform(document::MirrorDeformer{"jaw"}));
   }
   desk.frames();
-  desk.app->controls().set_parameter(4, desk.document().model->rig->parameters()[4].maximum);
+  desk.app->of<Controls>().set_parameter(4, desk.document().model->rig->parameters()[4].maximum);
   ASSERT_EQ(desk.document().model->rig->parameters()[4].name.substr(0, 5), "brow_");
   desk.frames();
   desk.click("##lock group brow");
@@ -196,21 +196,21 @@ TEST(Interface, AGroupOfParametersIsFoldedLockedAndReset) {
 TEST(Interface, ThePenIsTriedInTheTabletsSettings) {
   Desk desk("try");
   desk.begin();
-  desk.app->dialogs().show(Dialog::tablet);
+  desk.app->of<Dialogs>().show(Dialog::tablet);
   desk.frames();
   const Area area = *desk.interface->find("try");
-  desk.app->tablet_arrived(1, replay::virtual_pen_identity());
-  const auto viewport = desk.app->workspace().editor().view().viewport;
+  desk.app->of<TabletEvents>().arrived(1, replay::virtual_pen_identity());
+  const auto viewport = desk.app->of<EditingSession>().editor().view().viewport;
   for (int i = 0; i < 20; ++i) {
     desk.now_us += 4000;
     const PxPoint at{area.left + 10 + 4 * i, area.middle().y};
-    desk.app->tablet_report(1, desk.now_us,
-                            replay::virtual_pen_report({at, 0.05 * i, true, i > 0, false, false}, viewport));
+    desk.app->of<TabletEvents>().report(
+        1, desk.now_us, replay::virtual_pen_report({at, 0.05 * i, true, i > 0, false, false}, viewport));
     desk.frames(1);
   }
-  ASSERT_GT(desk.app->dialogs().state<PenTrial>().line.size(), 15U);
-  EXPECT_TRUE(area.holds(desk.app->dialogs().state<PenTrial>().line.back())) << "the line is under the pen";
-  EXPECT_GT(desk.app->dialogs().state<PenTrial>().pressure.back(), 0.5);
+  ASSERT_GT(desk.app->of<Dialogs>().state<PenTrial>().line.size(), 15U);
+  EXPECT_TRUE(area.holds(desk.app->of<Dialogs>().state<PenTrial>().line.back())) << "the line is under the pen";
+  EXPECT_GT(desk.app->of<Dialogs>().state<PenTrial>().pressure.back(), 0.5);
   EXPECT_TRUE(desk.document().curves.empty());
 }
 

@@ -19,8 +19,8 @@ TEST(Room, NothingIsCutOffInAnyWindowAtAnyScale) {
   for (const Size& size : {Size{800, 600, 96}, Size{1280, 800, 96}, Size{1280, 800, 144}, Size{1920, 1080, 144},
                            Size{3840, 2160, 96}, Size{3840, 2160, 192}}) {
     for (const Density density : {Density::compact, Density::usual, Density::touch}) {
-      desk.app->preferences().settings().density = density;
-      desk.app->resized({size.width, size.height}, size.dpi);
+      desk.app->of<Preferences>().settings().density = density;
+      desk.app->of<Pointer>().resized({size.width, size.height}, size.dpi);
       desk.frames();
       const std::string which = std::to_string(size.width) + "x" + std::to_string(size.height) + " at " +
                                 std::to_string(size.dpi) + " dpi, density " + std::to_string(static_cast<int>(density));
@@ -29,13 +29,13 @@ TEST(Room, NothingIsCutOffInAnyWindowAtAnyScale) {
         const bool listed = label.find("slider") == 0 || label.find("lock") != std::string::npos ||
                             label.find("##pair") != std::string::npos || label.find("##type") != std::string::npos ||
                             label.find("##reset") != std::string::npos || label.find("more##") == 0 ||
-                            area.left < desk.app->canvas().free_area().left;
+                            area.left < desk.app->of<Canvas>().free_area().left;
         EXPECT_GE(area.left, 0) << label << " in " << which;
         EXPECT_LE(area.right, size.width) << label << " in " << which;
         EXPECT_TRUE(listed || area.bottom <= size.height) << label << " in " << which;
       }
-      EXPECT_GT(desk.app->canvas().free_area().width(), 0.25 * size.width) << which;
-      EXPECT_GT(desk.app->canvas().free_area().height(), 0.3 * size.height) << which;
+      EXPECT_GT(desk.app->of<Canvas>().free_area().width(), 0.25 * size.width) << which;
+      EXPECT_GT(desk.app->of<Canvas>().free_area().height(), 0.3 * size.height) << which;
     }
   }
 }
@@ -43,25 +43,25 @@ TEST(Room, NothingIsCutOffInAnyWindowAtAnyScale) {
 TEST(Room, WhatHasNoRoomStandsInAMenu) {
   Desk desk("more");
   desk.begin();
-  desk.app->resized({800, 600}, 96);
+  desk.app->of<Pointer>().resized({800, 600}, 96);
   desk.frames();
   EXPECT_EQ(desk.interface->find("Onion"), nullptr);
   desk.click("More##more of time");
   desk.click("Onion");
-  EXPECT_FALSE(desk.app->canvas().look().onion_skin);
+  EXPECT_FALSE(desk.app->of<CanvasLook>().onion_skin);
 }
 
 TEST(Room, ATooltipComesOnlyToAPointerThatRests) {
   Desk desk("tooltips");
   desk.begin();
   const Area key = *desk.interface->find("Key");
-  desk.app->mouse_moved(key.middle());
+  desk.app->of<Pointer>().moved(key.middle());
   desk.frames(2);
   EXPECT_GT(desk.interface->next_frame_ms(), 0) << "a tooltip comes after a while, without any event";
   EXPECT_LE(desk.interface->next_frame_ms(), 600);
   desk.frames(60);
   EXPECT_EQ(desk.interface->next_frame_ms(), -1) << "then it is there";
-  desk.app->mouse_moved({600, 300});
+  desk.app->of<Pointer>().moved({600, 300});
   desk.frames(60);
   EXPECT_EQ(desk.interface->next_frame_ms(), -1) << "the canvas has none";
 }

@@ -12,7 +12,7 @@ namespace penpose::app {
 namespace {
 
 void set(Desk& desk, const std::string& name, double value) {
-  desk.app->controls().set_parameter(*rig::find_parameter(desk.document().model->rig->parameters(), name), value);
+  desk.app->of<Controls>().set_parameter(*rig::find_parameter(desk.document().model->rig->parameters(), name), value);
   desk.frames(1);
 }
 
@@ -26,14 +26,14 @@ void key_faces(Desk& desk, int count = 3) {
     const double much = 0.3 + 0.3 * k;
     for (const char* name : {"mouth_corner_L", "mouth_corner_R"}) set(desk, name, much);
     for (const char* name : {"brow_inner_L", "brow_inner_R"}) set(desk, name, 0.9 * much);
-    desk.app->playback().place_cursor(0.5 * k);
+    desk.app->of<Playback>().place_cursor(0.5 * k);
     desk.click("Key");
   }
   desk.click("Rest pose");
 }
 
 bool says(const Desk& desk, const std::string& part) {
-  const auto& notices = desk.app->notices().all();
+  const auto& notices = desk.app->of<Notices>().all();
   return std::any_of(notices.begin(), notices.end(),
                      [&](const Notice& one) { return one.text.find(part) != std::string::npos; });
 }
@@ -41,17 +41,18 @@ bool says(const Desk& desk, const std::string& part) {
 TEST(Suggestion, IsGreyAndSaysWhyUntilTwoPosesAreKeyed) {
   Desk desk("suggest-grey");
   desk.begin();
-  EXPECT_NE(desk.app->offer().why_not(desk.app->workspace()).find("no pose is keyed yet"), std::string::npos);
+  EXPECT_NE(desk.app->of<SuggestionOffer>().why_not(desk.app->of<EditingSession>()).find("no pose is keyed yet"),
+            std::string::npos);
   key_faces(desk, 1);
   set(desk, "mouth_corner_L", 0.5);
   desk.click("Suggest");
-  EXPECT_FALSE(desk.app->offer().open()) << "a grey button does nothing";
+  EXPECT_FALSE(desk.app->of<SuggestionOffer>().open()) << "a grey button does nothing";
   desk.press('g');
-  EXPECT_FALSE(desk.app->offer().open());
+  EXPECT_FALSE(desk.app->of<SuggestionOffer>().open());
   EXPECT_TRUE(says(desk, "only one pose is keyed yet"));
   EXPECT_TRUE(says(desk, "key two different poses or more"));
   key_faces(desk, 2);
-  EXPECT_EQ(desk.app->offer().why_not(desk.app->workspace()), "");
+  EXPECT_EQ(desk.app->of<SuggestionOffer>().why_not(desk.app->of<EditingSession>()), "");
 }
 
 TEST(Suggestion, IsShownAndChangesTheDocumentOnlyWhenItIsTaken) {
@@ -60,20 +61,20 @@ TEST(Suggestion, IsShownAndChangesTheDocumentOnlyWhenItIsTaken) {
   key_faces(desk);
   set(desk, "mouth_corner_L", 0.5);
   set(desk, "mouth_corner_R", 0.5);
-  const auto before = desk.app->workspace().state();
-  const std::size_t undo = desk.app->workspace().editor().history().undo_count();
+  const auto before = desk.app->of<EditingSession>().state();
+  const std::size_t undo = desk.app->of<EditingSession>().editor().history().undo_count();
   desk.click("Suggest");
-  ASSERT_TRUE(desk.app->offer().open());
-  EXPECT_EQ(desk.app->workspace().state(), before);
-  const rig::Pose shown = desk.app->workspace().shown_pose();
+  ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());
+  EXPECT_EQ(desk.app->of<EditingSession>().state(), before);
+  const rig::Pose shown = desk.app->of<EditingSession>().shown().pose();
   EXPECT_GT(value_of(shown, desk, "brow_inner_L"), 0.2) << "the brow goes with the mouth";
   EXPECT_EQ(value_of(shown, desk, "mouth_corner_L"), 0.5) << "what was posed stays";
   desk.click("Take it##suggestion");
-  EXPECT_FALSE(desk.app->offer().open());
+  EXPECT_FALSE(desk.app->of<SuggestionOffer>().open());
   EXPECT_EQ(desk.document().pose, shown);
-  EXPECT_EQ(desk.app->workspace().editor().history().undo_count(), undo + 1);
+  EXPECT_EQ(desk.app->of<EditingSession>().editor().history().undo_count(), undo + 1);
   desk.press('z', true);
-  EXPECT_EQ(desk.app->workspace().state(), before);
+  EXPECT_EQ(desk.app->of<EditingSession>().state(), before);
 }
 
 TEST(Suggestion, DismissedTheFaceIsAsItWasAndNothingIsRecorded) {
@@ -81,22 +82,22 @@ TEST(Suggestion, DismissedTheFaceIsAsItWasAndNothingIsRecorded) {
   desk.begin();
   key_faces(desk);
   set(desk, "mouth_corner_L", 0.5);
-  const auto before = desk.app->workspace().state();
-  const auto revision = desk.app->workspace().revision();
+  const auto before = desk.app->of<EditingSession>().state();
+  const auto revision = desk.app->of<EditingSession>().revision();
   for (const bool by_button : {true, false}) {
     desk.press('g');
-    ASSERT_TRUE(desk.app->offer().open());
-    EXPECT_NE(desk.app->workspace().shown_pose(), desk.document().pose);
+    ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());
+    EXPECT_NE(desk.app->of<EditingSession>().shown().pose(), desk.document().pose);
     if (by_button) {
       desk.click("Dismiss##suggestion");
     } else {
       desk.hit_escape();
     }
-    EXPECT_FALSE(desk.app->offer().open());
-    EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+    EXPECT_FALSE(desk.app->of<SuggestionOffer>().open());
+    EXPECT_EQ(desk.app->of<EditingSession>().shown().pose(), desk.document().pose);
   }
-  EXPECT_EQ(desk.app->workspace().state(), before);
-  EXPECT_EQ(desk.app->workspace().revision(), revision);
+  EXPECT_EQ(desk.app->of<EditingSession>().state(), before);
+  EXPECT_EQ(desk.app->of<EditingSession>().revision(), revision);
 }
 
 TEST(Suggestion, ThePenAloneTakesHalfOfIt) {
@@ -105,25 +106,25 @@ TEST(Suggestion, ThePenAloneTakesHalfOfIt) {
   key_faces(desk);
   set(desk, "mouth_corner_L", 0.5);
   desk.click("Suggest");
-  ASSERT_TRUE(desk.app->offer().open());
+  ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());
   const Area* found = desk.interface->find("slider how much of it");
   ASSERT_NE(found, nullptr);
   const Area slider = *found;
   const auto pull_to = [&](double share) {
-    desk.app->mouse_moved({slider.right - 4, slider.middle().y});
-    desk.app->mouse_button(MouseButton::left, true, {slider.right - 4, slider.middle().y});
+    desk.app->of<Pointer>().moved({slider.right - 4, slider.middle().y});
+    desk.app->of<Pointer>().button(MouseButton::left, true, {slider.right - 4, slider.middle().y});
     desk.frames(2);
     const PxPoint at{slider.left + share * slider.width(), slider.middle().y};
-    desk.app->mouse_moved(at);
+    desk.app->of<Pointer>().moved(at);
     desk.frames(2);
-    desk.app->mouse_button(MouseButton::left, false, at);
+    desk.app->of<Pointer>().button(MouseButton::left, false, at);
     desk.frames(2);
   };
   pull_to(0.5);
-  ASSERT_TRUE(desk.app->offer().open());
-  const double strength = desk.app->offer().suggestion().command.strength;
+  ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());
+  const double strength = desk.app->of<SuggestionOffer>().suggestion().command.strength;
   EXPECT_NEAR(strength, 0.5, 0.1);
-  const double half = value_of(desk.app->workspace().shown_pose(), desk, "brow_inner_L");
+  const double half = value_of(desk.app->of<EditingSession>().shown().pose(), desk, "brow_inner_L");
   desk.click("Take it##suggestion");
   EXPECT_EQ(value_of(desk.document().pose, desk, "brow_inner_L"), half);
   EXPECT_GT(half, 0.05);
@@ -135,27 +136,27 @@ TEST(Suggestion, NotThisOneAsksAgainAndAStrokeASliderOrTheTimelineEndsIt) {
   key_faces(desk);
   set(desk, "mouth_corner_L", 0.5);
   desk.press('g');
-  ASSERT_TRUE(desk.app->offer().open());
+  ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());
   desk.click("##lock brow_inner_L");
-  ASSERT_TRUE(desk.app->offer().open());
-  EXPECT_EQ(value_of(desk.app->workspace().shown_pose(), desk, "brow_inner_L"), 0);
-  EXPECT_GT(value_of(desk.app->workspace().shown_pose(), desk, "brow_inner_R"), 0.1);
+  ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());
+  EXPECT_EQ(value_of(desk.app->of<EditingSession>().shown().pose(), desk, "brow_inner_L"), 0);
+  EXPECT_GT(value_of(desk.app->of<EditingSession>().shown().pose(), desk, "brow_inner_R"), 0.1);
   set(desk, "jaw", 0.4);
-  EXPECT_FALSE(desk.app->offer().open());
-  EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+  EXPECT_FALSE(desk.app->of<SuggestionOffer>().open());
+  EXPECT_EQ(desk.app->of<EditingSession>().shown().pose(), desk.document().pose);
   desk.press('g');
-  ASSERT_TRUE(desk.app->offer().open());
-  desk.app->playback().scrub(0.25);
+  ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());
+  desk.app->of<Playback>().scrub(0.25);
   desk.frames(2);
-  EXPECT_FALSE(desk.app->offer().open());
-  EXPECT_TRUE(desk.app->workspace().previews()) << "what the timeline shows stays";
-  desk.app->playback().end_scrub();
+  EXPECT_FALSE(desk.app->of<SuggestionOffer>().open());
+  EXPECT_TRUE(desk.app->of<EditingSession>().shown().previews()) << "what the timeline shows stays";
+  desk.app->of<Playback>().end_scrub();
   desk.press('g');
-  ASSERT_TRUE(desk.app->offer().open());
+  ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());
   desk.click("Pose");
   desk.stroke(desk.named_curve(any_curve(desk)), false);
-  EXPECT_FALSE(desk.app->offer().open());
-  EXPECT_EQ(desk.app->workspace().shown_pose(), desk.document().pose);
+  EXPECT_FALSE(desk.app->of<SuggestionOffer>().open());
+  EXPECT_EQ(desk.app->of<EditingSession>().shown().pose(), desk.document().pose);
 }
 
 TEST(Suggestion, ATakenOneIsReplayed) {
@@ -164,10 +165,10 @@ TEST(Suggestion, ATakenOneIsReplayed) {
   key_faces(desk);
   pose_mouth(desk);
   desk.press('g');
-  ASSERT_TRUE(desk.app->offer().open());
+  ASSERT_TRUE(desk.app->of<SuggestionOffer>().open());
   desk.click("Take it##suggestion");
-  const auto state = desk.app->workspace().state();
-  const std::string session = desk.app->session_path();
+  const auto state = desk.app->of<EditingSession>().state();
+  const std::string session = desk.app->of<Recording>().path();
   const auto file = files::open_trace(session);
   ASSERT_TRUE(file.ok()) << file.error().line(session);
   replay::PlayerOptions options;

@@ -13,7 +13,7 @@
 #include "replay/session/session_player.h"
 #include "tests/support/app_desk.h"
 #include "tests/support/random_session.h"
-#include "ui/app/session/session_files.h"
+#include "ui/app/files/session_files.h"
 #include "ui/files/files.h"
 #include "ui/files/load_model.h"
 
@@ -22,22 +22,22 @@ namespace {
 
 /// Draws until it is killed, and tells through a pipe how many strokes have ended.
 [[noreturn]] void draw_for_ever(Desk& desk, const std::string& model, int pipe, std::uint64_t seed) {
-  if (!desk.app->open(model)) ::_exit(1);
+  if (!desk.app->of<Files>().open(model)) ::_exit(1);
   tests::Random random(seed);
-  const auto viewport = desk.app->canvas().view().viewport;
+  const auto viewport = desk.app->of<Canvas>().view().viewport;
   for (int i = 0;; ++i) {
     const double y = viewport.height * random.real(0.35, 0.65);
-    desk.app->mouse_moved({viewport.width * 0.4, y});
-    desk.app->mouse_button(MouseButton::left, true, {viewport.width * 0.4, y});
+    desk.app->of<Pointer>().moved({viewport.width * 0.4, y});
+    desk.app->of<Pointer>().button(MouseButton::left, true, {viewport.width * 0.4, y});
     for (int k = 1; k <= 20; ++k) {
       desk.now_us += 3333;
-      desk.app->mouse_moved({viewport.width * (0.4 + 0.01 * k), y});
+      desk.app->of<Pointer>().moved({viewport.width * (0.4 + 0.01 * k), y});
     }
-    desk.app->mouse_button(MouseButton::left, false, {viewport.width * 0.6, y});
+    desk.app->of<Pointer>().button(MouseButton::left, false, {viewport.width * 0.6, y});
     const char one = 1;
     if (::write(pipe, &one, 1) != 1) ::_exit(1);
-    if (i % 3 == 2) desk.app->do_action(Action::undo);
-    if (i % 5 == 0) desk.app->do_action(Action::key_pose);
+    if (i % 3 == 2) desk.app->of<Actions>().run(Action::undo);
+    if (i % 5 == 0) desk.app->of<Actions>().run(Action::key_pose);
   }
 }
 
@@ -52,37 +52,37 @@ TEST(Kill, ADiskThatIsFullForAWhileLosesNothing) {
   desk.click("Pose");
   rlimit before{};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-  const rlimit full{std::filesystem::file_size(desk.app->session_path()) + 100, before.rlim_max};
+  const rlimit full{std::filesystem::file_size(desk.app->of<Recording>().path()) + 100, before.rlim_max};
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &full), 0);
-  const auto viewport = desk.app->canvas().view().viewport;
+  const auto viewport = desk.app->of<Canvas>().view().viewport;
   const auto draw = [&](int i) {
     const double y = viewport.height * (0.4 + 0.05 * i);
-    desk.app->mouse_button(MouseButton::left, true, {viewport.width * 0.4, y});
+    desk.app->of<Pointer>().button(MouseButton::left, true, {viewport.width * 0.4, y});
     for (int k = 1; k <= 20; ++k) {
       desk.now_us += 3333;
-      desk.app->mouse_moved({viewport.width * (0.4 + 0.01 * k), y});
+      desk.app->of<Pointer>().moved({viewport.width * (0.4 + 0.01 * k), y});
     }
-    desk.app->mouse_button(MouseButton::left, false, {viewport.width * 0.6, y});
+    desk.app->of<Pointer>().button(MouseButton::left, false, {viewport.width * 0.6, y});
     desk.frames(2);
   };
   const auto told = [&](const char* what) {
-    return std::any_of(desk.app->notices().all().begin(), desk.app->notices().all().end(),
+    return std::any_of(desk.app->of<Notices>().all().begin(), desk.app->of<Notices>().all().end(),
                        [&](const Notice& notice) { return notice.text.find(what) != std::string::npos; });
   };
   for (int i = 0; i < 4; ++i) draw(i);
-  EXPECT_FALSE(desk.app->recording());
+  EXPECT_FALSE(desk.app->of<Recording>().records());
   EXPECT_TRUE(told("cannot be recorded now"));
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
   std::signal(SIGXFSZ, handler);
   const std::size_t drawn = desk.document().curves.size();
   EXPECT_GE(drawn, 1U);
   draw(5);
-  EXPECT_TRUE(desk.app->recording());
+  EXPECT_TRUE(desk.app->of<Recording>().records());
   EXPECT_TRUE(told("recorded again"));
   replay::PlayerOptions options;
   options.open = [](const std::string& path) { return files::load_document(path, files::NamedBy::user); };
-  const auto bytes = files::read_plain_file(desk.app->session_path());
+  const auto bytes = files::read_plain_file(desk.app->of<Recording>().path());
   ASSERT_TRUE(bytes);
   const auto played = replay::play_session(replay::read_from(*bytes), options);
   ASSERT_TRUE(played && played->session) << played.error().line();
@@ -108,7 +108,7 @@ TEST(Kill, NoStrokeThatHadEndedIsLostWhenTheAppIsKilled) {
   const int rounds = wanted == nullptr ? 200 : std::atoi(wanted);
   for (int round = 0; round < rounds; ++round) {
     for (const std::string& path : past_sessions(sessions)) {
-      if (path != desk.app->session_path()) std::filesystem::remove(path);
+      if (path != desk.app->of<Recording>().path()) std::filesystem::remove(path);
     }
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);

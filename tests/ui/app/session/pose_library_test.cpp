@@ -13,7 +13,7 @@ std::size_t index_of(const Desk& desk, const std::string& name) {
 }
 
 void set(Desk& desk, const std::string& name, double value) {
-  desk.app->controls().set_parameter(index_of(desk, name), value);
+  desk.app->of<Controls>().set_parameter(index_of(desk, name), value);
 }
 double value_of(const Desk& desk, const std::string& name) { return desk.document().pose[index_of(desk, name)]; }
 
@@ -22,10 +22,10 @@ void key_wink(Desk& desk) {
   desk.begin();
   set(desk, "brow_inner_L", 0.8);
   set(desk, "jaw", 0.5);
-  desk.app->playback().place_cursor(1);
-  desk.app->do_action(Action::key_pose);
-  desk.app->keys().name("wink");
-  desk.app->workspace().perform(document::ResetParameters{});
+  desk.app->of<Playback>().place_cursor(1);
+  desk.app->of<Actions>().run(Action::key_pose);
+  desk.app->of<Keys>().name("wink");
+  desk.app->of<EditingSession>().perform(document::ResetParameters{});
   desk.frames();
 }
 
@@ -66,14 +66,14 @@ TEST(PoseLibrary, APoseIsChosenByItsPictureAndBlendedInWithThePen) {
   desk.click("Mouth##part");
   const Area blend = *desk.interface->find("slider blend");
   const auto at = [&](double share) { return PxPoint{blend.left + share * blend.width(), blend.middle().y}; };
-  desk.app->mouse_moved(at(0.01));
-  desk.app->mouse_button(MouseButton::left, true, at(0.01));
+  desk.app->of<Pointer>().moved(at(0.01));
+  desk.app->of<Pointer>().button(MouseButton::left, true, at(0.01));
   desk.frames();
-  desk.app->mouse_moved(at(0.5));
+  desk.app->of<Pointer>().moved(at(0.5));
   desk.frames();
-  EXPECT_TRUE(desk.app->workspace().previews()) << "the face shows it before it is let go";
-  EXPECT_NEAR(desk.app->workspace().shown_pose()[index_of(desk, "jaw")], 0.25, 0.02);
-  desk.app->mouse_button(MouseButton::left, false, at(0.5));
+  EXPECT_TRUE(desk.app->of<EditingSession>().shown().previews()) << "the face shows it before it is let go";
+  EXPECT_NEAR(desk.app->of<EditingSession>().shown().pose()[index_of(desk, "jaw")], 0.25, 0.02);
+  desk.app->of<Pointer>().button(MouseButton::left, false, at(0.5));
   desk.frames();
   EXPECT_NEAR(value_of(desk, "jaw"), 0.25, 0.02);
   EXPECT_EQ(value_of(desk, "brow_inner_L"), 0) << "of the mouth alone";

@@ -21,7 +21,7 @@ std::string text_of(const std::string& path) {
 
 /// The program dies: its session stays as it is, with the note beside it, and nothing is finished.
 std::string crash(std::unique_ptr<Desk> desk) {
-  const std::string session = desk->app->session_path();
+  const std::string session = desk->app->of<Recording>().path();
   const std::string note = text_of(session + ".open");
   const std::string text = text_of(session);
   desk.reset();
@@ -39,63 +39,63 @@ std::unique_ptr<Desk> start(const std::string& name, bool fresh = false) {
 TEST(Recovery, AfterACrashTheWorkComesBackWithItsStepsAndIsOfferedAgainAfterTheNext) {
   auto desk = start("crash", true);
   pose_mouth(*desk);
-  const auto lost = desk->app->workspace().state();
+  const auto lost = desk->app->of<EditingSession>().state();
   const std::string session = crash(std::move(desk));
   desk = start("crash");
-  ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover);
+  ASSERT_EQ(desk->app->of<Dialogs>().open(), Dialog::recover);
   desk->click("Bring it back");
-  EXPECT_EQ(desk->app->workspace().state(), lost);
-  EXPECT_TRUE(desk->app->workspace().unsaved()) << "quitting asks";
+  EXPECT_EQ(desk->app->of<EditingSession>().state(), lost);
+  EXPECT_TRUE(desk->app->of<EditingSession>().unsaved()) << "quitting asks";
   EXPECT_TRUE(abandoned_sessions(desk->path("state/sessions")).empty()) << "another window does not offer it";
   // Undo goes back beyond the crash, and the same file goes on.
-  EXPECT_EQ(desk->app->session_path(), session);
+  EXPECT_EQ(desk->app->of<Recording>().path(), session);
   desk->press('z', true);
   EXPECT_FALSE(desk->document().curves.front()->target.has_value());
   desk->press('z', true, true);
-  EXPECT_EQ(desk->app->workspace().state(), lost);
+  EXPECT_EQ(desk->app->of<EditingSession>().state(), lost);
   // The next crash comes before anything else is done.
   crash(std::move(desk));
   desk = start("crash");
-  ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover);
+  ASSERT_EQ(desk->app->of<Dialogs>().open(), Dialog::recover);
   desk->click("Bring it back");
-  EXPECT_EQ(desk->app->workspace().state(), lost);
+  EXPECT_EQ(desk->app->of<EditingSession>().state(), lost);
   // And one after more work.
   desk->click("Key");
-  const auto later = desk->app->workspace().state();
+  const auto later = desk->app->of<EditingSession>().state();
   crash(std::move(desk));
   desk = start("crash");
-  ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover);
+  ASSERT_EQ(desk->app->of<Dialogs>().open(), Dialog::recover);
   desk->click("Bring it back");
-  EXPECT_EQ(desk->app->workspace().state(), later);
-  EXPECT_EQ(desk->app->workspace().editor().history().undo_count(), 3U);
+  EXPECT_EQ(desk->app->of<EditingSession>().state(), later);
+  EXPECT_EQ(desk->app->of<EditingSession>().editor().history().undo_count(), 3U);
 }
 
 TEST(Recovery, SaveGoesWhereTheWorkWasSavedBeforeTheCrash) {
   auto desk = start("crash-project", true);
   pose_mouth(*desk);
   const std::string project = desk->path("mine.glb");
-  ASSERT_TRUE(desk->app->save(project).ok());
+  ASSERT_TRUE(desk->app->of<Files>().save(project).ok());
   // Nothing is lost when everything was saved.
   crash(std::move(desk));
   desk = start("crash-project");
-  EXPECT_NE(desk->app->dialogs().open(), Dialog::recover);
+  EXPECT_NE(desk->app->of<Dialogs>().open(), Dialog::recover);
   // The project is opened, saved over itself, and gone on with.
-  ASSERT_TRUE(desk->app->open(project).ok());
+  ASSERT_TRUE(desk->app->of<Files>().open(project).ok());
   desk->frames();
   desk->click("Key");
   desk->press('s', true);
-  EXPECT_FALSE(desk->app->workspace().unsaved());
-  desk->app->controls().set_parameter(0, desk->document().model->rig->parameters()[0].maximum);
-  const auto lost = desk->app->workspace().state();
+  EXPECT_FALSE(desk->app->of<EditingSession>().unsaved());
+  desk->app->of<Controls>().set_parameter(0, desk->document().model->rig->parameters()[0].maximum);
+  const auto lost = desk->app->of<EditingSession>().state();
   crash(std::move(desk));
   desk = start("crash-project");
-  ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover);
+  ASSERT_EQ(desk->app->of<Dialogs>().open(), Dialog::recover);
   desk->click("Bring it back");
-  EXPECT_EQ(desk->app->workspace().state(), lost) << "though the file that it began on was written over";
-  EXPECT_EQ(desk->app->project(), project);
+  EXPECT_EQ(desk->app->of<EditingSession>().state(), lost) << "though the file that it began on was written over";
+  EXPECT_EQ(desk->app->of<Files>().project(), project);
   desk->press('s', true);
-  EXPECT_EQ(desk->app->dialogs().open(), Dialog::none) << "no name is asked for";
-  EXPECT_FALSE(desk->app->workspace().unsaved());
+  EXPECT_EQ(desk->app->of<Dialogs>().open(), Dialog::none) << "no name is asked for";
+  EXPECT_FALSE(desk->app->of<EditingSession>().unsaved());
 }
 
 TEST(Recovery, AStrokeThatTheCrashCutOffIsKeptAsFarAsItCame) {
@@ -103,21 +103,21 @@ TEST(Recovery, AStrokeThatTheCrashCutOffIsKeptAsFarAsItCame) {
   desk->stroke(desk->named_curve(any_curve(*desk)));
   desk->stroke(desk->named_curve(any_curve(*desk), {0, -14}), false);
   // Reports are handed over at the latest when the pen lifts; this is what a long stroke has handed over before.
-  desk->app->mouse_button(MouseButton::left, false, {500, 400});
+  desk->app->of<Pointer>().button(MouseButton::left, false, {500, 400});
   const std::string session = crash(std::move(desk));
   std::string text = text_of(session);
   const std::size_t last = text.rfind("\nE:");
   std::ofstream(session, std::ios::binary) << text.substr(0, last + 12);
   desk = start("crash-stroke");
-  ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover);
+  ASSERT_EQ(desk->app->of<Dialogs>().open(), Dialog::recover);
   desk->click("Bring it back");
   ASSERT_EQ(desk->document().curves.size(), 1U);
   EXPECT_TRUE(desk->document().curves.front()->target.has_value());
-  const auto state = desk->app->workspace().state();
+  const auto state = desk->app->of<EditingSession>().state();
   crash(std::move(desk));
   desk = start("crash-stroke");
   desk->click("Bring it back");
-  EXPECT_EQ(desk->app->workspace().state(), state) << "the file that was mended replays";
+  EXPECT_EQ(desk->app->of<EditingSession>().state(), state) << "the file that was mended replays";
 }
 
 // A power cut stops in the middle of a line, or right before its break: whatever came back goes on in a file that
@@ -140,11 +140,11 @@ TEST(Recovery, WhereverTheFileWasCutOffItGoesOnAndReplays) {
     std::ofstream(session, std::ios::binary) << whole.substr(0, cut);
     std::ofstream(session + ".open") << note;
     desk = start("crash-cut");
-    ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover) << "cut at byte " << cut;
+    ASSERT_EQ(desk->app->of<Dialogs>().open(), Dialog::recover) << "cut at byte " << cut;
     desk->click("Bring it back");
     desk->begin();
     desk->click("Key");
-    const auto state = desk->app->workspace().state();
+    const auto state = desk->app->of<EditingSession>().state();
     ASSERT_EQ(desk->document().timeline->keys.size(), 1U);
     const std::string text = text_of(session);
     replay::PlayerOptions options;
@@ -161,17 +161,17 @@ TEST(Recovery, WhatIsLeftForLaterIsOfferedAtTheNextStart) {
   pose_mouth(*desk);
   crash(std::move(desk));
   desk = start("crash-later");
-  ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover);
+  ASSERT_EQ(desk->app->of<Dialogs>().open(), Dialog::recover);
   desk->hit_escape();
-  EXPECT_EQ(desk->app->dialogs().open(), Dialog::none);
+  EXPECT_EQ(desk->app->of<Dialogs>().open(), Dialog::none);
   desk.reset();
   desk = start("crash-later");
-  ASSERT_EQ(desk->app->dialogs().open(), Dialog::recover);
+  ASSERT_EQ(desk->app->of<Dialogs>().open(), Dialog::recover);
   desk->click("Start anew");
-  EXPECT_EQ(desk->app->dialogs().open(), Dialog::none);
+  EXPECT_EQ(desk->app->of<Dialogs>().open(), Dialog::none);
   desk.reset();
   desk = start("crash-later");
-  EXPECT_EQ(desk->app->dialogs().open(), Dialog::none);
+  EXPECT_EQ(desk->app->of<Dialogs>().open(), Dialog::none);
 }
 
 TEST(Recovery, WorkThatASignalInterruptsIsOfferedAtTheNextStart) {
@@ -181,15 +181,15 @@ TEST(Recovery, WorkThatASignalInterruptsIsOfferedAtTheNextStart) {
     desk.begin();
     pose_mouth(desk);
     desk.stroke(desk.named_curve("brow_L"), false);
-    desk.app->quit_at_once();
+    desk.app->of<Leaving>().quit_at_once();
     EXPECT_EQ(desk.document().curves.size(), 2U) << "the stroke under the pen is kept, too";
-    lost = desk.app->workspace().state();
-    EXPECT_TRUE(desk.app->wants_quit()) << "nobody is asked";
+    lost = desk.app->of<EditingSession>().state();
+    EXPECT_TRUE(desk.app->of<Leaving>().wants_quit()) << "nobody is asked";
   }
   Desk desk("signal", "builtin:demo", false);
-  ASSERT_EQ(desk.app->dialogs().open(), Dialog::recover);
+  ASSERT_EQ(desk.app->of<Dialogs>().open(), Dialog::recover);
   desk.click("Bring it back");
-  EXPECT_EQ(desk.app->workspace().state().parts[3], lost.parts[3]);
+  EXPECT_EQ(desk.app->of<EditingSession>().state().parts[3], lost.parts[3]);
 }
 
 }  // namespace

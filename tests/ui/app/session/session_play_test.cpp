@@ -24,7 +24,7 @@ std::string recorded(const std::string& name) {
   desk.begin();
   pose_mouth(desk);
   desk.click("Key");
-  return text_of(desk.app->session_path());
+  return text_of(desk.app->of<Recording>().path());
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
@@ -45,21 +45,21 @@ Played play(const std::string& name, const std::string& text) {
   const std::string path = desk.path("played.session");
   std::ofstream(path, std::ios::binary) << text;
   Played out;
-  const auto before = desk.app->workspace().state();
-  out.status = desk.app->play_trace(path);
+  const auto before = desk.app->of<EditingSession>().state();
+  out.status = desk.app->of<Files>().play_trace(path);
   if (!out.status) {
-    EXPECT_EQ(desk.app->workspace().state(), before) << "what is refused changes nothing";
+    EXPECT_EQ(desk.app->of<EditingSession>().state(), before) << "what is refused changes nothing";
     return out;
   }
-  desk.app->player().trace->set_speed(16);
-  for (int i = 0; i < 2000 && !desk.app->player().trace->finished(); ++i) {
+  desk.app->of<Player>().trace->set_speed(16);
+  for (int i = 0; i < 2000 && !desk.app->of<Player>().trace->finished(); ++i) {
     desk.frames(1);
-    for (const Notice& notice : desk.app->notices().all()) {
+    for (const Notice& notice : desk.app->of<Notices>().all()) {
       if (notice.is_error) out.said = notice.text;
     }
   }
-  EXPECT_TRUE(desk.app->player().trace->finished());
-  out.divergence = desk.app->player().trace->divergence();
+  EXPECT_TRUE(desk.app->of<Player>().trace->finished());
+  out.divergence = desk.app->of<Player>().trace->divergence();
   return out;
 }
 
@@ -110,15 +110,15 @@ TEST(SessionPlay, ASessionReplaysAfterItsProjectWasSavedOverItself) {
   Desk desk("play-saved");
   desk.begin();
   const std::string project = desk.path("mine.glb");
-  ASSERT_TRUE(desk.app->save(project).ok());
+  ASSERT_TRUE(desk.app->of<Files>().save(project).ok());
   std::filesystem::create_symlink("mine.glb", desk.path("link.glb"));
   for (const std::string& opened : {project, desk.path("link.glb")}) {
-    ASSERT_TRUE(desk.app->open(opened).ok());
+    ASSERT_TRUE(desk.app->of<Files>().open(opened).ok());
     desk.frames();
     pose_mouth(desk);
-    ASSERT_TRUE(desk.app->save(project).ok());
-    const auto state = desk.app->workspace().state();
-    const std::string session = desk.app->session_path();
+    ASSERT_TRUE(desk.app->of<Files>().save(project).ok());
+    const auto state = desk.app->of<EditingSession>().state();
+    const std::string session = desk.app->of<Recording>().path();
     replay::PlayerOptions options;
     options.open = [&](const std::string& named) {
       return files::load_document(files::find_session_model(session, named));
@@ -135,19 +135,19 @@ TEST(SessionPlay, AProjectIsNotSavedOverWhereItsSessionCouldNotBeReplayedAnyMore
   Desk desk("play-full");
   desk.begin();
   const std::string project = desk.path("mine.glb");
-  ASSERT_TRUE(desk.app->save(project).ok());
-  ASSERT_TRUE(desk.app->open(project).ok());
+  ASSERT_TRUE(desk.app->of<Files>().save(project).ok());
+  ASSERT_TRUE(desk.app->of<Files>().open(project).ok());
   desk.frames();
   pose_mouth(desk);
   const std::string before = text_of(project);
   // No file of its name can be made there, as on a full disk: it is a link into a folder that is not there.
-  std::filesystem::create_symlink("/none/model.glb", files::kept_model_of(desk.app->session_path(), project));
-  const auto saved = desk.app->save(project);
+  std::filesystem::create_symlink("/none/model.glb", files::kept_model_of(desk.app->of<Recording>().path(), project));
+  const auto saved = desk.app->of<Files>().save(project);
   ASSERT_FALSE(saved);
   EXPECT_NE(saved.error().line().find("save under another name"), std::string::npos) << saved.error().line();
   EXPECT_EQ(text_of(project), before);
-  EXPECT_TRUE(desk.app->workspace().unsaved());
-  EXPECT_TRUE(desk.app->save(desk.path("other.glb")).ok());
+  EXPECT_TRUE(desk.app->of<EditingSession>().unsaved());
+  EXPECT_TRUE(desk.app->of<Files>().save(desk.path("other.glb")).ok());
 }
 
 }  // namespace

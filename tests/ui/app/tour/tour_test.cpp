@@ -54,28 +54,28 @@ TEST(Tour, WhatIsNoTourIsRefusedWithItsLine) {
 
 /// The line that a tour shows, as the hand sees it; moved by some px.
 std::vector<PxPoint> shown_line(Desk& desk, PxPoint by = {}) {
-  const document::View& view = desk.app->canvas().view();
+  const document::View& view = desk.app->of<Canvas>().view();
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   std::vector<PxPoint> line;
-  for (const auto& point : desk.app->tour().ghost()) line.push_back(*camera->project(point) + by);
+  for (const auto& point : desk.app->of<TourGuide>().ghost()) line.push_back(*camera->project(point) + by);
   return line;
 }
 
 void begin_tour(Desk& desk, const std::string& name) {
   desk.begin();
-  desk.app->try_open("tour:" + name);
+  desk.app->of<Files>().try_open("tour:" + name);
   desk.frames();
-  ASSERT_TRUE(desk.app->tour().active());
+  ASSERT_TRUE(desk.app->of<TourGuide>().active());
 }
 
 TEST(Tour, TheFirstStartOffersThemAndTheSearchFindsThem) {
   Desk desk("tour-offer");
   EXPECT_NE(desk.interface->find("Tour: pose a face"), nullptr);
   desk.click("Tour: pose a face");
-  ASSERT_TRUE(desk.app->tour().active());
-  EXPECT_EQ(desk.app->tour().tour().name, "pose");
-  EXPECT_TRUE(desk.app->preferences().settings().steps_seen) << "it is not offered at every start";
-  const auto found = find_commands(*desk.app, "tour");
+  ASSERT_TRUE(desk.app->of<TourGuide>().active());
+  EXPECT_EQ(desk.app->of<TourGuide>().tour().name, "pose");
+  EXPECT_TRUE(desk.app->of<Preferences>().settings().steps_seen) << "it is not offered at every start";
+  const auto found = find_commands({desk.document(), 24, {}}, "tour");
   ASSERT_GE(found.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(found[i].text.starts_with("Tour: ")) << found[i].text;
 }
@@ -84,11 +84,11 @@ TEST(Tour, SixStrokesOfTheHandGoThroughTheFirst) {
   Desk desk("tour-pose");
   begin_tour(desk, "pose");
   for (std::size_t step = 0; step < 6; ++step) {
-    ASSERT_EQ(desk.app->tour().step(), step) << desk.app->tour().again();
+    ASSERT_EQ(desk.app->of<TourGuide>().step(), step) << desk.app->of<TourGuide>().again();
     // A hand is not exact.
     desk.stroke(shown_line(desk, {2, -2}));
   }
-  EXPECT_TRUE(desk.app->tour().done()) << desk.app->tour().again();
+  EXPECT_TRUE(desk.app->of<TourGuide>().done()) << desk.app->of<TourGuide>().again();
   EXPECT_EQ(desk.document().curves.size(), 3U);
   EXPECT_NE(desk.interface->find("Next tour##tour"), nullptr);
 }
@@ -97,17 +97,18 @@ TEST(Tour, AStrokeElsewhereIsTakenBackAndSaidWhy) {
   Desk desk("tour-wrong");
   begin_tour(desk, "pose");
   desk.stroke(shown_line(desk, {0, -90}));
-  EXPECT_EQ(desk.app->tour().step(), 0U);
-  EXPECT_NE(desk.app->tour().again().find("Too far up"), std::string::npos) << desk.app->tour().again();
+  EXPECT_EQ(desk.app->of<TourGuide>().step(), 0U);
+  EXPECT_NE(desk.app->of<TourGuide>().again().find("Too far up"), std::string::npos)
+      << desk.app->of<TourGuide>().again();
   EXPECT_TRUE(desk.document().curves.empty());
   desk.stroke(shown_line(desk));
-  EXPECT_EQ(desk.app->tour().step(), 1U);
-  EXPECT_EQ(desk.app->tour().again(), "");
-  // Where the feature is already is no goal for it.
+  EXPECT_EQ(desk.app->of<TourGuide>().step(), 1U);
+  EXPECT_EQ(desk.app->of<TourGuide>().again(), "");
+  // Where the feature is already is no target for it.
   desk.stroke(desk.named_curve("lip_upper_inner"));
-  EXPECT_EQ(desk.app->tour().step(), 1U);
+  EXPECT_EQ(desk.app->of<TourGuide>().step(), 1U);
   EXPECT_FALSE(desk.document().curves.front()->target.has_value());
-  EXPECT_NE(desk.app->tour().again(), "");
+  EXPECT_NE(desk.app->of<TourGuide>().again(), "");
 }
 
 TEST(Tour, WhoTakesBackAStrokeIsShownItAgain) {
@@ -115,22 +116,22 @@ TEST(Tour, WhoTakesBackAStrokeIsShownItAgain) {
   begin_tour(desk, "pose");
   desk.stroke(shown_line(desk));
   desk.stroke(shown_line(desk));
-  ASSERT_EQ(desk.app->tour().step(), 2U);
-  desk.app->playback().undo();
+  ASSERT_EQ(desk.app->of<TourGuide>().step(), 2U);
+  desk.app->of<Playback>().undo();
   desk.frames();
-  EXPECT_EQ(desk.app->tour().step(), 1U);
+  EXPECT_EQ(desk.app->of<TourGuide>().step(), 1U);
   desk.stroke(shown_line(desk));
-  EXPECT_EQ(desk.app->tour().step(), 2U);
+  EXPECT_EQ(desk.app->of<TourGuide>().step(), 2U);
 }
 
 TEST(Tour, AnotherToolIsAskedToBePutAway) {
   Desk desk("tour-tool");
   begin_tour(desk, "pose");
   desk.click("Erase");
-  EXPECT_EQ(desk.app->tour().pointed(*desk.app), "Pose");
-  EXPECT_TRUE(desk.app->tour().says(*desk.app).starts_with("Press Pose first"));
+  EXPECT_EQ(desk.app->of<TourGuide>().pointed(), "Pose");
+  EXPECT_TRUE(desk.app->of<TourGuide>().says().starts_with("Press Pose first"));
   desk.click("Pose");
-  EXPECT_EQ(desk.app->tour().pointed(*desk.app), "");
+  EXPECT_EQ(desk.app->of<TourGuide>().pointed(), "");
 }
 
 TEST(Tour, TheLineIsShownOnTheFaceFromWhereverOneLooks) {
@@ -144,57 +145,57 @@ TEST(Tour, TheLineIsShownOnTheFaceFromWhereverOneLooks) {
   const auto lips = desk.named_curve("lip_upper_inner");
   EXPECT_LT(geometry::distance(after[after.size() / 2], lips[lips.size() / 2]), 12);
   desk.stroke(after);
-  EXPECT_EQ(desk.app->tour().step(), 1U) << desk.app->tour().again();
+  EXPECT_EQ(desk.app->of<TourGuide>().step(), 1U) << desk.app->of<TourGuide>().again();
 }
 
 TEST(Tour, ThreeLinesMakeTheControlOfTheSecond) {
   Desk desk("tour-rig");
   begin_tour(desk, "rig");
-  EXPECT_EQ(desk.app->tour().pointed(*desk.app), "Rig");
+  EXPECT_EQ(desk.app->of<TourGuide>().pointed(), "Rig");
   desk.click("Rig");
   for (int i = 0; i < 3; ++i) desk.stroke(shown_line(desk, {1, 2}));
-  ASSERT_EQ(desk.app->tour().step(), 4U) << desk.app->tour().again();
-  const std::string slider = desk.app->tour().pointed(*desk.app);
+  ASSERT_EQ(desk.app->of<TourGuide>().step(), 4U) << desk.app->of<TourGuide>().again();
+  const std::string slider = desk.app->of<TourGuide>().pointed();
   const Area* found = desk.interface->find(slider);
   ASSERT_NE(found, nullptr) << slider;
   const Area at = *found;
   const PxPoint middle = at.middle();
   // Half of the way is not its end.
-  desk.app->controls().set_parameter(0, 0.4);
+  desk.app->of<Controls>().set_parameter(0, 0.4);
   desk.frames();
-  EXPECT_FALSE(desk.app->tour().done());
-  EXPECT_NE(desk.app->tour().again(), "");
+  EXPECT_FALSE(desk.app->of<TourGuide>().done());
+  EXPECT_NE(desk.app->of<TourGuide>().again(), "");
   const PxPoint end{at.right + 40, middle.y};
-  desk.app->mouse_moved(middle);
-  desk.app->mouse_button(MouseButton::left, true, middle);
+  desk.app->of<Pointer>().moved(middle);
+  desk.app->of<Pointer>().button(MouseButton::left, true, middle);
   desk.frames();
-  desk.app->mouse_moved(end);
+  desk.app->of<Pointer>().moved(end);
   desk.frames();
-  desk.app->mouse_button(MouseButton::left, false, end);
+  desk.app->of<Pointer>().button(MouseButton::left, false, end);
   desk.frames();
-  EXPECT_TRUE(desk.app->tour().done()) << desk.app->tour().again();
+  EXPECT_TRUE(desk.app->of<TourGuide>().done()) << desk.app->of<TourGuide>().again();
 }
 
 TEST(Tour, TwoKeysAndPlayEndTheThird) {
   Desk desk("tour-animate");
   begin_tour(desk, "animate");
   desk.click("Key");
-  ASSERT_EQ(desk.app->tour().step(), 1U);
-  desk.app->playback().go_to(0.5);
+  ASSERT_EQ(desk.app->of<TourGuide>().step(), 1U);
+  desk.app->of<Playback>().go_to(0.5);
   desk.frames();
-  EXPECT_EQ(desk.app->tour().step(), 1U);
-  EXPECT_NE(desk.app->tour().again().find("frame"), std::string::npos);
+  EXPECT_EQ(desk.app->of<TourGuide>().step(), 1U);
+  EXPECT_NE(desk.app->of<TourGuide>().again().find("frame"), std::string::npos);
   const Area* mark = desk.interface->find("tour time");
   ASSERT_NE(mark, nullptr);
   const PxPoint at = mark->middle();
   desk.stroke({{at.x - 60, at.y}, at});
-  ASSERT_EQ(desk.app->tour().step(), 2U) << desk.app->tour().again();
+  ASSERT_EQ(desk.app->of<TourGuide>().step(), 2U) << desk.app->of<TourGuide>().again();
   desk.stroke(shown_line(desk));
   desk.stroke(shown_line(desk));
   desk.click("Key");
-  ASSERT_EQ(desk.app->tour().step(), 5U) << desk.app->tour().again();
+  ASSERT_EQ(desk.app->of<TourGuide>().step(), 5U) << desk.app->of<TourGuide>().again();
   desk.click("Play");
-  EXPECT_TRUE(desk.app->tour().done());
+  EXPECT_TRUE(desk.app->of<TourGuide>().done());
   EXPECT_EQ(desk.document().timeline->keys.size(), 2U);
 }
 
@@ -202,38 +203,38 @@ TEST(Tour, EveryStepCanBeSkippedAndTheTourLeft) {
   for (const std::string_view name : k_tours) {
     Desk desk("tour-skip-" + std::string(name));
     begin_tour(desk, std::string(name));
-    const std::size_t steps = desk.app->tour().tour().steps.size();
+    const std::size_t steps = desk.app->of<TourGuide>().tour().steps.size();
     for (std::size_t i = 0; i < steps; ++i) {
-      ASSERT_EQ(desk.app->tour().step(), i) << name << ": " << desk.app->tour().again();
+      ASSERT_EQ(desk.app->of<TourGuide>().step(), i) << name << ": " << desk.app->of<TourGuide>().again();
       desk.click("Skip##tour");
     }
-    EXPECT_TRUE(desk.app->tour().done()) << name;
+    EXPECT_TRUE(desk.app->of<TourGuide>().done()) << name;
     desk.click("Close##tour");
-    EXPECT_FALSE(desk.app->tour().active());
+    EXPECT_FALSE(desk.app->of<TourGuide>().active());
   }
   Desk desk("tour-leave");
   begin_tour(desk, "pose");
   desk.stroke(shown_line(desk));
   desk.click("Leave##tour");
-  EXPECT_FALSE(desk.app->tour().active());
+  EXPECT_FALSE(desk.app->of<TourGuide>().active());
   EXPECT_EQ(desk.document().curves.size(), 1U) << "what was drawn stays";
 }
 
 TEST(Tour, AnotherModelEndsIt) {
   Desk desk("tour-open");
   begin_tour(desk, "pose");
-  ASSERT_TRUE(desk.app->open("builtin:head").ok());
+  ASSERT_TRUE(desk.app->of<Files>().open("builtin:head").ok());
   desk.frames();
-  EXPECT_FALSE(desk.app->tour().active());
+  EXPECT_FALSE(desk.app->of<TourGuide>().active());
 }
 
 TEST(Tour, TheCardCutsNothingInAWindowOfAnySize) {
   Desk desk("tour-size");
   begin_tour(desk, "pose");
   for (const auto& [width, height] : {std::pair{800, 600}, std::pair{1280, 800}, std::pair{3840, 2160}}) {
-    desk.app->resized({width, height}, 96);
+    desk.app->of<Pointer>().resized({width, height}, 96);
     desk.frames();
-    const Area free = desk.app->canvas().free_area();
+    const Area free = desk.app->of<Canvas>().free_area();
     for (const PxPoint& p : shown_line(desk)) EXPECT_TRUE(free.holds(p)) << width;
     for (const char* label : {"Skip##tour", "Leave##tour"}) {
       const Area* at = desk.interface->find(label);

@@ -35,16 +35,16 @@ TEST(Backdrop, ItStandsWhereTheModelIsAndGoesAlongWithTheView) {
   Desk desk("backdrop");
   desk.begin();
   write_picture(desk.path("face.png"), 30, 60, 9);
-  open_backdrop(desk.app->canvas(), desk.app->notices(), desk.path("face.png"));
+  open_backdrop(desk.app->of<Canvas>(), desk.app->of<Notices>(), desk.path("face.png"));
   desk.frames();
-  const auto& backdrop = desk.app->canvas().look().backdrop;
+  const auto& backdrop = desk.app->of<CanvasLook>().backdrop;
   ASSERT_NE(backdrop, nullptr);
-  const auto before = backdrop->seen(desk.app->canvas().view());
+  const auto before = backdrop->seen(desk.app->of<Canvas>().view());
   ASSERT_NE(before.image, nullptr);
   EXPECT_NEAR((before.to.x - before.from.x) / (before.to.y - before.from.y), 0.5, 1e-9) << "its own shape";
-  EXPECT_TRUE(desk.app->canvas().free_area().holds((before.from + before.to) * 0.5));
+  EXPECT_TRUE(desk.app->of<Canvas>().free_area().holds((before.from + before.to) * 0.5));
   desk.press('+');
-  const auto nearer = backdrop->seen(desk.app->canvas().view());
+  const auto nearer = backdrop->seen(desk.app->of<Canvas>().view());
   EXPECT_GT(nearer.to.y - nearer.from.y, 1.05 * (before.to.y - before.from.y)) << "zoomed with the model";
 }
 
@@ -52,30 +52,30 @@ TEST(Backdrop, DraggedOnTheCanvasItGoesWithThePointerAndNothingIsDrawn) {
   Desk desk("backdrop-drag");
   desk.begin();
   write_picture(desk.path("face.png"), 40, 40, 9);
-  open_backdrop(desk.app->canvas(), desk.app->notices(), desk.path("face.png"));
+  open_backdrop(desk.app->of<Canvas>(), desk.app->of<Notices>(), desk.path("face.png"));
   desk.frames();
-  const auto before = desk.app->canvas().look().backdrop->seen(desk.app->canvas().view());
-  const PxPoint from = desk.app->canvas().free_area().middle();
+  const auto before = desk.app->of<CanvasLook>().backdrop->seen(desk.app->of<Canvas>().view());
+  const PxPoint from = desk.app->of<Canvas>().free_area().middle();
   desk.stroke({from, from + PxPoint{60, -30}});
-  const auto after = desk.app->canvas().look().backdrop->seen(desk.app->canvas().view());
+  const auto after = desk.app->of<CanvasLook>().backdrop->seen(desk.app->of<Canvas>().view());
   EXPECT_NEAR(after.from.x - before.from.x, 60, 2);
   EXPECT_NEAR(after.from.y - before.from.y, -30, 2);
   EXPECT_TRUE(desk.document().curves.empty());
   // What is under the pointer stays while the wheel makes it larger.
-  desk.app->mouse_moved(from);
+  desk.app->of<Pointer>().moved(from);
   desk.frames();
-  desk.app->wheel(3);
+  desk.app->of<Pointer>().wheel(3);
   desk.frames();
-  const auto larger = desk.app->canvas().look().backdrop->seen(desk.app->canvas().view());
+  const auto larger = desk.app->of<CanvasLook>().backdrop->seen(desk.app->of<Canvas>().view());
   EXPECT_GT(larger.to.x - larger.from.x, 1.1 * (after.to.x - after.from.x));
   const auto share = [&](const render::Behind& b) { return (from.x - b.from.x) / (b.to.x - b.from.x); };
   EXPECT_NEAR(share(larger), share(after), 1e-3);
   desk.click("Done##behind");
-  EXPECT_FALSE(desk.app->canvas().look().backdrop->adjusting);
+  EXPECT_FALSE(desk.app->of<CanvasLook>().backdrop->adjusting);
   desk.stroke(desk.named_curve("brow_L"));
   EXPECT_EQ(desk.document().curves.size(), 1U) << "now the canvas is the pen's again";
-  desk.app->do_action(Action::backdrop_off);
-  EXPECT_EQ(desk.app->canvas().look().backdrop, nullptr);
+  desk.app->of<Actions>().run(Action::backdrop_off);
+  EXPECT_EQ(desk.app->of<CanvasLook>().backdrop, nullptr);
 }
 
 TEST(Backdrop, TheFrameOfTheMomentIsShown) {
@@ -83,27 +83,27 @@ TEST(Backdrop, TheFrameOfTheMomentIsShown) {
   desk.begin();
   for (int i = 1; i <= 5; ++i)
     write_picture(desk.path("f00" + std::to_string(i) + ".png"), 8, 8, static_cast<std::uint8_t>(10 * i));
-  open_backdrop(desk.app->canvas(), desk.app->notices(), desk.path("f001.png"));
-  const auto backdrop = desk.app->canvas().look().backdrop;
+  open_backdrop(desk.app->of<Canvas>(), desk.app->of<Notices>(), desk.path("f001.png"));
+  const auto backdrop = desk.app->of<CanvasLook>().backdrop;
   ASSERT_EQ(backdrop->frame_count(), 5U);
-  desk.app->playback().place_cursor(3.0 / desk.app->playback().rate());
+  desk.app->of<Playback>().place_cursor(3.0 / desk.app->of<Playback>().rate());
   for (int i = 0; i < 200 && backdrop->frame() != 3; ++i) {
     desk.frames(1);
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   EXPECT_EQ(backdrop->frame(), 3U);
-  EXPECT_EQ(backdrop->seen(desk.app->canvas().view()).image->at(4, 4)[0], 40);
+  EXPECT_EQ(backdrop->seen(desk.app->of<Canvas>().view()).image->at(4, 4)[0], 40);
 }
 
 TEST(Backdrop, WhatIsNoPictureIsToldWithItsName) {
   Desk desk("backdrop-bad");
   desk.begin();
   std::ofstream(desk.path("bad.jpg")) << "no picture";
-  open_backdrop(desk.app->canvas(), desk.app->notices(), desk.path("bad.jpg"));
-  EXPECT_EQ(desk.app->canvas().look().backdrop, nullptr);
-  ASSERT_FALSE(desk.app->notices().all().empty());
-  EXPECT_TRUE(desk.app->notices().all().back().is_error);
-  EXPECT_NE(desk.app->notices().all().back().text.find("bad.jpg"), std::string::npos);
+  open_backdrop(desk.app->of<Canvas>(), desk.app->of<Notices>(), desk.path("bad.jpg"));
+  EXPECT_EQ(desk.app->of<CanvasLook>().backdrop, nullptr);
+  ASSERT_FALSE(desk.app->of<Notices>().all().empty());
+  EXPECT_TRUE(desk.app->of<Notices>().all().back().is_error);
+  EXPECT_NE(desk.app->of<Notices>().all().back().text.find("bad.jpg"), std::string::npos);
 }
 
 }  // namespace

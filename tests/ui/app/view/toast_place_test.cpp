@@ -29,25 +29,29 @@ TEST(ToastPlace, ItCoversNothingThatIsDrawnWhereACornerIsFree) {
 TEST(ToastPlace, WhatIsSaidGoesAfterFourSeconds) {
   Desk desk("toast");
   desk.begin();
-  desk.app->notices().tell("something happened");
+  desk.app->of<Notices>().tell("something happened");
   desk.frames(200);  // 3.2 s
-  ASSERT_EQ(desk.app->notices().all().size(), 1U);
+  ASSERT_EQ(desk.app->of<Notices>().all().size(), 1U);
   EXPECT_GE(desk.app->next_frame_ms(), 0) << "it goes without an event";
   desk.frames(60);
-  EXPECT_TRUE(desk.app->notices().all().empty());
+  EXPECT_TRUE(desk.app->of<Notices>().all().empty());
   EXPECT_EQ(desk.app->next_frame_ms(), -1) << "then nothing is to be drawn any more";
+}
+
+std::vector<PxPoint> drawn(Desk& desk) {
+  return drawn_px(desk.app->of<Canvas>().view(), desk.app->of<CanvasDrawing>().curves);
 }
 
 TEST(ToastPlace, LinesOnTheCanvasAreKnown) {
   Desk desk("toast-lines");
   desk.begin();
-  EXPECT_TRUE(drawn_px(*desk.app).empty());
+  EXPECT_TRUE(drawn(desk).empty());
   const auto line = desk.named_curve(any_curve(desk));
   desk.stroke(line);
-  const auto drawn = drawn_px(*desk.app);
-  ASSERT_FALSE(drawn.empty());
+  const auto points = drawn(desk);
+  ASSERT_FALSE(points.empty());
   const auto near = [&](const PxPoint& p) {
-    return std::any_of(drawn.begin(), drawn.end(), [&](const PxPoint& q) { return geometry::distance(p, q) < 12; });
+    return std::any_of(points.begin(), points.end(), [&](const PxPoint& q) { return geometry::distance(p, q) < 12; });
   };
   for (const PxPoint& p : line) EXPECT_TRUE(near(p));
 }

@@ -9,7 +9,7 @@ namespace penpose::app {
 namespace {
 
 double distance_of(const Desk& desk) {
-  return geometry::distance(desk.app->canvas().view().camera.eye, desk.app->canvas().view().camera.look_at);
+  return geometry::distance(desk.app->of<Canvas>().view().camera.eye, desk.app->of<Canvas>().view().camera.look_at);
 }
 
 TEST(View, FrontKeepsTheZoomAndFrameShowsAllAgain) {
@@ -22,7 +22,7 @@ TEST(View, FrontKeepsTheZoomAndFrameShowsAllAgain) {
   ASSERT_LT(near, 0.8 * all);
   desk.press('1');
   EXPECT_NEAR(distance_of(desk), near, 1e-9);
-  EXPECT_NEAR(viewpoint_of(desk.app->canvas().view().camera).yaw_degrees, 0, 1e-6);
+  EXPECT_NEAR(viewpoint_of(desk.app->of<Canvas>().view().camera).yaw_degrees, 0, 1e-6);
   desk.press('f');
   EXPECT_NEAR(distance_of(desk), all, 0.05 * all);
 }
@@ -30,17 +30,17 @@ TEST(View, FrontKeepsTheZoomAndFrameShowsAllAgain) {
 TEST(View, WithoutPerspectiveTheNearIsAsLargeAsTheFar) {
   Desk desk("flat");
   desk.begin();
-  const Area free = desk.app->canvas().free_area();
+  const Area free = desk.app->of<Canvas>().free_area();
   const double before = desk.named_curve("lip_upper_inner").back().x - desk.named_curve("lip_upper_inner").front().x;
   desk.press('5');
-  EXPECT_TRUE(desk.app->canvas().flat());
+  EXPECT_TRUE(desk.app->of<Canvas>().flat());
   const double after = desk.named_curve("lip_upper_inner").back().x - desk.named_curve("lip_upper_inner").front().x;
   EXPECT_NEAR(after, before, 0.15 * before) << "about as large as before";
   // Sides and zoom stay without it.
   desk.press('3');
-  EXPECT_TRUE(desk.app->canvas().flat());
+  EXPECT_TRUE(desk.app->of<Canvas>().flat());
   desk.press('+');
-  EXPECT_TRUE(desk.app->canvas().flat());
+  EXPECT_TRUE(desk.app->of<Canvas>().flat());
   // One draws as ever.
   desk.press('1');
   desk.press('f');
@@ -50,7 +50,7 @@ TEST(View, WithoutPerspectiveTheNearIsAsLargeAsTheFar) {
   ASSERT_EQ(desk.document().curves.size(), 1U);
   EXPECT_NE(desk.document().pose, rig::rest_pose(*desk.document().model->rig));
   desk.press('5');
-  EXPECT_FALSE(desk.app->canvas().flat());
+  EXPECT_FALSE(desk.app->of<Canvas>().flat());
 }
 
 TEST(View, TheModelsOwnFrontIsChosenOnceAndKeptInTheProject) {
@@ -60,34 +60,34 @@ TEST(View, TheModelsOwnFrontIsChosenOnceAndKeptInTheProject) {
     Desk desk("own-front");
     desk.begin();
     for (int i = 0; i < 2; ++i) desk.press(k_key_right);
-    yaw = viewpoint_of(desk.app->canvas().view().camera).yaw_degrees;
+    yaw = viewpoint_of(desk.app->of<Canvas>().view().camera).yaw_degrees;
     ASSERT_GT(std::abs(yaw), 20);
-    desk.app->do_action(Action::set_front);
+    desk.app->of<Actions>().run(Action::set_front);
     desk.frames();
     desk.press('3');
-    EXPECT_NEAR(viewpoint_of(desk.app->canvas().view().camera).yaw_degrees, yaw + 90, 1e-6);
+    EXPECT_NEAR(viewpoint_of(desk.app->of<Canvas>().view().camera).yaw_degrees, yaw + 90, 1e-6);
     desk.press('1');
-    EXPECT_NEAR(viewpoint_of(desk.app->canvas().view().camera).yaw_degrees, yaw, 1e-6);
+    EXPECT_NEAR(viewpoint_of(desk.app->of<Canvas>().view().camera).yaw_degrees, yaw, 1e-6);
     project = desk.path("turned.glb");
-    ASSERT_TRUE(desk.app->save(project).ok());
+    ASSERT_TRUE(desk.app->of<Files>().save(project).ok());
     // It is a step like others.
-    desk.app->playback().undo();
+    desk.app->of<Playback>().undo();
     desk.press('1');
-    EXPECT_NEAR(viewpoint_of(desk.app->canvas().view().camera).yaw_degrees, 0, 1e-6);
+    EXPECT_NEAR(viewpoint_of(desk.app->of<Canvas>().view().camera).yaw_degrees, 0, 1e-6);
   }
   Desk again("own-front-again", project);
-  EXPECT_NEAR(viewpoint_of(again.app->canvas().view().camera).yaw_degrees, yaw, 1e-6) << "it opens seen from there";
+  EXPECT_NEAR(viewpoint_of(again.app->of<Canvas>().view().camera).yaw_degrees, yaw, 1e-6) << "it opens seen from there";
 }
 
 TEST(View, TheEndsOfTheAxesAreButtonsToLookFromThere) {
   Desk desk("axes");
   desk.begin();
-  desk.app->resized({1280, 800}, 96);
+  desk.app->of<Pointer>().resized({1280, 800}, 96);
   desk.frames();
   desk.click("X##axis");
-  EXPECT_NEAR(viewpoint_of(desk.app->canvas().view().camera).yaw_degrees, 90, 1e-6);
+  EXPECT_NEAR(viewpoint_of(desk.app->of<Canvas>().view().camera).yaw_degrees, 90, 1e-6);
   desk.click("Z##axis");
-  EXPECT_NEAR(viewpoint_of(desk.app->canvas().view().camera).yaw_degrees, 0, 1e-6);
+  EXPECT_NEAR(viewpoint_of(desk.app->of<Canvas>().view().camera).yaw_degrees, 0, 1e-6);
   EXPECT_TRUE(desk.document().curves.empty()) << "pressing them draws nothing";
 }
 

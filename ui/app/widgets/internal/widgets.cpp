@@ -52,14 +52,14 @@ void tooltip(PanelContext& context, const char* text) {
   // Over the canvas beside the panel that the item is on, else below it.
   const ImVec2 least = ImGui::GetItemRectMin();
   const ImVec2 most = ImGui::GetItemRectMax();
-  const Area free = context.app.canvas().free_area();
+  const Area free = context.free;
   const auto left = static_cast<float>(free.left);
   const auto right = static_cast<float>(free.right);
   const auto top = static_cast<float>(free.top);
   const auto bottom = static_cast<float>(free.bottom);
   ImVec2 at{least.x, most.y + context.gap};
   ImVec2 pivot{0, 0};
-  const bool panels = context.app.panels().shown && !context.menu_open && !context.dialog_area;
+  const bool panels = context.panels_shown && !context.menu_open && !context.dialog_area;
   if (panels && most.x <= left) at = {left + context.gap, least.y};
   if (panels && least.x >= right) {
     at = {right - context.gap, least.y};
@@ -199,14 +199,14 @@ bool action_button(PanelContext& context, Action action, float width, bool chose
   ButtonLook look{width, chosen, tip.c_str(), icon};
   look.left_aligned = width == -1 && !icon.empty();
   if (!icon_button(context, label != nullptr ? label : own.c_str(), look)) return false;
-  context.app.do_action(action);
+  context.actions.run(action);
   return true;
 }
 
 bool begin_panel(PanelContext& context, const char* name, const Area& area, bool scrolls) {
   ImGui::SetNextWindowPos({static_cast<float>(area.left), static_cast<float>(area.top)});
   ImGui::SetNextWindowSize({static_cast<float>(area.width()), static_cast<float>(area.height())});
-  context.app.canvas().hits().panels.push_back(area);
+  context.hits.panels.push_back(area);
   return ImGui::Begin(name, nullptr,
                       ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                           (scrolls ? 0 : ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_NoMove |
@@ -217,9 +217,9 @@ bool begin_panel(PanelContext& context, const char* name, const Area& area, bool
 void end_panel() { ImGui::End(); }
 
 bool begin_dialog(PanelContext& context, const char* title, float width_units) {
-  const auto window = context.app.canvas().window();
+  const auto window = context.window;
   const ImVec2 size{static_cast<float>(window.width), static_cast<float>(window.height)};
-  context.app.canvas().hits().all = true;
+  context.hits.all = true;
   // Everything behind it lies in shade.
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(size);
@@ -262,7 +262,7 @@ void note_field(PanelContext& context, const char* label) {
 
 bool begin_menu(PanelContext& context, const char* name) {
   if (!ImGui::BeginPopup(name)) return false;
-  context.app.canvas().hits().all = true;
+  context.hits.all = true;
   context.menu_open = true;
   if (context.cancels) ImGui::CloseCurrentPopup();
   return true;
@@ -272,12 +272,12 @@ void dialog_field(PanelContext& context, const char* label, std::string& text, c
   context.has_field = true;
   if (context.field_first) {
     ImGui::SetKeyboardFocusHere();
-    context.app.panels().own.of<FieldCursor>().placed = false;
+    context.own.of<FieldCursor>().placed = false;
   }
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5F * (context.unit - ImGui::GetFontSize())});
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint(label, hint, &text, ImGuiInputTextFlags_CallbackAlways, place_cursor,
-                           &context.app.panels().own.of<FieldCursor>().placed);
+                           &context.own.of<FieldCursor>().placed);
   note_field(context, label);
   ImGui::PopStyleVar();
 }

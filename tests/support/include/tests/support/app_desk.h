@@ -25,8 +25,8 @@ class Desk {
     options.clock = [this] { return now_us; };
     options.date = [] { return std::string("2026-01-02_03-04-05"); };
     app = std::make_unique<App>(options);
-    app->dialogs().state<FileChoice>().folder = folder.string();
-    const auto opened = app->open(model);
+    app->of<Dialogs>().state<FileChoice>().folder = folder.string();
+    const auto opened = app->of<Files>().open(model);
     EXPECT_TRUE(opened.ok()) << (opened.ok() ? "" : opened.error().line());
     interface = std::make_unique<Interface>(*app);
     frames();
@@ -66,14 +66,14 @@ class Desk {
     EXPECT_NE(area, nullptr) << "nothing on the screen says " << label;
     if (area == nullptr) return false;
     const PxPoint at = area->middle();
-    app->mouse_moved(at);
-    app->mouse_button(MouseButton::left, true, at);
-    app->mouse_button(MouseButton::left, false, at);
+    app->of<Pointer>().moved(at);
+    app->of<Pointer>().button(MouseButton::left, true, at);
+    app->of<Pointer>().button(MouseButton::left, false, at);
     frames();
     return true;
   }
   void press(std::uint32_t key, bool ctrl = false, bool shift = false) {
-    app->key({key, ctrl, shift});
+    app->of<Actions>().press({key, ctrl, shift});
     frames();
   }
   /// Keys of a keyboard, pressed and released before the next frame, with what they type.
@@ -98,34 +98,34 @@ class Desk {
   void hit_backspace() { hit(42); }
   /// A stroke of the mouse through px positions of the window, with small steps in between.
   void stroke(const std::vector<PxPoint>& through, bool lift = true) {
-    app->mouse_moved(through.front());
-    app->mouse_button(MouseButton::left, true, through.front());
+    app->of<Pointer>().moved(through.front());
+    app->of<Pointer>().button(MouseButton::left, true, through.front());
     for (std::size_t i = 1; i < through.size(); ++i) {
       for (int k = 1; k <= 8; ++k) {
         now_us += 3000;
-        app->mouse_moved(through[i - 1] * (1 - k / 8.0) + through[i] * (k / 8.0));
+        app->of<Pointer>().moved(through[i - 1] * (1 - k / 8.0) + through[i] * (k / 8.0));
       }
       app->begin_frame();
     }
-    if (lift) app->mouse_button(MouseButton::left, false, through.back());
+    if (lift) app->of<Pointer>().button(MouseButton::left, false, through.back());
     frames();
   }
   /// Where the view shows points of a named curve of the model at rest, moved by some px.
   [[nodiscard]] std::vector<PxPoint> named_curve(const std::string& name, PxPoint by = {}) const {
-    const document::View& view = app->canvas().view();
+    const document::View& view = app->of<Canvas>().view();
     const auto camera = geometry::Camera::make(view.camera, view.viewport);
     std::vector<PxPoint> line;
     for (const auto& curve : document().model->curves) {
       if (curve.name != name) continue;
       for (const auto& point : curve.points) {
-        const auto px = camera->project(geometry::ModelPoint(app->canvas().surface().at(point)));
+        const auto px = camera->project(geometry::ModelPoint(app->of<Canvas>().surface().at(point)));
         if (px) line.push_back(*px + by);
       }
     }
     EXPECT_GT(line.size(), 1U) << "the model has no curve " << name;
     return line;
   }
-  [[nodiscard]] const document::Document& document() const { return app->workspace().document(); }
+  [[nodiscard]] const document::Document& document() const { return app->of<EditingSession>().document(); }
   [[nodiscard]] std::string path(const std::string& name) const { return (folder / name).string(); }
 
   std::int64_t now_us = 1'000'000;

@@ -17,17 +17,17 @@ class PadDesk : public Desk {
  public:
   explicit PadDesk(const std::string& name, bool fresh = true) : Desk(name, "builtin:demo", fresh) {
     begin();
-    app->tablet_arrived(k_pad, tests::intuos_pro());
+    app->of<TabletEvents>().arrived(k_pad, tests::intuos_pro());
     auto pen = replay::virtual_pen_identity();
     pen.vendor = 0x1b96;
     pen.bus = decode::k_bus_usb;
     pen.name = "Pen display";
-    app->tablet_arrived(k_pen, pen);
+    app->of<TabletEvents>().arrived(k_pen, pen);
     frames();
   }
   void hold(unsigned keys, int ring = -1) {
     now_us += 5000;
-    app->tablet_report(k_pad, now_us, tests::pad_report(keys, ring));
+    app->of<TabletEvents>().report(k_pad, now_us, tests::pad_report(keys, ring));
     frames(2);
   }
   void tap(unsigned key) {
@@ -42,8 +42,9 @@ class PadDesk : public Desk {
   }
   void pen(PxPoint at, bool tip, bool barrel = false, bool near = true) {
     now_us += 3000;
-    const auto viewport = app->workspace().editor().view().viewport;
-    app->tablet_report(k_pen, now_us, replay::virtual_pen_report({at, 0.5, near, tip, false, barrel}, viewport));
+    const auto viewport = app->of<EditingSession>().editor().view().viewport;
+    app->of<TabletEvents>().report(k_pen, now_us,
+                                   replay::virtual_pen_report({at, 0.5, near, tip, false, barrel}, viewport));
     app->begin_frame();
   }
   void draw(const std::vector<PxPoint>& line, bool lift = true) {
@@ -52,11 +53,11 @@ class PadDesk : public Desk {
     if (lift) pen(line.back(), false);
   }
   void bind(const PadControl& control, const Binding& binding) {
-    app->bind(*app->desk().find(k_pad), control, binding);
+    app->of<Bindings>().bind(*app->of<HandDesk>().find(k_pad), control, binding);
   }
-  [[nodiscard]] drawing::ToolKind tool() const { return app->workspace().editor().tool().kind; }
+  [[nodiscard]] drawing::ToolKind tool() const { return app->of<EditingSession>().editor().tool().kind; }
   [[nodiscard]] bool told(const std::string& text) const {
-    for (const Notice& one : app->notices().all()) {
+    for (const Notice& one : app->of<Notices>().all()) {
       if (one.text == text) return true;
     }
     return false;

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "ui/app/controls/controls.h"
+#include "ui/app/playback/performer.h"
+#include "ui/app/tools/tool_in_hand.h"
+#include "ui/app/view/shown_curves.h"
+
+namespace penpose::app {
+
+/// The curves under the pen: lit, touched, and targets that are dragged or pulled.
+class CurvesInHand {
+ public:
+  struct Parts {
+    EditingSession& editing;
+    Canvas& canvas;
+    Controls& controls;
+    PanelState& panels;
+    Performer& performer;
+    Notices& notices;
+    ToolInHand& tool;
+  };
+  explicit CurvesInHand(const Parts& parts) : parts_(parts) {}
+
+  // The pen on the canvas.
+  void hover(PxPoint at, bool on_canvas);
+  void press(PxPoint at);
+  void move(PxPoint at);
+  void release(PxPoint at);
+  /// A modifier is held: lines are moved as a whole.
+  void set_whole(bool on) { whole_ = on; }
+
+  // The curve that is lit.
+  void delete_lit();
+  void keep_lit();
+
+  /// Says how the curves in hand look, with the pointer at a place.
+  void add_to(CurveLook& look, PxPoint at) const;
+  /// Another document is opened.
+  void forget();
+
+ private:
+  void select_at(PxPoint at);
+  void select_control_at(PxPoint at);
+  [[nodiscard]] bool take_control_target(PxPoint at);
+  [[nodiscard]] std::optional<document::PullBetween> control_pull(PxPoint at) const;
+  void hold_line(const std::vector<geometry::ModelPoint>& line, PxPoint at);
+  [[nodiscard]] bool is_far(PxPoint by) const;
+  void end_performance();
+
+  Parts parts_;
+  std::optional<document::CurveId> lit_;
+  std::optional<std::pair<document::CurveId, PxPoint>> target_;  ///< in hand, and where it was taken
+  std::optional<PullHold> pull_;  ///< the target in hand is held at a place; nothing: all of it
+  /// A target of the chosen control in hand: its value, and where it was taken.
+  std::optional<std::pair<double, PxPoint>> control_target_;
+  bool whole_ = false;
+  std::optional<document::CurveId> touched_;  ///< by the tool Select
+};
+
+}  // namespace penpose::app

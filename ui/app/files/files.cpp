@@ -1,0 +1,202 @@
+#include "ui/app/files/files.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <utility>
+
+#include "core/base/text/letters.h"
+#include "core/document/document_hash.h"
+#include "ui/files/load_model.h"
+#include "ui/files/save_model.h"
+#include "ui/files/session_model.h"
+#include "ui/files/trace_file.h"
+
+namespace penpose::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string extension_of(const std::string& path) { return base::lower_case(fs::path(path).extension().string()); }
+
+bool is_trace(const std::string& path) {
+  const std::string extension = extension_of(path);
+  return extension == ".session" || extension == ".hid" || extension == ".trace" || extension == ".rec" ||
+         extension == ".txt";
+}
+
+/// What a session was drawn on, as it names it. An error says which model it is.
+base::Result<document::Document> model_of_session(const std::string& session, const std::string& named) {
+  const std::string model = files::find_session_model(session, named);
+  auto document = files::load_document(model, files::NamedBy::file);
+  if (!document) {
+    base::Error error = document.error();
+    error.what = "the model \"" + model + "\" cannot be read: " + error.what;
+    return error;
+  }
+  return document;
+}
+
+/// A folder of this user alone, where there is no home to keep work in; empty where none can be made.
+std::string private_folder() {
+  std::error_code code;
+  std::string name = (fs::temp_directory_path(code) / "penpose-XXXXXX").string();
+  return code || ::mkdtemp(name.data()) == nullptr ? std::string() : name;
+}
+
+}  // namespace
+
+void Files::begin_session(document::Document document, const std::string& path) {
+  parts_.performer.drop();
+  std::unique_ptr<SessionFile> next = parts_.recording.next();
+  std::error_code code;
+  const bool built_in = path.starts_with("builtin:");
+  const std::string full = built_in ? path : fs::absolute(path, code).string();
+  parts_.player.trace.reset();
+  // The editing session holds the writer of the session before until then.
+  parts_.editing.open(std::move(document), next ? &next->writer() : nullptr, code ? path : full);
+  parts_.recording.take(std::move(next));
+  path_ = full;
+  set_project(!built_in && extension_of(path) == ".glb" ? full : std::string());
+  parts_.opened();
+}
+
+void Files::resume(replay::Playback played, std::unique_ptr<SessionFile> file) {
+  parts_.performer.drop();
+  parts_.recording.end();
+  parts_.player.trace.reset();
+  const std::string project = project_of_session(file->path());
+  parts_.editing.resume(std::move(*played.session), &file->writer(), played.last_us);
+  parts_.recording.take(std::move(file));
+  path_ = played.model;
+  project_ = project;
+  parts_.opened();
+}
+
+void Files::set_project(const std::string& path) {
+  project_ = path;
+  const bool saved = !parts_.editing.unsaved() && !path.empty();
+  parts_.recording.note_project(path, saved ? parts_.editing.state().whole.hex() : std::string());
+}
+
+base::Status Files::open(const std::string& path) {
+  if (const auto name = tour_of_path(path)) {
+    auto tour = read_tour(*name, tour_session(*name));
+    if (!tour) return tour.error();
+    if (const auto opened = open(tour->model); !opened) return opened;
+    parts_.tour.begin(std::move(*tour));
+    return base::Done{};
+  }
+  if (is_trace(path)) return open_session(path);
+  auto document = files::load_document(path, files::NamedBy::file);
+  if (!document) return document.error();
+  begin_session(std::move(*document), path);
+  if (!path.starts_with("builtin:")) {
+    parts_.preferences.remember(path_);
+    parts_.dialogs.state<FileChoice>().folder = fs::path(path_).parent_path().string();
+  }
+  return base::Done{};
+}
+
+base::Status Files::open_session(const std::string& path) {
+  auto played = played_session(path);
+  if (!played) return played.error();
+  // A session goes on from a project of its own, so that what is recorded from here on can be replayed too.
+  const std::string folder = parts_.state_folder.empty() ? private_folder() : parts_.state_folder;
+  if (folder.empty()) return base::Error{"there is no folder to keep work in", "", "set HOME or XDG_STATE_HOME"};
+  std::error_code code;
+  fs::create_directories(folder, code);
+  const std::string copy = free_path(folder, fs::path(path).stem().string(), ".glb");
+  if (const auto saved = files::save_document(played->session->editor().document(), copy); !saved) return saved.error();
+  auto again = files::load_document(copy);
+  if (!again) return again.error();
+  begin_session(std::move(*again), copy);
+  set_project({});
+  return base::Done{};
+}
+
+base::Result<replay::Playback> Files::played_session(const std::string& path) {
+  const auto file = files::open_plain(path);
+  if (!file) return file.error();
+  replay::PlayerOptions options;
+  options.open = [&](const std::string& named) { return model_of_session(path, named); };
+  options.own_tablets = parts_.own_tablets;
+  auto played = replay::play_session(files::read_from_file(file->get()), options);
+  if (!played) return played;
+  if (!played->session) {
+    return base::Error{"holds nothing to replay: neither reports nor lines of a session", "", "open another file"};
+  }
+  if (played->divergence) parts_.notices.tell(replay::error_of(*played->divergence).line(path), true);
+  return played;
+}
+
+void Files::try_open(const std::string& path) {
+  if (const auto opened = open(path); !opened) {
+    parts_.notices.tell(opened.error().line(path), true);
+    return;
+  }
+  parts_.dialogs.show(Dialog::none);
+}
+
+base::Status Files::play_trace(const std::string& path) {
+  auto player = TracePlayer::load(path);
+  if (!player) return player.error();
+  if (player->is_session()) {
+    if (!player->model()) return replay::no_model();
+    const std::string model = files::find_session_model(path, player->model()->path);
+    auto document = model_of_session(path, player->model()->path);
+    if (!document) return document.error();
+    const base::Hash128 found = document::DocumentHasher()(*document).whole;
+    if (!(found == player->model()->hash)) return replay::other_model(model, found, player->model()->hash);
+    begin_session(std::move(*document), model);
+    // What is played is no work on the model's own file.
+    set_project({});
+    parts_.editing.act(replay::ToolChosen{});
+  }
+  parts_.player.trace.emplace(std::move(*player));
+  parts_.player.began_us = parts_.clock();
+  parts_.dialogs.show(Dialog::none);
+  return base::Done{};
+}
+
+base::Status Files::save(const std::string& path) {
+  std::error_code code;
+  const std::string full = fs::absolute(path, code).string();
+  const bool same = full == path_ || fs::equivalent(full, path_, code);
+  if (same) {
+    if (const auto kept = parts_.recording.keep_model(path_); !kept) {
+      return base::Error{
+          "is not saved: the model that the session began on cannot be kept beside it, " + kept.error().what, "",
+          "save under another name, or make room at " + fs::path(parts_.recording.path()).parent_path().string()};
+    }
+  }
+  auto saved = files::save_document(parts_.editing.document(), path, files::SaveNotes::quiet);
+  if (!saved) return saved;
+  if (extension_of(path) == ".glb") {
+    parts_.editing.mark_saved();
+    set_project(full);
+  }
+  parts_.preferences.remember(full);
+  parts_.notices.tell("saved " + full);
+  return saved;
+}
+
+base::Status Files::export_to(const std::string& path) {
+  auto written = files::save_document(parts_.editing.document(), path, files::SaveNotes::quiet);
+  if (written) parts_.notices.tell("exported " + path);
+  return written;
+}
+
+base::Status Files::bring_back(const std::string& path) {
+  auto played = played_session(path);
+  if (!played) return played.error();
+  auto file = SessionFile::resume(path, parts_.program);
+  if (file && !played->divergence) {
+    resume(std::move(*played), std::move(*file));
+    return base::Done{};
+  }
+  // What cannot be gone on with is left as it is, to be offered again, and its end is what a new session begins on.
+  file = base::Error{};
+  return open(path);
+}
+
+}  // namespace penpose::app

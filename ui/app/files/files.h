@@ -1,0 +1,67 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "replay/session/session_player.h"
+#include "ui/app/dialogs/dialogs.h"
+#include "ui/app/files/player.h"
+#include "ui/app/files/recording.h"
+#include "ui/app/playback/performer.h"
+#include "ui/app/preferences.h"
+#include "ui/app/tour/tour_guide.h"
+
+namespace penpose::app {
+
+/// What is opened, played, saved and exported.
+class Files {
+ public:
+  struct Parts {
+    std::string state_folder;                ///< where copies are kept; empty: in a folder of this run alone
+    const decode::TabletTable* own_tablets;  ///< may be null
+    std::string program;
+    std::function<std::int64_t()> clock;
+    EditingSession& editing;
+    Recording& recording;
+    Player& player;
+    Performer& performer;
+    Notices& notices;
+    Preferences& preferences;
+    Dialogs& dialogs;
+    TourGuide& tour;
+    std::function<void()> opened;  ///< tells everybody else that the document is another
+  };
+  explicit Files(Parts parts) : parts_(std::move(parts)) {}
+
+  /// Opens a model, a project, or a session, whose end is gone on from; "tour:NAME" begins a tour.
+  base::Status open(const std::string& path);
+  /// The same with the notice of a refusal.
+  void try_open(const std::string& path);
+  /// Plays a trace into the document in place of a tablet.
+  base::Status play_trace(const std::string& path);
+  /// Goes on with a session that a crash has ended, in its own file.
+  base::Status bring_back(const std::string& path);
+
+  base::Status save(const std::string& path);
+  /// Writes a copy for other programs; the work stays where it is saved.
+  base::Status export_to(const std::string& path);
+
+  /// Where Save writes; empty: it asks.
+  [[nodiscard]] const std::string& project() const { return project_; }
+  /// What was opened.
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  base::Status open_session(const std::string& path);
+  void begin_session(document::Document document, const std::string& path);
+  void resume(replay::Playback played, std::unique_ptr<SessionFile> file);
+  base::Result<replay::Playback> played_session(const std::string& path);
+  void set_project(const std::string& path);
+
+  Parts parts_;
+  std::string project_;
+  std::string path_;
+};
+
+}  // namespace penpose::app

@@ -1,0 +1,56 @@
+#include <algorithm>
+
+#include "ui/app/canvas/canvas.h"
+#include "ui/app/dialogs/dialogs.h"
+#include "ui/app/notices.h"
+#include "ui/app/panels/panels.h"
+#include "ui/app/preferences.h"
+#include "ui/app/view/toast_place.h"
+#include "ui/app/widgets/internal/widgets.h"
+
+// What is said for a while, where it covers least of what is drawn.
+
+namespace penpose::app {
+
+void show_notices(PanelContext& context, const Area& /*area*/, Canvas& canvas, CanvasDrawing& drawing, Notices& notices,
+                  Preferences& preferences, Dialogs& dialogs) {
+  const auto& all = notices.all();
+  if (all.empty()) return;
+  const Area free = canvas.free_area();
+  // What a dialog has to tell is not to lie in its shade.
+  const bool dialog = dialogs.open() != Dialog::none;
+  ImDrawList& list = dialog ? *ImGui::GetForegroundDrawList() : *ImGui::GetBackgroundDrawList();
+  const bool light = preferences.settings().light;
+  const float pad = context.gap;
+  const float width = std::min(static_cast<float>(free.width()) - 2 * context.gap, 20 * context.unit);
+  float wide = 0;
+  float high = 0;
+  for (const Notice& one : all) {
+    const ImVec2 size = ImGui::CalcTextSize(one.text.c_str(), nullptr, false, width - 3 * pad);
+    wide = std::max(wide, size.x + 3 * pad);
+    high += size.y + 3 * pad;
+  }
+  const Area inner{free.left + static_cast<double>(pad), free.top + static_cast<double>(pad),
+                   free.right - static_cast<double>(pad), free.bottom - static_cast<double>(pad)};
+  const Area place =
+      toast_place(inner, static_cast<double>(wide), static_cast<double>(high), drawn_px(canvas.view(), drawing.curves));
+  auto y = static_cast<float>(place.top);
+  const auto x = static_cast<float>(place.left);
+  for (const Notice& one : all) {
+    // It goes as it came, and not at a stroke.
+    const double left_s = notices.left_s(one);
+    const int alpha = static_cast<int>(255 * std::clamp(left_s / k_fade_s, 0.0, 1.0));
+    const ImU32 back = light ? IM_COL32(255, 255, 255, alpha * 15 / 16) : IM_COL32(35, 39, 45, alpha * 15 / 16);
+    const ImU32 ink = light ? IM_COL32(26, 29, 33, alpha) : IM_COL32(231, 234, 238, alpha);
+    const ImU32 mark = one.is_error ? IM_COL32(224, 82, 58, alpha) : IM_COL32(47, 127, 214, alpha);
+    const ImVec2 size = ImGui::CalcTextSize(one.text.c_str(), nullptr, false, width - 3 * pad);
+    const ImVec2 to{x + size.x + 3 * pad, y + size.y + 2 * pad};
+    list.AddRectFilled({x, y}, to, back, 5);
+    list.AddRectFilled({x, y}, {x + 0.5F * pad, to.y}, mark, 5);
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x + 1.5F * pad, y + pad}, ink, one.text.c_str(), nullptr,
+                 width - 3 * pad);
+    y = to.y + pad;
+  }
+}
+
+}  // namespace penpose::app

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "ui/app/controls/controls.h"
+#include "ui/app/dialogs/dialogs.h"
+#include "ui/app/panels/panels.h"
+#include "ui/app/playback/playback.h"
+#include "ui/app/session/suggestion_offer.h"
+
+// Parts of panels that stand in other panels.
+
+namespace penpose::app {
+
+/// All parameters, as sliders.
+void show_parameters(PanelContext& context, EditingSession& editing, Controls& controls, Dialogs& dialogs,
+                     PanelState& panels);
+/// The sketched controls, and new ones.
+void show_deformers(PanelContext& context, EditingSession& editing, Canvas& canvas, Controls& controls,
+                    Notices& notices, Dialogs& dialogs, PanelState& panels);
+/// The corrections that there are, and what can be done with each.
+void show_corrections(PanelContext& context, EditingSession& editing, Controls& controls, PanelState& panels);
+/// Poses that are keyed, to be taken again.
+void show_poses(PanelContext& context, EditingSession& editing, Playback& playback, PanelState& panels);
+/// Asks for the rest of the face; grey, and saying why, while there are too few keys.
+void show_suggest_button(PanelContext& context, EditingSession& editing, SuggestionOffer& offer);
+
+}  // namespace penpose::app

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/drawing/editor.h"
+#include "replay/session/pen_input.h"
+#include "ui/app/session/live_follow.h"
+#include "ui/app/session/sketch_preview.h"
+
+namespace penpose::app {
+
+class EditingSession;
+
+/// The pose and the model that are shown, before they are a command: what follows the pen, what a slider or the
+/// timeline shows, and the control that is being sketched.
+class ShownPose {
+ public:
+  explicit ShownPose(EditingSession& editing) : editing_(editing) {}
+
+  [[nodiscard]] const rig::Pose& pose() const;
+  /// The document's model, or the one with the control that is being drawn.
+  [[nodiscard]] const std::shared_ptr<const document::Model>& model() const;
+
+  /// Shows a pose in place of the document's until another or none is given.
+  void preview(std::optional<rig::Pose> pose) { preview_ = std::move(pose); }
+  [[nodiscard]] bool previews() const { return preview_.has_value(); }
+
+  /// Takes a target in hand, moved by px of the view as it is: the face follows. Nothing: it is let go.
+  void hold_target(std::optional<document::CurveId> curve, geometry::PxPoint by = {},
+                   const std::optional<PullHold>& pull = std::nullopt);
+  /// Takes a control's target in hand, pulled so far; nothing: it is let go. The face follows with follow_pen.
+  void hold_control_target(std::optional<document::PullBetween> pull);
+  /// Brings the pose up to the pen. Call it after a batch of reports, at the latest for every frame.
+  void follow_pen();
+  /// The pose that follows the pen. Precondition: live() is active.
+  [[nodiscard]] const rig::Pose& pen_pose() const { return mirrored_ ? *mirrored_ : follow_.pose(); }
+  /// Shows a pose in place of the one that follows the pen, as long as one does.
+  void stage(std::optional<rig::Pose> pose) { staged_ = std::move(pose); }
+  [[nodiscard]] const LiveFollow& live() const { return follow_; }
+  /// Measures once for a rig what its controls do to the whole model.
+  [[nodiscard]] const intent::WholeModel& whole_model();
+
+  [[nodiscard]] SketchPreview& sketch() { return sketch_; }
+  [[nodiscard]] const SketchPreview& sketch() const { return sketch_; }
+
+  /// No stroke is being drawn: the document is shown again.
+  void end_stroke();
+  /// Another document is opened.
+  void forget();
+
+ private:
+  void follow_stroke();
+
+  EditingSession& editing_;
+  std::optional<rig::Pose> preview_;
+  std::optional<rig::Pose> staged_;
+  std::optional<rig::Pose> mirrored_;  ///< of the pose that follows the pen
+  LiveFollow follow_;
+  SketchPreview sketch_;
+  bool stroke_seen_ = false;
+  std::optional<document::CurveId> held_;
+  geometry::PxPoint held_by_;
+  std::optional<PullHold> held_pull_;
+  std::optional<document::PullBetween> held_control_;
+  bool control_shown_ = false;
+  geometry::PxPoint followed_by_;
+  std::size_t followed_ = 0;
+};
+
+/// Whether strokes of the tool are drawn on the model at rest.
+[[nodiscard]] bool sketches(const drawing::Tool& tool);
+
+}  // namespace penpose::app

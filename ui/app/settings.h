@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "replay/session/pen_input.h"
+#include "ui/app/action.h"
+#include "ui/app/hands/binding.h"
+#include "ui/app/playback/frames.h"
+#include "ui/app/view/ink.h"
+
+namespace penpose::app {
+
+/// How large what is hit is: `usual` is 9 mm, which a finger and a pen hit for certain.
+enum class Density : std::uint8_t { compact, usual, touch };
+
+/// What somebody chose once and finds again.
+struct Settings {
+  double scale = 1;  ///< on top of the display's own, 0.5..3
+  bool light = false;
+  bool steps_seen = false;  ///< the first steps were shown
+  Density density = Density::usual;
+  Stabiliser stabiliser = Stabiliser::light;
+  int rate = k_usual_rate;  ///< frames a second of what has none of its own
+  /// The menu around the pen, clockwise from the top.
+  std::array<Action, 8> radial{Action::undo,       Action::redo,      Action::tool_pose,  Action::tool_constraint,
+                               Action::tool_erase, Action::frame_all, Action::view_front, Action::key_pose};
+  replay::TabletSetting tablet;
+  /// What was chosen for the keys, dials and pens of tablets: by tablet, then by what is bound (`name_of`). What is
+  /// missing does what `default_binding` says.
+  std::map<std::string, std::map<std::string, Binding>> pads;
+  std::vector<std::string> recent;  ///< files, the last one first
+  friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+inline constexpr std::size_t k_most_recent = 10;
+/// A file that was written by hand is read up to here.
+inline constexpr std::size_t k_most_pads = 100;
+inline constexpr std::size_t k_most_bindings = 200;
+
+/// "name=value" lines. What cannot be read keeps its default, so that a broken file never keeps the app from starting.
+[[nodiscard]] Settings parse_settings(std::string_view text);
+[[nodiscard]] std::string to_text(const Settings& settings);
+
+[[nodiscard]] Settings load_settings(const std::string& folder);
+/// Written to a temporary file and renamed. An empty folder: nothing is kept.
+base::Status save_settings(const Settings& settings, const std::string& folder);
+
+/// Puts a file in front of the recent ones.
+void remember_file(Settings& settings, const std::string& path);
+
+}  // namespace penpose::app

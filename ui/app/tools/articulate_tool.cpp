@@ -1,0 +1,61 @@
+#include "ui/app/controls/controls.h"
+#include "ui/app/tools/sketch_steps.h"
+#include "ui/app/tools/tool.h"
+
+// Rig: the three or four lines of a new control.
+
+namespace penpose::app {
+namespace {
+
+using articulation::CurveRole;
+
+std::string hint(const ToolSight& sight) {
+  if (!sight.document.pending) return "1 of 4: draw around everything that a new control may move";
+  switch (drawing::next_step(sight.document, sight.tool)) {
+    case CurveRole::general:
+      return "1 of 4: draw around everything that may move";
+    case CurveRole::specific:
+      return "2 of 4: draw around the part that moves fully";
+    case CurveRole::reference:
+      return "3 of 4: draw along the feature as it is now";
+    case CurveRole::target:
+      break;
+  }
+  return sight.tool.draw_reference ? "4 of 4: draw where the feature should go"
+                                   : "4 of 4: draw where it should go (step 3, the feature, is found by itself)";
+}
+
+void taken(ToolHand& hand) {
+  if (!hand.editing.document().pending) hand.controls.begin();
+  hand.panels.controls_tab = true;
+}
+
+/// Only a line begins a control; a tap leaves the face as it is.
+void moved(ToolHand& hand) {
+  const replay::DrawnStroke* stroke = hand.editing.session().pens().current();
+  if (hand.editing.document().pending || stroke == nullptr || !stroke->on_canvas || stroke->eraser) return;
+  if (!drawing::is_tap(stroke->samples, stroke->view.viewport)) hand.controls.begin();
+}
+
+}  // namespace
+
+WindowTool articulate_tool() {
+  WindowTool tool;
+  tool.kind = drawing::ToolKind::articulate;
+  tool.name = "tool_articulate";
+  tool.label = "Rig";
+  tool.key = plain_key('a');
+  tool.tip = "Sketch a new control in three or four strokes";
+  tool.icon = "C6 18 2.5C18 6 2.5M8 16L16 8M4 6L10 6M7 3L7 9";
+  tool.stands_apart = true;
+  tool.can_be_held = false;
+  tool.hint = hint;
+  tool.to_draw = [](const ToolSight& sight) { return to_draw_for(drawing::next_step(sight.document, sight.tool)); };
+  tool.preview = ToolPreview::sketch;
+  tool.line = [](const ToolSight& sight) { return line_of(drawing::next_step(sight.document, sight.tool)); };
+  tool.taken = taken;
+  tool.moved = moved;
+  return tool;
+}
+
+}  // namespace penpose::app

@@ -1,0 +1,43 @@
+#include <algorithm>
+
+#include "ui/app/tools/tool.h"
+
+// Pose: a line along a feature, then one where it should go.
+
+namespace penpose::app {
+namespace {
+
+bool target_is_next(const document::Document& document) {
+  return std::any_of(document.curves.begin(), document.curves.end(), [](const auto& curve) {
+    return curve->role == document::PoseCurveRole::reference && !curve->target;
+  });
+}
+
+std::string hint(const ToolSight& sight) {
+  if (!target_is_next(sight.document)) return "Draw along a feature of the face: a lip, a brow, an eyelid";
+  return sight.performs ? "Draw where this curve goes: time runs while the pen is down"
+                        : "Now draw where this curve should go: the face follows the pen";
+}
+
+std::string to_draw(const ToolSight& sight) {
+  return target_is_next(sight.document) ? "draw a line where the feature should go"
+                                        : "draw along a feature of the face";
+}
+
+}  // namespace
+
+WindowTool pose_tool() {
+  WindowTool tool;
+  tool.kind = drawing::ToolKind::pose;
+  tool.name = "tool_pose";
+  tool.label = "Pose";
+  tool.key = plain_key('b');
+  tool.other = plain_key('p');
+  tool.tip = "Draw where a feature is, then where it should go";
+  tool.icon = "M3 16L8 11L12 15L21 7M16 6L21 7L20 12";
+  tool.hint = hint;
+  tool.to_draw = to_draw;
+  return tool;
+}
+
+}  // namespace penpose::app

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "core/articulation/sketch.h"
+#include "ui/render/scene.h"
+
+namespace penpose::app {
+
+/// What to draw for a step of a sketched control, after a stroke that meant nothing.
+[[nodiscard]] std::string to_draw_for(articulation::CurveRole step);
+/// How the line of a step looks.
+[[nodiscard]] render::CurveKind line_of(articulation::CurveRole step);
+
+}  // namespace penpose::app

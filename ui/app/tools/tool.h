@@ -1,0 +1,89 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/document/commands/command.h"
+#include "core/drawing/tool.h"
+#include "ui/app/key_stroke.h"
+#include "ui/render/scene.h"
+
+namespace penpose::app {
+
+class Controls;
+class EditingSession;
+struct PanelState;
+
+/// What a tool looks at to say what comes next.
+struct ToolSight {
+  const document::Document& document;
+  const drawing::Tool& tool;
+  bool performs = false;  ///< time runs while the pen holds a target
+};
+
+/// What a tool may change besides drawing.
+struct ToolHand {
+  EditingSession& editing;
+  Controls& controls;
+  PanelState& panels;
+};
+
+/// A finished line of the pen, px of the view.
+struct ToolLine {
+  const document::Document& document;
+  const document::View& view;
+  const std::vector<geometry::PxPoint>& points;
+};
+
+/// What the canvas shows while a tool draws.
+enum class ToolPreview : std::uint8_t {
+  pose,    ///< the posed face, which follows targets
+  sketch,  ///< the control that is drawn, on the face at rest
+};
+
+/// A tool of the window. Each stands in a file of this folder (NAME_tool.cpp), which says all that there is to it, and
+/// in a row of tool_list.cpp.
+struct WindowTool {
+  /// What a session records while it is in hand. Its strokes mean what core/drawing says; with `none` they mean what
+  /// `means` says.
+  drawing::ToolKind kind = drawing::ToolKind::none;
+  // How it is taken. No label: other things take it, and it has no button.
+  std::string_view name = {};  ///< of its action
+  std::string_view label = {};
+  KeyStroke key = {};
+  KeyStroke other = {};  ///< a second key
+  std::string_view tip = {};
+  std::string_view icon = {};  ///< icon.h
+  bool stands_apart = false;   ///< in the toolbar
+  bool can_be_held = true;     ///< by a key of a tablet, while it is down
+
+  /// Says what to draw next, in one line.
+  std::string (*hint)(const ToolSight& sight) = nullptr;
+  /// Says what would have meant something, after a stroke that meant nothing.
+  std::string (*to_draw)(const ToolSight& sight) = nullptr;
+
+  ToolPreview preview = ToolPreview::pose;
+  /// The look of its line; null: that of what the line means.
+  render::CurveKind (*line)(const ToolSight& sight) = nullptr;
+  bool erases = false;   ///< its line is broad and pale
+  bool selects = false;  ///< curves, targets and controls can be taken in hand
+
+  /// The tool is taken in hand.
+  void (*taken)(ToolHand& hand) = nullptr;
+  /// Its stroke goes on.
+  void (*moved)(ToolHand& hand) = nullptr;
+  /// The command that a finished line means, where `kind` is none; nothing: it means nothing.
+  std::optional<document::Command> (*means)(const ToolLine& line) = nullptr;
+
+  [[nodiscard]] bool draws() const { return kind != drawing::ToolKind::none || means != nullptr; }
+};
+
+/// All tools of the window, in the order of the toolbar.
+[[nodiscard]] std::span<const WindowTool> window_tools();
+/// The first one of a kind. One that the window has no tool for counts as Pose.
+[[nodiscard]] const WindowTool& window_tool(drawing::ToolKind kind);
+
+}  // namespace penpose::app

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/app/controls/controls.h"
+#include "ui/app/playback/performer.h"
+#include "ui/app/tools/tool.h"
+
+namespace penpose::app {
+
+/// The tool of the window that is in hand, and the line that it draws.
+class ToolInHand {
+ public:
+  struct Parts {
+    EditingSession& editing;
+    Controls& controls;
+    PanelState& panels;
+    Playback& playback;
+    const Performer& performer;
+  };
+  explicit ToolInHand(const Parts& parts) : parts_(parts) {}
+
+  [[nodiscard]] const WindowTool& now() const;
+  void take(const WindowTool& tool);
+  /// Says what to draw next, in one line.
+  [[nodiscard]] std::string hint() const;
+
+  // The pen on the canvas.
+  void press(PxPoint at);
+  void move(PxPoint at);
+  void release();
+
+ private:
+  Parts parts_;
+  const WindowTool* chosen_ = nullptr;  ///< of those that a session records as none
+  std::vector<PxPoint> line_;
+};
+
+}  // namespace penpose::app
