@@ -35,7 +35,7 @@ struct Look {
         positions(mesh->positions().begin(), mesh->positions().end()),
         tree(positions, mesh->triangles()),
         sheets(*mesh) {}
-  [[nodiscard]] curve::SheetSurface surface() const { return {tree, positions, mesh->triangles(), sheets}; }
+  [[nodiscard]] curve::SheetSurface surface() { return {tree, positions, mesh->triangles(), sheets}; }
 };
 
 }  // namespace penpose::tests
