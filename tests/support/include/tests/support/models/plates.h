@@ -6,8 +6,8 @@
 
 #include "core/curve/sheet_line.h"
 #include "core/curve/sheets.h"
-#include "core/geometry/camera.h"
 #include "core/geometry/bvh.h"
+#include "core/geometry/camera.h"
 #include "core/mesh/triangle_mesh.h"
 
 namespace penpose::tests {
