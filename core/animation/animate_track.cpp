@@ -173,7 +173,7 @@ struct Lids {
   EyeMotion motion;
   std::vector<std::vector<GazeControl>> gaze;  ///< one an eye
   std::vector<bool> done;                      ///< curves that the controls take care of
-  std::vector<std::size_t> others;             ///< parameters that the rest of the face is searched with
+  std::vector<std::size_t> others;             ///< parameters to search for the other parts of the face
 };
 
 /// What the action units of a frame say of the controls.

@@ -5,7 +5,7 @@
 
 #include "core/curve/polyline.h"
 #include "core/intent/chain.h"
-#include "core/intent/held_lines.h"
+#include "core/intent/earlier_lines.h"
 #include "core/intent/reading/reader.h"
 #include "core/intent/solve.h"
 
@@ -122,7 +122,7 @@ base::Result<LivePoser> LivePoser::start(const rig::Rig& rig, WholeModel whole, 
   drawn.target = {{0, 0}, {1, 0}};
   if (auto status = check_problem(rig, problem); !status) return status.error();
   if (!problem.posed.empty()) {
-    problem = with_the_rest_held(rig, problem);
+    problem = with_earlier_constrained(rig, problem);
     if (auto status = check_problem(rig, problem); !status) return status.error();
   }
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <optional>
 
-#include "core/intent/held_lines.h"
+#include "core/intent/earlier_lines.h"
 #include "core/intent/reading/reader.h"
 #include "core/intent/reading/reading_solver.h"
 
@@ -256,7 +256,7 @@ base::Result<Solution> solve_whole(const rig::Rig& rig, const WholeModel& whole,
   if (auto status = check_problem(rig, unlocked); !status) return status.error();
   Solution meant = solve_free(rig, whole, unlocked, options, work, units);
   if (!moves_locked(problem, meant.pose)) return meant;
-  // Of a pair, or of the angles of a joint, the rest does what it was meant to.
+  // Of a pair, or of the angles of a joint, the free ones do what they were meant to.
   IntentProblem rest = problem;
   if (keeps_a_part_of_each(problem, whole, meant.moved)) {
     rest.free.clear();
@@ -285,12 +285,12 @@ bool goes_to_limit(const rig::Rig& rig, const IntentProblem& problem, const rig:
 /// is read anew with it only where that is clearly better.
 base::Result<Solution> solve_with_posed(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
                                         const Reader& reader, const SolveOptions& options, SolveWorkspace& work) {
-  if (!reader.chain().empty()) return solve_whole(rig, whole, with_the_rest_held(rig, problem), options, work);
-  const IntentProblem part = with_others_held(rig, reader, problem);
+  if (!reader.chain().empty()) return solve_whole(rig, whole, with_earlier_constrained(rig, problem), options, work);
+  const IntentProblem part = with_unrelated_constrained(rig, reader, problem);
   if (part.start == problem.posed) return solve_whole(rig, whole, part, options, work);
   auto anew = solve_whole(rig, whole, part, options, work);
-  auto held = solve_whole(rig, whole, with_the_rest_held(rig, part), options, work);
-  auto alone = solve_whole(rig, whole, without_the_rest(part), options, work);
+  auto held = solve_whole(rig, whole, with_earlier_constrained(rig, part), options, work);
+  auto alone = solve_whole(rig, whole, without_earlier(part), options, work);
   if (!anew || !held || !alone) return anew;
   const Fit by_held = fit_of(rig, whole, part, held->pose, work.buffers().quadratic);
   const Fit by_alone = fit_of(rig, whole, part, alone->pose, work.buffers().quadratic);

@@ -17,9 +17,9 @@ using HeldOf = std::function<std::vector<std::size_t>(const rig::Pose&)>;
 /// At most so many keys are left out to find `trust`; of more, so many are taken evenly.
 inline constexpr std::size_t k_most_left_out = 64;
 
-/// What share of the way to a suggestion would have brought the keys themselves nearest to the truth, in least squares
-/// over the vertices of the whole model: every distinct key is left out, its posed parameters are held with the others
-/// at rest, and the rest is suggested by what the other keys say. 0..1; 1 where there is nothing to try it on.
+/// The strength of suggestions that would have predicted the keys themselves best, in least squares over the vertices
+/// of the whole model: every distinct key is left out, its posed parameters are held with the others at rest, and the
+/// others are suggested from the other keys. 0..1; 1 where there is nothing to try it on.
 [[nodiscard]] double trust(const rig::Rig& rig, std::span<const rig::Pose> keys, const HeldOf& held);
 
 /// One key that was left out. Lengths are root sums of squares over the vertices of the whole model, model units.

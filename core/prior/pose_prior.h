@@ -47,8 +47,8 @@ inline constexpr double k_least_change = 5e-3;
 ///   m_u + C_uk C_kk^-1 (k - m_k),
 ///
 /// within their ranges, and `strength` (0..1) of the way there. What never varied stays. The equations are solved in
-/// the space of the held parameters or in that of the samples, whichever is smaller. Errors: none of what is held
-/// varied in the keys, so that they say nothing about the rest.
+/// the space of the held parameters or in that of the samples, whichever is smaller. Errors: no held
+/// parameter varies in the keys, so that they say nothing about the others.
 [[nodiscard]] base::Result<rig::Pose> suggest(const PosePrior& prior, std::span<const rig::Parameter> parameters,
                                               const rig::Pose& pose, std::span<const std::size_t> held,
                                               double strength = 1);

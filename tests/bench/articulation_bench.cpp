@@ -102,20 +102,25 @@ std::shared_ptr<const rig::CharacterRig> rig_of(std::size_t vertices, Kind kind)
   return rig::CharacterRig::make(mesh, {deformers}, nullptr).value();
 }
 
-void build_deformer(benchmark::State& state) {
-  const auto canvas = Canvas::make(round_mesh(k_face_vertices), nullptr).value();
-  Sketch sketch = fifteen(Kind::turning)[static_cast<std::size_t>(state.range(0))];
-  if (state.range(1) != 0) {  // half the face at once
+/// Builds a deformer repeatedly; with the second argument, of half the face.
+void measure_building(benchmark::State& state, Sketch sketch, const Canvas& canvas) {
+  if (state.range(1) != 0) {
     sketch.general = ring({500, 500}, 420);
     sketch.specific = ring({500, 500}, 300);
   }
   std::size_t moved = 0;
   for (auto _ : state) {
-    const auto deformer = articulation::build_deformer(sketch, *canvas).value();
+    const auto deformer = articulation::build_deformer(sketch, canvas).value();
     moved = deformer->vertices().size();
     benchmark::DoNotOptimize(moved);
   }
   state.counters["vertices"] = static_cast<double>(moved);
+}
+
+void build_deformer(benchmark::State& state) {
+  const auto canvas = Canvas::make(round_mesh(k_face_vertices), nullptr).value();
+  const Sketch sketch = fifteen(Kind::turning)[static_cast<std::size_t>(state.range(0))];
+  measure_building(state, sketch, *canvas);
 }
 BENCHMARK(build_deformer)->Args({6, 0})->Args({7, 0})->Args({6, 1})->Args({7, 1})->Unit(benchmark::kMillisecond);
 
@@ -268,17 +273,7 @@ void build_on_face(benchmark::State& state, Mode mode, bool paper) {
   sketch.paper = paper;
   sketch.camera.look_at = box.center();
   sketch.camera.eye = box.center() + ModelPoint{0, 0, 2.4 * box.diagonal()};
-  if (state.range(1) != 0) {
-    sketch.general = ring({500, 500}, 420);
-    sketch.specific = ring({500, 500}, 300);
-  }
-  std::size_t moved = 0;
-  for (auto _ : state) {
-    const auto deformer = articulation::build_deformer(sketch, *canvas).value();
-    moved = deformer->vertices().size();
-    benchmark::DoNotOptimize(moved);
-  }
-  state.counters["vertices"] = static_cast<double>(moved);
+  measure_building(state, sketch, *canvas);
 }
 BENCHMARK_CAPTURE(build_on_face, turned, Mode::rotate, true)
     ->ArgsProduct({{6, 7}, {0, 1}})

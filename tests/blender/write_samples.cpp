@@ -111,9 +111,7 @@ document::Model trunk() {
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
-  const std::filesystem::path folder = argv[1];
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
+  const std::filesystem::path folder = tests::empty_folder(argv[1]);
   bool good = write(folder, "trunk", animated(trunk()));
   // The built-in head, through the whole ranges of its controls, which go below 0 and above 1.
   const auto demo = demo::run_demo().value();

@@ -42,9 +42,7 @@ document::Model tracked() {
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
-  const std::filesystem::path folder = argv[1];
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
+  const std::filesystem::path folder = tests::empty_folder(argv[1]);
   bool good = write(folder / "full.glb", tests::full_model());
   good = write(folder / "empty_part.glb", tests::model_with_empty_part()) && good;
   good = write(folder / "morph.glb", tests::morph_sample().read().value()) && good;

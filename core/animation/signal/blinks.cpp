@@ -183,7 +183,7 @@ class Blinks {
     while (first > 0 && peak - first <= longest_ && dips[first] > half_depth) --first;
     while (last + 1 < frames_ && last - peak <= longest_ && dips[last] > half_depth) ++last;
     if (last - first > longest_ + 1) return;  // eyes that stay narrow
-    // A ramp is told by some tens of frames; at a thousand a second the rest of it would only cost time.
+    // Some tens of frames determine a ramp; at a thousand a second, more of them would only cost time.
     constexpr std::size_t k_most_reach = 60;
     const std::size_t reach = std::clamp<std::size_t>((last - first) * 3 / 2 + 1, 4, k_most_reach);
     first = peak < reach ? 0 : peak - reach;

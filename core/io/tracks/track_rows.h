@@ -54,7 +54,7 @@ enum class RowName : std::uint8_t { line, frame };
 /// milliseconds, or micro- or nanoseconds.
 void take_small_units(std::vector<TrackRow>& rows);
 
-/// A face may be gone for so long in any file, s; for longer only where a leap does not dwarf the rest (find_leap).
+/// A face may be gone for this long in any file, s; for longer only if the gap is not out of proportion (find_leap).
 inline constexpr double k_longest_pause_s = 10;
 
 /// Frame rate of a track whose file says nothing of time.

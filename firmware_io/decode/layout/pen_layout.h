@@ -33,7 +33,7 @@ enum class PenRole : std::uint8_t {
   serial_high,
   tool_type,
   sense,         ///< near enough to be identified, maybe too far for a position
-  report_valid,  ///< 0: the rest of the report means nothing
+  report_valid,  ///< 0: the report's other controls are meaningless
 };
 
 /// One control of a pen report.

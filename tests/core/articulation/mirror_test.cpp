@@ -1,6 +1,9 @@
 #include "core/articulation/mirror.h"
 
 #include <gtest/gtest.h>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/support/models/articulation_models.h"
 
@@ -10,20 +13,23 @@ namespace {
 using tests::Eye;
 
 TEST(Mirror, NamesTheOtherSide) {
-  EXPECT_EQ(mirrored_name("blink_L"), "blink_R");
-  EXPECT_EQ(mirrored_name("blink_R"), "blink_L");
-  EXPECT_EQ(mirrored_name("brow_l_outer"), "brow_r_outer");
-  EXPECT_EQ(mirrored_name("lid.R.001"), "lid.L.001");
-  EXPECT_EQ(mirrored_name("LeftCheek"), "RightCheek");
-  EXPECT_EQ(mirrored_name("mouthSmileRight"), "mouthSmileLeft");
-  EXPECT_EQ(mirrored_name("left lid"), "right lid");
-  EXPECT_EQ(mirrored_name("LEFT_LID"), "RIGHT_LID");
-  EXPECT_EQ(mirrored_name("lidLeft2"), "lidRight2");
-  EXPECT_EQ(mirrored_name("bright_L"), "bright_R") << "right within a word names no side";
-  EXPECT_EQ(mirrored_name("cleft_chin"), "cleft_chin_mirrored");
-  EXPECT_EQ(mirrored_name("leftover"), "leftover_mirrored");
-  EXPECT_EQ(mirrored_name("jaw"), "jaw_mirrored");
-  EXPECT_EQ(mirrored_name("Lid"), "Lid_mirrored");  // an L within a word names no side
+  for (const auto& [name, other] : std::vector<std::pair<std::string, std::string>>{
+           {"blink_L", "blink_R"},
+           {"blink_R", "blink_L"},
+           {"brow_l_outer", "brow_r_outer"},
+           {"lid.R.001", "lid.L.001"},
+           {"LeftCheek", "RightCheek"},
+           {"mouthSmileRight", "mouthSmileLeft"},
+           {"left lid", "right lid"},
+           {"LEFT_LID", "RIGHT_LID"},
+           {"lidLeft2", "lidRight2"},
+           {"bright_L", "bright_R"},  // right within a word names no side
+           {"cleft_chin", "cleft_chin_mirrored"},
+           {"leftover", "leftover_mirrored"},
+           {"jaw", "jaw_mirrored"},
+           {"Lid", "Lid_mirrored"},  // nor does an L
+       })
+    EXPECT_EQ(mirrored_name(name), other) << name;
 }
 
 /// Two eyes, one the mirror image of the other.

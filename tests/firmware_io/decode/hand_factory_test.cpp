@@ -59,9 +59,9 @@ TEST(HandFactory, TheTablesTabletsHaveTheirProtocolsKeys) {
   for (const Tablet& tablet : known_tablets().tablets()) {
     const auto& identifier = tablet.identifiers.front();
     if (tablet.pad_keys == 0 || identifier.vendor == k_vendor_wacom) continue;
-    DeviceIdentity device = device(identifier.vendor, identifier.product);
-    device.input_report_length = identifier.input_report_length;
-    const auto made = make_hand_decoders(device);
+    DeviceIdentity known = device(identifier.vendor, identifier.product);
+    known.input_report_length = identifier.input_report_length;
+    const auto made = make_hand_decoders(known);
     if (made.pad && made.pad->features().keys != 0) ++with_keys;
   }
   EXPECT_GE(with_keys, 100u);

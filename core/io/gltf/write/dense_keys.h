@@ -22,8 +22,8 @@ struct DenseKeys {
   double error = 0;                ///< farthest that a vertex is off in between, model units
 };
 
-/// Programs mix the weights of all targets alike from key to key, but those that show the rest of a deformer do not
-/// grow evenly with its amount: keys are added half-way until no vertex is off by more than `tolerance` (model units)
+/// Programs mix the weights of all targets alike from key to key, but those with the remaining motion of a deformer
+/// are not linear in its amount: keys are added half-way until no vertex is off by more than `tolerance` (model units)
 /// at any of several times in between, cubic splines drawn as straight lines (Blender's importer has tangents of its
 /// own), or until keys lie as close as 1/128 of what lay between them. Precondition: the channel is of weights and fits
 /// the targets. Splines of very many keys stay what they are.

@@ -20,13 +20,20 @@ std::size_t welded_vertices(const document::Model& model) {
   return std::set<std::uint32_t>(weld.begin(), weld.end()).size();
 }
 
+struct Counts {
+  std::size_t vertices, triangles, components, welded;
+  friend bool operator==(const Counts&, const Counts&) = default;
+};
+
+Counts counts_of(const document::Model& model) {
+  return {model.mesh->vertex_count(), model.mesh->triangle_count(), model.mesh->component_count(),
+          welded_vertices(model)};
+}
+
 TEST(SharedMeshes, IctFaceIsOnePartOfManyComponentsThatAreNotWelded) {
   if (!tests::has_shared()) GTEST_SKIP();
   const auto model = load("ict_face.glb");
-  EXPECT_EQ(model.mesh->vertex_count(), 26719U);
-  EXPECT_EQ(model.mesh->triangle_count(), 52220U);
-  EXPECT_EQ(model.mesh->component_count(), 56U);
-  EXPECT_EQ(welded_vertices(model), 26719U);
+  EXPECT_EQ(counts_of(model), (Counts{26719, 52220, 56, 26719}));
   ASSERT_EQ(model.shapes->shapes().size(), 53U);
   EXPECT_EQ(model.shapes->parameters()[26].name, "jawOpen");
   EXPECT_EQ(model.skeleton, nullptr);
@@ -79,10 +86,7 @@ TEST(SharedMeshes, ElephantIsOneClosedSurfaceInBothFormats) {
 TEST(SharedMeshes, CesiumManStandsUpAndIsWelded) {
   if (!tests::has_shared()) GTEST_SKIP();
   const auto model = load("cesium_man.glb");
-  EXPECT_EQ(model.mesh->vertex_count(), 3273U);
-  EXPECT_EQ(model.mesh->triangle_count(), 4672U);
-  EXPECT_EQ(model.mesh->component_count(), 1U);
-  EXPECT_EQ(welded_vertices(model), 2338U);
+  EXPECT_EQ(counts_of(model), (Counts{3273, 4672, 1, 2338}));
   EXPECT_EQ(model.skeleton->parameters().size(), 19U * 3U);
   ASSERT_EQ(model.animations.size(), 1U);
   EXPECT_EQ(model.animations[0].channels.size(), 57U);
@@ -94,10 +98,7 @@ TEST(SharedMeshes, CesiumManStandsUpAndIsWelded) {
 TEST(SharedMeshes, CubeIsScaledByItsNode) {
   if (!tests::has_shared()) GTEST_SKIP();
   const auto model = load("animated_morph_cube.glb");
-  EXPECT_EQ(model.mesh->vertex_count(), 24U);
-  EXPECT_EQ(model.mesh->triangle_count(), 12U);
-  EXPECT_EQ(model.mesh->component_count(), 1U);
-  EXPECT_EQ(welded_vertices(model), 8U);
+  EXPECT_EQ(counts_of(model), (Counts{24, 12, 1, 8}));
   ASSERT_EQ(model.rig->parameters().size(), 2U);
   EXPECT_EQ(model.rig->parameters()[0].name, "Cube.target0");
   EXPECT_FALSE(model.shapes->shapes()[1].normal_deltas.empty());

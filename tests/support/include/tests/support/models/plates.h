@@ -6,8 +6,8 @@
 
 #include "core/curve/sheet_line.h"
 #include "core/curve/sheets.h"
-#include "core/geometry/camera.h"
 #include "core/geometry/bvh.h"
+#include "core/geometry/camera.h"
 #include "core/mesh/triangle_mesh.h"
 
 namespace penpose::tests {
@@ -35,7 +35,7 @@ struct Look {
         positions(mesh->positions().begin(), mesh->positions().end()),
         tree(positions, mesh->triangles()),
         sheets(*mesh) {}
-  [[nodiscard]] curve::SheetSurface surface() const { return {tree, positions, mesh->triangles(), sheets}; }
+  [[nodiscard]] curve::SheetSurface surface() { return {tree, positions, mesh->triangles(), sheets}; }
 };
 
 }  // namespace penpose::tests

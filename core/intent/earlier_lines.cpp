@@ -1,4 +1,4 @@
-#include "core/intent/held_lines.h"
+#include "core/intent/earlier_lines.h"
 
 #include <algorithm>
 
@@ -57,7 +57,7 @@ std::vector<std::vector<double>> shares_of_units(const Reader& reader, const std
 
 }  // namespace
 
-IntentProblem with_the_rest_held(const rig::Rig& rig, const IntentProblem& problem) {
+IntentProblem with_earlier_constrained(const rig::Rig& rig, const IntentProblem& problem) {
   IntentProblem held = problem;
   if (problem.posed.empty()) return held;
   held.start = problem.posed;
@@ -68,7 +68,7 @@ IntentProblem with_the_rest_held(const rig::Rig& rig, const IntentProblem& probl
   return held;
 }
 
-IntentProblem without_the_rest(const IntentProblem& problem) {
+IntentProblem without_earlier(const IntentProblem& problem) {
   IntentProblem alone = problem;
   alone.start = problem.posed;
   alone.posed.clear();
@@ -76,7 +76,7 @@ IntentProblem without_the_rest(const IntentProblem& problem) {
   return alone;
 }
 
-IntentProblem with_others_held(const rig::Rig& rig, const Reader& reader, const IntentProblem& problem) {
+IntentProblem with_unrelated_constrained(const rig::Rig& rig, const Reader& reader, const IntentProblem& problem) {
   const auto ways = reader.curve_displacements();
   const auto shares = shares_of_units(reader, ways);
   const std::size_t drawn = problem.drawn.size();

@@ -10,15 +10,16 @@ namespace penpose::intent {
 
 /// The problem started from the pose of an earlier solve, with the references of earlier lines constrained to where
 /// they are in it. The problem itself where there is no such pose. Precondition: check_problem passed.
-[[nodiscard]] IntentProblem with_the_rest_held(const rig::Rig& rig, const IntentProblem& problem);
+[[nodiscard]] IntentProblem with_earlier_constrained(const rig::Rig& rig, const IntentProblem& problem);
 
 /// The same without the earlier lines.
-[[nodiscard]] IntentProblem without_the_rest(const IntentProblem& problem);
+[[nodiscard]] IntentProblem without_earlier(const IntentProblem& problem);
 
 /// The part of a problem that is read again: the new lines, and those earlier lines that involve the same controls.
 /// Their controls start where they started; all others stay as posed, and their references stay where they are.
 /// Precondition: the problem has the pose of an earlier solve; the reader is that of the problem and has no chain.
-[[nodiscard]] IntentProblem with_others_held(const rig::Rig& rig, const Reader& reader, const IntentProblem& problem);
+[[nodiscard]] IntentProblem with_unrelated_constrained(const rig::Rig& rig, const Reader& reader,
+                                                       const IntentProblem& problem);
 
 /// How well a pose fits a problem, with each line in its best alignment. New lines take precedence over earlier ones.
 struct Fit {
