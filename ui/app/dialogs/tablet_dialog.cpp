@@ -25,8 +25,7 @@ decode::PressureCurve curve_of(const replay::TabletSetting& setting) {
 }
 
 /// Hard pressed to the right, meant upwards, with the pen's last pressure as it is meant.
-void show_pressure(PanelContext& context, const Owners& with, const replay::TabletSetting& setting, ImVec2 from,
-                   ImVec2 size) {
+void show_pressure(const Owners& with, const replay::TabletSetting& setting, ImVec2 from, ImVec2 size) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(from, {from.x + size.x, from.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 4);
   const decode::PressureCurve curve = curve_of(setting);
@@ -65,7 +64,7 @@ void test_area(PanelContext& context, const Owners& with, const replay::TabletSe
                  1 + 8 * static_cast<float>(with.dialogs.state<PenTrial>().pressure[i]));
   }
   list.PopClipRect();
-  show_pressure(context, with, setting, {to.x + context.gap, from.y}, {height, height});
+  show_pressure(with, setting, {to.x + context.gap, from.y}, {height, height});
   ImGui::Dummy({1, context.gap});
 }
 

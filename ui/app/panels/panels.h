@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/geometry/camera.h"
 #include "ui/app/actions.h"
 #include "ui/app/states.h"
 #include "ui/app/view/area.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/articulation/sketch.h"
+#include "core/articulation/edit.h"
 #include "ui/render/scene.h"
 
 namespace penpose::app {
