@@ -41,8 +41,7 @@ float share(int count) {
          static_cast<float>(count);
 }
 
-void show_step_list(PanelContext& context, const Owners& with, const document::PendingSketch& pending,
-                    const drawing::Tool& tool) {
+void show_step_list(const Owners& with, const document::PendingSketch& pending, const drawing::Tool& tool) {
   struct Step {
     const char* text;
     articulation::CurveRole role;
@@ -176,7 +175,7 @@ void show_new(PanelContext& context, const Owners& with) {
     for (const articulation::Driver& driver : pending->drivers) {
       ImGui::TextDisabled("  %s %.2f", driver.control.c_str(), driver.value);
     }
-    show_step_list(context, with, *pending, editing.editor().tool());
+    show_step_list(with, *pending, editing.editor().tool());
   }
   const articulation::Mode mode = pending ? pending->sketch.mode : with.controls.new_mode();
   const Surface surface = pending ? pending->sketch.surface : with.controls.new_surface();

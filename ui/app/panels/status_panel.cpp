@@ -8,6 +8,7 @@
 #include "ui/app/panels/panels.h"
 #include "ui/app/session/editing_session.h"
 #include "ui/app/view/outcome.h"
+#include "ui/app/view/shown_curves.h"
 #include "ui/app/widgets/internal/theme.h"
 #include "ui/app/widgets/internal/widgets.h"
 #include "ui/render/scene.h"
