@@ -206,7 +206,7 @@ TEST(DocumentHash, CurvesThatComeGoAndChangePlacesAreHashedAsByAFreshOne) {
     document.curves.push_back(std::make_shared<const PoseCurve>(std::move(curve)));
   }
   DocumentHasher used;
-  tests::Random random(3);
+  tests::SplitMix random(3);
   const auto all = document.curves;
   for (int i = 0; i < 300; ++i) {
     for (std::size_t k = 0; k < 1 + random.below(3); ++k) {

@@ -119,7 +119,7 @@ TEST(AppendFile, GoesOnAfterWhatAReplayReads) {
   replay::SessionWriter writer([&](std::string_view text, bool sync) { return file->append(text, sync); }, "test");
   replay::LiveSession live(document::make_document(tests::sheet_model()), &writer, "sheet");
   live.connect(0, replay::virtual_pen_identity());
-  tests::Random random(seed);
+  tests::SplitMix random(seed);
   std::int64_t time_us = 0;
   for (;;) {
     const double height = random.real(200, 800);
@@ -141,7 +141,7 @@ TEST(AppendFile, GoesOnAfterWhatAReplayReads) {
 // The promise to the artist: a stroke that had ended is never lost, whenever the program dies.
 TEST(AppendFile, NoStrokeThatHadEndedIsLostWhenTheProgramIsKilled) {
   const std::string path = temporary("killed");
-  tests::Random random(5);
+  tests::SplitMix random(5);
   std::size_t most = 0;
   for (int round = 0; round < 200; ++round) {
     std::filesystem::remove(path);

@@ -23,7 +23,7 @@ namespace {
 /// Draws until it is killed, and tells through a pipe how many strokes have ended.
 [[noreturn]] void draw_for_ever(Desk& desk, const std::string& model, int pipe, std::uint64_t seed) {
   if (!desk.app->of<Files>().open(model)) ::_exit(1);
-  tests::Random random(seed);
+  tests::SplitMix random(seed);
   const auto viewport = desk.app->of<Canvas>().view().viewport;
   for (int i = 0;; ++i) {
     const double y = viewport.height * random.real(0.35, 0.65);
@@ -99,7 +99,7 @@ TEST(Kill, NoStrokeThatHadEndedIsLostWhenTheAppIsKilled) {
   const std::string model = (folder / "sheet.glb").string();
   ASSERT_TRUE(files::write_file(model, io::write_glb(tests::sheet_model()).value()));
   const std::string sessions = (folder / "state" / "sessions").string();
-  tests::Random random(11);
+  tests::SplitMix random(11);
   std::size_t most = 0;
   Desk desk("killed", model, false);
   desk.begin();

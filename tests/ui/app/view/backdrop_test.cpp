@@ -35,7 +35,7 @@ TEST(Backdrop, ItStandsWhereTheModelIsAndGoesAlongWithTheView) {
   Desk desk("backdrop");
   desk.begin();
   write_picture(desk.path("face.png"), 30, 60, 9);
-  open_backdrop(desk.app->of<Canvas>(), desk.app->of<Notices>(), desk.path("face.png"));
+  open_backdrop(desk.app->of<Canvas>(), desk.app->of<CanvasLook>(), desk.app->of<Notices>(), desk.path("face.png"));
   desk.frames();
   const auto& backdrop = desk.app->of<CanvasLook>().backdrop;
   ASSERT_NE(backdrop, nullptr);
@@ -52,7 +52,7 @@ TEST(Backdrop, DraggedOnTheCanvasItGoesWithThePointerAndNothingIsDrawn) {
   Desk desk("backdrop-drag");
   desk.begin();
   write_picture(desk.path("face.png"), 40, 40, 9);
-  open_backdrop(desk.app->of<Canvas>(), desk.app->of<Notices>(), desk.path("face.png"));
+  open_backdrop(desk.app->of<Canvas>(), desk.app->of<CanvasLook>(), desk.app->of<Notices>(), desk.path("face.png"));
   desk.frames();
   const auto before = desk.app->of<CanvasLook>().backdrop->seen(desk.app->of<Canvas>().view());
   const PxPoint from = desk.app->of<Canvas>().free_area().middle();
@@ -83,7 +83,7 @@ TEST(Backdrop, TheFrameOfTheMomentIsShown) {
   desk.begin();
   for (int i = 1; i <= 5; ++i)
     write_picture(desk.path("f00" + std::to_string(i) + ".png"), 8, 8, static_cast<std::uint8_t>(10 * i));
-  open_backdrop(desk.app->of<Canvas>(), desk.app->of<Notices>(), desk.path("f001.png"));
+  open_backdrop(desk.app->of<Canvas>(), desk.app->of<CanvasLook>(), desk.app->of<Notices>(), desk.path("f001.png"));
   const auto backdrop = desk.app->of<CanvasLook>().backdrop;
   ASSERT_EQ(backdrop->frame_count(), 5U);
   desk.app->of<Playback>().place_cursor(3.0 / desk.app->of<Playback>().rate());
@@ -99,7 +99,7 @@ TEST(Backdrop, WhatIsNoPictureIsToldWithItsName) {
   Desk desk("backdrop-bad");
   desk.begin();
   std::ofstream(desk.path("bad.jpg")) << "no picture";
-  open_backdrop(desk.app->of<Canvas>(), desk.app->of<Notices>(), desk.path("bad.jpg"));
+  open_backdrop(desk.app->of<Canvas>(), desk.app->of<CanvasLook>(), desk.app->of<Notices>(), desk.path("bad.jpg"));
   EXPECT_EQ(desk.app->of<CanvasLook>().backdrop, nullptr);
   ASSERT_FALSE(desk.app->of<Notices>().all().empty());
   EXPECT_TRUE(desk.app->of<Notices>().all().back().is_error);

@@ -10,9 +10,9 @@
 namespace penpose::tests {
 
 /// SplitMix64 (Steele, Lea and Flood 2014): the same numbers everywhere.
-class Random {
+class SplitMix {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
+  explicit SplitMix(std::uint64_t seed) : state_(seed) {}
   std::uint64_t next() {
     state_ += 0x9e3779b97f4a7c15ULL;
     std::uint64_t z = state_;
@@ -204,7 +204,7 @@ class RandomHand {
   }
 
   SessionScript& script_;
-  Random random_;
+  SplitMix random_;
 };
 
 }  // namespace penpose::tests

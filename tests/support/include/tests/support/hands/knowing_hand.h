@@ -359,7 +359,7 @@ class KnowingHand {
   }
 
   SessionScript& script_;
-  Random random_;
+  SplitMix random_;
   RandomHand hand_;
   /// In the order of the committed hashes, wherever the program lists them: a new one comes last.
   static constexpr std::array<std::string_view, std::variant_size_v<document::Command>> k_commands{
