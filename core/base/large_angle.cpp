@@ -31,7 +31,9 @@ std::uint32_t digits_at(int first) {
   const auto index = static_cast<std::size_t>(first - 1);
   const std::size_t word = index / 32;
   const std::size_t shift = index % 32;
-  const auto at = [](std::size_t i) { return std::uint64_t{i < k_two_over_pi_words.size() ? k_two_over_pi_words[i] : 0}; };
+  const auto at = [](std::size_t i) {
+    return std::uint64_t{i < k_two_over_pi_words.size() ? k_two_over_pi_words[i] : 0};
+  };
   return static_cast<std::uint32_t>(((at(word) << 32 | at(word + 1)) << shift) >> 32);
 }
 

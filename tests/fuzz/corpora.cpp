@@ -1,5 +1,5 @@
-// corpora TARGET FOLDER: feeds every file of a folder to a fuzz target, so that ordinary test runs keep what the fuzzer has
-// seen.
+// corpora TARGET FOLDER: feeds every file of a folder to a fuzz target, so that ordinary test runs keep what the fuzzer
+// has seen.
 
 #include <algorithm>
 #include <cstdint>

@@ -78,7 +78,7 @@ typedef uint64_t penpose_handle;
 
 /* The version of this interface that the library was built with. */
 PENPOSE_API uint32_t penpose_abi_version(void);
-/* The program's version, such as "0.1.0". Lives as long as the library is loaded. */
+/* The program's version, such as "0.2.0". Lives as long as the library is loaded. */
 PENPOSE_API const char* penpose_version(void);
 
 PENPOSE_API int32_t penpose_open(penpose_library** library, penpose_error* error);

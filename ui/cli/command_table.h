@@ -37,7 +37,7 @@ struct CommandRow {
 /// --help. Options that are hidden there are left out.
 [[nodiscard]] std::vector<CommandRow> command_table(bool has_window);
 
-/// Name and version: "penpose 0.1.0".
+/// Name and version: "penpose 0.2.0".
 [[nodiscard]] std::string program_version();
 
 }  // namespace penpose::cli

@@ -106,7 +106,8 @@ void Reader::add_turn(std::size_t variable) {
   choices_.high.push_back(0.75);
   const joints::Turn& turn = turns_[turn_of_[variable]];
   const bool depth = turn.planar && axis_of_[variable] == 1 && !turn.bends_in_depth;
-  choices_.stiffness.push_back(depth ? k_alone * turn.across * depth_stiffness(1) + k_bend_stiffness : k_bend_stiffness);
+  choices_.stiffness.push_back(depth ? k_alone * turn.across * depth_stiffness(1) + k_bend_stiffness
+                                     : k_bend_stiffness);
   choices_.movement.push_back(movement_about(variable));
 }
 
@@ -149,8 +150,8 @@ void Reader::make_run_units() {
     choices_.high.push_back(0.5);
     choices_.movement.push_back(run.movement);
     const bool depth = run.planar && r % 3 == 1;
-    choices_.stiffness.push_back(depth ? run.across * depth_stiffness(static_cast<double>(run.joints)) + k_bend_stiffness
-                                       : k_bend_stiffness);
+    choices_.stiffness.push_back(
+        depth ? run.across * depth_stiffness(static_cast<double>(run.joints)) + k_bend_stiffness : k_bend_stiffness);
     if (r % 3 == 0) add_turn_units(parameters_.size() + r, 3, run.planar, run.across);
   }
 }

@@ -63,8 +63,7 @@ class Soup {
 base::Result<document::Model> read_binary(base::Bytes bytes) {
   base::ByteReader reader(bytes);
   const auto count = reader.seek(80) ? reader.read<std::uint32_t>() : std::nullopt;
-  if (!count)
-    return base::Error{"the header is cut off", "byte offset " + std::to_string(bytes.size()), k_copy_again};
+  if (!count) return base::Error{"the header is cut off", "byte offset " + std::to_string(bytes.size()), k_copy_again};
   if (*count > reader.remaining() / 50) {
     return base::Error{"the file says " + std::to_string(*count) + " triangles, but there is room for " +
                            std::to_string(reader.remaining() / 50),

@@ -85,9 +85,9 @@ TEST(SessionLine, OtherCommentsAreNoneOfOurs) {
 TEST(SessionLine, AnotherEditionIsRefusedByItsProgramsName) {
   for (const char* edition : {"1", "edition=2", "edition=0", "edition=1.5", "edition=x", "edition=", "x", "",
                               "edition=18446744073709551617", "edition=-1"}) {
-    const auto line = parse_session_line(std::string("# penpose session ") + edition + " program=penpose-0.1.0");
+    const auto line = parse_session_line(std::string("# penpose session ") + edition + " program=penpose-0.2.0");
     ASSERT_FALSE(line.ok()) << edition;
-    EXPECT_NE(line.error().what.find("penpose-0.1.0"), std::string::npos) << line.error().line();
+    EXPECT_NE(line.error().what.find("penpose-0.2.0"), std::string::npos) << line.error().line();
     EXPECT_EQ(line.error().line().find('\n'), std::string::npos);
     EXPECT_FALSE(line.error().remedy.empty());
   }

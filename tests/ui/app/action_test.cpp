@@ -22,7 +22,7 @@ TEST(Action, EveryActionIsInTheListOnceAndSaysWhatItDoes) {
   for (const ActionInfo& one : all_actions()) {
     EXPECT_EQ(&info(one.action), &one) << "two are called " << one.action.name;
     EXPECT_FALSE(one.label.empty() || one.tip.empty() || one.icon.empty()) << one.action.name;
-    EXPECT_NE(one.run, nullptr) << one.action.name;
+    EXPECT_TRUE(one.run != nullptr || one.tool != nullptr) << one.action.name;
   }
 }
 
