@@ -1,3 +1,5 @@
+#include "ui/app/action.h"
+
 #include "core/base/text/letters.h"
 #include "ui/app/actions.h"
 #include "ui/app/app.h"
