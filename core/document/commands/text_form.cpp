@@ -16,28 +16,20 @@ bool stands_for_itself(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
 }
 
-template <typename Enum, std::size_t N>
-using EnumNames = std::array<std::pair<Enum, std::string_view>, N>;
-
-using articulation::Mode;
-constexpr EnumNames<Mode, 3> names_of(Mode) {
-  return {{{Mode::automatic, "auto"}, {Mode::translate, "translate"}, {Mode::rotate, "rotate"}}};
-}
-using articulation::Reach;
-constexpr EnumNames<Reach, 2> names_of(Reach) { return {{{Reach::through, "through"}, {Reach::front, "front"}}}; }
 using articulation::CurveRole;
-constexpr EnumNames<CurveRole, 4> names_of(CurveRole) {
-  return {{{CurveRole::general, "general"},
-           {CurveRole::specific, "specific"},
-           {CurveRole::reference, "reference"},
-           {CurveRole::target, "target"}}};
-}
-constexpr EnumNames<KeyInterpolation, 2> names_of(KeyInterpolation) {
-  return {{{KeyInterpolation::linear, "linear"}, {KeyInterpolation::smooth, "smooth"}}};
-}
-constexpr EnumNames<Preset, 3> names_of(Preset) {
-  return {{{Preset::meant, "meant"}, {Preset::exact, "exact"}, {Preset::paper, "paper"}}};
-}
+using articulation::Mode;
+using articulation::Reach;
+template <typename Enum, std::size_t N>
+using Names = std::array<std::pair<Enum, std::string_view>, N>;
+constexpr Names<Mode, 3> k_modes{{{Mode::automatic, "auto"}, {Mode::translate, "translate"}, {Mode::rotate, "rotate"}}};
+constexpr Names<Reach, 2> k_reaches{{{Reach::through, "through"}, {Reach::front, "front"}}};
+constexpr Names<CurveRole, 4> k_roles{{{CurveRole::general, "general"},
+                                       {CurveRole::specific, "specific"},
+                                       {CurveRole::reference, "reference"},
+                                       {CurveRole::target, "target"}}};
+constexpr Names<KeyInterpolation, 2> k_interpolations{
+    {{KeyInterpolation::linear, "linear"}, {KeyInterpolation::smooth, "smooth"}}};
+constexpr Names<Preset, 3> k_presets{{{Preset::meant, "meant"}, {Preset::exact, "exact"}, {Preset::paper, "paper"}}};
 
 template <std::size_t N>
 void write_numbers(std::string& out, const std::array<double, N>& values) {
@@ -245,25 +237,10 @@ std::optional<articulation::Surface> TextForm<articulation::Surface>::read(std::
   return surface;
 }
 
-template <typename Enum>
-requires std::is_enum_v<Enum>
-void TextForm<Enum>::write(std::string& out, Enum value) {
-  for (const auto& [one, name] : names_of(value)) {
-    if (one == value) out += name;
-  }
-}
-template <typename Enum>
-requires std::is_enum_v<Enum> std::optional<Enum> TextForm<Enum>::read(std::string_view text) {
-  for (const auto& [one, name] : names_of(Enum{})) {
-    if (name == text) return one;
-  }
-  return std::nullopt;
-}
-
-template struct TextForm<Mode>;
-template struct TextForm<Reach>;
-template struct TextForm<CurveRole>;
-template struct TextForm<KeyInterpolation>;
-template struct TextForm<Preset>;
+ValueNames<Mode> value_names(Mode /*any*/) { return k_modes; }
+ValueNames<Reach> value_names(Reach /*any*/) { return k_reaches; }
+ValueNames<CurveRole> value_names(CurveRole /*any*/) { return k_roles; }
+ValueNames<KeyInterpolation> value_names(KeyInterpolation /*any*/) { return k_interpolations; }
+ValueNames<Preset> value_names(Preset /*any*/) { return k_presets; }
 
 }  // namespace penpose::document

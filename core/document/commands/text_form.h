@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -85,12 +86,29 @@ struct TextForm<articulation::Surface> {
   static void write(std::string& out, const articulation::Surface& value);
   static std::optional<articulation::Surface> read(std::string_view text);
 };
-/// Enumerations of commands, by the names of their values.
+/// The values of an enumeration with their names.
+template <typename Enum>
+using ValueNames = std::span<const std::pair<Enum, std::string_view>>;
+[[nodiscard]] ValueNames<articulation::Mode> value_names(articulation::Mode any);
+[[nodiscard]] ValueNames<articulation::Reach> value_names(articulation::Reach any);
+[[nodiscard]] ValueNames<articulation::CurveRole> value_names(articulation::CurveRole any);
+[[nodiscard]] ValueNames<KeyInterpolation> value_names(KeyInterpolation any);
+[[nodiscard]] ValueNames<Preset> value_names(Preset any);
+
 template <typename Enum>
 requires std::is_enum_v<Enum>
 struct TextForm<Enum> {
-  static void write(std::string& out, Enum value);
-  static std::optional<Enum> read(std::string_view text);
+  static void write(std::string& out, Enum value) {
+    for (const auto& [one, name] : value_names(value)) {
+      if (one == value) out += name;
+    }
+  }
+  static std::optional<Enum> read(std::string_view text) {
+    for (const auto& [one, name] : value_names(Enum{})) {
+      if (name == text) return one;
+    }
+    return std::nullopt;
+  }
 };
 
 template <typename T>
