@@ -12,8 +12,8 @@ namespace penpose::curve {
 
 using geometry::ModelPoint;
 
-/// Adjacency of triangles over welded edges, to tell whether two places are on one sheet of the surface: the upper lip
-/// and the lower are near each other in space, but far apart over the surface.
+/// Adjacency of triangles over welded edges, to tell whether two places are on one sheet of the surface: the upper
+/// and the lower lip are close in space but far apart along the surface.
 class Sheets {
  public:
   explicit Sheets(const mesh::TriangleMesh& mesh);
@@ -25,7 +25,7 @@ class Sheets {
     ModelPoint position;
   };
   /// Whether a path over the surface leads from one place to the other and stays within `reach` of the straight line
-  /// between them. `positions`: of all vertices as posed.
+  /// between them. After 4000 triangles the straight distance decides. `positions`: of all vertices as posed.
   [[nodiscard]] bool joined(const Place& a, const Place& b, double reach, std::span<const glm::vec3> positions);
 
   /// The connected component of a triangle (TriangleMesh::components).

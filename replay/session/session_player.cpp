@@ -20,7 +20,7 @@ class Player {
         source_(std::move(read), options.pace, options.wait),
         observer_(options.observer != nullptr ? *options.observer : nobody_) {}
 
-  base::Result<Playback> play();
+  base::Result<ReplayResult> play();
 
  private:
   bool stopped() const;
@@ -35,7 +35,7 @@ class Player {
   TraceSource source_;
   PlayerObserver nobody_;
   PlayerObserver& observer_;
-  Playback out_;
+  ReplayResult out_;
   std::optional<base::Error> error_;  ///< ends the replay
   base::Hash128 model_;               ///< as the session names it
   std::uint64_t long_line_ = 0;       ///< whose pieces are left out
@@ -59,7 +59,7 @@ void Player::begin(const std::string& path, const base::Hash128* expected, std::
   }
   const base::Hash128 hash = document::DocumentHasher()(*opened).whole;
   if (expected != nullptr && !(hash == *expected)) {
-    error_ = at_line(number, other_model(path, hash, *expected));
+    error_ = at_line(number, changed_model_error(path, hash, *expected));
     return;
   }
   out_.model = path;
@@ -74,7 +74,7 @@ void Player::begin_plain(std::uint64_t number) {
     begin({}, nullptr, 0);
     return;
   }
-  error_ = number > 0 ? at_line(number, no_model()) : no_model();
+  error_ = number > 0 ? at_line(number, no_model_error()) : no_model_error();
 }
 
 void Player::note_steps(std::uint64_t number) {
@@ -163,7 +163,7 @@ void Player::on_line(const TraceLine& line) {
   on_session_line(**parsed, line.number);
 }
 
-base::Result<Playback> Player::play() {
+base::Result<ReplayResult> Player::play() {
   source_.listen([this](const TraceLine& line) { on_line(line); },
                  [this](int device, const decode::DeviceIdentity& identity) {
                    if (error_ || stopped()) return;
@@ -200,18 +200,18 @@ base::Error error_of(const Divergence& divergence) {
           "replay with the version that recorded it, or record the session again with --session"};
 }
 
-base::Error other_model(const std::string& path, const base::Hash128& found, const base::Hash128& named) {
+base::Error changed_model_error(const std::string& path, const base::Hash128& found, const base::Hash128& named) {
   return {"the model \"" + path + "\" is not the one that was drawn on: its state is " + found.hex() +
               ", that of the session " + named.hex(),
           "", "name the model of the recording with --model"};
 }
 
-base::Error no_model() {
+base::Error no_model_error() {
   return {"the session does not say what it was drawn on: its line \"# penpose model\" is missing or damaged", "",
           "mend the line, or record the session again"};
 }
 
-base::Result<Playback> play_session(ReadBytes read, const PlayerOptions& options) {
+base::Result<ReplayResult> play_session(ReadBytes read, const PlayerOptions& options) {
   return Player(std::move(read), options).play();
 }
 

@@ -33,8 +33,8 @@ class PlayerObserver {
 struct PlayerOptions {
   Pace pace = Pace::full_speed;
   TraceSource::Wait wait = {};  ///< of real time; replaced in tests
-  /// Opens what a session names: a model, or a project that was gone on with (path as in the session, empty for a plain
-  /// trace, which then is drawn on the default model).
+  /// Opens what a session names: a model, or a project that the session continued. `path` is as in the session; empty
+  /// for a plain trace, which is drawn on the default model.
   std::function<base::Result<document::Document>(const std::string& path)> open;
   std::optional<std::size_t> stop_after_strokes = std::nullopt;
   std::function<bool(const Session&)> stop_when = {};  ///< asked after every step; may be empty
@@ -48,16 +48,17 @@ struct Divergence {
   std::vector<std::string_view> parts;  ///< what differs (document::k_state_parts)
 };
 
-/// What is to be said of it.
+/// The message for it.
 [[nodiscard]] base::Error error_of(const Divergence& divergence);
 
-/// A model whose state is not the one that the session names.
-[[nodiscard]] base::Error other_model(const std::string& path, const base::Hash128& found, const base::Hash128& named);
+/// The session's model has another state than when it was recorded.
+[[nodiscard]] base::Error changed_model_error(const std::string& path, const base::Hash128& found,
+                                              const base::Hash128& named);
 /// A session that names no model.
-[[nodiscard]] base::Error no_model();
+[[nodiscard]] base::Error no_model_error();
 
-/// What a replay came to.
-struct Playback {
+/// The result of a replay.
+struct ReplayResult {
   std::unique_ptr<Session> session;  ///< null when the file holds nothing
   bool plain = true;                 ///< the file is a trace and no session: drawn with the defaults
   std::string program;               ///< that recorded it
@@ -74,8 +75,8 @@ struct Playback {
   std::vector<base::Error> problems;     ///< lines that could not be read, and a cut at the end: the rest was replayed
 };
 
-/// Replays a session or a plain trace in memory that does not grow with the file. Errors: those of reading and of
+/// Replays a session or a plain trace, using memory that does not grow with its length. Errors: those of reading and of
 /// loading the model; a session of another edition; a model that has changed since it was recorded.
-[[nodiscard]] base::Result<Playback> play_session(ReadBytes read, const PlayerOptions& options);
+[[nodiscard]] base::Result<ReplayResult> play_session(ReadBytes read, const PlayerOptions& options);
 
 }  // namespace penpose::replay

@@ -95,7 +95,7 @@ void replay_drawing(benchmark::State& state) {
     if (!writer.flush(true)) state.SkipWithError("the session cannot be written");
     options.observer = nullptr;
   }
-  replay::Playback played;
+  replay::ReplayResult played;
   const double before = peak_mb();
   for (auto _ : state) {
     std::rewind(file.get());

@@ -114,7 +114,7 @@ void App::advance() {
   controls_.swing(now);
   // What was said of a stroke is over with the next one that does something, and with another tool.
   const auto now_is = std::pair(editing_.revision(), &tool_.now());
-  if (std::exchange(refused_at_, now_is) != now_is) {
+  if (std::exchange(last_revision_and_tool_, now_is) != now_is) {
     notices_.take_away([](const Notice& one) { return one.text.starts_with(k_nothing_changed); });
   }
   controls_.tell_new_doubts();

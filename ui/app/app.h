@@ -33,15 +33,15 @@ namespace penpose::app {
 
 struct AppOptions {
   Folders folders;                         ///< empty members: nothing is kept
-  std::string session;                     ///< the first session is written there instead
+  std::string session;                     ///< where to write the first session; empty: in the state folder
   EditingSession::Clock clock;             ///< microseconds, never goes back
   std::function<std::string()> date = {};  ///< names sessions: "2026-05-31_14-02-11"; empty: "session"
   std::string program = "penpose";
   const decode::TabletTable* own_tablets = nullptr;
 };
 
-/// The app without its window: it has owners, each with one subject, and brings them from frame to frame. SDL, ImGui
-/// and OpenGL are elsewhere.
+/// The app without its window: it holds the owners, each with one subject, and updates them every frame. SDL, ImGui and
+/// OpenGL are elsewhere.
 class App {
  public:
   explicit App(AppOptions options);
@@ -58,15 +58,15 @@ class App {
 
   /// Brings the document and what follows the pen up to now.
   void advance();
-  /// The same, and what is shown, before a frame is made. Panels come after it.
+  /// advance(), then what is to be shown. Call it before the panels.
   void begin_frame();
   /// Milliseconds until the next frame is due without any event; -1: only an event makes one.
   [[nodiscard]] int next_frame_ms();
-  /// Panels are laid out: from now on it is known what is hit.
+  /// The panels have been laid out: hits can be told apart from now on.
   void lay_out() { laid_out_ = true; }
 
  private:
-  /// The document is another.
+  /// Another document was opened.
   void show_anew();
   void play_trace(std::int64_t passed_us);
   void follow_habits();
@@ -115,7 +115,7 @@ class App {
       owners_;
   std::int64_t last_frame_us_ = 0;
   bool laid_out_ = false;
-  std::pair<std::uint64_t, const WindowTool*> refused_at_;
+  std::pair<std::uint64_t, const WindowTool*> last_revision_and_tool_;
 };
 
 }  // namespace penpose::app

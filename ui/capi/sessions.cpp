@@ -9,7 +9,7 @@ using namespace penpose::capi;  // NOLINT(google-build-using-namespace)
 
 namespace {
 
-penpose_playback playback_of(replay::Playback& played) {
+penpose_playback playback_of(replay::ReplayResult& played) {
   penpose_playback out{};
   out.reports = played.reports;
   out.strokes = played.session->stroke_count();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ui/files/process/exit_status.h"
+#include "ui/files/process/rights.h"
 
 namespace CLI {
 class App;
@@ -39,6 +40,7 @@ struct ValueRow {
 /// A subcommand as `NAME_command.cpp` says it at its end.
 struct Subcommand {
   std::string_view name;
+  files::Rights rights;  ///< what it keeps of the program's rights (docs/security.md)
   /// Adds it to the app; when it runs it stores its exit status in `status`, which outlives the app.
   std::function<void(CLI::App& app, int& status)> add;
   std::array<Example, 2> examples;

@@ -7,9 +7,10 @@
 namespace penpose::cli {
 
 void add_live_option(CLI::App& command, std::string& live) {
-  if (live::ways_out().empty()) return;
+  if (live::live_outputs().empty()) return;
   std::string help = "Send the pose of every frame:";
-  for (const live::WayOut& way : live::ways_out()) help += ' ' + std::string(way.name) + '=' + std::string(way.where);
+  for (const live::LiveOutput& way : live::live_outputs())
+    help += ' ' + std::string(way.name) + '=' + std::string(way.where);
   command.add_option("--live", live, help);
 }
 

@@ -7,20 +7,20 @@
 
 namespace penpose::files {
 
-/// A file that takes its name only when it is whole. Until then it has none where the file system can do that, else a
-/// random one that nobody can have taken before; a killed program leaves next to nothing, and the next one that writes
-/// into the folder takes that away.
+/// A file that appears under its name only when it is complete. Until then it is unnamed where the file system allows
+/// that, else it has an unpredictable temporary name. A program that is killed meanwhile may leave such a file behind;
+/// the next one to write into the folder removes it.
 class FreshFile {
  public:
   /// -1 in `descriptor()` with errno where the folder cannot be written to.
   FreshFile(const std::string& path, mode_t mode);
   FreshFile(const FreshFile&) = delete;
   FreshFile& operator=(const FreshFile&) = delete;
-  /// What was not placed is gone.
+  /// Removes the file unless place() succeeded.
   ~FreshFile();
 
   [[nodiscard]] int descriptor() const { return file_; }
-  /// Gives it its name, in place of what has that. False with errno; then all is as it was.
+  /// Gives the file its name, replacing any file of that name. Returns false with errno set; then nothing has changed.
   [[nodiscard]] bool place();
 
  private:

@@ -5,18 +5,18 @@
 
 namespace penpose::live {
 
-std::vector<WayOut> known_ways_out();  // written by the build
+std::vector<LiveOutput> known_live_outputs();  // written by the build
 
-const std::vector<WayOut>& ways_out() {
-  static const std::vector<WayOut> all = known_ways_out();
+const std::vector<LiveOutput>& live_outputs() {
+  static const std::vector<LiveOutput> all = known_live_outputs();
   return all;
 }
 
-base::Result<Listener> open_way_out(std::string_view text, std::span<const WayOut> ways) {
+base::Result<Listener> open_live_output(std::string_view text, std::span<const LiveOutput> ways) {
   if (text.empty()) return Listener([](const FramePose&) {});
   const std::string_view name = text.substr(0, text.find('='));
   std::string names;
-  for (const WayOut& way : ways) {
+  for (const LiveOutput& way : ways) {
     if (way.name == name) return way.open(text.substr(std::min(name.size() + 1, text.size())));
     names += (names.empty() ? "" : ", ") + std::string(way.name);
   }

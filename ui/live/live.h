@@ -8,8 +8,9 @@
 #include "core/base/result.h"
 #include "core/rig/rig.h"
 
-// Ways for a face to leave the program while it moves. The window and `replay` tell of every frame; a way out sends it
-// on. It is a file NAME_way_out.cpp below this folder, which the build finds, with `WayOut NAME_way_out()` at its end.
+// Live outputs send a face to other programs while it moves. The window and `replay` pass every frame to them. Each is
+// a file NAME_live_output.cpp below this folder, which the build finds, with `LiveOutput NAME_live_output()` at its
+// end.
 
 namespace penpose::live {
 
@@ -23,17 +24,17 @@ struct FramePose {
 /// Takes every frame's pose. It is called on the thread that shows them and must not wait for anybody.
 using Listener = std::function<void(const FramePose&)>;
 
-struct WayOut {
+struct LiveOutput {
   std::string_view name;   ///< as "--live NAME=WHERE" gives it
   std::string_view where;  ///< what stands for WHERE in --help: "HOST:PORT"
   std::function<base::Result<Listener>(std::string_view where)> open;
 };
 
-/// All that there are, by their names.
-[[nodiscard]] const std::vector<WayOut>& ways_out();
+/// All of them, by name.
+[[nodiscard]] const std::vector<LiveOutput>& live_outputs();
 
-/// What "NAME=WHERE" opens, of these ways; a listener that does nothing for an empty text. Errors: no such way; those
-/// of the way.
-[[nodiscard]] base::Result<Listener> open_way_out(std::string_view text, std::span<const WayOut> ways);
+/// Opens "NAME=WHERE" among these outputs; for an empty text, a listener that does nothing. Errors: no such output;
+/// those of the output.
+[[nodiscard]] base::Result<Listener> open_live_output(std::string_view text, std::span<const LiveOutput> ways);
 
 }  // namespace penpose::live

@@ -1,6 +1,7 @@
 #include <csignal>
 
 #include "ui/cli/command_line.h"
+#include "ui/cli/commands.h"
 #include "ui/files/process/rights.h"
 #include "ui/files/process/standard_streams.h"
 #include "ui/program/window.h"
@@ -11,6 +12,7 @@ int main(int argc, char** argv) {
   penpose::files::hold_standard_streams();
   penpose::cli::end_where_memory_ends();
   // What reads files that somebody else made keeps no right that it does not need.
-  if (argc > 1) penpose::files::keep_only(penpose::files::rights_of(argv[1]));
+  const penpose::cli::Subcommand* command = argc > 1 ? penpose::cli::subcommand_named(argv[1]) : nullptr;
+  if (command != nullptr) penpose::files::keep_only(command->rights);
   return penpose::cli::run(argc, argv, penpose::program::window());
 }

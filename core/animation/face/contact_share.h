@@ -6,7 +6,7 @@
 
 namespace penpose::animation {
 
-/// Shares a movement between curves that meet. In a track both lids close an eye, in most rigs the upper lid alone
+/// Shares a movement between curves that meet. In a track both lids close an eye; in most rigs only the upper one
 /// does. Where a curve cannot follow, the one that it meets moves farther, so that the opening between them is as wide
 /// as in the track. How well a curve follows is how far the parameters in `free` can move it in the picture, relative
 /// to twice the mean of both (at most 1). Sets Transfer::contact_shares. Precondition: the transfer was made from

@@ -9,7 +9,7 @@
 
 #include "core/geometry/space.h"
 
-// What a kind of surface that deformers slide over is made of (surface.h).
+// The interface that every kind of surface implements (surface.h).
 
 namespace penpose::mesh {
 class TriangleMesh;
@@ -33,7 +33,7 @@ class HeldSurface {
   [[nodiscard]] virtual bool consists_of(std::uint32_t vertex, const ModelPoint& rest) const = 0;
   /// The distance to keep of a point at rest.
   [[nodiscard]] virtual double level(const ModelPoint& rest) const = 0;
-  /// The point moved to a level. `rest` gives the direction when the moved point has none.
+  /// The moved point, brought to a level. Where it has no direction of its own, `rest` gives it.
   [[nodiscard]] virtual ModelPoint keep(const ModelPoint& moved, const ModelPoint& rest, double level) const = 0;
   /// Where a ray (unit direction) comes to a level, nearest to `near`, a distance along the ray.
   [[nodiscard]] virtual double lift(const geometry::Ray& ray, double near, double level) const = 0;

@@ -23,7 +23,7 @@ struct PartSurface {
   friend bool operator==(const PartSurface&, const PartSurface&) = default;
 
   [[nodiscard]] static base::Status check() { return base::Done{}; }
-  /// That of the other side; a skull in the middle stays the surface.
+  /// The part of the mirrored name; one whose name has no side, such as a skull, is its own mirror image.
   [[nodiscard]] PartSurface mirrored(const SymmetryPlane& plane) const;
   /// Errors (place "surface/mesh"): no part of that name, a part without triangles.
   [[nodiscard]] base::Result<std::shared_ptr<const HeldSurface>> held(const Canvas& canvas) const;

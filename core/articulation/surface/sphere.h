@@ -21,7 +21,7 @@ struct Sphere {
   static constexpr std::string_view k_form = R"({"sphere": {"center", "radius"}})";
   static constexpr bool k_of_region = true;  ///< fitted to one region and none for the next
   ModelPoint center{0};
-  double radius = 1;  ///< > 0; what is drawn of the ball, the kept distance is that of each vertex from the centre
+  double radius = 1;  ///< > 0; vertices inside belong to the ball, every other keeps its own distance from the centre
   static auto members(auto& self) { return base::named("center", self.center, "radius", self.radius); }
   friend bool operator==(const Sphere&, const Sphere&) = default;
 

@@ -13,6 +13,7 @@
 //   check      whether it can be, as far as that shows without a model; the place of an error begins "surface/KEY"
 //   mirrored   the same on the model's other side
 //   held       what keeps the distance of points on a model
+//   k_of_region  whether it is fitted to one region, and dropped for the next control
 //   words      what is shown of one that was chosen
 //   offered    what there is to choose on a model, for a region
 //

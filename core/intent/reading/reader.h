@@ -40,20 +40,19 @@ class Reader {
   /// First guesses for lines that are shorter than their limbs: each joint of the chain, and the longest run of it,
   /// leaning towards the eye and away from it. Choice::costs: its prior cost, slightly higher away from the eye.
   [[nodiscard]] std::vector<Choice> leans_in_depth() const;
-  /// Whether a choice takes a joint or run out of the picture.
+  /// Whether a choice turns a joint or run out of the picture plane.
   [[nodiscard]] bool leans(const Choice& choice) const;
   /// Only units of these joints may move; empty: all.
   void restrict_to(std::span<const std::size_t> joints);
 
-  /// Lets values go this many ranges beyond their limits, to see what a line means that goes beyond them. 0: not at
-  /// all.
+  /// Lets values exceed their limits by this many ranges, to find what a line beyond them means; 0 turns that off.
   void stretch(double ranges);
 
   /// How drawn curve c is aligned; all of `alignments` are worth trying.
   [[nodiscard]] const std::vector<Alignment>& alignments(std::size_t c) const { return blocks_[c].alignments; }
   void align(std::size_t c, std::size_t which) { blocks_[c].aligned = which; }
   [[nodiscard]] std::size_t aligned(std::size_t c) const { return blocks_[c].aligned; }
-  /// Whether drawn curve c's line tells where one of its ends should be (Overshoot).
+  /// Whether drawn curve c's line shows where one of its ends should be (Overshoot).
   [[nodiscard]] bool ends_told(std::size_t c) const;
   /// The points of drawn curve c on its picture, at the start.
   [[nodiscard]] std::vector<PxPoint> seen_at_start(std::size_t c) const { return seen(blocks_[c], start_); }
@@ -86,7 +85,7 @@ class Reader {
   void weigh(const Choice& choice);
 
   struct Left {
-    std::vector<double> px, units;  ///< mean of each curve
+    std::vector<double> px, units;  ///< mean distance for each curve
     double sum = 0, longest = 0;    ///< model units
   };
   /// Distances of the points from their targets at a pose; with sliding.
@@ -145,7 +144,7 @@ class Reader {
   void make_runs();
   void make_run_units();
   void add_turn(std::size_t variable);
-  void add_turn_units(std::size_t first, std::size_t count, bool planar, double charge);
+  void add_turn_units(std::size_t first, std::size_t count, bool planar, double across);
   void make_turn_columns(const rig::Pose& pose, std::span<const double> at, std::span<const std::size_t> variables);
   [[nodiscard]] std::vector<glm::dvec3> turned_by(std::span<const double> at) const;
   void turn_pose(std::span<const double> at, rig::Pose& pose) const;
@@ -202,9 +201,9 @@ class Reader {
   std::vector<PointRows> rows_;
 };
 
-/// For a line that goes beyond the limits: finds the choice that would explain it without limits and moves that as far
-/// as it goes. Controls that would only bring the curve a little nearer do not move. `within`: a choice at a limit, at
-/// which the reader looked last. Nothing where `within` is that choice already. Adds to `evaluations`.
+/// For a line that goes beyond the limits: finds the choice that would explain it without limits, then fits its units
+/// within them. `within`: a choice at a limit, at which the reader looked last. Nothing unless the choice found has
+/// fewer units than `within` and a lower energy. Adds to `evaluations`.
 [[nodiscard]] std::optional<Choice> meant_without_limits(Reader& reader, Quadratic& quadratic, const Choice& within,
                                                          std::size_t most_units, std::size_t& evaluations);
 

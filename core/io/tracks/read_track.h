@@ -10,8 +10,9 @@ namespace penpose::io {
 
 // Readers of what face trackers write. A frame without a face, with confidence 0 or with numbers that are none (NaN)
 // is kept as a frame that was not found, so that times stay right, and listed in the track's notes. Errors name the
-// line ("line N"), or in JSON the place (JSON pointer), and are given for what no hold can mend: a column that is
-// missing, text where a number was expected, more cells than columns (decimal commas between commas), no face at all.
+// line ("line N"), or in JSON the place (JSON pointer), and are given for what holding the last value cannot repair: a
+// column that is missing, text where a number was expected, more cells than columns (decimal commas between commas), no
+// face at all.
 
 /// Most frames of a track, among them those that a file leaves out.
 inline constexpr std::size_t k_most_track_frames = 1'000'000;
@@ -51,14 +52,14 @@ struct PictureSize {
 /// without a header, rows of 136 numbers x0, y0, x1, y1, ...
 [[nodiscard]] base::Result<animation::PointTrack> read_ibug_track(base::Bytes bytes);
 
+/// Whether frames follow each other in time. Labelled pictures do not; their times are ignored.
+enum class FrameOrder : std::uint8_t { in_time, none };
+
 /// {"fps": 25, "frames": [{"time": s, "confidence": 1, "curves": {NAME: [[x, y], ...]}}, ...]}: curves by name, px, y
 /// down. "time" and "confidence" are optional. null or {} or a frame without "curves" is a frame without a face, and so
 /// is one in which a curve is missing, empty or no number. Curves that fewer than half of the frames show are left out,
 /// with a note; those of other numbers of points are resampled to the first's. A curve without points in any frame is
 /// an error.
-/// `order`: whether the frames follow each other in time; pictures that somebody labelled do not, and their times are
-/// passed over.
-enum class FrameOrder : std::uint8_t { in_time, none };
 [[nodiscard]] base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes,
                                                                    FrameOrder order = FrameOrder::in_time);
 

@@ -10,15 +10,6 @@
 namespace penpose::app {
 namespace {
 
-constexpr double k_target_mm = 9;
-constexpr double k_mm_per_inch = 25.4;
-/// Sizes of what is hit by density, where the usual is 1.
-constexpr double k_compact = 0.72;
-constexpr double k_touch = 1.3;
-/// Displays that say less or more than this say nonsense.
-constexpr double k_least_dpi = 60;
-constexpr double k_most_dpi = 600;
-
 /// The view by which a project keeps what its front is.
 constexpr std::string_view k_front = "front";
 
@@ -35,11 +26,21 @@ double front_of(const document::Document& document) {
 Canvas::Canvas(EditingSession& editing, Preferences& preferences, Notices& notices, const Player& player)
     : editing_(editing), preferences_(preferences), notices_(notices), player_(player) {}
 
-double Canvas::dpi() const { return dpi_ >= k_least_dpi && dpi_ <= k_most_dpi ? dpi_ : 96; }
+double Canvas::dpi() const {
+  // Displays that report less or more are wrong.
+  constexpr double k_least_dpi = 60;
+  constexpr double k_most_dpi = 600;
+  return dpi_ >= k_least_dpi && dpi_ <= k_most_dpi ? dpi_ : 96;
+}
 
 double Canvas::scale() const { return preferences_.settings().scale * dpi() / 96; }
 
 double Canvas::target_px() const {
+  constexpr double k_target_mm = 9;
+  constexpr double k_mm_per_inch = 25.4;
+  // By density, where the usual is 1.
+  constexpr double k_compact = 0.72;
+  constexpr double k_touch = 1.3;
   const Settings& settings = preferences_.settings();
   const double density = settings.density == Density::compact ? k_compact
                          : settings.density == Density::touch ? k_touch

@@ -15,9 +15,6 @@ namespace {
 constexpr double k_click_px = 5;
 constexpr double k_lit_px = 8;
 constexpr double k_touched_px = 10;
-/// Of the middle of a target, which moves all of it.
-constexpr double k_handle_px = 14;
-constexpr double k_handle_share = 0.15;  ///< of the length of a line, at most
 
 std::vector<PxPoint> seen(std::span<const geometry::ModelPoint> line, const geometry::Camera& camera) {
   std::vector<PxPoint> points;
@@ -77,7 +74,9 @@ void CurvesInHand::hold_line(const std::vector<geometry::ModelPoint>& line, PxPo
   const document::View& view = parts_.canvas.view();
   const auto camera = geometry::Camera::make(view.camera, view.viewport);
   const auto points = camera ? seen(line, *camera) : std::vector<PxPoint>();
-  // Of a short line most would be its middle.
+  // The middle of a target moves all of it; of a short line most would be its middle.
+  constexpr double k_handle_px = 14;
+  constexpr double k_handle_share = 0.15;  // of the length of a line, at most
   const double handle =
       std::min(k_handle_px * parts_.canvas.scale(), k_handle_share * curve::arc_length<PxPoint>(points));
   const bool at_middle = !points.empty() && geometry::distance(points[points.size() / 2], at) < handle;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 #include "ui/app/owners.h"
 #include "ui/app/panels/panels.h"
@@ -35,7 +36,7 @@ struct DialogRow {
 
 template <typename... Owners>
 void call_dialog(PanelContext& context, App& app, void (*dialog)(PanelContext&, Owners&...)) {
-  dialog(context, app.of<Owners>()...);
+  dialog(context, app.of<std::remove_const_t<Owners>>()...);
 }
 
 /// A dialog with the owners that it takes.

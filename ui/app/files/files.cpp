@@ -60,7 +60,7 @@ void Files::begin_session(document::Document document, const std::string& path) 
   parts_.opened();
 }
 
-void Files::resume(replay::Playback played, std::unique_ptr<SessionFile> file) {
+void Files::resume(replay::ReplayResult played, std::unique_ptr<SessionFile> file) {
   parts_.performer.drop();
   parts_.recording.end();
   parts_.player.trace.reset();
@@ -114,7 +114,7 @@ base::Status Files::open_session(const std::string& path) {
   return base::Done{};
 }
 
-base::Result<replay::Playback> Files::played_session(const std::string& path) {
+base::Result<replay::ReplayResult> Files::played_session(const std::string& path) {
   const auto file = files::open_plain(path);
   if (!file) return file.error();
   replay::PlayerOptions options;
@@ -141,12 +141,12 @@ base::Status Files::play_trace(const std::string& path) {
   auto player = TracePlayer::load(path);
   if (!player) return player.error();
   if (player->is_session()) {
-    if (!player->model()) return replay::no_model();
+    if (!player->model()) return replay::no_model_error();
     const std::string model = files::find_session_model(path, player->model()->path);
     auto document = model_of_session(path, player->model()->path);
     if (!document) return document.error();
     const base::Hash128 found = document::DocumentHasher()(*document).whole;
-    if (!(found == player->model()->hash)) return replay::other_model(model, found, player->model()->hash);
+    if (!(found == player->model()->hash)) return replay::changed_model_error(model, found, player->model()->hash);
     begin_session(std::move(*document), model);
     // What is played is no work on the model's own file.
     set_project({});

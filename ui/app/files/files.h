@@ -55,8 +55,8 @@ class Files {
  private:
   base::Status open_session(const std::string& path);
   void begin_session(document::Document document, const std::string& path);
-  void resume(replay::Playback played, std::unique_ptr<SessionFile> file);
-  base::Result<replay::Playback> played_session(const std::string& path);
+  void resume(replay::ReplayResult played, std::unique_ptr<SessionFile> file);
+  base::Result<replay::ReplayResult> played_session(const std::string& path);
   void set_project(const std::string& path);
 
   Parts parts_;

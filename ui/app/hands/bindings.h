@@ -17,14 +17,14 @@ class Bindings {
 
   /// What a key, a dial or a button of a pen does.
   [[nodiscard]] Binding bound(const DeskTablet& tablet, const PadControl& control) const;
-  /// Binds it to something else; nothing: to what it does where nobody has chosen.
+  /// Binds it to something else; nullopt restores the default.
   void bind(const DeskTablet& tablet, const PadControl& control, std::optional<Binding> binding);
   /// What a tablet's dial does now.
   [[nodiscard]] std::int8_t dial_mode(const DeskTablet& tablet, std::uint8_t side) const;
-  /// The buttons of a pen that act while it draws, a bit each.
+  /// The buttons of a pen that act while it draws: bit i for button i.
   [[nodiscard]] std::uint32_t drawing_buttons(int device) const;
   [[nodiscard]] replay::TabletSetting setting_of(int device) const;
-  /// Keeps the tablet's own part of the settings, which every tablet takes over at once.
+  /// Saves the settings and applies them to every tablet in use.
   void setting_changed();
 
  private:

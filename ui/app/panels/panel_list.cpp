@@ -1,4 +1,5 @@
 #include <array>
+#include <type_traits>
 
 #include "ui/app/owners.h"
 #include "ui/app/panels/panels.h"
@@ -36,7 +37,7 @@ struct PanelRow {
 template <typename... Owners>
 void call_panel(PanelContext& context, const Area& area, App& app,
                 void (*panel)(PanelContext&, const Area&, Owners&...)) {
-  panel(context, area, app.of<Owners>()...);
+  panel(context, area, app.of<std::remove_const_t<Owners>>()...);
 }
 
 /// A panel with the owners that it takes.

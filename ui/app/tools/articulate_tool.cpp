@@ -22,7 +22,7 @@ std::string hint(const ToolSight& sight) {
       break;
   }
   return sight.tool.draw_reference ? "4 of 4: draw where the feature should go"
-                                   : "4 of 4: draw where it should go (step 3, the feature, is found by itself)";
+                                   : "4 of 4: draw where it should go (step 3, the feature, is found for you)";
 }
 
 void taken(ToolHand& hand) {
@@ -40,22 +40,20 @@ void moved(ToolHand& hand) {
 }  // namespace
 
 WindowTool articulate_tool() {
-  WindowTool tool;
-  tool.kind = drawing::ToolKind::articulate;
-  tool.name = "tool_articulate";
-  tool.label = "Rig";
-  tool.key = plain_key('a');
-  tool.tip = "Sketch a new control in three or four strokes";
-  tool.icon = "C6 18 2.5C18 6 2.5M8 16L16 8M4 6L10 6M7 3L7 9";
-  tool.stands_apart = true;
-  tool.can_be_held = false;
-  tool.hint = hint;
-  tool.to_draw = [](const ToolSight& sight) { return to_draw_for(drawing::next_step(sight.document, sight.tool)); };
-  tool.preview = ToolPreview::sketch;
-  tool.line = [](const ToolSight& sight) { return line_of(drawing::next_step(sight.document, sight.tool)); };
-  tool.taken = taken;
-  tool.moved = moved;
-  return tool;
+  return {.kind = drawing::ToolKind::articulate,
+          .name = "tool_articulate",
+          .label = "Rig",
+          .key = plain_key('a'),
+          .tip = "Sketch a new control in three or four strokes",
+          .icon = "C6 18 2.5C18 6 2.5M8 16L16 8M4 6L10 6M7 3L7 9",
+          .stands_apart = true,
+          .can_be_held = false,
+          .hint = hint,
+          .to_draw = [](const ToolSight& sight) { return to_draw_for(drawing::next_step(sight.document, sight.tool)); },
+          .preview = ToolPreview::sketch,
+          .line = [](const ToolSight& sight) { return line_of(drawing::next_step(sight.document, sight.tool)); },
+          .taken = taken,
+          .moved = moved};
 }
 
 }  // namespace penpose::app

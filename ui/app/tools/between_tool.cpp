@@ -10,7 +10,8 @@ WindowTool between_tool() {
   WindowTool tool;
   tool.kind = drawing::ToolKind::between;
   tool.hint = [](const ToolSight& sight) {
-    return "Draw where " + sight.tool.deformer + " has the feature at " + base::format_fixed(sight.tool.value, 2);
+    return "Draw where the feature should be when " + sight.tool.deformer + " is at " +
+           base::format_fixed(sight.tool.value, 2);
   };
   tool.to_draw = [](const ToolSight&) { return to_draw_for(articulation::CurveRole::target); };
   tool.preview = ToolPreview::sketch;

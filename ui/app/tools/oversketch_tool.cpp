@@ -16,18 +16,16 @@ std::string to_draw(const ToolSight& sight) {
 }  // namespace
 
 WindowTool oversketch_tool() {
-  WindowTool tool;
-  tool.kind = drawing::ToolKind::oversketch;
-  tool.name = "tool_oversketch";
-  tool.label = "Redraw";
-  tool.key = plain_key('o');
-  tool.tip = "Draw over a part of the last target";
-  tool.icon = "M3 18L9 13L13 16M14 13L20 4L22 6L16 14L13 15Z";
-  tool.hint = [](const ToolSight&) -> std::string {
-    return "Draw over the part of the last target that should change";
-  };
-  tool.to_draw = to_draw;
-  return tool;
+  return {.kind = drawing::ToolKind::oversketch,
+          .name = "tool_oversketch",
+          .label = "Redraw",
+          .key = plain_key('o'),
+          .tip = "Draw over a part of the last target",
+          .icon = "M3 18L9 13L13 16M14 13L20 4L22 6L16 14L13 15Z",
+          .hint = [](const ToolSight&) -> std::string {
+            return "Draw over the part of the last target that should change";
+          },
+          .to_draw = to_draw};
 }
 
 }  // namespace penpose::app

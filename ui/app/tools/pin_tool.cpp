@@ -5,16 +5,14 @@
 namespace penpose::app {
 
 WindowTool pin_tool() {
-  WindowTool tool;
-  tool.kind = drawing::ToolKind::pin;
-  tool.name = "tool_pin";
-  tool.label = "Pin";
-  tool.key = plain_key('n');
-  tool.tip = "Touch one point that should stay where it is";
-  tool.icon = "C12 8 4M12 12L12 21";
-  tool.hint = [](const ToolSight&) -> std::string { return "Touch a point that should stay where it is"; };
-  tool.to_draw = [](const ToolSight&) -> std::string { return "touch the face where it should stay"; };
-  return tool;
+  return {.kind = drawing::ToolKind::pin,
+          .name = "tool_pin",
+          .label = "Pin",
+          .key = plain_key('n'),
+          .tip = "Touch one point that should stay where it is",
+          .icon = "C12 8 4M12 12L12 21",
+          .hint = [](const ToolSight&) -> std::string { return "Touch a point that should stay where it is"; },
+          .to_draw = [](const ToolSight&) -> std::string { return "touch the face where it should stay"; }};
 }
 
 }  // namespace penpose::app

@@ -27,17 +27,15 @@ std::string to_draw(const ToolSight& sight) {
 }  // namespace
 
 WindowTool pose_tool() {
-  WindowTool tool;
-  tool.kind = drawing::ToolKind::pose;
-  tool.name = "tool_pose";
-  tool.label = "Pose";
-  tool.key = plain_key('b');
-  tool.other = plain_key('p');
-  tool.tip = "Draw where a feature is, then where it should go";
-  tool.icon = "M3 16L8 11L12 15L21 7M16 6L21 7L20 12";
-  tool.hint = hint;
-  tool.to_draw = to_draw;
-  return tool;
+  return {.kind = drawing::ToolKind::pose,
+          .name = "tool_pose",
+          .label = "Pose",
+          .key = plain_key('b'),
+          .other = plain_key('p'),
+          .tip = "Draw where a feature is, then where it should go",
+          .icon = "M3 16L8 11L12 15L21 7M16 6L21 7L20 12",
+          .hint = hint,
+          .to_draw = to_draw};
 }
 
 }  // namespace penpose::app

@@ -1,7 +1,7 @@
 #include "ui/app/tools/sketch_steps.h"
 #include "ui/app/tools/tool.h"
 
-// One line of a control that there is, drawn again. Its panel takes this tool.
+// Redraws one line of an existing control. The control's panel chooses this tool.
 
 namespace penpose::app {
 namespace {
@@ -20,7 +20,7 @@ std::string hint(const ToolSight& sight) {
     case CurveRole::target:
       break;
   }
-  return "Draw where " + control + " should bring it";
+  return "Draw where " + control + " should move the feature";
 }
 
 }  // namespace

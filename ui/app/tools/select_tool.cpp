@@ -7,22 +7,20 @@ namespace {
 
 std::string hint(const ToolSight& sight) {
   if (sight.performs) return "Pull at a target: time runs while the pen is down, and the face is keyed";
-  return "Pull at a target, or move all of it by its middle; touch a curve, or the face to pick its control";
+  return "Pull a target, or drag its middle to move all of it; touch a curve, or touch the face to pick its control";
 }
 
 }  // namespace
 
 WindowTool select_tool() {
-  WindowTool tool;
-  tool.kind = drawing::ToolKind::none;
-  tool.name = "tool_select";
-  tool.label = "Select";
-  tool.key = plain_key('s');
-  tool.tip = "Drag targets, pick the control under the pen";
-  tool.icon = "M6 3L6 18L10 14.5L13 21L15.5 20L12.5 13.5L18 13Z";
-  tool.hint = hint;
-  tool.selects = true;
-  return tool;
+  return {.kind = drawing::ToolKind::none,
+          .name = "tool_select",
+          .label = "Select",
+          .key = plain_key('s'),
+          .tip = "Drag targets, pick the control under the pen",
+          .icon = "M6 3L6 18L10 14.5L13 21L15.5 20L12.5 13.5L18 13Z",
+          .hint = hint,
+          .selects = true};
 }
 
 }  // namespace penpose::app

@@ -50,7 +50,7 @@ struct WindowTool {
   /// What a session records while it is in hand. Its strokes mean what core/drawing says; with `none` they mean what
   /// `means` says.
   drawing::ToolKind kind = drawing::ToolKind::none;
-  // How it is taken. No label: other things take it, and it has no button.
+  // How it is chosen. An empty label: it has no button; other parts of the window choose it.
   std::string_view name = {};  ///< of its action
   std::string_view label = {};
   KeyStroke key = {};
@@ -58,7 +58,7 @@ struct WindowTool {
   std::string_view tip = {};
   std::string_view icon = {};  ///< icon.h
   bool stands_apart = false;   ///< in the toolbar
-  bool can_be_held = true;     ///< by a key of a tablet, while it is down
+  bool can_be_held = true;     ///< by a key of a tablet, while it is down; never one with `means`
 
   /// Says what to draw next, in one line.
   std::string (*hint)(const ToolSight& sight) = nullptr;

@@ -7,13 +7,8 @@ namespace penpose::app {
 namespace {
 
 constexpr double k_step_px = 2;
-/// Px of the way along the line over which a place is the mean of its neighbours (the deviation of a Gaussian).
-constexpr double k_light_px = 6;
-constexpr double k_strong_px = 16;
+/// Deviation of the Gaussian that smooths pressure along the line.
 constexpr double k_pressure_px = 8;
-constexpr double k_taper_px = 18;
-/// A tapered end is so wide, as a share of what it would be.
-constexpr double k_tip = 0.35;
 constexpr std::size_t k_most_points = 20000;
 
 double usual_pressure(std::span<const double> pressures, std::size_t i) {
@@ -75,7 +70,10 @@ std::vector<Value> smoothed(const std::vector<Value>& values, double deviation) 
   return out;
 }
 
+/// Deviation of the Gaussian that smooths places along the line.
 double deviation_px(Stabiliser stabiliser) {
+  constexpr double k_light_px = 6;
+  constexpr double k_strong_px = 16;
   return stabiliser == Stabiliser::off ? 0 : stabiliser == Stabiliser::light ? k_light_px : k_strong_px;
 }
 
@@ -86,6 +84,8 @@ std::vector<float> ink_widths(std::span<const PxPoint> points, std::span<const d
   for (std::size_t i = 1; i < points.size(); ++i)
     along[i] = along[i - 1] + geometry::distance(points[i - 1], points[i]);
   const double length = points.empty() ? 0 : along.back();
+  constexpr double k_taper_px = 18;
+  constexpr double k_tip = 0.35;  // width of a tapered end, as a share of what it would be
   // A short line is pointed over a third of it at either end.
   const double taper = std::min(k_taper_px * static_cast<double>(look.scale), length / 3);
   std::vector<float> widths(points.size());

@@ -47,7 +47,7 @@ base::Status run_app(const files::WindowRequest& request) {
     return base::Error{"exists already and is not written over", request.session,
                        "choose another name or move it away"};
   }
-  const auto live = live::open_way_out(request.live, live::ways_out());
+  const auto live = live::open_live_output(request.live, live::live_outputs());
   if (!live) return live.error();
   auto window = Window::open(request.fullscreen);
   if (!window) return window.error();

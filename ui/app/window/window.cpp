@@ -18,8 +18,6 @@
 namespace penpose::app {
 namespace {
 
-constexpr int k_width = 1280;
-constexpr int k_height = 800;
 /// A still picture gets smoother once in so long.
 constexpr int k_refine_ms = 30;
 /// What came of asking for the full screen is looked at so often.
@@ -209,6 +207,8 @@ base::Result<std::unique_ptr<Window>> Window::open(bool fullscreen) {
   SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
   Uint32 flags = SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
   if (fullscreen) flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
+  constexpr int k_width = 1280;
+  constexpr int k_height = 800;
   state->window = SDL_CreateWindow("penpose", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, k_width, k_height, flags);
   if (state->window == nullptr) return no_display(sdl_error());
   state->context = SDL_GL_CreateContext(state->window);

@@ -243,8 +243,8 @@ void add_options(CLI::App& command, ArticulateArguments& arguments) {
 
 Subcommand articulate_subcommand() {
   return subcommand<ArticulateArguments>(
-      "articulate", "Gives a model controls from the strokes of a sketch file", add_options, articulate,
-      {"penpose articulate elephant.glb --sketch trunk.json -o rigged.glb", "controls from strokes"},
+      "articulate", files::Rights::no_programs, "Gives a model controls from the strokes of a sketch file", add_options,
+      articulate, {"penpose articulate elephant.glb --sketch trunk.json -o rigged.glb", "controls from strokes"},
       {"penpose articulate elephant.glb --sketch trunk.json -o paper.glb --preset paper", "as published in 2006"});
 }
 

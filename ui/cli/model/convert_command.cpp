@@ -99,7 +99,8 @@ void add_options(CLI::App& command, ConvertArguments& arguments) {
 
 Subcommand convert_subcommand() {
   return subcommand<ConvertArguments>(
-      "convert", "Converts a model to GLB, to OBJ at its pose, or its animation to ARKit CSV", add_options, run_convert,
+      "convert", files::Rights::no_programs,
+      "Converts a model to GLB, to OBJ at its pose, or its animation to ARKit CSV", add_options, run_convert,
       {"penpose convert scan.obj scan.glb --shapes shapes", "OBJ files as blend shapes"},
       {"penpose convert posed.glb posed.obj", "the pose as it stands"},
       {{"OUT", Completes::files, io::extensions_written()}});

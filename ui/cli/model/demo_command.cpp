@@ -164,8 +164,8 @@ void add_options(CLI::App& command, DemoArguments& arguments) {
 
 Subcommand demo_subcommand() {
   return subcommand<DemoArguments>(
-      "demo", "Replays the bundled pen session on the built-in head, writes demo.glb and demo.png", add_options,
-      run_demo_command, {"penpose demo -o out", "writes out/demo.glb and out/demo.png"},
+      "demo", files::Rights::all, "Replays the bundled pen session on the built-in head, writes demo.glb and demo.png",
+      add_options, run_demo_command, {"penpose demo -o out", "writes out/demo.glb and out/demo.png"},
       {"penpose demo -o out --json", "what it did, for scripts"}, {{"-o", Completes::folders}});
 }
 

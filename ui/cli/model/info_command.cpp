@@ -7,6 +7,7 @@
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
+#include "core/io/model/model_formats.h"
 #include "ui/cli/subcommand.h"
 #include "ui/files/files.h"
 #include "ui/files/load_model.h"
@@ -132,7 +133,7 @@ int run_info(const InfoArguments& arguments) {
 }
 
 void add_options(CLI::App& command, InfoArguments& arguments) {
-  command.add_option("MODEL", arguments.model, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
+  command.add_option("MODEL", arguments.model, io::names_read() + " file")->required();
   command.add_flag("--json", arguments.json, "print one JSON object");
 }
 
@@ -140,7 +141,8 @@ void add_options(CLI::App& command, InfoArguments& arguments) {
 
 Subcommand info_subcommand() {
   return subcommand<InfoArguments>(
-      "info", "Says what is in a model", add_options, run_info, {"penpose info face.glb", "what can be posed"},
+      "info", files::Rights::reads_only, "Says what is in a model", add_options, run_info,
+      {"penpose info face.glb", "what can be posed"},
       {"penpose info builtin:demo --json", "the built-in head with its controls, for scripts"});
 }
 

@@ -9,6 +9,7 @@
 #include "core/base/numbers.h"
 #include "core/base/text/closest_name.h"
 #include "core/document/time/animation_sampling.h"
+#include "core/io/model/model_formats.h"
 #include "core/io/project/camera_file.h"
 #include "core/io/project/case_file.h"
 #include "ui/cli/model/frame_name.h"
@@ -214,7 +215,7 @@ int run_render(const Options& options) {
 }
 
 void add_options(CLI::App& command, Options& options) {
-  command.add_option("MODEL", options.model, "glTF, GLB, OBJ, PLY, OFF or STL file")->required();
+  command.add_option("MODEL", options.model, io::names_read() + " file")->required();
   command.add_option("--set", options.assignments, "NAME=VALUE: a parameter of the pose; may be given many times")
       ->allow_extra_args(false);
   auto* time = command.add_option("--time", options.time_s, "second of the model's first animation")
@@ -250,7 +251,7 @@ void add_options(CLI::App& command, Options& options) {
 
 Subcommand render_subcommand() {
   return subcommand<Options>(
-      "render", "Draws a picture of a model", add_options, run_render,
+      "render", files::Rights::no_programs, "Draws a picture of a model", add_options, run_render,
       {"penpose render builtin:demo --set jaw=0.4 --view front -o jaw.png", "a picture"},
       {"penpose render clip.glb --frames --size 320x320 -o frames/clip", "frames/clip0001.png, ... for ffmpeg"},
       {{"-o", Completes::files, {".png"}}});

@@ -232,7 +232,8 @@ void add_options(CLI::App& command, PoseArguments& arguments) {
 
 Subcommand pose_subcommand() {
   return subcommand<PoseArguments>(
-      "pose", "Solves posing cases: brings curves of a model to where they should be", add_options, pose,
+      "pose", files::Rights::no_programs, "Solves posing cases: brings curves of a model to where they should be",
+      add_options, pose,
       {"penpose pose face.glb --cases cases.json --case smile -o smile.glb", "one case, and the posed model"},
       {"penpose pose face.glb --cases cases.json --json", "all cases, for scripts"});
 }

@@ -109,8 +109,8 @@ void add_options(CLI::App& command, ServeArguments& arguments) {
 
 Subcommand serve_subcommand() {
   return subcommand<ServeArguments>(
-      "serve", "Poses for another program: a conversation of JSON lines", add_options, serve,
-      {"penpose serve <<< '{\"do\": \"load\", \"model\": \"builtin:head\"}'", "one line in, one line out"},
+      "serve", files::Rights::no_programs, "Poses for another program: a conversation of JSON lines", add_options,
+      serve, {"penpose serve <<< '{\"do\": \"load\", \"model\": \"builtin:head\"}'", "one line in, one line out"},
       {"penpose serve --session talk.session <<< '{\"do\": \"load\", \"model\": \"builtin:demo\"}'",
        "what is said, recorded to be replayed"});
 }

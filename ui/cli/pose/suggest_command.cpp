@@ -275,8 +275,8 @@ void add_options(CLI::App& command, SuggestArguments& arguments) {
 
 Subcommand suggest_subcommand() {
   return subcommand<SuggestArguments>(
-      "suggest", "Suggests the rest of a pose from poses that are keyed", add_options, suggest,
-      {"penpose suggest keyed.glb --set jaw=0.3", "the rest of the face, from the poses that are keyed"},
+      "suggest", files::Rights::no_programs, "Suggests the rest of a pose from poses that are keyed", add_options,
+      suggest, {"penpose suggest keyed.glb --set jaw=0.3", "the rest of the face, from the poses that are keyed"},
       {"penpose suggest keyed.glb --leave-one-out", "how well the keyed poses foretell each other"},
       {{"--hold", Completes::nothing}});
 }

@@ -244,7 +244,8 @@ void add_options(CLI::App& command, DecodeOptions& options) {
 }  // namespace
 
 Subcommand decode_subcommand() {
-  return subcommand<DecodeOptions>("decode", "Prints what pen or hand did in a trace of raw HID reports", add_options,
+  return subcommand<DecodeOptions>("decode", files::Rights::reads_only,
+                                   "Prints what pen or hand did in a trace of raw HID reports", add_options,
                                    decode_trace, {"penpose decode pen.hid --csv", "the pen, sample by sample"},
                                    {"penpose decode pen.hid --pad", "what the keys and rings of the tablet did"},
                                    {{"--protocol", Completes::nothing}});

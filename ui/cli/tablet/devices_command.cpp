@@ -205,11 +205,11 @@ void add_options(CLI::App& command, Options& options) {
 }  // namespace
 
 Subcommand devices_subcommand() {
-  return subcommand<Options>("devices", "Lists the tablets that are plugged in, or those that can be read.",
-                             add_options, run_devices,
-                             {"penpose devices", "the tablets that are plugged in, and what is missing to open them"},
-                             {"penpose devices --known", "every tablet whose raw reports are understood"},
-                             {{"--rules-folder", Completes::folders}});
+  return subcommand<Options>(
+      "devices", files::Rights::all, "Lists the tablets that are plugged in, or those that can be read.", add_options,
+      run_devices, {"penpose devices", "the tablets that are plugged in, and what is missing to open them"},
+      {"penpose devices --known", "every tablet whose raw reports are understood"},
+      {{"--rules-folder", Completes::folders}});
 }
 
 }  // namespace penpose::cli

@@ -290,8 +290,9 @@ void add_options(CLI::App& command, Options& options) {
 
 Subcommand record_subcommand() {
   return subcommand<Options>(
-      "record", "Records what tablets send, in hid-recorder's format, until Ctrl-C or until they are unplugged.",
-      add_options, record, {"penpose record -o pen.hid", "until Ctrl-C, or until the tablets are unplugged"},
+      "record", files::Rights::all,
+      "Records what tablets send, in hid-recorder's format, until Ctrl-C or until they are unplugged.", add_options,
+      record, {"penpose record -o pen.hid", "until Ctrl-C, or until the tablets are unplugged"},
       {"penpose record -o short.hid --seconds 10", "ten seconds of them"});
 }
 

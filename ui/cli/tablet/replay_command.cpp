@@ -148,7 +148,7 @@ base::Status write_picture(const replay::Session& session, const std::string& pa
   return files::write_file(path, *png);
 }
 
-Json to_json(const ReplayArguments& arguments, const replay::Playback& played, double seconds) {
+Json to_json(const ReplayArguments& arguments, const replay::ReplayResult& played, double seconds) {
   Json out = {{"model", find_model(arguments, played.model)},
               {"plain", played.plain},
               {"reports", played.reports},
@@ -175,7 +175,7 @@ Json to_json(const ReplayArguments& arguments, const replay::Playback& played, d
   return out;
 }
 
-void print(const ReplayArguments& arguments, const replay::Playback& played, double seconds) {
+void print(const ReplayArguments& arguments, const replay::ReplayResult& played, double seconds) {
   const document::Document& document = played.session->editor().document();
   const std::size_t deformers = document.model->deformers ? document.model->deformers->size() : 0;
   std::cout << (played.plain ? "plain trace" : "session") << " on "
@@ -214,7 +214,7 @@ int replay_session(const ReplayArguments& arguments) {
   if (!own) return files::report(own.error(), arguments.tablets);
   const auto file = files::open_trace(arguments.session);
   if (!file) return files::report(file.error(), arguments.session);
-  auto live = live::open_way_out(arguments.live, live::ways_out());
+  auto live = live::open_live_output(arguments.live, live::live_outputs());
   if (!live) return files::report(live.error());
   std::optional<files::AppendFile> record;
   std::optional<replay::SessionWriter> writer;
@@ -296,8 +296,8 @@ void add_options(CLI::App& command, ReplayArguments& arguments) {
 
 Subcommand replay_subcommand() {
   return subcommand<ReplayArguments>(
-      "replay", "Draws a recorded session, or a plain trace, again", add_options, replay_session,
-      {"penpose replay drawn.session -o face.glb --png face.png", "the project and a picture of it"},
+      "replay", files::Rights::no_programs, "Draws a recorded session, or a plain trace, again", add_options,
+      replay_session, {"penpose replay drawn.session -o face.glb --png face.png", "the project and a picture of it"},
       {"penpose replay drawn.session --stroke 3 --json", "what it was after three strokes"});
 }
 

@@ -230,8 +230,8 @@ void add_options(CLI::App& command, AnimateArguments& arguments) {
 
 Subcommand animate_subcommand() {
   return subcommand<AnimateArguments>(
-      "animate", "Makes keyframes from the curves that a face tracker saw", add_options, animate,
-      {"penpose animate face.glb --track track.json -o clip.glb", "keyframes from a tracked face"},
+      "animate", files::Rights::no_programs, "Makes keyframes from the curves that a face tracker saw", add_options,
+      animate, {"penpose animate face.glb --track track.json -o clip.glb", "keyframes from a tracked face"},
       {"penpose animate face.glb --track track.json --smooth 0.1 -o clip.glb --json", "steadier, and for scripts"},
       {{"--picture", Completes::nothing}});
 }

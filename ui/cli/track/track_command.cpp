@@ -179,8 +179,8 @@ void add_options(CLI::App& command, TrackArguments& arguments) {
 
 Subcommand track_subcommand() {
   return subcommand<TrackArguments>(
-      "track", "Finds curves in a picture sequence, learned from labelled pictures", add_options, track,
-      {"penpose track frames --labels labels.json -o lips.json", "curves in a folder of pictures"},
+      "track", files::Rights::no_programs, "Finds curves in a picture sequence, learned from labelled pictures",
+      add_options, track, {"penpose track frames --labels labels.json -o lips.json", "curves in a folder of pictures"},
       {"penpose track frames --labels labels.json -o lips.json --fps 30", "of a faster camera"});
 }
 

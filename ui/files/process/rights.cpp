@@ -1,7 +1,5 @@
 #include "ui/files/process/rights.h"
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <linux/landlock.h>
 #include <sys/prctl.h>
@@ -10,10 +8,6 @@
 
 namespace penpose::files {
 namespace {
-
-constexpr std::array<std::string_view, 2> k_readers{"info", "decode"};
-constexpr std::array<std::string_view, 9> k_workers{"convert", "pose",   "suggest", "articulate", "track",
-                                                    "animate", "render", "replay",  "serve"};
 
 // Later than the headers of Debian 12: the third version of Landlock knows it.
 constexpr std::uint64_t k_truncate = std::uint64_t{1} << 14;
@@ -25,11 +19,6 @@ constexpr std::uint64_t k_writing = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACC
                                     LANDLOCK_ACCESS_FS_MAKE_BLOCK | LANDLOCK_ACCESS_FS_MAKE_SYM;
 
 }  // namespace
-
-Rights rights_of(std::string_view command) {
-  const auto among = [&](const auto& names) { return std::find(names.begin(), names.end(), command) != names.end(); };
-  return among(k_readers) ? Rights::reads_only : among(k_workers) ? Rights::no_programs : Rights::all;
-}
 
 bool keep_only(Rights rights) {
   if (rights == Rights::all) return true;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string_view>
-
 namespace penpose::files {
 
 /// What a command may still ask of the system; docs/security.md says how that was decided.
@@ -10,9 +8,6 @@ enum class Rights {
   no_programs,  ///< starts no program
   reads_only,   ///< nor makes, changes or removes any file: what is open stays so
 };
-
-/// By the name of a subcommand, as the user writes it first; all for anything else.
-[[nodiscard]] Rights rights_of(std::string_view command);
 
 /// Gives up all other rights for good, for this program and all that it starts; does nothing where the kernel has no
 /// Landlock, which is no error. Returns whether they are given up.

@@ -12,9 +12,9 @@
 
 namespace penpose::document {
 
-/// Begins a correction of the pose that several controls make together; its curves are drawn on the model so posed, as
-/// those of a deformer are at rest. Errors: fewer than two controls or more than eight away from rest, a control that
-/// no correction can follow.
+/// Begins a correction of the pose that several controls make together; its curves are drawn on the model in that
+/// pose, as a deformer's are on the model at rest. Errors: fewer than two controls or more than eight away from rest, a
+/// control that no correction can follow.
 struct BeginCorrection {
   static constexpr Called k_called{"begin_correction", "Begin a correction"};
   std::string name;                 ///< empty: "correction N" with the first free N

@@ -43,7 +43,7 @@ struct SketchCurve {
 Changed run(const Document&, const SketchCurve&, ApplyParts&);
 
 struct CancelDeformer : NoMembers {
-  static constexpr Called k_called{"cancel_deformer", "Give up a control"};
+  static constexpr Called k_called{"cancel_deformer", "Cancel a new control"};
 };
 Changed run(const Document&, const CancelDeformer&, ApplyParts&);
 

@@ -29,14 +29,14 @@ Changed run(const Document&, const ResetParameters&, ApplyParts&);
 
 /// Locks parameters against the solver, or frees them.
 struct LockParameters {
-  static constexpr Called k_called{"lock_parameters", "Lock or free"};
+  static constexpr Called k_called{"lock_parameters", "Lock or unlock"};
   std::vector<std::string> names;
   bool locked = true;
   static auto members(auto& self) { return base::named("names", self.names, "locked", self.locked); }
 };
 Changed run(const Document&, const LockParameters&, ApplyParts&);
 
-/// Moves what is not held to where the keyed poses say that it belongs (core/prior). What is locked is held too.
+/// Moves every control that is neither held nor locked towards the values that the keyed poses suggest (core/prior).
 /// Errors: no such parameter, nothing held, a strength out of 0..1, fewer than two different keys, held parameters that
 /// no key moves.
 struct SuggestRest {

@@ -8,12 +8,11 @@
 #include "core/document/drawing/pose_curve.h"
 #include "core/mesh/mesh_point.h"
 
-// Commands of curves and targets of points that are known and not drawn, as other programs give them.
+// Commands that give curves and targets as points, for other programs.
 
 namespace penpose::document {
 
-/// Adds a curve of points that are known and not drawn, as other programs give them. Errors: no points, one that is not
-/// on the mesh.
+/// Adds a curve of known points. Errors: no points, one that is not on the mesh.
 struct PlaceCurve {
   static constexpr Called k_called{"place_curve", "Place a feature"};
   std::vector<mesh::MeshPoint> points;
@@ -23,9 +22,9 @@ struct PlaceCurve {
 Changed run(const Document&, const PlaceCurve&, ApplyParts&);
 
 /// Says where each point of a reference should go, and solves nothing yet. Errors: no such reference, another number of
-/// points, a point beyond what numbers in files can say.
+/// points, a coordinate too large to be written to a file.
 struct PlaceTarget {
-  static constexpr Called k_called{"place_target", "Place its target"};
+  static constexpr Called k_called{"place_target", "Place a target"};
   CurveId curve;
   std::vector<geometry::ModelPoint> points;
   static auto members(auto& self) { return base::named("curve", self.curve, "points", self.points); }

@@ -14,8 +14,8 @@
 
 namespace penpose::document {
 
-/// How curves are solved: for what was meant (core/intent), for the lowest sum of distances, or for that by the single
-/// simplex of 2006.
+/// What solving minimises: what was meant (core/intent); the sum of distances; or that sum by the single simplex of
+/// 2006.
 enum class Preset : std::uint8_t { meant, exact, paper };
 
 /// Draws a reference curve on the posed surface.
@@ -56,8 +56,8 @@ struct DragTarget {
 };
 Changed run(const Document&, const DragTarget&, ApplyParts&);
 
-/// Pulls a target at a place: what is near it along the line follows, less the farther (curve/bend.h); what does not
-/// follow stays to the bit. Then solves.
+/// Pulls a target at a point: nearby points of the line follow, less with distance (curve/bend.h); the others keep
+/// their exact bits. Then solves.
 struct PullTarget {
   static constexpr Called k_called{"pull_target", "Pull at a target"};
   CurveId curve;
@@ -118,13 +118,13 @@ struct SolvePose {
 Changed run(const Document&, const SolvePose&, ApplyParts&);
 
 struct SetPressureWeighting {
-  static constexpr Called k_called{"set_pressure_weighting", "Pressure counts, or not"};
+  static constexpr Called k_called{"set_pressure_weighting", "Turn pressure on or off"};
   bool on = false;
   static auto members(auto& self) { return base::named("on", self.on); }
 };
 Changed run(const Document&, const SetPressureWeighting&, ApplyParts&);
 
-/// How unsteady the artist's hand is, as a multiple of a usual one: what drawn lines are doubted by.
+/// How unsteady the artist's hand is, relative to a usual one; sets how much drawn lines are doubted.
 struct SetHand {
   static constexpr Called k_called{"set_hand", "How steady the hand is"};
   double unsteadiness = 1;  ///< 0.25..4
@@ -142,7 +142,7 @@ struct NameCurve {
 Changed run(const Document&, const NameCurve&, ApplyParts&);
 
 struct DeleteNamedCurve : OfName {
-  static constexpr Called k_called{"delete_named_curve", "Forget a named line"};
+  static constexpr Called k_called{"delete_named_curve", "Delete a named line"};
 };
 Changed run(const Document&, const DeleteNamedCurve&, ApplyParts&);
 

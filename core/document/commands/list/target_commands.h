@@ -12,11 +12,11 @@
 #include "core/document/commands/command_parts.h"
 #include "core/document/drawing/pose_curve.h"
 
-// Commands of what the first lasso of a deformer takes and of its other targets.
+// Commands for what a deformer's first lasso selects, and for its further targets.
 
 namespace penpose::document {
 
-/// What the first lasso of the deformer that was begun takes. Errors: none was begun; what general_region says.
+/// What the first lasso of the deformer that was begun selects. Errors: none was begun; those of general_region.
 struct TakeRegion {
   static constexpr Called k_called{"take_region", "Choose the region"};
   std::optional<articulation::Reach> reach = {};
@@ -25,8 +25,8 @@ struct TakeRegion {
 };
 Changed run(const Document&, const TakeRegion&, ApplyParts&);
 
-/// Draws where the feature of a deformer is at a value other than 0 and 1: another target, or that one again. Errors: a
-/// value out of its range; those of build_deformer.
+/// Draws where a deformer's feature is at a value other than 0 and 1: adds a target, or replaces the one at that value.
+/// Errors: a value out of its range; those of build_deformer.
 struct DrawBetween {
   static constexpr Called k_called{"draw_between", "Draw another target"};
   std::string deformer;
@@ -40,14 +40,14 @@ struct DrawBetween {
 Changed run(const Document&, const DrawBetween&, ApplyParts&);
 
 struct DeleteBetween {
-  static constexpr Called k_called{"delete_between", "Forget another target"};
+  static constexpr Called k_called{"delete_between", "Delete a target"};
   std::string deformer;
   double value = 0.5;
   static auto members(auto& self) { return base::named("deformer", self.deformer, "value", self.value); }
 };
 Changed run(const Document&, const DeleteBetween&, ApplyParts&);
 
-/// Pulls a target of a deformer at a place: what is near it along the line follows, less the farther (curve/bend.h).
+/// Pulls a target of a deformer at a point: nearby points of the line follow, less with distance (curve/bend.h).
 struct PullBetween {
   static constexpr Called k_called{"pull_between", "Pull at a control's target"};
   std::string deformer;

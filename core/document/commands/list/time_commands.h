@@ -22,14 +22,15 @@ struct SetKey {
 };
 Changed run(const Document&, const SetKey&, ApplyParts&);
 
-/// Keys what was performed: some controls at each of some moments. All else at a moment is what the timeline has there,
-/// or the pose where nothing is keyed; keys between the moments are kept, with these controls evenly between. Errors:
-/// no such parameter or one named twice, a value out of range, moments that do not ascend, another number of values.
+/// Keys a performance: some controls at some moments. At each moment the other controls take the timeline's values, or
+/// the pose's where nothing is keyed. Keys between two moments stay; there these controls are interpolated linearly.
+/// Errors: no such parameter or one named twice, a value out of range, moments that do not ascend, another number of
+/// values.
 struct KeyPoses {
   static constexpr Called k_called{"key_poses", "Perform"};
   std::vector<std::string> names;
   std::vector<double> times_s;
-  std::vector<double> values;  ///< one row a moment, one a name in it
+  std::vector<double> values;  ///< a row for each moment, a value for each name
   static auto members(auto& self) {
     return base::named("names", self.names, "times_s", self.times_s, "values", self.values);
   }
@@ -51,7 +52,7 @@ struct MoveKey {
 Changed run(const Document&, const MoveKey&, ApplyParts&);
 
 struct SetKeyInterpolation {
-  static constexpr Called k_called{"set_key_interpolation", "Smooth or linear"};
+  static constexpr Called k_called{"set_key_interpolation", "Change interpolation"};
   KeyInterpolation interpolation = KeyInterpolation::smooth;
   static auto members(auto& self) { return base::named("interpolation", self.interpolation); }
 };
@@ -73,7 +74,7 @@ struct SaveView {
 Changed run(const Document&, const SaveView&, ApplyParts&);
 
 struct DeleteView : OfName {
-  static constexpr Called k_called{"delete_view", "Forget a view"};
+  static constexpr Called k_called{"delete_view", "Delete a view"};
 };
 Changed run(const Document&, const DeleteView&, ApplyParts&);
 

@@ -60,13 +60,5 @@ TEST_F(GivenUpRights, WhatWritesFilesStillDoesAndStartsNothing) {
   EXPECT_EQ(with(Rights::all, [] { return starts(); }), 1);
 }
 
-TEST(Rights, ReadersReadAndWindowsAndDevicesDoAll) {
-  EXPECT_EQ(rights_of("info"), Rights::reads_only);
-  EXPECT_EQ(rights_of("decode"), Rights::reads_only);
-  EXPECT_EQ(rights_of("render"), Rights::no_programs);
-  EXPECT_EQ(rights_of("devices"), Rights::all);  // it tells udev of its rule
-  EXPECT_EQ(rights_of("face.glb"), Rights::all);
-}
-
 }  // namespace
 }  // namespace penpose::files
