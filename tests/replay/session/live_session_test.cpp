@@ -10,7 +10,7 @@ namespace penpose::replay {
 namespace {
 
 /// A session's text replayed on the sheet.
-Playback replayed(const std::string& text) {
+ReplayResult replayed(const std::string& text) {
   PlayerOptions options;
   options.open = [](const std::string&) {
     return base::Result<document::Document>(document::make_document(tests::sheet_model()));
@@ -46,7 +46,7 @@ TEST(LiveSession, AStrokeThatATabletsReturnCutsOffEndsAtTheSamePlaceInAReplay) {
   begin_stroke(script, 1, 2000000, 600);
   ASSERT_TRUE(script.act(TabletGone{1}).ok());
   ASSERT_TRUE(script.stroke(across(500, 30)).ok());
-  const Playback playback = replayed(script.text());
+  const ReplayResult playback = replayed(script.text());
   EXPECT_EQ(playback.differing, 0U) << (playback.divergence ? playback.divergence->line : 0);
   EXPECT_EQ(playback.checked, playback.steps);
   EXPECT_GE(playback.steps, 4U);
@@ -61,7 +61,7 @@ TEST(LiveSession, AResizeInTheMiddleOfAStrokeReplaysTheSame) {
   ASSERT_TRUE(script.act(ViewChanged{view}).ok());
   ASSERT_TRUE(script.stroke(across(300, 30)).ok());
   EXPECT_GE(script.document().curves.size(), 1U);
-  const Playback playback = replayed(script.text());
+  const ReplayResult playback = replayed(script.text());
   EXPECT_EQ(playback.differing, 0U);
   EXPECT_EQ(playback.session->editor().state(), script.editor().state());
 }
@@ -71,7 +71,7 @@ TEST(LiveSession, LinesThatAreRefusedDoNotAddUpInMemory) {
   TabletSetting wrong;
   wrong.area = {0, 0, 2, 2};
   for (int i = 0; i < 1000; ++i) EXPECT_FALSE(script.act(TabletSet{0, wrong}).ok());
-  const Playback playback = replayed(script.text());
+  const ReplayResult playback = replayed(script.text());
   EXPECT_GE(playback.problems.size(), 1U);
   EXPECT_LE(playback.problems.size(), 20U);
 }

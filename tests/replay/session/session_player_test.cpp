@@ -17,7 +17,7 @@ PlayerOptions options() {
   return out;
 }
 
-base::Result<Playback> play(const std::string& text, const PlayerOptions& with = options()) {
+base::Result<ReplayResult> play(const std::string& text, const PlayerOptions& with = options()) {
   return play_session(read_from(base::as_bytes(text)), with);
 }
 
