@@ -343,13 +343,14 @@ constexpr std::array k_actions{
 
 /// An action that takes a tool in hand.
 ActionInfo action_of_tool(const WindowTool& tool) {
-  return {{tool.name}, tool.label, tool.key, tool.other, tool.tip, tool.icon, nullptr, nullptr, &tool};
+  const ToolButton& button = tool.button;
+  return {{button.action}, button.label, button.key, button.other, button.tip, button.icon, nullptr, nullptr, &tool};
 }
 
 std::vector<ActionInfo> made_actions() {
   std::vector<ActionInfo> all;
   for (const WindowTool& tool : window_tools()) {
-    if (!tool.label.empty()) all.push_back(action_of_tool(tool));
+    if (!tool.button.label.empty()) all.push_back(action_of_tool(tool));
   }
   all.insert(all.end(), k_actions.begin(), k_actions.end());
   return all;

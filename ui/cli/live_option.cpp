@@ -9,8 +9,8 @@ namespace penpose::cli {
 void add_live_option(CLI::App& command, std::string& live) {
   if (live::live_outputs().empty()) return;
   std::string help = "Send the pose of every frame:";
-  for (const live::LiveOutput& way : live::live_outputs())
-    help += ' ' + std::string(way.name) + '=' + std::string(way.where);
+  for (const live::LiveOutput& output : live::live_outputs())
+    help += ' ' + std::string(output.name) + '=' + std::string(output.where);
   command.add_option("--live", live, help);
 }
 

@@ -12,15 +12,15 @@ const std::vector<LiveOutput>& live_outputs() {
   return all;
 }
 
-base::Result<Listener> open_live_output(std::string_view text, std::span<const LiveOutput> ways) {
+base::Result<Listener> open_live_output(std::string_view text, std::span<const LiveOutput> outputs) {
   if (text.empty()) return Listener([](const FramePose&) {});
   const std::string_view name = text.substr(0, text.find('='));
   std::string names;
-  for (const LiveOutput& way : ways) {
-    if (way.name == name) return way.open(text.substr(std::min(name.size() + 1, text.size())));
-    names += (names.empty() ? "" : ", ") + std::string(way.name);
+  for (const LiveOutput& output : outputs) {
+    if (output.name == name) return output.open(text.substr(std::min(name.size() + 1, text.size())));
+    names += (names.empty() ? "" : ", ") + std::string(output.name);
   }
-  return base::Error{"no way out has the name \"" + std::string(name) + "\"", "", "there are: " + names};
+  return base::Error{"no live output has the name \"" + std::string(name) + "\"", "", "there are: " + names};
 }
 
 }  // namespace penpose::live

@@ -35,6 +35,6 @@ struct LiveOutput {
 
 /// Opens "NAME=WHERE" among these outputs; for an empty text, a listener that does nothing. Errors: no such output;
 /// those of the output.
-[[nodiscard]] base::Result<Listener> open_live_output(std::string_view text, std::span<const LiveOutput> ways);
+[[nodiscard]] base::Result<Listener> open_live_output(std::string_view text, std::span<const LiveOutput> outputs);
 
 }  // namespace penpose::live

@@ -44,7 +44,7 @@ std::vector<const WindowTool*> held_tools() {
   std::vector<const WindowTool*> tools;
   for (const WindowTool& one : window_tools()) {
     // A key holds a tool by its kind.
-    if (!one.label.empty() && one.can_be_held && &one == &window_tool(one.kind)) tools.push_back(&one);
+    if (!one.button.label.empty() && one.can_be_held && &one == &window_tool(one.kind)) tools.push_back(&one);
   }
   return tools;
 }
@@ -118,7 +118,7 @@ std::string to_text(const Binding& binding) {
     case Kind::view:
       return "hold " + std::string(by_value(k_views, binding.view)->word);
     case Kind::tool:
-      if (const auto* tool = held_tool(binding.tool)) return "tool " + std::string(tool->label);
+      if (const auto* tool = held_tool(binding.tool)) return "tool " + std::string(tool->button.label);
       break;
     case Kind::dial:
       return "dial " + std::string(by_value(k_dials, binding.dial)->word);
@@ -150,7 +150,7 @@ std::optional<Binding> parse_binding(std::string_view text) {
   }
   if (kind == "tool") {
     for (const WindowTool* one : held_tools()) {
-      if (one->label == word) return binding_of(one->kind);
+      if (one->button.label == word) return binding_of(one->kind);
     }
   }
   if (kind == "dial") {
@@ -168,7 +168,7 @@ std::string label_of(const Binding& binding) {
     case Kind::view:
       return std::string(by_value(k_views, binding.view)->label);
     case Kind::tool:
-      if (const auto* tool = held_tool(binding.tool)) return "Pen: " + std::string(tool->label);
+      if (const auto* tool = held_tool(binding.tool)) return "Pen: " + std::string(tool->button.label);
       break;
     case Kind::dial:
       return std::string(by_value(k_dials, binding.dial)->label);

@@ -38,9 +38,9 @@ void show_toolbar(PanelContext& context, const Area& area, EditingSession& editi
   const Owners with{editing};
   if (begin_panel(context, "tools", area, true)) {
     for (const WindowTool& one : window_tools()) {
-      if (one.label.empty()) continue;
+      if (one.button.label.empty()) continue;
       if (one.stands_apart) ImGui::Dummy({1, context.gap});
-      action_button(context, {one.name}, -1, &one == &tool.now());
+      action_button(context, {one.button.action}, -1, &one == &tool.now());
     }
     ImGui::Dummy({1, context.gap});
     action_button(context, Action::clear_curves, -1);

@@ -41,11 +41,8 @@ void moved(ToolHand& hand) {
 
 WindowTool articulate_tool() {
   return {.kind = drawing::ToolKind::articulate,
-          .name = "tool_articulate",
-          .label = "Rig",
-          .key = plain_key('a'),
-          .tip = "Sketch a new control in three or four strokes",
-          .icon = "C6 18 2.5C18 6 2.5M8 16L16 8M4 6L10 6M7 3L7 9",
+          .button = {"tool_articulate", "Rig", "Sketch a new control in three or four strokes",
+                     "C6 18 2.5C18 6 2.5M8 16L16 8M4 6L10 6M7 3L7 9", plain_key('a')},
           .stands_apart = true,
           .can_be_held = false,
           .hint = hint,

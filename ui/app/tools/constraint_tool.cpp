@@ -6,11 +6,8 @@ namespace penpose::app {
 
 WindowTool constraint_tool() {
   return {.kind = drawing::ToolKind::constraint,
-          .name = "tool_constraint",
-          .label = "Hold",
-          .key = plain_key('c'),
-          .tip = "Draw along what should stay where it is",
-          .icon = "M6 11L18 11L18 20L6 20Z A12 11 4 180 360",
+          .button = {"tool_constraint", "Hold", "Draw along what should stay where it is",
+                     "M6 11L18 11L18 20L6 20Z A12 11 4 180 360", plain_key('c')},
           .hint = [](const ToolSight&) -> std::string { return "Draw along what should stay where it is"; },
           .to_draw = [](const ToolSight&) -> std::string { return "draw along what should stay, on the face"; }};
 }

@@ -17,11 +17,8 @@ std::string to_draw(const ToolSight& sight) {
 
 WindowTool oversketch_tool() {
   return {.kind = drawing::ToolKind::oversketch,
-          .name = "tool_oversketch",
-          .label = "Redraw",
-          .key = plain_key('o'),
-          .tip = "Draw over a part of the last target",
-          .icon = "M3 18L9 13L13 16M14 13L20 4L22 6L16 14L13 15Z",
+          .button = {"tool_oversketch", "Redraw", "Draw over a part of the last target",
+                     "M3 18L9 13L13 16M14 13L20 4L22 6L16 14L13 15Z", plain_key('o')},
           .hint = [](const ToolSight&) -> std::string {
             return "Draw over the part of the last target that should change";
           },

@@ -6,11 +6,8 @@ namespace penpose::app {
 
 WindowTool pin_tool() {
   return {.kind = drawing::ToolKind::pin,
-          .name = "tool_pin",
-          .label = "Pin",
-          .key = plain_key('n'),
-          .tip = "Touch one point that should stay where it is",
-          .icon = "C12 8 4M12 12L12 21",
+          .button = {"tool_pin", "Pin", "Touch one point that should stay where it is", "C12 8 4M12 12L12 21",
+                     plain_key('n')},
           .hint = [](const ToolSight&) -> std::string { return "Touch a point that should stay where it is"; },
           .to_draw = [](const ToolSight&) -> std::string { return "touch the face where it should stay"; }};
 }

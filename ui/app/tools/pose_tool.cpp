@@ -28,12 +28,8 @@ std::string to_draw(const ToolSight& sight) {
 
 WindowTool pose_tool() {
   return {.kind = drawing::ToolKind::pose,
-          .name = "tool_pose",
-          .label = "Pose",
-          .key = plain_key('b'),
-          .other = plain_key('p'),
-          .tip = "Draw where a feature is, then where it should go",
-          .icon = "M3 16L8 11L12 15L21 7M16 6L21 7L20 12",
+          .button = {"tool_pose", "Pose", "Draw where a feature is, then where it should go",
+                     "M3 16L8 11L12 15L21 7M16 6L21 7L20 12", plain_key('b'), plain_key('p')},
           .hint = hint,
           .to_draw = to_draw};
 }

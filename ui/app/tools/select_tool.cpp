@@ -14,11 +14,8 @@ std::string hint(const ToolSight& sight) {
 
 WindowTool select_tool() {
   return {.kind = drawing::ToolKind::none,
-          .name = "tool_select",
-          .label = "Select",
-          .key = plain_key('s'),
-          .tip = "Drag targets, pick the control under the pen",
-          .icon = "M6 3L6 18L10 14.5L13 21L15.5 20L12.5 13.5L18 13Z",
+          .button = {"tool_select", "Select", "Drag targets, pick the control under the pen",
+                     "M6 3L6 18L10 14.5L13 21L15.5 20L12.5 13.5L18 13Z", plain_key('s')},
           .hint = hint,
           .selects = true};
 }

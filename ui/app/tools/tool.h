@@ -44,21 +44,25 @@ enum class ToolPreview : std::uint8_t {
   sketch,  ///< the control that is drawn, on the face at rest
 };
 
+/// How a tool is chosen: its button, which is an action, too.
+struct ToolButton {
+  std::string_view action = {};  ///< its name
+  std::string_view label = {};
+  std::string_view tip = {};
+  std::string_view icon = {};  ///< icon.h
+  KeyStroke key = {};
+  KeyStroke other = {};  ///< a second key
+};
+
 /// A tool of the window. Each stands in a file of this folder (NAME_tool.cpp), which says all that there is to it, and
 /// in a row of tool_list.cpp.
 struct WindowTool {
   /// What a session records while it is in hand. Its strokes mean what core/drawing says; with `none` they mean what
   /// `means` says.
   drawing::ToolKind kind = drawing::ToolKind::none;
-  // How it is chosen. An empty label: it has no button; other parts of the window choose it.
-  std::string_view name = {};  ///< of its action
-  std::string_view label = {};
-  KeyStroke key = {};
-  KeyStroke other = {};  ///< a second key
-  std::string_view tip = {};
-  std::string_view icon = {};  ///< icon.h
-  bool stands_apart = false;   ///< in the toolbar
-  bool can_be_held = true;     ///< by a key of a tablet, while it is down; never one with `means`
+  ToolButton button = {};     ///< without a label: none, other parts of the window choose it
+  bool stands_apart = false;  ///< in the toolbar
+  bool can_be_held = true;    ///< by a key of a tablet, while it is down; never one with `means`
 
   /// Says what to draw next, in one line.
   std::string (*hint)(const ToolSight& sight) = nullptr;

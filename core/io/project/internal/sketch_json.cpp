@@ -147,7 +147,8 @@ Problem read_surface(const json::Json& value, const std::string& pointer, articu
   articulation::each_surface_kind([&]<typename Kind>() {
     const std::string key(Kind::k_key);
     const json::Json* one = given(*surface, key.c_str());
-    if (one != nullptr && !problem) problem = read_kind<Kind>(*one, json::child(here, key), out);
+    if (one != nullptr)
+      problem = problem ? wrong("a second surface is given", here) : read_kind<Kind>(*one, json::child(here, key), out);
     forms += (forms.empty() ? "give " : " or ") + std::string(Kind::k_form);
   });
   return problem ? *problem : wrong("the surface is not known", here, forms);

@@ -92,6 +92,9 @@ TEST(SketchFile, SaysWhereItIsWrong) {
   EXPECT_EQ(place("\"target\"", "\"surface\": {\"mesh\": 3}, \"target\""), "/deformers/0/surface/mesh");
   EXPECT_EQ(place("\"target\"", "\"surface\": {\"sphere\": {\"center\": [0, 0, 0], \"radius\": -1}}, \"target\""),
             "/deformers/0/surface/sphere/radius");
+  EXPECT_EQ(place("\"target\"",
+                  "\"surface\": {\"mesh\": \"skull\", \"sphere\": {\"center\": [0, 0, 0], \"radius\": 1}}, \"target\""),
+            "/deformers/0/surface");
   EXPECT_EQ(place("\"target\"", "\"surface\": {\"sphere\": {\"radius\": 1}}, \"target\""),
             "/deformers/0/surface/sphere");
   EXPECT_EQ(place("\"target\"", "\"range\": [1, 2], \"target\""), "/deformers/0/range");

@@ -13,12 +13,12 @@ namespace {
 TEST(ToolInHand, EveryToolWithAButtonHasItsWordsAndAKeyOfItsOwn) {
   std::set<std::uint32_t> keys;
   for (const WindowTool& tool : window_tools()) {
-    EXPECT_NE(tool.hint, nullptr) << tool.label;
-    if (tool.label.empty()) continue;
-    EXPECT_EQ(info({tool.name}).tool, &tool) << tool.label << " is an action, too";
-    EXPECT_FALSE(tool.tip.empty() || tool.icon.empty()) << tool.label;
-    EXPECT_TRUE(tool.draws() || tool.selects) << tool.label << " does nothing";
-    EXPECT_TRUE(keys.insert(tool.key.key).second) << tool.label;
+    EXPECT_NE(tool.hint, nullptr) << tool.button.label;
+    if (tool.button.label.empty()) continue;
+    EXPECT_EQ(info({tool.button.action}).tool, &tool) << tool.button.label << " is an action, too";
+    EXPECT_FALSE(tool.button.tip.empty() || tool.button.icon.empty()) << tool.button.label;
+    EXPECT_TRUE(tool.draws() || tool.selects) << tool.button.label << " does nothing";
+    EXPECT_TRUE(keys.insert(tool.button.key.key).second) << tool.button.label;
   }
 }
 
