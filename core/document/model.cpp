@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "core/rig/character_rig.h"
+
 namespace penpose::document {
 namespace {
 
@@ -198,6 +200,23 @@ geometry::Box rest_world_box(const Model& model) {
   geometry::Box box;
   for (const auto& p : positions) box.add(p);
   return box;
+}
+
+geometry::Box rest_box_of_shapes(const Model& model) {
+  rig::Pose pose = rig::rest_pose(*model.rig);
+  std::vector<geometry::ModelPoint> rest(model.mesh->vertex_count());
+  model.rig->evaluate(pose, rest);
+  const auto* character = dynamic_cast<const rig::CharacterRig*>(model.rig.get());
+  const std::size_t shapes =
+      character != nullptr ? character->first_parameter(character->layers().size()) : pose.size();
+  for (std::size_t p = 0; p < shapes; ++p) pose[p] = model.rig->parameters()[p].maximum;
+  std::vector<geometry::ModelPoint> moved(rest.size());
+  model.rig->evaluate(pose, moved);
+  geometry::Box box;
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    if (rest[v] != moved[v]) box.add(rest[v]);
+  }
+  return box.empty() ? rest_world_box(model) : box;
 }
 
 }  // namespace penpose::document

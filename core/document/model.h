@@ -104,6 +104,8 @@ struct Model {
 [[nodiscard]] std::vector<geometry::ModelPoint> posed_positions(const Model& model);
 /// The box around the world positions at rest; it frames pictures and scales tolerances.
 [[nodiscard]] geometry::Box rest_world_box(const Model& model);
+/// Of the vertices that its shapes move: of an avatar, its face. Of the whole model where no shape moves anything.
+[[nodiscard]] geometry::Box rest_box_of_shapes(const Model& model);
 
 /// The canonical hash (method, section 5) of a document with only this model.
 [[nodiscard]] base::Hash128 state_hash(const Model& model);

@@ -2,16 +2,11 @@
 
 #include <algorithm>
 
-#include "core/base/math.h"
-
 namespace penpose::intent {
 namespace {
 
 /// Two lines tell of the same control where it moves both by at least this share of what anything moves each.
 constexpr double k_tells = 0.45;
-
-/// nu of the energy for what was drawn before: beyond this it gives way to what is new.
-constexpr double k_gives_way = 12.0;
 
 /// A drawn curve that stays where it is at a pose.
 KnownCurve held_at(const rig::Rig& rig, const rig::Pose& pose, const DrawnCurve& curve) {
@@ -48,7 +43,10 @@ std::vector<std::vector<double>> shares_of_units(const Reader& reader, const std
     auto& share = shares.emplace_back();
     for (const Unit& unit : reader.choices().units) {
       double way = 0;
-      for (std::size_t m = 0; m < unit.count; ++m) way = std::max(way, row[unit.members[m]]);
+      for (std::size_t m = 0; m < unit.count; ++m) {
+        // Pairs of joints are told by their joints.
+        if (unit.members[m] < row.size()) way = std::max(way, row[unit.members[m]]);
+      }
       share.push_back(most > 0.0 ? way / most : 0.0);
     }
   }
@@ -114,41 +112,32 @@ IntentProblem with_unrelated_constrained(const rig::Rig& rig, const Reader& read
 }
 
 Fit fit_of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem, const rig::Pose& pose,
-           Quadratic& quadratic, const Fit* as) {
-  Reader reader(rig, whole, problem);
+           const Fit* as) {
+  Reader reader = Reader::of(rig, whole, problem);
   const Choice choice = reader.choice_of(pose);
-  const auto energy = [&] {
-    reader.weigh_evenly();
-    reader.look(choice, true, quadratic, choice.variables);
-    const Selection selection(quadratic, reader.choices(), reader.costs());
-    return reader.energy(choice, selection.costs_of(choice) + selection.limit_costs(choice));
-  };
+  const ReadingCosts reading = reader.reading_costs();
+  const double costs = reading.costs_of(choice) + reading.limit_costs(choice);
   const auto is_set = [&](std::size_t c) { return as != nullptr && problem.drawn[c].before; };
   for (std::size_t c = 0; c < problem.drawn.size(); ++c) {
     if (is_set(c)) reader.align(c, as->aligned[c]);
   }
-  Fit fit{energy(), {}, {}};
+  Fit fit{costs + reader.energy_at(pose), {}, {}};
   for (std::size_t c = 0; c < problem.drawn.size(); ++c) {
     if (is_set(c)) continue;
     std::size_t chosen = 0;
     for (std::size_t a = 1; a < reader.alignments(c).size(); ++a) {
       reader.align(c, a);
-      const double one = energy();
+      const double one = costs + reader.energy_at(pose);
       if (!(one < fit.energy - 1e-9)) continue;
       fit.energy = one;
       chosen = a;
     }
     reader.align(c, chosen);
   }
-  energy();
+  reader.energy_at(pose);
   for (std::size_t c = 0; c < problem.drawn.size(); ++c) {
-    fit.squares.push_back(reader.squares_of(c, choice));
+    fit.squares.push_back(reader.squares_at(c, pose));
     fit.aligned.push_back(reader.aligned(c));
-  }
-  for (std::size_t c = 0; c < problem.drawn.size(); ++c) {
-    if (!problem.drawn[c].before) continue;
-    const auto beyond = [&](double reach) { return reach * base::log(1.0 + fit.squares[c] / reach); };
-    fit.energy += beyond(k_gives_way) - beyond(k_reach);
   }
   return fit;
 }

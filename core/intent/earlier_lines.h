@@ -21,7 +21,7 @@ namespace penpose::intent {
 [[nodiscard]] IntentProblem with_unrelated_constrained(const rig::Rig& rig, const Reader& reader,
                                                        const IntentProblem& problem);
 
-/// How well a pose fits a problem, with each line in its best alignment. New lines take precedence over earlier ones.
+/// How well a pose fits a problem, with each line in its best alignment.
 struct Fit {
   double energy = 0;
   std::vector<double> squares;       ///< of each drawn curve
@@ -29,6 +29,6 @@ struct Fit {
 };
 /// `as`: earlier lines keep the alignment that they have there.
 [[nodiscard]] Fit fit_of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
-                         const rig::Pose& pose, Quadratic& quadratic, const Fit* as = nullptr);
+                         const rig::Pose& pose, const Fit* as = nullptr);
 
 }  // namespace penpose::intent

@@ -7,6 +7,7 @@
 #include "core/intent/chain.h"
 #include "core/intent/earlier_lines.h"
 #include "core/intent/reading/reader.h"
+#include "core/intent/reading/robust_selection.h"
 #include "core/intent/solve.h"
 
 namespace penpose::intent {
@@ -24,11 +25,14 @@ constexpr double k_rest_again = 60.0;
 /// Squares of doubt at which a limb still rests: about what a joint costs.
 constexpr double k_rests = 24.0;
 
+/// What a value changes by at rest, share of its range.
+constexpr double k_at_rest = 1e-5;
+
 }  // namespace
 
 struct LivePoser::State {
   State(const rig::Rig& r, WholeModel w, IntentProblem p)
-      : whole(std::move(w)), problem(std::move(p)), reader(r, whole, problem), pose(problem.start) {}
+      : whole(std::move(w)), problem(std::move(p)), reader(Reader::of(r, whole, problem)), pose(problem.start) {}
 
   WholeModel whole;
   IntentProblem problem;
@@ -78,6 +82,7 @@ struct LivePoser::State {
         return {true, 0};
       }
     }
+    if (!reader.limb()) return step_face(most_units);
     // Points slide once the curve has come near: before, the nearest places on the line mean nothing.
     reader.look(choice, !choice.units.empty(), quadratic);
     Selection selection(quadratic, reader.choices(), reader.costs());
@@ -90,22 +95,43 @@ struct LivePoser::State {
       const double change = next.units.empty() ? k_rest_again : k_change;
       if (part && !same.units.empty() && next.energy > same.energy - change) next = same;
     }
-    if (!reader.linear()) {
-      for (std::size_t i = 0; i < next.variables.size(); ++i) {
-        const auto at = std::lower_bound(choice.variables.begin(), choice.variables.end(), next.variables[i]);
-        const bool had = at != choice.variables.end() && *at == next.variables[i];
-        const double was = had ? choice.values[static_cast<std::size_t>(at - choice.variables.begin())] : 0.0;
-        next.values[i] = std::clamp(next.values[i], was - k_live_trust, was + k_live_trust);
-      }
+    move_on(std::move(next));
+    reader.weigh(choice);
+    return {true, selection.evaluations()};
+  }
+
+  LiveStep step_face(std::size_t most_units) {
+    reader.look(choice, !choice.units.empty(), quadratic);
+    const ReadingCosts costs = reader.reading_costs();
+    RobustSelection selection(quadratic, costs, reader.doubt());
+    const Choice meant = selection.select(selection.fit(choice.units), most_units);
+    reader.settle(true);
+    Choice next = selection.fit(meant.units);
+    reader.settle(false);
+    if (!rests(next)) move_on(std::move(next));
+    return {true, selection.evaluations()};
+  }
+
+  /// Whether a choice is what it was but for rounding: a face comes to rest.
+  [[nodiscard]] bool rests(const Choice& next) const {
+    if (next.units != choice.units) return false;
+    for (std::size_t i = 0; i < next.values.size(); ++i) {
+      if (std::abs(next.values[i] - choice.values[i]) > k_at_rest) return false;
     }
-    std::size_t evaluations = selection.evaluations();
-    if (reader.linear() && stands_at_limit(next, reader.choices())) {
-      if (auto meant = meant_without_limits(reader, quadratic, next, most_units, evaluations)) next = std::move(*meant);
+    return true;
+  }
+
+  /// Angles go a part of their range in one report.
+  void move_on(Choice next) {
+    for (std::size_t i = 0; i < next.variables.size(); ++i) {
+      if (!reader.limb() && !reader.turns(next.variables[i])) continue;
+      const auto at = std::lower_bound(choice.variables.begin(), choice.variables.end(), next.variables[i]);
+      const bool had = at != choice.variables.end() && *at == next.variables[i];
+      const double was = had ? choice.values[static_cast<std::size_t>(at - choice.variables.begin())] : 0.0;
+      next.values[i] = std::clamp(next.values[i], was - k_live_trust, was + k_live_trust);
     }
     choice = std::move(next);
-    reader.weigh(choice);
     pose = reader.pose_of(choice);
-    return {true, evaluations};
   }
 };
 

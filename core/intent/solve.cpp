@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "core/intent/earlier_lines.h"
-#include "core/intent/reading/reader.h"
-#include "core/intent/reading/reading_solver.h"
+#include "core/intent/reading/face_solver.h"
+#include "core/intent/reading/limb_solver.h"
 
 namespace penpose::intent {
 
@@ -39,14 +39,10 @@ constexpr double k_at_limit = 0.02;
 /// takes on is thought of then, even though the line is met, and taken where it is better by this.
 constexpr double k_strained = 0.85;
 constexpr double k_unstrained_gain = 4.0;
-/// Also one that asks as much, where it is better by this.
-constexpr double k_strained_gain = 28.0;
-/// What a line tells of a shape takes the place of what meets it where it is better by this.
-constexpr double k_shape_gain = 4.0;
 
 /// A line that is shorter than its limb may show it leaning towards the eye or away from it. The first order of the
 /// picture does not tell that of a limb that lies across the view, so that other readings have to begin there.
-Reading foreshortened(Reader& reader, ReadingSolver& solver, std::size_t drawn, Reading best) {
+Reading foreshortened(Reader& reader, LimbSolver& solver, std::size_t drawn, Reading best) {
   const auto fits = [&](const Reading& one) {
     bool all = true;
     for (std::size_t c = 0; c < drawn; ++c) all = all && reader.squares_of(c, one.choice) < k_fits;
@@ -68,9 +64,6 @@ Reading foreshortened(Reader& reader, ReadingSolver& solver, std::size_t drawn, 
   return best;
 }
 
-/// Lines of faces tell shapes even where something meets them.
-bool tells_shapes(const Reader& reader) { return reader.chain().empty(); }
-
 /// Whether something is asked for nearly as much as it can.
 bool strained(const Reader& reader, const Choice& choice) {
   for (std::size_t i = 0; i < choice.variables.size(); ++i) {
@@ -83,9 +76,7 @@ bool strained(const Reader& reader, const Choice& choice) {
 /// controls, which need not go as far.
 bool clearly_other(const Reader& reader, const Reading& met, const Reading& other) {
   const auto& units = met.choice.units;
-  const bool goes =
-      !strained(reader, other.choice) || (tells_shapes(reader) && other.energy <= met.energy - k_strained_gain);
-  return other.energy <= met.energy - k_unstrained_gain && goes &&
+  return other.energy <= met.energy - k_unstrained_gain && !strained(reader, other.choice) &&
          !std::includes(units.begin(), units.end(), other.choice.units.begin(), other.choice.units.end());
 }
 
@@ -97,8 +88,8 @@ std::vector<double> squares_of_all(Reader& reader, const Choice& choice, std::si
 }
 
 /// Tries the other ways in which line c may be aligned. Its squares: `asked` before anything moved, `met` by the best
-/// reading of all of it; -1: by the best reading so far.
-void realign(Reader& reader, ReadingSolver& solver, std::size_t c, double asked, double met, Reading& best) {
+/// reading of all of it.
+void realign(Reader& reader, LimbSolver& solver, std::size_t c, double asked, double met, Reading& best) {
   std::size_t chosen = reader.aligned(c);
   const bool beyond = strained(reader, best.choice);
   const bool fits = reader.squares_of(c, best.choice) < k_fits;
@@ -111,10 +102,8 @@ void realign(Reader& reader, ReadingSolver& solver, std::size_t c, double asked,
     if (fits && !beside) continue;
     if (beside) {
       solver.match(best);
-      // Points that slide come nearer too, but what moves nothing meets nothing.
-      const bool moves = !tells_shapes(reader) || !best.choice.units.empty();
-      is_met = is_met || (moves && (met >= 0.0 ? met : reader.squares_of(c, best.choice)) < k_near_enough * asked);
-      if (is_met && !beyond && !(tells_shapes(reader) && reader.ends_told(c))) continue;
+      is_met = is_met || met < k_near_enough * asked;
+      if (is_met && !beyond) continue;
     }
     reader.align(c, a);
     solver.something = beside;
@@ -124,12 +113,8 @@ void realign(Reader& reader, ReadingSolver& solver, std::size_t c, double asked,
     if (beside) solver.match(one);
     const bool nothing = beside && (one.choice.units.empty() || !reader.takes_shape(c, one.choice));
     solver.something = false;
-    // A shape that asks for all that a control can is no better told than the line that is met.
-    const double shape_gain = is_met && strained(reader, one.choice) ? k_strained_gain : k_shape_gain;
-    const bool instead = !beside || !is_met || clearly_other(reader, best, one) ||
-                         (reader.ends_told(c) && one.energy < best.energy - shape_gain);
-    const bool better = !nothing && one.energy < best.energy - 1e-9 && instead;
-    if (!better) {
+    const bool instead = !beside || !is_met || clearly_other(reader, best, one);
+    if (nothing || !(one.energy < best.energy - 1e-9) || !instead) {
       reader.align(c, chosen);
       continue;
     }
@@ -140,7 +125,7 @@ void realign(Reader& reader, ReadingSolver& solver, std::size_t c, double asked,
 }
 
 /// The best reading over the ways in which single lines may be aligned.
-Reading best_alignment(Reader& reader, ReadingSolver& solver, std::size_t drawn) {
+Reading best_alignment(Reader& reader, LimbSolver& solver, std::size_t drawn) {
   for (std::size_t c = 0; c < drawn; ++c) reader.align(c, 0);
   solver.match({});
   const std::vector<double> asked = squares_of_all(reader, {}, drawn);
@@ -179,26 +164,16 @@ void describe(const rig::Rig& rig, const IntentProblem& problem, Reader& reader,
   }
 }
 
-/// A checked problem, whatever is locked. `units`: receives how many moved.
-Solution solve_free(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
-                    const SolveOptions& options, SolveWorkspace& work, std::size_t& units) {
-  Reader reader(rig, whole, problem);
-  Solution solution;
-  solution.pose = problem.start;
-  solution.variables = reader.parameters().size();
-  solution.linear = reader.linear();
-  const Reader::Left before = reader.left(problem.start);
-  solution.energy_start = before.sum;
-
-  ReadingSolver solver(reader, options, work.buffers());
+/// The best reading of strokes along limbs.
+Reading read_limbs(Reader& reader, LimbSolver& solver, std::size_t drawn) {
   const std::vector<std::size_t> chain(reader.chain().begin(), reader.chain().end());
-  if (!chain.empty()) reader.restrict_to(chain);
-  Reading reading = best_alignment(reader, solver, problem.drawn.size());
-  if (!chain.empty() && reading.energy > 2.0 * k_beyond_chain) {
+  reader.restrict_to(chain);
+  Reading reading = best_alignment(reader, solver, drawn);
+  if (reading.energy > 2.0 * k_beyond_chain) {
     std::vector<std::size_t> aligned;
-    for (std::size_t c = 0; c < problem.drawn.size(); ++c) aligned.push_back(reader.aligned(c));
+    for (std::size_t c = 0; c < drawn; ++c) aligned.push_back(reader.aligned(c));
     reader.restrict_to({});
-    Reading all = best_alignment(reader, solver, problem.drawn.size());
+    Reading all = best_alignment(reader, solver, drawn);
     if (all.energy < reading.energy - k_beyond_chain) {
       reading = std::move(all);
     } else {
@@ -206,12 +181,31 @@ Solution solve_free(const rig::Rig& rig, const WholeModel& whole, const IntentPr
       for (std::size_t c = 0; c < aligned.size(); ++c) reader.align(c, aligned[c]);
     }
   }
-  if (reader.linear()) solver.keep_to_what_is_meant(reading, options.most_units);
   solver.search(reading);
-  units = reading.choice.units.size();
-  solution.evaluations = solver.evaluations;
-  solution.doubt_energy = reading.energy;
+  return reading;
+}
 
+/// A checked problem, whatever is locked. `units`: receives how many moved.
+Solution solve_free(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem,
+                    const SolveOptions& options, SolveWorkspace& work, std::size_t& units) {
+  Reader reader = Reader::of(rig, whole, problem);
+  Solution solution;
+  solution.variables = reader.parameters().size();
+  solution.linear = reader.linear();
+  solution.energy_start = reader.left(problem.start).sum;
+  Reading reading;
+  if (reader.limb()) {
+    LimbSolver solver(reader, options, work.buffers());
+    reading = read_limbs(reader, solver, problem.drawn.size());
+    solution.evaluations = solver.evaluations;
+  } else {
+    FaceSolver solver(reader, options, work.buffers());
+    reading = solver.read();
+    solver.settle(reading);
+    solution.evaluations = solver.evaluations;
+  }
+  units = reading.choice.units.size();
+  solution.doubt_energy = reading.energy;
   solution.pose = reader.pose_of(reading.choice);
   describe(rig, problem, reader, solution);
   return solution;
@@ -292,11 +286,11 @@ base::Result<Solution> solve_with_posed(const rig::Rig& rig, const WholeModel& w
   auto held = solve_whole(rig, whole, with_earlier_constrained(rig, part), options, work);
   auto alone = solve_whole(rig, whole, without_earlier(part), options, work);
   if (!anew || !held || !alone) return anew;
-  const Fit by_held = fit_of(rig, whole, part, held->pose, work.buffers().quadratic);
-  const Fit by_alone = fit_of(rig, whole, part, alone->pose, work.buffers().quadratic);
+  const Fit by_held = fit_of(rig, whole, part, held->pose);
+  const Fit by_alone = fit_of(rig, whole, part, alone->pose);
   const bool stays_held = by_held.energy <= by_alone.energy;
   const Fit& stays = stays_held ? by_held : by_alone;
-  const Fit by_anew = fit_of(rig, whole, part, anew->pose, work.buffers().quadratic, &stays);
+  const Fit by_anew = fit_of(rig, whole, part, anew->pose, &stays);
   bool as_near = true;
   for (std::size_t c = 0; c < part.drawn.size(); ++c)
     as_near =
@@ -318,7 +312,7 @@ base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const
                              const SolveOptions& options, SolveWorkspace& work) {
   if (auto status = check_problem(rig, problem); !status) return status.error();
   if (problem.posed.empty()) return solve_whole(rig, whole, problem, options, work);
-  Reader reader(rig, whole, problem);
+  Reader reader = Reader::of(rig, whole, problem);
   auto solution = solve_with_posed(rig, whole, problem, reader, options, work);
   if (solution) describe(rig, problem, reader, *solution);
   return solution;
@@ -327,7 +321,7 @@ base::Result<Solution> solve(const rig::Rig& rig, const WholeModel& whole, const
 base::Result<std::vector<CurveLeft>> left_at_start(const rig::Rig& rig, const WholeModel& whole,
                                                    const IntentProblem& problem) {
   if (auto status = check_problem(rig, problem); !status) return status.error();
-  Reader reader(rig, whole, problem);
+  Reader reader = Reader::of(rig, whole, problem);
   const Reader::Left left = reader.left(problem.start);
   std::vector<CurveLeft> out;
   for (std::size_t c = 0; c < problem.drawn.size(); ++c)

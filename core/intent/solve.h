@@ -12,8 +12,9 @@
 namespace penpose::intent {
 
 struct SolveOptions {
-  std::size_t rounds = 3;          ///< of alternating matching and choosing, for linear rigs
-  std::size_t general_rounds = 8;  ///< for other rigs, linearised in each round at the pose of the last
+  std::size_t rounds = 3;          ///< of alternating matching and choosing, for faces of linear rigs
+  std::size_t general_rounds = 4;  ///< for faces of other rigs, linearised anew where joints turned
+  std::size_t limb_rounds = 8;     ///< for limbs, linearised in each round at the pose of the last
   std::size_t rivals = 6;          ///< other readings that are matched on their own before one is taken
   std::size_t most_units = 24;     ///< controls, pairs or joints that may move, at most
 };
@@ -54,14 +55,15 @@ class SolveWorkspace {
   std::unique_ptr<Buffers> buffers_;
 };
 
-/// Finds the intended pose. Minimises, over which controls move and how far,
+/// Finds the intended pose. Minimises, over which controls move and how far, what is left of the curves and what the
+/// controls cost that move. Squares D of what is left are in widths of doubt: across the drawn line and along it, less
+/// what points slide along it (SlidingLine), and with almost no weight along the ray. Lines that do not span what
+/// joints carry mean a face: what is left counts by Doubt, controls cost by FaceCosts. Lines along limbs:
 ///
-///   sum over curves of nu log(1 + D / nu)  +  sum over the controls that move of their cost (Costs)
+///   sum over curves of nu log(1 + D / nu)  +  sum over the controls that move of their cost (Costs),  nu = 150
 ///
-/// where D are squared distances in widths of doubt: across the drawn line and along it, less what points slide along
-/// it (SlidingLine), and with almost no weight along the ray. With nu = 150 a distance that no control can reach counts
-/// little more than that. Matching and choosing alternate; the values of a choice come from least squares within the
-/// ranges. Downhill simplex then searches the values of the best choice on this energy itself, with its logarithms.
+/// Matching and choosing alternate; the values of a choice come from least squares within the ranges. Downhill simplex
+/// then searches the values of the best choice on this energy itself, with its logarithms.
 /// Where the strokes mean a locked control: the free side of a pair, or the free angles of a joint, still move as
 /// meant; otherwise the best reading without the locked control that moves no more controls is taken. Stops count
 /// evaluations, never time. Errors: those of check_problem. `whole` is that of the rig.

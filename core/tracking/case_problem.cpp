@@ -129,7 +129,8 @@ double hand_doubt(const document::Model& model, const io::CaseFile& file) {
     }
   }
   // Nobody draws one short line on a picture of nothing else.
-  return k_hand * std::max(box.empty() ? 0.0 : box.diagonal(), 0.15 * document::rest_world_box(model).diagonal());
+  const double least = 0.15 * document::rest_box_of_shapes(model).diagonal();
+  return k_hand * std::max(box.empty() ? 0.0 : box.diagonal(), least);
 }
 
 base::Result<intent::IntentProblem> intent_of_case(const document::Model& model, const io::PoseCase& pose_case,

@@ -119,7 +119,7 @@ void add_known(const Document& document, double& doubt, intent::IntentProblem& p
     for (const auto& p : positions_of(at_rest, curve->points)) box.add(p);
   }
   // Nobody draws one short line on a picture of nothing else.
-  const double hand = k_hand_share * std::max(box.diagonal(), 0.15 * rest_world_box(*document.model).diagonal());
+  const double hand = k_hand_share * std::max(box.diagonal(), 0.15 * rest_box_of_shapes(*document.model).diagonal());
   if (problem.drawn.empty()) doubt = hand;
   for (const auto& curve : document.curves) {
     if (is_known(*curve))

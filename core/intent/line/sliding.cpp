@@ -10,8 +10,6 @@
 namespace penpose::intent {
 namespace {
 
-/// Strokes begin and end within this share of the line's length of where they were meant to (root mean square).
-constexpr double k_slide = 0.04;
 /// Lines that tell a shape lie beside where they were meant by this share of their length (root mean square).
 constexpr double k_offset = 0.07;
 /// Both ends of a line are places of the face, a corner of the mouth or of an eye: they say this much more than what
@@ -23,8 +21,8 @@ PxPoint direction(PxPoint v) {
   return length > 0.0 ? v * (1.0 / length) : PxPoint{1, 0};
 }
 
-Modes modes_at(double share, double length, bool closed) {
-  const double size = k_slide * length;
+/// `size`: px, root mean square.
+Modes modes_at(double share, double size, bool closed) {
   if (closed) {
     const double a = 2.0 * base::k_pi * share;
     return {size * 0.7,
@@ -100,7 +98,8 @@ Matching SlidingLine::match(std::span<const PxPoint> seen, const Alignment& alig
     share = (share - alignment.reference_from) / span;
     const double to = alignment.line_from + share * (alignment.line_to - alignment.line_from) + alignment.turned;
     equal[i] = length() * (alignment.reversed ? 1.0 - to : to);
-    m.modes[i] = modes_at(share, length() * (alignment.line_to - alignment.line_from), alignment.closed);
+    m.modes[i] =
+        modes_at(share, alignment.slide * length() * (alignment.line_to - alignment.line_from), alignment.closed);
     if (!alignment.closed) {
       for (std::size_t end = 0; end < 2; ++end) m.modes[i][end] *= alignment.ends_slide[end];
     }

@@ -26,7 +26,9 @@ struct Alignment {
   /// How far the whole line may be off from where it was meant, perpendicular to the chord between its ends: px, root
   /// mean square. 0: not at all.
   double offset_px = 0;
-  double ends = 0;   ///< how much more a line's ends count than its middle
+  double ends = 0;  ///< how much more a line's ends count than its middle
+  /// Strokes begin and end within this share of the line's length of where they were meant to, root mean square.
+  double slide = 0.04;
   double rough = 1;  ///< factor of the stroke's doubt
   /// How far the reference's first and last point slide along the line, as a multiple of what ends do.
   std::array<double, 2> ends_slide{1.0, 1.0};

@@ -20,6 +20,20 @@ double median_of_positive(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
+/// See WholeModel::joint_extents.
+std::vector<double> extents_of(const rig::Skeleton& skeleton, std::span<const ModelPoint> rest) {
+  std::vector<geometry::Box> boxes(skeleton.joints().size());
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    const auto influences = skeleton.influences_of(static_cast<std::uint32_t>(v));
+    const auto most = std::max_element(influences.begin(), influences.end(),
+                                       [](const auto& a, const auto& b) { return a.weight < b.weight; });
+    if (most != influences.end() && most->weight > 0.0) boxes[most->joint].add(rest[v]);
+  }
+  std::vector<double> out;
+  for (const geometry::Box& box : boxes) out.push_back(box.empty() ? 0.0 : box.diagonal());
+  return out;
+}
+
 /// The mean way of what moves, each vertex weighted by its own way.
 double stride_of(const std::vector<ModelPoint>& rest, const std::vector<ModelPoint>& moved) {
   double ways = 0, squares = 0;
@@ -59,6 +73,10 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
   for (const ModelPoint& p : rest) box.add(p);
   whole.size = box.empty() ? 0.0 : box.diagonal();
 
+  if (const auto* character = dynamic_cast<const rig::CharacterRig*>(&rig); whole.body)
+    whole.joint_extents = extents_of(*character->skeleton(), rest);
+
+  ControlFields fields(rest);
   std::vector<ControlMoments> moments(d);
   for (std::size_t p = 0; p < d; ++p) {
     const rig::Parameter& parameter = parameters[p];
@@ -66,10 +84,16 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
     const double down = parameter.rest - parameter.minimum;
     // A turn of a right angle would say more of the arm's length than of the turn: joints are measured by a small one.
     const double step = whole.joint[p] != k_no_partner ? std::min(0.25, std::max(up, down)) : std::max(up, down);
-    if (!(step > 0.0) || !std::isfinite(step)) continue;
+    if (!(step > 0.0) || !std::isfinite(step)) {
+      fields.add(rest, {}, 0);
+      continue;
+    }
     pose[p] = parameter.rest + (up >= down ? step : -step);
     rig.evaluate(pose, moved);
     pose[p] = parameter.rest;
+    const double sign = up >= down ? 1.0 : -1.0;
+    const bool turns = whole.joint[p] != k_no_partner;
+    fields.add(rest, moved, sign * (turns ? 1.0 : parameter.maximum - parameter.minimum) / step);
     moments[p] = moments_of(rest, moved);
     whole.movement[p] = moments[p].way * (parameter.maximum - parameter.minimum) / step;
     if (!std::isfinite(whole.movement[p])) whole.movement[p] = 0;
@@ -78,13 +102,12 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
   }
   const double median = median_of_positive(whole.movement);
   for (double& movement : whole.movement) movement /= median;
-  std::vector<std::uint32_t> pieces;
-  if (const auto* character = dynamic_cast<const rig::CharacterRig*>(&rig)) {
-    const auto known = character->mesh().components();
-    pieces.assign(known.begin(), known.end());
-  }
-  whole.surroundings = std::make_shared<Surroundings>(rest, std::move(pieces));
+  std::vector<bool> shapes(d);
+  for (std::size_t p = 0; p < d; ++p) shapes[p] = whole.joint[p] == k_no_partner && whole.movement[p] > 0.0;
+  whole.composites = composites_of(fields, shapes);
+  whole.fields = std::make_shared<const ControlFields>(std::move(fields));
   whole.partner = mirror_pairs(moments, box.empty() ? ModelPoint{0} : box.center(), whole.size);
+  whole.rest = std::make_shared<const std::vector<ModelPoint>>(std::move(rest));
   return whole;
 }
 

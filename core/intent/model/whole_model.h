@@ -4,7 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "core/intent/model/surroundings.h"
+#include "core/intent/model/composites.h"
+#include "core/intent/model/control_fields.h"
 #include "core/joints/body.h"
 #include "core/rig/rig.h"
 
@@ -30,8 +31,14 @@ struct WholeModel {
   std::vector<std::size_t> joint;
   /// The shape of the skeleton; null without one.
   std::shared_ptr<const joints::Body> body;
+  /// What each control does, on a sample of the vertices.
+  std::shared_ptr<const ControlFields> fields;
+  /// Of how many others each control is the sum.
+  std::vector<Composite> composites;
+  /// For each joint: the diagonal of the box of the vertices that follow it before any other, model units.
+  std::vector<double> joint_extents;
   /// Its vertices at rest.
-  std::shared_ptr<const Surroundings> surroundings;
+  std::shared_ptr<const std::vector<ModelPoint>> rest;
   /// Diagonal of the box of the rest pose, model units.
   double size = 0;
 };

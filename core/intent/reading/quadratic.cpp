@@ -14,6 +14,36 @@ void Quadratic::reset(std::size_t variables, std::size_t rows, std::size_t slide
   right_.assign(stride(), 0.0);
   gram_.resize(variables);
   for (auto& row : gram_) row.clear();
+  parts_.clear();
+}
+
+void Quadratic::split(std::span<const Part> parts) { parts_.assign(parts.begin(), parts.end()); }
+
+void Quadratic::part_products(std::size_t part, std::span<const double> a, std::span<double> out) const {
+  const Part& one = parts_[part];
+  const double* own_rows = a.data() + one.row;
+  const double* own_slides = a.data() + rows_ + one.slide;
+  const auto rows = [&](std::size_t k) { return column(asked_[k]).data() + one.row; };
+  const auto slides = [&](std::size_t k) { return column(asked_[k]).data() + rows_ + one.slide; };
+  std::size_t k = 0;
+  for (; k + 4 <= asked_.size(); k += 4) {
+    const auto r = algebra::dots(own_rows, {rows(k), rows(k + 1), rows(k + 2), rows(k + 3)}, one.rows);
+    const auto p = algebra::dots(own_slides, {slides(k), slides(k + 1), slides(k + 2), slides(k + 3)}, one.slides);
+    for (std::size_t m = 0; m < 4; ++m) out[asked_[k + m]] = r[m] - p[m];
+  }
+  for (; k < asked_.size(); ++k)
+    out[asked_[k]] = algebra::dot(own_rows, rows(k), one.rows) - algebra::dot(own_slides, slides(k), one.slides);
+}
+
+void Quadratic::prepare_parts(std::size_t i) {
+  auto& row = part_grams_[i];
+  if (!row.empty()) return;
+  row.assign(parts_.size() * variables_, 0.0);
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    // What moves nothing of a curve has nothing in common with anything there.
+    if (part_diagonals_[p * variables_ + i] == 0.0) continue;
+    part_products(p, column(i), std::span(row).subspan(p * variables_, variables_));
+  }
 }
 
 double Quadratic::product(std::span<const double> a, std::span<const double> b) const {
@@ -42,9 +72,28 @@ void Quadratic::finish(std::span<const std::size_t> only) {
   asked_.clear();
   const std::size_t count = only.empty() ? variables_ : only.size();
   for (std::size_t k = 0; k < count; ++k) asked_.push_back(only.empty() ? k : only[k]);
-  products(right_, pull_);
-  for (const std::size_t j : asked_) diagonal_[j] = product(column(j), column(j));
-  constant_ = product(right_, right_);
+  if (parts_.empty()) {
+    products(right_, pull_);
+    for (const std::size_t j : asked_) diagonal_[j] = product(column(j), column(j));
+    constant_ = product(right_, right_);
+    return;
+  }
+  part_diagonals_.assign(parts_.size() * variables_, 0.0);
+  part_pulls_.assign(parts_.size() * variables_, 0.0);
+  part_constants_.resize(parts_.size());
+  part_grams_.resize(variables_);
+  for (auto& row : part_grams_) row.clear();
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    part_constants_[p] = part_product(p, right_, right_);
+    part_products(p, right_, std::span(part_pulls_).subspan(p * variables_, variables_));
+    for (const std::size_t j : asked_) part_diagonals_[p * variables_ + j] = part_product(p, column(j), column(j));
+  }
+}
+
+double Quadratic::part_product(std::size_t part, std::span<const double> a, std::span<const double> b) const {
+  const Part& one = parts_[part];
+  return algebra::dot(a.data() + one.row, b.data() + one.row, one.rows) -
+         algebra::dot(a.data() + rows_ + one.slide, b.data() + rows_ + one.slide, one.slides);
 }
 
 double Quadratic::curvature(std::size_t i, std::size_t j) const {

@@ -16,8 +16,27 @@ namespace penpose::intent {
 /// so a model of hundreds of controls costs only as much as the variables in question.
 class Quadratic {
  public:
+  /// A run of rows and slides whose sum of squares counts by itself: a curve's.
+  struct Part {
+    std::size_t row = 0, rows = 0, slide = 0, slides = 0;
+  };
+
   /// Makes room for `variables` columns of `rows` and `slides` numbers, all zero.
   void reset(std::size_t variables, std::size_t rows, std::size_t slides);
+  /// Keeps derivatives for each of these parts instead of for all. Call it after reset and before finish.
+  void split(std::span<const Part> parts);
+  [[nodiscard]] std::size_t part_count() const { return parts_.size(); }
+  /// curvature, pull and constant of one part. Precondition: of curvature, one of the variables is prepared or both are
+  /// the same.
+  [[nodiscard]] double part_curvature(std::size_t part, std::size_t i, std::size_t j) const {
+    if (i == j) return part_diagonals_[part * variables_ + i];
+    if (!part_grams_[i].empty()) return part_grams_[i][part * variables_ + j];
+    return part_grams_[j][part * variables_ + i];
+  }
+  [[nodiscard]] double part_pull(std::size_t part, std::size_t i) const { return part_pulls_[part * variables_ + i]; }
+  [[nodiscard]] double part_constant(std::size_t part) const { return part_constants_[part]; }
+  /// Computes the second derivatives of variable i with all others for each part, once.
+  void prepare_parts(std::size_t i);
 
   [[nodiscard]] std::size_t variables() const { return variables_; }
   [[nodiscard]] std::size_t rows() const { return rows_; }
@@ -47,6 +66,8 @@ class Quadratic {
  private:
   /// out[asked_[k]] = product(a, column(asked_[k])), several at once.
   void products(std::span<const double> a, std::span<double> out) const;
+  [[nodiscard]] double part_product(std::size_t part, std::span<const double> a, std::span<const double> b) const;
+  void part_products(std::size_t part, std::span<const double> a, std::span<double> out) const;
   [[nodiscard]] std::size_t stride() const { return rows_ + slides_; }
 
   std::size_t variables_ = 0, rows_ = 0, slides_ = 0;
@@ -54,6 +75,9 @@ class Quadratic {
   double constant_ = 0;
   std::vector<std::vector<double>> gram_;  ///< prepared rows; others are empty
   std::vector<std::size_t> asked_;         ///< columns to multiply with one
+  std::vector<Part> parts_;
+  std::vector<double> part_diagonals_, part_pulls_, part_constants_;  ///< a run of variables a part
+  std::vector<std::vector<double>> part_grams_;                       ///< prepared rows; others are empty
 };
 
 }  // namespace penpose::intent

@@ -12,12 +12,6 @@ namespace {
 
 /// What the square of a variable costs, as shares of ranges: no more than what keeps undetermined ones where they are.
 constexpr double k_stiffness = 0.5;
-/// The farther a line is from where the curve was seen, the less exactly its shape is meant: width of doubt beside the
-/// way that was drawn (a hand's error grows with its way: Weber's law; Schmidt et al., Psychological Review 86, 1979).
-constexpr double k_farther = 0.1;
-/// But no more than this, beside the width of doubt near by.
-constexpr double k_farthest = 1.5;
-
 posing::PoseProblem points_of(const IntentProblem& problem) {
   posing::PoseProblem plain;
   const auto add = [&](const std::vector<posing::CurvePoint>& reference) {
@@ -31,8 +25,9 @@ posing::PoseProblem points_of(const IntentProblem& problem) {
   return plain;
 }
 
-/// How far a line lies from a curve, root mean square over its points to the nearest place of the curve, px.
-double way_across(std::span<const PxPoint> curve, std::span<const PxPoint> line) {
+}  // namespace
+
+double Reader::way_across(std::span<const PxPoint> curve, std::span<const PxPoint> line) {
   double sum = 0;
   for (const PxPoint& p : line) {
     const double off = curve::distance_to(curve, p);
@@ -41,10 +36,14 @@ double way_across(std::span<const PxPoint> curve, std::span<const PxPoint> line)
   return std::sqrt(sum / static_cast<double>(line.size()));
 }
 
-}  // namespace
+Reader Reader::of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem) {
+  Reader reader(rig, whole, problem, false);
+  if (reader.limb() || reader.others_follow()) return reader;
+  return Reader(rig, whole, problem, true);
+}
 
-Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem)
-    : rig_(rig), whole_(whole), problem_(problem), system_(rig, points_of(problem)) {
+Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem, bool any_span)
+    : rig_(rig), whole_(whole), problem_(problem), any_span_(any_span), system_(rig, points_of(problem)) {
   std::size_t first = 0;
   const auto add = [&](const std::vector<posing::CurvePoint>& reference) -> Block& {
     Block block;
@@ -116,9 +115,20 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
   axis_of_ = std::move(kept_axes);
   make_runs();
   measure_side_effects();
+  if (!limb()) {
+    group_curves();
+    measure_fields();
+  }
   all_.resize(parameters_.size());
   for (std::size_t v = all_.size(); v < variable_count(); ++v) all_.push_back(v);
   make_units();
+  if (!limb()) {
+    for (Block& block : blocks_) {
+      // How much of a shape a line tells is found with the scale of doubt, and where it lies is always meant.
+      std::erase_if(block.alignments, [](const Alignment& one) { return one.offset_px > 0.0; });
+      for (Alignment& one : block.alignments) one.slide = face_.slide;
+    }
+  }
   if (overshoots_tell()) {
     for (Block& block : blocks_) {
       if (block.drawn != nullptr) tell_ends(block);
@@ -126,19 +136,13 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
   }
 
   // Limbs go far, and their lines are as exact as others.
-  if (!chain_.empty()) return;
-  if (!problem.posed.empty()) place(problem.posed, positions_);
-  for (Block& block : blocks_) {
-    if (block.drawn == nullptr) continue;
-    block.shown = seen(block, problem.posed.empty() ? start_ : positions_);
-    doubt_what_is_far(block, block.drawn->target);
-  }
+  if (!limb()) measure_asked();
 }
 
-void Reader::doubt_what_is_far(Block& block, std::span<const PxPoint> line) const {
-  if (block.shown.empty()) return;
-  const double far = std::min(k_farther * way_across(block.shown, line), k_farthest * block.drawn->doubt_px);
-  block.doubt = std::sqrt(block.drawn->doubt_px * block.drawn->doubt_px + far * far);
+void Reader::measure_asked() {
+  energy_at(problem_.start);
+  asked_ = 0;
+  for (std::size_t c = 0; c < told_count(); ++c) asked_ = std::max(asked_, squares(blocks_[c], positions_));
 }
 
 void Reader::place(const rig::Pose& pose, std::vector<ModelPoint>& out) {
@@ -162,7 +166,7 @@ void Reader::make_units() {
     choices_.low.push_back(std::min(0.0, (parameter.minimum - problem_.start[p]) / ranges_[j]));
     choices_.high.push_back(std::max(0.0, (parameter.maximum - problem_.start[p]) / ranges_[j]));
     choices_.movement.push_back(whole_.movement[p]);
-    choices_.stiffness.push_back(k_stiffness);
+    choices_.stiffness.push_back(limb() ? k_stiffness : face_.share);
   }
   const auto variable_of = [&](std::size_t p) -> std::size_t {
     const auto at = std::lower_bound(parameters_.begin(), parameters_.end(), p);
@@ -182,7 +186,11 @@ void Reader::make_units() {
       const joints::Turn& turn = turns_[turn_of_[j]];
       add_turn_units(j, unit.count, turn.planar && axis_of_[j] == 0, turn.bends_in_depth ? 0.0 : turn.across);
     } else {
-      if (whole_.joint[p] == k_no_partner) unit.charge = side_effect_cost(j);
+      if (limb()) {
+        unit.charge = whole_.joint[p] == k_no_partner ? side_effect_cost(j) : 0.0;
+      } else {
+        unit.charge = face_charge(unit);
+      }
       choices_.units.push_back(unit);
     }
     j += unit.count;
@@ -201,7 +209,7 @@ void Reader::make_units() {
     unit.members = {j, other, 0};
     unit.count = 2;
     unit.tied = true;
-    unit.charge = std::min(side_effect_cost(j), side_effect_cost(other));
+    unit.charge = limb() ? std::min(side_effect_cost(j), side_effect_cost(other)) : face_charge(unit);
     choices_.units.push_back(unit);
   }
   make_run_units();
@@ -218,47 +226,13 @@ void Reader::restrict_to(std::span<const std::size_t> joints) {
   });
 }
 
-void Reader::stretch(double ranges) {
-  for (std::size_t j = 0; j < parameters_.size(); ++j) {
-    const rig::Parameter& parameter = rig_.parameters()[parameters_[j]];
-    const double start = problem_.start[parameters_[j]];
-    const double low = std::min(0.0, (parameter.minimum - start) / ranges_[j]);
-    const double high = std::max(0.0, (parameter.maximum - start) / ranges_[j]);
-    // What only goes one way from rest is stretched that way.
-    choices_.low[j] = parameter.minimum < parameter.rest ? low - ranges : low;
-    choices_.high[j] = parameter.maximum > parameter.rest ? high + ranges : high;
-  }
-}
-
-std::optional<Choice> meant_without_limits(Reader& reader, Quadratic& quadratic, const Choice& within,
-                                           std::size_t most_units, std::size_t& evaluations) {
-  // What else comes nearer within the limits has to do so by this, or is not what was meant.
-  constexpr double k_clearly = 0.8;
-  // How far beyond its limits a control is thought to go, ranges.
-  constexpr double k_beyond = 4.0;
-  Selection selection(quadratic, reader.choices(), reader.costs());
-  const double energy = selection.fit(within.units).energy;
-  reader.stretch(k_beyond);
-  const Choice meant = selection.select(selection.fit({}), most_units);
-  reader.stretch(0.0);
-  std::optional<Choice> kept;
-  if (!meant.units.empty() && meant.units.size() < within.units.size() && meant.energy < energy) {
-    kept = selection.fit(meant.units);
-    // Within the limits something else may come nearer by itself.
-    selection.forbid_nothing();
-    Choice other = selection.select(selection.fit({}), meant.units.size());
-    if (!other.units.empty() && other.energy < k_clearly * kept->energy) kept = std::move(other);
-  }
-  evaluations += selection.evaluations();
-  return kept;
-}
-
 void Reader::redraw(std::size_t c, std::span<const PxPoint> line, Alignment alignment) {
   Block& block = blocks_[c];
   block.line.emplace(line);
-  doubt_what_is_far(block, line);
+  if (!limb()) alignment.slide = face_.slide;
   block.alignments.assign(1, alignment);
   block.aligned = 0;
+  if (!limb()) measure_asked();
 }
 
 std::vector<PxPoint> Reader::seen(const Block& block, std::span<const ModelPoint> positions) const {
@@ -273,23 +247,56 @@ std::vector<PxPoint> Reader::seen(const Block& block, std::span<const ModelPoint
 }
 
 void Reader::make_columns(const rig::Pose& pose, std::span<const double> at, std::span<const std::size_t> variables) {
-  const std::size_t n = start_.size();
-  columns_.resize(variable_count() * n, ModelVector{0});
+  columns_.resize(variable_count() * start_.size(), ModelVector{0});
   if (linear_) {
     if (const auto columns = system_.columns(pose, parameters_)) {
-      for (std::size_t j = 0; j < parameters_.size(); ++j) {
-        const posing::Residuals& values = (*columns)[j].values();
-        for (std::size_t i = 0; i < n; ++i) {
-          columns_[j * n + i] = ModelVector{values[posing::residual_index(i, 0)], values[posing::residual_index(i, 1)],
-                                            values[posing::residual_index(i, 2)]} *
-                                ranges_[j];
-        }
-      }
+      for (std::size_t j = 0; j < parameters_.size(); ++j) fill_column(j, (*columns)[j].values());
       return;
     }
     linear_ = false;
   }
+  if (!limb() && make_face_columns(pose, at, variables)) return;
+  make_differences(pose, variables);
+  make_turn_columns(pose, at, variables);
+}
+
+bool Reader::make_face_columns(const rig::Pose& pose, std::span<const double> at,
+                               std::span<const std::size_t> variables) {
+  // Shapes act in a linear way while joints stay.
+  const auto is_joint = [&](std::size_t p) { return whole_.joint[p] != k_no_partner; };
+  bool stays = columns_at_.size() == pose.size();
+  for (std::size_t p = 0; p < pose.size() && stays; ++p) stays = !is_joint(p) || pose[p] == columns_at_[p];
+  if (stays) return true;
+  std::vector<std::size_t> shapes;
+  std::copy_if(parameters_.begin(), parameters_.end(), std::back_inserter(shapes),
+               [&](std::size_t p) { return !is_joint(p); });
+  const auto columns = system_.columns(pose, shapes);
+  if (!columns) return false;
+  std::size_t next = 0;
+  for (std::size_t j = 0; j < parameters_.size(); ++j) {
+    if (!is_joint(parameters_[j])) fill_column(j, (*columns)[next++].values());
+  }
+  std::vector<std::size_t> others;
+  std::copy_if(variables.begin(), variables.end(), std::back_inserter(others),
+               [&](std::size_t v) { return v < parameters_.size() && is_joint(parameters_[v]); });
+  make_differences(pose, others);
+  make_turn_columns(pose, at, variables);
+  columns_at_ = variables.size() == variable_count() ? pose : rig::Pose{};
+  return true;
+}
+
+void Reader::fill_column(std::size_t j, const posing::Residuals& values) {
+  const std::size_t n = start_.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    columns_[j * n + i] = ModelVector{values[posing::residual_index(i, 0)], values[posing::residual_index(i, 1)],
+                                      values[posing::residual_index(i, 2)]} *
+                          ranges_[j];
+  }
+}
+
+void Reader::make_differences(const rig::Pose& pose, std::span<const std::size_t> variables) {
   // Differences over a ten thousandth of the range, inwards.
+  const std::size_t n = start_.size();
   rig::Pose trial = pose;
   place(trial, positions_);
   for (const std::size_t j : variables) {
@@ -302,7 +309,6 @@ void Reader::make_columns(const rig::Pose& pose, std::span<const double> at, std
     trial[p] = pose[p];
     for (std::size_t i = 0; i < n; ++i) columns_[j * n + i] = (moved_[i] - positions_[i]) * (1.0 / step);
   }
-  make_turn_columns(pose, at, variables);
 }
 
 Choice Reader::choice_of(const rig::Pose& pose) const {
@@ -312,11 +318,11 @@ Choice Reader::choice_of(const rig::Pose& pose) const {
   std::vector<bool> left(parameters_.size());
   for (std::size_t v = 0; v < left.size(); ++v) left[v] = value(v) != 0.0;
   Choice choice;
-  // Single controls are listed before pairs.
+  // Single controls are listed before pairs, joints with few angles before those with more.
   for (std::size_t u = choices_.units.size(); u-- > 0;) {
     const Unit& unit = choices_.units[u];
     const std::span members(unit.members.data(), unit.count);
-    const auto is_left = [&](std::size_t v) { return left[v]; };
+    const auto is_left = [&](std::size_t v) { return v < left.size() && left[v]; };
     if (unit.tied ? !std::all_of(members.begin(), members.end(), is_left)
                   : std::none_of(members.begin(), members.end(), is_left))
       continue;

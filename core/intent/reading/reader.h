@@ -9,7 +9,10 @@
 #include "core/intent/line/sliding.h"
 #include "core/intent/model/whole_model.h"
 #include "core/intent/problem.h"
+#include "core/intent/reading/costs.h"
+#include "core/intent/reading/doubt.h"
 #include "core/intent/reading/quadratic.h"
+#include "core/intent/reading/reading_costs.h"
 #include "core/intent/reading/selection.h"
 #include "core/joints/turn.h"
 #include "core/posing/curve_system.h"
@@ -22,10 +25,12 @@ inline constexpr double k_reach = 150.0;
 /// Evaluates and linearises a problem near a pose: the part that all ways of solving it share. Variables are the free
 /// parameters that move a curve, as changes from the start, in units of their ranges. The rig, the whole model and the
 /// problem must outlive it. One object for each thread.
-class Reader {
+class Reader final : public Relations {
  public:
-  /// Precondition: check_problem passed.
-  Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem);
+  /// Precondition: check_problem passed. Where nothing but joints that carry more than was drawn could follow the
+  /// lines, those joints are meant, whatever the lines span.
+  [[nodiscard]] static Reader of(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem);
+  Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem& problem, bool any_span);
 
   [[nodiscard]] const Choices& choices() const { return choices_; }
   [[nodiscard]] const Costs& costs() const { return costs_; }
@@ -33,7 +38,23 @@ class Reader {
   /// The joints that the strokes mean (chain_of), ascending.
   [[nodiscard]] std::span<const std::size_t> chain() const { return chain_; }
   [[nodiscard]] bool linear() const { return linear_; }
-  [[nodiscard]] std::size_t curve_count() const { return blocks_.size(); }
+  /// Whether the strokes mean a limb, by the joints that they span; otherwise a face, or what is like one.
+  [[nodiscard]] bool limb() const { return !chain_.empty(); }
+  /// Of a face: leaves out, or takes back, the joints that carry much more than what was drawn.
+  void leave_carriers(bool out);
+  [[nodiscard]] bool leaves_carriers() const { return !carriers_.empty(); }
+  /// Of a face: once it is known which controls are meant, their values follow the lines alone.
+  void settle(bool settled);
+  /// Of a face: the energy's scale, and what choices cost.
+  [[nodiscard]] const Doubt& doubt() const { return doubt_; }
+  [[nodiscard]] ReadingCosts reading_costs() const { return {choices_, face_, *this, asked_}; }
+  [[nodiscard]] double likeness(std::size_t a, std::size_t b) const override { return relation(a, b).likeness; }
+  [[nodiscard]] double overlap(std::size_t a, std::size_t b) const override { return relation(a, b).overlap; }
+  /// Whether a variable is a joint's.
+  [[nodiscard]] bool turns(std::size_t variable) const {
+    return variable >= parameters_.size() || whole_.joint[parameters_[variable]] != k_no_partner;
+  }
+  [[nodiscard]] std::size_t line_count() const { return problem_.drawn.size(); }
   /// Units that each bend one joint of the chain within the picture, ascending; none where there are too many to choose
   /// from at once.
   [[nodiscard]] std::vector<std::size_t> all_bends() const;
@@ -44,9 +65,6 @@ class Reader {
   [[nodiscard]] bool leans(const Choice& choice) const;
   /// Only units of these joints may move; empty: all.
   void restrict_to(std::span<const std::size_t> joints);
-
-  /// Lets values exceed their limits by this many ranges, to find what a line beyond them means; 0 turns that off.
-  void stretch(double ranges);
 
   /// How drawn curve c is aligned; all of `alignments` are worth trying.
   [[nodiscard]] const std::vector<Alignment>& alignments(std::size_t c) const { return blocks_[c].alignments; }
@@ -59,9 +77,11 @@ class Reader {
   /// Replaces the line of drawn curve c. Precondition: at least two points, of positive length.
   void redraw(std::size_t c, std::span<const PxPoint> line, Alignment alignment);
 
-  /// The choice that leads from the start to a pose, with pairs where both sides moved. Its energy is not set.
-  /// Precondition: no chain.
+  /// Of a face: the choice that leads from the start to a pose, with pairs where both sides moved; joints by what they
+  /// turn, not by their values. Its energy is not set.
   [[nodiscard]] Choice choice_of(const rig::Pose& pose) const;
+  /// Matches all curves at a pose and returns the energy there, without costs.
+  double energy_at(const rig::Pose& pose);
   /// The pose of a choice: within all ranges.
   [[nodiscard]] rig::Pose pose_of(const Choice& choice) const;
   /// Sets up the quadratic form around a choice; `slide`: points slide to where they fit (not in the first round, when
@@ -77,8 +97,11 @@ class Reader {
   [[nodiscard]] std::vector<std::vector<double>> curve_displacements() const;
   /// Whether a choice moves drawn curve c by more than the line is off from where it was meant.
   bool takes_shape(std::size_t c, const Choice& choice);
-  /// D of drawn curve c alone.
+  /// D of drawn curve c alone, as last matched.
   double squares_of(std::size_t c, const Choice& choice);
+  double squares_at(std::size_t c, const rig::Pose& pose);
+  /// D of each drawn and known curve, matched at a choice.
+  std::vector<double> squares_left(const Choice& choice);
   /// Gives all curves full weight again.
   void weigh_evenly();
   /// Lowers the weight of curves that are out of reach at a choice, from the next look on.
@@ -99,9 +122,8 @@ class Reader {
     std::optional<SlidingLine> line;
     std::vector<Alignment> alignments;
     std::size_t aligned = 0;
-    double doubt = 1;            ///< px or model units
-    std::vector<PxPoint> shown;  ///< of a drawn curve: where it was in the picture; empty where unused
-    double share = 1;            ///< 1 / (1 + D / nu) of the last weigh
+    double doubt = 1;  ///< px or model units
+    double share = 1;  ///< 1 / (1 + D / nu) of the last weigh
     std::size_t row = 0, rows = 0, slide = 0;
     std::array<Overshoot, 2> overshoots{};  ///< of a drawn curve as last looked at
     Matching matching;
@@ -111,8 +133,9 @@ class Reader {
   [[nodiscard]] bool overshoots_tell() const { return chain_.empty(); }
   /// Of a drawn curve, as it is aligned, px.
   [[nodiscard]] static double doubt_of(const Block& block);
-  /// Raises the doubt of a line with its distance from where the curve was seen.
-  void doubt_what_is_far(Block& block, std::span<const PxPoint> line) const;
+  /// Matches a drawn curve seen there.
+  void match(Block& block, std::span<const PxPoint> px, bool slide) const;
+  [[nodiscard]] double energy_as_placed() const;
   void look_at_drawn(Block& block, Quadratic& quadratic, std::span<const double> at, bool slide,
                      std::span<const std::size_t> variables);
   /// Finds which ends of a drawn curve follow from the part of the line beyond them.
@@ -126,18 +149,54 @@ class Reader {
                      std::span<const std::size_t> variables);
   [[nodiscard]] std::vector<PxPoint> seen(const Block& block, std::span<const ModelPoint> positions) const;
   void make_columns(const rig::Pose& pose, std::span<const double> at, std::span<const std::size_t> variables);
+  /// Of a face, where shapes act in a linear way while joints stay; made again only where joints went on.
+  [[nodiscard]] bool make_face_columns(const rig::Pose& pose, std::span<const double> at,
+                                       std::span<const std::size_t> variables);
+  /// Columns of variables that are no turns, as differences.
+  void make_differences(const rig::Pose& pose, std::span<const std::size_t> variables);
+  void fill_column(std::size_t j, const posing::Residuals& values);
   void make_units();
   /// All points at a pose, those of drawn curves where the pen drew them.
   void place(const rig::Pose& pose, std::vector<ModelPoint>& out);
-  /// How far each parameter moves the surroundings of each drawn or known curve relative to it, root mean square, model
-  /// units.
-  [[nodiscard]] std::vector<std::vector<double>> surrounding_displacements() const;
-  /// The connected pieces of the surface that a reference lies on, ascending.
-  [[nodiscard]] std::vector<std::uint32_t> pieces_of(std::span<const posing::CurvePoint> reference) const;
   /// Fills the ratios and curve_displacements_.
   void measure_side_effects();
   /// The cost of a control for moving other parts farther than the drawn curves.
   [[nodiscard]] double side_effect_cost(std::size_t variable) const;
+  // Faces (reader_fields.cpp).
+  /// What a variable does beside what was drawn.
+  struct Field {
+    std::vector<ModelVector> near;           ///< at the samples near the drawn curves, for its whole range
+    double near_square = 0, far_square = 0;  ///< sums of squares there and elsewhere
+    double fringe = 1;                       ///< the longest way anywhere over that of the drawn curves, at least 1
+  };
+  struct Relation {
+    double likeness = 0, overlap = 0;
+  };
+  /// Of two variables; measured once for all others when the first is asked for.
+  [[nodiscard]] const Relation& relation(std::size_t a, std::size_t b) const;
+  [[nodiscard]] std::vector<ModelPoint> at_rest(std::span<const posing::CurvePoint> reference) const;
+  /// Whether a curve is long enough to speak for what its joints carry: a line along a limb does, a brow does not speak
+  /// for the head.
+  [[nodiscard]] bool spans(std::span<const posing::CurvePoint> reference, std::span<const std::size_t> chain) const;
+  void group_curves();
+  [[nodiscard]] std::vector<std::uint32_t> samples_near_curves() const;
+  void measure_fields();
+  void measure_asked();
+  /// Whether a variable turns that joint.
+  [[nodiscard]] bool turns_joint(std::size_t variable, std::size_t turn) const;
+  /// Whether a unit is a joint that carries much more than what was drawn.
+  [[nodiscard]] bool carries_more(const Unit& unit) const;
+  /// Whether anything but such joints can follow the lines.
+  [[nodiscard]] bool others_follow() const;
+  [[nodiscard]] double face_charge(const Unit& unit) const;
+  /// The first parameter that moves with a variable, as a number of parameters().
+  [[nodiscard]] std::size_t parameter_of(std::size_t variable) const;
+  void make_joint_pairs();
+  void add_joint_pair(std::size_t first);
+  /// Curves that tell of controls: all but those that have to stay.
+  [[nodiscard]] std::size_t told_count() const { return problem_.drawn.size() + problem_.known.size(); }
+  /// How far a line lies from a curve, root mean square over its points to the nearest place of the curve, px.
+  [[nodiscard]] static double way_across(std::span<const PxPoint> curve, std::span<const PxPoint> line);
   // Turns of joints about their own axes (reader_joints.cpp).
   void find_chain();
   void make_turns();
@@ -174,7 +233,14 @@ class Reader {
   const rig::Rig& rig_;
   const WholeModel& whole_;
   const IntentProblem& problem_;
+  bool any_span_ = false;  ///< a line need not span what its joints carry
   Costs costs_;
+  FaceCosts face_;
+  Doubt doubt_;
+  std::vector<Field> fields_;   ///< one a variable
+  std::vector<Unit> carriers_;  ///< left out of choices_
+  mutable std::vector<std::vector<Relation>> relations_;
+  double asked_ = 0;
   posing::CurveSystem system_;
   std::vector<Block> blocks_;
   std::vector<std::size_t> parameters_;
@@ -189,8 +255,8 @@ class Reader {
   std::vector<double> side_effect_ratios_;   ///< WholeModel::stride over curve_displacements_, at least 1
   std::vector<double> curve_displacements_;  ///< of the curve that a variable moves most, root mean square, model units
   std::vector<double> tangential_ratios_;    ///< displacement of that curve over its part across the curve, 1 to 10
-  std::vector<double> surrounding_ratios_;   ///< surrounding displacement over curve_displacements_, at least 1
   bool linear_ = false;
+  rig::Pose columns_at_;              ///< of a face: the pose at which its columns were made; empty: none
   std::vector<ModelVector> columns_;  ///< one run of points a variable, for its whole range
   std::vector<ModelPoint> start_, positions_, moved_;
   /// Maps a point's displacement to its three rows; all zero where the point has no target.
@@ -200,11 +266,5 @@ class Reader {
   };
   std::vector<PointRows> rows_;
 };
-
-/// For a line that goes beyond the limits: finds the choice that would explain it without limits, then fits its units
-/// within them. `within`: a choice at a limit, at which the reader looked last. Nothing unless the choice found has
-/// fewer units than `within` and a lower energy. Adds to `evaluations`.
-[[nodiscard]] std::optional<Choice> meant_without_limits(Reader& reader, Quadratic& quadratic, const Choice& within,
-                                                         std::size_t most_units, std::size_t& evaluations);
 
 }  // namespace penpose::intent

@@ -45,6 +45,13 @@ void Reader::look(const Choice& at, bool slide, Quadratic& quadratic, std::span<
     if (block.drawn) slides += k_modes;
   }
   quadratic.reset(variable_count(), rows + lean_count(), slides);
+  if (!limb()) {
+    std::vector<Quadratic::Part> parts;
+    for (const Block& block : blocks_)
+      parts.push_back({block.row, block.rows, block.slide, block.drawn != nullptr ? k_modes : 0});
+    parts.push_back({rows, lean_count(), slides, 0});
+    quadratic.split(parts);
+  }
   for (Block& block : blocks_) {
     if (block.drawn) {
       look_at_drawn(block, quadratic, z, slide, variables);
@@ -93,14 +100,12 @@ void Reader::look_at_drawn(Block& block, Quadratic& quadratic, std::span<const d
   const std::size_t n = start_.size();
   const std::vector<PxPoint> px = seen(block, positions_);
   const double doubt = doubt_of(block);
-  block.matching = block.line->match(px, block.alignments[block.aligned], slide, doubt / std::sqrt(block.share));
+  match(block, px, slide);
   Matching& m = block.matching;
   ModeMatrix grown{};
-  const auto& weights = block.drawn->weights;
   rows_.assign(block.count, {});
   const std::span<double> right = quadratic.right();
   for (std::size_t i = 0; i < block.count; ++i) {
-    if (!weights.empty()) m.weight[i] *= weights[i];
     const double w = block.share * m.weight[i] * k_looks / (doubt * doubt);
     const double root = std::sqrt(w);
     const std::size_t row = block.row + 3 * i;
@@ -154,7 +159,6 @@ void Reader::look_at_drawn(Block& block, Quadratic& quadratic, std::span<const d
 void Reader::look_at_overshoots(Block& block, std::span<const PxPoint> px, Quadratic& quadratic,
                                 std::span<const double> at, std::span<const std::size_t> variables) {
   const std::size_t n = start_.size();
-  block.overshoots = overshoots(*block.line, px, block.alignments[block.aligned], block.matching, doubt_of(block));
   std::size_t row = block.row + 3 * block.count;
   for (const Overshoot& one : block.overshoots) {
     const std::size_t point = block.first + one.end;
@@ -230,19 +234,51 @@ double Reader::squares(const Block& block, std::span<const ModelPoint> positions
 
 double Reader::energy(const Choice& choice, double costs) {
   place(pose_of(choice), positions_);
-  double sum = costs;
-  for (const Block& block : blocks_) {
-    sum += k_reach * base::log(1.0 + squares(block, positions_) / k_reach);
-    if (block.drawn) sum += block.alignments[block.aligned].charge;
-  }
+  double sum = costs + energy_as_placed();
+  if (!limb()) return sum + reading_costs().stiffness_of(choice) + lean_cost(choice);
   for (std::size_t i = 0; i < choice.variables.size(); ++i)
     sum += choices_.stiffness[choice.variables[i]] * choice.values[i] * choice.values[i];
-  if (!turns_.empty()) sum += lean_cost(choice);
-  return sum;
+  return turns_.empty() ? sum : sum + lean_cost(choice);
+}
+
+double Reader::energy_as_placed() const {
+  double sum = 0;
+  std::vector<double> all;
+  for (const Block& block : blocks_) {
+    all.push_back(squares(block, positions_));
+    if (limb()) sum += k_reach * base::log(1.0 + all.back() / k_reach);
+    if (block.drawn) sum += block.alignments[block.aligned].charge;
+  }
+  return limb() ? sum : sum + doubt_.energy(all);
+}
+
+double Reader::energy_at(const rig::Pose& pose) {
+  place(pose, positions_);
+  for (Block& block : blocks_) {
+    if (block.drawn != nullptr) match(block, seen(block, positions_), true);
+  }
+  return energy_as_placed();
+}
+
+std::vector<double> Reader::squares_left(const Choice& choice) {
+  energy_at(pose_of(choice));
+  std::vector<double> left;
+  for (std::size_t c = 0; c < told_count(); ++c) left.push_back(squares(blocks_[c], positions_));
+  return left;
+}
+
+void Reader::match(Block& block, std::span<const PxPoint> px, bool slide) const {
+  const Alignment& alignment = block.alignments[block.aligned];
+  Matching& m = block.matching;
+  m = block.line->match(px, alignment, slide, doubt_of(block) / std::sqrt(block.share));
+  const auto& weights = block.drawn->weights;
+  for (std::size_t i = 0; i < weights.size(); ++i) m.weight[i] *= weights[i];
+  if (overshoots_tell()) block.overshoots = overshoots(*block.line, px, alignment, m, doubt_of(block));
 }
 
 double Reader::energy_of_image(std::span<const double> image, std::size_t rows) const {
   double sum = 0;
+  std::vector<double> all;
   for (const Block& block : blocks_) {
     const double* a = image.data() + block.row;
     double squares = algebra::dot(a, a, block.rows);
@@ -250,9 +286,13 @@ double Reader::energy_of_image(std::span<const double> image, std::size_t rows) 
       const double* b = image.data() + rows + block.slide;
       squares -= algebra::dot(b, b, k_modes);
     }
+    if (!limb()) {
+      all.push_back(squares);
+      continue;
+    }
     sum += k_reach * base::log(1.0 + std::max(squares, 0.0) / (block.share * k_reach));
   }
-  return sum;
+  return limb() ? sum : doubt_.energy(all);
 }
 
 bool Reader::takes_shape(std::size_t c, const Choice& choice) {
@@ -276,8 +316,10 @@ bool Reader::takes_shape(std::size_t c, const Choice& choice) {
   return all > 0.0 && std::sqrt(moved / all) >= std::abs(offset);
 }
 
-double Reader::squares_of(std::size_t c, const Choice& choice) {
-  place(pose_of(choice), positions_);
+double Reader::squares_of(std::size_t c, const Choice& choice) { return squares_at(c, pose_of(choice)); }
+
+double Reader::squares_at(std::size_t c, const rig::Pose& pose) {
+  place(pose, positions_);
   return squares(blocks_[c], positions_);
 }
 

@@ -11,15 +11,6 @@ namespace penpose::intent {
 /// Share of a variable's own curvature that must be left of it beside those before it.
 constexpr double k_least_pivot = 1e-12;
 
-bool stands_at_limit(const Choice& choice, const Choices& choices) {
-  for (std::size_t i = 0; i < choice.variables.size(); ++i) {
-    const std::size_t v = choice.variables[i];
-    const double value = choice.values[i];
-    if (value != 0.0 && (value <= choices.low[v] || value >= choices.high[v])) return true;
-  }
-  return false;
-}
-
 double share_of_range(double value, std::size_t variable, const Choices& choices) {
   const double end = value < 0.0 ? choices.low[variable] : choices.high[variable];
   return end != 0.0 ? std::clamp(value / end, 0.0, 1.0) : value != 0.0 ? 1.0 : 0.0;

@@ -38,28 +38,34 @@ struct Choice {
 /// The energy of a choice: E of the curves plus the cost of leaving the pose. Each unit that moves costs a constant;
 /// the logarithm of how exactly the drawn curves determine its value (a control that must move by a hundredth of its
 /// range is a less likely reading than one that moves by half: the evidence of Bayesian model comparison, MacKay 1992);
-/// and the logarithms of how far it moves the whole model, other parts of it, the surroundings of the curve, and the
-/// curve along itself. A control near an end of its range costs more, and so does a pair whose sides differ. This
-/// prefers few controls over many, and those that follow the pen and move little else.
+/// and the logarithms of how far it moves the whole model, other parts of it, and the curve along itself. A control
+/// near an end of its range costs more, and so does a pair whose sides differ. This prefers few controls over many, and
+/// those that follow the pen and move little else.
 struct Costs {
   double unit = 8.0;
-  double evidence = 1.0;      ///< times log(1 + curvature)
-  double movement = 4.0;      ///< times log(1 + movement of the whole model / usual_way)
-  double usual_way = 0.2;     ///< of the whole model, as a multiple of the median control's
-  double side_effect = 8.0;   ///< times log(largest displacement / largest of a curve), if positive
-  double surrounding = 20.0;  ///< times log(displacement next to the curve, relative to it / of the curve), if positive
-  double tangential = 4.0;    ///< times log(displacement of the curve / its part across the curve's chord)
-  double limit = 8.0;         ///< each control at an end of its range: the line goes beyond it
-  double limit_from = 0.8;    ///< share of the way to an end of the range from which `limit` grows linearly
-  double tie = 40.0;          ///< times the square of the difference of a pair's values
+  double evidence = 1.0;     ///< times log(1 + curvature)
+  double movement = 4.0;     ///< times log(1 + movement of the whole model / usual_way)
+  double usual_way = 0.2;    ///< of the whole model, as a multiple of the median control's
+  double side_effect = 8.0;  ///< times log(largest displacement / largest of a curve), if positive
+  double tangential = 4.0;   ///< times log(displacement of the curve / its part across the curve's chord)
+  double limit = 8.0;        ///< each control at an end of its range: the line goes beyond it
+  double limit_from = 0.8;   ///< share of the way to an end of the range from which `limit` grows linearly
+  double tie = 40.0;         ///< times the square of the difference of a pair's values
 };
 
 /// How far a value is on its way to the end of its range, 0 to 1; 0 where it has none on that side.
 [[nodiscard]] double share_of_range(double value, std::size_t variable, const Choices& choices);
-/// Whether a nonzero value of a choice is at an end of its range.
-[[nodiscard]] bool stands_at_limit(const Choice& choice, const Choices& choices);
+/// What a choice costs.
+class ChoiceCosts {
+ public:
+  virtual ~ChoiceCosts() = default;
+  /// Of its units at its values, including the differences of pairs, without limit_costs.
+  [[nodiscard]] virtual double costs_of(const Choice& choice) const = 0;
+  /// The extra cost of units at an end of a range.
+  [[nodiscard]] virtual double limit_costs(const Choice& choice) const = 0;
+};
 
-class Selection {
+class Selection : public ChoiceCosts {
  public:
   Selection(Quadratic& quadratic, const Choices& choices, const Costs& costs)
       : q_(quadratic), choices_(choices), costs_(costs) {}
@@ -78,10 +84,8 @@ class Selection {
     rival_window_ = window;
   }
   [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
-  /// The extra cost of units at an end of a range.
-  [[nodiscard]] double limit_costs(const Choice& choice) const;
-  /// The cost of a choice's units at its values, including the differences of pairs, without limit_costs.
-  [[nodiscard]] double costs_of(const Choice& choice) const;
+  [[nodiscard]] double limit_costs(const Choice& choice) const override;
+  [[nodiscard]] double costs_of(const Choice& choice) const override;
 
  private:
   /// A choice to add units to, with its matrix factored, so that the gain of one more is quickly found.

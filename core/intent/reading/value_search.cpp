@@ -11,8 +11,8 @@ namespace {
 /// The energy of a choice in u = 0..1 between the ends of each variable's range.
 class ChoiceObjective final : public posing::Objective {
  public:
-  ChoiceObjective(Reader& reader, const Quadratic& quadratic, const Selection& selection, const Choice& choice)
-      : reader_(reader), quadratic_(quadratic), selection_(selection), choice_(choice) {}
+  ChoiceObjective(Reader& reader, const Quadratic& quadratic, const ChoiceCosts& costs, const Choice& choice)
+      : reader_(reader), quadratic_(quadratic), costs_(costs), choice_(choice) {}
 
   [[nodiscard]] std::size_t dimension() const override { return choice_.variables.size(); }
   [[nodiscard]] std::size_t image_size() const override { return reader_.linear() ? quadratic_.right().size() : 0; }
@@ -26,9 +26,9 @@ class ChoiceObjective final : public posing::Objective {
   }
   double value(std::span<const double> u, std::span<const double> image) override {
     for (std::size_t i = 0; i < u.size(); ++i) choice_.values[i] = value(i, u[i]);
-    const double costs = selection_.costs_of(choice_);
-    if (!reader_.linear()) return reader_.energy(choice_, costs);
-    double sum = reader_.energy_of_image(image, quadratic_.rows()) + costs;
+    const double cost = costs_.costs_of(choice_);
+    if (!reader_.linear()) return reader_.energy(choice_, cost);
+    double sum = reader_.energy_of_image(image, quadratic_.rows()) + cost;
     for (std::size_t i = 0; i < u.size(); ++i)
       sum += reader_.choices().stiffness[choice_.variables[i]] * choice_.values[i] * choice_.values[i];
     return sum;
@@ -53,17 +53,17 @@ class ChoiceObjective final : public posing::Objective {
 
   Reader& reader_;
   const Quadratic& quadratic_;
-  const Selection& selection_;
+  const ChoiceCosts& costs_;
   Choice choice_;
 };
 
 }  // namespace
 
-std::size_t search_values(Reader& reader, const Quadratic& quadratic, const Selection& selection, Choice& choice,
+std::size_t search_values(Reader& reader, const Quadratic& quadratic, const ChoiceCosts& costs, Choice& choice,
                           std::size_t most, posing::SimplexWorkspace& work) {
   const std::size_t n = choice.variables.size();
   if (n == 0 || n > 12) return 0;
-  ChoiceObjective objective(reader, quadratic, selection, choice);
+  ChoiceObjective objective(reader, quadratic, costs, choice);
   std::vector<double> u(n);
   for (std::size_t i = 0; i < n; ++i) u[i] = objective.share(i, choice.values[i]);
   std::vector<double> image(objective.image_size());
@@ -77,7 +77,7 @@ std::size_t search_values(Reader& reader, const Quadratic& quadratic, const Sele
   const auto found = posing::run_simplex(objective, options, u, image, work);
   if (found.value < before) {
     for (std::size_t i = 0; i < n; ++i) choice.values[i] = objective.value(i, u[i]);
-    choice.costs = selection.costs_of(choice) + selection.limit_costs(choice);
+    choice.costs = costs.costs_of(choice) + costs.limit_costs(choice);
   }
   return found.evaluations;
 }

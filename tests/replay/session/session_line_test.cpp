@@ -62,7 +62,7 @@ TEST(SessionLine, ThereAreNoMoreThanFourLights) {
 
 TEST(SessionLine, IsWrittenAsTheFormatSays) {
   EXPECT_EQ(to_text(LightsSeen{7, {2, 0}}), "penpose lights 7 left=2");
-  EXPECT_EQ(to_text(SessionBegins{"penpose"}), "penpose session edition=1 program=penpose");
+  EXPECT_EQ(to_text(SessionBegins{"penpose"}), "penpose session edition=2 program=penpose");
   EXPECT_EQ(to_text(ModelNamed{{1, 2}, "head.glb"}), "penpose model 00000000000000010000000000000002 path=head.glb");
   EXPECT_EQ(to_text(Performed{document::DeleteKey{1.5}}), "penpose do delete_key time_s=1.5");
   EXPECT_EQ(to_text(PenPlace{false}), "penpose panel");
@@ -83,7 +83,7 @@ TEST(SessionLine, OtherCommentsAreNoneOfOurs) {
 }
 
 TEST(SessionLine, AnotherEditionIsRefusedByItsProgramsName) {
-  for (const char* edition : {"1", "edition=2", "edition=0", "edition=1.5", "edition=x", "edition=", "x", "",
+  for (const char* edition : {"1", "edition=1", "edition=0", "edition=1.5", "edition=x", "edition=", "x", "",
                               "edition=18446744073709551617", "edition=-1"}) {
     const auto line = parse_session_line(std::string("# penpose session ") + edition + " program=penpose-0.2.0");
     ASSERT_FALSE(line.ok()) << edition;

@@ -73,7 +73,7 @@ TEST_F(DrawnFaces, ASmileLiftsBothCornersOfTheMouth) {
 
 TEST_F(DrawnFaces, AFrownPullsBothCornersDown) {
   const Line mouth = curve("lip_upper_inner");
-  draw(mouth, moved(mouth, 1, [](double x) { return 16 * x * x - 2; }));
+  draw(mouth, moved(mouth, 1, [](double x) { return 22 * x * x - 2; }));
   EXPECT_GT(value("mouth_frown_L"), 0.3);
   EXPECT_GT(value("mouth_frown_R"), 0.3);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/intent/reading/robust_selection.h"
 #include "tests/core/intent/face.h"
 
 namespace penpose::intent {
@@ -21,19 +22,23 @@ struct Desk {
     const rig::Pose answer = face.pose({{"cornerLeft", 0.6}, {"jawOpen", 0.4}});
     return face.problem({face.drawn(Face::mouth(), tests::shaken(face.seen(Face::mouth(), answer), 2, 1))});
   }
-  Desk() : problem(made(face)), reader(*face.rig, whole, problem) {
+  Desk() : problem(made(face)), reader(Reader::of(*face.rig, whole, problem)) {
     const std::size_t jaw = variable("jawOpen");
     reader.look({}, true, quadratic);
-    choice = selection().fit({variable("cornerLeft"), jaw});
+    choice = fitted({variable("cornerLeft"), jaw});
     reader.look(choice, true, quadratic, choice.variables);
-    choice = selection().fit(choice.units);
+    choice = fitted(choice.units);
   }
-  [[nodiscard]] Selection selection() { return {quadratic, reader.choices(), reader.costs()}; }
+  [[nodiscard]] ReadingCosts costs() const { return reader.reading_costs(); }
+  [[nodiscard]] Choice fitted(std::vector<std::size_t> units) {
+    const ReadingCosts own = costs();
+    return RobustSelection(quadratic, own, reader.doubt()).fit(std::move(units));
+  }
   [[nodiscard]] std::size_t variable(const char* name) const {
     const auto all = reader.parameters();
     return static_cast<std::size_t>(std::find(all.begin(), all.end(), face.number(name)) - all.begin());
   }
-  [[nodiscard]] double energy(const Choice& at) { return reader.energy(at, selection().costs_of(at)); }
+  [[nodiscard]] double energy(const Choice& at) { return reader.energy(at, costs().costs_of(at)); }
 };
 
 TEST(ValueSearch, TheEnergyNeverGrows) {
@@ -44,7 +49,7 @@ TEST(ValueSearch, TheEnergyNeverGrows) {
     Choice from = d.choice;
     for (double& v : from.values) v = random(0, 1);
     Choice found = from;
-    const Selection selection = d.selection();
+    const ReadingCosts selection = d.costs();
     search_values(d.reader, d.quadratic, selection, found, 300, work);
     EXPECT_LE(d.energy(found), d.energy(from) * (1 + 1e-3) + 0.05) << run;
     for (const double v : found.values) {
@@ -57,7 +62,7 @@ TEST(ValueSearch, TheEnergyNeverGrows) {
 TEST(ValueSearch, FindsTheValuesAgainFromNearby) {
   Desk d;
   posing::SimplexWorkspace work;
-  const Selection selection = d.selection();
+  const ReadingCosts selection = d.costs();
   Choice best = d.choice;
   search_values(d.reader, d.quadratic, selection, best, 1000, work);
   Choice off = d.choice;
@@ -74,7 +79,7 @@ TEST(ValueSearch, FindsTheValuesAgainFromNearby) {
 TEST(ValueSearch, NothingChosenNeedsNoSearch) {
   Desk d;
   posing::SimplexWorkspace work;
-  const Selection selection = d.selection();
+  const ReadingCosts selection = d.costs();
   Choice nothing;
   EXPECT_EQ(search_values(d.reader, d.quadratic, selection, nothing, 100, work), 0U);
   EXPECT_TRUE(nothing.values.empty());
@@ -83,7 +88,7 @@ TEST(ValueSearch, NothingChosenNeedsNoSearch) {
 TEST(ValueSearch, KeepsToItsEvaluations) {
   Desk d;
   posing::SimplexWorkspace work;
-  const Selection selection = d.selection();
+  const ReadingCosts selection = d.costs();
   for (const std::size_t most : {10U, 40U, 200U}) {
     Choice choice = d.choice;
     choice.values[0] = 0.1;

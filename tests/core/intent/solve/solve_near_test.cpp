@@ -98,17 +98,5 @@ TEST(Near, AnArcDrawnFarAwayIsOneControlsRatherThanTwos) {
   }
 }
 
-TEST(Near, ALidIsNotChargedForGlidingOverTheEye) {
-  // Vertices of another piece near the line do not count as its surroundings.
-  std::vector<geometry::ModelPoint> rest{{0, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}, {0.1, 0, -0.05}};
-  const Surroundings around(rest, {0, 0, 0, 1});
-  const std::vector<geometry::ModelPoint> places{{0.1, 0, 0}};
-  const std::vector<std::uint32_t> one{0};
-  EXPECT_EQ(around.near(places, 0.15, 10), (std::vector<std::uint32_t>{0, 1, 2, 3}));
-  EXPECT_EQ(around.near(places, 0.15, 10, one), (std::vector<std::uint32_t>{0, 1, 2}));
-  EXPECT_EQ(around.piece(3), 1U);
-  EXPECT_EQ(Surroundings(rest).piece(3), 0U);
-}
-
 }  // namespace
 }  // namespace penpose::intent

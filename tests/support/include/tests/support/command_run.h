@@ -13,6 +13,7 @@
 #include <unistd.h>
 #include <vector>
 
+#include "core/base/edition.h"
 #include "ui/cli/command_line.h"
 
 namespace penpose::tests {
@@ -66,8 +67,8 @@ class CommandRun : public testing::Test {
       if (std::isalnum(static_cast<unsigned char>(c)) == 0) std::snprintf(code, sizeof code, "%%%02X", c);
       name += code;
     }
-    return "# penpose session edition=1 program=test\n# penpose model 00000000000000000000000000000000 path=" + name +
-           "\n";
+    return "# penpose session edition=" + std::to_string(base::k_edition) +
+           " program=test\n# penpose model 00000000000000000000000000000000 path=" + name + "\n";
   }
   [[nodiscard]] std::size_t files() const {
     const std::filesystem::directory_iterator all(folder_);

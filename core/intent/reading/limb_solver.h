@@ -5,45 +5,21 @@
 #include <vector>
 
 #include "core/intent/reading/reader.h"
-#include "core/intent/reading/selection.h"
+#include "core/intent/reading/reading.h"
 #include "core/intent/reading/value_search.h"
-#include "core/intent/solve.h"
 
 namespace penpose::intent {
 
-/// Rivals are choices within this of the best energy.
-inline constexpr double k_rival_window = 12.0;
-/// The linearisation of a joint is valid near its pose only: the most that an angle may change in a round, share of its
-/// range.
-inline constexpr double k_trust = 0.2;
-
-struct SolveWorkspace::Buffers {
-  Quadratic quadratic;
-  posing::SimplexWorkspace simplex;
-};
-
-/// One reading of the strokes, and its energy.
-struct Reading {
-  Choice choice;
-  double energy = 0;
-};
-
-/// Finds the best reading of a problem, matching and choosing in turn.
-class ReadingSolver {
+/// Finds the best reading of strokes along limbs, matching and choosing in turn.
+class LimbSolver {
  public:
-  ReadingSolver(Reader& reader, const SolveOptions& options, SolveWorkspace::Buffers& buffers)
+  LimbSolver(Reader& reader, const SolveOptions& options, SolveWorkspace::Buffers& buffers)
       : reader_(reader), options_(options), b_(buffers) {}
 
   /// Matching and choosing in turn, from nothing moved or from a first guess.
   Reading read(Choice choice = {}) {
-    if (!reader_.linear()) {
-      reader_.weigh_evenly();
-    } else {
-      // From few controls to many: far from the line, each must cover a good share of the distance.
-      reader_.look(choice, false, b_.quadratic);
-      reader_.weigh(choice);
-    }
-    const std::size_t rounds = reader_.linear() ? options_.rounds : options_.general_rounds;
+    reader_.weigh_evenly();
+    const std::size_t rounds = options_.limb_rounds;
     std::vector<Choice> rivals;
     for (std::size_t round = 0; round < rounds; ++round) {
       reader_.look(choice, round > 0, b_.quadratic);
@@ -59,7 +35,7 @@ class ReadingSolver {
       }
       choice = trusted(before, std::move(next));
       evaluations += selection.evaluations();
-      if (round == 0 || !reader_.linear()) reader_.weigh(choice);
+      reader_.weigh(choice);
       rivals = selection.rivals();
     }
     Reading best = matched(choice);
@@ -98,15 +74,6 @@ class ReadingSolver {
     return {choice, reader_.energy(choice, choice.costs)};
   }
 
-  /// See meant_without_limits (reader.h).
-  void keep_to_what_is_meant(Reading& reading, std::size_t most_units) {
-    if (!stands_at_limit(reading.choice, reader_.choices())) return;
-    reader_.look(reading.choice, true, b_.quadratic);
-    reader_.weigh(reading.choice);
-    const auto meant = meant_without_limits(reader_, b_.quadratic, reading.choice, most_units, evaluations);
-    if (meant) reading = matched(*meant);
-  }
-
   /// Matches the curves at the pose of a reading.
   void match(const Reading& reading) { reader_.look(reading.choice, true, b_.quadratic, reading.choice.variables); }
 
@@ -131,7 +98,6 @@ class ReadingSolver {
   }
 
   Choice trusted(const Choice& before, Choice after) const {
-    if (reader_.linear()) return after;
     for (std::size_t i = 0; i < after.variables.size(); ++i) {
       const auto at = std::lower_bound(before.variables.begin(), before.variables.end(), after.variables[i]);
       const bool had = at != before.variables.end() && *at == after.variables[i];

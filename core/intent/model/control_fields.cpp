@@ -1,0 +1,44 @@
+#include "core/intent/model/control_fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace penpose::intent {
+namespace {
+
+constexpr std::size_t k_most_samples = 3000;
+
+}  // namespace
+
+ControlFields::ControlFields(std::span<const ModelPoint> rest) {
+  const std::size_t step = std::max<std::size_t>(1, (rest.size() + k_most_samples - 1) / k_most_samples);
+  for (std::size_t v = 0; v < rest.size(); v += step) {
+    if (!std::isfinite(rest[v].x + rest[v].y + rest[v].z)) continue;
+    samples_.push_back(static_cast<std::uint32_t>(v));
+    places_.push_back(rest[v]);
+  }
+}
+
+void ControlFields::add(std::span<const ModelPoint> rest, std::span<const ModelPoint> moved, double per) {
+  auto& field = fields_.emplace_back(samples_.size(), ModelVector{0});
+  double sum = 0;
+  double peak = 0;
+  for (std::size_t i = 0; i < samples_.size() && !moved.empty(); ++i) {
+    const ModelVector way = (moved[samples_[i]] - rest[samples_[i]]) * per;
+    if (!std::isfinite(way.x + way.y + way.z)) continue;
+    field[i] = way;
+    sum += square_of(way);
+    peak = std::max(peak, square_of(way));
+  }
+  squares_.push_back(sum);
+  peaks_.push_back(std::sqrt(peak));
+}
+
+double ControlFields::product(std::size_t a, std::size_t b) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < samples_.size(); ++i) sum += glm::dot(fields_[a][i], fields_[b][i]);
+  return sum;
+}
+
+}  // namespace penpose::intent

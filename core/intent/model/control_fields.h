@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/geometry/space.h"
+
+namespace penpose::intent {
+
+using geometry::ModelPoint;
+using geometry::ModelVector;
+
+[[nodiscard]] inline double square_of(const ModelVector& v) { return v.x * v.x + v.y * v.y + v.z * v.z; }
+
+/// What each control does to the whole model, on a sample of its vertices.
+class ControlFields {
+ public:
+  ControlFields() = default;
+  /// Chooses samples, evenly by number. `rest`: positions at rest.
+  explicit ControlFields(std::span<const ModelPoint> rest);
+
+  /// Adds the next parameter's field: `per` times the way of each vertex. `moved` empty: it moves nothing.
+  void add(std::span<const ModelPoint> rest, std::span<const ModelPoint> moved, double per);
+
+  [[nodiscard]] std::size_t control_count() const { return fields_.size(); }
+  /// The samples at rest.
+  [[nodiscard]] std::span<const ModelPoint> places() const { return places_; }
+  /// Model units for the parameter's whole range; of a joint's angle for a radian. One a sample.
+  [[nodiscard]] std::span<const ModelVector> field(std::size_t control) const { return fields_[control]; }
+  /// Inner product of two fields.
+  [[nodiscard]] double product(std::size_t a, std::size_t b) const;
+  /// Product of a field with itself, and its longest way.
+  [[nodiscard]] double square(std::size_t control) const { return squares_[control]; }
+  [[nodiscard]] double peak(std::size_t control) const { return peaks_[control]; }
+
+ private:
+  std::vector<std::uint32_t> samples_;
+  std::vector<ModelPoint> places_;
+  std::vector<std::vector<ModelVector>> fields_;
+  std::vector<double> squares_, peaks_;
+};
+
+}  // namespace penpose::intent

@@ -1,0 +1,254 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/base/math.h"
+#include "core/intent/reading/reader.h"
+
+// Of lines on faces: what controls do to the whole model beside what was drawn, and what that costs.
+
+namespace penpose::intent {
+namespace {
+
+/// Where nothing was moved at all: more than any ratio that counts.
+constexpr double k_no_share = 1e6;
+/// Other controls follow a line that they can take this share of its way.
+constexpr double k_follows = 0.1;
+
+}  // namespace
+
+std::vector<ModelPoint> Reader::at_rest(std::span<const posing::CurvePoint> reference) const {
+  std::vector<ModelPoint> out;
+  for (const posing::CurvePoint& point : reference) {
+    ModelPoint at{0};
+    for (std::size_t k = 0; k < 3; ++k) at += (*whole_.rest)[point.vertex[k]] * point.weight[k];
+    out.push_back(at);
+  }
+  return out;
+}
+
+bool Reader::spans(std::span<const posing::CurvePoint> reference, std::span<const std::size_t> chain) const {
+  if (any_span_ || chain.empty()) return !chain.empty();
+  double largest = 0;
+  for (const std::size_t joint : chain) largest = std::max(largest, whole_.joint_extents[joint]);
+  geometry::Box box;
+  for (const ModelPoint& at : at_rest(reference)) box.add(at);
+  return box.diagonal() >= face_.spans * largest;
+}
+
+void Reader::group_curves() {
+  const std::size_t count = told_count();
+  std::vector<std::size_t> group(count);
+  const auto points = [&](std::size_t c) { return std::span(start_).subspan(blocks_[c].first, blocks_[c].count); };
+  const auto extent = [&](std::size_t c) {
+    geometry::Box box;
+    for (const ModelPoint& p : points(c)) box.add(p);
+    return box.diagonal();
+  };
+  for (std::size_t c = 0; c < count; ++c) {
+    group[c] = c;
+    for (std::size_t k = 0; k < c; ++k) {
+      const double far = face_.together * std::min(extent(c), extent(k));
+      const bool meets = std::any_of(points(c).begin(), points(c).end(), [&](const ModelPoint& p) {
+        return std::any_of(points(k).begin(), points(k).end(),
+                           [&](const ModelPoint& q) { return square_of(p - q) < far * far; });
+      });
+      if (!meets) continue;
+      std::replace(group.begin(), group.begin() + static_cast<std::ptrdiff_t>(c) + 1, std::size_t{group[c]},
+                   std::size_t{group[k]});
+    }
+  }
+  std::vector<std::size_t> number(count, k_no_partner);
+  for (std::size_t c = 0; c < count; ++c) {
+    if (number[group[c]] == k_no_partner) number[group[c]] = doubt_.add_group(face_.reach);
+    doubt_.add_curve(number[group[c]]);
+  }
+  for (std::size_t c = count; c < blocks_.size(); ++c) doubt_.add_curve(doubt_.add_group(k_reach));
+}
+
+std::vector<std::uint32_t> Reader::samples_near_curves() const {
+  const std::span<const ModelPoint> places = whole_.fields->places();
+  std::vector<bool> is_near(places.size(), false);
+  const auto mark = [&](std::span<const posing::CurvePoint> reference) {
+    const std::vector<ModelPoint> points = at_rest(reference);
+    geometry::Box box;
+    for (const ModelPoint& p : points) box.add(p);
+    const double far = face_.near * box.diagonal();
+    for (std::size_t s = 0; s < places.size(); ++s) {
+      const ModelPoint& at = places[s];
+      const bool outside = at.x < box.minimum.x - far || at.x > box.maximum.x + far || at.y < box.minimum.y - far ||
+                           at.y > box.maximum.y + far || at.z < box.minimum.z - far || at.z > box.maximum.z + far;
+      if (outside || is_near[s]) continue;
+      is_near[s] = std::any_of(points.begin(), points.end(),
+                               [&](const ModelPoint& p) { return square_of(p - at) <= far * far; });
+    }
+  };
+  for (const DrawnCurve& curve : problem_.drawn) mark(curve.reference);
+  for (const KnownCurve& curve : problem_.known) mark(curve.reference);
+  std::vector<std::uint32_t> near;
+  for (std::size_t s = 0; s < places.size(); ++s) {
+    if (is_near[s]) near.push_back(static_cast<std::uint32_t>(s));
+  }
+  return near;
+}
+
+void Reader::measure_fields() {
+  const ControlFields& fields = *whole_.fields;
+  const std::vector<std::uint32_t> near = samples_near_curves();
+  const std::size_t n = start_.size();
+  const std::size_t told = blocks_[told_count() - 1].first + blocks_[told_count() - 1].count;
+  for (std::size_t j = 0; j < parameters_.size(); ++j) {
+    Field& one = fields_.emplace_back();
+    one.near.assign(near.size(), ModelVector{0});
+    // A turn about an axis of the joint's own is a sum of turns by its angles.
+    const std::size_t first = turn_of_[j] == k_no_partner ? parameters_[j] : turns_[turn_of_[j]].first;
+    std::array<double, 3> by{whole_.joint[parameters_[j]] == k_no_partner ? 1.0 : ranges_[j], 0.0, 0.0};
+    std::size_t count = 1;
+    if (turn_of_[j] != k_no_partner) {
+      count = 3;
+      for (std::size_t k = 0; k < 3; ++k)
+        by[k] = turns_[turn_of_[j]].axes[static_cast<int>(axis_of_[j])][static_cast<int>(k)] * ranges_[j];
+    }
+    double whole = 0;
+    double peak = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto field = fields.field(first + k);
+      for (std::size_t i = 0; i < near.size(); ++i) one.near[i] += field[near[i]] * by[k];
+      whole += by[k] * by[k] * fields.square(first + k);
+      peak += by[k] * by[k] * fields.peak(first + k) * fields.peak(first + k);
+      for (std::size_t m = 0; m < k; ++m) whole += 2.0 * by[k] * by[m] * fields.product(first + k, first + m);
+    }
+    for (const ModelVector& way : one.near) one.near_square += square_of(way);
+    one.far_square = std::max(0.0, whole - one.near_square);
+    double most = 0;
+    for (std::size_t i = 0; i < told; ++i) most = std::max(most, square_of(columns_[j * n + i]));
+    one.fringe = most > 0.0 ? std::max(1.0, std::sqrt(peak / most)) : 1e3;
+  }
+  for (const RunVariable& run : run_variables_) {
+    Field one = fields_[run.parts.front().variable];
+    one.near.assign(near.size(), ModelVector{0});
+    for (const RunVariable::Part& part : run.parts) {
+      for (std::size_t i = 0; i < near.size(); ++i) one.near[i] += fields_[part.variable].near[i] * part.by;
+    }
+    one.near_square = 0;
+    for (const ModelVector& way : one.near) one.near_square += square_of(way);
+    fields_.push_back(std::move(one));
+  }
+}
+
+bool Reader::turns_joint(std::size_t variable, std::size_t turn) const {
+  if (variable < parameters_.size()) return turn_of_[variable] == turn;
+  const auto& parts = run_variables_[variable - parameters_.size()].parts;
+  return std::any_of(parts.begin(), parts.end(), [&](const auto& part) { return turn_of_[part.variable] == turn; });
+}
+
+const Reader::Relation& Reader::relation(std::size_t a, std::size_t b) const {
+  relations_.resize(fields_.size());
+  auto& row = relations_[a];
+  if (!row.empty()) return row[b];
+  row.resize(fields_.size());
+  std::vector<double> ways;
+  for (const ModelVector& way : fields_[a].near) ways.push_back(geometry::length(way));
+  for (std::size_t other = 0; other < row.size(); ++other) {
+    const Field& field = fields_[other];
+    const double size = std::sqrt(fields_[a].near_square * field.near_square);
+    if (!(size > 0.0)) continue;
+    double like = 0;
+    double over = 0;
+    for (std::size_t i = 0; i < field.near.size(); ++i) {
+      if (ways[i] == 0.0) continue;
+      like += glm::dot(fields_[a].near[i], field.near[i]);
+      over += ways[i] * geometry::length(field.near[i]);
+    }
+    row[other] = {like / size, over / size};
+  }
+  for (std::size_t t = 0; t < turns_.size(); ++t) {
+    if (!turns_joint(a, t)) continue;
+    for (std::size_t other = 0; other < row.size(); ++other) {
+      if (turns_joint(other, t)) row[other].likeness = 1.0;
+    }
+  }
+  return row[b];
+}
+
+std::size_t Reader::parameter_of(std::size_t variable) const {
+  return variable < parameters_.size() ? variable
+                                       : run_variables_[variable - parameters_.size()].parts.front().variable;
+}
+
+bool Reader::carries_more(const Unit& unit) const {
+  double near = 0;
+  double far = 0;
+  for (std::size_t m = 0; m < unit.count; ++m) {
+    const std::size_t v = parameter_of(unit.members[m]);
+    if (whole_.joint[parameters_[v]] == k_no_partner) return false;
+    near += fields_[v].near_square;
+    far += fields_[v].far_square;
+  }
+  return far > face_.carries_more * near;
+}
+
+void Reader::leave_carriers(bool out) {
+  if (!out) {
+    choices_.units.insert(choices_.units.end(), carriers_.begin(), carriers_.end());
+    carriers_.clear();
+    return;
+  }
+  std::copy_if(choices_.units.begin(), choices_.units.end(), std::back_inserter(carriers_),
+               [&](const Unit& unit) { return carries_more(unit); });
+  std::erase_if(choices_.units, [&](const Unit& unit) { return carries_more(unit); });
+}
+
+bool Reader::others_follow() const {
+  const auto moves = [&](const Block& block, const Unit& unit, double least) {
+    for (std::size_t m = 0; m < unit.count; ++m) {
+      const auto column = std::span(columns_).subspan(parameter_of(unit.members[m]) * start_.size() + block.first);
+      for (std::size_t i = 0; i < block.count; ++i) {
+        if (geometry::length(column[i]) >= least) return true;
+      }
+    }
+    return false;
+  };
+  for (std::size_t c = 0; c < told_count(); ++c) {
+    const Block& block = blocks_[c];
+    double asked = 0;
+    if (block.drawn != nullptr) {
+      const geometry::Camera& camera = block.drawn->camera;
+      asked = way_across(seen(block, start_), block.drawn->target) *
+              camera.units_per_px(std::max(0.0, camera.depth(start_[block.first])));
+    } else {
+      for (std::size_t i = 0; i < block.count; ++i)
+        asked = std::max(asked, geometry::distance(start_[block.first + i], block.known->target[i]));
+    }
+    for (const Unit& unit : choices_.units) {
+      if (!carries_more(unit) && moves(block, unit, k_follows * asked)) return true;
+    }
+  }
+  return false;
+}
+
+void Reader::settle(bool settled) {
+  for (std::size_t j = 0; j < parameters_.size(); ++j) {
+    if (turn_of_[j] == k_no_partner) choices_.stiffness[j] = settled ? face_.settled_share : face_.share;
+  }
+}
+
+double Reader::face_charge(const Unit& unit) const {
+  double near = 0, far = 0, parts = 1, fringe = 1e3;
+  for (std::size_t m = 0; m < unit.count; ++m) {
+    const std::size_t v = parameter_of(unit.members[m]);
+    near += fields_[v].near_square;
+    far += fields_[v].far_square;
+    fringe = std::min(fringe, fields_[v].fringe);
+    parts = std::max(parts, whole_.composites[parameters_[v]].parts);
+  }
+  const double elsewhere = near > 0.0 ? far / near : k_no_share;
+  double charge = face_.unit + face_.elsewhere * base::log(1.0 + elsewhere) + face_.fringe * base::log(fringe) +
+                  face_.part * (parts - 1.0);
+  if (turns(unit.members[0])) charge += face_.carried * base::log(1.0 + elsewhere / face_.carried_from);
+  // The sides of a pair that pull against each other.
+  if (unit.tied) charge += face_.against * std::max(0.0, -likeness(unit.members[0], unit.members[1]) - 0.1);
+  return charge;
+}
+
+}  // namespace penpose::intent

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/intent/reading/quadratic.h"
+#include "core/intent/reading/selection.h"
+#include "core/intent/solve.h"
+#include "core/posing/simplex.h"
+
+namespace penpose::intent {
+
+/// Rivals are choices within this of the best energy.
+inline constexpr double k_rival_window = 12.0;
+/// The linearisation of a joint is valid near its pose only: the most that an angle may change in a round, share of its
+/// range.
+inline constexpr double k_trust = 0.2;
+
+struct SolveWorkspace::Buffers {
+  Quadratic quadratic;
+  posing::SimplexWorkspace simplex;
+};
+
+/// One reading of the strokes, and its energy.
+struct Reading {
+  Choice choice;
+  double energy = 0;
+};
+
+}  // namespace penpose::intent

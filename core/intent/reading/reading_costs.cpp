@@ -1,0 +1,97 @@
+#include "core/intent/reading/reading_costs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/math.h"
+
+namespace penpose::intent {
+namespace {
+
+double value_of(const Choice& choice, std::size_t variable) {
+  const auto at = std::lower_bound(choice.variables.begin(), choice.variables.end(), variable);
+  return choice.values[static_cast<std::size_t>(at - choice.variables.begin())];
+}
+
+std::span<const std::size_t> members_of(const Unit& unit) { return {unit.members.data(), unit.count}; }
+
+}  // namespace
+
+double ReadingCosts::likeness(std::size_t a, std::size_t b) const {
+  double most = 0;
+  for (const std::size_t i : members_of(choices_.units[a])) {
+    for (const std::size_t k : members_of(choices_.units[b])) {
+      const double one = relations_.likeness(i, k);
+      if (std::abs(one) > std::abs(most)) most = one;
+    }
+  }
+  return most;
+}
+
+double ReadingCosts::overlap(std::size_t a, std::size_t b) const {
+  double most = 0;
+  for (const std::size_t i : members_of(choices_.units[a])) {
+    for (const std::size_t k : members_of(choices_.units[b])) most = std::max(most, relations_.overlap(i, k));
+  }
+  return most;
+}
+
+bool ReadingCosts::excludes(std::size_t a, std::size_t b) const {
+  for (const std::size_t i : members_of(choices_.units[a])) {
+    for (const std::size_t k : members_of(choices_.units[b])) {
+      if (i == k) return true;
+    }
+  }
+  return likeness(a, b) > costs_.same;
+}
+
+double ReadingCosts::cost_beside(std::span<const std::size_t> units, std::size_t unit) const {
+  double sum = 0;
+  double helps = 0;
+  for (const std::size_t other : units) {
+    const double like = likeness(other, unit);
+    sum += costs_.against * std::max(0.0, -like - 0.1) + costs_.twice * std::max(0.0, like - 0.3);
+    helps = std::max(helps, overlap(other, unit));
+  }
+  return sum + costs_.helper * helps;
+}
+
+double ReadingCosts::cost_beside(const Choice& choice, std::size_t unit) const {
+  return choices_.units[unit].charge + cost_beside(choice.units, unit);
+}
+
+double ReadingCosts::limit_costs(const Choice& choice) const {
+  double sum = 0;
+  for (const std::size_t u : choice.units) {
+    double most = 0;
+    for (const std::size_t v : members_of(choices_.units[u]))
+      most = std::max(most, share_of_range(value_of(choice, v), v, choices_));
+    sum += costs_.limit * std::max(0.0, (most - costs_.limit_from) / (1.0 - costs_.limit_from));
+  }
+  return sum;
+}
+
+double ReadingCosts::stiffness_of(const Choice& choice) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < choice.variables.size(); ++i)
+    sum += choices_.stiffness[choice.variables[i]] * choice.values[i] * choice.values[i];
+  return sum;
+}
+
+double ReadingCosts::costs_of(const Choice& choice) const {
+  if (choice.units.empty()) {
+    // A line that asks for more than the hand's doubt is not drawn for nothing.
+    return costs_.nothing * base::log(std::max(1.0, asked_ / costs_.asks_from)) / base::log(10.0);
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < choice.units.size(); ++i) {
+    const Unit& unit = choices_.units[choice.units[i]];
+    sum += unit.charge + cost_beside(std::span(choice.units).first(i), choice.units[i]);
+    if (!unit.tied) continue;
+    const double apart = value_of(choice, unit.members[0]) - value_of(choice, unit.members[1]);
+    sum += costs_.tie * apart * apart;
+  }
+  return sum;
+}
+
+}  // namespace penpose::intent

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/intent/reading/costs.h"
+#include "core/intent/reading/selection.h"
+
+namespace penpose::intent {
+
+/// How variables stand to each other near the drawn curves.
+class Relations {
+ public:
+  virtual ~Relations() = default;
+  /// The cosine of what two variables do there; 1 where both turn one joint.
+  [[nodiscard]] virtual double likeness(std::size_t a, std::size_t b) const = 0;
+  /// How much they move the same places, in whatever direction: 0 to 1.
+  [[nodiscard]] virtual double overlap(std::size_t a, std::size_t b) const = 0;
+};
+
+/// What readings of lines on faces cost (FaceCosts).
+class ReadingCosts final : public ChoiceCosts {
+ public:
+  /// `asked`: the largest D of a curve before anything moves.
+  ReadingCosts(const Choices& choices, const FaceCosts& costs, const Relations& relations, double asked)
+      : choices_(choices), costs_(costs), relations_(relations), asked_(asked) {}
+
+  [[nodiscard]] double costs_of(const Choice& choice) const override;
+  [[nodiscard]] double limit_costs(const Choice& choice) const override;
+  /// Of the squares of its values.
+  [[nodiscard]] double stiffness_of(const Choice& choice) const;
+  /// Of one more unit beside those of a choice, apart from its value.
+  [[nodiscard]] double cost_beside(const Choice& choice, std::size_t unit) const;
+  /// Whether two units cannot move together.
+  [[nodiscard]] bool excludes(std::size_t a, std::size_t b) const;
+  [[nodiscard]] const Choices& choices() const { return choices_; }
+  [[nodiscard]] const FaceCosts& constants() const { return costs_; }
+
+ private:
+  /// Of the members' pairs the one farthest from 0.
+  [[nodiscard]] double likeness(std::size_t a, std::size_t b) const;
+  [[nodiscard]] double overlap(std::size_t a, std::size_t b) const;
+  [[nodiscard]] double cost_beside(std::span<const std::size_t> units, std::size_t unit) const;
+
+  const Choices& choices_;
+  const FaceCosts& costs_;
+  const Relations& relations_;
+  double asked_ = 0;
+};
+
+}  // namespace penpose::intent

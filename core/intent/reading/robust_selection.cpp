@@ -1,0 +1,269 @@
+#include "core/intent/reading/robust_selection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/algebra/cholesky.h"
+
+namespace penpose::intent {
+namespace {
+
+/// Share of a variable's own curvature that must be left of it beside those before it.
+constexpr double k_pivot_share = 1e-12;
+/// Times that curves are weighted anew for one choice; fewer where values change by less than this.
+constexpr int k_weighings = 4;
+constexpr double k_settled = 1e-3;
+/// Of all units that might be added, so many are fitted: the best by a guess.
+constexpr std::size_t k_tries = 10;
+
+std::size_t index_in(std::span<const std::size_t> variables, std::size_t v) {
+  return static_cast<std::size_t>(std::lower_bound(variables.begin(), variables.end(), v) - variables.begin());
+}
+
+}  // namespace
+
+void RobustSelection::squares_at(const Choice& choice, std::vector<double>& out) const {
+  const std::size_t n = choice.variables.size();
+  out.resize(q_.part_count());
+  for (std::size_t p = 0; p < out.size(); ++p) {
+    double sum = q_.part_constant(p);
+    for (std::size_t i = 0; i < n; ++i) {
+      double image = 0;
+      for (std::size_t k = 0; k < n; ++k)
+        image += q_.part_curvature(p, choice.variables[i], choice.variables[k]) * choice.values[k];
+      sum += choice.values[i] * (image - 2.0 * q_.part_pull(p, choice.variables[i]));
+    }
+    out[p] = std::max(0.0, sum);
+  }
+}
+
+void RobustSelection::set_up(const Choice& choice, std::span<const double> weights) {
+  const std::size_t n = choice.variables.size();
+  matrix_.assign(n * n, 0.0);
+  pulls_.assign(n, 0.0);
+  for (std::size_t p = 0; p < weights.size(); ++p) {
+    for (std::size_t i = 0; i < n; ++i) {
+      pulls_[i] += weights[p] * q_.part_pull(p, choice.variables[i]);
+      for (std::size_t k = 0; k <= i; ++k)
+        matrix_[i * n + k] += weights[p] * q_.part_curvature(p, choice.variables[i], choice.variables[k]);
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) matrix_[i * n + i] += choices_.stiffness[choice.variables[i]];
+  const double tie = costs_.constants().tie;
+  for (const std::size_t u : choice.units) {
+    const Unit& unit = choices_.units[u];
+    if (!unit.tied) continue;
+    const std::size_t a = index_in(choice.variables, unit.members[0]);
+    const std::size_t b = index_in(choice.variables, unit.members[1]);
+    matrix_[a * n + a] += tie;
+    matrix_[b * n + b] += tie;
+    matrix_[std::max(a, b) * n + std::min(a, b)] -= tie;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < i; ++k) matrix_[k * n + i] = matrix_[i * n + k];
+  }
+}
+
+std::vector<double> RobustSelection::solve_within_ranges(std::span<const std::size_t> variables) {
+  const std::size_t n = variables.size();
+  std::vector<double> values(n, 0.0);
+  solved_ = matrix_;
+  if (algebra::factor(solved_.data(), n, k_pivot_share)) {
+    values = pulls_;
+    algebra::solve_factored(solved_.data(), n, values.data());
+    bool inside = true;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double value = values[i];
+      values[i] = std::clamp(value, choices_.low[variables[i]], choices_.high[variables[i]]);
+      inside = inside && value == values[i];
+    }
+    if (inside) return values;
+  }
+  // Coordinate descent from the clamped solution.
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < n; ++k) pulls_[k] -= values[i] * matrix_[i * n + k];
+  }
+  constexpr int k_sweeps = 100;
+  for (int sweep = 0; sweep < k_sweeps; ++sweep) {
+    double largest = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!(matrix_[i * n + i] > 0.0)) continue;
+      const double low = choices_.low[variables[i]];
+      const double high = choices_.high[variables[i]];
+      const double change = std::clamp(values[i] + pulls_[i] / matrix_[i * n + i], low, high) - values[i];
+      if (change == 0.0) continue;
+      values[i] += change;
+      for (std::size_t k = 0; k < n; ++k) pulls_[k] -= change * matrix_[i * n + k];
+      largest = std::max(largest, std::abs(change));
+    }
+    if (largest < 1e-5) break;
+  }
+  return values;
+}
+
+Choice RobustSelection::fit(std::vector<std::size_t> units) {
+  ++evaluations_;
+  Choice choice;
+  choice.units = std::move(units);
+  for (const std::size_t u : choice.units) {
+    const Unit& unit = choices_.units[u];
+    choice.variables.insert(choice.variables.end(), unit.members.begin(), unit.members.begin() + unit.count);
+  }
+  std::stable_sort(choice.variables.begin(), choice.variables.end());
+  for (const std::size_t v : choice.variables) q_.prepare_parts(v);
+  const std::size_t n = choice.variables.size();
+  choice.values.assign(n, 0.0);
+  squares_at(choice, squares_);
+  for (int weighing = 0; weighing < k_weighings && n > 0; ++weighing) {
+    doubt_.weights(squares_, weights_);
+    set_up(choice, weights_);
+    std::vector<double> values = solve_within_ranges(choice.variables);
+    double change = 0;
+    for (std::size_t i = 0; i < n; ++i) change = std::max(change, std::abs(values[i] - choice.values[i]));
+    choice.values = std::move(values);
+    squares_at(choice, squares_);
+    if (weighing > 0 && change < k_settled) break;
+  }
+  choice.costs = costs_.costs_of(choice) + costs_.limit_costs(choice);
+  choice.energy = doubt_.energy(squares_) + choice.costs + costs_.stiffness_of(choice);
+  return choice;
+}
+
+RobustSelection::Base RobustSelection::base_of(const Choice& choice) {
+  const std::size_t n = choice.variables.size();
+  for (const std::size_t v : choice.variables) q_.prepare_parts(v);
+  Base base;
+  base.choice = &choice;
+  squares_at(choice, base.squares);
+  doubt_.weights(base.squares, base.weights);
+  set_up(choice, base.weights);
+  base.factor = matrix_;
+  if (!algebra::factor(base.factor.data(), n, k_pivot_share)) base.factor.clear();
+  for (std::size_t p = 0; p < q_.part_count(); ++p) {
+    for (std::size_t i = 0; i < n; ++i) {
+      double pull = q_.part_pull(p, choice.variables[i]);
+      for (std::size_t k = 0; k < n; ++k)
+        pull -= q_.part_curvature(p, choice.variables[i], choice.variables[k]) * choice.values[k];
+      base.pulls.push_back(pull);
+    }
+  }
+  return base;
+}
+
+std::optional<double> RobustSelection::guess(const Base& base, std::size_t added) {
+  const Unit& unit = choices_.units[added];
+  const std::span<const std::size_t> variables = base.choice->variables;
+  const std::size_t n = variables.size();
+  const std::size_t parts = q_.part_count();
+  if (unit.tied) q_.prepare_parts(unit.members[0]);
+  // The unit as one direction: its pull, curvature and products with the base, for each part and weighted.
+  std::vector<double> pull(parts, 0.0), curvature(parts, 0.0), cross(parts * n, 0.0), answer(n, 0.0);
+  double whole_pull = 0, left = 0;
+  for (std::size_t p = 0; p < parts; ++p) {
+    for (std::size_t m = 0; m < unit.count; ++m) {
+      const std::size_t v = unit.members[m];
+      pull[p] += q_.part_pull(p, v);
+      curvature[p] += q_.part_curvature(p, v, v);
+      for (std::size_t i = 0; i < n; ++i) {
+        const double c = q_.part_curvature(p, variables[i], v);
+        pull[p] -= c * base.choice->values[i];
+        cross[p * n + i] += c;
+      }
+    }
+    if (unit.tied) curvature[p] += 2.0 * q_.part_curvature(p, unit.members[0], unit.members[1]);
+    whole_pull += base.weights[p] * pull[p];
+    left += base.weights[p] * curvature[p];
+    for (std::size_t i = 0; i < n; ++i) answer[i] += base.weights[p] * cross[p * n + i];
+  }
+  const double whole = left;
+  if (!base.factor.empty()) {
+    const std::vector<double> products = answer;
+    algebra::solve_factored(base.factor.data(), n, answer.data());
+    for (std::size_t i = 0; i < n; ++i) left -= products[i] * answer[i];
+  }
+  if (!(left > 1e-9 * whole)) return std::nullopt;
+  const std::size_t v = unit.members[0];
+  const double stiffness = choices_.stiffness[v] * static_cast<double>(unit.count);
+  const double step = std::clamp(whole_pull / (left + stiffness), choices_.low[v], choices_.high[v]);
+  if (step == 0.0) return std::nullopt;
+  std::vector<double> squares = base.squares;
+  for (std::size_t p = 0; p < parts; ++p) {
+    double first = pull[p];
+    double second = curvature[p];
+    for (std::size_t i = 0; i < n; ++i) {
+      double image = 0;
+      for (std::size_t k = 0; k < n; ++k) image += q_.part_curvature(p, variables[i], variables[k]) * answer[k];
+      first -= answer[i] * base.pulls[p * n + i];
+      second += answer[i] * (image - 2.0 * cross[p * n + i]);
+    }
+    squares[p] -= step * (2.0 * first - step * second);
+  }
+  const double before = base.choice->units.empty() ? 0.0 : base.choice->costs;
+  return doubt_.energy(squares) + before + costs_.cost_beside(*base.choice, added) + stiffness * step * step;
+}
+
+void RobustSelection::try_all(const Choice& from, Choice& best, std::size_t most) {
+  if (from.units.size() >= most) return;
+  const Base base = base_of(from);
+  std::vector<std::pair<double, std::size_t>> guesses;
+  std::vector<std::size_t> tries;
+  for (std::size_t u = 0; u < choices_.units.size(); ++u) {
+    if (std::any_of(from.units.begin(), from.units.end(), [&](std::size_t one) { return costs_.excludes(one, u); }))
+      continue;
+    const Unit& unit = choices_.units[u];
+    // Turns about several axes are few, and no one direction.
+    if (unit.count > 1 && !unit.tied) {
+      tries.push_back(u);
+    } else if (const auto energy = guess(base, u)) {
+      guesses.emplace_back(*energy, u);
+    }
+  }
+  std::stable_sort(guesses.begin(), guesses.end());
+  for (std::size_t k = 0; k < std::min(k_tries, guesses.size()); ++k) tries.push_back(guesses[k].second);
+  for (const std::size_t u : tries) {
+    auto units = from.units;
+    units.insert(std::lower_bound(units.begin(), units.end(), u), u);
+    Choice tried = fit(std::move(units));
+    tried_.push_back(tried);
+    if (tried.energy < best.energy - 1e-9) best = std::move(tried);
+  }
+}
+
+Choice RobustSelection::select(Choice first, std::size_t most) {
+  Choice current = std::move(first);
+  tried_.assign(1, current);
+  constexpr int k_rounds = 12;
+  for (int round = 0; round < k_rounds; ++round) {
+    Choice best = current;
+    try_all(current, best, most);
+    for (const std::size_t out : current.units) {
+      auto fewer = current.units;
+      std::erase(fewer, out);
+      const Choice without = fit(std::move(fewer));
+      tried_.push_back(without);
+      if (without.energy < best.energy - 1e-9) best = without;
+      try_all(without, best, most);
+    }
+    if (!(best.energy < current.energy - 1e-9)) break;
+    current = std::move(best);
+  }
+  return current;
+}
+
+std::vector<Choice> RobustSelection::best(std::size_t count, double window) const {
+  std::vector<std::size_t> order(tried_.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return tried_[a].energy < tried_[b].energy; });
+  std::vector<Choice> out;
+  for (const std::size_t i : order) {
+    const Choice& one = tried_[i];
+    if (out.size() >= count || (!out.empty() && one.energy > out.front().energy + window)) break;
+    if (std::any_of(out.begin(), out.end(), [&](const Choice& c) { return c.units == one.units; })) continue;
+    out.push_back(one);
+  }
+  return out;
+}
+
+}  // namespace penpose::intent

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/intent/reading/doubt.h"
+#include "core/intent/reading/quadratic.h"
+#include "core/intent/reading/reading_costs.h"
+
+namespace penpose::intent {
+
+/// Finds the best few choices of units for lines on faces: those of least Doubt::energy and ReadingCosts.
+/// Deterministic: equal energies keep the choice that came first.
+class RobustSelection {
+ public:
+  /// Precondition: the quadratic has a part for each curve, and one more for what counts by its squares.
+  RobustSelection(Quadratic& quadratic, const ReadingCosts& costs, const Doubt& doubt)
+      : q_(quadratic), choices_(costs.choices()), costs_(costs), doubt_(doubt) {}
+
+  /// The least energy of these units: least squares within the ranges, weighted again and again by what is left.
+  [[nodiscard]] Choice fit(std::vector<std::size_t> units);
+  /// The best choice found from a first one: adds, exchanges and removes units, one at a time, while that lowers the
+  /// energy. `most`: units at most.
+  [[nodiscard]] Choice select(Choice first, std::size_t most);
+  /// The best of all that the last selection tried, each once, at most `window` above the first.
+  [[nodiscard]] std::vector<Choice> best(std::size_t count, double window) const;
+  [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
+
+ private:
+  /// A choice to add units to: its squares and their weights, and how it gives way to one more.
+  struct Base {
+    const Choice* choice = nullptr;
+    std::vector<double> squares, weights;
+    std::vector<double> factor;  ///< lower Cholesky factor of its weighted matrix, by rows
+    std::vector<double> pulls;   ///< left of each variable, a run of them a part
+  };
+  void squares_at(const Choice& choice, std::vector<double>& out) const;
+  /// Fills matrix_ and pulls_ for a choice's variables, the curves weighted.
+  void set_up(const Choice& choice, std::span<const double> weights);
+  /// Least squares of matrix_ and pulls_ within the ranges.
+  [[nodiscard]] std::vector<double> solve_within_ranges(std::span<const std::size_t> variables);
+  [[nodiscard]] Base base_of(const Choice& choice);
+  /// The energy about where one more unit and the base meet its pull; nothing where that moves nothing.
+  [[nodiscard]] std::optional<double> guess(const Base& base, std::size_t unit);
+  void try_all(const Choice& from, Choice& best, std::size_t most);
+
+  Quadratic& q_;
+  const Choices& choices_;
+  const ReadingCosts& costs_;
+  const Doubt& doubt_;
+  std::vector<Choice> tried_;
+  std::size_t evaluations_ = 0;
+  std::vector<double> matrix_, pulls_, solved_, squares_, weights_;
+};
+
+}  // namespace penpose::intent
