@@ -18,7 +18,7 @@ class Doubt {
   std::size_t add_group(double reach);
   /// Adds the next curve. Precondition: the group exists.
   void add_curve(std::size_t group);
-  [[nodiscard]] std::size_t curve_count() const { return group_of_.size(); }
+  [[nodiscard]] std::size_t group_of(std::size_t curve) const { return group_of_[curve]; }
   /// `squares`: D of each curve, and then of what counts by its squares alone.
   [[nodiscard]] double energy(std::span<const double> squares) const;
   /// dE/dD of each.

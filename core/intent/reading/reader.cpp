@@ -117,6 +117,7 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
   measure_side_effects();
   if (!limb()) {
     group_curves();
+    measure_groups();
     measure_fields();
   }
   all_.resize(parameters_.size());
@@ -141,8 +142,11 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
 
 void Reader::measure_asked() {
   energy_at(problem_.start);
-  asked_ = 0;
-  for (std::size_t c = 0; c < told_count(); ++c) asked_ = std::max(asked_, squares(blocks_[c], positions_));
+  std::fill(asked_.begin(), asked_.end(), 0.0);
+  for (std::size_t c = 0; c < told_count(); ++c) {
+    double& asked = asked_[doubt_.group_of(c)];
+    asked = std::max(asked, squares(blocks_[c], positions_));
+  }
 }
 
 void Reader::place(const rig::Pose& pose, std::vector<ModelPoint>& out) {

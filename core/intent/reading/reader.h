@@ -50,6 +50,9 @@ class Reader final : public Relations {
   [[nodiscard]] ReadingCosts reading_costs() const { return {choices_, face_, *this, asked_}; }
   [[nodiscard]] double likeness(std::size_t a, std::size_t b) const override { return relation(a, b).likeness; }
   [[nodiscard]] double overlap(std::size_t a, std::size_t b) const override { return relation(a, b).overlap; }
+  [[nodiscard]] bool moves_group(std::size_t variable, std::size_t group) const override {
+    return moved_groups_[parameter_of(variable)][group];
+  }
   /// Whether a variable is a joint's.
   [[nodiscard]] bool turns(std::size_t variable) const {
     return variable >= parameters_.size() || whole_.joint[parameters_[variable]] != k_no_partner;
@@ -182,6 +185,8 @@ class Reader final : public Relations {
   [[nodiscard]] std::vector<std::uint32_t> samples_near_curves() const;
   void measure_fields();
   void measure_asked();
+  /// Whether each parameter moves a curve of each group by at least k_tells of what anything moves it.
+  void measure_groups();
   /// Whether a variable turns that joint.
   [[nodiscard]] bool turns_joint(std::size_t variable, std::size_t turn) const;
   /// Whether a unit is a joint that carries much more than what was drawn.
@@ -240,7 +245,8 @@ class Reader final : public Relations {
   std::vector<Field> fields_;   ///< one a variable
   std::vector<Unit> carriers_;  ///< left out of choices_
   mutable std::vector<std::vector<Relation>> relations_;
-  double asked_ = 0;
+  std::vector<double> asked_;                    ///< one a group that tells of controls
+  std::vector<std::vector<bool>> moved_groups_;  ///< one a parameter: whether it moves each of them
   posing::CurveSystem system_;
   std::vector<Block> blocks_;
   std::vector<std::size_t> parameters_;

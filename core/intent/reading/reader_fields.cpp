@@ -14,6 +14,8 @@ namespace {
 constexpr double k_no_share = 1e6;
 /// Other controls follow a line that they can take this share of its way.
 constexpr double k_follows = 0.1;
+/// A control moves a group of curves that it moves by this share of what anything moves it.
+constexpr double k_tells = 0.05;
 
 }  // namespace
 
@@ -66,6 +68,31 @@ void Reader::group_curves() {
   for (std::size_t c = count; c < blocks_.size(); ++c) doubt_.add_curve(doubt_.add_group(k_reach));
 }
 
+void Reader::measure_groups() {
+  std::size_t groups = 0;
+  for (std::size_t c = 0; c < told_count(); ++c) groups = std::max(groups, doubt_.group_of(c) + 1);
+  asked_.assign(groups, 0.0);
+  const std::size_t d = parameters_.size();
+  std::vector<double> ways(d * groups, 0.0);
+  for (std::size_t j = 0; j < d; ++j) {
+    for (std::size_t c = 0; c < told_count(); ++c) {
+      double& way = ways[j * groups + doubt_.group_of(c)];
+      for (std::size_t i = blocks_[c].first; i < blocks_[c].first + blocks_[c].count; ++i)
+        way = std::max(way, square_of(columns_[j * start_.size() + i]));
+    }
+  }
+  moved_groups_.assign(d, std::vector<bool>(groups, false));
+  for (std::size_t g = 0; g < groups; ++g) {
+    // A whole turn of a joint goes far and says nothing of what shapes do.
+    double most = 0;
+    for (std::size_t j = 0; j < d; ++j) {
+      if (!turns(j)) most = std::max(most, ways[j * groups + g]);
+    }
+    for (std::size_t j = 0; j < d; ++j)
+      moved_groups_[j][g] = ways[j * groups + g] > 0.0 && ways[j * groups + g] >= k_tells * k_tells * most;
+  }
+}
+
 std::vector<std::uint32_t> Reader::samples_near_curves() const {
   const std::span<const ModelPoint> places = whole_.fields->places();
   std::vector<bool> is_near(places.size(), false);
@@ -96,7 +123,8 @@ void Reader::measure_fields() {
   const ControlFields& fields = *whole_.fields;
   const std::vector<std::uint32_t> near = samples_near_curves();
   const std::size_t n = start_.size();
-  const std::size_t told = blocks_[told_count() - 1].first + blocks_[told_count() - 1].count;
+  std::size_t told = 0;
+  for (std::size_t c = 0; c < told_count(); ++c) told += blocks_[c].count;
   for (std::size_t j = 0; j < parameters_.size(); ++j) {
     Field& one = fields_.emplace_back();
     one.near.assign(near.size(), ModelVector{0});

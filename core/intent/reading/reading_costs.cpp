@@ -57,7 +57,29 @@ double ReadingCosts::cost_beside(std::span<const std::size_t> units, std::size_t
 }
 
 double ReadingCosts::cost_beside(const Choice& choice, std::size_t unit) const {
-  return choices_.units[unit].charge + cost_beside(choice.units, unit);
+  double sum = choices_.units[unit].charge + cost_beside(choice.units, unit);
+  for (std::size_t g = 0; g < asked_.size(); ++g) {
+    const auto moves_it = [&](std::size_t u) { return moves(u, g); };
+    if (moves_it(unit) && std::none_of(choice.units.begin(), choice.units.end(), moves_it)) sum -= cost_of_nothing(g);
+  }
+  return sum;
+}
+
+bool ReadingCosts::moves(std::size_t unit, std::size_t group) const {
+  const auto members = members_of(choices_.units[unit]);
+  return std::any_of(members.begin(), members.end(), [&](std::size_t v) { return relations_.moves_group(v, group); });
+}
+
+double ReadingCosts::cost_of_nothing(std::size_t group) const {
+  return costs_.nothing * base::log(std::max(1.0, asked_[group] / costs_.asks_from)) / base::log(10.0);
+}
+
+double ReadingCosts::cost_of_nothing(std::span<const std::size_t> units) const {
+  double sum = 0;
+  for (std::size_t g = 0; g < asked_.size(); ++g) {
+    if (std::none_of(units.begin(), units.end(), [&](std::size_t u) { return moves(u, g); })) sum += cost_of_nothing(g);
+  }
+  return sum;
 }
 
 double ReadingCosts::limit_costs(const Choice& choice) const {
@@ -79,11 +101,7 @@ double ReadingCosts::stiffness_of(const Choice& choice) const {
 }
 
 double ReadingCosts::costs_of(const Choice& choice) const {
-  if (choice.units.empty()) {
-    // A line that asks for more than the hand's doubt is not drawn for nothing.
-    return costs_.nothing * base::log(std::max(1.0, asked_ / costs_.asks_from)) / base::log(10.0);
-  }
-  double sum = 0;
+  double sum = cost_of_nothing(choice.units);
   for (std::size_t i = 0; i < choice.units.size(); ++i) {
     const Unit& unit = choices_.units[choice.units[i]];
     sum += unit.charge + cost_beside(std::span(choice.units).first(i), choice.units[i]);

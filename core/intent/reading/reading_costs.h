@@ -13,13 +13,16 @@ class Relations {
   [[nodiscard]] virtual double likeness(std::size_t a, std::size_t b) const = 0;
   /// How much they move the same places, in whatever direction: 0 to 1.
   [[nodiscard]] virtual double overlap(std::size_t a, std::size_t b) const = 0;
+  /// Whether a variable moves a curve of a group.
+  [[nodiscard]] virtual bool moves_group(std::size_t variable, std::size_t group) const = 0;
 };
 
 /// What readings of lines on faces cost (FaceCosts).
 class ReadingCosts final : public ChoiceCosts {
  public:
-  /// `asked`: the largest D of a curve before anything moves.
-  ReadingCosts(const Choices& choices, const FaceCosts& costs, const Relations& relations, double asked)
+  /// `asked`: for each group of curves the largest D before anything moves.
+  ReadingCosts(const Choices& choices, const FaceCosts& costs, const Relations& relations,
+               std::span<const double> asked)
       : choices_(choices), costs_(costs), relations_(relations), asked_(asked) {}
 
   [[nodiscard]] double costs_of(const Choice& choice) const override;
@@ -38,11 +41,16 @@ class ReadingCosts final : public ChoiceCosts {
   [[nodiscard]] double likeness(std::size_t a, std::size_t b) const;
   [[nodiscard]] double overlap(std::size_t a, std::size_t b) const;
   [[nodiscard]] double cost_beside(std::span<const std::size_t> units, std::size_t unit) const;
+  /// Of the groups that none of the units moves: a line that asks for more than the hand's doubt is not drawn for
+  /// nothing.
+  [[nodiscard]] double cost_of_nothing(std::span<const std::size_t> units) const;
+  [[nodiscard]] double cost_of_nothing(std::size_t group) const;
+  [[nodiscard]] bool moves(std::size_t unit, std::size_t group) const;
 
   const Choices& choices_;
   const FaceCosts& costs_;
   const Relations& relations_;
-  double asked_ = 0;
+  std::span<const double> asked_;
 };
 
 }  // namespace penpose::intent

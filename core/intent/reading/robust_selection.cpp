@@ -199,8 +199,8 @@ std::optional<double> RobustSelection::guess(const Base& base, std::size_t added
     }
     squares[p] -= step * (2.0 * first - step * second);
   }
-  const double before = base.choice->units.empty() ? 0.0 : base.choice->costs;
-  return doubt_.energy(squares) + before + costs_.cost_beside(*base.choice, added) + stiffness * step * step;
+  return doubt_.energy(squares) + base.choice->costs + costs_.cost_beside(*base.choice, added) +
+         stiffness * step * step;
 }
 
 void RobustSelection::try_all(const Choice& from, Choice& best, std::size_t most) {
