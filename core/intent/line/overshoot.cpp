@@ -13,7 +13,7 @@ constexpr double k_told_by = 0.15;
 constexpr double k_least = 0.005;
 /// A hand that goes straight on strays from it by this many times the doubt.
 constexpr double k_strays = 2.5;
-constexpr std::size_t k_samples = 4;
+constexpr std::size_t k_places = 4;
 
 /// From inside the curve to its end, length one.
 PxPoint outwards(std::span<const PxPoint> seen, std::span<const double> along, bool last) {
@@ -48,16 +48,16 @@ std::array<Overshoot, 2> overshoots(const SlidingLine& line, std::span<const PxP
     one.share = length / along.back();
     const PxPoint way = outwards(seen, along, last);
     one.across = {-way.y, way.x};
-    std::array<double, k_samples> off{};
+    std::array<double, k_places> off{};
     double mean = 0;
-    for (std::size_t k = 0; k < k_samples; ++k) {
-      const double step = length * (static_cast<double>(k) + 0.5) / static_cast<double>(k_samples);
+    for (std::size_t k = 0; k < k_places; ++k) {
+      const double step = length * (static_cast<double>(k) + 0.5) / static_cast<double>(k_places);
       const PxPoint p = line.at(to_start ? at - step : at + step);
-      one.middle = one.middle + p * (1.0 / static_cast<double>(k_samples));
+      one.middle = one.middle + p * (1.0 / static_cast<double>(k_places));
       off[k] = dot(one.across, p);
-      mean += off[k] / static_cast<double>(k_samples);
+      mean += off[k] / static_cast<double>(k_places);
     }
-    for (const double d : off) one.spread += (d - mean) * (d - mean) / static_cast<double>(k_samples);
+    for (const double d : off) one.spread += (d - mean) * (d - mean) / static_cast<double>(k_places);
     const double apart = mean - dot(one.across, seen[one.end]);
     if (apart * apart + one.spread < k_strays * k_strays * doubt * doubt) one.share = 0.0;
   }

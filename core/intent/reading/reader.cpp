@@ -114,6 +114,7 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
   turn_of_ = std::move(kept_turns);
   axis_of_ = std::move(kept_axes);
   make_runs();
+  columns_at_.clear();  // those of runs are to be made
   measure_side_effects();
   if (!limb()) {
     group_curves();
