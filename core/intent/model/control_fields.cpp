@@ -23,16 +23,13 @@ ControlFields::ControlFields(std::span<const ModelPoint> rest) {
 void ControlFields::add(std::span<const ModelPoint> rest, std::span<const ModelPoint> moved, double per) {
   auto& field = fields_.emplace_back(samples_.size(), ModelVector{0});
   double sum = 0;
-  double peak = 0;
   for (std::size_t i = 0; i < samples_.size() && !moved.empty(); ++i) {
     const ModelVector way = (moved[samples_[i]] - rest[samples_[i]]) * per;
     if (!std::isfinite(way.x + way.y + way.z)) continue;
     field[i] = way;
     sum += square_of(way);
-    peak = std::max(peak, square_of(way));
   }
   squares_.push_back(sum);
-  peaks_.push_back(std::sqrt(peak));
 }
 
 double ControlFields::product(std::size_t a, std::size_t b) const {

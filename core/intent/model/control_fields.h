@@ -32,15 +32,14 @@ class ControlFields {
   [[nodiscard]] std::span<const ModelVector> field(std::size_t control) const { return fields_[control]; }
   /// Inner product of two fields.
   [[nodiscard]] double product(std::size_t a, std::size_t b) const;
-  /// Product of a field with itself, and its longest way.
+  /// Product of a field with itself.
   [[nodiscard]] double square(std::size_t control) const { return squares_[control]; }
-  [[nodiscard]] double peak(std::size_t control) const { return peaks_[control]; }
 
  private:
   std::vector<std::uint32_t> samples_;
   std::vector<ModelPoint> places_;
   std::vector<std::vector<ModelVector>> fields_;
-  std::vector<double> squares_, peaks_;
+  std::vector<double> squares_;
 };
 
 }  // namespace penpose::intent

@@ -13,15 +13,12 @@ struct FaceCosts {
   double unit = 4.3;
   /// What moves nothing though the line asks for ten times `asks_from` squares of doubt; grows with their logarithm.
   double nothing = 6.0;
-  double asks_from = 35.0;
+  double asks_from = 18.0;
   /// Times log(1 + what a unit moves elsewhere over what it moves near the drawn curves, both squared).
   double elsewhere = 2.5;
   /// Of joints the same beyond `carried_from`: a head that turns carries hair, ears and the other half.
   double carried = 8.0;
   double carried_from = 8.0;
-  /// Times log(largest way anywhere / largest way of the drawn curves): a line over the fringe of a field does not mean
-  /// it.
-  double fringe = 2.0;
   /// Each part beyond the first of a control that is the sum of others.
   double part = 10.0;
   /// Each axis about which a joint turns.
@@ -43,7 +40,7 @@ struct FaceCosts {
   /// Times the square of the difference between the sides of a pair.
   double tie = 10.0;
   /// Near a curve is what lies within this share of its extent.
-  double near = 0.25;
+  double near = 0.18;
   /// Curves nearer to each other than this share of the smaller one's extent are met or missed together.
   double together = 0.15;
   /// A line speaks for joints whose own part of the model it spans by this share.

@@ -170,7 +170,6 @@ class Reader final : public Relations {
   struct Field {
     std::vector<ModelVector> near;           ///< at the samples near the drawn curves, for its whole range
     double near_square = 0, far_square = 0;  ///< sums of squares there and elsewhere
-    double fringe = 1;                       ///< the longest way anywhere over that of the drawn curves, at least 1
   };
   struct Relation {
     double likeness = 0, overlap = 0;
