@@ -231,8 +231,29 @@ void RobustSelection::try_all(const Choice& from, Choice& best, std::size_t most
 }
 
 Choice RobustSelection::select(Choice first, std::size_t most) {
-  Choice current = std::move(first);
-  tried_.assign(1, current);
+  tried_.assign(1, first);
+  const bool from_nothing = first.units.empty();
+  Choice found = climb(std::move(first), most);
+  if (!from_nothing) return found;
+  // The first step may lead away from what two steps would find: a sum of shapes from its parts.
+  const auto other = best_beside(found);
+  if (!other) return found;
+  Choice second = climb(*other, most);
+  return second.energy < found.energy - 1e-9 ? second : found;
+}
+
+std::optional<Choice> RobustSelection::best_beside(const Choice& found) const {
+  const Choice* best = nullptr;
+  for (const Choice& one : tried_) {
+    if (one.units.size() != 1 || (best != nullptr && best->energy <= one.energy)) continue;
+    const bool held = std::any_of(found.units.begin(), found.units.end(),
+                                  [&](std::size_t u) { return costs_.excludes(u, one.units.front()); });
+    if (!held) best = &one;
+  }
+  return best == nullptr ? std::nullopt : std::optional<Choice>(*best);
+}
+
+Choice RobustSelection::climb(Choice current, std::size_t most) {
   constexpr int k_rounds = 12;
   for (int round = 0; round < k_rounds; ++round) {
     Choice best = current;

@@ -20,8 +20,8 @@ class RobustSelection {
 
   /// The least energy of these units: least squares within the ranges, weighted again and again by what is left.
   [[nodiscard]] Choice fit(std::vector<std::size_t> units);
-  /// The best choice found from a first one: adds, exchanges and removes units, one at a time, while that lowers the
-  /// energy. `most`: units at most.
+  /// The best choice found from a first one, adding, exchanging and removing units; from nothing in two ways. `most`:
+  /// units at most.
   [[nodiscard]] Choice select(Choice first, std::size_t most);
   /// The best of all that the last selection tried, each once, at most `window` above the first.
   [[nodiscard]] std::vector<Choice> best(std::size_t count, double window) const;
@@ -43,6 +43,10 @@ class RobustSelection {
   [[nodiscard]] Base base_of(const Choice& choice);
   /// The energy about where one more unit and the base meet its pull; nothing where that moves nothing.
   [[nodiscard]] std::optional<double> guess(const Base& base, std::size_t unit);
+  /// Adds, exchanges and removes units, one at a time, while that lowers the energy.
+  [[nodiscard]] Choice climb(Choice current, std::size_t most);
+  /// The best single unit tried that a choice neither holds nor excludes.
+  [[nodiscard]] std::optional<Choice> best_beside(const Choice& found) const;
   void try_all(const Choice& from, Choice& best, std::size_t most);
 
   Quadratic& q_;
