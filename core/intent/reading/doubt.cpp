@@ -32,6 +32,19 @@ double Doubt::energy(std::span<const double> squares) const {
   return sum;
 }
 
+double Doubt::added_by(std::size_t curve, std::span<const double> squares) const {
+  const Group& group = groups_[group_of_[curve]];
+  double sum = 0;
+  double others = 0;
+  for (std::size_t c = 0; c < squares.size(); ++c) {
+    if (group_of_[c] != group_of_[curve]) continue;
+    sum += std::max(0.0, squares[c]);
+    if (c != curve) others += std::max(0.0, squares[c]);
+  }
+  const double scale = group.reach * group.count;
+  return group.reach * std::sqrt(group.count) * (base::log(1.0 + sum / scale) - base::log(1.0 + others / scale));
+}
+
 void Doubt::weights(std::span<const double> squares, std::vector<double>& out) const {
   measure(squares);
   out.assign(squares.size(), 1.0);

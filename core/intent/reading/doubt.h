@@ -21,6 +21,8 @@ class Doubt {
   [[nodiscard]] std::size_t group_of(std::size_t curve) const { return group_of_[curve]; }
   /// `squares`: D of each curve, and then of what counts by its squares alone.
   [[nodiscard]] double energy(std::span<const double> squares) const;
+  /// What one curve adds to the energy. `squares`: D of the first curves, those of its group among them.
+  [[nodiscard]] double added_by(std::size_t curve, std::span<const double> squares) const;
   /// dE/dD of each.
   void weights(std::span<const double> squares, std::vector<double>& out) const;
 

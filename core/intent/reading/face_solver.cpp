@@ -10,6 +10,8 @@ namespace {
 
 /// A reading that leaves more than this share of the squares of every line goes no way to speak of.
 constexpr double k_some_way = 0.85;
+/// A line that is aligned in another way is read in full where a first look comes within this of the best energy.
+constexpr double k_first_window = 4.0;
 /// Rounds of matching a choice on its own, for linear rigs and others.
 constexpr int k_matches = 2;
 constexpr int k_general_matches = 4;
@@ -85,23 +87,39 @@ bool FaceSolver::goes_some_way(const Choice& choice) {
   return false;
 }
 
+double FaceSolver::most_to_gain(const Reading& reading, std::size_t c) {
+  const std::vector<double> left = reader_.squares_left(reading.choice);
+  return reader_.alignments(c)[reader_.aligned(c)].charge + reader_.doubt().added_by(c, left) +
+         reader_.reading_costs().costs_for(reading.choice, reader_.doubt().group_of(c));
+}
+
+double FaceSolver::first_look(const Choice& choice, std::size_t c) {
+  const ReadingCosts costs = reader_.reading_costs();
+  const auto kept = costs.units_besides(choice.units, reader_.doubt().group_of(c));
+  reader_.look(choice, false, b_.quadratic);
+  RobustSelection selection(b_.quadratic, costs, reader_.doubt());
+  Choice found = selection.extend(selection.fit(kept), options_.most_units);
+  evaluations += selection.evaluations();
+  return matched(trusted(choice, std::move(found))).energy;
+}
+
 Reading FaceSolver::read() {
   const std::size_t lines = reader_.line_count();
   for (std::size_t c = 0; c < lines; ++c) reader_.align(c, 0);
   Reading best = read_aligned();
   for (std::size_t c = 0; c < lines; ++c) {
     std::size_t chosen = 0;
+    double gain = most_to_gain(best, c);
     for (std::size_t a = 1; a < reader_.alignments(c).size(); ++a) {
-      // Nothing is left to gain.
-      if (reader_.alignments(c)[a].charge >= best.energy) continue;
+      if (reader_.alignments(c)[a].charge >= gain) continue;
       reader_.align(c, a);
-      // Where neither what was read nor nothing comes near it so, it is not how the line was drawn.
-      const double near = std::min(matched(best.choice).energy, matched({}).energy);
-      if (near > best.energy + k_rival_window) continue;
+      // Where a first look comes nowhere near it so, it is not how the line was drawn.
+      if (first_look(best.choice, c) > best.energy + k_first_window) continue;
       Reading one = read_aligned();
       if (!(one.energy < best.energy - 1e-9)) continue;
       best = std::move(one);
       chosen = a;
+      gain = most_to_gain(best, c);
     }
     reader_.align(c, chosen);
   }

@@ -24,6 +24,10 @@ class FaceSolver {
   /// As aligned. Joints that carry much more than what was drawn are thought of where nothing else goes some way.
   Reading read_aligned();
   Reading read_choices();
+  /// What a reading could gain at most if drawn curve c were met by nothing that costs anything.
+  double most_to_gain(const Reading& reading, std::size_t c);
+  /// The energy of a quick reading with drawn curve c aligned anew and the others read as before.
+  double first_look(const Choice& choice, std::size_t c);
   /// Whether a choice leaves clearly less than what was asked.
   [[nodiscard]] bool goes_some_way(const Choice& choice);
   /// A choice of units, matched on its own, and its energy.

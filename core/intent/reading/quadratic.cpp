@@ -21,6 +21,7 @@ void Quadratic::split(std::span<const Part> parts) { parts_.assign(parts.begin()
 
 void Quadratic::part_products(std::size_t part, std::span<const double> a, std::span<double> out) const {
   const Part& one = parts_[part];
+  const std::size_t count = parts_.size();
   const double* own_rows = a.data() + one.row;
   const double* own_slides = a.data() + rows_ + one.slide;
   const auto rows = [&](std::size_t k) { return column(asked_[k]).data() + one.row; };
@@ -29,10 +30,11 @@ void Quadratic::part_products(std::size_t part, std::span<const double> a, std::
   for (; k + 4 <= asked_.size(); k += 4) {
     const auto r = algebra::dots(own_rows, {rows(k), rows(k + 1), rows(k + 2), rows(k + 3)}, one.rows);
     const auto p = algebra::dots(own_slides, {slides(k), slides(k + 1), slides(k + 2), slides(k + 3)}, one.slides);
-    for (std::size_t m = 0; m < 4; ++m) out[asked_[k + m]] = r[m] - p[m];
+    for (std::size_t m = 0; m < 4; ++m) out[asked_[k + m] * count + part] = r[m] - p[m];
   }
   for (; k < asked_.size(); ++k)
-    out[asked_[k]] = algebra::dot(own_rows, rows(k), one.rows) - algebra::dot(own_slides, slides(k), one.slides);
+    out[asked_[k] * count + part] =
+        algebra::dot(own_rows, rows(k), one.rows) - algebra::dot(own_slides, slides(k), one.slides);
 }
 
 void Quadratic::prepare_parts(std::size_t i) {
@@ -41,8 +43,8 @@ void Quadratic::prepare_parts(std::size_t i) {
   row.assign(parts_.size() * variables_, 0.0);
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     // What moves nothing of a curve has nothing in common with anything there.
-    if (part_diagonals_[p * variables_ + i] == 0.0) continue;
-    part_products(p, column(i), std::span(row).subspan(p * variables_, variables_));
+    if (part_curvatures(i, i)[p] == 0.0) continue;
+    part_products(p, column(i), row);
   }
 }
 
@@ -85,8 +87,8 @@ void Quadratic::finish(std::span<const std::size_t> only) {
   for (auto& row : part_grams_) row.clear();
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     part_constants_[p] = part_product(p, right_, right_);
-    part_products(p, right_, std::span(part_pulls_).subspan(p * variables_, variables_));
-    for (const std::size_t j : asked_) part_diagonals_[p * variables_ + j] = part_product(p, column(j), column(j));
+    part_products(p, right_, part_pulls_);
+    for (const std::size_t j : asked_) part_diagonals_[j * parts_.size() + p] = part_product(p, column(j), column(j));
   }
 }
 

@@ -29,11 +29,16 @@ class Quadratic {
   /// curvature, pull and constant of one part. Precondition: of curvature, one of the variables is prepared or both are
   /// the same.
   [[nodiscard]] double part_curvature(std::size_t part, std::size_t i, std::size_t j) const {
-    if (i == j) return part_diagonals_[part * variables_ + i];
-    if (!part_grams_[i].empty()) return part_grams_[i][part * variables_ + j];
-    return part_grams_[j][part * variables_ + i];
+    return part_curvatures(i, j)[part];
   }
-  [[nodiscard]] double part_pull(std::size_t part, std::size_t i) const { return part_pulls_[part * variables_ + i]; }
+  /// The same of all parts for two variables, one of them prepared.
+  [[nodiscard]] const double* part_curvatures(std::size_t i, std::size_t j) const {
+    const std::size_t count = parts_.size();
+    if (i == j) return part_diagonals_.data() + i * count;
+    return part_grams_[i].empty() ? part_grams_[j].data() + i * count : part_grams_[i].data() + j * count;
+  }
+  [[nodiscard]] const double* part_pulls(std::size_t i) const { return part_pulls_.data() + i * parts_.size(); }
+  [[nodiscard]] double part_pull(std::size_t part, std::size_t i) const { return part_pulls(i)[part]; }
   [[nodiscard]] double part_constant(std::size_t part) const { return part_constants_[part]; }
   /// Computes the second derivatives of variable i with all others for each part, once.
   void prepare_parts(std::size_t i);
@@ -67,6 +72,7 @@ class Quadratic {
   /// out[asked_[k]] = product(a, column(asked_[k])), several at once.
   void products(std::span<const double> a, std::span<double> out) const;
   [[nodiscard]] double part_product(std::size_t part, std::span<const double> a, std::span<const double> b) const;
+  /// out[asked_[k] * part_count() + part] = part_product(part, a, column(asked_[k])), several at once.
   void part_products(std::size_t part, std::span<const double> a, std::span<double> out) const;
   [[nodiscard]] std::size_t stride() const { return rows_ + slides_; }
 
@@ -76,7 +82,7 @@ class Quadratic {
   std::vector<std::vector<double>> gram_;  ///< prepared rows; others are empty
   std::vector<std::size_t> asked_;         ///< columns to multiply with one
   std::vector<Part> parts_;
-  std::vector<double> part_diagonals_, part_pulls_, part_constants_;  ///< a run of variables a part
+  std::vector<double> part_diagonals_, part_pulls_, part_constants_;  ///< a run of parts a variable
   std::vector<std::vector<double>> part_grams_;                       ///< prepared rows; others are empty
 };
 

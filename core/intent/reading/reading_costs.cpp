@@ -82,6 +82,27 @@ double ReadingCosts::cost_of_nothing(std::span<const std::size_t> units) const {
   return sum;
 }
 
+std::vector<std::size_t> ReadingCosts::units_besides(std::vector<std::size_t> units, std::size_t group) const {
+  std::erase_if(units, [&](std::size_t u) {
+    for (std::size_t g = 0; g < asked_.size(); ++g) {
+      if (g != group && moves(u, g)) return false;
+    }
+    return true;
+  });
+  return units;
+}
+
+double ReadingCosts::costs_for(const Choice& choice, std::size_t group) const {
+  const auto without_nothing = [&](const Choice& one) {
+    return costs_of(one) + limit_costs(one) - cost_of_nothing(one.units);
+  };
+  Choice others = choice;
+  others.units = units_besides(choice.units, group);
+  const auto moves_it = [&](std::size_t u) { return moves(u, group); };
+  const bool nothing = std::none_of(choice.units.begin(), choice.units.end(), moves_it);
+  return without_nothing(choice) - without_nothing(others) + (nothing ? cost_of_nothing(group) : 0.0);
+}
+
 double ReadingCosts::limit_costs(const Choice& choice) const {
   double sum = 0;
   for (const std::size_t u : choice.units) {

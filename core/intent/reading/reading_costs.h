@@ -29,6 +29,10 @@ class ReadingCosts final : public ChoiceCosts {
   [[nodiscard]] double limit_costs(const Choice& choice) const override;
   /// Of the squares of its values.
   [[nodiscard]] double stiffness_of(const Choice& choice) const;
+  /// Without those that move one group of curves and no other.
+  [[nodiscard]] std::vector<std::size_t> units_besides(std::vector<std::size_t> units, std::size_t group) const;
+  /// What the units of a choice cost that move one group of curves and no other.
+  [[nodiscard]] double costs_for(const Choice& choice, std::size_t group) const;
   /// Of one more unit beside those of a choice, apart from its value.
   [[nodiscard]] double cost_beside(const Choice& choice, std::size_t unit) const;
   /// Whether two units cannot move together.

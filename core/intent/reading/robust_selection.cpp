@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/algebra/cholesky.h"
+#include "core/algebra/vectors.h"
 
 namespace penpose::intent {
 namespace {
@@ -26,28 +27,30 @@ std::size_t index_in(std::span<const std::size_t> variables, std::size_t v) {
 void RobustSelection::squares_at(const Choice& choice, std::vector<double>& out) const {
   const std::size_t n = choice.variables.size();
   out.resize(q_.part_count());
-  for (std::size_t p = 0; p < out.size(); ++p) {
-    double sum = q_.part_constant(p);
-    for (std::size_t i = 0; i < n; ++i) {
-      double image = 0;
-      for (std::size_t k = 0; k < n; ++k)
-        image += q_.part_curvature(p, choice.variables[i], choice.variables[k]) * choice.values[k];
-      sum += choice.values[i] * (image - 2.0 * q_.part_pull(p, choice.variables[i]));
+  const std::size_t parts = out.size();
+  for (std::size_t p = 0; p < parts; ++p) out[p] = q_.part_constant(p);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (choice.values[i] == 0.0) continue;
+    const double* pulls = q_.part_pulls(choice.variables[i]);
+    for (std::size_t p = 0; p < parts; ++p) out[p] -= 2.0 * choice.values[i] * pulls[p];
+    for (std::size_t k = 0; k <= i; ++k) {
+      const double by = (k == i ? 1.0 : 2.0) * choice.values[i] * choice.values[k];
+      const double* curvatures = q_.part_curvatures(choice.variables[i], choice.variables[k]);
+      for (std::size_t p = 0; p < parts; ++p) out[p] += by * curvatures[p];
     }
-    out[p] = std::max(0.0, sum);
   }
+  for (double& squares : out) squares = std::max(0.0, squares);
 }
 
 void RobustSelection::set_up(const Choice& choice, std::span<const double> weights) {
   const std::size_t n = choice.variables.size();
   matrix_.assign(n * n, 0.0);
   pulls_.assign(n, 0.0);
-  for (std::size_t p = 0; p < weights.size(); ++p) {
-    for (std::size_t i = 0; i < n; ++i) {
-      pulls_[i] += weights[p] * q_.part_pull(p, choice.variables[i]);
-      for (std::size_t k = 0; k <= i; ++k)
-        matrix_[i * n + k] += weights[p] * q_.part_curvature(p, choice.variables[i], choice.variables[k]);
-    }
+  for (std::size_t i = 0; i < n; ++i) {
+    pulls_[i] = algebra::dot(weights.data(), q_.part_pulls(choice.variables[i]), weights.size());
+    for (std::size_t k = 0; k <= i; ++k)
+      matrix_[i * n + k] =
+          algebra::dot(weights.data(), q_.part_curvatures(choice.variables[i], choice.variables[k]), weights.size());
   }
   for (std::size_t i = 0; i < n; ++i) matrix_[i * n + i] += choices_.stiffness[choice.variables[i]];
   const double tie = costs_.constants().tie;
@@ -140,12 +143,14 @@ RobustSelection::Base RobustSelection::base_of(const Choice& choice) {
   set_up(choice, base.weights);
   base.factor = matrix_;
   if (!algebra::factor(base.factor.data(), n, k_pivot_share)) base.factor.clear();
-  for (std::size_t p = 0; p < q_.part_count(); ++p) {
-    for (std::size_t i = 0; i < n; ++i) {
-      double pull = q_.part_pull(p, choice.variables[i]);
-      for (std::size_t k = 0; k < n; ++k)
-        pull -= q_.part_curvature(p, choice.variables[i], choice.variables[k]) * choice.values[k];
-      base.pulls.push_back(pull);
+  const std::size_t parts = q_.part_count();
+  for (std::size_t i = 0; i < n; ++i) {
+    const double* pulls = q_.part_pulls(choice.variables[i]);
+    base.pulls.insert(base.pulls.end(), pulls, pulls + parts);
+    double* left = base.pulls.data() + i * parts;
+    for (std::size_t k = 0; k < n; ++k) {
+      const double* curvatures = q_.part_curvatures(choice.variables[i], choice.variables[k]);
+      for (std::size_t p = 0; p < parts; ++p) left[p] -= curvatures[p] * choice.values[k];
     }
   }
   return base;
@@ -159,23 +164,30 @@ std::optional<double> RobustSelection::guess(const Base& base, std::size_t added
   if (unit.tied) q_.prepare_parts(unit.members[0]);
   // The unit as one direction: its pull, curvature and products with the base, for each part and weighted.
   std::vector<double> pull(parts, 0.0), curvature(parts, 0.0), cross(parts * n, 0.0), answer(n, 0.0);
-  double whole_pull = 0, left = 0;
-  for (std::size_t p = 0; p < parts; ++p) {
-    for (std::size_t m = 0; m < unit.count; ++m) {
-      const std::size_t v = unit.members[m];
-      pull[p] += q_.part_pull(p, v);
-      curvature[p] += q_.part_curvature(p, v, v);
-      for (std::size_t i = 0; i < n; ++i) {
-        const double c = q_.part_curvature(p, variables[i], v);
-        pull[p] -= c * base.choice->values[i];
-        cross[p * n + i] += c;
+  for (std::size_t m = 0; m < unit.count; ++m) {
+    const std::size_t v = unit.members[m];
+    const double* own = q_.part_pulls(v);
+    const double* diagonal = q_.part_curvatures(v, v);
+    for (std::size_t p = 0; p < parts; ++p) {
+      pull[p] += own[p];
+      curvature[p] += diagonal[p];
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      const double* with = q_.part_curvatures(variables[i], v);
+      double* products = cross.data() + i * parts;
+      for (std::size_t p = 0; p < parts; ++p) {
+        pull[p] -= with[p] * base.choice->values[i];
+        products[p] += with[p];
       }
     }
-    if (unit.tied) curvature[p] += 2.0 * q_.part_curvature(p, unit.members[0], unit.members[1]);
-    whole_pull += base.weights[p] * pull[p];
-    left += base.weights[p] * curvature[p];
-    for (std::size_t i = 0; i < n; ++i) answer[i] += base.weights[p] * cross[p * n + i];
   }
+  if (unit.tied) {
+    const double* between = q_.part_curvatures(unit.members[0], unit.members[1]);
+    for (std::size_t p = 0; p < parts; ++p) curvature[p] += 2.0 * between[p];
+  }
+  const double whole_pull = algebra::dot(base.weights.data(), pull.data(), parts);
+  double left = algebra::dot(base.weights.data(), curvature.data(), parts);
+  for (std::size_t i = 0; i < n; ++i) answer[i] = algebra::dot(base.weights.data(), cross.data() + i * parts, parts);
   const double whole = left;
   if (!base.factor.empty()) {
     const std::vector<double> products = answer;
@@ -188,17 +200,20 @@ std::optional<double> RobustSelection::guess(const Base& base, std::size_t added
   const double step = std::clamp(whole_pull / (left + stiffness), choices_.low[v], choices_.high[v]);
   if (step == 0.0) return std::nullopt;
   std::vector<double> squares = base.squares;
-  for (std::size_t p = 0; p < parts; ++p) {
-    double first = pull[p];
-    double second = curvature[p];
-    for (std::size_t i = 0; i < n; ++i) {
-      double image = 0;
-      for (std::size_t k = 0; k < n; ++k) image += q_.part_curvature(p, variables[i], variables[k]) * answer[k];
-      first -= answer[i] * base.pulls[p * n + i];
-      second += answer[i] * (image - 2.0 * cross[p * n + i]);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double* pulls = base.pulls.data() + i * parts;
+    const double* products = cross.data() + i * parts;
+    for (std::size_t p = 0; p < parts; ++p) {
+      pull[p] -= answer[i] * pulls[p];
+      curvature[p] -= 2.0 * answer[i] * products[p];
     }
-    squares[p] -= step * (2.0 * first - step * second);
+    for (std::size_t k = 0; k <= i; ++k) {
+      const double by = (k == i ? 1.0 : 2.0) * answer[i] * answer[k];
+      const double* curvatures = q_.part_curvatures(variables[i], variables[k]);
+      for (std::size_t p = 0; p < parts; ++p) curvature[p] += by * curvatures[p];
+    }
   }
+  for (std::size_t p = 0; p < parts; ++p) squares[p] -= step * (2.0 * pull[p] - step * curvature[p]);
   return doubt_.energy(squares) + base.choice->costs + costs_.cost_beside(*base.choice, added) +
          stiffness * step * step;
 }
@@ -240,6 +255,16 @@ Choice RobustSelection::select(Choice first, std::size_t most) {
   if (!other) return found;
   Choice second = climb(*other, most);
   return second.energy < found.energy - 1e-9 ? second : found;
+}
+
+Choice RobustSelection::extend(Choice current, std::size_t most) {
+  for (bool better = true; better;) {
+    Choice best = current;
+    try_all(current, best, most);
+    better = best.energy < current.energy - 1e-9;
+    current = std::move(best);
+  }
+  return current;
 }
 
 std::optional<Choice> RobustSelection::best_beside(const Choice& found) const {

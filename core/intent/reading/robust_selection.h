@@ -23,6 +23,8 @@ class RobustSelection {
   /// The best choice found from a first one, adding, exchanging and removing units; from nothing in two ways. `most`:
   /// units at most.
   [[nodiscard]] Choice select(Choice first, std::size_t most);
+  /// The same, only adding.
+  [[nodiscard]] Choice extend(Choice first, std::size_t most);
   /// The best of all that the last selection tried, each once, at most `window` above the first.
   [[nodiscard]] std::vector<Choice> best(std::size_t count, double window) const;
   [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
@@ -33,7 +35,7 @@ class RobustSelection {
     const Choice* choice = nullptr;
     std::vector<double> squares, weights;
     std::vector<double> factor;  ///< lower Cholesky factor of its weighted matrix, by rows
-    std::vector<double> pulls;   ///< left of each variable, a run of them a part
+    std::vector<double> pulls;   ///< left of each variable, a run of parts a variable
   };
   void squares_at(const Choice& choice, std::vector<double>& out) const;
   /// Fills matrix_ and pulls_ for a choice's variables, the curves weighted.
