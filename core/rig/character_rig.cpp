@@ -27,10 +27,8 @@ class BoundCharacter final : public BoundVertices {
     for (std::size_t i = 0; i < layers_.size(); ++i) layers_[i]->add(layer_values(pose, i), displacements_);
     for (std::size_t k = 0; k < vertices_.size(); ++k) positions[k] = rest_[k] + displacements_[k];
     if (rig_.skeleton() == nullptr) return;
-    rig_.skeleton()->joint_matrices(layer_values(pose, layers_.size()), matrices_);
-    for (std::size_t k = 0; k < vertices_.size(); ++k) {
-      positions[k] = transform(rig_.skeleton()->vertex_matrix(vertices_[k], matrices_), positions[k]);
-    }
+    turn_joints(layer_values(pose, layers_.size()));
+    for (std::size_t k = 0; k < vertices_.size(); ++k) positions[k] = transform(vertex_matrices_[k], positions[k]);
   }
 
   [[nodiscard]] bool moves(std::size_t parameter) const override {
@@ -64,10 +62,9 @@ class BoundCharacter final : public BoundVertices {
     form.constant.resize(n);
     evaluate(fixed, form.constant);
     if (rig_.skeleton() != nullptr) {
-      // evaluate() left the joints' matrices at this pose: a displaced vertex is turned by the linear part of its
-      // matrix.
+      // evaluate() left the matrices at this pose: a displaced vertex is turned by the linear part of its matrix.
       for (std::size_t k = 0; k < n; ++k) {
-        const glm::dmat3 turn(rig_.skeleton()->vertex_matrix(vertices_[k], matrices_));
+        const glm::dmat3 turn(vertex_matrices_[k]);
         for (std::size_t i = 0; i < free.size(); ++i) form.columns[i * n + k] = turn * form.columns[i * n + k];
       }
     }
@@ -83,6 +80,14 @@ class BoundCharacter final : public BoundVertices {
   [[nodiscard]] std::span<const double> layer_values(std::span<const double> pose, std::size_t layer) const {
     if (layer < layers_.size() && rig_.layers()[layer]->driven()) return pose;
     return pose.subspan(rig_.first_parameter(layer), rig_.first_parameter(layer + 1) - rig_.first_parameter(layer));
+  }
+  /// Fills the matrices; those of the last pose stay where its joints were turned alike.
+  void turn_joints(std::span<const double> values) {
+    if (!vertex_matrices_.empty() && std::equal(values.begin(), values.end(), turned_.begin(), turned_.end())) return;
+    turned_.assign(values.begin(), values.end());
+    rig_.skeleton()->joint_matrices(values, matrices_);
+    vertex_matrices_.clear();
+    for (const std::uint32_t v : vertices_) vertex_matrices_.push_back(rig_.skeleton()->vertex_matrix(v, matrices_));
   }
   /// A joint carries the bound vertices when it or a joint below it has a share in one of them.
   void mark_carrying_joints() {
@@ -103,7 +108,8 @@ class BoundCharacter final : public BoundVertices {
   std::vector<ModelPoint> rest_;
   std::vector<std::unique_ptr<BoundLayer>> layers_;
   std::vector<ModelVector> displacements_;
-  std::vector<glm::dmat4> matrices_;
+  std::vector<double> turned_;  ///< joints' values of the matrices
+  std::vector<glm::dmat4> matrices_, vertex_matrices_;
   std::vector<bool> carries_;
 };
 

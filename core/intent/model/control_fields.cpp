@@ -30,6 +30,9 @@ void ControlFields::add(std::span<const ModelPoint> rest, std::span<const ModelP
     sum += square_of(way);
   }
   squares_.push_back(sum);
+  auto& last = last_products_.emplace_back();
+  const std::size_t own = fields_.size() - 1;
+  for (std::size_t back = 1; back <= std::min<std::size_t>(2, own); ++back) last[back - 1] = product(own, own - back);
 }
 
 double ControlFields::product(std::size_t a, std::size_t b) const {

@@ -32,6 +32,10 @@ class ControlFields {
   [[nodiscard]] std::span<const ModelVector> field(std::size_t control) const { return fields_[control]; }
   /// Inner product of two fields.
   [[nodiscard]] double product(std::size_t a, std::size_t b) const;
+  /// The same as product(control, control - back), kept for the angles of one joint. Precondition: back is 1 or 2.
+  [[nodiscard]] double product_with_last(std::size_t control, std::size_t back) const {
+    return last_products_[control][back - 1];
+  }
   /// Product of a field with itself.
   [[nodiscard]] double square(std::size_t control) const { return squares_[control]; }
 
@@ -40,6 +44,7 @@ class ControlFields {
   std::vector<ModelPoint> places_;
   std::vector<std::vector<ModelVector>> fields_;
   std::vector<double> squares_;
+  std::vector<std::array<double, 2>> last_products_;
 };
 
 }  // namespace penpose::intent

@@ -169,6 +169,7 @@ class Reader final : public Relations {
   /// What a variable does beside what was drawn.
   struct Field {
     std::vector<ModelVector> near;           ///< at the samples near the drawn curves, for its whole range
+    std::vector<double> ways;                ///< their lengths
     double near_square = 0, far_square = 0;  ///< sums of squares there and elsewhere
   };
   struct Relation {

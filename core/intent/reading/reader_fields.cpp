@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/algebra/vectors.h"
 #include "core/base/math.h"
 #include "core/intent/reading/reader.h"
 
@@ -139,7 +140,7 @@ void Reader::measure_fields() {
       const auto field = fields.field(first + k);
       for (std::size_t i = 0; i < near.size(); ++i) one.near[i] += field[near[i]] * by[k];
       whole += by[k] * by[k] * fields.square(first + k);
-      for (std::size_t m = 0; m < k; ++m) whole += 2.0 * by[k] * by[m] * fields.product(first + k, first + m);
+      for (std::size_t m = 0; m < k; ++m) whole += 2.0 * by[k] * by[m] * fields.product_with_last(first + k, k - m);
     }
     for (const ModelVector& way : one.near) one.near_square += square_of(way);
     one.far_square = std::max(0.0, whole - one.near_square);
@@ -154,6 +155,9 @@ void Reader::measure_fields() {
     for (const ModelVector& way : one.near) one.near_square += square_of(way);
     fields_.push_back(std::move(one));
   }
+  for (Field& field : fields_) {
+    for (const ModelVector& way : field.near) field.ways.push_back(geometry::length(way));
+  }
 }
 
 bool Reader::turns_joint(std::size_t variable, std::size_t turn) const {
@@ -166,21 +170,16 @@ const Reader::Relation& Reader::relation(std::size_t a, std::size_t b) const {
   relations_.resize(fields_.size());
   auto& row = relations_[a];
   if (!row.empty()) return row[b];
+  if (!relations_[b].empty()) return relations_[b][a];
   row.resize(fields_.size());
-  std::vector<double> ways;
-  for (const ModelVector& way : fields_[a].near) ways.push_back(geometry::length(way));
+  const Field& own = fields_[a];
+  const auto numbers = [](const std::vector<ModelVector>& near) { return &near.front().x; };
   for (std::size_t other = 0; other < row.size(); ++other) {
     const Field& field = fields_[other];
-    const double size = std::sqrt(fields_[a].near_square * field.near_square);
+    const double size = std::sqrt(own.near_square * field.near_square);
     if (!(size > 0.0)) continue;
-    double like = 0;
-    double over = 0;
-    for (std::size_t i = 0; i < field.near.size(); ++i) {
-      if (ways[i] == 0.0) continue;
-      like += glm::dot(fields_[a].near[i], field.near[i]);
-      over += ways[i] * geometry::length(field.near[i]);
-    }
-    row[other] = {like / size, over / size};
+    row[other] = {algebra::dot(numbers(own.near), numbers(field.near), 3 * own.near.size()) / size,
+                  algebra::dot(own.ways.data(), field.ways.data(), own.ways.size()) / size};
   }
   for (std::size_t t = 0; t < turns_.size(); ++t) {
     if (!turns_joint(a, t)) continue;
