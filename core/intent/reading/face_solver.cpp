@@ -39,8 +39,8 @@ Reading FaceSolver::matched(Choice choice) {
     choice = trusted(choice, selection.fit(choice.units));
     evaluations += selection.evaluations();
   }
-  reader_.look(choice, true, b_.quadratic, choice.variables);
-  return {choice, reader_.energy(choice, choice.costs)};
+  const double energy = reader_.matched_energy(choice, choice.costs);
+  return {std::move(choice), energy};
 }
 
 Reading FaceSolver::read_choices() {
@@ -130,6 +130,7 @@ Reading FaceSolver::read() {
 void FaceSolver::settle(Reading& reading) {
   reader_.settle(true);
   reading = matched(std::move(reading.choice));
+  reader_.look(reading.choice, true, b_.quadratic, reading.choice.variables);
   const ReadingCosts costs = reader_.reading_costs();
   evaluations += search_values(reader_, b_.quadratic, costs, reading.choice, 60 * (reading.choice.variables.size() + 1),
                                b_.simplex);

@@ -93,6 +93,8 @@ class Reader final : public Relations {
   void look(const Choice& at, bool slide, Quadratic& quadratic, std::span<const std::size_t> only = {});
   /// The energy of a choice at its true pose, with the matching of the last look. `costs`: those of its units.
   double energy(const Choice& choice, double costs);
+  /// The same, matched there.
+  double matched_energy(const Choice& choice, double costs);
   /// The energy without costs, of an image: R z - r and P z - p of the last look.
   [[nodiscard]] double energy_of_image(std::span<const double> image, std::size_t rows) const;
   /// How far each variable's whole range moves each drawn curve in its picture, root mean square, model units; one row

@@ -241,6 +241,11 @@ double Reader::energy(const Choice& choice, double costs) {
   return turns_.empty() ? sum : sum + lean_cost(choice);
 }
 
+double Reader::matched_energy(const Choice& choice, double costs) {
+  energy_at(pose_of(choice));
+  return energy(choice, costs);
+}
+
 double Reader::energy_as_placed() const {
   double sum = 0;
   std::vector<double> all;
