@@ -15,7 +15,7 @@ struct SolveOptions {
   std::size_t rounds = 3;          ///< of alternating matching and choosing, for faces of linear rigs
   std::size_t general_rounds = 4;  ///< for faces of other rigs, linearised anew where joints turned
   std::size_t limb_rounds = 8;     ///< for limbs, linearised in each round at the pose of the last
-  std::size_t rivals = 6;          ///< other readings that are matched on their own before one is taken
+  std::size_t rivals = 6;          ///< other readings of limbs that are matched on their own before one is taken
   std::size_t most_units = 24;     ///< controls, pairs or joints that may move, at most
 };
 

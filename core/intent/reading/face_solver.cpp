@@ -10,8 +10,10 @@ namespace {
 
 /// A reading that leaves more than this share of the squares of every line goes no way to speak of.
 constexpr double k_some_way = 0.85;
-/// A line that is aligned in another way is read in full where a first look comes within this of the best energy.
-constexpr double k_first_window = 4.0;
+/// Other readings are matched on their own before one is taken: so many of each round, within this of the best energy.
+/// A line is read in full as aligned in another way where a first look comes as near.
+constexpr std::size_t k_rivals = 3;
+constexpr double k_window = 6.0;
 /// Rounds of matching a choice on its own, for linear rigs and others.
 constexpr int k_matches = 2;
 constexpr int k_general_matches = 4;
@@ -54,7 +56,7 @@ Reading FaceSolver::read_choices() {
     choice = trusted(choice, selection.select(selection.fit(choice.units), options_.most_units));
     evaluations += selection.evaluations();
     if (round > 0 && round + 1 < rounds) continue;
-    for (Choice& one : selection.best(options_.rivals, k_rival_window)) rivals.push_back(std::move(one));
+    for (Choice& one : selection.best(k_rivals, k_window)) rivals.push_back(std::move(one));
   }
   Reading best = matched(choice);
   for (std::size_t i = 0; i < rivals.size(); ++i) {
@@ -114,7 +116,7 @@ Reading FaceSolver::read() {
       if (reader_.alignments(c)[a].charge >= gain) continue;
       reader_.align(c, a);
       // Where a first look comes nowhere near it so, it is not how the line was drawn.
-      if (first_look(best.choice, c) > best.energy + k_first_window) continue;
+      if (first_look(best.choice, c) > best.energy + k_window) continue;
       Reading one = read_aligned();
       if (!(one.energy < best.energy - 1e-9)) continue;
       best = std::move(one);

@@ -10,6 +10,9 @@
 
 namespace penpose::intent {
 
+/// Rivals are choices within this of the best energy.
+inline constexpr double k_rival_window = 12.0;
+
 /// Finds the best reading of strokes along limbs, matching and choosing in turn.
 class LimbSolver {
  public:

@@ -7,8 +7,6 @@
 
 namespace penpose::intent {
 
-/// Rivals are choices within this of the best energy.
-inline constexpr double k_rival_window = 12.0;
 /// The linearisation of a joint is valid near its pose only: the most that an angle may change in a round, share of its
 /// range.
 inline constexpr double k_trust = 0.2;
