@@ -1,7 +1,8 @@
-// Posing for what was meant: the time of a solve and of a live step with 53 and with 530 controls and on a skeleton,
-// beside NLopt's Subplex on the same energy (matching as penpose's own answer leaves it). One core.
+// Posing for what was meant: the time of a solve and of a live step with 53 and with 530 controls, on an avatar of shapes
+// and joints (also with a line on each of its curves at once) and on a skeleton, beside NLopt's Subplex on the same energy (matching as penpose's own answer leaves it). One core.
 
 #include <algorithm>
+#include <array>
 #include <benchmark/benchmark.h>
 #include <chrono>
 #include <cstdio>
@@ -60,11 +61,31 @@ Subject tenfold(Subject face) {
   return face;
 }
 
+/// One more case: a line on every curve of the others at once.
+Subject with_all_lines(Subject subject) {
+  io::PoseCase all = subject.cases.cases.front();
+  all.name = "all lines";
+  all.references.clear();
+  for (const io::PoseCase& one : subject.cases.cases) {
+    if (one.view_yaw_degrees != all.view_yaw_degrees) continue;
+    for (const io::CaseReference& reference : one.references) {
+      const bool known = std::any_of(all.references.begin(), all.references.end(), [&](const io::CaseReference& other) {
+        return other.vertices == reference.vertices;
+      });
+      if (!known) all.references.push_back(reference);
+    }
+  }
+  subject.cases.cases.push_back(std::move(all));
+  return subject;
+}
+
 const Subject& subject(int number) {
   static const Subject face("ict_face.glb", "ict_face_intent_cases.json");
+  static const Subject avatar = with_all_lines({"ict_avatar.glb", "ict_avatar_intent_cases.json"});
   static const Subject many = tenfold(face);
   static const Subject body("cesium_man.glb", "cesium_body_cases.json");
-  return number == 0 ? face : number == 1 ? many : body;
+  const std::array<const Subject*, 4> all{&face, &many, &body, &avatar};
+  return *all[static_cast<std::size_t>(number)];
 }
 
 double percentile(std::vector<double> values, double share) {
@@ -114,7 +135,7 @@ void subplex(benchmark::State& state, std::size_t index) {
     at.values.push_back(found.pose[reader.parameters()[v]]);
   }
   reader.look(at, true, quadratic);
-  const intent::Selection selection(quadratic, reader.choices(), reader.costs());
+  const intent::ReadingCosts costs = reader.reading_costs();
   const auto energy = [&](const double* u) {
     intent::Choice some;
     for (std::size_t v = 0; v < all.variables.size(); ++v) {
@@ -123,7 +144,7 @@ void subplex(benchmark::State& state, std::size_t index) {
       some.variables.push_back(v);
       some.values.push_back(u[v]);
     }
-    return reader.energy(some, selection.costs_of(some));
+    return reader.energy(some, costs.costs_of(some));
   };
   double best = 0;
   std::vector<double> times;
@@ -184,7 +205,7 @@ int main(int argc, char** argv) {
     std::puts("the shared models are not here: nothing to measure");
     return 0;
   }
-  const std::pair<int, std::string> subjects[] = {{0, "53 controls"}, {1, "530 controls"}, {2, "57 angles"}};
+  const std::pair<int, std::string> subjects[] = {{0, "53 controls"}, {1, "530 controls"}, {2, "57 angles"}, {3, "avatar"}};
   for (const auto& [number, name] : subjects) {
     for (std::size_t i = 0; i < subject(number).cases.cases.size(); ++i) {
       const std::string label = std::string(name).append("/") + subject(number).cases.cases[i].name;
