@@ -98,6 +98,12 @@ double Quadratic::part_product(std::size_t part, std::span<const double> a, std:
          algebra::dot(a.data() + rows_ + one.slide, b.data() + rows_ + one.slide, one.slides);
 }
 
+std::vector<double> Quadratic::part_products_of(std::size_t i, std::size_t j) const {
+  std::vector<double> out(parts_.size());
+  for (std::size_t p = 0; p < out.size(); ++p) out[p] = part_product(p, column(i), column(j));
+  return out;
+}
+
 double Quadratic::curvature(std::size_t i, std::size_t j) const {
   if (i == j) return diagonal_[i];
   if (!gram_[i].empty()) return gram_[i][j];

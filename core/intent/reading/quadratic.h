@@ -37,6 +37,8 @@ class Quadratic {
     if (i == j) return part_diagonals_.data() + i * count;
     return part_grams_[i].empty() ? part_grams_[j].data() + i * count : part_grams_[i].data() + j * count;
   }
+  /// The same, of variables of which none need be prepared.
+  [[nodiscard]] std::vector<double> part_products_of(std::size_t i, std::size_t j) const;
   [[nodiscard]] const double* part_pulls(std::size_t i) const { return part_pulls_.data() + i * parts_.size(); }
   [[nodiscard]] double part_pull(std::size_t part, std::size_t i) const { return part_pulls(i)[part]; }
   [[nodiscard]] double part_constant(std::size_t part) const { return part_constants_[part]; }

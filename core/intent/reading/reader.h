@@ -177,7 +177,7 @@ class Reader final : public Relations {
   struct Relation {
     double likeness = 0, overlap = 0;
   };
-  /// Of two variables; measured once for all others when the first is asked for.
+  /// Of two variables; measured once.
   [[nodiscard]] const Relation& relation(std::size_t a, std::size_t b) const;
   [[nodiscard]] std::vector<ModelPoint> at_rest(std::span<const posing::CurvePoint> reference) const;
   /// Whether a curve is long enough to speak for what its joints carry: a line along a limb does, a brow does not speak
@@ -246,7 +246,7 @@ class Reader final : public Relations {
   Doubt doubt_;
   std::vector<Field> fields_;   ///< one a variable
   std::vector<Unit> carriers_;  ///< left out of choices_
-  mutable std::vector<std::vector<Relation>> relations_;
+  mutable std::vector<std::optional<Relation>> relations_;  ///< of pairs, as far as they were asked for
   std::vector<double> asked_;                    ///< one a group that tells of controls
   std::vector<std::vector<bool>> moved_groups_;  ///< one a parameter: whether it moves each of them
   posing::CurveSystem system_;

@@ -167,27 +167,23 @@ bool Reader::turns_joint(std::size_t variable, std::size_t turn) const {
 }
 
 const Reader::Relation& Reader::relation(std::size_t a, std::size_t b) const {
-  relations_.resize(fields_.size());
-  auto& row = relations_[a];
-  if (!row.empty()) return row[b];
-  if (!relations_[b].empty()) return relations_[b][a];
-  row.resize(fields_.size());
+  const std::size_t count = fields_.size();
+  relations_.resize(count * (count + 1) / 2);
+  const std::size_t larger = std::max(a, b);
+  auto& one = relations_[larger * (larger + 1) / 2 + std::min(a, b)];
+  if (one) return *one;
+  one.emplace();
   const Field& own = fields_[a];
-  const auto numbers = [](const std::vector<ModelVector>& near) { return &near.front().x; };
-  for (std::size_t other = 0; other < row.size(); ++other) {
-    const Field& field = fields_[other];
-    const double size = std::sqrt(own.near_square * field.near_square);
-    if (!(size > 0.0)) continue;
-    row[other] = {algebra::dot(numbers(own.near), numbers(field.near), 3 * own.near.size()) / size,
-                  algebra::dot(own.ways.data(), field.ways.data(), own.ways.size()) / size};
+  const Field& other = fields_[b];
+  const double size = std::sqrt(own.near_square * other.near_square);
+  if (size > 0.0) {
+    one->likeness = algebra::dot(&own.near.front().x, &other.near.front().x, 3 * own.near.size()) / size;
+    one->overlap = algebra::dot(own.ways.data(), other.ways.data(), own.ways.size()) / size;
   }
   for (std::size_t t = 0; t < turns_.size(); ++t) {
-    if (!turns_joint(a, t)) continue;
-    for (std::size_t other = 0; other < row.size(); ++other) {
-      if (turns_joint(other, t)) row[other].likeness = 1.0;
-    }
+    if (turns_joint(a, t) && turns_joint(b, t)) one->likeness = 1.0;
   }
-  return row[b];
+  return *one;
 }
 
 std::size_t Reader::parameter_of(std::size_t variable) const {

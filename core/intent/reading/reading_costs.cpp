@@ -45,7 +45,7 @@ bool ReadingCosts::excludes(std::size_t a, std::size_t b) const {
   return likeness(a, b) > costs_.same;
 }
 
-double ReadingCosts::cost_beside(std::span<const std::size_t> units, std::size_t unit) const {
+double ReadingCosts::cost_of_relations(std::span<const std::size_t> units, std::size_t unit) const {
   double sum = 0;
   double helps = 0;
   for (const std::size_t other : units) {
@@ -56,8 +56,8 @@ double ReadingCosts::cost_beside(std::span<const std::size_t> units, std::size_t
   return sum + costs_.helper * helps;
 }
 
-double ReadingCosts::cost_beside(const Choice& choice, std::size_t unit) const {
-  double sum = choices_.units[unit].charge + cost_beside(choice.units, unit);
+double ReadingCosts::least_cost_beside(const Choice& choice, std::size_t unit) const {
+  double sum = choices_.units[unit].charge;
   for (std::size_t g = 0; g < asked_.size(); ++g) {
     const auto moves_it = [&](std::size_t u) { return moves(u, g); };
     if (moves_it(unit) && std::none_of(choice.units.begin(), choice.units.end(), moves_it)) sum -= cost_of_nothing(g);
@@ -125,7 +125,7 @@ double ReadingCosts::costs_of(const Choice& choice) const {
   double sum = cost_of_nothing(choice.units);
   for (std::size_t i = 0; i < choice.units.size(); ++i) {
     const Unit& unit = choices_.units[choice.units[i]];
-    sum += unit.charge + cost_beside(std::span(choice.units).first(i), choice.units[i]);
+    sum += unit.charge + cost_of_relations(std::span(choice.units).first(i), choice.units[i]);
     if (!unit.tied) continue;
     const double apart = value_of(choice, unit.members[0]) - value_of(choice, unit.members[1]);
     sum += costs_.tie * apart * apart;

@@ -33,8 +33,11 @@ class ReadingCosts final : public ChoiceCosts {
   [[nodiscard]] std::vector<std::size_t> units_besides(std::vector<std::size_t> units, std::size_t group) const;
   /// What the units of a choice cost that move one group of curves and no other.
   [[nodiscard]] double costs_for(const Choice& choice, std::size_t group) const;
-  /// Of one more unit beside those of a choice, apart from its value.
-  [[nodiscard]] double cost_beside(const Choice& choice, std::size_t unit) const;
+  /// Of one more unit beside those of a choice, apart from its value and from cost_of_relations, which is never less
+  /// than 0.
+  [[nodiscard]] double least_cost_beside(const Choice& choice, std::size_t unit) const;
+  /// Of how one more unit stands to others.
+  [[nodiscard]] double cost_of_relations(std::span<const std::size_t> units, std::size_t unit) const;
   /// Whether two units cannot move together.
   [[nodiscard]] bool excludes(std::size_t a, std::size_t b) const;
   [[nodiscard]] const Choices& choices() const { return choices_; }
@@ -44,7 +47,6 @@ class ReadingCosts final : public ChoiceCosts {
   /// Of the members' pairs the one farthest from 0.
   [[nodiscard]] double likeness(std::size_t a, std::size_t b) const;
   [[nodiscard]] double overlap(std::size_t a, std::size_t b) const;
-  [[nodiscard]] double cost_beside(std::span<const std::size_t> units, std::size_t unit) const;
   /// Of the groups that none of the units moves: a line that asks for more than the hand's doubt is not drawn for
   /// nothing.
   [[nodiscard]] double cost_of_nothing(std::span<const std::size_t> units) const;

@@ -161,7 +161,6 @@ std::optional<double> RobustSelection::guess(const Base& base, std::size_t added
   const std::span<const std::size_t> variables = base.choice->variables;
   const std::size_t n = variables.size();
   const std::size_t parts = q_.part_count();
-  if (unit.tied) q_.prepare_parts(unit.members[0]);
   // The unit as one direction: its pull, curvature and products with the base, for each part and weighted.
   std::vector<double> pull(parts, 0.0), curvature(parts, 0.0), cross(parts * n, 0.0), answer(n, 0.0);
   for (std::size_t m = 0; m < unit.count; ++m) {
@@ -182,7 +181,9 @@ std::optional<double> RobustSelection::guess(const Base& base, std::size_t added
     }
   }
   if (unit.tied) {
-    const double* between = q_.part_curvatures(unit.members[0], unit.members[1]);
+    between_.resize(choices_.units.size());
+    if (between_[added].empty()) between_[added] = q_.part_products_of(unit.members[0], unit.members[1]);
+    const std::vector<double>& between = between_[added];
     for (std::size_t p = 0; p < parts; ++p) curvature[p] += 2.0 * between[p];
   }
   const double whole_pull = algebra::dot(base.weights.data(), pull.data(), parts);
@@ -214,29 +215,42 @@ std::optional<double> RobustSelection::guess(const Base& base, std::size_t added
     }
   }
   for (std::size_t p = 0; p < parts; ++p) squares[p] -= step * (2.0 * pull[p] - step * curvature[p]);
-  return doubt_.energy(squares) + base.choice->costs + costs_.cost_beside(*base.choice, added) +
-         stiffness * step * step;
+  return doubt_.energy(squares) + base.choice->costs + stiffness * step * step;
+}
+
+std::vector<std::size_t> RobustSelection::units_to_try(const Choice& from) {
+  const Base base = base_of(from);
+  const auto excluded = [&](std::size_t u) {
+    return std::any_of(from.units.begin(), from.units.end(), [&](std::size_t one) { return costs_.excludes(one, u); });
+  };
+  std::vector<std::size_t> tries;
+  std::vector<std::pair<double, std::size_t>> guesses;
+  for (std::size_t u = 0; u < choices_.units.size(); ++u) {
+    const Unit& unit = choices_.units[u];
+    // Turns about several axes are few, and no one direction.
+    if (unit.count > 1 && !unit.tied) {
+      if (!excluded(u)) tries.push_back(u);
+    } else if (const auto energy = guess(base, u)) {
+      guesses.emplace_back(*energy + costs_.least_cost_beside(from, u), u);
+    }
+  }
+  std::stable_sort(guesses.begin(), guesses.end());
+  // How units stand to each other is asked of those alone that may be among the best.
+  std::vector<std::pair<double, std::size_t>> best;
+  for (const auto& [least, u] : guesses) {
+    if (best.size() == k_tries && least > best.back().first) break;
+    if (excluded(u)) continue;
+    const std::pair<double, std::size_t> one{least + costs_.cost_of_relations(from.units, u), u};
+    best.insert(std::upper_bound(best.begin(), best.end(), one), one);
+    if (best.size() > k_tries) best.pop_back();
+  }
+  for (const auto& [energy, u] : best) tries.push_back(u);
+  return tries;
 }
 
 void RobustSelection::try_all(const Choice& from, Choice& best, std::size_t most) {
   if (from.units.size() >= most) return;
-  const Base base = base_of(from);
-  std::vector<std::pair<double, std::size_t>> guesses;
-  std::vector<std::size_t> tries;
-  for (std::size_t u = 0; u < choices_.units.size(); ++u) {
-    if (std::any_of(from.units.begin(), from.units.end(), [&](std::size_t one) { return costs_.excludes(one, u); }))
-      continue;
-    const Unit& unit = choices_.units[u];
-    // Turns about several axes are few, and no one direction.
-    if (unit.count > 1 && !unit.tied) {
-      tries.push_back(u);
-    } else if (const auto energy = guess(base, u)) {
-      guesses.emplace_back(*energy, u);
-    }
-  }
-  std::stable_sort(guesses.begin(), guesses.end());
-  for (std::size_t k = 0; k < std::min(k_tries, guesses.size()); ++k) tries.push_back(guesses[k].second);
-  for (const std::size_t u : tries) {
+  for (const std::size_t u : units_to_try(from)) {
     auto units = from.units;
     units.insert(std::lower_bound(units.begin(), units.end(), u), u);
     Choice tried = fit(std::move(units));

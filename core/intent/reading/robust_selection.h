@@ -43,7 +43,8 @@ class RobustSelection {
   /// Least squares of matrix_ and pulls_ within the ranges.
   [[nodiscard]] std::vector<double> solve_within_ranges(std::span<const std::size_t> variables);
   [[nodiscard]] Base base_of(const Choice& choice);
-  /// The energy about where one more unit and the base meet its pull; nothing where that moves nothing.
+  /// The energy about where one more unit and the base meet its pull, apart from what it costs beside them; nothing
+  /// where that moves nothing.
   [[nodiscard]] std::optional<double> guess(const Base& base, std::size_t unit);
   /// Adds, exchanges and removes units, one at a time, while that lowers the energy.
   [[nodiscard]] Choice climb(Choice current, std::size_t most);
@@ -51,10 +52,14 @@ class RobustSelection {
   [[nodiscard]] std::optional<Choice> best_beside(const Choice& found) const;
   void try_all(const Choice& from, Choice& best, std::size_t most);
 
+  /// The units to fit beside a choice: the k_tries best by guess and cost, and what cannot be guessed.
+  [[nodiscard]] std::vector<std::size_t> units_to_try(const Choice& from);
+
   Quadratic& q_;
   const Choices& choices_;
   const ReadingCosts& costs_;
   const Doubt& doubt_;
+  std::vector<std::vector<double>> between_;  ///< of a tied unit's members, for each part; empty: not asked for yet
   std::vector<Choice> tried_;
   std::size_t evaluations_ = 0;
   std::vector<double> matrix_, pulls_, solved_, squares_, weights_;
