@@ -1,5 +1,6 @@
-// Posing for what was meant: the time of a solve and of a live step with 53 and with 530 controls, on an avatar of shapes
-// and joints (also with a line on each of its curves at once) and on a skeleton, beside NLopt's Subplex on the same energy (matching as penpose's own answer leaves it). One core.
+// Posing for what was meant: the time of a solve and of a live step with 53 and with 530 controls, on an avatar of
+// shapes and joints (also with a line on each of its curves at once) and on a skeleton, beside NLopt's Subplex on the
+// same energy (matching as penpose's own answer leaves it). One core.
 
 #include <algorithm>
 #include <array>
@@ -205,7 +206,8 @@ int main(int argc, char** argv) {
     std::puts("the shared models are not here: nothing to measure");
     return 0;
   }
-  const std::pair<int, std::string> subjects[] = {{0, "53 controls"}, {1, "530 controls"}, {2, "57 angles"}, {3, "avatar"}};
+  const std::pair<int, std::string> subjects[] = {
+      {0, "53 controls"}, {1, "530 controls"}, {2, "57 angles"}, {3, "avatar"}};
   for (const auto& [number, name] : subjects) {
     for (std::size_t i = 0; i < subject(number).cases.cases.size(); ++i) {
       const std::string label = std::string(name).append("/") + subject(number).cases.cases[i].name;

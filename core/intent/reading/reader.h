@@ -244,11 +244,11 @@ class Reader final : public Relations {
   Costs costs_;
   FaceCosts face_;
   Doubt doubt_;
-  std::vector<Field> fields_;   ///< one a variable
-  std::vector<Unit> carriers_;  ///< left out of choices_
+  std::vector<Field> fields_;                               ///< one a variable
+  std::vector<Unit> carriers_;                              ///< left out of choices_
   mutable std::vector<std::optional<Relation>> relations_;  ///< of pairs, as far as they were asked for
-  std::vector<double> asked_;                    ///< one a group that tells of controls
-  std::vector<std::vector<bool>> moved_groups_;  ///< one a parameter: whether it moves each of them
+  std::vector<double> asked_;                               ///< one a group that tells of controls
+  std::vector<std::vector<bool>> moved_groups_;             ///< one a parameter: whether it moves each of them
   posing::CurveSystem system_;
   std::vector<Block> blocks_;
   std::vector<std::size_t> parameters_;
