@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include "tests/support/app_desk.h"
+#include "ui/app/session/reading_offer.h"
+#include "ui/app/view/outcome.h"
+
+// "Did you mean": other readings of the last line, offered at the foot of the canvas.
+
+namespace penpose::app {
+namespace {
+
+ReadingOffer& offer_of(const Desk& desk) { return desk.app->of<ReadingOffer>(); }
+EditingSession& editing_of(const Desk& desk) { return desk.app->of<EditingSession>(); }
+
+/// The corners of the mouth go up.
+void draw_smile(Desk& desk) {
+  const auto mouth = desk.named_curve("lip_upper_inner");
+  auto smile = mouth;
+  const double middle = 0.5 * (mouth.front().x + mouth.back().x);
+  const double half = 0.5 * (mouth.back().x - mouth.front().x);
+  for (PxPoint& p : smile) p.y += 4 - 18 * (p.x - middle) * (p.x - middle) / (half * half);
+  desk.stroke(mouth);
+  desk.stroke(smile);
+}
+
+TEST(Readings, AreOfferedAfterALineAndShownUnderThePen) {
+  Desk desk("readings-shown");
+  desk.begin();
+  EXPECT_EQ(desk.interface->find("reading 1"), nullptr);
+  draw_smile(desk);
+  ASSERT_TRUE(offer_of(desk).open());
+  ASSERT_NE(desk.interface->find("reading 1"), nullptr);
+  const auto before = editing_of(desk).state();
+  const Area button = *desk.interface->find("reading 1");
+  EXPECT_GE(button.height(), desk.app->of<Canvas>().target_px() - 1) << "large enough for a pen";
+  desk.app->of<Pointer>().moved(button.middle());
+  desk.frames();
+  EXPECT_NE(editing_of(desk).shown().pose(), desk.document().pose) << "the face shows it";
+  desk.app->of<Pointer>().moved({button.middle().x, button.top - 200});
+  desk.frames();
+  EXPECT_EQ(editing_of(desk).shown().pose(), desk.document().pose);
+  EXPECT_EQ(editing_of(desk).state(), before) << "nothing was done";
+}
+
+TEST(Readings, OneIsTakenAtAPressInOneStepAndCanBeTakenBack) {
+  Desk desk("readings-take");
+  desk.begin();
+  draw_smile(desk);
+  ASSERT_TRUE(offer_of(desk).open());
+  const auto before = editing_of(desk).state();
+  const rig::Pose first = desk.document().pose;
+  const rig::Pose second = desk.document().moment->others[0];
+  const std::size_t steps = editing_of(desk).steps().list().size();
+  desk.click("reading 1");
+  EXPECT_EQ(desk.document().pose, second);
+  EXPECT_EQ(editing_of(desk).steps().list().size(), steps + 1);
+  ASSERT_TRUE(offer_of(desk).open()) << "the first one stands there now";
+  desk.click("reading 1");
+  EXPECT_EQ(desk.document().pose, first);
+  desk.press('z', true);
+  EXPECT_EQ(desk.document().pose, second);
+  desk.press('z', true);
+  EXPECT_EQ(editing_of(desk).state(), before);
+}
+
+TEST(Readings, KeysTakeTheSecondAndTheThird) {
+  Desk desk("readings-keys");
+  desk.begin();
+  desk.press('y');
+  EXPECT_EQ(editing_of(desk).steps().list().size(), 0U) << "there is nothing to take";
+  draw_smile(desk);
+  ASSERT_EQ(offer_of(desk).words().size(), 2U);
+  const auto others = desk.document().moment->others;
+  desk.press('y', false, true);
+  EXPECT_EQ(desk.document().pose, others[1]);
+  desk.press('z', true);
+  EXPECT_FALSE(offer_of(desk).open()) << "what is undone asks no question";
+}
+
+TEST(Readings, AreGoneWithTheNextStepAndWhileThePenDraws) {
+  Desk desk("readings-gone");
+  desk.begin();
+  draw_smile(desk);
+  ASSERT_TRUE(offer_of(desk).open());
+  const auto brow = desk.named_curve("brow_L");
+  desk.stroke(brow, false);
+  EXPECT_FALSE(offer_of(desk).open()) << "the pen draws";
+  desk.app->of<Pointer>().button(MouseButton::left, false, brow.back());
+  desk.frames();
+  EXPECT_FALSE(offer_of(desk).open()) << "a line is there that asks for nothing yet";
+}
+
+TEST(Readings, ALineThatMovesNothingIsAnswered) {
+  Desk desk("readings-nothing");
+  desk.begin();
+  desk.stroke(desk.named_curve("lip_upper_inner"));
+  desk.stroke(desk.named_curve("lip_upper_inner", {0, 6}));
+  ASSERT_EQ(desk.document().pose, rig::rest_pose(*desk.document().model->rig)) << "it asks for more now";
+  ASSERT_TRUE(offer_of(desk).open());
+  EXPECT_TRUE(offer_of(desk).nothing_moved());
+  EXPECT_NE(outcome_of(editing_of(desk)).find(offer_of(desk).words().front()), std::string::npos);
+  desk.click("reading 1");
+  EXPECT_NE(desk.document().pose, rig::rest_pose(*desk.document().model->rig));
+}
+
+TEST(Readings, ALineWhereItsCurveIsAsksForNothing) {
+  Desk desk("readings-there");
+  desk.begin();
+  desk.stroke(desk.named_curve("lip_upper_inner"));
+  desk.stroke(desk.named_curve("lip_upper_inner"));
+  EXPECT_FALSE(offer_of(desk).open());
+}
+
+}  // namespace
+}  // namespace penpose::app
