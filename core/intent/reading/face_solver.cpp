@@ -12,6 +12,8 @@ namespace {
 
 /// A reading that leaves more than this share of the squares of every line goes no way to speak of.
 constexpr double k_some_way = 0.85;
+/// What leaves more than this of them is no way that anybody could have meant.
+constexpr double k_any_way = 0.97;
 /// Rounds of matching a choice on its own, for linear rigs and others.
 constexpr int k_matches = 2;
 constexpr int k_general_matches = 4;
@@ -116,11 +118,13 @@ Reading FaceSolver::read_aligned() {
   return all.energy < best.energy - 1e-9 ? all : best;
 }
 
-bool FaceSolver::goes_some_way(const Choice& choice) {
+bool FaceSolver::goes_some_way(const Choice& choice) { return leaves_less(choice, k_some_way); }
+
+bool FaceSolver::leaves_less(const Choice& choice, double share) {
   const std::vector<double> left = reader_.squares_left(choice);
   const std::vector<double> asked = reader_.squares_left({});
   for (std::size_t c = 0; c < left.size(); ++c) {
-    if (left[c] < k_some_way * asked[c]) return true;
+    if (left[c] < share * asked[c]) return true;
   }
   return false;
 }
@@ -203,6 +207,7 @@ std::vector<Reading> FaceSolver::others(const Reading& taken, std::size_t count)
     one = matched(std::move(one.choice));
     std::vector<std::size_t> parameters = moved_by(one.choice);
     if (one.energy > most || !is_new(parameters)) continue;
+    if (all_moved.empty() && !leaves_less(one.choice, k_any_way)) continue;
     // That one side of a pair was not meant is offered once.
     const bool takes_back = std::includes(all_moved.begin(), all_moved.end(), parameters.begin(), parameters.end());
     if (takes_back && std::exchange(took_back, true)) continue;

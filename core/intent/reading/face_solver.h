@@ -36,6 +36,8 @@ class FaceSolver {
   [[nodiscard]] std::vector<Choice> exchanges(const RobustSelection& selection, const Choice& from) const;
   /// Whether a choice leaves clearly less than what was asked.
   [[nodiscard]] bool goes_some_way(const Choice& choice);
+  /// Whether it leaves less than this share of the squares of a line.
+  [[nodiscard]] bool leaves_less(const Choice& choice, double share);
   /// A choice of units, matched on its own, and its energy.
   Reading matched(Choice choice);
   /// Angles go a part of their range in one round; shapes all of it.

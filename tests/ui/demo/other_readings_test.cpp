@@ -121,17 +121,23 @@ TEST(OtherReadings, WhatWasSetSinceStays) {
 TEST(OtherReadings, ALaterLineFollowsTheChoice) {
   FaceHand hand;
   const CurveId line = hand.smiles();
+  const rig::Pose first = hand.document().pose;
   const rig::Pose second = hand.others()[0];
   hand.does(TakeReading{line, 0});
   // The face at rest again, and the same line drawn anew.
   hand.does(document::ClearCurves{});
   hand.does(document::ResetParameters{});
   hand.smiles();
-  EXPECT_EQ(hand.document().pose, second);
+  for (std::size_t i = 0; i < second.size(); ++i) EXPECT_NEAR(hand.document().pose[i], second[i], 0.02);
   // Without the choice it is what it was.
   FaceHand other;
+  const CurveId same = other.smiles();
+  other.does(TakeReading{same, 0});
+  other.does(document::ClearCurves{});
+  other.does(document::ResetParameters{});
+  EXPECT_TRUE(other.undo().ok() && other.undo().ok() && other.undo().ok() && other.undo().ok() && other.undo().ok());
   other.smiles();
-  EXPECT_NE(other.document().pose, second);
+  EXPECT_EQ(other.document().pose, first) << "what was undone tells nothing";
 }
 
 TEST(OtherReadings, AProjectKeepsTheChoice) {
@@ -149,7 +155,7 @@ TEST(OtherReadings, AProjectKeepsTheChoice) {
 
 TEST(OtherReadings, ALineThatMovesNothingSaysWhatWouldHaveMoved) {
   FaceHand hand;
-  const CurveId line = hand.draws("lip_upper_inner", 6, 6);
+  const CurveId line = hand.draws("lip_upper_inner", 0, 14);
   ASSERT_EQ(hand.document().pose, rig::rest_pose(*hand.document().model->rig)) << "the line asks for more now";
   ASSERT_FALSE(hand.others().empty());
   hand.does(TakeReading{line, 0});

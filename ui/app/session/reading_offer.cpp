@@ -21,8 +21,9 @@ constexpr double k_alike = 0.1;
 
 struct Change {
   std::string name;
-  double by = 0;     ///< from the pose before the line; 0: the reading takes it back
-  double share = 0;  ///< of its range, by which the readings differ
+  double by = 0;        ///< from the pose before the line; 0: the reading takes it back
+  double share = 0;     ///< of its range, by which the readings differ
+  bool is_new = false;  ///< the reading taken does not move it
 };
 
 /// What one reading has that the one taken has not, the most first; both sides of a pair as one.
@@ -35,7 +36,8 @@ std::vector<Change> changes_of(const document::Document& document, const rig::Po
   const auto differs = [&](std::size_t i) { return std::abs(reading[i] - moment.posed[i]) > k_differs * range(i); };
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (!differs(i)) continue;
-    Change one{parameters[i].name, reading[i] - moment.base[i], std::abs(reading[i] - moment.posed[i]) / range(i)};
+    Change one{parameters[i].name, reading[i] - moment.base[i], std::abs(reading[i] - moment.posed[i]) / range(i),
+               moment.posed[i] == moment.base[i]};
     const std::size_t other = pairs[i];
     if (other != k_no_pair && differs(other) &&
         std::abs(reading[other] - moment.base[other] - one.by) <= k_alike * range(i)) {
@@ -50,11 +52,15 @@ std::vector<Change> changes_of(const document::Document& document, const rig::Po
 
 std::string words_of(const document::Document& document, const rig::Pose& reading) {
   std::vector<Change> changes = changes_of(document, reading);
-  const auto moves = [](const Change& one) { return one.by != 0.0; };
-  // What it moves says more than what it takes back.
-  const bool any = std::any_of(changes.begin(), changes.end(), moves);
-  if (any) std::erase_if(changes, [&](const Change& one) { return !moves(one); });
-  std::string text = any || changes.empty() ? "" : "without ";
+  // What it moves says more than what it takes back, and both more than what goes a little further.
+  const auto keep = [&](const auto& test) {
+    if (std::any_of(changes.begin(), changes.end(), test))
+      std::erase_if(changes, [&](const Change& one) { return !test(one); });
+  };
+  keep([](const Change& one) { return one.is_new || one.by == 0.0; });
+  keep([](const Change& one) { return one.is_new; });
+  const bool any = changes.empty() || changes.front().by != 0.0;
+  std::string text = any ? "" : "without ";
   for (std::size_t i = 0; i < std::min(k_named, changes.size()); ++i) {
     if (i > 0) text += ", ";
     text += changes[i].name;

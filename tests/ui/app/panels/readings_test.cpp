@@ -1,8 +1,13 @@
+#include <algorithm>
 #include <gtest/gtest.h>
 
+#include "core/document/document_hash.h"
+#include "replay/session/session_player.h"
 #include "tests/support/app_desk.h"
 #include "ui/app/session/reading_offer.h"
 #include "ui/app/view/outcome.h"
+#include "ui/files/files.h"
+#include "ui/files/load_model.h"
 
 // "Did you mean": other readings of the last line, offered at the foot of the canvas.
 
@@ -12,16 +17,20 @@ namespace {
 ReadingOffer& offer_of(const Desk& desk) { return desk.app->of<ReadingOffer>(); }
 EditingSession& editing_of(const Desk& desk) { return desk.app->of<EditingSession>(); }
 
-/// The corners of the mouth go up.
-void draw_smile(Desk& desk) {
+/// The mouth, and where it goes: its corners down by so many px, its middle by others.
+void draw_mouth(Desk& desk, double corners, double in_the_middle) {
   const auto mouth = desk.named_curve("lip_upper_inner");
   auto smile = mouth;
   const double middle = 0.5 * (mouth.front().x + mouth.back().x);
   const double half = 0.5 * (mouth.back().x - mouth.front().x);
-  for (PxPoint& p : smile) p.y += 4 - 18 * (p.x - middle) * (p.x - middle) / (half * half);
+  for (PxPoint& p : smile) {
+    const double x = (p.x - middle) / half;
+    p.y += in_the_middle + (corners - in_the_middle) * x * x;
+  }
   desk.stroke(mouth);
   desk.stroke(smile);
 }
+void draw_smile(Desk& desk) { draw_mouth(desk, -14, 4); }
 
 TEST(Readings, AreOfferedAfterALineAndShownUnderThePen) {
   Desk desk("readings-shown");
@@ -63,6 +72,45 @@ TEST(Readings, OneIsTakenAtAPressInOneStepAndCanBeTakenBack) {
   EXPECT_EQ(editing_of(desk).state(), before);
 }
 
+TEST(Readings, ASessionInWhichOneWasTakenReplaysToTheSameBits) {
+  Desk desk("readings-replay");
+  desk.begin();
+  draw_smile(desk);
+  desk.click("reading 2");
+  desk.app->of<Actions>().run(Action::clear_curves);
+  desk.app->of<Actions>().run(Action::reset_pose);
+  desk.frames();
+  draw_smile(desk);
+  replay::PlayerOptions options;
+  options.open = [](const std::string& path) { return files::load_document(path, files::NamedBy::user); };
+  const auto bytes = files::read_plain_file(desk.app->of<Recording>().path());
+  ASSERT_TRUE(bytes);
+  const auto played = replay::play_session(replay::read_from(*bytes), options);
+  ASSERT_TRUE(played && played->session) << played.error().line();
+  EXPECT_FALSE(played->divergence);
+  EXPECT_EQ(document::DocumentHasher()(played->session->editor().document()), editing_of(desk).state());
+}
+
+TEST(Readings, WithXMirrorBothSidesAreExchanged) {
+  Desk desk("readings-mirror");
+  desk.begin();
+  desk.press('m');
+  const auto mouth = desk.named_curve("lip_upper_inner");
+  auto smirk = mouth;
+  const double middle = 0.5 * (mouth.front().x + mouth.back().x);
+  for (PxPoint& p : smirk) p.y -= 0.4 * std::max(0.0, p.x - middle);
+  desk.stroke(mouth);
+  desk.stroke(smirk);
+  ASSERT_TRUE(offer_of(desk).open());
+  desk.press('y');
+  const auto parameters = desk.document().model->rig->parameters();
+  const auto& pairs = editing_of(desk).two_sided_pairs();
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (pairs[i] == k_no_pair) continue;
+    EXPECT_NEAR(desk.document().pose[i], desk.document().pose[pairs[i]], 1e-9) << parameters[i].name;
+  }
+}
+
 TEST(Readings, KeysTakeTheSecondAndTheThird) {
   Desk desk("readings-keys");
   desk.begin();
@@ -93,8 +141,7 @@ TEST(Readings, AreGoneWithTheNextStepAndWhileThePenDraws) {
 TEST(Readings, ALineThatMovesNothingIsAnswered) {
   Desk desk("readings-nothing");
   desk.begin();
-  desk.stroke(desk.named_curve("lip_upper_inner"));
-  desk.stroke(desk.named_curve("lip_upper_inner", {0, 6}));
+  draw_mouth(desk, 9, 0);
   ASSERT_EQ(desk.document().pose, rig::rest_pose(*desk.document().model->rig)) << "it asks for more now";
   ASSERT_TRUE(offer_of(desk).open());
   EXPECT_TRUE(offer_of(desk).nothing_moved());
