@@ -35,12 +35,26 @@ Document with_model(const Document& document, Model model) {
   for (PoseKey& key : timeline.keys) key.pose = carried(key.pose);
   after.timeline = std::make_shared<const Timeline>(std::move(timeline));
   std::erase_if(after.locked, [&](const std::string& name) { return !rig::find_parameter(parameters, name); });
+  if (document.taken) after.taken = taken_of_rig(*document.taken, parameters);
   return after;
+}
+
+std::shared_ptr<const std::vector<TakenReading>> taken_of_rig(std::vector<TakenReading> taken,
+                                                              std::span<const rig::Parameter> parameters) {
+  const auto known = [&](const std::string& name) { return rig::find_parameter(parameters, name).has_value(); };
+  std::erase_if(taken, [&](const TakenReading& one) {
+    return !std::all_of(one.taken.begin(), one.taken.end(), known) ||
+           !std::all_of(one.instead_of.begin(), one.instead_of.end(), known) ||
+           (one.taken.empty() && one.instead_of.empty());
+  });
+  if (taken.empty()) return nullptr;
+  return std::make_shared<const std::vector<TakenReading>>(std::move(taken));
 }
 
 bool is_plain(const Document& document) {
   return document.locked.empty() && !document.pressure_weighting && document.hand == 1.0 && document.curves.empty() &&
-         document.last_curve == 0 && !document.pending && document.timeline->keys.empty() && document.views.empty();
+         document.last_curve == 0 && !document.taken && !document.pending && document.timeline->keys.empty() &&
+         document.views.empty();
 }
 
 Model model_of(const Document& document) {

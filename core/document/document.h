@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,18 @@ struct Moment {
   rig::Pose base;           ///< before the first line
   rig::Pose posed;          ///< result of the last solve
   std::vector<Line> lines;  ///< in the order in which their targets were drawn
+  /// Other readings of the lines, as poses, the best first; after one was taken it stands here in its place.
+  std::vector<rig::Pose> others = {};
 };
+
+/// What the artist chose between two readings (TakeReading): controls that it moved, and those that the other one moved
+/// in their place, by name in the order of the rig. One of both may be empty.
+struct TakenReading {
+  std::vector<std::string> taken, instead_of;
+  friend bool operator==(const TakenReading&, const TakenReading&) = default;
+};
+/// So many are remembered, the latest ones.
+inline constexpr std::size_t k_most_taken = 64;
 
 /// A named view.
 struct NamedView {
@@ -63,6 +75,7 @@ struct Document {
   std::shared_ptr<const Timeline> timeline;              ///< never null
   double time_s = 0;                                     ///< where on the timeline the pose was last taken from
   std::shared_ptr<const Moment> moment;                  ///< null: nothing drawn yet
+  std::shared_ptr<const std::vector<TakenReading>> taken;  ///< later lines follow them, the latest last; null: none
   std::vector<std::shared_ptr<const NamedView>> views;
 };
 
@@ -72,6 +85,10 @@ struct Document {
 /// The document with its model replaced by one of the same mesh: poses are kept by the names of parameters, new ones
 /// are at rest; locks of removed parameters are dropped. The model's own pose is ignored.
 [[nodiscard]] Document with_model(const Document& document, Model model);
+
+/// Those of the readings whose controls a rig has; null: none.
+[[nodiscard]] std::shared_ptr<const std::vector<TakenReading>> taken_of_rig(std::vector<TakenReading> taken,
+                                                                            std::span<const rig::Parameter> parameters);
 
 /// Whether the document is only its model in a pose: no curves, keys, views, locks, settings or strokes of an
 /// unfinished deformer.

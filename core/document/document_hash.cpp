@@ -70,6 +70,16 @@ base::Hash128 hash_deformers(const Document& document) {
   return hash.digest();
 }
 
+void add_taken(StateHash& hash, const std::vector<TakenReading>& taken) {
+  hash.add(std::uint64_t{taken.size()});
+  for (const TakenReading& one : taken) {
+    for (const auto* names : {&one.taken, &one.instead_of}) {
+      hash.add(std::uint64_t{names->size()});
+      for (const std::string& name : *names) hash.add(name);
+    }
+  }
+}
+
 base::Hash128 hash_parameters(const Document& document) {
   StateHash hash;
   add_parameters(hash, *document.model->rig);
@@ -79,6 +89,7 @@ base::Hash128 hash_parameters(const Document& document) {
   // States of before the hand could be told are hashed as ever.
   if (document.hand != 1.0) hash.add(document.hand);
   hash.add(document.time_s);
+  if (document.taken) add_taken(hash, *document.taken);
   return hash.digest();
 }
 

@@ -203,6 +203,10 @@ Solution solve_free(const rig::Rig& rig, const WholeModel& whole, const IntentPr
     reading = solver.read();
     solver.settle(reading);
     solution.evaluations = solver.evaluations;
+    if (options.others > 0) {
+      for (const Reading& one : solver.others(reading, options.others))
+        solution.others.push_back({reader.pose_of(one.choice), one.energy - reading.energy});
+    }
   }
   units = reading.choice.units.size();
   solution.doubt_energy = reading.energy;
@@ -249,7 +253,10 @@ base::Result<Solution> solve_whole(const rig::Rig& rig, const WholeModel& whole,
   const IntentProblem unlocked = as_if_unlocked(problem);
   if (auto status = check_problem(rig, unlocked); !status) return status.error();
   Solution meant = solve_free(rig, whole, unlocked, options, work, units);
-  if (!moves_locked(problem, meant.pose)) return meant;
+  if (!moves_locked(problem, meant.pose)) {
+    std::erase_if(meant.others, [&](const OtherReading& one) { return moves_locked(problem, one.pose); });
+    return meant;
+  }
   // Of a pair, or of the angles of a joint, the free ones do what they were meant to.
   IntentProblem rest = problem;
   if (keeps_a_part_of_each(problem, whole, meant.moved)) {

@@ -17,6 +17,13 @@ struct SolveOptions {
   std::size_t limb_rounds = 8;     ///< for limbs, linearised in each round at the pose of the last
   std::size_t rivals = 6;          ///< other readings of limbs that are matched on their own before one is taken
   std::size_t most_units = 24;     ///< controls, pairs or joints that may move, at most
+  std::size_t others = 0;          ///< of lines on faces: other readings that are kept beside the one taken, at most
+};
+
+/// Another way to read lines on a face.
+struct OtherReading {
+  rig::Pose pose;    ///< all parameters of the rig
+  double above = 0;  ///< its energy over that of the reading taken; below 0 where the artist's choices decided
 };
 
 /// What is left of one curve's error.
@@ -39,6 +46,8 @@ struct Solution {
   std::size_t variables = 0;          ///< parameters that move the curves
   std::size_t evaluations = 0;        ///< of the energy
   bool linear = false;
+  std::vector<OtherReading>
+      others;  ///< the best first, at most SolveOptions::others; none just moves more than another
 };
 
 /// Scratch memory, and data of a rig to keep between solves.

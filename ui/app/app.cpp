@@ -56,8 +56,8 @@ App::App(AppOptions options)
       tablet_events_({options_.own_tablets, editing_, canvas_, dialogs_, notices_, player_, desk_, tablets_, bindings_,
                       place_, dials_, held_keys_, fingers_, pens_}),
       owners_(editing_, notices_, preferences_, recording_, player_, hits_, look_, drawing_, panels_, dialogs_,
-              actions_, canvas_, controls_, playback_, keys_, performer_, film_, offer_, tool_, curves_, tour_, files_,
-              leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_) {
+              actions_, canvas_, controls_, playback_, keys_, performer_, film_, offer_, readings_, tool_, curves_,
+              tour_, files_, leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_) {
   // Before the first frame nobody knows where panels are.
   hits_.all = true;
   if (!recovery_.abandoned().empty()) {
@@ -122,6 +122,8 @@ void App::advance() {
   performer_.follow(now);
   controls_.tell_doubt_of_feature();
   offer_.follow(editing_);
+  readings_.follow(editing_, offer_.open() || tour_.active() || player_.plays_session() || playback_.playing() ||
+                                 performer_.performing() || sketches(editing_.editor().tool()));
 }
 
 void App::follow_habits() {

@@ -25,6 +25,7 @@
 #include "ui/app/playback/performer.h"
 #include "ui/app/playback/playback.h"
 #include "ui/app/preferences.h"
+#include "ui/app/session/reading_offer.h"
 #include "ui/app/session/suggestion_offer.h"
 #include "ui/app/tools/tool_in_hand.h"
 #include "ui/app/tour/tour_guide.h"
@@ -90,6 +91,7 @@ class App {
   Performer performer_;
   FilmWriter film_;
   SuggestionOffer offer_;
+  ReadingOffer readings_;
   ToolInHand tool_;
   CurvesInHand curves_;
   TourGuide tour_;
@@ -110,8 +112,8 @@ class App {
   TabletEvents tablet_events_;
   std::tuple<EditingSession&, Notices&, Preferences&, Recording&, Player&, HitMap&, CanvasLook&, CanvasDrawing&,
              PanelState&, Dialogs&, Actions&, Canvas&, Controls&, Playback&, Keys&, Performer&, FilmWriter&,
-             SuggestionOffer&, ToolInHand&, CurvesInHand&, TourGuide&, Files&, Leaving&, Recovery&, HandDesk&,
-             Bindings&, PanelInput&, Pointer&, TabletEvents&>
+             SuggestionOffer&, ReadingOffer&, ToolInHand&, CurvesInHand&, TourGuide&, Files&, Leaving&, Recovery&,
+             HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&>
       owners_;
   std::int64_t last_frame_us_ = 0;
   bool laid_out_ = false;

@@ -138,6 +138,23 @@ std::shared_ptr<const Moment> moment_of_all(const Document& document, rig::Pose 
   return std::make_shared<const Moment>(std::move(moment));
 }
 
+bool is_last_line(const Document& document, CurveId curve) {
+  const Moment* moment = document.moment.get();
+  return moment != nullptr && !moment->lines.empty() && moment->lines.back().curve == curve &&
+         moment->rig == document.model->rig && moment->time_s == document.time_s &&
+         has_target(find_curve(document, curve));
+}
+
+rig::Pose pose_of_reading(const Document& document, std::size_t which) {
+  const Moment& moment = *document.moment;
+  const rig::Pose& reading = moment.others[which];
+  rig::Pose pose = document.pose;
+  for (std::size_t i = 0; i < pose.size(); ++i) {
+    if (reading[i] != moment.posed[i]) pose[i] = reading[i];
+  }
+  return pose;
+}
+
 std::vector<CurveId> drawn_anew(const Moment& moment) {
   std::vector<CurveId> anew;
   for (const Moment::Line& line : moment.lines) {

@@ -22,6 +22,13 @@ inline constexpr double k_drawn_anew = 0.8;
 /// The moment of all lines at once, solved from the document's pose with the result `posed`; null: no lines.
 [[nodiscard]] std::shared_ptr<const Moment> moment_of_all(const Document& document, rig::Pose posed);
 
+/// Whether the line of this curve is the last of the document's moment, with nothing but values set since.
+[[nodiscard]] bool is_last_line(const Document& document, CurveId curve);
+
+/// The document's pose with another reading of the last lines in place of the one taken. What was set since stays,
+/// unless the readings differ in it. Precondition: the moment is of the document's rig and has such a reading.
+[[nodiscard]] rig::Pose pose_of_reading(const Document& document, std::size_t which);
+
 /// References that count as redrawn: later lines have covered k_drawn_anew of them.
 [[nodiscard]] std::vector<CurveId> drawn_anew(const Moment& moment);
 

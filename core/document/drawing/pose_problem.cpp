@@ -62,6 +62,21 @@ double hand_px(const Document& document, geometry::Viewport viewport) {
 
 namespace {
 
+std::vector<intent::TakenReading> taken_numbers(const Document& document) {
+  const auto parameters = document.model->rig->parameters();
+  const auto numbers_of = [&](const std::vector<std::string>& names) {
+    std::vector<std::size_t> numbers;
+    for (const std::string& name : names) {
+      if (const auto number = rig::find_parameter(parameters, name)) numbers.push_back(*number);
+    }
+    std::stable_sort(numbers.begin(), numbers.end());
+    return numbers;
+  };
+  std::vector<intent::TakenReading> out;
+  for (const TakenReading& one : *document.taken) out.push_back({numbers_of(one.taken), numbers_of(one.instead_of)});
+  return out;
+}
+
 /// What does not depend on the curves: where it starts, what is free and what is locked.
 intent::IntentProblem problem_without_curves(const Document& document) {
   intent::IntentProblem problem;
@@ -72,6 +87,7 @@ intent::IntentProblem problem_without_curves(const Document& document) {
     k += free ? 1U : 0U;
     if (!free) problem.locked.push_back(i);
   }
+  if (document.taken) problem.taken = taken_numbers(document);
   return problem;
 }
 

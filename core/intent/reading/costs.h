@@ -47,6 +47,9 @@ struct FaceCosts {
   double spans = 0.6;
   /// Joints that carry this many times what is near the drawn curves (squared) are thought of last.
   double carries_more = 8.0;
+  /// A reading that the artist once took in place of the best one, by an exchange of the same controls, is taken again
+  /// where it is above the best by no more than this: as much as readings differ that are still offered.
+  double taken = 12.0;
   /// Strokes begin and end within this share of their length of where they were meant to, root mean square.
   double slide = 0.015;
 };

@@ -7,6 +7,8 @@
 
 namespace penpose::intent {
 
+class RobustSelection;
+
 /// Finds the best reading of lines on a face, matching and choosing in turn (FaceCosts, Doubt).
 class FaceSolver {
  public:
@@ -15,12 +17,18 @@ class FaceSolver {
 
   /// Over the ways in which single lines may be aligned; the reader keeps the best one's.
   Reading read();
+  /// Other readings that were matched on the way, at most `count`, the best first; their values follow the lines alone,
+  /// by least squares. Each does without something that the one taken moves, and each of those before it; what moves
+  /// nothing is none of them. Call it last.
+  [[nodiscard]] std::vector<Reading> others(const Reading& taken, std::size_t count);
   /// Lets the values of a reading follow the lines alone: least squares, and downhill simplex on the energy itself.
   void settle(Reading& reading);
 
   std::size_t evaluations = 0;
 
  private:
+  /// Over the alignments, whatever the artist took before.
+  Reading read_best();
   /// As aligned. Joints that carry much more than what was drawn are thought of where nothing else goes some way.
   Reading read_aligned();
   Reading read_choices();
@@ -28,15 +36,25 @@ class FaceSolver {
   double most_to_gain(const Reading& reading, std::size_t c);
   /// The energy of a quick reading with drawn curve c aligned anew and the others read as before.
   double first_look(const Choice& choice, std::size_t c);
+  /// The best choices of a selection that leave out a unit of one, and of each other.
+  [[nodiscard]] std::vector<Choice> exchanges(const RobustSelection& selection, const Choice& from) const;
   /// Whether a choice leaves clearly less than what was asked.
   [[nodiscard]] bool goes_some_way(const Choice& choice);
+  /// Whether it leaves less than this share of the squares of a line.
+  [[nodiscard]] bool leaves_less(const Choice& choice, double share);
   /// A choice of units, matched on its own, and its energy.
   Reading matched(Choice choice);
   /// Angles go a part of their range in one round; shapes all of it.
   [[nodiscard]] Choice trusted(const Choice& before, Choice after) const;
 
+  /// The best reading; or one that differs from it by an exchange that the artist made before (TakenReading).
+  [[nodiscard]] Reading as_taken_before(Reading best) const;
+  /// The parameters that a choice moves, ascending.
+  [[nodiscard]] std::vector<std::size_t> moved_by(const Choice& choice) const;
+
   Reader& reader_;
   const SolveOptions& options_;
+  std::vector<Reading> matched_;  ///< all of the alignment that was read last; of the best one once all were read
   SolveWorkspace::Buffers& b_;
 };
 

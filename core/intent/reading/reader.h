@@ -48,6 +48,9 @@ class Reader final : public Relations {
   /// Of a face: the energy's scale, and what choices cost.
   [[nodiscard]] const Doubt& doubt() const { return doubt_; }
   [[nodiscard]] ReadingCosts reading_costs() const { return {choices_, face_, *this, asked_}; }
+  [[nodiscard]] const FaceCosts& face_costs() const { return face_; }
+  /// Readings that the artist took in place of others.
+  [[nodiscard]] const std::vector<TakenReading>& taken() const { return problem_.taken; }
   [[nodiscard]] double likeness(std::size_t a, std::size_t b) const override { return relation(a, b).likeness; }
   [[nodiscard]] double overlap(std::size_t a, std::size_t b) const override { return relation(a, b).overlap; }
   [[nodiscard]] bool moves_group(std::size_t variable, std::size_t group) const override {

@@ -3,6 +3,7 @@
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/dialogs/dialogs.h"
 #include "ui/app/notices.h"
+#include "ui/app/panels/panel_entries.h"
 #include "ui/app/panels/panels.h"
 #include "ui/app/preferences.h"
 #include "ui/app/view/toast_place.h"
@@ -16,7 +17,8 @@ void show_notices(PanelContext& context, const Area& /*area*/, Canvas& canvas, C
                   Preferences& preferences, Dialogs& dialogs) {
   const auto& all = notices.all();
   if (all.empty()) return;
-  const Area free = canvas.free_area();
+  Area free = canvas.free_area();
+  if (const auto& readings = context.own.of<ReadingsPlace>().area) free.bottom = readings->top;
   // What a dialog has to tell is not to lie in its shade.
   const bool dialog = dialogs.open() != Dialog::none;
   ImDrawList& list = dialog ? *ImGui::GetForegroundDrawList() : *ImGui::GetBackgroundDrawList();

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "ui/app/view/area.h"
+
 // What panels keep that others look at.
 
 namespace penpose::app {
@@ -29,6 +31,11 @@ struct TimelineShown {
   double seen_time_s = 0;                             ///< where the cursor was last brought into sight
   std::optional<std::pair<double, double>> key_drag;  ///< a key in hand: from, to
   std::string frame_text;                             ///< what is being typed as a frame
+};
+
+/// Where other readings are offered; nothing: nowhere.
+struct ReadingsPlace {
+  std::optional<Area> area;
 };
 
 }  // namespace penpose::app

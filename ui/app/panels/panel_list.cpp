@@ -21,6 +21,7 @@ void show_backdrop(PanelContext&, const Area&, Canvas&, CanvasLook&, Playback&, 
 void show_axes(PanelContext&, const Area&, Canvas&, Dialogs&, PanelState&);
 void show_curve_menu(PanelContext&, const Area&, EditingSession&, Canvas&, PanelState&);
 void show_suggestion(PanelContext&, const Area&, EditingSession&, Canvas&, SuggestionOffer&);
+void show_readings(PanelContext&, const Area&, EditingSession&, Canvas&, ReadingOffer&);
 void show_notices(PanelContext&, const Area&, Canvas&, CanvasDrawing&, Notices&, Preferences&, Dialogs&);
 void show_radial_menu(PanelContext&, const Area&, Canvas&, Preferences&, PanelState&);
 void show_tour_ghost(PanelContext&, const Area&, Canvas&, TourGuide&, Dialogs&);
@@ -59,6 +60,7 @@ constexpr std::array k_panels{
     PanelRow{PanelPlace::canvas, show<show_axes>},
     PanelRow{PanelPlace::canvas, show<show_curve_menu>},
     PanelRow{PanelPlace::canvas, show<show_suggestion>},
+    PanelRow{PanelPlace::canvas, show<show_readings>},
     PanelRow{PanelPlace::canvas, show<show_notices>},
     PanelRow{PanelPlace::window, show<show_radial_menu>},
     PanelRow{PanelPlace::window, [](PanelContext& context, const Area&, App& app) { show_dialog(context, app); }},

@@ -17,7 +17,8 @@ bool solves(const replay::SessionLine& line) {
   return std::holds_alternative<document::DragTarget>(performed->command) ||
          std::holds_alternative<document::DrawTarget>(performed->command) ||
          std::holds_alternative<document::PullTarget>(performed->command) ||
-         std::holds_alternative<document::SolvePose>(performed->command);
+         std::holds_alternative<document::SolvePose>(performed->command) ||
+         std::holds_alternative<document::TakeReading>(performed->command);
 }
 
 /// The curve that has another target than before; null: none.

@@ -25,6 +25,10 @@ double left_of(document::Document document, document::CurveId curve, const inten
 
 }  // namespace
 
+bool LastStroke::within_hand(const document::Document& document, geometry::Viewport viewport) const {
+  return left_px_ <= 2.0 * document::hand_px(document, viewport);
+}
+
 void LastStroke::say(std::string text) {
   forget();
   text_ = std::move(text);

@@ -22,6 +22,8 @@ class LastStroke {
   [[nodiscard]] const std::vector<Movement>& movements() const { return movements_; }
   /// px that it leaves between its curve and its target, in the mean; negative: not known.
   [[nodiscard]] double left_px() const { return left_px_; }
+  /// Whether that is no more than what a hand leaves in a view.
+  [[nodiscard]] bool within_hand(const document::Document& document, geometry::Viewport viewport) const;
   /// Whose target it was; null: several.
   [[nodiscard]] document::CurveId curve() const { return curve_; }
   /// Whether nothing has happened since.

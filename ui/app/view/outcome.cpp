@@ -4,22 +4,19 @@
 #include <array>
 #include <cstdio>
 
-#include "core/document/drawing/pose_problem.h"
 #include "core/drawing/editor.h"
+#include "ui/app/session/reading_offer.h"
 
 namespace penpose::app {
 namespace {
 
 constexpr std::size_t k_named = 3;
 
-/// Whether what is left of the last target is what a hand leaves.
-bool within_hand(const EditingSession& editing) {
-  return editing.last_stroke().left_px() <=
-         2.0 * document::hand_px(editing.document(), editing.editor().view().viewport);
-}
-
 std::string why_nothing_moved(const EditingSession& editing) {
-  if (within_hand(editing)) return "the curve already is where the line was drawn";
+  if (editing.last_stroke().within_hand(editing.document(), editing.editor().view().viewport))
+    return "the curve already is where the line was drawn";
+  const std::vector<std::string> others = words_of_readings(editing.document());
+  if (!others.empty()) return "what would come nearest is " + others.front();
   return editing.document().locked.empty() ? "no control of this model brings the curve to the line"
                                            : "no control that is not locked brings the curve to the line";
 }

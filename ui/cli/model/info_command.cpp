@@ -7,6 +7,7 @@
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
+#include "core/intent/model/doubles.h"
 #include "core/io/model/model_formats.h"
 #include "ui/cli/subcommand.h"
 #include "ui/files/files.h"
@@ -33,7 +34,9 @@ double duration_s(const document::Animation& animation) {
 std::size_t shape_count(const document::Model& model) { return model.shapes ? model.shapes->parameters().size() : 0; }
 std::size_t joint_count(const document::Model& model) { return model.skeleton ? model.skeleton->joints().size() : 0; }
 
-Json to_json(const document::Model& model, const std::string& state, const std::string& path) {
+using Doubles = std::vector<intent::DoubleControl>;
+
+Json to_json(const document::Model& model, const Doubles& doubles, const std::string& state, const std::string& path) {
   Json parts = Json::array();
   for (const mesh::Part& part : model.mesh->parts()) {
     parts.push_back({{"name", part.name},
@@ -56,6 +59,12 @@ Json to_json(const document::Model& model, const std::string& state, const std::
     animations.push_back(
         {{"name", animation.name}, {"channels", animation.channels.size()}, {"duration_s", duration_s(animation)}});
   }
+  Json twice = Json::array();
+  for (const intent::DoubleControl& one : doubles) {
+    Json of = Json::array();
+    for (const std::size_t k : one.of) of.push_back(model.rig->parameters()[k].name);
+    twice.push_back({{"name", model.rig->parameters()[one.parameter].name}, {"of", std::move(of)}});
+  }
   const geometry::Box box = document::rest_world_box(model);
   return {{"model", path},
           {"vertices", model.mesh->vertex_count()},
@@ -65,6 +74,7 @@ Json to_json(const document::Model& model, const std::string& state, const std::
           {"blend_shapes", shape_count(model)},
           {"joints", joint_count(model)},
           {"parameters", std::move(parameters)},
+          {"doubles", std::move(twice)},
           {"curves", std::move(curves)},
           {"animations", std::move(animations)},
           {"bounding_box",
@@ -94,7 +104,20 @@ void print_parameters(const document::Model& model) {
   }
 }
 
-void print(const document::Model& model, const std::string& path) {
+/// "smile = smile_L + smile_R"; one that does the same as another: "smile_2 like smile".
+void print_doubles(const document::Model& model, const Doubles& doubles) {
+  if (doubles.empty()) return;
+  const auto parameters = model.rig->parameters();
+  std::cout << "doubles     " << doubles.size() << '\n';
+  for (const intent::DoubleControl& one : doubles) {
+    std::cout << "  " << base::shown_name(parameters[one.parameter].name) << (one.of.size() > 1 ? " = " : " like ");
+    for (std::size_t k = 0; k < one.of.size(); ++k)
+      std::cout << (k > 0 ? " + " : "") << base::shown_name(parameters[one.of[k]].name);
+    std::cout << '\n';
+  }
+}
+
+void print(const document::Model& model, const Doubles& doubles, const std::string& path) {
   const geometry::Box box = document::rest_world_box(model);
   std::cout << base::shown_line(path, k_longest_path) << "\nvertices    " << model.mesh->vertex_count()
             << "\nfaces       " << model.mesh->triangle_count() << "\ncomponents  " << model.mesh->component_count()
@@ -106,6 +129,7 @@ void print(const document::Model& model, const std::string& path) {
               << " faces\n";
   }
   print_parameters(model);
+  print_doubles(model, doubles);
   std::cout << "curves      " << model.curves.size() << '\n';
   for (const document::NamedCurve& curve : model.curves) {
     std::cout << "  " << base::shown_name(curve.name) << "  " << curve.points.size() << " points\n";
@@ -123,11 +147,12 @@ int run_info(const InfoArguments& arguments) {
   const auto document = files::load_document(arguments.model);
   if (!document) return files::report(document.error(), arguments.model);
   const document::Model model = document::model_of(*document);
+  const Doubles doubles = intent::doubles_of(intent::measure_whole_model(*model.rig));
   if (arguments.json) {
     const std::string state = document::DocumentHasher()(*document).whole.hex();
-    std::cout << to_json(model, state, arguments.model).dump_as_made() << '\n';
+    std::cout << to_json(model, doubles, state, arguments.model).dump_as_made() << '\n';
   } else {
-    print(model, arguments.model);
+    print(model, doubles, arguments.model);
   }
   return k_success;
 }

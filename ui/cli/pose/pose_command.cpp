@@ -25,6 +25,9 @@ namespace {
 
 using json::Json;
 
+/// Other readings that are printed.
+constexpr std::size_t k_others = 2;
+
 /// Which energy is minimised.
 enum class Preset : std::uint8_t { meant, exact, paper };
 
@@ -83,9 +86,12 @@ base::Result<SolvedCase> solve_case(const document::Model& model, const io::Pose
   if (arguments.preset == Preset::meant) {
     const auto problem = tracking::intent_of_case(model, pose_case, arguments.free, arguments.form, solvers.hand);
     if (!problem) return problem.error();
-    auto solution = timed(pose_case, solved.solve_us,
-                          [&] { return intent::solve(*model.rig, solvers.whole, *problem, {}, solvers.meant); });
+    intent::SolveOptions options;
+    const auto solve = [&] { return intent::solve(*model.rig, solvers.whole, *problem, options, solvers.meant); };
+    auto solution = timed(pose_case, solved.solve_us, solve);
     if (!solution) return solution.error();
+    options.others = k_others;
+    if (auto with_others = solve()) solution->others = std::move(with_others->others);
     solved.solution.pose = solution->pose;
     solved.solution.energy_start = solution->energy_start;
     solved.solution.energy = solution->energy;
@@ -106,17 +112,33 @@ base::Result<SolvedCase> solve_case(const document::Model& model, const io::Pose
   return solved;
 }
 
+/// What each of the other readings has away from the rest pose, and how far its energy is above that of the one taken.
+Json others_json(const intent::Solution& solution, const rig::Rig& rig) {
+  Json others = Json::array();
+  for (const intent::OtherReading& one : solution.others) {
+    Json parameters = Json::object();
+    for (std::size_t i = 0; i < one.pose.size(); ++i) {
+      const rig::Parameter& parameter = rig.parameters()[i];
+      if (one.pose[i] != parameter.rest) parameters[parameter.name] = one.pose[i];
+    }
+    others.push_back({{"above", one.above}, {"parameters", std::move(parameters)}});
+  }
+  return others;
+}
+
 Json to_json(const SolvedCase& solved, document::Document& document, document::DocumentHasher& hasher) {
   const posing::Solution& s = solved.solution;
   document.pose = s.pose;
   Json parameters = Json::object();
   for (std::size_t i = 0; i < s.pose.size(); ++i) parameters[document.model->rig->parameters()[i].name] = s.pose[i];
+  const Json others = solved.meant ? others_json(*solved.meant, *document.model->rig) : Json::array();
   return {{"name", solved.name},
           {"variables", s.variables},
           {"energy_start", s.energy_start},
           {"energy", s.energy},
           {"max_distance", s.max_distance},
           {"parameters", std::move(parameters)},
+          {"others", others},
           {"evaluations", s.evaluations},
           {"put_back", s.put_back},
           {"solve_us", solved.solve_us},

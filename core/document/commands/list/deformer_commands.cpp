@@ -260,6 +260,19 @@ Changed run(const Document& document, const MirrorDeformer& command, Parts& work
   return with_set(document, with_mirrored(*deformers_of(document), *number, **canvas, command.to));
 }
 
+namespace {
+
+std::shared_ptr<const std::vector<TakenReading>> renamed(std::vector<TakenReading> taken, const std::string& from,
+                                                         const std::string& to) {
+  for (TakenReading& one : taken) {
+    std::replace(one.taken.begin(), one.taken.end(), from, to);
+    std::replace(one.instead_of.begin(), one.instead_of.end(), from, to);
+  }
+  return std::make_shared<const std::vector<TakenReading>>(std::move(taken));
+}
+
+}  // namespace
+
 Changed run(const Document& document, const RenameDeformer& command, Parts&) {
   if (const auto correction = correction_number(document, command.deformer)) {
     return with_renamed_correction(document, *correction, command.to);
@@ -289,6 +302,7 @@ Changed run(const Document& document, const RenameDeformer& command, Parts&) {
     *locked = command.to;
     std::stable_sort(changed.locked.begin(), changed.locked.end());
   }
+  if (changed.taken) changed.taken = renamed(*changed.taken, command.deformer, command.to);
   if (auto error = check_pending_name(changed)) return *error;
   return changed;
 }

@@ -20,6 +20,21 @@ namespace {
 
 using geometry::ModelPoint;
 
+/// Other readings that are kept of each line.
+constexpr std::size_t k_others = 2;
+
+intent::SolveOptions with_others() {
+  intent::SolveOptions options;
+  options.others = k_others;
+  return options;
+}
+
+std::vector<rig::Pose> poses_of(std::vector<intent::OtherReading> others) {
+  std::vector<rig::Pose> poses;
+  for (intent::OtherReading& one : others) poses.push_back(std::move(one.pose));
+  return poses;
+}
+
 /// Brings all references to their targets; a document with no target, or nothing that may move, keeps its pose.
 Changed solved(Document document, Preset preset, Parts& work) {
   if (preset == Preset::meant) {
@@ -47,7 +62,7 @@ Changed solved_for(Document document, CurveId drawn, Parts& work) {
   if (problem.free.empty()) return document;
   const auto asks = [&] { return !problem.drawn.empty() && !problem.drawn.back().before; };
   const auto solve = [&] {
-    return intent::solve(*document.model->rig, work.whole_of(document), problem, {}, work.meant);
+    return intent::solve(*document.model->rig, work.whole_of(document), problem, with_others(), work.meant);
   };
   base::Result<intent::Solution> solution = base::Error{};
   if (asks()) solution = solve();
@@ -61,12 +76,33 @@ Changed solved_for(Document document, CurveId drawn, Parts& work) {
   }
   document.pose = std::move(solution->pose);
   moment.posed = document.pose;
+  moment.others = poses_of(std::move(solution->others));
   for (const CurveId anew : drawn_anew(moment)) {
     std::erase_if(document.curves, [&](const auto& curve) { return curve->id == anew; });
     std::erase_if(moment.lines, [&](const auto& line) { return line.curve == anew; });
   }
   document.moment = std::make_shared<const Moment>(std::move(moment));
   return document;
+}
+
+/// Remembers that one reading was taken in place of another, from a pose before both. What was chosen the other way
+/// round before is forgotten.
+void remember(Document& document, const rig::Pose& other, const rig::Pose& taken, const rig::Pose& base) {
+  const auto parameters = document.model->rig->parameters();
+  TakenReading choice;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const bool by_taken = taken[i] != base[i];
+    const bool by_other = other[i] != base[i];
+    if (by_taken && !by_other) choice.taken.push_back(parameters[i].name);
+    if (by_other && !by_taken) choice.instead_of.push_back(parameters[i].name);
+  }
+  if (choice.taken.empty() && choice.instead_of.empty()) return;
+  std::vector<TakenReading> all = document.taken ? *document.taken : std::vector<TakenReading>();
+  const TakenReading back{choice.instead_of, choice.taken};
+  std::erase_if(all, [&](const TakenReading& one) { return one == choice || one == back; });
+  all.push_back(std::move(choice));
+  if (all.size() > k_most_taken) all.erase(all.begin());
+  document.taken = std::make_shared<const std::vector<TakenReading>>(std::move(all));
 }
 
 base::Result<curve::ProjectedStroke> drawn_on_surface(const Document& document, const View& view,
@@ -314,6 +350,23 @@ Changed run(const Document& document, const ClearCurves&, Parts&) {
 Changed run(const Document& document, const SolvePose& command, Parts& work) {
   auto changed = solved(document, command.preset, work);
   if (changed && command.preset == Preset::meant) changed->moment = moment_of_all(document, changed->pose);
+  return changed;
+}
+
+Changed run(const Document& document, const TakeReading& command, Parts&) {
+  const std::shared_ptr<const Moment>& now = document.moment;
+  if (!is_last_line(document, command.curve))
+    return base::Error{"no line was just drawn for that curve", "curve", "draw where it goes again"};
+  if (command.which >= now->others.size()) {
+    const std::string count = std::to_string(now->others.size());
+    return base::Error{"the line has " + count + " other readings", "which", "give a number below " + count};
+  }
+  Document changed = document;
+  changed.pose = pose_of_reading(document, command.which);
+  remember(changed, now->posed, now->others[command.which], now->base);
+  Moment moment = *now;
+  std::swap(moment.posed, moment.others[command.which]);
+  changed.moment = std::make_shared<const Moment>(std::move(moment));
   return changed;
 }
 

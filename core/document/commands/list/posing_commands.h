@@ -117,6 +117,16 @@ struct SolvePose {
 };
 Changed run(const Document&, const SolvePose&, ApplyParts&);
 
+/// Takes another reading of the last line in place of the one there is, which can be taken back in the same way; later
+/// lines follow the choice (Document::taken). Errors: the curve's line is not the last one any more, no such reading.
+struct TakeReading {
+  static constexpr Called k_called{"take_reading", "Take another reading"};
+  CurveId curve;
+  std::uint32_t which = 0;  ///< of Moment::others
+  static auto members(auto& self) { return base::named("curve", self.curve, "which", self.which); }
+};
+Changed run(const Document&, const TakeReading&, ApplyParts&);
+
 struct SetPressureWeighting {
   static constexpr Called k_called{"set_pressure_weighting", "Turn pressure on or off"};
   bool on = false;
@@ -148,6 +158,6 @@ Changed run(const Document&, const DeleteNamedCurve&, ApplyParts&);
 
 using PosingCommands = std::variant<DrawReference, DrawTarget, OversketchTarget, DragTarget, PullTarget, DrawConstraint,
                                     Pin, KeepCurve, DeleteCurve, EraseCurves, ClearCurves, SolvePose,
-                                    SetPressureWeighting, SetHand, NameCurve, DeleteNamedCurve>;
+                                    SetPressureWeighting, SetHand, NameCurve, DeleteNamedCurve, TakeReading>;
 
 }  // namespace penpose::document

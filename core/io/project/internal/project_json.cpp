@@ -234,6 +234,35 @@ Problem read_locks(const json::Json& project, const std::string& pointer, Docume
   return std::nullopt;
 }
 
+Problem read_names(const json::Json& object, const char* name, const std::string& pointer,
+                   std::vector<std::string>& out) {
+  const json::Json* names = json::find(object, name);
+  const std::string here = json::child(pointer, name);
+  if (names == nullptr || !names->is_array()) return wrong("a list of names was expected", here);
+  for (std::size_t i = 0; i < names->size(); ++i) {
+    if (!(*names)[i].is_string()) return wrong("a name was expected", json::child(here, i));
+    out.push_back((*names)[i].get<std::string>());
+  }
+  return std::nullopt;
+}
+
+Problem read_taken(const json::Json& project, const std::string& pointer, Document& out) {
+  const json::Json* value = json::find(project, "taken");
+  if (value == nullptr) return std::nullopt;
+  const std::string here = json::child(pointer, "taken");
+  if (!value->is_array() || value->size() > document::k_most_taken) return wrong("a list was expected", here);
+  std::vector<document::TakenReading> taken;
+  for (std::size_t i = 0; i < value->size(); ++i) {
+    document::TakenReading& one = taken.emplace_back();
+    const std::string at = json::child(here, i);
+    if (auto problem = read_names((*value)[i], "taken", at, one.taken)) return problem;
+    if (auto problem = read_names((*value)[i], "instead_of", at, one.instead_of)) return problem;
+  }
+  // A control that is gone tells nothing.
+  out.taken = document::taken_of_rig(std::move(taken), out.model->rig->parameters());
+  return std::nullopt;
+}
+
 Problem read_views(const json::Json& project, const std::string& pointer, Document& out) {
   const json::Json* views = json::find(project, "views");
   if (views == nullptr) return std::nullopt;
@@ -313,6 +342,12 @@ json::Json to_json(const PoseCurve& curve) {
   return out;
 }
 
+json::Json to_json(const std::vector<document::TakenReading>& taken) {
+  json::Json out = json::Json::array();
+  for (const document::TakenReading& one : taken) out.push_back({{"taken", one.taken}, {"instead_of", one.instead_of}});
+  return out;
+}
+
 json::Json pending_commands(const document::PendingSketch& pending) {
   const articulation::Sketch& sketch = pending.sketch;
   using articulation::CurveRole;
@@ -344,6 +379,7 @@ json::Json project_to_json(const Document& document) {
   project["pressure_weighting"] = document.pressure_weighting;
   if (document.hand != 1.0) project["hand"] = document.hand;
   project["locked"] = document.locked;
+  if (document.taken) project["taken"] = to_json(*document.taken);
   json::Json curves = json::Json::array();
   for (const auto& curve : document.curves) curves.push_back(to_json(*curve));
   project["curves"] = std::move(curves);
@@ -367,7 +403,7 @@ json::Json project_to_json(const Document& document) {
 base::Result<Document> read_project(const json::Json& project, const std::string& pointer, document::Model model) {
   if (!project.is_object()) return wrong("an object was expected", pointer);
   Document out = document::make_document(std::move(model));
-  for (const auto read : {read_curves, read_timeline, read_locks, read_views, read_pending}) {
+  for (const auto read : {read_curves, read_timeline, read_locks, read_taken, read_views, read_pending}) {
     if (auto problem = read(project, pointer, out)) return *std::move(problem);
   }
   return out;

@@ -54,6 +54,7 @@ std::vector<Command> full_commands() {
           SaveView{k_strange, view},
           DeleteView{k_strange},
           SuggestRest{{"jawOpen", k_strange}, 0.1},
+          TakeReading{CurveId{3}, 1},
           PullTarget{CurveId{9}, view, {1.5, -2}, {0.25, 1e-9}, 0.5},
           TakeRegion{articulation::Reach::front, 4294967295U},
           DrawBetween{k_strange, 0.25, view, some_line()},

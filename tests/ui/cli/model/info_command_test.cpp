@@ -27,6 +27,7 @@ TEST_F(InfoCommand, JsonSaysWhatIsInTheModel) {
   EXPECT_EQ(
       info["parameters"][1],
       nlohmann::json({{"name", "all over"}, {"minimum", -1.0}, {"maximum", 2.0}, {"rest", 0.25}, {"value", -0.75}}));
+  EXPECT_TRUE(info["doubles"].is_array());
   EXPECT_EQ(info["curves"][0], nlohmann::json({{"name", "brow"}, {"points", 2}}));
   EXPECT_EQ(info["animations"][0]["name"], "wave");
   EXPECT_EQ(info["animations"][0]["duration_s"], 2.0);

@@ -99,6 +99,10 @@ TEST_F(PoseCommand, PrintsOneJsonObjectWithTheKeysThatScriptsRelyOn) {
     EXPECT_LT(one.at("max_distance").get<double>(), 0.02);
     EXPECT_EQ(one.at("parameters").size(), 6U);
     EXPECT_GT(one.at("evaluations").get<int>(), 0);
+    for (const auto& other : one.at("others")) {
+      EXPECT_TRUE(other.at("above").is_number());
+      EXPECT_TRUE(other.at("parameters").is_object());
+    }
     EXPECT_GT(one.at("solve_us").get<double>(), 0);
   }
   EXPECT_NEAR(result.at("cases")[0].at("parameters").at("shape3").get<double>(), 0.8, 0.01);

@@ -62,6 +62,8 @@ class DocumentHand {
     return status.ok() ? base::Error{} : status.error();
   }
 
+  base::Status undo() { return history_.undo(); }
+
   [[nodiscard]] double value(const std::string& parameter) const {
     const auto number = rig::find_parameter(document().model->rig->parameters(), parameter);
     EXPECT_TRUE(number.has_value()) << parameter;

@@ -105,6 +105,11 @@ class KnowingHand {
   document::Command make(Tag<document::SolvePose>) {
     return document::SolvePose{random_.chance(0.8) ? document::Preset::meant : document::Preset::exact};
   }
+  document::Command make(Tag<document::TakeReading>) {
+    const auto& moment = doc().moment;
+    if (!moment || moment->lines.empty()) return document::TakeReading{curve(true), 0};
+    return document::TakeReading{moment->lines.back().curve, static_cast<std::uint32_t>(random_.below(2))};
+  }
   document::Command make(Tag<document::SetPressureWeighting>) {
     return document::SetPressureWeighting{!doc().pressure_weighting};
   }
@@ -378,6 +383,7 @@ class KnowingHand {
       "delete_correction", "take_region",        "draw_between",
       "delete_between",    "pull_between",       "pull_target",
       "place_curve",       "place_target",       "key_poses",
+      "take_reading",
   };
   static constexpr std::size_t k_tools = static_cast<std::size_t>(drawing::ToolKind::between) + 1;
   std::set<std::string> drawn_;

@@ -1,0 +1,126 @@
+#include "ui/app/session/reading_offer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "core/document/drawing/moment.h"
+#include "core/document/drawing/pose_problem.h"
+
+namespace penpose::app {
+namespace {
+
+/// Share of its range from which on a control differs between two readings.
+constexpr double k_differs = 0.005;
+/// Controls that are named.
+constexpr std::size_t k_named = 2;
+/// Two sides are one where they go this near to each other, share of the range.
+constexpr double k_alike = 0.1;
+
+struct Change {
+  std::string name;
+  double by = 0;        ///< from the pose before the line; 0: the reading takes it back
+  double share = 0;     ///< of its range, by which the readings differ
+  bool is_new = false;  ///< the reading taken does not move it
+};
+
+/// What one reading has that the one taken has not, the most first; both sides of a pair as one.
+std::vector<Change> changes_of(const document::Document& document, const rig::Pose& reading) {
+  const document::Moment& moment = *document.moment;
+  const auto parameters = document.model->rig->parameters();
+  const std::vector<std::size_t> pairs = side_pairs(parameters);
+  std::vector<Change> out;
+  const auto range = [&](std::size_t i) { return parameters[i].maximum - parameters[i].minimum; };
+  const auto differs = [&](std::size_t i) { return std::abs(reading[i] - moment.posed[i]) > k_differs * range(i); };
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (!differs(i)) continue;
+    Change one{parameters[i].name, reading[i] - moment.base[i], std::abs(reading[i] - moment.posed[i]) / range(i),
+               moment.posed[i] == moment.base[i]};
+    const std::size_t other = pairs[i];
+    if (other != k_no_pair && differs(other) &&
+        std::abs(reading[other] - moment.base[other] - one.by) <= k_alike * range(i)) {
+      if (other < i) continue;
+      one.name = common_name(one.name, parameters[other].name);
+    }
+    out.push_back(std::move(one));
+  }
+  std::stable_sort(out.begin(), out.end(), [](const Change& a, const Change& b) { return a.share > b.share; });
+  return out;
+}
+
+std::string words_of(const document::Document& document, const rig::Pose& reading) {
+  std::vector<Change> changes = changes_of(document, reading);
+  // What it moves says more than what it takes back, and both more than what goes a little further.
+  const auto keep = [&](const auto& test) {
+    if (std::any_of(changes.begin(), changes.end(), test))
+      std::erase_if(changes, [&](const Change& one) { return !test(one); });
+  };
+  keep([](const Change& one) { return one.is_new || one.by == 0.0; });
+  keep([](const Change& one) { return one.is_new; });
+  const bool any = changes.empty() || changes.front().by != 0.0;
+  std::string text = any ? "" : "without ";
+  for (std::size_t i = 0; i < std::min(k_named, changes.size()); ++i) {
+    if (i > 0) text += ", ";
+    text += changes[i].name;
+    if (!any) continue;
+    std::array<char, 32> number{};
+    std::snprintf(number.data(), number.size(), " %+.2f", changes[i].by);
+    text += number.data();
+  }
+  if (changes.size() > k_named) text += " and " + std::to_string(changes.size() - k_named) + " more";
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> words_of_readings(const document::Document& document) {
+  std::vector<std::string> out;
+  const document::Moment* moment = document.moment.get();
+  if (moment == nullptr || moment->lines.empty() || !document::is_last_line(document, moment->lines.back().curve))
+    return out;
+  for (const rig::Pose& one : moment->others) out.push_back(words_of(document, one));
+  return out;
+}
+
+void ReadingOffer::follow(EditingSession& editing, bool quiet) {
+  const bool now = !quiet && editing.last_stroke().is_newest() && !editing.pen_is_drawing();
+  if (!now) {
+    show(editing, std::nullopt);
+    words_.clear();
+    revision_.reset();
+    return;
+  }
+  if (revision_ == editing.revision()) return;
+  revision_ = editing.revision();
+  shown_.reset();
+  const document::Document& document = editing.document();
+  words_ = words_of_readings(document);
+  nothing_moved_ = editing.last_stroke().movements().empty();
+  // A line that lies where its curve is asks for nothing.
+  if (nothing_moved_ && editing.last_stroke().within_hand(document, editing.editor().view().viewport)) words_.clear();
+}
+
+void ReadingOffer::show(EditingSession& editing, std::optional<std::size_t> which) {
+  if (which && *which >= words_.size()) which.reset();
+  if (which == shown_) return;
+  // What a slider or the timeline shows meanwhile stays.
+  const bool ours = shown_ && editing.shown().previews() && editing.shown().pose() == shown_pose_;
+  shown_ = which;
+  if (which) {
+    shown_pose_ = document::pose_of_reading(editing.document(), *which);
+    editing.shown().preview(shown_pose_);
+  } else if (ours) {
+    editing.shown().preview(std::nullopt);
+  }
+}
+
+void ReadingOffer::take(EditingSession& editing, std::size_t which) {
+  if (which >= words_.size()) return;
+  show(editing, std::nullopt);
+  const document::CurveId curve = editing.document().moment->lines.back().curve;
+  editing.perform(document::TakeReading{curve, static_cast<std::uint32_t>(which)});
+}
+
+}  // namespace penpose::app
