@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <set>
 #include <string>
@@ -33,9 +34,10 @@ struct TimelineShown {
   std::string frame_text;                             ///< what is being typed as a frame
 };
 
-/// Where other readings are offered; nothing: nowhere.
+/// The row of other readings.
 struct ReadingsPlace {
-  std::optional<Area> area;
+  std::optional<Area> area;          ///< nothing: none are offered
+  std::optional<std::size_t> taken;  ///< the button that the pen pressed and is still over
 };
 
 }  // namespace penpose::app

@@ -52,8 +52,12 @@ void show_readings(PanelContext& context, const Area& /*area*/, EditingSession& 
     }
   }
   end_panel();
-  offer.show(editing, shown);
-  if (taken) offer.take(editing, *taken);
+  // What was just taken is to be seen before the pen, which is still there, shows what it took the place of.
+  if (place.taken != shown) place.taken.reset();
+  offer.show(editing, place.taken ? std::nullopt : shown);
+  if (!taken) return;
+  offer.take(editing, *taken);
+  place.taken = taken;
 }
 
 }  // namespace penpose::app

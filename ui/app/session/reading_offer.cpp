@@ -93,8 +93,8 @@ void ReadingOffer::follow(EditingSession& editing, bool quiet) {
     return;
   }
   if (revision_ == editing.revision()) return;
+  show(editing, std::nullopt);
   revision_ = editing.revision();
-  shown_.reset();
   const document::Document& document = editing.document();
   words_ = words_of_readings(document);
   nothing_moved_ = editing.last_stroke().movements().empty();

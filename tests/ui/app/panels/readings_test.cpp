@@ -62,6 +62,7 @@ TEST(Readings, OneIsTakenAtAPressInOneStepAndCanBeTakenBack) {
   const std::size_t steps = editing_of(desk).steps().list().size();
   desk.click("reading 1");
   EXPECT_EQ(desk.document().pose, second);
+  EXPECT_EQ(editing_of(desk).shown().pose(), second) << "it is seen though the pen is still over the button";
   EXPECT_EQ(editing_of(desk).steps().list().size(), steps + 1);
   ASSERT_TRUE(offer_of(desk).open()) << "the first one stands there now";
   desk.click("reading 1");
