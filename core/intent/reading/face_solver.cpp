@@ -39,16 +39,9 @@ bool is_exchange(const std::vector<std::size_t>& first, const std::vector<std::s
 
 }  // namespace
 
-Choice FaceSolver::trusted(const Choice& before, Choice after) const {
+Choice FaceSolver::near(const Choice& before, Choice after) const {
   if (reader_.linear()) return after;
-  for (std::size_t i = 0; i < after.variables.size(); ++i) {
-    if (!reader_.turns(after.variables[i])) continue;
-    const auto at = std::lower_bound(before.variables.begin(), before.variables.end(), after.variables[i]);
-    const bool had = at != before.variables.end() && *at == after.variables[i];
-    const double was = had ? before.values[static_cast<std::size_t>(at - before.variables.begin())] : 0.0;
-    after.values[i] = std::clamp(after.values[i], was - k_trust, was + k_trust);
-  }
-  return after;
+  return trusted(before, std::move(after), k_trust, [&](std::size_t variable) { return reader_.turns(variable); });
 }
 
 Reading FaceSolver::matched(Choice choice) {
@@ -57,7 +50,7 @@ Reading FaceSolver::matched(Choice choice) {
   for (int k = 0; k < rounds && !choice.variables.empty(); ++k) {
     reader_.look(choice, true, b_.quadratic, choice.variables);
     RobustSelection selection(b_.quadratic, costs, reader_.doubt());
-    choice = trusted(choice, selection.fit(choice.units));
+    choice = near(choice, selection.fit(choice.units));
     evaluations += selection.evaluations();
   }
   const double energy = reader_.matched_energy(choice, choice.costs);
@@ -72,7 +65,7 @@ Reading FaceSolver::read_choices() {
   for (std::size_t round = 0; round < rounds; ++round) {
     reader_.look(choice, round > 0, b_.quadratic);
     RobustSelection selection(b_.quadratic, costs, reader_.doubt());
-    choice = trusted(choice, selection.select(selection.fit(choice.units), options_.most_units));
+    choice = near(choice, selection.select(selection.fit(choice.units), options_.most_units));
     evaluations += selection.evaluations();
     if (round > 0 && round + 1 < rounds) continue;
     for (Choice& one : selection.best(k_rivals, k_window)) rivals.push_back(std::move(one));
@@ -148,7 +141,7 @@ double FaceSolver::first_look(const Choice& choice, std::size_t c) {
   RobustSelection selection(b_.quadratic, costs, reader_.doubt());
   Choice found = selection.extend(selection.fit(kept), options_.most_units);
   evaluations += selection.evaluations();
-  return matched(trusted(choice, std::move(found))).energy;
+  return matched(near(choice, std::move(found))).energy;
 }
 
 Reading FaceSolver::read_best() {

@@ -45,7 +45,7 @@ class FaceSolver {
   /// A choice of units, matched on its own, and its energy.
   Reading matched(Choice choice);
   /// Angles go a part of their range in one round; shapes all of it.
-  [[nodiscard]] Choice trusted(const Choice& before, Choice after) const;
+  [[nodiscard]] Choice near(const Choice& before, Choice after) const;
 
   /// The best reading; or one that differs from it by an exchange that the artist made before (TakenReading).
   [[nodiscard]] Reading as_taken_before(Reading best) const;

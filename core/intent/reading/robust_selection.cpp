@@ -10,8 +10,6 @@
 namespace penpose::intent {
 namespace {
 
-/// Share of a variable's own curvature that must be left of it beside those before it.
-constexpr double k_pivot_share = 1e-12;
 /// Times that curves are weighted anew for one choice; fewer where values change by less than this.
 constexpr int k_weighings = 4;
 constexpr double k_settled = 1e-3;
@@ -68,43 +66,6 @@ void RobustSelection::set_up(const Choice& choice, std::span<const double> weigh
   }
 }
 
-std::vector<double> RobustSelection::solve_within_ranges(std::span<const std::size_t> variables) {
-  const std::size_t n = variables.size();
-  std::vector<double> values(n, 0.0);
-  solved_ = matrix_;
-  if (algebra::factor(solved_.data(), n, k_pivot_share)) {
-    values = pulls_;
-    algebra::solve_factored(solved_.data(), n, values.data());
-    bool inside = true;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double value = values[i];
-      values[i] = std::clamp(value, choices_.low[variables[i]], choices_.high[variables[i]]);
-      inside = inside && value == values[i];
-    }
-    if (inside) return values;
-  }
-  // Coordinate descent from the clamped solution.
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < n; ++k) pulls_[k] -= values[i] * matrix_[i * n + k];
-  }
-  constexpr int k_sweeps = 100;
-  for (int sweep = 0; sweep < k_sweeps; ++sweep) {
-    double largest = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (!(matrix_[i * n + i] > 0.0)) continue;
-      const double low = choices_.low[variables[i]];
-      const double high = choices_.high[variables[i]];
-      const double change = std::clamp(values[i] + pulls_[i] / matrix_[i * n + i], low, high) - values[i];
-      if (change == 0.0) continue;
-      values[i] += change;
-      for (std::size_t k = 0; k < n; ++k) pulls_[k] -= change * matrix_[i * n + k];
-      largest = std::max(largest, std::abs(change));
-    }
-    if (largest < 1e-5) break;
-  }
-  return values;
-}
-
 Choice RobustSelection::fit(std::vector<std::size_t> units) {
   ++evaluations_;
   Choice choice;
@@ -121,7 +82,7 @@ Choice RobustSelection::fit(std::vector<std::size_t> units) {
   for (int weighing = 0; weighing < k_weighings && n > 0; ++weighing) {
     doubt_.weights(squares_, weights_);
     set_up(choice, weights_);
-    std::vector<double> values = solve_within_ranges(choice.variables);
+    std::vector<double> values = bounded_.solve(matrix_, pulls_, choice.variables, choices_);
     double change = 0;
     for (std::size_t i = 0; i < n; ++i) change = std::max(change, std::abs(values[i] - choice.values[i]));
     choice.values = std::move(values);
@@ -142,7 +103,7 @@ RobustSelection::Base RobustSelection::base_of(const Choice& choice) {
   doubt_.weights(base.squares, base.weights);
   set_up(choice, base.weights);
   base.factor = matrix_;
-  if (!algebra::factor(base.factor.data(), n, k_pivot_share)) base.factor.clear();
+  if (!algebra::factor(base.factor.data(), n, k_least_pivot)) base.factor.clear();
   const std::size_t parts = q_.part_count();
   for (std::size_t i = 0; i < n; ++i) {
     const double* pulls = q_.part_pulls(choice.variables[i]);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/intent/reading/bounded_squares.h"
 #include "core/intent/reading/doubt.h"
 #include "core/intent/reading/quadratic.h"
 #include "core/intent/reading/reading_costs.h"
@@ -40,8 +41,6 @@ class RobustSelection {
   void squares_at(const Choice& choice, std::vector<double>& out) const;
   /// Fills matrix_ and pulls_ for a choice's variables, the curves weighted.
   void set_up(const Choice& choice, std::span<const double> weights);
-  /// Least squares of matrix_ and pulls_ within the ranges.
-  [[nodiscard]] std::vector<double> solve_within_ranges(std::span<const std::size_t> variables);
   [[nodiscard]] Base base_of(const Choice& choice);
   /// The energy about where one more unit and the base meet its pull, apart from what it costs beside them; nothing
   /// where that moves nothing.
@@ -62,7 +61,8 @@ class RobustSelection {
   std::vector<std::vector<double>> between_;  ///< of a tied unit's members, for each part; empty: not asked for yet
   std::vector<Choice> tried_;
   std::size_t evaluations_ = 0;
-  std::vector<double> matrix_, pulls_, solved_, squares_, weights_;
+  BoundedSquares bounded_;
+  std::vector<double> matrix_, pulls_, squares_, weights_;
 };
 
 }  // namespace penpose::intent

@@ -8,14 +8,6 @@
 
 namespace penpose::intent {
 
-/// Share of a variable's own curvature that must be left of it beside those before it.
-constexpr double k_least_pivot = 1e-12;
-
-double share_of_range(double value, std::size_t variable, const Choices& choices) {
-  const double end = value < 0.0 ? choices.low[variable] : choices.high[variable];
-  return end != 0.0 ? std::clamp(value / end, 0.0, 1.0) : value != 0.0 ? 1.0 : 0.0;
-}
-
 double Selection::units_near_limit(const Choice& choice) const {
   double sum = 0;
   for (const std::size_t u : choice.units) {
@@ -100,44 +92,6 @@ void Selection::set_up(const Choice& choice) {
   }
 }
 
-void Selection::solve_within_ranges(Choice& choice) {
-  const std::size_t n = choice.variables.size();
-  choice.values.assign(n, 0.0);
-  solved_ = matrix_;
-  if (algebra::factor(solved_.data(), n, k_least_pivot)) {
-    choice.values = pulls_;
-    algebra::solve_factored(solved_.data(), n, choice.values.data());
-    bool inside = true;
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t v = choice.variables[i];
-      inside = inside && choice.values[i] >= choices_.low[v] && choice.values[i] <= choices_.high[v];
-      choice.values[i] = std::clamp(choice.values[i], choices_.low[v], choices_.high[v]);
-    }
-    if (inside) return;
-  }
-  // Coordinate descent from the clamped solution.
-  descent_ = pulls_;
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < n; ++k) descent_[k] -= choice.values[i] * matrix_[i * n + k];
-  }
-  constexpr int k_sweeps = 200;
-  for (int sweep = 0; sweep < k_sweeps; ++sweep) {
-    double largest = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (!(matrix_[i * n + i] > 0.0)) continue;
-      const std::size_t v = choice.variables[i];
-      const double to =
-          std::clamp(choice.values[i] + descent_[i] / matrix_[i * n + i], choices_.low[v], choices_.high[v]);
-      const double change = to - choice.values[i];
-      if (change == 0.0) continue;
-      choice.values[i] = to;
-      for (std::size_t k = 0; k < n; ++k) descent_[k] -= change * matrix_[i * n + k];
-      largest = std::max(largest, std::abs(change));
-    }
-    if (largest < 1e-6) break;
-  }
-}
-
 Choice Selection::fit(std::vector<std::size_t> units) {
   ++evaluations_;
   Choice choice;
@@ -148,7 +102,7 @@ Choice Selection::fit(std::vector<std::size_t> units) {
   }
   std::stable_sort(choice.variables.begin(), choice.variables.end());
   set_up(choice);
-  solve_within_ranges(choice);
+  choice.values = squares_.solve(matrix_, pulls_, choice.variables, choices_);
   const std::size_t n = choice.variables.size();
   double energy = q_.constant();
   for (std::size_t i = 0; i < n; ++i) {

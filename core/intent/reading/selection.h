@@ -1,39 +1,14 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "core/intent/reading/bounded_squares.h"
+#include "core/intent/reading/choice.h"
 #include "core/intent/reading/quadratic.h"
 
 namespace penpose::intent {
-
-/// Controls that are chosen together: one parameter, a left and a right one, or the angles of one joint. `members` are
-/// numbers of variables.
-struct Unit {
-  std::array<std::size_t, 3> members{};
-  std::size_t count = 1;
-  bool tied = false;  ///< left and right move alike
-  double charge = 0;  ///< its own cost, added to the cost of every unit
-};
-
-/// The variables of a choice: changes of parameters, each as a share of its range.
-struct Choices {
-  std::vector<Unit> units;
-  std::vector<double> low, high;  ///< one a variable, low <= 0 <= high
-  std::vector<double> movement;   ///< of the whole model, one a variable (WholeModel::movement)
-  std::vector<double> stiffness;  ///< cost of the square of a variable; twists of joints cost more
-};
-
-/// Some units with their values: one reading of the strokes.
-struct Choice {
-  std::vector<std::size_t> units;      ///< numbers of units, ascending
-  std::vector<std::size_t> variables;  ///< their members, ascending, without repeats
-  std::vector<double> values;          ///< one a variable
-  double energy = 0;                   ///< squares and costs
-  double costs = 0;                    ///< of its units alone
-};
 
 /// The energy of a choice: E of the curves plus the cost of leaving the pose. Each unit that moves costs a constant;
 /// the logarithm of how exactly the drawn curves determine its value (a control that must move by a hundredth of its
@@ -51,18 +26,6 @@ struct Costs {
   double limit = 8.0;        ///< each control at an end of its range: the line goes beyond it
   double limit_from = 0.8;   ///< share of the way to an end of the range from which `limit` grows linearly
   double tie = 40.0;         ///< times the square of the difference of a pair's values
-};
-
-/// How far a value is on its way to the end of its range, 0 to 1; 0 where it has none on that side.
-[[nodiscard]] double share_of_range(double value, std::size_t variable, const Choices& choices);
-/// What a choice costs.
-class ChoiceCosts {
- public:
-  virtual ~ChoiceCosts() = default;
-  /// Of its units at its values, including the differences of pairs, without limit_costs.
-  [[nodiscard]] virtual double costs_of(const Choice& choice) const = 0;
-  /// The extra cost of units at an end of a range.
-  [[nodiscard]] virtual double limit_costs(const Choice& choice) const = 0;
 };
 
 class Selection : public ChoiceCosts {
@@ -101,7 +64,6 @@ class Selection : public ChoiceCosts {
   [[nodiscard]] bool overlaps(const Choice& choice, std::size_t unit) const;
   /// Fills matrix_ and pulls_ for a choice's variables.
   void set_up(const Choice& choice);
-  void solve_within_ranges(Choice& choice);
   [[nodiscard]] Base base_of(Choice choice);
   /// A lower bound of the energy of the base with a unit added, except for variables of the base at an end of their
   /// range.
@@ -118,7 +80,8 @@ class Selection : public ChoiceCosts {
   bool something_ = false;
   double rival_window_ = 0;
   std::size_t evaluations_ = 0;
-  std::vector<double> matrix_, pulls_, descent_, solved_;
+  BoundedSquares squares_;
+  std::vector<double> matrix_, pulls_, solved_;
 };
 
 }  // namespace penpose::intent
