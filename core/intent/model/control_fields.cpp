@@ -23,13 +23,16 @@ ControlFields::ControlFields(std::span<const ModelPoint> rest) {
 void ControlFields::add(std::span<const ModelPoint> rest, std::span<const ModelPoint> moved, double per) {
   auto& field = fields_.emplace_back(samples_.size(), ModelVector{0});
   double sum = 0;
+  double fourth = 0;
   for (std::size_t i = 0; i < samples_.size() && !moved.empty(); ++i) {
     const ModelVector way = (moved[samples_[i]] - rest[samples_[i]]) * per;
     if (!std::isfinite(way.x + way.y + way.z)) continue;
     field[i] = way;
     sum += square_of(way);
+    fourth += square_of(way) * square_of(way);
   }
   squares_.push_back(sum);
+  usual_ways_.push_back(sum > 0.0 ? std::sqrt(fourth / sum) : 0.0);
   auto& last = last_products_.emplace_back();
   const std::size_t own = fields_.size() - 1;
   for (std::size_t back = 1; back <= std::min<std::size_t>(2, own); ++back) last[back - 1] = product(own, own - back);

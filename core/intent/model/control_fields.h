@@ -36,14 +36,16 @@ class ControlFields {
   [[nodiscard]] double product_with_last(std::size_t control, std::size_t back) const {
     return last_products_[control][back - 1];
   }
-  /// Product of a field with itself.
+  /// Product of a field with itself, and the way of what it moves most: root mean square, each sample weighted by the
+  /// square of its own way.
   [[nodiscard]] double square(std::size_t control) const { return squares_[control]; }
+  [[nodiscard]] double usual_way(std::size_t control) const { return usual_ways_[control]; }
 
  private:
   std::vector<std::uint32_t> samples_;
   std::vector<ModelPoint> places_;
   std::vector<std::vector<ModelVector>> fields_;
-  std::vector<double> squares_;
+  std::vector<double> squares_, usual_ways_;
   std::vector<std::array<double, 2>> last_products_;
 };
 

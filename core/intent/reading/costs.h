@@ -16,6 +16,9 @@ struct FaceCosts {
   double asks_from = 18.0;
   /// Times log(1 + what a unit moves elsewhere over what it moves near the drawn curves, both squared).
   double elsewhere = 2.5;
+  /// Times log(usual way of its field / largest way of the drawn curves): a line over the fringe of a field does not
+  /// mean it.
+  double fringe = 2.0;
   /// Of joints the same beyond `carried_from`: a head that turns carries hair, ears and the other half.
   double carried = 8.0;
   double carried_from = 8.0;

@@ -174,6 +174,7 @@ class Reader final : public Relations {
   /// What a variable does beside what was drawn.
   struct Field {
     std::vector<ModelVector> near;           ///< at the samples near the drawn curves, for its whole range
+    double fringe = 1;                       ///< its usual way over the longest of the drawn curves, at least 1
     std::vector<double> ways;                ///< their lengths
     double near_square = 0, far_square = 0;  ///< sums of squares there and elsewhere
   };

@@ -123,6 +123,9 @@ std::vector<std::uint32_t> Reader::samples_near_curves() const {
 void Reader::measure_fields() {
   const ControlFields& fields = *whole_.fields;
   const std::vector<std::uint32_t> near = samples_near_curves();
+  const std::size_t n = start_.size();
+  std::size_t told = 0;
+  for (std::size_t c = 0; c < told_count(); ++c) told += blocks_[c].count;
   for (std::size_t j = 0; j < parameters_.size(); ++j) {
     Field& one = fields_.emplace_back();
     one.near.assign(near.size(), ModelVector{0});
@@ -136,14 +139,19 @@ void Reader::measure_fields() {
         by[k] = turns_[turn_of_[j]].axes[static_cast<int>(axis_of_[j])][static_cast<int>(k)] * ranges_[j];
     }
     double whole = 0;
+    double usual = 0;
     for (std::size_t k = 0; k < count; ++k) {
       const auto field = fields.field(first + k);
       for (std::size_t i = 0; i < near.size(); ++i) one.near[i] += field[near[i]] * by[k];
       whole += by[k] * by[k] * fields.square(first + k);
+      usual += by[k] * by[k] * fields.usual_way(first + k) * fields.usual_way(first + k);
       for (std::size_t m = 0; m < k; ++m) whole += 2.0 * by[k] * by[m] * fields.product_with_last(first + k, k - m);
     }
     for (const ModelVector& way : one.near) one.near_square += square_of(way);
     one.far_square = std::max(0.0, whole - one.near_square);
+    double most = 0;
+    for (std::size_t i = 0; i < told; ++i) most = std::max(most, square_of(columns_[j * n + i]));
+    one.fringe = most > 0.0 ? std::max(1.0, std::sqrt(usual / most)) : 1e3;
   }
   for (const RunVariable& run : run_variables_) {
     Field one = fields_[run.parts.front().variable];
@@ -249,15 +257,17 @@ void Reader::settle(bool settled) {
 }
 
 double Reader::face_charge(const Unit& unit) const {
-  double near = 0, far = 0, parts = 1;
+  double near = 0, far = 0, parts = 1, fringe = 1e3;
   for (std::size_t m = 0; m < unit.count; ++m) {
     const std::size_t v = parameter_of(unit.members[m]);
     near += fields_[v].near_square;
     far += fields_[v].far_square;
+    fringe = std::min(fringe, fields_[v].fringe);
     parts = std::max(parts, whole_.composites[parameters_[v]].parts);
   }
   const double elsewhere = near > 0.0 ? far / near : k_no_share;
-  double charge = face_.unit + face_.elsewhere * base::log(1.0 + elsewhere) + face_.part * (parts - 1.0);
+  double charge = face_.unit + face_.elsewhere * base::log(1.0 + elsewhere) + face_.fringe * base::log(fringe) +
+                  face_.part * (parts - 1.0);
   if (turns(unit.members[0])) charge += face_.carried * base::log(1.0 + elsewhere / face_.carried_from);
   // The sides of a pair that pull against each other.
   if (unit.tied) charge += face_.against * std::max(0.0, -likeness(unit.members[0], unit.members[1]) - 0.1);

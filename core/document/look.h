@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace penpose::document {
+
+/// A picture of a model's surface, encoded as it was in the file.
+struct Image {
+  std::string name;
+  std::string mime_type;  ///< "image/png", "image/jpeg", "image/webp", "image/ktx2" or what the file says
+  std::shared_ptr<const std::vector<std::uint8_t>> bytes;
+};
+
+enum class Wrap : std::uint8_t { repeat, mirror, clamp };
+
+/// How a picture lies on a surface: u, v of the file, scaled, turned and shifted as by KHR_texture_transform.
+struct TextureUse {
+  std::size_t image = 0;
+  std::size_t coordinates = 0;  ///< which set of Look::coordinates
+  Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+  bool nearest = false;  ///< no filter when it is enlarged
+  std::array<double, 2> offset{0, 0}, scale{1, 1};
+  double rotation = 0;  ///< radians, counter-clockwise
+};
+
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+
+/// What some triangles look like. Colour is linear RGBA, 0..1.
+struct Surface {
+  std::string name;
+  std::array<double, 4> base_color{1, 1, 1, 1};
+  std::optional<TextureUse> texture;  ///< of the base colour
+  AlphaMode alpha = AlphaMode::opaque;
+  double alpha_cutoff = 0.5;  ///< of AlphaMode::mask
+  bool double_sided = false;
+  bool unlit = false;
+};
+
+/// What a model looks like beyond its shape.
+struct Look {
+  std::vector<Image> images;
+  std::vector<Surface> surfaces;
+  std::vector<std::uint32_t> surface_of;                         ///< one a triangle of the mesh
+  std::array<std::vector<std::array<float, 2>>, 2> coordinates;  ///< one a vertex of the mesh; empty: none
+  std::vector<std::array<float, 4>> colors;                      ///< linear RGBA, one a vertex; empty: none
+};
+
+}  // namespace penpose::document
