@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/articulation/corrections.h"
@@ -53,6 +54,15 @@ struct Animation {
   std::vector<Channel> channels;
 };
 
+/// A pose with a name over some controls, as VRM's expressions are: no control of its own.
+struct Expression {
+  std::string name;
+  std::vector<std::pair<std::size_t, double>> values;  ///< parameters of the rig and their values
+};
+
+struct Look;
+struct SourceFile;
+
 /// A character as in a file: its rig and its pose.
 struct Model {
   std::shared_ptr<const mesh::TriangleMesh> mesh;
@@ -65,7 +75,11 @@ struct Model {
   rig::Pose pose;                                                    ///< one value a parameter of the rig
   std::vector<NamedCurve> curves;
   std::vector<Animation> animations;
-  std::vector<std::string> notes;  ///< parts that a reader left out, one line each
+  std::vector<Expression> expressions;
+  double front_yaw_degrees = 0;              ///< about +y: where its face looks; 0 is +z
+  std::shared_ptr<const Look> look;          ///< textures, texture coordinates and colours; null: none
+  std::shared_ptr<const SourceFile> source;  ///< the file that it was read from, for saving it again; null: none
+  std::vector<std::string> notes;            ///< parts that a reader left out, one line each
 };
 
 /// Assembles a model: makes the rig and starts at its rest pose. Errors: shapes for another number of
