@@ -18,7 +18,7 @@ struct FaceCosts {
   double elsewhere = 2.5;
   /// Times log(usual way of its field / largest way of the drawn curves): a line over the fringe of a field does not
   /// mean it.
-  double fringe = 2.0;
+  double fringe = 3.0;
   /// Of joints the same beyond `carried_from`: a head that turns carries hair, ears and the other half.
   double carried = 8.0;
   double carried_from = 8.0;

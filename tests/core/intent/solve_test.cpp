@@ -55,7 +55,7 @@ TEST(Intent, AnExactLineIsMetByTheControlThatMadeIt) {
 TEST(Intent, OpposedControlsAreNotBothUp) {
   const Face face = tests::usual_face();
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    const rig::Pose answer = face.pose({{"jawLeft", 0.5}, {"cornerRight", 0.6}});
+    const rig::Pose answer = face.pose({{"jawLeft", 0.7}, {"cornerRight", 0.6}});
     const Line line = tests::shaken(face.seen(Face::mouth(), answer), 2, seed);
     const rig::Pose pose = face.solve(face.problem({face.drawn(Face::mouth(), line)})).pose;
     EXPECT_GT(pose[face.number("jawLeft")], 0.2) << seed;

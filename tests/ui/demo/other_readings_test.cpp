@@ -155,7 +155,7 @@ TEST(OtherReadings, AProjectKeepsTheChoice) {
 
 TEST(OtherReadings, ALineThatMovesNothingSaysWhatWouldHaveMoved) {
   FaceHand hand;
-  const CurveId line = hand.draws("lip_upper_inner", 0, 14);
+  const CurveId line = hand.draws("lip_upper_inner", 0, 7);
   ASSERT_EQ(hand.document().pose, rig::rest_pose(*hand.document().model->rig)) << "the line asks for more now";
   ASSERT_FALSE(hand.others().empty());
   hand.does(TakeReading{line, 0});

@@ -142,7 +142,7 @@ TEST(Readings, AreGoneWithTheNextStepAndWhileThePenDraws) {
 TEST(Readings, ALineThatMovesNothingIsAnswered) {
   Desk desk("readings-nothing");
   desk.begin();
-  draw_mouth(desk, 9, 0);
+  draw_mouth(desk, 9, -4);
   ASSERT_EQ(desk.document().pose, rig::rest_pose(*desk.document().model->rig)) << "it asks for more now";
   ASSERT_TRUE(offer_of(desk).open());
   EXPECT_TRUE(offer_of(desk).nothing_moved());
