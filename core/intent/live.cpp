@@ -5,9 +5,9 @@
 
 #include "core/curve/polyline.h"
 #include "core/intent/chain.h"
+#include "core/intent/choosing/robust_selection.h"
 #include "core/intent/earlier_lines.h"
 #include "core/intent/reading/reader.h"
-#include "core/intent/reading/robust_selection.h"
 #include "core/intent/solve.h"
 
 namespace penpose::intent {

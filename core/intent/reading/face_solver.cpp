@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "core/intent/reading/robust_selection.h"
+#include "core/intent/choosing/robust_selection.h"
 #include "core/intent/reading/value_search.h"
 
 namespace penpose::intent {

@@ -5,15 +5,15 @@
 #include <span>
 #include <vector>
 
+#include "core/intent/choosing/quadratic.h"
+#include "core/intent/choosing/selection.h"
 #include "core/intent/line/overshoot.h"
 #include "core/intent/line/sliding.h"
 #include "core/intent/model/whole_model.h"
 #include "core/intent/problem.h"
 #include "core/intent/reading/costs.h"
 #include "core/intent/reading/doubt.h"
-#include "core/intent/reading/quadratic.h"
 #include "core/intent/reading/reading_costs.h"
-#include "core/intent/reading/selection.h"
 #include "core/joints/turn.h"
 #include "core/posing/curve_system.h"
 

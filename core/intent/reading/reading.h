@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/intent/reading/quadratic.h"
-#include "core/intent/reading/selection.h"
+#include "core/intent/choosing/quadratic.h"
+#include "core/intent/choosing/selection.h"
 #include "core/intent/solve.h"
 #include "core/posing/simplex.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/intent/choosing/selection.h"
 #include "core/intent/reading/costs.h"
-#include "core/intent/reading/selection.h"
 
 namespace penpose::intent {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/intent/reading/robust_selection.h"
+#include "core/intent/choosing/robust_selection.h"
 #include "tests/core/intent/face.h"
 
 namespace penpose::intent {

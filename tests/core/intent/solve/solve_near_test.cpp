@@ -1,7 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "core/intent/reading/selection.h"
+#include "core/intent/choosing/selection.h"
 #include "core/intent/solve.h"
 #include "tests/core/intent/face.h"
 

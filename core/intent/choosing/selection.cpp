@@ -1,4 +1,4 @@
-#include "core/intent/reading/selection.h"
+#include "core/intent/choosing/selection.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/intent/reading/choice.h"
+#include "core/intent/choosing/choice.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "core/intent/reading/quadratic.h"
+#include "core/intent/choosing/quadratic.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

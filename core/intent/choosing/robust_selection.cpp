@@ -1,4 +1,4 @@
-#include "core/intent/reading/robust_selection.h"
+#include "core/intent/choosing/robust_selection.h"
 
 #include <algorithm>
 #include <cmath>

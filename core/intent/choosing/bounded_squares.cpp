@@ -1,4 +1,4 @@
-#include "core/intent/reading/bounded_squares.h"
+#include "core/intent/choosing/bounded_squares.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "core/intent/reading/bounded_squares.h"
-#include "core/intent/reading/choice.h"
-#include "core/intent/reading/quadratic.h"
+#include "core/intent/choosing/bounded_squares.h"
+#include "core/intent/choosing/choice.h"
+#include "core/intent/choosing/quadratic.h"
 
 namespace penpose::intent {
 

@@ -1,4 +1,4 @@
-#include "core/intent/reading/selection.h"
+#include "core/intent/choosing/selection.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

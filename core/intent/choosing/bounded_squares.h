@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/intent/reading/choice.h"
+#include "core/intent/choosing/choice.h"
 
 namespace penpose::intent {
 
