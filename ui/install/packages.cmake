@@ -67,6 +67,8 @@ set(c_library "libc6 (>= 2.36)" "libgcc-s1 (>= 3.5)" "libstdc++6 (>= 12)")
 set(solver "")  # tinygltf is compiled in
 set(headers libglm-dev libxxhash-dev)  # what find_package(penpose) and the C++ headers want
 get_target_property(mesh_links core_mesh LINK_LIBRARIES)
+list(APPEND solver "zlib1g (>= 1:1.1.4)")
+list(APPEND headers zlib1g-dev)
 if(mesh_links MATCHES "OpenMesh")
   list(APPEND solver "libopenmesh1 (>= 9.0)")
   list(APPEND headers libopenmesh-dev)

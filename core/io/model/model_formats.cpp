@@ -7,6 +7,7 @@ namespace penpose::io {
 // Each stands at the end of its reader or, where it is not read, of its writer. A new one is that file, a line here and
 // a row below. Formats of bytes come before formats of text, whose marks they may have by chance.
 ModelFormat glb_format();
+ModelFormat fbx_format();
 ModelFormat ply_format();
 ModelFormat stl_format();
 ModelFormat gltf_format();
@@ -16,7 +17,8 @@ ModelFormat arkit_format_of_models();
 
 std::span<const ModelFormat> model_formats() {
   static const ModelFormat formats[] = {
-      glb_format(), ply_format(), stl_format(), gltf_format(), off_format(), obj_format(), arkit_format_of_models(),
+      glb_format(),  fbx_format(), ply_format(), stl_format(),
+      gltf_format(), off_format(), obj_format(), arkit_format_of_models(),
   };
   return formats;
 }

@@ -19,7 +19,7 @@ std::string_view by_content(const std::string& text) {
 
 TEST(ModelFormats, ByName) {
   for (const auto& [name, extension] : std::map<std::string, std::string>{
-           {"a/b.GLB", ".glb"}, {"x.y.obj", ".obj"}, {"x.ply", ".ply"}, {"obj", ""}, {"x.fbx", ""}})
+           {"a/b.GLB", ".glb"}, {"x.y.obj", ".obj"}, {"x.ply", ".ply"}, {"obj", ""}, {"x.fbx", ".fbx"}, {"x.dae", ""}})
     EXPECT_EQ(by_name(name), extension) << name;
 }
 
@@ -60,7 +60,7 @@ TEST(ModelFormats, EachIsReadOrWrittenAndHasAnExtensionOfItsOwn) {
 }
 
 TEST(ModelFormats, WhatIsNotKnownIsToldWithWhatIs) {
-  EXPECT_NE(read_model(base::as_bytes("hello"), "x.fbx").error().remedy.find("PLY, STL"), std::string::npos);
+  EXPECT_NE(read_model(base::as_bytes("hello"), "x.dae").error().remedy.find("PLY, STL"), std::string::npos);
   EXPECT_FALSE(read_model(base::as_bytes("hello"), "x.csv")) << "it is written alone";
   EXPECT_EQ(format_to_write("x.png").error().remedy, "name the file .glb, .obj or .csv");
   EXPECT_FALSE(format_to_write("x.ply"));
