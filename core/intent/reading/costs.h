@@ -22,6 +22,9 @@ struct FaceCosts {
   /// Of joints the same beyond `carried_from`: a head that turns carries hair, ears and the other half.
   double carried = 8.0;
   double carried_from = 8.0;
+  /// Times half of 1 - c, c the cosine of what a unit does to the curves with its mirror image, and the square of the
+  /// same of what the lines ask for: what is asked for on both sides is not meant for one.
+  double lopsided = 4.0;
   /// Each part beyond the first of a control that is the sum of others.
   double part = 10.0;
   /// Each axis about which a joint turns.

@@ -159,6 +159,8 @@ Reading FaceSolver::read_best() {
       if (first_look(best.choice, c) > best.energy + k_window) continue;
       Reading one = read_aligned();
       if (!(one.energy < best.energy - 1e-9)) continue;
+      // A part of a curve drawn where it is would say nothing: then all of it is meant to be shorter.
+      if (one.choice.units.empty()) continue;
       best = std::move(one);
       of_best = matched_;
       chosen = a;

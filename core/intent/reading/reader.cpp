@@ -120,6 +120,7 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
     group_curves();
     measure_groups();
     measure_fields();
+    measure_symmetry();
   }
   all_.resize(parameters_.size());
   for (std::size_t v = all_.size(); v < variable_count(); ++v) all_.push_back(v);

@@ -199,6 +199,14 @@ class Reader final : public Relations {
   [[nodiscard]] bool carries_more(const Unit& unit) const;
   /// Whether anything but such joints can follow the lines.
   [[nodiscard]] bool others_follow() const;
+  // Both sides of a face (reader_symmetry.cpp).
+  /// Pairs the points of drawn curves with their mirror images about the model's middle, and finds how far the lines
+  /// ask for the same on both sides.
+  void measure_symmetry();
+  /// The cosine of ways, one a point of the drawn curves, with their mirror image.
+  [[nodiscard]] double likeness_to_image(std::span<const ModelVector> ways) const;
+  /// Of a unit that does on one side what lines ask for on both.
+  [[nodiscard]] double asymmetry_charge(const Unit& unit) const;
   [[nodiscard]] double face_charge(const Unit& unit) const;
   /// The first parameter that moves with a variable, as a number of parameters().
   [[nodiscard]] std::size_t parameter_of(std::size_t variable) const;
@@ -251,8 +259,10 @@ class Reader final : public Relations {
   std::vector<Field> fields_;                               ///< one a variable
   std::vector<Unit> carriers_;                              ///< left out of choices_
   mutable std::vector<std::optional<Relation>> relations_;  ///< of pairs, as far as they were asked for
-  std::vector<double> asked_;                               ///< one a group that tells of controls
-  std::vector<std::vector<bool>> moved_groups_;             ///< one a parameter: whether it moves each of them
+  std::vector<std::size_t> images_;  ///< of each point of drawn curves, or k_no_partner; empty: not from the front
+  double symmetry_ = 0;              ///< of what the lines ask for, 0 to 1
+  std::vector<double> asked_;        ///< one a group that tells of controls
+  std::vector<std::vector<bool>> moved_groups_;  ///< one a parameter: whether it moves each of them
   posing::CurveSystem system_;
   std::vector<Block> blocks_;
   std::vector<std::size_t> parameters_;

@@ -271,7 +271,7 @@ double Reader::face_charge(const Unit& unit) const {
   if (turns(unit.members[0])) charge += face_.carried * base::log(1.0 + elsewhere / face_.carried_from);
   // The sides of a pair that pull against each other.
   if (unit.tied) charge += face_.against * std::max(0.0, -likeness(unit.members[0], unit.members[1]) - 0.1);
-  return charge;
+  return charge + asymmetry_charge(unit);
 }
 
 }  // namespace penpose::intent

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/base/math.h"
 
 namespace penpose::intent {
 namespace {
+
+/// Share of its range from which on a variable moves anything to speak of.
+constexpr double k_moves = 0.005;
 
 double value_of(const Choice& choice, std::size_t variable) {
   const auto at = std::lower_bound(choice.variables.begin(), choice.variables.end(), variable);
@@ -122,7 +126,14 @@ double ReadingCosts::stiffness_of(const Choice& choice) const {
 }
 
 double ReadingCosts::costs_of(const Choice& choice) const {
-  double sum = cost_of_nothing(choice.units);
+  // What stays at nothing moves nothing.
+  std::vector<std::size_t> moving;
+  std::copy_if(choice.units.begin(), choice.units.end(), std::back_inserter(moving), [&](std::size_t u) {
+    const auto members = members_of(choices_.units[u]);
+    return std::any_of(members.begin(), members.end(),
+                       [&](std::size_t v) { return std::abs(value_of(choice, v)) >= k_moves; });
+  });
+  double sum = cost_of_nothing(moving);
   for (std::size_t i = 0; i < choice.units.size(); ++i) {
     const Unit& unit = choices_.units[choice.units[i]];
     sum += unit.charge + cost_of_relations(std::span(choice.units).first(i), choice.units[i]);
