@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numeric>
 #include <tuple>
 
@@ -23,6 +24,8 @@ void join(std::vector<std::uint32_t>& parent, std::uint32_t a, std::uint32_t b) 
   if (a < b) parent[b] = a;
   if (b < a) parent[a] = b;
 }
+
+bool collapses(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
 /// A border edge of a part, from the corner with the lower position to the other.
 struct Rim {
@@ -93,11 +96,123 @@ void weld_seams(const MeshSource& source, std::vector<std::uint32_t>& weld) {
   std::vector<Triangle> welded = source.triangles;
   for (Triangle& t : welded) {
     for (std::uint32_t& v : t) v = find_root(joined, v);
-    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return;
+    if (collapses(t)) return;
   }
   if (first_non_manifold_triangle(welded, source.positions.size())) return;
   for (std::uint32_t v = 0; v < weld.size(); ++v) weld[v] = find_root(joined, v);
 }
+
+/// The mesh without some of its triangles.
+MeshSource without(const MeshSource& source, std::span<const std::uint32_t> extra) {
+  MeshSource kept;
+  kept.positions = source.positions;
+  auto next = extra.begin();
+  for (Part part : source.parts) {
+    const std::uint32_t end = part.first_triangle + part.triangle_count;
+    std::uint32_t t = part.first_triangle;
+    part.first_triangle = static_cast<std::uint32_t>(kept.triangles.size());
+    for (; t < end; ++t) {
+      if (next != extra.end() && *next == t) {
+        ++next;
+      } else {
+        kept.triangles.push_back(source.triangles[t]);
+      }
+    }
+    part.triangle_count = static_cast<std::uint32_t>(kept.triangles.size()) - part.first_triangle;
+    kept.parts.push_back(std::move(part));
+  }
+  return kept;
+}
+
+/// Chooses the triangles of an edge that belong to the surface.
+class EdgeCutter {
+ public:
+  EdgeCutter(std::span<const Triangle> triangles, std::span<const ModelPoint> positions)
+      : triangles_(triangles), positions_(positions), extra_(triangles.size(), 0) {}
+
+  void drop_repeated(std::vector<std::uint32_t> at_full_edges) {
+    const auto corners = [&](std::uint32_t t) {
+      Triangle sorted = triangles_[t];
+      std::stable_sort(sorted.begin(), sorted.end());
+      return sorted;
+    };
+    std::stable_sort(at_full_edges.begin(), at_full_edges.end());
+    at_full_edges.erase(std::unique(at_full_edges.begin(), at_full_edges.end()), at_full_edges.end());
+    std::stable_sort(at_full_edges.begin(), at_full_edges.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return corners(a) < corners(b); });
+    for (std::size_t i = 1; i < at_full_edges.size(); ++i) {
+      if (corners(at_full_edges[i]) == corners(at_full_edges[i - 1])) extra_[at_full_edges[i]] = 1;
+    }
+  }
+
+  /// All uses of one edge.
+  void cut(std::span<const EdgeUse> uses) {
+    here_.clear();
+    for (const EdgeUse& use : uses) {
+      if (extra_[use.triangle] == 0) here_.push_back(use.triangle);
+    }
+    if (here_.size() <= 2) return;
+    const auto [first, second] = best_pair(uses.front());
+    for (const std::uint32_t triangle : here_) {
+      if (triangle != first && triangle != second) extra_[triangle] = 1;
+    }
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> extra() const {
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t t = 0; t < extra_.size(); ++t) {
+      if (extra_[t] != 0) all.push_back(t);
+    }
+    return all;
+  }
+
+ private:
+  static constexpr std::size_t k_most_compared = 16;
+
+  [[nodiscard]] bool forward(std::uint32_t triangle, const EdgeUse& edge) const {
+    const Triangle& t = triangles_[triangle];
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (t[k] == edge.low && t[(k + 1) % 3] == edge.high) return true;
+    }
+    return false;
+  }
+  [[nodiscard]] geometry::ModelVector normal(std::uint32_t triangle) const {
+    const Triangle& t = triangles_[triangle];
+    return geometry::normalized(glm::cross(positions_[t[1]] - positions_[t[0]], positions_[t[2]] - positions_[t[0]]),
+                                geometry::ModelVector(0));
+  }
+
+  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> best_pair(const EdgeUse& edge) const {
+    std::pair<std::uint32_t, std::uint32_t> best{here_[0], here_[1]};
+    if (here_.size() > k_most_compared) {
+      for (const std::uint32_t other : here_) {
+        if (forward(other, edge) != forward(here_[0], edge)) return {here_[0], other};
+      }
+      return best;
+    }
+    double flattest = -10;
+    for (std::size_t i = 0; i < here_.size(); ++i) {
+      const bool along = forward(here_[i], edge);
+      const auto across = normal(here_[i]);
+      for (std::size_t k = i + 1; k < here_.size(); ++k) {
+        const bool opposite = forward(here_[k], edge) != along;
+        const double flat = glm::dot(across, normal(here_[k]));
+        // One that is turned round lies flat where the normals are opposed, and comes after all that are not.
+        const double score = opposite ? flat : -flat - 4;
+        if (score > flattest) {
+          flattest = score;
+          best = {here_[i], here_[k]};
+        }
+      }
+    }
+    return best;
+  }
+
+  std::span<const Triangle> triangles_;
+  std::span<const ModelPoint> positions_;
+  std::vector<std::uint8_t> extra_;
+  std::vector<std::uint32_t> here_;
+};
 
 /// The edges of one vertex: by insertion while they are few, which needs no memory.
 void sort_run(std::span<EdgeUse> run) {
@@ -149,9 +264,42 @@ std::optional<std::uint32_t> first_non_manifold_triangle(std::span<const Triangl
   return first;
 }
 
-std::vector<std::uint32_t> weld_coincident(const MeshSource& source) {
+std::vector<std::uint32_t> extra_triangles(std::span<const Triangle> triangles, std::span<const ModelPoint> positions) {
+  const auto edges = sorted_edges(triangles, positions.size());
+  std::vector<std::span<const EdgeUse>> full;
+  std::vector<std::uint32_t> beside;
+  for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
+    for (end = i + 1; end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high;) ++end;
+    if (end - i < 3) continue;
+    full.push_back(std::span(edges).subspan(i, end - i));
+    for (const EdgeUse& use : full.back()) beside.push_back(use.triangle);
+  }
+  if (full.empty()) return {};
+  EdgeCutter cutter(triangles, positions);
+  cutter.drop_repeated(std::move(beside));
+  for (const auto& uses : full) cutter.cut(uses);
+  return cutter.extra();
+}
+
+std::string note_of_extra_triangles(const TriangleMesh& mesh) {
+  const std::size_t count = extra_triangles(mesh.triangles(), mesh.positions()).size();
+  if (count == 0) return {};
+  if (count == 1) return "1 triangle lies on another one or on an edge that has two already: it is a sheet of its own";
+  return std::to_string(count) +
+         " triangles lie on others or on edges that have two already: they are sheets of their own";
+}
+
+std::vector<std::uint32_t> weld_coincident(const MeshSource& source, std::span<const std::uint32_t> extra) {
   std::vector<std::uint32_t> weld(source.positions.size());
   std::iota(weld.begin(), weld.end(), 0U);
+  if (!extra.empty()) {
+    auto of_surface = weld_coincident(without(source, extra));
+    const bool collapsed = std::any_of(extra.begin(), extra.end(), [&](std::uint32_t triangle) {
+      const Triangle& t = source.triangles[triangle];
+      return collapses({of_surface[t[0]], of_surface[t[1]], of_surface[t[2]]});
+    });
+    return collapsed ? weld : of_surface;
+  }
   const auto before = [&](std::uint32_t a, std::uint32_t b) {
     const ModelPoint& p = source.positions[a];
     const ModelPoint& q = source.positions[b];
@@ -176,7 +324,7 @@ std::vector<std::uint32_t> weld_coincident(const MeshSource& source) {
     bool collapsed = false;
     for (Triangle& t : welded) {
       for (std::uint32_t& v : t) v = weld[v];
-      collapsed |= t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+      collapsed |= collapses(t);
     }
     if (collapsed || first_non_manifold_triangle(welded, source.positions.size())) {
       std::iota(weld.begin() + part.first_vertex, weld.begin() + part.first_vertex + part.vertex_count,

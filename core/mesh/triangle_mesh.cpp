@@ -92,11 +92,7 @@ base::Result<std::shared_ptr<const TriangleMesh>> TriangleMesh::build(MeshSource
   if (auto error = check_parts(source)) return *error;
   auto mesh = std::make_shared<TriangleMesh>();
   mesh->dropped_triangles_ = drop_degenerate(source);
-  if (const auto bad = first_non_manifold_triangle(source.triangles, source.positions.size())) {
-    return at("three triangles share one edge", "triangle", *bad,
-              "separate the surfaces in a modelling program so that an edge has at most two triangles");
-  }
-  mesh->weld_ = weld_coincident(source);
+  mesh->weld_ = weld_coincident(source, extra_triangles(source.triangles, source.positions));
   mesh->smoothing_ = smoothing_groups(source, mesh->weld_);
   auto labels = label_components(source.triangles, mesh->weld_);
   mesh->components_ = std::move(labels.component);

@@ -39,8 +39,8 @@ struct MeshSource {
 class TriangleMesh {
  public:
   /// Validates and builds. Errors (place "vertex N" or "triangle N"): no vertices, a position that is not finite, an
-  /// index out of range, an edge with more than two triangles, parts that do not cover the mesh. Triangles that repeat
-  /// a vertex are dropped.
+  /// index out of range, parts that do not cover the mesh. Triangles that repeat a vertex are dropped; edges may have
+  /// more than two (extra_triangles in topology.h).
   static base::Result<std::shared_ptr<const TriangleMesh>> build(MeshSource source);
 
   [[nodiscard]] std::span<const ModelPoint> positions() const { return source_.positions; }

@@ -7,11 +7,23 @@
 namespace penpose::mesh {
 namespace {
 
+/// Triangles at a vertex of any mesh that was made to be posed.
+constexpr std::size_t k_most_compared = 64;
+
 /// The side of a triangle that lies opposite its vertex, in the triangle's direction.
 struct Side {
   std::uint32_t from;
   std::uint32_t to;
 };
+
+/// Of two triangles that are one the other way round, the second: their areas would leave nothing to light.
+void drop_turned(std::vector<Side>& sides) {
+  for (std::size_t i = 0; i < sides.size() && sides.size() <= k_most_compared; ++i) {
+    const auto turned = std::find_if(sides.begin() + static_cast<std::ptrdiff_t>(i) + 1, sides.end(),
+                                     [&](const Side& s) { return s.from == sides[i].to && s.to == sides[i].from; });
+    if (turned != sides.end()) sides.erase(turned);
+  }
+}
 
 /// Chains sides into polygons: closed rings, or open fans that the centre closes. Appends their quads. Uses up `sides`.
 void append_polygons(std::uint32_t center, std::vector<Side>& sides, std::vector<std::uint32_t>& ring,
@@ -75,6 +87,7 @@ VertexRings::VertexRings(const TriangleMesh& mesh) : leader_(mesh.smoothing().be
   first_.reserve(count + 1);
   const auto append = [&](std::uint32_t v) {
     sides.assign(side_of.begin() + first_corner[v], side_of.begin() + first_corner[v + 1]);
+    drop_turned(sides);
     append_polygons(v, sides, ring, quads_);
   };
   for (std::uint32_t v = 0; v < count; ++v) {

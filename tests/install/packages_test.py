@@ -84,7 +84,8 @@ class Packages(unittest.TestCase):
             found += re.findall(r'(?<!if\(OFF\)\n  )find_dependency\((\w+)\)', text)
             for links in re.findall(r'INTERFACE_LINK_LIBRARIES "([^"]*)"', text):
                 found += [link for link in links.split(';') if '::' not in link]
-        packages = {'glm': 'libglm-dev', 'OpenMesh': 'libopenmesh-dev', 'xxhash': 'libxxhash-dev'}
+        packages = {'glm': 'libglm-dev', 'OpenMesh': 'libopenmesh-dev', 'xxhash': 'libxxhash-dev',
+                    'meshoptimizer': 'libmeshoptimizer-dev', 'draco': 'libdraco-dev'}
         wanted = {packages.get(name.removesuffix('Core').removesuffix('Tools'), name) for name in found if name != 'Threads'}
         self.assertIn('libglm-dev', wanted)
         self.assertEqual(names_in(field(PACKAGES['libpenpose-dev'], 'Depends')), wanted | {'libpenpose0'})

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/io/surface/normals.h"
+#include "core/mesh/topology.h"
 
 namespace penpose::io {
 
@@ -25,6 +26,7 @@ base::Result<document::Model> surface_model(mesh::MeshSource source, std::vector
   if ((*mesh)->dropped_triangles() > 0) {
     model->notes.push_back(std::to_string((*mesh)->dropped_triangles()) + " triangles without area were left out");
   }
+  if (auto note = mesh::note_of_extra_triangles(**mesh); !note.empty()) model->notes.push_back(std::move(note));
   return model;
 }
 

@@ -43,6 +43,54 @@ TEST(Topology, FindsTheFirstThirdTriangleAtAnEdge) {
   EXPECT_FALSE(first_non_manifold_triangle({}, 0));
 }
 
+TEST(Topology, AManifoldHasNoExtraTriangles) {
+  const std::vector<ModelPoint> places{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  EXPECT_EQ(extra_triangles(std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}, places), Numbers{});
+  EXPECT_EQ(extra_triangles(std::vector<Triangle>{{0, 1, 2}, {0, 2, 1}}, places), Numbers{}) << "a card with a back";
+  EXPECT_EQ(extra_triangles({}, {}), Numbers{});
+}
+
+TEST(Topology, AFinIsExtraWhateverItsNumber) {
+  const std::vector<ModelPoint> places{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}};
+  const Triangle a{0, 1, 2}, b{0, 2, 3}, fin{0, 2, 4}, turned{2, 0, 4};
+  EXPECT_EQ(extra_triangles(std::vector<Triangle>{a, b, fin}, places), Numbers{2});
+  EXPECT_EQ(extra_triangles(std::vector<Triangle>{fin, a, b}, places), Numbers{0});
+  EXPECT_EQ(extra_triangles(std::vector<Triangle>{a, turned, b}, places), Numbers{1});
+}
+
+TEST(Topology, OfDoubledFacesTheFirstSideIsTheSurface) {
+  const std::vector<ModelPoint> places{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const Triangle a{0, 1, 2}, b{0, 2, 3}, back_a{0, 2, 1}, back_b{0, 3, 2};
+  EXPECT_EQ(extra_triangles(std::vector<Triangle>{a, b, back_a, back_b}, places), (Numbers{2, 3}));
+  EXPECT_EQ(extra_triangles(std::vector<Triangle>{a, back_a, b, back_b}, places), (Numbers{1, 3}));
+  EXPECT_EQ(extra_triangles(std::vector<Triangle>{a, a, b, b}, places), (Numbers{1, 3}));
+}
+
+TEST(Topology, AThousandTrianglesAtAnEdgeLeaveTwo) {
+  std::vector<ModelPoint> places{{0, 0, 0}, {1, 0, 0}};
+  std::vector<Triangle> triangles;
+  for (std::uint32_t i = 0; i < 1000; ++i) {
+    places.push_back({0.5, 1.0 + i, 2.0});
+    triangles.push_back(i % 2 == 0 ? Triangle{0, 1, 2 + i} : Triangle{1, 0, 2 + i});
+  }
+  const auto extra = extra_triangles(triangles, places);
+  EXPECT_EQ(extra.size(), 998U);
+  EXPECT_EQ(extra.front(), 2U);
+}
+
+TEST(Topology, SeamsAreWeldedBelowAFin) {
+  // The two halves of a square, each with vertices of its own, and a fin on the seam of the first.
+  const auto source =
+      source_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 2}},
+                {{0, 1, 2}, {3, 4, 5}, {1, 2, 6}, {2, 1, 7}});
+  const auto extra = extra_triangles(source.triangles, source.positions);
+  ASSERT_EQ(extra.size(), 1U);
+  const auto weld = weld_coincident(source, extra);
+  EXPECT_EQ(weld[3], 0U);
+  EXPECT_EQ(weld[4], 2U);
+  EXPECT_EQ(weld[6], 6U);
+}
+
 TEST(Topology, WeldsTheSeamOfASurface) {
   const auto source =
       source_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-0.0, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {3, 4, 5}});

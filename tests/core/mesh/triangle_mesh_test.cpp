@@ -3,6 +3,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "core/mesh/topology.h"
+
 namespace penpose::mesh {
 namespace {
 
@@ -54,6 +56,7 @@ TEST(TriangleMesh, NamesWhatIsWrong) {
   source = square();
   source.triangles[1][2] = 4;
   EXPECT_EQ(error_of(source).place, "triangle 1");
+  EXPECT_FALSE(error_of(source).remedy.empty());
 
   source = square();
   source.normals.assign(3, {0, 0, 1});
@@ -62,8 +65,7 @@ TEST(TriangleMesh, NamesWhatIsWrong) {
   source = square();
   source.positions.emplace_back(0, 0, 1);
   source.triangles.push_back({2, 0, 4});
-  EXPECT_EQ(error_of(source).place, "triangle 2") << "the third triangle at the edge 0-2";
-  EXPECT_FALSE(error_of(source).remedy.empty());
+  EXPECT_EQ(error_of(source).what, "built") << "the third triangle at the edge 0-2 is a sheet of its own";
 }
 
 TEST(TriangleMesh, RefusesPartsThatDoNotCoverIt) {
@@ -110,6 +112,21 @@ TEST(TriangleMesh, DropsTrianglesThatRepeatAVertexAndKeepsVertexNumbers) {
   EXPECT_EQ(mesh->parts()[0].triangle_count, 2U);
   EXPECT_EQ(mesh->parts()[1].first_triangle, 2U);
   EXPECT_EQ(mesh->parts()[1].triangle_count, 1U);
+}
+
+TEST(TriangleMesh, AThirdTriangleAtAnEdgeIsKeptAndSaid) {
+  MeshSource source = square();
+  EXPECT_EQ(note_of_extra_triangles(*TriangleMesh::build(source).value()), "");
+  source.positions.push_back({0.5, 0.5, 1});
+  source.triangles.push_back({source.triangles[0][0], source.triangles[0][1], 4});
+  source.triangles.push_back({source.triangles[0][1], source.triangles[0][0], 4});
+  source.parts.clear();
+  const auto mesh = TriangleMesh::build(source);
+  ASSERT_TRUE(mesh.ok()) << mesh.error().line();
+  EXPECT_EQ((*mesh)->triangle_count(), 4U);
+  EXPECT_EQ((*mesh)->vertex_count(), 5U);
+  EXPECT_EQ((*mesh)->component_count(), 1U);
+  EXPECT_NE(note_of_extra_triangles(**mesh).find("sheet of its own"), std::string::npos);
 }
 
 TEST(TriangleMesh, WeldsCoincidentVerticesWithinAPartOnly) {

@@ -17,6 +17,7 @@
 #include "core/io/model/model_formats.h"
 #include "core/io/project/internal/project_json.h"
 #include "core/io/project/write_document.h"
+#include "core/mesh/topology.h"
 
 namespace penpose::io {
 namespace {
@@ -188,6 +189,7 @@ base::Result<OpenedModel> read_opened(GltfDocument& document) {
   if ((*mesh)->dropped_triangles() > 0) {
     model->notes.push_back(std::to_string((*mesh)->dropped_triangles()) + " triangles without area were left out");
   }
+  if (auto note = mesh::note_of_extra_triangles(**mesh); !note.empty()) model->notes.push_back(std::move(note));
   if (const auto status = check_positions(*model); !status) return status.error();
   return OpenedModel{std::move(model).value(), root->of_another_edition};
 }

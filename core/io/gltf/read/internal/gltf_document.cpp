@@ -4,8 +4,9 @@
 #include <new>
 #include <utility>
 
-#include "core/base/text/letters.h"
+#include "core/io/gltf/read/compression/unpack_gltf.h"
 #include "core/io/gltf/read/internal/gltf_schema.h"
+#include "core/io/gltf/read/uri/uri.h"
 
 namespace penpose::io {
 namespace {
@@ -39,8 +40,9 @@ base::Result<Container> split_glb(base::Bytes bytes) {
     return at_byte("binary glTF version " + std::to_string(*version), 4, "export the file as glTF 2.0");
   }
   if (*length > bytes.size()) {
-    return at_byte(
-        "the header says " + std::to_string(*length) + " bytes, but the file has " + std::to_string(bytes.size()), 8);
+    return at_byte("the header says " + std::to_string(*length) + " bytes, but the file has " +
+                       std::to_string(bytes.size()) + ": a download or copy that was not finished",
+                   8, "download, copy or export it again");
   }
   reader = base::ByteReader(bytes.first(*length));
   reader.seek(12);
@@ -62,71 +64,6 @@ base::Result<Container> split_glb(base::Bytes bytes) {
   return container;
 }
 
-std::optional<int> base64_digit(char c) {
-  if (c >= 'A' && c <= 'Z') return c - 'A';
-  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-  if (c >= '0' && c <= '9') return c - '0' + 52;
-  if (c == '+' || c == '-') return 62;
-  if (c == '/' || c == '_') return 63;
-  return std::nullopt;
-}
-
-std::optional<std::vector<std::uint8_t>> decode_base64(std::string_view text) {
-  while (!text.empty() && text.back() == '=') text.remove_suffix(1);
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(text.size() / 4 * 3 + 3);
-  std::uint32_t bits = 0;
-  int held = 0;
-  for (const char c : text) {
-    const auto digit = base64_digit(c);
-    if (!digit) return std::nullopt;
-    bits = (bits << 6) | static_cast<std::uint32_t>(*digit);
-    held += 6;
-    if (held < 8) continue;
-    held -= 8;
-    bytes.push_back(static_cast<std::uint8_t>(bits >> held));
-  }
-  return bytes;
-}
-
-/// Resolves %XX (RFC 3986, section 2.1).
-std::string decode_percent(std::string_view uri) {
-  std::string path;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    if (uri[i] == '%' && i + 2 < uri.size() && base::hex_value(uri[i + 1]) && base::hex_value(uri[i + 2])) {
-      path += static_cast<char>(*base::hex_value(uri[i + 1]) * 16 + *base::hex_value(uri[i + 2]));
-      i += 2;
-    } else {
-      path += uri[i];
-    }
-  }
-  return path;
-}
-
-/// The path without pieces that say nothing ("./", "//"), so that one file has one name.
-std::string plain_path(std::string_view path) {
-  std::string plain;
-  while (!path.empty()) {
-    const std::size_t slash = path.find('/');
-    const std::string_view piece = path.substr(0, slash);
-    if (!piece.empty() && piece != ".") plain.append(plain.empty() ? "" : "/").append(piece);
-    path.remove_prefix(slash == std::string_view::npos ? path.size() : slash + 1);
-  }
-  return plain;
-}
-
-/// A model file may name files in its own folder and below, nothing else.
-bool stays_below(std::string_view path) {
-  if (path.empty() || path.front() == '/' || path.find_first_of(":\\") != std::string_view::npos) return false;
-  if (path.find('\0') != std::string_view::npos) return false;
-  while (true) {
-    const std::size_t slash = path.find('/');
-    if (path.substr(0, slash) == "..") return false;
-    if (slash == std::string_view::npos) return true;
-    path.remove_prefix(slash + 1);
-  }
-}
-
 base::Result<base::Bytes> keep(GltfDocument& document, std::vector<std::uint8_t> bytes) {
   document.owned.push_back(std::make_unique<std::vector<std::uint8_t>>(std::move(bytes)));
   return base::Bytes(*document.owned.back());
@@ -137,33 +74,39 @@ using ReadFiles = std::map<std::string, base::Bytes, std::less<>>;
 
 base::Result<base::Bytes> load_uri(GltfDocument& document, const std::string& uri, const std::string& pointer,
                                    const FileResolver& resolve, ReadFiles& files) {
-  if (uri.starts_with("data:")) {
-    const std::size_t comma = uri.find(',');
-    if (comma == std::string::npos || !std::string_view(uri).substr(0, comma).ends_with(";base64")) {
-      return base::Error{"a data: URI that is not base64", pointer, "export the file again as .glb"};
-    }
-    auto bytes = decode_base64(std::string_view(uri).substr(comma + 1));
-    if (!bytes) return base::Error{"a data: URI with a character that is not base64", pointer, k_truncated};
-    return keep(document, std::move(*bytes));
+  if (is_data_uri(uri)) {
+    auto bytes = decode_data_uri(uri);
+    if (!bytes) return base::Error{bytes.error().what, pointer, bytes.error().remedy};
+    return keep(document, std::move(bytes).value());
   }
-  const std::string named = decode_percent(uri);
-  const std::string path = plain_path(named);
-  if (!stays_below(named) || path.empty()) {
+  auto path = path_of_uri(uri);
+  if (!path) {
     return base::Error{"the buffer lies outside the folder of the model", pointer,
                        "export the file as .glb, which holds everything"};
   }
   if (!resolve) {
-    return base::Error{"the buffer is another file (" + path + ")", pointer,
+    return base::Error{"the buffer is another file (" + *path + ")", pointer,
                        "export the file as .glb, which holds everything"};
   }
-  if (const auto found = files.find(path); found != files.end()) return found->second;
+  if (const auto found = files.find(*path); found != files.end()) return found->second;
   if (files.size() == k_most_files) {
     return base::Error{"the model names more than " + std::to_string(k_most_files) + " files", pointer,
                        "export the file as .glb, which holds everything"};
   }
-  auto bytes = resolve(path);
+  auto bytes = resolve(*path);
   if (!bytes) {
-    return base::Error{"the buffer " + path + " " + bytes.error().what, pointer, "put it beside the model"};
+    // Some programs write the names of files as they are.
+    const auto as_written = path_as_written(uri);
+    if (as_written && *as_written != *path) {
+      if (const auto found = files.find(*as_written); found != files.end()) return found->second;
+      if (auto others = resolve(*as_written)) {
+        bytes = std::move(others);
+        path = as_written;
+      }
+    }
+  }
+  if (!bytes) {
+    return base::Error{"the buffer " + *path + " " + bytes.error().what, pointer, "put it beside the model"};
   }
   std::uint64_t held = bytes->size();
   for (const auto& owned : document.owned) held += owned->size();
@@ -172,7 +115,7 @@ base::Result<base::Bytes> load_uri(GltfDocument& document, const std::string& ur
                        pointer, "divide the model, or leave something out of it"};
   }
   auto kept = keep(document, std::move(bytes).value());
-  if (kept) files.emplace(path, *kept);
+  if (kept) files.emplace(*path, *kept);
   return kept;
 }
 
@@ -187,6 +130,10 @@ base::Status load_buffers(GltfDocument& document, const Container& container, co
     const auto length =
         length_value == nullptr ? std::nullopt : json::whole_number(*length_value, 0, std::int64_t{1} << 40);
     if (!length) return base::Error{"a byteLength was expected", pointer, k_truncated};
+    if (is_placeholder((*buffers)[i])) {
+      document.buffers.emplace_back();
+      continue;
+    }
     const json::Json* uri = json::find((*buffers)[i], "uri");
     base::Bytes bytes;
     if (uri == nullptr && i == 0 && container.has_binary) {
@@ -266,9 +213,12 @@ base::Result<GltfDocument> open_gltf(base::Bytes bytes, const FileResolver& reso
   auto vetted = vet_gltf(document.json, document.notes);
   if (!vetted) return vetted.error();
   if (const auto loaded = load_buffers(document, container, resolve); !loaded) return loaded.error();
-  if (const auto parsed = read_structure(document, *vetted); !parsed) return parsed.error();
   std::size_t data = bytes.size();
   for (const auto& owned : document.owned) data += owned->size();
+  const auto unpacked = unpack_gltf(document, *vetted, data);
+  if (!unpacked) return unpacked.error();
+  data += static_cast<std::size_t>(*unpacked);
+  if (const auto parsed = read_structure(document, *vetted); !parsed) return parsed.error();
   // A number takes some 14 bytes once it is read: what comes of a file stays below 40 times its size.
   document.budget = (std::size_t{3} << 19) + 2 * data + data / 2;
   return document;

@@ -7,6 +7,8 @@
 #include <limits>
 #include <span>
 
+#include "core/base/text/utf8.h"
+#include "core/io/gltf/read/compression/unpack_gltf.h"
 #include "core/io/remedies.h"
 
 namespace penpose::io {
@@ -294,13 +296,14 @@ std::optional<base::Error> check_tree(const json::Json& vetted) {
   return std::nullopt;
 }
 
-std::optional<base::Error> check_indices(const json::Json& vetted) {
+/// Indices that a Draco stream gives need no data of their own.
+std::optional<base::Error> check_indices(const json::Json& vetted, const json::Json& document) {
   const json::Json* meshes = json::find(vetted, "meshes");
   for (std::size_t m = 0; meshes != nullptr && m < meshes->size(); ++m) {
     const json::Json& primitives = (*meshes)[m]["primitives"];
     for (std::size_t p = 0; p < primitives.size(); ++p) {
       const json::Json* indices = json::find(primitives[p], "indices");
-      if (indices == nullptr) continue;
+      if (indices == nullptr || draco_of(document["meshes"][m]["primitives"][p]) != nullptr) continue;
       const auto accessor = indices->get<std::size_t>();
       if (json::find(vetted["accessors"][accessor], "bufferView") == nullptr) {
         return wrong("indices without a buffer view", json::child("/accessors", accessor));
@@ -323,7 +326,30 @@ std::optional<base::Error> check_samplers(const json::Json& vetted) {
   return std::nullopt;
 }
 
-/// Extensions that change how data is read cannot be skipped; those about looks can.
+/// Extensions that change how data is read cannot be skipped; those about looks and sounds, and those that add members
+/// beside the ones that are read, can.
+bool can_be_read(std::string_view name) {
+  constexpr std::array<std::string_view, 14> k_known = {"KHR_mesh_quantization",
+                                                        "EXT_meshopt_compression",
+                                                        "KHR_meshopt_compression",
+                                                        "KHR_draco_mesh_compression",
+                                                        "KHR_texture_transform",
+                                                        "KHR_texture_basisu",
+                                                        "EXT_texture_webp",
+                                                        "EXT_texture_avif",
+                                                        "MSFT_texture_dds",
+                                                        "KHR_animation_pointer",
+                                                        "KHR_xmp_json_ld",
+                                                        "MSFT_lod",
+                                                        "VRM",
+                                                        "KHR_node_hoverability"};
+  constexpr std::array<std::string_view, 7> k_harmless_beginnings = {
+      "KHR_materials_", "EXT_materials_", "KHR_lights_", "EXT_lights_", "VRMC_", "KHR_audio", "MSFT_audio"};
+  return std::find(k_known.begin(), k_known.end(), name) != k_known.end() ||
+         std::any_of(k_harmless_beginnings.begin(), k_harmless_beginnings.end(),
+                     [&](std::string_view beginning) { return name.starts_with(beginning); });
+}
+
 std::optional<base::Error> check_extensions(const json::Json& document) {
   const json::Json* required = json::find(document, "extensionsRequired");
   if (required == nullptr) return std::nullopt;
@@ -332,12 +358,34 @@ std::optional<base::Error> check_extensions(const json::Json& document) {
     const std::string pointer = json::child("/extensionsRequired", i);
     if (!(*required)[i].is_string()) return wrong("a text was expected", pointer);
     const auto name = (*required)[i].get<std::string>();
-    const bool harmless = name == "KHR_mesh_quantization" || name == "KHR_texture_transform" ||
-                          name == "KHR_lights_punctual" || name == "KHR_texture_basisu" ||
-                          name.starts_with("KHR_materials_") || name == "EXT_texture_webp";
-    if (!harmless) return wrong("the extension " + name + " is not supported", pointer, "export the file without it");
+    if (can_be_read(name)) continue;
+    return wrong("the extension " + base::valid_utf8(name) + ", without which the file cannot be read, is not known",
+                 pointer, "export the file without it");
   }
   return std::nullopt;
+}
+
+/// Channels without a node are for extensions to say (glTF 2.0, section 3.11: such a channel is to be ignored).
+void drop_channels_without_node(json::Json& vetted, std::vector<std::string>& notes) {
+  if (json::find(vetted, "animations") == nullptr) return;
+  json::Json& animations = vetted["animations"];
+  std::size_t dropped = 0;
+  for (std::size_t a = 0; a < animations.size(); ++a) {
+    const json::Json& channels = animations[a]["channels"];
+    json::Json kept = json::Json::array();
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      const json::Json& target = channels[c]["target"];
+      if (json::find(target, "node") != nullptr && target["path"].get<std::string>() != "pointer") {
+        kept.push_back(channels[c]);
+      }
+    }
+    dropped += channels.size() - kept.size();
+    if (kept.size() != channels.size()) animations[a]["channels"] = std::move(kept);
+  }
+  if (dropped == 0) return;
+  notes.push_back(std::to_string(dropped) + (dropped == 1 ? " channel" : " channels") +
+                  " of animations without a node (as of KHR_animation_pointer) " + (dropped == 1 ? "was" : "were") +
+                  " left alone");
 }
 
 void note_left_out(const json::Json& document, std::vector<std::string>& notes) {
@@ -353,16 +401,22 @@ void note_left_out(const json::Json& document, std::vector<std::string>& notes) 
 
 base::Result<json::Json> vet_gltf(const json::Json& document, std::vector<std::string>& notes) {
   if (!document.is_object()) return wrong("an object was expected", "/");
+  if (json::find(document, "asset") == nullptr && json::find(document, "meshes") == nullptr) {
+    return wrong("this is JSON, but no glTF: it has neither \"asset\" nor \"meshes\"", "/",
+                 "choose a file with a model, or download the file itself");
+  }
+  // First: what an extension changes must not be called damaged.
+  if (auto error = check_extensions(document)) return *error;
   auto vetted = Vetter(document).object(document, k_root, "");
   if (!vetted) return vetted.error();
   const auto version = (*vetted)["asset"]["version"].get<std::string>();
   if (!version.starts_with("2.")) {
     return wrong("glTF version \"" + version + "\" is not supported", "/asset/version", "export the file as glTF 2.0");
   }
-  for (const auto& check : {check_tree, check_indices, check_samplers}) {
-    if (auto error = check(*vetted)) return *error;
-  }
-  if (auto error = check_extensions(document)) return *error;
+  if (auto error = check_tree(*vetted)) return *error;
+  if (auto error = check_indices(*vetted, document)) return *error;
+  if (auto error = check_samplers(*vetted)) return *error;
+  drop_channels_without_node(*vetted, notes);
   note_left_out(document, notes);
   return vetted;
 }

@@ -103,7 +103,13 @@ TEST(GltfDocument, DataUris) {
   const auto document = open_gltf(base::as_bytes(text_with_uri(uri)), {});
   ASSERT_TRUE(document.ok()) << document.error().line();
   EXPECT_TRUE(std::equal(sample.binary.begin(), sample.binary.end(), document->buffers[0].begin()));
-  EXPECT_EQ(place(base::as_bytes(text_with_uri("data:text/plain,abc"))), "/buffers/0/uri");
+  std::string escaped = "data:application/octet-stream,";
+  for (const std::uint8_t byte : sample.binary) {
+    constexpr std::string_view k_digits = "0123456789abcdef";
+    escaped += {'%', k_digits[byte >> 4], k_digits[byte & 15]};
+  }
+  EXPECT_EQ(place(base::as_bytes(text_with_uri(escaped))), "(no error)");
+  EXPECT_EQ(place(base::as_bytes(text_with_uri("data:text/plain,abc"))), "/buffers/0/byteLength");
   EXPECT_EQ(place(base::as_bytes(text_with_uri("data:;base64,@@@@"))), "/buffers/0/uri");
   EXPECT_EQ(place(base::as_bytes(text_with_uri("data:;base64,AAAA"))), "/buffers/0/byteLength");
 }
@@ -118,12 +124,24 @@ TEST(GltfDocument, FilesBesideTheModelComeThroughTheResolver) {
   ASSERT_TRUE(open_gltf(base::as_bytes(text_with_uri("sub/my%20data.bin")), resolve).ok());
   EXPECT_EQ(asked, "sub/my data.bin");
   for (const char* uri :
-       {"../x.bin", "a/../../x.bin", "/etc/passwd", "http://host/x.bin", "file:x", "%2e%2e/x", "", "a\\b"}) {
+       {"../x.bin", "a/../../x.bin", "/etc/passwd", "http://host/x.bin", "file:x", "%2e%2e/x", "", "a\\..\\..\\b"}) {
     asked.clear();
     EXPECT_FALSE(open_gltf(base::as_bytes(text_with_uri(uri)), resolve).ok()) << uri;
     EXPECT_EQ(asked, "");
   }
   EXPECT_EQ(place(base::as_bytes(text_with_uri("x.bin"))), "/buffers/0/uri");
+  ASSERT_TRUE(open_gltf(base::as_bytes(text_with_uri("bufs\\b.bin")), resolve).ok());
+  EXPECT_EQ(asked, "bufs/b.bin");
+}
+
+TEST(GltfDocument, ANameThatWasNotEscapedIsFound) {
+  const tests::GltfSample sample = tests::square_sample();
+  const FileResolver resolve = [&](const std::string& path) -> base::Result<std::vector<std::uint8_t>> {
+    if (path != "100%41.bin") return base::Error{"cannot be opened", "", ""};
+    return sample.binary;
+  };
+  EXPECT_TRUE(open_gltf(base::as_bytes(text_with_uri("100%41.bin")), resolve).ok());
+  EXPECT_FALSE(open_gltf(base::as_bytes(text_with_uri("200%41.bin")), resolve).ok());
 }
 
 TEST(GltfDocument, BuffersAreChecked) {

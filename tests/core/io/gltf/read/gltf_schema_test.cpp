@@ -110,10 +110,50 @@ TEST(GltfSchema, ALongChainOfNodesIsNoTrouble) {
 }
 
 TEST(GltfSchema, RequiredExtensionsAreRefusedByName) {
-  EXPECT_EQ(place("/extensionsRequired", {"KHR_mesh_quantization", "KHR_draco_mesh_compression"}),
-            "/extensionsRequired/1");
+  EXPECT_EQ(place("/extensionsRequired", {"KHR_mesh_quantization", "KHR_gaussian_splatting"}), "/extensionsRequired/1");
   EXPECT_EQ(place("/extensionsRequired", {3}), "/extensionsRequired/0");
   EXPECT_EQ(place("/extensionsRequired", {"KHR_materials_unlit"}), "(no error)");
+  EXPECT_EQ(place("/extensionsUsed", {"KHR_gaussian_splatting"}), "(no error)") << "used, but not required";
+  EXPECT_EQ(place("/extensionsRequired",
+                  {"EXT_meshopt_compression", "KHR_draco_mesh_compression", "KHR_animation_pointer", "VRMC_vrm"}),
+            "(no error)");
+}
+
+TEST(GltfSchema, AnUnknownExtensionIsNamedBeforeWhatItChangesIsCalledDamaged) {
+  tests::GltfSample sample = tests::square_sample();
+  sample.set_buffer();
+  sample.json["extensionsRequired"] = {"EXT_other_compression"};
+  sample.json["accessors"][1].erase("bufferView");
+  sample.json["bufferViews"][0].erase("buffer");
+  std::vector<std::string> notes;
+  const auto vetted = vet_gltf(json::parse_json(base::as_bytes(sample.json.dump())).value(), notes);
+  ASSERT_FALSE(vetted.ok());
+  EXPECT_EQ(vetted.error().place, "/extensionsRequired/0");
+  EXPECT_NE(vetted.error().what.find("EXT_other_compression"), std::string::npos);
+}
+
+TEST(GltfSchema, ChannelsWithoutANodeAreLeftAloneWithANote) {
+  tests::GltfSample sample = tests::square_sample();
+  const auto times = sample.add_accessor(std::vector<float>{0, 1}, "SCALAR", 1, 5126);
+  const auto values = sample.add_vec3({0, 0, 0, 1, 0, 0});
+  const nlohmann::json pointer = {
+      {"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", "/materials/0/emissiveFactor"}}}}}};
+  sample.add("animations", {{"samplers", {{{"input", times}, {"output", values}}}},
+                            {"channels",
+                             {{{"sampler", 0}, {"target", {{"path", "translation"}}}},
+                              {{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}},
+                              {{"sampler", 0}, {"target", pointer}}}}});
+  sample.set_buffer();
+  std::vector<std::string> notes;
+  const auto vetted = vet_gltf(json::parse_json(base::as_bytes(sample.json.dump())).value(), notes);
+  ASSERT_TRUE(vetted.ok()) << vetted.error().line();
+  EXPECT_EQ((*vetted)["animations"][0]["channels"].size(), 1U);
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_NE(notes[0].find("2 channels"), std::string::npos) << notes[0];
+  EXPECT_TRUE(sample.read().ok());
+  // Also where nothing is left of the animation.
+  sample.json["animations"][0]["channels"].erase(1);
+  EXPECT_TRUE(sample.read().ok());
 }
 
 TEST(GltfSchema, OnlyWhatWasCheckedIsHandedOn) {
