@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/document/expressions.h"
 #include "core/rig/character_rig.h"
 
 namespace penpose::document {
@@ -116,6 +117,10 @@ base::Result<Model> with_controls(Model model, std::shared_ptr<const rig::BlendS
   made->curves = std::move(model.curves);
   made->animations = std::move(model.animations);
   made->notes = std::move(model.notes);
+  made->expressions = expressions_for(std::move(model.expressions), model.rig->parameters(), parameters);
+  made->front_yaw_degrees = model.front_yaw_degrees;
+  made->look = std::move(model.look);
+  made->source = std::move(model.source);
   if (!model.corrections) return made;
   std::vector<CorrectionSketch> kept = correction_sketches(model);
   std::erase_if(kept, [&](const CorrectionSketch& one) {

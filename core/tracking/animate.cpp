@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "core/document/time/animation_building.h"
+#include "core/document/time/animation_poses.h"
 #include "core/tracking/head_placement.h"
+#include "core/tracking/motion_animation.h"
 #include "core/tracking/track_setup.h"
 #include "core/tracking/weight_animation.h"
 
@@ -19,6 +21,7 @@ struct HeadWay {
 struct Solved {
   Animated animated;
   HeadWay head;
+  std::optional<document::Animation> animation;  ///< where it is more than the poses say
 };
 
 base::Status check_options(const AnimateOptions& options) {
@@ -118,6 +121,25 @@ base::Result<Solved> from_points(const document::Model& model, animation::PointT
   return solved;
 }
 
+base::Result<Solved> from_motion(const document::Model& model, const io::MotionTrack& motion,
+                                 const AnimateOptions& options) {
+  auto played = animate_motion(model, motion, options.humanoid);
+  if (!played) return played.error();
+  Solved solved;
+  Animated& out = solved.animated;
+  out.times_s = std::move(played->times_s);
+  for (const document::PoseKey& key : document::poses_at(model, played->animation, out.times_s)) {
+    out.poses.push_back(key.pose);
+  }
+  out.unmatched = std::move(played->unmatched);
+  out.notes = std::move(played->notes);
+  if (options.fps > 0 || options.smooth_s > 0) {
+    out.notes.emplace_back("a motion keeps its own keys: it is neither smoothed nor given another frame rate");
+  }
+  solved.animation = std::move(played->animation);
+  return solved;
+}
+
 void put_on_whole_frames(Animated& animated) {
   constexpr double k_off_frame = 0.3;
   std::vector<double>& times_s = animated.times_s;
@@ -129,9 +151,10 @@ void put_on_whole_frames(Animated& animated) {
 
 /// The animation comes first, which is what viewers play.
 base::Result<document::Document> with_animation(const document::Document& document, document::Model model,
-                                                const Animated& animated, const HeadWay& head) {
-  model.animations.insert(model.animations.begin(),
-                          document::make_animation(model, "tracked", animated.times_s, animated.poses));
+                                                const Animated& animated, const HeadWay& head,
+                                                std::optional<document::Animation> made) {
+  if (!made) made = document::make_animation(model, "tracked", animated.times_s, animated.poses);
+  model.animations.insert(model.animations.begin(), *std::move(made));
   // Joints are turned by the animation itself; a pose of theirs would be added to it.
   model.pose = rig::rest_pose(*model.rig);
   std::copy_n(animated.poses.front().begin(), document::weight_count(model), model.pose.begin());
@@ -165,6 +188,9 @@ base::Result<Animated> animate(const document::Document& document, io::Track tra
   if (auto* values = std::get_if<animation::WeightTrack>(&track)) {
     about = AnimateInput::track;
     solved = from_values(model, *values, map, options, apply_head);
+  } else if (const auto* motion = std::get_if<io::MotionTrack>(&track)) {
+    about = AnimateInput::track;
+    solved = from_motion(model, *motion, options);
   } else {
     about = AnimateInput::map;
     solved = from_points(model, std::get<animation::PointTrack>(track), map, options, apply_head, watch);
@@ -172,7 +198,7 @@ base::Result<Animated> animate(const document::Document& document, io::Track tra
   if (!solved) return solved.error();
   Animated animated = std::move(solved->animated);
   put_on_whole_frames(animated);
-  auto with = with_animation(document, std::move(model), animated, solved->head);
+  auto with = with_animation(document, std::move(model), animated, solved->head, std::move(solved->animation));
   about = AnimateInput::model;
   if (!with) return with.error();
   animated.document = std::move(with).value();

@@ -8,6 +8,7 @@
 #include "core/animation/animate_track.h"
 #include "core/base/result.h"
 #include "core/document/document.h"
+#include "core/document/humanoid.h"
 #include "core/io/project/landmark_file.h"
 #include "core/io/tracks/map_file.h"
 #include "core/io/tracks/track_formats.h"
@@ -24,6 +25,7 @@ struct AnimateOptions {
   double fps = 0;                       ///< 0.1..10000 frames a second; 0: the times of the track
   bool units = false;                   ///< action units of the track are evidence beside its points
   std::vector<io::VertexCurve> curves;  ///< of the model, that the map may name beside the model's own
+  document::Humanoid humanoid;          ///< as the model's file says it; empty: by the names of its joints
 };
 
 /// What an error of `animate` is about.
@@ -44,11 +46,11 @@ struct Animated {
   animation::EyeMotion eyes;
 };
 
-/// The document with an animation from tracked points or values. The watch is called around each frame of a track of
-/// points. Precondition: the track is as its reader gave it. Errors (the place is of the map where it is a JSON
-/// pointer; `blamed` takes what the error is about): an option out of its range, a model without controls, a frame
-/// that the track lacks, names of the map that the track or the model lacks, a track that drives no control, those of
-/// animation::animate_track and document::with_placements.
+/// The document with an animation from tracked points or values, or from the motion of a figure. The watch is called
+/// around each frame of a track of points. Precondition: the track is as its reader gave it. Errors (the place is of
+/// the map where it is a JSON pointer; `blamed` takes what the error is about): an option out of its range, a model
+/// without controls, a frame that the track lacks, names of the map that the track or the model lacks, a track that
+/// drives no control, those of animation::animate_track and document::with_placements.
 [[nodiscard]] base::Result<Animated> animate(const document::Document& document, io::Track track,
                                              const io::MapFile& map, const AnimateOptions& options = {},
                                              const animation::FrameWatch& watch = {}, AnimateInput* blamed = nullptr);

@@ -19,6 +19,8 @@ struct WeightAnimation {
 };
 
 /// Values by name straight to parameters, names compared without case and separators and by the map's own list first.
+/// A name that no control has may be an expression's (document::expression_named), which moves its targets; where
+/// expressions share a target their parts are added, and a column of the target itself counts before them.
 /// Frames that were not found repeat the one before. `smooth_s`: as animation::smooth_over_time.
 [[nodiscard]] WeightAnimation animate_weights(const document::Model& model, const animation::WeightTrack& track,
                                               const io::MapFile& map, bool apply_head, double smooth_s);

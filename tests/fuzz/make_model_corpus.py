@@ -101,6 +101,38 @@ def make_gltf():
     rigid.json["meshes"][0]["primitives"].append({"attributes": {"POSITION": 0}, "mode": 0})
     save("gltf", "rigid.glb", rigid.glb())
 
+    avatar = Gltf()
+    avatar.json["accessors"].append({"componentType": 5126, "count": 4, "type": "VEC3"})
+    avatar.json["meshes"][0]["primitives"][0].update(targets=[{"POSITION": 0}], extras={"targetNames": ["shut"]})
+    avatar.json["nodes"] += [{"name": "hips"}, {"name": "head"}]
+    avatar.json["nodes"][0]["children"] = [1, 2]
+    avatar.json["extensions"] = {"VRM": {
+        "humanoid": {"humanBones": [{"bone": "hips", "node": 1}, {"bone": "leftThumbProximal", "node": 2}]},
+        "blendShapeMaster": {"blendShapeGroups": [
+            {"name": "Blink", "binds": [{"mesh": 0, "index": 0, "weight": 100}, {"mesh": 9, "index": 0}]}]}}}
+    save("gltf", "avatar.glb", avatar.glb())
+
+    motion = Gltf()
+    del motion.json["meshes"]
+    motion.json["nodes"] = [{"name": "hips", "translation": [0, 1, 0], "rotation": [0, 0.6, 0, 0.8], "children": [1]},
+                            {"name": "head", "translation": [0, 0.5, 0]}, {"name": "happy"}, {"name": "gaze"}]
+    motion.json["scenes"][0]["nodes"] = [0, 2, 3]
+    times = motion.accessor("<f", [(0,), (1,)], 5126, "SCALAR", min=[0], max=[1])
+    turns = motion.accessor("<4f", [(0, 0, 0, 1), (0, 0, 1, 0)], 5126, "VEC4")
+    spline = motion.accessor("<4f", [(0, 0, 0, 0), (0, 0, 0, 1), (0, 0, 1, 0)] * 2, 5126, "VEC4")
+    shifts = motion.accessor("<3f", [(0, 1, 0), (1, 0, 0)], 5126, "VEC3")
+    motion.json["animations"] = [{"samplers": [
+        {"input": times, "output": turns}, {"input": times, "output": spline, "interpolation": "CUBICSPLINE"},
+        {"input": times, "output": shifts, "interpolation": "STEP"}],
+        "channels": [{"sampler": s, "target": {"node": n, "path": path}}
+                     for s, n, path in ((0, 0, "rotation"), (1, 1, "rotation"), (2, 0, "translation"),
+                                        (2, 2, "translation"), (0, 3, "rotation"))]}]
+    motion.json["extensionsUsed"] = ["VRMC_vrm_animation"]
+    motion.json["extensions"] = {"VRMC_vrm_animation": {
+        "specVersion": "1.0", "humanoid": {"humanBones": {"hips": {"node": 0}, "head": {"node": 1}}},
+        "expressions": {"preset": {"happy": {"node": 2}}, "custom": {"odd": {"node": 99}}}, "lookAt": {"node": 3}}}
+    save("gltf", "motion.vrma", motion.glb())
+
 
 def make_surfaces():
     lines = "".join("v %g %g %g\n" % p for p in SQUARE)

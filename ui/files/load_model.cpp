@@ -1,11 +1,13 @@
 #include "ui/files/load_model.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <vector>
 
 #include "core/base/numbers.h"
 #include "core/base/text/closest_name.h"
 #include "core/character/demo_head.h"
+#include "core/document/expressions.h"
 #include "core/head/head.h"
 #include "core/io/model/read_model.h"
 #include "core/io/project/read_document.h"
@@ -63,9 +65,17 @@ base::Status set_parameter(document::Model& model, const std::string& assignment
   if (!value) return base::Error{"the value is not a number", place, "write NAME=VALUE"};
   const auto parameters = model.rig->parameters();
   const auto found = rig::find_parameter(parameters, name);
+  const auto expression = std::find_if(model.expressions.begin(), model.expressions.end(),
+                                       [&](const document::Expression& one) { return one.name == name; });
+  if (!found && expression != model.expressions.end()) {
+    if (!(*value >= 0 && *value <= 1)) return base::Error{"the value is out of range", place, "use 0 to 1"};
+    document::set_expression(model, *expression, *value, model.pose);
+    return base::Done{};
+  }
   if (!found) {
     std::vector<std::string> names;
     for (const rig::Parameter& parameter : parameters) names.push_back(parameter.name);
+    for (const document::Expression& one : model.expressions) names.push_back(one.name);
     const auto close = base::closest_name(name, names);
     const std::string remedy = names.empty() ? "this model has nothing to set"
                                : close       ? "did you mean " + *close + "?"

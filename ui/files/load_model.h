@@ -18,7 +18,8 @@ enum class NamedBy : bool { user, file };
 /// The same as a document: of a project with all that it keeps beyond its model.
 [[nodiscard]] base::Result<document::Document> load_document(const std::string& path, NamedBy named = NamedBy::user);
 
-/// Sets one parameter of the model's pose from "NAME=VALUE". Errors: no "=", no number, no parameter of that name (the
+/// Sets one parameter of the model's pose, or the targets of one expression, from "NAME=VALUE". Errors: no "=", no
+/// number, no parameter and no expression of that name (the
 /// closest one is suggested), a value outside its range.
 [[nodiscard]] base::Status set_parameter(document::Model& model, const std::string& assignment);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/document/humanoid.h"
 #include "core/document/model.h"
 
 namespace penpose::io {
@@ -21,7 +22,8 @@ namespace penpose::io {
 /// in between, and reading drops them again.
 struct WriteOptions {
   double bake_tolerance = 1e-4;
-  double fps = 60;  ///< frames a second of formats that give every frame
+  double fps = 60;              ///< frames a second of formats that give every frame
+  document::Humanoid humanoid;  ///< for formats that need it, as the model's file says it; empty: by names of joints
 };
 /// What came of it, for whoever wants to say so.
 struct WriteReport {

@@ -10,12 +10,13 @@
 #include "core/base/byte_reader.h"
 #include "core/base/result.h"
 #include "core/io/text/csv_reader.h"
+#include "core/io/tracks/motion_track.h"
 #include "core/io/tracks/read_track.h"
 
 namespace penpose::io {
 
-/// What trackers write: points seen in pictures, or values of controls by name.
-using Track = std::variant<animation::PointTrack, animation::WeightTrack>;
+/// What trackers write: points seen in pictures, values of controls by name, or how bones and a face move.
+using Track = std::variant<animation::PointTrack, animation::WeightTrack, MotionTrack>;
 
 /// The text of a track as its formats are told apart by.
 struct TrackText {

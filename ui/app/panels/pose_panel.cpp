@@ -45,7 +45,7 @@ rig::Pose posed(const document::Document& document, const document::SetParameter
 /// A picture of a key, which chooses it.
 void show_picture(PanelContext& context, const Owners& with, const document::PoseKey& key, float width) {
   PoseChoice& choice = with.panels.own.of<PosesShown>().choice;
-  const bool chosen = std::abs(choice.time_s - key.time_s) < 1e-6;
+  const bool chosen = !choice.expression && std::abs(choice.time_s - key.time_s) < 1e-6;
   const std::string frame = "frame " + frame_text(key.time_s, with.playback.rate());
   const std::string label = (key.name.empty() ? frame : key.name) + "##pose " + frame;
   const float line = ImGui::GetFontSize() + context.gap;
@@ -71,7 +71,27 @@ void show_picture(PanelContext& context, const Owners& with, const document::Pos
   tooltip(context, (frame + ". Touch to choose it, then take it by the slider below").c_str());
   if (!pressed) return;
   choice.time_s = key.time_s;
+  choice.expression.reset();
   choice.amount = 1;
+}
+
+/// The expressions that the model came with, by name: two in a row.
+void show_expressions(PanelContext& context, const Owners& with) {
+  PoseChoice& choice = with.panels.own.of<PosesShown>().choice;
+  const auto model = with.editing.document().model;
+  if (model->expressions.empty()) return;
+  ImGui::TextUnformatted("Expressions of the model");
+  const float width = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  for (std::size_t i = 0; i < model->expressions.size(); ++i) {
+    if (i % 2 == 1) ImGui::SameLine();
+    const std::string label = model->expressions[i].name + "##expression " + std::to_string(i);
+    if (!wide_button(context, label.c_str(), width, choice.expression == i,
+                     "A pose that came with the model. Touch to choose it, then take it by the slider below"))
+      continue;
+    choice.expression = i;
+    choice.time_s = -1;
+    choice.amount = 1;
+  }
 }
 
 void show_pictures(PanelContext& context, const Owners& with, float height) {
@@ -86,6 +106,7 @@ void show_pictures(PanelContext& context, const Owners& with, float height) {
     if (column++ % across != 0) ImGui::SameLine();
     show_picture(context, with, key, width);
   }
+  show_expressions(context, with);
   if (held->keys.empty()) {
     ImGui::TextWrapped(
         "No pose is keyed yet. Draw one, press Key, and give it a name: it can be taken again from here.");
@@ -110,7 +131,7 @@ void show_choice(PanelContext& context, const Owners& with) {
   ButtonLook mirror{half, choice.mirrored, "Left and right exchanged", icon_of(Action::flip_pose)};
   if (icon_button(context, "Mirrored##pose", mirror)) choice.mirrored = !choice.mirrored;
   ImGui::SameLine();
-  ImGui::BeginDisabled(choice.time_s < 0);
+  ImGui::BeginDisabled(!choice.chosen());
   const auto pairs = side_pairs(with.editing.document().model->rig->parameters());
   const auto take = [&](double amount) {
     PoseChoice all = choice;

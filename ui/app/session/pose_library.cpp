@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/text/letters.h"
+#include "core/document/expressions.h"
 #include "ui/app/input/side_pairs.h"
 
 namespace penpose::app {
@@ -42,13 +43,20 @@ FacePart part_of(std::string_view control) {
 
 document::SetParameters values_of_choice(const document::Document& document, const PoseChoice& choice,
                                          const std::vector<std::size_t>& pairs) {
-  const auto& keys = document.timeline->keys;
-  const auto key = std::find_if(keys.begin(), keys.end(), [&](const auto& one) {
-    return std::abs(one.time_s - choice.time_s) < k_same_moment_s;
-  });
-  if (key == keys.end()) return {};
+  rig::Pose to = document.pose;
+  if (choice.expression) {
+    const auto& expressions = document.model->expressions;
+    if (*choice.expression >= expressions.size()) return {};
+    document::set_expression(*document.model, expressions[*choice.expression], 1, to);
+  } else {
+    const auto& keys = document.timeline->keys;
+    const auto key = std::find_if(keys.begin(), keys.end(), [&](const auto& one) {
+      return std::abs(one.time_s - choice.time_s) < k_same_moment_s;
+    });
+    if (key == keys.end()) return {};
+    to = key->pose;
+  }
   const auto parameters = document.model->rig->parameters();
-  rig::Pose to = key->pose;
   if (choice.mirrored) to = flipped(parameters, pairs, to, document::weight_count(*document.model));
   rig::Pose pose = document.pose;
   for (std::size_t i = 0; i < pose.size(); ++i) {

@@ -22,6 +22,7 @@ struct ConvertArguments {
   std::string in;
   std::string out;
   std::vector<std::string> shapes;
+  std::vector<std::string> assignments;
 };
 
 /// The files that --shapes names: each as it is, a folder's models in the order of their names, numbers as numbers. An
@@ -67,13 +68,25 @@ base::Result<document::Document> load_with_shapes(const ConvertArguments& argume
   return document::with_model(*document, std::move(model).value());
 }
 
+/// Poses the document as --set asks for.
+base::Status set_all(const ConvertArguments& arguments, document::Document& document) {
+  if (arguments.assignments.empty()) return base::Done{};
+  document::Model model = document::model_of(document);
+  for (const std::string& assignment : arguments.assignments) {
+    if (auto set = files::set_parameter(model, assignment); !set) return set;
+  }
+  document.pose = model.pose;
+  return base::Done{};
+}
+
 int run_convert(const ConvertArguments& arguments) {
   files::FileRoles files(files::FileRoles::Output::silent);
   for (const std::string& shape : arguments.shapes) files.reads(shape);
   if (const auto fits = files.writes(arguments.out, "OUT"); !fits) return files::report(fits.error(), arguments.out);
   std::string blamed = arguments.in;
-  const auto document = load_with_shapes(arguments, blamed);
+  auto document = load_with_shapes(arguments, blamed);
   if (!document) return files::report(document.error(), blamed);
+  if (const auto set = set_all(arguments, *document); !set) return files::report(set.error(), arguments.in);
   if (const auto saved = files::save_as_it_came(*document, arguments.out, files::SaveNotes::loud, arguments.write);
       !saved)
     return files::report(saved.error(), arguments.out);
@@ -89,6 +102,8 @@ void add_options(CLI::App& command, ConvertArguments& arguments) {
       ->required();
   command.add_option("--shapes", arguments.shapes,
                      "Files, or folders of files, that each show one blend shape; their names become its name");
+  command.add_option("--set", arguments.assignments,
+                     "NAME=VALUE: a parameter of the pose, or an expression; may be given many times");
   command.add_option("--fps", arguments.write.fps, "Frames a second of a .csv file")
       ->check(CLI::Validator(number_range(0.1, 1000.0), "0.1 to 1000"))
       ->capture_default_str();

@@ -65,6 +65,12 @@ Json to_json(const document::Model& model, const Doubles& doubles, const std::st
     for (const std::size_t k : one.of) of.push_back(model.rig->parameters()[k].name);
     twice.push_back({{"name", model.rig->parameters()[one.parameter].name}, {"of", std::move(of)}});
   }
+  Json expressions = Json::array();
+  for (const document::Expression& expression : model.expressions) {
+    Json values = Json::object();
+    for (const auto& [parameter, value] : expression.values) values[model.rig->parameters()[parameter].name] = value;
+    expressions.push_back({{"name", expression.name}, {"values", std::move(values)}});
+  }
   const geometry::Box box = document::rest_world_box(model);
   return {{"model", path},
           {"vertices", model.mesh->vertex_count()},
@@ -75,6 +81,8 @@ Json to_json(const document::Model& model, const Doubles& doubles, const std::st
           {"joints", joint_count(model)},
           {"parameters", std::move(parameters)},
           {"doubles", std::move(twice)},
+          {"expressions", std::move(expressions)},
+          {"front_yaw_degrees", model.front_yaw_degrees},
           {"curves", std::move(curves)},
           {"animations", std::move(animations)},
           {"bounding_box",
@@ -117,6 +125,21 @@ void print_doubles(const document::Model& model, const Doubles& doubles) {
   }
 }
 
+/// "Blink = 1.0000 Fcl_EYE_Close".
+void print_expressions(const document::Model& model) {
+  if (model.expressions.empty()) return;
+  std::cout << "expressions " << model.expressions.size() << '\n';
+  for (const document::Expression& expression : model.expressions) {
+    std::cout << "  " << base::shown_name(expression.name) << " =";
+    for (std::size_t k = 0; k < expression.values.size(); ++k) {
+      const auto& [parameter, value] = expression.values[k];
+      std::cout << (k > 0 ? " + " : " ") << shown(value) << ' '
+                << base::shown_name(model.rig->parameters()[parameter].name);
+    }
+    std::cout << '\n';
+  }
+}
+
 void print(const document::Model& model, const Doubles& doubles, const std::string& path) {
   const geometry::Box box = document::rest_world_box(model);
   std::cout << base::shown_line(path, k_longest_path) << "\nvertices    " << model.mesh->vertex_count()
@@ -130,6 +153,7 @@ void print(const document::Model& model, const Doubles& doubles, const std::stri
   }
   print_parameters(model);
   print_doubles(model, doubles);
+  print_expressions(model);
   std::cout << "curves      " << model.curves.size() << '\n';
   for (const document::NamedCurve& curve : model.curves) {
     std::cout << "  " << base::shown_name(curve.name) << "  " << curve.points.size() << " points\n";

@@ -11,6 +11,7 @@
 #include "core/base/text/closest_name.h"
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
+#include "core/document/expressions.h"
 #include "core/document/suggestion.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/pose/keyed_poses.h"
@@ -186,8 +187,13 @@ base::Status set_all(const SuggestArguments& arguments, document::Document& docu
   model.pose = document.pose;
   for (const std::string& assignment : arguments.assignments) {
     if (auto set = files::set_parameter(model, assignment); !set) return set;
-    const auto number = rig::find_parameter(model.rig->parameters(), assignment.substr(0, assignment.rfind('=')));
+    const std::string name = assignment.substr(0, assignment.rfind('='));
+    const auto number = rig::find_parameter(model.rig->parameters(), name);
     if (number) held.push_back(*number);
+    const auto expression = number ? std::nullopt : document::expression_named(model, name);
+    for (std::size_t k = 0; expression && k < model.expressions[*expression].values.size(); ++k) {
+      held.push_back(model.expressions[*expression].values[k].first);
+    }
   }
   document.pose = model.pose;
   return base::Done{};

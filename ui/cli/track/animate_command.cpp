@@ -5,6 +5,8 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
+#include "core/io/gltf/read/read_gltf.h"
+#include "core/io/model/model_formats.h"
 #include "core/tracking/animate.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/pose/tolerance_option.h"
@@ -93,6 +95,20 @@ std::string ranges(const std::vector<std::size_t>& frames) {
   return text;
 }
 
+std::size_t frame_count(const io::Track& track) {
+  if (const auto* points = std::get_if<animation::PointTrack>(&track)) return points->frames.size();
+  if (const auto* values = std::get_if<animation::WeightTrack>(&track)) return values->frames.size();
+  return 0;
+}
+
+/// The humanoid as the model's own file says it; empty where it says nothing or can be read only once.
+document::Humanoid load_humanoid(const std::string& path) {
+  const auto bytes = files::read_plain_file(path);
+  if (!bytes || io::format_to_read(*bytes, path) == nullptr) return {};
+  auto humanoid = io::read_gltf_humanoid(*bytes);
+  return humanoid ? *humanoid : document::Humanoid();
+}
+
 std::optional<io::PictureSize> picture_size(const std::string& text) {
   const std::size_t cross = text.find('x');
   if (cross == std::string::npos) return std::nullopt;
@@ -148,8 +164,10 @@ int animate(const AnimateArguments& arguments) {
   files.reads(arguments.curves);
   if (io::track_format_named(arguments.map) == nullptr) files.reads(arguments.map);
   if (const auto fits = files.writes(arguments.out, "-o"); !fits) return files::report(fits.error(), arguments.out);
-  if (!arguments.out.ends_with(".glb")) {
-    return files::report({"animations are kept in .glb files only", "", "name the output .glb"}, arguments.out);
+  const bool motion_alone = arguments.out.ends_with(".vrma");
+  if (!arguments.out.ends_with(".glb") && !motion_alone) {
+    return files::report({"animations are kept in .glb and .vrma files only", "", "name the output .glb"},
+                         arguments.out);
   }
   const auto document = files::load_document(arguments.model);
   if (!document) return files::report(document.error(), arguments.model);
@@ -163,17 +181,20 @@ int animate(const AnimateArguments& arguments) {
   auto curves = load_curves(arguments.curves);
   if (!curves) return files::report(curves.error(), arguments.curves);
 
-  FrameClock clock(std::visit([](const auto& track) { return track.frames.size(); }, input->track));
+  tracking::AnimateOptions options = options_of(arguments, std::move(curves).value());
+  const bool of_bones = std::holds_alternative<io::MotionTrack>(input->track);
+  if (of_bones || motion_alone) options.humanoid = load_humanoid(arguments.model);
+  FrameClock clock(frame_count(input->track));
   tracking::AnimateInput blamed{};
-  const auto animated = tracking::animate(*document, std::move(input->track), **map,
-                                          options_of(arguments, std::move(curves).value()), clock.watch(), &blamed);
+  const auto animated = tracking::animate(*document, std::move(input->track), **map, options, clock.watch(), &blamed);
   const double solve_us = clock.median_us();
   for (const std::string& pointer : (*map)->skipped) {
     files::warn(pointer + " is not known and was skipped", arguments.map);
   }
   if (!animated) return files::report(animated.error(), blamed_file(arguments, blamed));
-  if (auto saved = files::save_as_it_came(animated->document, arguments.out, files::SaveNotes::loud, arguments.glb);
-      !saved)
+  io::WriteOptions writing = arguments.glb;
+  writing.humanoid = options.humanoid;
+  if (auto saved = files::save_as_it_came(animated->document, arguments.out, files::SaveNotes::loud, writing); !saved)
     return files::report(saved.error(), arguments.out);
   for (const std::string& note : document->model->notes) files::warn(note, arguments.model);
   for (const std::string& note : animated->notes) files::warn(note, arguments.track);
@@ -190,7 +211,7 @@ void add_options(CLI::App& command, AnimateArguments& arguments) {
   command
       .add_option("--track", arguments.track,
                   "OpenFace CSV, MediaPipe landmarks (JSON or CSV), 68 points (.pts, a folder of them, or CSV), curves "
-                  "(JSON) or ARKit blend shapes (CSV)")
+                  "(JSON), ARKit blend shapes (CSV) or a motion of a figure (.vrma)")
       ->required();
   command.add_option(
       "--map", arguments.map,
@@ -199,7 +220,7 @@ void add_options(CLI::App& command, AnimateArguments& arguments) {
           "curves takes brow_R, eyelid_upper_R, eyelid_lower_R (and _L), lip_upper, lip_lower, "
           "lip_upper_inner, lip_lower_inner, and nose_bridge, nose_base, eye_corners_R and _L for the head");
   command.add_option("--curves", arguments.curves, "JSON file of curves of the model that the map may name");
-  command.add_option("-o", arguments.out, "Write the animated model, .glb")->required();
+  command.add_option("-o", arguments.out, "Write the animated model, .glb, or its motion alone, .vrma")->required();
   command.add_option("--head", arguments.head, "Turn of the head: drop it or apply it (default: as the map says)")
       ->check(CLI::IsMember({"drop", "apply"}));
   command

@@ -246,6 +246,12 @@ json::Json write_root_extras(const document::Model& model, const std::vector<std
     }
   }
   for (const OneWayName& one : one_way) own["one_way"].push_back({one.name, one.target, one.factor});
+  for (const document::Expression& one : model.expressions) {
+    json::Json values = json::Json::object();
+    for (const auto& [parameter, value] : one.values) values[model.rig->parameters()[parameter].name] = value;
+    own["expressions"].push_back({{"name", one.name}, {"values", std::move(values)}});
+  }
+  if (model.front_yaw_degrees != 0) own["front_yaw_degrees"] = model.front_yaw_degrees;
   if (!model.curves.empty()) {
     json::Json curves = json::Json::array();
     for (const document::NamedCurve& curve : model.curves) {

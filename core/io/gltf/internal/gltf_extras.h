@@ -21,7 +21,8 @@ inline constexpr const char* k_extras_key = "penpose";
 /// [[triangle, b0, b1, b2], ...]}], "deformers": [a deformer as sketch files have it, with its own "viewport", ...]}.
 /// Deformers are also morph targets of their names, sampled at amount 1, after those of the shapes, and "baked":
 /// [[NAME, ...], ...] names the targets with the remaining motion of each (baked_deformer.h). "corrections": [a
-/// deformer with its "drivers", ...]. A target that takes a part of the weight of another.
+/// deformer with its "drivers", ...]. "expressions": [{"name", "values": {TARGET: VALUE}}] and "front_yaw_degrees" keep
+/// what a VRM avatar said where the file is none any more. A target that takes a part of the weight of another.
 struct OneWayName {
   std::string name;
   std::string target;

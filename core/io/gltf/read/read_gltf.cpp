@@ -14,6 +14,7 @@
 #include "core/io/gltf/read/internal/gltf_shapes.h"
 #include "core/io/gltf/read/internal/gltf_skins.h"
 #include "core/io/gltf/read/internal/gltf_weight_ranges.h"
+#include "core/io/gltf/vrm/vrm_extension.h"
 #include "core/io/model/model_formats.h"
 #include "core/io/project/internal/project_json.h"
 #include "core/io/project/write_document.h"
@@ -92,10 +93,15 @@ void add_corrections(const RootExtras& root, document::Model& model) {
 
 struct OpenedModel {
   document::Model model;
+  document::Humanoid humanoid;
   bool of_another_edition = false;
 };
 
 base::Result<OpenedModel> read_opened(GltfDocument& document) {
+  if (is_vrm_animation(document.json)) {
+    return base::Error{"it is a VRM animation and holds no model", "",
+                       "give it as a track: animate MODEL --track FILE"};
+  }
   const auto root = read_root_extras(document.json);
   if (!root) return root.error();
   const auto node_extras = read_node_extras(document.json, *root);
@@ -108,7 +114,6 @@ base::Result<OpenedModel> read_opened(GltfDocument& document) {
   if (!meshes) return meshes.error();
   auto shapes = read_shapes(document, *meshes, *root);
   if (!shapes) return shapes.error();
-  add_expressions(document, *meshes, *shapes);
   auto joints = read_skeleton(document, tree, *meshes, *node_extras);
   if (!joints) return joints.error();
   const std::size_t vertices = meshes->source.positions.size();
@@ -159,6 +164,7 @@ base::Result<OpenedModel> read_opened(GltfDocument& document) {
   }
   const std::size_t shape_count = order_shapes(*shapes, *root, not_shapes);
   const std::size_t weights = shape_count + deformer_names.size();
+  std::vector<document::Expression> expressions = read_expressions(document, *meshes, *shapes, shape_count);
   auto animations = read_animations(document, *meshes, *shapes, joints->joint_of_node);
   if (!animations) return animations.error();
   for (const OneWayName& one : one_way) put_together(one, *shapes, *animations);
@@ -183,6 +189,8 @@ base::Result<OpenedModel> read_opened(GltfDocument& document) {
   model->pose = std::move(shapes->values);
   model->pose.insert(model->pose.end(), joints->values.begin(), joints->values.end());
   model->curves = root->curves;
+  model->expressions = std::move(expressions);
+  model->front_yaw_degrees = vrm_front_yaw_degrees(document.json);
   model->animations = std::move(animations).value();
   model->notes = std::move(document.notes);
   add_corrections(*root, *model);
@@ -191,7 +199,8 @@ base::Result<OpenedModel> read_opened(GltfDocument& document) {
   }
   if (auto note = mesh::note_of_extra_triangles(**mesh); !note.empty()) model->notes.push_back(std::move(note));
   if (const auto status = check_positions(*model); !status) return status.error();
-  return OpenedModel{std::move(model).value(), root->of_another_edition};
+  return OpenedModel{std::move(model).value(), vrm_humanoid(document.json, joints->joint_of_node),
+                     root->of_another_edition};
 }
 
 }  // namespace
@@ -227,6 +236,18 @@ base::Result<document::Document> read_gltf_document(base::Bytes bytes, const Fil
     read->model = std::make_shared<const document::Model>(std::move(rest));
   }
   return read;
+}
+
+base::Result<document::Humanoid> read_gltf_humanoid(base::Bytes bytes, const FileResolver& resolve) {
+  auto opened = open_gltf(bytes, resolve);
+  if (!opened) return opened.error();
+  const json::Json* extensions = json::find(opened->json, "extensions");
+  if (extensions == nullptr ||
+      (json::find(*extensions, "VRM") == nullptr && json::find(*extensions, "VRMC_vrm") == nullptr))
+    return document::Humanoid();
+  auto read = read_opened(*opened);
+  if (!read) return read.error();
+  return read->humanoid;
 }
 
 ModelFormat glb_format() {

@@ -83,5 +83,27 @@ TEST(PoseLibrary, APoseIsChosenByItsPictureAndBlendedInWithThePen) {
   EXPECT_DOUBLE_EQ(value_of(desk, "brow_inner_L"), 0.8);
 }
 
+TEST(PoseLibrary, AnExpressionOfTheModelMovesItsTargetsAlone) {
+  Desk desk("library_expression");
+  desk.begin();
+  document::Document document = desk.document();
+  document::Model model = *document.model;
+  const std::size_t jaw = index_of(desk, "jaw");
+  model.expressions = {{"aa", {{jaw, 0.5}}}};
+  document.model = std::make_shared<const document::Model>(model);
+  document.pose[index_of(desk, "brow_inner_L")] = 0.3;
+  PoseChoice choice;
+  EXPECT_FALSE(choice.chosen());
+  choice.expression = 0;
+  EXPECT_TRUE(choice.chosen());
+  choice.amount = 0.5;
+  const auto values = values_of_choice(document, choice, side_pairs(model.rig->parameters())).values;
+  ASSERT_EQ(values.size(), 1U);
+  EXPECT_EQ(values[0].name, "jaw");
+  EXPECT_DOUBLE_EQ(values[0].value, 0.25);
+  choice.expression = 7;
+  EXPECT_TRUE(values_of_choice(document, choice, {}).values.empty());
+}
+
 }  // namespace
 }  // namespace penpose::app

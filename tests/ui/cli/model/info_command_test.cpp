@@ -4,6 +4,7 @@
 
 #include "core/io/model/write_model.h"
 #include "tests/support/command_run.h"
+#include "tests/support/models/figure_sample.h"
 #include "tests/support/models/model_samples.h"
 #include "tests/support/shared_data.h"
 
@@ -34,6 +35,15 @@ TEST_F(InfoCommand, JsonSaysWhatIsInTheModel) {
   EXPECT_EQ(info["bounding_box"]["minimum"].size(), 3U);
   EXPECT_EQ(info["state"].get<std::string>().size(), 32U);
   EXPECT_EQ(error_, "");
+}
+
+TEST_F(InfoCommand, ListsTheExpressionsOfAnAvatar) {
+  save("avatar.vrm", tests::avatar_sample(tests::upright_bones()).glb());
+  ASSERT_EQ(run({"info", path("avatar.vrm")}), 0) << error_;
+  EXPECT_NE(out_.find("expressions 1\n  happy = 0.5000 lift\n"), std::string::npos) << out_;
+  ASSERT_EQ(run({"info", "--json", path("avatar.vrm")}), 0) << error_;
+  EXPECT_EQ(nlohmann::json::parse(out_)["expressions"],
+            nlohmann::json::parse(R"([{"name": "happy", "values": {"lift": 0.5}}])"));
 }
 
 TEST_F(InfoCommand, TextNamesPartsParametersAndCurves) {

@@ -9,6 +9,7 @@
 #include "core/io/tracks/label_file.h"
 #include "core/io/tracks/read_track.h"
 #include "tests/support/command_run.h"
+#include "tests/support/models/figure_sample.h"
 #include "tests/support/models/rendered_track.h"
 #include "ui/cli/commands.h"
 #include "ui/files/load_model.h"
@@ -166,6 +167,24 @@ TEST_F(AnimateCommand, TakesArkitValuesByNameAndListsTheRest) {
   EXPECT_LE(json["parameters"]["jaw"][2].get<double>(), 2.0);  // within its range, whatever the take says
   EXPECT_NE(error_.find("line 3"), std::string::npos);
   EXPECT_NE(error_.find("column Jaw: 1 values are cut to"), std::string::npos) << error_;
+}
+
+TEST_F(AnimateCommand, PlaysAVrmAnimationOnAnAvatarAndWritesOne) {
+  save("avatar.vrm", tests::avatar_sample(tests::turned_bones()).glb());
+  save("motion.vrma", tests::motion_sample(tests::upright_bones()).glb());
+  ASSERT_EQ(animate({path("avatar.vrm"), "--track", path("motion.vrma"), "-o", path("clip.glb")}), 0) << error_;
+  const auto model = files::load_model(path("clip.glb")).value();
+  ASSERT_EQ(model.animations.size(), 1U);
+  EXPECT_EQ(model.animations[0].channels.size(), 6U) << "four bones, the hips' way and the face";
+  EXPECT_EQ(document::sample(model, model.animations[0], 1).weights, std::vector<double>{0.5});
+  ASSERT_EQ(animate({path("avatar.vrm"), "--track", path("motion.vrma"), "-o", path("again.vrma")}), 0) << error_;
+  ASSERT_EQ(animate({path("avatar.vrm"), "--track", path("again.vrma"), "-o", path("twice.glb")}), 0) << error_;
+  const auto twice = files::load_model(path("twice.glb")).value();
+  for (std::size_t j = 0; j < model.skeleton->joints().size(); ++j) {
+    const auto one = document::sample(model, model.animations[0], 0.5).joints[j].rotation;
+    const auto two = document::sample(twice, twice.animations[0], 0.5).joints[j].rotation;
+    EXPECT_NEAR(std::abs(glm::dot(one, two)), 1, 1e-6) << model.skeleton->joints()[j].name;
+  }
 }
 
 TEST_F(AnimateCommand, ATextOfTwoBytesALetterIsNamed) {

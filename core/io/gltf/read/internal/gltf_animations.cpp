@@ -11,12 +11,7 @@
 namespace penpose::io {
 namespace {
 
-/// Keys as the file has them: `per_key` numbers for each element that is animated.
-struct Keys {
-  document::Interpolation interpolation = document::Interpolation::linear;
-  std::vector<double> times_s;
-  std::vector<double> values;  ///< with tangents for cubic splines
-};
+using Keys = GltfKeys;
 
 class AnimationReader {
  public:
@@ -56,7 +51,7 @@ class AnimationReader {
           left_out_ = true;
           continue;
         }
-        auto keys = read_keys(sampler, TINYGLTF_TYPE_SCALAR, shapes_.of_target[*part].size(), pointer);
+        auto keys = read_keys(document_, sampler, TINYGLTF_TYPE_SCALAR, shapes_.of_target[*part].size(), pointer);
         if (!keys) return keys.error();
         take_spline(a, static_cast<std::size_t>(channel.sampler), shapes_.of_target[*part].size(), *keys);
         drop_added(a, static_cast<std::size_t>(channel.sampler), *keys);
@@ -70,7 +65,7 @@ class AnimationReader {
         continue;
       }
       const bool rotation = *target == document::ChannelTarget::rotation;
-      auto keys = read_keys(sampler, rotation ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3, 1, pointer);
+      auto keys = read_keys(document_, sampler, rotation ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3, 1, pointer);
       if (!keys) return keys.error();
       animation.channels.push_back({*target, static_cast<std::uint32_t>(joint_of_node_[node]), keys->interpolation,
                                     std::move(keys->times_s), std::move(keys->values)});
@@ -91,41 +86,6 @@ class AnimationReader {
       if (meshes_.origins[i].node == node && !shapes_.of_target[i].empty()) return i;
     }
     return std::nullopt;
-  }
-
-  base::Result<Keys> read_keys(const tinygltf::AnimationSampler& sampler, int type, std::size_t per_key,
-                               const std::string& pointer) {
-    Keys keys;
-    if (sampler.interpolation == "STEP") {
-      keys.interpolation = document::Interpolation::step;
-    } else if (sampler.interpolation == "CUBICSPLINE") {
-      keys.interpolation = document::Interpolation::cubic_spline;
-    } else if (!sampler.interpolation.empty() && sampler.interpolation != "LINEAR") {
-      return base::Error{"the interpolation \"" + sampler.interpolation + "\" is not known", pointer, k_export_again};
-    }
-    const auto times =
-        read_elements(document_, sampler.input, {.type = TINYGLTF_TYPE_SCALAR, .float_only = true, .needs_data = true});
-    if (!times) return times.error();
-    for (const float time : times->dense()) {
-      if (!(time >= 0.0F) || !std::isfinite(time) ||
-          (!keys.times_s.empty() && !(static_cast<double>(time) > keys.times_s.back()))) {
-        return base::Error{"the times of the keys do not ascend from zero or more", accessor_pointer(sampler.input),
-                           k_export_again};
-      }
-      keys.times_s.push_back(static_cast<double>(time));
-    }
-    const std::size_t tangents = keys.interpolation == document::Interpolation::cubic_spline ? 3 : 1;
-    const auto values =
-        read_elements(document_, sampler.output, {.type = type, .count = keys.times_s.size() * per_key * tangents});
-    if (!values) return values.error();
-    for (const float value : values->dense()) {
-      if (!std::isfinite(value)) {
-        return base::Error{"a key has a value that is not a finite number", accessor_pointer(sampler.output),
-                           k_export_again};
-      }
-      keys.values.push_back(static_cast<double>(value));
-    }
-    return keys;
   }
 
   /// Takes the spline that the sampler's keys are straight lines of, where the file has a sound one (dense_keys.h).
@@ -230,6 +190,41 @@ class AnimationReader {
 };
 
 }  // namespace
+
+base::Result<GltfKeys> read_keys(GltfDocument& document, const tinygltf::AnimationSampler& sampler, int type,
+                                 std::size_t per_key, const std::string& pointer) {
+  GltfKeys keys;
+  if (sampler.interpolation == "STEP") {
+    keys.interpolation = document::Interpolation::step;
+  } else if (sampler.interpolation == "CUBICSPLINE") {
+    keys.interpolation = document::Interpolation::cubic_spline;
+  } else if (!sampler.interpolation.empty() && sampler.interpolation != "LINEAR") {
+    return base::Error{"the interpolation \"" + sampler.interpolation + "\" is not known", pointer, k_export_again};
+  }
+  const auto times =
+      read_elements(document, sampler.input, {.type = TINYGLTF_TYPE_SCALAR, .float_only = true, .needs_data = true});
+  if (!times) return times.error();
+  for (const float time : times->dense()) {
+    if (!(time >= 0.0F) || !std::isfinite(time) ||
+        (!keys.times_s.empty() && !(static_cast<double>(time) > keys.times_s.back()))) {
+      return base::Error{"the times of the keys do not ascend from zero or more", accessor_pointer(sampler.input),
+                         k_export_again};
+    }
+    keys.times_s.push_back(static_cast<double>(time));
+  }
+  const std::size_t tangents = keys.interpolation == document::Interpolation::cubic_spline ? 3 : 1;
+  const auto values =
+      read_elements(document, sampler.output, {.type = type, .count = keys.times_s.size() * per_key * tangents});
+  if (!values) return values.error();
+  for (const float value : values->dense()) {
+    if (!std::isfinite(value)) {
+      return base::Error{"a key has a value that is not a finite number", accessor_pointer(sampler.output),
+                         k_export_again};
+    }
+    keys.values.push_back(static_cast<double>(value));
+  }
+  return keys;
+}
 
 base::Result<std::vector<document::Animation>> read_animations(GltfDocument& document, const GltfMeshes& meshes,
                                                                const GltfShapes& shapes,

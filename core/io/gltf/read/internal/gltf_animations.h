@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/base/result.h"
@@ -10,6 +11,18 @@
 #include "core/io/gltf/read/internal/gltf_shapes.h"
 
 namespace penpose::io {
+
+/// Keys as the file has them: `per_key` numbers for each element that is animated.
+struct GltfKeys {
+  document::Interpolation interpolation = document::Interpolation::linear;
+  std::vector<double> times_s;  ///< ascending, 0 or more
+  std::vector<double> values;   ///< with tangents for cubic splines; finite
+};
+/// The keys of one sampler; `type` is tinygltf's number of its values. Errors: an interpolation that is not known,
+/// times that do not ascend, values that are not finite or not one a key; place is a JSON pointer, `pointer` that of
+/// the channel.
+[[nodiscard]] base::Result<GltfKeys> read_keys(GltfDocument& document, const tinygltf::AnimationSampler& sampler,
+                                               int type, std::size_t per_key, const std::string& pointer);
 
 /// Reads the animations of morph weights and joints. Weights of several meshes become one channel over all shapes where
 /// their keys fall on the same times. What cannot be kept is noted. Errors: place is a JSON pointer.

@@ -3,32 +3,67 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "core/base/text/utf8.h"
-#include "core/io/text/names.h"
+#include "core/io/gltf/internal/gltf_extras.h"
 
 namespace penpose::io {
 namespace {
 
-/// More than any avatar has; a hostile file must not make each byte unfold to a whole shape.
-constexpr std::size_t k_most_expressions = 200;
+/// More than any avatar has; a hostile file must not make each byte unfold to many values.
+constexpr std::size_t k_most_expressions = 1000;
 
 class Expressions {
  public:
-  Expressions(GltfDocument& document, const GltfMeshes& meshes, GltfShapes& shapes)
-      : document_(document), meshes_(meshes), shapes_(shapes) {}
+  Expressions(GltfDocument& document, const GltfMeshes& meshes, const GltfShapes& shapes, std::size_t count)
+      : document_(document), meshes_(meshes), shapes_(shapes), count_(count) {}
 
-  void read() {
+  std::vector<document::Expression> read() {
     const json::Json* extensions = json::find(document_.json, "extensions");
-    if (extensions == nullptr) return;
-    if (const json::Json* vrm = json::find(*extensions, "VRMC_vrm")) read_vrm1(*vrm);
-    if (const json::Json* vrm = json::find(*extensions, "VRM")) read_vrm0(*vrm);
+    const json::Json* vrm1 = extensions == nullptr ? nullptr : json::find(*extensions, "VRMC_vrm");
+    const json::Json* vrm0 = extensions == nullptr ? nullptr : json::find(*extensions, "VRM");
+    for (std::size_t i = 0; i < meshes_.origins.size(); ++i) {
+      parts_of_[vrm1 != nullptr ? meshes_.origins[i].node : meshes_.origins[i].mesh].push_back(i);
+    }
+    // A file of both versions is one of the newer.
+    if (vrm1 != nullptr) {
+      read_vrm1(*vrm1);
+    } else if (vrm0 != nullptr) {
+      read_vrm0(*vrm0);
+    } else {
+      read_own();
+    }
     if (more_ > 0) document_.notes.push_back("and " + std::to_string(more_) + " binds more are left out");
-    if (colours_) document_.notes.emplace_back("expressions change materials too; that is left out");
+    if (colours_) document_.notes.emplace_back("expressions change materials too; that is not shown");
+    return std::move(result_);
   }
 
  private:
-  using Moves = std::map<std::uint32_t, glm::vec3>;
+  /// The weight of each target: by its shape, and the node or mesh that it is of.
+  using Weights = std::map<std::pair<std::size_t, std::int64_t>, double>;
+
+  /// As penpose itself keeps them in a file that is no avatar (gltf_extras.h).
+  void read_own() {
+    const json::Json* extras = json::find(document_.json, "extras");
+    const json::Json* own = extras == nullptr ? nullptr : json::find(*extras, k_extras_key);
+    const json::Json* list = own == nullptr ? nullptr : json::find(*own, "expressions");
+    if (list == nullptr || !list->is_array()) return;
+    std::map<std::string_view, std::size_t> shape_of;
+    for (std::size_t i = 0; i < count_; ++i) shape_of.emplace(shapes_.shapes[i].parameter.name, i);
+    for (const json::Json& one : *list) {
+      const json::Json* name = json::find(one, "name");
+      const json::Json* values = json::find(one, "values");
+      if (name == nullptr || !name->is_string() || values == nullptr || !values->is_object()) continue;
+      Weights weights;
+      for (const auto& [target, value] : values->items()) {
+        const auto shape = shape_of.find(target);
+        const double weight = json::number(value).value_or(0);
+        if (shape != shape_of.end() && std::abs(weight) <= 100) weights[{shape->second, 0}] = weight;
+      }
+      add_shape(name->get<std::string>(), nullptr, weights);
+    }
+  }
 
   void read_vrm1(const json::Json& vrm) {
     const json::Json* expressions = json::find(vrm, "expressions");
@@ -36,14 +71,14 @@ class Expressions {
       const json::Json* members = expressions == nullptr ? nullptr : json::find(*expressions, group);
       if (members == nullptr || !members->is_object()) continue;
       for (const auto& [name, expression] : members->items()) {
-        Moves moves;
+        Weights weights;
         const json::Json* binds = json::find(expression, "morphTargetBinds");
-        add_binds(binds, name, "node", 1.0, moves);
+        add_binds(binds, name, "node", 1.0, weights);
         for (const char* other : {"materialColorBinds", "textureTransformBinds"}) {
           const json::Json* list = json::find(expression, other);
           colours_ = colours_ || (list != nullptr && list->is_array() && !list->empty());
         }
-        add_shape(name, binds, moves);
+        add_shape(name, binds, weights);
       }
     }
   }
@@ -53,14 +88,14 @@ class Expressions {
     const json::Json* groups = master == nullptr ? nullptr : json::find(*master, "blendShapeGroups");
     if (groups == nullptr || !groups->is_array()) return;
     for (const json::Json& group : *groups) {
-      Moves moves;
+      Weights weights;
       const std::string name = name_of(group);
       const json::Json* binds = json::find(group, "binds");
       // Weights of VRM 0 are percent.
-      add_binds(binds, name.empty() ? "without a name" : name, "mesh", 0.01, moves);
+      add_binds(binds, name.empty() ? "without a name" : name, "mesh", 0.01, weights);
       const json::Json* materials = json::find(group, "materialValues");
       colours_ = colours_ || (materials != nullptr && materials->is_array() && !materials->empty());
-      if (!name.empty()) add_shape(name, binds, moves);
+      if (!name.empty()) add_shape(name, binds, weights);
     }
   }
 
@@ -74,10 +109,10 @@ class Expressions {
   }
 
   /// Adds the binds' moves and notes those that name nothing: without a word a face would lack half of its smile.
-  void add_binds(const json::Json* binds, const std::string& name, const char* key, double scale, Moves& moves) {
+  void add_binds(const json::Json* binds, const std::string& name, const char* key, double scale, Weights& weights) {
     constexpr std::size_t k_most_notes = 20;
     for (std::size_t i = 0; binds != nullptr && binds->is_array() && i < binds->size(); ++i) {
-      const std::string problem = add_bind((*binds)[i], key, scale, moves);
+      const std::string problem = add_bind((*binds)[i], key, scale, weights);
       if (problem.empty()) continue;
       if (bad_++ < k_most_notes) {
         document_.notes.push_back("expression " + base::valid_utf8(name) + ": bind " + std::to_string(i) +
@@ -89,7 +124,7 @@ class Expressions {
   }
 
   /// One morph target of all parts of a node or a mesh. Says what is wrong with it, or nothing.
-  std::string add_bind(const json::Json& bind, const char* key, double scale, Moves& moves) {
+  std::string add_bind(const json::Json& bind, const char* key, double scale, Weights& weights) {
     const json::Json* owner = json::find(bind, key);
     const json::Json* index = json::find(bind, "index");
     const json::Json* given = json::find(bind, "weight");
@@ -100,60 +135,52 @@ class Expressions {
     if (owner_number < 0) return std::string("it names no ") + key;
     if (target < 0) return "it names no target of " + owned_by;
     if (!(std::abs(weight) <= 100)) return "its weight is no number that can be used";
-    bool there = false;
+    const auto parts = parts_of_.find(static_cast<std::size_t>(owner_number));
+    if (parts == parts_of_.end()) return owned_by + " is not there or shows nothing";
     bool found = false;
-    for (std::size_t i = 0; i < meshes_.origins.size(); ++i) {
-      const PartOrigin& origin = meshes_.origins[i];
-      const auto own = static_cast<std::int64_t>(key[0] == 'n' ? origin.node : origin.mesh);
+    std::set<std::size_t> added;  // parts of a mesh have the same targets, most often of the same names
+    for (const std::size_t i : parts->second) {
       const auto& targets = shapes_.of_target[i];
-      there = there || own == owner_number;
-      if (own != owner_number || static_cast<std::size_t>(target) >= targets.size()) continue;
+      if (static_cast<std::size_t>(target) >= targets.size()) continue;
+      if (document_.budget == 0) return "the file unfolds to more than can be kept";
+      --document_.budget;
       found = true;
-      const rig::BlendShape& shape = shapes_.shapes[targets[static_cast<std::size_t>(target)]];
-      const mesh::Part& part = meshes_.source.parts[i];
-      const auto begin = std::lower_bound(shape.vertices.begin(), shape.vertices.end(), part.first_vertex);
-      for (auto v = begin; v != shape.vertices.end() && *v < part.first_vertex + part.vertex_count; ++v) {
-        if (document_.budget == 0) return "the file unfolds to more than can be kept";
-        --document_.budget;
-        moves[*v] += shape.deltas[static_cast<std::size_t>(v - shape.vertices.begin())] * static_cast<float>(weight);
-      }
+      const std::size_t shape = targets[static_cast<std::size_t>(target)];
+      // What only shows a sketched control to other programs is no control.
+      if (shape < count_ && added.insert(shape).second) weights[{shape, owner_number}] += weight;
     }
     if (found) return {};
-    return owned_by + (there ? " has no morph target " + std::to_string(target) : " is not there or shows nothing");
+    return owned_by + " has no morph target " + std::to_string(target);
   }
 
-  void add_shape(const std::string& name, const json::Json* binds, const Moves& moves) {
+  void add_shape(const std::string& name, const json::Json* binds, const Weights& weights) {
     const std::string valid = base::valid_utf8(name);
-    // Those without binds are common: they change colours, or nothing at all.
-    const bool binds_any = binds != nullptr && binds->is_array() && !binds->empty();
-    if (added_ == k_most_expressions || (moves.empty() && binds_any)) {
-      ++unused_;
-      if (unused_ <= 20) {
-        document_.notes.push_back("expression " + valid +
-                                  " is left out: " + (moves.empty() ? "it moves no vertex" : "there are over 200"));
-      }
+    std::map<std::size_t, double> of_shape;
+    for (const auto& [target, weight] : weights) {
+      double& kept = of_shape[target.first];
+      if (std::abs(weight) > std::abs(kept)) kept = weight;
     }
-    if (moves.empty() || added_ == k_most_expressions) return;
-    const bool taken = std::any_of(shapes_.shapes.begin(), shapes_.shapes.end(),
-                                   [&](const rig::BlendShape& shape) { return shape.parameter.name == valid; });
-    if (taken) {
-      document_.notes.push_back("expression " + valid + " is left out: a morph target has its name");
+    std::erase_if(of_shape, [](const auto& one) { return one.second == 0.0; });
+    // Those without binds are common: they change colours, or nothing at all.
+    if (of_shape.empty() && (binds == nullptr || !binds->is_array() || binds->empty())) return;
+    std::string problem;
+    if (of_shape.empty()) problem = "it moves nothing";
+    if (result_.size() == k_most_expressions) problem = "there are over 1000";
+    if (problem.empty() && !names_.insert(valid).second) problem = "another has its name";
+    if (!problem.empty()) {
+      if (++unused_ <= 20) document_.notes.push_back("expression " + valid + " is left out: " + problem);
       return;
     }
-    ++added_;
-    rig::BlendShape& shape = shapes_.shapes.emplace_back();
-    shape.parameter.name = valid;
-    for (const auto& [vertex, delta] : moves) {
-      shape.vertices.push_back(vertex);
-      shape.deltas.push_back(delta);
-    }
-    shapes_.values.push_back(0.0);
+    result_.push_back({valid, {of_shape.begin(), of_shape.end()}});
   }
 
   GltfDocument& document_;
   const GltfMeshes& meshes_;
-  GltfShapes& shapes_;
-  std::size_t added_ = 0;
+  const GltfShapes& shapes_;
+  std::size_t count_;
+  std::map<std::size_t, std::vector<std::size_t>> parts_of_;  ///< of a node (1.0) or mesh (0.x)
+  std::vector<document::Expression> result_;
+  std::set<std::string> names_;
   std::size_t unused_ = 0;
   std::size_t bad_ = 0;
   std::size_t more_ = 0;
@@ -162,8 +189,9 @@ class Expressions {
 
 }  // namespace
 
-void add_expressions(GltfDocument& document, const GltfMeshes& meshes, GltfShapes& shapes) {
-  Expressions(document, meshes, shapes).read();
+std::vector<document::Expression> read_expressions(GltfDocument& document, const GltfMeshes& meshes,
+                                                   const GltfShapes& shapes, std::size_t count) {
+  return Expressions(document, meshes, shapes, count).read();
 }
 
 }  // namespace penpose::io

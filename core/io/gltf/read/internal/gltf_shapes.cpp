@@ -11,21 +11,29 @@
 namespace penpose::io {
 namespace {
 
-/// Names of the targets of the mesh that a part belongs to.
-std::vector<std::string> target_names(const GltfDocument& document, std::size_t mesh, std::size_t count,
+/// Takes the names that the extras of a mesh or primitive list; those that are none stay as they are.
+void take_names(const json::Json& owner, std::vector<std::string>& names) {
+  const json::Json* extras = json::find(owner, "extras");
+  const json::Json* given = extras == nullptr ? nullptr : json::find(*extras, "targetNames");
+  if (given == nullptr || !given->is_array()) return;
+  for (std::size_t k = 0; k < std::min(names.size(), given->size()); ++k) {
+    if (!(*given)[k].is_string()) continue;
+    const auto& name = (*given)[k].get_ref<const std::string&>();
+    if (!name.empty()) names[k] = name;
+  }
+}
+
+/// Names of the targets of a part: those of its mesh, which most programs write, count before those of its primitive,
+/// where VRM 0.x keeps them; some files name them in the first primitive of the mesh alone.
+std::vector<std::string> target_names(const GltfDocument& document, const PartOrigin& origin, std::size_t count,
                                       const std::string& part_name) {
   std::vector<std::string> names;
   const std::string prefix = part_name.empty() ? "" : part_name + ".";
   for (std::size_t k = 0; k < count; ++k) names.push_back(prefix + "target" + std::to_string(k));
-  const json::Json* extras = json::find(document.json["meshes"][mesh], "extras");
-  const json::Json* given = extras == nullptr ? nullptr : json::find(*extras, "targetNames");
-  if (given != nullptr && given->is_array()) {
-    for (std::size_t k = 0; k < std::min(count, given->size()); ++k) {
-      if (!(*given)[k].is_string()) continue;
-      const auto& name = (*given)[k].get_ref<const std::string&>();
-      if (!name.empty()) names[k] = name;
-    }
-  }
+  const json::Json& mesh = document.json["meshes"][origin.mesh];
+  take_names(mesh["primitives"][0], names);
+  take_names(mesh["primitives"][origin.primitives.front()], names);
+  take_names(mesh, names);
   make_unique(names);
   return names;
 }
@@ -147,7 +155,7 @@ base::Result<GltfShapes> read_shapes(GltfDocument& document, const GltfMeshes& m
     const PartOrigin& named = meshes.origins[name_part];
     if (named.mesh != origin.mesh || named.node != origin.node) name_part = i;
     const auto& targets = origin.primitive(document).targets;
-    const auto names = target_names(document, origin.mesh, targets.size(), meshes.source.parts[name_part].name);
+    const auto names = target_names(document, origin, targets.size(), meshes.source.parts[name_part].name);
     const auto& node_weights = document.model.nodes[origin.node].weights;
     const auto& weights = node_weights.empty() ? document.model.meshes[origin.mesh].weights : node_weights;
     std::vector<std::size_t> of_target;

@@ -18,7 +18,8 @@ struct GltfShapes {
 };
 
 /// Reads the morph targets of all parts, in the order of the file. Targets of one name are one shape across parts.
-/// Names: extras.targetNames of the mesh, else PART.targetN. Values: weights of the node, else of the mesh. Errors:
+/// Names: extras.targetNames of the mesh, else of the
+/// primitive (VRM 0.x), else PART.targetN. Values: weights of the node, else of the mesh. Errors:
 /// place is a JSON pointer.
 [[nodiscard]] base::Result<GltfShapes> read_shapes(GltfDocument& document, const GltfMeshes& meshes,
                                                    const RootExtras& extras);

@@ -82,6 +82,17 @@ TEST(GltfShapes, WeightsOutsideTheRangeExtendIt) {
   EXPECT_EQ(model->pose, rig::Pose{3});
 }
 
+TEST(GltfShapes, NamesMayStandInThePrimitive) {
+  // VRM 0.x keeps them there; those of the mesh count before them.
+  tests::GltfSample sample = tests::morph_sample();
+  auto& mesh = sample.json["meshes"][0];
+  mesh.erase("extras");
+  mesh["primitives"][0]["extras"]["targetNames"] = {"up"};
+  EXPECT_EQ(sample.read().value().shapes->parameters()[0].name, "up");
+  mesh["extras"]["targetNames"] = {"lift"};
+  EXPECT_EQ(sample.read().value().shapes->parameters()[0].name, "lift");
+}
+
 TEST(GltfShapes, OddNamesAndFaults) {
   tests::GltfSample sample = tests::morph_sample();
   auto& mesh = sample.json["meshes"][0];

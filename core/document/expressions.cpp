@@ -1,0 +1,91 @@
+#include "core/document/expressions.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "core/rig/control_names.h"
+
+namespace penpose::document {
+namespace {
+
+/// What both versions call the same (VRM 0.x, blendShapeMaster, presetName; VRMC_vrm 1.0, expressions.preset), folded,
+/// and the name of 1.0.
+struct Preset {
+  std::string_view old_name, new_folded, name;
+};
+constexpr std::array<Preset, 18> k_presets{{{"joy", "happy", "happy"},
+                                            {"angry", "angry", "angry"},
+                                            {"sorrow", "sad", "sad"},
+                                            {"fun", "relaxed", "relaxed"},
+                                            {"surprised", "surprised", "surprised"},
+                                            {"a", "aa", "aa"},
+                                            {"i", "ih", "ih"},
+                                            {"u", "ou", "ou"},
+                                            {"e", "ee", "ee"},
+                                            {"o", "oh", "oh"},
+                                            {"blink", "blink", "blink"},
+                                            {"blinkl", "blinkl", "blinkLeft"},
+                                            {"blinkr", "blinkr", "blinkRight"},
+                                            {"lookup", "lookup", "lookUp"},
+                                            {"lookdown", "lookdown", "lookDown"},
+                                            {"lookl", "lookl", "lookLeft"},
+                                            {"lookr", "lookr", "lookRight"},
+                                            {"neutral", "neutral", "neutral"}}};
+
+const Preset* preset_named(std::string_view folded) {
+  for (const Preset& preset : k_presets) {
+    if (folded == preset.old_name || folded == preset.new_folded) return &preset;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::optional<std::size_t> expression_named(const Model& model, std::string_view name) {
+  for (std::size_t i = 0; i < model.expressions.size(); ++i) {
+    if (model.expressions[i].name == name) return i;
+  }
+  const std::string wanted = rig::folded_name(name);
+  if (wanted.empty()) return std::nullopt;
+  const Preset* preset = preset_named(wanted);
+  std::optional<std::size_t> other;
+  for (std::size_t i = 0; i < model.expressions.size(); ++i) {
+    const std::string own = rig::folded_name(model.expressions[i].name);
+    if (own == wanted) return i;
+    if (!other && preset != nullptr && preset_named(own) == preset) other = i;
+  }
+  return other;
+}
+
+std::string_view preset_of(std::string_view expression_name) {
+  const Preset* preset = preset_named(rig::folded_name(expression_name));
+  return preset == nullptr ? std::string_view() : preset->name;
+}
+
+void set_expression(const Model& model, const Expression& expression, double weight, rig::Pose& pose) {
+  for (const auto& [parameter, value] : expression.values) {
+    const rig::Parameter& range = model.rig->parameters()[parameter];
+    pose[parameter] = std::clamp(weight * value, range.minimum, range.maximum);
+  }
+}
+
+std::vector<Expression> expressions_for(std::vector<Expression> expressions, std::span<const rig::Parameter> before,
+                                        std::span<const rig::Parameter> now) {
+  if (expressions.empty()) return expressions;
+  std::map<std::string_view, std::size_t> place;
+  for (std::size_t i = 0; i < now.size(); ++i) place.emplace(now[i].name, i);
+  for (Expression& expression : expressions) {
+    std::vector<std::pair<std::size_t, double>> kept;
+    for (const auto& [parameter, value] : expression.values) {
+      const auto found = parameter < before.size() ? place.find(before[parameter].name) : place.end();
+      if (found != place.end()) kept.emplace_back(found->second, value);
+    }
+    std::stable_sort(kept.begin(), kept.end());
+    expression.values = std::move(kept);
+  }
+  std::erase_if(expressions, [](const Expression& one) { return one.values.empty(); });
+  return expressions;
+}
+
+}  // namespace penpose::document
