@@ -13,10 +13,18 @@ ModelFormat gltf_format();
 ModelFormat off_format();
 ModelFormat obj_format();
 ModelFormat arkit_format_of_models();
+ModelFormat vmd_format_of_models();
 
 std::span<const ModelFormat> model_formats() {
   static const ModelFormat formats[] = {
-      glb_format(), ply_format(), stl_format(), gltf_format(), off_format(), obj_format(), arkit_format_of_models(),
+      glb_format(),
+      ply_format(),
+      stl_format(),
+      gltf_format(),
+      off_format(),
+      obj_format(),
+      arkit_format_of_models(),
+      vmd_format_of_models(),
   };
   return formats;
 }
