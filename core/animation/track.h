@@ -75,9 +75,10 @@ struct WeightTrack {
 [[nodiscard]] double frames_per_second(double first_s, double last_s, std::size_t frames);
 
 /// The frame rate for which all these times (ascending, s) are whole frames to within a share of one: a standard video
-/// rate if one fits, else the rate of most steps; 0 where there is none.
+/// rate if one fits, or lies within 0.05 % of the rate that does (29.99 is 30; 29.97, a rate of its own, stays), else
+/// the rate of most steps; 0 where there is none.
 [[nodiscard]] double whole_frame_rate(std::span<const double> times_s, double within);
-/// The times rounded to whole frames of that rate.
+/// The times rounded to whole frames of that rate, which whole_frame_rate gave.
 [[nodiscard]] std::vector<double> at_whole_frames(std::span<const double> times_s, double fps);
 
 }  // namespace penpose::animation

@@ -4,6 +4,7 @@
 
 #include "core/document/time/animation_building.h"
 #include "core/document/time/animation_poses.h"
+#include "core/document/time/head_joints.h"
 #include "core/tracking/head_placement.h"
 #include "core/tracking/motion_animation.h"
 #include "core/tracking/track_setup.h"
@@ -53,7 +54,7 @@ base::Result<Solved> from_values(const document::Model& model, animation::Weight
   Animated& out = solved.animated;
   out.notes = retime(track, options.fps);
   WeightAnimation played = animate_weights(model, track, map, apply_head, options.smooth_s);
-  if (played.unmatched.size() == track.names.size()) {
+  if (!played.drives) {
     return base::Error{"the model has a control for none of its " + std::to_string(track.names.size()) + " columns",
                        "line 1", "write a map whose \"names\" say which control each column drives"};
   }
@@ -101,7 +102,7 @@ base::Result<Solved> from_points(const document::Model& model, animation::PointT
   setup->tremor_px = options.tremor_px;
   setup->smooth_s = options.smooth_s;
   setup->least_confidence = options.least_confidence;
-  const auto camera = geometry::frame_box(document::rest_world_box(model), {1000, 1000}, 0);
+  const auto camera = geometry::frame_box(document::rest_world_box(model), {1000, 1000}, model.front_yaw_degrees);
   auto tracked = animation::animate_track(*model.rig, track, *setup, camera, watch);
   if (!tracked) return tracked.error();
   if (apply_head) {
@@ -158,7 +159,10 @@ base::Result<document::Document> with_animation(const document::Document& docume
   // Joints are turned by the animation itself; a pose of theirs would be added to it.
   model.pose = rig::rest_pose(*model.rig);
   std::copy_n(animated.poses.front().begin(), document::weight_count(model), model.pose.begin());
-  if (!head.placements.empty()) {
+  const auto joints = head.placements.empty() ? std::nullopt : document::head_joints(model);
+  if (joints) {
+    model = document::with_head_turns(std::move(model), 0, *joints, animated.times_s, head.placements);
+  } else if (!head.placements.empty()) {
     auto with_head = document::with_placements(std::move(model), 0, head.pivot, animated.times_s, head.placements);
     if (!with_head) return with_head.error();
     model = std::move(with_head).value();
@@ -198,7 +202,14 @@ base::Result<Animated> animate(const document::Document& document, io::Track tra
   if (!solved) return solved.error();
   Animated animated = std::move(solved->animated);
   put_on_whole_frames(animated);
-  auto with = with_animation(document, std::move(model), animated, solved->head, std::move(solved->animation));
+  const auto shifts = [](const document::Placement& one) {
+    return one.shift != geometry::ModelVector(0) || one.scale != 1;
+  };
+  const auto& placements = solved->head.placements;
+  if (std::any_of(placements.begin(), placements.end(), shifts) && document::head_joints(model)) {
+    animated.notes.emplace_back("the head turns on its neck; its shift and size in the picture are left out");
+  }
+    auto with = with_animation(document, std::move(model), animated, solved->head, std::move(solved->animation));
   about = AnimateInput::model;
   if (!with) return with.error();
   animated.document = std::move(with).value();

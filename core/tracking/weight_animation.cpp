@@ -2,55 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
 
 #include "core/animation/signal/denoise.h"
+#include "core/base/math.h"
 #include "core/base/numbers.h"
-#include "core/document/expressions.h"
 #include "core/geometry/rotation.h"
 #include "core/rig/control_names.h"
+#include "core/tracking/driven_controls.h"
 
 namespace penpose::tracking {
 namespace {
 
-/// What a column drives: controls of its name, or where there are none, an expression.
-struct Driven {
-  std::vector<std::size_t> controls;
-  std::optional<std::size_t> expression;
-};
-
-Driven driven_by(const document::Model& model, const io::MapFile& map, const std::string& column) {
-  const auto renamed =
-      std::find_if(map.names.begin(), map.names.end(), [&](const auto& pair) { return pair.first == column; });
-  const std::string& name = renamed == map.names.end() ? column : renamed->second;
-  Driven driven{rig::controls_named(model.rig->parameters(), name), std::nullopt};
-  if (driven.controls.empty()) driven.expression = document::expression_named(model, name);
-  return driven;
+std::string renamed(const io::MapFile& map, const std::string& name) {
+  const auto other =
+      std::find_if(map.names.begin(), map.names.end(), [&](const auto& pair) { return pair.first == name; });
+  return other == map.names.end() ? name : other->second;
 }
-
-/// Adds what expressions do to the targets that they share (VRMC_vrm, expressions: the weights of several are summed),
-/// within the targets' ranges.
-class ExpressionSum {
- public:
-  explicit ExpressionSum(const document::Model& model) : model_(model) {}
-
-  void add(std::size_t expression, double weight) {
-    for (const auto& [parameter, value] : model_.expressions[expression].values)
-      sums_[parameter] += std::clamp(weight, 0.0, 1.0) * value;
-  }
-  void put(rig::Pose& pose) {
-    for (auto& [parameter, sum] : sums_) {
-      const rig::Parameter& range = model_.rig->parameters()[parameter];
-      pose[parameter] = std::clamp(sum, range.minimum, range.maximum);
-      sum = 0;
-    }
-  }
-
- private:
-  const document::Model& model_;
-  std::map<std::size_t, double> sums_;
-};
 
 /// The column of that folded name, or past the end.
 std::size_t column_of(const animation::WeightTrack& track, const char* folded) {
@@ -87,35 +54,42 @@ std::vector<std::string> notes_on(const std::vector<std::string>& names, const s
 WeightAnimation animate_weights(const document::Model& model, const animation::WeightTrack& track,
                                 const io::MapFile& map, bool apply_head, double smooth_s) {
   WeightAnimation result;
-  std::vector<Driven> driven;
+  std::vector<std::vector<DrivenControl>> controls;
   const std::vector<std::size_t> head{column_of(track, "headpitch"), column_of(track, "headyaw"),
                                       column_of(track, "headroll")};
   const bool turns = std::any_of(head.begin(), head.end(), [&](std::size_t c) { return c < track.names.size(); });
   for (std::size_t i = 0; i < track.names.size(); ++i) {
-    driven.push_back(driven_by(model, map, track.names[i]));
+    const std::string name = renamed(map, track.names[i]);
+    controls.push_back(driven_controls(model, name));
     const bool is_head = std::find(head.begin(), head.end(), i) != head.end();
-    const bool drives = !driven.back().controls.empty() || driven.back().expression;
-    if (!drives && !(is_head && apply_head)) result.unmatched.push_back(track.names[i]);
+    if (controls.back().empty() && !(is_head && apply_head) && !is_driven(model, name)) {
+      result.unmatched.push_back(track.names[i]);
+    }
+    result.drives = result.drives || !controls.back().empty() || (is_head && apply_head);
   }
   rig::Pose pose = rig::rest_pose(*model.rig);
   std::vector<std::vector<double>> angles;
   std::vector<double> now(3, 0.0);
   std::vector<Cut> cuts(track.names.size());
-  ExpressionSum expressions(model);
+  std::vector<double> driven(pose.size(), 0.0);  // 0: by no column yet, else 1 more than how far from rest
   for (std::size_t f = 0; f < track.frames.size(); ++f) {
     const animation::WeightFrame& frame = track.frames[f];
     result.times_s.push_back(frame.time_s);
     if (!frame.found) result.held.push_back(f);
-    for (std::size_t i = 0; frame.found && i < driven.size(); ++i) {
-      if (driven[i].expression) expressions.add(*driven[i].expression, frame.values[i]);
-    }
-    if (frame.found) expressions.put(pose);
-    for (std::size_t i = 0; frame.found && i < driven.size(); ++i) {
-      for (const std::size_t c : driven[i].controls) {
+    // Of several columns that drive a control the one that moves it farther counts.
+    if (frame.found) std::fill(driven.begin(), driven.end(), 0.0);
+    for (std::size_t i = 0; frame.found && i < controls.size(); ++i) {
+      for (const DrivenControl& one : controls[i]) {
+        const std::size_t c = one.parameter;
         const rig::Parameter& range = model.rig->parameters()[c];
-        pose[c] = std::clamp(frame.values[i], range.minimum, range.maximum);
+        const double base = one.gain == 1 ? 0 : range.rest;
+        const double wanted = base + one.gain * frame.values[i];
+        const bool first = driven[c] == 0;
+        if (!first && !(std::abs(wanted - range.rest) > driven[c] - 1)) continue;
+        driven[c] = 1 + std::abs(wanted - range.rest);
+        pose[c] = std::clamp(wanted, range.minimum, range.maximum);
         // Trackers overshoot a little.
-        if (std::abs(frame.values[i] - pose[c]) <= 0.1 * (range.maximum - range.minimum)) continue;
+        if (std::abs(wanted - pose[c]) <= 0.1 * (range.maximum - range.minimum)) continue;
         if (cuts[i].count++ == 0) cuts[i] = {1, f, frame.values[i], range};
       }
     }
@@ -129,8 +103,12 @@ WeightAnimation animate_weights(const document::Model& model, const animation::W
   animation::smooth_over_time(result.times_s, smooth_s, result.poses);
   if (!apply_head || !turns) return result;
   animation::smooth_over_time(result.times_s, smooth_s, angles);
+  // The angles are about the axes of a face that looks along +z.
+  const glm::dquat front = geometry::quaternion_from_xyz({0, base::radians(model.front_yaw_degrees), 0});
   for (const auto& a : angles) {
-    result.placements.push_back({geometry::quaternion_from_xyz({a[0], a[1], a[2]}), geometry::ModelVector(0), 1});
+    const glm::dquat turn = geometry::quaternion_from_xyz({a[0], a[1], a[2]});
+    const bool ahead = model.front_yaw_degrees == 0;
+    result.placements.push_back({ahead ? turn : front * turn * glm::conjugate(front), geometry::ModelVector(0), 1});
   }
   return result;
 }

@@ -13,15 +13,15 @@ struct WeightAnimation {
   std::vector<double> times_s;
   std::vector<rig::Pose> poses;  ///< within the controls' ranges
   std::vector<std::size_t> held;
+  bool drives = false;                          ///< any control, or the head
   std::vector<std::string> unmatched;           ///< names that the model has no control for
   std::vector<std::string> notes;               ///< on values far outside their controls' ranges
   std::vector<document::Placement> placements;  ///< from HeadYaw, HeadPitch and HeadRoll, where asked for and there
 };
 
-/// Values by name straight to parameters, names compared without case and separators and by the map's own list first.
-/// A name that no control has may be an expression's (document::expression_named), which moves its targets; where
-/// expressions share a target their parts are added, and a column of the target itself counts before them.
-/// Frames that were not found repeat the one before. `smooth_s`: as animation::smooth_over_time.
+/// Values by name straight to parameters: what the map's own list says, else what driven_controls finds. Of several
+/// names that drive one control the one that moves it farthest counts, frame by frame. Frames that were not found
+/// repeat the one before. `smooth_s`: as animation::smooth_over_time.
 [[nodiscard]] WeightAnimation animate_weights(const document::Model& model, const animation::WeightTrack& track,
                                               const io::MapFile& map, bool apply_head, double smooth_s);
 

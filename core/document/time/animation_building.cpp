@@ -117,6 +117,10 @@ base::Result<Model> with_placements(Model model, std::size_t animation, const ge
     made->pose = std::move(model.pose);
     made->curves = std::move(model.curves);
     made->animations = std::move(model.animations);
+    made->expressions = std::move(model.expressions);
+    made->front_yaw_degrees = model.front_yaw_degrees;
+    made->look = std::move(model.look);
+    made->source = std::move(model.source);
     made->notes = std::move(model.notes);
     made->expressions = std::move(model.expressions);  // joints come after what they set
     made->front_yaw_degrees = model.front_yaw_degrees;

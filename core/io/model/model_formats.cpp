@@ -15,6 +15,7 @@ ModelFormat off_format();
 ModelFormat obj_format();
 ModelFormat arkit_format_of_models();
 ModelFormat vrma_format_of_models();
+ModelFormat vmd_format_of_models();
 
 std::span<const ModelFormat> model_formats() {
   static const ModelFormat formats[] = {
@@ -27,6 +28,7 @@ std::span<const ModelFormat> model_formats() {
       obj_format(),
       arkit_format_of_models(),
       vrma_format_of_models(),
+      vmd_format_of_models(),
   };
   return formats;
 }

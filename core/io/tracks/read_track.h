@@ -63,10 +63,32 @@ enum class FrameOrder : std::uint8_t { in_time, none };
 [[nodiscard]] base::Result<animation::PointTrack> read_curve_track(base::Bytes bytes,
                                                                    FrameOrder order = FrameOrder::in_time);
 
-/// ARKit's blend shapes as Live Link Face writes them: Timecode, BlendShapeCount and a column a name. Timecodes are
-/// H:M:S:F.f; what F counts is told as counted_rate says. Rows that are short or have a count of 0 are frames
-/// without a face; so are those whose timecode does not come after the ones before, and those that are left out
-/// where most timecodes are one step apart.
+/// Values of blend shapes by name, as trackers with ARKit's 52 write them. A table has a column a name, behind whatever
+/// prefix ("blendShapes."), and may have a column of time (Timecode, timestamp, time, frame and the like), as
+/// ValueClock reads it, and BlendShapeCount; or it has a row a score (frame or time, categoryName, score). Numbers may
+/// have a decimal comma, also between commas where each is in two. Live Link Face, MediaPipe and Audio2Face write such
+/// tables.
+///
+/// JSON is a list of frames, an object with "frames", one frame, or a frame a line. A frame has its scores as
+/// faceBlendshapes, face_blendshapes, blendShapes, categories, weights or values: an object of numbers, a list of
+/// categories ({"categoryName", "score"}), or a list of faces, of which the first counts; or as many numbers as the
+/// file names shapes ("facsNames" with "weightMat" and "exportFps" of Audio2Face, "blendShapes" with
+/// "blendShapeWeights" of its services); times are "timestamp", "timeCode", "time". A list a name is taken too.
+///
+/// Rows that are short or have a count of 0, and frames without scores, show no face; so do those whose time does not
+/// come after the ones before, and those that are left out where most times are one step apart.
 [[nodiscard]] base::Result<animation::WeightTrack> read_arkit_track(base::Bytes bytes);
+
+/// Mouth cues as values over time, names "mouth cue D": Rhubarb Lip Sync's tsv (time, tab, shape), JSON ("mouthCues")
+/// and XML (<mouthCue start="0.00" end="0.05">D</mouthCue>), at 30 frames a second, and Papagayo's or Rhubarb's Moho
+/// switches ("MohoSwitch1", then a frame from 1 and a shape a line), at 24. Shapes are Rhubarb's A to H and X, or
+/// Preston Blair's AI, E ("mouth cue E."), O, U, etc, L, WQ, MBP, FV and rest. One goes over into the next within 0.04
+/// s to each side. Errors: times that step back, no cue, over 1,000,000 frames.
+[[nodiscard]] base::Result<animation::WeightTrack> read_cue_track(base::Bytes bytes);
+
+/// The morph keys of a MikuMikuDance motion (.vmd), a frame 1/30 s, linear between keys; names as UTF-8. Morphs that
+/// stay at 0 are left out where another moves. Keys of bones, cameras and lights are left out, with a note. Errors: a
+/// file that ends too soon, no morph keys, a frame past k_most_track_frames.
+[[nodiscard]] base::Result<animation::WeightTrack> read_vmd_track(base::Bytes bytes);
 
 }  // namespace penpose::io

@@ -72,7 +72,12 @@ base::Result<FormattedTrack> read_track(base::Bytes bytes, const TrackFormat* fo
   if (format == nullptr) {
     return base::Error{
         "the track's format is not known", "line 1",
-        std::string("name the bundled map of one: ").append(track_format_names("or")).append(", or write a map")};
+        std::string(
+            "penpose takes OpenFace CSV, MediaPipe landmarks or blend shapes (CSV, JSON), Live Link Face or "
+            "Audio2Face shapes (CSV, JSON), 68 points (.pts, CSV), curves (JSON), mouth cues (Rhubarb tsv, json, "
+            "xml, Moho .dat) and .vmd; or name the bundled map of one: ")
+            .append(track_format_names("or"))
+            .append(", or write a map")};
   }
   auto track = format->read(bytes, picture);
   if (!track) return track.error();

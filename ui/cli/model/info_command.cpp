@@ -8,6 +8,7 @@
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
 #include "core/intent/model/doubles.h"
+#include "core/io/gltf/read/gltf_contents.h"
 #include "core/io/model/model_formats.h"
 #include "ui/cli/subcommand.h"
 #include "ui/files/files.h"
@@ -32,11 +33,31 @@ double duration_s(const document::Animation& animation) {
 }
 
 std::size_t shape_count(const document::Model& model) { return model.shapes ? model.shapes->parameters().size() : 0; }
-std::size_t joint_count(const document::Model& model) { return model.skeleton ? model.skeleton->joints().size() : 0; }
+
+/// Joints of the file. A reader hangs further ones on a joint that skins bind in several ways; they are no other
+/// joints.
+std::size_t joint_count(const document::Model& model) {
+  if (!model.skeleton) return 0;
+  const auto joints = model.skeleton->joints();
+  return static_cast<std::size_t>(std::count_if(joints.begin(), joints.end(), [&](const rig::Joint& joint) {
+    if (joint.parent < 0 || joint.posable) return true;
+    const std::string& parent = joints[static_cast<std::size_t>(joint.parent)].name;
+    const bool again = joint.name.starts_with(parent + ".") && joint.translation == glm::dvec3(0) &&
+                       joint.rest_rotation == glm::dquat(1, 0, 0, 0) && joint.scale == glm::dvec3(1);
+    return !again;
+  }));
+}
+
+/// What the file holds beside the model; empty where it is no glTF.
+io::GltfContents contents_of(const std::string& path) {
+  const auto bytes = files::read_plain_file(path);
+  return bytes ? io::gltf_contents(*bytes) : io::GltfContents();
+}
 
 using Doubles = std::vector<intent::DoubleControl>;
 
-Json to_json(const document::Model& model, const Doubles& doubles, const std::string& state, const std::string& path) {
+Json to_json(const document::Model& model, const Doubles& doubles, const io::GltfContents& contents,
+             const std::string& state, const std::string& path) {
   Json parts = Json::array();
   for (const mesh::Part& part : model.mesh->parts()) {
     parts.push_back({{"name", part.name},
@@ -58,6 +79,10 @@ Json to_json(const document::Model& model, const Doubles& doubles, const std::st
   for (const document::Animation& animation : model.animations) {
     animations.push_back(
         {{"name", animation.name}, {"channels", animation.channels.size()}, {"duration_s", duration_s(animation)}});
+  }
+  Json textures = Json::array();
+  for (const io::GltfTexture& texture : contents.textures) {
+    textures.push_back({{"name", texture.name}, {"type", texture.type}});
   }
   Json twice = Json::array();
   for (const intent::DoubleControl& one : doubles) {
@@ -81,10 +106,13 @@ Json to_json(const document::Model& model, const Doubles& doubles, const std::st
           {"joints", joint_count(model)},
           {"parameters", std::move(parameters)},
           {"doubles", std::move(twice)},
-          {"expressions", std::move(expressions)},
           {"front_yaw_degrees", model.front_yaw_degrees},
           {"curves", std::move(curves)},
           {"animations", std::move(animations)},
+          {"expressions", std::move(expressions)},
+          {"textures", std::move(textures)},
+          {"passed_through", contents.passed_through},
+          {"not_understood", contents.not_understood},
           {"bounding_box",
            {{"minimum", {box.minimum.x, box.minimum.y, box.minimum.z}},
             {"maximum", {box.maximum.x, box.maximum.y, box.maximum.z}}}},
@@ -140,7 +168,25 @@ void print_expressions(const document::Model& model) {
   }
 }
 
-void print(const document::Model& model, const Doubles& doubles, const std::string& path) {
+/// Heading and names, nothing where there are none.
+void print_list(const char* heading, const std::vector<std::string>& names) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    std::cout << (i == 0 ? heading : ", ") << base::shown_name(names[i]);
+  }
+  if (!names.empty()) std::cout << '\n';
+}
+
+void print_beside(const io::GltfContents& contents) {
+  if (!contents.textures.empty()) std::cout << "textures    " << contents.textures.size() << '\n';
+  for (const io::GltfTexture& texture : contents.textures) {
+    std::cout << "  " << name_or_none(texture.name) << "  " << base::shown_name(texture.type) << '\n';
+  }
+  print_list("passed through  ", contents.passed_through);
+  print_list("not understood  ", contents.not_understood);
+}
+
+void print(const document::Model& model, const Doubles& doubles, const io::GltfContents& contents,
+           const std::string& path) {
   const geometry::Box box = document::rest_world_box(model);
   std::cout << base::shown_line(path, k_longest_path) << "\nvertices    " << model.mesh->vertex_count()
             << "\nfaces       " << model.mesh->triangle_count() << "\ncomponents  " << model.mesh->component_count()
@@ -163,6 +209,7 @@ void print(const document::Model& model, const Doubles& doubles, const std::stri
     std::cout << "  " << name_or_none(animation.name) << "  " << animation.channels.size() << " channels, "
               << base::format_fixed(duration_s(animation), 2) << " s\n";
   }
+  print_beside(contents);
   for (const std::string& note : model.notes)
     std::cout << "note        " << base::shown_line(note, k_longest_path) << '\n';
 }
@@ -172,11 +219,12 @@ int run_info(const InfoArguments& arguments) {
   if (!document) return files::report(document.error(), arguments.model);
   const document::Model model = document::model_of(*document);
   const Doubles doubles = intent::doubles_of(intent::measure_whole_model(*model.rig));
+  const io::GltfContents contents = contents_of(arguments.model);
   if (arguments.json) {
     const std::string state = document::DocumentHasher()(*document).whole.hex();
-    std::cout << to_json(model, doubles, state, arguments.model).dump_as_made() << '\n';
+    std::cout << to_json(model, doubles, contents, state, arguments.model).dump_as_made() << '\n';
   } else {
-    print(model, doubles, arguments.model);
+    print(model, doubles, contents, arguments.model);
   }
   return k_success;
 }

@@ -34,6 +34,7 @@ struct Options {
   std::string model;
   std::vector<std::string> assignments;
   std::optional<double> time_s;
+  std::string animation;
   bool frames = false;
   double fps = 24;
   std::string size = "1024x1024";
@@ -146,7 +147,26 @@ int draw(const Options& options, const document::Model& model, render::Renderer&
   return k_success;
 }
 
-/// The model at a moment of its first animation, with what --set says on top.
+/// The animation that is asked for: by its name, or of those without or of one name by its number from 1; else the
+/// first.
+base::Result<std::size_t> chosen_animation(const Options& options, const document::Model& model) {
+  if (options.animation.empty()) return std::size_t{0};
+  const auto& animations = model.animations;
+  const auto named = [&](const document::Animation& one) { return one.name == options.animation; };
+  const auto found = std::find_if(animations.begin(), animations.end(), named);
+  if (found != animations.end()) return static_cast<std::size_t>(found - animations.begin());
+  const auto number = base::parse_int(options.animation);
+  if (number && *number >= 1 && static_cast<std::size_t>(*number) <= animations.size()) {
+    return static_cast<std::size_t>(*number - 1);
+  }
+  std::vector<std::string> names;
+  for (const document::Animation& one : animations) names.push_back(one.name);
+  const auto close = base::closest_name(options.animation, names);
+  return base::Error{"the model has no animation \"" + options.animation + "\"", "--animation",
+                     close ? "did you mean " + *close + "?" : "`penpose info` lists the animations"};
+}
+
+/// The model at a moment of the animation that comes first, with what --set says on top.
 base::Result<document::Model> moment_of(const Options& options, const document::Model& model,
                                         std::optional<double> time_s) {
   base::Result<document::Model> moment = model;
@@ -178,15 +198,24 @@ int run_render(const Options& options) {
   // Asked for first: what OpenGL needs is much, and not every driver says when it is not there.
   auto renderer = render::Renderer::make_offscreen();
   if (!renderer) return files::report(renderer.error());
-  const auto model = files::load_model(options.model);
+  auto model = files::load_model(options.model);
   if (!model) return files::report(model.error(), options.model);
-  const char* needs_animation = options.time_s ? "--time" : options.frames ? "--frames" : nullptr;
+  const char* needs_animation = options.time_s               ? "--time"
+                                : options.frames             ? "--frames"
+                                : !options.animation.empty() ? "--animation"
+                                                             : nullptr;
   if (needs_animation != nullptr && model->animations.empty()) {
     return files::report(
         {"the model has no animation", needs_animation, std::string("leave ") + needs_animation + " out"},
         options.model);
   }
-  const auto first = moment_of(options, *model, options.frames ? std::optional(0.0) : options.time_s);
+  if (!model->animations.empty()) {
+    const auto chosen = chosen_animation(options, *model);
+    if (!chosen) return files::report(chosen.error(), options.model);
+    std::swap(model->animations.front(), model->animations[*chosen]);
+  }
+  const bool begins = options.frames || (!options.animation.empty() && !options.time_s);
+  const auto first = moment_of(options, *model, begins ? std::optional(0.0) : options.time_s);
   if (!first) return files::report(first.error(), options.model);
   const auto camera = make_camera(options, *first);
   if (!camera) return files::report(camera.error(), options.camera);
@@ -218,11 +247,14 @@ void add_options(CLI::App& command, Options& options) {
   command.add_option("MODEL", options.model, io::names_read() + " file")->required();
   command.add_option("--set", options.assignments, "NAME=VALUE: a parameter of the pose; may be given many times")
       ->allow_extra_args(false);
-  auto* time = command.add_option("--time", options.time_s, "second of the model's first animation")
+  auto* time = command.add_option("--time", options.time_s, "second of the model's first animation, or of --animation")
                    ->check(CLI::Validator(number_range(-1e6, 1e6), "-1000000 to 1000000"));
+  command.add_option("--animation", options.animation,
+                     "name of the animation of --time and --frames, or its number from 1 (default: the first); at its "
+                     "first moment where neither is given");
   command
       .add_flag("--frames", options.frames,
-                "one picture a frame of the first animation: OUT0001.png, OUT0002.png, ... as Blender names them; ### "
+                "one picture a frame of the animation: OUT0001.png, OUT0002.png, ... as Blender names them; ### "
                 "at the end of OUT says how many digits; the folder is made if it is not there")
       ->excludes(time);
   command.add_option("--fps", options.fps, "frames a second of --frames")

@@ -8,6 +8,7 @@
 #include "core/io/gltf/read/read_gltf.h"
 #include "core/io/model/model_formats.h"
 #include "core/tracking/animate.h"
+#include "core/tracking/driven_controls.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/pose/tolerance_option.h"
 #include "ui/cli/progress.h"
@@ -157,6 +158,21 @@ void print(const tracking::Animated& animated, double solve_us) {
   for (const std::string& name : animated.unmatched) std::cout << "no control for " << base::shown_name(name) << '\n';
 }
 
+/// A file may hold the scores of blend shapes and the points of a face: the points, where it has them and the model has
+/// none of the shapes.
+base::Result<io::FormattedTrack> points_for(const document::Document& document, const AnimateArguments& arguments,
+                                            io::FormattedTrack read) {
+  const auto* values = std::get_if<animation::WeightTrack>(&read.track);
+  if (values == nullptr || !arguments.map.empty()) return read;
+  const document::Model model = document::model_of(document);
+  for (const std::string& name : values->names) {
+    if (tracking::is_driven(model, name)) return read;
+  }
+  auto points = read_track(arguments.track, io::track_format_named("mediapipe"), picture_size(arguments.picture));
+  if (points && std::holds_alternative<animation::PointTrack>(points->track)) return points;
+  return read;
+}
+
 int animate(const AnimateArguments& arguments) {
   files::FileRoles files;
   files.reads(arguments.model);
@@ -175,6 +191,7 @@ int animate(const AnimateArguments& arguments) {
   if (!arguments.map.empty()) map = load_map(arguments.map);
   if (map && !*map) return files::report(map->error(), arguments.map);
   auto input = read_track(arguments.track, map ? (*map)->format : nullptr, picture_size(arguments.picture));
+  if (input) input = points_for(*document, arguments, std::move(input).value());
   if (!input) return files::report(input.error(), arguments.track);
   if (!map) map = io::read_bundled_map(*input->format);
   if (!*map) return files::report(map->error(), arguments.track);
@@ -209,9 +226,11 @@ int animate(const AnimateArguments& arguments) {
 void add_options(CLI::App& command, AnimateArguments& arguments) {
   command.add_option("MODEL", arguments.model, "Model with controls")->required();
   command
-      .add_option("--track", arguments.track,
-                  "OpenFace CSV, MediaPipe landmarks (JSON or CSV), 68 points (.pts, a folder of them, or CSV), curves "
-                  "(JSON), ARKit blend shapes (CSV) or a motion of a figure (.vrma)")
+      .add_option(
+          "--track", arguments.track,
+          "OpenFace CSV (points or action units), MediaPipe landmarks or blend shapes (JSON or CSV), 68 points (.pts, "
+          "a folder of them, or CSV), curves (JSON), ARKit blend shapes of Live Link Face or Audio2Face (CSV or "
+          "JSON), mouth cues of Rhubarb (tsv, json, xml) or Papagayo (.dat), .vmd, or a motion of a figure (.vrma)")
       ->required();
   command.add_option(
       "--map", arguments.map,

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/math.h"
 #include "core/base/numbers.h"
 #include "core/document/time/animation_sampling.h"
+#include "core/document/time/head_joints.h"
 #include "core/geometry/rotation.h"
 #include "core/io/model/model_formats.h"
 #include "core/io/tracks/arkit/arkit_names.h"
@@ -36,24 +38,40 @@ double value_of(Column& column, const std::vector<double>& weights) {
   return mean;
 }
 
-/// The joint that carries the head.
-std::optional<std::size_t> head_joint(const document::Model& model) {
-  if (!model.skeleton) return std::nullopt;
+/// The joint that carries the head, or else the first root.
+std::optional<std::uint32_t> head_joint(const document::Model& model) {
+  if (!model.skeleton || model.skeleton->joints().empty()) return std::nullopt;
+  if (const auto found = document::head_joints(model)) return found->head;
   const auto joints = model.skeleton->joints();
   const auto named = [](const rig::Joint& joint) { return rig::folded_name(joint.name) == "head"; };
   const auto found = std::find_if(joints.begin(), joints.end(), named);
-  if (found != joints.end()) return static_cast<std::size_t>(found - joints.begin());
-  return joints.empty() ? std::nullopt : std::optional<std::size_t>(0);
+  return found != joints.end() ? static_cast<std::uint32_t>(found - joints.begin()) : 0U;
 }
 
-/// Angles of a joint in the model's pose.
-glm::dvec3 posed_turn(const document::Model& model, std::size_t joint) {
-  const auto joints = model.skeleton->joints();
-  if (!joints[joint].posable) return glm::dvec3(0);
-  const auto before = std::count_if(joints.begin(), joints.begin() + static_cast<std::ptrdiff_t>(joint),
-                                    [](const rig::Joint& one) { return one.posable; });
-  const double* angles = &model.pose[document::weight_count(model) + 3 * static_cast<std::size_t>(before)];
-  return {angles[0], angles[1], angles[2]};
+/// Joints as the model's pose turns them.
+std::vector<document::JointTransform> posed_joints(const document::Model& model) {
+  std::vector<document::JointTransform> joints;
+  std::size_t parameter = document::weight_count(model);
+  for (const rig::Joint& joint : model.skeleton->joints()) {
+    glm::dquat rotation = joint.rest_rotation;
+    if (joint.posable) {
+      const double* angles = &model.pose[parameter];
+      rotation = rotation * geometry::quaternion_from_xyz({angles[0], angles[1], angles[2]});
+      parameter += 3;
+    }
+    joints.push_back({joint.translation, rotation, joint.scale});
+  }
+  return joints;
+}
+
+/// About the axes of a face that looks along +z.
+glm::dvec3 turn_of(const document::Model& model, std::uint32_t head, std::span<const document::JointTransform> joints) {
+  glm::dquat turn = document::turn_from_rest(model, head, joints);
+  if (model.front_yaw_degrees != 0) {
+    const glm::dquat front = geometry::quaternion_from_xyz({0, base::radians(model.front_yaw_degrees), 0});
+    turn = glm::conjugate(front) * turn * front;
+  }
+  return geometry::xyz_from_quaternion(turn);
 }
 
 std::string list_of(const std::vector<std::string>& names) {
@@ -117,14 +135,11 @@ base::Result<ArkitText> write_arkit(const document::Model& model, double fps) {
   for (std::size_t f = 0; f <= static_cast<std::size_t>(last); ++f) {
     const double time = static_cast<double>(f) / fps;
     std::vector<double> values(model.pose.begin(), model.pose.begin() + static_cast<std::ptrdiff_t>(weights));
-    glm::dvec3 turn = head && !moves ? posed_turn(model, *head) : glm::dvec3(0);
+    glm::dvec3 turn = head && !moves ? turn_of(model, *head, posed_joints(model)) : glm::dvec3(0);
     if (moves) {
       const auto moment = document::sample(model, model.animations.front(), time);
       if (moment.weights.size() == weights) values = moment.weights;
-      if (head) {
-        const rig::Joint& joint = model.skeleton->joints()[*head];
-        turn = geometry::xyz_from_quaternion(moment.joints[*head].rotation * glm::conjugate(joint.rest_rotation));
-      }
+      if (head) turn = turn_of(model, *head, moment.joints);
     }
     text += format_timecode(time, timecode_count(fps));
     text += ',';

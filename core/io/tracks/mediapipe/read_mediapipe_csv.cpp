@@ -2,12 +2,14 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/text/letters.h"
 #include "core/io/tracks/best_face.h"
 #include "core/io/tracks/face_points.h"
 #include "core/io/tracks/picture_scale.h"
 #include "core/io/tracks/point_table.h"
 #include "core/io/tracks/read_track.h"
 #include "core/io/tracks/track_formats.h"
+#include "core/io/tracks/values/value_tables.h"
 
 namespace penpose::io {
 namespace {
@@ -126,6 +128,17 @@ base::Result<std::vector<TrackRow>> read_long(CsvReader& table, const LongColumn
   return rows;
 }
 
+/// Whether JSON that holds no curves and no scores is of this format: a list, or what names points or frames.
+bool may_hold_points(const TrackText& text) {
+  const std::string_view bare = base::without_mark(text.text);
+  const auto first = bare.find_first_not_of(" \t\r\n");
+  if (first != std::string_view::npos && bare[first] == '[') return true;
+  for (const char* word : {"andmark", "\"frames\"", "\"points\"", "\"keypoints\"", "\"faces\""}) {
+    if (text.mentions(word)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 base::Result<animation::PointTrack> read_mediapipe_csv(base::Bytes bytes, std::optional<PictureSize> picture) {
@@ -144,7 +157,7 @@ base::Result<animation::PointTrack> read_mediapipe_csv(base::Bytes bytes, std::o
 TrackFormat mediapipe_format() {
   return {"mediapipe", 2, false,
           [](const TrackText& text) {
-            if (text.json) return !text.mentions("\"curves\"");
+            if (text.json) return !text.mentions("\"curves\"") && !mentions_values(text.text) && may_hold_points(text);
             for (const auto* column :
                  {"landmark", "landmark_id", "landmark_index", "x_467", "x467", "landmark_467_x", "467_x"}) {
               if (text.has(column)) return true;
@@ -152,8 +165,15 @@ TrackFormat mediapipe_format() {
             return text.has("x") && text.has("frame");
           },
           [](base::Bytes bytes, std::optional<PictureSize> picture) {
-            return as_track(looks_like_json(bytes) ? read_mediapipe_json(bytes, picture)
-                                                   : read_mediapipe_csv(bytes, picture));
+            const TrackText text(bytes);
+            if (!text.json) {
+              auto points = read_mediapipe_csv(bytes, picture);
+              if (!points && text.table && has_value_columns(*text.table)) return as_track(read_value_table(bytes));
+              return as_track(std::move(points));
+            }
+            auto points = read_mediapipe_json(bytes, picture);
+            if (!points && mentions_values(text.text)) return as_track(read_value_json(bytes));
+            return as_track(std::move(points));
           }};
 }
 

@@ -2,13 +2,13 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/json/loose_json.h"
+#include "core/base/json/json.h"
 #include "core/base/numbers.h"
-#include "core/io/text/text_lines.h"
 #include "core/io/tracks/face_points.h"
 #include "core/io/tracks/picture_scale.h"
 #include "core/io/tracks/point_table.h"
 #include "core/io/tracks/read_track.h"
+#include "core/io/tracks/values/json_values.h"
 
 namespace penpose::io {
 namespace {
@@ -210,27 +210,10 @@ class Reader {
   TrackRow last_;
 };
 
-/// The file as one value; of a file of a value a line, as programs write that add a line a frame, a list of them.
-base::Result<json::Json> read_values(base::Bytes bytes) {
-  auto whole = json::parse_loose_json(bytes);
-  if (whole) return whole;
-  TextLines lines(base::as_text(bytes));
-  json::Json list = json::Json::array();
-  while (const auto line = lines.next()) {
-    if (base::trim(*line).empty()) continue;
-    auto value = json::parse_loose_json(base::as_bytes(*line));
-    if (!value && list.empty()) return whole;
-    if (!value) return lines.error("no valid JSON", "the file is damaged or cut off; take the line away");
-    list.push_back(std::move(value).value());
-    if (list.size() > k_most_track_frames) return whole;
-  }
-  return list;
-}
-
 }  // namespace
 
 base::Result<animation::PointTrack> read_mediapipe_json(base::Bytes bytes, std::optional<PictureSize> picture) {
-  const auto json = read_values(bytes);
+  const auto json = read_json_values(bytes);
   if (!json) return json.error();
   const Frames frames = find_frames(*json);
   const bool listed = frames.list != nullptr && frames.list->is_array();

@@ -7,6 +7,7 @@
 #include "core/geometry/rotation.h"
 #include "core/io/tracks/best_face.h"
 #include "core/io/tracks/face_points.h"
+#include "core/io/tracks/openface/openface_units.h"
 #include "core/io/tracks/point_table.h"
 #include "core/io/tracks/read_track.h"
 #include "core/io/tracks/track_formats.h"
@@ -206,10 +207,15 @@ base::Result<animation::PointTrack> read_openface_track(base::Bytes bytes) {
 TrackFormat openface_format() {
   return {"openface", 1, false,
           [](const TrackText& text) {
-            return text.has("x_0") && !text.has("x_467") &&
-                   (text.has("success") || text.has("gaze_0_x") || text.has("confidence"));
+            if (!text.table || text.has("x_467")) return false;
+            if (!text.has("x_0")) return has_units(*text.table);
+            return text.has("success") || text.has("gaze_0_x") || text.has("confidence");
           },
-          [](base::Bytes bytes, std::optional<PictureSize>) { return as_track(read_openface_track(bytes)); }};
+          [](base::Bytes bytes, std::optional<PictureSize>) {
+            const TrackText text(bytes);
+            const bool units = text.table && !text.has("x_0") && has_units(*text.table);
+            return units ? as_track(read_openface_units(bytes)) : as_track(read_openface_track(bytes));
+          }};
 }
 
 }  // namespace penpose::io

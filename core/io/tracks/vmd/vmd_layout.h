@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace penpose::io {
+
+// MikuMikuDance's motion: a header of 30 bytes, the model's name, then runs of keys that each start with their number,
+// u32: bones of 111 bytes, morphs of 23 (a name of 15, the frame u32, the weight f32), cameras, lights, shadows. Names
+// are Shift-JIS and end with a zero byte where they are shorter. Numbers are little-endian; 30 frames make a second.
+
+inline constexpr std::string_view k_vmd_mark = "Vocaloid Motion Data";
+inline constexpr std::string_view k_vmd_header = "Vocaloid Motion Data 0002";
+inline constexpr std::string_view k_vmd_old_header = "Vocaloid Motion Data file";
+inline constexpr std::size_t k_vmd_header_bytes = 30;
+inline constexpr std::size_t k_vmd_model_bytes = 20;
+inline constexpr std::size_t k_vmd_old_model_bytes = 10;
+inline constexpr std::size_t k_vmd_bone_bytes = 111;
+inline constexpr std::size_t k_vmd_morph_name_bytes = 15;
+inline constexpr std::size_t k_vmd_morph_bytes = 23;
+inline constexpr double k_vmd_fps = 30;
+
+}  // namespace penpose::io

@@ -1,0 +1,10 @@
+#include <cstddef>
+#include <cstdint>
+
+#include "core/io/tracks/read_track.h"
+
+// NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer looks for
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  (void)penpose::io::read_cue_track({data, size});
+  return 0;
+}
