@@ -14,6 +14,7 @@
 #include "core/io/gltf/read/internal/gltf_shapes.h"
 #include "core/io/gltf/read/internal/gltf_skins.h"
 #include "core/io/gltf/read/internal/gltf_weight_ranges.h"
+#include "core/io/gltf/read/internal/look/gltf_look.h"
 #include "core/io/model/model_formats.h"
 #include "core/io/project/internal/project_json.h"
 #include "core/io/project/write_document.h"
@@ -94,7 +95,7 @@ struct OpenedModel {
   bool of_another_edition = false;
 };
 
-base::Result<OpenedModel> read_opened(GltfDocument& document) {
+base::Result<OpenedModel> read_opened(GltfDocument& document, const FileResolver& resolve) {
   const auto root = read_root_extras(document.json);
   if (!root) return root.error();
   const auto node_extras = read_node_extras(document.json, *root);
@@ -105,6 +106,7 @@ base::Result<OpenedModel> read_opened(GltfDocument& document) {
   }
   auto meshes = read_meshes(document, tree);
   if (!meshes) return meshes.error();
+  auto look = read_look(document, *meshes, resolve);
   auto shapes = read_shapes(document, *meshes, *root);
   if (!shapes) return shapes.error();
   add_expressions(document, *meshes, *shapes);
@@ -179,6 +181,7 @@ base::Result<OpenedModel> read_opened(GltfDocument& document) {
   auto model = document::make_model(*mesh, std::move(blend_shapes), std::move(skeleton), deformers);
   if (!model) return model.error();
   model->materials = std::move(meshes->materials);
+  model->look = fitting_look(std::move(look), **mesh, document.notes);
   model->pose = std::move(shapes->values);
   model->pose.insert(model->pose.end(), joints->values.begin(), joints->values.end());
   model->curves = root->curves;
@@ -197,7 +200,7 @@ base::Result<OpenedModel> read_opened(GltfDocument& document) {
 base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& resolve) {
   auto opened = open_gltf(bytes, resolve);
   if (!opened) return opened.error();
-  auto read = read_opened(*opened);
+  auto read = read_opened(*opened, resolve);
   if (!read) return read.error();
   return std::move(read->model);
 }
@@ -205,7 +208,7 @@ base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& r
 base::Result<document::Document> read_gltf_document(base::Bytes bytes, const FileResolver& resolve) {
   auto opened = open_gltf(bytes, resolve);
   if (!opened) return opened.error();
-  auto read_model = read_opened(*opened);
+  auto read_model = read_opened(*opened, resolve);
   if (!read_model) return read_model.error();
   document::Model& model = read_model->model;
   const json::Json* extras = json::find(opened->json, "extras");
