@@ -116,6 +116,8 @@ base::Result<Model> with_controls(Model model, std::shared_ptr<const rig::BlendS
   made->materials = std::move(model.materials);
   made->curves = std::move(model.curves);
   made->animations = std::move(model.animations);
+  made->front_yaw_degrees = model.front_yaw_degrees;
+  made->look = std::move(model.look);
   made->notes = std::move(model.notes);
   made->expressions = expressions_for(std::move(model.expressions), model.rig->parameters(), parameters);
   made->front_yaw_degrees = model.front_yaw_degrees;

@@ -79,6 +79,48 @@ std::uint32_t largest_component(const mesh::TriangleMesh& mesh) {
   return static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
 }
 
+/// Which triangles are drawn as the file's look has them: all whose surface is more than its part's plain material.
+void take_look(const document::Model& model, Appearance& appearance) {
+  const auto& look = model.look;
+  const mesh::TriangleMesh& mesh = *model.mesh;
+  const auto known = [&](std::uint32_t s) { return s < look->surfaces.size(); };
+  if (!look || look->surface_of.size() != mesh.triangle_count() ||
+      !std::all_of(look->surface_of.begin(), look->surface_of.end(), known))
+    return;
+  for (const auto* set : {&look->coordinates[0], &look->coordinates[1]}) {
+    if (!set->empty() && set->size() != mesh.vertex_count()) return;
+  }
+  if (!look->colors.empty() && look->colors.size() != mesh.vertex_count()) return;
+  std::vector<std::vector<std::uint32_t>> triangles(look->surfaces.size());
+  std::vector<std::size_t> part_of(look->surfaces.size(), 0);
+  for (std::size_t p = 0; p < mesh.parts().size(); ++p) {
+    const mesh::Part& part = mesh.parts()[p];
+    for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t) {
+      const std::uint32_t s = look->surface_of[t];
+      const document::Surface& surface = look->surfaces[s];
+      const bool plain =
+          !surface.texture && !surface.unlit && look->colors.empty() && s == look->surface_of[part.first_triangle];
+      if (plain) continue;
+      if (triangles[s].empty()) part_of[s] = p;
+      triangles[s].push_back(t);
+    }
+  }
+  for (std::size_t s = 0; s < triangles.size(); ++s) {
+    if (triangles[s].empty()) continue;
+    LookBatch batch{static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(appearance.look_triangles.size()),
+                    static_cast<std::uint32_t>(triangles[s].size())};
+    if (part_of[s] < model.materials.size()) {
+      const Surface plain = from_material(model.materials[part_of[s]]);
+      // Pictures of roughness are not read: what says that it is polished metal mostly has one that says otherwise.
+      batch.roughness = std::max(plain.roughness, 0.5F);
+      batch.metallic = look->surfaces[s].texture ? 0.0F : plain.metallic;
+    }
+    appearance.batches.push_back(batch);
+    appearance.look_triangles.insert(appearance.look_triangles.end(), triangles[s].begin(), triangles[s].end());
+  }
+  if (!appearance.batches.empty()) appearance.look = look;
+}
+
 }  // namespace
 
 Appearance make_appearance(const document::Model& model, const AppearanceOptions& options) {
@@ -129,6 +171,7 @@ Appearance make_appearance(const document::Model& model, const AppearanceOptions
       look.gaze[v] = along > 0 ? static_cast<float>(std::min(away, 1.0)) : 1.0F;
     }
   }
+  take_look(model, look);
   return look;
 }
 

@@ -20,7 +20,8 @@ struct AppearanceOptions {
 /// How the model looks: the file's materials, and eyes, covers, lashes, teeth and gums (recognise_face_parts) in
 /// colours of their own where the file gives them the body's colour. A part with another colour than the body's keeps
 /// it, but its eyeballs get an iris. Metals are drawn half as metallic, because there is no room that they could
-/// mirror.
+/// mirror. Where the model has a look (pictures, colours of vertices, several materials on shared vertices), its
+/// triangles are drawn as that has them.
 [[nodiscard]] Appearance make_appearance(const document::Model& model, const AppearanceOptions& options = {});
 
 /// Positions and normals of the model at its pose, ready for one scene. For a pose that changes keep a

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "core/base/math.h"
 
@@ -34,6 +35,55 @@ std::optional<Viewpoint> find_viewpoint(std::string_view name) {
   if (name == "back") return Viewpoint{180, 0};
   if (name == "top") return Viewpoint{0, 85};
   return std::nullopt;
+}
+
+std::vector<std::uint32_t> face_vertices(const document::Model& model) {
+  constexpr double k_whole = 0.5;
+  constexpr double k_far = 0.25;
+  constexpr double k_margin = 1.0 / 6;
+  if (!model.shapes) return {};
+  std::vector<ModelPoint> rest(model.mesh->vertex_count());
+  model.rig->evaluate(rig::rest_pose(*model.rig), rest);
+  geometry::Box whole;
+  for (const ModelPoint& p : rest) whole.add(p);
+  const double size = whole.diagonal();
+  std::vector<geometry::Box> boxes;
+  for (const rig::BlendShape& shape : model.shapes->shapes()) {
+    float most = 0;
+    for (const glm::vec3& d : shape.deltas) most = std::max(most, glm::dot(d, d));
+    // A hundredth of a shape's motion is what a file's arithmetic leaves behind.
+    geometry::Box box;
+    for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
+      if (glm::dot(shape.deltas[i], shape.deltas[i]) > 1e-4F * most) box.add(rest[shape.vertices[i]]);
+    }
+    if (!box.empty() && box.diagonal() < k_whole * size) boxes.push_back(box);
+  }
+  if (boxes.empty() || 2 * boxes.size() < model.shapes->shapes().size()) return {};
+  ModelPoint middle{0};
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> centers;
+    for (const geometry::Box& box : boxes) centers.push_back(box.center()[axis]);
+    const auto half = centers.begin() + static_cast<std::ptrdiff_t>(centers.size() / 2);
+    std::nth_element(centers.begin(), half, centers.end());
+    middle[axis] = *half;
+  }
+  geometry::Box face;
+  for (const geometry::Box& box : boxes) {
+    if (geometry::distance(box.center(), middle) > k_far * size) continue;
+    face.add(box.minimum);
+    face.add(box.maximum);
+  }
+  if (face.empty() || face.diagonal() > k_whole * size) return {};
+  const ModelVector margin(k_margin * face.diagonal());
+  const ModelPoint low = face.minimum - margin;
+  const ModelPoint high = face.maximum + margin;
+  std::vector<std::uint32_t> vertices;
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    const ModelPoint& p = rest[v];
+    if (glm::all(glm::greaterThanEqual(p, low)) && glm::all(glm::lessThanEqual(p, high)))
+      vertices.push_back(static_cast<std::uint32_t>(v));
+  }
+  return vertices;
 }
 
 geometry::Camera frame_points(std::span<const glm::vec3> points, geometry::Viewport viewport, const Viewpoint& from,

@@ -4,7 +4,9 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
+#include "core/document/model.h"
 #include "core/geometry/camera.h"
 
 namespace penpose::render {
@@ -15,8 +17,14 @@ struct Viewpoint {
   double pitch_degrees = 6;
 };
 
-/// "front", "side" (the subject's left), "three-quarter", "back" or "top"; nothing for another name.
+/// "front", "side" (the subject's left), "three-quarter", "back" or "top"; nothing for another name. By a front that
+/// is +Z: Model::front_yaw_degrees is added to the yaw.
 [[nodiscard]] std::optional<Viewpoint> find_viewpoint(std::string_view name);
+
+/// The vertices around the face of a whole figure: those in the box, widened by a sixth of its diagonal, of what most
+/// blend shapes move. Shapes that move half of the figure or more, or that lie a quarter of it away from the middle
+/// one, do not count. Empty: nothing says where a face is, or it is most of the model already.
+[[nodiscard]] std::vector<std::uint32_t> face_vertices(const document::Model& model);
 
 /// A camera that shows all points with a margin of a twelfth of the picture on the two tight sides, whatever their
 /// units and size. It fits the points themselves, which fills the picture better than their box does. No points: a unit

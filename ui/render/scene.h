@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "core/document/look.h"
 #include "core/geometry/space.h"
 #include "core/mesh/triangle_mesh.h"
 #include "ui/render/picture/color.h"
@@ -19,6 +21,15 @@ struct Surface {
   float metallic = 0;
 };
 
+/// Triangles that are drawn as one surface of a document::Look has it.
+struct LookBatch {
+  std::uint32_t surface = 0;
+  std::uint32_t first = 0;  ///< into Appearance::look_triangles
+  std::uint32_t count = 0;
+  float roughness = 0.8F;
+  float metallic = 0;
+};
+
 /// How a mesh looks, apart from its pose. Vertices of one triangle share a surface.
 struct Appearance {
   std::vector<Surface> surfaces;
@@ -27,6 +38,9 @@ struct Appearance {
   /// eye. The renderer paints iris and pupil there.
   std::vector<float> gaze;
   std::vector<float> opacity;  ///< one a vertex or empty: multiplies the alpha of a translucent surface
+  std::shared_ptr<const document::Look> look{};  ///< pictures and colours that the file gives; null: none
+  std::vector<std::uint32_t> look_triangles{};   ///< drawn as the look has it, a batch after the other
+  std::vector<LookBatch> batches{};
 };
 
 /// The three curves of a sketch and their colours: reference green, target blue, constraint red.
@@ -65,6 +79,7 @@ struct Scene {
   std::span<const CurveDrawing> curves;
   Background background;
   bool wireframe = false;
+  bool clay = false;  ///< without the pictures and colours of the appearance's look
 
   std::uint64_t shape_number = 0;  ///< of triangles and appearance
   std::uint64_t pose_number = 0;   ///< of positions and normals

@@ -13,12 +13,12 @@ namespace {
 /// The view by which a project keeps what its front is.
 constexpr std::string_view k_front = "front";
 
-/// Degrees about +Y by which the model's own front stands away from +Z.
+/// Degrees about +Y by which the model's own front stands away from +Z: as it was set, else as the file has it.
 double front_of(const document::Document& document) {
   for (const auto& named : document.views) {
     if (named->name == k_front) return viewpoint_of(named->view.camera).yaw_degrees;
   }
-  return 0;
+  return document.model->front_yaw_degrees;
 }
 
 }  // namespace
@@ -77,11 +77,20 @@ void Canvas::set_camera(const geometry::CameraPose& camera) {
 
 void Canvas::show_played() { view_.camera = editing_.editor().view().camera; }
 
-void Canvas::frame_all() { frame_from(viewpoint_of(view_.camera)); }
+void Canvas::frame_all() {
+  frames_face_ = false;
+  frame_from(viewpoint_of(view_.camera));
+}
+
+void Canvas::frame_face() {
+  frames_face_ = true;
+  frame_from(viewpoint_of(view_.camera));
+}
 
 void Canvas::begin() {
   surface_.update(editing_.shown().model(), editing_.shown().pose());
   framed_ = true;
+  frames_face_ = true;
   set_flat(false);
   look_from(*render::find_viewpoint("front"));
 }
@@ -96,7 +105,8 @@ void Canvas::frame_from(const render::Viewpoint& from) {
   viewpoint_ = from;
   framed_ = true;
   const bool was_flat = flat();
-  view_ = framed(surface_.positions(), window_, free_, from);
+  const std::vector<glm::vec3> face = frames_face_ ? surface_.face_positions() : std::vector<glm::vec3>();
+  view_ = framed(face.empty() ? surface_.positions() : std::span<const glm::vec3>(face), window_, free_, from);
   if (was_flat) set_flat(true);
 }
 

@@ -18,6 +18,7 @@ namespace penpose::app {
 /// How the canvas is shown. Nothing of it is saved.
 struct CanvasLook {
   bool wireframe = false;
+  bool clay = false;                   ///< without textures and colours of the file
   bool onion_skin = true;              ///< lines of the keys before and after
   bool fullscreen = false;             ///< of the window
   std::shared_ptr<Backdrop> backdrop;  ///< a picture behind the model; null: none
@@ -58,7 +59,9 @@ class Canvas {
   void show_played();
   /// Looks at all of the model from where one looks.
   void frame_all();
-  /// Looks at all of another model from its front.
+  /// Looks at the face from where one looks; at all of a model that is nothing but a face.
+  void frame_face();
+  /// Looks at another model from its front: at the face of a whole figure, else at all of it.
   void begin();
   /// Degrees about the model.
   void turn(double yaw, double pitch);
@@ -88,7 +91,8 @@ class Canvas {
   Area free_{0, 0, 1280, 800};
   document::View view_;
   render::Viewpoint viewpoint_;
-  bool framed_ = false;  ///< the view still frames the model: it follows the window's size
+  bool frames_face_ = false;  ///< where it frames, the face and not all
+  bool framed_ = false;       ///< the view still frames the model: it follows the window's size
 };
 
 /// Puts a picture, or the frames of a film, behind the model. False, and said why, where it cannot be read.

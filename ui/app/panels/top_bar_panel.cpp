@@ -112,6 +112,7 @@ void show_top_bar(PanelContext& context, const Area& area, Canvas& canvas, Canva
     row.add(Action::mirror_strokes, playback.while_drawing().mirrors);
     row.add(Action::search, false, true, false);
     row.add(Action::wireframe, look.wireframe, true, false);
+    if (canvas.surface().appearance().look) row.add(Action::clay, look.clay, true, false);
     row.add(Action::panels);
     // What to do next is worth a third of the bar.
     const float room = ImGui::GetContentRegionAvail().x - 1.2F * context.unit;

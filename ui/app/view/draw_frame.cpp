@@ -88,6 +88,7 @@ DrawFrame FrameMaker::make() {
   if (parts_.preferences.settings().light)
     last_.background = {render::from_srgb(0xe4e7ea), render::from_srgb(0xaab2ba)};
   last_.wireframe = parts_.look.wireframe;
+  last_.clay = parts_.look.clay;
   last_.view = {parts_.canvas.view().camera, parts_.canvas.window()};
   DrawFrame frame = last_;
   frame.curves = parts_.drawing.curves;

@@ -23,6 +23,7 @@ struct DrawFrame {
   render::Background background;
   render::Behind behind;
   bool wireframe = false;
+  bool clay = false;
   std::uint64_t shape_number = 0;  ///< as render::Scene
   std::uint64_t pose_number = 0;
   std::uint64_t overlay_number = 0;

@@ -35,6 +35,7 @@ base::Status Picture::draw(const DrawFrame& frame) {
   if (frame.overlay) scene.overlay = *frame.overlay;
   scene.curves = frame.curves;
   scene.wireframe = frame.wireframe;
+  scene.clay = frame.clay;
   scene.background = frame.background;
   scene.shape_number = frame.shape_number;
   scene.pose_number = frame.pose_number;

@@ -11,6 +11,7 @@ bool PosedSurface::update(const std::shared_ptr<const document::Model>& model, s
     if (!same_rig) poser_.emplace(model->rig);
     if (!same_mesh) {
       appearance_ = render::make_appearance(*model);
+      face_ = render::face_vertices(*model);
       size_ = document::rest_world_box(*model).diagonal();
       if (!(size_ > 0)) size_ = 1;
       tree_.reset();
@@ -21,6 +22,13 @@ bool PosedSurface::update(const std::shared_ptr<const document::Model>& model, s
   if (poser_->update(pose)) changed = true;
   if (changed) ++pose_number_;
   return changed;
+}
+
+std::vector<glm::vec3> PosedSurface::face_positions() const {
+  std::vector<glm::vec3> at;
+  at.reserve(face_.size());
+  for (const std::uint32_t v : face_) at.push_back(positions()[v]);
+  return at;
 }
 
 glm::vec3 PosedSurface::at(const mesh::MeshPoint& point) const {

@@ -3,12 +3,14 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/document/model.h"
 #include "core/geometry/bvh.h"
 #include "core/geometry/camera.h"
 #include "core/rig/surface_poser.h"
 #include "ui/render/appearance.h"
+#include "ui/render/framing.h"
 
 namespace penpose::app {
 
@@ -23,6 +25,8 @@ class PosedSurface {
   [[nodiscard]] const document::Model& model() const { return *model_; }
   [[nodiscard]] const std::shared_ptr<const document::Model>& shared_model() const { return model_; }
   [[nodiscard]] const render::Appearance& appearance() const { return appearance_; }
+  /// Where the vertices of a whole figure's face are now; empty: all of the model is the face (render::face_vertices).
+  [[nodiscard]] std::vector<glm::vec3> face_positions() const;
   /// Numbers that change with the triangles and with the pose; never 0.
   [[nodiscard]] std::uint64_t shape_number() const { return shape_number_; }
   [[nodiscard]] std::uint64_t pose_number() const { return pose_number_; }
@@ -37,6 +41,7 @@ class PosedSurface {
   std::shared_ptr<const document::Model> model_;
   std::optional<rig::SurfacePoser> poser_;
   render::Appearance appearance_;
+  std::vector<std::uint32_t> face_;
   std::optional<geometry::TriangleBvh> tree_;
   std::uint64_t tree_pose_ = 0;
   std::uint64_t shape_number_ = 0;

@@ -43,6 +43,7 @@ struct Options {
   std::string output;
   bool wireframe = false;
   bool plain = false;
+  bool clay = false;
   bool curves = false;
   std::string cases;
   std::string case_name;
@@ -116,7 +117,17 @@ base::Result<geometry::Camera> make_camera(const Options& options, const documen
   if (options.camera.empty()) {
     document::Model rest = model;
     if (!options.time_s) rest.pose = rig::rest_pose(*model.rig);
-    return render::frame_points(render::posed_mesh(rest).positions, viewport, *render::find_viewpoint(options.view));
+    std::vector<glm::vec3> points = render::posed_mesh(rest).positions;
+    const bool face = options.view == "face";
+    render::Viewpoint from = *render::find_viewpoint(face ? "front" : options.view);
+    from.yaw_degrees += model.front_yaw_degrees;
+    const auto of_face = face ? render::face_vertices(model) : std::vector<std::uint32_t>();
+    if (!of_face.empty()) {
+      std::vector<glm::vec3> seen;
+      for (const std::uint32_t v : of_face) seen.push_back(points[v]);
+      points = std::move(seen);
+    }
+    return render::frame_points(points, viewport, from);
   }
   const auto bytes = files::read_file(options.camera, files::k_most_text_bytes);
   if (!bytes) return bytes.error();
@@ -139,8 +150,10 @@ int draw(const Options& options, const document::Model& model, render::Renderer&
   render::Scene scene = render::scene_of(model, posed, appearance);
   scene.curves = curves;
   scene.wireframe = options.wireframe;
+  scene.clay = options.clay;
   const auto image = renderer.render(scene, camera);
   if (!image) return files::report(image.error(), options.model);
+  for (const std::string& note : renderer.take_notes()) files::warn(note, options.model);
   const auto png = render::encode_png(*image);
   if (!png) return files::report(png.error(), output);
   if (auto written = files::write_file(output, *png); !written) return files::report(written.error(), output);
@@ -266,10 +279,11 @@ void add_options(CLI::App& command, Options& options) {
   auto* camera =
       command.add_option("--camera", options.camera, R"(JSON file: {"eye", "look_at", "up", "vertical_fov_degrees"})");
   command.add_option("--view", options.view, "where to look from")
-      ->check(CLI::IsMember({"front", "side", "three-quarter", "back", "top"}))
+      ->check(CLI::IsMember({"front", "side", "three-quarter", "back", "top", "face"}))
       ->capture_default_str()
       ->excludes(camera);
   command.add_flag("--wireframe", options.wireframe, "draw the edges too");
+  command.add_flag("--clay", options.clay, "the shape alone, without textures and colours of vertices");
   command.add_flag("--plain", options.plain, "the file's materials only: do not tell eyes and teeth apart by shape");
   command.add_flag("--curves", options.curves, "draw the curves that the model carries");
   auto* cases = command.add_option("--cases", options.cases, "file of posing cases; draws the curves of one");

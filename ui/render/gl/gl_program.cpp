@@ -30,10 +30,10 @@ base::Result<unsigned> compile(unsigned kind, std::string_view source) {
 }  // namespace
 
 base::Result<GlProgram> GlProgram::make(std::string_view vertex, std::string_view fragment,
-                                        std::initializer_list<const char*> attributes) {
+                                        std::initializer_list<const char*> attributes, std::string_view functions) {
   auto first = compile(GL_VERTEX_SHADER, vertex);
   if (!first) return first.error();
-  auto second = compile(GL_FRAGMENT_SHADER, fragment);
+  auto second = compile(GL_FRAGMENT_SHADER, std::string(functions).append(fragment));
   if (!second) {
     glDeleteShader(*first);
     return second.error();

@@ -12,9 +12,10 @@ namespace penpose::render {
 /// share; the version line is added here.
 class GlProgram {
  public:
-  /// `attributes` get locations 0, 1, ... in their order. Errors: what the driver's compiler says, in one line.
+  /// `attributes` get locations 0, 1, ... in their order; `functions` stand before the fragment shader. Errors: what
+  /// the driver's compiler says, in one line.
   static base::Result<GlProgram> make(std::string_view vertex, std::string_view fragment,
-                                      std::initializer_list<const char*> attributes);
+                                      std::initializer_list<const char*> attributes, std::string_view functions = {});
   GlProgram() = default;
   ~GlProgram();
   GlProgram(GlProgram&& other) noexcept;

@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <epoxy/gl.h>
+#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <limits>
 #include <utility>
 
+#include "core/base/math.h"
 #include "ui/render/gl/shaders.h"
 
 namespace penpose::render {
@@ -38,6 +40,26 @@ void fill(unsigned buffer, std::span<const glm::vec3> data) {
 
 const void* offset(std::size_t bytes) {
   return reinterpret_cast<const void*>(bytes);  // what OpenGL calls a pointer is an offset here
+}
+
+constexpr unsigned k_coordinates_place = 5;
+constexpr unsigned k_tint_place = 6;
+/// Of what is blended, all that is as good as opaque hides what is behind it.
+constexpr float k_nearly_opaque = 0.98F;
+constexpr float k_nearly_clear = 0.004F;
+
+bool look_fits(const Appearance& appearance, std::size_t vertices, std::size_t triangles) {
+  if (!appearance.look) return appearance.batches.empty();
+  const document::Look& look = *appearance.look;
+  const auto fits = [&](std::size_t size) { return size == 0 || size == vertices; };
+  const auto batch_fits = [&](const LookBatch& batch) {
+    return batch.surface < look.surfaces.size() && batch.first <= appearance.look_triangles.size() &&
+           batch.count <= appearance.look_triangles.size() - batch.first;
+  };
+  return fits(look.coordinates[0].size()) && fits(look.coordinates[1].size()) && fits(look.colors.size()) &&
+         std::all_of(appearance.batches.begin(), appearance.batches.end(), batch_fits) &&
+         std::all_of(appearance.look_triangles.begin(), appearance.look_triangles.end(),
+                     [&](std::uint32_t t) { return t < triangles; });
 }
 
 }  // namespace
@@ -91,15 +113,21 @@ View make_view(std::span<const glm::vec3> positions, const geometry::Camera& cam
 
 base::Result<MeshPass> MeshPass::make() {
   const auto attributes = {"position", "normal", "base_color", "finish", "overlay"};
-  auto surface = GlProgram::make(k_mesh_vertex, k_mesh_fragment, attributes);
+  auto surface = GlProgram::make(k_mesh_vertex, k_mesh_fragment, attributes, k_lights);
   if (!surface) return surface.error();
   auto wire = GlProgram::make(k_mesh_vertex, k_wire_fragment, attributes);
   if (!wire) return wire.error();
+  auto looks =
+      GlProgram::make(k_look_vertex, k_look_fragment,
+                      {"position", "normal", "base_color", "finish", "overlay", "coordinates", "tint"}, k_lights);
+  if (!looks) return looks.error();
   MeshPass made;
+  made.looks_ = std::move(*looks);
   made.surface_ = std::move(*surface);
   made.wire_ = std::move(*wire);
   glGenVertexArrays(1, &made.vertex_array_);
-  for (unsigned* buffer : {&made.positions_, &made.normals_, &made.finish_, &made.overlay_, &made.indices_}) {
+  for (unsigned* buffer : {&made.positions_, &made.normals_, &made.finish_, &made.overlay_, &made.indices_,
+                           &made.coordinates_, &made.tint_}) {
     glGenBuffers(1, buffer);
   }
   glBindVertexArray(made.vertex_array_);
@@ -122,6 +150,14 @@ base::Result<MeshPass> MeshPass::make() {
 MeshPass::MeshPass(MeshPass&& other) noexcept
     : surface_(std::move(other.surface_)),
       wire_(std::move(other.wire_)),
+      looks_(std::move(other.looks_)),
+      textures_(std::move(other.textures_)),
+      look_(std::move(other.look_)),
+      batches_(std::move(other.batches_)),
+      blended_(std::move(other.blended_)),
+      coordinates_(std::exchange(other.coordinates_, 0)),
+      tint_(std::exchange(other.tint_, 0)),
+      clay_(other.clay_),
       vertex_array_(std::exchange(other.vertex_array_, 0)),
       positions_(std::exchange(other.positions_, 0)),
       normals_(std::exchange(other.normals_, 0)),
@@ -141,7 +177,7 @@ MeshPass::MeshPass(MeshPass&& other) noexcept
 
 MeshPass::~MeshPass() {
   if (vertex_array_ != 0) glDeleteVertexArrays(1, &vertex_array_);
-  for (const unsigned buffer : {positions_, normals_, finish_, overlay_, indices_}) {
+  for (const unsigned buffer : {positions_, normals_, finish_, overlay_, indices_, coordinates_, tint_}) {
     if (buffer != 0) glDeleteBuffers(1, &buffer);
   }
 }
@@ -160,23 +196,45 @@ void MeshPass::upload_shape(const Scene& scene) {
                                                   to_byte(look.opacity.empty() ? 1.0F : look.opacity[v])}};
   }
   fill(GL_ARRAY_BUFFER, finish_, finish, GL_STATIC_DRAW);
-  // Opaque triangles, then translucent ones, then (when asked for) the edges of the opaque ones.
+  // Opaque triangles, then translucent ones, then those of the look, then (when asked for) the edges of the opaque
+  // ones.
+  const bool looks = look.look && !scene.clay;
+  std::vector<bool> is_of_look(looks ? scene.triangles.size() : 0, false);
+  if (looks) {
+    for (const std::uint32_t t : look.look_triangles) is_of_look[t] = true;
+  }
   std::vector<std::uint32_t> indices;
   indices.reserve(scene.triangles.size() * (scene.wireframe ? 6 : 3));
   const auto clear = [&](const mesh::Triangle& t) { return surface_of(t[0]).base_color.a < 1.0F; };
   for (const bool wanted : {false, true}) {
-    for (const mesh::Triangle& t : scene.triangles) {
-      if (clear(t) == wanted) indices.insert(indices.end(), t.begin(), t.end());
+    for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
+      const mesh::Triangle& t = scene.triangles[i];
+      if ((!looks || !is_of_look[i]) && clear(t) == wanted) indices.insert(indices.end(), t.begin(), t.end());
     }
     (wanted ? translucent_count_ : opaque_count_) = static_cast<int>(indices.size()) - (wanted ? opaque_count_ : 0);
   }
+  batches_.clear();
+  blended_.clear();
+  for (const LookBatch& one : looks ? look.batches : std::vector<LookBatch>()) {
+    Batch batch{one, indices.size(), {}};
+    const bool blends = look.look->surfaces[one.surface].alpha == document::AlphaMode::blend;
+    for (const std::uint32_t i : std::span(look.look_triangles).subspan(one.first, one.count)) {
+      const mesh::Triangle& t = scene.triangles[i];
+      indices.insert(indices.end(), t.begin(), t.end());
+      if (blends) batch.triangles.push_back(t);
+    }
+    if (blends) blended_.push_back(batches_.size());
+    batches_.push_back(std::move(batch));
+  }
+  first_edge_ = indices.size();
   has_edges_ = scene.wireframe;
   edge_count_ = 0;
   if (has_edges_) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
     edges.reserve(scene.triangles.size() * 3);
-    for (const mesh::Triangle& t : scene.triangles) {
-      if (clear(t)) continue;
+    for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
+      const mesh::Triangle& t = scene.triangles[i];
+      if ((!looks || !is_of_look[i]) && clear(t)) continue;
       for (std::size_t k = 0; k < 3; ++k) edges.emplace_back(std::minmax(t[k], t[(k + 1) % 3]));
     }
     std::sort(edges.begin(), edges.end());
@@ -187,6 +245,72 @@ void MeshPass::upload_shape(const Scene& scene) {
   glBindVertexArray(vertex_array_);
   fill(GL_ELEMENT_ARRAY_BUFFER, indices_, indices, GL_STATIC_DRAW);
   glBindVertexArray(0);
+  upload_look(look);
+}
+
+void MeshPass::upload_look(const Appearance& appearance) {
+  look_ = batches_.empty() ? nullptr : appearance.look;
+  glBindVertexArray(vertex_array_);
+  if (!look_) {
+    // Models without pictures take no memory for them; clay keeps them, because one looks at both in turn.
+    if (!appearance.look) textures_.clear();
+    glDisableVertexAttribArray(k_coordinates_place);
+    glDisableVertexAttribArray(k_tint_place);
+    fill(GL_ARRAY_BUFFER, coordinates_, std::vector<float>(), GL_STATIC_DRAW);
+    fill(GL_ARRAY_BUFFER, tint_, std::vector<float>(), GL_STATIC_DRAW);
+    glBindVertexArray(0);
+    return;
+  }
+  const auto& [first, second] = look_->coordinates;
+  std::vector<std::array<float, 4>> coordinates(vertex_count_, std::array<float, 4>{0, 0, 0, 0});
+  for (std::size_t v = 0; v < vertex_count_; ++v) {
+    if (!first.empty()) std::copy(first[v].begin(), first[v].end(), coordinates[v].begin());
+    if (!second.empty()) std::copy(second[v].begin(), second[v].end(), coordinates[v].begin() + 2);
+  }
+  std::vector<Bytes4> tint(vertex_count_, Bytes4{255, 255, 255, 255});
+  for (std::size_t v = 0; v < look_->colors.size(); ++v) {
+    const auto& c = look_->colors[v];
+    tint[v] = pack({c[0], c[1], c[2], c[3]});
+  }
+  fill(GL_ARRAY_BUFFER, coordinates_, coordinates, GL_STATIC_DRAW);
+  glEnableVertexAttribArray(k_coordinates_place);
+  glVertexAttribPointer(k_coordinates_place, 4, GL_FLOAT, GL_FALSE, 16, offset(0));
+  fill(GL_ARRAY_BUFFER, tint_, tint, GL_STATIC_DRAW);
+  glEnableVertexAttribArray(k_tint_place);
+  glVertexAttribPointer(k_tint_place, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, offset(0));
+  glBindVertexArray(0);
+  std::vector<bool> used(look_->surfaces.size(), false);
+  for (const Batch& batch : batches_) used[batch.of.surface] = true;
+  textures_.keep(*look_, used);
+}
+
+void MeshPass::order(const Scene& scene, const View& view) {
+  if (blended_.empty()) return;
+  // Away from the eye is against z.
+  const glm::vec3 away{-view.to_view[0][2], -view.to_view[1][2], -view.to_view[2][2]};
+  std::vector<double> depth_of(batches_.size(), 0);
+  std::vector<std::pair<float, mesh::Triangle>> sorted;
+  glBindVertexArray(vertex_array_);
+  for (const std::size_t b : blended_) {
+    Batch& batch = batches_[b];
+    sorted.clear();
+    for (const mesh::Triangle& t : batch.triangles) {
+      const float depth = glm::dot(away, scene.positions[t[0]] + scene.positions[t[1]] + scene.positions[t[2]]);
+      depth_of[b] += static_cast<double>(depth) / static_cast<double>(batch.triangles.size());
+      sorted.emplace_back(depth, t);
+    }
+    const auto farther = [](const auto& one, const auto& other) { return one.first > other.first; };
+    if (!(std::is_sorted(sorted.begin(), sorted.end(), farther))) {
+      std::stable_sort(sorted.begin(), sorted.end(), farther);
+      std::transform(sorted.begin(), sorted.end(), batch.triangles.begin(), [](const auto& one) { return one.second; });
+      glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLintptr>(batch.first_index * sizeof(std::uint32_t)),
+                      static_cast<GLsizeiptr>(batch.triangles.size() * sizeof(mesh::Triangle)), batch.triangles.data());
+    }
+  }
+  glBindVertexArray(0);
+  std::sort(blended_.begin(), blended_.end());
+  std::stable_sort(blended_.begin(), blended_.end(),
+                   [&](std::size_t a, std::size_t b) { return depth_of[a] > depth_of[b]; });
 }
 
 base::Status MeshPass::upload(const Scene& scene) {
@@ -195,7 +319,8 @@ base::Status MeshPass::upload(const Scene& scene) {
     return base::Error{"normals or colours do not fit the vertices", "scene", "give one a vertex"};
   }
   const bool new_shape = scene.shape_number == 0 || scene.shape_number != shape_number_ || count != vertex_count_ ||
-                         scene.triangles.size() != triangle_count_ || (scene.wireframe && !has_edges_);
+                         scene.triangles.size() != triangle_count_ || (scene.wireframe && !has_edges_) ||
+                         scene.clay != clay_;
   if (new_shape) {
     if (const Appearance* look = scene.appearance) {
       const auto known = [&](std::uint16_t s) { return s < look->surfaces.size(); };
@@ -203,7 +328,8 @@ base::Status MeshPass::upload(const Scene& scene) {
                         (look->surface_of_vertex.empty() || look->surface_of_vertex.size() == count) &&
                         (look->gaze.empty() || look->gaze.size() == count) &&
                         (look->opacity.empty() || look->opacity.size() == count) &&
-                        std::all_of(look->surface_of_vertex.begin(), look->surface_of_vertex.end(), known);
+                        std::all_of(look->surface_of_vertex.begin(), look->surface_of_vertex.end(), known) &&
+                        look_fits(*look, count, scene.triangles.size());
       if (!fits) return base::Error{"the appearance does not fit the vertices", "scene", "make it from this mesh"};
     }
     for (const mesh::Triangle& t : scene.triangles) {
@@ -213,6 +339,7 @@ base::Status MeshPass::upload(const Scene& scene) {
     }
     vertex_count_ = count;
     triangle_count_ = scene.triangles.size();
+    clay_ = scene.clay;
     upload_shape(scene);
   }
   const bool new_pose = new_shape || scene.pose_number == 0 || scene.pose_number != pose_number_;
@@ -256,32 +383,89 @@ void MeshPass::draw_opaque(const View& view, bool wireframe) const {
   set_view(surface_, view);
   surface_.set("opaque_pass", 1.0F);
   glDrawElements(GL_TRIANGLES, opaque_count_, GL_UNSIGNED_INT, nullptr);
+  if (look_) {
+    set_view(looks_, view);
+    for (const document::AlphaMode mode :
+         {document::AlphaMode::opaque, document::AlphaMode::mask, document::AlphaMode::blend}) {
+      for (const Batch& batch : batches_) {
+        const document::Surface& surface = look_->surfaces[batch.of.surface];
+        if (surface.alpha != mode) continue;
+        draw_batch(batch, mode == document::AlphaMode::opaque ? -1.0F
+                          : mode == document::AlphaMode::mask ? static_cast<float>(surface.alpha_cutoff)
+                                                              : k_nearly_opaque);
+      }
+    }
+    glDisable(GL_CULL_FACE);
+    glBindTexture(GL_TEXTURE_2D, 0);
+  }
   glDisable(GL_POLYGON_OFFSET_FILL);
   if (wireframe && has_edges_) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
     set_view(wire_, view);
-    glDrawElements(GL_LINES, edge_count_, GL_UNSIGNED_INT,
-                   offset(static_cast<std::size_t>(opaque_count_ + translucent_count_) * sizeof(std::uint32_t)));
+    glDrawElements(GL_LINES, edge_count_, GL_UNSIGNED_INT, offset(first_edge_ * sizeof(std::uint32_t)));
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
   }
   glBindVertexArray(0);
 }
 
+void MeshPass::draw_batch(const Batch& batch, float least_alpha) const {
+  const document::Surface& surface = look_->surfaces[batch.of.surface];
+  const auto single = [](double value) { return static_cast<float>(value); };
+  const auto& color = surface.base_color;
+  const bool textured = surface.texture && textures_.bind(*look_, *surface.texture);
+  if (textured) {
+    // KHR_texture_transform: shift, turn, scale. Its turn counts against the clock where v runs down.
+    const document::TextureUse& use = *surface.texture;
+    const double sine = base::sin(use.rotation);
+    const double cosine = base::cos(use.rotation);
+    looks_.set("along_u", single(cosine * use.scale[0]), single(-sine * use.scale[0]));
+    looks_.set("along_v", single(sine * use.scale[1]), single(cosine * use.scale[1]));
+    looks_.set("shift", single(use.offset[0]), single(use.offset[1]));
+    looks_.set("second_set", use.coordinates == 1 ? 1.0F : 0.0F);
+  }
+  const bool lost = surface.texture && !textured;  // its picture cannot be read: grey
+  const double share = lost ? 0.6 : 1.0;
+  looks_.set("picture", 0);
+  looks_.set("textured", textured ? 1.0F : 0.0F);
+  looks_.set("factor", single(color[0] * share), single(color[1] * share), single(color[2] * share));
+  looks_.set("opacity", lost ? 1.0F : single(color[3]));
+  looks_.set("least_alpha", least_alpha);
+  looks_.set("unlit", surface.unlit && !lost ? 1.0F : 0.0F);
+  looks_.set("roughness", batch.of.roughness);
+  looks_.set("metallic", batch.of.metallic);
+  if (surface.double_sided) {
+    glDisable(GL_CULL_FACE);
+  } else {
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+  }
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.of.count * 3), GL_UNSIGNED_INT,
+                 offset(batch.first_index * sizeof(std::uint32_t)));
+}
+
 void MeshPass::draw_translucent(const View& view) const {
-  if (translucent_count_ == 0) return;
+  if (translucent_count_ == 0 && blended_.empty()) return;
   glBindVertexArray(vertex_array_);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  set_view(surface_, view);
-  surface_.set("opaque_pass", 0.0F);
-  glDrawElements(GL_TRIANGLES, translucent_count_, GL_UNSIGNED_INT,
-                 offset(static_cast<std::size_t>(opaque_count_) * sizeof(std::uint32_t)));
+  if (!blended_.empty()) {
+    set_view(looks_, view);
+    for (const std::size_t b : blended_) draw_batch(batches_[b], k_nearly_clear);
+    glDisable(GL_CULL_FACE);
+    glBindTexture(GL_TEXTURE_2D, 0);
+  }
+  if (translucent_count_ > 0) {
+    set_view(surface_, view);
+    surface_.set("opaque_pass", 0.0F);
+    glDrawElements(GL_TRIANGLES, translucent_count_, GL_UNSIGNED_INT,
+                   offset(static_cast<std::size_t>(opaque_count_) * sizeof(std::uint32_t)));
+  }
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
   glBindVertexArray(0);

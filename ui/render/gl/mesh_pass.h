@@ -7,6 +7,7 @@
 #include "core/base/result.h"
 #include "core/geometry/camera.h"
 #include "ui/render/gl/gl_program.h"
+#include "ui/render/gl/textures.h"
 #include "ui/render/scene.h"
 
 namespace penpose::render {
@@ -36,17 +37,37 @@ class MeshPass {
 
   /// Sends what has changed. Errors: arrays of different sizes, an index out of range.
   base::Status upload(const Scene& scene);
+  /// Puts translucent triangles with pictures into the order in which this view sees them, the farthest first.
+  void order(const Scene& scene, const View& view);
+  /// Pictures that could not be read, one line each; each is told once.
+  [[nodiscard]] std::vector<std::string> take_notes() { return textures_.take_notes(); }
   /// Opaque surfaces into the current framebuffer.
   void draw_opaque(const View& view, bool wireframe) const;
-  [[nodiscard]] bool has_translucent() const { return translucent_count_ > 0; }
   void draw_translucent(const View& view) const;
 
  private:
+  /// A batch of the look as it lies among the indices.
+  struct Batch {
+    LookBatch of;
+    std::size_t first_index = 0;
+    std::vector<mesh::Triangle> triangles;  ///< of blended ones, which are sorted
+  };
+
   void set_view(const GlProgram& program, const View& view) const;
   void upload_shape(const Scene& scene);
+  void upload_look(const Appearance& appearance);
+  void draw_batch(const Batch& batch, float least_alpha) const;
 
   GlProgram surface_;
   GlProgram wire_;
+  GlProgram looks_;
+  Textures textures_;
+  std::shared_ptr<const document::Look> look_;
+  std::vector<Batch> batches_;
+  std::vector<std::size_t> blended_;  ///< of batches_, in the order in which they are drawn
+  unsigned coordinates_ = 0;
+  unsigned tint_ = 0;
+  bool clay_ = false;
   unsigned vertex_array_ = 0;
   unsigned positions_ = 0;
   unsigned normals_ = 0;
@@ -58,6 +79,7 @@ class MeshPass {
   int opaque_count_ = 0;
   int translucent_count_ = 0;
   int edge_count_ = 0;
+  std::size_t first_edge_ = 0;  ///< among the indices
   bool has_edges_ = false;
   std::uint64_t shape_number_ = 0;
   std::uint64_t pose_number_ = 0;

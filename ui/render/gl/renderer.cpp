@@ -29,6 +29,7 @@ struct Drawn {
   std::uint64_t overlay = 0;
   bool has_overlay = false;
   bool wireframe = false;
+  bool clay = false;
   Background background;
   geometry::CameraPose camera;
   geometry::Viewport viewport;
@@ -39,9 +40,9 @@ struct Drawn {
       return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
     };
     return shape != 0 && pose != 0 && shape == other.shape && pose == other.pose && overlay == other.overlay &&
-           has_overlay == other.has_overlay && wireframe == other.wireframe && camera == other.camera &&
-           viewport == other.viewport && behind == other.behind && same_color(background.top, other.background.top) &&
-           same_color(background.bottom, other.background.bottom);
+           has_overlay == other.has_overlay && wireframe == other.wireframe && clay == other.clay &&
+           camera == other.camera && viewport == other.viewport && behind == other.behind &&
+           same_color(background.top, other.background.top) && same_color(background.bottom, other.background.bottom);
   }
 };
 
@@ -215,9 +216,9 @@ base::Status Renderer::draw_picture(const Scene& scene, const geometry::Camera& 
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthMask(GL_TRUE);
   if (epoxy_is_desktop_gl()) glEnable(GL_MULTISAMPLE);
-  const Drawn now{scene.shape_number,     scene.pose_number, scene.overlay_number,
-                  !scene.overlay.empty(), scene.wireframe,   scene.background,
-                  camera.pose(),          camera.viewport(), s.behind};
+  const Drawn now{scene.shape_number, scene.pose_number, scene.overlay_number, !scene.overlay.empty(), scene.wireframe,
+                  scene.clay,         scene.background,  camera.pose(),        camera.viewport(),      s.behind};
+  s.mesh.order(scene, view);
   const bool same = now.same_as(s.last) && (now.overlay != 0 || !now.has_overlay);
   s.last = now;
   s.still = now.shape != 0 && now.pose != 0;
@@ -251,6 +252,7 @@ base::Status Renderer::draw(const Scene& scene, const geometry::Camera& camera, 
 
 void Renderer::set_behind(Behind behind) { state_->behind = std::move(behind); }
 void Renderer::set_smoothing(bool on) { state_->smooths = on; }
+std::vector<std::string> Renderer::take_notes() { return state_->mesh.take_notes(); }
 bool Renderer::refining() const {
   const State& s = *state_;
   return s.smooths && s.still && s.targets.samples() == 0 && !s.occlude && s.passes < k_most_passes;

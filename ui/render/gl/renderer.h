@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/geometry/camera.h"
@@ -41,6 +42,8 @@ class Renderer {
   /// With one sample a pixel: pictures of what does not change are averaged, each moved by a part of a px, so that
   /// edges are smooth a few pictures after the last change.
   void set_smoothing(bool on);
+  /// Pictures of models that could not be read and so were drawn grey, one line each; each is told once.
+  [[nodiscard]] std::vector<std::string> take_notes();
   /// Whether the next picture of the same scene would be smoother.
   [[nodiscard]] bool refining() const;
   /// Name and version of the driver, for messages.

@@ -66,17 +66,44 @@ void main() {
 }
 )";
 
+/// The same for surfaces with pictures and colours of their own.
+inline constexpr std::string_view k_look_vertex = R"(
+in vec3 position;
+in vec3 normal;
+in vec4 base_color;
+in vec4 finish;
+in vec4 overlay;
+in vec4 coordinates;
+in vec4 tint;
+uniform vec3 middle;
+uniform float scale;
+uniform mat4 to_view;
+uniform mat4 to_clip;
+uniform float second_set;
+uniform vec2 along_u;
+uniform vec2 along_v;
+uniform vec2 shift;
+out vec3 view_position;
+out vec3 view_normal;
+out vec4 color;
+out vec4 over;
+out vec2 at;
+void main() {
+  vec4 p = to_view * vec4((position - middle) * scale, 1.0);
+  view_position = p.xyz;
+  view_normal = mat3(to_view) * normal;
+  color = vec4(tint.rgb * tint.rgb, tint.a);
+  over = overlay;
+  vec2 uv = second_set > 0.5 ? coordinates.zw : coordinates.xy;
+  at = along_u * uv.x + along_v * uv.y + shift;
+  gl_Position = to_clip * p;
+}
+)";
+
 /// Three lights that move with the camera (key from the upper left, cool fill from the right, rim from behind above), a
 /// sky-and-ground ambient and a GGX highlight (Walter et al. 2007; visibility after Hammon 2017). Sums are made in
 /// linear light. What is seen from its back is the inside of something: it is drawn dim.
-inline constexpr std::string_view k_mesh_fragment = R"(
-in vec3 view_position;
-in vec3 view_normal;
-in vec4 albedo;
-in vec3 surface;
-uniform float opaque_pass;
-out vec4 result;
-
+inline constexpr std::string_view k_lights = R"(
 vec3 lit(vec3 n, vec3 v, vec3 l, vec3 light, vec3 diffuse, vec3 f0, float alpha, float wrap) {
   float raw = dot(n, l);
   float soft = max((raw + wrap) / (1.0 + wrap), 0.0);
@@ -97,6 +124,30 @@ vec3 to_display(vec3 c) {
   return mix(c * 12.92, 1.055 * pow(max(c, vec3(0.0031308)), vec3(1.0 / 2.4)) - 0.055, step(vec3(0.0031308), c));
 }
 
+vec3 lighted(vec3 n, vec3 v, vec3 base, float roughness, float metallic, float occlude) {
+  float alpha = max(roughness * roughness, 0.01);
+  vec3 f0 = mix(vec3(0.035), base, metallic);
+  vec3 diffuse = base * (1.0 - metallic);
+  vec3 ambient = mix(vec3(0.085, 0.072, 0.064), vec3(0.20, 0.215, 0.24), n.y * 0.5 + 0.5);
+  vec3 color = ambient * (diffuse + f0 * (1.0 - 0.7 * roughness));
+  color += lit(n, v, normalize(vec3(-0.50, 0.62, 0.72)), vec3(0.86, 0.81, 0.75), diffuse, f0, alpha, 0.18);
+  color += lit(n, v, normalize(vec3(0.85, 0.10, 0.50)), vec3(0.11, 0.125, 0.15), diffuse, f0, max(alpha, 0.2), 0.3);
+  color += lit(n, v, normalize(vec3(0.45, 0.55, -0.75)), vec3(0.40, 0.44, 0.50), diffuse, f0, max(alpha, 0.25), 0.0);
+  color *= occlude;
+  // A soft shoulder: white things keep their shading.
+  return color * (1.0 + color * 0.35) / (1.0 + color * 0.62);
+}
+)";
+
+/// Plain surfaces, after k_lights.
+inline constexpr std::string_view k_mesh_fragment = R"(
+in vec3 view_position;
+in vec3 view_normal;
+in vec4 albedo;
+in vec3 surface;
+uniform float opaque_pass;
+out vec4 result;
+
 void main() {
   vec3 n = normalize(view_normal);
   vec3 v = normalize(-view_position);
@@ -113,18 +164,8 @@ void main() {
     base = mix(color, vec3(0.006), 1.0 - smoothstep(0.19 - w, 0.19 + w, d));
     roughness = 0.12;
   }
-  float alpha = max(roughness * roughness, 0.01);
-  vec3 f0 = mix(vec3(0.035), base, surface.y);
   vec3 diffuse = base * (1.0 - surface.y);
-  float occlude = mix(1.0, 0.22, inside);
-  vec3 ambient = mix(vec3(0.085, 0.072, 0.064), vec3(0.20, 0.215, 0.24), n.y * 0.5 + 0.5);
-  vec3 color = ambient * (diffuse + f0 * (1.0 - 0.7 * roughness));
-  color += lit(n, v, normalize(vec3(-0.50, 0.62, 0.72)), vec3(0.86, 0.81, 0.75), diffuse, f0, alpha, 0.18);
-  color += lit(n, v, normalize(vec3(0.85, 0.10, 0.50)), vec3(0.11, 0.125, 0.15), diffuse, f0, max(alpha, 0.2), 0.3);
-  color += lit(n, v, normalize(vec3(0.45, 0.55, -0.75)), vec3(0.40, 0.44, 0.50), diffuse, f0, max(alpha, 0.25), 0.0);
-  color *= occlude;
-  // A soft shoulder: white things keep their shading.
-  color = color * (1.0 + color * 0.35) / (1.0 + color * 0.62);
+  vec3 color = lighted(n, v, base, roughness, surface.y, mix(1.0, 0.22, inside));
   float opacity = 1.0;
   if (opaque_pass < 0.5) {
     // A clear film hides little of what is behind it, but its highlight is as bright as on anything else.
@@ -132,6 +173,39 @@ void main() {
     opacity = clamp(albedo.a + shine * 0.5, 0.0, 1.0);
   }
   result = vec4(to_display(color), opacity);
+}
+)";
+
+/// Surfaces with pictures and colours of their own, after k_lights. What is fainter than `least_alpha` is not there;
+/// the picture is sRGB and comes as linear light.
+inline constexpr std::string_view k_look_fragment = R"(
+in vec3 view_position;
+in vec3 view_normal;
+in vec4 color;
+in vec4 over;
+in vec2 at;
+uniform sampler2D picture;
+uniform float textured;
+uniform vec3 factor;
+uniform float opacity;
+uniform float least_alpha;
+uniform float unlit;
+uniform float roughness;
+uniform float metallic;
+out vec4 result;
+
+void main() {
+  vec4 own = color * vec4(factor, opacity);
+  if (textured > 0.5) own *= texture(picture, at);
+  if (own.a < least_alpha) discard;
+  vec3 mixed = mix(sqrt(max(own.rgb, vec3(0.0))), over.rgb, over.a);
+  vec3 base = mixed * mixed;
+  vec3 n = normalize(view_normal);
+  if (!gl_FrontFacing) n = -n;
+  vec3 shown = unlit > 0.5 && over.a < 0.01
+                   ? base
+                   : lighted(n, normalize(-view_position), base, roughness, metallic, 1.0);
+  result = vec4(to_display(shown), own.a);
 }
 )";
 

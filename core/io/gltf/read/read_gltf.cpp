@@ -15,6 +15,7 @@
 #include "core/io/gltf/read/internal/gltf_skins.h"
 #include "core/io/gltf/read/internal/gltf_weight_ranges.h"
 #include "core/io/gltf/vrm/vrm_extension.h"
+#include "core/io/gltf/read/internal/look/gltf_look.h"
 #include "core/io/model/model_formats.h"
 #include "core/io/project/internal/project_json.h"
 #include "core/io/project/write_document.h"
@@ -97,7 +98,7 @@ struct OpenedModel {
   bool of_another_edition = false;
 };
 
-base::Result<OpenedModel> read_opened(GltfDocument& document) {
+base::Result<OpenedModel> read_opened(GltfDocument& document, const FileResolver& resolve) {
   if (is_vrm_animation(document.json)) {
     return base::Error{"it is a VRM animation and holds no model", "",
                        "give it as a track: animate MODEL --track FILE"};
@@ -112,6 +113,7 @@ base::Result<OpenedModel> read_opened(GltfDocument& document) {
   }
   auto meshes = read_meshes(document, tree);
   if (!meshes) return meshes.error();
+  auto look = read_look(document, *meshes, resolve);
   auto shapes = read_shapes(document, *meshes, *root);
   if (!shapes) return shapes.error();
   auto joints = read_skeleton(document, tree, *meshes, *node_extras);
@@ -186,6 +188,7 @@ base::Result<OpenedModel> read_opened(GltfDocument& document) {
   auto model = document::make_model(*mesh, std::move(blend_shapes), std::move(skeleton), deformers);
   if (!model) return model.error();
   model->materials = std::move(meshes->materials);
+  model->look = fitting_look(std::move(look), **mesh, document.notes);
   model->pose = std::move(shapes->values);
   model->pose.insert(model->pose.end(), joints->values.begin(), joints->values.end());
   model->curves = root->curves;
@@ -208,7 +211,7 @@ base::Result<OpenedModel> read_opened(GltfDocument& document) {
 base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& resolve) {
   auto opened = open_gltf(bytes, resolve);
   if (!opened) return opened.error();
-  auto read = read_opened(*opened);
+  auto read = read_opened(*opened, resolve);
   if (!read) return read.error();
   return std::move(read->model);
 }
@@ -216,7 +219,7 @@ base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& r
 base::Result<document::Document> read_gltf_document(base::Bytes bytes, const FileResolver& resolve) {
   auto opened = open_gltf(bytes, resolve);
   if (!opened) return opened.error();
-  auto read_model = read_opened(*opened);
+  auto read_model = read_opened(*opened, resolve);
   if (!read_model) return read_model.error();
   document::Model& model = read_model->model;
   const json::Json* extras = json::find(opened->json, "extras");

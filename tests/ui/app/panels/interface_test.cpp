@@ -43,8 +43,8 @@ TEST(Interface, EverythingThatHasAKeyIsReachedWithoutAKeyboard) {
   Desk desk("reach");
   desk.begin();
   for (const char* label :
-       {"Pose", "Redraw", "Hold", "Pin",  "Erase", "Select", "Rig",    "Clear", "Rest pose",  "Menu", "Undo",
-        "Redo", "Front",  "3/4",  "Side", "Frame", "Wire",   "Panels", "Key",   "Delete key", "Play", "Onion"}) {
+       {"Pose", "Redraw", "Hold", "Pin",  "Erase",        "Select", "Rig",    "Clear", "Rest pose",  "Menu", "Undo",
+        "Redo", "Front",  "3/4",  "Side", "Whole figure", "Wire",   "Panels", "Key",   "Delete key", "Play", "Onion"}) {
     EXPECT_NE(desk.interface->find(label), nullptr) << label;
   }
   desk.click("Menu");

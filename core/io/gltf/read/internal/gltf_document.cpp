@@ -224,4 +224,13 @@ base::Result<GltfDocument> open_gltf(base::Bytes bytes, const FileResolver& reso
   return document;
 }
 
+base::Result<std::vector<std::uint8_t>> read_uri(const std::string& uri, const std::string& pointer,
+                                                 const FileResolver& resolve) {
+  GltfDocument one;
+  ReadFiles files;
+  const auto loaded = load_uri(one, uri, pointer, resolve, files);
+  if (!loaded) return loaded.error();
+  return std::move(*one.owned.back());
+}
+
 }  // namespace penpose::io

@@ -28,6 +28,10 @@ struct GltfDocument {
 /// offset (container, JSON) or a JSON pointer.
 [[nodiscard]] base::Result<GltfDocument> open_gltf(base::Bytes bytes, const FileResolver& resolve);
 
+/// The bytes of a URI: a data: URI or a file below the model's folder. Errors: those of buffers.
+[[nodiscard]] base::Result<std::vector<std::uint8_t>> read_uri(const std::string& uri, const std::string& pointer,
+                                                               const FileResolver& resolve);
+
 /// Whether the bytes start like a binary glTF file.
 [[nodiscard]] bool is_glb(base::Bytes bytes);
 

@@ -158,22 +158,16 @@ document::Material read_material(const GltfDocument& document, int index) {
 
 void note_left_out(GltfDocument& document) {
   bool thin = false;
-  bool texture_coordinates = false;
-  bool colors = false;
   bool tangents = false;
   for (const auto& mesh : document.model.meshes) {
     for (const auto& primitive : mesh.primitives) {
       thin = thin || !is_surface(primitive);
       for (const auto& [name, accessor] : primitive.attributes) {
-        texture_coordinates = texture_coordinates || name.starts_with("TEXCOORD_");
-        colors = colors || name.starts_with("COLOR_");
         tangents = tangents || name == "TANGENT";
       }
     }
   }
   if (thin) document.notes.emplace_back("points and lines were left out");
-  if (texture_coordinates) document.notes.emplace_back("texture coordinates were left out");
-  if (colors) document.notes.emplace_back("vertex colours were left out");
   if (tangents) document.notes.emplace_back("tangents were left out");
 }
 
@@ -192,7 +186,6 @@ base::Result<GltfMeshes> read_meshes(GltfDocument& document, const NodeTree& tre
   }
   const auto names = part_names(document, meshes.origins);
   std::vector<bool> has_normals;
-  bool materials_differ = false;
   for (std::size_t i = 0; i < meshes.origins.size(); ++i) {
     const PartOrigin& origin = meshes.origins[i];
     mesh::Part part{names[i], static_cast<std::uint32_t>(meshes.source.positions.size()), 0,
@@ -205,16 +198,11 @@ base::Result<GltfMeshes> read_meshes(GltfDocument& document, const NodeTree& tre
       if (auto read = read_triangles(document, origin, primitive, part.first_vertex, meshes.source); !read) {
         return read.error();
       }
-      const auto& all = document.model.meshes[origin.mesh].primitives;
-      materials_differ = materials_differ || all[primitive].material != origin.primitive(document).material;
     }
     part.vertex_count = static_cast<std::uint32_t>(meshes.source.positions.size()) - part.first_vertex;
     part.triangle_count = static_cast<std::uint32_t>(meshes.source.triangles.size()) - part.first_triangle;
     meshes.source.parts.push_back(std::move(part));
     meshes.materials.push_back(read_material(document, origin.primitive(document).material));
-  }
-  if (materials_differ) {
-    document.notes.emplace_back("primitives that share their vertices became one part, with the material of the first");
   }
   if (std::none_of(has_normals.begin(), has_normals.end(), [](bool has) { return has; })) {
     meshes.source.normals.clear();

@@ -393,7 +393,6 @@ void note_left_out(const json::Json& document, std::vector<std::string>& notes) 
     const json::Json* found = json::find(document, name);
     return found != nullptr && found->is_array() && !found->empty();
   };
-  if (has("textures") || has("images")) notes.emplace_back("textures were left out");
   if (has("cameras")) notes.emplace_back("cameras were left out");
 }
 
