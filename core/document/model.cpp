@@ -116,6 +116,7 @@ base::Result<Model> with_controls(Model model, std::shared_ptr<const rig::BlendS
   made->curves = std::move(model.curves);
   made->animations = std::move(model.animations);
   made->notes = std::move(model.notes);
+  made->source = std::move(model.source);
   if (!model.corrections) return made;
   std::vector<CorrectionSketch> kept = correction_sketches(model);
   std::erase_if(kept, [&](const CorrectionSketch& one) {

@@ -118,6 +118,7 @@ base::Result<Model> with_placements(Model model, std::size_t animation, const ge
     made->curves = std::move(model.curves);
     made->animations = std::move(model.animations);
     made->notes = std::move(model.notes);
+    made->source = std::move(model.source);
     model = std::move(made).value();
   }
   const Keys keys = make_keys(times_s);

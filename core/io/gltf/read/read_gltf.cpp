@@ -5,6 +5,7 @@
 
 #include "core/base/text/letters.h"
 #include "core/io/gltf/internal/gltf_extras.h"
+#include "core/io/gltf/internal/gltf_source.h"
 #include "core/io/gltf/read/internal/gltf_animations.h"
 #include "core/io/gltf/read/internal/gltf_deformers.h"
 #include "core/io/gltf/read/internal/gltf_document.h"
@@ -91,6 +92,7 @@ void add_corrections(const RootExtras& root, document::Model& model) {
 
 struct OpenedModel {
   document::Model model;
+  GltfOrigins origins;
   bool of_another_edition = false;
 };
 
@@ -107,6 +109,7 @@ base::Result<OpenedModel> read_opened(GltfDocument& document) {
   if (!meshes) return meshes.error();
   auto shapes = read_shapes(document, *meshes, *root);
   if (!shapes) return shapes.error();
+  GltfOrigins origins = origins_of(*meshes, *shapes);
   add_expressions(document, *meshes, *shapes);
   auto joints = read_skeleton(document, tree, *meshes, *node_extras);
   if (!joints) return joints.error();
@@ -158,8 +161,9 @@ base::Result<OpenedModel> read_opened(GltfDocument& document) {
   }
   const std::size_t shape_count = order_shapes(*shapes, *root, not_shapes);
   const std::size_t weights = shape_count + deformer_names.size();
-  auto animations = read_animations(document, *meshes, *shapes, joints->joint_of_node);
+  auto animations = read_animations(document, *meshes, *shapes, joints->joint_of_node, origins.animations);
   if (!animations) return animations.error();
+  put_in_order(*root, *animations, origins.animations);
   for (const OneWayName& one : one_way) put_together(one, *shapes, *animations);
   widen_ranges(*animations, *root, *shapes);
   for (document::Animation& animation : *animations) drop_weights(animation, shapes->shapes.size(), weights);
@@ -189,25 +193,30 @@ base::Result<OpenedModel> read_opened(GltfDocument& document) {
     model->notes.push_back(std::to_string((*mesh)->dropped_triangles()) + " triangles without area were left out");
   }
   if (const auto status = check_positions(*model); !status) return status.error();
-  return OpenedModel{std::move(model).value(), root->of_another_edition};
+  origins.joint_of_node = std::move(joints->joint_of_node);
+  return OpenedModel{std::move(model).value(), std::move(origins), root->of_another_edition};
 }
 
 }  // namespace
 
 base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& resolve) {
-  auto opened = open_gltf(bytes, resolve);
+  ReadBeside beside(resolve);
+  auto opened = open_gltf(bytes, beside.resolver());
   if (!opened) return opened.error();
   auto read = read_opened(*opened);
   if (!read) return read.error();
+  read->model.source = keep_source(bytes, beside, *opened, std::move(read->origins), read->model);
   return std::move(read->model);
 }
 
 base::Result<document::Document> read_gltf_document(base::Bytes bytes, const FileResolver& resolve) {
-  auto opened = open_gltf(bytes, resolve);
+  ReadBeside beside(resolve);
+  auto opened = open_gltf(bytes, beside.resolver());
   if (!opened) return opened.error();
   auto read_model = read_opened(*opened);
   if (!read_model) return read_model.error();
   document::Model& model = read_model->model;
+  model.source = keep_source(bytes, beside, *opened, std::move(read_model->origins), model);
   const json::Json* extras = json::find(opened->json, "extras");
   const json::Json* own = extras == nullptr ? nullptr : json::find(*extras, k_extras_key);
   const json::Json* project = own == nullptr ? nullptr : json::find(*own, "project");
@@ -251,7 +260,13 @@ ModelFormat gltf_format() {
                 return first != std::string_view::npos && text[first] == '{';
               },
           .read = read_gltf,
-          .read_project = read_gltf_document};
+          .read_project = read_gltf_document,
+          .write = [](const document::Model& model, const WriteOptions& options,
+                      WriteReport& report) { return write_gltf(model, options, &report); },
+          .write_project = [](const document::Document& document, const WriteOptions& options,
+                              WriteReport& report) { return write_gltf_project(document, options, &report); },
+          .holds = "The face that moves, its files beside it",
+          .detail = "With its controls and keys"};
 }
 
 }  // namespace penpose::io

@@ -340,18 +340,9 @@ std::optional<base::Error> check_extensions(const json::Json& document) {
   return std::nullopt;
 }
 
-void note_left_out(const json::Json& document, std::vector<std::string>& notes) {
-  const auto has = [&](const char* name) {
-    const json::Json* found = json::find(document, name);
-    return found != nullptr && found->is_array() && !found->empty();
-  };
-  if (has("textures") || has("images")) notes.emplace_back("textures were left out");
-  if (has("cameras")) notes.emplace_back("cameras were left out");
-}
-
 }  // namespace
 
-base::Result<json::Json> vet_gltf(const json::Json& document, std::vector<std::string>& notes) {
+base::Result<json::Json> vet_gltf(const json::Json& document, [[maybe_unused]] std::vector<std::string>& notes) {
   if (!document.is_object()) return wrong("an object was expected", "/");
   auto vetted = Vetter(document).object(document, k_root, "");
   if (!vetted) return vetted.error();
@@ -363,7 +354,6 @@ base::Result<json::Json> vet_gltf(const json::Json& document, std::vector<std::s
     if (auto error = check(*vetted)) return *error;
   }
   if (auto error = check_extensions(document)) return *error;
-  note_left_out(document, notes);
   return vetted;
 }
 
