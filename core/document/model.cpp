@@ -120,8 +120,6 @@ base::Result<Model> with_controls(Model model, std::shared_ptr<const rig::BlendS
   made->look = std::move(model.look);
   made->notes = std::move(model.notes);
   made->expressions = expressions_for(std::move(model.expressions), model.rig->parameters(), parameters);
-  made->front_yaw_degrees = model.front_yaw_degrees;
-  made->look = std::move(model.look);
   made->source = std::move(model.source);
   if (!model.corrections) return made;
   std::vector<CorrectionSketch> kept = correction_sketches(model);

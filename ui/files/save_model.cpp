@@ -1,5 +1,6 @@
 #include "ui/files/save_model.h"
 
+#include <filesystem>
 #include <iostream>
 
 #include "core/base/numbers.h"
@@ -18,6 +19,27 @@ constexpr std::size_t k_longest_path = 4096;
 /// What comes out of standard output has no name that says its format.
 std::string format_hint(const std::string& path) { return path == k_standard_stream ? ".glb" : path; }
 
+/// Writes what belongs beside a file. What is there already stays; a file of that name that holds something else is
+/// left alone, but for that which is named after the file itself.
+base::Status save_beside(const io::WriteReport& report, const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  for (const auto& [name, bytes] : report.files) {
+    const std::filesystem::path beside = folder / name;
+    std::error_code code;
+    if (std::filesystem::exists(beside, code)) {
+      const auto there = read_file(beside.string());
+      if (there && *there == bytes) continue;
+      if (name != io::stem_of(path) + ".bin") {
+        return base::Error{"\"" + base::shown_name(name, k_longest_path) + "\" beside it holds something else", "",
+                           "choose another folder, or write a .glb file, which holds everything"};
+      }
+    }
+    std::filesystem::create_directories(beside.parent_path(), code);
+    if (auto written = write_file(beside.string(), bytes); !written) return written;
+  }
+  return base::Done{};
+}
+
 base::Status save(const base::Result<std::vector<std::uint8_t>>& bytes, const io::WriteReport& report,
                   const io::WriteOptions& options, bool animated, const std::string& path, SaveNotes say) {
   if (!bytes) return bytes.error();
@@ -34,6 +56,7 @@ base::Status save(const base::Result<std::vector<std::uint8_t>>& bytes, const io
     std::cerr << "penpose: " << base::shown_name(path, k_longest_path) << ": it has " << report.targets
               << " morph targets; some viewers show no more than 8 at a time\n";
   }
+  if (auto beside = save_beside(report, path); !beside) return beside;
   if (auto written = write_file(path, *bytes); !written || say == SaveNotes::quiet) return written;
   for (const std::string& note : report.notes) warn(note, path);
   return base::Done{};

@@ -122,9 +122,6 @@ base::Result<Model> with_placements(Model model, std::size_t animation, const ge
     made->look = std::move(model.look);
     made->source = std::move(model.source);
     made->notes = std::move(model.notes);
-    made->expressions = std::move(model.expressions);  // joints come after what they set
-    made->front_yaw_degrees = model.front_yaw_degrees;
-    made->look = std::move(model.look);
     made->source = std::move(model.source);
     model = std::move(made).value();
   }

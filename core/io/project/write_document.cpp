@@ -10,8 +10,10 @@ base::Result<std::vector<std::uint8_t>> write_document(const document::Document&
   if (!format) return format.error();
   WriteReport ignored;
   WriteReport& told = report == nullptr ? ignored : *report;
-  if ((*format)->write_project != nullptr) return (*format)->write_project(document, options, told);
-  return (*format)->write(document::model_of(document), options, told);
+  WriteOptions named = options;
+  named.stem = stem_of(file_name);
+  if ((*format)->write_project != nullptr) return (*format)->write_project(document, named, told);
+  return (*format)->write(document::model_of(document), named, told);
 }
 
 }  // namespace penpose::io

@@ -17,6 +17,11 @@ namespace penpose::io {
                                                                     const WriteOptions& options = {},
                                                                     WriteReport* report = nullptr);
 
+/// The same as a text file with others beside it (write_gltf).
+[[nodiscard]] base::Result<std::vector<std::uint8_t>> write_gltf_project(const document::Document& document,
+                                                                         const WriteOptions& options,
+                                                                         WriteReport* report);
+
 /// Writes in the format that the file name's extension asks for, as a project where it holds one. Errors: as
 /// write_model.
 [[nodiscard]] base::Result<std::vector<std::uint8_t>> write_document(const document::Document& document,

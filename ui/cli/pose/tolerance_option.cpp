@@ -12,6 +12,9 @@ void add_tolerance_option(CLI::App& command, io::WriteOptions& options) {
                   "How far baking sketched deformers for other programs may move a vertex, share of the model's size")
       ->check(CLI::Validator(number_range(1e-6, 0.1), "0.000001 to 0.1"))
       ->capture_default_str();
+  command.add_flag(
+      "--bare", options.bare,
+      "Write what penpose knows of the model alone, without textures and all else of the file it came from");
 }
 
 }  // namespace penpose::cli

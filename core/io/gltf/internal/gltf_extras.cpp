@@ -162,6 +162,14 @@ base::Result<RootExtras> read_root_extras(const json::Json& document) {
   if (auto error = read_list(*own, "shapes", pointer, read_shape, extras.shapes)) return *error;
   if (auto error = read_list(*own, "curves", pointer, read_curve, extras.curves)) return *error;
   if (auto error = read_list(*own, "one_way", pointer, read_one_way, extras.one_way)) return *error;
+  const auto read_index = [](const json::Json& value, const std::string& at,
+                             std::size_t& out) -> std::optional<base::Error> {
+    const auto index = json::whole_number(value, 0, 0xffffffffLL);
+    if (!index) return wrong("the number of an animation was expected", at);
+    out = static_cast<std::size_t>(*index);
+    return std::nullopt;
+  };
+  if (auto error = read_list(*own, "animation_order", pointer, read_index, extras.animation_order)) return *error;
   if (extras.of_another_edition) return extras;
   const json::Json* deformers = json::find(*own, "deformers");
   if (deformers != nullptr && deformers->size() > k_most_deformers) {

@@ -38,6 +38,8 @@ struct RootExtras {
   std::vector<articulation::Sketch> deformers;
   std::vector<OneWayName> one_way;
   std::vector<articulation::CorrectionSketch> corrections;  ///< also morph targets of their names, behind "baked"
+  /// "animation_order": numbers of animations of the file, in the order in which the model has them.
+  std::vector<std::size_t> animation_order;
   std::vector<std::vector<std::string>> baked;  ///< one list a deformer: targets that only show it to other programs
 };
 

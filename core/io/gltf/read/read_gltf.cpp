@@ -5,6 +5,7 @@
 
 #include "core/base/text/letters.h"
 #include "core/io/gltf/internal/gltf_extras.h"
+#include "core/io/gltf/internal/gltf_source.h"
 #include "core/io/gltf/read/internal/gltf_animations.h"
 #include "core/io/gltf/read/internal/gltf_deformers.h"
 #include "core/io/gltf/read/internal/gltf_document.h"
@@ -95,6 +96,7 @@ void add_corrections(const RootExtras& root, document::Model& model) {
 struct OpenedModel {
   document::Model model;
   document::Humanoid humanoid;
+  GltfOrigins origins;
   bool of_another_edition = false;
 };
 
@@ -116,6 +118,7 @@ base::Result<OpenedModel> read_opened(GltfDocument& document, const FileResolver
   auto look = read_look(document, *meshes, resolve);
   auto shapes = read_shapes(document, *meshes, *root);
   if (!shapes) return shapes.error();
+  GltfOrigins origins = origins_of(*meshes, *shapes);
   auto joints = read_skeleton(document, tree, *meshes, *node_extras);
   if (!joints) return joints.error();
   const std::size_t vertices = meshes->source.positions.size();
@@ -167,8 +170,9 @@ base::Result<OpenedModel> read_opened(GltfDocument& document, const FileResolver
   const std::size_t shape_count = order_shapes(*shapes, *root, not_shapes);
   const std::size_t weights = shape_count + deformer_names.size();
   std::vector<document::Expression> expressions = read_expressions(document, *meshes, *shapes, shape_count);
-  auto animations = read_animations(document, *meshes, *shapes, joints->joint_of_node);
+  auto animations = read_animations(document, *meshes, *shapes, joints->joint_of_node, origins.animations);
   if (!animations) return animations.error();
+  put_in_order(*root, *animations, origins.animations);
   for (const OneWayName& one : one_way) put_together(one, *shapes, *animations);
   widen_ranges(*animations, *root, *shapes);
   for (document::Animation& animation : *animations) drop_weights(animation, shapes->shapes.size(), weights);
@@ -202,26 +206,31 @@ base::Result<OpenedModel> read_opened(GltfDocument& document, const FileResolver
   }
   if (auto note = mesh::note_of_extra_triangles(**mesh); !note.empty()) model->notes.push_back(std::move(note));
   if (const auto status = check_positions(*model); !status) return status.error();
-  return OpenedModel{std::move(model).value(), vrm_humanoid(document.json, joints->joint_of_node),
-                     root->of_another_edition};
+  document::Humanoid humanoid = vrm_humanoid(document.json, joints->joint_of_node);
+  origins.joint_of_node = std::move(joints->joint_of_node);
+  return OpenedModel{std::move(model).value(), std::move(humanoid), std::move(origins), root->of_another_edition};
 }
 
 }  // namespace
 
 base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& resolve) {
-  auto opened = open_gltf(bytes, resolve);
+  ReadBeside beside(resolve);
+  auto opened = open_gltf(bytes, beside.resolver());
   if (!opened) return opened.error();
   auto read = read_opened(*opened, resolve);
   if (!read) return read.error();
+  read->model.source = keep_source(bytes, beside, *opened, std::move(read->origins), read->model);
   return std::move(read->model);
 }
 
 base::Result<document::Document> read_gltf_document(base::Bytes bytes, const FileResolver& resolve) {
-  auto opened = open_gltf(bytes, resolve);
+  ReadBeside beside(resolve);
+  auto opened = open_gltf(bytes, beside.resolver());
   if (!opened) return opened.error();
   auto read_model = read_opened(*opened, resolve);
   if (!read_model) return read_model.error();
   document::Model& model = read_model->model;
+  model.source = keep_source(bytes, beside, *opened, std::move(read_model->origins), model);
   const json::Json* extras = json::find(opened->json, "extras");
   const json::Json* own = extras == nullptr ? nullptr : json::find(*extras, k_extras_key);
   const json::Json* project = own == nullptr ? nullptr : json::find(*own, "project");
@@ -248,7 +257,7 @@ base::Result<document::Humanoid> read_gltf_humanoid(base::Bytes bytes, const Fil
   if (extensions == nullptr ||
       (json::find(*extensions, "VRM") == nullptr && json::find(*extensions, "VRMC_vrm") == nullptr))
     return document::Humanoid();
-  auto read = read_opened(*opened);
+  auto read = read_opened(*opened, resolve);
   if (!read) return read.error();
   return read->humanoid;
 }
@@ -277,7 +286,13 @@ ModelFormat gltf_format() {
                 return first != std::string_view::npos && text[first] == '{';
               },
           .read = read_gltf,
-          .read_project = read_gltf_document};
+          .read_project = read_gltf_document,
+          .write = [](const document::Model& model, const WriteOptions& options,
+                      WriteReport& report) { return write_gltf(model, options, &report); },
+          .write_project = [](const document::Document& document, const WriteOptions& options,
+                              WriteReport& report) { return write_gltf_project(document, options, &report); },
+          .holds = "The face that moves, its files beside it",
+          .detail = "With its controls and keys"};
 }
 
 }  // namespace penpose::io

@@ -1,17 +1,15 @@
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <map>
-#include <numeric>
 #include <optional>
 
-#include "core/animation/track.h"
 #include "core/geometry/rotation.h"
 #include "core/io/gltf/internal/gltf_extras.h"
+#include "core/io/gltf/read/internal/gltf_document.h"
 #include "core/io/gltf/write/glb_targets.h"
+#include "core/io/gltf/write/internal/glb_animations.h"
 #include "core/io/gltf/write/internal/glb_skin.h"
 #include "core/io/gltf/write/internal/glb_weights.h"
 #include "core/io/gltf/write/internal/gltf_builder.h"
+#include "core/io/gltf/write/patch_gltf.h"
 #include "core/io/model/write_model.h"
 #include "core/io/project/internal/project_json.h"
 #include "core/io/project/write_document.h"
@@ -189,99 +187,27 @@ class GlbWriter {
     return builder_.add("materials", std::move(object));
   }
 
-  /// The rate of which all keys are whole frames, or 0. glTF itself knows seconds alone.
-  static double rate_of(const document::Animation& animation) {
-    std::vector<double> times_s;
-    for (const document::Channel& channel : animation.channels) {
-      times_s.insert(times_s.end(), channel.times_s.begin(), channel.times_s.end());
-    }
-    std::stable_sort(times_s.begin(), times_s.end());
-    times_s.erase(std::unique(times_s.begin(), times_s.end()), times_s.end());
-    constexpr double k_whole = 1e-3;  // of a frame
-    return animation::whole_frame_rate(times_s, k_whole);
-  }
-
   void write_animations() {
+    std::vector<WeightNode> weight_nodes;
+    for (std::size_t i = 0; i < shapes_of_part_.size(); ++i) {
+      if (!shapes_of_part_[i].empty()) weight_nodes.push_back({node_of_part_[i], shapes_of_part_[i]});
+    }
+    const auto node_of_joint = [&](std::size_t joint) {
+      return joint < joints().size() ? std::optional(joint) : std::nullopt;
+    };
+    GlbAnimations writer(weights_, weight_nodes, node_of_joint, builder_);
     for (const document::Animation& animation : model_.animations) {
       json::Json channels = json::Json::array();
       json::Json samplers = json::Json::array();
-      for (const document::Channel& channel : animation.channels) write_channel(channel, channels, samplers);
+      writer.write(animation, channels, samplers);
       if (channels.empty()) continue;
       json::Json object = {{"channels", std::move(channels)}, {"samplers", std::move(samplers)}};
       if (!animation.name.empty()) object["name"] = animation.name;
-      const double fps = rate_of(animation);
+      const double fps = GlbAnimations::rate_of(animation);
       if (fps > 0) object["extras"] = {{k_extras_key, {{"fps", fps}}}};
       builder_.add("animations", std::move(object));
     }
-  }
-
-  /// Samplers of one channel share its times.
-  struct Times {
-    std::size_t input = k_none;
-    document::Interpolation interpolation = document::Interpolation::linear;
-    std::vector<std::size_t> added;  ///< keys that are there for other programs alone
-    json::Json spline;               ///< what the keys are straight lines of, or null
-  };
-  Times write_times(std::vector<float> times_s, const document::Channel& channel) {
-    // Moments that are too close for floats must still ascend (glTF 2.0, section 3.11).
-    for (std::size_t i = 1; i < times_s.size(); ++i) {
-      if (!(times_s[i] > times_s[i - 1]))
-        times_s[i] = std::nextafter(times_s[i - 1], std::numeric_limits<float>::infinity());
-    }
-    return {builder_.add_floats(times_s, "SCALAR", BufferUse::plain, true), channel.interpolation, {}, {}};
-  }
-  void write_sampler(const Times& times, std::size_t node, const char* path, std::span<const float> values,
-                     const char* type, json::Json& channels, json::Json& samplers) {
-    constexpr std::array<const char*, 3> k_interpolations = {"STEP", "LINEAR", "CUBICSPLINE"};
-    json::Json sampler = {{"input", times.input},
-                          {"interpolation", k_interpolations[static_cast<std::size_t>(times.interpolation)]},
-                          {"output", builder_.add_floats(values, type, BufferUse::plain, false)}};
-    if (!times.spline.is_null()) {
-      sampler["extras"] = {{k_extras_key, {{"spline", times.spline}}}};
-    } else if (!times.added.empty()) {
-      sampler["extras"] = {{k_extras_key, {{"added", times.added}}}};
-    }
-    samplers.push_back(std::move(sampler));
-    channels.push_back({{"sampler", samplers.size() - 1}, {"target", {{"node", node}, {"path", path}}}});
-  }
-
-  void write_channel(const document::Channel& channel, json::Json& channels, json::Json& samplers) {
-    if (channel.times_s.empty()) return;
-    if (channel.target == document::ChannelTarget::weights) {
-      if (weights_.is_weight_channel(channel)) write_weight_keys(channel, channels, samplers);
-      return;
-    }
-    if (channel.joint >= joints().size()) return;
-    const Times times = write_times({channel.times_s.begin(), channel.times_s.end()}, channel);
-    const std::vector<float> values(channel.values.begin(), channel.values.end());
-    const bool rotation = channel.target == document::ChannelTarget::rotation;
-    const bool translation = channel.target == document::ChannelTarget::translation;
-    write_sampler(times, channel.joint,
-                  rotation      ? "rotation"
-                  : translation ? "translation"
-                                : "scale",
-                  values, rotation ? "VEC4" : "VEC3", channels, samplers);
-  }
-
-  void write_weight_keys(const document::Channel& channel, json::Json& channels, json::Json& samplers) {
-    const DenseKeys& keys = weights_.keys_of(channel);
-    between_error_ = std::max(between_error_, keys.error);
-    std::optional<Times> times;
-    for (std::size_t i = 0; i < shapes_of_part_.size(); ++i) {
-      if (shapes_of_part_[i].empty()) continue;
-      if (!times) {
-        times = write_times(keys.times_s, channel);
-        times->added = keys.added;
-        if (keys.straightened) times->interpolation = document::Interpolation::linear;
-      }
-      const std::vector<float> values =
-          weights_.values_of(keys.rows, GlbWeights::is_cubic(channel, keys), shapes_of_part_[i]);
-      if (keys.straightened) {
-        times->spline = {{"times", keys.spline.times_s},
-                         {"values", weights_.values_of(keys.spline.rows, true, shapes_of_part_[i])}};
-      }
-      write_sampler(*times, node_of_part_[i], "weights", values, "SCALAR", channels, samplers);
-    }
+    between_error_ = writer.between_error();
   }
 
   const document::Model& model_;
@@ -297,23 +223,64 @@ class GlbWriter {
   double between_error_ = 0;  ///< of keys, model units
 };
 
+/// A .glb file as text, with its buffer beside it.
+base::Result<std::vector<std::uint8_t>> as_text_file(const std::vector<std::uint8_t>& glb, const WriteOptions& options,
+                                                     WriteReport& report) {
+  auto opened = open_gltf(glb, {});
+  if (!opened) return opened.error();
+  if (!opened->buffers.empty()) {
+    const std::string name = (options.stem.empty() ? "model" : options.stem) + ".bin";
+    opened->json["buffers"][0]["uri"] = name;
+    report.files[name].assign(opened->buffers[0].begin(), opened->buffers[0].end());
+  }
+  auto text = text_of(opened->json, TextOrder::as_made);
+  if (!text) return text.error();
+  return std::vector<std::uint8_t>(text->begin(), text->end());
+}
+
+base::Result<std::vector<std::uint8_t>> write(const document::Model& model, const WriteOptions& options,
+                                              const json::Json& project, GltfContainer container, WriteReport* wanted) {
+  WriteReport ignored;
+  WriteReport& report = wanted == nullptr ? ignored : *wanted;
+  std::string why;
+  if (model.source && !options.bare) {
+    auto patched = patch_gltf(model, options, project, container);
+    if (!patched) return patched.error();
+    if (patched->cannot.empty()) {
+      report = std::move(patched->report);
+      return std::move(patched->bytes);
+    }
+    why = patched->cannot;
+  }
+  GlbWriter writer(model, options, project);
+  auto bytes = writer.write();
+  report = std::move(writer.report);
+  const std::string lost = model.source ? lost_without_source(model) : "";
+  if (!lost.empty()) report.notes.push_back(lost + " were left out" + (why.empty() ? "" : ": " + why));
+  if (!bytes || container == GltfContainer::binary) return bytes;
+  return as_text_file(*bytes, options, report);
+}
+
 }  // namespace
 
 base::Result<std::vector<std::uint8_t>> write_glb(const document::Model& model, const WriteOptions& options,
                                                   WriteReport* report) {
-  GlbWriter writer(model, options, nullptr);
-  auto bytes = writer.write();
-  if (report != nullptr) *report = writer.report;
-  return bytes;
+  return write(model, options, nullptr, GltfContainer::binary, report);
+}
+
+base::Result<std::vector<std::uint8_t>> write_gltf(const document::Model& model, const WriteOptions& options,
+                                                   WriteReport* report) {
+  return write(model, options, nullptr, GltfContainer::text, report);
 }
 
 base::Result<std::vector<std::uint8_t>> write_project(const document::Document& document, const WriteOptions& options,
                                                       WriteReport* report) {
-  const document::Model model = document::model_of(document);
-  GlbWriter writer(model, options, project_to_json(document));
-  auto bytes = writer.write();
-  if (report != nullptr) *report = writer.report;
-  return bytes;
+  return write(document::model_of(document), options, project_to_json(document), GltfContainer::binary, report);
+}
+
+base::Result<std::vector<std::uint8_t>> write_gltf_project(const document::Document& document,
+                                                           const WriteOptions& options, WriteReport* report) {
+  return write(document::model_of(document), options, project_to_json(document), GltfContainer::text, report);
 }
 
 }  // namespace penpose::io

@@ -19,13 +19,15 @@ class AnimationReader {
                   const std::vector<std::int32_t>& joint_of_node)
       : document_(document), meshes_(meshes), shapes_(shapes), joint_of_node_(joint_of_node) {}
 
-  base::Result<std::vector<document::Animation>> read() {
+  base::Result<std::vector<document::Animation>> read(std::vector<std::size_t>& from) {
     std::vector<document::Animation> animations;
     for (std::size_t a = 0; a < document_.model.animations.size(); ++a) {
       document::Animation animation;
       animation.name = document_.model.animations[a].name;
       if (auto status = read_channels(a, animation); !status) return status.error();
-      if (!animation.channels.empty()) animations.push_back(std::move(animation));
+      if (animation.channels.empty()) continue;
+      animations.push_back(std::move(animation));
+      from.push_back(a);
     }
     if (left_out_) document_.notes.emplace_back("animation of nodes that carry no vertices was left out");
     if (other_times_) {
@@ -228,8 +230,9 @@ base::Result<GltfKeys> read_keys(GltfDocument& document, const tinygltf::Animati
 
 base::Result<std::vector<document::Animation>> read_animations(GltfDocument& document, const GltfMeshes& meshes,
                                                                const GltfShapes& shapes,
-                                                               const std::vector<std::int32_t>& joint_of_node) {
-  return AnimationReader(document, meshes, shapes, joint_of_node).read();
+                                                               const std::vector<std::int32_t>& joint_of_node,
+                                                               std::vector<std::size_t>& from) {
+  return AnimationReader(document, meshes, shapes, joint_of_node).read(from);
 }
 
 }  // namespace penpose::io

@@ -157,18 +157,11 @@ document::Material read_material(const GltfDocument& document, int index) {
 }
 
 void note_left_out(GltfDocument& document) {
-  bool thin = false;
-  bool tangents = false;
   for (const auto& mesh : document.model.meshes) {
-    for (const auto& primitive : mesh.primitives) {
-      thin = thin || !is_surface(primitive);
-      for (const auto& [name, accessor] : primitive.attributes) {
-        tangents = tangents || name == "TANGENT";
-      }
-    }
+    if (std::all_of(mesh.primitives.begin(), mesh.primitives.end(), is_surface)) continue;
+    document.notes.emplace_back("points and lines are not shown");
+    return;
   }
-  if (thin) document.notes.emplace_back("points and lines were left out");
-  if (tangents) document.notes.emplace_back("tangents were left out");
 }
 
 }  // namespace

@@ -388,14 +388,6 @@ void drop_channels_without_node(json::Json& vetted, std::vector<std::string>& no
                   " left alone");
 }
 
-void note_left_out(const json::Json& document, std::vector<std::string>& notes) {
-  const auto has = [&](const char* name) {
-    const json::Json* found = json::find(document, name);
-    return found != nullptr && found->is_array() && !found->empty();
-  };
-  if (has("cameras")) notes.emplace_back("cameras were left out");
-}
-
 }  // namespace
 
 base::Result<json::Json> vet_gltf(const json::Json& document, std::vector<std::string>& notes) {
@@ -416,7 +408,6 @@ base::Result<json::Json> vet_gltf(const json::Json& document, std::vector<std::s
   if (auto error = check_indices(*vetted, document)) return *error;
   if (auto error = check_samplers(*vetted)) return *error;
   drop_channels_without_node(*vetted, notes);
-  note_left_out(document, notes);
   return vetted;
 }
 

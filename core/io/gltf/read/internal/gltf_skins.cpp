@@ -95,7 +95,9 @@ class SkeletonReader {
       if (!matters[n]) continue;
       auto transform = node_transform(document_, n);
       if (!transform) return transform.error();
-      moved_[n] = !(*transform == NodeTransform{});
+      NodeTransform at_rest = *transform;
+      at_rest.rotation = extras_[n].rest_rotation.value_or(at_rest.rotation);
+      moved_[n] = !(at_rest == NodeTransform{});
       transforms_[n] = *transform;
     }
     return base::Done{};

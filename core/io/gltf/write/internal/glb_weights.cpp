@@ -28,7 +28,10 @@ void GlbWeights::find_keys() {
 void GlbWeights::find_one_way_targets() {
   pose_weights_ = morphs_.weights(model_.pose);
   std::vector<double> low = pose_weights_;
-  std::vector<double> high = pose_weights_;
+  for (std::size_t t = 0; t < written_.size(); ++t) {
+    if (!written_[t]) low[t] = std::clamp(low[t], 0.0, 1.0);
+  }
+  std::vector<double> high = low;
   for (const auto& [channel, keys] : keys_) {
     const bool cubic = is_cubic(*channel, keys);
     for (std::size_t row = 0; row < keys.rows.size(); ++row) {
@@ -89,6 +92,10 @@ std::vector<float> GlbWeights::values_of(const std::vector<std::vector<double>>&
   std::vector<float> values;
   for (std::size_t row = 0; row < rows.size(); ++row) {
     for (const std::size_t s : shapes) {
+      if (s == k_no_target) {
+        values.push_back(0.0F);
+        continue;
+      }
       const bool tangent = cubic && row % 3 != 1;
       values.push_back(
           static_cast<float>(tangent ? tangent_of(s, rows[row], rows[row - row % 3 + 1]) : weight_of(s, rows[row])));

@@ -11,11 +11,16 @@
 
 namespace penpose::io {
 
+/// Stands for a morph target that the writer does not know: its weight is 0.
+inline constexpr std::size_t k_no_target = static_cast<std::size_t>(-1);
+
 /// The morph targets of a file and their weights, in its pose and over time. A target whose weight leaves 0..1 is
 /// helped by others that go on from there (one_way_targets.h). The model and the targets outlive it.
 class GlbWeights {
  public:
-  GlbWeights(const document::Model& model, const GlbTargets& morphs) : model_(model), morphs_(morphs) {
+  /// `posed`: one a target of morphs, whether its weight in the pose is written; empty: all are.
+  GlbWeights(const document::Model& model, const GlbTargets& morphs, std::vector<bool> posed = {})
+      : model_(model), morphs_(morphs), written_(std::move(posed)) {
     find_keys();
     find_one_way_targets();
   }
@@ -48,6 +53,7 @@ class GlbWeights {
 
   const document::Model& model_;
   const GlbTargets& morphs_;
+  std::vector<bool> written_;
   std::vector<KeysOf> keys_;
   std::vector<double> pose_weights_;   ///< of the targets of morphs_
   std::vector<OneWayTarget> one_way_;  ///< behind those

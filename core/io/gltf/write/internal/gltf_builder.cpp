@@ -1,6 +1,7 @@
 #include "core/io/gltf/write/internal/gltf_builder.h"
 
 #include <algorithm>
+#include <array>
 #include <new>
 #include <string_view>
 
@@ -42,7 +43,7 @@ std::size_t GltfBuilder::add(const char* array, json::Json object) {
 }
 
 std::size_t GltfBuilder::add_view(std::size_t start, BufferUse use) {
-  json::Json view = {{"buffer", 0}, {"byteOffset", start}, {"byteLength", binary_.size() - start}};
+  json::Json view = {{"buffer", buffer_}, {"byteOffset", start_ + start}, {"byteLength", binary_.size() - start}};
   if (use == BufferUse::vertices) view["target"] = 34962;
   if (use == BufferUse::indices) view["target"] = 34963;
   binary_.align(4);
@@ -132,30 +133,55 @@ std::size_t GltfBuilder::add_displacements(std::size_t count, std::span<const st
   return add("accessors", std::move(accessor));
 }
 
+std::size_t GltfBuilder::add_bytes(base::Bytes bytes) {
+  const std::size_t start = binary_.size();
+  binary_.append(bytes);
+  return add_view(start, BufferUse::plain);
+}
+
+std::size_t GltfBuilder::add_zeros(std::size_t count, const char* type, bool bounds) {
+  json::Json accessor = {{"componentType", k_float}, {"count", count}, {"type", type}};
+  if (bounds) accessor["min"] = accessor["max"] = std::vector<double>(components_of(type), 0.0);
+  return add("accessors", std::move(accessor));
+}
+
 base::Result<std::vector<std::uint8_t>> GltfBuilder::finish() {
   if (binary_.size() > 0) root["buffers"] = json::Json::array({{{"byteLength", binary_.size()}}});
-  std::string text;
+  auto text = text_of(root, TextOrder::by_name);
+  if (!text) return text.error();
+  const std::array<base::Bytes, 1> pieces{base::Bytes(binary_.bytes())};
+  return pack_glb(std::move(text).value(), pieces);
+}
+
+base::Result<std::string> text_of(const json::Json& document, TextOrder order) {
   try {
-    text = root.dump(-1, ' ', false, json::Json::error_handler_t::replace);
+    return order == TextOrder::as_made ? document.dump_as_made() : document.dump();
   } catch (const std::bad_alloc&) {
     throw;  // no fault of what is written
   } catch (const std::exception&) {
     return base::Error{"the document cannot be written as JSON", "", "rename parts with unusual names"};
   }
+}
+
+base::Result<std::vector<std::uint8_t>> pack_glb(std::string text, std::span<const base::Bytes> pieces) {
   while (text.size() % 4 != 0) text += ' ';
-  const std::uint64_t total = std::uint64_t{28} + text.size() + binary_.size();
+  std::uint64_t length = 0;
+  for (const base::Bytes piece : pieces) length += piece.size();
+  const std::uint64_t padding = (4 - length % 4) % 4;
+  const std::uint64_t total = std::uint64_t{20} + text.size() + (length > 0 ? 8 + length + padding : 0);
   if (total > 0xffffffffULL) return base::Error{"the model is too large for a binary glTF file", "", "reduce it"};
   base::ByteWriter file;
   file.append("glTF");
   file.write(std::uint32_t{2});
-  file.write(static_cast<std::uint32_t>(binary_.size() > 0 ? total : total - 8));
+  file.write(static_cast<std::uint32_t>(total));
   file.write(static_cast<std::uint32_t>(text.size()));
   file.append("JSON");
   file.append(text);
-  if (binary_.size() > 0) {
-    file.write(static_cast<std::uint32_t>(binary_.size()));
+  if (length > 0) {
+    file.write(static_cast<std::uint32_t>(length + padding));
     file.append(std::string_view("BIN\0", 4));
-    file.append(binary_.bytes());
+    for (const base::Bytes piece : pieces) file.append(piece);
+    file.align(4);
   }
   return file.take();
 }

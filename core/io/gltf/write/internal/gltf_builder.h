@@ -21,6 +21,12 @@ class GltfBuilder {
   /// The document without buffers, bufferViews and accessors; the caller fills it.
   json::Json root = json::Json::object();
 
+  GltfBuilder() = default;
+  /// Goes on with a document whose views and accessors stay. What is added lies in this buffer from this byte on, a
+  /// multiple of 4.
+  GltfBuilder(json::Json document, std::size_t buffer, std::size_t start)
+      : root(std::move(document)), buffer_(buffer), start_(start) {}
+
   /// Adds an object to an array of the root and returns its index.
   std::size_t add(const char* array, json::Json object);
 
@@ -35,6 +41,14 @@ class GltfBuilder {
   std::size_t add_displacements(std::size_t count, std::span<const std::uint32_t> elements,
                                 std::span<const float> values, bool keep_zeros, bool bounds);
 
+  /// A view of bytes that no accessor reads, such as a picture.
+  std::size_t add_bytes(base::Bytes bytes);
+  /// A list of zeros, without a view: `type` as above.
+  std::size_t add_zeros(std::size_t count, const char* type, bool bounds);
+
+  /// What was added so far.
+  [[nodiscard]] base::Bytes added() const { return binary_.bytes(); }
+
   /// The file. Errors: it would be larger than its 32-bit lengths can say.
   [[nodiscard]] base::Result<std::vector<std::uint8_t>> finish();
 
@@ -43,6 +57,16 @@ class GltfBuilder {
   std::size_t write_floats(std::span<const float> numbers, BufferUse use);
 
   base::ByteWriter binary_;
+  std::size_t buffer_ = 0;
+  std::size_t start_ = 0;
 };
+
+/// A .glb file of its JSON text and the pieces of its one buffer, each a multiple of 4 bytes but the last; none: no
+/// buffer. Errors: it would be larger than its 32-bit lengths can say.
+[[nodiscard]] base::Result<std::vector<std::uint8_t>> pack_glb(std::string text, std::span<const base::Bytes> pieces);
+/// In which order the members of a document are written: by their names, or as they were read.
+enum class TextOrder : bool { by_name, as_made };
+/// The text of a document. Errors: it cannot be written.
+[[nodiscard]] base::Result<std::string> text_of(const json::Json& document, TextOrder order);
 
 }  // namespace penpose::io
