@@ -11,30 +11,30 @@ namespace {
 
 /// What both versions call the same (VRM 0.x, blendShapeMaster, presetName; VRMC_vrm 1.0, expressions.preset), folded,
 /// and the name of 1.0.
-struct Preset {
+struct VrmPreset {
   std::string_view old_name, new_folded, name;
 };
-constexpr std::array<Preset, 18> k_presets{{{"joy", "happy", "happy"},
-                                            {"angry", "angry", "angry"},
-                                            {"sorrow", "sad", "sad"},
-                                            {"fun", "relaxed", "relaxed"},
-                                            {"surprised", "surprised", "surprised"},
-                                            {"a", "aa", "aa"},
-                                            {"i", "ih", "ih"},
-                                            {"u", "ou", "ou"},
-                                            {"e", "ee", "ee"},
-                                            {"o", "oh", "oh"},
-                                            {"blink", "blink", "blink"},
-                                            {"blinkl", "blinkl", "blinkLeft"},
-                                            {"blinkr", "blinkr", "blinkRight"},
-                                            {"lookup", "lookup", "lookUp"},
-                                            {"lookdown", "lookdown", "lookDown"},
-                                            {"lookl", "lookl", "lookLeft"},
-                                            {"lookr", "lookr", "lookRight"},
-                                            {"neutral", "neutral", "neutral"}}};
+constexpr std::array<VrmPreset, 18> k_vrm_presets{{{"joy", "happy", "happy"},
+                                                   {"angry", "angry", "angry"},
+                                                   {"sorrow", "sad", "sad"},
+                                                   {"fun", "relaxed", "relaxed"},
+                                                   {"surprised", "surprised", "surprised"},
+                                                   {"a", "aa", "aa"},
+                                                   {"i", "ih", "ih"},
+                                                   {"u", "ou", "ou"},
+                                                   {"e", "ee", "ee"},
+                                                   {"o", "oh", "oh"},
+                                                   {"blink", "blink", "blink"},
+                                                   {"blinkl", "blinkl", "blinkLeft"},
+                                                   {"blinkr", "blinkr", "blinkRight"},
+                                                   {"lookup", "lookup", "lookUp"},
+                                                   {"lookdown", "lookdown", "lookDown"},
+                                                   {"lookl", "lookl", "lookLeft"},
+                                                   {"lookr", "lookr", "lookRight"},
+                                                   {"neutral", "neutral", "neutral"}}};
 
-const Preset* preset_named(std::string_view folded) {
-  for (const Preset& preset : k_presets) {
+const VrmPreset* preset_named(std::string_view folded) {
+  for (const VrmPreset& preset : k_vrm_presets) {
     if (folded == preset.old_name || folded == preset.new_folded) return &preset;
   }
   return nullptr;
@@ -48,7 +48,7 @@ std::optional<std::size_t> expression_named(const Model& model, std::string_view
   }
   const std::string wanted = rig::folded_name(name);
   if (wanted.empty()) return std::nullopt;
-  const Preset* preset = preset_named(wanted);
+  const VrmPreset* preset = preset_named(wanted);
   std::optional<std::size_t> other;
   for (std::size_t i = 0; i < model.expressions.size(); ++i) {
     const std::string own = rig::folded_name(model.expressions[i].name);
@@ -59,7 +59,7 @@ std::optional<std::size_t> expression_named(const Model& model, std::string_view
 }
 
 std::string_view preset_of(std::string_view expression_name) {
-  const Preset* preset = preset_named(rig::folded_name(expression_name));
+  const VrmPreset* preset = preset_named(rig::folded_name(expression_name));
   return preset == nullptr ? std::string_view() : preset->name;
 }
 

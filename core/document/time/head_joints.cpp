@@ -132,7 +132,7 @@ glm::dquat rest_world(const rig::Skeleton& skeleton, std::int32_t joint) {
   return world_rotation(skeleton, joint, [&](std::size_t j) { return skeleton.joints()[j].rest_rotation; });
 }
 
-double rounded(double value) { return static_cast<double>(static_cast<float>(value)); }
+double as_float(double value) { return static_cast<double>(static_cast<float>(value)); }
 
 }  // namespace
 
@@ -173,7 +173,7 @@ Model with_head_turns(Model model, std::size_t animation, const HeadJoints& join
     made.push_back({ChannelTarget::rotation, j, Interpolation::linear, {}, {}});
   }
   for (std::size_t f = 0; f < times_s.size() && f < placements.size(); ++f) {
-    const double time = rounded(times_s[f] - times_s[0]);
+    const double time = as_float(times_s[f] - times_s[0]);
     if (!made[0].times_s.empty() && !(time > made[0].times_s.back())) continue;
     glm::dquat before(1, 0, 0, 0);  // how far the parent has turned
     for (std::size_t k = 0; k < chain.size(); ++k) {
@@ -187,7 +187,7 @@ Model with_head_turns(Model model, std::size_t animation, const HeadJoints& join
         const double* last = &values[values.size() - 4];
         if (last[0] * local.x + last[1] * local.y + last[2] * local.z + last[3] * local.w < 0) local = -local;
       }
-      for (const double part : {local.x, local.y, local.z, local.w}) values.push_back(rounded(part));
+      for (const double part : {local.x, local.y, local.z, local.w}) values.push_back(as_float(part));
       made[k].times_s.push_back(time);
       before = turned;
     }

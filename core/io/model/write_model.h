@@ -27,8 +27,9 @@ namespace penpose::io {
 /// `bare` asks for it, the file has what penpose knows alone, and a note says what is lost.
 struct WriteOptions {
   double bake_tolerance = 1e-4;
-  double fps = 60;              ///< frames a second of formats that give every frame
-  document::Humanoid humanoid;  ///< for formats that need it, as the model's file says it; empty: by names of joints
+  double fps = 60;  ///< frames a second of formats that give every frame
+  document::Humanoid humanoid =
+      {};                 ///< for formats that need it, as the model's file says it; empty: by names of joints
   std::string stem = {};  ///< what files beside a .gltf are named after; write_model takes that of the file itself
   bool bare = false;      ///< nothing of the file that the model was read from, but what penpose knows
 };

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "core/io/gltf/internal/animation_hash.h"
+#include "core/io/gltf/read/uri/uri.h"
 
 namespace penpose::io {
 namespace {

@@ -17,7 +17,7 @@ constexpr std::uint64_t k_most_for_a_byte = 64;
 /// A triangle takes a byte at least; so does an index.
 constexpr std::uint64_t k_most_indices_for_a_byte = 3;
 
-base::Error wrong(std::string what, std::string remedy = k_export_again) {
+base::Error no_stream(std::string what, std::string remedy = k_export_again) {
   return {std::move(what), "", std::move(remedy)};
 }
 
@@ -100,18 +100,18 @@ void apply(MeshoptFilter filter, std::size_t stride, std::vector<std::uint8_t>& 
 base::Status check_layout(const MeshoptLayout& layout) {
   const bool attributes = layout.mode == MeshoptMode::attributes;
   const std::uint64_t stride = layout.stride;
-  if (layout.count == 0) return wrong("a compressed buffer view of no elements");
+  if (layout.count == 0) return no_stream("a compressed buffer view of no elements");
   if (attributes ? stride == 0 || stride % 4 != 0 || stride > 256 : stride != 2 && stride != 4) {
-    return wrong("compressed elements of " + std::to_string(stride) + " bytes");
+    return no_stream("compressed elements of " + std::to_string(stride) + " bytes");
   }
   if (layout.mode == MeshoptMode::triangles && layout.count % 3 != 0) {
-    return wrong(std::to_string(layout.count) + " indices of compressed triangles, which is no multiple of three");
+    return no_stream(std::to_string(layout.count) + " indices of compressed triangles, which is no multiple of three");
   }
   const bool fits = layout.filter == MeshoptFilter::none ||
                     (attributes && (layout.filter == MeshoptFilter::exponential ||
                                     (layout.filter == MeshoptFilter::quaternion && stride == 8) ||
                                     (layout.filter == MeshoptFilter::octahedral && (stride == 4 || stride == 8))));
-  if (!fits) return wrong("a filter that compressed elements of " + std::to_string(stride) + " bytes cannot have");
+  if (!fits) return no_stream("a filter that compressed elements of " + std::to_string(stride) + " bytes cannot have");
   return base::Done{};
 }
 
@@ -124,17 +124,17 @@ base::Result<std::vector<std::uint8_t>> unpack_meshopt(base::Bytes stream, const
   const std::uint64_t for_a_byte = attributes ? k_most_for_a_byte : k_most_indices_for_a_byte * layout.stride;
   const std::uint64_t claimable = for_a_byte * (std::uint64_t{stream.size()} + 64);
   if (layout.count > claimable / layout.stride) {
-    return wrong(std::to_string(layout.count) + " elements from " + std::to_string(stream.size()) +
-                 " compressed bytes, which cannot hold so many");
+    return no_stream(std::to_string(layout.count) + " elements from " + std::to_string(stream.size()) +
+                     " compressed bytes, which cannot hold so many");
   }
   if (layout.count * layout.stride > most) {
-    return wrong("the file unpacks to far more than it has bytes",
-                 "divide the model, or export it without compression");
+    return no_stream("the file unpacks to far more than it has bytes",
+                     "divide the model, or export it without compression");
   }
   // The low half of the first byte is the version (0; indices also know 1).
   const unsigned version = stream.empty() ? 0 : stream.front() & 15U;
   if (version > (attributes ? 0U : 1U)) {
-    return wrong(
+    return no_stream(
         "compressed data of meshopt's version " + std::to_string(version) + ", which is newer than this program",
         "export the file without compression, or with an older gltfpack");
   }
@@ -145,7 +145,7 @@ base::Result<std::vector<std::uint8_t>> unpack_meshopt(base::Bytes stream, const
                      : layout.mode == MeshoptMode::triangles
                          ? meshopt_decodeIndexBuffer(bytes.data(), count, stride, stream.data(), stream.size())
                          : meshopt_decodeIndexSequence(bytes.data(), count, stride, stream.data(), stream.size());
-  if (failed != 0) return wrong("the meshopt stream is cut off or damaged", k_copy_again);
+  if (failed != 0) return no_stream("the meshopt stream is cut off or damaged", k_copy_again);
   apply(layout.filter, stride, bytes);
   return bytes;
 }

@@ -195,14 +195,6 @@ base::Status read_structure(GltfDocument& document, const json::Json& vetted) {
 
 bool is_glb(base::Bytes bytes) { return base::ByteReader(bytes).read<std::uint32_t>() == k_magic; }
 
-std::optional<std::string> path_of_uri(const std::string& uri) {
-  if (uri.starts_with("data:")) return std::nullopt;
-  const std::string named = decode_percent(uri);
-  std::string path = plain_path(named);
-  if (!stays_below(named) || path.empty()) return std::nullopt;
-  return path;
-}
-
 base::Result<GltfDocument> open_gltf(base::Bytes bytes, const FileResolver& resolve) {
   Container container{bytes, {}, false};
   if (is_glb(bytes)) {

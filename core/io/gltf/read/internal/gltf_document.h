@@ -36,8 +36,4 @@ struct GltfDocument {
 /// Whether the bytes start like a binary glTF file.
 [[nodiscard]] bool is_glb(base::Bytes bytes);
 
-/// The path of a file beside the model, as a uri names it. Errors: nothing where it is a data: URI, has another scheme
-/// or leaves the folder of the model.
-[[nodiscard]] std::optional<std::string> path_of_uri(const std::string& uri);
-
 }  // namespace penpose::io
