@@ -15,6 +15,7 @@ struct Image {
   std::string name;
   std::string mime_type;  ///< "image/png", "image/jpeg", "image/webp", "image/ktx2" or what the file says
   std::shared_ptr<const std::vector<std::uint8_t>> bytes;
+  std::uint32_t width = 0, height = 0;  ///< px, as its head says; 0: not known
 };
 
 enum class Wrap : std::uint8_t { repeat, mirror, clamp };

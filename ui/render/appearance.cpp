@@ -115,6 +115,9 @@ void take_look(const document::Model& model, Appearance& appearance) {
       batch.roughness = std::max(plain.roughness, 0.5F);
       batch.metallic = look->surfaces[s].texture ? 0.0F : plain.metallic;
     }
+    batch.moves = model.shapes && std::any_of(triangles[s].begin(), triangles[s].end(), [&](std::uint32_t t) {
+                    return !model.shapes->entries_of(mesh.triangles()[t][0]).empty();
+                  });
     appearance.batches.push_back(batch);
     appearance.look_triangles.insert(appearance.look_triangles.end(), triangles[s].begin(), triangles[s].end());
   }

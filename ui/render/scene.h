@@ -28,6 +28,7 @@ struct LookBatch {
   std::uint32_t count = 0;
   float roughness = 0.8F;
   float metallic = 0;
+  bool moves = false;  ///< blend shapes move something of it: its picture stays sharp where memory is short
 };
 
 /// How a mesh looks, apart from its pose. Vertices of one triangle share a surface.

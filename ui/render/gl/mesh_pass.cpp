@@ -279,9 +279,7 @@ void MeshPass::upload_look(const Appearance& appearance) {
   glEnableVertexAttribArray(k_tint_place);
   glVertexAttribPointer(k_tint_place, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, offset(0));
   glBindVertexArray(0);
-  std::vector<bool> used(look_->surfaces.size(), false);
-  for (const Batch& batch : batches_) used[batch.of.surface] = true;
-  textures_.keep(*look_, used);
+  textures_.keep(*look_, appearance.batches);
 }
 
 void MeshPass::order(const Scene& scene, const View& view) {

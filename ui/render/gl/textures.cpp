@@ -1,5 +1,6 @@
 #include "ui/render/gl/textures.h"
 
+#include <algorithm>
 #include <deque>
 #include <epoxy/gl.h>
 #include <future>
@@ -11,6 +12,8 @@ namespace penpose::render {
 namespace {
 
 constexpr int k_most_side_px = 2048;
+constexpr int k_least_side_px = 64;
+constexpr std::uint64_t k_most_px = 9'600'000;
 constexpr std::size_t k_at_a_time = 2;
 
 unsigned send(const Image& image) {
@@ -30,6 +33,52 @@ GLint wrap_of(document::Wrap wrap) {
                                           : GL_REPEAT;
 }
 
+struct Wanted {
+  std::size_t image = 0;
+  int most_px = k_most_side_px;
+  bool moves = false;
+  std::uint64_t px = 0;  ///< at that size
+};
+
+std::uint64_t px_within(std::uint64_t width, std::uint64_t height, int most_px) {
+  const std::uint64_t by = std::max<std::uint64_t>(
+      1, (std::max(width, height) + static_cast<std::uint64_t>(most_px) - 1) / static_cast<std::uint64_t>(most_px));
+  return (width / by) * (height / by);
+}
+
+/// The pictures that are to be had, and how large.
+std::vector<Wanted> wanted_pictures(const document::Look& look, std::span<const LookBatch> batches) {
+  std::vector<Wanted> all;
+  for (const LookBatch& batch : batches) {
+    const auto& use = look.surfaces[batch.surface].texture;
+    if (!use || use->image >= look.images.size()) continue;
+    const auto known = std::find_if(all.begin(), all.end(), [&](const Wanted& one) { return one.image == use->image; });
+    if (known == all.end()) {
+      all.push_back({use->image, k_most_side_px, batch.moves});
+    } else {
+      known->moves = known->moves || batch.moves;
+    }
+  }
+  std::uint64_t sum = 0;
+  const auto measure = [&](Wanted& one) {
+    const document::Image& image = look.images[one.image];
+    one.px = px_within(image.width, image.height, one.most_px);
+    sum += one.px;
+  };
+  for (Wanted& one : all) measure(one);
+  while (sum > k_most_px) {
+    const auto largest = std::max_element(all.begin(), all.end(), [](const Wanted& a, const Wanted& b) {
+      const auto rank = [](const Wanted& one) { return one.moves ? one.px / 4 : one.px; };
+      return rank(a) < rank(b);
+    });
+    if (largest->most_px <= k_least_side_px) break;
+    sum -= largest->px;
+    largest->most_px /= 2;
+    measure(*largest);
+  }
+  return all;
+}
+
 }  // namespace
 
 Textures::~Textures() { clear(); }
@@ -41,50 +90,40 @@ Textures& Textures::operator=(Textures&& other) noexcept {
 }
 
 void Textures::clear() {
-  for (const auto& [bytes, name] : names_) {
-    if (name != 0) glDeleteTextures(1, &name);
+  for (const auto& [bytes, texture] : names_) {
+    if (texture.name != 0) glDeleteTextures(1, &texture.name);
   }
   names_.clear();
 }
 
-void Textures::keep(const document::Look& look, const std::vector<bool>& surface_is_used) {
-  std::vector<bool> wanted(look.images.size(), false);
-  for (std::size_t s = 0; s < look.surfaces.size(); ++s) {
-    const auto& use = look.surfaces[s].texture;
-    if (surface_is_used[s] && use && use->image < look.images.size()) wanted[use->image] = true;
-  }
-  for (auto it = names_.begin(); it != names_.end();) {
-    bool again = false;
-    for (std::size_t i = 0; i < wanted.size(); ++i) again = again || (wanted[i] && look.images[i].bytes == it->first);
-    if (again) {
-      ++it;
-      continue;
-    }
-    if (it->second != 0) glDeleteTextures(1, &it->second);
-    it = names_.erase(it);
-  }
+void Textures::keep(const document::Look& look, std::span<const LookBatch> batches) {
+  const std::vector<Wanted> wanted = wanted_pictures(look, batches);
+  std::erase_if(names_, [&](const auto& known) {
+    const bool again = std::any_of(wanted.begin(), wanted.end(), [&](const Wanted& one) {
+      return look.images[one.image].bytes == known.first && one.most_px == known.second.most_px;
+    });
+    if (!again && known.second.name != 0) glDeleteTextures(1, &known.second.name);
+    return !again;
+  });
   struct Unpacking {
-    Bytes bytes;
-    std::size_t image;
+    Wanted wanted;
     std::future<base::Result<Image>> picture;
   };
   std::deque<Unpacking> running;
   const auto finish_first = [&] {
-    Unpacking& first = running.front();
-    const auto picture = first.picture.get();
-    names_[first.bytes] = picture ? send(*picture) : 0;
-    const std::string& name = look.images[first.image].name;
-    if (!picture) notes_.push_back((name.empty() ? "a picture" : name) + " is shown grey: " + picture.error().what);
+    const Wanted one = running.front().wanted;
+    const auto picture = running.front().picture.get();
     running.pop_front();
+    names_[look.images[one.image].bytes] = {picture ? send(*picture) : 0, one.most_px};
+    const std::string& name = look.images[one.image].name;
+    if (!picture) notes_.push_back((name.empty() ? "a picture" : name) + " is shown grey: " + picture.error().what);
   };
-  for (std::size_t image = 0; image < wanted.size(); ++image) {
-    const Bytes& bytes = look.images[image].bytes;
-    if (!wanted[image] || names_.contains(bytes)) continue;
+  for (const Wanted& one : wanted) {
+    const Bytes& bytes = look.images[one.image].bytes;
+    if (names_.contains(bytes)) continue;
     if (running.size() == k_at_a_time) finish_first();
-    // The bytes outlive the work: the deque holds them.
-    running.push_back({bytes, image, std::async(std::launch::async, [shared = bytes] {
-                         return decode_picture(*shared, k_most_side_px);
-                       })});
+    running.push_back(
+        {one, std::async(std::launch::async, [bytes, most = one.most_px] { return decode_picture(*bytes, most); })});
   }
   while (!running.empty()) finish_first();
   glBindTexture(GL_TEXTURE_2D, 0);
@@ -93,9 +132,9 @@ void Textures::keep(const document::Look& look, const std::vector<bool>& surface
 bool Textures::bind(const document::Look& look, const document::TextureUse& use) const {
   if (use.image >= look.images.size()) return false;
   const auto found = names_.find(look.images[use.image].bytes);
-  if (found == names_.end() || found->second == 0) return false;
+  if (found == names_.end() || found->second.name == 0) return false;
   glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, found->second);
+  glBindTexture(GL_TEXTURE_2D, found->second.name);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, use.nearest ? GL_NEAREST : GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap_of(use.wrap_u));

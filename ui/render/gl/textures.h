@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/document/look.h"
+#include "ui/render/scene.h"
 
 namespace penpose::render {
 
@@ -20,9 +22,10 @@ class Textures {
   Textures(Textures&& other) noexcept;
   Textures& operator=(Textures&& other) noexcept;
 
-  /// Has the pictures that the look's surfaces use, and no others. Two are unpacked at a time, so that memory is little
-  /// above that of the textures.
-  void keep(const document::Look& look, const std::vector<bool>& surface_is_used);
+  /// Has the pictures that the batches use, and no others. Two are unpacked at a time, so that memory is little above
+  /// that of the textures. A side has 2048 px at most, and all together 9.6 million: where they would have more,
+  /// sides are halved, the largest first and those of what moves last.
+  void keep(const document::Look& look, std::span<const LookBatch> batches);
   void clear();
   /// Binds a picture to texture unit 0 as it is to be used. False: it cannot be read.
   bool bind(const document::Look& look, const document::TextureUse& use) const;
@@ -32,7 +35,11 @@ class Textures {
  private:
   using Bytes = std::shared_ptr<const std::vector<std::uint8_t>>;
 
-  std::map<Bytes, unsigned> names_;  ///< 0: cannot be read
+  struct Texture {
+    unsigned name = 0;  ///< 0: cannot be read
+    int most_px = 0;    ///< a side was made no longer than this
+  };
+  std::map<Bytes, Texture> names_;
   std::vector<std::string> notes_;
 };
 

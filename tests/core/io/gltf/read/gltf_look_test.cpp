@@ -152,7 +152,9 @@ TEST(GltfLook, PicturesThatCannotBeShownLeaveTheModelGreyWithOneNote) {
   sample.add("textures", {{"source", 1}});
   sample.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 1}}}}}});
   auto& primitives = sample.json["meshes"][0]["primitives"];
+  primitives[0]["indices"] = sample.add_corners({0, 1, 2});
   primitives.push_back(primitives[0]);
+  primitives[1]["indices"] = sample.add_corners({0, 2, 3});
   primitives[1]["material"] = 1;
   const auto model = sample.read();
   ASSERT_TRUE(model.ok()) << model.error().line();

@@ -157,7 +157,8 @@ class Pictures {
     if (held_ + bytes->size() > k_most_picture_bytes) return refuse(called, "is more than fits");
     held_ += bytes->size();
     look_.images.push_back({std::move(name), head->mime_type,
-                            std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes).value())});
+                            std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes).value()), head->width,
+                            head->height});
     return look_.images.size() - 1;
   }
 
