@@ -1,4 +1,4 @@
-// node validate.js MODULE_FOLDER FOLDER: runs the glTF validator of the Khronos Group over every .glb in FOLDER. Prints what
+// node validate.js MODULE_FOLDER FOLDER: runs the glTF validator of the Khronos Group over every .glb and .vrma in FOLDER. Prints what
 // it has to say about each; fails on any error or warning, and when there is no file.
 'use strict';
 
@@ -10,7 +10,7 @@ const validator = require(path.join(path.resolve(moduleFolder), 'node_modules', 
 const severities = ['error', 'warning', 'information', 'hint'];
 
 async function main() {
-  const files = fs.readdirSync(folder).filter((name) => name.endsWith('.glb')).sort();
+  const files = fs.readdirSync(folder).filter((name) => /\.(glb|vrma)$/.test(name)).sort();
   let bad = files.length === 0;
   for (const name of files) {
     const bytes = new Uint8Array(fs.readFileSync(path.join(folder, name)));

@@ -6,8 +6,10 @@
 #include <string>
 
 #include "core/document/time/animation_building.h"
+#include "core/io/gltf/write/write_vrma.h"
 #include "core/io/model/read_model.h"
 #include "core/io/model/write_model.h"
+#include "tests/support/models/figure_sample.h"
 #include "tests/support/models/gltf_sample.h"
 #include "tests/support/models/model_samples.h"
 #include "tests/support/models/sketched_models.h"
@@ -25,6 +27,19 @@ bool write(const std::filesystem::path& path, const document::Model& model) {
   }
   std::ofstream file(path, std::ios::binary);
   file.write(reinterpret_cast<const char*>(bytes->data()), static_cast<std::streamsize>(bytes->size()));
+  return file.good();
+}
+
+bool write_motion(const std::filesystem::path& path) {
+  document::Model model = tests::avatar_sample(tests::turned_bones()).read().value();
+  const auto humanoid = io::read_gltf_humanoid(tests::avatar_sample(tests::turned_bones()).glb()).value();
+  std::vector<rig::Pose> poses(2, model.pose);
+  for (double& value : poses[1]) value = 0.5;
+  model.animations = {document::make_animation(model, "motion", std::vector<double>{0, 1}, poses)};
+  const auto written = io::write_vrma(model, humanoid);
+  if (!written) return false;
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(written->bytes.data()), static_cast<std::streamsize>(written->bytes.size()));
   return file.good();
 }
 
@@ -48,6 +63,7 @@ int main(int argc, char** argv) {
   good = write(folder / "morph.glb", tests::morph_sample().read().value()) && good;
   good = write(folder / "tracked.glb", tracked()) && good;
   good = write(folder / "skin.glb", tests::skin_sample().read().value()) && good;
+  good = write_motion(folder / "motion.vrma") && good;
   if (!tests::has_shared()) return good ? 0 : 1;
   for (const auto& entry : std::filesystem::directory_iterator(tests::shared_dir() / "meshes")) {
     const std::string name = entry.path().filename().string();
