@@ -13,7 +13,7 @@ base::Result<Animated> animate_case(const std::string& folder, const std::string
                                     const AnimateOptions& options = {}, const char* format = nullptr) {
   const auto place = tests::shared_dir() / "cases" / "rigs" / folder;
   const auto no_file = [](const std::string&) -> base::Result<std::vector<std::uint8_t>> {
-    return base::Error{"there is no other file"};
+    return base::Error{"there is no other file", "", ""};
   };
   auto read = io::read_model(tests::read_file(place / model), model, no_file);
   if (!read) return read.error();

@@ -65,7 +65,8 @@ TEST(HeadJoints, TheHeadComesToStandAsThePlacementSays) {
   const glm::dquat turn = geometry::quaternion_from_xyz({0.2, 0.6, -0.1});
   const std::vector<Placement> placements{{}, {turn, {1, 0, 0}, 2}};
   model.animations = {make_animation(model, "clip", times, std::vector<rig::Pose>(2, model.pose))};
-  model = with_head_turns(std::move(model), 0, *head_joints(model), times, placements);
+  const HeadJoints joints = head_joints(model).value();
+  model = with_head_turns(std::move(model), 0, joints, times, placements);
   for (const Channel& channel : model.animations[0].channels) {
     if (channel.target == ChannelTarget::weights) continue;
     EXPECT_EQ(channel.target, ChannelTarget::rotation);

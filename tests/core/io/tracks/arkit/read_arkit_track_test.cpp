@@ -35,7 +35,7 @@ TEST(ReadArkit, ReadsNamesTimesAndHolds) {
   EXPECT_EQ(track.notes.size(), 2U);
   EXPECT_EQ(read_arkit_track(bytes("a,b\n1,2\n")).error().place, "line 1");
   EXPECT_EQ(read_arkit_track(bytes("Timecode,JawOpen\n0:0:0:1,x\n")).error().place, "line 2");
-  EXPECT_EQ(read_arkit_track(bytes("Timecode,JawOpen\n0:0:0:1,0,5,1\n")).error().place, "line 2");
+  EXPECT_EQ(read_arkit_track(bytes("Timecode,JawOpen\n0:0:0:1,0,5,1,2\n")).error().place, "line 2");
 }
 
 TEST(ReadArkit, SaysWhichRateItTookWhereTheTimecodesDoNotTell) {
