@@ -9,6 +9,7 @@
 #include "core/document/document_hash.h"
 #include "core/intent/model/doubles.h"
 #include "core/io/model/model_formats.h"
+#include "ui/cli/orientation_option.h"
 #include "ui/cli/subcommand.h"
 #include "ui/files/files.h"
 #include "ui/files/load_model.h"
@@ -20,6 +21,7 @@ using json::Json;
 
 struct InfoArguments {
   std::string model;
+  io::Orientation orientation;
   bool json = false;
 };
 
@@ -35,6 +37,12 @@ std::size_t shape_count(const document::Model& model) { return model.shapes ? mo
 std::size_t joint_count(const document::Model& model) { return model.skeleton ? model.skeleton->joints().size() : 0; }
 
 using Doubles = std::vector<intent::DoubleControl>;
+
+/// Of a file that does not say itself which axis points up: the one that is taken to.
+std::string_view up_axis(const InfoArguments& arguments) {
+  if (!io::has_open_orientation({}, arguments.model)) return {};
+  return arguments.orientation.up == io::Up::z ? "z" : "y";
+}
 
 Json to_json(const document::Model& model, const Doubles& doubles, const std::string& state, const std::string& path) {
   Json parts = Json::array();
@@ -117,13 +125,22 @@ void print_doubles(const document::Model& model, const Doubles& doubles) {
   }
 }
 
-void print(const document::Model& model, const Doubles& doubles, const std::string& path) {
+void print(const document::Model& model, const Doubles& doubles, const InfoArguments& arguments) {
+  const std::string& path = arguments.model;
   const geometry::Box box = document::rest_world_box(model);
   std::cout << base::shown_line(path, k_longest_path) << "\nvertices    " << model.mesh->vertex_count()
             << "\nfaces       " << model.mesh->triangle_count() << "\ncomponents  " << model.mesh->component_count()
             << "\nbox         " << shown(box.minimum.x) << ' ' << shown(box.minimum.y) << ' ' << shown(box.minimum.z)
-            << "  to  " << shown(box.maximum.x) << ' ' << shown(box.maximum.y) << ' ' << shown(box.maximum.z)
-            << "\nparts       " << model.mesh->parts().size() << '\n';
+            << "  to  " << shown(box.maximum.x) << ' ' << shown(box.maximum.y) << ' ' << shown(box.maximum.z) << '\n';
+  if (const std::string_view up = up_axis(arguments); !up.empty()) {
+    std::cout << "up          " << up << " in the file";
+    if (arguments.orientation.left_handed) std::cout << ", left-handed";
+    if (arguments.orientation.is_usual() && io::looks_as_if_z_were_up(model)) {
+      std::cout << "; if the model lies on its back, z is: --up z";
+    }
+    std::cout << '\n';
+  }
+  std::cout << "parts       " << model.mesh->parts().size() << '\n';
   for (const mesh::Part& part : model.mesh->parts()) {
     std::cout << "  " << name_or_none(part.name) << "  " << part.vertex_count << " vertices, " << part.triangle_count
               << " faces\n";
@@ -144,15 +161,20 @@ void print(const document::Model& model, const Doubles& doubles, const std::stri
 }
 
 int run_info(const InfoArguments& arguments) {
-  const auto document = files::load_document(arguments.model);
+  const auto document = files::load_document(arguments.model, files::NamedBy::user, arguments.orientation);
   if (!document) return files::report(document.error(), arguments.model);
   const document::Model model = document::model_of(*document);
   const Doubles doubles = intent::doubles_of(intent::measure_whole_model(*model.rig));
   if (arguments.json) {
     const std::string state = document::DocumentHasher()(*document).whole.hex();
-    std::cout << to_json(model, doubles, state, arguments.model).dump_as_made() << '\n';
+    Json out = to_json(model, doubles, state, arguments.model);
+    if (const std::string_view up = up_axis(arguments); !up.empty()) {
+      out["up"] = Json(up);
+      out["up_in_doubt"] = Json(arguments.orientation.is_usual() && io::looks_as_if_z_were_up(model));
+    }
+    std::cout << out.dump_as_made() << '\n';
   } else {
-    print(model, doubles, arguments.model);
+    print(model, doubles, arguments);
   }
   return k_success;
 }
@@ -160,6 +182,7 @@ int run_info(const InfoArguments& arguments) {
 void add_options(CLI::App& command, InfoArguments& arguments) {
   command.add_option("MODEL", arguments.model, io::names_read() + " file")->required();
   command.add_flag("--json", arguments.json, "print one JSON object");
+  add_orientation_options(command, arguments.orientation);
 }
 
 }  // namespace
