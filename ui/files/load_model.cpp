@@ -29,6 +29,11 @@ base::Result<std::vector<std::uint8_t>> read_named(const std::string& path, Name
   return named == NamedBy::user ? read_file(path) : read_plain_file(path);
 }
 
+base::Error says_itself() {
+  return {"the file says itself how its coordinates are meant", "",
+          "leave out --up and --left-handed, which are for OBJ, PLY, OFF and STL"};
+}
+
 /// Gives the files that a model names.
 io::FileResolver files_beside(const std::string& path) {
   return [folder = std::filesystem::path(path).parent_path().string()](const std::string& name) {
@@ -38,16 +43,24 @@ io::FileResolver files_beside(const std::string& path) {
 
 }  // namespace
 
-base::Result<document::Model> load_model(const std::string& path, NamedBy named) {
-  if (path.starts_with(k_built_in)) return built_in_model(std::string_view(path).substr(k_built_in.size()));
+base::Result<document::Model> load_model(const std::string& path, NamedBy named, const io::Orientation& orientation) {
+  if (path.starts_with(k_built_in)) {
+    if (!orientation.is_usual()) return says_itself();
+    return built_in_model(std::string_view(path).substr(k_built_in.size()));
+  }
   const auto bytes = read_named(path, named);
   if (!bytes) return bytes.error();
-  return io::read_model(*bytes, path, files_beside(path));
+  auto model = io::read_model(*bytes, path, files_beside(path));
+  if (!model || orientation.is_usual()) return model;
+  if (!io::has_open_orientation(*bytes, path)) return says_itself();
+  return io::oriented(*model, orientation);
 }
 
-base::Result<document::Document> load_document(const std::string& path, NamedBy named) {
-  if (path.starts_with(k_built_in)) {
-    auto model = load_model(path);
+base::Result<document::Document> load_document(const std::string& path, NamedBy named,
+                                               const io::Orientation& orientation) {
+  // What leaves its orientation open is no project.
+  if (path.starts_with(k_built_in) || !orientation.is_usual()) {
+    auto model = load_model(path, named, orientation);
     if (!model) return model.error();
     return document::make_document(std::move(model).value());
   }

@@ -4,6 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/document/document.h"
+#include "core/io/surface/orientation.h"
 
 namespace penpose::files {
 
@@ -12,11 +13,15 @@ namespace penpose::files {
 enum class NamedBy : bool { user, file };
 
 /// Opens and reads a model, and the files below its folder that it names; "builtin:head" is the built-in head and
-/// "builtin:demo" the same with the deformers of the demo. Errors of the file system and of the reader.
-[[nodiscard]] base::Result<document::Model> load_model(const std::string& path, NamedBy named = NamedBy::user);
+/// "builtin:demo" the same with the deformers of the demo. `orientation`: how the file's
+/// coordinates are meant, where it does not say so itself. Errors of the file system and of the reader; an orientation
+/// for a file that has one.
+[[nodiscard]] base::Result<document::Model> load_model(const std::string& path, NamedBy named = NamedBy::user,
+                                                       const io::Orientation& orientation = {});
 
 /// The same as a document: of a project with all that it keeps beyond its model.
-[[nodiscard]] base::Result<document::Document> load_document(const std::string& path, NamedBy named = NamedBy::user);
+[[nodiscard]] base::Result<document::Document> load_document(const std::string& path, NamedBy named = NamedBy::user,
+                                                             const io::Orientation& orientation = {});
 
 /// Sets one parameter of the model's pose, or the targets of one expression, from "NAME=VALUE". Errors: no "=", no
 /// number, no parameter and no expression of that name (the

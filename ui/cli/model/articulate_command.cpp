@@ -11,6 +11,7 @@
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
 #include "core/io/project/sketch_file.h"
+#include "ui/cli/orientation_option.h"
 #include "ui/cli/pose/tolerance_option.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/subcommand.h"
@@ -29,6 +30,7 @@ using json::Json;
 struct ArticulateArguments {
   io::WriteOptions glb;
   std::string model;
+  io::Orientation orientation;
   std::string sketch;
   std::string out;
   bool json = false;
@@ -138,7 +140,7 @@ int articulate(const ArticulateArguments& arguments) {
   if (!arguments.out.ends_with(".glb")) {
     return files::report({"deformers are kept in .glb files only", "", "name the output .glb"}, arguments.out);
   }
-  const auto document = files::load_document(arguments.model);
+  const auto document = files::load_document(arguments.model, files::NamedBy::user, arguments.orientation);
   if (!document) return files::report(document.error(), arguments.model);
   const auto bytes = files::read_file(arguments.sketch, files::k_most_text_bytes);
   if (!bytes) return files::report(bytes.error(), arguments.sketch);
@@ -236,6 +238,7 @@ void add_options(CLI::App& command, ArticulateArguments& arguments) {
           "default: weights that fall off over the surface, and of the ways of moving the one that distorts it least. "
           "paper: as published in 2006")
       ->check(CLI::IsMember({"default", "paper"}));
+  add_orientation_options(command, arguments.orientation);
   add_tolerance_option(command, arguments.glb);
 }
 

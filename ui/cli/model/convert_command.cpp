@@ -6,6 +6,7 @@
 #include "core/io/model/model_formats.h"
 #include "core/io/surface/shape_list.h"
 #include "ui/cli/number_range.h"
+#include "ui/cli/orientation_option.h"
 #include "ui/cli/pose/tolerance_option.h"
 #include "ui/cli/subcommand.h"
 #include "ui/files/file_roles.h"
@@ -23,6 +24,7 @@ struct ConvertArguments {
   std::string out;
   std::vector<std::string> shapes;
   std::vector<std::string> assignments;
+  io::Orientation orientation;
 };
 
 /// The files that --shapes names: each as it is, a folder's models in the order of their names, numbers as numbers. An
@@ -48,7 +50,7 @@ base::Result<std::vector<std::string>> shape_files(const std::vector<std::string
 
 /// An error is that of the file `blamed`.
 base::Result<document::Document> load_with_shapes(const ConvertArguments& arguments, std::string& blamed) {
-  auto document = files::load_document(arguments.in);
+  auto document = files::load_document(arguments.in, files::NamedBy::user, arguments.orientation);
   if (!document || arguments.shapes.empty()) return document;
   const auto files = shape_files(arguments.shapes, blamed);
   if (!files) return files.error();
@@ -57,7 +59,7 @@ base::Result<document::Document> load_with_shapes(const ConvertArguments& argume
     // The model itself may lie in the folder.
     std::error_code code;
     if (std::filesystem::equivalent(file, arguments.in, code)) continue;
-    auto shape = files::load_model(file);
+    auto shape = files::load_model(file, files::NamedBy::user, arguments.orientation);
     blamed = file;
     if (!shape) return shape.error();
     shapes.push_back({io::control_name_of(file), std::move(shape).value()});
@@ -107,6 +109,7 @@ void add_options(CLI::App& command, ConvertArguments& arguments) {
   command.add_option("--fps", arguments.write.fps, "Frames a second of a .csv file")
       ->check(CLI::Validator(number_range(0.1, 1000.0), "0.1 to 1000"))
       ->capture_default_str();
+  add_orientation_options(command, arguments.orientation);
   add_tolerance_option(command, arguments.write);
 }
 

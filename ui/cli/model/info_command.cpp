@@ -10,6 +10,7 @@
 #include "core/intent/model/doubles.h"
 #include "core/io/gltf/read/gltf_contents.h"
 #include "core/io/model/model_formats.h"
+#include "ui/cli/orientation_option.h"
 #include "ui/cli/subcommand.h"
 #include "ui/files/files.h"
 #include "ui/files/load_model.h"
@@ -21,6 +22,7 @@ using json::Json;
 
 struct InfoArguments {
   std::string model;
+  io::Orientation orientation;
   bool json = false;
 };
 
@@ -55,6 +57,12 @@ io::GltfContents contents_of(const std::string& path) {
 }
 
 using Doubles = std::vector<intent::DoubleControl>;
+
+/// Of a file that does not say itself which axis points up: the one that is taken to.
+std::string_view up_axis(const InfoArguments& arguments) {
+  if (!io::has_open_orientation({}, arguments.model)) return {};
+  return arguments.orientation.up == io::Up::z ? "z" : "y";
+}
 
 Json to_json(const document::Model& model, const Doubles& doubles, const io::GltfContents& contents,
              const std::string& state, const std::string& path) {
@@ -186,13 +194,22 @@ void print_beside(const io::GltfContents& contents) {
 }
 
 void print(const document::Model& model, const Doubles& doubles, const io::GltfContents& contents,
-           const std::string& path) {
+           const InfoArguments& arguments) {
+  const std::string& path = arguments.model;
   const geometry::Box box = document::rest_world_box(model);
   std::cout << base::shown_line(path, k_longest_path) << "\nvertices    " << model.mesh->vertex_count()
             << "\nfaces       " << model.mesh->triangle_count() << "\ncomponents  " << model.mesh->component_count()
             << "\nbox         " << shown(box.minimum.x) << ' ' << shown(box.minimum.y) << ' ' << shown(box.minimum.z)
-            << "  to  " << shown(box.maximum.x) << ' ' << shown(box.maximum.y) << ' ' << shown(box.maximum.z)
-            << "\nparts       " << model.mesh->parts().size() << '\n';
+            << "  to  " << shown(box.maximum.x) << ' ' << shown(box.maximum.y) << ' ' << shown(box.maximum.z) << '\n';
+  if (const std::string_view up = up_axis(arguments); !up.empty()) {
+    std::cout << "up          " << up << " in the file";
+    if (arguments.orientation.left_handed) std::cout << ", left-handed";
+    if (arguments.orientation.is_usual() && io::looks_as_if_z_were_up(model)) {
+      std::cout << "; if the model lies on its back, z is: --up z";
+    }
+    std::cout << '\n';
+  }
+  std::cout << "parts       " << model.mesh->parts().size() << '\n';
   for (const mesh::Part& part : model.mesh->parts()) {
     std::cout << "  " << name_or_none(part.name) << "  " << part.vertex_count << " vertices, " << part.triangle_count
               << " faces\n";
@@ -215,16 +232,21 @@ void print(const document::Model& model, const Doubles& doubles, const io::GltfC
 }
 
 int run_info(const InfoArguments& arguments) {
-  const auto document = files::load_document(arguments.model);
+  const auto document = files::load_document(arguments.model, files::NamedBy::user, arguments.orientation);
   if (!document) return files::report(document.error(), arguments.model);
   const document::Model model = document::model_of(*document);
   const Doubles doubles = intent::doubles_of(intent::measure_whole_model(*model.rig));
   const io::GltfContents contents = contents_of(arguments.model);
   if (arguments.json) {
     const std::string state = document::DocumentHasher()(*document).whole.hex();
-    std::cout << to_json(model, doubles, contents, state, arguments.model).dump_as_made() << '\n';
+    Json out = to_json(model, doubles, contents, state, arguments.model);
+    if (const std::string_view up = up_axis(arguments); !up.empty()) {
+      out["up"] = Json(up);
+      out["up_in_doubt"] = Json(arguments.orientation.is_usual() && io::looks_as_if_z_were_up(model));
+    }
+    std::cout << out.dump_as_made() << '\n';
   } else {
-    print(model, doubles, contents, arguments.model);
+    print(model, doubles, contents, arguments);
   }
   return k_success;
 }
@@ -232,6 +254,7 @@ int run_info(const InfoArguments& arguments) {
 void add_options(CLI::App& command, InfoArguments& arguments) {
   command.add_option("MODEL", arguments.model, io::names_read() + " file")->required();
   command.add_flag("--json", arguments.json, "print one JSON object");
+  add_orientation_options(command, arguments.orientation);
 }
 
 }  // namespace

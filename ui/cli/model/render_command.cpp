@@ -14,6 +14,7 @@
 #include "core/io/project/case_file.h"
 #include "ui/cli/model/frame_name.h"
 #include "ui/cli/number_range.h"
+#include "ui/cli/orientation_option.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/subcommand.h"
 #include "ui/files/file_roles.h"
@@ -32,6 +33,7 @@ constexpr double k_most_frames = 1e6;
 
 struct Options {
   std::string model;
+  io::Orientation orientation;
   std::vector<std::string> assignments;
   std::optional<double> time_s;
   std::string animation;
@@ -211,7 +213,7 @@ int run_render(const Options& options) {
   // Asked for first: what OpenGL needs is much, and not every driver says when it is not there.
   auto renderer = render::Renderer::make_offscreen();
   if (!renderer) return files::report(renderer.error());
-  auto model = files::load_model(options.model);
+  auto model = files::load_model(options.model, files::NamedBy::user, options.orientation);
   if (!model) return files::report(model.error(), options.model);
   const char* needs_animation = options.time_s               ? "--time"
                                 : options.frames             ? "--frames"
@@ -273,6 +275,7 @@ void add_options(CLI::App& command, Options& options) {
   command.add_option("--fps", options.fps, "frames a second of --frames")
       ->check(CLI::Validator(number_range(0.1, 1000.0), "0.1 to 1000"))
       ->capture_default_str();
+  add_orientation_options(command, options.orientation);
   command.add_option("--size", options.size, "WIDTHxHEIGHT of the picture in px")
       ->check(CLI::Validator(check_size, "WxH"))
       ->capture_default_str();

@@ -54,6 +54,23 @@ TEST_F(InfoCommand, TextNamesPartsParametersAndCurves) {
   }
 }
 
+TEST_F(InfoCommand, SaysWhichAxisOfASurfaceIsUp) {
+  save("lying.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 2 4\nf 1 4 3\n"));
+  ASSERT_EQ(run({"info", path("lying.obj")}), 0) << error_;
+  EXPECT_NE(out_.find("up          y in the file; if the model lies on its back, z is: --up z"), std::string::npos)
+      << out_;
+  ASSERT_EQ(run({"info", "--up", "z", path("lying.obj")}), 0) << error_;
+  EXPECT_NE(out_.find("up          z in the file\n"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("to  1.0000 3.0000 0.0000"), std::string::npos) << out_;
+  // Saved, it stands, and says nothing of it any more.
+  ASSERT_EQ(run({"convert", "--up", "z", path("lying.obj"), path("standing.glb")}), 0) << error_;
+  ASSERT_EQ(run({"info", path("standing.glb")}), 0) << error_;
+  EXPECT_NE(out_.find("to  1.0000 3.0000 0.0000"), std::string::npos) << out_;
+  EXPECT_EQ(out_.find("up  "), std::string::npos) << out_;
+  EXPECT_EQ(run({"info", "--up", "z", path("standing.glb")}), 1);
+  EXPECT_NE(error_.find("--up"), std::string::npos) << error_;
+}
+
 TEST_F(InfoCommand, FaultsAreOneLineAndStatusOne) {
   save("cut.glb", std::string("glTF\2\0\0\0", 8));
   save("bad.obj", std::string("v 0 0 0\nf 1 2 3\n"));

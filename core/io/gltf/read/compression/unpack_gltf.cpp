@@ -16,7 +16,7 @@ namespace {
 
 // Honest files unpack to some 20 times their size.
 constexpr std::uint64_t k_most_times = 40;
-constexpr std::uint64_t k_free_bytes = std::uint64_t{8} << 20;
+constexpr std::uint64_t k_free_bytes = std::uint64_t{1} << 20;
 constexpr std::int64_t k_most_whole = std::int64_t{1} << 40;
 constexpr std::array<const char*, 2> k_meshopt = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
 constexpr const char* k_draco = "KHR_draco_mesh_compression";
