@@ -23,15 +23,18 @@ std::string format_hint(const std::string& path) { return path == k_standard_str
 /// left alone, but for that which is named after the file itself.
 base::Status save_beside(const io::WriteReport& report, const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  const std::string stem = io::stem_of(path);
   for (const auto& [name, bytes] : report.files) {
     const std::filesystem::path beside = folder / name;
     std::error_code code;
     if (std::filesystem::exists(beside, code)) {
       const auto there = read_file(beside.string());
       if (there && *there == bytes) continue;
-      if (name != io::stem_of(path) + ".bin") {
-        return base::Error{"\"" + base::shown_name(name, k_longest_path) + "\" beside it holds something else", "",
-                           "choose another folder, or write a .glb file, which holds everything"};
+      const bool own = name.starts_with(stem) && (name.substr(stem.size()) == ".bin" || name.ends_with("_new.bin"));
+      if (!own) {
+        std::string what = base::shown_name(name, k_longest_path);
+        what += " beside it holds something else";
+        return base::Error{std::move(what), "", "choose another folder, or write a .glb file, which holds everything"};
       }
     }
     std::filesystem::create_directories(beside.parent_path(), code);

@@ -39,19 +39,19 @@ TEST(SharedRigTracks, DropFrameTimecodesHoldNothing) {
 }
 
 TEST(SharedRigTracks, EveryShapeIsDriven) {
-  struct Case {
+  struct TakeOfRig {
     const char* folder;
     const char* model;
     const char* track;
     const char* format;
     double fps;
   };
-  for (const Case& one : {Case{"csv_seconds_as_timecode", "_arkit.glb", "early.csv", nullptr, 30},
-                          Case{"csv_seconds_as_timecode", "_arkit.glb", "frames.csv", nullptr, 30},
-                          Case{"csv_mediapipe_shapes", "_arkit.glb", "tasks.csv", nullptr, 1 / 0.033},
-                          Case{"csv_mediapipe_shapes", "_arkit.glb", "tasks.csv", "arkit", 1 / 0.033},
-                          Case{"csv_mediapipe_shapes", "_arkit.glb", "tasks.json", nullptr, 30},
-                          Case{"names_with_prefix", "maya.glb", "take.csv", nullptr, 60}}) {
+  for (const TakeOfRig& one : {TakeOfRig{"csv_seconds_as_timecode", "_arkit.glb", "early.csv", nullptr, 30},
+                               TakeOfRig{"csv_seconds_as_timecode", "_arkit.glb", "frames.csv", nullptr, 30},
+                               TakeOfRig{"csv_mediapipe_shapes", "_arkit.glb", "tasks.csv", nullptr, 1 / 0.033},
+                               TakeOfRig{"csv_mediapipe_shapes", "_arkit.glb", "tasks.csv", "arkit", 1 / 0.033},
+                               TakeOfRig{"csv_mediapipe_shapes", "_arkit.glb", "tasks.json", nullptr, 30},
+                               TakeOfRig{"names_with_prefix", "maya.glb", "take.csv", nullptr, 60}}) {
     if (!has_case(one.folder)) GTEST_SKIP();
     const auto take = animate_case(one.folder, one.model, one.track, {}, one.format);
     ASSERT_TRUE(take) << one.track << take.error().line();

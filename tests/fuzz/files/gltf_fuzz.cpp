@@ -6,18 +6,34 @@
 #include "core/io/model/write_model.h"
 #include "core/io/tracks/motion_track.h"
 
+namespace {
+
+/// Whatever can be read can be written and is the same again.
+void expect_back(const penpose::document::Model& model, const penpose::io::WriteOptions& options) {
+  using namespace penpose;  // NOLINT(google-build-using-namespace): a program of one file
+  const auto bytes = io::write_glb(model, options);
+  if (!bytes) return;
+  const auto again = io::read_gltf(*bytes);
+  if (!again || document::state_hash(*again) != document::state_hash(model)) std::abort();
+}
+
+}  // namespace
+
 // NOLINTNEXTLINE(readability-identifier-naming): the name that libFuzzer looks for
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace penpose;
+  using namespace penpose;  // NOLINT(google-build-using-namespace): a program of one file
   // Motions are glTF too.
   (void)io::read_vrma({data, size});
   (void)io::read_gltf_humanoid({data, size});
-  const auto model = io::read_gltf({data, size});
+  auto model = io::read_gltf({data, size});
   if (!model) return 0;
-  // Whatever can be read can be written and is the same again.
-  const auto bytes = io::write_glb(*model);
-  if (!bytes) return 0;
-  const auto again = io::read_gltf(*bytes);
-  if (!again || document::state_hash(*again) != document::state_hash(*model)) std::abort();
+  expect_back(*model, {.bare = true});
+  expect_back(*model, {});
+  // The file with a pose of its weights.
+  for (std::size_t i = 0; i < document::weight_count(*model); ++i) {
+    model->pose[i] = 0.5 * (model->pose[i] + model->rig->parameters()[i].maximum);
+  }
+  const auto posed = io::write_glb(*model);
+  if (posed && !io::read_gltf(*posed)) std::abort();
   return 0;
 }

@@ -266,7 +266,7 @@ void add_options(CLI::App& command, SuggestArguments& arguments) {
       .add_option("--strength", arguments.strength,
                   "share of the way, 0 to 1; without it what would have served the keys best, each left out in turn")
       ->check(CLI::Validator(number_range(0, 1), "0 to 1"));
-  auto* out = command.add_option("-o,--output", arguments.out, "write the posed model or project (.glb, .obj)");
+  auto* out = command.add_option("-o,--output", arguments.out, "write the posed model or project (.glb, .gltf, .obj)");
   command
       .add_flag("--leave-one-out", arguments.leave_one_out,
                 "leave each key out, hold of it what --hold says (else the half of its controls that moves the model "

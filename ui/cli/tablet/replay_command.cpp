@@ -280,7 +280,7 @@ int replay_session(const ReplayArguments& arguments) {
 void add_options(CLI::App& command, ReplayArguments& arguments) {
   command.add_option("SESSION", arguments.session, "Session or trace in hid-recorder's text format")->required();
   command.add_option("--model", arguments.model, "Model to draw on, when it is not where the session says");
-  command.add_option("-o,--output", arguments.output, "Project or model file to write at the end (.glb, .obj)");
+  command.add_option("-o,--output", arguments.output, "Project or model file to write at the end (.glb, .gltf, .obj)");
   command.add_option("--png", arguments.picture, "PNG file of the last view");
   command.add_option("--stroke", arguments.strokes, "Stop after so many strokes")
       ->check(CLI::Validator(whole_range(0, 1'000'000'000), "0 to 1000000000"));

@@ -40,6 +40,35 @@ json::Json with_columns(const json::Json& list, const MeshTargets& mesh, const j
   return result;
 }
 
+/// Whether a skeleton is that of the file and one joint more, at the origin, for all vertices that none carried: a head
+/// that moves as a whole (document::with_placements).
+bool carries_the_rest(const rig::Skeleton& now, const rig::Skeleton* was) {
+  const auto joints = now.joints();
+  const std::size_t old = was == nullptr ? 0 : was->joints().size();
+  if (joints.size() != old + 1) return false;
+  const rig::Joint& added = joints.back();
+  if (added.parent >= 0 || added.posable || added.translation != glm::dvec3(0) || added.scale != glm::dvec3(1) ||
+      added.rest_rotation != glm::dquat(1, 0, 0, 0) || added.inverse_bind != glm::dmat4(1))
+    return false;
+  for (std::size_t j = 0; j < old; ++j) {
+    const rig::Joint& a = joints[j];
+    const rig::Joint& b = was->joints()[j];
+    if (a.name != b.name || a.parent != b.parent || a.translation != b.translation || a.scale != b.scale ||
+        a.rest_rotation != b.rest_rotation || a.inverse_bind != b.inverse_bind || a.posable != b.posable)
+      return false;
+  }
+  for (std::uint32_t v = 0; v < now.vertex_count(); ++v) {
+    const auto a = now.influences_of(v);
+    const auto b = was == nullptr ? std::span<const rig::Influence>() : was->influences_of(v);
+    if (b.empty() ? a.size() != 1 || a[0].joint != old || a[0].weight != 1.0
+                  : !std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+                      return x.joint == y.joint && x.weight == y.weight;
+                    }))
+      return false;
+  }
+  return true;
+}
+
 class Patch {
  public:
   Patch(const document::Model& model, const WriteOptions& options, const json::Json& project, GltfContainer container,
@@ -62,6 +91,10 @@ class Patch {
     PatchedGltf patched;
     patched.cannot = targets_.cannot();
     if (!patched.cannot.empty()) return patched;
+    if (model_.skeleton != source_.skeleton && !write_carrier()) {
+      patched.cannot = "its joints are others";
+      return patched;
+    }
     write_targets();
     write_pose();
     write_joints();
@@ -385,6 +418,54 @@ class Patch {
     (has_own || shared ? holder : object)["weights"] = std::move(list);
   }
 
+  /// A node above all parts that no joint carried. False: joints are below the same root.
+  bool write_carrier() {
+    const auto& nodes = document_.model.nodes;
+    std::vector<std::optional<std::size_t>> parent(nodes.size());
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      for (const int child : nodes[n].children) parent[static_cast<std::size_t>(child)] = n;
+    }
+    std::set<std::size_t> roots;
+    std::set<std::size_t> between;
+    for (std::size_t p = 0; p < source_.parts.size(); ++p) {
+      const mesh::Part& part = model_.mesh->parts()[p];
+      if (part.vertex_count == 0) continue;
+      const auto influences = model_.skeleton->influences_of(part.first_vertex);
+      if (influences.size() != 1 || influences[0].joint != source_.nodes.size()) continue;
+      std::size_t node = source_.parts[p].node;
+      for (between.insert(node); parent[node]; between.insert(node)) node = *parent[node];
+      roots.insert(node);
+    }
+    for (const auto& joint : source_.nodes) {
+      if (!joint) continue;
+      std::size_t node = *joint;
+      while (parent[node]) node = *parent[node];
+      if (roots.contains(node)) return false;
+    }
+    changed_ = true;
+    for (const std::size_t node : between) own_extras_of(builder_.root["nodes"][node])["carried_by_parent"] = true;
+    json::Json made = {{"name", model_.skeleton->joints().back().name},
+                       {"children", std::vector<std::size_t>(roots.begin(), roots.end())}};
+    json::Json& own = own_extras_of(made);
+    own["joint"] = true;
+    own["posable"] = false;
+    carrier_ = builder_.add("nodes", std::move(made));
+    const std::size_t scenes = builder_.root.contains("scenes") ? builder_.root["scenes"].size() : 0;
+    for (std::size_t i = 0; i < scenes; ++i) {
+      const json::Json* list = json::find(builder_.root["scenes"][i], "nodes");
+      if (list == nullptr) continue;
+      json::Json left = json::Json::array();
+      bool has = false;
+      for (const json::Json& node : *list) {
+        const bool goes = roots.contains(node.get<std::size_t>());
+        if (!goes || !has) left.push_back(goes ? json::Json(*carrier_) : node);
+        has = has || goes;
+      }
+      builder_.root["scenes"][i]["nodes"] = std::move(left);
+    }
+    return true;
+  }
+
   void write_joints() {
     if (!model_.skeleton) return;
     std::size_t parameter = width();
@@ -446,7 +527,7 @@ class Patch {
   void write_animations() {
     const std::vector<WeightNode> nodes = weight_nodes();
     const auto node_of_joint = [&](std::size_t joint) {
-      return joint < source_.nodes.size() ? source_.nodes[joint] : std::nullopt;
+      return joint < source_.nodes.size() ? source_.nodes[joint] : carrier_;
     };
     GlbAnimations writer(*weights_, nodes, node_of_joint, builder_);
     std::vector<std::size_t> order;
@@ -565,7 +646,8 @@ class Patch {
   std::set<std::size_t> removed_;
   std::vector<bool> posed_;  ///< one a target of morphs_
   std::vector<std::size_t> order_;
-  double between_error_ = 0;  ///< model units
+  std::optional<std::size_t> carrier_;  ///< the node that carries what no joint of the file does
+  double between_error_ = 0;            ///< model units
   bool changed_ = false;
 };
 
@@ -580,7 +662,9 @@ base::Result<PatchedGltf> patch_gltf(const document::Model& model, const WriteOp
     return none;
   };
   if (model.mesh != source.mesh) return cannot("its surface is another one");
-  if (model.skeleton != source.skeleton) return cannot("its joints are others");
+  if (model.skeleton != source.skeleton &&
+      !(model.skeleton && carries_the_rest(*model.skeleton, source.skeleton.get())))
+    return cannot("its joints are others");
   auto opened = open_gltf(source.bytes, resolver_of(source));
   if (!opened) return cannot(opened.error().what);
   const auto root = read_root_extras(opened->json);

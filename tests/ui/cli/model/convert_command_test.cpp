@@ -44,6 +44,33 @@ TEST_F(ConvertCommand, BuffersBesideTheModelAreFound) {
   EXPECT_NE(error_.find("/buffers/0/uri"), std::string::npos);
 }
 
+TEST_F(ConvertCommand, WhatWasNotChangedStaysAsItWas) {
+  tests::GltfSample sample = tests::morph_sample();
+  sample.json["extensions"] = {{"ACME", {{"known", "to nobody"}}}};
+  const auto bytes = sample.glb();
+  save("in.glb", bytes);
+  ASSERT_EQ(run({"convert", path("in.glb"), path("out.glb")}), 0) << error_;
+  EXPECT_EQ(content("out.glb"), std::string(bytes.begin(), bytes.end()));
+  ASSERT_EQ(run({"convert", path("in.glb"), path("bare.glb"), "--bare"}), 0) << error_;
+  EXPECT_EQ(content("bare.glb").find("ACME"), std::string::npos);
+  EXPECT_EQ(state("bare.glb"), state("in.glb"));
+}
+
+TEST_F(ConvertCommand, ATextFileHasItsBytesBeside) {
+  save("in.glb", tests::morph_sample().glb());
+  ASSERT_EQ(run({"convert", path("in.glb"), path("out.gltf")}), 0) << error_;
+  EXPECT_EQ(state("out.gltf"), state("in.glb"));
+  EXPECT_TRUE(std::filesystem::exists(path("out.bin")));
+  std::filesystem::create_directory(path("folder"));
+  ASSERT_EQ(run({"convert", path("out.gltf"), path("folder/again.gltf")}), 0) << error_;
+  EXPECT_EQ(content("folder/again.gltf"), content("out.gltf"));
+  EXPECT_EQ(content("folder/out.bin"), content("out.bin"));
+  save("folder/out.bin", std::string("something else"));
+  EXPECT_EQ(run({"convert", path("out.gltf"), path("folder/again.gltf")}), 1);
+  EXPECT_NE(error_.find("out.bin"), std::string::npos) << error_;
+  EXPECT_EQ(content("folder/out.bin"), "something else");
+}
+
 TEST_F(ConvertCommand, NothingIsHalfWritten) {
   save("in.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
   save("bad.obj", std::string("v 0 0 0\nf 1 2 3\n"));

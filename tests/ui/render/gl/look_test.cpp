@@ -8,7 +8,7 @@ namespace {
 using document::AlphaMode;
 using document::TextureUse;
 
-constexpr geometry::Viewport k_viewport{100, 100};
+constexpr geometry::Viewport k_look_viewport{100, 100};
 
 /// A picture of four quarters: red, green, blue and clear white, from the left above.
 std::shared_ptr<const std::vector<std::uint8_t>> quarters() {
@@ -53,7 +53,7 @@ struct Card {
     const auto renderer = make_renderer();
     if (!renderer) return {};
     renderer->set_occlusion(false);
-    auto image = renderer->render(scene, frame_points(shown.positions, k_viewport, {yaw, 0})).value();
+    auto image = renderer->render(scene, frame_points(shown.positions, k_look_viewport, {yaw, 0})).value();
     notes = renderer->take_notes();
     return image;
   }
@@ -191,7 +191,7 @@ TEST(Looks, TranslucentTrianglesAreSeenFromTheFarthestOn) {
   const auto renderer = make_renderer();
   ASSERT_NE(renderer, nullptr);
   renderer->set_occlusion(false);
-  const Image image = renderer->render(scene, frame_points(shown.positions, k_viewport, {0, 0})).value();
+  const Image image = renderer->render(scene, frame_points(shown.positions, k_look_viewport, {0, 0})).value();
   expect_color(image, 50, 50, 128, 64, 0);
 }
 

@@ -193,8 +193,17 @@ void PatchTargets::add_new(const GlbWeights& weights, const std::vector<bool>& u
     }
   }
   for (const MeshTargets& mesh : meshes_) {
-    if (mesh.nodes.size() < 2 || mesh.same()) continue;
-    cannot_ = "nodes share the mesh " + std::to_string(mesh.mesh) + ", which was changed for one of them";
+    if (mesh.same()) continue;
+    const std::string name = "mesh " + std::to_string(mesh.mesh);
+    if (mesh.nodes.size() > 1) cannot_ = "nodes share " + name + ", which was changed for one of them";
+    for (const std::size_t p : mesh.parts) {
+      const auto& primitive = document_.model.meshes[mesh.mesh].primitives[source_.parts[p].primitives.front()];
+      const auto position = primitive.attributes.find("POSITION");
+      const bool fits = position != primitive.attributes.end() &&
+                        document_.model.accessors[static_cast<std::size_t>(position->second)].count ==
+                            model_.mesh->parts()[p].vertex_count;
+      if (!fits) cannot_ = name + " has other vertices than the model";
+    }
   }
 }
 

@@ -270,6 +270,23 @@ TEST(PatchGltf, JointsArePosedWhereTheyAre) {
   EXPECT_NEAR(node["rotation"][2].get<double>(), std::sin(0.5 * (1.5707963267948966 + 0.5)), 1e-9);
 }
 
+TEST(PatchGltf, AHeadThatMovesAsAWholeGetsANodeAboveIt) {
+  const Bytes bytes = avatar().glb();
+  document::Model model = read(bytes);
+  const std::vector<double> times{0, 1};
+  model.animations.push_back(document::make_animation(model, "tracked", times, std::vector<rig::Pose>{{0}, {0.5}}));
+  const std::vector<document::Placement> placements{{}, {glm::dquat(0.8, 0, 0.6, 0), {0.1, 0, 0}, 1.2}};
+  model = document::with_placements(std::move(model), 2, {0, 0, 0}, times, placements).value();
+  WriteReport report;
+  const Bytes written = write_glb(model, {}, &report).value();
+  EXPECT_TRUE(report.notes.empty());
+  expect_kept(bytes, written, {"/scenes/0/nodes"});
+  const Json json = parts_of(written).json;
+  EXPECT_EQ(json["scenes"][0]["nodes"], Json({3}));
+  EXPECT_EQ(json["nodes"][3]["children"], Json({0}));
+  EXPECT_EQ(document::state_hash(read(written)), document::state_hash(model));
+}
+
 TEST(PatchGltf, AProjectKeepsTheFileToo) {
   const Bytes bytes = avatar().glb();
   document::Document document = document::make_document(read(bytes));
