@@ -109,7 +109,7 @@ std::vector<std::optional<double>> ValueClock::seconds_of_codes(std::string& rat
       times.emplace_back();
       continue;
     }
-    const double time = decimals ? code->whole_s + *code->fraction_s : seconds_of(*code, rate.count, drops);
+    const double time = decimals ? code->whole_s + code->fraction_s.value_or(0) : seconds_of(*code, rate.count, drops);
     // Of a day that leaves numbers out 86.4 ms are missing.
     if (!first && time + day < before - k_day_s / 2) day += drops ? k_day_s - 0.0864 : k_day_s;
     before = time + day;
