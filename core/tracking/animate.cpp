@@ -209,7 +209,7 @@ base::Result<Animated> animate(const document::Document& document, io::Track tra
   if (std::any_of(placements.begin(), placements.end(), shifts) && document::head_joints(model)) {
     animated.notes.emplace_back("the head turns on its neck; its shift and size in the picture are left out");
   }
-    auto with = with_animation(document, std::move(model), animated, solved->head, std::move(solved->animation));
+  auto with = with_animation(document, std::move(model), animated, solved->head, std::move(solved->animation));
   about = AnimateInput::model;
   if (!with) return with.error();
   animated.document = std::move(with).value();
