@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/document/expressions.h"
 #include "core/rig/control_names.h"
 
 namespace penpose::tracking {
@@ -141,18 +142,11 @@ class Finder {
     const auto own = rig::controls_named(model_.rig->parameters(), name);
     for (const std::size_t p : own) add(p, gain);
     if (!own.empty()) return true;
-    const std::string folded = rig::folded_name(name);
-    bool any = false;
-    for (const document::Expression& expression : model_.expressions) {
-      if (folded.empty() || rig::folded_name(expression.name) != folded) continue;
-      for (const auto& [p, value] : expression.values) {
-        if (p >= model_.rig->parameters().size()) continue;
-        add(p, gain * (value - model_.rig->parameters()[p].rest));
-        any = true;
-      }
-      if (any) break;
-    }
-    return any;
+    const auto expression = document::expression_named(model_, name);
+    if (!expression) return false;
+    for (const auto& [p, value] : model_.expressions[*expression].values)
+      add(p, gain * (value - model_.rig->parameters()[p].rest));
+    return true;
   }
 
   /// Whether the sets of a name decide what it does, be it nothing.

@@ -122,7 +122,6 @@ base::Result<Model> with_placements(Model model, std::size_t animation, const ge
     made->look = std::move(model.look);
     made->source = std::move(model.source);
     made->notes = std::move(model.notes);
-    made->source = std::move(model.source);
     model = std::move(made).value();
   }
   const Keys keys = make_keys(times_s);

@@ -83,7 +83,9 @@ class Patch {
         morphs_(model, options.bake_tolerance),
         targets_(model, morphs_, document, root),
         layout_(*model.source, document, container, options.stem),
-        builder_(layout_.document(), layout_.buffer(), layout_.start()) {}
+        builder_(layout_.document(), layout_.buffer(), layout_.start()) {
+    builder_.reuse(layout_.known());
+  }
 
   base::Result<PatchedGltf> write() {
     compare_animations();

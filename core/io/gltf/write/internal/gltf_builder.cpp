@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <new>
 #include <string_view>
+
+#include "core/base/byte_reader.h"
 
 namespace penpose::io {
 namespace {
@@ -56,7 +59,43 @@ std::size_t GltfBuilder::write_floats(std::span<const float> numbers, BufferUse 
   return add_view(start, use);
 }
 
+std::optional<std::size_t> GltfBuilder::known_floats(std::span<const float> numbers, const char* type,
+                                                     bool bounds) const {
+  const json::Json* accessors = known_.empty() ? nullptr : json::find(root, "accessors");
+  const json::Json* views = json::find(root, "bufferViews");
+  if (accessors == nullptr || views == nullptr || numbers.empty()) return std::nullopt;
+  const std::size_t length = numbers.size() * 4;
+  const json::Json wanted = {
+      {"componentType", k_float}, {"count", numbers.size() / components_of(type)}, {"type", type}};
+  for (std::size_t i = 0; i < accessors->size(); ++i) {
+    json::Json accessor = (*accessors)[i];
+    const json::Json* named = json::find(accessor, "bufferView");
+    const auto view_number =
+        named == nullptr ? std::nullopt : json::whole_number(*named, 0, static_cast<std::int64_t>(views->size()) - 1);
+    if (!view_number || (bounds && json::find(accessor, "min") == nullptr)) continue;
+    for (const char* name : {"bufferView", "min", "max"}) accessor.erase(name);
+    if (accessor != wanted) continue;
+    json::Json view = (*views)[static_cast<std::size_t>(*view_number)];
+    const json::Json* from = json::find(view, "byteOffset");
+    const auto offset = from == nullptr ? std::optional<std::int64_t>(0)
+                                        : json::whole_number(*from, 0, static_cast<std::int64_t>(known_.size()));
+    view.erase("byteOffset");
+    if (!offset || view != json::Json{{"buffer", buffer_}, {"byteLength", length}}) continue;
+    const auto first = static_cast<std::size_t>(*offset);
+    if (first > known_.size() || length > known_.size() - first) continue;
+    base::ByteReader reader(known_.subspan(first, length));
+    const bool same = std::all_of(numbers.begin(), numbers.end(), [&](float number) {
+      return std::bit_cast<std::uint32_t>(*reader.read_f32()) == std::bit_cast<std::uint32_t>(number);
+    });
+    if (same) return i;
+  }
+  return std::nullopt;
+}
+
 std::size_t GltfBuilder::add_floats(std::span<const float> numbers, const char* type, BufferUse use, bool bounds) {
+  if (use == BufferUse::plain) {
+    if (const auto known = known_floats(numbers, type, bounds)) return *known;
+  }
   const std::size_t components = components_of(type);
   json::Json accessor = {{"bufferView", write_floats(numbers, use)},
                          {"componentType", k_float},

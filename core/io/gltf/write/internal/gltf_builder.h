@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,10 @@ class GltfBuilder {
   /// multiple of 4.
   GltfBuilder(json::Json document, std::size_t buffer, std::size_t start)
       : root(std::move(document)), buffer_(buffer), start_(start) {}
+
+  /// What lies in the buffer already: numbers of animations that are there are not added again, so that a file that is
+  /// saved again and again does not grow. The bytes have to outlive this.
+  void reuse(base::Bytes known) { known_ = known; }
 
   /// Adds an object to an array of the root and returns its index.
   std::size_t add(const char* array, json::Json object);
@@ -54,9 +59,13 @@ class GltfBuilder {
 
  private:
   std::size_t add_view(std::size_t start, BufferUse use);
+  /// The accessor that reads these numbers from what is known, if any.
+  [[nodiscard]] std::optional<std::size_t> known_floats(std::span<const float> numbers, const char* type,
+                                                        bool bounds) const;
   std::size_t write_floats(std::span<const float> numbers, BufferUse use);
 
   base::ByteWriter binary_;
+  base::Bytes known_;
   std::size_t buffer_ = 0;
   std::size_t start_ = 0;
 };

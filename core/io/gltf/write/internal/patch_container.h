@@ -28,6 +28,8 @@ class PatchContainer {
   /// The buffer that new bytes lie in, and their first place there.
   [[nodiscard]] std::size_t buffer() const { return buffer_; }
   [[nodiscard]] std::size_t start() const { return start_; }
+  /// What lies in that buffer already, where it is of one piece.
+  [[nodiscard]] base::Bytes known() const { return pieces_.size() == 1 ? pieces_.front() : base::Bytes(); }
 
   /// The file, and what belongs beside it. Without a change it is the one that was read, where that is of this kind.
   /// Errors: of pack_glb.

@@ -152,7 +152,7 @@ document::Model with_curl(document::Model model) {
 TEST(PatchGltf, AModelWithoutAChangeIsTheFile) {
   const Bytes bytes = avatar().glb();
   EXPECT_EQ(write_glb(read(bytes)).value(), bytes);
-  EXPECT_TRUE(read(bytes).notes.empty() || read(bytes).notes.size() == 1U) << "nothing of it is left out";
+  for (const std::string& note : read(bytes).notes) EXPECT_EQ(note.find("textur"), std::string::npos) << note;
 }
 
 TEST(PatchGltf, APoseChangesItsWeightAlone) {
