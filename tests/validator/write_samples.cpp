@@ -19,8 +19,8 @@ namespace {
 
 using namespace penpose;
 
-bool write(const std::filesystem::path& path, const document::Model& model) {
-  const auto bytes = io::write_glb(model);
+bool write(const std::filesystem::path& path, const document::Model& model, bool bare = false) {
+  const auto bytes = io::write_glb(model, {.bare = bare});
   if (!bytes) {
     std::fprintf(stderr, "%s\n", bytes.error().line(path.string()).c_str());
     return false;
@@ -43,6 +43,17 @@ bool write_motion(const std::filesystem::path& path) {
   return file.good();
 }
 
+/// A file that was read, with another pose and an animation more.
+document::Model patched(const document::Model& model) {
+  const auto bytes = io::write_glb(model, {.bare = true}).value();
+  document::Model read = io::read_model(bytes, "sample.glb").value();
+  std::vector<rig::Pose> poses(2, read.pose);
+  for (std::size_t i = 0; i < read.pose.size(); ++i) poses[1][i] = 0.25 * read.rig->parameters()[i].maximum;
+  read.animations.push_back(document::make_animation(read, "more", std::vector<double>{0, 1}, poses));
+  read.pose = poses[1];
+  return read;
+}
+
 /// A sketched deformer that turns, baked and animated, on a head that moves.
 document::Model tracked() {
   document::Model model = tests::curling_trunk();
@@ -60,9 +71,12 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = tests::empty_folder(argv[1]);
   bool good = write(folder / "full.glb", tests::full_model());
   good = write(folder / "empty_part.glb", tests::model_with_empty_part()) && good;
-  good = write(folder / "morph.glb", tests::morph_sample().read().value()) && good;
+  good = write(folder / "morph.glb", tests::morph_sample().read().value(), true) && good;
   good = write(folder / "tracked.glb", tracked()) && good;
-  good = write(folder / "skin.glb", tests::skin_sample().read().value()) && good;
+  good = write(folder / "skin.glb", tests::skin_sample().read().value(), true) && good;
+  good = write(folder / "patched_morph.glb", patched(tests::morph_sample().read().value())) && good;
+  good = write(folder / "patched_skin.glb", patched(tests::skin_sample().read().value())) && good;
+  good = write(folder / "patched_full.glb", patched(tests::full_model())) && good;
   good = write_motion(folder / "motion.vrma") && good;
   if (!tests::has_shared()) return good ? 0 : 1;
   for (const auto& entry : std::filesystem::directory_iterator(tests::shared_dir() / "meshes")) {
@@ -76,6 +90,9 @@ int main(int argc, char** argv) {
     // A pose that is not the rest pose, so that weights and rotations are checked too.
     for (std::size_t i = 0; i < model->pose.size(); i += 3) model->pose[i] = 0.25 * model->rig->parameters()[i].maximum;
     good = write(folder / (name + ".glb"), *model) && good;
+    if (!name.ends_with(".glb")) continue;
+    std::filesystem::create_directories(folder / "read");
+    std::filesystem::copy_file(entry.path(), folder / "read" / (name + ".glb"));
   }
   return good ? 0 : 1;
 }

@@ -64,7 +64,7 @@ function(penpose_package component section summary text)
 endfunction()
 
 set(c_library "libc6 (>= 2.36)" "libgcc-s1 (>= 3.5)" "libstdc++6 (>= 12)")
-set(solver "libmeshoptimizer2d (>= 0.18)" "libdraco7 (>= 1.5.5)")  # tinygltf is compiled in
+set(solver "libmeshoptimizer2d (>= 0.18+dfsg)" "libdraco7 (>= 1.5.5+dfsg)")  # tinygltf is compiled in
 set(headers libglm-dev libxxhash-dev libmeshoptimizer-dev libdraco-dev)  # what find_package(penpose) and the C++ headers want
 get_target_property(mesh_links core_mesh LINK_LIBRARIES)
 list(APPEND solver "zlib1g (>= 1:1.1.4)")

@@ -38,6 +38,9 @@ struct Choice {
 
 /// How far a value is on its way to the end of its range, 0 to 1; 0 where it has none on that side.
 [[nodiscard]] double share_of_range(double value, std::size_t variable, const Choices& choices);
+/// A choice of these units, ascending, with their variables and without values.
+[[nodiscard]] Choice choice_of_units(const Choices& choices, std::vector<std::size_t> units);
+
 /// A choice whose `limited` variables change by no more than `most` from an earlier one.
 [[nodiscard]] Choice trusted(const Choice& before, Choice after, double most,
                              const std::function<bool(std::size_t)>& limited);

@@ -68,13 +68,7 @@ void RobustSelection::set_up(const Choice& choice, std::span<const double> weigh
 
 Choice RobustSelection::fit(std::vector<std::size_t> units) {
   ++evaluations_;
-  Choice choice;
-  choice.units = std::move(units);
-  for (const std::size_t u : choice.units) {
-    const Unit& unit = choices_.units[u];
-    choice.variables.insert(choice.variables.end(), unit.members.begin(), unit.members.begin() + unit.count);
-  }
-  std::stable_sort(choice.variables.begin(), choice.variables.end());
+  Choice choice = choice_of_units(choices_, std::move(units));
   for (const std::size_t v : choice.variables) q_.prepare_parts(v);
   const std::size_t n = choice.variables.size();
   choice.values.assign(n, 0.0);

@@ -94,13 +94,7 @@ void Selection::set_up(const Choice& choice) {
 
 Choice Selection::fit(std::vector<std::size_t> units) {
   ++evaluations_;
-  Choice choice;
-  choice.units = std::move(units);
-  for (const std::size_t u : choice.units) {
-    const Unit& unit = choices_.units[u];
-    choice.variables.insert(choice.variables.end(), unit.members.begin(), unit.members.begin() + unit.count);
-  }
-  std::stable_sort(choice.variables.begin(), choice.variables.end());
+  Choice choice = choice_of_units(choices_, std::move(units));
   set_up(choice);
   choice.values = squares_.solve(matrix_, pulls_, choice.variables, choices_);
   const std::size_t n = choice.variables.size();
