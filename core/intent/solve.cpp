@@ -332,7 +332,7 @@ base::Result<std::vector<CurveLeft>> left_at_start(const rig::Rig& rig, const Wh
   const Reader::Left left = reader.left(problem.start);
   std::vector<CurveLeft> out;
   for (std::size_t c = 0; c < problem.drawn.size(); ++c)
-    out.push_back({left.px[c], left.units[c], reader.alignments(c).front().reversed});
+    out.push_back({left.px[c], left.units[c], reader.alignments(c).front().reversed, reader.beyond_at_start(c)});
   return out;
 }
 

@@ -31,6 +31,7 @@ struct CurveLeft {
   double px = 0;     ///< mean distance left in the picture (drawn curves; 0 for known ones)
   double units = 0;  ///< the same in model units
   bool reversed = false;
+  double beyond_px = 0;  ///< how far the farther end of the drawn line lies from the curve; only of left_at_start
 };
 
 struct Solution {

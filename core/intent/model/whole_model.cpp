@@ -45,6 +45,32 @@ double stride_of(const std::vector<ModelPoint>& rest, const std::vector<ModelPoi
   return ways > 0.0 ? squares / ways : 0.0;
 }
 
+/// Which vertices shapes move, and how far they press them into each other.
+Contacts contacts_of(const rig::Rig& rig, std::span<const ModelPoint> rest, const std::vector<bool>& moved,
+                     const std::vector<bool>& shapes) {
+  const auto* character = dynamic_cast<const rig::CharacterRig*>(&rig);
+  Contacts contacts = character != nullptr ? Contacts(character->mesh(), rest, moved) : Contacts{};
+  const auto bound = rig.bind(contacts.vertices());
+  std::vector<ModelPoint> here(contacts.vertices().size()), there(here.size());
+  rig::Pose pose = rig::rest_pose(rig);
+  bound->evaluate(pose, here);
+  for (std::size_t p = 0; p < pose.size(); ++p) {
+    const rig::Parameter& parameter = rig.parameters()[p];
+    if (!shapes[p] || !bound->moves(p)) {
+      contacts.add(here, {}, 0);
+      continue;
+    }
+    const double range = parameter.maximum - parameter.minimum;
+    const bool up = parameter.maximum > parameter.rest;
+    const double end = up ? parameter.maximum : parameter.minimum;
+    pose[p] = end;
+    bound->evaluate(pose, there);
+    pose[p] = parameter.rest;
+    contacts.add(here, there, range / (end - parameter.rest));
+  }
+  return contacts;
+}
+
 }  // namespace
 
 WholeModel measure_whole_model(const rig::Rig& rig) {
@@ -77,6 +103,7 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
     whole.joint_extents = extents_of(*character->skeleton(), rest);
 
   ControlFields fields(rest);
+  std::vector<bool> moved_by_shapes(rest.size());
   std::vector<ControlMoments> moments(d);
   for (std::size_t p = 0; p < d; ++p) {
     const rig::Parameter& parameter = parameters[p];
@@ -94,6 +121,9 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
     const double sign = up >= down ? 1.0 : -1.0;
     const bool turns = whole.joint[p] != k_no_partner;
     fields.add(rest, moved, sign * (turns ? 1.0 : parameter.maximum - parameter.minimum) / step);
+    for (std::size_t v = 0; v < rest.size() && !turns; ++v) {
+      if (moved[v] != rest[v]) moved_by_shapes[v] = true;
+    }
     moments[p] = moments_of(rest, moved);
     whole.movement[p] = moments[p].way * (parameter.maximum - parameter.minimum) / step;
     if (!std::isfinite(whole.movement[p])) whole.movement[p] = 0;
@@ -105,6 +135,7 @@ WholeModel measure_whole_model(const rig::Rig& rig) {
   std::vector<bool> shapes(d);
   for (std::size_t p = 0; p < d; ++p) shapes[p] = whole.joint[p] == k_no_partner && whole.movement[p] > 0.0;
   whole.composites = composites_of(fields, shapes);
+  whole.contacts = std::make_shared<const Contacts>(contacts_of(rig, rest, moved_by_shapes, shapes));
   whole.fields = std::make_shared<const ControlFields>(std::move(fields));
   whole.partner = mirror_pairs(moments, box.empty() ? ModelPoint{0} : box.center(), whole.size);
   whole.rest = std::make_shared<const std::vector<ModelPoint>>(std::move(rest));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/intent/model/composites.h"
+#include "core/intent/model/contacts.h"
 #include "core/intent/model/control_fields.h"
 #include "core/joints/body.h"
 #include "core/rig/rig.h"
@@ -33,6 +34,8 @@ struct WholeModel {
   std::shared_ptr<const joints::Body> body;
   /// What each control does, on a sample of the vertices.
   std::shared_ptr<const ControlFields> fields;
+  /// What shapes do where lips touch.
+  std::shared_ptr<const Contacts> contacts;
   /// Of how many others each control is the sum.
   std::vector<Composite> composites;
   /// For each joint: the diagonal of the box of the vertices that follow it before any other, model units.

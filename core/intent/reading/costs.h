@@ -41,6 +41,10 @@ struct FaceCosts {
   /// Times the cosine of two units' fields beyond a tenth against each other; and beyond three tenths alike.
   double against = 12.0;
   double twice = 6.0;
+  /// A control that drives lips through each other, from `crosses_from` of the size of what shapes move, to all of it
+  /// at twice that: it corrects another one, and is not meant alone.
+  double crosses = 14.0;
+  double crosses_from = 0.03;
   /// Units whose fields are alike by this cosine do the same: one of them at most.
   double same = 0.9;
   /// Times the square of the difference between the sides of a pair.

@@ -155,12 +155,12 @@ Reading FaceSolver::read_best() {
     for (std::size_t a = 1; a < reader_.alignments(c).size(); ++a) {
       if (reader_.alignments(c)[a].charge >= gain) continue;
       reader_.align(c, a);
+      // A part of a curve drawn where it is would say nothing: then all of it is meant to be shorter.
+      if (reader_.squares_of(c, {}) < reader_.face_costs().asks_from) continue;
       // Where a first look comes nowhere near it so, it is not how the line was drawn.
       if (first_look(best.choice, c) > best.energy + k_window) continue;
       Reading one = read_aligned();
       if (!(one.energy < best.energy - 1e-9)) continue;
-      // A part of a curve drawn where it is would say nothing: then all of it is meant to be shorter.
-      if (one.choice.units.empty()) continue;
       best = std::move(one);
       of_best = matched_;
       chosen = a;

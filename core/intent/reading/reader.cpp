@@ -120,6 +120,11 @@ Reader::Reader(const rig::Rig& rig, const WholeModel& whole, const IntentProblem
     group_curves();
     measure_groups();
     measure_fields();
+    for (std::size_t p = 0; p < problem.start.size(); ++p) {
+      const rig::Parameter& parameter = rig.parameters()[p];
+      const double range = parameter.maximum - parameter.minimum;
+      shares_at_start_.push_back(range > 0.0 ? (problem.start[p] - parameter.rest) / range : 0.0);
+    }
     measure_symmetry();
   }
   all_.resize(parameters_.size());
@@ -359,6 +364,12 @@ rig::Pose Reader::pose_of(const Choice& choice) const {
     turn_pose(at, pose);
   }
   return pose;
+}
+
+double Reader::beyond_at_start(std::size_t c) const {
+  const std::vector<PxPoint> curve = seen_at_start(c);
+  const auto line = blocks_[c].line->points();
+  return std::max(curve::distance_to(curve, line.front()), curve::distance_to(curve, line.back()));
 }
 
 Reader::Left Reader::left(const rig::Pose& pose) {

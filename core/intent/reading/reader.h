@@ -80,6 +80,8 @@ class Reader final : public Relations {
   [[nodiscard]] bool ends_told(std::size_t c) const;
   /// The points of drawn curve c on its picture, at the start.
   [[nodiscard]] std::vector<PxPoint> seen_at_start(std::size_t c) const { return seen(blocks_[c], start_); }
+  /// How far the farther end of drawn curve c's line lies from the curve at the start, px.
+  [[nodiscard]] double beyond_at_start(std::size_t c) const;
   /// Replaces the line of drawn curve c. Precondition: at least two points, of positive length.
   void redraw(std::size_t c, std::span<const PxPoint> line, Alignment alignment);
 
@@ -259,9 +261,10 @@ class Reader final : public Relations {
   std::vector<Field> fields_;                               ///< one a variable
   std::vector<Unit> carriers_;                              ///< left out of choices_
   mutable std::vector<std::optional<Relation>> relations_;  ///< of pairs, as far as they were asked for
-  std::vector<std::size_t> images_;  ///< of each point of drawn curves, or k_no_partner; empty: not from the front
-  double symmetry_ = 0;              ///< of what the lines ask for, 0 to 1
-  std::vector<double> asked_;        ///< one a group that tells of controls
+  std::vector<std::size_t> images_;      ///< of each point of drawn curves, or k_no_partner; empty: not from the front
+  std::vector<double> shares_at_start_;  ///< of ranges, from rest, one a parameter of the rig; empty: all at rest
+  double symmetry_ = 0;                  ///< of what the lines ask for, 0 to 1
+  std::vector<double> asked_;            ///< one a group that tells of controls
   std::vector<std::vector<bool>> moved_groups_;  ///< one a parameter: whether it moves each of them
   posing::CurveSystem system_;
   std::vector<Block> blocks_;

@@ -268,6 +268,12 @@ double Reader::face_charge(const Unit& unit) const {
   const double elsewhere = near > 0.0 ? far / near : k_no_share;
   double charge = face_.unit + face_.elsewhere * base::log(1.0 + elsewhere) + face_.fringe * base::log(fringe) +
                   face_.part * (parts - 1.0);
+  for (std::size_t m = 0; m < unit.count; ++m) {
+    const std::size_t p = parameters_[parameter_of(unit.members[m])];
+    if (!(whole_.contacts->depth(p) > face_.crosses_from)) continue;
+    const double deep = whole_.contacts->depth(p, shares_at_start_);
+    charge += face_.crosses * std::clamp(deep / face_.crosses_from - 1.0, 0.0, 1.0);
+  }
   if (turns(unit.members[0])) charge += face_.carried * base::log(1.0 + elsewhere / face_.carried_from);
   // The sides of a pair that pull against each other.
   if (unit.tied) charge += face_.against * std::max(0.0, -likeness(unit.members[0], unit.members[1]) - 0.1);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/document/drawing/pose_problem.h"
@@ -12,21 +13,26 @@ namespace {
 
 /// Share of its range from which on a parameter has moved.
 constexpr double k_moved = 0.005;
+/// Lines begin and end within this many times a hand's doubt of where they are meant to.
+constexpr double k_ends_within = 4.0;
 
-double left_of(document::Document document, document::CurveId curve, const intent::WholeModel& whole) {
+std::optional<intent::CurveLeft> left_of(document::Document document, document::CurveId curve,
+                                         const intent::WholeModel& whole) {
   // The target that was drawn or dragged; the last one where all were solved again.
   auto drawn = std::find_if(document.curves.rbegin(), document.curves.rend(),
                             [&](const auto& one) { return one->target && (!curve || one->id == curve); });
-  if (drawn == document.curves.rend()) return -1;
+  if (drawn == document.curves.rend()) return std::nullopt;
   document.curves = {*drawn};
   const auto left = intent::left_at_start(*document.model->rig, whole, document::intent_problem(document));
-  return left && !left->empty() ? left->front().px : -1;
+  if (!left || left->empty()) return std::nullopt;
+  return left->front();
 }
 
 }  // namespace
 
 bool LastStroke::within_hand(const document::Document& document, geometry::Viewport viewport) const {
-  return left_px_ <= 2.0 * document::hand_px(document, viewport);
+  const double hand = document::hand_px(document, viewport);
+  return left_px_ <= 2.0 * hand && beyond_px_ <= k_ends_within * hand;
 }
 
 void LastStroke::say(std::string text) {
@@ -42,6 +48,7 @@ void LastStroke::grow_old() {
 void LastStroke::forget() {
   movements_.clear();
   left_px_ = -1;
+  beyond_px_ = 0;
 }
 
 void LastStroke::look_at(const document::Document& before, const document::Document& after, document::CurveId drawn,
@@ -58,7 +65,10 @@ void LastStroke::look_at(const document::Document& before, const document::Docum
                    [](const Movement& a, const Movement& b) { return std::abs(a.by) > std::abs(b.by); });
   newest_ = true;
   curve_ = drawn;
-  left_px_ = left_of(after, drawn, whole);
+  if (const auto left = left_of(after, drawn, whole)) {
+    left_px_ = left->px;
+    beyond_px_ = left->beyond_px;
+  }
 }
 
 }  // namespace penpose::app

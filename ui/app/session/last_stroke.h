@@ -46,6 +46,7 @@ class LastStroke {
  private:
   std::vector<Movement> movements_;
   double left_px_ = -1;
+  double beyond_px_ = 0;  ///< that the line's farther end lies from the curve
   document::CurveId curve_;
   bool newest_ = false;
   std::string text_;

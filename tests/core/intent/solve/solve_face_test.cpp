@@ -79,7 +79,8 @@ TEST(FaceLines, HowWideALineIsDrawnIsAWishLikeHowHigh) {
   face.control("narrow", [](double x, double y) {
     return geometry::ModelVector{std::abs(x) < 0.7 ? -0.4 * x * fade(y + 0.4) : 0.0, 0, 0};
   });
-  face.bump("browLeft", -0.4, 0.5, {0, 0.15, 0});
+  // Others could move a little of the line.
+  face.bump("browLeft", -0.4, 0.5, {0, 0.15, 0}).bump("chin", 0, -0.75, {0, -0.1, 0}).bump("lip", 0, -0.3, {0, 0.1, 0});
   face.ready();
   for (const double by : {0.25, 0.5, 1.0}) {
     const Line line = tests::shaken(face.seen(Face::mouth(), face.pose({{"narrow", by}})), 0.7, 7);
