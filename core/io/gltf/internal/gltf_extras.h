@@ -52,6 +52,9 @@ struct RootExtras {
 /// Node: {"joint": true, "posable": true, "rest_rotation": [x, y, z, w], "minimum": [x, y, z], "maximum": [x, y, z],
 /// "values": [rx, ry, rz]} or {"carried_by_parent": true} or {"still": true} or
 /// {"group": true}. A joint whose inverse bind matrix needs doubles also has "inverse_bind": 16 numbers by columns.
+///
+/// Mesh: {"copy_of": M}, a copy of mesh M with other targets for one of the nodes that shared it; its parts stand in the
+/// place of M's.
 struct NodeExtras {
   bool joint = false;              ///< the node is a joint, whether it moves anything or not
   bool carried_by_parent = false;  ///< the node is no joint: its mesh belongs to the node above
