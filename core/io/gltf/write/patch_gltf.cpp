@@ -3,11 +3,13 @@
 #include <algorithm>
 
 #include "core/io/gltf/internal/gltf_extras.h"
+#include "core/io/gltf/vrm/vrm_extension.h"
 #include "core/io/gltf/write/patch/patch_animations.h"
 #include "core/io/gltf/write/patch/patch_columns.h"
 #include "core/io/gltf/write/patch/patch_container.h"
 #include "core/io/gltf/write/patch/patch_joints.h"
 #include "core/io/gltf/write/patch/patch_state.h"
+#include "core/io/gltf/write/patch/patch_vrm.h"
 #include "core/io/gltf/write/patch/patch_weights.h"
 
 namespace penpose::io {
@@ -32,6 +34,8 @@ void write_root(PatchState& state, const json::Json& project, const std::vector<
   const document::Model& model = state.model;
   json::Json made = write_root_extras(model, state.morphs.baked_names(), state.targets.one_way_names(*state.weights),
                                       project)[k_extras_key];
+  // The avatar says it itself.
+  if (is_vrm_avatar(state.document.json)) made.erase("humanoid");
   if (!order.empty()) made["animation_order"] = json::Json(order);
   const json::Json* extras = json::find(state.builder.root, "extras");
   const json::Json* own = extras == nullptr ? nullptr : json::find(*extras, k_extras_key);
@@ -71,8 +75,9 @@ base::Result<PatchedGltf> patch_gltf(const document::Model& model, const WriteOp
   PatchJoints joints(state);
   animations.compare();
   animations.find_weights();
-  if (model.skeleton != source.skeleton && !joints.write_carrier()) return cannot("its joints are others");
+  if (model.skeleton != source.skeleton) joints.write_carrier();
   PatchColumns(state).write();
+  patch_vrm(state);
   PatchWeights(state).write();
   joints.write_pose();
   write_root(state, project, animations.write(joints));
@@ -82,6 +87,12 @@ base::Result<PatchedGltf> patch_gltf(const document::Model& model, const WriteOp
   patched.report.targets = state.weights->targets().size();
   patched.report.baked = morphs.all().size() - morphs.own_count();
   patched.report.bake_error = morphs.bake_error() + (size > 0 ? animations.between_error() / size : 0.0);
+  if (joints.pose_is_apart()) {
+    patched.report.notes.emplace_back(
+        "the joints of a VRM avatar stay in T-pose in the file; penpose shows the pose again, and for other programs "
+        "it "
+        "can be written as .vrma");
+  }
   auto bytes = layout.finish(builder, state.changed, patched.report.files);
   if (!bytes) return bytes.error();
   patched.bytes = std::move(bytes).value();

@@ -7,10 +7,10 @@
 
 namespace penpose::io {
 
-base::Result<VrmaFile> write_vrma(const document::Model& model, const document::Humanoid& known) {
+base::Result<VrmaFile> write_vrma(const document::Model& model) {
   const document::Animation* animation = model.animations.empty() ? nullptr : &model.animations.front();
   VrmaBuilder file;
-  VrmaBones bones(model, animation, known, file);
+  VrmaBones bones(model, animation, file);
   bones.write();
   if (auto status = write_vrma_expressions(model, animation, file); !status) return status.error();
   if (file.moves_nothing()) {
@@ -26,9 +26,8 @@ base::Result<VrmaFile> write_vrma(const document::Model& model, const document::
 ModelFormat vrma_format_of_models() {
   return {.name = "VRM animation",
           .extension = ".vrma",
-          .write = [](const document::Model& model, const WriteOptions& options,
-                      WriteReport& report) -> ModelFormat::Written {
-            auto file = write_vrma(model, options.humanoid);
+          .write = [](const document::Model& model, const WriteOptions&, WriteReport& report) -> ModelFormat::Written {
+            auto file = write_vrma(model);
             if (!file) return file.error();
             report.notes = std::move(file->notes);
             return std::move(file->bytes);

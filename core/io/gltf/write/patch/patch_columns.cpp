@@ -7,6 +7,8 @@
 
 #include "core/io/gltf/internal/gltf_extras.h"
 #include "core/io/gltf/read/internal/gltf_accessor.h"
+#include "core/io/gltf/read/internal/gltf_meshes.h"
+#include "core/io/gltf/write/patch/plain_primitives.h"
 #include "core/io/gltf/write/patch/target_writer.h"
 
 namespace penpose::io {
@@ -19,13 +21,6 @@ json::Json with_columns(const json::Json& list, const MeshTargets& mesh, const j
     result.push_back(column.old && *column.old < list.size() ? list[*column.old] : fresh);
   }
   return result;
-}
-
-bool moves_weights_of(const json::Json& channel, std::size_t node) {
-  const json::Json* target = json::find(channel, "target");
-  const json::Json* moved = target == nullptr ? nullptr : json::find(*target, "node");
-  const json::Json* path = target == nullptr ? nullptr : json::find(*target, "path");
-  return moved != nullptr && path != nullptr && *path == "weights" && moved->get<std::size_t>() == node;
 }
 
 template <typename Value>
@@ -42,6 +37,7 @@ std::vector<Value> fit_rows(const MeshTargets& mesh, const std::vector<Value>& o
 void PatchColumns::write() {
   const std::size_t shapes = state_.model.shapes ? state_.model.shapes->shapes().size() : 0;
   TargetWriter writer(state_.model, state_.document, state_.builder);
+  PlainPrimitives plain(state_);
   for (MeshTargets& mesh : state_.targets.meshes()) {
     if (mesh.same()) continue;
     state_.changed = true;
@@ -75,6 +71,7 @@ void PatchColumns::write() {
     }
     for (std::size_t p = 0; p < count; ++p) {
       json::Json& primitive = object["primitives"][p];
+      plain.write(mesh.mesh, p, primitive);
       if (!lists[p].empty()) {
         primitive["targets"] = std::move(lists[p]);
       } else if (primitive.contains("targets")) {
@@ -86,13 +83,14 @@ void PatchColumns::write() {
     fit_weights(mesh, object);
     fit_samplers(mesh);
   }
+  plain.forget_unused();
 }
 
 /// A node that shares its mesh with others gets a copy of it, whose accessors are the same.
 void PatchColumns::give_own_mesh(MeshTargets& mesh) {
   if (state_.users_of(mesh.mesh) < 2) return;
   json::Json copy = state_.builder.root["meshes"][mesh.mesh];
-  own_extras_of(copy)["copy_of"] = mesh.mesh;
+  own_extras_of(copy)["copy_of"] = place_of_mesh(state_.document, mesh.mesh);
   mesh.written = state_.builder.add("meshes", std::move(copy));
   state_.builder.root["nodes"][mesh.node]["mesh"] = mesh.written;
 }

@@ -29,4 +29,11 @@ json::Json& own_extras_of(json::Json& object) {
   return member(member(object, "extras"), k_extras_key);
 }
 
+bool moves_weights_of(const json::Json& channel, std::size_t node) {
+  const json::Json* target = json::find(channel, "target");
+  const json::Json* moved = target == nullptr ? nullptr : json::find(*target, "node");
+  const json::Json* path = target == nullptr ? nullptr : json::find(*target, "path");
+  return moved != nullptr && path != nullptr && *path == "weights" && moved->get<std::size_t>() == node;
+}
+
 }  // namespace penpose::io

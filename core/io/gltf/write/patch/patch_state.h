@@ -37,5 +37,7 @@ struct PatchState {
 
 /// The member "penpose" of an object's extras, made where it is not there. Extras that are no object give way to it.
 [[nodiscard]] json::Json& own_extras_of(json::Json& object);
+/// Whether a channel of an animation moves the weights of a node.
+[[nodiscard]] bool moves_weights_of(const json::Json& channel, std::size_t node);
 
 }  // namespace penpose::io

@@ -59,7 +59,7 @@ void PatchTargets::find_meshes() {
     auto found = std::find_if(meshes_.begin(), meshes_.end(),
                               [&](const auto& one) { return one.mesh == part.mesh && one.node == part.node; });
     if (found == meshes_.end()) {
-      meshes_.push_back({part.mesh, part.node, {}, part.targets.size(), {}, part.mesh});
+      meshes_.push_back({part.mesh, part.node, part.node, {}, part.targets.size(), {}, part.mesh});
       found = meshes_.end() - 1;
     }
     found->parts.push_back(p);

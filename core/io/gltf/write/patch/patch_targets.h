@@ -27,8 +27,9 @@ struct TargetColumn {
 
 /// The morph targets of a mesh below one node, before and after.
 struct MeshTargets {
-  std::size_t mesh = 0;  ///< in the file that was read
-  std::size_t node = 0;
+  std::size_t mesh = 0;            ///< in the file that was read
+  std::size_t read_node = 0;       ///< in the file that was read
+  std::size_t node = 0;            ///< in the file that is written (PatchJoints::write_carrier)
   std::vector<std::size_t> parts;  ///< of the model
   std::size_t old_count = 0;
   std::vector<TargetColumn> columns;

@@ -43,11 +43,10 @@ bool is_required(HumanBone bone) {
 
 }  // namespace
 
-VrmaBones::VrmaBones(const document::Model& model, const document::Animation* animation,
-                     const document::Humanoid& known, VrmaBuilder& file)
+VrmaBones::VrmaBones(const document::Model& model, const document::Animation* animation, VrmaBuilder& file)
     : model_(model),
       animation_(animation),
-      humanoid_(document::humanoid_of(model, known)),
+      humanoid_(document::humanoid_of(model)),
       to_front_(geometry::quaternion_from_xyz({0, -base::radians(model.front_yaw_degrees), 0})),
       file_(file) {
   if (!model.skeleton) return;

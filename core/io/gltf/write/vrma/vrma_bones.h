@@ -19,9 +19,8 @@ class VrmaBones {
  public:
   using HumanBone = document::HumanBone;
 
-  /// `animation`: null: the pose is written. `known`: as of write_vrma.
-  VrmaBones(const document::Model& model, const document::Animation* animation, const document::Humanoid& known,
-            VrmaBuilder& file);
+  /// `animation`: null: the pose is written.
+  VrmaBones(const document::Model& model, const document::Animation* animation, VrmaBuilder& file);
 
   void write();
   /// Notes how many animated joints are no bones.
