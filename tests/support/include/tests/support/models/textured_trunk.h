@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/models/bounded_points.h"
 #include "tests/support/models/gltf_sample.h"
 #include "tests/support/models/sketched_models.h"
 
@@ -35,7 +36,7 @@ inline GltfSample textured_trunk() {
   lift[2] = 0.5F;
   const std::vector<float> uv(2 * count, 0.25F);
   const nlohmann::json attributes = {
-      {"POSITION", sample.add_vec3(positions)},
+      {"POSITION", add_points(sample, positions)},
       {"NORMAL", sample.add_vec3(normals)},
       {"TANGENT", sample.add_accessor(tangents, "VEC4", 4, 5126)},
       {"TEXCOORD_0", sample.add_accessor(uv, "VEC2", 2, 5126)},
@@ -47,7 +48,7 @@ inline GltfSample textured_trunk() {
                          {{{"attributes", attributes},
                            {"indices", sample.add_corners(corners)},
                            {"material", 0},
-                           {"targets", {{{"POSITION", sample.add_vec3(lift)}}}},
+                           {"targets", {{{"POSITION", add_points(sample, lift)}}}},
                            {"extensions", {{"ACME_hair", {{"strands", 12}}}}}}}},
                         {"weights", {0.125}},
                         {"extras", {{"targetNames", {"lift"}}, {"acme", "mine"}}}});
@@ -113,6 +114,8 @@ inline GltfSample quantised_trunk() {
   auto& positions = sample.json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
   positions["bufferView"] = view;
   positions["componentType"] = 5122;
+  positions.erase("min");
+  positions.erase("max");
   sample.json["nodes"][1]["scale"] = {1.0 / 4096, 1.0 / 4096, 1.0 / 4096};
   sample.json["extensionsUsed"].push_back("KHR_mesh_quantization");
   sample.json["extensionsRequired"] = {"KHR_mesh_quantization"};
