@@ -1,4 +1,5 @@
-// node validate.js MODULE_FOLDER FOLDER: runs the glTF validator of the Khronos Group over every .glb and .vrma in FOLDER. Prints what
+// node validate.js MODULE_FOLDER FOLDER: runs the glTF validator of the Khronos Group over every .glb, .vrma and .vrm in FOLDER, and the
+// rules of VRM (vrm_rules.js) over every .vrm. Prints what
 // it has to say about each; fails on any error or warning, and when there is no file. What it says of FOLDER/read/NAME, from which
 // NAME was read, is no fault of NAME: a file that was read is kept as it was.
 'use strict';
@@ -8,6 +9,7 @@ const path = require('path');
 
 const [moduleFolder, folder] = process.argv.slice(2);
 const validator = require(path.join(path.resolve(moduleFolder), 'node_modules', 'gltf-validator'));
+const { faultsOf, tPoseFaults, documentOf } = require('./vrm_rules.js');
 const severities = ['error', 'warning', 'information', 'hint'];
 
 async function messagesOf(file) {
@@ -16,8 +18,16 @@ async function messagesOf(file) {
   return report.issues.messages.filter((message) => message.severity < 2);
 }
 
+/// What VRM's rules find in an avatar, and where its T-pose is no longer that of the file from which it was read.
+function avatarFaults(file, before) {
+  if (!file.endsWith('.vrm')) return [];
+  const document = documentOf(fs.readFileSync(file));
+  const rest = fs.existsSync(before) ? tPoseFaults(documentOf(fs.readFileSync(before)), document) : [];
+  return [...faultsOf(document), ...rest];
+}
+
 async function main() {
-  const files = fs.readdirSync(folder).filter((name) => /\.(glb|vrma)$/.test(name)).sort();
+  const files = fs.readdirSync(folder).filter((name) => /\.(glb|vrma|vrm)$/.test(name)).sort();
   let bad = files.length === 0;
   for (const name of files) {
     const before = path.join(folder, 'read', name);
@@ -29,7 +39,9 @@ async function main() {
     for (const message of messages.slice(0, 20)) {
       console.log(`  ${severities[message.severity]} ${message.code} ${message.pointer || ''} ${message.message}`);
     }
-    bad = bad || messages.length > 0;
+    const faults = avatarFaults(path.join(folder, name), before);
+    for (const fault of faults) console.log(`  VRM: ${fault}`);
+    bad = bad || messages.length + faults.length > 0;
   }
   process.exitCode = bad ? 1 : 0;
 }

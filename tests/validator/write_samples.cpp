@@ -12,7 +12,10 @@
 #include "tests/support/models/figure_sample.h"
 #include "tests/support/models/gltf_sample.h"
 #include "tests/support/models/model_samples.h"
+#include "tests/support/models/packed_trunk.h"
 #include "tests/support/models/sketched_models.h"
+#include "tests/support/models/textured_trunk.h"
+#include "tests/support/models/whole_avatar.h"
 #include "tests/support/shared_data.h"
 
 namespace {
@@ -32,15 +35,25 @@ bool write(const std::filesystem::path& path, const document::Model& model, bool
 
 bool write_motion(const std::filesystem::path& path) {
   document::Model model = tests::avatar_sample(tests::turned_bones()).read().value();
-  const auto humanoid = io::read_gltf_humanoid(tests::avatar_sample(tests::turned_bones()).glb()).value();
   std::vector<rig::Pose> poses(2, model.pose);
   for (double& value : poses[1]) value = 0.5;
   model.animations = {document::make_animation(model, "motion", std::vector<double>{0, 1}, poses)};
-  const auto written = io::write_vrma(model, humanoid);
+  const auto written = io::write_vrma(model);
   if (!written) return false;
   std::ofstream file(path, std::ios::binary);
   file.write(reinterpret_cast<const char*>(written->bytes.data()), static_cast<std::streamsize>(written->bytes.size()));
   return file.good();
+}
+
+/// A file as it was read and as it is saved with a sketched control and a pose.
+bool write_drawn_on(const std::filesystem::path& folder, const std::string& name, tests::GltfSample sample) {
+  const auto bytes = sample.glb();
+  std::filesystem::create_directories(folder / "read");
+  std::ofstream(folder / "read" / name, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  document::Model model = tests::with_curl(io::read_model(bytes, "sample.glb").value());
+  for (std::size_t i = 0; i < model.pose.size(); ++i) model.pose[i] = 0.1 * static_cast<double>(1 + i % 5);
+  return write(folder / name, model);
 }
 
 /// A file that was read, with another pose and an animation more.
@@ -77,6 +90,12 @@ int main(int argc, char** argv) {
   good = write(folder / "patched_morph.glb", patched(tests::morph_sample().read().value())) && good;
   good = write(folder / "patched_skin.glb", patched(tests::skin_sample().read().value())) && good;
   good = write(folder / "patched_full.glb", patched(tests::full_model())) && good;
+  good = write_drawn_on(folder, "avatar0.vrm", tests::whole_avatar(0)) && good;
+  good = write_drawn_on(folder, "avatar1.vrm", tests::whole_avatar(1)) && good;
+  good = write_drawn_on(folder, "drawn_textured.glb", tests::textured_trunk()) && good;
+  good = write_drawn_on(folder, "drawn_shared.glb", tests::twin_trunks()) && good;
+  good = write_drawn_on(folder, "drawn_quantised.glb", tests::quantised_trunk()) && good;
+  good = write_drawn_on(folder, "drawn_draco.glb", tests::packed_trunk(1, 14)) && good;
   good = write_motion(folder / "motion.vrma") && good;
   if (!tests::has_shared()) return good ? 0 : 1;
   for (const auto& entry : std::filesystem::directory_iterator(tests::shared_dir() / "meshes")) {
