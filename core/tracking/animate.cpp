@@ -129,8 +129,13 @@ base::Result<Solved> from_motion(const document::Model& model, const io::MotionT
   Solved solved;
   Animated& out = solved.animated;
   out.times_s = std::move(played->times_s);
+  const auto& channels = played->animation.channels;
+  const bool drives = std::any_of(channels.begin(), channels.end(), [](const document::Channel& channel) {
+    return channel.target == document::ChannelTarget::weights;
+  });
   for (const document::PoseKey& key : document::poses_at(model, played->animation, out.times_s)) {
-    out.poses.push_back(key.pose);
+    rig::Pose& pose = out.poses.emplace_back(key.pose);
+    if (!drives) std::copy_n(model.pose.begin(), document::weight_count(model), pose.begin());
   }
   out.unmatched = std::move(played->unmatched);
   out.notes = std::move(played->notes);

@@ -9,7 +9,7 @@ const path = require('path');
 const { makeSamples, sharedModels, makeOutputs, run } = require('./make_files.js');
 const { readGltf, contentOf, differences, numbersOf } = require('./gltf_file.js');
 
-const [penpose, shared, folder] = process.argv.slice(2);
+const [penpose, shared, folder] = process.argv.slice(2).map((one) => (one === '-' ? one : path.resolve(one)));
 
 /// Names of the targets of a mesh, where the file has them.
 function namesOf(mesh) {

@@ -114,7 +114,7 @@ function avatar1() {
                 rangeMapHorizontalOuter: { inputMaxValue: 90, outputScale: 12 }, rangeMapVerticalDown: { inputMaxValue: 90, outputScale: 8 },
                 rangeMapVerticalUp: { inputMaxValue: 90, outputScale: 8 } },
       expressions: {
-        preset: { happy: expression([[1, 1], [2, 0.25]]), aa: expression([[0, 0.75]], { overrideMouth: 'block' }),
+        preset: { happy: expression([[1, 1], [2, 0.25]], { overrideMouth: 'block' }), aa: expression([[0, 0.75]]),
                   surprised: expression([[0, 0.5], [2, 1]], { isBinary: true }) },
         custom: { blush: expression([], { materialColorBinds: [{ material: 0, type: 'color', targetValue: [1, 0.6, 0.6, 1] }],
                                           textureTransformBinds: [{ material: 1, scale: [1, 1], offset: [0.5, 0] }] }) },
