@@ -44,17 +44,18 @@ function makeSamples(folder) {
   ];
 }
 
-/// Real models, where there are some: [{name, file}]. An "out.glb" beside one was written by the program.
-function sharedModels(shared) {
+/// Models that are there already: the .glb files of a folder, or the real ones of the shared data: [{name, file}]. An "out.glb" beside
+/// one of them was written by the program, and so were real ones with two endings.
+function foundModels(root) {
   const found = [];
-  const meshes = path.join(shared, 'meshes');
-  const rigs = path.join(shared, 'cases', 'rigs');
   const add = (folder, prefix) => {
     for (const name of fs.readdirSync(folder).sort()) {
-      if (/\.(glb|gltf)$/.test(name) && name !== 'out.glb') found.push({ name: prefix + path.parse(name).name, file: path.join(folder, name) });
+      if (/^[^.]+\.(glb|gltf)$/.test(name) && name !== 'out.glb') found.push({ name: prefix + path.parse(name).name, file: path.join(folder, name) });
     }
   };
-  if (fs.existsSync(meshes)) add(meshes, '');
+  const meshes = path.join(root, 'meshes');
+  add(fs.existsSync(meshes) ? meshes : root, '');
+  const rigs = path.join(root, 'cases', 'rigs');
   for (const rig of fs.existsSync(rigs) ? fs.readdirSync(rigs).sort() : []) {
     if (fs.statSync(path.join(rigs, rig)).isDirectory()) add(path.join(rigs, rig), `${rig}.`);
   }
@@ -113,7 +114,12 @@ function trackOf(names) {
   return `Timecode,BlendShapeCount,${names.join(',')}\n${rows.join('\n')}\n`;
 }
 
-/// Runs the program on a model. Returns [{kind, file, values or control or clip}, ...]: what was written, and what was asked.
+/// Whether the nodes of an avatar stay in T-pose when its joints are posed, so that other programs take it for the same avatar.
+const k_avatars_stay_at_rest = false;
+const isTurn = (control) => /\.r[xyz]$/.test(control);
+
+/// Runs the program on a model. Returns [{kind, file, from, values or control or names, places}, ...]: what was written, from
+/// which file if not the model's, what was asked, and an .obj of where the program has its vertices.
 function makeOutputs(penpose, model, folder) {
   const at = (name) => path.join(folder, `${model.name}.${name}`);
   const info = JSON.parse(run(penpose, 'info', model.file, '--json'));
@@ -123,6 +129,16 @@ function makeOutputs(penpose, model, folder) {
     const into = end === 'gltf' ? path.join(folder, `${model.name}.${kind}`) : folder;
     fs.mkdirSync(into, { recursive: true });
     return path.join(into, `${model.name}.${kind}.${end}`);
+  };
+  const atRest = model.avatar && k_avatars_stay_at_rest;
+  const placesOf = (file) => { // of its vertices, as the program has them with the joints as they are in the file
+    const turns = Object.keys(model.set || {}).filter((name) => atRest && isTurn(name));
+    run(penpose, 'convert', file, ...turns.flatMap((name) => ['--set', `${name}=0`]), `${file}.obj`);
+    return `${file}.obj`;
+  };
+  const posedIn = (file, values) => { // what the program itself reads of a pose that it wrote
+    const { parameters } = JSON.parse(run(penpose, 'info', file, '--json'));
+    return Object.entries(values).filter(([name, value]) => Math.abs(parameters.find((p) => p.name === name).value - value) > 1e-6).map(([name]) => name);
   };
   run(penpose, 'convert', model.file, at('rest.obj'));
   const set = model.set || setOf(info);
@@ -139,7 +155,7 @@ function makeOutputs(penpose, model, folder) {
     const told = JSON.parse(run(penpose, 'pose', model.file, '--cases', at('cases.json'), '--free', 'case', '--json', '-o', file));
     const rest = Object.fromEntries(info.parameters.map((p) => [p.name, p.value]));
     const values = Object.fromEntries(Object.entries(told.cases[0].parameters).filter(([name, value]) => value !== rest[name]));
-    outputs.push({ kind: 'posed', file, values, asked: set });
+    outputs.push({ kind: 'posed', file, values, atRest, unread: posedIn(file, values), places: placesOf(file) });
   }
   const draw = model.draw || drawOf(info, verticesOf(at('rest.obj')));
   if (draw) {
@@ -148,6 +164,9 @@ function makeOutputs(penpose, model, folder) {
       const file = place('drawn', end);
       run(penpose, 'articulate', model.file, '--sketch', at('sketch.json'), '-o', file);
       outputs.push({ kind: 'drawn', file, control: 'lifted' });
+      const used = place('used', end);
+      run(penpose, 'convert', file, '--set', 'lifted=1', used);
+      outputs.push({ kind: 'posed', file: used, from: file, values: { lifted: 1 }, unread: posedIn(used, { lifted: 1 }), places: placesOf(used) });
     }
   }
   const names = info.parameters.slice(0, info.blend_shapes).map((p) => p.name).filter((name) => !/[,"~]/.test(name)).slice(0, 2);
@@ -166,10 +185,10 @@ function makeOutputs(penpose, model, folder) {
 function setOf(info) {
   const set = {};
   const weights = info.parameters.slice(0, info.blend_shapes);
-  const turns = info.parameters.slice(info.blend_shapes).filter((p) => p.name.endsWith('.rz'));
+  const turns = info.parameters.slice(info.blend_shapes).filter((p) => isTurn(p.name) && p.name.endsWith('z'));
   for (const p of weights.slice(0, 2)) set[p.name] = p.minimum + 0.6 * (p.maximum - p.minimum);
   if (turns.length > 0) set[turns[Math.floor(turns.length / 2)].name] = 0.3;
   return set;
 }
 
-module.exports = { run, verticesOf, makeSamples, sharedModels, makeOutputs };
+module.exports = { run, verticesOf, makeSamples, foundModels, makeOutputs };

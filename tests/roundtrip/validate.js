@@ -14,7 +14,7 @@ async function main() {
   let bad = list.length === 0;
   for (const model of list) {
     for (const output of model.outputs) {
-      bad = (await newMessages(messagesOf, path.basename(output.file), output.file, model.file)).length > 0 || bad;
+      bad = (await newMessages(messagesOf, path.basename(output.file), output.file, output.from || model.file)).length > 0 || bad;
     }
   }
   process.exitCode = bad ? 1 : 0;

@@ -200,6 +200,19 @@ TEST(MotionAnimation, AShapeThatNothingDrivesStaysAsTheFileHasIt) {
   still(motion.glb());
 }
 
+TEST(MotionAnimation, JointsThatNothingTurnsKeepTheirPose) {
+  constexpr std::string_view take = "Timecode,BlendShapeCount,Joy\n0:0:0:0,1,0.5\n0:0:0:1,1,1\n";
+  auto document = document::make_document(tests::avatar_sample(tests::upright_bones()).read().value());
+  const std::size_t arm = document.pose.size() - 1;
+  document.pose[arm] = 0.5;
+  auto read = io::read_track(base::as_bytes(take), nullptr, {}).value();
+  const auto map = io::read_bundled_map(*read.format).value();
+  const auto done = animate(document, std::move(read.track), map);
+  ASSERT_TRUE(done) << done.error().line();
+  EXPECT_EQ(done->document.pose[arm], 0.5);
+  EXPECT_EQ(done->document.model->pose[arm], 0.5);
+}
+
 TEST(MotionAnimation, ColumnsOfATrackThatNameExpressionsDriveTheirTargets) {
   constexpr std::string_view take = "Timecode,BlendShapeCount,Joy,TongueOut\n0:0:0:0,2,0.5,0\n0:0:0:1,2,1,0\n";
   const auto document = document::make_document(tests::avatar_sample(tests::upright_bones()).read().value());
