@@ -129,8 +129,13 @@ base::Result<Solved> from_motion(const document::Model& model, const io::MotionT
   Solved solved;
   Animated& out = solved.animated;
   out.times_s = std::move(played->times_s);
+  const auto& channels = played->animation.channels;
+  const bool drives = std::any_of(channels.begin(), channels.end(), [](const document::Channel& channel) {
+    return channel.target == document::ChannelTarget::weights;
+  });
   for (const document::PoseKey& key : document::poses_at(model, played->animation, out.times_s)) {
-    out.poses.push_back(key.pose);
+    rig::Pose& pose = out.poses.emplace_back(key.pose);
+    if (!drives) std::copy_n(model.pose.begin(), document::weight_count(model), pose.begin());
   }
   out.unmatched = std::move(played->unmatched);
   out.notes = std::move(played->notes);
@@ -150,13 +155,29 @@ void put_on_whole_frames(Animated& animated) {
   animated.fps = whole > 0 ? whole : animation::frames_per_second(times_s.front(), times_s.back(), times_s.size());
 }
 
+/// Joints that the first animation does not move keep their pose. One of those that it moves would be added to it.
+void keep_pose_of_still_joints(document::Model& model, const rig::Pose& pose) {
+  if (!model.skeleton) return;
+  const auto joints = model.skeleton->joints();
+  std::vector<bool> moves(joints.size(), false);
+  for (const document::Channel& channel : model.animations.front().channels) {
+    if (channel.target != document::ChannelTarget::weights) moves[channel.joint] = true;
+  }
+  std::size_t parameter = document::weight_count(model);
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    if (!joints[j].posable) continue;
+    for (int axis = 0; axis < 3; ++axis, ++parameter) {
+      if (!moves[j] && parameter < pose.size()) model.pose[parameter] = pose[parameter];
+    }
+  }
+}
+
 /// The animation comes first, which is what viewers play.
 base::Result<document::Document> with_animation(const document::Document& document, document::Model model,
                                                 const Animated& animated, const HeadWay& head,
                                                 std::optional<document::Animation> made) {
   if (!made) made = document::make_animation(model, "tracked", animated.times_s, animated.poses);
   model.animations.insert(model.animations.begin(), *std::move(made));
-  // Joints are turned by the animation itself; a pose of theirs would be added to it.
   model.pose = rig::rest_pose(*model.rig);
   std::copy_n(animated.poses.front().begin(), document::weight_count(model), model.pose.begin());
   const auto joints = head.placements.empty() ? std::nullopt : document::head_joints(model);
@@ -167,6 +188,7 @@ base::Result<document::Document> with_animation(const document::Document& docume
     if (!with_head) return with_head.error();
     model = std::move(with_head).value();
   }
+  keep_pose_of_still_joints(model, document.pose);
   document::Document result = document::with_model(document, model);
   result.timeline = std::make_shared<const document::Timeline>();
   result.pose = model.pose;

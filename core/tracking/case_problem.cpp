@@ -60,10 +60,19 @@ base::Result<std::vector<std::size_t>> free_of_case(const document::Model& model
   return free;
 }
 
-std::vector<geometry::ModelPoint> rest_positions(const document::Model& model) {
-  std::vector<geometry::ModelPoint> rest(model.mesh->vertex_count());
-  model.rig->evaluate(rig::rest_pose(*model.rig), rest);
-  return rest;
+std::vector<geometry::ModelPoint> positions_at(const document::Model& model, const rig::Pose& pose) {
+  std::vector<geometry::ModelPoint> positions(model.mesh->vertex_count());
+  model.rig->evaluate(pose, positions);
+  return positions;
+}
+
+/// Where a case begins: what may move is at rest, all else as the model stands, such as a shape of the body that its
+/// file has at some weight.
+rig::Pose start_of_case(const document::Model& model, std::span<const std::size_t> free) {
+  const rig::Pose rest = rig::rest_pose(*model.rig);
+  rig::Pose start = model.pose;
+  for (const std::size_t i : free) start[i] = rest[i];
+  return start;
 }
 
 /// Where a target that is known goes is exact but for what files round; as a share of what is drawn.
@@ -80,9 +89,11 @@ geometry::Camera case_camera(const document::Model& model, const io::PoseCase& p
 base::Result<posing::PoseProblem> problem_of_case(const document::Model& model, const io::PoseCase& pose_case,
                                                   FreeSet free, io::TargetForm form) {
   posing::PoseProblem problem;
-  problem.start = rig::rest_pose(*model.rig);
-  std::vector<geometry::ModelPoint> rest(model.mesh->vertex_count());
-  model.rig->evaluate(problem.start, rest);
+  auto freed = free_of_case(model, pose_case, free);
+  if (!freed) return freed.error();
+  problem.free = std::move(freed).value();
+  problem.start = start_of_case(model, problem.free);
+  const std::vector<geometry::ModelPoint> rest = positions_at(model, problem.start);
   const geometry::Camera camera = case_camera(model, pose_case);
 
   for (std::size_t r = 0; r < pose_case.references.size(); ++r) {
@@ -113,15 +124,11 @@ base::Result<posing::PoseProblem> problem_of_case(const document::Model& model, 
     }
     problem.constraints.push_back(std::move(kept));
   }
-
-  auto freed = free_of_case(model, pose_case, free);
-  if (!freed) return freed.error();
-  problem.free = std::move(freed).value();
   return problem;
 }
 
 double hand_doubt(const document::Model& model, const io::CaseFile& file) {
-  const auto rest = rest_positions(model);
+  const auto rest = positions_at(model, rig::rest_pose(*model.rig));
   geometry::Box box;
   for (const io::PoseCase& pose_case : file.cases) {
     for (const auto& reference : pose_case.references) {
@@ -136,14 +143,14 @@ double hand_doubt(const document::Model& model, const io::CaseFile& file) {
 base::Result<intent::IntentProblem> intent_of_case(const document::Model& model, const io::PoseCase& pose_case,
                                                    FreeSet free, io::TargetForm form, double doubt) {
   intent::IntentProblem problem;
-  problem.start = rig::rest_pose(*model.rig);
   auto freed = free_of_case(model, pose_case, free);
   if (!freed) return freed.error();
   problem.free = std::move(freed).value();
+  problem.start = start_of_case(model, problem.free);
   auto locked = parameters_named(model, pose_case.locked);
   if (!locked) return locked.error();
   problem.locked = std::move(locked).value();
-  const auto rest = rest_positions(model);
+  const auto rest = positions_at(model, problem.start);
   const geometry::Box box = document::rest_world_box(model);
   const auto points = [](const std::vector<std::uint32_t>& vertices) {
     std::vector<posing::CurvePoint> out;

@@ -190,7 +190,6 @@ class Player {
       channel.interpolation = Interpolation::step;
     channel.times_s = times_of(channels);
     if (channel.times_s.size() > k_most_numbers / std::max(width, played.size())) return too_many();
-    const rig::Pose rest = rig::rest_pose(*model_.rig);
     for (const double time : channel.times_s) {
       std::map<std::size_t, double> sums;
       for (const Played& one : played) {
@@ -202,7 +201,7 @@ class Player {
         const rig::Parameter& range = model_.rig->parameters()[i];
         const auto sum = sums.find(i);
         channel.values.push_back(
-            rounded(sum == sums.end() ? rest[i] : std::clamp(sum->second, range.minimum, range.maximum)));
+            rounded(sum == sums.end() ? model_.pose[i] : std::clamp(sum->second, range.minimum, range.maximum)));
       }
     }
     result_.animation.channels.push_back(std::move(channel));

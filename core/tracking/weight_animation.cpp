@@ -67,7 +67,13 @@ WeightAnimation animate_weights(const document::Model& model, const animation::W
     }
     result.drives = result.drives || !controls.back().empty() || (is_head && apply_head);
   }
-  rig::Pose pose = rig::rest_pose(*model.rig);
+  const rig::Pose rest = rig::rest_pose(*model.rig);
+  // What no column drives stays as it is, such as a shape of the body that the file has at some weight.
+  rig::Pose pose = rest;
+  std::copy_n(model.pose.begin(), document::weight_count(model), pose.begin());
+  for (const std::vector<DrivenControl>& of_column : controls) {
+    for (const DrivenControl& one : of_column) pose[one.parameter] = rest[one.parameter];
+  }
   std::vector<std::vector<double>> angles;
   std::vector<double> now(3, 0.0);
   std::vector<Cut> cuts(track.names.size());

@@ -21,7 +21,8 @@ struct WeightAnimation {
 
 /// Values by name straight to parameters: what the map's own list says, else what driven_controls finds. Of several
 /// names that drive one control the one that moves it farthest counts, frame by frame. Frames that were not found
-/// repeat the one before. `smooth_s`: as animation::smooth_over_time.
+/// repeat the one before. Shapes that nothing drives stay as the model's pose has them. `smooth_s`: as
+/// animation::smooth_over_time.
 [[nodiscard]] WeightAnimation animate_weights(const document::Model& model, const animation::WeightTrack& track,
                                               const io::MapFile& map, bool apply_head, double smooth_s);
 

@@ -5,18 +5,12 @@
 
 const fs = require('fs');
 const path = require('path');
+const { needBrowser, withPage } = require('./browser.js');
 const { makeFiles, run } = require('./files.js');
 
 const [penpose, writePositions, moduleFolder, chromium, shared, folder] = process.argv.slice(2).map((p) => path.resolve(p));
-const modules = path.join(moduleFolder, 'node_modules');
 const k_side = 512; // px of a picture
-const k_patience_ms = 300000; // for a browser that starts on a busy machine
 const k_outline = 0.99; // the least agreement of two outlines
-
-function skip(why) {
-  console.log(`skipped: ${why}`);
-  process.exit(77);
-}
 
 /// Pictures of the program for a file: the whole model at each time and, for a file with a `closeUp` part, that part.
 function drawPictures(file, wanted) {
@@ -86,49 +80,16 @@ async function check(page, file) {
   return good;
 }
 
-/// Opens a page that can reach nothing but the files of this test.
-async function openPage(browser) {
-  const page = await browser.newPage();
-  page.setDefaultTimeout(k_patience_ms);
-  const folders = { three: path.join(modules, 'three'), files: folder };
-  const types = { '.js': 'text/javascript', '.html': 'text/html', '.png': 'image/png', '.json': 'application/json' };
-  await page.route('**/*', (route) => {
-    const { hostname, pathname } = new URL(route.request().url());
-    const [, first, ...rest] = pathname.split('/');
-    const file = folders[first] ? path.join(folders[first], ...rest) : path.join(__dirname, first, ...rest);
-    if (hostname !== 'localhost' || !fs.existsSync(file)) return route.abort();
-    return route.fulfill({ body: fs.readFileSync(file), contentType: types[path.extname(file)] || 'application/octet-stream' });
-  });
-  page.on('pageerror', (error) => console.log(`in the page: ${error.message}`));
-  page.on('console', (message) => { if (message.type() === 'error') console.log(`in the page: ${message.text()}`); });
-  await page.goto('http://localhost/page.html');
-  await page.waitForFunction(() => window.ready);
-  return page;
-}
-
 async function main() {
-  for (const name of ['three', 'playwright-core']) {
-    if (!fs.existsSync(path.join(modules, name, 'package.json'))) {
-      skip(`npm's ${name} is not in ${moduleFolder}; install it with: npm ci --prefix ${moduleFolder} (after copying tests/three/package*.json there)`);
-    }
-  }
-  if (!fs.existsSync(chromium)) skip('Chromium is not installed; install it with: apt-get install chromium');
+  needBrowser(moduleFolder, chromium, ['three']);
   fs.rmSync(folder, { recursive: true, force: true });
   fs.mkdirSync(folder, { recursive: true });
   const files = makeFiles(penpose, folder, shared);
-  const browser = await require(path.join(modules, 'playwright-core')).chromium.launch({
-    executablePath: chromium,
-    timeout: k_patience_ms,
-    args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
-           '--disable-component-update', '--disable-sync', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
   let good = true;
-  try {
-    const page = await openPage(browser);
+  await withPage(moduleFolder, chromium, 'play_page.js', { files: folder }, async (page) => {
     console.log(await page.evaluate((side) => window.begin(side), k_side));
     for (const file of files) good = (await check(page, file)) && good;
-  } finally {
-    await browser.close();
-  }
+  });
   process.exitCode = good ? 0 : 1;
 }
 

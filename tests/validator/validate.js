@@ -6,17 +6,10 @@
 
 const fs = require('fs');
 const path = require('path');
+const { validatorIn, newMessages } = require('./messages.js');
 
 const [moduleFolder, folder] = process.argv.slice(2);
-const validator = require(path.join(path.resolve(moduleFolder), 'node_modules', 'gltf-validator'));
 const { faultsOf, tPoseFaults, documentOf } = require('./vrm_rules.js');
-const severities = ['error', 'warning', 'information', 'hint'];
-
-async function messagesOf(file) {
-  const bytes = new Uint8Array(fs.readFileSync(file));
-  const report = await validator.validateBytes(bytes, { uri: path.basename(file), maxIssues: 1000 });
-  return report.issues.messages.filter((message) => message.severity < 2);
-}
 
 /// What VRM's rules find in an avatar, and where its T-pose is no longer that of the file from which it was read.
 function avatarFaults(file, before) {
@@ -27,18 +20,12 @@ function avatarFaults(file, before) {
 }
 
 async function main() {
+  const messagesOf = validatorIn(moduleFolder);
   const files = fs.readdirSync(folder).filter((name) => /\.(glb|vrma|vrm)$/.test(name)).sort();
   let bad = files.length === 0;
   for (const name of files) {
     const before = path.join(folder, 'read', name);
-    const known = new Set((fs.existsSync(before) ? await messagesOf(before) : []).map((m) => `${m.code} ${m.pointer}`));
-    const all = await messagesOf(path.join(folder, name));
-    const messages = all.filter((m) => !known.has(`${m.code} ${m.pointer}`));
-    const count = (severity) => messages.filter((m) => m.severity === severity).length;
-    console.log(`${name}: ${count(0)} errors, ${count(1)} warnings, ${all.length - messages.length} as in the file that was read`);
-    for (const message of messages.slice(0, 20)) {
-      console.log(`  ${severities[message.severity]} ${message.code} ${message.pointer || ''} ${message.message}`);
-    }
+    const messages = await newMessages(messagesOf, name, path.join(folder, name), fs.existsSync(before) ? before : null);
     const faults = avatarFaults(path.join(folder, name), before);
     for (const fault of faults) console.log(`  VRM: ${fault}`);
     bad = bad || messages.length + faults.length > 0;

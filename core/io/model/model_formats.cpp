@@ -14,6 +14,7 @@ ModelFormat gltf_format();
 ModelFormat off_format();
 ModelFormat obj_format();
 ModelFormat arkit_format_of_models();
+ModelFormat vrm_format();
 ModelFormat vrma_format_of_models();
 ModelFormat vmd_format_of_models();
 
@@ -26,6 +27,7 @@ std::span<const ModelFormat> model_formats() {
       gltf_format(),
       off_format(),
       obj_format(),
+      vrm_format(),
       arkit_format_of_models(),
       vrma_format_of_models(),
       vmd_format_of_models(),
@@ -100,5 +102,18 @@ std::string names_read() {
 }
 
 std::string extensions_to_write() { return listed(extensions_written()); }
+
+bool keeps_everything(std::string_view file_name) {
+  const ModelFormat* format = format_of_name(file_name);
+  return format != nullptr && format->write_project != nullptr;
+}
+
+std::string extensions_that_keep_everything() {
+  std::vector<std::string> out;
+  for (const ModelFormat& format : model_formats()) {
+    if (format.write_project != nullptr) out.emplace_back(format.extension);
+  }
+  return listed(out);
+}
 
 }  // namespace penpose::io

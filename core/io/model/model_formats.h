@@ -50,5 +50,9 @@ struct ModelFormat {
 [[nodiscard]] std::string names_read();
 /// The extensions that are written, ".a, .b or .c".
 [[nodiscard]] std::string extensions_to_write();
+/// Whether a file of that name keeps controls, keys and all else of a project.
+[[nodiscard]] bool keeps_everything(std::string_view file_name);
+/// The extensions of such files, ".a, .b or .c".
+[[nodiscard]] std::string extensions_that_keep_everything();
 
 }  // namespace penpose::io

@@ -48,6 +48,19 @@ TEST(CaseProblem, ConstraintsStayWhereTheyAreAtRest) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(problem.constraints[0].positions[i], c.model.mesh->positions()[i]);
 }
 
+TEST(CaseProblem, WhatIsNotFreeStaysAsTheModelStands) {
+  Case c;
+  c.model.pose.assign(6, 0.5);
+  const auto problem = c.problem(FreeSet::of_case).value();
+  EXPECT_EQ(problem.start, (rig::Pose{0.5, 0, 0.5, 0.5, 0, 0.5}));
+  std::vector<geometry::ModelPoint> start(c.model.mesh->vertex_count());
+  c.model.rig->evaluate(problem.start, start);
+  EXPECT_EQ(problem.constraints[0].positions[1], start[1]);
+  const auto meant = intent_of_case(c.model, c.pose_case, FreeSet::of_case, io::TargetForm::points, 0.01).value();
+  EXPECT_EQ(meant.start, problem.start);
+  EXPECT_EQ(meant.kept[0].target[1], start[1]);
+}
+
 TEST(CaseProblem, FreesAllParametersOrThoseOfTheCase) {
   Case c;
   EXPECT_EQ(c.problem(FreeSet::all)->free, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5}));

@@ -176,6 +176,40 @@ TEST(MotionAnimation, AFaceWithoutExpressionsIsWrittenByItsControls) {
   EXPECT_NE(io::write_vrma(model).error().what.find("neither"), std::string::npos);
 }
 
+TEST(MotionAnimation, AShapeThatNothingDrivesStaysAsTheFileHasIt) {
+  const auto avatar = tests::avatar_sample(tests::upright_bones()).glb();
+  const auto document = document::make_document(io::read_gltf(avatar).value());
+  ASSERT_EQ(document.pose[0], 0.25);
+  const auto still = [&](base::Bytes bytes) {
+    auto read = io::read_track(bytes, nullptr, {}).value();
+    const auto map = io::read_bundled_map(*read.format).value();
+    AnimateOptions options;
+    options.apply_head = true;
+    options.humanoid = io::read_gltf_humanoid(avatar).value();
+    const auto done = animate(document, std::move(read.track), map, options);
+    ASSERT_TRUE(done) << done.error().line();
+    EXPECT_EQ(done->document.pose[0], 0.25);
+    for (const rig::Pose& pose : done->poses) EXPECT_EQ(pose[0], 0.25);
+  };
+  still(base::as_bytes(std::string_view("Timecode,BlendShapeCount,HeadYaw\n0:0:0:0,1,0\n0:0:0:1,1,0.2\n")));
+  tests::GltfSample motion = tests::motion_sample(tests::turned_bones());
+  motion.json["extensions"]["VRMC_vrm_animation"]["expressions"]["preset"].clear();
+  still(motion.glb());
+}
+
+TEST(MotionAnimation, JointsThatNothingTurnsKeepTheirPose) {
+  constexpr std::string_view take = "Timecode,BlendShapeCount,Joy\n0:0:0:0,1,0.5\n0:0:0:1,1,1\n";
+  auto document = document::make_document(tests::avatar_sample(tests::upright_bones()).read().value());
+  const std::size_t arm = document.pose.size() - 1;
+  document.pose[arm] = 0.5;
+  auto read = io::read_track(base::as_bytes(take), nullptr, {}).value();
+  const auto map = io::read_bundled_map(*read.format).value();
+  const auto done = animate(document, std::move(read.track), map);
+  ASSERT_TRUE(done) << done.error().line();
+  EXPECT_EQ(done->document.pose[arm], 0.5);
+  EXPECT_EQ(done->document.model->pose[arm], 0.5);
+}
+
 TEST(MotionAnimation, ColumnsOfATrackThatNameExpressionsDriveTheirTargets) {
   constexpr std::string_view take = "Timecode,BlendShapeCount,Joy,TongueOut\n0:0:0:0,2,0.5,0\n0:0:0:1,2,1,0\n";
   const auto document = document::make_document(tests::avatar_sample(tests::upright_bones()).read().value());

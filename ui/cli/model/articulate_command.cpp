@@ -10,6 +10,7 @@
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
+#include "core/io/model/model_formats.h"
 #include "core/io/project/sketch_file.h"
 #include "ui/cli/orientation_option.h"
 #include "ui/cli/pose/tolerance_option.h"
@@ -137,8 +138,10 @@ int articulate(const ArticulateArguments& arguments) {
   files.reads(arguments.model);
   files.reads(arguments.sketch);
   if (const auto fits = files.writes(arguments.out, "-o"); !fits) return files::report(fits.error(), arguments.out);
-  if (!arguments.out.ends_with(".glb")) {
-    return files::report({"deformers are kept in .glb files only", "", "name the output .glb"}, arguments.out);
+  if (!io::keeps_everything(arguments.out)) {
+    return files::report(
+        {"controls are not kept in such a file", "", "name the output " + io::extensions_that_keep_everything()},
+        arguments.out);
   }
   const auto document = files::load_document(arguments.model, files::NamedBy::user, arguments.orientation);
   if (!document) return files::report(document.error(), arguments.model);
@@ -230,7 +233,8 @@ int articulate(const ArticulateArguments& arguments) {
 void add_options(CLI::App& command, ArticulateArguments& arguments) {
   command.add_option("MODEL", arguments.model, "Model to articulate")->required();
   command.add_option("--sketch", arguments.sketch, "JSON file of strokes")->required();
-  command.add_option("-o", arguments.out, "Write the articulated model, .glb")->required();
+  command.add_option("-o", arguments.out, "Write the articulated model, " + io::extensions_that_keep_everything())
+      ->required();
   command.add_flag("--json", arguments.json, "Print one JSON object");
   command
       .add_option_function<std::string>(

@@ -172,9 +172,11 @@ int animate(const AnimateArguments& arguments) {
   if (io::track_format_named(arguments.map) == nullptr) files.reads(arguments.map);
   if (const auto fits = files.writes(arguments.out, "-o"); !fits) return files::report(fits.error(), arguments.out);
   const bool motion_alone = arguments.out.ends_with(".vrma");
-  if (!arguments.out.ends_with(".glb") && !motion_alone) {
-    return files::report({"animations are kept in .glb and .vrma files only", "", "name the output .glb"},
-                         arguments.out);
+  if (!io::keeps_everything(arguments.out) && !motion_alone) {
+    return files::report(
+        {"animations are not kept in such a file", "",
+         "name the output " + io::extensions_that_keep_everything() + ", or .vrma, which holds the motion alone"},
+        arguments.out);
   }
   const auto document = files::load_document(arguments.model);
   if (!document) return files::report(document.error(), arguments.model);
@@ -227,7 +229,10 @@ void add_options(CLI::App& command, AnimateArguments& arguments) {
           "curves takes brow_R, eyelid_upper_R, eyelid_lower_R (and _L), lip_upper, lip_lower, "
           "lip_upper_inner, lip_lower_inner, and nose_bridge, nose_base, eye_corners_R and _L for the head");
   command.add_option("--curves", arguments.curves, "JSON file of curves of the model that the map may name");
-  command.add_option("-o", arguments.out, "Write the animated model, .glb, or its motion alone, .vrma")->required();
+  command
+      .add_option("-o", arguments.out,
+                  "Write the animated model, " + io::extensions_that_keep_everything() + "; its motion alone, .vrma")
+      ->required();
   command.add_option("--head", arguments.head, "Turn of the head: drop it or apply it (default: as the map says)")
       ->check(CLI::IsMember({"drop", "apply"}));
   command

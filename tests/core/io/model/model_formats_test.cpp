@@ -5,6 +5,8 @@
 #include <set>
 #include <string>
 
+#include "tests/support/models/figure_sample.h"
+
 namespace penpose::io {
 namespace {
 
@@ -62,8 +64,26 @@ TEST(ModelFormats, EachIsReadOrWrittenAndHasAnExtensionOfItsOwn) {
 TEST(ModelFormats, WhatIsNotKnownIsToldWithWhatIs) {
   EXPECT_NE(read_model(base::as_bytes("hello"), "x.dae").error().remedy.find("PLY, STL"), std::string::npos);
   EXPECT_FALSE(read_model(base::as_bytes("hello"), "x.csv")) << "it is written alone";
-  EXPECT_EQ(format_to_write("x.png").error().remedy, "name the file .glb, .gltf, .obj, .csv, .vrma or .vmd");
+  EXPECT_EQ(format_to_write("x.png").error().remedy, "name the file .glb, .gltf, .obj, .vrm, .csv, .vrma or .vmd");
   EXPECT_FALSE(format_to_write("x.ply"));
+}
+
+TEST(ModelFormats, AnAvatarIsWrittenAsOneAndNothingElseIs) {
+  const auto avatar = tests::avatar_sample(tests::upright_bones()).read().value();
+  const auto written = write_model(avatar, "x.vrm");
+  ASSERT_TRUE(written) << written.error().line();
+  EXPECT_EQ(read_model(*written, "x.vrm").value().expressions.size(), 1U);
+  EXPECT_EQ(write_model(avatar, "x.vrm", {.bare = true}).error().remedy, "name the file .glb");
+  EXPECT_EQ(write_model(tests::morph_sample().read().value(), "x.vrm").error().what,
+            "the model is no VRM avatar, or cannot be kept as one");
+}
+
+TEST(ModelFormats, FilesThatKeepEverythingAreToldByName) {
+  EXPECT_TRUE(keeps_everything("a.GLB"));
+  EXPECT_TRUE(keeps_everything("a.vrm"));
+  EXPECT_FALSE(keeps_everything("a.obj"));
+  EXPECT_FALSE(keeps_everything("glb"));
+  EXPECT_EQ(extensions_that_keep_everything(), ".glb, .gltf or .vrm");
 }
 
 }  // namespace

@@ -2,21 +2,12 @@
 // compares vertices and outlines with the program's. Functions are called from play.js, by their names in `window`.
 import * as THREE from 'three';
 import { GLTFLoader } from '/three/examples/jsm/loaders/GLTFLoader.js';
+import { begin, distances, drawn } from '/stage.js';
 
-let renderer;
-let target;
 const white = new THREE.MeshBasicMaterial({ color: 0xffffff, side: THREE.DoubleSide });
 const loaded = { meshes: [] };
 
-/// Makes pictures of `side` x `side` px from now on. Returns the name of what draws them.
-window.begin = (side) => {
-  renderer = new THREE.WebGLRenderer({ antialias: false });
-  renderer.setClearColor(0x000000);
-  target = new THREE.WebGLRenderTarget(side, side, { samples: 4 });
-  const gl = renderer.getContext();
-  const info = gl.getExtension('WEBGL_debug_renderer_info');
-  return `three.js ${THREE.REVISION}, ${gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER)}`;
-};
+window.begin = begin;
 
 /// Loads NAME.glb and NAME.json (of write_three_positions) and finds each part's mesh, by name and number of vertices.
 window.load = async (name) => {
@@ -53,42 +44,16 @@ window.goTo = (i) => {
   action.reset().play();
   mixer.setTime(wanted.times[i]);
   scene.updateMatrixWorld(true);
-  const point = new THREE.Vector3();
-  const distance = (list, at) => Math.hypot(point.x - list[at], point.y - list[at + 1], point.z - list[at + 2]);
-  let off = 0;
-  let flat = 0;
-  wanted.parts.forEach((part, p) => {
-    const mesh = meshes[p];
-    if (mesh.isSkinnedMesh) mesh.skeleton.update();
-    for (let v = 0; v < part.positions[i].length / 3; ++v) {
-      mesh.getVertexPosition(v, point).applyMatrix4(mesh.matrixWorld);
-      off = Math.max(off, distance(part.positions[i], 3 * v)); // NaN stays
-      point.fromBufferAttribute(mesh.geometry.attributes.position, v).applyMatrix4(mesh.matrixWorld);
-      flat = Math.max(flat, distance(part.positions[i], 3 * v));
-    }
-  });
+  const { off, flat } = distances(meshes, wanted.parts.map((part) => part.positions[i]));
   return { off: off / wanted.size, flat: flat / wanted.size };
 };
 
 /// Which px three.js covers, be it in part, rows from the top; of one part alone if it is named.
-function drawn(camera, part) {
+function covered(camera, part) {
   const { scene, meshes, wanted } = loaded;
   meshes.forEach((mesh, p) => { mesh.visible = part === null || wanted.parts[p].name === part; });
-  const eye = new THREE.Vector3(...camera.eye);
-  const far = eye.distanceTo(new THREE.Vector3(...camera.look_at)) + 2 * wanted.size;
-  const view = new THREE.PerspectiveCamera(camera.vertical_fov_degrees, 1, far / 1000, far);
-  view.position.copy(eye);
-  view.up.set(...camera.up);
-  view.lookAt(...camera.look_at);
-  renderer.setRenderTarget(target);
-  renderer.render(scene, view);
-  const side = target.width;
-  const pixels = new Uint8Array(4 * side * side);
-  renderer.readRenderTargetPixels(target, 0, 0, side, side, pixels);
-  return Uint8Array.from({ length: side * side }, (_, at) => {
-    const row = side - 1 - Math.floor(at / side);
-    return pixels[4 * (row * side + (at % side))] > 0 ? 1 : 0;
-  });
+  const pixels = drawn(scene, camera, wanted.size);
+  return Uint8Array.from({ length: pixels.length / 4 }, (_, at) => (pixels[4 * at] > 0 ? 1 : 0));
 }
 
 async function pixelsOf(name) {
@@ -101,7 +66,7 @@ async function pixelsOf(name) {
 /// The outline that three.js draws at the time of the last goTo, compared with the pictures of the program: the px
 /// where a picture is not its empty background. Returns one share a picture: px covered in both / px covered in either.
 window.agreement = async (camera, part, empty, pictures) => {
-  const theirs = drawn(camera, part);
+  const theirs = covered(camera, part);
   const background = await pixelsOf(empty);
   const shares = [];
   for (const picture of pictures) {
@@ -110,13 +75,11 @@ window.agreement = async (camera, part, empty, pictures) => {
     let both = 0;
     let either = 0;
     for (let at = 0; at < theirs.length; ++at) {
-      const covered = [0, 1, 2].some((c) => Math.abs(ours[4 * at + c] - background[4 * at + c]) > 2);
-      both += covered && theirs[at] ? 1 : 0;
-      either += covered || theirs[at] ? 1 : 0;
+      const mine = [0, 1, 2].some((c) => Math.abs(ours[4 * at + c] - background[4 * at + c]) > 2);
+      both += mine && theirs[at] ? 1 : 0;
+      either += mine || theirs[at] ? 1 : 0;
     }
     shares.push(both / either);
   }
   return shares;
 };
-
-window.ready = true;
