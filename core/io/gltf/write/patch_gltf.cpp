@@ -667,7 +667,7 @@ base::Result<PatchedGltf> patch_gltf(const document::Model& model, const WriteOp
   if (model.skeleton != source.skeleton &&
       !(model.skeleton && carries_the_rest(*model.skeleton, source.skeleton.get())))
     return cannot("its joints are others");
-  auto opened = open_gltf(source.bytes, resolver_of(source));
+  auto opened = open_gltf(*source.bytes, resolver_of(source));
   if (!opened) return cannot(opened.error().what);
   const auto root = read_root_extras(opened->json);
   if (!root) return cannot(root.error().what);
@@ -675,7 +675,7 @@ base::Result<PatchedGltf> patch_gltf(const document::Model& model, const WriteOp
 }
 
 std::string lost_without_source(const document::Model& model) {
-  const auto opened = open_gltf(model.source->bytes, resolver_of(*model.source));
+  const auto opened = open_gltf(*model.source->bytes, resolver_of(*model.source));
   if (!opened) return {};
   std::vector<std::string> lost;
   const auto has = [&](const char* name) {
