@@ -40,7 +40,9 @@ std::optional<Viewpoint> find_viewpoint(std::string_view name) {
 std::vector<std::uint32_t> face_vertices(const document::Model& model) {
   constexpr double k_whole = 0.5;
   constexpr double k_far = 0.25;
-  constexpr double k_margin = 1.0 / 6;
+  constexpr double k_margin = 0.4;
+  constexpr float k_some = 0.25F;
+  constexpr float k_much = 0.5F;
   if (!model.shapes) return {};
   std::vector<ModelPoint> rest(model.mesh->vertex_count());
   model.rig->evaluate(rig::rest_pose(*model.rig), rest);
@@ -51,11 +53,16 @@ std::vector<std::uint32_t> face_vertices(const document::Model& model) {
   for (const rig::BlendShape& shape : model.shapes->shapes()) {
     float most = 0;
     for (const glm::vec3& d : shape.deltas) most = std::max(most, glm::dot(d, d));
-    // A hundredth of a shape's motion is what a file's arithmetic leaves behind.
+    // What arithmetic leaves behind does not count, nor the throat, which a jaw takes with it.
     geometry::Box box;
+    double lowest = 1e300;
     for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
-      if (glm::dot(shape.deltas[i], shape.deltas[i]) > 1e-4F * most) box.add(rest[shape.vertices[i]]);
+      const float motion = glm::dot(shape.deltas[i], shape.deltas[i]);
+      const ModelPoint& p = rest[shape.vertices[i]];
+      if (motion > k_some * k_some * most) box.add(p);
+      if (motion > k_much * k_much * most) lowest = std::min(lowest, p.y);
     }
+    if (!box.empty()) box.minimum.y = lowest;
     if (!box.empty() && box.diagonal() < k_whole * size) boxes.push_back(box);
   }
   if (boxes.empty() || 2 * boxes.size() < model.shapes->shapes().size()) return {};
@@ -67,14 +74,26 @@ std::vector<std::uint32_t> face_vertices(const document::Model& model) {
     std::nth_element(centers.begin(), half, centers.end());
     middle[axis] = *half;
   }
+  std::erase_if(boxes,
+                [&](const geometry::Box& box) { return geometry::distance(box.center(), middle) > k_far * size; });
+  if (boxes.empty()) return {};
+  // The fifth of the shapes that reach farthest to a side, such as those of a throat, do not say where a face ends.
+  const std::size_t fifth = boxes.size() / 5;
   geometry::Box face;
-  for (const geometry::Box& box : boxes) {
-    if (geometry::distance(box.center(), middle) > k_far * size) continue;
-    face.add(box.minimum);
-    face.add(box.maximum);
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> low;
+    std::vector<double> high;
+    for (const geometry::Box& box : boxes) {
+      low.push_back(box.minimum[axis]);
+      high.push_back(-box.maximum[axis]);
+    }
+    for (std::vector<double>* ends : {&low, &high})
+      std::nth_element(ends->begin(), ends->begin() + static_cast<std::ptrdiff_t>(fifth), ends->end());
+    face.minimum[axis] = low[fifth];
+    face.maximum[axis] = -high[fifth];
   }
-  if (face.empty() || face.diagonal() > k_whole * size) return {};
-  const ModelVector margin(k_margin * face.diagonal());
+  if (face.diagonal() > k_whole * size) return {};
+  const ModelVector margin(k_margin * (face.maximum.y - face.minimum.y));
   const ModelPoint low = face.minimum - margin;
   const ModelPoint high = face.maximum + margin;
   std::vector<std::uint32_t> vertices;
