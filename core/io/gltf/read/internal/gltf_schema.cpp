@@ -44,12 +44,12 @@ struct Member {
   std::span<const Member> members{};  ///< object, objects
 };
 
-constexpr auto k_asset = std::to_array<Member>({{"version", Kind::text, true}});
+constexpr auto k_asset = std::to_array<Member>({{"version", Kind::text}});
 constexpr auto k_buffer_view = std::to_array<Member>({
     {"buffer", Kind::index, true, 0, 0, "buffers"},
     {"byteOffset", Kind::whole, false, 0, k_most_bytes},
-    {"byteLength", Kind::whole, true, 1, k_most_bytes},
-    {"byteStride", Kind::whole, false, 4, 252},
+    {"byteLength", Kind::whole, true, 0, k_most_bytes},
+    {"byteStride", Kind::whole, false, 0, 252},
 });
 constexpr auto k_sparse_indices = std::to_array<Member>({
     {"bufferView", Kind::index, true, 0, 0, "bufferViews"},
@@ -70,7 +70,7 @@ constexpr auto k_accessor = std::to_array<Member>({
     {"byteOffset", Kind::whole, false, 0, k_most_bytes},
     {"componentType", Kind::whole, true, 5120, 5126},
     {"normalized", Kind::flag},
-    {"count", Kind::whole, true, 1, k_most_int},
+    {"count", Kind::whole, true, 0, k_most_int},
     {"type", Kind::text, true},
     {"sparse", Kind::object, false, 0, 0, nullptr, k_sparse},
 });
@@ -158,6 +158,9 @@ class Vetter {
     json::Json vetted = json::Json::object();
     for (const Member& member : members) {
       const json::Json* found = json::find(value, member.name);
+      // A null says no more than a member that is missing; names and the like in other types say nothing.
+      if (found != nullptr && found->is_null()) found = nullptr;
+      if (found != nullptr && member.kind == Kind::text && !member.required && !found->is_string()) found = nullptr;
       if (found == nullptr) {
         if (!member.required) continue;
         return wrong("the member \"" + std::string(member.name) + "\" is missing", pointer.empty() ? "/" : pointer);
@@ -260,6 +263,25 @@ class Vetter {
   const json::Json& root_;
 };
 
+/// glTF 1.0 names its buffers, views and nodes where 2.0 numbers them: told before anything is called damaged.
+std::optional<base::Error> check_version(const json::Json& document) {
+  const json::Json* asset = json::find(document, "asset");
+  const json::Json* version = asset == nullptr ? nullptr : json::find(*asset, "version");
+  std::string text = "2.0";
+  if (version != nullptr && version->is_string()) {
+    text = version->get<std::string>();
+  } else if (version != nullptr && version->is_number()) {
+    text = version->dump();
+  } else if (version != nullptr && !version->is_null()) {
+    return wrong("a text was expected", "/asset/version");
+  } else if (const json::Json* views = json::find(document, "bufferViews"); views != nullptr && views->is_object()) {
+    text = "1.0";
+  }
+  if (text.starts_with("2.") || text == "2") return std::nullopt;
+  return wrong("glTF version \"" + base::valid_utf8(text) + "\" is not supported", "/asset/version",
+               "export the file as glTF 2.0");
+}
+
 /// Every node has one parent at most, and following parents always ends.
 std::optional<base::Error> check_tree(const json::Json& vetted) {
   const json::Json* nodes = json::find(vetted, "nodes");
@@ -329,22 +351,15 @@ std::optional<base::Error> check_samplers(const json::Json& vetted) {
 /// Extensions that change how data is read cannot be skipped; those about looks and sounds, and those that add members
 /// beside the ones that are read, can.
 bool can_be_read(std::string_view name) {
-  constexpr std::array<std::string_view, 14> k_known = {"KHR_mesh_quantization",
-                                                        "EXT_meshopt_compression",
-                                                        "KHR_meshopt_compression",
-                                                        "KHR_draco_mesh_compression",
-                                                        "KHR_texture_transform",
-                                                        "KHR_texture_basisu",
-                                                        "EXT_texture_webp",
-                                                        "EXT_texture_avif",
-                                                        "MSFT_texture_dds",
-                                                        "KHR_animation_pointer",
-                                                        "KHR_xmp_json_ld",
-                                                        "MSFT_lod",
-                                                        "VRM",
-                                                        "KHR_node_hoverability"};
-  constexpr std::array<std::string_view, 7> k_harmless_beginnings = {
-      "KHR_materials_", "EXT_materials_", "KHR_lights_", "EXT_lights_", "VRMC_", "KHR_audio", "MSFT_audio"};
+  constexpr auto k_known = std::to_array<std::string_view>(
+      {"KHR_mesh_quantization", "EXT_meshopt_compression", "KHR_meshopt_compression", "KHR_draco_mesh_compression",
+       "KHR_animation_pointer", "KHR_xmp_json_ld", "KHR_xmp", "MSFT_lod", "VRM", "KHR_techniques_webgl",
+       "KHR_technique_webgl", "KHR_interactivity", "KHR_environment_map", "EXT_mesh_features", "EXT_instance_features",
+       "EXT_structural_metadata", "FB_ngon_encoding", "AGI_articulations", "CESIUM_primitive_outline"});
+  constexpr auto k_harmless_beginnings = std::to_array<std::string_view>(
+      {"KHR_materials_", "EXT_materials_", "KHR_lights_", "EXT_lights_", "VRMC_", "KHR_audio", "MSFT_audio",
+       "KHR_texture_", "EXT_texture_", "MSFT_texture_", "MSFT_packing_", "ADOBE_materials_", "KHR_node_",
+       "KHR_physics_", "KHR_collision_", "MSFT_physics_", "OMI_"});
   return std::find(k_known.begin(), k_known.end(), name) != k_known.end() ||
          std::any_of(k_harmless_beginnings.begin(), k_harmless_beginnings.end(),
                      [&](std::string_view beginning) { return name.starts_with(beginning); });
@@ -396,14 +411,11 @@ base::Result<json::Json> vet_gltf(const json::Json& document, std::vector<std::s
     return wrong("this is JSON, but no glTF: it has neither \"asset\" nor \"meshes\"", "/",
                  "choose a file with a model, or download the file itself");
   }
-  // First: what an extension changes must not be called damaged.
+  // First: what another version or an extension changes must not be called damaged.
+  if (auto error = check_version(document)) return *error;
   if (auto error = check_extensions(document)) return *error;
   auto vetted = Vetter(document).object(document, k_root, "");
   if (!vetted) return vetted.error();
-  const auto version = (*vetted)["asset"]["version"].get<std::string>();
-  if (!version.starts_with("2.")) {
-    return wrong("glTF version \"" + version + "\" is not supported", "/asset/version", "export the file as glTF 2.0");
-  }
   if (auto error = check_tree(*vetted)) return *error;
   if (auto error = check_indices(*vetted, document)) return *error;
   if (auto error = check_samplers(*vetted)) return *error;
