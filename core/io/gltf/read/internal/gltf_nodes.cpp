@@ -60,13 +60,13 @@ bool shears(const glm::dmat3& axes) {
   return false;
 }
 
-/// The nearest axes in right angles: half the way to the inverse transpose, again and again, ends at the rotation of
-/// the polar decomposition (Higham 1986). Axes in one plane have no such rotation; then the third is made of the first
-/// two, where those are none either the axes of the world stand in.
+/// The nearest axes in right angles: the mean with the inverse transpose, again and again, ends at the rotation of the
+/// polar decomposition (Higham 1986). Axes in one plane have no inverse: the third is then made of the first two, and
+/// where these are one, nothing is turned.
 glm::dmat3 straightened(glm::dmat3 axes) {
-  constexpr int k_steps = 50;
+  constexpr int k_steps = 60;
   constexpr double k_flat = 1e-9;
-  for (int step = 0; step < k_steps && shears(axes); ++step) {
+  for (int step = 0; step < k_steps; ++step) {
     if (std::abs(glm::determinant(axes)) < k_flat) {
       const glm::dvec3 normal = glm::cross(axes[0], axes[1]);
       if (geometry::length(normal) < k_flat) return glm::dmat3(1);

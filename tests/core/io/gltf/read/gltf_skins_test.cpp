@@ -106,7 +106,7 @@ TEST(GltfSkins, WeightsThatMeanNothingAreLeftOutWithANote) {
   const auto model = sample.read();
   ASSERT_TRUE(model.ok()) << model.error().line();
   const std::vector<std::uint32_t> joints = {0, 1, 1, 0};
-  for (std::size_t v = 0; v < joints.size(); ++v) {
+  for (std::uint32_t v = 0; v < joints.size(); ++v) {
     ASSERT_EQ(model->skeleton->influences_of(v).size(), 1U) << v;
     EXPECT_EQ(model->skeleton->influences_of(v)[0].joint, joints[v]) << v;
     EXPECT_EQ(model->skeleton->influences_of(v)[0].weight, 1.0) << v;
