@@ -47,7 +47,8 @@ glm::dmat4 about(int axis, double degrees) {
 glm::dmat4 turned(const glm::dvec3& angles, int order) {
   constexpr std::array<std::array<int, 3>, 6> k_orders{
       {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {1, 0, 2}, {2, 0, 1}, {2, 1, 0}}};
-  const auto& axes = k_orders[static_cast<std::size_t>(std::clamp(order, 0, 5))];
+  // The seventh order, "spheric", turns as the first one does.
+  const auto& axes = k_orders[static_cast<std::size_t>(order >= 0 && order < 6 ? order : 0)];
   return about(axes[2], angles[axes[2]]) * about(axes[1], angles[axes[1]]) * about(axes[0], angles[axes[0]]);
 }
 
@@ -156,11 +157,16 @@ FbxTransform transform_of(const FbxObject& node) {
 
 glm::dmat4 local_matrix(const FbxObject& node, const FbxTransform& values) {
   const auto vector = [&](const char* name) { return FbxScene::vector(node, name, glm::dvec3(0)); };
-  const int order = static_cast<int>(FbxScene::property(node, "RotationOrder", 0));
+  // Another order, and rotations before and after its own, count where the rotation is active, and not for limits
+  // alone.
+  const bool around = FbxScene::property(node, "RotationActive", 0) != 0.0 &&
+                      FbxScene::property(node, "RotationSpaceForLimitOnly", 0) == 0.0;
+  const int order = around ? static_cast<int>(FbxScene::property(node, "RotationOrder", 0)) : 0;
+  const auto around_turn = [&](const char* name) { return turned(around ? vector(name) : glm::dvec3(0), 0); };
   const glm::dvec3 turn_pivot = vector("RotationPivot");
   const glm::dvec3 scale_pivot = vector("ScalingPivot");
-  return moved(values.translation + vector("RotationOffset") + turn_pivot) * turned(vector("PreRotation"), 0) *
-         turned(values.rotation, order) * glm::transpose(turned(vector("PostRotation"), 0)) *
+  return moved(values.translation + vector("RotationOffset") + turn_pivot) * around_turn("PreRotation") *
+         turned(values.rotation, order) * glm::transpose(around_turn("PostRotation")) *
          moved(vector("ScalingOffset") + scale_pivot - turn_pivot) * scaled(values.scaling) * moved(-scale_pivot);
 }
 

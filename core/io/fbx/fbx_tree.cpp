@@ -11,7 +11,9 @@
 namespace penpose::io {
 namespace {
 
+constexpr std::string_view k_beginning = "Kaydara FBX Binary  ";
 constexpr std::string_view k_magic("Kaydara FBX Binary  \0\x1a\0", 23);
+constexpr std::string_view k_other_end("Kaydara FBX Binary  \0\x1a\1", 23);  ///< numbers begin with their high bytes
 constexpr int k_deepest = 32;
 constexpr std::size_t k_most_bytes = std::size_t{512} << 20;
 constexpr std::uint32_t k_oldest = 7000;
@@ -45,7 +47,8 @@ class BinaryReader {
 
  private:
   [[nodiscard]] base::Error cut() const {
-    return {"the file is cut off or damaged", "byte offset " + std::to_string(reader_.offset()), k_copy_again};
+    return {"a record reaches beyond the file or the one that holds it",
+            "byte offset " + std::to_string(reader_.offset()), k_copy_again};
   }
   std::optional<std::uint64_t> read_offset() {
     if (long_) return reader_.read<std::uint64_t>();
@@ -97,8 +100,12 @@ class BinaryReader {
       case 'Y':
         good = read_whole<std::uint16_t, std::int16_t>(record);
         break;
+      case 'B':
       case 'C':
         good = read_whole<std::uint8_t, std::uint8_t>(record);
+        break;
+      case 'Z':
+        good = read_whole<std::uint8_t, std::int8_t>(record);
         break;
       case 'I':
         good = read_whole<std::uint32_t, std::int32_t>(record);
@@ -195,6 +202,8 @@ class TextReader {
 
   base::Result<FbxTree> read() {
     FbxTree tree;
+    // Old files are of another form: their version comes first.
+    if (const auto old = version_in_text(); old && *old < k_oldest) return old_version(*old);
     if (auto status = read_list(tree.root, 0); !status) return status.error();
     if (const FbxRecord* header = tree.root.find("FBXHeaderExtension")) {
       if (const FbxRecord* version = header->find("FBXVersion"))
@@ -205,6 +214,18 @@ class TextReader {
   }
 
  private:
+  [[nodiscard]] std::optional<std::uint32_t> version_in_text() const {
+    constexpr std::string_view k_name = "FBXVersion:";
+    const std::string_view head = text_.substr(0, 4096);
+    std::size_t at = head.find(k_name);
+    if (at == std::string_view::npos) return std::nullopt;
+    at = head.find_first_not_of(" \t", at + k_name.size());
+    std::uint32_t version = 0;
+    if (at == std::string_view::npos ||
+        std::from_chars(head.data() + at, head.data() + head.size(), version).ec != std::errc())
+      return std::nullopt;
+    return version;
+  }
   [[nodiscard]] base::Error damaged(const char* what) const {
     return {what, "line " + std::to_string(line_), k_copy_again};
   }
@@ -378,7 +399,7 @@ std::vector<std::int64_t> FbxRecord::wholes(std::string_view record) const {
   return whole != nullptr ? *whole : std::vector<std::int64_t>();
 }
 
-bool is_binary_fbx(base::Bytes bytes) { return base::as_text(bytes).starts_with(k_magic); }
+bool is_binary_fbx(base::Bytes bytes) { return base::as_text(bytes).starts_with(k_beginning); }
 
 bool is_text_fbx(base::Bytes bytes) {
   const std::string_view text = base::without_mark(base::as_text(bytes)).substr(0, 4096);
@@ -386,7 +407,16 @@ bool is_text_fbx(base::Bytes bytes) {
 }
 
 base::Result<FbxTree> read_fbx_tree(base::Bytes bytes) {
-  if (is_binary_fbx(bytes)) return BinaryReader(bytes).read();
+  const std::string_view text = base::as_text(bytes);
+  if (text.starts_with(k_magic)) return BinaryReader(bytes).read();
+  if (text.starts_with(k_other_end)) {
+    return base::Error{"the file has its numbers high bytes first", "byte offset 22",
+                       "export it as binary FBX for other machines, or as text"};
+  }
+  if (text.starts_with(k_beginning)) {
+    return base::Error{"the bytes of a binary FBX file were changed as if they were text", "byte offset 20",
+                       "download or copy the file itself again, as it is"};
+  }
   return TextReader(bytes).read();
 }
 

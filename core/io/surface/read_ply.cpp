@@ -265,6 +265,15 @@ class PlyReader {
       place.back() = static_cast<std::size_t>(found - k_names.begin());
       has[*place.back()] = true;
     }
+    // Scenes of Gaussian splats come as PLY too.
+    const auto holds = [&](std::string_view name) {
+      return std::any_of(element.properties.begin(), element.properties.end(),
+                         [&](const Property& property) { return property.name == name; });
+    };
+    if (holds("packed_position") || holds("f_dc_0")) {
+      return base::Error{"this is a scene of Gaussian splats, not a mesh", "header",
+                         "choose a file with a mesh; splats are no surface"};
+    }
     if (!has[0] || !has[1] || !has[2]) return numbers_.error("the vertices have no x, y and z");
     const bool normals = has[3] && has[4] && has[5];
     for (std::uint64_t v = 0; v < element.count; ++v) {

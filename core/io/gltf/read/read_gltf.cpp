@@ -170,11 +170,10 @@ base::Result<OpenedModel> read_opened(GltfDocument& document, const FileResolver
   const std::size_t weights = shape_count + deformer_names.size();
   std::vector<document::Expression> expressions = read_expressions(document, *meshes, *shapes, shape_count);
   auto animations = read_animations(document, *meshes, *shapes, joints->joint_of_node, origins.animations);
-  if (!animations) return animations.error();
-  put_in_order(*root, *animations, origins.animations);
-  for (const OneWayName& one : one_way) put_together(one, *shapes, *animations);
-  widen_ranges(*animations, *root, *shapes);
-  for (document::Animation& animation : *animations) drop_weights(animation, shapes->shapes.size(), weights);
+  put_in_order(*root, animations, origins.animations);
+  for (const OneWayName& one : one_way) put_together(one, *shapes, animations);
+  widen_ranges(animations, *root, *shapes);
+  for (document::Animation& animation : animations) drop_weights(animation, shapes->shapes.size(), weights);
   shapes->values.resize(weights);
   shapes->shapes.resize(shape_count);  // deformers say themselves what their samples say
   for (std::size_t i = 0; i < deformer_names.size(); ++i) {
@@ -197,7 +196,7 @@ base::Result<OpenedModel> read_opened(GltfDocument& document, const FileResolver
   model->curves = root->curves;
   model->expressions = std::move(expressions);
   model->front_yaw_degrees = vrm_front_yaw_degrees(document.json);
-  model->animations = std::move(animations).value();
+  model->animations = std::move(animations);
   model->notes = std::move(document.notes);
   add_corrections(*root, *model);
   if ((*mesh)->dropped_triangles() > 0) {

@@ -40,16 +40,25 @@ const Json* first_of(const Json& object, std::initializer_list<const char*> name
 const Json* scores_of(const Json& object, std::string* name = nullptr) {
   return first_of(object,
                   {"faceBlendshapes", "face_blendshapes", "blendShapes", "blendshapes", "blend_shapes", "BlendShapes",
-                   "categories", "weights", "scores", "shapes", "values"},
+                   "categories", "weights", "Weights", "scores", "shapes", "values"},
                   name);
 }
 
 const Json* names_of(const Json& object) {
   const Json* names = first_of(object, {"facsNames", "blendShapeNames", "blendshapeNames", "blend_shape_names",
-                                        "shapeNames", "blendShapes", "blendshapes", "blend_shapes", "names"});
+                                        "shapeNames", "blendShapes", "blendshapes", "blend_shapes", "names", "Names"});
   const bool texts = names != nullptr && names->is_array() && !names->empty() &&
                      std::all_of(names->begin(), names->end(), [](const Json& name) { return name.is_string(); });
   return texts ? names : nullptr;
+}
+
+/// What programs wrap the scores of a frame in: page listeners, services, streams to game engines.
+const Json* wrapped_in(const Json& frame, std::string& name) {
+  const Json* inner = first_of(
+      frame,
+      {"results", "result", "faceLandmarkerResult", "face_landmarker_result", "Audio2Face", "Facial", "face", "data"},
+      &name);
+  return inner != nullptr && inner->is_object() ? inner : nullptr;
 }
 
 /// Collects rows whose names come as they please.
@@ -89,7 +98,7 @@ class Rows {
   void tell_time(const Json& frame) {
     std::string name;
     const Json* told = first_of(
-        frame, {"timestamp_ms", "timestampMs", "timestamp", "timeCode", "time_code", "timecode", "time", "time_s"},
+        frame, {"timestamp_ms", "timestampMs", "timestamp", "timeCode", "time_code", "timecode", "time", "time_s", "t"},
         &name);
     timed_ = timed_ || told != nullptr;
     if (told != nullptr && told->is_string()) {
@@ -136,16 +145,7 @@ class Reader {
       return frame.is_null() ? std::nullopt : read_scores(frame, place);
     }
     rows_.tell_time(frame);
-    std::string name;
-    if (const Json* scores = scores_of(frame, &name)) return read_scores(*scores, json::child(place, name));
-    bool any = false;
-    for (const auto& [key, value] : frame.items()) {
-      if (!value.is_number() || !is_arkit_shape(key)) continue;
-      any = true;
-      if (auto problem = rows_.set(key, value, json::child(place, key))) return problem;
-    }
-    if (!any) rows_.hold("it has no scores of blend shapes");
-    return std::nullopt;
+    return read_members(frame, place, 0);
   }
 
   /// Values by name, categories with scores, numbers in the order of the file's names, or a list of faces with any of
@@ -190,6 +190,26 @@ class Reader {
   }
 
  private:
+  /// The scores of a frame, which may lie in what wraps them.
+  Problem read_members(const Json& frame, const std::string& place, int depth) {
+    std::string name;
+    const Json* scores = scores_of(frame, &name);
+    // Streams to game engines name the shapes of every frame.
+    if (const Json* own = names_of(frame); own != nullptr && own != scores && scores != nullptr) names_ = own;
+    if (scores != nullptr) return read_scores(*scores, json::child(place, name));
+    constexpr int k_deepest = 3;
+    if (const Json* inner = wrapped_in(frame, name); inner != nullptr && depth < k_deepest)
+      return read_members(*inner, json::child(place, name), depth + 1);
+    bool any = false;
+    for (const auto& [key, value] : frame.items()) {
+      if (!value.is_number() || !is_arkit_shape(key)) continue;
+      any = true;
+      if (auto problem = rows_.set(key, value, json::child(place, key))) return problem;
+    }
+    if (!any) rows_.hold("it has no scores of blend shapes");
+    return std::nullopt;
+  }
+
   Problem read_numbers(const Json& numbers, const std::string& place) {
     if (names_ == nullptr) return wrong("there is no list of names for these numbers", place);
     if (numbers.size() != names_->size()) {
@@ -255,6 +275,18 @@ bool is_by_name(const Json& object) {
          });
 }
 
+/// Frames that are members called by their numbers, in that order; none where it is anything else.
+std::map<std::int64_t, const Json*> numbered_frames(const Json& object) {
+  std::map<std::int64_t, const Json*> frames;
+  if (!object.is_object() || object.size() > k_most_track_frames) return frames;
+  for (const auto& [key, frame] : object.items()) {
+    const auto number = base::parse_int(key);
+    if (!number || !frame.is_object()) return {};
+    frames.emplace(*number, &frame);
+  }
+  return frames;
+}
+
 Problem read_by_name(const Json& lists, const std::string& place, Rows& rows) {
   std::size_t count = 0;
   for (const Json& list : lists) count = std::max(count, list.size());
@@ -303,6 +335,14 @@ Problem read_all(const Json& root, Rows& rows) {
     return read_list(*scores, json::child("", name));
   }
   if (is_by_name(root)) return read_by_name(root, "", rows);
+  if (const auto numbered = numbered_frames(root); !numbered.empty()) {
+    for (const auto& [number, frame] : numbered) {
+      const std::string place = json::child("", std::to_string(number));
+      if (auto problem = reader.read_frame(*frame, place, rows.count())) return problem;
+    }
+    reader.finish();
+    return std::nullopt;
+  }
   auto problem = reader.read_frame(root, "", 0);
   reader.finish();
   return problem;

@@ -300,6 +300,68 @@ TEST(ReadFbx, KeysOfShapesAreAnAnimation) {
   EXPECT_EQ(channel.values, (std::vector<double>{0, 0, 1, 0}));
 }
 
+TEST(ReadFbx, RotationsHaveAnotherOrderAndOthersAroundThemOnlyWhereTheyAreActive) {
+  const auto upright = [](std::string_view properties) {
+    constexpr std::string_view k_turn = R"("Lcl Rotation", "", "A",90,0,0)";
+    std::string text(k_text);
+    text.replace(text.find(k_turn), k_turn.size(),
+                 R"("Lcl Rotation", "", "A",90,90,0
+			P: "RotationOrder", "enum", "", "",5
+			P: "PreRotation", "Vector3D", "Vector", "",0,0,90
+			P: "PostRotation", "Vector3D", "Vector", "",0,0,0)" +
+                     std::string(properties));
+    auto model = read_fbx(bytes_of(text), {}).value();
+    std::fill(model.pose.begin(), model.pose.end(), 0.0);
+    // The fourth vertex lies 10 cm along +z of the file above the head.
+    const geometry::ModelPoint at = document::posed_positions(model)[3];
+    return geometry::ModelPoint(at.x, -at.z, at.y - 1.5) * 10.0;
+  };
+  // First about x, then about y: +z comes to -y, and stays there.
+  expect_near(upright(""), {0, -1, 0});
+  // First about y, then about x, as the order says: +z comes to +x; then about z before all: to +y.
+  constexpr std::string_view k_active = "\n\t\t\tP: \"RotationActive\", \"bool\", \"\", \"\",1";
+  expect_near(upright(k_active), {0, 1, 0});
+  // For limits alone it is as if nothing were said.
+  expect_near(upright(std::string(k_active) + "\n\t\t\tP: \"RotationSpaceForLimitOnly\", \"bool\", \"\", \"\",1"),
+              {0, -1, 0});
+}
+
+TEST(ReadFbx, SmallNumbersAndTruthsAreValues) {
+  base::ByteWriter out;
+  out.append(std::string_view("Kaydara FBX Binary  \0\x1a\0", 23));
+  out.write(std::uint32_t{7400});
+  const std::string_view values("B\1Z\xfe\x59\xff\xff", 7);
+  out.write(static_cast<std::uint32_t>(27 + 13 + 1 + values.size()));
+  out.write(std::uint32_t{3});
+  out.write(static_cast<std::uint32_t>(values.size()));
+  out.write(std::uint8_t{1});
+  out.append("X");
+  out.append(values);
+  out.append(std::string(13, '\0'));
+  const auto tree = read_fbx_tree(out.take());
+  ASSERT_TRUE(tree.ok()) << tree.error().line();
+  const FbxRecord* record = tree->root.find("X");
+  ASSERT_NE(record, nullptr);
+  EXPECT_EQ(record->whole(0), 1);
+  EXPECT_EQ(record->whole(1), -2);
+  EXPECT_EQ(record->whole(2), -1);
+}
+
+TEST(ReadFbx, FilesOfOtherFormsAreCalledWhatTheyAre) {
+  const auto what = [](std::string_view text) {
+    const auto bytes = bytes_of(text);
+    EXPECT_EQ(format_of_content(bytes)->name, "FBX");
+    const auto model = read_fbx(bytes, {});
+    return model ? std::string("(no error)") : model.error().line();
+  };
+  EXPECT_NE(what(std::string_view("Kaydara FBX Binary  \0\x1a\1\0\0\x1d\x4c", 27)).find("high bytes first"),
+            std::string::npos);
+  EXPECT_NE(what("Kaydara FBX Binary  \xef\xbf\xbd\x1a").find("as if they were text"), std::string::npos);
+  EXPECT_NE(what("; FBX 6.1.0 project file\nFBXHeaderExtension:  {\n\tFBXVersion: 6100\n}\nObjects:  {\n\tstray\n")
+                .find("6.1"),
+            std::string::npos);
+}
+
 TEST(ReadFbx, OldVersionsAndDamageAreSaidInOneLine) {
   std::string old(k_text);
   old.replace(old.find("7400"), 4, "6100");

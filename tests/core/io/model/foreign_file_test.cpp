@@ -32,6 +32,9 @@ TEST(ForeignFile, IsCalledWhatItIs) {
       {"<?xml version=\"1.0\"?>\n<COLLADA xmlns=\"x\">", "COLLADA"},
       {"<?xml version=\"1.0\"?>\n<Error><Code>AccessDenied</Code></Error>", "error message of a server"},
       {"\x89PNG\r\n\x1a\n....", "picture"},
+      {"HIERARCHY\r\nROOT Hips\r\n{\r\n", "BVH"},
+      {"DRACO\2\2\1\1", "Draco"},
+      {"\xabKTX 20\xbb\r\n\x1a\n", "texture"},
   };
   for (const Case& one : cases) {
     for (const char* name : {"face.glb", "face.obj", "face.ply", "face.vrm", "face"}) {

@@ -75,6 +75,18 @@ TEST(ReadPly, NormalsAndFacesBeforeVertices) {
   EXPECT_EQ(model->mesh->file_normals()[1], glm::vec3(0, 0, 1));
 }
 
+TEST(ReadPly, SplatsAreCalledWhatTheyAre) {
+  for (const std::string name : {"packed_position", "f_dc_0"}) {
+    const std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+        "property float " +
+        name + "\nend_header\n0 0 0 0\n";
+    const auto model = read(text);
+    ASSERT_FALSE(model.ok());
+    EXPECT_NE(model.error().what.find("splats"), std::string::npos) << model.error().line();
+  }
+}
+
 TEST(ReadPly, NamesThePlaceOfAFault) {
   EXPECT_EQ(error("plyx\n").place, "line 1");
   EXPECT_EQ(error("ply\nformat ascii 1.0\n").place, "line 2");

@@ -16,7 +16,8 @@ base::Error wrong(std::string what, std::string pointer, std::string remedy = k_
   return {std::move(what), std::move(pointer), std::move(remedy)};
 }
 
-/// Elements in a buffer: element i starts at data + i * stride. All of them lie inside the buffer.
+/// Elements in a buffer: element i starts at data + i * stride. All of them lie inside the buffer; of none there is no
+/// data.
 struct Run {
   const std::uint8_t* data = nullptr;
   std::size_t stride = 0;
@@ -24,6 +25,7 @@ struct Run {
 
 base::Result<Run> locate(const GltfDocument& document, int view_index, std::uint64_t offset, std::uint64_t count,
                          std::uint64_t element_size, const std::string& pointer) {
+  if (count == 0) return Run{};
   const tinygltf::BufferView& view = document.model.bufferViews[static_cast<std::size_t>(view_index)];
   const base::Bytes buffer = document.buffers[static_cast<std::size_t>(view.buffer)];
   if (view.byteOffset > buffer.size() || view.byteLength > buffer.size() - view.byteOffset) {

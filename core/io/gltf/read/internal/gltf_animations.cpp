@@ -1,5 +1,6 @@
 #include "core/io/gltf/read/internal/gltf_animations.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -19,17 +20,21 @@ class AnimationReader {
                   const std::vector<std::int32_t>& joint_of_node)
       : document_(document), meshes_(meshes), shapes_(shapes), joint_of_node_(joint_of_node) {}
 
-  base::Result<std::vector<document::Animation>> read(std::vector<std::size_t>& from) {
+  std::vector<document::Animation> read(std::vector<std::size_t>& from) {
     std::vector<document::Animation> animations;
     for (std::size_t a = 0; a < document_.model.animations.size(); ++a) {
       document::Animation animation;
       animation.name = document_.model.animations[a].name;
-      if (auto status = read_channels(a, animation); !status) return status.error();
+      read_channels(a, animation);
       if (animation.channels.empty()) continue;
       animations.push_back(std::move(animation));
       from.push_back(a);
     }
     if (left_out_) document_.notes.emplace_back("animation of nodes that carry no vertices was left out");
+    if (unreadable_) {
+      document_.notes.push_back("animation that cannot be read was left out: " + unreadable_->place + ": " +
+                                unreadable_->what);
+    }
     if (other_times_) {
       document_.notes.emplace_back("weights animated at other times than those of another mesh were left out");
     }
@@ -37,41 +42,46 @@ class AnimationReader {
   }
 
  private:
-  base::Status read_channels(std::size_t a, document::Animation& animation) {
+  void read_channels(std::size_t a, document::Animation& animation) {
     const tinygltf::Animation& source = document_.model.animations[a];
     std::optional<std::size_t> weights_channel;
     filled_.clear();
     for (std::size_t c = 0; c < source.channels.size(); ++c) {
-      const tinygltf::AnimationChannel& channel = source.channels[c];
       const std::string pointer = "/animations/" + std::to_string(a) + "/channels/" + std::to_string(c);
-      if (channel.target_node < 0) continue;
-      const auto node = static_cast<std::size_t>(channel.target_node);
-      const tinygltf::AnimationSampler& sampler = source.samplers[static_cast<std::size_t>(channel.sampler)];
-      if (channel.target_path == "weights") {
-        const auto part = part_of(node);
-        if (!part) {
-          left_out_ = true;
-          continue;
-        }
-        auto keys = read_keys(document_, sampler, TINYGLTF_TYPE_SCALAR, shapes_.of_target[*part].size(), pointer);
-        if (!keys) return keys.error();
-        take_spline(a, static_cast<std::size_t>(channel.sampler), shapes_.of_target[*part].size(), *keys);
-        drop_added(a, static_cast<std::size_t>(channel.sampler), *keys);
-        if (auto status = add_weights(*keys, *part, weights_channel, animation); !status) return status;
-        continue;
-      }
-      const auto target = path(channel.target_path);
-      if (!target) return base::Error{"the path \"" + channel.target_path + "\" is not known", pointer, k_export_again};
-      if (joint_of_node_[node] < 0) {
-        left_out_ = true;
-        continue;
-      }
-      const bool rotation = *target == document::ChannelTarget::rotation;
-      auto keys = read_keys(document_, sampler, rotation ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3, 1, pointer);
-      if (!keys) return keys.error();
-      animation.channels.push_back({*target, static_cast<std::uint32_t>(joint_of_node_[node]), keys->interpolation,
-                                    std::move(keys->times_s), std::move(keys->values)});
+      if (source.channels[c].target_node < 0) continue;
+      const auto read = read_channel(a, source.channels[c], pointer, weights_channel, animation);
+      if (!read && !unreadable_) unreadable_ = read.error();
     }
+  }
+
+  base::Status read_channel(std::size_t a, const tinygltf::AnimationChannel& channel, const std::string& pointer,
+                            std::optional<std::size_t>& weights_channel, document::Animation& animation) {
+    const auto node = static_cast<std::size_t>(channel.target_node);
+    const auto sampler_index = static_cast<std::size_t>(channel.sampler);
+    const tinygltf::AnimationSampler& sampler = document_.model.animations[a].samplers[sampler_index];
+    if (channel.target_path == "weights") {
+      const auto part = part_of(node);
+      if (!part) {
+        left_out_ = true;
+        return base::Done{};
+      }
+      auto keys = read_keys(document_, sampler, TINYGLTF_TYPE_SCALAR, shapes_.of_target[*part].size(), pointer);
+      if (!keys) return keys.error();
+      take_spline(a, sampler_index, shapes_.of_target[*part].size(), *keys);
+      drop_added(a, sampler_index, *keys);
+      return add_weights(*keys, *part, weights_channel, animation);
+    }
+    const auto target = path(channel.target_path);
+    if (!target) return base::Error{"the path \"" + channel.target_path + "\" is not known", pointer, k_export_again};
+    if (joint_of_node_[node] < 0) {
+      left_out_ = true;
+      return base::Done{};
+    }
+    const bool rotation = *target == document::ChannelTarget::rotation;
+    auto keys = read_keys(document_, sampler, rotation ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3, 1, pointer);
+    if (!keys) return keys.error();
+    animation.channels.push_back({*target, static_cast<std::uint32_t>(joint_of_node_[node]), keys->interpolation,
+                                  std::move(keys->times_s), std::move(keys->values)});
     return base::Done{};
   }
 
@@ -189,6 +199,7 @@ class AnimationReader {
   std::set<std::size_t> filled_;  ///< shapes that the weights channel of this animation already drives
   bool left_out_ = false;
   bool other_times_ = false;
+  std::optional<base::Error> unreadable_;  ///< the first channel that cannot be read
 };
 
 }  // namespace
@@ -206,32 +217,40 @@ base::Result<GltfKeys> read_keys(GltfDocument& document, const tinygltf::Animati
   const auto times =
       read_elements(document, sampler.input, {.type = TINYGLTF_TYPE_SCALAR, .float_only = true, .needs_data = true});
   if (!times) return times.error();
-  for (const float time : times->dense()) {
-    if (!(time >= 0.0F) || !std::isfinite(time) ||
-        (!keys.times_s.empty() && !(static_cast<double>(time) > keys.times_s.back()))) {
-      return base::Error{"the times of the keys do not ascend from zero or more", accessor_pointer(sampler.input),
-                         k_export_again};
-    }
-    keys.times_s.push_back(static_cast<double>(time));
+  // Keys at the time of the one before them, or before it, are never reached.
+  std::vector<bool> reached;
+  for (const float number : times->dense()) {
+    const auto time = static_cast<double>(number);
+    reached.push_back(time >= 0 && std::isfinite(time) && (keys.times_s.empty() || time > keys.times_s.back()));
+    if (reached.back()) keys.times_s.push_back(time);
   }
-  const std::size_t tangents = keys.interpolation == document::Interpolation::cubic_spline ? 3 : 1;
-  const auto values =
-      read_elements(document, sampler.output, {.type = type, .count = keys.times_s.size() * per_key * tangents});
+  if (keys.times_s.empty()) {
+    return base::Error{"no key has a time from zero on", accessor_pointer(sampler.input), k_export_again};
+  }
+  const std::size_t run = per_key * (keys.interpolation == document::Interpolation::cubic_spline ? 3 : 1);
+  const auto values = read_elements(document, sampler.output, {.type = type, .count = reached.size() * run});
   if (!values) return values.error();
-  for (const float value : values->dense()) {
-    if (!std::isfinite(value)) {
+  const std::vector<float> numbers = values->dense();
+  const std::size_t width = run * values->components;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (!reached[i / width]) continue;
+    if (!std::isfinite(numbers[i])) {
       return base::Error{"a key has a value that is not a finite number", accessor_pointer(sampler.output),
                          k_export_again};
     }
-    keys.values.push_back(static_cast<double>(value));
+    keys.values.push_back(static_cast<double>(numbers[i]));
   }
+  const std::string note = "keys of animations that come no later than those before them were left out";
+  if (keys.times_s.size() < reached.size() &&
+      std::find(document.notes.begin(), document.notes.end(), note) == document.notes.end())
+    document.notes.push_back(note);
   return keys;
 }
 
-base::Result<std::vector<document::Animation>> read_animations(GltfDocument& document, const GltfMeshes& meshes,
-                                                               const GltfShapes& shapes,
-                                                               const std::vector<std::int32_t>& joint_of_node,
-                                                               std::vector<std::size_t>& from) {
+std::vector<document::Animation> read_animations(GltfDocument& document, const GltfMeshes& meshes,
+                                                 const GltfShapes& shapes,
+                                                 const std::vector<std::int32_t>& joint_of_node,
+                                                 std::vector<std::size_t>& from) {
   return AnimationReader(document, meshes, shapes, joint_of_node).read(from);
 }
 

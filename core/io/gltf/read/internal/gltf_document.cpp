@@ -220,7 +220,7 @@ base::Result<GltfDocument> open_gltf(base::Bytes bytes, const FileResolver& reso
   data += static_cast<std::size_t>(*unpacked);
   if (const auto parsed = read_structure(document, *vetted); !parsed) return parsed.error();
   // A number takes some 14 bytes once it is read: what comes of a file stays below 40 times its size.
-  document.budget = (std::size_t{3} << 19) + 2 * data + data / 2;
+  document.budget = (std::size_t{5} << 19) + 2 * data + data / 2;
   return document;
 }
 

@@ -13,7 +13,16 @@
 namespace penpose::io {
 namespace {
 
-bool is_surface(const tinygltf::Primitive& primitive) { return primitive.mode >= TINYGLTF_MODE_TRIANGLES; }
+bool has_triangles(const tinygltf::Primitive& primitive) { return primitive.mode >= TINYGLTF_MODE_TRIANGLES; }
+
+/// Whether a primitive gives triangles at all: some have no places of their vertices (an extension may give them), or
+/// no vertices, or no corners.
+bool is_surface(const GltfDocument& document, const tinygltf::Primitive& primitive) {
+  const auto position = primitive.attributes.find("POSITION");
+  if (!has_triangles(primitive) || position == primitive.attributes.end()) return false;
+  const auto count = [&](int accessor) { return document.model.accessors[static_cast<std::size_t>(accessor)].count; };
+  return count(position->second) > 0 && (primitive.indices < 0 || count(primitive.indices) > 0);
+}
 
 bool shares_vertices(const tinygltf::Primitive& a, const tinygltf::Primitive& b) {
   return a.attributes == b.attributes && a.targets == b.targets;
@@ -24,7 +33,7 @@ void add_origins(GltfDocument& document, std::size_t node, std::size_t mesh, std
   const auto& primitives = document.model.meshes[mesh].primitives;
   const std::size_t first = origins.size();
   for (std::size_t p = 0; p < primitives.size(); ++p) {
-    if (!is_surface(primitives[p])) continue;
+    if (!is_surface(document, primitives[p])) continue;
     const auto same =
         std::find_if(origins.begin() + static_cast<std::ptrdiff_t>(first), origins.end(),
                      [&](const auto& o) { return shares_vertices(primitives[o.primitives.front()], primitives[p]); });
@@ -70,9 +79,6 @@ base::Status read_vertices(GltfDocument& document, const PartOrigin& origin, mes
                            std::vector<bool>& has_normals) {
   const auto& attributes = origin.primitive(document).attributes;
   const auto position = attributes.find("POSITION");
-  if (position == attributes.end()) {
-    return base::Error{"the primitive has no POSITION", origin.pointer() + "/attributes", k_export_again};
-  }
   const auto positions = read_elements(document, position->second, {.needs_data = true, .cost = k_cost_of_geometry});
   if (!positions) return positions.error();
   const std::vector<float> numbers = positions->dense();
@@ -132,9 +138,9 @@ base::Status read_triangles(GltfDocument& document, const PartOrigin& origin, st
   };
   if (primitive.mode == TINYGLTF_MODE_TRIANGLES) {
     if (c.size() % 3 != 0) {
-      return base::Error{std::to_string(c.size()) + " corners are no whole number of triangles",
-                         "/meshes/" + std::to_string(origin.mesh) + "/primitives/" + std::to_string(primitive_index),
-                         k_export_again};
+      document.notes.push_back("the last " + std::to_string(c.size() % 3) + " of " + std::to_string(c.size()) +
+                               " corners of /meshes/" + std::to_string(origin.mesh) + "/primitives/" +
+                               std::to_string(primitive_index) + " form no triangle and were left out");
     }
     for (std::size_t i = 0; i + 2 < c.size(); i += 3) add(i, i + 1, i + 2);
   } else if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
@@ -162,7 +168,7 @@ document::Material read_material(const GltfDocument& document, int index) {
 
 void note_left_out(GltfDocument& document) {
   for (const auto& mesh : document.model.meshes) {
-    if (std::all_of(mesh.primitives.begin(), mesh.primitives.end(), is_surface)) continue;
+    if (std::all_of(mesh.primitives.begin(), mesh.primitives.end(), has_triangles)) continue;
     document.notes.emplace_back("points and lines are not shown");
     return;
   }
@@ -188,6 +194,10 @@ base::Result<GltfMeshes> read_meshes(GltfDocument& document, const NodeTree& tre
   GltfMeshes meshes;
   meshes.origins = find_origins(document, tree);
   if (meshes.origins.empty()) {
+    if (document.model.meshes.empty() && !document.model.animations.empty()) {
+      return base::Error{"the file holds motions and no mesh", "/meshes",
+                         "choose the file of the figure that they move, or export both together"};
+    }
     return base::Error{"there is no triangle mesh in the scene", "/meshes", "choose a file with a triangle mesh"};
   }
   const auto names = part_names(document, meshes.origins);

@@ -23,7 +23,7 @@ bool all_moderate(const std::vector<double>& numbers) {
 }
 
 /// Axes of length one that are perpendicular to each other, for columns of which some may be zero.
-std::optional<glm::dmat3> unit_axes(const glm::dmat3& columns, const glm::dvec3& lengths) {
+glm::dmat3 unit_axes(const glm::dmat3& columns, const glm::dvec3& lengths) {
   glm::dmat3 axes(1);
   std::array<bool, 3> known{};
   int count = 0;
@@ -48,15 +48,40 @@ std::optional<glm::dmat3> unit_axes(const glm::dmat3& columns, const glm::dvec3&
     while (known[static_cast<std::size_t>(none)]) ++none;
     axes[none] = geometry::normalized(glm::cross(axes[(none + 1) % 3], axes[(none + 2) % 3]));
   }
+  return axes;
+}
+
+/// Whether the axes stand in no right angles to each other.
+bool shears(const glm::dmat3& axes) {
   constexpr double k_shear = 1e-4;
   for (int i = 0; i < 3; ++i) {
-    if (std::abs(glm::dot(axes[i], axes[(i + 1) % 3])) > k_shear) return std::nullopt;
+    if (std::abs(glm::dot(axes[i], axes[(i + 1) % 3])) > k_shear) return true;
+  }
+  return false;
+}
+
+/// The nearest axes in right angles: the mean with the inverse transpose, again and again, ends at the rotation of the
+/// polar decomposition (Higham 1986). Axes in one plane have no inverse: the third is then made of the first two, and
+/// where these are one, nothing is turned.
+glm::dmat3 straightened(glm::dmat3 axes) {
+  constexpr int k_steps = 60;
+  constexpr double k_flat = 1e-9;
+  for (int step = 0; step < k_steps; ++step) {
+    if (std::abs(glm::determinant(axes)) < k_flat) {
+      const glm::dvec3 normal = glm::cross(axes[0], axes[1]);
+      if (geometry::length(normal) < k_flat) return glm::dmat3(1);
+      axes[2] = geometry::normalized(normal);
+    }
+    axes = 0.5 * (axes + glm::transpose(glm::inverse(axes)));
   }
   return axes;
 }
 
 base::Result<NodeTransform> take_apart(const std::vector<double>& m, const std::string& pointer) {
-  const bool affine = m[3] == 0.0 && m[7] == 0.0 && m[11] == 0.0 && m[15] == 1.0;
+  // Programs that multiply matrices in single precision leave traces in the last row.
+  constexpr double k_near = 1e-5;
+  const bool affine =
+      std::abs(m[3]) < k_near && std::abs(m[7]) < k_near && std::abs(m[11]) < k_near && std::abs(m[15] - 1.0) < k_near;
   if (!affine || !all_moderate(m)) {
     return wrong("the matrix is no transform of space", pointer, "export the file again with valid transforms");
   }
@@ -64,16 +89,16 @@ base::Result<NodeTransform> take_apart(const std::vector<double>& m, const std::
   NodeTransform transform;
   transform.translation = {m[12], m[13], m[14]};
   for (int i = 0; i < 3; ++i) transform.scale[i] = geometry::length(columns[i]);
-  auto axes = unit_axes(columns, transform.scale);
-  if (!axes) {
-    return wrong("the matrix shears, which no translation, rotation and scale can give", pointer,
-                 "apply the transform to the mesh before exporting");
+  glm::dmat3 axes = unit_axes(columns, transform.scale);
+  if (shears(axes)) {
+    transform.sheared = true;
+    axes = straightened(axes);
   }
-  if (glm::determinant(*axes) < 0.0) {
+  if (glm::determinant(axes) < 0.0) {
     transform.scale.x = -transform.scale.x;
-    (*axes)[0] = -(*axes)[0];
+    axes[0] = -axes[0];
   }
-  const glm::dquat turned = glm::quat_cast(*axes);
+  const glm::dquat turned = glm::quat_cast(axes);
   transform.rotation = turned / std::sqrt(glm::dot(turned, turned));
   return transform;
 }
@@ -97,9 +122,7 @@ base::Result<NodeTransform> node_transform(const GltfDocument& document, std::si
   if (node.rotation.size() == 4) {
     const auto& r = node.rotation;
     transform.rotation = glm::dquat(r[3], r[0], r[1], r[2]);
-    if (!(glm::dot(transform.rotation, transform.rotation) > 1e-12)) {
-      return wrong("the rotation has no length", pointer + "/rotation", "export the file again with valid transforms");
-    }
+    if (!(glm::dot(transform.rotation, transform.rotation) > 1e-12)) transform.rotation = glm::dquat(1, 0, 0, 0);
   }
   return transform;
 }

@@ -17,11 +17,13 @@ struct NodeTransform {
   glm::dvec3 translation{0};
   glm::dquat rotation{1, 0, 0, 0};
   glm::dvec3 scale{1};
+  bool sheared = false;  ///< the matrix sheared, and this is the nearest transform that does not
   friend bool operator==(const NodeTransform&, const NodeTransform&) = default;
 };
 
-/// The transform of a node. A matrix is taken apart; errors (place: JSON pointer): it shears or is no transform, a
-/// rotation of length zero, a number too large to calculate with.
+/// The transform of a node. A matrix is taken apart, with the nearest rotation where its axes stand in no right angles;
+/// a rotation of length zero turns nothing. Errors (place: JSON pointer): a matrix that is no transform of space, a
+/// number too large to calculate with.
 [[nodiscard]] base::Result<NodeTransform> node_transform(const GltfDocument& document, std::size_t node);
 
 /// How the nodes of a document hang together.

@@ -43,12 +43,12 @@ struct Member {
   std::span<const Member> members{};  ///< object, objects
 };
 
-constexpr auto k_asset = std::to_array<Member>({{"version", Kind::text, true}});
+constexpr auto k_asset = std::to_array<Member>({{"version", Kind::text}});
 constexpr auto k_buffer_view = std::to_array<Member>({
     {"buffer", Kind::index, true, 0, 0, "buffers"},
     {"byteOffset", Kind::whole, false, 0, k_most_bytes},
-    {"byteLength", Kind::whole, true, 1, k_most_bytes},
-    {"byteStride", Kind::whole, false, 4, 252},
+    {"byteLength", Kind::whole, true, 0, k_most_bytes},
+    {"byteStride", Kind::whole, false, 0, 252},
 });
 constexpr auto k_sparse_indices = std::to_array<Member>({
     {"bufferView", Kind::index, true, 0, 0, "bufferViews"},
@@ -69,7 +69,7 @@ constexpr auto k_accessor = std::to_array<Member>({
     {"byteOffset", Kind::whole, false, 0, k_most_bytes},
     {"componentType", Kind::whole, true, 5120, 5126},
     {"normalized", Kind::flag},
-    {"count", Kind::whole, true, 1, k_most_int},
+    {"count", Kind::whole, true, 0, k_most_int},
     {"type", Kind::text, true},
     {"sparse", Kind::object, false, 0, 0, nullptr, k_sparse},
 });
@@ -157,6 +157,9 @@ class Vetter {
     json::Json vetted = json::Json::object();
     for (const Member& member : members) {
       const json::Json* found = json::find(value, member.name);
+      // A null says no more than a member that is missing; names and the like in other types say nothing.
+      if (found != nullptr && found->is_null()) found = nullptr;
+      if (found != nullptr && member.kind == Kind::text && !member.required && !found->is_string()) found = nullptr;
       if (found == nullptr) {
         if (!member.required) continue;
         return wrong("the member \"" + std::string(member.name) + "\" is missing", pointer.empty() ? "/" : pointer);
@@ -290,14 +293,11 @@ base::Result<json::Json> vet_gltf(const json::Json& document, std::vector<std::s
     return wrong("this is JSON, but no glTF: it has neither \"asset\" nor \"meshes\"", "/",
                  "choose a file with a model, or download the file itself");
   }
-  // First: what an extension changes must not be called damaged.
+  // First: what another version or an extension changes must not be called damaged.
+  if (auto error = check_version(document)) return *error;
   if (auto error = check_extensions(document)) return *error;
   auto vetted = Vetter(document).object(document, k_root, "");
   if (!vetted) return vetted.error();
-  const auto version = (*vetted)["asset"]["version"].get<std::string>();
-  if (!version.starts_with("2.")) {
-    return wrong("glTF version \"" + version + "\" is not supported", "/asset/version", "export the file as glTF 2.0");
-  }
   if (auto error = check_tree(*vetted)) return *error;
   if (auto error = check_indices(*vetted, document)) return *error;
   if (auto error = check_samplers(*vetted)) return *error;

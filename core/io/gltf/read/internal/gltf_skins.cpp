@@ -31,6 +31,7 @@ class SkeletonReader {
       return base::Error{"the skin has no joints", "/skins/" + std::to_string(skin), k_export_again};
     }
     if (auto status = read_transforms(); !status) return status.error();
+    if (sheared_) document_.notes.emplace_back("nodes shear what they carry; it is shown without that");
     find_carriers();
     find_joints();
     if (order_.empty()) {
@@ -46,6 +47,11 @@ class SkeletonReader {
     }
     if (unweighted_) {
       document_.notes.emplace_back("skinned vertices without weights follow the first joint of their skin");
+    }
+    if (unfit_ > 0) {
+      document_.notes.push_back(
+          "weights of skins that are below 0, no numbers or of joints that are not there were left out: " +
+          std::to_string(unfit_));
     }
     finish_names();
     result_.joint_of_node = joint_of_node_;
@@ -95,6 +101,7 @@ class SkeletonReader {
       if (!matters[n]) continue;
       auto transform = node_transform(document_, n);
       if (!transform) return transform.error();
+      sheared_ = sheared_ || transform->sheared;
       NodeTransform at_rest = *transform;
       at_rest.rotation = extras_[n].rest_rotation.value_or(at_rest.rotation);
       moved_[n] = !(at_rest == NodeTransform{});
@@ -275,7 +282,6 @@ class SkeletonReader {
     struct Set {
       std::vector<float> joints;
       std::vector<float> weights;
-      int accessor;
     };
     std::vector<Set> sets;
     for (int n = 0;; ++n) {
@@ -286,7 +292,7 @@ class SkeletonReader {
       if (!j) return j.error();
       const auto w = read_elements(document_, weight_set->second, {.type = TINYGLTF_TYPE_VEC4, .count = count});
       if (!w) return w.error();
-      sets.push_back({j->dense(), w->dense(), joint_set->second});
+      sets.push_back({j->dense(), w->dense()});
     }
     std::map<std::uint32_t, double> shares;
     for (std::size_t v = 0; v < count; ++v) {
@@ -295,14 +301,12 @@ class SkeletonReader {
         for (std::size_t i = 4 * v; i < 4 * v + 4; ++i) {
           const float weight = set.weights[i];
           if (weight == 0.0F) continue;
-          if (!(weight > 0.0F && weight < 1e9F)) {
-            return base::Error{"a skin weight of vertex " + std::to_string(v) + " is negative or no number",
-                               meshes_.origins[index].pointer(), "export the model again with valid weights"};
-          }
           const float joint = set.joints[i];
-          if (!(joint >= 0.0F && joint < static_cast<float>(joints.size()))) {
-            return base::Error{"vertex " + std::to_string(v) + " follows a joint that the skin does not have",
-                               accessor_pointer(set.accessor), k_export_again};
+          const bool fits =
+              weight > 0.0F && weight < 1e9F && joint >= 0.0F && joint < static_cast<float>(joints.size());
+          if (!fits) {
+            ++unfit_;
+            continue;
           }
           shares[joints[static_cast<std::size_t>(joint)]] += static_cast<double>(weight);
         }
@@ -369,6 +373,8 @@ class SkeletonReader {
   std::map<std::uint32_t, std::vector<std::uint32_t>> more_binds_;
   std::vector<std::vector<std::uint32_t>> joints_of_skin_;
   bool unweighted_ = false;
+  bool sheared_ = false;
+  std::size_t unfit_ = 0;  ///< weights that were left out
   GltfSkeleton result_;
 };
 

@@ -120,7 +120,8 @@ void PatchContainer::take_pictures(GltfBuilder& builder) const {
     if (is_new) view->second = builder.add_bytes(file->second);
     image.erase("uri");
     image["bufferView"] = view->second;
-    if (!image.contains("mimeType")) image["mimeType"] = mime_type_of(file->second);
+    // A picture beside the model needs no type; one in a view does, and "image/jpg" is none.
+    if (!image.contains("mimeType") || image["mimeType"] == "image/jpg") image["mimeType"] = mime_type_of(file->second);
   }
 }
 

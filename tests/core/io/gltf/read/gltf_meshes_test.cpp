@@ -86,16 +86,71 @@ TEST(GltfMeshes, FaultsAreNamed) {
   auto& primitive = sample.json["meshes"][0]["primitives"][0];
   primitive["indices"] = sample.add_corners({0, 1, 4});
   EXPECT_EQ(sample.error().place, "/accessors/2");
-  primitive["indices"] = sample.add_corners({0, 1, 2, 3});
-  EXPECT_EQ(sample.error().place, "/meshes/0/primitives/0");
   primitive["indices"] = 1;
   primitive["attributes"]["POSITION"] =
       sample.add_vec3({0, 0, 0, 1, 0, 0, 0, 1, std::numeric_limits<float>::quiet_NaN(), 0, 0, 0});
-  EXPECT_EQ(sample.error().place, "/accessors/4");
+  EXPECT_EQ(sample.error().place, "/accessors/3");
   primitive["attributes"] = {{"NORMAL", 0}};
-  EXPECT_EQ(sample.error().place, "/meshes/0/primitives/0/attributes");
+  EXPECT_EQ(sample.error().place, "/meshes") << "no triangles without places";
   primitive["attributes"] = {{"POSITION", 0}, {"NORMAL", sample.add_vec3({0, 0, 1})}};
-  EXPECT_EQ(sample.error().place, "/accessors/5/count");
+  EXPECT_EQ(sample.error().place, "/accessors/4/count");
+}
+
+TEST(GltfMeshes, CornersThatFormNoTriangleAreLeftOutWithANote) {
+  tests::GltfSample sample = tests::square_sample();
+  sample.json["meshes"][0]["primitives"][0]["indices"] = sample.add_corners({0, 1, 2, 0, 2});
+  const auto model = sample.read();
+  ASSERT_TRUE(model.ok()) << model.error().line();
+  EXPECT_EQ(model->mesh->triangle_count(), 1U);
+  ASSERT_EQ(model->notes.size(), 1U);
+  EXPECT_NE(model->notes[0].find("the last 2 of 5 corners"), std::string::npos) << model->notes[0];
+}
+
+TEST(GltfMeshes, PrimitivesOfNothingAreNoParts) {
+  tests::GltfSample sample = tests::square_sample();
+  auto& primitives = sample.json["meshes"][0]["primitives"];
+  const auto nothing = [&](const char* type) {
+    return sample.add("accessors", {{"componentType", 5126}, {"count", 0}, {"type", type}});
+  };
+  const auto no_corners = nothing("SCALAR");
+  sample.json["accessors"][no_corners]["componentType"] = 5123;
+  sample.json["accessors"][no_corners]["bufferView"] = 1;
+  primitives.push_back({{"attributes", {{"POSITION", nothing("VEC3")}}}});
+  primitives.push_back({{"attributes", {{"NORMAL", 0}}}});
+  primitives.push_back({{"attributes", {{"POSITION", 0}, {"NORMAL", 0}}}, {"indices", no_corners}});
+  const auto model = sample.read();
+  ASSERT_TRUE(model.ok()) << model.error().line();
+  EXPECT_EQ(model->mesh->parts().size(), 1U);
+  EXPECT_EQ(model->mesh->triangle_count(), 2U);
+  EXPECT_EQ(model->mesh->positions().size(), 4U);
+}
+
+TEST(GltfMeshes, ASmallFileMayUseItsMeshManyTimes) {
+  tests::GltfSample sample;
+  std::vector<float> places;
+  std::vector<std::uint16_t> corners;
+  for (std::uint16_t i = 0; i < 1000; ++i) {
+    for (const float at : {static_cast<float>(i % 30), static_cast<float>(i / 30), 0.0F}) places.push_back(at);
+    for (const int next : {0, 1, 30, 30, 1, 31}) {
+      corners.push_back(static_cast<std::uint16_t>((i + next) % 1000));
+    }
+  }
+  const auto place = sample.add_vec3(places);
+  sample.add("meshes",
+             {{"primitives", {{{"attributes", {{"POSITION", place}}}, {"indices", sample.add_corners(corners)}}}}});
+  for (int i = 0; i < 60; ++i) sample.add("nodes", {{"mesh", 0}, {"translation", {40 * i, 0, 0}}});
+  const auto model = sample.read();
+  ASSERT_TRUE(model.ok()) << model.error().line();
+  EXPECT_EQ(model->mesh->parts().size(), 60U);
+}
+
+TEST(GltfMeshes, AMotionAloneIsCalledOne) {
+  tests::GltfSample sample = tests::square_sample();
+  sample.json.erase("meshes");
+  sample.json["nodes"] = {{{"name", "hips"}}};
+  sample.add("animations", {{"samplers", {{{"input", 0}, {"output", 0}}}},
+                            {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "rotation"}}}}}}});
+  EXPECT_NE(sample.error().what.find("motions and no mesh"), std::string::npos) << sample.error().line();
 }
 
 TEST(GltfMeshes, TrianglesOnOthersAreSheetsOfTheirOwn) {

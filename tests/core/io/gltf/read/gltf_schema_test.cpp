@@ -42,7 +42,6 @@ TEST(GltfSchema, EveryWrongTypeIsNamed) {
                               "/bufferViews/0/byteLength",
                               "/bufferViews/0/byteOffset",
                               "/bufferViews/0/byteStride",
-                              "/meshes/0/name",
                               "/meshes/0/primitives/0",
                               "/meshes/0/primitives/0/attributes",
                               "/meshes/0/primitives/0/attributes/POSITION",
@@ -52,7 +51,6 @@ TEST(GltfSchema, EveryWrongTypeIsNamed) {
                               "/nodes/0",
                               "/nodes/0/mesh",
                               "/nodes/0/skin",
-                              "/nodes/0/name",
                               "/nodes/1/rotation",
                               "/nodes/1/matrix",
                               "/skins/0",
@@ -66,7 +64,11 @@ TEST(GltfSchema, EveryWrongTypeIsNamed) {
                               "/materials/0/pbrMetallicRoughness",
                               "/materials/0/pbrMetallicRoughness/metallicFactor"}) {
     EXPECT_EQ(place(pointer, wrong_for_all), pointer);
-    EXPECT_EQ(place(pointer, nullptr), pointer);
+  }
+  for (const char* pointer : {"/asset", "/accessors/0", "/accessors/0/componentType", "/bufferViews/0/buffer",
+                              "/meshes/0/primitives/0", "/meshes/0/primitives/0/attributes", "/nodes/0", "/skins/0",
+                              "/animations/0/channels/0/target", "/animations/0/samplers/0/input"}) {
+    EXPECT_NE(place(pointer, nullptr), "(no error)") << pointer;
   }
   for (const char* pointer : {"/accessors", "/nodes", "/meshes/0/primitives", "/nodes/1/children", "/skins/0/joints",
                               "/scenes/0/nodes", "/meshes/0/weights"}) {
@@ -74,8 +76,38 @@ TEST(GltfSchema, EveryWrongTypeIsNamed) {
   }
 }
 
+TEST(GltfSchema, WhatIsNotNeededMayBeNullAndNamesMayBeAnything) {
+  for (const char* pointer :
+       {"/materials", "/meshes/0/name", "/meshes/0/primitives/0/material", "/meshes/0/primitives/0/mode",
+        "/nodes/0/skin", "/nodes/1/rotation", "/nodes/1/children", "/accessors/0/normalized", "/asset/version",
+        "/scene", "/materials/0/pbrMetallicRoughness", "/animations/0/samplers/0/interpolation"}) {
+    EXPECT_EQ(place(pointer, nullptr), "(no error)") << pointer;
+  }
+  for (const char* pointer :
+       {"/meshes/0/name", "/nodes/0/name", "/skins/0/name", "/animations/0/samplers/0/interpolation"}) {
+    EXPECT_EQ(place(pointer, 0), "(no error)") << pointer;
+  }
+  tests::GltfSample sample = tests::square_sample();
+  sample.json["nodes"][0]["name"] = 7;
+  sample.json["meshes"][0]["name"] = nullptr;
+  EXPECT_TRUE(sample.read().ok());
+}
+
+TEST(GltfSchema, OtherVersionsAreNamedBeforeTheirFormIsCalledDamaged) {
+  EXPECT_EQ(place("/asset/version", "1.0"), "/asset/version");
+  EXPECT_EQ(place("/asset/version", 1.0), "/asset/version");
+  EXPECT_EQ(place("/asset/version", 2), "(no error)");
+  tests::GltfSample sample = tests::square_sample();
+  sample.json = {{"asset", {{"version", "1.0"}}}, {"bufferViews", {{"view", {{"buffer", "binary"}}}}}};
+  sample.json["meshes"] = {{"mesh", {{"primitives", nlohmann::json::array()}}}};
+  EXPECT_NE(sample.error().what.find("1.0"), std::string::npos) << sample.error().line();
+  sample.json["asset"].erase("version");
+  EXPECT_EQ(sample.error().place, "/asset/version") << sample.error().line();
+}
+
 TEST(GltfSchema, IndicesAndNumbersKeepTheirBounds) {
-  EXPECT_EQ(place("/accessors/0/count", 0), "/accessors/0/count");
+  EXPECT_EQ(place("/accessors/0/count", 0), "(no error)") << "of nothing";
+  EXPECT_EQ(place("/bufferViews/0/byteStride", 0), "(no error)") << "as in glTF 1.0";
   EXPECT_EQ(place("/accessors/0/count", -4), "/accessors/0/count");
   EXPECT_EQ(place("/accessors/0/count", 4294967297LL), "/accessors/0/count");
   EXPECT_EQ(place("/accessors/0/count", 1e30), "/accessors/0/count");
@@ -88,7 +120,6 @@ TEST(GltfSchema, IndicesAndNumbersKeepTheirBounds) {
   EXPECT_EQ(place("/meshes/0/primitives/0/mode", 7), "/meshes/0/primitives/0/mode");
   EXPECT_EQ(place("/nodes/1/translation", {1, 2}), "/nodes/1/translation");
   EXPECT_EQ(place("/animations/0/channels/0/sampler", 1), "/animations/0/channels/0/sampler");
-  EXPECT_EQ(place("/asset/version", "1.0"), "/asset/version");
 }
 
 TEST(GltfSchema, NodesFormTrees) {
@@ -114,9 +145,10 @@ TEST(GltfSchema, RequiredExtensionsAreRefusedByName) {
   EXPECT_EQ(place("/extensionsRequired", {3}), "/extensionsRequired/0");
   EXPECT_EQ(place("/extensionsRequired", {"KHR_materials_unlit"}), "(no error)");
   EXPECT_EQ(place("/extensionsUsed", {"KHR_gaussian_splatting"}), "(no error)") << "used, but not required";
-  EXPECT_EQ(place("/extensionsRequired",
-                  {"EXT_meshopt_compression", "KHR_draco_mesh_compression", "KHR_animation_pointer", "VRMC_vrm"}),
-            "(no error)");
+  EXPECT_EQ(
+      place("/extensionsRequired", {"EXT_meshopt_compression", "KHR_draco_mesh_compression", "KHR_animation_pointer",
+                                    "VRMC_vrm", "KHR_texture_transform", "KHR_techniques_webgl", "EXT_mesh_features"}),
+      "(no error)");
 }
 
 TEST(GltfSchema, AnUnknownExtensionIsNamedBeforeWhatItChangesIsCalledDamaged) {

@@ -240,6 +240,15 @@ TEST(PatchGltf, FilesBesideTheModelArePackedIntoOne) {
   EXPECT_EQ(document::state_hash(read(packed)), document::state_hash(model));
 }
 
+TEST(PatchGltf, APictureInAViewHasATypeThatGltfKnows) {
+  Beside from = beside();
+  Json json = Json::parse(from.json);
+  json["images"][0]["mimeType"] = "image/jpg";
+  from.json = json.dump();
+  from.files["tex/skin 1.png"] = {0xff, 0xd8, 0xff, 0xe0, 9};
+  EXPECT_EQ(parts_of(write_glb(from.read()).value()).json["images"][0]["mimeType"], "image/jpeg");
+}
+
 TEST(PatchGltf, ATextFileLeavesThemBeside) {
   const Beside from = beside();
   document::Model model = from.read();

@@ -152,6 +152,32 @@ TEST(ReadValues, ReadsAudio2Face) {
   EXPECT_NEAR(by_name.frames[2].time_s, 0.04, 1e-9);
 }
 
+TEST(ReadValues, ScoresMayBeWrappedAndFramesNumbered) {
+  // What a page that listens to MediaPipe keeps, with its faces as lists of categories.
+  const auto page = values_of(R"([
+      {"timestamp": 1000, "results": {"faceLandmarks": [[{"x": 0, "y": 0, "z": 0}]],
+                                      "faceBlendshapes": [[{"score": 0.25, "categoryName": "jawOpen"}]]}},
+      {"timestamp": 1040, "results": {"faceLandmarks": [], "faceBlendshapes": []}},
+      {"timestamp": 1080, "results": {"faceBlendshapes": [[{"score": 0.75, "categoryName": "jawOpen"}]]}}])");
+  EXPECT_EQ(page.names, std::vector<std::string>{"jawOpen"});
+  ASSERT_EQ(page.frames.size(), 3U);
+  EXPECT_EQ(page.frames[0].values, std::vector<double>{0.25});
+  EXPECT_FALSE(page.frames[1].found);
+  EXPECT_NEAR(page.frames[2].time_s - page.frames[0].time_s, 0.08, 1e-9);
+  // Audio2Face's stream to game engines, written to a file frame by frame.
+  std::string stream = "{";
+  for (const int f : {0, 2, 10, 1}) {
+    stream += (stream.size() > 1 ? ", \"" : "\"") + std::to_string(f) +
+              R"(": {"Audio2Face": {"Facial": {"Names": ["JawOpen", "TongueOut"], "Weights": [)" +
+              std::to_string(f * 0.0625) + ", 0]}}}";
+  }
+  const auto engine = values_of(stream + "}");
+  EXPECT_EQ(engine.names, (std::vector<std::string>{"JawOpen", "TongueOut"}));
+  ASSERT_EQ(engine.frames.size(), 4U);
+  for (const std::size_t f : {0U, 1U, 2U}) EXPECT_EQ(engine.frames[f].values[0], static_cast<double>(f) * 0.0625);
+  EXPECT_EQ(engine.frames[3].values[0], 0.625);
+}
+
 TEST(ReadValues, WrongJsonIsSaidWithItsPlace) {
   const auto place = [](const std::string& text) { return read_arkit_track(bytes(text)).error().place; };
   EXPECT_EQ(place(R"({"facsNames": ["a", "b"], "weightMat": [[0]]})"), "/weightMat/0");

@@ -22,28 +22,39 @@ base::Error wrong(std::string what, std::string pointer, std::string remedy = k_
 /// Extensions that change how data is read cannot be skipped; those about looks and sounds, and those that add members
 /// beside the ones that are read, can.
 bool can_be_read(std::string_view name) {
-  constexpr std::array<std::string_view, 14> k_known = {"KHR_mesh_quantization",
-                                                        "EXT_meshopt_compression",
-                                                        "KHR_meshopt_compression",
-                                                        "KHR_draco_mesh_compression",
-                                                        "KHR_texture_transform",
-                                                        "KHR_texture_basisu",
-                                                        "EXT_texture_webp",
-                                                        "EXT_texture_avif",
-                                                        "MSFT_texture_dds",
-                                                        "KHR_animation_pointer",
-                                                        "KHR_xmp_json_ld",
-                                                        "MSFT_lod",
-                                                        "VRM",
-                                                        "KHR_node_hoverability"};
-  constexpr std::array<std::string_view, 7> k_harmless_beginnings = {
-      "KHR_materials_", "EXT_materials_", "KHR_lights_", "EXT_lights_", "VRMC_", "KHR_audio", "MSFT_audio"};
+  constexpr auto k_known = std::to_array<std::string_view>(
+      {"KHR_mesh_quantization", "EXT_meshopt_compression", "KHR_meshopt_compression", "KHR_draco_mesh_compression",
+       "KHR_animation_pointer", "KHR_xmp_json_ld", "KHR_xmp", "MSFT_lod", "VRM", "KHR_techniques_webgl",
+       "KHR_technique_webgl", "KHR_interactivity", "KHR_environment_map", "EXT_mesh_features", "EXT_instance_features",
+       "EXT_structural_metadata", "FB_ngon_encoding", "AGI_articulations", "CESIUM_primitive_outline"});
+  constexpr auto k_harmless_beginnings = std::to_array<std::string_view>(
+      {"KHR_materials_", "EXT_materials_", "KHR_lights_", "EXT_lights_", "VRMC_", "KHR_audio", "MSFT_audio",
+       "KHR_texture_", "EXT_texture_", "MSFT_texture_", "MSFT_packing_", "ADOBE_materials_", "KHR_node_",
+       "KHR_physics_", "KHR_collision_", "MSFT_physics_", "OMI_"});
   return std::find(k_known.begin(), k_known.end(), name) != k_known.end() ||
          std::any_of(k_harmless_beginnings.begin(), k_harmless_beginnings.end(),
                      [&](std::string_view beginning) { return name.starts_with(beginning); });
 }
 
 }  // namespace
+
+std::optional<base::Error> check_version(const json::Json& document) {
+  const json::Json* asset = json::find(document, "asset");
+  const json::Json* version = asset == nullptr ? nullptr : json::find(*asset, "version");
+  std::string text = "2.0";
+  if (version != nullptr && version->is_string()) {
+    text = version->get<std::string>();
+  } else if (version != nullptr && version->is_number()) {
+    text = version->dump();
+  } else if (version != nullptr && !version->is_null()) {
+    return wrong("a text was expected", "/asset/version");
+  } else if (const json::Json* views = json::find(document, "bufferViews"); views != nullptr && views->is_object()) {
+    text = "1.0";
+  }
+  if (text.starts_with("2.") || text == "2") return std::nullopt;
+  return wrong("glTF version \"" + base::valid_utf8(text) + "\" is not supported", "/asset/version",
+               "export the file as glTF 2.0");
+}
 
 std::optional<base::Error> check_tree(const json::Json& vetted) {
   const json::Json* nodes = json::find(vetted, "nodes");

@@ -9,6 +9,8 @@ namespace penpose::io {
 
 // What a schema cannot say of a glTF document. `vetted`: as far as vet_gltf has come. Errors: place is a JSON pointer.
 
+/// glTF 1.0 names its buffers, views and nodes where 2.0 numbers them: told before anything is called damaged.
+[[nodiscard]] std::optional<base::Error> check_version(const json::Json& document);
 /// Whether every extension that the document requires can be read, or passed over.
 [[nodiscard]] std::optional<base::Error> check_extensions(const json::Json& document);
 /// Every node has one parent at most, and following parents always ends.
