@@ -30,13 +30,14 @@ std::vector<RestJoint> rest_joints(std::span<const rig::Joint> joints) {
   return all;
 }
 
-Humanoid humanoid_of(const Model& model, const Humanoid& known) {
+Humanoid humanoid_of(const Model& model) {
   if (!model.skeleton) return {};
   const auto joints = model.skeleton->joints();
+  const auto& said = model.humanoid.joint_of;
   // A table of another skeleton says nothing.
-  const bool fits = std::all_of(known.joint_of.begin(), known.joint_of.end(),
+  const bool fits = std::all_of(said.begin(), said.end(),
                                 [&](std::int32_t joint) { return joint < static_cast<std::int32_t>(joints.size()); });
-  return fits && !known.empty() ? known : humanoid_by_names(joints);
+  return fits && !model.humanoid.empty() ? model.humanoid : humanoid_by_names(joints);
 }
 
 }  // namespace penpose::document

@@ -21,7 +21,7 @@ struct RestJoint {
 /// One a joint.
 [[nodiscard]] std::vector<RestJoint> rest_joints(std::span<const rig::Joint> joints);
 
-/// The humanoid of a model: `known` where it says anything, else by the names of its joints. Empty without a skeleton.
-[[nodiscard]] Humanoid humanoid_of(const Model& model, const Humanoid& known = {});
+/// The humanoid of a model: as its file says it, else by the names of its joints. Empty without a skeleton.
+[[nodiscard]] Humanoid humanoid_of(const Model& model);
 
 }  // namespace penpose::document

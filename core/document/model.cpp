@@ -116,6 +116,7 @@ base::Result<Model> with_controls(Model model, std::shared_ptr<const rig::BlendS
   made->materials = std::move(model.materials);
   made->curves = std::move(model.curves);
   made->animations = std::move(model.animations);
+  made->humanoid = model.humanoid;
   made->front_yaw_degrees = model.front_yaw_degrees;
   made->look = std::move(model.look);
   made->notes = std::move(model.notes);

@@ -11,6 +11,7 @@
 #include "core/articulation/sketched_deformers.h"
 #include "core/base/result.h"
 #include "core/base/state_hash.h"
+#include "core/document/humanoid.h"
 #include "core/mesh/mesh_point.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/rig/blend_shapes.h"
@@ -76,6 +77,7 @@ struct Model {
   std::vector<NamedCurve> curves;
   std::vector<Animation> animations;
   std::vector<Expression> expressions;
+  Humanoid humanoid;                         ///< as the file says it; empty: it says nothing
   double front_yaw_degrees = 0;              ///< about +y: where its face looks; 0 is +z
   std::shared_ptr<const Look> look;          ///< textures, texture coordinates and colours; null: none
   std::shared_ptr<const SourceFile> source;  ///< the file that it was read from, for saving it again; null: none

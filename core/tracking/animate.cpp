@@ -124,7 +124,7 @@ base::Result<Solved> from_points(const document::Model& model, animation::PointT
 
 base::Result<Solved> from_motion(const document::Model& model, const io::MotionTrack& motion,
                                  const AnimateOptions& options) {
-  auto played = animate_motion(model, motion, options.humanoid);
+  auto played = animate_motion(model, motion);
   if (!played) return played.error();
   Solved solved;
   Animated& out = solved.animated;

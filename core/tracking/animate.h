@@ -8,7 +8,6 @@
 #include "core/animation/animate_track.h"
 #include "core/base/result.h"
 #include "core/document/document.h"
-#include "core/document/humanoid.h"
 #include "core/io/project/landmark_file.h"
 #include "core/io/tracks/map_file.h"
 #include "core/io/tracks/track_formats.h"
@@ -25,7 +24,6 @@ struct AnimateOptions {
   double fps = 0;                       ///< 0.1..10000 frames a second; 0: the times of the track
   bool units = false;                   ///< action units of the track are evidence beside its points
   std::vector<io::VertexCurve> curves;  ///< of the model, that the map may name beside the model's own
-  document::Humanoid humanoid;          ///< as the model's file says it; empty: by the names of its joints
 };
 
 /// What an error of `animate` is about.

@@ -60,10 +60,10 @@ bool same_keys(const std::vector<const Channel*>& channels) {
 
 class Player {
  public:
-  Player(const document::Model& model, const io::MotionTrack& motion, const document::Humanoid& known)
+  Player(const document::Model& model, const io::MotionTrack& motion)
       : model_(model),
         motion_(motion),
-        humanoid_(document::humanoid_of(model, known)),
+        humanoid_(document::humanoid_of(model)),
         front_(geometry::quaternion_from_xyz({0, base::radians(model.front_yaw_degrees), 0})) {
     if (model.skeleton) rest_ = document::rest_joints(model.skeleton->joints());
     for (const io::BoneMotion& one : motion.bones) motion_of_[static_cast<std::size_t>(one.bone)] = &one.rotations;
@@ -231,9 +231,8 @@ class Player {
 
 }  // namespace
 
-base::Result<MotionAnimation> animate_motion(const document::Model& model, const io::MotionTrack& motion,
-                                             const document::Humanoid& known) {
-  return Player(model, motion, known).play();
+base::Result<MotionAnimation> animate_motion(const document::Model& model, const io::MotionTrack& motion) {
+  return Player(model, motion).play();
 }
 
 }  // namespace penpose::tracking

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/document/humanoid.h"
 #include "core/document/model.h"
 #include "core/io/tracks/motion_track.h"
 
@@ -21,9 +20,8 @@ struct MotionAnimation {
 /// the bone's normalised rotation (VRMC_vrm_animation, "How to transform human pose"), turned about +y to where the
 /// model looks. Bones that the model lacks turn those below them ("When the target model has few bones"). The hips move
 /// with the ratio of both heights of hips at rest ("About translation scaling"). Expressions move their targets, by the
-/// sum of their weights; eyes follow the gaze by their joints. `known`: the humanoid as the model's file says it; by
-/// the joints' names where it is empty. Errors: nothing of the motion moves anything in the model.
-[[nodiscard]] base::Result<MotionAnimation> animate_motion(const document::Model& model, const io::MotionTrack& motion,
-                                                           const document::Humanoid& known = {});
+/// sum of their weights; eyes follow the gaze by their joints. Bones are told by
+/// document::humanoid_of. Errors: nothing of the motion moves anything in the model.
+[[nodiscard]] base::Result<MotionAnimation> animate_motion(const document::Model& model, const io::MotionTrack& motion);
 
 }  // namespace penpose::tracking

@@ -13,6 +13,7 @@
 #include "tests/support/models/gltf_sample.h"
 #include "tests/support/models/model_samples.h"
 #include "tests/support/models/sketched_models.h"
+#include "tests/support/models/whole_avatar.h"
 #include "tests/support/shared_data.h"
 
 namespace {
@@ -32,15 +33,29 @@ bool write(const std::filesystem::path& path, const document::Model& model, bool
 
 bool write_motion(const std::filesystem::path& path) {
   document::Model model = tests::avatar_sample(tests::turned_bones()).read().value();
-  const auto humanoid = io::read_gltf_humanoid(tests::avatar_sample(tests::turned_bones()).glb()).value();
   std::vector<rig::Pose> poses(2, model.pose);
   for (double& value : poses[1]) value = 0.5;
   model.animations = {document::make_animation(model, "motion", std::vector<double>{0, 1}, poses)};
-  const auto written = io::write_vrma(model, humanoid);
+  const auto written = io::write_vrma(model);
   if (!written) return false;
   std::ofstream file(path, std::ios::binary);
   file.write(reinterpret_cast<const char*>(written->bytes.data()), static_cast<std::streamsize>(written->bytes.size()));
   return file.good();
+}
+
+/// An avatar as it was read and as it is saved with a sketched control, in a pose of its face and of all its joints.
+bool write_avatar(const std::filesystem::path& folder, int version) {
+  const std::string name = "avatar" + std::to_string(version) + ".vrm";
+  const auto bytes = tests::whole_avatar(version).glb();
+  std::filesystem::create_directories(folder / "read");
+  std::ofstream(folder / "read" / name, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  document::Model model = io::read_model(bytes, "avatar.glb").value();
+  const auto deformer =
+      articulation::build_deformer(tests::make_trunk().curl(), *document::make_canvas(model).value()).value();
+  model = document::with_deformers(std::move(model), articulation::SketchedDeformers::make({deformer}).value()).value();
+  for (std::size_t i = 0; i < model.pose.size(); ++i) model.pose[i] = 0.1 * static_cast<double>(1 + i % 5);
+  return write(folder / name, model);
 }
 
 /// A file that was read, with another pose and an animation more.
@@ -77,6 +92,7 @@ int main(int argc, char** argv) {
   good = write(folder / "patched_morph.glb", patched(tests::morph_sample().read().value())) && good;
   good = write(folder / "patched_skin.glb", patched(tests::skin_sample().read().value())) && good;
   good = write(folder / "patched_full.glb", patched(tests::full_model())) && good;
+  good = write_avatar(folder, 0) && write_avatar(folder, 1) && good;
   good = write_motion(folder / "motion.vrma") && good;
   if (!tests::has_shared()) return good ? 0 : 1;
   for (const auto& entry : std::filesystem::directory_iterator(tests::shared_dir() / "meshes")) {

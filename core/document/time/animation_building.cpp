@@ -118,6 +118,7 @@ base::Result<Model> with_placements(Model model, std::size_t animation, const ge
     made->curves = std::move(model.curves);
     made->animations = std::move(model.animations);
     made->expressions = std::move(model.expressions);
+    made->humanoid = model.humanoid;
     made->front_yaw_degrees = model.front_yaw_degrees;
     made->look = std::move(model.look);
     made->source = std::move(model.source);

@@ -142,15 +142,23 @@ std::optional<HeadJoints> head_joints(const Model& model) {
   const auto weights = moved_by_shapes(model);
   const auto of_shapes = shares(*model.skeleton, weights);
   const bool any = std::any_of(weights.begin(), weights.end(), [](double weight) { return weight > 0; });
-  auto head = head_by_name(*model.skeleton, of_shapes, any);
+  const auto in_range = [&](std::optional<std::uint32_t> joint) {
+    return joint && *joint < joints.size() ? joint : std::nullopt;
+  };
+  auto head = in_range(model.humanoid.joint(HumanBone::head));
+  if (!head) head = head_by_name(*model.skeleton, of_shapes, any);
   if (!head && any) {
     const auto of_all = shares(*model.skeleton, std::vector<double>(model.mesh->vertex_count(), 1.0));
     head = head_by_weight(*model.skeleton, of_shapes, of_all);
   }
   if (!head || joints[*head].parent < 0) return std::nullopt;
   HeadJoints result{*head, {}};
-  for (std::int32_t j = joints[*head].parent; j >= 0 && is_called_neck(joints[static_cast<std::size_t>(j)].name);
-       j = joints[static_cast<std::size_t>(j)].parent) {
+  const auto neck = in_range(model.humanoid.joint(HumanBone::neck));
+  const auto is_neck = [&](std::int32_t joint) {
+    return (neck && joint == static_cast<std::int32_t>(*neck)) ||
+           is_called_neck(joints[static_cast<std::size_t>(joint)].name);
+  };
+  for (std::int32_t j = joints[*head].parent; j >= 0 && is_neck(j); j = joints[static_cast<std::size_t>(j)].parent) {
     result.necks.insert(result.necks.begin(), static_cast<std::uint32_t>(j));
   }
   return result;

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/document/humanoid.h"
 #include "core/document/model.h"
 
 namespace penpose::io {
@@ -23,13 +22,11 @@ namespace penpose::io {
 /// in between, and reading drops them again.
 ///
 /// A model that was read from glTF (Model::source) is that file with what was changed: all else in it, known or not,
-/// stays as it was, byte for byte, and a model without a change is the file itself. Where that cannot be done, or
-/// `bare` asks for it, the file has what penpose knows alone, and a note says what is lost.
+/// stays as it was, byte for byte, and a model without a change is the file itself. Where `bare` asks for it, or the
+/// model has got another surface or other joints, the file has what penpose knows alone, and a note says what is lost.
 struct WriteOptions {
   double bake_tolerance = 1e-4;
-  double fps = 60;  ///< frames a second of formats that give every frame
-  document::Humanoid humanoid =
-      {};                 ///< for formats that need it, as the model's file says it; empty: by names of joints
+  double fps = 60;        ///< frames a second of formats that give every frame
   std::string stem = {};  ///< what files beside a .gltf are named after; write_model takes that of the file itself
   bool bare = false;      ///< nothing of the file that the model was read from, but what penpose knows
 };

@@ -53,10 +53,9 @@ void expect_same(const glm::dmat3& a, const glm::dmat3& b, const std::string& wh
 }
 
 document::Model animated(tests::GltfSample avatar, tests::GltfSample motion, document::Humanoid& humanoid) {
-  const auto bytes = avatar.glb();
-  humanoid = io::read_gltf_humanoid(bytes).value();
-  document::Model model = io::read_gltf(bytes).value();
-  auto played = animate_motion(model, io::read_vrma(motion.glb()).value(), humanoid);
+  document::Model model = avatar.read().value();
+  humanoid = model.humanoid;
+  auto played = animate_motion(model, io::read_vrma(motion.glb()).value());
   EXPECT_TRUE(played) << played.error().line();
   model.animations = {std::move(played->animation)};
   return model;
@@ -127,9 +126,7 @@ TEST(MotionAnimation, ExpressionsMoveTheirTargets) {
   auto read = io::read_track(tests::motion_sample(tests::turned_bones()).glb(), nullptr, {}).value();
   const auto map = io::read_bundled_map(*read.format).value();
   const auto document = document::make_document(io::read_gltf(bytes).value());
-  AnimateOptions options;
-  options.humanoid = io::read_gltf_humanoid(bytes).value();
-  const auto done = animate(document, std::move(read.track), map, options);
+  const auto done = animate(document, std::move(read.track), map, {});
   ASSERT_TRUE(done) << done.error().line();
   EXPECT_EQ(done->times_s, (std::vector<double>{0, 1}));
   EXPECT_EQ(done->poses[1][0], 0.5) << "happy is a half of the target";
@@ -147,13 +144,13 @@ TEST(MotionAnimation, WrittenAgainItIsTheSameMotion) {
   document::Humanoid humanoid;
   const auto motion = tests::motion_sample(tests::turned_bones());
   const auto model = animated(tests::avatar_sample(tests::turned_bones()), motion, humanoid);
-  const auto written = io::write_vrma(model, humanoid);
+  const auto written = io::write_vrma(model);
   ASSERT_TRUE(written) << written.error().line();
   EXPECT_TRUE(written->notes.empty()) << written->notes.front();
   const auto read = io::read_vrma(written->bytes);
   ASSERT_TRUE(read) << read.error().line();
   document::Model again = model;
-  again.animations = {animate_motion(model, *read, humanoid).value().animation};
+  again.animations = {animate_motion(model, *read).value().animation};
   for (const double time : {0.0, 0.3, 1.0}) {
     for (const HumanBone bone : k_bones) {
       const Seen one = seen(model, humanoid, bone, time);

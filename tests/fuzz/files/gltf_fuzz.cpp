@@ -24,7 +24,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace penpose;  // NOLINT(google-build-using-namespace): a program of one file
   // Motions are glTF too.
   (void)io::read_vrma({data, size});
-  (void)io::read_gltf_humanoid({data, size});
   auto model = io::read_gltf({data, size});
   if (!model) return 0;
   expect_back(*model, {.bare = true});

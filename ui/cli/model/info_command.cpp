@@ -2,11 +2,14 @@
 #include <iomanip>
 #include <iostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/base/json/json.h"
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
+#include "core/document/humanoid_rest.h"
 #include "core/intent/model/doubles.h"
 #include "core/io/gltf/read/gltf_contents.h"
 #include "core/io/model/model_formats.h"
@@ -64,6 +67,18 @@ std::string_view up_axis(const InfoArguments& arguments) {
   return arguments.orientation.up == io::Up::z ? "z" : "y";
 }
 
+/// Bones of the figure and the names of their joints.
+std::vector<std::pair<std::string, std::string>> bones_of(const document::Model& model) {
+  const document::Humanoid humanoid = document::humanoid_of(model);
+  std::vector<std::pair<std::string, std::string>> bones;
+  for (std::size_t b = 0; b < document::k_human_bones; ++b) {
+    const auto bone = static_cast<document::HumanBone>(b);
+    const auto joint = humanoid.joint(bone);
+    if (joint) bones.emplace_back(document::name_of(bone), model.skeleton->joints()[*joint].name);
+  }
+  return bones;
+}
+
 Json to_json(const document::Model& model, const Doubles& doubles, const io::GltfContents& contents,
              const std::string& state, const std::string& path) {
   Json parts = Json::array();
@@ -104,6 +119,8 @@ Json to_json(const document::Model& model, const Doubles& doubles, const io::Glt
     for (const auto& [parameter, value] : expression.values) values[model.rig->parameters()[parameter].name] = value;
     expressions.push_back({{"name", expression.name}, {"values", std::move(values)}});
   }
+  Json humanoid = Json::object();
+  for (const auto& [bone, joint] : bones_of(model)) humanoid[bone] = joint;
   const geometry::Box box = document::rest_world_box(model);
   return {{"model", path},
           {"vertices", model.mesh->vertex_count()},
@@ -115,6 +132,7 @@ Json to_json(const document::Model& model, const Doubles& doubles, const io::Glt
           {"parameters", std::move(parameters)},
           {"doubles", std::move(twice)},
           {"front_yaw_degrees", model.front_yaw_degrees},
+          {"humanoid", std::move(humanoid)},
           {"curves", std::move(curves)},
           {"animations", std::move(animations)},
           {"expressions", std::move(expressions)},
@@ -159,6 +177,20 @@ void print_doubles(const document::Model& model, const Doubles& doubles) {
       std::cout << (k > 0 ? " + " : "") << base::shown_name(parameters[one.of[k]].name);
     std::cout << '\n';
   }
+}
+
+/// "humanoid    52 bones; head J_Bip_C_Head, leftEye J_Adj_L_FaceEye": those of the head by their joints.
+void print_humanoid(const document::Model& model) {
+  const auto bones = bones_of(model);
+  if (bones.empty()) return;
+  std::cout << "humanoid    " << bones.size() << (bones.size() == 1 ? " bone" : " bones");
+  const char* between = "; ";
+  for (const auto& [bone, joint] : bones) {
+    if (bone != "neck" && bone != "head" && bone != "leftEye" && bone != "rightEye" && bone != "jaw") continue;
+    std::cout << between << bone << ' ' << name_or_none(joint);
+    between = ", ";
+  }
+  std::cout << '\n';
 }
 
 /// "Blink = 1.0000 Fcl_EYE_Close".
@@ -216,6 +248,7 @@ void print(const document::Model& model, const Doubles& doubles, const io::GltfC
   }
   print_parameters(model);
   print_doubles(model, doubles);
+  print_humanoid(model);
   print_expressions(model);
   std::cout << "curves      " << model.curves.size() << '\n';
   for (const document::NamedCurve& curve : model.curves) {

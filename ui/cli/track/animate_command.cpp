@@ -5,7 +5,6 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text/shown_text.h"
-#include "core/io/gltf/read/read_gltf.h"
 #include "core/io/model/model_formats.h"
 #include "core/tracking/animate.h"
 #include "core/tracking/driven_controls.h"
@@ -102,14 +101,6 @@ std::size_t frame_count(const io::Track& track) {
   return 0;
 }
 
-/// The humanoid as the model's own file says it; empty where it says nothing or can be read only once.
-document::Humanoid load_humanoid(const std::string& path) {
-  const auto bytes = files::read_plain_file(path);
-  if (!bytes || io::format_to_read(*bytes, path) == nullptr) return {};
-  auto humanoid = io::read_gltf_humanoid(*bytes);
-  return humanoid ? *humanoid : document::Humanoid();
-}
-
 std::optional<io::PictureSize> picture_size(const std::string& text) {
   const std::size_t cross = text.find('x');
   if (cross == std::string::npos) return std::nullopt;
@@ -200,9 +191,7 @@ int animate(const AnimateArguments& arguments) {
   auto curves = load_curves(arguments.curves);
   if (!curves) return files::report(curves.error(), arguments.curves);
 
-  tracking::AnimateOptions options = options_of(arguments, std::move(curves).value());
-  const bool of_bones = std::holds_alternative<io::MotionTrack>(input->track);
-  if (of_bones || motion_alone) options.humanoid = load_humanoid(arguments.model);
+  const tracking::AnimateOptions options = options_of(arguments, std::move(curves).value());
   FrameClock clock(frame_count(input->track));
   tracking::AnimateInput blamed{};
   const auto animated = tracking::animate(*document, std::move(input->track), **map, options, clock.watch(), &blamed);
@@ -211,9 +200,8 @@ int animate(const AnimateArguments& arguments) {
     files::warn(pointer + " is not known and was skipped", arguments.map);
   }
   if (!animated) return files::report(animated.error(), blamed_file(arguments, blamed));
-  io::WriteOptions writing = arguments.glb;
-  writing.humanoid = options.humanoid;
-  if (auto saved = files::save_as_it_came(animated->document, arguments.out, files::SaveNotes::loud, writing); !saved)
+  if (auto saved = files::save_as_it_came(animated->document, arguments.out, files::SaveNotes::loud, arguments.glb);
+      !saved)
     return files::report(saved.error(), arguments.out);
   for (const std::string& note : document->model->notes) files::warn(note, arguments.model);
   for (const std::string& note : animated->notes) files::warn(note, arguments.track);

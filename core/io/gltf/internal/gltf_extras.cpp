@@ -259,6 +259,10 @@ json::Json write_root_extras(const document::Model& model, const std::vector<std
     for (const auto& [parameter, value] : one.values) values[model.rig->parameters()[parameter].name] = value;
     own["expressions"].push_back({{"name", one.name}, {"values", std::move(values)}});
   }
+  for (std::size_t b = 0; b < document::k_human_bones; ++b) {
+    const auto bone = static_cast<document::HumanBone>(b);
+    if (const auto joint = model.humanoid.joint(bone)) own["humanoid"][document::name_of(bone)] = *joint;
+  }
   if (model.front_yaw_degrees != 0) own["front_yaw_degrees"] = model.front_yaw_degrees;
   if (!model.curves.empty()) {
     json::Json curves = json::Json::array();

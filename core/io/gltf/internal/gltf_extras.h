@@ -21,8 +21,9 @@ inline constexpr const char* k_extras_key = "penpose";
 /// [[triangle, b0, b1, b2], ...]}], "deformers": [a deformer as sketch files have it, with its own "viewport", ...]}.
 /// Deformers are also morph targets of their names, sampled at amount 1, after those of the shapes, and "baked":
 /// [[NAME, ...], ...] names the targets with the remaining motion of each (baked_deformer.h). "corrections": [a
-/// deformer with its "drivers", ...]. "expressions": [{"name", "values": {TARGET: VALUE}}] and "front_yaw_degrees" keep
-/// what a VRM avatar said where the file is none any more. A target that takes a part of the weight of another.
+/// deformer with its "drivers", ...]. "expressions": [{"name", "values": {TARGET: VALUE}}], "front_yaw_degrees" and
+/// "humanoid": {BONE: number of the joint} keep what a VRM avatar said where the file is none any more. A target that
+/// takes a part of the weight of another.
 struct OneWayName {
   std::string name;
   std::string target;
@@ -52,6 +53,9 @@ struct RootExtras {
 /// Node: {"joint": true, "posable": true, "rest_rotation": [x, y, z, w], "minimum": [x, y, z], "maximum": [x, y, z],
 /// "values": [rx, ry, rz]} or {"carried_by_parent": true} or {"still": true} or
 /// {"group": true}. A joint whose inverse bind matrix needs doubles also has "inverse_bind": 16 numbers by columns.
+///
+/// Mesh: {"copy_of": M}, a copy of mesh M with other targets for one of the nodes that shared it; its parts stand in
+/// the place of M's.
 struct NodeExtras {
   bool joint = false;              ///< the node is a joint, whether it moves anything or not
   bool carried_by_parent = false;  ///< the node is no joint: its mesh belongs to the node above

@@ -95,7 +95,6 @@ void add_corrections(const RootExtras& root, document::Model& model) {
 
 struct OpenedModel {
   document::Model model;
-  document::Humanoid humanoid;
   GltfOrigins origins;
   bool of_another_edition = false;
 };
@@ -206,9 +205,9 @@ base::Result<OpenedModel> read_opened(GltfDocument& document, const FileResolver
   }
   if (auto note = mesh::note_of_extra_triangles(**mesh); !note.empty()) model->notes.push_back(std::move(note));
   if (const auto status = check_positions(*model); !status) return status.error();
-  document::Humanoid humanoid = vrm_humanoid(document.json, joints->joint_of_node);
+  model->humanoid = vrm_humanoid(document.json, joints->joint_of_node);
   origins.joint_of_node = std::move(joints->joint_of_node);
-  return OpenedModel{std::move(model).value(), std::move(humanoid), std::move(origins), root->of_another_edition};
+  return OpenedModel{std::move(model).value(), std::move(origins), root->of_another_edition};
 }
 
 }  // namespace
@@ -248,18 +247,6 @@ base::Result<document::Document> read_gltf_document(base::Bytes bytes, const Fil
     read->model = std::make_shared<const document::Model>(std::move(rest));
   }
   return read;
-}
-
-base::Result<document::Humanoid> read_gltf_humanoid(base::Bytes bytes, const FileResolver& resolve) {
-  auto opened = open_gltf(bytes, resolve);
-  if (!opened) return opened.error();
-  const json::Json* extensions = json::find(opened->json, "extensions");
-  if (extensions == nullptr ||
-      (json::find(*extensions, "VRM") == nullptr && json::find(*extensions, "VRMC_vrm") == nullptr))
-    return document::Humanoid();
-  auto read = read_opened(*opened, resolve);
-  if (!read) return read.error();
-  return read->humanoid;
 }
 
 ModelFormat glb_format() {

@@ -3,7 +3,6 @@
 #include "core/base/byte_reader.h"
 #include "core/base/result.h"
 #include "core/document/document.h"
-#include "core/document/humanoid.h"
 #include "core/io/model/read_model.h"
 
 namespace penpose::io {
@@ -12,9 +11,5 @@ namespace penpose::io {
 [[nodiscard]] base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& resolve = {});
 /// The same with what a project keeps beyond its model.
 [[nodiscard]] base::Result<document::Document> read_gltf_document(base::Bytes bytes, const FileResolver& resolve = {});
-
-/// Which joints of the model that read_gltf gives are bones of a human figure, as VRM says it; empty for files that are
-/// no VRM avatar. Errors as of read_model.
-[[nodiscard]] base::Result<document::Humanoid> read_gltf_humanoid(base::Bytes bytes, const FileResolver& resolve = {});
 
 }  // namespace penpose::io

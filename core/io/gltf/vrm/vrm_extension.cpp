@@ -1,5 +1,6 @@
 #include "core/io/gltf/vrm/vrm_extension.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -11,6 +12,26 @@ namespace {
 const json::Json* extension(const json::Json& document, const char* name) {
   const json::Json* extensions = json::find(document, "extensions");
   return extensions == nullptr ? nullptr : json::find(*extensions, name);
+}
+
+const json::Json* own_extras(const json::Json& document) {
+  const json::Json* extras = json::find(document, "extras");
+  return extras == nullptr ? nullptr : json::find(*extras, k_extras_key);
+}
+
+/// "humanoid" of penpose's extras: {BONE: number of the joint}.
+document::Humanoid own_humanoid(const json::Json& document, const std::vector<std::int32_t>& joint_of_node) {
+  document::Humanoid result;
+  const json::Json* own = own_extras(document);
+  const json::Json* listed = own == nullptr ? nullptr : json::find(*own, "humanoid");
+  if (listed == nullptr || !listed->is_object()) return result;
+  const std::int32_t last = joint_of_node.empty() ? -1 : *std::max_element(joint_of_node.begin(), joint_of_node.end());
+  for (const auto& [name, joint] : listed->items()) {
+    const auto bone = document::human_bone_named(name);
+    const auto number = json::whole_number(joint, 0, last);
+    if (bone && number) result.joint_of[static_cast<std::size_t>(*bone)] = static_cast<std::int32_t>(*number);
+  }
+  return result;
 }
 
 class Bones {
@@ -34,11 +55,14 @@ class Bones {
 
 }  // namespace
 
+bool is_vrm_avatar(const json::Json& document) {
+  return extension(document, "VRMC_vrm") != nullptr || extension(document, "VRM") != nullptr;
+}
+
 double vrm_front_yaw_degrees(const json::Json& document) {
   if (extension(document, "VRMC_vrm") != nullptr) return 0;
   if (extension(document, "VRM") != nullptr) return 180;
-  const json::Json* extras = json::find(document, "extras");
-  const json::Json* own = extras == nullptr ? nullptr : json::find(*extras, k_extras_key);
+  const json::Json* own = own_extras(document);
   const json::Json* yaw = own == nullptr ? nullptr : json::find(*own, "front_yaw_degrees");
   const double degrees = yaw == nullptr ? 0 : json::number(*yaw).value_or(0);
   return std::abs(degrees) <= 360 ? degrees : 0;
@@ -58,7 +82,7 @@ document::Humanoid vrm_humanoid(const json::Json& document, const std::vector<st
   const json::Json* vrm = vrm1 != nullptr ? vrm1 : vrm0;
   const json::Json* humanoid = vrm == nullptr ? nullptr : json::find(*vrm, "humanoid");
   const json::Json* listed = humanoid == nullptr ? nullptr : json::find(*humanoid, "humanBones");
-  if (listed == nullptr) return {};
+  if (listed == nullptr) return own_humanoid(document, joint_of_node);
   if (vrm1 != nullptr && listed->is_object()) {
     for (const auto& [name, bone] : listed->items()) bones.take(document::human_bone_named(name), bone);
   }

@@ -33,7 +33,4 @@ struct PatchedGltf {
 [[nodiscard]] base::Result<PatchedGltf> patch_gltf(const document::Model& model, const WriteOptions& options,
                                                    const json::Json& project, GltfContainer container);
 
-/// What of the file that a model was read from only a patched one keeps, "textures, vertex colours"; empty: nothing.
-[[nodiscard]] std::string lost_without_source(const document::Model& model);
-
 }  // namespace penpose::io

@@ -9,7 +9,9 @@
 #include "core/io/gltf/write/internal/glb_skin.h"
 #include "core/io/gltf/write/internal/glb_weights.h"
 #include "core/io/gltf/write/internal/gltf_builder.h"
+#include "core/io/gltf/write/lost_content.h"
 #include "core/io/gltf/write/patch_gltf.h"
+#include "core/io/gltf/write/shape_entries.h"
 #include "core/io/model/write_model.h"
 #include "core/io/project/internal/project_json.h"
 #include "core/io/project/write_document.h"
@@ -19,16 +21,6 @@ namespace penpose::io {
 namespace {
 
 constexpr std::size_t k_none = static_cast<std::size_t>(-1);
-
-template <typename V>
-std::vector<float> flatten(std::span<const V> vectors) {
-  std::vector<float> numbers;
-  numbers.reserve(vectors.size() * 3);
-  for (const V& v : vectors) {
-    for (int axis = 0; axis < 3; ++axis) numbers.push_back(static_cast<float>(v[axis]));
-  }
-  return numbers;
-}
 
 class GlbWriter {
  public:
@@ -123,14 +115,6 @@ class GlbWriter {
     }
     node_of_part_[index] = out_.nodes.size();
     out_.nodes.push_back(std::move(node));
-  }
-
-  /// The entries of a shape that lie in a part, as first and one past the last.
-  static std::pair<std::size_t, std::size_t> entries_in(const rig::BlendShape& shape, const mesh::Part& part) {
-    const auto begin = shape.vertices.begin();
-    const auto first = std::lower_bound(begin, shape.vertices.end(), part.first_vertex);
-    const auto last = std::lower_bound(first, shape.vertices.end(), part.first_vertex + part.vertex_count);
-    return {static_cast<std::size_t>(first - begin), static_cast<std::size_t>(last - begin)};
   }
 
   void write_targets(std::size_t index, json::Json& primitive, json::Json& mesh) {

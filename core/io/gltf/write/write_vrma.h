@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/document/humanoid.h"
 #include "core/document/model.h"
 
 namespace penpose::io {
@@ -22,8 +21,8 @@ struct VrmaFile {
 /// inverse(W)). Joints between two bones are part of the lower one's rotation. The hips also move; the eyes become the
 /// gaze ("LookAt"). Weights become those of the model's expressions, 0..1, whose sum is nearest to them (least
 /// squares); controls in none of these, and all controls of a model without expressions, become custom expressions of
-/// their names. `known`: the humanoid as the model's file says it; by the joints' names where it is empty. Errors:
-/// nothing that the format holds is animated or posed, more keys than can be written.
-[[nodiscard]] base::Result<VrmaFile> write_vrma(const document::Model& model, const document::Humanoid& known = {});
+/// their names. Bones are told by document::humanoid_of. Errors: nothing that the format holds is animated or posed,
+/// more keys than can be written.
+[[nodiscard]] base::Result<VrmaFile> write_vrma(const document::Model& model);
 
 }  // namespace penpose::io

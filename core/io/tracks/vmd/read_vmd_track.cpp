@@ -42,17 +42,17 @@ base::Result<animation::WeightTrack> read_vmd_track(base::Bytes bytes) {
   if (!base::as_text(bytes).starts_with(k_vmd_mark)) return wrong("this is no motion of MikuMikuDance", 0);
   base::ByteReader reader(bytes);
   const bool old = base::as_text(bytes).starts_with(k_vmd_old_header);
-  if (!reader.take(k_vmd_header_bytes) || !reader.take(old ? k_vmd_old_model_bytes : k_vmd_model_bytes)) {
+  if (!reader.take(VmdSizes::header) || !reader.take(old ? VmdSizes::old_model : VmdSizes::model)) {
     return wrong("the file ends in its header", bytes.size());
   }
   const auto bones = reader.read<std::uint32_t>();
-  if (!bones || *bones > reader.remaining() / k_vmd_bone_bytes) {
+  if (!bones || *bones > reader.remaining() / VmdSizes::bone) {
     return wrong("the file ends in its keys of bones", bytes.size());
   }
-  (void)reader.take(*bones * k_vmd_bone_bytes);
+  (void)reader.take(*bones * VmdSizes::bone);
   const auto morphs = reader.read<std::uint32_t>();
   const std::size_t begin = reader.offset();
-  if (morphs && *morphs > reader.remaining() / k_vmd_morph_bytes) {
+  if (morphs && *morphs > reader.remaining() / VmdSizes::morph) {
     return wrong("the file ends in its keys of morphs", bytes.size());
   }
   if (!morphs || *morphs == 0) return wrong("the motion has no keys of morphs", begin);
@@ -61,7 +61,7 @@ base::Result<animation::WeightTrack> read_vmd_track(base::Bytes bytes) {
   bool moves = false;
   for (std::uint32_t i = 0; i < *morphs; ++i) {
     const std::size_t offset = reader.offset();
-    const auto name = reader.take(k_vmd_morph_name_bytes);
+    const auto name = reader.take(VmdSizes::morph_name);
     const auto frame = reader.read<std::uint32_t>();
     const auto weight = reader.read_f32();
     if (!name || !frame || !weight) return wrong("the file ends in its keys of morphs", offset);

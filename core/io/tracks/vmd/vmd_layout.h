@@ -12,12 +12,11 @@ namespace penpose::io {
 inline constexpr std::string_view k_vmd_mark = "Vocaloid Motion Data";
 inline constexpr std::string_view k_vmd_header = "Vocaloid Motion Data 0002";
 inline constexpr std::string_view k_vmd_old_header = "Vocaloid Motion Data file";
-inline constexpr std::size_t k_vmd_header_bytes = 30;
-inline constexpr std::size_t k_vmd_model_bytes = 20;
-inline constexpr std::size_t k_vmd_old_model_bytes = 10;
-inline constexpr std::size_t k_vmd_bone_bytes = 111;
-inline constexpr std::size_t k_vmd_morph_name_bytes = 15;
-inline constexpr std::size_t k_vmd_morph_bytes = 23;
+/// How many bytes each part has.
+struct VmdSizes {
+  static constexpr std::size_t header = 30, model = 20, old_model = 10;
+  static constexpr std::size_t bone = 111, morph_name = 15, morph = 23;
+};
 inline constexpr double k_vmd_fps = 30;
 
 }  // namespace penpose::io

@@ -68,7 +68,7 @@ base::Result<VmdBytes> write_vmd(const document::Model& model) {
   std::set<std::string> taken;
   for (std::size_t i = 0; i < weights; ++i) {
     const std::string& own = model.rig->parameters()[i].name;
-    const ShiftJis name = shift_jis_of(own, k_vmd_morph_name_bytes);
+    const ShiftJis name = shift_jis_of(own, VmdSizes::morph_name);
     if (!taken.insert(name.bytes).second) {
       result.notes.push_back(own + ": another control has the same first 15 bytes of its name; left out");
       continue;
@@ -78,7 +78,7 @@ base::Result<VmdBytes> write_vmd(const document::Model& model) {
                              "\" there: names are Shift-JIS of at most 15 bytes");
     }
     for (const std::size_t f : keyed_frames(values[i], k_within)) {
-      write_padded(keys, name.bytes, k_vmd_morph_name_bytes);
+      write_padded(keys, name.bytes, VmdSizes::morph_name);
       keys.write(static_cast<std::uint32_t>(f));
       keys.write_f32(static_cast<float>(values[i][f]));
       ++count;
@@ -92,8 +92,8 @@ base::Result<VmdBytes> write_vmd(const document::Model& model) {
     if (turns) result.notes.emplace_back("the motion of joints is left out");
   }
   base::ByteWriter out;
-  write_padded(out, k_vmd_header, k_vmd_header_bytes);
-  write_padded(out, "penpose", k_vmd_model_bytes);
+  write_padded(out, k_vmd_header, VmdSizes::header);
+  write_padded(out, "penpose", VmdSizes::model);
   out.write(std::uint32_t{0});  // bones
   out.write(count);
   out.append(keys.bytes());

@@ -50,6 +50,18 @@ TEST(HeadJoints, AreKnownByTheNamesOfManyRigs) {
   EXPECT_EQ(two->necks, (std::vector<std::uint32_t>{1, 2}));
 }
 
+TEST(HeadJoints, AreThoseOfTheHumanoidWhereTheFileSaysThem) {
+  Model model = figure({"bone", "Head", "bone.002", "bone.003"}, 3);
+  model.humanoid.joint_of[static_cast<std::size_t>(HumanBone::head)] = 3;
+  model.humanoid.joint_of[static_cast<std::size_t>(HumanBone::neck)] = 2;
+  const auto found = head_joints(model);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->head, 3U) << "not the one that is called so";
+  EXPECT_EQ(found->necks, std::vector<std::uint32_t>{2});
+  model.humanoid.joint_of[static_cast<std::size_t>(HumanBone::head)] = 40;
+  EXPECT_EQ(head_joints(model)->head, 1U) << "a table of another skeleton says nothing";
+}
+
 TEST(HeadJoints, AreElseFoundByWhatCarriesTheFace) {
   const auto found = head_joints(figure({"bone", "bone.001", "bone.002", "bone.003"}, 2));
   ASSERT_TRUE(found);

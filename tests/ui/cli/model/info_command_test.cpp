@@ -6,6 +6,7 @@
 #include "tests/support/command_run.h"
 #include "tests/support/models/figure_sample.h"
 #include "tests/support/models/model_samples.h"
+#include "tests/support/models/whole_avatar.h"
 #include "tests/support/shared_data.h"
 
 namespace penpose::cli {
@@ -44,6 +45,20 @@ TEST_F(InfoCommand, ListsTheExpressionsOfAnAvatar) {
   ASSERT_EQ(run({"info", "--json", path("avatar.vrm")}), 0) << error_;
   EXPECT_EQ(nlohmann::json::parse(out_)["expressions"],
             nlohmann::json::parse(R"([{"name": "happy", "values": {"lift": 0.5}}])"));
+}
+
+TEST_F(InfoCommand, NamesHeadEyesAndJawOfAFigure) {
+  save("avatar.vrm", tests::whole_avatar(1).glb());
+  ASSERT_EQ(run({"info", path("avatar.vrm")}), 0) << error_;
+  const char* line = "humanoid    20 bones; neck bone 3, head bone 4, leftEye bone 5, rightEye bone 6, jaw bone 7\n";
+  EXPECT_NE(out_.find(line), std::string::npos) << out_;
+  ASSERT_EQ(run({"info", "--json", path("avatar.vrm")}), 0) << error_;
+  const auto humanoid = nlohmann::json::parse(out_)["humanoid"];
+  EXPECT_EQ(humanoid.size(), 20U);
+  EXPECT_EQ(humanoid["leftHand"], "bone 16");
+  save("morph.glb", tests::morph_sample().glb());
+  ASSERT_EQ(run({"info", path("morph.glb")}), 0) << error_;
+  EXPECT_EQ(out_.find("humanoid"), std::string::npos) << out_;
 }
 
 TEST_F(InfoCommand, TextNamesPartsParametersAndCurves) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/support/command_run.h"
+#include "tests/support/models/gltf_sample.h"
 #include "tests/support/shared_data.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/model/frame_name.h"
@@ -100,6 +101,34 @@ TEST_F(SharedRenderCommand, PosesAnimationsAndCasesShow) {
                           {"--cases", (meshes / "ict_face_pose_cases.json").string(), "--case", "open_smile"}));
   EXPECT_NE(picture("cesium_man.glb", {"--time", "0.2"}), picture("cesium_man.glb", {"--time", "0.9"}));
   EXPECT_NE(picture("animated_morph_cube.glb", {}), picture("animated_morph_cube.glb", {"--time", "1.5"}));
+}
+
+TEST_F(RenderCommand, ShowsAMomentOfTheAnimationThatIsNamed) {
+  tests::GltfSample sample = tests::morph_sample();
+  const auto times = sample.add_accessor(std::vector<float>{0, 1}, "SCALAR", 1, 5126);
+  for (const float end : {0.0F, 1.0F}) {
+    const auto weights = sample.add_accessor(std::vector<float>{0, end}, "SCALAR", 1, 5126);
+    sample.add("animations", {{"name", end == 0 ? "still" : "lifted"},
+                              {"samplers", {{{"input", times}, {"output", weights}}}},
+                              {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}}});
+  }
+  const auto bytes = sample.glb();
+  std::ofstream(path("two.glb"), std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  const auto picture = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments{path("two.glb"), "--size", "64x64", "-o", path("p.png")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(render(arguments), k_success) << error_;
+    return content("p.png");
+  };
+  const auto still = picture({"--time", "1"});
+  EXPECT_EQ(picture({"--animation", "still", "--time", "1"}), still) << "the first one where none is named";
+  const auto lifted = picture({"--animation", "lifted", "--time", "1"});
+  EXPECT_NE(lifted, still);
+  EXPECT_NE(picture({"--animation", "lifted", "--time", "0.5"}), lifted);
+  EXPECT_EQ(picture({"--animation", "2", "--time", "1"}), lifted) << "or by its number";
+  EXPECT_EQ(render({path("two.glb"), "--animation", "lift", "--time", "1", "-o", path("q.png")}), k_failure);
+  EXPECT_NE(error_.find("did you mean lifted?"), std::string::npos) << error_;
 }
 
 TEST_F(RenderCommand, NamesTheFramesOfASequenceAsBlenderDoes) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/io/gltf/internal/gltf_extras.h"
 #include "core/io/gltf/read/internal/gltf_accessor.h"
 #include "core/io/remedies.h"
 #include "core/io/surface/normals.h"
@@ -39,23 +40,26 @@ std::vector<PartOrigin> find_origins(GltfDocument& document, const NodeTree& tre
   const auto& nodes = document.model.nodes;
   std::vector<std::vector<std::size_t>> users(document.model.meshes.size());
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    if (tree.in_scene[n] && nodes[n].mesh >= 0) users[static_cast<std::size_t>(nodes[n].mesh)].push_back(n);
+    if (!tree.in_scene[n] || nodes[n].mesh < 0) continue;
+    users[place_of_mesh(document, static_cast<std::size_t>(nodes[n].mesh))].push_back(n);
   }
   std::vector<PartOrigin> origins;
-  for (std::size_t m = 0; m < users.size(); ++m) {
-    for (const std::size_t node : users[m]) add_origins(document, node, m, origins);
+  for (const auto& of_mesh : users) {
+    for (const std::size_t node : of_mesh) {
+      add_origins(document, node, static_cast<std::size_t>(nodes[node].mesh), origins);
+    }
   }
   return origins;
 }
 
 std::vector<std::string> part_names(const GltfDocument& document, const std::vector<PartOrigin>& origins) {
   std::vector<std::set<std::size_t>> users(document.model.meshes.size());
-  for (const PartOrigin& origin : origins) users[origin.mesh].insert(origin.node);
+  for (const PartOrigin& origin : origins) users[place_of_mesh(document, origin.mesh)].insert(origin.node);
   std::vector<std::string> names;
   for (const PartOrigin& origin : origins) {
     const std::string& mesh = document.model.meshes[origin.mesh].name;
     const std::string& node = document.model.nodes[origin.node].name;
-    const bool by_node = mesh.empty() || (users[origin.mesh].size() > 1 && !node.empty());
+    const bool by_node = mesh.empty() || (users[place_of_mesh(document, origin.mesh)].size() > 1 && !node.empty());
     names.push_back(by_node ? node : mesh);
   }
   make_unique(names);
@@ -165,6 +169,15 @@ void note_left_out(GltfDocument& document) {
 }
 
 }  // namespace
+
+std::size_t place_of_mesh(const GltfDocument& document, std::size_t mesh) {
+  const json::Json* extras = json::find(document.json["meshes"][mesh], "extras");
+  const json::Json* own = extras == nullptr ? nullptr : json::find(*extras, k_extras_key);
+  const json::Json* of = own == nullptr ? nullptr : json::find(*own, "copy_of");
+  const auto last = static_cast<std::int64_t>(document.model.meshes.size()) - 1;
+  const auto number = of == nullptr ? std::nullopt : json::whole_number(*of, 0, last);
+  return number ? static_cast<std::size_t>(*number) : mesh;
+}
 
 std::string PartOrigin::pointer() const {
   return "/meshes/" + std::to_string(mesh) + "/primitives/" + std::to_string(primitives.front());

@@ -24,6 +24,9 @@ struct PartOrigin {
   [[nodiscard]] std::string pointer() const;
 };
 
+/// The mesh in whose place the parts of a mesh stand: the one that it is a copy of (gltf_extras.h), or itself.
+[[nodiscard]] std::size_t place_of_mesh(const GltfDocument& document, std::size_t mesh);
+
 struct GltfMeshes {
   std::vector<PartOrigin> origins;  ///< one a part
   mesh::MeshSource source;

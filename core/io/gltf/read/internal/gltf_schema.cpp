@@ -7,8 +7,7 @@
 #include <limits>
 #include <span>
 
-#include "core/base/text/utf8.h"
-#include "core/io/gltf/read/compression/unpack_gltf.h"
+#include "core/io/gltf/read/internal/checks/gltf_checks.h"
 #include "core/io/remedies.h"
 
 namespace penpose::io {
@@ -259,111 +258,6 @@ class Vetter {
 
   const json::Json& root_;
 };
-
-/// Every node has one parent at most, and following parents always ends.
-std::optional<base::Error> check_tree(const json::Json& vetted) {
-  const json::Json* nodes = json::find(vetted, "nodes");
-  if (nodes == nullptr) return std::nullopt;
-  std::vector<std::size_t> parent(nodes->size(), nodes->size());
-  for (std::size_t i = 0; i < nodes->size(); ++i) {
-    const json::Json* children = json::find((*nodes)[i], "children");
-    for (std::size_t k = 0; children != nullptr && k < children->size(); ++k) {
-      const auto node = (*children)[k].get<std::size_t>();
-      if (parent[node] != nodes->size()) {
-        return wrong("node " + std::to_string(node) + " is a child twice",
-                     json::child(json::child(json::child("/nodes", i), "children"), k),
-                     "a node may have one parent; export the file again");
-      }
-      parent[node] = i;
-    }
-  }
-  // 0: not seen, 1: on the way up from here, 2: known to end.
-  std::vector<std::uint8_t> state(nodes->size(), 0);
-  std::vector<std::size_t> way;
-  for (std::size_t i = 0; i < nodes->size(); ++i) {
-    way.clear();
-    std::size_t at = i;
-    for (; at != nodes->size() && state[at] == 0; at = parent[at]) {
-      state[at] = 1;
-      way.push_back(at);
-    }
-    if (at != nodes->size() && state[at] == 1) {
-      return wrong("the node is its own ancestor", json::child("/nodes", at),
-                   "nodes have to form trees; export the file again");
-    }
-    for (const std::size_t node : way) state[node] = 2;
-  }
-  return std::nullopt;
-}
-
-/// Indices that a Draco stream gives need no data of their own.
-std::optional<base::Error> check_indices(const json::Json& vetted, const json::Json& document) {
-  const json::Json* meshes = json::find(vetted, "meshes");
-  for (std::size_t m = 0; meshes != nullptr && m < meshes->size(); ++m) {
-    const json::Json& primitives = (*meshes)[m]["primitives"];
-    for (std::size_t p = 0; p < primitives.size(); ++p) {
-      const json::Json* indices = json::find(primitives[p], "indices");
-      if (indices == nullptr || draco_of(document["meshes"][m]["primitives"][p]) != nullptr) continue;
-      const auto accessor = indices->get<std::size_t>();
-      if (json::find(vetted["accessors"][accessor], "bufferView") == nullptr) {
-        return wrong("indices without a buffer view", json::child("/accessors", accessor));
-      }
-    }
-  }
-  return std::nullopt;
-}
-
-std::optional<base::Error> check_samplers(const json::Json& vetted) {
-  const json::Json* animations = json::find(vetted, "animations");
-  for (std::size_t a = 0; animations != nullptr && a < animations->size(); ++a) {
-    const json::Json& animation = (*animations)[a];
-    for (std::size_t c = 0; c < animation["channels"].size(); ++c) {
-      if (animation["channels"][c]["sampler"].get<std::size_t>() < animation["samplers"].size()) continue;
-      return wrong("the sampler does not exist",
-                   json::child(json::child(json::child(json::child("/animations", a), "channels"), c), "sampler"));
-    }
-  }
-  return std::nullopt;
-}
-
-/// Extensions that change how data is read cannot be skipped; those about looks and sounds, and those that add members
-/// beside the ones that are read, can.
-bool can_be_read(std::string_view name) {
-  constexpr std::array<std::string_view, 14> k_known = {"KHR_mesh_quantization",
-                                                        "EXT_meshopt_compression",
-                                                        "KHR_meshopt_compression",
-                                                        "KHR_draco_mesh_compression",
-                                                        "KHR_texture_transform",
-                                                        "KHR_texture_basisu",
-                                                        "EXT_texture_webp",
-                                                        "EXT_texture_avif",
-                                                        "MSFT_texture_dds",
-                                                        "KHR_animation_pointer",
-                                                        "KHR_xmp_json_ld",
-                                                        "MSFT_lod",
-                                                        "VRM",
-                                                        "KHR_node_hoverability"};
-  constexpr std::array<std::string_view, 7> k_harmless_beginnings = {
-      "KHR_materials_", "EXT_materials_", "KHR_lights_", "EXT_lights_", "VRMC_", "KHR_audio", "MSFT_audio"};
-  return std::find(k_known.begin(), k_known.end(), name) != k_known.end() ||
-         std::any_of(k_harmless_beginnings.begin(), k_harmless_beginnings.end(),
-                     [&](std::string_view beginning) { return name.starts_with(beginning); });
-}
-
-std::optional<base::Error> check_extensions(const json::Json& document) {
-  const json::Json* required = json::find(document, "extensionsRequired");
-  if (required == nullptr) return std::nullopt;
-  if (!required->is_array()) return wrong("a list was expected", "/extensionsRequired");
-  for (std::size_t i = 0; i < required->size(); ++i) {
-    const std::string pointer = json::child("/extensionsRequired", i);
-    if (!(*required)[i].is_string()) return wrong("a text was expected", pointer);
-    const auto name = (*required)[i].get<std::string>();
-    if (can_be_read(name)) continue;
-    return wrong("the extension " + base::valid_utf8(name) + ", without which the file cannot be read, is not known",
-                 pointer, "export the file without it");
-  }
-  return std::nullopt;
-}
 
 /// Channels without a node are for extensions to say (glTF 2.0, section 3.11: such a channel is to be ignored).
 void drop_channels_without_node(json::Json& vetted, std::vector<std::string>& notes) {

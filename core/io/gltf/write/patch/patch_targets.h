@@ -25,13 +25,16 @@ struct TargetColumn {
   bool fresh = false;                ///< its displacements are written
 };
 
-/// The morph targets of one mesh, before and after.
+/// The morph targets of a mesh below one node, before and after.
 struct MeshTargets {
-  std::size_t mesh = 0;
+  std::size_t mesh = 0;            ///< in the file that was read
+  std::size_t read_node = 0;       ///< in the file that was read
+  std::size_t node = 0;            ///< in the file that is written (PatchJoints::write_carrier)
   std::vector<std::size_t> parts;  ///< of the model
-  std::vector<std::size_t> nodes;  ///< of the scene, each once
   std::size_t old_count = 0;
   std::vector<TargetColumn> columns;
+  /// In the file that is written: a copy where other nodes keep the mesh as it is (PatchColumns).
+  std::size_t written = 0;
 
   /// Whether keys and weights of the file still fit.
   [[nodiscard]] bool same_columns() const;
@@ -51,13 +54,12 @@ class PatchTargets {
   /// Whether a shape of the model is as it was read.
   [[nodiscard]] bool is_same_shape(const rig::BlendShape& shape) const;
   /// Adds what the file does not have. `used`: one a target of morphs, whether its weight is written anywhere.
-  /// Errors: nothing; `cannot` says why the file has no place for them.
   void add_new(const GlbWeights& weights, const std::vector<bool>& used);
   /// Names of targets that take a part of the weight of others and stay.
   [[nodiscard]] std::vector<OneWayName> one_way_names(const GlbWeights& weights) const;
 
+  /// In the order of the model's parts.
   [[nodiscard]] std::vector<MeshTargets>& meshes() { return meshes_; }
-  [[nodiscard]] const std::string& cannot() const { return cannot_; }
 
  private:
   void find_meshes();
@@ -77,35 +79,6 @@ class PatchTargets {
   std::map<std::string, const OneWayName*> helpers_;  ///< of the file, by their own names
   std::map<std::string, std::string> owners_;         ///< controls of targets that baking made, by their names
   std::vector<bool> reshaped_;
-  std::string cannot_;
-};
-
-/// The entries of a shape that lie in a part, as first and one past the last.
-[[nodiscard]] std::pair<std::size_t, std::size_t> entries_in(const rig::BlendShape& shape, const mesh::Part& part);
-
-/// Writes displacements of positions, normals and tangents.
-class TargetWriter {
- public:
-  TargetWriter(const document::Model& model, GltfDocument& document, GltfBuilder& builder)
-      : model_(model), document_(document), builder_(builder) {}
-
-  /// The object of a target for the primitives of a part. `made`: for a sketched control, whose normals follow from its
-  /// positions.
-  [[nodiscard]] json::Json write(const rig::BlendShape& shape, bool made, std::size_t part);
-
- private:
-  struct Turned {
-    std::vector<std::uint32_t> vertices;
-    std::vector<glm::dmat3> turns;
-  };
-  const Turned& turned_by(const rig::BlendShape& shape);
-
-  const document::Model& model_;
-  GltfDocument& document_;
-  GltfBuilder& builder_;
-  std::vector<glm::vec3> at_rest_;
-  const rig::BlendShape* shape_ = nullptr;
-  Turned turned_;  ///< by shape_
 };
 
 }  // namespace penpose::io

@@ -1,32 +1,12 @@
-#include "core/io/gltf/write/internal/patch_targets.h"
+#include "core/io/gltf/write/patch/patch_targets.h"
 
 #include <algorithm>
 #include <set>
 
-#include "core/geometry/rotation.h"
 #include "core/io/gltf/read/internal/gltf_accessor.h"
-#include "core/io/surface/normals.h"
+#include "core/io/gltf/write/shape_entries.h"
 
 namespace penpose::io {
-namespace {
-
-std::vector<float> flatten(std::span<const glm::vec3> vectors) {
-  std::vector<float> numbers;
-  numbers.reserve(vectors.size() * 3);
-  for (const glm::vec3& v : vectors) {
-    for (int axis = 0; axis < 3; ++axis) numbers.push_back(v[axis]);
-  }
-  return numbers;
-}
-
-}  // namespace
-
-std::pair<std::size_t, std::size_t> entries_in(const rig::BlendShape& shape, const mesh::Part& part) {
-  const auto begin = shape.vertices.begin();
-  const auto first = std::lower_bound(begin, shape.vertices.end(), part.first_vertex);
-  const auto last = std::lower_bound(first, shape.vertices.end(), part.first_vertex + part.vertex_count);
-  return {static_cast<std::size_t>(first - begin), static_cast<std::size_t>(last - begin)};
-}
 
 bool MeshTargets::same_columns() const {
   if (columns.size() != old_count) return false;
@@ -76,16 +56,13 @@ void PatchTargets::mark_reshaped(const std::string& target) {
 void PatchTargets::find_meshes() {
   for (std::size_t p = 0; p < source_.parts.size(); ++p) {
     const document::SourceFile::Part& part = source_.parts[p];
-    auto found =
-        std::find_if(meshes_.begin(), meshes_.end(), [&](const MeshTargets& one) { return one.mesh == part.mesh; });
+    auto found = std::find_if(meshes_.begin(), meshes_.end(),
+                              [&](const auto& one) { return one.mesh == part.mesh && one.node == part.node; });
     if (found == meshes_.end()) {
-      meshes_.push_back({part.mesh, {}, {}, part.targets.size(), {}});
+      meshes_.push_back({part.mesh, part.node, part.node, {}, part.targets.size(), {}, part.mesh});
       found = meshes_.end() - 1;
     }
     found->parts.push_back(p);
-    if (std::find(found->nodes.begin(), found->nodes.end(), part.node) == found->nodes.end()) {
-      found->nodes.push_back(part.node);
-    }
   }
 }
 
@@ -149,8 +126,6 @@ void PatchTargets::match(MeshTargets& mesh) {
         mark_reshaped(names[c]);
         continue;
       }
-    } else if (mesh.nodes.size() > 1 || source_.parts[mesh.parts.front()].targets.empty()) {
-      // Instances name targets that have no name after themselves; they stay as they are.
     } else {
       mark_reshaped(names[c]);
       continue;
@@ -192,19 +167,6 @@ void PatchTargets::add_new(const GlbWeights& weights, const std::vector<bool>& u
       added = true;
     }
   }
-  for (const MeshTargets& mesh : meshes_) {
-    if (mesh.same()) continue;
-    const std::string name = "mesh " + std::to_string(mesh.mesh);
-    if (mesh.nodes.size() > 1) cannot_ = "nodes share " + name + ", which was changed for one of them";
-    for (const std::size_t p : mesh.parts) {
-      const auto& primitive = document_.model.meshes[mesh.mesh].primitives[source_.parts[p].primitives.front()];
-      const auto position = primitive.attributes.find("POSITION");
-      const bool fits = position != primitive.attributes.end() &&
-                        document_.model.accessors[static_cast<std::size_t>(position->second)].count ==
-                            model_.mesh->parts()[p].vertex_count;
-      if (!fits) cannot_ = name + " has other vertices than the model";
-    }
-  }
 }
 
 std::vector<OneWayName> PatchTargets::one_way_names(const GlbWeights& weights) const {
@@ -218,82 +180,6 @@ std::vector<OneWayName> PatchTargets::one_way_names(const GlbWeights& weights) c
     }
   }
   return names;
-}
-
-const TargetWriter::Turned& TargetWriter::turned_by(const rig::BlendShape& shape) {
-  if (shape_ == &shape) return turned_;
-  const mesh::TriangleMesh& mesh = *model_.mesh;
-  if (at_rest_.empty()) at_rest_ = smooth_normals(mesh.positions(), mesh.triangles(), mesh.smoothing());
-  std::vector<mesh::ModelPoint> moved(mesh.positions().begin(), mesh.positions().end());
-  for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
-    moved[shape.vertices[i]] += geometry::ModelVector(shape.deltas[i]);
-  }
-  const auto now = smooth_normals(moved, mesh.triangles(), mesh.smoothing());
-  turned_ = {};
-  for (std::uint32_t v = 0; v < now.size(); ++v) {
-    if (now[v] == at_rest_[v]) continue;
-    turned_.vertices.push_back(v);
-    const geometry::Turn turn =
-        geometry::turn_between(geometry::ModelVector(at_rest_[v]), geometry::ModelVector(now[v]));
-    turned_.turns.push_back(geometry::rotation_about(turn.axis, turn.angle));
-  }
-  shape_ = &shape;
-  return turned_;
-}
-
-json::Json TargetWriter::write(const rig::BlendShape& shape, bool made, std::size_t index) {
-  const mesh::Part& part = model_.mesh->parts()[index];
-  const auto [first, last] = entries_in(shape, part);
-  std::vector<std::uint32_t> elements;
-  for (std::size_t i = first; i < last; ++i) elements.push_back(shape.vertices[i] - part.first_vertex);
-  const auto deltas = std::span(shape.deltas).subspan(first, last - first);
-  const bool keep_zeros =
-      !made && std::any_of(deltas.begin(), deltas.end(), [](const glm::vec3& v) { return v == glm::vec3(0); });
-  json::Json target = {
-      {"POSITION", builder_.add_displacements(part.vertex_count, elements, flatten(deltas), keep_zeros, true)}};
-  const document::SourceFile::Part& from = model_.source->parts[index];
-  const auto& attributes = document_.model.meshes[from.mesh].primitives[from.primitives.front()].attributes;
-  const bool normals = attributes.contains("NORMAL");
-  if (!made) {
-    if (!normals || shape.normal_deltas.empty()) return target;
-    const auto own = std::span(shape.normal_deltas).subspan(first, last - first);
-    target["NORMAL"] = builder_.add_displacements(part.vertex_count, elements, flatten(own), keep_zeros, false);
-    return target;
-  }
-  const auto tangent = attributes.find("TANGENT");
-  if (!normals && tangent == attributes.end()) return target;
-  const Turned& turned = turned_by(shape);
-  const auto begin = std::lower_bound(turned.vertices.begin(), turned.vertices.end(), part.first_vertex);
-  const auto end = std::lower_bound(begin, turned.vertices.end(), part.first_vertex + part.vertex_count);
-  std::vector<std::uint32_t> changed;
-  for (auto v = begin; v != end; ++v) changed.push_back(*v - part.first_vertex);
-  const auto turn_of = [&](std::size_t i) {
-    return turned.turns[static_cast<std::size_t>(begin - turned.vertices.begin()) + i];
-  };
-  std::vector<float> moves;
-  const auto add = [&](std::size_t i, const glm::dvec3& direction) {
-    const glm::dvec3 move = turn_of(i) * direction - direction;
-    for (int axis = 0; axis < 3; ++axis) moves.push_back(static_cast<float>(move[axis]));
-  };
-  if (normals && !model_.mesh->file_normals().empty()) {
-    for (std::size_t i = 0; i < changed.size(); ++i) {
-      add(i, glm::dvec3(model_.mesh->file_normals()[part.first_vertex + changed[i]]));
-    }
-    target["NORMAL"] = builder_.add_displacements(part.vertex_count, changed, moves, false, false);
-  }
-  if (tangent != attributes.end()) {
-    const auto tangents =
-        read_elements(document_, tangent->second, {.type = TINYGLTF_TYPE_VEC4, .count = part.vertex_count});
-    if (!tangents) return target;
-    const std::vector<float> numbers = tangents->dense();
-    moves.clear();
-    for (std::size_t i = 0; i < changed.size(); ++i) {
-      const float* t = &numbers[std::size_t{4} * changed[i]];
-      add(i, glm::dvec3(t[0], t[1], t[2]));
-    }
-    target["TANGENT"] = builder_.add_displacements(part.vertex_count, changed, moves, false, false);
-  }
-  return target;
 }
 
 }  // namespace penpose::io

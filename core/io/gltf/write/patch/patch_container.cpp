@@ -1,4 +1,4 @@
-#include "core/io/gltf/write/internal/patch_container.h"
+#include "core/io/gltf/write/patch/patch_container.h"
 
 #include <algorithm>
 #include <set>
