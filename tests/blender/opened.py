@@ -5,8 +5,10 @@ input, and new ones behind them; what was not posed is where it was, and what wa
 beside the output). Prints a line a file; exit status 1 if anything is lost or a vertex is off by over 1e-5 of the size."""
 import json
 import os
+import shutil
 import struct
 import sys
+import tempfile
 
 import numpy
 
@@ -15,10 +17,11 @@ import bpy  # noqa: E402
 from mathutils import kdtree  # noqa: E402
 
 TOLERANCE = 1e-5
+SCRATCH = tempfile.mkdtemp()
 
 
 def without_clips(path):
-    """A copy of the file beside it that has no animations, because Blender shows a moment of the first one. None: it has none."""
+    """A copy of the file that has no animations, because Blender shows a moment of the first one. None: it has none."""
     with open(path, 'rb') as f:
         data = f.read()
     binary = data[:4] == b'glTF'
@@ -31,7 +34,8 @@ def without_clips(path):
     text += b' ' * (-len(text) % 4)
     if binary:
         text = struct.pack('<4sIIII', b'glTF', 2, 20 + len(text) + len(data) - end, len(text), 0x4e4f534a) + text + data[end:]
-    copy = os.path.join(os.path.dirname(path), 'still.' + os.path.basename(path))
+    # A .gltf has its files beside it.
+    copy = os.path.join(SCRATCH if binary else os.path.dirname(path), 'still.' + os.path.basename(path))
     with open(copy, 'wb') as f:
         f.write(text)
     return copy
@@ -164,6 +168,7 @@ def main():
         good = good and bool(models)
         for model in models:
             good = check(folder, model) and good
+    shutil.rmtree(SCRATCH)
     sys.stdout.flush()
     os._exit(0 if good else 1)
 

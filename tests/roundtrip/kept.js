@@ -11,6 +11,9 @@ const { faultsOf } = require('./rules.js');
 
 const [penpose, from, folder] = process.argv.slice(2).map((one) => (one === '-' ? one : path.resolve(one)));
 
+/// Files of the shared data that hold no model, or a stream that is none.
+const k_no_models = /^(not_a_model_called_damaged\.|draco_called_damaged\.draco$)/;
+
 function main() {
   fs.rmSync(folder, { recursive: true, force: true });
   fs.mkdirSync(path.join(folder, 'read'), { recursive: true });
@@ -23,6 +26,7 @@ function main() {
         run(penpose, 'info', model.file, '--json');
       } catch (error) {
         console.log(`${model.name}: is not read: ${error.message.split('\n')[0]}`);
+        good = good && k_no_models.test(model.name);
         continue;
       }
     }

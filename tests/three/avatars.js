@@ -52,12 +52,13 @@ async function checkExpressions(page, model, output, known) {
   }
 }
 
-async function checkMotion(page, model, name, motion) {
+/// Plays a motion on the avatar, or on `output`, which was made of it.
+async function checkMotion(page, model, name, motion, output = model) {
   const clip = path.join(folder, `${model.name}.${name}.clip.glb`);
   run(penpose, 'animate', model.file, '--track', motion, '-o', clip);
   run(writePositions, clip, `${clip}.json`);
   const wanted = JSON.parse(fs.readFileSync(`${clip}.json`));
-  await page.evaluate((url) => window.openAvatar(url), addressOf(model.file));
+  await page.evaluate((url) => window.openAvatar(url), addressOf(output.file));
   const seconds = await page.evaluate((url) => window.openMotion(url), addressOf(motion));
   let off = 0;
   let flat = 0;
@@ -67,7 +68,7 @@ async function checkMotion(page, model, name, motion) {
     flat = Math.max(flat, found.flat);
   }
   tell(off <= k_off * k_height && flat > 0.1 && Math.abs(seconds - 1) < 1e-6,
-       `${model.name}: ${name} at ${wanted.times.length} times: vertices off by ${off.toExponential(1)} m (still ${flat.toExponential(1)})`);
+       `${path.basename(output.file)}: ${name} at ${wanted.times.length} times: vertices off by ${off.toExponential(1)} m (still ${flat.toExponential(1)})`);
   return clip;
 }
 
@@ -91,6 +92,7 @@ async function check(page, model) {
   }
   const from = path.join(samples, 'read', 'motion.vrma');
   const clip = await checkMotion(page, model, 'motion', from);
+  for (const output of model.outputs.filter((one) => one.atRest || one.kind !== 'posed')) await checkMotion(page, model, 'motion', from, output);
   const written = path.join(folder, `${model.name}.written.vrma`);
   run(penpose, 'convert', clip, written);
   await checkMotion(page, model, 'written', written);
