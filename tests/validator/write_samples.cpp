@@ -12,7 +12,9 @@
 #include "tests/support/models/figure_sample.h"
 #include "tests/support/models/gltf_sample.h"
 #include "tests/support/models/model_samples.h"
+#include "tests/support/models/packed_trunk.h"
 #include "tests/support/models/sketched_models.h"
+#include "tests/support/models/textured_trunk.h"
 #include "tests/support/models/whole_avatar.h"
 #include "tests/support/shared_data.h"
 
@@ -43,17 +45,13 @@ bool write_motion(const std::filesystem::path& path) {
   return file.good();
 }
 
-/// An avatar as it was read and as it is saved with a sketched control, in a pose of its face and of all its joints.
-bool write_avatar(const std::filesystem::path& folder, int version) {
-  const std::string name = "avatar" + std::to_string(version) + ".vrm";
-  const auto bytes = tests::whole_avatar(version).glb();
+/// A file as it was read and as it is saved with a sketched control and a pose.
+bool write_drawn_on(const std::filesystem::path& folder, const std::string& name, tests::GltfSample sample) {
+  const auto bytes = sample.glb();
   std::filesystem::create_directories(folder / "read");
   std::ofstream(folder / "read" / name, std::ios::binary)
       .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  document::Model model = io::read_model(bytes, "avatar.glb").value();
-  const auto deformer =
-      articulation::build_deformer(tests::make_trunk().curl(), *document::make_canvas(model).value()).value();
-  model = document::with_deformers(std::move(model), articulation::SketchedDeformers::make({deformer}).value()).value();
+  document::Model model = tests::with_curl(io::read_model(bytes, "sample.glb").value());
   for (std::size_t i = 0; i < model.pose.size(); ++i) model.pose[i] = 0.1 * static_cast<double>(1 + i % 5);
   return write(folder / name, model);
 }
@@ -92,7 +90,12 @@ int main(int argc, char** argv) {
   good = write(folder / "patched_morph.glb", patched(tests::morph_sample().read().value())) && good;
   good = write(folder / "patched_skin.glb", patched(tests::skin_sample().read().value())) && good;
   good = write(folder / "patched_full.glb", patched(tests::full_model())) && good;
-  good = write_avatar(folder, 0) && write_avatar(folder, 1) && good;
+  good = write_drawn_on(folder, "avatar0.vrm", tests::whole_avatar(0)) && good;
+  good = write_drawn_on(folder, "avatar1.vrm", tests::whole_avatar(1)) && good;
+  good = write_drawn_on(folder, "drawn_textured.glb", tests::textured_trunk()) && good;
+  good = write_drawn_on(folder, "drawn_shared.glb", tests::twin_trunks()) && good;
+  good = write_drawn_on(folder, "drawn_quantised.glb", tests::quantised_trunk()) && good;
+  good = write_drawn_on(folder, "drawn_draco.glb", tests::packed_trunk(1, 14)) && good;
   good = write_motion(folder / "motion.vrma") && good;
   if (!tests::has_shared()) return good ? 0 : 1;
   for (const auto& entry : std::filesystem::directory_iterator(tests::shared_dir() / "meshes")) {

@@ -34,5 +34,19 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const auto posed = io::write_glb(*model);
   if (posed && !io::read_gltf(*posed)) std::abort();
+  // The file with a target more for all of its meshes.
+  std::vector<rig::BlendShape> shapes;
+  if (model->shapes) shapes.assign(model->shapes->shapes().begin(), model->shapes->shapes().end());
+  rig::BlendShape& made = shapes.emplace_back();
+  made.parameter.name = "made by the fuzzer";
+  for (std::uint32_t v = 0; v < model->mesh->vertex_count(); ++v) {
+    made.vertices.push_back(v);
+    made.deltas.push_back({0, 0.5F, 0});
+  }
+  auto all = rig::BlendShapes::make(std::move(shapes), model->mesh->vertex_count());
+  if (!all) return 0;
+  const auto more = document::with_controls(std::move(model).value(), std::move(all).value(), nullptr);
+  const auto written = more ? io::write_glb(*more) : base::Result<std::vector<std::uint8_t>>(more.error());
+  if (written && !io::read_gltf(*written)) std::abort();
   return 0;
 }

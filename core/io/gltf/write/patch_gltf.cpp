@@ -61,9 +61,9 @@ base::Result<PatchedGltf> patch_gltf(const document::Model& model, const WriteOp
       !(model.skeleton && carries_the_rest(*model.skeleton, source.skeleton.get())))
     return cannot("its joints are others");
   auto opened = open_gltf(source.bytes, resolver_of(source));
-  if (!opened) return cannot(opened.error().what);
+  if (!opened) return opened.error();
   const auto root = read_root_extras(opened->json);
-  if (!root) return cannot(root.error().what);
+  if (!root) return root.error();
 
   const GlbTargets morphs(model, options.bake_tolerance);
   PatchTargets targets(model, morphs, *opened, *root);

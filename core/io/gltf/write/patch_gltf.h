@@ -17,12 +17,15 @@ enum class GltfContainer : bool { binary, text };
 struct PatchedGltf {
   std::vector<std::uint8_t> bytes;
   WriteReport report;
-  std::string cannot;  ///< why the file cannot be changed to hold this model; then it has no bytes. Empty: it can
+  /// Why the model is no longer that of the file, whose surface or joints others have replaced; then there are no
+  /// bytes. Empty: it is.
+  std::string cannot;
 };
 
 /// The file that a model was read from (Model::source, not null) with what was changed: weights, rotations of joints,
 /// morph targets with their names and columns of keys, animations, own extras. All else keeps its bytes, its order and
-/// its number; what is new is appended. Without a change it is the file itself. Reads back with the model's
+/// its number; what is new is appended. Joints of a VRM avatar stay in T-pose, and their pose is in own extras alone.
+/// Without a change it is the file itself. Reads back with the model's
 /// document::state_hash.
 ///
 /// Morph targets that were made for sketched controls get normals where the primitive has some, and tangents where it

@@ -162,18 +162,22 @@ void PatchColumns::fit_samplers(const MeshTargets& mesh) {
   for (std::size_t a = 0; a < animations.size(); ++a) {
     json::Json& channels = animations[a]["channels"];
     json::Json& samplers = animations[a]["samplers"];
+    std::map<std::size_t, std::size_t> fitted;  // samplers, and those that they have become
     for (std::size_t c = 0; c < channels.size(); ++c) {
-      json::Json& channel = channels[c];
-      if (!moves_weights_of(channel, mesh.node)) continue;
-      const auto sampler = channel["sampler"].get<std::size_t>();
-      const bool shared = std::any_of(channels.begin(), channels.end(), [&](const json::Json& other) {
-        return !moves_weights_of(other, mesh.node) && other["sampler"].get<std::size_t>() == sampler;
-      });
-      if (shared) {
-        samplers.push_back(json::Json(samplers[sampler]));
-        channel["sampler"] = samplers.size() - 1;
+      if (!moves_weights_of(channels[c], mesh.node)) continue;
+      const auto sampler = channels[c]["sampler"].get<std::size_t>();
+      const auto [now, is_new] = fitted.try_emplace(sampler, sampler);
+      if (is_new) {
+        const bool shared = std::any_of(channels.begin(), channels.end(), [&](const json::Json& other) {
+          return !moves_weights_of(other, mesh.node) && other["sampler"].get<std::size_t>() == sampler;
+        });
+        if (shared) {
+          samplers.push_back(json::Json(samplers[sampler]));
+          now->second = samplers.size() - 1;
+        }
+        fit_sampler(mesh, samplers[now->second], outputs);
       }
-      fit_sampler(mesh, samplers[channel["sampler"].get<std::size_t>()], outputs);
+      channels[c]["sampler"] = now->second;
     }
   }
 }

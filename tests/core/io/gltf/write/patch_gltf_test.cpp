@@ -6,6 +6,7 @@
 #include "core/io/gltf/read/read_gltf.h"
 #include "core/io/project/read_document.h"
 #include "core/io/project/write_document.h"
+#include "tests/support/file_parts.h"
 #include "tests/support/models/textured_trunk.h"
 #include "tests/support/shared_data.h"
 

@@ -4,6 +4,7 @@
 
 #include "core/io/project/read_document.h"
 #include "core/io/project/write_document.h"
+#include "tests/support/file_parts.h"
 #include "tests/support/models/textured_trunk.h"
 
 namespace penpose::io {
@@ -12,23 +13,13 @@ namespace {
 using SharedBytes = std::vector<std::uint8_t>;
 using SharedJson = nlohmann::json;
 
-/// The trunk, and a second node far away that shows the same mesh.
-tests::GltfSample twins() {
-  tests::GltfSample sample = tests::textured_trunk();
-  sample.add("nodes", {{"name", "twin"}, {"mesh", 0}, {"translation", {50, 0, 0}}});
-  sample.json["nodes"][0]["children"] = {1, 2, 3};
-  auto& up = sample.json["animations"][0];
-  up["channels"].push_back({{"sampler", 0}, {"target", {{"node", 3}, {"path", "weights"}}}});
-  return sample;
-}
-
 std::size_t count_of(const SharedJson& json, const SharedJson& channel, std::size_t animation) {
   const SharedJson& sampler = json["animations"][animation]["samplers"][channel["sampler"].get<std::size_t>()];
   return json["accessors"][sampler["output"].get<std::size_t>()]["count"];
 }
 
 TEST(SharedMesh, ANodeThatNeedsAnotherTargetGetsACopyAndTheOtherKeepsItsMesh) {
-  const SharedBytes bytes = twins().glb();
+  const SharedBytes bytes = tests::twin_trunks().glb();
   document::Model model = tests::with_curl(tests::read_glb(bytes));
   model.pose[1] = 0.5;
   WriteReport report;
@@ -58,7 +49,7 @@ TEST(SharedMesh, ANodeThatNeedsAnotherTargetGetsACopyAndTheOtherKeepsItsMesh) {
 }
 
 TEST(SharedMesh, ItReadsBackAsItWasAndGoesOnBeingTheFile) {
-  document::Model model = tests::with_curl(tests::read_glb(twins().glb()));
+  document::Model model = tests::with_curl(tests::read_glb(tests::twin_trunks().glb()));
   model.pose[1] = 0.5;
   const SharedBytes written = write_glb(model).value();
   const document::Model again = tests::read_glb(written);
@@ -73,7 +64,7 @@ TEST(SharedMesh, ItReadsBackAsItWasAndGoesOnBeingTheFile) {
 }
 
 TEST(SharedMesh, TheFirstOfThreeKeepsItsPlaceInAProject) {
-  tests::GltfSample sample = twins();
+  tests::GltfSample sample = tests::twin_trunks();
   sample.add("nodes", {{"name", "third"}, {"mesh", 0}, {"translation", {0, 50, 0}}});
   sample.json["nodes"][0]["children"].push_back(4);
   document::Document document = document::make_document(tests::with_curl(sample.read().value()));
@@ -86,7 +77,7 @@ TEST(SharedMesh, TheFirstOfThreeKeepsItsPlaceInAProject) {
 }
 
 TEST(SharedMesh, TargetsWithoutNamesStayThoseOfTheirNode) {
-  tests::GltfSample sample = twins();
+  tests::GltfSample sample = tests::twin_trunks();
   sample.json["meshes"][0]["extras"].erase("targetNames");
   sample.json.erase("animations");  // weights that a clip does not move are those of the pose
   document::Model model = tests::with_curl(sample.read().value());

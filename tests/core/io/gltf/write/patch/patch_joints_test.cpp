@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/document/time/animation_building.h"
+#include "tests/support/file_parts.h"
 #include "tests/support/models/textured_trunk.h"
 
 namespace penpose::io {

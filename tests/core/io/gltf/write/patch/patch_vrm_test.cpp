@@ -4,8 +4,10 @@
 
 #include "core/io/project/read_document.h"
 #include "core/io/project/write_document.h"
+#include "tests/support/file_parts.h"
 #include "tests/support/models/figure_sample.h"
 #include "tests/support/models/textured_trunk.h"
+#include "tests/support/models/whole_avatar.h"
 
 namespace penpose::io {
 namespace {
@@ -109,6 +111,21 @@ TEST(PatchVrm, APosedAvatarKeepsItsTPoseInTheFileAndItsPoseForPenpose) {
     EXPECT_EQ(again.pose, model.pose);
     EXPECT_EQ(document::state_hash(again), document::state_hash(model));
     EXPECT_EQ(write_glb(again).value(), written);
+  }
+}
+
+/// Binary expressions, what they override, spring bones, first person, look-at and metadata are not penpose's to
+/// change.
+TEST(PatchVrm, WhatAnAvatarSaysStaysWithADrawnControlAndAPose) {
+  for (const int version : {0, 1}) {
+    tests::GltfSample sample = tests::whole_avatar(version);
+    document::Model model = tests::with_curl(sample.read().value());
+    ASSERT_EQ(model.shapes->shapes().size(), 1U) << "expressions are no controls";
+    EXPECT_FALSE(model.expressions.empty());
+    for (double& value : model.pose) value = 0.25;
+    const VrmJson json = json_of(model);
+    EXPECT_EQ(json["extensions"], sample.json["extensions"]);
+    EXPECT_EQ(json["extensionsUsed"], sample.json["extensionsUsed"]);
   }
 }
 

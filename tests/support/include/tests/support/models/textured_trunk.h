@@ -1,61 +1,15 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
-#include <gtest/gtest.h>
 #include <string>
 #include <vector>
 
-#include "core/io/gltf/read/read_gltf.h"
+#include "tests/support/models/bounded_points.h"
 #include "tests/support/models/gltf_sample.h"
 #include "tests/support/models/sketched_models.h"
 
 namespace penpose::tests {
-
-/// A .glb file taken apart by other code than that which is tested.
-struct FileParts {
-  nlohmann::json json;
-  std::vector<std::uint8_t> binary;
-};
-inline FileParts parts_of(const std::vector<std::uint8_t>& bytes) {
-  const auto word = [&](std::size_t at) {
-    return bytes[at] | (bytes[at + 1] << 8) | (bytes[at + 2] << 16) | (static_cast<std::size_t>(bytes[at + 3]) << 24);
-  };
-  const auto at = [&](std::size_t i) { return bytes.begin() + static_cast<std::ptrdiff_t>(i); };
-  const std::size_t length = word(12);
-  FileParts parts{nlohmann::json::parse(at(20), at(20 + length)), {}};
-  if (bytes.size() > 20 + length) parts.binary.assign(at(28 + length), bytes.end());
-  return parts;
-}
-
-/// That `now` has all of `was`: members and entries are equal, lists and the buffer may go on. `but`: pointers whose
-/// values may differ.
-inline void expect_kept(const nlohmann::json& was, const nlohmann::json& now,
-                        const std::vector<std::string>& but = {}) {
-  const nlohmann::json flat = was.flatten();
-  for (const auto& [pointer, value] : flat.items()) {
-    bool differs = pointer == "/buffers/0/byteLength";
-    for (const std::string& one : but) differs = differs || pointer.starts_with(one);
-    if (differs) continue;
-    const nlohmann::json::json_pointer at(pointer);
-    ASSERT_TRUE(now.contains(at)) << pointer << " is gone";
-    const nlohmann::json& whole = was[at];
-    if (whole.empty() && !whole.is_null()) {
-      EXPECT_EQ(now[at].type(), whole.type()) << pointer;
-    } else {
-      EXPECT_EQ(now[at], value) << pointer;
-    }
-  }
-}
-inline void expect_kept(const std::vector<std::uint8_t>& was, const std::vector<std::uint8_t>& now,
-                        const std::vector<std::string>& but = {}) {
-  const FileParts before = parts_of(was);
-  const FileParts after = parts_of(now);
-  expect_kept(before.json, after.json, but);
-  const std::size_t length = before.json["buffers"][0]["byteLength"];
-  ASSERT_GE(after.binary.size(), length);
-  EXPECT_TRUE(std::equal(before.binary.begin(), before.binary.begin() + static_cast<std::ptrdiff_t>(length),
-                         after.binary.begin()));
-}
 
 /// A trunk of an avatar: textured, with tangents, two sets of texture coordinates, colours, a target, two clips, and
 /// things that nobody knows.
@@ -82,7 +36,7 @@ inline GltfSample textured_trunk() {
   lift[2] = 0.5F;
   const std::vector<float> uv(2 * count, 0.25F);
   const nlohmann::json attributes = {
-      {"POSITION", sample.add_vec3(positions)},
+      {"POSITION", add_points(sample, positions)},
       {"NORMAL", sample.add_vec3(normals)},
       {"TANGENT", sample.add_accessor(tangents, "VEC4", 4, 5126)},
       {"TEXCOORD_0", sample.add_accessor(uv, "VEC2", 2, 5126)},
@@ -94,7 +48,7 @@ inline GltfSample textured_trunk() {
                          {{{"attributes", attributes},
                            {"indices", sample.add_corners(corners)},
                            {"material", 0},
-                           {"targets", {{{"POSITION", sample.add_vec3(lift)}}}},
+                           {"targets", {{{"POSITION", add_points(sample, lift)}}}},
                            {"extensions", {{"ACME_hair", {{"strands", 12}}}}}}}},
                         {"weights", {0.125}},
                         {"extras", {{"targetNames", {"lift"}}, {"acme", "mine"}}}});
@@ -135,10 +89,37 @@ inline GltfSample textured_trunk() {
   return sample;
 }
 
-inline document::Model read_glb(const std::vector<std::uint8_t>& bytes) {
-  auto model = io::read_gltf(bytes);
-  EXPECT_TRUE(model.ok()) << model.error().line();
-  return std::move(model).value();
+/// The same, and a second node far away that shows the same mesh; the first clip moves both by one sampler.
+inline GltfSample twin_trunks() {
+  GltfSample sample = textured_trunk();
+  sample.add("nodes", {{"name", "twin"}, {"mesh", 0}, {"translation", {50, 0, 0}}});
+  sample.json["nodes"][0]["children"] = {1, 2, 3};
+  auto& up = sample.json["animations"][0];
+  up["channels"].push_back({{"sampler", 0}, {"target", {{"node", 3}, {"path", "weights"}}}});
+  return sample;
+}
+
+/// The same trunk with positions of 16 bits, 4096 steps a metre.
+inline GltfSample quantised_trunk() {
+  GltfSample sample = textured_trunk();
+  const Trunk trunk = make_trunk();
+  std::vector<std::int16_t> places;
+  for (const auto& p : trunk.canvas->positions()) {
+    for (int axis = 0; axis < 3; ++axis) places.push_back(static_cast<std::int16_t>(std::lround(p[axis] * 4096)));
+    places.push_back(0);
+  }
+  const std::size_t view = sample.add_view(places);
+  sample.json["bufferViews"][view]["byteStride"] = 8;
+  auto& primitive = sample.json["meshes"][0]["primitives"][0];
+  auto& positions = sample.json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
+  positions["bufferView"] = view;
+  positions["componentType"] = 5122;
+  positions.erase("min");
+  positions.erase("max");
+  sample.json["nodes"][1]["scale"] = {1.0 / 4096, 1.0 / 4096, 1.0 / 4096};
+  sample.json["extensionsUsed"].push_back("KHR_mesh_quantization");
+  sample.json["extensionsRequired"] = {"KHR_mesh_quantization"};
+  return sample;
 }
 
 /// With a sketched control, "curl".

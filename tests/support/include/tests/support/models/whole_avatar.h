@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/models/bounded_points.h"
 #include "tests/support/models/gltf_sample.h"
 #include "tests/support/models/sketched_models.h"
 
@@ -130,17 +131,6 @@ inline GltfSample whole_avatar(int version) {
   }
   std::vector<float> lift(3 * count, 0.0F);
   lift[2] = 0.5F;
-  const auto with_bounds = [&](std::size_t accessor, const std::vector<float>& numbers) {
-    std::array<float, 3> least{numbers[0], numbers[1], numbers[2]};
-    std::array<float, 3> most = least;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      least[i % 3] = std::min(least[i % 3], numbers[i]);
-      most[i % 3] = std::max(most[i % 3], numbers[i]);
-    }
-    sample.json["accessors"][accessor]["min"] = least;
-    sample.json["accessors"][accessor]["max"] = most;
-    return accessor;
-  };
   std::vector<std::uint8_t> joints(4 * count, 0);
   std::vector<float> weights(4 * count, 0.0F);
   for (std::size_t v = 0; v < count; ++v) {
@@ -167,12 +157,12 @@ inline GltfSample whole_avatar(int version) {
   sample.add("meshes", {{"name", "face"},
                         {"primitives",
                          {{{"attributes",
-                            {{"POSITION", with_bounds(sample.add_vec3(positions), positions)},
+                            {{"POSITION", add_points(sample, positions)},
                              {"JOINTS_0", sample.add_accessor(joints, "VEC4", 4, 5121)},
                              {"WEIGHTS_0", sample.add_accessor(weights, "VEC4", 4, 5126)}}},
                            {"indices", sample.add_corners(corners)},
                            {"material", 0},
-                           {"targets", {{{"POSITION", with_bounds(sample.add_vec3(lift), lift)}}}}}}},
+                           {"targets", {{{"POSITION", add_points(sample, lift)}}}}}}},
                         {"extras", {{"targetNames", {"lift"}}}}});
   sample.add("materials", {{"name", "skin"}});
   sample.add("skins", {{"joints", listed}, {"inverseBindMatrices", sample.add_accessor(binds, "MAT4", 16, 5126)}});
