@@ -114,8 +114,6 @@ function trackOf(names) {
   return `Timecode,BlendShapeCount,${names.join(',')}\n${rows.join('\n')}\n`;
 }
 
-/// Whether the nodes of an avatar stay in T-pose when its joints are posed, so that other programs take it for the same avatar.
-const k_avatars_stay_at_rest = false;
 const isTurn = (control) => /\.r[xyz]$/.test(control);
 
 /// Runs the program on a model. Returns [{kind, file, from, values or control or names, places}, ...]: what was written, from
@@ -130,7 +128,7 @@ function makeOutputs(penpose, model, folder) {
     fs.mkdirSync(into, { recursive: true });
     return path.join(into, `${model.name}.${kind}.${end}`);
   };
-  const atRest = model.avatar && k_avatars_stay_at_rest;
+  const atRest = model.avatar === true; // its nodes stay in T-pose, so that other programs take it for the same avatar
   const placesOf = (file) => { // of its vertices, as the program has them with the joints as they are in the file
     const turns = Object.keys(model.set || {}).filter((name) => atRest && isTurn(name));
     run(penpose, 'convert', file, ...turns.flatMap((name) => ['--set', `${name}=0`]), `${file}.obj`);

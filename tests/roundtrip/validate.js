@@ -1,10 +1,11 @@
 // node validate.js MODULE_FOLDER FOLDER: the glTF validator of the Khronos Group finds nothing in the outputs of kept.js that it did
-// not find in their inputs. Prints a line a file; exit status 1 if it does, or if there is no output.
+// not find in their inputs; avatars are avatars by VRM's rules, in the T-pose that they had. Prints a line a file; exit status 1 if it does, or if there is no output.
 'use strict';
 
 const fs = require('fs');
 const path = require('path');
 const { validatorIn, newMessages } = require('../validator/messages.js');
+const { avatarFaults } = require('../validator/vrm_rules.js');
 
 const [moduleFolder, folder] = process.argv.slice(2);
 
@@ -14,7 +15,10 @@ async function main() {
   let bad = list.length === 0;
   for (const model of list) {
     for (const output of model.outputs) {
-      bad = (await newMessages(messagesOf, path.basename(output.file), output.file, output.from || model.file)).length > 0 || bad;
+      const messages = await newMessages(messagesOf, path.basename(output.file), output.file, output.from || model.file);
+      const faults = model.avatar ? avatarFaults(output.file, model.file) : [];
+      for (const fault of faults) console.log(`  VRM: ${fault}`);
+      bad = bad || messages.length + faults.length > 0;
     }
   }
   process.exitCode = bad ? 1 : 0;

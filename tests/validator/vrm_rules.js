@@ -1,7 +1,9 @@
 // What the specifications of VRM 0.x and 1.0 ask of an avatar, and UniVRM of a file that it loads, as far as it is said by the JSON
-// of the file: faultsOf(document) lists what is wrong, one line each. tPoseFaults(before, after): nodes that rest otherwise, for
-// whoever loads an avatar takes its nodes for the T-pose.
+// of the file: faultsOf(document) lists what is wrong, one line each; tPoseFaults(before, after) nodes that rest otherwise, for whoever
+// loads an avatar takes its nodes for the T-pose; avatarFaults(file, before) both.
 'use strict';
+
+const fs = require('fs');
 
 const required = ['hips', 'spine', 'head', ...['left', 'right'].flatMap((side) =>
   ['UpperLeg', 'LowerLeg', 'Foot', 'UpperArm', 'LowerArm', 'Hand'].map((part) => side + part))];
@@ -153,4 +155,12 @@ function documentOf(bytes) {
   return JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString('utf8'));
 }
 
-module.exports = { faultsOf, tPoseFaults, documentOf };
+/// What VRM's rules find in an avatar, and where its T-pose is no longer that of the file from which it was read.
+function avatarFaults(file, before) {
+  if (!file.endsWith('.vrm')) return [];
+  const document = documentOf(fs.readFileSync(file));
+  const rest = fs.existsSync(before) ? tPoseFaults(documentOf(fs.readFileSync(before)), document) : [];
+  return [...faultsOf(document), ...rest];
+}
+
+module.exports = { avatarFaults, faultsOf, tPoseFaults, documentOf };

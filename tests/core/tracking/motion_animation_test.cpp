@@ -185,7 +185,6 @@ TEST(MotionAnimation, AShapeThatNothingDrivesStaysAsTheFileHasIt) {
     const auto map = io::read_bundled_map(*read.format).value();
     AnimateOptions options;
     options.apply_head = true;
-    options.humanoid = io::read_gltf_humanoid(avatar).value();
     const auto done = animate(document, std::move(read.track), map, options);
     ASSERT_TRUE(done) << done.error().line();
     EXPECT_EQ(done->document.pose[0], 0.25);
