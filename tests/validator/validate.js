@@ -1,23 +1,15 @@
 // node validate.js MODULE_FOLDER FOLDER: runs the glTF validator of the Khronos Group over every .glb, .vrma and .vrm in FOLDER, and the
-// rules of VRM (vrm_rules.js) over every .vrm. Prints what
-// it has to say about each; fails on any error or warning, and when there is no file. What it says of FOLDER/read/NAME, from which
-// NAME was read, is no fault of NAME: a file that was read is kept as it was.
+// rules of VRM (vrm_rules.js) over every .vrm. Prints what they have to say about each; fails on any error or warning, and when there
+// is no file. What the validator says of FOLDER/read/NAME, from which NAME was read, is no fault of NAME: a file that was read is
+// kept as it was.
 'use strict';
 
 const fs = require('fs');
 const path = require('path');
 const { validatorIn, newMessages } = require('./messages.js');
+const { avatarFaults } = require('./vrm_rules.js');
 
 const [moduleFolder, folder] = process.argv.slice(2);
-const { faultsOf, tPoseFaults, documentOf } = require('./vrm_rules.js');
-
-/// What VRM's rules find in an avatar, and where its T-pose is no longer that of the file from which it was read.
-function avatarFaults(file, before) {
-  if (!file.endsWith('.vrm')) return [];
-  const document = documentOf(fs.readFileSync(file));
-  const rest = fs.existsSync(before) ? tPoseFaults(documentOf(fs.readFileSync(before)), document) : [];
-  return [...faultsOf(document), ...rest];
-}
 
 async function main() {
   const messagesOf = validatorIn(moduleFolder);
