@@ -5,16 +5,35 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace penpose::document {
+
+/// Bytes that stay as long as somebody has them: a vector, or some of what it holds.
+class KeptBytes {
+ public:
+  using Owner = std::shared_ptr<const std::vector<std::uint8_t>>;
+
+  KeptBytes() = default;
+  KeptBytes(Owner owner) : owner_(std::move(owner)), view_(*owner_) {}
+  /// `view` is of what `owner` holds.
+  KeptBytes(Owner owner, std::span<const std::uint8_t> view) : owner_(std::move(owner)), view_(view) {}
+
+  [[nodiscard]] std::span<const std::uint8_t> view() const { return view_; }
+
+ private:
+  Owner owner_;
+  std::span<const std::uint8_t> view_;
+};
 
 /// A picture of a model's surface, encoded as it was in the file.
 struct Image {
   std::string name;
   std::string mime_type;  ///< "image/png", "image/jpeg", "image/webp", "image/ktx2" or what the file says
-  std::shared_ptr<const std::vector<std::uint8_t>> bytes;
+  KeptBytes bytes;
   std::uint32_t width = 0, height = 0;  ///< px, as its head says; 0: not known
 };
 
@@ -50,6 +69,10 @@ struct Look {
   std::vector<std::uint32_t> surface_of;                         ///< one a triangle of the mesh
   std::array<std::vector<std::array<float, 2>>, 2> coordinates;  ///< one a vertex of the mesh; empty: none
   std::vector<std::array<float, 4>> colors;                      ///< linear RGBA, one a vertex; empty: none
+  std::vector<std::string> undrawn;                              ///< textures that cannot be drawn: "NAME (why)"
 };
+
+/// The one line that tells of textures which cannot be drawn, each "NAME (why)"; empty where there are none.
+[[nodiscard]] std::string undrawn_note(std::span<const std::string> undrawn);
 
 }  // namespace penpose::document

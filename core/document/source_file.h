@@ -30,7 +30,7 @@ struct SourceFile {
     base::Hash128 hash;  ///< of its channels
   };
 
-  std::vector<std::uint8_t> bytes;                         ///< as they were read: .glb or .gltf
+  std::shared_ptr<const std::vector<std::uint8_t>> bytes;  ///< as they were read: .glb or .gltf
   std::map<std::string, std::vector<std::uint8_t>> files;  ///< that lie beside it, by their relative paths
   std::vector<Part> parts;                                 ///< one a part of the mesh
   std::vector<std::optional<std::size_t>> nodes;           ///< one a joint of the skeleton; none: a joint of no node

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "ui/app/session/workspace.h"
+#include "core/document/commands/command.h"
+#include "ui/app/session/editing_session.h"
 #include "ui/app/view/posed_surface.h"
 #include "ui/app/window/timings.h"
 #include "ui/files/load_model.h"
@@ -30,16 +31,16 @@ int measure(const std::string& path) {
     return 1;
   }
   std::int64_t now_us = 0;
-  Workspace workspace([&] { return now_us; }, [](const std::string&, bool) {});
-  workspace.open(std::move(*document), nullptr, path);
+  EditingSession editing([&] { return now_us; }, [](const std::string&, bool) {});
+  editing.open(std::move(*document), nullptr, path);
   PosedSurface surface;
-  surface.update(workspace.shown_model(), workspace.shown_pose());
+  surface.update(editing.shown().model(), editing.shown().pose());
   const geometry::Viewport window{1280, 800};
   const auto camera = render::frame_points(surface.positions(), window, {0, 0});
-  workspace.set_view({camera.pose(), window});
+  editing.set_view({camera.pose(), window});
   const auto report = [&](geometry::PxPoint at, bool tip) {
     now_us += 3333;
-    workspace.pen({at, 0.6, true, tip, false, false});
+    editing.input().pen({at, 0.6, true, tip, false, false});
   };
   // The mouth lies about three quarters down a face; where there is no surface the reference is refused and drawn
   // lower.
@@ -59,19 +60,19 @@ int measure(const std::string& path) {
       const auto start = Clock::now();
       const std::int64_t cpu_before = thread_cpu_us();
       report(at(i, 24), true);
-      workspace.follow_pen();
+      editing.shown().follow_pen();
       // A line that misses the model is no reference, and the next stroke draws none of its target.
-      if (!workspace.live().active()) continue;
+      if (!editing.shown().live().active()) continue;
       times.push_back(since_us(start));
       cpu.push_back(thread_cpu_us() - cpu_before);
       if (i == 150) ++strokes;
       const auto posed = Clock::now();
-      surface.update(workspace.shown_model(), workspace.shown_pose());
+      surface.update(editing.shown().model(), editing.shown().pose());
       surfaces.push_back(since_us(posed));
     }
     report(at(150, 24), false);
-    workspace.perform(document::ClearCurves{});
-    workspace.perform(document::ResetParameters{});
+    editing.perform(document::ClearCurves{});
+    editing.perform(document::ResetParameters{});
   }
   std::printf("%s: %zu reports of %zu strokes while a target is drawn\n", path.c_str(), times.size(), strokes);
   std::printf("report to pose    median %lld us, p99 %lld us, worst %lld us\n",

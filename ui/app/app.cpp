@@ -38,6 +38,7 @@ App::App(AppOptions options)
       tool_({editing_, controls_, panels_, playback_, performer_}),
       curves_({editing_, canvas_, controls_, panels_, performer_, notices_, tool_}),
       tour_({editing_, canvas_, playback_, panels_, player_, files_, actions_}),
+      undrawn_(notices_),
       files_({options_.folders.state, options_.own_tablets, options_.program, options_.clock, editing_, recording_,
               player_, performer_, notices_, preferences_, dialogs_, tour_, [this] { show_anew(); }}),
       leaving_(editing_, files_, recording_, dialogs_, notices_),
@@ -57,7 +58,7 @@ App::App(AppOptions options)
                       place_, dials_, held_keys_, fingers_, pens_}),
       owners_(editing_, notices_, preferences_, recording_, player_, hits_, look_, drawing_, panels_, dialogs_,
               actions_, canvas_, controls_, playback_, keys_, performer_, film_, offer_, readings_, tool_, curves_,
-              tour_, files_, leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_) {
+              tour_, files_, leaving_, recovery_, desk_, bindings_, panel_input_, pointer_, tablet_events_, undrawn_) {
   // Before the first frame nobody knows where panels are.
   hits_.all = true;
   if (!recovery_.abandoned().empty()) {
@@ -80,6 +81,7 @@ void App::show_anew() {
   controls_.open_document();
   curves_.forget();
   canvas_.begin();
+  undrawn_.begin(*editing_.document().model);
   tablet_events_.plug_in_anew();
 }
 

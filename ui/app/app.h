@@ -7,6 +7,7 @@
 #include "ui/app/actions.h"
 #include "ui/app/canvas/canvas.h"
 #include "ui/app/canvas/curves_in_hand.h"
+#include "ui/app/canvas/undrawn_textures.h"
 #include "ui/app/controls/controls.h"
 #include "ui/app/dialogs/dialogs.h"
 #include "ui/app/dialogs/entries.h"
@@ -95,6 +96,7 @@ class App {
   ToolInHand tool_;
   CurvesInHand curves_;
   TourGuide tour_;
+  UndrawnTextures undrawn_;
   Files files_;
   Leaving leaving_;
   Recovery recovery_;
@@ -113,7 +115,7 @@ class App {
   std::tuple<EditingSession&, Notices&, Preferences&, Recording&, Player&, HitMap&, CanvasLook&, CanvasDrawing&,
              PanelState&, Dialogs&, Actions&, Canvas&, Controls&, Playback&, Keys&, Performer&, FilmWriter&,
              SuggestionOffer&, ReadingOffer&, ToolInHand&, CurvesInHand&, TourGuide&, Files&, Leaving&, Recovery&,
-             HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&>
+             HandDesk&, Bindings&, PanelInput&, Pointer&, TabletEvents&, UndrawnTextures&>
       owners_;
   std::int64_t last_frame_us_ = 0;
   bool laid_out_ = false;

@@ -8,6 +8,7 @@
 #include <new>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "ui/app/view/drawable_size.h"
 #include "ui/app/view/picture.h"
@@ -56,6 +57,7 @@ struct DrawThread::State {
   bool refining = false;
   std::vector<std::int64_t> times_us;
   std::optional<geometry::Viewport> drawable;
+  Undrawn undrawn;
 
   /// Waits until the job before is done, and gives the next.
   void give(Job next) {
@@ -119,6 +121,8 @@ struct DrawThread::State {
       }
       const std::int64_t took = thread_cpu_us() - before;
       std::optional<geometry::Viewport> size;
+      Undrawn undrawn_now;
+      if (now == Job::frame && result) undrawn_now = {frame.model->look, picture->take_undrawn()};
       if (now == Job::frame && result) {
         SDL_GL_SwapWindow(window);
         size = drawable_size();
@@ -131,6 +135,7 @@ struct DrawThread::State {
           times_us.push_back(took);
           drawable = size;
           refining = picture->refining();
+          if (!undrawn_now.names.empty()) undrawn = std::move(undrawn_now);
         }
         changed.notify_all();
       }
@@ -182,6 +187,11 @@ void DrawThread::send_letters() {
 bool DrawThread::refining() const {
   const std::scoped_lock lock(state_->mutex);
   return state_->refining;
+}
+
+Undrawn DrawThread::take_undrawn() {
+  const std::scoped_lock lock(state_->mutex);
+  return std::exchange(state_->undrawn, {});
 }
 
 std::optional<geometry::Viewport> DrawThread::drawable() const {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/base/result.h"
@@ -12,6 +13,12 @@ struct SDL_Window;
 struct ImDrawData;
 
 namespace penpose::app {
+
+/// Textures of a look that could not be unpacked.
+struct Undrawn {
+  std::shared_ptr<const document::Look> look;
+  std::vector<std::string> names;
+};
 
 /// Draws frames into a window on a thread of its own, so that a picture, which takes a software renderer long, never
 /// holds up the pen. All calls from the thread that made it.
@@ -33,6 +40,8 @@ class DrawThread {
   void send_letters();
   /// Whether the same picture drawn again would be smoother.
   [[nodiscard]] bool refining() const;
+  /// Textures of this look that could not be unpacked (Look::undrawn); each is told once. Null look: none.
+  [[nodiscard]] Undrawn take_undrawn();
   /// The size that the window had when the last picture was drawn, where the system can be asked.
   [[nodiscard]] std::optional<geometry::Viewport> drawable() const;
   /// Why nothing is drawn any more.

@@ -18,6 +18,8 @@ class Picture {
   base::Status draw(const DrawFrame& frame);
   /// Whether the same picture drawn again would be smoother.
   [[nodiscard]] bool refining() const { return renderer_->refining(); }
+  /// Textures that could not be unpacked, as Look::undrawn; each is told once.
+  [[nodiscard]] std::vector<std::string> take_undrawn() { return renderer_->take_undrawn(); }
 
  private:
   explicit Picture(std::unique_ptr<render::Renderer> renderer) : renderer_(std::move(renderer)) {}

@@ -239,6 +239,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
   const CanvasLook& look = app.of<CanvasLook>();
   const Files& files = app.of<Files>();
   const EditingSession& editing = app.of<EditingSession>();
+  UndrawnTextures& undrawn_textures = app.of<UndrawnTextures>();
   const Player& player = app.of<Player>();
   Leaving& leaving = app.of<Leaving>();
   FrameMaker frames({editing, canvas, look, app.of<CanvasDrawing>(), app.of<Controls>(), app.of<Preferences>()});
@@ -284,6 +285,8 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     }
     status = thread.status();
     if (!status) break;
+    const Undrawn undrawn = thread.take_undrawn();
+    undrawn_textures.add(undrawn.look, undrawn.names);
     // The picture that was drawn last may have found the window larger or smaller.
     const auto drawable = thread.drawable();
     due = full_screen.settle(drawable, device::monotonic_us()) || (drawable && !(*drawable == canvas.window())) || due;

@@ -8,6 +8,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/text/closest_name.h"
+#include "core/document/look.h"
 #include "core/document/time/animation_sampling.h"
 #include "core/io/model/model_formats.h"
 #include "core/io/project/camera_file.h"
@@ -138,6 +139,14 @@ base::Result<geometry::Camera> make_camera(const Options& options, const documen
   return geometry::Camera::make(*pose, viewport);
 }
 
+/// Says what cannot be drawn: what the file's reader knows, and what came out when it was drawn.
+void warn_of_undrawn(const Options& options, const document::Model& model, render::Renderer& renderer) {
+  std::vector<std::string> undrawn = renderer.take_undrawn();
+  if (options.clay) return;
+  if (model.look) undrawn.insert(undrawn.begin(), model.look->undrawn.begin(), model.look->undrawn.end());
+  if (!undrawn.empty()) files::warn(document::undrawn_note(undrawn), options.model);
+}
+
 /// Draws the model as it is posed and writes the picture.
 int draw(const Options& options, const document::Model& model, render::Renderer& renderer,
          const render::Appearance& appearance, const geometry::Camera& camera, const std::string& output) {
@@ -155,7 +164,6 @@ int draw(const Options& options, const document::Model& model, render::Renderer&
   scene.clay = options.clay;
   const auto image = renderer.render(scene, camera);
   if (!image) return files::report(image.error(), options.model);
-  for (const std::string& note : renderer.take_notes()) files::warn(note, options.model);
   const auto png = render::encode_png(*image);
   if (!png) return files::report(png.error(), output);
   if (auto written = files::write_file(output, *png); !written) return files::report(written.error(), output);
@@ -237,7 +245,11 @@ int run_render(const Options& options) {
   render::AppearanceOptions look;
   look.recognise = !options.plain;
   const render::Appearance appearance = render::make_appearance(*first, look);
-  if (!options.frames) return draw(options, *first, **renderer, appearance, *camera, options.output);
+  if (!options.frames) {
+    const int status = draw(options, *first, **renderer, appearance, *camera, options.output);
+    if (status == k_success) warn_of_undrawn(options, *first, **renderer);
+    return status;
+  }
   const double duration = document::duration_s(model->animations.front());
   const double last = std::round(duration * options.fps);
   if (!(last < k_most_frames)) {
@@ -253,6 +265,7 @@ int run_render(const Options& options) {
     if (files.is_read(picture)) return files::report({"is read by this command", "-o", "choose another name"}, picture);
     const int status = draw(options, *moment, **renderer, appearance, *camera, picture);
     if (status != k_success) return status;
+    if (f == 0) warn_of_undrawn(options, *model, **renderer);
     progress.advance();
   }
   return k_success;

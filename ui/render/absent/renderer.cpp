@@ -18,7 +18,7 @@ struct Renderer::State {};
 bool Renderer::is_built_in() { return false; }
 base::Result<std::unique_ptr<Renderer>> Renderer::make_offscreen() { return no_pictures(); }
 Renderer::~Renderer() = default;
-std::vector<std::string> Renderer::take_notes() { return {}; }
+std::vector<std::string> Renderer::take_undrawn() { return {}; }
 base::Result<Image> Renderer::render(const Scene&, const geometry::Camera&) { return no_pictures(); }
 
 }  // namespace penpose::render

@@ -39,8 +39,8 @@ class MeshPass {
   base::Status upload(const Scene& scene);
   /// Puts translucent triangles with pictures into the order in which this view sees them, the farthest first.
   void order(const Scene& scene, const View& view);
-  /// Pictures that could not be read, one line each; each is told once.
-  [[nodiscard]] std::vector<std::string> take_notes() { return textures_.take_notes(); }
+  /// Pictures that could not be unpacked, as Textures tells them.
+  [[nodiscard]] std::vector<std::string> take_undrawn() { return textures_.take_undrawn(); }
   /// Opaque surfaces into the current framebuffer.
   void draw_opaque(const View& view, bool wireframe) const;
   void draw_translucent(const View& view) const;

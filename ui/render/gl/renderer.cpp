@@ -252,7 +252,7 @@ base::Status Renderer::draw(const Scene& scene, const geometry::Camera& camera, 
 
 void Renderer::set_behind(Behind behind) { state_->behind = std::move(behind); }
 void Renderer::set_smoothing(bool on) { state_->smooths = on; }
-std::vector<std::string> Renderer::take_notes() { return state_->mesh.take_notes(); }
+std::vector<std::string> Renderer::take_undrawn() { return state_->mesh.take_undrawn(); }
 bool Renderer::refining() const {
   const State& s = *state_;
   return s.smooths && s.still && s.targets.samples() == 0 && !s.occlude && s.passes < k_most_passes;

@@ -42,8 +42,9 @@ class Renderer {
   /// With one sample a pixel: pictures of what does not change are averaged, each moved by a part of a px, so that
   /// edges are smooth a few pictures after the last change.
   void set_smoothing(bool on);
-  /// Pictures of models that could not be read and so were drawn grey, one line each; each is told once.
-  [[nodiscard]] std::vector<std::string> take_notes();
+  /// Pictures of models that could not be unpacked and so were drawn grey, "NAME (why)" as Look::undrawn; each is told
+  /// once.
+  [[nodiscard]] std::vector<std::string> take_undrawn();
   /// Whether the next picture of the same scene would be smoother.
   [[nodiscard]] bool refining() const;
   /// Name and version of the driver, for messages.

@@ -85,7 +85,7 @@ Textures::~Textures() { clear(); }
 Textures::Textures(Textures&& other) noexcept { *this = std::move(other); }
 Textures& Textures::operator=(Textures&& other) noexcept {
   std::swap(names_, other.names_);
-  std::swap(notes_, other.notes_);
+  std::swap(undrawn_, other.undrawn_);
   return *this;
 }
 
@@ -100,7 +100,7 @@ void Textures::keep(const document::Look& look, std::span<const LookBatch> batch
   const std::vector<Wanted> wanted = wanted_pictures(look, batches);
   std::erase_if(names_, [&](const auto& known) {
     const bool again = std::any_of(wanted.begin(), wanted.end(), [&](const Wanted& one) {
-      return look.images[one.image].bytes == known.first && one.most_px == known.second.most_px;
+      return look.images[one.image].bytes.view().data() == known.first && one.most_px == known.second.most_px;
     });
     if (!again && known.second.name != 0) glDeleteTextures(1, &known.second.name);
     return !again;
@@ -114,16 +114,17 @@ void Textures::keep(const document::Look& look, std::span<const LookBatch> batch
     const Wanted one = running.front().wanted;
     const auto picture = running.front().picture.get();
     running.pop_front();
-    names_[look.images[one.image].bytes] = {picture ? send(*picture) : 0, one.most_px};
+    const document::KeptBytes& bytes = look.images[one.image].bytes;
+    names_[bytes.view().data()] = {bytes, picture ? send(*picture) : 0, one.most_px};
     const std::string& name = look.images[one.image].name;
-    if (!picture) notes_.push_back((name.empty() ? "a picture" : name) + " is shown grey: " + picture.error().what);
+    if (!picture) undrawn_.push_back((name.empty() ? "a picture" : name) + " (" + picture.error().what + ")");
   };
   for (const Wanted& one : wanted) {
-    const Bytes& bytes = look.images[one.image].bytes;
-    if (names_.contains(bytes)) continue;
+    const document::KeptBytes& bytes = look.images[one.image].bytes;
+    if (names_.contains(bytes.view().data())) continue;
     if (running.size() == k_at_a_time) finish_first();
-    running.push_back(
-        {one, std::async(std::launch::async, [bytes, most = one.most_px] { return decode_picture(*bytes, most); })});
+    running.push_back({one, std::async(std::launch::async,
+                                       [bytes, most = one.most_px] { return decode_picture(bytes.view(), most); })});
   }
   while (!running.empty()) finish_first();
   glBindTexture(GL_TEXTURE_2D, 0);
@@ -131,7 +132,7 @@ void Textures::keep(const document::Look& look, std::span<const LookBatch> batch
 
 bool Textures::bind(const document::Look& look, const document::TextureUse& use) const {
   if (use.image >= look.images.size()) return false;
-  const auto found = names_.find(look.images[use.image].bytes);
+  const auto found = names_.find(look.images[use.image].bytes.view().data());
   if (found == names_.end() || found->second.name == 0) return false;
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, found->second.name);
@@ -142,6 +143,6 @@ bool Textures::bind(const document::Look& look, const document::TextureUse& use)
   return true;
 }
 
-std::vector<std::string> Textures::take_notes() { return std::exchange(notes_, {}); }
+std::vector<std::string> Textures::take_undrawn() { return std::exchange(undrawn_, {}); }
 
 }  // namespace penpose::render

@@ -29,18 +29,17 @@ class Textures {
   void clear();
   /// Binds a picture to texture unit 0 as it is to be used. False: it cannot be read.
   bool bind(const document::Look& look, const document::TextureUse& use) const;
-  /// Pictures that could not be read and why, one line each; each is told once.
-  [[nodiscard]] std::vector<std::string> take_notes();
+  /// Pictures that could not be unpacked, "NAME (why)" as Look::undrawn; each is told once.
+  [[nodiscard]] std::vector<std::string> take_undrawn();
 
  private:
-  using Bytes = std::shared_ptr<const std::vector<std::uint8_t>>;
-
   struct Texture {
-    unsigned name = 0;  ///< 0: cannot be read
-    int most_px = 0;    ///< a side was made no longer than this
+    document::KeptBytes bytes;  ///< kept, so that no other picture lies at their place
+    unsigned name = 0;          ///< 0: cannot be read
+    int most_px = 0;            ///< a side was made no longer than this
   };
-  std::map<Bytes, Texture> names_;
-  std::vector<std::string> notes_;
+  std::map<const std::uint8_t*, Texture> names_;  ///< by where their bytes begin
+  std::vector<std::string> undrawn_;
 };
 
 }  // namespace penpose::render

@@ -73,12 +73,11 @@ FileResolver ReadBeside::resolver() {
   };
 }
 
-std::shared_ptr<const document::SourceFile> keep_source(base::Bytes bytes, ReadBeside& beside,
-                                                        const GltfDocument& document, GltfOrigins origins,
-                                                        const document::Model& model) {
+std::shared_ptr<const document::SourceFile> keep_source(ReadBeside& beside, const GltfDocument& document,
+                                                        GltfOrigins origins, const document::Model& model) {
   read_pictures(document, beside);
   auto source = std::make_shared<document::SourceFile>();
-  source->bytes.assign(bytes.begin(), bytes.end());
+  source->bytes = document.file;
   source->files = std::move(beside.files());
   source->parts = std::move(origins.parts);
   if (model.skeleton) source->nodes.resize(model.skeleton->joints().size());

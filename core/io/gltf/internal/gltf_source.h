@@ -44,8 +44,9 @@ class ReadBeside {
 };
 
 /// The file that a model was read from, with the pictures that lie beside it; one that is not there stays a name.
-[[nodiscard]] std::shared_ptr<const document::SourceFile> keep_source(base::Bytes bytes, ReadBeside& beside,
-                                                                      const GltfDocument& document, GltfOrigins origins,
+/// Precondition: the document has its file (GltfDocument::file).
+[[nodiscard]] std::shared_ptr<const document::SourceFile> keep_source(ReadBeside& beside, const GltfDocument& document,
+                                                                      GltfOrigins origins,
                                                                       const document::Model& model);
 
 }  // namespace penpose::io

@@ -214,22 +214,22 @@ base::Result<OpenedModel> read_opened(GltfDocument& document, const FileResolver
 
 base::Result<document::Model> read_gltf(base::Bytes bytes, const FileResolver& resolve) {
   ReadBeside beside(resolve);
-  auto opened = open_gltf(bytes, beside.resolver());
+  auto opened = open_kept_gltf(bytes, beside.resolver());
   if (!opened) return opened.error();
   auto read = read_opened(*opened, resolve);
   if (!read) return read.error();
-  read->model.source = keep_source(bytes, beside, *opened, std::move(read->origins), read->model);
+  read->model.source = keep_source(beside, *opened, std::move(read->origins), read->model);
   return std::move(read->model);
 }
 
 base::Result<document::Document> read_gltf_document(base::Bytes bytes, const FileResolver& resolve) {
   ReadBeside beside(resolve);
-  auto opened = open_gltf(bytes, beside.resolver());
+  auto opened = open_kept_gltf(bytes, beside.resolver());
   if (!opened) return opened.error();
   auto read_model = read_opened(*opened, resolve);
   if (!read_model) return read_model.error();
   document::Model& model = read_model->model;
-  model.source = keep_source(bytes, beside, *opened, std::move(read_model->origins), model);
+  model.source = keep_source(beside, *opened, std::move(read_model->origins), model);
   const json::Json* extras = json::find(opened->json, "extras");
   const json::Json* own = extras == nullptr ? nullptr : json::find(*extras, k_extras_key);
   const json::Json* project = own == nullptr ? nullptr : json::find(*own, "project");

@@ -60,7 +60,7 @@ base::Result<PatchedGltf> patch_gltf(const document::Model& model, const WriteOp
   if (model.skeleton != source.skeleton &&
       !(model.skeleton && carries_the_rest(*model.skeleton, source.skeleton.get())))
     return cannot("its joints are others");
-  auto opened = open_gltf(source.bytes, resolver_of(source));
+  auto opened = open_gltf(*source.bytes, resolver_of(source));
   if (!opened) return opened.error();
   const auto root = read_root_extras(opened->json);
   if (!root) return root.error();

@@ -20,6 +20,8 @@ struct GltfDocument {
   json::Json json;                                                ///< as in the file, for extras
   std::vector<base::Bytes> buffers;                               ///< one a buffer
   std::vector<std::unique_ptr<std::vector<std::uint8_t>>> owned;  ///< bytes of data: URIs and resolved files
+  /// The file itself, where it is kept beyond what is read of it; null: its bytes are somebody else's.
+  std::shared_ptr<const std::vector<std::uint8_t>> file;
   std::vector<std::string> notes;
   /// Numbers that accessors may still unfold to. A small file may name the same data, or none at all, very often.
   std::size_t budget = 0;
@@ -28,6 +30,9 @@ struct GltfDocument {
 /// Opens a binary (.glb) or text (.gltf) document. The bytes have to outlive what is returned. Errors: place is a byte
 /// offset (container, JSON) or a JSON pointer.
 [[nodiscard]] base::Result<GltfDocument> open_gltf(base::Bytes bytes, const FileResolver& resolve);
+
+/// The same of a file that whatever is read of it may keep.
+[[nodiscard]] base::Result<GltfDocument> open_kept_gltf(base::Bytes bytes, const FileResolver& resolve);
 
 /// The bytes of a URI: a data: URI or a file below the model's folder. Errors: those of buffers.
 [[nodiscard]] base::Result<std::vector<std::uint8_t>> read_uri(const std::string& uri, const std::string& pointer,

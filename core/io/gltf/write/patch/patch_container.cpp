@@ -53,7 +53,7 @@ PatchContainer::PatchContainer(const document::SourceFile& source, const GltfDoc
     : source_(source), from_(document), container_(container), stem_(std::move(stem)), json_(document.json) {
   const json::Json* buffers = json::find(json_, "buffers");
   in_binary_ =
-      is_glb(source.bytes) && buffers != nullptr && !buffers->empty() && json::find((*buffers)[0], "uri") == nullptr;
+      is_glb(*source.bytes) && buffers != nullptr && !buffers->empty() && json::find((*buffers)[0], "uri") == nullptr;
   if (container_ == GltfContainer::binary) {
     gather();
   } else if (in_binary_) {
@@ -133,9 +133,9 @@ std::string PatchContainer::free_name() const {
 
 base::Result<std::vector<std::uint8_t>> PatchContainer::finish(
     GltfBuilder& builder, bool changed, std::map<std::string, std::vector<std::uint8_t>>& files) {
-  const bool same_kind = is_glb(source_.bytes) == (container_ == GltfContainer::binary);
+  const bool same_kind = is_glb(*source_.bytes) == (container_ == GltfContainer::binary);
   if (container_ == GltfContainer::text) files = source_.files;
-  if (!changed && same_kind && (container_ == GltfContainer::text || source_.files.empty())) return source_.bytes;
+  if (!changed && same_kind && (container_ == GltfContainer::text || source_.files.empty())) return *source_.bytes;
   if (container_ == GltfContainer::binary) take_pictures(builder);
   if (!builder.added().empty()) {
     if (const std::size_t padding = start_ - length_; padding > 0) pieces_.emplace_back(k_zeros.data(), padding);

@@ -69,7 +69,8 @@ TEST(GltfLook, APictureLiesOnTheSurfaceAsTheFileSays) {
   const document::Look& look = *model->look;
   ASSERT_EQ(look.images.size(), 1U);
   EXPECT_EQ(look.images[0].mime_type, "image/png");
-  EXPECT_EQ(*look.images[0].bytes, png(4, 4));
+  const auto kept = look.images[0].bytes.view();
+  EXPECT_EQ(std::vector<std::uint8_t>(kept.begin(), kept.end()), png(4, 4));
   ASSERT_EQ(look.surface_of.size(), 2U);
   const document::Surface& surface = look.surfaces[look.surface_of[0]];
   EXPECT_EQ(surface.name, "face");
@@ -141,10 +142,12 @@ TEST(GltfLook, PicturesThatCannotBeShownLeaveTheModelGreyWithOneNote) {
   for (const auto& [bytes, word] : pictures) {
     const auto model = textured(bytes).read();
     ASSERT_TRUE(model.ok()) << word << model.error().line();
-    EXPECT_EQ(model->look, nullptr) << word;
+    ASSERT_NE(model->look, nullptr) << word;
+    EXPECT_TRUE(model->look->images.empty()) << word;
+    EXPECT_EQ(model->look->undrawn.size(), 1U) << word;
     ASSERT_EQ(model->notes.size(), 1U) << word;
     EXPECT_EQ(notes_with(*model, word), 1U) << model->notes[0];
-    EXPECT_EQ(notes_with(*model, "image 0 \"skin\""), 1U) << model->notes[0];
+    EXPECT_EQ(notes_with(*model, "1 texture cannot be drawn and is grey: skin ("), 1U) << model->notes[0];
   }
   auto sample = textured(png(4, 4));
   sample.json["images"][0] = {{"uri", "gone/skin.png"}};
@@ -159,8 +162,32 @@ TEST(GltfLook, PicturesThatCannotBeShownLeaveTheModelGreyWithOneNote) {
   const auto model = sample.read();
   ASSERT_TRUE(model.ok()) << model.error().line();
   ASSERT_EQ(model->notes.size(), 1U);
-  EXPECT_EQ(notes_with(*model, "gone/skin.png"), 1U) << model->notes[0];
-  EXPECT_EQ(notes_with(*model, "and 1 more"), 1U) << model->notes[0];
+  EXPECT_EQ(notes_with(*model, "2 textures cannot be drawn"), 1U) << model->notes[0];
+  EXPECT_EQ(notes_with(*model, "gone/skin.png (missing"), 1U) << model->notes[0];
+  EXPECT_EQ(notes_with(*model, "image 1 ("), 1U) << model->notes[0];
+}
+
+TEST(GltfLook, APictureThatNamesItsOwnFileOrIsNestedIsOnlyGrey) {
+  for (const char* uri :
+       {"model.gltf", "data:image/png;base64,ZGF0YTppbWFnZS9wbmc7YmFzZTY0LEFB", "../model.gltf", "."}) {
+    auto sample = textured(png(4, 4));
+    sample.json["images"][0] = {{"uri", uri}};
+    const auto bytes = sample.bytes();
+    const FileResolver itself = [&](const std::string&) { return base::Result<std::vector<std::uint8_t>>(bytes); };
+    const auto model = read_gltf(bytes, itself);
+    ASSERT_TRUE(model.ok()) << uri << model.error().line();
+    EXPECT_EQ(notes_with(*model, "1 texture cannot be drawn"), 1U) << uri;
+    EXPECT_EQ(model->notes.size(), 1U) << uri;
+  }
+}
+
+TEST(GltfLook, PicturesOfAFileAreNotCopied) {
+  const auto model = textured(png(4, 4)).read();
+  ASSERT_NE(model->look, nullptr);
+  const auto picture = model->look->images[0].bytes.view();
+  const auto& file = *model->source->bytes;
+  EXPECT_GE(picture.data(), file.data());
+  EXPECT_LE(picture.data() + picture.size(), file.data() + file.size());
 }
 
 TEST(GltfLook, MaterialsOfVrm0StandBeforeThoseOfGltf) {

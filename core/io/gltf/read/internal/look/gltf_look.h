@@ -9,15 +9,11 @@
 
 namespace penpose::io {
 
-/// Px of the largest picture that is shown: 8192 x 8192.
-inline constexpr std::uint64_t k_most_picture_px = std::uint64_t{1} << 26;
-
-/// What the meshes look like: base colours with their pictures (glTF 2.0, sections 3.8 and 3.9; KHR_texture_transform,
-/// KHR_materials_unlit, KHR_materials_pbrSpecularGlossiness, EXT_texture_webp; VRM 0.x materialProperties), texture
-/// coordinates, vertex colours. Triangles that repeat a vertex are left out, as mesh::TriangleMesh leaves them out.
-/// Pictures are copied as they are, not unpacked. Null: there is nothing that document::Material does not say. What
-/// cannot be shown (a picture that is missing, cut off, too large or of an unknown kind) is noted, in one line, and is
-/// grey; nothing of it is an error. `meshes` is as read_meshes gives it.
+/// What the meshes look like: surfaces with their pictures (gltf_surfaces.h), texture coordinates, vertex colours.
+/// Triangles that repeat a vertex are left out, as mesh::TriangleMesh leaves them out. Null: there is nothing that
+/// document::Material does not say. What cannot be drawn (a picture that is missing, cut off, too large or of an
+/// unknown kind) is in Look::undrawn and, in one line, in the notes, and is grey; nothing of it is an error.
+/// `meshes` is as read_meshes gives it.
 [[nodiscard]] std::shared_ptr<const document::Look> read_look(GltfDocument& document, const GltfMeshes& meshes,
                                                               const FileResolver& resolve);
 
