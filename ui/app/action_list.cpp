@@ -9,6 +9,7 @@
 #include "ui/app/tools/tool.h"
 #include "ui/app/view/backdrop.h"
 #include "ui/app/view/user_messages.h"
+#include "ui/files/load_model.h"
 
 // Every action in a row: its words, its keys, its icon (widgets/internal/icon.cpp tells the language), what it does and
 // when it can be used. A new one is a row here. Those that take a tool in hand come from the tools' own files.
@@ -162,6 +163,13 @@ void change_theme(Preferences& preferences) {
   preferences.changed();
 }
 
+/// Reads the file again with its coordinates meant in another way.
+void read_anew(const Files& files, Leaving& leaving, void (*change)(io::Orientation&)) {
+  files::ModelName name = files::model_name(files.path());
+  change(name.orientation);
+  leaving.ask_to_open(name.text());
+}
+
 constexpr KeyStroke plain(std::uint32_t key) { return plain_key(key); }
 constexpr KeyStroke ctrl(std::uint32_t key) { return {key, true, false}; }
 constexpr KeyStroke ctrl_shift(std::uint32_t key) { return {key, true, true}; }
@@ -253,6 +261,16 @@ constexpr std::array k_actions{
      does([](Dialogs& dialogs) { dialogs.show(Dialog::open); })},
     ActionInfo{{"recent"}, "Recent", ctrl_shift('o'), {}, "Open what was opened or saved before",
      "C12 12 8M12 7L12 12L16 14", does([](Dialogs& dialogs) { dialogs.show(Dialog::recent); })},
+    ActionInfo{{"up_axis"}, "Z up", {}, {}, "The file does not say which axis is up: read it anew with z or y up",
+     "M12 21L12 4M7 9L12 4L17 9M5 21L19 21",
+     does([](Files& files, Leaving& leaving) {
+       read_anew(files, leaving, [](io::Orientation& now) { now.up = now.up == io::Up::z ? io::Up::y : io::Up::z; });
+     }), does([](const Files& files) { return files::leaves_axes_open(files::model_name(files.path()).file); })},
+    ActionInfo{{"left_handed"}, "Left-handed", {}, {}, "The file shows the wrong side: read it anew, mirrored",
+     "M12 3L12 21M9 8L4 12L9 16M15 8L20 12L15 16",
+     does([](Files& files, Leaving& leaving) {
+       read_anew(files, leaving, [](io::Orientation& now) { now.left_handed = !now.left_handed; });
+     }), does([](const Files& files) { return files::leaves_axes_open(files::model_name(files.path()).file); })},
     ActionInfo{{"save"}, "Save", ctrl('s'), {}, "Save the project",
      "M4 4L17 4L20 7L20 20L4 20Z M8 4L8 9L15 9L15 4M7 20L7 14L17 14L17 20", does<save>},
     ActionInfo{{"save_as"}, "Save as", ctrl_shift('s'), {}, "Save under another name",

@@ -7,6 +7,7 @@
 #include "core/base/result.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/live_option.h"
+#include "ui/cli/orientation_option.h"
 #include "ui/files/own_tablets.h"
 
 namespace penpose::cli {
@@ -65,6 +66,7 @@ void add_program_options(CLI::App& app, int& status, files::WindowRequest& reque
   if (!has_window) return;
   app.add_option("MODEL", request.model, "Model, project or session to open; the built-in head by default")
       ->check(CLI::Validator(check_model, ""));
+  add_orientation_options(app, request.orientation);
   app.add_option("--session", request.session, "Where to record the session; a file that is there is not written over");
   app.add_option(files::k_tablets_option, request.tablets, files::k_tablets_help);
   add_live_option(app, request.live);

@@ -1,11 +1,13 @@
 #include "ui/files/load_model.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <vector>
 
 #include "core/base/numbers.h"
 #include "core/base/text/closest_name.h"
+#include "core/base/text/letters.h"
 #include "core/character/demo_head.h"
 #include "core/document/expressions.h"
 #include "core/head/head.h"
@@ -41,9 +43,44 @@ io::FileResolver files_beside(const std::string& path) {
   };
 }
 
+/// What follows a path in a ModelName's text.
+constexpr std::array<std::pair<std::string_view, io::Orientation>, 3> k_ends{{
+    {"?up=z", {io::Up::z, false}},
+    {"?left-handed", {io::Up::y, true}},
+    {"?up=z&left-handed", {io::Up::z, true}},
+}};
+
+ModelName named_model(const std::string& path, const io::Orientation& orientation) {
+  ModelName name = model_name(path);
+  if (!orientation.is_usual()) name.orientation = orientation;
+  return name;
+}
+
 }  // namespace
 
-base::Result<document::Model> load_model(const std::string& path, NamedBy named, const io::Orientation& orientation) {
+std::string ModelName::text() const {
+  for (const auto& [end, meant] : k_ends) {
+    if (meant.up == orientation.up && meant.left_handed == orientation.left_handed) return file + std::string(end);
+  }
+  return file;
+}
+
+ModelName model_name(const std::string& text) {
+  std::error_code code;
+  for (const auto& [end, meant] : k_ends) {
+    if (!text.ends_with(end) || std::filesystem::exists(text, code)) continue;
+    return {text.substr(0, text.size() - end.size()), meant};
+  }
+  return {text, {}};
+}
+
+bool leaves_axes_open(const std::string& file) {
+  const std::string extension = base::lower_case(std::filesystem::path(file).extension().string());
+  return extension == ".obj" || extension == ".ply" || extension == ".off" || extension == ".stl";
+}
+
+base::Result<document::Model> load_model(const std::string& called, NamedBy named, const io::Orientation& wanted) {
+  const auto [path, orientation] = named_model(called, wanted);
   if (path.starts_with(k_built_in)) {
     if (!orientation.is_usual()) return says_itself();
     return built_in_model(std::string_view(path).substr(k_built_in.size()));
@@ -56,8 +93,9 @@ base::Result<document::Model> load_model(const std::string& path, NamedBy named,
   return io::oriented(*model, orientation);
 }
 
-base::Result<document::Document> load_document(const std::string& path, NamedBy named,
-                                               const io::Orientation& orientation) {
+base::Result<document::Document> load_document(const std::string& called, NamedBy named,
+                                               const io::Orientation& wanted) {
+  const auto [path, orientation] = named_model(called, wanted);
   // What leaves its orientation open is no project.
   if (path.starts_with(k_built_in) || !orientation.is_usual()) {
     auto model = load_model(path, named, orientation);

@@ -12,10 +12,24 @@ namespace penpose::files {
 /// plain files are opened.
 enum class NamedBy : bool { user, file };
 
+/// A model's file and how its coordinates are meant. As one text, as sessions and the lists of what was opened keep it,
+/// what is not usual stands behind the path: "head.obj?up=z", "head.obj?left-handed", "head.obj?up=z&left-handed".
+struct ModelName {
+  std::string file;
+  io::Orientation orientation;
+
+  [[nodiscard]] std::string text() const;
+};
+/// The parts of such a text. A file that really is called so is that file.
+[[nodiscard]] ModelName model_name(const std::string& text);
+
+/// Whether files of this name leave open which axis is up: OBJ, PLY, OFF, STL.
+[[nodiscard]] bool leaves_axes_open(const std::string& file);
+
 /// Opens and reads a model, and the files below its folder that it names; "builtin:head" is the built-in head and
-/// "builtin:demo" the same with the deformers of the demo. `orientation`: how the file's
-/// coordinates are meant, where it does not say so itself. Errors of the file system and of the reader; an orientation
-/// for a file that has one.
+/// "builtin:demo" the same with the deformers of the demo. `path` may be a ModelName's text. `orientation`: how
+/// the file's coordinates are meant, where it does not say so itself; before what the text says. Errors of the file
+/// system and of the reader; an orientation for a file that has one.
 [[nodiscard]] base::Result<document::Model> load_model(const std::string& path, NamedBy named = NamedBy::user,
                                                        const io::Orientation& orientation = {});
 

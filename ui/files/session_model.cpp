@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "ui/files/load_model.h"
+
 namespace penpose::files {
 namespace {
 
@@ -16,16 +18,20 @@ bool is_file(const fs::path& path) {
 }  // namespace
 
 std::string kept_model_of(const std::string& session, const std::string& model) {
-  return session + ".model" + fs::path(model).extension().string();
+  return session + ".model" + fs::path(model_name(model).file).extension().string();
 }
 
 std::string find_session_model(const std::string& session, const std::string& model) {
   if (model.empty()) return k_default_model;
   if (model.starts_with("builtin:")) return model;
-  if (std::string copy = kept_model_of(session, model); is_file(copy)) return copy;
-  if (is_file(model)) return model;
-  const fs::path beside = fs::path(session).parent_path() / fs::path(model).filename();
-  return is_file(beside) ? beside.string() : model;
+  ModelName name = model_name(model);
+  const fs::path beside = fs::path(session).parent_path() / fs::path(name.file).filename();
+  if (std::string copy = kept_model_of(session, model); is_file(copy)) {
+    name.file = std::move(copy);
+  } else if (!is_file(name.file) && is_file(beside)) {
+    name.file = beside.string();
+  }
+  return name.text();
 }
 
 }  // namespace penpose::files

@@ -11,7 +11,8 @@ inline constexpr const char* k_default_model = "builtin:demo";
 [[nodiscard]] std::string kept_model_of(const std::string& session, const std::string& model);
 
 /// The file to replay a session on that names `model` (empty: none): the copy that was kept of it, itself, or one of
-/// its name beside the session; `model` where there is none of these.
+/// its name beside the session; `model` where there is none of these. `model` and the answer may say how the file's
+/// coordinates are meant (ModelName).
 [[nodiscard]] std::string find_session_model(const std::string& session, const std::string& model);
 
 }  // namespace penpose::files

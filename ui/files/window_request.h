@@ -4,17 +4,19 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "core/io/surface/orientation.h"
 
 namespace penpose::files {
 
 /// How the window is opened.
 struct WindowRequest {
-  std::string model;    ///< model, project or session; empty: the built-in head with its controls
-  std::string session;  ///< where the session is written; empty: into the folder of sessions
-  std::string replay;   ///< a trace that is played in place of a tablet; the window closes at its end
-  std::string tablets;  ///< the user's own tablets
-  std::string live;     ///< where the pose of every frame is sent (ui/live); empty: nowhere
-  std::string program;  ///< name and version for the session
+  std::string model;            ///< model, project or session; empty: the built-in head with its controls
+  io::Orientation orientation;  ///< how the model's coordinates are meant, where it does not say so itself
+  std::string session;          ///< where the session is written; empty: into the folder of sessions
+  std::string replay;           ///< a trace that is played in place of a tablet; the window closes at its end
+  std::string tablets;          ///< the user's own tablets
+  std::string live;             ///< where the pose of every frame is sent (ui/live); empty: nowhere
+  std::string program;          ///< name and version for the session
   bool fullscreen = false;
   bool timings = false;  ///< prints how long things took when the window is closed
 };

@@ -40,7 +40,8 @@ std::optional<Viewpoint> find_viewpoint(std::string_view name) {
 std::vector<std::uint32_t> face_vertices(const document::Model& model) {
   constexpr double k_whole = 0.5;
   constexpr double k_far = 0.25;
-  constexpr double k_margin = 1.0 / 6;
+  constexpr double k_margin = 0.4;
+  constexpr std::size_t k_many = 12;
   if (!model.shapes) return {};
   std::vector<ModelPoint> rest(model.mesh->vertex_count());
   model.rig->evaluate(rig::rest_pose(*model.rig), rest);
@@ -48,13 +49,15 @@ std::vector<std::uint32_t> face_vertices(const document::Model& model) {
   for (const ModelPoint& p : rest) whole.add(p);
   const double size = whole.diagonal();
   std::vector<geometry::Box> boxes;
+  // A jaw takes some of the throat with it, and arithmetic leaves traces anywhere: the strong part of a motion counts.
+  // A few shapes are mostly a mouth's alone, which say of the face around them what they move weakly.
+  const float strong = model.shapes->shapes().size() < k_many ? 0.25F : 0.5F;
   for (const rig::BlendShape& shape : model.shapes->shapes()) {
     float most = 0;
     for (const glm::vec3& d : shape.deltas) most = std::max(most, glm::dot(d, d));
-    // A hundredth of a shape's motion is what a file's arithmetic leaves behind.
     geometry::Box box;
     for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
-      if (glm::dot(shape.deltas[i], shape.deltas[i]) > 1e-4F * most) box.add(rest[shape.vertices[i]]);
+      if (glm::dot(shape.deltas[i], shape.deltas[i]) > strong * strong * most) box.add(rest[shape.vertices[i]]);
     }
     if (!box.empty() && box.diagonal() < k_whole * size) boxes.push_back(box);
   }
@@ -67,14 +70,26 @@ std::vector<std::uint32_t> face_vertices(const document::Model& model) {
     std::nth_element(centers.begin(), half, centers.end());
     middle[axis] = *half;
   }
+  std::erase_if(boxes,
+                [&](const geometry::Box& box) { return geometry::distance(box.center(), middle) > k_far * size; });
+  if (boxes.empty()) return {};
+  // The tenth of the shapes that reach farthest to a side, such as those of a throat, do not say where a face ends.
+  const std::size_t tenth = boxes.size() / 10;
   geometry::Box face;
-  for (const geometry::Box& box : boxes) {
-    if (geometry::distance(box.center(), middle) > k_far * size) continue;
-    face.add(box.minimum);
-    face.add(box.maximum);
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> low;
+    std::vector<double> high;
+    for (const geometry::Box& box : boxes) {
+      low.push_back(box.minimum[axis]);
+      high.push_back(-box.maximum[axis]);
+    }
+    for (std::vector<double>* ends : {&low, &high})
+      std::nth_element(ends->begin(), ends->begin() + static_cast<std::ptrdiff_t>(tenth), ends->end());
+    face.minimum[axis] = low[tenth];
+    face.maximum[axis] = -high[tenth];
   }
-  if (face.empty() || face.diagonal() > k_whole * size) return {};
-  const ModelVector margin(k_margin * face.diagonal());
+  if (face.diagonal() > k_whole * size) return {};
+  const ModelVector margin(k_margin * (face.maximum.y - face.minimum.y));
   const ModelPoint low = face.minimum - margin;
   const ModelPoint high = face.maximum + margin;
   std::vector<std::uint32_t> vertices;

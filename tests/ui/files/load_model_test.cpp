@@ -51,5 +51,32 @@ TEST(LoadModel, ReadsAFileAndReportsWhatIsMissing) {
   EXPECT_EQ(model->mesh->triangle_count(), 1U);
 }
 
+TEST(LoadModel, ANameTellsHowCoordinatesAreMeant) {
+  const auto folder = std::filesystem::temp_directory_path() / ("penpose-names-" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  const std::string path = (folder / "lying.obj").string();
+  std::ofstream(path) << "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 2 4\nf 1 4 3\n";
+  for (const io::Orientation meant : {io::Orientation{}, io::Orientation{io::Up::z, false},
+                                      io::Orientation{io::Up::y, true}, io::Orientation{io::Up::z, true}}) {
+    const std::string text = ModelName{path, meant}.text();
+    const ModelName name = model_name(text);
+    EXPECT_EQ(name.file, path);
+    EXPECT_EQ(name.orientation.up, meant.up);
+    EXPECT_EQ(name.orientation.left_handed, meant.left_handed);
+    const auto model = load_model(text);
+    ASSERT_TRUE(model.ok()) << text;
+    const auto& box = model->mesh->rest_box();
+    EXPECT_EQ(box.maximum.y, meant.up == io::Up::z ? 3 : 2) << text;
+    EXPECT_EQ(box.minimum.x, meant.left_handed ? -1 : 0) << text;
+  }
+  EXPECT_FALSE(load_model("builtin:head?up=z").ok()) << "it says itself what is up";
+  // A file that is really called so is that file.
+  std::filesystem::copy_file(path, path + "?up=z");
+  const auto model = load_model(path + "?up=z");
+  ASSERT_TRUE(model.ok());
+  EXPECT_EQ(model->mesh->rest_box().maximum.y, 2);
+  std::filesystem::remove_all(folder);
+}
+
 }  // namespace
 }  // namespace penpose::files

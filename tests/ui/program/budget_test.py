@@ -17,7 +17,8 @@ ENDLESS_S = 60
 MOST_TIMES = 40
 MOST_BYTES = 50e6
 # Pictures are drawn by a driver that takes a few hundred megabytes for itself and for the samples of every pixel.
-DRAWS = {'huge_view': 450e6}
+DRAWS = {'huge_view': 450e6, 'no_textures': 450e6, 'texture_bomb': 450e6}
+ONE_NOTE = 'textures cannot be drawn and are grey: '
 
 
 def measure(arguments, errors):
@@ -46,6 +47,8 @@ def main():
             budget = MOST_TIMES * size + MOST_BYTES + DRAWS.get(make.__name__, 0)
             good = status in (0, 1) and memory < budget
             good = good and (status == 0 or (said.count('\n') == 1 and said.startswith('penpose: ')))
+            if make.__name__ == 'no_textures':
+                good = good and status == 0 and said.count('\n') == 1 and '10 ' + ONE_NOTE in said
             failed += not good
             print('%s %-22s %8.0f kB: status %d, %5.2f s, %5.0f of %5.0f MB  %s' %
                   ('FAIL' if not good else 'ok  ' if seconds < USUAL_S else 'slow', make.__name__, size / 1e3, status, seconds, memory / 1e6, budget / 1e6, said[:150].strip()))

@@ -127,6 +127,54 @@ def picture_bomb(folder):
     return ['track', path, '--labels', labels, '-o', os.path.join(folder, 'track.json')], [path, labels]
 
 
+def textured(path, pictures):
+    """A grid in strips of a material each, whose pictures are bytes, or uris where they are text."""
+    vertices = 40 + 30 * len(pictures)
+    document, binary = grid(vertices)
+    del document['accessors'][1]
+    document['accessors'].append({'bufferView': 0, 'componentType': 5126, 'count': vertices, 'type': 'VEC2'})
+    document['bufferViews'][0]['byteStride'] = 12
+    document.update(images=[], textures=[], materials=[], meshes=[{'primitives': []}])
+    for i, picture in enumerate(pictures):
+        if isinstance(picture, str):
+            document['images'].append({'uri': picture})
+        else:
+            document['bufferViews'].append({'buffer': 0, 'byteOffset': len(binary), 'byteLength': len(picture)})
+            document['images'].append({'bufferView': len(document['bufferViews']) - 1, 'mimeType': 'image/png'})
+            binary += picture + b'\0' * (-len(picture) % 4)
+        document['textures'].append({'source': i})
+        document['materials'].append({'pbrMetallicRoughness': {'baseColorTexture': {'index': i}}})
+        document['accessors'].append({'bufferView': 1, 'byteOffset': 12 * 30 * i, 'componentType': 5125, 'count': 87, 'type': 'SCALAR'})
+        document['meshes'][0]['primitives'].append({'attributes': {'POSITION': 0, 'TEXCOORD_0': 1}, 'indices': 2 + i, 'material': i})
+    document['buffers'][0]['byteLength'] = len(binary)
+    glb(path, document, binary)
+
+
+def png(width, height, rows):
+    def chunk(kind, data):
+        return struct.pack('>I', len(data)) + kind + data + struct.pack('>I', zlib.crc32(kind + data))
+    return (b'\x89PNG\r\n\x1a\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', width, height, 8, 6, 0, 0, 0)) + chunk(b'IDAT', rows) +
+            chunk(b'IEND', b''))
+
+
+def no_textures(folder):
+    """Textures of every kind that cannot be drawn: the model is drawn grey, with one note."""
+    path = os.path.join(folder, 'grey.glb')
+    whole = png(16, 16, zlib.compress(b'\0' * 16 * 65))
+    pictures = [png(16384, 16384, b''), whole[:-20], png(16, 16, b'no stream'), b'\xabKTX 20\xbb\r\n\x1a\n' + b'\0' * 70, b'GIF89a',
+                'gone.png', 'grey.glb', '../../etc/passwd', 'data:image/png;base64,AAAA', '']
+    textured(path, pictures)
+    return ['render', path, '-o', os.path.join(folder, 'grey.png'), '--size', '64x64'], [path]
+
+
+def texture_bomb(folder):
+    path = os.path.join(folder, 'bomb.glb')
+    packer = zlib.compressobj(9)
+    rows = b''.join(packer.compress(b'\0' * (4 * 8192 + 1)) for _ in range(8192)) + packer.flush()
+    textured(path, [png(8192, 8192, rows)] * 4)
+    return ['render', path, '-o', os.path.join(folder, 'bomb.png'), '--size', '64x64'], [path]
+
+
 def many_labels(folder, count=2000):
     path, labels = os.path.join(folder, 'face.png'), os.path.join(folder, 'labels.json')
 
@@ -230,4 +278,4 @@ def endless_angle(folder):
 
 ALL = [many_targets, many_instances, zeros, one_file_many_buffers, nested, many_numbers, long_line, one_fan, huge_counts, picture_header,
        picture_bomb, many_labels, many_keys, huge_view, empty_frames, numbered_far_apart, many_controls, many_meshes, fine_lines,
-       endless_session, huge_session, endless_angle]
+       endless_session, huge_session, endless_angle, no_textures, texture_bomb]

@@ -6,6 +6,7 @@
 
 #include "core/base/text/letters.h"
 #include "core/document/document_hash.h"
+#include "core/io/surface/orientation.h"
 #include "ui/files/load_model.h"
 #include "ui/files/save_model.h"
 #include "ui/files/session_model.h"
@@ -90,6 +91,8 @@ base::Status Files::open(const std::string& path) {
   auto document = files::load_document(path, files::NamedBy::file);
   if (!document) return document.error();
   begin_session(std::move(*document), path);
+  const bool lies = files::leaves_axes_open(path) && io::looks_as_if_z_were_up(*parts_.editing.document().model);
+  if (lies) parts_.notices.tell("it looks as if it lay on its back: Z up, in the menu, stands it up");
   if (!path.starts_with("builtin:")) {
     parts_.preferences.remember(path_);
     parts_.dialogs.state<FileChoice>().folder = fs::path(path_).parent_path().string();
@@ -161,9 +164,10 @@ base::Status Files::play_trace(const std::string& path) {
 base::Status Files::save(const std::string& path) {
   std::error_code code;
   const std::string full = fs::absolute(path, code).string();
-  const bool same = full == path_ || fs::equivalent(full, path_, code);
+  const std::string opened = files::model_name(path_).file;
+  const bool same = full == opened || fs::equivalent(full, opened, code);
   if (same) {
-    if (const auto kept = parts_.recording.keep_model(path_); !kept) {
+    if (const auto kept = parts_.recording.keep_model(opened); !kept) {
       return base::Error{
           "is not saved: the model that the session began on cannot be kept beside it, " + kept.error().what, "",
           "save under another name, or make room at " + fs::path(parts_.recording.path()).parent_path().string()};

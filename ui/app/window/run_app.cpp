@@ -3,7 +3,6 @@
 #include <ctime>
 #include <filesystem>
 #include <iostream>
-#include <malloc.h>
 
 #include "core/base/numbers.h"
 #include "firmware_io/device/clock.h"
@@ -13,7 +12,9 @@
 #include "ui/app/window/stop_watch.h"
 #include "ui/app/window/timings.h"
 #include "ui/app/window/window.h"
+#include "ui/files/load_model.h"
 #include "ui/files/own_tablets.h"
+#include "ui/files/process/kept_memory.h"
 #include "ui/live/live.h"
 
 namespace penpose::app {
@@ -38,8 +39,7 @@ base::Error in_file(base::Error error, const std::string& file) {
 
 base::Status run_app(const files::WindowRequest& request) {
   const std::int64_t began = device::monotonic_us();
-  // Threads that allocate little share one heap, which keeps tens of megabytes from being set aside for each.
-  ::mallopt(M_ARENA_MAX, 1);
+  files::keep_little_memory();
   const auto own = files::read_own_tablets(request.tablets);
   if (!own) return in_file(own.error(), request.tablets);
   std::error_code code;
@@ -59,7 +59,8 @@ base::Status run_app(const files::WindowRequest& request) {
   options.program = request.program;
   options.own_tablets = &*own;
   App app(options);
-  const std::string model = request.model.empty() ? "builtin:demo" : request.model;
+  const std::string file = request.model.empty() ? "builtin:demo" : request.model;
+  const std::string model = files::ModelName{file, request.orientation}.text();
   if (const auto opened = app.of<Files>().open(model); !opened) return in_file(opened.error(), model);
   if (!request.session.empty() && app.of<Recording>().path().empty()) {
     return base::Error{"cannot be written", request.session, "check the folder, its permissions and the free space"};

@@ -21,6 +21,7 @@
 #include "ui/files/file_roles.h"
 #include "ui/files/files.h"
 #include "ui/files/load_model.h"
+#include "ui/files/process/kept_memory.h"
 #include "ui/render/appearance.h"
 #include "ui/render/framing.h"
 #include "ui/render/gl/renderer.h"
@@ -218,6 +219,7 @@ int run_render(const Options& options) {
   files::FileRoles files(options.frames ? files::FileRoles::Output::prints : files::FileRoles::Output::silent);
   for (const std::string& input : {options.model, options.camera, options.cases}) files.reads(input);
   if (const auto fits = files.writes(options.output, "-o"); !fits) return files::report(fits.error(), options.output);
+  files::keep_little_memory();
   // Asked for first: what OpenGL needs is much, and not every driver says when it is not there.
   auto renderer = render::Renderer::make_offscreen();
   if (!renderer) return files::report(renderer.error());

@@ -12,6 +12,7 @@
 #include "core/io/project/case_file.h"
 #include "core/posing/solve.h"
 #include "core/tracking/case_problem.h"
+#include "ui/cli/orientation_option.h"
 #include "ui/cli/pose/tolerance_option.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/subcommand.h"
@@ -34,6 +35,7 @@ enum class Preset : std::uint8_t { meant, exact, paper };
 struct PoseArguments {
   io::WriteOptions glb;
   std::string model;
+  io::Orientation orientation;
   std::string cases;
   std::string name;
   std::string out;
@@ -164,7 +166,7 @@ int pose(const PoseArguments& arguments) {
   files.reads(arguments.cases);
   if (const auto fits = arguments.out.empty() ? base::Done{} : files.writes(arguments.out, "-o"); !fits)
     return files::report(fits.error(), arguments.out);
-  auto document = files::load_document(arguments.model);
+  auto document = files::load_document(arguments.model, files::NamedBy::user, arguments.orientation);
   if (!document) return files::report(document.error(), arguments.model);
   const document::Model& model = *document->model;
   const auto bytes = files::read_file(arguments.cases, files::k_most_text_bytes);
@@ -223,6 +225,7 @@ int pose(const PoseArguments& arguments) {
 
 void add_options(CLI::App& command, PoseArguments& arguments) {
   command.add_option("MODEL", arguments.model, "Model with blend shapes or joints")->required();
+  add_orientation_options(command, arguments.orientation);
   command.add_option("--cases", arguments.cases, "JSON file of posing cases")->required();
   command.add_option("--case", arguments.name, "Only the case of this name");
   command.add_option("--free", "Parameters that may move: those of the case, or all (default)")

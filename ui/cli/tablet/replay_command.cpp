@@ -57,13 +57,14 @@ std::string find_model(const ReplayArguments& arguments, const std::string& path
 
 base::Result<document::Document> open_model(const ReplayArguments& arguments, const std::string& path) {
   const std::string name = find_model(arguments, path);
+  const std::string file = files::model_name(name).file;
   std::error_code code;
   const files::NamedBy named = arguments.model.empty() ? files::NamedBy::file : files::NamedBy::user;
-  if (named == files::NamedBy::file && !name.starts_with("builtin:") && !std::filesystem::is_regular_file(name, code)) {
+  if (named == files::NamedBy::file && !name.starts_with("builtin:") && !std::filesystem::is_regular_file(file, code)) {
     return base::Error{"there is no model \"" + name + "\"", "", "name it with --model"};
   }
   for (const std::string& output : {arguments.output, arguments.picture}) {
-    if (output.empty() || !files::same_file(name, output)) continue;
+    if (output.empty() || !files::same_file(file, output)) continue;
     return base::Error{"the model \"" + name + "\" is what the session was drawn on and is not written over", "",
                        "choose another name"};
   }

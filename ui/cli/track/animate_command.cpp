@@ -9,6 +9,7 @@
 #include "core/tracking/animate.h"
 #include "core/tracking/driven_controls.h"
 #include "ui/cli/number_range.h"
+#include "ui/cli/orientation_option.h"
 #include "ui/cli/pose/tolerance_option.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/subcommand.h"
@@ -25,6 +26,7 @@ namespace {
 struct AnimateArguments {
   io::WriteOptions glb;
   std::string model;
+  io::Orientation orientation;
   std::string track;
   std::string map;
   std::string curves;
@@ -176,7 +178,7 @@ int animate(const AnimateArguments& arguments) {
     return files::report({"animations are kept in .glb and .vrma files only", "", "name the output .glb"},
                          arguments.out);
   }
-  const auto document = files::load_document(arguments.model);
+  const auto document = files::load_document(arguments.model, files::NamedBy::user, arguments.orientation);
   if (!document) return files::report(document.error(), arguments.model);
   std::optional<base::Result<io::MapFile>> map;
   if (!arguments.map.empty()) map = load_map(arguments.map);
@@ -213,6 +215,7 @@ int animate(const AnimateArguments& arguments) {
 
 void add_options(CLI::App& command, AnimateArguments& arguments) {
   command.add_option("MODEL", arguments.model, "Model with controls")->required();
+  add_orientation_options(command, arguments.orientation);
   command
       .add_option(
           "--track", arguments.track,

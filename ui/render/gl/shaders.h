@@ -40,63 +40,57 @@ void main() {
 }
 )";
 
-/// Positions are moved to the middle of the model and scaled to about one before any arithmetic, so that units, size
-/// and distance from the origin do not matter.
-inline constexpr std::string_view k_mesh_vertex = R"(
+/// Before the vertex shaders of surfaces: places a vertex. Positions are moved to the middle of the model and scaled to
+/// about one before any arithmetic, so that units, size and distance from the origin do not matter.
+inline constexpr std::string_view k_place_functions = R"(
 in vec3 position;
 in vec3 normal;
-in vec4 base_color;
-in vec4 finish;
-in vec4 overlay;
 uniform vec3 middle;
 uniform float scale;
 uniform mat4 to_view;
 uniform mat4 to_clip;
 out vec3 view_position;
 out vec3 view_normal;
-out vec4 albedo;
-out vec3 surface;
-void main() {
+void place_vertex() {
   vec4 p = to_view * vec4((position - middle) * scale, 1.0);
   view_position = p.xyz;
   view_normal = mat3(to_view) * normal;
-  albedo = vec4(mix(base_color.rgb, overlay.rgb, overlay.a), base_color.a * finish.w);
-  surface = vec3(finish.x, finish.y, overlay.a > 0.5 ? 1.0 : finish.z);
   gl_Position = to_clip * p;
 }
 )";
 
-/// The same for surfaces with pictures and colours of their own.
-inline constexpr std::string_view k_look_vertex = R"(
-in vec3 position;
-in vec3 normal;
+/// Surfaces of materials, after k_place_functions.
+inline constexpr std::string_view k_mesh_vertex = R"(
 in vec4 base_color;
 in vec4 finish;
 in vec4 overlay;
+out vec4 albedo;
+out vec3 surface;
+void main() {
+  place_vertex();
+  albedo = vec4(mix(base_color.rgb, overlay.rgb, overlay.a), base_color.a * finish.w);
+  surface = vec3(finish.x, finish.y, overlay.a > 0.5 ? 1.0 : finish.z);
+}
+)";
+
+/// Surfaces with pictures and colours of their own, after k_place_functions.
+inline constexpr std::string_view k_look_vertex = R"(
+in vec4 overlay;
 in vec4 coordinates;
 in vec4 tint;
-uniform vec3 middle;
-uniform float scale;
-uniform mat4 to_view;
-uniform mat4 to_clip;
 uniform float second_set;
 uniform vec2 along_u;
 uniform vec2 along_v;
 uniform vec2 shift;
-out vec3 view_position;
-out vec3 view_normal;
 out vec4 color;
 out vec4 over;
 out vec2 at;
 void main() {
-  vec4 p = to_view * vec4((position - middle) * scale, 1.0);
-  view_position = p.xyz;
-  view_normal = mat3(to_view) * normal;
+  place_vertex();
   color = vec4(tint.rgb * tint.rgb, tint.a);
   over = overlay;
   vec2 uv = second_set > 0.5 ? coordinates.zw : coordinates.xy;
   at = along_u * uv.x + along_v * uv.y + shift;
-  gl_Position = to_clip * p;
 }
 )";
 

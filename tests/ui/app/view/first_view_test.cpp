@@ -1,6 +1,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
+#include "core/document/look.h"
 #include "tests/support/app_desk.h"
 #include "tests/support/models/gltf_sample.h"
 
@@ -59,6 +60,29 @@ TEST(FirstView, ClayIsAKeyAway) {
   EXPECT_FALSE(desk.app->of<CanvasLook>().clay);
   desk.press('c', false, true);
   EXPECT_TRUE(desk.app->of<CanvasLook>().clay);
+}
+
+TEST(FirstView, TexturesThatCannotBeDrawnAreToldInOneNotice) {
+  Desk desk("undrawn");
+  auto& undrawn = desk.app->of<UndrawnTextures>();
+  document::Model model = *desk.document().model;
+  document::Look look;
+  look.undrawn = {"skin.ktx2 (KTX2)"};
+  model.look = std::make_shared<const document::Look>(look);
+  const auto told = [&] {
+    std::vector<std::string> texts;
+    for (const Notice& one : desk.app->of<Notices>().all()) texts.push_back(one.text);
+    return texts;
+  };
+  undrawn.begin(model);
+  ASSERT_EQ(told().size(), 1U);
+  EXPECT_EQ(told()[0], "1 texture cannot be drawn and is grey: skin.ktx2 (KTX2)");
+  undrawn.add(model.look, {"eyes (is damaged)"});
+  ASSERT_EQ(told().size(), 1U) << "one notice for both";
+  EXPECT_EQ(told()[0], "2 textures cannot be drawn and are grey: skin.ktx2 (KTX2), eyes (is damaged)");
+  undrawn.add(std::make_shared<const document::Look>(), {"of another model (gone)"});
+  EXPECT_EQ(told().size(), 1U);
+  EXPECT_EQ(told()[0].find("another"), std::string::npos);
 }
 
 }  // namespace

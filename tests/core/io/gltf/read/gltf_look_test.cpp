@@ -172,7 +172,7 @@ TEST(GltfLook, APictureThatNamesItsOwnFileOrIsNestedIsOnlyGrey) {
        {"model.gltf", "data:image/png;base64,ZGF0YTppbWFnZS9wbmc7YmFzZTY0LEFB", "../model.gltf", "."}) {
     auto sample = textured(png(4, 4));
     sample.json["images"][0] = {{"uri", uri}};
-    const auto bytes = sample.bytes();
+    const auto bytes = sample.glb();
     const FileResolver itself = [&](const std::string&) { return base::Result<std::vector<std::uint8_t>>(bytes); };
     const auto model = read_gltf(bytes, itself);
     ASSERT_TRUE(model.ok()) << uri << model.error().line();
