@@ -157,6 +157,7 @@ FileBytes avatar(bool textured) {
 
 struct Run {
   double seconds = 0;
+  double processor_seconds = 0;  ///< of all its threads
   double peak_mb = 0;
 };
 
@@ -181,8 +182,11 @@ Run run(std::vector<std::string> words, const std::string& output, double ends_a
   rusage usage{};
   ::wait4(child, &status, 0, &usage);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) std::fprintf(stderr, "%s failed\n", words.front().c_str());
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) * 1e-6;
+  };
   return {std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(),
-          static_cast<double>(usage.ru_maxrss) / 1024};
+          seconds(usage.ru_utime) + seconds(usage.ru_stime), static_cast<double>(usage.ru_maxrss) / 1024};
 }
 
 void measure(const std::string& penpose, const std::string& folder, const std::string& name, const std::string& model) {
@@ -192,7 +196,8 @@ void measure(const std::string& penpose, const std::string& folder, const std::s
   const std::string text = folder + "/look_bench.txt";
   for (int i = 0; i < 3; ++i) {
     const Run render = run({penpose, "render", model, "-o", folder + "/look_bench.png", "--size", "1280x800"}, text);
-    std::printf("  render            %.2f s, %.0f MB at the peak\n", render.seconds, render.peak_mb);
+    std::printf("  render            %.2f s, %.2f s of processors, %.0f MB at the peak\n", render.seconds,
+                render.processor_seconds, render.peak_mb);
   }
   if (std::getenv("DISPLAY") == nullptr) return;
   for (int i = 0; i < 3; ++i) {

@@ -41,7 +41,8 @@ std::vector<std::uint32_t> face_vertices(const document::Model& model) {
   constexpr double k_whole = 0.5;
   constexpr double k_far = 0.25;
   constexpr double k_margin = 0.4;
-  constexpr std::size_t k_many = 12;
+  constexpr float k_some = 0.25F;
+  constexpr float k_much = 0.5F;
   if (!model.shapes) return {};
   std::vector<ModelPoint> rest(model.mesh->vertex_count());
   model.rig->evaluate(rig::rest_pose(*model.rig), rest);
@@ -49,16 +50,19 @@ std::vector<std::uint32_t> face_vertices(const document::Model& model) {
   for (const ModelPoint& p : rest) whole.add(p);
   const double size = whole.diagonal();
   std::vector<geometry::Box> boxes;
-  // A jaw takes some of the throat with it, and arithmetic leaves traces anywhere: the strong part of a motion counts.
-  // A few shapes are mostly a mouth's alone, which say of the face around them what they move weakly.
-  const float strong = model.shapes->shapes().size() < k_many ? 0.25F : 0.5F;
   for (const rig::BlendShape& shape : model.shapes->shapes()) {
     float most = 0;
     for (const glm::vec3& d : shape.deltas) most = std::max(most, glm::dot(d, d));
+    // What arithmetic leaves behind does not count, nor the throat, which a jaw takes with it.
     geometry::Box box;
+    double lowest = 1e300;
     for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
-      if (glm::dot(shape.deltas[i], shape.deltas[i]) > strong * strong * most) box.add(rest[shape.vertices[i]]);
+      const float motion = glm::dot(shape.deltas[i], shape.deltas[i]);
+      const ModelPoint& p = rest[shape.vertices[i]];
+      if (motion > k_some * k_some * most) box.add(p);
+      if (motion > k_much * k_much * most) lowest = std::min(lowest, p.y);
     }
+    if (!box.empty()) box.minimum.y = lowest;
     if (!box.empty() && box.diagonal() < k_whole * size) boxes.push_back(box);
   }
   if (boxes.empty() || 2 * boxes.size() < model.shapes->shapes().size()) return {};
@@ -73,8 +77,8 @@ std::vector<std::uint32_t> face_vertices(const document::Model& model) {
   std::erase_if(boxes,
                 [&](const geometry::Box& box) { return geometry::distance(box.center(), middle) > k_far * size; });
   if (boxes.empty()) return {};
-  // The tenth of the shapes that reach farthest to a side, such as those of a throat, do not say where a face ends.
-  const std::size_t tenth = boxes.size() / 10;
+  // The fifth of the shapes that reach farthest to a side, such as those of a throat, do not say where a face ends.
+  const std::size_t fifth = boxes.size() / 5;
   geometry::Box face;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> low;
@@ -84,9 +88,9 @@ std::vector<std::uint32_t> face_vertices(const document::Model& model) {
       high.push_back(-box.maximum[axis]);
     }
     for (std::vector<double>* ends : {&low, &high})
-      std::nth_element(ends->begin(), ends->begin() + static_cast<std::ptrdiff_t>(tenth), ends->end());
-    face.minimum[axis] = low[tenth];
-    face.maximum[axis] = -high[tenth];
+      std::nth_element(ends->begin(), ends->begin() + static_cast<std::ptrdiff_t>(fifth), ends->end());
+    face.minimum[axis] = low[fifth];
+    face.maximum[axis] = -high[fifth];
   }
   if (face.diagonal() > k_whole * size) return {};
   const ModelVector margin(k_margin * (face.maximum.y - face.minimum.y));

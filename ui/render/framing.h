@@ -21,9 +21,9 @@ struct Viewpoint {
 /// is +Z: Model::front_yaw_degrees is added to the yaw.
 [[nodiscard]] std::optional<Viewpoint> find_viewpoint(std::string_view name);
 
-/// The vertices around the face of a whole figure: those in the box of what most blend shapes move strongly, widened by
+/// The vertices around the face of a whole figure: those in the box of what most blend shapes move, widened by
 /// two fifths of its height, so that the face from chin to hair fills about two thirds of a picture. Shapes that move
-/// half of the figure or more, or that lie a quarter of it away from the middle one, do not count, nor does the tenth
+/// half of the figure or more, or that lie a quarter of it away from the middle one, do not count, nor does the fifth
 /// that reaches farthest to each side. Empty: nothing says where a face is, or it is most of the model already.
 [[nodiscard]] std::vector<std::uint32_t> face_vertices(const document::Model& model);
 

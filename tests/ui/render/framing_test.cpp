@@ -50,12 +50,16 @@ TEST(Framing, KnowsItsViews) {
   EXPECT_FALSE(find_viewpoint("behind").has_value());
 }
 
-/// A figure ten units high whose topmost sphere is moved by shapes; `all` of them move the feet as well.
-document::Model figure(bool all) {
+/// A figure ten units high whose topmost sphere is moved by shapes; `all` of them move the feet as well, and the throat
+/// below it by a share of that.
+document::Model figure(bool all, float throat = 0) {
   mesh::MeshSource source;
   add_box(source, {0, 4, 0}, {1, 4, 0.5});
   const std::size_t body = source.positions.size();
   add_sphere(source, {0, 9, 0}, 0.8, 12);
+  const std::size_t neck = source.positions.size();
+  add_box(source, {0, 7, 0}, {0.3, 0.3, 0.3});
+  const std::size_t neck_end = source.positions.size();
   const auto mesh = mesh::TriangleMesh::build(source).value();
   std::vector<rig::BlendShape> shapes;
   for (const char* name : {"jaw", "brow", "smile"}) {
@@ -63,6 +67,10 @@ document::Model figure(bool all) {
     if (all) shape.vertices.push_back(0);
     for (auto v = static_cast<std::uint32_t>(body); v < body + 60; ++v) shape.vertices.push_back(v);
     shape.deltas.assign(shape.vertices.size(), {0, -0.1F, 0});
+    for (std::size_t v = neck; v < neck_end && throat > 0; ++v) {
+      shape.vertices.push_back(static_cast<std::uint32_t>(v));
+      shape.deltas.emplace_back(0, -0.1F * throat, 0);
+    }
     shapes.push_back(std::move(shape));
   }
   return document::make_model(mesh, rig::BlendShapes::make(shapes, mesh->vertex_count()).value(), nullptr).value();
@@ -73,6 +81,8 @@ TEST(Framing, TheFaceOfAFigureIsWhereItsShapesWork) {
   const auto face = face_vertices(model);
   ASSERT_GE(face.size(), 60U);
   for (const std::uint32_t v : face) EXPECT_GT(model.mesh->positions()[v].y, 7.9);
+  EXPECT_EQ(face_vertices(figure(false, 0.4F)), face) << "a throat that is taken along is no face";
+  EXPECT_GT(face_vertices(figure(false, 1)).size(), face.size());
   EXPECT_TRUE(face_vertices(figure(true)).empty()) << "shapes of the whole body tell of no face";
   EXPECT_TRUE(face_vertices(sphere_model(1)).empty());
 }
