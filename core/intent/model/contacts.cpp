@@ -89,9 +89,9 @@ void Contacts::add(std::span<const ModelPoint> rest, std::span<const ModelPoint>
 }
 
 double Contacts::depth_of(std::vector<double>& by_pair) const {
-  const auto at = by_pair.begin() + static_cast<std::ptrdiff_t>(k_share * static_cast<double>(by_pair.size() - 1));
-  std::nth_element(by_pair.begin(), at, by_pair.end());
-  return std::max(0.0, *at / size_);
+  std::stable_sort(by_pair.begin(), by_pair.end());
+  const auto at = static_cast<std::size_t>(k_share * static_cast<double>(by_pair.size() - 1));
+  return std::max(0.0, by_pair[at] / size_);
 }
 
 double Contacts::depth(std::size_t control, std::span<const double> pose) const {
