@@ -10,7 +10,7 @@
 namespace penpose::io {
 
 std::string lost_without_source(const document::Model& model) {
-  const auto opened = open_gltf(model.source->bytes, resolver_of(*model.source));
+  const auto opened = open_gltf(*model.source->bytes, resolver_of(*model.source));
   if (!opened) return {};
   std::vector<std::string> lost;
   const auto has = [&](const char* name) {

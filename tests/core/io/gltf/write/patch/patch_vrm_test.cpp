@@ -95,7 +95,7 @@ TEST(PatchVrm, APosedAvatarKeepsItsTPoseInTheFileAndItsPoseForPenpose) {
     const document::Model model = posed_avatar(version);
     WriteReport report;
     const auto written = write_glb(model, {}, &report).value();
-    const VrmJson was = tests::parts_of(model.source->bytes).json;
+    const VrmJson was = tests::parts_of(*model.source->bytes).json;
     const VrmJson now = tests::parts_of(written).json;
     ASSERT_EQ(now["nodes"].size(), was["nodes"].size());
     for (std::size_t n = 0; n < now["nodes"].size(); ++n) {
