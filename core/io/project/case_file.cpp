@@ -204,8 +204,9 @@ Problem check_vertices(const std::vector<std::uint32_t>& vertices, const std::st
   return std::nullopt;
 }
 
+/// `rest`: where the rig has its vertices. A mesh that several nodes share lies in one place before they carry it.
 Problem check_case(const PoseCase& pose_case, const std::string& pointer, const document::Model& model,
-                   TargetForm form) {
+                   std::span<const geometry::ModelPoint> rest, TargetForm form) {
   const auto parameters = model.rig->parameters();
   for (const auto& [member, names] : {std::pair{"free", &pose_case.free}, std::pair{"locked", &pose_case.locked}}) {
     for (std::size_t i = 0; i < names->size(); ++i) {
@@ -222,8 +223,7 @@ Problem check_case(const PoseCase& pose_case, const std::string& pointer, const 
   for (std::size_t i = 0; i < pose_case.references.size(); ++i) {
     const CaseReference& reference = pose_case.references[i];
     const std::string here = json::child(json::child(pointer, "references"), i);
-    if (auto problem = check_vertices(reference.vertices, json::child(here, "vertices"), model.mesh->positions()))
-      return problem;
+    if (auto problem = check_vertices(reference.vertices, json::child(here, "vertices"), rest)) return problem;
     if (form == TargetForm::points && reference.target.size() != reference.vertices.size()) {
       return wrong("the target has " + std::to_string(reference.target.size()) + " points for " +
                        std::to_string(reference.vertices.size()) + " vertices",
@@ -232,7 +232,7 @@ Problem check_case(const PoseCase& pose_case, const std::string& pointer, const 
   }
   for (std::size_t i = 0; i < pose_case.constraints.size(); ++i) {
     const std::string here = json::child(json::child(json::child(pointer, "constraints"), i), "vertices");
-    if (auto problem = check_vertices(pose_case.constraints[i].vertices, here, model.mesh->positions())) return problem;
+    if (auto problem = check_vertices(pose_case.constraints[i].vertices, here, rest)) return problem;
   }
   return std::nullopt;
 }
@@ -263,8 +263,10 @@ base::Result<CaseFile> read_cases(base::Bytes bytes) {
 }
 
 base::Status check_cases(const CaseFile& file, const document::Model& model, TargetForm form) {
+  std::vector<geometry::ModelPoint> rest(model.rig->vertex_count());
+  model.rig->evaluate(rig::rest_pose(*model.rig), rest);
   for (std::size_t i = 0; i < file.cases.size(); ++i) {
-    if (auto problem = check_case(file.cases[i], json::child("/cases", i), model, form)) return *problem;
+    if (auto problem = check_case(file.cases[i], json::child("/cases", i), model, rest, form)) return *problem;
   }
   return base::Done{};
 }
