@@ -321,12 +321,13 @@ std::vector<std::uint32_t> weld_coincident(const MeshSource& source, std::span<c
     if (!any) continue;
     welded.assign(source.triangles.begin() + part.first_triangle,
                   source.triangles.begin() + part.first_triangle + part.triangle_count);
+    // Numbered from the part's first vertex: what a part costs must not grow with the others.
     bool collapsed = false;
     for (Triangle& t : welded) {
-      for (std::uint32_t& v : t) v = weld[v];
+      for (std::uint32_t& v : t) v = weld[v] - part.first_vertex;
       collapsed |= collapses(t);
     }
-    if (collapsed || first_non_manifold_triangle(welded, source.positions.size())) {
+    if (collapsed || first_non_manifold_triangle(welded, part.vertex_count)) {
       std::iota(weld.begin() + part.first_vertex, weld.begin() + part.first_vertex + part.vertex_count,
                 part.first_vertex);
     }

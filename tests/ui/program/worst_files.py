@@ -247,6 +247,49 @@ def many_meshes(folder):
     return ['info', path], [path]
 
 
+def many_seams(folder, count=45000):
+    """Parts whose vertices lie on each other: each is put together by itself."""
+    path = os.path.join(folder, 'seams.glb')
+    corners = [(0, 0), (1, 0), (1, 1), (0, 0), (1, 1), (0, 1)]
+    binary = b''.join(struct.pack('<fff', x, y, 0) for x, y in corners)
+    document = {
+        'asset': {'version': '2.0'}, 'buffers': [{'byteLength': len(binary)}],
+        'bufferViews': [{'buffer': 0, 'byteLength': len(binary)}],
+        'accessors': [{'bufferView': 0, 'componentType': 5126, 'count': len(corners), 'type': 'VEC3'}],
+        'meshes': [{'primitives': [{'attributes': {'POSITION': 0}}]}],
+        'nodes': [{'mesh': 0}] * count, 'scenes': [{'nodes': list(range(count))}], 'scene': 0}
+    glb(path, document, binary)
+    return ['info', path], [path]
+
+
+def empty_entries(folder, name, count):
+    path = os.path.join(folder, name + '.glb')
+    document, binary = grid(40)
+    document[name] = document.get(name, []) + [{}] * count
+    glb(path, document, binary)
+    return ['info', path], [path]
+
+
+def empty_nodes(folder):
+    return empty_entries(folder, 'nodes', 300000)
+
+
+def empty_materials(folder):
+    return empty_entries(folder, 'materials', 300000)
+
+
+def some_materials(folder):
+    return empty_entries(folder, 'materials', 8000)
+
+
+def empty_primitives(folder):
+    path = os.path.join(folder, 'primitives.glb')
+    document, binary = grid(40)
+    document['meshes'][0]['primitives'] += [{'attributes': {}}] * 200000
+    glb(path, document, binary)
+    return ['info', path], [path]
+
+
 def fine_lines(folder, count=20000):
     cases = os.path.join(folder, 'fine.json')
     target = [[0.001 * i, round(0.01 * math.sin(i), 6), 0] for i in range(count)]
@@ -276,6 +319,7 @@ def endless_angle(folder):
     return ['pose', 'builtin:head', '--cases', cases, '--form', 'drawn'], [cases]
 
 
-ALL = [many_targets, many_instances, zeros, one_file_many_buffers, nested, many_numbers, long_line, one_fan, huge_counts, picture_header,
+ALL = [many_targets, many_instances, many_seams, empty_nodes, empty_materials, some_materials, empty_primitives, zeros, one_file_many_buffers,
+       nested, many_numbers, long_line, one_fan, huge_counts, picture_header,
        picture_bomb, many_labels, many_keys, huge_view, empty_frames, numbered_far_apart, many_controls, many_meshes, fine_lines,
        endless_session, huge_session, endless_angle, no_textures, texture_bomb]

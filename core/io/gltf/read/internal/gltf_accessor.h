@@ -34,8 +34,8 @@ struct ElementRule {
 };
 
 /// Corners of triangles and places of vertices are kept with neighbours, edges and parts: a number of them takes some
-/// 60 bytes, any other one some 14.
-inline constexpr std::uint64_t k_cost_of_geometry = 4;
+/// 42 bytes, any other one some 14.
+inline constexpr std::uint64_t k_cost_of_geometry = 3;
 
 /// Reads an accessor; integers that are marked normalized become -1..1 or 0..1 (glTF 2.0, section 3.11). Bounds are
 /// checked before anything is read, and what is read counts against the document's budget.

@@ -1,5 +1,6 @@
 #include "core/io/gltf/read/internal/gltf_document.h"
 
+#include <array>
 #include <map>
 #include <new>
 #include <utility>
@@ -191,6 +192,41 @@ base::Status read_structure(GltfDocument& document, const json::Json& vetted) {
   return base::Done{};
 }
 
+/// A number takes some 14 bytes once it is read: what comes of a file stays below 40 times its size.
+std::size_t budget_of(std::size_t bytes) { return (std::size_t{9} << 18) + 2 * bytes + bytes / 2; }
+
+/// What the entries of a document take once they are read, counted as numbers: measured with entries that are empty.
+std::uint64_t numbers_of_entries(const json::Json& document) {
+  struct Cost {
+    const char* list;
+    std::uint64_t numbers;
+    const char* inner;  ///< lists in each entry, "" for none
+    const char* other;
+  };
+  constexpr std::uint64_t k_inner = 60;
+  constexpr auto k_costs = std::to_array<Cost>({{"nodes", 80, "", ""},
+                                                {"materials", 290, "", ""},
+                                                {"meshes", 90, "primitives", ""},
+                                                {"accessors", 140, "", ""},
+                                                {"bufferViews", 60, "", ""},
+                                                {"skins", 80, "", ""},
+                                                {"scenes", 80, "", ""},
+                                                {"animations", 110, "channels", "samplers"}});
+  std::uint64_t sum = 0;
+  for (const Cost& cost : k_costs) {
+    const json::Json* list = json::find(document, cost.list);
+    if (list == nullptr || !list->is_array()) continue;
+    sum += cost.numbers * list->size();
+    for (std::size_t i = 0; *cost.inner != '\0' && i < list->size(); ++i) {
+      for (const char* name : {cost.inner, cost.other}) {
+        const json::Json* inner = *name == '\0' ? nullptr : json::find((*list)[i], name);
+        if (inner != nullptr && inner->is_array()) sum += k_inner * inner->size();
+      }
+    }
+  }
+  return sum;
+}
+
 }  // namespace
 
 bool is_glb(base::Bytes bytes) { return base::ByteReader(bytes).read<std::uint32_t>() == k_magic; }
@@ -210,6 +246,12 @@ base::Result<GltfDocument> open_gltf(base::Bytes bytes, const FileResolver& reso
   }
   GltfDocument document;
   document.json = std::move(json).value();
+  // Before anything is made of them: "{}" is a node or a material as well, of a thousand bytes and more.
+  const std::uint64_t entries = numbers_of_entries(document.json);
+  if (entries > budget_of(bytes.size())) {
+    return base::Error{"the file lists far more nodes, materials and the like than it has bytes for", "/",
+                       "it is damaged or hostile; export it again"};
+  }
   auto vetted = vet_gltf(document.json, document.notes);
   if (!vetted) return vetted.error();
   if (const auto loaded = load_buffers(document, container, resolve); !loaded) return loaded.error();
@@ -219,8 +261,7 @@ base::Result<GltfDocument> open_gltf(base::Bytes bytes, const FileResolver& reso
   if (!unpacked) return unpacked.error();
   data += static_cast<std::size_t>(*unpacked);
   if (const auto parsed = read_structure(document, *vetted); !parsed) return parsed.error();
-  // A number takes some 14 bytes once it is read: what comes of a file stays below 40 times its size.
-  document.budget = (std::size_t{5} << 19) + 2 * data + data / 2;
+  document.budget = budget_of(data) - static_cast<std::size_t>(entries);
   return document;
 }
 
