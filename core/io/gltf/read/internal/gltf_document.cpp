@@ -272,13 +272,6 @@ base::Result<GltfDocument> open_kept_gltf(base::Bytes bytes, const FileResolver&
   return document;
 }
 
-base::Result<GltfDocument> open_kept_gltf(base::Bytes bytes, const FileResolver& resolve) {
-  auto file = std::make_shared<const std::vector<std::uint8_t>>(bytes.begin(), bytes.end());
-  auto document = open_gltf(*file, resolve);
-  if (document) document->file = std::move(file);
-  return document;
-}
-
 base::Result<std::vector<std::uint8_t>> read_uri(const std::string& uri, const std::string& pointer,
                                                  const FileResolver& resolve) {
   GltfDocument one;
