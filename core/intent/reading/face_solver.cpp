@@ -155,12 +155,15 @@ Reading FaceSolver::read_best() {
     for (std::size_t a = 1; a < reader_.alignments(c).size(); ++a) {
       if (reader_.alignments(c)[a].charge >= gain) continue;
       reader_.align(c, a);
-      // A part of a curve drawn where it is would say nothing: then all of it is meant to be shorter.
-      if (reader_.squares_of(c, {}) < reader_.face_costs().asks_from) continue;
+      // A part of a curve drawn where it is would say nothing: then all of it is meant to be shorter. Beside other
+      // lines it says that the curve stays.
+      const double asked = reader_.squares_left({})[c];
+      if (lines == 1 && asked < reader_.face_costs().asks_from) continue;
       // Where a first look comes nowhere near it so, it is not how the line was drawn.
       if (first_look(best.choice, c) > best.energy + k_window) continue;
       Reading one = read_aligned();
       if (!(one.energy < best.energy - 1e-9)) continue;
+      if (lines == 1 ? reader_.squares_left(one.choice)[c] > k_some_way * asked : one.choice.units.empty()) continue;
       best = std::move(one);
       of_best = matched_;
       chosen = a;
