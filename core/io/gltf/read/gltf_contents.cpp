@@ -73,27 +73,21 @@ GltfContents gltf_contents(base::Bytes bytes) {
     }
   }
   std::set<std::string> seen;
+  const auto tell = [&](const std::string& name) {
+    if (!seen.insert(name).second || std::find(k_read.begin(), k_read.end(), name) != k_read.end()) return;
+    const bool known = std::any_of(k_passed.begin(), k_passed.end(),
+                                   [&](std::string_view prefix) { return std::string_view(name).starts_with(prefix); });
+    (known ? contents.passed_through : contents.not_understood).push_back(name);
+  };
   for (const char* list_name : {"extensionsUsed", "extensionsRequired"}) {
     const Json* list = json::find(*root, list_name);
     for (std::size_t i = 0; list != nullptr && list->is_array() && i < list->size(); ++i) {
-      if (!(*list)[i].is_string()) continue;
-      const auto& name = (*list)[i].get_ref<const std::string&>();
-      if (!seen.insert(name).second || std::find(k_read.begin(), k_read.end(), name) != k_read.end()) continue;
-      const bool known = std::any_of(k_passed.begin(), k_passed.end(), [&](std::string_view prefix) {
-        return std::string_view(name).starts_with(prefix);
-      });
-      (known ? contents.passed_through : contents.not_understood).push_back(name);
+      if ((*list)[i].is_string()) tell((*list)[i].get_ref<const std::string&>());
     }
   }
   // Extensions of the root that the lists forget.
   if (const Json* extensions = json::find(*root, "extensions"); extensions != nullptr && extensions->is_object()) {
-    for (const auto& [name, value] : extensions->items()) {
-      if (!seen.insert(name).second || std::find(k_read.begin(), k_read.end(), name) != k_read.end()) continue;
-      const bool known = std::any_of(k_passed.begin(), k_passed.end(), [&](std::string_view prefix) {
-        return std::string_view(name).starts_with(prefix);
-      });
-      (known ? contents.passed_through : contents.not_understood).push_back(name);
-    }
+    for (const auto& extension : extensions->items()) tell(extension.first);
   }
   if (const std::size_t cameras = count_of(*root, "cameras"); cameras > 0) {
     contents.passed_through.push_back(std::to_string(cameras) + (cameras == 1 ? " camera" : " cameras"));
