@@ -1,10 +1,12 @@
 #include "firmware_io/device/list/permission.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
+#include <grp.h>
 #include <map>
 #include <set>
 #include <spawn.h>
@@ -12,19 +14,43 @@
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
+#include <vector>
 
 namespace penpose::device {
 namespace {
 
-/// Makes tablets and nothing that one types passwords on.
-constexpr std::uint16_t k_wacom = 0x056a;
+/// Make tablets and nothing that one types passwords on: Wacom, and Wacom's digitizers built into other makers'
+/// devices.
+constexpr std::array<std::uint16_t, 2> k_makers_of_tablets = {0x056a, 0x2d1f};
+
+/// Digitizers with a pen that are built into notebooks and handhelds, of makers that build keyboards and touchpads as
+/// well (github.com/linuxwacom/wacom-hid-descriptors, interfaces with a pen).
+struct BuiltIn {
+  std::uint16_t vendor;
+  std::uint16_t product;
+};
+constexpr auto k_built_in = std::to_array<BuiltIn>({
+    {0x03eb, 0x8abb}, {0x04f3, 0x2283}, {0x04f3, 0x23db}, {0x04f3, 0x241e}, {0x04f3, 0x24b8}, {0x04f3, 0x251c},
+    {0x04f3, 0x2522}, {0x04f3, 0x2718}, {0x04f3, 0x29a1}, {0x04f3, 0x29b6}, {0x04f3, 0x2a70}, {0x04f3, 0x2ad8},
+    {0x04f3, 0x2ad9}, {0x04f3, 0x2b5f}, {0x04f3, 0x2bb1}, {0x04f3, 0x2bd6}, {0x04f3, 0x2cf7}, {0x04f3, 0x2da1},
+    {0x04f3, 0x2de2}, {0x04f3, 0x2fc2}, {0x04f3, 0x2fc4}, {0x04f3, 0x41eb}, {0x04f3, 0x42c3}, {0x0531, 0x0104},
+    {0x0531, 0x0105}, {0x06cb, 0x125d}, {0x27c6, 0x0111}, {0x27c6, 0x0113}, {0x27c6, 0x0118}, {0x27c6, 0x011a},
+    {0x27c6, 0x0e0d},
+});
+
+/// Where logind (or elogind) keeps the seats whose users `uaccess` lets in.
+constexpr const char* k_seats = "/run/systemd/seats";
+constexpr const char* k_group = "input";
 
 constexpr std::string_view k_head =
     R"(# Pen tablets for penpose: whoever sits at the machine may read them (uaccess), nobody else.
+# Where nothing knows who sits there (no logind), the group "input" may.
 # Made by `penpose devices --udev-rule`; goes to /etc/udev/rules.d.
 ACTION=="remove", GOTO="penpose_end"
 )";
 constexpr std::string_view k_tail = "LABEL=\"penpose_end\"\n";
+/// What the rule calls a tablet.
+constexpr const char* k_mark = "PENPOSE_TABLET";
 
 std::string hex_digits(std::uint16_t id, const char* form) {
   std::array<char, 8> digits{};
@@ -45,10 +71,11 @@ void append_rules(std::string& rule, std::uint16_t vendor, const std::set<std::u
     ids += hex_digits(product, "%04x");
   }
   if (products.empty()) parents = "*:" + hex_digits(vendor, "%04X") + ":*";
-  rule += "SUBSYSTEM==\"hidraw\", KERNELS==\"" + parents + "\", TAG+=\"uaccess\"\n";
+  const std::string gives = std::string(", TAG+=\"uaccess\", ENV{") + k_mark + "}=\"1\"\n";
+  rule += "SUBSYSTEM==\"hidraw\", KERNELS==\"" + parents + "\"" + gives;
   rule += "SUBSYSTEM==\"usb\", ENV{DEVTYPE}==\"usb_device\", ATTR{idVendor}==\"" + hex_digits(vendor, "%04x") + "\"";
   if (!products.empty()) rule += ", ATTR{idProduct}==\"" + ids + "\"";
-  rule += ", TAG+=\"uaccess\"\n";
+  rule += gives;
 }
 
 bool rule_is_installed() {
@@ -59,12 +86,29 @@ bool rule_is_installed() {
   return false;
 }
 
+/// Whether this process has the rights of a group.
+bool in_group(const char* name) {
+  const group* entry = ::getgrnam(name);
+  if (entry == nullptr) return false;
+  std::vector<gid_t> groups(static_cast<std::size_t>(std::max(0, ::getgroups(0, nullptr))));
+  const int count = ::getgroups(static_cast<int>(groups.size()), groups.data());
+  groups.resize(static_cast<std::size_t>(std::max(0, count)));
+  groups.push_back(::getegid());
+  return std::find(groups.begin(), groups.end(), entry->gr_gid) != groups.end();
+}
+
 std::string denied(const LiveTablet& tablet, const std::string& program) {
   if (!rule_is_installed()) {
     return "You may not open it because no udev rule gives you access; run: sudo " + program +
            " devices --install-udev-rule";
   }
-  if (std::getenv("SSH_CONNECTION") != nullptr) {
+  if (::access(k_seats, F_OK) != 0) {
+    if (!in_group(k_group)) {
+      return "You may not open it because you are not in the group " + std::string(k_group) +
+             ", which the udev rule lets in where there is no logind; run: sudo usermod -aG " + k_group +
+             " $USER and log in again";
+    }
+  } else if (std::getenv("SSH_CONNECTION") != nullptr) {
     return "You may not open it because the udev rule gives access to whoever sits at the machine, not to a remote "
            "login; run: sudo setfacl -m u:$USER:rw " +
            tablet.node();
@@ -91,7 +135,9 @@ bool run(std::array<const char*, 4> arguments) {
 std::string udev_rule(const decode::TabletTable& table, const std::vector<LiveTablet>& also) {
   std::map<std::uint16_t, std::set<std::uint16_t>> products;
   const auto add = [&](std::uint16_t vendor, std::uint16_t product) {
-    if (vendor != k_wacom) products[vendor].insert(product);
+    const bool whole =
+        std::find(k_makers_of_tablets.begin(), k_makers_of_tablets.end(), vendor) != k_makers_of_tablets.end();
+    if (!whole) products[vendor].insert(product);
   };
   for (const decode::Tablet& tablet : table.tablets()) {
     for (const auto* list : {&tablet.identifiers, &tablet.pads}) {
@@ -99,9 +145,12 @@ std::string udev_rule(const decode::TabletTable& table, const std::vector<LiveTa
     }
   }
   for (const LiveTablet& tablet : also) add(tablet.interface.identity.vendor, tablet.interface.identity.product);
+  for (const BuiltIn& one : k_built_in) add(one.vendor, one.product);
   std::string rule(k_head);
-  append_rules(rule, k_wacom, {});
+  for (const std::uint16_t vendor : k_makers_of_tablets) append_rules(rule, vendor, {});
   for (const auto& [vendor, ids] : products) append_rules(rule, vendor, ids);
+  rule +=
+      std::string("ENV{") + k_mark + "}==\"1\", TEST!=\"" + k_seats + "\", GROUP=\"" + k_group + "\", MODE=\"0660\"\n";
   return rule += k_tail;
 }
 

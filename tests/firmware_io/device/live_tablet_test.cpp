@@ -164,10 +164,17 @@ TEST(UdevRule, TheOneInTheRepositoryIsTheOneThatIsPrinted) {
 
 TEST(UdevRule, GivesAccessToWhoeverSitsThereAndToNobodyElse) {
   const std::string rule = udev_rule(decode::known_tablets());
-  EXPECT_EQ(rule.find("MODE"), std::string::npos);
-  EXPECT_EQ(rule.find("GROUP"), std::string::npos);
+  // But where no logind knows who that is: there a group, and no more than that.
+  const auto group = rule.find("GROUP");
+  EXPECT_EQ(rule.find("GROUP", group + 1), std::string::npos);
+  const std::string last = rule.substr(rule.rfind('\n', group) + 1);
+  EXPECT_EQ(last.substr(0, last.find('\n')),
+            "ENV{PENPOSE_TABLET}==\"1\", TEST!=\"/run/systemd/seats\", GROUP=\"input\", MODE=\"0660\"");
   EXPECT_NE(rule.find("TAG+=\"uaccess\""), std::string::npos);
   EXPECT_NE(rule.find("*:256C:006D.*"), std::string::npos);
+  EXPECT_NE(rule.find("*:2D1F:*"), std::string::npos) << "Wacom's digitizers in notebooks";
+  EXPECT_NE(rule.find("*:27C6:0113.*"), std::string::npos) << "of other makers by number";
+  EXPECT_EQ(rule.find("*:04F3:*"), std::string::npos) << "who build keyboards as well";
   std::istringstream lines(rule);
   for (std::string line; std::getline(lines, line);) EXPECT_LT(line.size(), 8000u) << "udev reads lines of 16 KiB";
   // Each line that gives something names a maker.
