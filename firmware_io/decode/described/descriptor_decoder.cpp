@@ -59,7 +59,7 @@ void DescriptorDecoder::press(unsigned button, bool down) {
 
 void DescriptorDecoder::apply(const PenReport& report, const PenControl& control, std::int64_t value,
                               Proximity& proximity) {
-  const auto number = static_cast<std::int32_t>(value);
+  const auto number = static_cast<std::int32_t>(control.scaled(value));
   const bool on = value != 0;
   switch (control.role) {
     case PenRole::eraser:

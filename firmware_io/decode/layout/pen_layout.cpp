@@ -103,6 +103,7 @@ std::optional<PenRole> role_of(Usage usage) {
     case hid::k_barrel_switch:
       return PenRole::barrel;
     case hid::k_secondary_barrel_switch:
+    case hid::usage(hid::k_page_digitizer, 0x43):  // Secondary Tip Switch, the same of Huion's since 2024
     case hid::usage(hid::k_page_digitizer, 0x46):  // Tablet Pick, the second button of older pens
       return PenRole::barrel2;
     case hid::k_transducer_serial:
@@ -160,6 +161,32 @@ void note_axis(PenAxes& axes, PenRole role, const Field& field) {
   }
 }
 
+constexpr auto k_axes =
+    std::to_array<Axis PenAxes::*>({&PenAxes::x, &PenAxes::y, &PenAxes::pressure, &PenAxes::tilt_x, &PenAxes::tilt_y,
+                                    &PenAxes::distance, &PenAxes::rotation, &PenAxes::wheel});
+
+/// The axis whose value a control is; null for those that are none, and for distances, which are not compared.
+Axis PenAxes::*axis_of(PenRole role) {
+  switch (role) {
+    case PenRole::x:
+      return &PenAxes::x;
+    case PenRole::y:
+      return &PenAxes::y;
+    case PenRole::pressure:
+      return &PenAxes::pressure;
+    case PenRole::tilt_x:
+      return &PenAxes::tilt_x;
+    case PenRole::tilt_y:
+      return &PenAxes::tilt_y;
+    case PenRole::twist:
+      return &PenAxes::rotation;
+    case PenRole::wheel:
+      return &PenAxes::wheel;
+    default:
+      return nullptr;
+  }
+}
+
 bool has_role(const PenReport& report, PenRole role) {
   return std::any_of(report.controls.begin(), report.controls.end(),
                      [role](const PenControl& control) { return control.role == role; });
@@ -180,6 +207,8 @@ class Finder {
   void find_aes_serials();
   void add_field(PenReport& report, std::size_t index);
   void add_control(PenReport& report, const Field& field, std::uint32_t index, PenRole role);
+  /// Finds the device's axes, and how the reports' own ranges lead to them.
+  void unite_axes();
 
   const ReportDescriptor& descriptor_;
   Dialect dialect_;
@@ -246,8 +275,8 @@ void Finder::add_control(PenReport& report, const Field& field, std::uint32_t in
   control.collection = field.collection;
   report.needed = std::max(report.needed, (control.bit_offset + control.bit_size + 7) / 8);
   report.controls.push_back(control);
-  layout_.has_sense = layout_.has_sense || role == PenRole::sense;
-  layout_.has_serial = layout_.has_serial || role == PenRole::serial;
+  report.has_sense = report.has_sense || role == PenRole::sense;
+  report.has_serial = report.has_serial || role == PenRole::serial;
 }
 
 void Finder::add_field(PenReport& report, std::size_t index) {
@@ -269,8 +298,35 @@ void Finder::add_field(PenReport& report, std::size_t index) {
     // A usage that stands twice in a standard report belongs to its first control; Wacom repeats whole frames.
     if (dialect_ == Dialect::standard && has_role(report, *role)) continue;
     add_control(report, field, i, *role);
-    note_axis(layout_.axes, *role, field);
+    note_axis(report.axes, *role, field);
     if (descriptor_.is_inside(field, hid::k_puck)) report.is_puck = true;
+  }
+}
+
+void Finder::unite_axes() {
+  const auto is_read = [&](const PenReport& report) { return layout_.report_of_id[report.id] >= 0; };
+  const auto span = [](const Axis& axis) { return std::int64_t{axis.maximum} - axis.minimum; };
+  const PenReport* finest = nullptr;
+  for (const PenReport& report : layout_.reports) {
+    if (!is_read(report)) continue;
+    const auto finer = [&](Axis PenAxes::*axis) { return span(report.axes.*axis) - span(finest->axes.*axis); };
+    // Of two that are as fine, the last: it is the tablet's own form, behind that of Windows Ink.
+    if (finest == nullptr || finer(&PenAxes::x) > 0 || (finer(&PenAxes::x) == 0 && finer(&PenAxes::pressure) >= 0)) {
+      finest = &report;
+    }
+  }
+  if (finest == nullptr) return;
+  layout_.axes = finest->axes;
+  for (Axis PenAxes::*axis : k_axes) {
+    for (const PenReport& report : layout_.reports) {
+      if (!(layout_.axes.*axis).present && is_read(report)) layout_.axes.*axis = report.axes.*axis;
+    }
+  }
+  for (PenReport& report : layout_.reports) {
+    for (PenControl& control : report.controls) {
+      Axis PenAxes::*const axis = axis_of(control.role);
+      if (axis != nullptr) control.lead_to(report.axes.*axis, layout_.axes.*axis);
+    }
   }
 }
 
@@ -285,7 +341,9 @@ std::optional<PenLayout> Finder::run() {
     if (!pen) continue;
     if (!seen[field.report_id]) {
       seen[field.report_id] = true;
-      if (dialect_ == Dialect::standard && carries_contacts(field.report_id)) continue;
+      // Some pens number their contacts as fingers do (Goodix).
+      const bool named_pen = descriptor_.enclosing(field, hid::k_collection_application) == hid::k_pen;
+      if (dialect_ == Dialect::standard && !named_pen && carries_contacts(field.report_id)) continue;
       layout_.report_of_id[field.report_id] = static_cast<std::int16_t>(layout_.reports.size());
       PenReport report;
       report.id = field.report_id;
@@ -300,6 +358,9 @@ std::optional<PenLayout> Finder::run() {
     report.has_tip = has_role(report, PenRole::tip);
     report.has_invert = has_role(report, PenRole::invert);
     report.has_proximity = has_role(report, PenRole::in_range) || has_role(report, PenRole::sense);
+    // As Linux's wacom driver has it (WACOM_QUIRK_PEN_BUTTON3).
+    report.both_are_third =
+        !layout_.aes && has_role(report, PenRole::serial_high) && !has_role(report, PenRole::barrel3);
     const bool is_pen = has_role(report, PenRole::x) && has_role(report, PenRole::y) &&
                         (report.has_tip || report.has_proximity || has_role(report, PenRole::pressure));
     if (is_pen) {
@@ -309,6 +370,7 @@ std::optional<PenLayout> Finder::run() {
     }
   }
   if (!found) return std::nullopt;
+  unite_axes();
   return std::move(layout_);
 }
 

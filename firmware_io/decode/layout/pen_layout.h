@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -46,7 +47,26 @@ struct PenControl {
   std::int64_t minimum = 0;
   std::int64_t maximum = 0;
   std::int32_t collection = -1;
+  /// Where its own range lies in the device's, units of the latter; equal: they are one.
+  std::int64_t to_minimum = 0, to_maximum = 0;
 
+  /// Makes `scaled` lead from a report's range to the device's.
+  void lead_to(const Axis& own, const Axis& device) {
+    constexpr std::int64_t k_most = std::int64_t{1} << 30;
+    const std::int64_t span = std::int64_t{own.maximum} - own.minimum;
+    const std::int64_t to = std::int64_t{device.maximum} - device.minimum;
+    const bool same = own.minimum == device.minimum && own.maximum == device.maximum;
+    if (same || span <= 0 || to <= 0 || span > k_most || to > k_most || minimum != own.minimum) return;
+    to_minimum = device.minimum;
+    to_maximum = device.maximum;
+  }
+  /// A value of its range in the device's, rounded to the nearest unit.
+  [[nodiscard]] std::int64_t scaled(std::int64_t value) const {
+    if (to_minimum == to_maximum) return value;
+    const std::int64_t span = maximum - minimum;
+    const std::int64_t way = std::clamp<std::int64_t>(value - minimum, 0, span);
+    return to_minimum + (2 * way * (to_maximum - to_minimum) + span) / (2 * span);
+  }
   /// Its value in a report that reaches at least to its end, as `PenLayout::find` makes sure. Defined inline because
   /// decoders spend their time here; at most 32 bits. Both loops end at the report's end, so that bytes need no further
   /// bounds checks and eight of them become one load.
@@ -67,7 +87,8 @@ struct PenControl {
   }
 };
 
-/// An input report with a pen.
+/// An input report with a pen. Reports of one tablet may differ in all of this: the Windows Ink form of Wacom's tablets
+/// has half the resolution of their own.
 struct PenReport {
   std::uint8_t id = 0;
   std::uint32_t length = 0;  ///< bytes as described, id included
@@ -75,7 +96,11 @@ struct PenReport {
   bool is_puck = false;      ///< the tool is a mouse on the tablet
   bool has_tip = false;
   bool has_invert = false;
-  bool has_proximity = false;        ///< has a control for whether the pen is near
+  bool has_proximity = false;  ///< has a control for whether the pen is near
+  bool has_sense = false;      ///< has a control of its own for a pen that is too far for a position
+  bool has_serial = false;
+  bool both_are_third = false;       ///< both barrel switches at once mean a third button
+  PenAxes axes;                      ///< its own ranges
   std::vector<PenControl> controls;  ///< in order of the descriptor
 };
 
@@ -89,11 +114,9 @@ enum class Dialect : std::uint8_t {
 struct PenLayout {
   bool has_report_ids = false;
   bool aes = false;  ///< serial numbers laid out as on Wacom's active electrostatic pens
-  bool has_sense = false;
-  bool has_serial = false;
   std::vector<PenReport> reports;
   std::array<std::int16_t, 256> report_of_id{};  ///< index into `reports`, -1 for ids without a pen
-  PenAxes axes;
+  PenAxes axes;  ///< the device's: those of its finest report, with what others have besides
 
   /// The layout of a raw report with a described pen that is long enough; null otherwise.
   [[nodiscard]] const PenReport* find(base::Bytes report) const {

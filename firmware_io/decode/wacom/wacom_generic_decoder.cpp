@@ -18,7 +18,7 @@ void WacomGenericDecoder::reset() {
 }
 
 bool WacomGenericDecoder::waits_for_serial(const PenReport& report, base::Bytes raw) {
-  if (serial_ != 0 || !layout_.has_serial || waited_ >= k_longest_wait) return false;
+  if (serial_ != 0 || !report.has_serial || waited_ >= k_longest_wait) return false;
   bool unknown = false;
   for (const PenControl& control : report.controls) {
     const bool identifies =
@@ -39,12 +39,12 @@ ReportKind WacomGenericDecoder::decode(base::Bytes raw) {
   invalid_frame_ = false;
   std::int32_t collection = report->controls.front().collection;
   for (const PenControl& control : report->controls) {
-    if (control.collection != collection) end_frame();
+    if (control.collection != collection) end_frame(*report);
     collection = control.collection;
     const std::int64_t value = control.value(raw);
-    if (value >= control.minimum && value <= control.maximum) apply(control, value);
+    if (value >= control.minimum && value <= control.maximum) apply(*report, control, control.scaled(value));
   }
-  end_frame();
+  end_frame(*report);
   return frames_.empty() ? ReportKind::ignored : ReportKind::pen;
 }
 
@@ -56,13 +56,13 @@ void WacomGenericDecoder::set_axis(std::int32_t& axis, std::int64_t value) {
   }
 }
 
-void WacomGenericDecoder::apply(const PenControl& control, std::int64_t value) {
+void WacomGenericDecoder::apply(const PenReport& report, const PenControl& control, std::int64_t value) {
   if (invalid_frame_) return;
   const bool on = value != 0;
   switch (control.role) {
     case PenRole::in_range:
       in_range_ = on;
-      if (!layout_.has_sense) sensed_ = on;
+      if (!report.has_sense) sensed_ = on;
       return;
     case PenRole::sense:
       sensed_ = on;
@@ -70,10 +70,7 @@ void WacomGenericDecoder::apply(const PenControl& control, std::int64_t value) {
     case PenRole::invert:
       turned_ = turned_ || on;
       return;
-    case PenRole::eraser:
-      turned_ = turned_ || on;
-      tip_ = tip_ || on;
-      return;
+    case PenRole::eraser:  // Invert alone says that the pen is turned round
     case PenRole::tip:
       tip_ = tip_ || on;
       return;
@@ -123,7 +120,7 @@ void WacomGenericDecoder::apply(const PenControl& control, std::int64_t value) {
   }
 }
 
-void WacomGenericDecoder::end_frame() {
+void WacomGenericDecoder::end_frame(const PenReport& report) {
   if (invalid_frame_) return;
   if (tool_ == WacomTool::none && in_range_) {
     if (turned_) {
@@ -137,7 +134,7 @@ void WacomGenericDecoder::end_frame() {
   was_sensed_ = sensed_;
   if (tool_ != WacomTool::none) {
     std::uint32_t buttons = 0;
-    if (barrel_ && barrel2_) {
+    if (barrel_ && barrel2_ && report.both_are_third) {
       buttons = 1u << 2;
     } else {
       buttons = (barrel_ ? 1u : 0u) | (barrel2_ ? 2u : 0u) | (barrel3_ ? 4u : 0u);

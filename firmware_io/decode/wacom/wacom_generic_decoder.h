@@ -12,7 +12,7 @@ namespace penpose::decode {
 ///
 /// Differs from the standard reading: axes count only while the pen is in range, Sense keeps a pen near that is too far
 /// for a position, the tool is determined once on entering (by Invert or by its number), both barrel switches at once
-/// are the third button, values outside of the logical range are ignored, and a report may hold several frames.
+/// may be the third button, values outside of the logical range are ignored, and a report may hold several frames.
 class WacomGenericDecoder final : public PenDecoder {
  public:
   explicit WacomGenericDecoder(PenLayout layout);
@@ -27,8 +27,8 @@ class WacomGenericDecoder final : public PenDecoder {
   static constexpr unsigned k_longest_wait = 64;
 
   [[nodiscard]] bool waits_for_serial(const PenReport& report, base::Bytes raw);
-  void apply(const PenControl& control, std::int64_t value);
-  void end_frame();
+  void apply(const PenReport& report, const PenControl& control, std::int64_t value);
+  void end_frame(const PenReport& report);
   void set_axis(std::int32_t& axis, std::int64_t value);
 
   PenLayout layout_;

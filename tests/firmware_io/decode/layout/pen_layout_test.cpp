@@ -76,7 +76,7 @@ TEST(PenLayout, ReadsWacomsMirrorOfTheDigitizerPage) {
   EXPECT_FALSE(find_pens(parsed(vendor), Dialect::standard));
   const auto pens = find_pens(parsed(vendor), Dialect::wacom);
   ASSERT_TRUE(pens);
-  EXPECT_TRUE(pens->has_sense);
+  EXPECT_TRUE(pens->reports[0].has_sense);
   EXPECT_EQ(pens->axes.y.maximum, 0x7fff);
 }
 
@@ -91,6 +91,110 @@ TEST(PenLayout, AnUndefinedUsageBetweenInvertAndInRangeIsTheSecondButton) {
   EXPECT_TRUE(std::any_of(controls.begin(), controls.end(), [](const PenControl& control) {
     return control.role == PenRole::barrel2 && control.bit_offset == 12;
   }));
+}
+
+// A pen's report: tip, In Range and six bits of nothing; X, Y and pressure of 16 bits.
+tests::Report pen_report(std::uint8_t id, std::uint16_t most_xy, std::uint16_t most_pressure,
+                         std::uint8_t second_switch = 0x44) {
+  const auto low = [](std::uint16_t v) { return static_cast<std::uint8_t>(v & 0xff); };
+  const auto high = [](std::uint16_t v) { return static_cast<std::uint8_t>(v >> 8); };
+  return {0x05,
+          0x0d,
+          0x09,
+          0x02,
+          0xa1,
+          0x01,
+          0x85,
+          id,
+          0x09,
+          0x20,
+          0xa1,
+          0x00,
+          0x09,
+          0x42,
+          0x09,
+          0x32,
+          0x09,
+          second_switch,
+          0x15,
+          0x00,
+          0x25,
+          0x01,
+          0x75,
+          0x01,
+          0x95,
+          0x03,
+          0x81,
+          0x02,
+          0x95,
+          0x05,
+          0x81,
+          0x03,
+          0x75,
+          0x10,
+          0x95,
+          0x01,
+          0x05,
+          0x01,
+          0x26,
+          low(most_xy),
+          high(most_xy),
+          0x09,
+          0x30,
+          0x81,
+          0x02,
+          0x09,
+          0x31,
+          0x81,
+          0x02,
+          0x05,
+          0x0d,
+          0x26,
+          low(most_pressure),
+          high(most_pressure),
+          0x09,
+          0x30,
+          0x81,
+          0x02,
+          0xc0,
+          0xc0};
+}
+
+TEST(PenLayout, ReportsOfSeveralRangesAreSaidInTheFinest) {
+  // The coarse form of Windows Ink stands first.
+  tests::Report bytes = pen_report(6, 10000, 1023);
+  const tests::Report fine = pen_report(30, 20000, 4095);
+  bytes.insert(bytes.end(), fine.begin(), fine.end());
+  for (const Dialect dialect : {Dialect::standard, Dialect::wacom}) {
+    const auto pens = find_pens(parsed(bytes), dialect);
+    ASSERT_TRUE(pens);
+    EXPECT_EQ(pens->axes.x.maximum, 20000);
+    EXPECT_EQ(pens->axes.pressure.maximum, 4095);
+    const auto control = [&](std::size_t report, PenRole role) {
+      const auto& all = pens->reports[report].controls;
+      return *std::find_if(all.begin(), all.end(), [&](const PenControl& one) { return one.role == role; });
+    };
+    EXPECT_EQ(control(0, PenRole::x).scaled(5000), 10000);
+    EXPECT_EQ(control(0, PenRole::x).scaled(10000), 20000);
+    EXPECT_EQ(control(0, PenRole::pressure).scaled(512), 2050) << "512 / 1023 of 4095, to the nearest";
+    EXPECT_EQ(control(1, PenRole::x).scaled(19999), 19999);
+    EXPECT_EQ(control(1, PenRole::tip).scaled(1), 1);
+  }
+}
+
+TEST(PenLayout, APenThatNumbersItsContactsIsAPen) {
+  // Application Pen, with Contact Identifier (0x51) in place of a second switch: Goodix' panels.
+  const auto pens = find_pens(parsed(pen_report(8, 3600, 4095, 0x51)), Dialect::standard);
+  ASSERT_TRUE(pens);
+  EXPECT_EQ(pens->reports[0].id, 8);
+}
+
+TEST(PenLayout, TheSecondaryTipSwitchIsTheSecondButton) {
+  const auto pens = find_pens(parsed(pen_report(2, 100, 100, 0x43)), Dialect::standard);
+  ASSERT_TRUE(pens);
+  const auto& controls = pens->reports[0].controls;
+  EXPECT_TRUE(std::any_of(controls.begin(), controls.end(),
+                          [](const PenControl& control) { return control.role == PenRole::barrel2; }));
 }
 
 }  // namespace

@@ -72,14 +72,23 @@ TEST(WacomGenericDecoder, TheToolIsSettledOnEntering) {
   EXPECT_EQ(decoder.sample().tool, Tool::pen);
 }
 
-TEST(WacomGenericDecoder, BothBarrelSwitchesAreTheThirdButton) {
-  auto decoder = decoder_for(descriptor_of({frame_items()}));
-  decoder.decode(frame(k_sense | k_in_range | k_barrel, 1, 1, 0));
-  EXPECT_EQ(decoder.sample().buttons, 1u);
-  decoder.decode(frame(k_sense | k_in_range | k_barrel2, 1, 1, 0));
-  EXPECT_EQ(decoder.sample().buttons, 2u);
-  decoder.decode(frame(k_sense | k_in_range | k_barrel | k_barrel2, 1, 1, 0));
-  EXPECT_EQ(decoder.sample().buttons, 4u);
+TEST(WacomGenericDecoder, BothBarrelSwitchesAreTheThirdButtonOfPensWithALongSerial) {
+  // Serial Hi (0x5c), 32 bits behind the frame.
+  const tests::Report serial_high{0x75, 0x20, 0x95, 0x01, 0x27, 0xff, 0xff, 0xff, 0x7f, 0x09, 0x5c, 0x81, 0x02};
+  for (const bool long_serial : {false, true}) {
+    tests::Report items = frame_items();
+    if (long_serial) append(items, serial_high);
+    auto decoder = decoder_for(descriptor_of({items}));
+    const auto buttons = [&](std::uint8_t switches) {
+      tests::Report report = frame(static_cast<std::uint8_t>(k_sense | k_in_range | switches), 1, 1, 0);
+      if (long_serial) append(report, {1, 0, 0, 0});
+      decoder.decode(report);
+      return decoder.sample().buttons;
+    };
+    EXPECT_EQ(buttons(k_barrel), 1u);
+    EXPECT_EQ(buttons(k_barrel2), 2u);
+    EXPECT_EQ(buttons(k_barrel | k_barrel2), long_serial ? 4u : 3u) << long_serial;
+  }
 }
 
 TEST(WacomGenericDecoder, ValuesOutsideOfTheRangeAreNoValues) {
