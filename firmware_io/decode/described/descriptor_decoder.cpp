@@ -67,10 +67,12 @@ void DescriptorDecoder::apply(const PenReport& report, const PenControl& control
       if (on) {
         take(Tool::eraser, proximity);
         sample_.tip = true;
+        proximity.erasing = true;
       } else if (proximity.tool == Tool::eraser) {
         // Where no Invert says that the pen was turned round again, the second report without Eraser does.
-        if (!report.has_invert && !sample_.tip) release(Tool::eraser, proximity);
+        if (!report.has_invert && !proximity.erasing) release(Tool::eraser, proximity);
         sample_.tip = false;
+        proximity.erasing = false;
       }
       return;
     case PenRole::invert:
@@ -87,6 +89,8 @@ void DescriptorDecoder::apply(const PenReport& report, const PenControl& control
       return;
     case PenRole::pressure:
       sample_.pressure = number;
+      // An eraser that is a button of the pen can be held in the air.
+      if (proximity.tool == Tool::eraser && value <= control.minimum) sample_.tip = false;
       if (!report.has_tip) {
         const bool pressed = value > control.minimum + ((control.maximum - control.minimum) >> 3);
         proximity.active = proximity.active || pressed;

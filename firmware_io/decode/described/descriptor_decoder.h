@@ -21,7 +21,8 @@ class DescriptorDecoder final : public PenDecoder {
  private:
   struct Proximity {
     Tool tool = Tool::none;
-    bool active = false;  ///< some control of the report so far indicates a tool
+    bool active = false;   ///< some control of the report so far indicates a tool
+    bool erasing = false;  ///< Eraser was on in the last report
   };
 
   void apply(const PenReport& report, const PenControl& control, std::int64_t value, Proximity& proximity);

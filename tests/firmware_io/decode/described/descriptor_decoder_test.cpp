@@ -91,6 +91,17 @@ TEST(DescriptorDecoder, WithoutInvertTheEraserBitAloneMakesAnEraser) {
   EXPECT_EQ(decoder.sample().tool, Tool::pen);
 }
 
+TEST(DescriptorDecoder, AnEraserButtonHeldInTheAirTouchesNothing) {
+  DescriptorDecoder decoder = decoder_with({0x42, 0x45, 0x32});
+  decoder.decode(tests::Report{1, 0b110, 10, 10, 0});
+  EXPECT_EQ(decoder.sample().tool, Tool::eraser);
+  EXPECT_FALSE(decoder.sample().tip);
+  decoder.decode(tests::Report{1, 0b110, 10, 10, 5});
+  EXPECT_TRUE(decoder.sample().tip);
+  decoder.decode(tests::Report{1, 0b110, 10, 10, 0});
+  EXPECT_FALSE(decoder.sample().tip);
+}
+
 TEST(DescriptorDecoder, WithoutATipSwitchPressureDecides) {
   DescriptorDecoder decoder = decoder_with({0x32});
   decoder.decode(tests::Report{1, 1, 10, 10, 12});
