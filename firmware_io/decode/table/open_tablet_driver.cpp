@@ -128,6 +128,15 @@ std::optional<int> read_attribute(const JsonPlace& owner, std::string_view name,
   return std::nullopt;
 }
 
+/// Index of a USB string; releases of 0.5 wrote it in quotes.
+std::uint8_t read_string_index(const JsonPlace& place) {
+  if (!place.is_text()) return static_cast<std::uint8_t>(place.integer(0, 255));
+  const auto value = base::parse_uint(place.text());
+  if (value && *value <= 255) return static_cast<std::uint8_t>(*value);
+  place.fail("is no index of a USB string", "write a number from 0 to 255");
+  return 0;
+}
+
 TabletIdentifier read_identifier(const JsonPlace& place, const JsonPlace& file) {
   TabletIdentifier identifier;
   identifier.vendor = static_cast<std::uint16_t>(place.at("VendorID").integer(0, 65535));
@@ -138,7 +147,7 @@ TabletIdentifier read_identifier(const JsonPlace& place, const JsonPlace& file) 
   if (!identifier.interface_number) identifier.interface_number = read_attribute(file, "Interface", 255);
   identifier.strings = read_device_strings(place.at("DeviceStrings"));
   for (const auto& item : place.at("InitializationStrings").items()) {
-    identifier.read_strings.push_back(static_cast<std::uint8_t>(item.integer(0, 255)));
+    identifier.read_strings.push_back(read_string_index(item));
   }
   identifier.send_features = read_reports(place.at("FeatureInitReport"));
   identifier.send_outputs = read_reports(place.at("OutputInitReport"));

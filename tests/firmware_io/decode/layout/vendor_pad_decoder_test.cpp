@@ -56,6 +56,26 @@ TEST(VendorPadDecoder, RingsAndStripsOfATabletFile) {
   EXPECT_EQ(pad.sample().ring[1], 0);
 }
 
+TEST(VendorPadDecoder, WheelsOfAnXpPen) {
+  using Wheels = std::array<std::int32_t, 2>;
+  const auto pad = pad_of("xp_pen");
+  ASSERT_TRUE(pad->decode(Report{2, 0xf0, 0x20, 0, 0, 0, 0, 1, 0, 0, 0, 0}));
+  EXPECT_EQ(key_names(pad->sample().keys), "BTN_5");
+  EXPECT_EQ(pad->sample().wheel, (Wheels{1, 0}));
+  ASSERT_TRUE(pad->decode(Report{2, 0xf0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(pad->sample().keys, 0U);
+  EXPECT_EQ(pad->sample().wheel, (Wheels{0, 0}));
+  ASSERT_TRUE(pad->decode(Report{2, 0xf0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0}));
+  EXPECT_EQ(pad->sample().wheel, (Wheels{-1, 0}));
+  ASSERT_TRUE(pad->decode(Report{2, 0xf0, 0, 0, 0, 0, 0, 0x10, 0, 0, 0, 0}));
+  EXPECT_EQ(pad->sample().wheel, (Wheels{0, 1}));
+  ASSERT_TRUE(pad->decode(Report{2, 0xf0, 0, 0, 0, 0, 0, 0x20, 0, 0, 0, 0}));
+  EXPECT_EQ(pad->sample().wheel, (Wheels{0, -1}));
+  // A report that ends before the wheels still has keys.
+  ASSERT_TRUE(pad->decode(Report{2, 0xf0, 1, 0, 0}));
+  EXPECT_EQ(key_names(pad->sample().keys), "BTN_0");
+}
+
 TEST(VendorPadDecoder, PenReportsSayNothing) {
   const auto pad = pad_of("huion_ring");
   EXPECT_FALSE(pad->decode(Report{8, 0x81, 1, 0, 2, 0, 3, 0, 0, 0, 0, 0}));

@@ -66,6 +66,23 @@ TEST(OpenTabletDriver, ConfigurationAsItIs) {
   EXPECT_EQ(tablet.pads.at(0).protocol->name, "wacom_touch64");
 }
 
+TEST(OpenTabletDriver, IndicesOfStringsInQuotes) {
+  auto text = configuration("OpenTabletDriver.Vendors.Huion.GianoReportParser");
+  const std::string plain = "[100, 200]";
+  text.replace(text.find(plain), plain.size(), R"(["100", 200])");
+  const auto table = read_tablet_file(text);
+  ASSERT_TRUE(table.ok()) << table.error().line();
+  EXPECT_EQ(table->tablets()[0].identifiers.at(0).read_strings, (std::vector<std::uint8_t>{100, 200}));
+
+  for (const std::string wrong : {R"(["256"])", R"(["-1"])", R"([""])", R"(["two"])"}) {
+    text = configuration("OpenTabletDriver.Vendors.Huion.GianoReportParser");
+    text.replace(text.find(plain), plain.size(), wrong);
+    const auto refused = read_tablet_file(text);
+    ASSERT_FALSE(refused.ok()) << wrong;
+    EXPECT_NE(refused.error().line().find("/DigitizerIdentifiers/0/InitializationStrings/0"), std::string::npos);
+  }
+}
+
 TEST(OpenTabletDriver, OlderButtonCountAndMissingParts) {
   const auto table = read_tablet_file(R"({"Name": "Single", "Specifications": {
     "Digitizer": {"Width": 10, "Height": 10, "MaxX": 100, "MaxY": 100}, "Pen": {"MaxPressure": 511, "ButtonCount": 3}},
