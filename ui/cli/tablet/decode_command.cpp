@@ -7,6 +7,7 @@
 
 #include "core/base/json/json.h"
 #include "firmware_io/decode/decoder_factory.h"
+#include "firmware_io/decode/described/fallback_decoder.h"
 #include "firmware_io/decode/layout/protocol.h"
 #include "firmware_io/decode/wacom/wacom_receiver.h"
 #include "replay/trace/trace_source.h"
@@ -35,6 +36,8 @@ struct DecodeOptions {
 struct Interface {
   std::unique_ptr<decode::PenDecoder> decoder;  ///< null: nothing to read here
   std::string method;
+  decode::ForeignReports desktop{};  ///< of a mouse or keyboard, by report id
+  bool has_report_ids = false;
 };
 
 class DecodeRun {
@@ -52,6 +55,7 @@ class DecodeRun {
   void print(const replay::TraceReport& report, Interface& interface);
   void begin_output(const decode::PenAxes& axes);
   void end_output(const replay::TraceSource& source);
+  void say_why_nothing() const;
 
   const DecodeOptions& options_;
   const decode::TabletTable* own_;
@@ -63,6 +67,7 @@ class DecodeRun {
   bool begun_ = false;
   std::uint64_t samples_ = 0;
   std::uint64_t reports_ = 0;
+  std::uint64_t desktop_reports_ = 0;
 };
 
 /// Looks ahead for the `device` column; a pipe cannot be read twice, there only what comes before the first report
@@ -104,6 +109,10 @@ Interface& DecodeRun::interface_for(const replay::TraceSource& source, int devic
 }
 
 void DecodeRun::read_as(Interface& interface, const decode::DeviceIdentity& identity) {
+  if (const auto parsed = hid::parse_report_descriptor(identity.report_descriptor, hid::Strictness::tolerant)) {
+    interface.desktop = decode::find_foreign_reports(*parsed);
+    interface.has_report_ids = parsed->has_report_ids;
+  }
   auto recognition = decode::make_decoder(identity, own_);
   if (recognition) {
     interface.decoder = std::move(recognition->decoder);
@@ -188,6 +197,8 @@ base::Status DecodeRun::decode(replay::TraceSource& source) {
     ++reports_;
     Interface& interface = interface_for(source, report.device);
     hear(report);
+    const std::size_t id = interface.has_report_ids && !report.bytes.empty() ? report.bytes[0] : 0;
+    if (interface.desktop[id] != 0 && interface.desktop[id] == report.bytes.size()) ++desktop_reports_;
     if (interface.decoder && interface.decoder->decode(report.bytes) == decode::ReportKind::pen) {
       print(report, interface);
     }
@@ -210,10 +221,22 @@ int DecodeRun::run() {
   if (!done) return files::report(done.error(), options_.trace);
   end_output(source);
   if (const int status = end_of_trace(source, options_.trace, reports_); status != k_success) return status;
-  if (samples_ == 0 && !refusals_.empty()) {
-    for (const auto& refusal : refusals_) std::cerr << "penpose: " << refusal.line(options_.trace) << '\n';
-  }
+  if (samples_ == 0) say_why_nothing();
   return k_success;
+}
+
+void DecodeRun::say_why_nothing() const {
+  for (const auto& refusal : refusals_) std::cerr << "penpose: " << refusal.line(options_.trace) << '\n';
+  if (!refusals_.empty() || reports_ == 0) return;
+  const bool as_mouse = desktop_reports_ == reports_;
+  const std::string count = std::to_string(reports_) + (reports_ == 1 ? " report, " : " reports, ");
+  const base::Error why{
+      count +
+          (as_mouse
+               ? "none of a pen: this is the form of a mouse or keyboard, which the tablet has before a driver wakes it"
+               : "none of a pen that is near"),
+      "", as_mouse ? "record with `penpose record`, which wakes it" : "--pad and --touch print keys and fingers"};
+  std::cerr << "penpose: " << why.line(options_.trace) << '\n';
 }
 
 int decode_trace(const DecodeOptions& options) {

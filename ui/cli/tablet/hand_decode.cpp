@@ -175,7 +175,15 @@ int HandRun::run() {
   const auto done = decode(source);
   if (!done) return files::report(done.error(), options_.trace);
   end_output(source);
-  return end_of_trace(source, options_.trace, reports_);
+  const int status = end_of_trace(source, options_.trace, reports_);
+  if (status == k_success && rows_ == 0 && reports_ > 0) {
+    const base::Error why{std::to_string(reports_) + (reports_ == 1 ? " report, none " : " reports, none ") +
+                              (options_.part == HandPart::pad ? "of keys, rings or wheels" : "of fingers") +
+                              " that are known of this tablet",
+                          "", "without --pad and --touch the pen is printed"};
+    std::cerr << "penpose: " << why.line(options_.trace) << '\n';
+  }
+  return status;
 }
 
 }  // namespace

@@ -88,6 +88,27 @@ TEST_F(DecodeCommand, AMouseGivesNoRowsAndSaysWhy) {
   EXPECT_NE(outcome.error.find("no pen that is known"), std::string::npos);
 }
 
+TEST_F(DecodeCommand, ReportsWithoutARowSayWhy) {
+  // A pen, and beside it the form of a mouse that the tablet has until a driver wakes it.
+  tests::Report descriptor = tests::ink_descriptor();
+  const tests::Report mouse{0x05, 0x01, 0x09, 0x02, 0xa1, 0x01, 0x85, 0x09, 0x09, 0x01, 0xa1, 0x00,
+                            0x05, 0x09, 0x19, 0x01, 0x29, 0x03, 0x15, 0x00, 0x25, 0x01, 0x95, 0x08,
+                            0x75, 0x01, 0x81, 0x02, 0x05, 0x01, 0x09, 0x30, 0x09, 0x31, 0x15, 0x81,
+                            0x25, 0x7f, 0x75, 0x08, 0x95, 0x02, 0x81, 0x06, 0xc0, 0xc0};
+  for (const std::uint8_t byte : mouse) descriptor.push_back(byte);
+  tests::TraceText asleep;
+  asleep.device(0, descriptor, "3 1b96 1000").report(0, {9, 1, 2, 3}).report(5, {9, 0, 2, 3});
+  const Outcome outcome = decode(asleep.text());
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.error.find("2 reports, none of a pen: this is the form of a mouse"), std::string::npos)
+      << outcome.error;
+  EXPECT_NE(outcome.error.find("penpose record"), std::string::npos);
+  const Outcome hands = decode(asleep.text(), {"--pad"});
+  EXPECT_NE(hands.error.find("2 reports, none of keys, rings or wheels"), std::string::npos) << hands.error;
+  EXPECT_EQ(decode(tests::TraceText().device(0, descriptor, "3 1b96 1000").text()).error.find("none"),
+            std::string::npos);
+}
+
 TEST_F(DecodeCommand, WhatIsNoTraceIsAnError) {
   EXPECT_EQ(decode("hello\n").status, 1);
   EXPECT_EQ(decode("").status, 1);
