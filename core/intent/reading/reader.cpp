@@ -366,46 +366,4 @@ rig::Pose Reader::pose_of(const Choice& choice) const {
   return pose;
 }
 
-double Reader::beyond_at_start(std::size_t c) const {
-  const std::vector<PxPoint> curve = seen_at_start(c);
-  const auto line = blocks_[c].line->points();
-  return std::max(curve::distance_to(curve, line.front()), curve::distance_to(curve, line.back()));
-}
-
-Reader::Left Reader::left(const rig::Pose& pose) {
-  place(pose, positions_);
-  Left left;
-  for (Block& block : blocks_) {
-    double px_sum = 0;
-    double sum = 0;
-    std::size_t count = 0;
-    std::vector<PxPoint> px;
-    Matching m;
-    if (block.drawn) {
-      px = seen(block, positions_);
-      m = block.line->match(px, block.alignments[block.aligned], true, block.doubt);
-    }
-    for (std::size_t i = 0; i < block.count; ++i) {
-      const ModelPoint& at = positions_[block.first + i];
-      double distance = 0;
-      if (block.drawn) {
-        if (m.weight[i] == 0.0) continue;
-        const double in_picture = geometry::distance(m.target[i], px[i]);
-        px_sum += in_picture;
-        distance = in_picture * block.drawn->camera.units_per_px(std::max(0.0, block.drawn->camera.depth(at)));
-      } else {
-        distance = geometry::distance(block.known->target[i], at);
-      }
-      ++count;
-      sum += distance;
-      left.longest = std::max(left.longest, distance);
-    }
-    const double n = static_cast<double>(std::max<std::size_t>(count, 1));
-    left.px.push_back(px_sum / n);
-    left.units.push_back(sum / n);
-    left.sum += sum;
-  }
-  return left;
-}
-
 }  // namespace penpose::intent

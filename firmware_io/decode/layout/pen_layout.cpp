@@ -1,7 +1,8 @@
 #include "firmware_io/decode/layout/pen_layout.h"
 
 #include <algorithm>
-#include <limits>
+
+#include "firmware_io/decode/layout/pen_axes.h"
 
 namespace penpose::decode {
 namespace {
@@ -127,66 +128,6 @@ std::optional<PenRole> role_of(Usage usage) {
   }
 }
 
-std::int32_t narrow(std::int64_t value) {
-  return static_cast<std::int32_t>(std::clamp<std::int64_t>(value, std::numeric_limits<std::int32_t>::min(),
-                                                            std::numeric_limits<std::int32_t>::max()));
-}
-
-void set_axis(Axis& axis, const Field& field, double units) {
-  if (axis.present) return;
-  axis = {narrow(field.logical_minimum), narrow(field.logical_maximum), units, true};
-}
-
-void note_axis(PenAxes& axes, PenRole role, const Field& field) {
-  switch (role) {
-    case PenRole::x:
-      return set_axis(axes.x, field, hid::units_per_mm(field));
-    case PenRole::y:
-      return set_axis(axes.y, field, hid::units_per_mm(field));
-    case PenRole::pressure:
-      return set_axis(axes.pressure, field, 0);
-    case PenRole::height_down:
-    case PenRole::distance:
-      return set_axis(axes.distance, field, hid::units_per_mm(field));
-    case PenRole::tilt_x:
-      return set_axis(axes.tilt_x, field, hid::units_per_degree(field));
-    case PenRole::tilt_y:
-      return set_axis(axes.tilt_y, field, hid::units_per_degree(field));
-    case PenRole::twist:
-      return set_axis(axes.rotation, field, hid::units_per_degree(field));
-    case PenRole::wheel:
-      return set_axis(axes.wheel, field, 0);
-    default:
-      return;
-  }
-}
-
-constexpr auto k_axes =
-    std::to_array<Axis PenAxes::*>({&PenAxes::x, &PenAxes::y, &PenAxes::pressure, &PenAxes::tilt_x, &PenAxes::tilt_y,
-                                    &PenAxes::distance, &PenAxes::rotation, &PenAxes::wheel});
-
-/// The axis whose value a control is; null for those that are none, and for distances, which are not compared.
-Axis PenAxes::*axis_of(PenRole role) {
-  switch (role) {
-    case PenRole::x:
-      return &PenAxes::x;
-    case PenRole::y:
-      return &PenAxes::y;
-    case PenRole::pressure:
-      return &PenAxes::pressure;
-    case PenRole::tilt_x:
-      return &PenAxes::tilt_x;
-    case PenRole::tilt_y:
-      return &PenAxes::tilt_y;
-    case PenRole::twist:
-      return &PenAxes::rotation;
-    case PenRole::wheel:
-      return &PenAxes::wheel;
-    default:
-      return nullptr;
-  }
-}
-
 bool has_role(const PenReport& report, PenRole role) {
   return std::any_of(report.controls.begin(), report.controls.end(),
                      [role](const PenControl& control) { return control.role == role; });
@@ -207,8 +148,6 @@ class Finder {
   void find_aes_serials();
   void add_field(PenReport& report, std::size_t index);
   void add_control(PenReport& report, const Field& field, std::uint32_t index, PenRole role);
-  /// Finds the device's axes, and how the reports' own ranges lead to them.
-  void unite_axes();
 
   const ReportDescriptor& descriptor_;
   Dialect dialect_;
@@ -303,33 +242,6 @@ void Finder::add_field(PenReport& report, std::size_t index) {
   }
 }
 
-void Finder::unite_axes() {
-  const auto is_read = [&](const PenReport& report) { return layout_.report_of_id[report.id] >= 0; };
-  const auto span = [](const Axis& axis) { return std::int64_t{axis.maximum} - axis.minimum; };
-  const PenReport* finest = nullptr;
-  for (const PenReport& report : layout_.reports) {
-    if (!is_read(report)) continue;
-    const auto finer = [&](Axis PenAxes::*axis) { return span(report.axes.*axis) - span(finest->axes.*axis); };
-    // Of two that are as fine, the last: it is the tablet's own form, behind that of Windows Ink.
-    if (finest == nullptr || finer(&PenAxes::x) > 0 || (finer(&PenAxes::x) == 0 && finer(&PenAxes::pressure) >= 0)) {
-      finest = &report;
-    }
-  }
-  if (finest == nullptr) return;
-  layout_.axes = finest->axes;
-  for (Axis PenAxes::*axis : k_axes) {
-    for (const PenReport& report : layout_.reports) {
-      if (!(layout_.axes.*axis).present && is_read(report)) layout_.axes.*axis = report.axes.*axis;
-    }
-  }
-  for (PenReport& report : layout_.reports) {
-    for (PenControl& control : report.controls) {
-      Axis PenAxes::*const axis = axis_of(control.role);
-      if (axis != nullptr) control.lead_to(report.axes.*axis, layout_.axes.*axis);
-    }
-  }
-}
-
 std::optional<PenLayout> Finder::run() {
   if (dialect_ == Dialect::wacom) find_aes_serials();
   std::array<bool, 256> seen{};
@@ -370,7 +282,7 @@ std::optional<PenLayout> Finder::run() {
     }
   }
   if (!found) return std::nullopt;
-  unite_axes();
+  unite_axes(layout_);
   return std::move(layout_);
 }
 

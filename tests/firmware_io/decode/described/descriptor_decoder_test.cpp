@@ -93,13 +93,11 @@ TEST(DescriptorDecoder, WithoutInvertTheEraserBitAloneMakesAnEraser) {
 
 TEST(DescriptorDecoder, AnEraserButtonHeldInTheAirTouchesNothing) {
   DescriptorDecoder decoder = decoder_with({0x42, 0x45, 0x32});
-  decoder.decode(tests::Report{1, 0b110, 10, 10, 0});
-  EXPECT_EQ(decoder.sample().tool, Tool::eraser);
-  EXPECT_FALSE(decoder.sample().tip);
-  decoder.decode(tests::Report{1, 0b110, 10, 10, 5});
-  EXPECT_TRUE(decoder.sample().tip);
-  decoder.decode(tests::Report{1, 0b110, 10, 10, 0});
-  EXPECT_FALSE(decoder.sample().tip);
+  for (const int pressure : {0, 5, 0}) {
+    decoder.decode(tests::Report{1, 0b110, 10, 10, static_cast<std::uint8_t>(pressure)});
+    EXPECT_EQ(decoder.sample().tool, Tool::eraser);
+    EXPECT_EQ(decoder.sample().tip, pressure > 0);
+  }
 }
 
 TEST(DescriptorDecoder, WithoutATipSwitchPressureDecides) {

@@ -1,0 +1,95 @@
+#include "firmware_io/decode/layout/pen_axes.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace penpose::decode {
+namespace {
+
+using hid::Field;
+
+constexpr auto k_axes =
+    std::to_array<Axis PenAxes::*>({&PenAxes::x, &PenAxes::y, &PenAxes::pressure, &PenAxes::tilt_x, &PenAxes::tilt_y,
+                                    &PenAxes::distance, &PenAxes::rotation, &PenAxes::wheel});
+
+/// The axis whose value a control is; null for those that are none.
+Axis PenAxes::*axis_of(PenRole role) {
+  switch (role) {
+    case PenRole::x:
+      return &PenAxes::x;
+    case PenRole::y:
+      return &PenAxes::y;
+    case PenRole::pressure:
+      return &PenAxes::pressure;
+    case PenRole::height_down:
+    case PenRole::distance:
+      return &PenAxes::distance;
+    case PenRole::tilt_x:
+      return &PenAxes::tilt_x;
+    case PenRole::tilt_y:
+      return &PenAxes::tilt_y;
+    case PenRole::twist:
+      return &PenAxes::rotation;
+    case PenRole::wheel:
+      return &PenAxes::wheel;
+    default:
+      return nullptr;
+  }
+}
+
+double units_of(PenRole role, const Field& field) {
+  switch (role) {
+    case PenRole::pressure:
+    case PenRole::wheel:
+      return 0;
+    case PenRole::tilt_x:
+    case PenRole::tilt_y:
+    case PenRole::twist:
+      return hid::units_per_degree(field);
+    default:
+      return hid::units_per_mm(field);
+  }
+}
+
+std::int32_t narrow(std::int64_t value) {
+  return static_cast<std::int32_t>(std::clamp<std::int64_t>(value, std::numeric_limits<std::int32_t>::min(),
+                                                            std::numeric_limits<std::int32_t>::max()));
+}
+
+}  // namespace
+
+void note_axis(PenAxes& axes, PenRole role, const Field& field) {
+  Axis PenAxes::*const axis = axis_of(role);
+  if (axis == nullptr || (axes.*axis).present) return;
+  axes.*axis = {narrow(field.logical_minimum), narrow(field.logical_maximum), units_of(role, field), true};
+}
+
+void unite_axes(PenLayout& layout) {
+  const auto is_read = [&](const PenReport& report) { return layout.report_of_id[report.id] >= 0; };
+  const auto span = [](const Axis& axis) { return std::int64_t{axis.maximum} - axis.minimum; };
+  const PenReport* finest = nullptr;
+  for (const PenReport& report : layout.reports) {
+    if (!is_read(report)) continue;
+    const auto finer = [&](Axis PenAxes::*axis) { return span(report.axes.*axis) - span(finest->axes.*axis); };
+    // Of two that are as fine, the last: it is the tablet's own form, behind that of Windows Ink.
+    if (finest == nullptr || finer(&PenAxes::x) > 0 || (finer(&PenAxes::x) == 0 && finer(&PenAxes::pressure) >= 0)) {
+      finest = &report;
+    }
+  }
+  if (finest == nullptr) return;
+  layout.axes = finest->axes;
+  for (Axis PenAxes::*axis : k_axes) {
+    for (const PenReport& report : layout.reports) {
+      if (!(layout.axes.*axis).present && is_read(report)) layout.axes.*axis = report.axes.*axis;
+    }
+  }
+  for (PenReport& report : layout.reports) {
+    for (PenControl& control : report.controls) {
+      Axis PenAxes::*const axis = axis_of(control.role);
+      if (axis != nullptr && axis != &PenAxes::distance) control.lead_to(report.axes.*axis, layout.axes.*axis);
+    }
+  }
+}
+
+}  // namespace penpose::decode
