@@ -31,7 +31,7 @@ base::Result<FbxJoints> read_fbx_joints(const FbxScene& scene) {
   // Nodes that carry vertices or are drawn as bones, and all above them.
   std::map<std::int64_t, glm::dmat4> bound;
   std::set<std::int64_t> posable;
-  std::set<std::int64_t> wanted;
+  std::map<std::int64_t, std::size_t> wanted;  ///< how many nodes deep each lies
   for (const FbxObject& object : scene.objects()) {
     if (object.kind == "Deformer" && object.use == "Cluster") {
       for (const FbxObject* node : scene.parts_of(object.id, "Model")) {
@@ -42,12 +42,19 @@ base::Result<FbxJoints> read_fbx_joints(const FbxScene& scene) {
     if (object.kind == "Model" && object.use == "LimbNode") posable.insert(object.id);
   }
   for (const std::int64_t id : posable) {
-    int depth = 0;
-    for (const FbxObject* node = scene.object(id); node != nullptr; node = scene.parent_of(*node)) {
-      if (++depth > k_deepest_fbx_node)
-        return base::Error{"the nodes of the file hang below themselves", "node " + node->name, "export it again"};
-      if (!wanted.insert(node->id).second) break;
+    std::vector<const FbxObject*> way;
+    const auto refused = [&] {
+      return base::Error{"the nodes of the file hang below themselves, or too deep", "node " + way.back()->name,
+                         "export it again"};
+    };
+    const FbxObject* node = scene.object(id);
+    for (; node != nullptr && !wanted.contains(node->id); node = scene.parent_of(*node)) {
+      way.push_back(node);
+      if (way.size() > k_deepest_fbx_node) return refused();
     }
+    std::size_t depth = node != nullptr ? wanted[node->id] : 0;
+    if (depth + way.size() > k_deepest_fbx_node) return refused();
+    for (auto at = way.rbegin(); at != way.rend(); ++at) wanted[(*at)->id] = ++depth;
   }
   FbxJoints out;
   const glm::dmat4 world = scene.to_world();

@@ -82,14 +82,14 @@ class Meshes {
   }
   [[nodiscard]] glm::dmat4 now_of(const FbxObject& node) const {
     glm::dmat4 m(1);
-    int depth = 0;
+    std::size_t depth = 0;
     for (const FbxObject* one = &node; one != nullptr && ++depth < k_deepest_fbx_node; one = scene_.parent_of(*one))
       m = local_matrix(*one, transform_of(*one)) * m;
     return world_ * m;
   }
   /// The joint that a node hangs below, if any.
   [[nodiscard]] std::optional<std::uint32_t> carrier_of(const FbxObject& node) const {
-    int depth = 0;
+    std::size_t depth = 0;
     for (const FbxObject* one = scene_.parent_of(node); one != nullptr && ++depth < k_deepest_fbx_node;
          one = scene_.parent_of(*one)) {
       if (const auto at = joints_.number.find(one->id); at != joints_.number.end()) return at->second;

@@ -15,7 +15,7 @@
 namespace penpose::io {
 
 /// Nodes hang no deeper than this below each other.
-inline constexpr int k_deepest_fbx_node = 1000;
+inline constexpr std::size_t k_deepest_fbx_node = 1000;
 
 /// An object of an FBX file: a node, a mesh, a deformer, a curve ...
 struct FbxObject {

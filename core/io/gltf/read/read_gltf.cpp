@@ -25,15 +25,29 @@
 namespace penpose::io {
 namespace {
 
-/// Moderate transforms one below the other may still multiply to something that cannot be shown.
-base::Status check_positions(const document::Model& model) {
-  if (!model.skeleton) return base::Done{};
+/// The first vertex that is moved farther than can be shown. Moderate transforms one below the other may still multiply
+/// to such a way.
+std::optional<std::size_t> too_far(const document::Model& model) {
   const auto positions = document::posed_positions(model);
   for (std::size_t v = 0; v < positions.size(); ++v) {
-    if (std::abs(positions[v].x) < 1e30 && std::abs(positions[v].y) < 1e30 && std::abs(positions[v].z) < 1e30) continue;
-    return base::Error{"the transforms of the nodes move vertex " + std::to_string(v) + " too far away", "/nodes",
+    if (!(std::abs(positions[v].x) < 1e30 && std::abs(positions[v].y) < 1e30 && std::abs(positions[v].z) < 1e30))
+      return v;
+  }
+  return std::nullopt;
+}
+
+/// A pose that cannot be shown is left out: the model is shown at rest.
+base::Status check_positions(document::Model& model) {
+  if (!model.skeleton) return base::Done{};
+  const auto posed = too_far(model);
+  if (!posed) return base::Done{};
+  model.pose = rig::rest_pose(*model.rig);
+  if (const auto vertex = too_far(model)) {
+    return base::Error{"the transforms of the nodes move vertex " + std::to_string(*vertex) + " too far away", "/nodes",
                        "export the file again with valid transforms"};
   }
+  model.notes.push_back("the pose of the file moves vertex " + std::to_string(*posed) +
+                        " too far away and was left out");
   return base::Done{};
 }
 

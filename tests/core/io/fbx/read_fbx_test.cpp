@@ -362,6 +362,28 @@ TEST(ReadFbx, FilesOfOtherFormsAreCalledWhatTheyAre) {
             std::string::npos);
 }
 
+TEST(ReadFbx, NodesBelowThemselvesAndTooDeepOnesAreRefused) {
+  std::string round(k_text);
+  const std::string top = "C: \"OO\",1,0";
+  round.replace(round.find(top), top.size(), "C: \"OO\",1,2");
+  auto refused = read_fbx(bytes_of(round), {});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().what.find("below themselves"), std::string::npos);
+  // A chain whose deepest joint comes first.
+  std::string models;
+  std::string links;
+  for (int i = 0; i < 3000; ++i) {
+    models += "\tModel: " + std::to_string(5000 - i) + ", \"Model::j\", \"LimbNode\" {\n\t}\n";
+    links += "\tC: \"OO\"," + std::to_string(5000 - i) + "," + std::to_string(i == 2999 ? 0 : 4999 - i) + "\n";
+  }
+  std::string deep(k_text);
+  deep.insert(deep.find("\tModel: 1,"), models);
+  deep.insert(deep.find("\tC: \"OO\",1,0"), links);
+  refused = read_fbx(bytes_of(deep), {});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().what.find("below themselves"), std::string::npos);
+}
+
 TEST(ReadFbx, OldVersionsAndDamageAreSaidInOneLine) {
   std::string old(k_text);
   old.replace(old.find("7400"), 4, "6100");

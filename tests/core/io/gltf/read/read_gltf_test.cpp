@@ -1,7 +1,9 @@
 #include "core/io/gltf/read/read_gltf.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
+#include "core/io/model/write_model.h"
 #include "tests/support/models/gltf_sample.h"
 
 namespace penpose::io {
@@ -44,6 +46,31 @@ TEST(ReadGltf, TransformsThatMultiplyBeyondMeasureAreRefused) {
   }
   sample.json["scenes"][0]["nodes"] = {30};
   EXPECT_EQ(sample.error().place, "/nodes");
+}
+
+TEST(ReadGltf, APoseBeyondMeasureIsLeftOutAndTheFileOpens) {
+  auto sample = tests::skin_sample();
+  auto model = sample.read();
+  ASSERT_TRUE(model.ok());
+  rig::BlendShape far;
+  far.parameter.name = "far";
+  far.vertices = {0};
+  far.deltas = {{1e32F, 0, 0}};
+  auto shapes = rig::BlendShapes::make({far}, model->mesh->vertex_count());
+  ASSERT_TRUE(shapes.ok());
+  auto more = document::with_controls(std::move(model).value(), std::move(shapes).value(), nullptr);
+  ASSERT_TRUE(more.ok());
+  const auto at = rig::find_parameter(more->rig->parameters(), "far");
+  ASSERT_TRUE(at);
+  more->pose[*at] = 1;
+  const auto bytes = write_glb(*more);
+  ASSERT_TRUE(bytes.ok()) << bytes.error().line();
+  const auto again = read_gltf(*bytes);
+  ASSERT_TRUE(again.ok()) << again.error().line();
+  EXPECT_EQ(again->pose, rig::rest_pose(*again->rig));
+  EXPECT_TRUE(std::any_of(again->notes.begin(), again->notes.end(), [](const std::string& note) {
+    return note.find("vertex 0 too far away and was left out") != std::string::npos;
+  }));
 }
 
 TEST(ReadGltf, TrianglesWithoutAreaAreNoted) {
