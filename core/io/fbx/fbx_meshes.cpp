@@ -232,7 +232,8 @@ class Meshes {
       auto more = deltas_of(*targets[i], part, placed);
       for (const auto& [vertex, delta] : full) more[vertex] -= delta * share;
       const std::string own =
-          name + "_" + std::to_string(static_cast<int>(std::lround(std::clamp(percent, -1e6, 1e6))));
+          name + "_" +
+          std::to_string(static_cast<int>(std::lround(std::isfinite(percent) ? std::clamp(percent, -1e6, 1e6) : 0.0)));
       if (!between_said_) notes_.push_back("shapes between others are controls of their own: " + own);
       between_said_ = true;
       add_shape(own, 0.0, more);

@@ -48,12 +48,17 @@ glm::dmat4 turned(const glm::dvec3& angles, int order) {
   constexpr std::array<std::array<int, 3>, 6> k_orders{
       {{0, 1, 2}, {0, 2, 1}, {1, 2, 0}, {1, 0, 2}, {2, 0, 1}, {2, 1, 0}}};
   // The seventh order, "spheric", turns as the first one does.
-  const auto& axes = k_orders[static_cast<std::size_t>(order >= 0 && order < 6 ? order : 0)];
+  const auto& axes = k_orders[static_cast<std::size_t>(order)];
   return about(axes[2], angles[axes[2]]) * about(axes[1], angles[axes[1]]) * about(axes[0], angles[axes[0]]);
 }
 
 glm::dmat4 moved(const glm::dvec3& by) { return glm::translate(glm::dmat4(1), by); }
 glm::dmat4 scaled(const glm::dvec3& by) { return glm::scale(glm::dmat4(1), by); }
+
+/// A number below `count` that stands for one of so many; any other is `otherwise`.
+int choice_of(double number, int count, int otherwise) {
+  return number >= 0.0 && number < count ? static_cast<int>(number) : otherwise;
+}
 
 }  // namespace
 
@@ -136,9 +141,8 @@ glm::dvec3 FbxScene::vector(const FbxObject& object, std::string_view name, glm:
 glm::dmat4 FbxScene::to_world() const {
   const double unit = setting("UnitScaleFactor", 1.0) / 100.0;  // centimetres of one unit of the file
   const auto axis = [&](const char* name, const char* sign, int otherwise) {
-    const int number = static_cast<int>(setting(name, otherwise));
     glm::dvec3 row{0};
-    row[number >= 0 && number < 3 ? number : otherwise] = setting(sign, 1.0) < 0.0 ? -1.0 : 1.0;
+    row[choice_of(setting(name, otherwise), 3, otherwise)] = setting(sign, 1.0) < 0.0 ? -1.0 : 1.0;
     return row;
   };
   const glm::dvec3 right = axis("CoordAxis", "CoordAxisSign", 0);
@@ -161,7 +165,7 @@ glm::dmat4 local_matrix(const FbxObject& node, const FbxTransform& values) {
   // alone.
   const bool around = FbxScene::property(node, "RotationActive", 0) != 0.0 &&
                       FbxScene::property(node, "RotationSpaceForLimitOnly", 0) == 0.0;
-  const int order = around ? static_cast<int>(FbxScene::property(node, "RotationOrder", 0)) : 0;
+  const int order = around ? choice_of(FbxScene::property(node, "RotationOrder", 0), 6, 0) : 0;
   const auto around_turn = [&](const char* name) { return turned(around ? vector(name) : glm::dvec3(0), 0); };
   const glm::dvec3 turn_pivot = vector("RotationPivot");
   const glm::dvec3 scale_pivot = vector("ScalingPivot");
