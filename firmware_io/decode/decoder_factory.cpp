@@ -1,10 +1,12 @@
 #include "firmware_io/decode/decoder_factory.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "firmware_io/decode/described/descriptor_decoder.h"
 #include "firmware_io/decode/described/fallback_decoder.h"
+#include "firmware_io/decode/layout/pen_axes.h"
 #include "firmware_io/decode/wacom/wacom_axes.h"
 #include "firmware_io/decode/wacom/wacom_display_decoder.h"
 #include "firmware_io/decode/wacom/wacom_generic_decoder.h"
@@ -12,6 +14,7 @@
 #include "firmware_io/decode/wacom/wacom_models.h"
 #include "firmware_io/decode/wacom/wacom_pens.h"
 #include "firmware_io/decode/wacom/wacom_receiver.h"
+#include "firmware_io/decode/wacom/wacom_usages.h"
 
 namespace penpose::decode {
 namespace {
@@ -33,21 +36,29 @@ bool carries_wacom_pen(const WacomModel& model, const hid::ReportDescriptor& des
   bool touch = false;
   for (const hid::Field& field : descriptor.fields) {
     if (field.type != hid::ReportType::input) continue;
-    if (is_wacom_pen_field(descriptor, field)) return true;
-    touch = touch || is_wacom_touch_field(descriptor, field);
+    if (is_wacom_pad(descriptor, field)) continue;
+    if (is_wacom_pen(descriptor, field)) return true;
+    touch = touch || is_wacom_finger(descriptor, field);
   }
   const std::uint32_t length = descriptor.longest_report(hid::ReportType::input);
   const bool touch_length = length == k_touch_length || length == k_many_touches_length;
   return !touch && !(has_touch_interface(model.family) && touch_length);
 }
 
-/// Takes over ranges that the interface's descriptor states itself.
+/// Takes over ranges that the interface's descriptor states itself. The size stays the model's own, as Linux's wacom
+/// driver has it (wacom_set_default_phy): units per mm follow the range.
 void adopt_described_ranges(WacomModel& model, const hid::ReportDescriptor& descriptor) {
   const auto pens = find_pens(descriptor, Dialect::wacom);
   if (!pens) return;
+  const auto adopt = [&model](std::int32_t& maximum, const Axis& described) {
+    const double stretch = described.present && maximum > 0 ? static_cast<double>(described.maximum) / maximum : 1.0;
+    if (described.present) maximum = described.maximum;
+    return static_cast<std::int32_t>(std::lround(model.units_per_mm * stretch));
+  };
   if (pens->axes.pressure.present) model.max_pressure = pens->axes.pressure.maximum;
-  if (pens->axes.x.present) model.max_x = pens->axes.x.maximum;
-  if (pens->axes.y.present) model.max_y = pens->axes.y.maximum;
+  const std::int32_t units_x = adopt(model.max_x, pens->axes.x);
+  model.units_per_mm_y = adopt(model.max_y, pens->axes.y);
+  model.units_per_mm = units_x;
 }
 
 std::unique_ptr<PenDecoder> make_wacom_decoder(const WacomModel& model) {
@@ -133,14 +144,18 @@ base::Result<Recognition> make_decoder(const DeviceIdentity& device, const Table
 
   const bool wacom = device.vendor == k_vendor_wacom;
   auto pens = find_pens(descriptor, wacom ? Dialect::wacom : Dialect::standard);
-  std::unique_ptr<PenDecoder> described;
-  if (pens && wacom) {
-    described = std::make_unique<WacomGenericDecoder>(*pens);
-  } else if (pens) {
-    described = std::make_unique<DescriptorDecoder>(*pens);
-  }
   // Wacom's own descriptors are complete; the table is for those that have none.
-  const auto match = wacom && described ? std::nullopt : known_tablets().find(completed);
+  const auto match = wacom && pens ? std::nullopt : known_tablets().find(completed);
+  std::unique_ptr<PenDecoder> described;
+  if (pens) {
+    const Tablet* const named = match ? match->tablet : known_tablets().only_one(device);
+    correct_size(pens->axes, named != nullptr ? named->width_mm : 0, named != nullptr ? named->height_mm : 0);
+    if (wacom) {
+      described = std::make_unique<WacomGenericDecoder>(*pens);
+    } else {
+      described = std::make_unique<DescriptorDecoder>(*pens);
+    }
+  }
   if (!match) {
     if (!described) return unreadable(device, descriptor_error);
     return Recognition{std::move(described), "descriptor", false};

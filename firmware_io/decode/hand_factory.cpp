@@ -13,9 +13,9 @@
 #include "firmware_io/decode/wacom/hand/wacom_generic_touch_decoder.h"
 #include "firmware_io/decode/wacom/hand/wacom_pad_decoder.h"
 #include "firmware_io/decode/wacom/hand/wacom_touch_decoder.h"
-#include "firmware_io/decode/wacom/hand/wacom_usages.h"
 #include "firmware_io/decode/wacom/wacom_models.h"
 #include "firmware_io/decode/wacom/wacom_receiver.h"
+#include "firmware_io/decode/wacom/wacom_usages.h"
 
 namespace penpose::decode {
 namespace {
@@ -46,7 +46,7 @@ Carried carried(const ReportDescriptor& descriptor) {
   has.length = descriptor.longest_report(ReportType::input);
   for (const hid::Field& field : descriptor.fields) {
     if (field.usages.empty()) continue;
-    const hid::Usage usage = finger_usage(field.usage_of(0));
+    const hid::Usage usage = standard_usage(field.usage_of(0));
     has.asks_contacts = has.asks_contacts || (field.type == ReportType::feature && usage == k_contact_max);
     if (field.type != ReportType::input) continue;
     const bool pen = is_wacom_pen(descriptor, field);
@@ -54,7 +54,7 @@ Carried carried(const ReportDescriptor& descriptor) {
     has.pen = has.pen || pen;
     has.fingers = has.fingers || finger;
     for (std::uint32_t i = 0; finger && i < std::min<std::uint64_t>(field.count, k_most_controls_of_field); ++i) {
-      const hid::Usage one = finger_usage(field.usage_of(i));
+      const hid::Usage one = standard_usage(field.usage_of(i));
       if (one != hid::k_x && one != hid::k_y) continue;
       (one == hid::k_x ? has.x : has.y) = {static_cast<std::int32_t>(field.logical_minimum),
                                            static_cast<std::int32_t>(field.logical_maximum), hid::units_per_mm(field),

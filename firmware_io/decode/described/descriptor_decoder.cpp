@@ -114,9 +114,7 @@ void DescriptorDecoder::apply(const PenReport& report, const PenControl& control
     case PenRole::y:
       sample_.y = number;
       return;
-    case PenRole::height_down:
-      sample_.distance = static_cast<std::int32_t>(control.maximum - value);
-      return;
+    case PenRole::height_down:  // Linux's hid-input passes it on as it is
     case PenRole::distance:
       sample_.distance = number;
       return;

@@ -92,4 +92,21 @@ void unite_axes(PenLayout& layout) {
   }
 }
 
+void correct_size(PenAxes& axes, double width_mm, double height_mm) {
+  constexpr double k_least_mm = 20.0;
+  constexpr double k_most_mm = 1000.0;
+  constexpr double k_most_uneven = 5.0;
+  const auto span = [](const Axis& axis) { return static_cast<double>(axis.maximum) - axis.minimum; };
+  const auto told_mm = [&](const Axis& axis) { return axis.units_per_mm > 0 ? span(axis) / axis.units_per_mm : 0; };
+  const double width = told_mm(axes.x);
+  const double height = told_mm(axes.y);
+  const bool uneven = width > k_most_uneven * height || height > k_most_uneven * width;
+  if (!uneven && std::min(width, height) >= k_least_mm && std::max(width, height) <= k_most_mm) return;
+  const bool known = width_mm > 0 && height_mm > 0;
+  if (known || uneven) {
+    axes.x.units_per_mm = known ? span(axes.x) / width_mm : 0;
+    axes.y.units_per_mm = known ? span(axes.y) / height_mm : 0;
+  }
+}
+
 }  // namespace penpose::decode

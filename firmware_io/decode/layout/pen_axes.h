@@ -11,4 +11,8 @@ void note_axis(PenAxes& axes, PenRole role, const hid::Field& field);
 /// their own range.
 void unite_axes(PenLayout& layout);
 
+/// Takes over a size (mm, 0: unknown) where the axes tell none or one that no tablet has; if that is unknown as well,
+/// of what the axes tell only the proportions stay, as far as a tablet can have them.
+void correct_size(PenAxes& axes, double width_mm, double height_mm);
+
 }  // namespace penpose::decode

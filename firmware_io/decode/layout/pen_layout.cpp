@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "firmware_io/decode/layout/pen_axes.h"
+#include "firmware_io/decode/wacom/wacom_usages.h"
 
 namespace penpose::decode {
 namespace {
@@ -11,28 +12,6 @@ using hid::Field;
 using hid::ReportDescriptor;
 using hid::Usage;
 
-// Wacom's vendor usages, as the public Linux driver names their meaning. Low byte and sub-page mirror the standard
-// pages.
-constexpr std::uint16_t k_page_wacom_touch = 0xff11;
-constexpr Usage k_wacom_digitizer = hid::usage(hid::k_page_wacom, 0x01);
-constexpr Usage k_wacom_pen = hid::usage(hid::k_page_wacom, 0x02);
-constexpr Usage k_wacom_sense = hid::usage(hid::k_page_wacom, 0x36);
-constexpr Usage k_wacom_function_keys = hid::usage(hid::k_page_wacom, 0x39);
-constexpr Usage k_wacom_serial_high = hid::usage(hid::k_page_wacom, 0x5c);
-constexpr Usage k_wacom_barrel3 = hid::usage(hid::k_page_wacom, 0x5d);
-constexpr Usage k_wacom_tool_type = hid::usage(hid::k_page_wacom, 0x77);
-constexpr Usage k_wacom_distance = hid::usage(hid::k_page_wacom, 0x132);
-constexpr Usage k_wacom_report_valid = hid::usage(hid::k_page_wacom, 0x1d0);
-constexpr Usage k_wacom_finger_wheel = hid::usage(hid::k_page_wacom, 0xd03);
-constexpr Usage k_wacom_digitizer_info = hid::usage(hid::k_page_wacom, 0x1013);
-constexpr Usage k_wacom_touch_screen = hid::usage(k_page_wacom_touch, 0x04);
-constexpr Usage k_wacom_touch_pad = hid::usage(k_page_wacom_touch, 0x05);
-constexpr Usage k_wacom_touch_serial = hid::usage(k_page_wacom_touch, 0x5b);
-constexpr Usage k_wacom_g9_pen = hid::usage(0xff09, 0x02);
-constexpr Usage k_wacom_g9_touch = hid::usage(0xff09, 0x11);
-constexpr Usage k_wacom_g11_pen = hid::usage(k_page_wacom_touch, 0x02);
-constexpr Usage k_wacom_g11_touch = hid::usage(k_page_wacom_touch, 0x11);
-constexpr Usage k_function_keys = hid::usage(hid::k_page_digitizer, 0x39);
 constexpr Usage k_contact_id = hid::usage(hid::k_page_digitizer, 0x51);
 constexpr Usage k_digitizer_undefined = hid::usage(hid::k_page_digitizer, 0);
 constexpr Usage k_microsoft_undefined = 0xff000000;
@@ -40,41 +19,12 @@ constexpr Usage k_microsoft_undefined = 0xff000000;
 /// More controls than any pen has; a field that claims more is an opaque block.
 constexpr std::uint32_t k_most_controls = 64;
 
-bool is_wacom_pad_field(const ReportDescriptor& descriptor, const Field& field) {
-  const Usage physical = descriptor.enclosing(field, hid::k_collection_physical);
-  return physical == k_function_keys || physical == k_wacom_function_keys || physical == k_wacom_digitizer_info;
-}
-
 bool is_standard_pen_field(const ReportDescriptor& descriptor, const Field& field) {
   const Usage application = descriptor.enclosing(field, hid::k_collection_application);
   if (application == hid::k_touch_screen || application == hid::k_touch_pad) return false;
   if (descriptor.is_inside(field, hid::k_finger)) return false;
   return application == hid::k_pen || application == hid::k_digitizer || descriptor.is_inside(field, hid::k_stylus) ||
          descriptor.is_inside(field, hid::k_puck) || descriptor.is_inside(field, hid::k_pen);
-}
-
-/// Rewrites a vendor usage to the standard one it mirrors: the second byte chooses the page, 0 the Digitizer page.
-Usage mirrored(Usage usage) {
-  const std::uint16_t page = hid::page_of(usage);
-  const auto sub_page = static_cast<std::uint16_t>((usage >> 8) & 0xff);
-  const auto id = static_cast<std::uint16_t>(usage & 0xff);
-  if (page == k_page_wacom_touch) return hid::usage(sub_page == 0 ? hid::k_page_digitizer : sub_page, id);
-  if (page != hid::k_page_wacom) return usage;
-  switch (usage) {
-    case k_wacom_sense:
-    case k_wacom_serial_high:
-    case k_wacom_barrel3:
-    case k_wacom_tool_type:
-    case k_wacom_distance:
-    case k_wacom_report_valid:
-    case k_wacom_finger_wheel:
-      return usage;
-    default:
-      break;
-  }
-  // Pad, button, digitizer and information sub-pages are vendor additions, not mirrors.
-  if (sub_page == 0x04 || sub_page == 0x09 || sub_page == 0x0d || sub_page == 0x10) return usage;
-  return hid::usage(sub_page == 0 ? hid::k_page_digitizer : sub_page, id);
 }
 
 std::optional<PenRole> role_of(Usage usage) {
@@ -146,6 +96,7 @@ class Finder {
   [[nodiscard]] bool carries_contacts(std::uint8_t id) const;
   [[nodiscard]] Usage corrected(const Field& field, std::uint32_t index) const;
   void find_aes_serials();
+  bool add_long_serial(PenReport& report, const Field& field);
   void add_field(PenReport& report, std::size_t index);
   void add_control(PenReport& report, const Field& field, std::uint32_t index, PenRole role);
 
@@ -168,7 +119,7 @@ bool Finder::carries_contacts(std::uint8_t id) const {
 /// Pens from before the second barrel switch had a usage number declare an undefined one between Invert and In Range.
 Usage Finder::corrected(const Field& field, std::uint32_t index) const {
   const Usage usage = field.usage_of(index);
-  if (dialect_ == Dialect::standard || usage != k_digitizer_undefined || index < 4) return mirrored(usage);
+  if (dialect_ == Dialect::standard || usage != k_digitizer_undefined || index < 4) return standard_usage(usage);
   const bool matches = field.usage_of(index - 4) == hid::k_tip_switch &&
                        field.usage_of(index - 3) == hid::k_barrel_switch &&
                        field.usage_of(index - 2) == hid::k_eraser && field.usage_of(index - 1) == hid::k_invert &&
@@ -192,7 +143,7 @@ void Finder::find_aes_serials() {
     const Field& second = fields[inputs[i + 1]];
     const Field& third = fields[inputs[i + 2]];
     if (first.report_id != second.report_id || first.report_id != third.report_id) continue;
-    if (is(first, k_wacom_touch_serial, 16) && is(second, hid::k_transducer_serial, 32) &&
+    if (is(first, k_fingers_serial, 16) && is(second, hid::k_transducer_serial, 32) &&
         is(third, k_microsoft_undefined, 8)) {
       aes_fields_.push_back(inputs[i]);
       aes_fields_.push_back(inputs[i + 1]);
@@ -216,6 +167,23 @@ void Finder::add_control(PenReport& report, const Field& field, std::uint32_t in
   report.controls.push_back(control);
   report.has_sense = report.has_sense || role == PenRole::sense;
   report.has_serial = report.has_serial || role == PenRole::serial;
+  report.has_twist = report.has_twist || role == PenRole::twist;
+}
+
+/// Serial numbers of the Universal Stylus Initiative have 64 bits, in one field. Whether the field was one of those.
+bool Finder::add_long_serial(PenReport& report, const Field& field) {
+  if (field.bit_size <= 32 || field.bit_size > 64 || field.usage_of(0) != hid::k_transducer_serial) return false;
+  Field part = field;
+  part.flags &= ~hid::k_flag_null_state;
+  part.logical_minimum = 0;
+  for (const PenRole role : {PenRole::serial, PenRole::serial_high}) {
+    part.bit_size = std::min(32u, static_cast<std::uint32_t>(field.bit_offset + field.bit_size - part.bit_offset));
+    part.logical_maximum = (std::int64_t{1} << part.bit_size) - 1;
+    add_control(report, part, 0, role);
+    part.bit_offset += 32;
+    if (dialect_ == Dialect::wacom) break;  // its Serial Hi is a field of its own
+  }
+  return true;
 }
 
 void Finder::add_field(PenReport& report, std::size_t index) {
@@ -230,6 +198,7 @@ void Finder::add_field(PenReport& report, std::size_t index) {
     added.maximum = (std::int64_t{1} << field.bit_size) - 1;
     return;
   }
+  if (add_long_serial(report, field)) return;
   if (field.bit_size == 0 || field.bit_size > 32 || field.usages.empty()) return;
   for (std::uint32_t i = 0; i < std::min(field.count, k_most_controls); ++i) {
     const auto role = role_of(dialect_ == Dialect::wacom ? corrected(field, i) : field.usage_of(i));
@@ -248,8 +217,8 @@ std::optional<PenLayout> Finder::run() {
   for (std::size_t i = 0; i < descriptor_.fields.size(); ++i) {
     const Field& field = descriptor_.fields[i];
     if (field.type != hid::ReportType::input || !field.is_variable() || field.is_constant()) continue;
-    const bool pen =
-        dialect_ == Dialect::wacom ? is_wacom_pen_field(descriptor_, field) : is_standard_pen_field(descriptor_, field);
+    const bool pen = dialect_ == Dialect::wacom ? is_wacom_pen(descriptor_, field) && !is_wacom_pad(descriptor_, field)
+                                                : is_standard_pen_field(descriptor_, field);
     if (!pen) continue;
     if (!seen[field.report_id]) {
       seen[field.report_id] = true;
@@ -287,26 +256,6 @@ std::optional<PenLayout> Finder::run() {
 }
 
 }  // namespace
-
-bool is_wacom_pen_field(const ReportDescriptor& descriptor, const Field& field) {
-  if (is_wacom_pad_field(descriptor, field)) return false;
-  const Usage application = descriptor.enclosing(field, hid::k_collection_application);
-  const Usage physical = descriptor.enclosing(field, hid::k_collection_physical);
-  const Usage logical = descriptor.enclosing(field, hid::k_collection_logical);
-  return logical == hid::k_stylus || physical == hid::k_stylus || physical == hid::k_pen || application == hid::k_pen ||
-         application == hid::k_digitizer || application == k_wacom_pen || application == k_wacom_digitizer ||
-         application == k_wacom_g9_pen || application == k_wacom_g11_pen;
-}
-
-bool is_wacom_touch_field(const ReportDescriptor& descriptor, const Field& field) {
-  if (is_wacom_pad_field(descriptor, field) || is_wacom_pen_field(descriptor, field)) return false;
-  const Usage application = descriptor.enclosing(field, hid::k_collection_application);
-  const Usage physical = descriptor.enclosing(field, hid::k_collection_physical);
-  const Usage logical = descriptor.enclosing(field, hid::k_collection_logical);
-  return logical == hid::k_finger || physical == hid::k_finger || application == hid::k_touch_screen ||
-         application == hid::k_touch_pad || application == k_wacom_touch_screen || application == k_wacom_touch_pad ||
-         application == k_wacom_g9_touch || application == k_wacom_g11_touch;
-}
 
 std::optional<PenLayout> find_pens(const ReportDescriptor& descriptor, Dialect dialect) {
   return Finder(descriptor, dialect).run();

@@ -99,6 +99,7 @@ struct PenReport {
   bool has_proximity = false;  ///< has a control for whether the pen is near
   bool has_sense = false;      ///< has a control of its own for a pen that is too far for a position
   bool has_serial = false;
+  bool has_twist = false;
   bool both_are_third = false;       ///< both barrel switches at once mean a third button
   PenAxes axes;                      ///< its own ranges
   std::vector<PenControl> controls;  ///< in order of the descriptor
@@ -107,7 +108,7 @@ struct PenReport {
 /// How to interpret the usages of a descriptor.
 enum class Dialect : std::uint8_t {
   standard,  ///< Digitizer page as the HID Usage Tables define it
-  wacom,     ///< the same and Wacom's vendor pages 0xff0d and 0xff11, with Wacom's nesting of collections
+  wacom,     ///< the same and Wacom's vendor pages 0xff0d and 0xff00, with Wacom's nesting of collections
 };
 
 /// The pen reports of an interface.
@@ -130,10 +131,5 @@ struct PenLayout {
 
 /// Finds the pens of a descriptor; nothing when it describes none (a mouse, a touch screen, an opaque vendor block).
 [[nodiscard]] std::optional<PenLayout> find_pens(const hid::ReportDescriptor& descriptor, Dialect dialect);
-
-/// Whether a field belongs to a pen in Wacom's way of nesting collections, whatever its usage.
-[[nodiscard]] bool is_wacom_pen_field(const hid::ReportDescriptor& descriptor, const hid::Field& field);
-/// The same for touch fields that are not pen fields.
-[[nodiscard]] bool is_wacom_touch_field(const hid::ReportDescriptor& descriptor, const hid::Field& field);
 
 }  // namespace penpose::decode

@@ -14,7 +14,7 @@ struct PenSample {
   std::int32_t pressure = 0;
   std::int32_t tilt_x = 0;
   std::int32_t tilt_y = 0;
-  std::int32_t distance = 0;
+  std::int32_t distance = 0;  ///< as Linux has it: grows away from the tablet, but for Z of makers other than Wacom
   std::int32_t rotation = 0;
   std::int32_t wheel = 0;
   std::uint64_t serial = 0;

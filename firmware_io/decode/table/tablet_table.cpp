@@ -138,6 +138,19 @@ std::optional<TabletMatch> TabletTable::find(const DeviceIdentity& device) const
   return TabletMatch{best->tablet, best->identifier, best->is_pad, best->fit.open == 0 && !contested};
 }
 
+const Tablet* TabletTable::only_one(const DeviceIdentity& device) const {
+  std::vector<const Tablet*> found;
+  for (const Tablet& tablet : tablets_) {
+    const bool fits = std::any_of(tablet.identifiers.begin(), tablet.identifiers.end(), [&](const auto& identifier) {
+      return identifier.vendor == device.vendor && identifier.product == device.product;
+    });
+    if (fits) found.push_back(&tablet);
+  }
+  if (found.size() > 1)
+    std::erase_if(found, [&](const Tablet* tablet) { return !is_named(tablet->name, device.name); });
+  return found.size() == 1 ? found.front() : nullptr;
+}
+
 const TabletTable& known_tablets() {
   static const TabletTable table = read_embedded();
   return table;

@@ -94,6 +94,10 @@ class TabletTable {
   /// none fits.
   [[nodiscard]] std::optional<TabletMatch> find(const DeviceIdentity& device) const;
 
+  /// The only tablet with a device's ids, or of several the only one that its name holds, whatever else their
+  /// identifiers ask for; null if there is none.
+  [[nodiscard]] const Tablet* only_one(const DeviceIdentity& device) const;
+
  private:
   std::vector<Tablet> tablets_;
 };

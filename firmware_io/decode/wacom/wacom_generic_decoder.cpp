@@ -4,6 +4,25 @@
 
 namespace penpose::decode {
 
+namespace {
+
+/// The pen's rotation is 0 with its buttons at the top for the tablet, at the left for programs.
+std::int64_t quarter_turned(const PenControl& control, std::int64_t value) {
+  const std::int64_t turn = control.maximum - control.minimum + 1;
+  value += turn / 4;
+  return value > control.maximum ? value - turn : value;
+}
+
+/// What a control tells of the tool's number.
+std::uint32_t tool_number_in(PenRole role, std::int64_t value) {
+  const auto bits = static_cast<std::uint32_t>(value);
+  // Electromagnetic pens keep the part that does not fit its own field above their serial number.
+  const bool tells = role == PenRole::tool_type || (role == PenRole::serial_high && bits >> 20 == 1);
+  return tells ? bits & 0xfffff : 0;
+}
+
+}  // namespace
+
 WacomGenericDecoder::WacomGenericDecoder(PenLayout layout) : layout_(std::move(layout)) {}
 
 void WacomGenericDecoder::reset() {
@@ -32,11 +51,18 @@ bool WacomGenericDecoder::waits_for_serial(const PenReport& report, base::Bytes 
   return unknown;
 }
 
+std::uint32_t WacomGenericDecoder::identified(const PenReport& report, base::Bytes raw) const {
+  std::uint32_t number = tool_number_;
+  for (const PenControl& control : report.controls) number |= tool_number_in(control.role, control.value(raw));
+  return number;
+}
+
 ReportKind WacomGenericDecoder::decode(base::Bytes raw) {
   const PenReport* const report = layout_.find(raw);
   if (report == nullptr || waits_for_serial(*report, raw)) return ReportKind::ignored;
   frames_.clear();
   invalid_frame_ = false;
+  rotates_ = report->has_twist && is_art_pen(identified(*report, raw));
   std::int32_t collection = report->controls.front().collection;
   for (const PenControl& control : report->controls) {
     if (control.collection != collection) end_frame(*report);
@@ -89,12 +115,11 @@ void WacomGenericDecoder::apply(const PenReport& report, const PenControl& contr
     case PenRole::serial_high:
       if (on) {
         serial_ = (serial_ & 0xffffffffull) | (static_cast<std::uint64_t>(static_cast<std::uint32_t>(value)) << 32);
-        // Electromagnetic pens keep the part of the tool number that does not fit its own field here.
-        if (static_cast<std::uint32_t>(value) >> 20 == 1) tool_number_ |= static_cast<std::uint32_t>(value) & 0xfffff;
       }
+      tool_number_ |= tool_number_in(control.role, value);
       return;
     case PenRole::tool_type:
-      tool_number_ |= static_cast<std::uint32_t>(value) & 0xfffff;
+      tool_number_ |= tool_number_in(control.role, value);
       return;
     case PenRole::report_valid:
       invalid_frame_ = !on;
@@ -114,7 +139,9 @@ void WacomGenericDecoder::apply(const PenReport& report, const PenControl& contr
     case PenRole::tilt_y:
       return set_axis(sample_.tilt_y, value);
     case PenRole::twist:
-      return set_axis(sample_.rotation, value);
+      // Others than art pens send meaningless bits there.
+      if (rotates_) set_axis(sample_.rotation, quarter_turned(control, value));
+      return;
     case PenRole::wheel:
       return set_axis(sample_.wheel, value);
   }

@@ -27,6 +27,8 @@ class WacomGenericDecoder final : public PenDecoder {
   static constexpr unsigned k_longest_wait = 64;
 
   [[nodiscard]] bool waits_for_serial(const PenReport& report, base::Bytes raw);
+  /// The tool's number with what a report adds to it, which comes behind the rotation.
+  [[nodiscard]] std::uint32_t identified(const PenReport& report, base::Bytes raw) const;
   void apply(const PenReport& report, const PenControl& control, std::int64_t value);
   void end_frame(const PenReport& report);
   void set_axis(std::int32_t& axis, std::int64_t value);
@@ -43,6 +45,7 @@ class WacomGenericDecoder final : public PenDecoder {
   bool barrel_ = false;
   bool barrel2_ = false;
   bool barrel3_ = false;
+  bool rotates_ = false;  ///< an art pen
   bool invalid_frame_ = false;
   bool was_sensed_ = false;
   FrameList frames_;

@@ -46,7 +46,8 @@ struct WacomModel {
   std::int32_t max_pressure;
   std::int32_t max_distance;
   std::int32_t units_per_mm;
-  std::int32_t margin;  ///< units at each edge of a display tablet that lie beyond the picture
+  std::int32_t margin;              ///< units at each edge of a display tablet that lie beyond the picture
+  std::int32_t units_per_mm_y = 0;  ///< where it is another one than along x; 0: the same
 };
 
 inline constexpr std::uint16_t k_vendor_wacom = 0x056a;

@@ -27,6 +27,18 @@ WacomTool wacom_tool(std::uint32_t number) {
   }
 }
 
+bool is_art_pen(std::uint32_t number) {
+  switch (number) {
+    case 0x204:    // Art Pen 2
+    case 0x804:    // Intuos4
+    case 0x885:    // Intuos3
+    case 0x10804:  // the one of Intuos4 on later tablets
+      return true;
+    default:
+      return false;
+  }
+}
+
 Tool tool_of(WacomTool tool) {
   switch (tool) {
     case WacomTool::none:

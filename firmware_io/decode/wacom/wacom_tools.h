@@ -13,6 +13,9 @@ enum class WacomTool : std::uint8_t { none, pen, eraser, airbrush, mouse, lens }
 /// airbrushes are known by number; of all others bit 3 marks the eraser end.
 [[nodiscard]] WacomTool wacom_tool(std::uint32_t number);
 
+/// Whether pens of this number sense their rotation about their own axis.
+[[nodiscard]] bool is_art_pen(std::uint32_t number);
+
 /// The tool of a sample: art pens and airbrushes are pens, lens cursors are mice.
 [[nodiscard]] Tool tool_of(WacomTool tool);
 

@@ -32,6 +32,24 @@ TEST(DecoderFactory, WacomModelsGoByTheirProductId) {
   EXPECT_EQ(made->method, "wacom Intuos4 6x9");
 }
 
+TEST(DecoderFactory, DescribedRangesOfAWacomModelKeepItsSize) {
+  // ISDv4 90 has 262.02 by 163.25 mm at 100 units; the descriptor tells 0 to 21240 by 0 to 15980.
+  DeviceIdentity device;
+  device.vendor = 0x056a;
+  device.product = 0x0090;
+  device.report_descriptor = {0x05, 0x0d, 0x09, 0x02, 0xa1, 0x01, 0x85, 0x02, 0x09, 0x20, 0xa1, 0x00, 0x09,
+                              0x42, 0x09, 0x32, 0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x02, 0x81, 0x02,
+                              0x95, 0x06, 0x81, 0x03, 0x05, 0x01, 0x75, 0x10, 0x95, 0x01, 0x09, 0x30, 0x26,
+                              0xf8, 0x52, 0x81, 0x02, 0x09, 0x31, 0x26, 0x6c, 0x3e, 0x81, 0x02, 0xc0, 0xc0};
+  const auto made = make_decoder(device);
+  ASSERT_TRUE(made.ok());
+  const PenAxes& axes = made->decoder->axes();
+  EXPECT_EQ(axes.x.maximum, 21240);
+  EXPECT_EQ(axes.x.units_per_mm, 81);
+  EXPECT_EQ(axes.y.maximum, 15980);
+  EXPECT_EQ(axes.y.units_per_mm, 98);
+}
+
 TEST(DecoderFactory, EveryModelOfTheTableIsMadeOrIsForTouchOnly) {
   for (const std::uint16_t bus : {k_bus_usb, k_bus_bluetooth}) {
     for (std::uint32_t product = 0; product < 0x10000; ++product) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "firmware_io/decode/wacom/hand/wacom_usages.h"
+#include "firmware_io/decode/wacom/wacom_usages.h"
 
 namespace penpose::decode {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "firmware_io/decode/wacom/hand/wacom_usages.h"
+#include "firmware_io/decode/wacom/wacom_usages.h"
 
 namespace penpose::decode {
 namespace {
@@ -59,7 +59,7 @@ bool may_end_finger(Usage usage) {
 
 bool has_usage(const Field& field, Usage wanted) {
   for (std::uint32_t i = 0; i < std::min<std::uint64_t>(field.usage_count(), k_most_controls_of_field); ++i) {
-    if (finger_usage(field.usage_of(i)) == wanted) return true;
+    if (standard_usage(field.usage_of(i)) == wanted) return true;
   }
   return false;
 }
@@ -78,7 +78,7 @@ std::optional<FingerReport> read_report(const ReportDescriptor& descriptor, cons
   Usage last = 0;
   for (const Field* field : fields) {
     for (std::uint32_t i = 0; i < std::min<std::uint64_t>(field->count, k_most_controls_of_field); ++i) {
-      const Usage usage = finger_usage(field->usage_of(i));
+      const Usage usage = standard_usage(field->usage_of(i));
       if (may_end_finger(usage)) last = usage;
       if (usage == k_contact_count) report.count = DescribedControl(*field, i);
     }
@@ -92,7 +92,7 @@ std::optional<FingerReport> read_report(const ReportDescriptor& descriptor, cons
     if (group != field->collection && !report.controls.empty()) report.controls.back().ends_group = true;
     group = field->collection;
     for (std::uint32_t i = 0; i < std::min<std::uint64_t>(field->count, k_most_controls_of_field); ++i) {
-      const Usage usage = finger_usage(field->usage_of(i));
+      const Usage usage = standard_usage(field->usage_of(i));
       FingerControl control;
       control.role = role_of(usage);
       control.ends_finger = usage == last && i + 1 == field->count;

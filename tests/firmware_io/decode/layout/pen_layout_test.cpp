@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "firmware_io/decode/described/descriptor_decoder.h"
 #include "tests/support/hands/pen_reports.h"
 
 namespace penpose::decode {
@@ -78,6 +79,21 @@ TEST(PenLayout, ReadsWacomsMirrorOfTheDigitizerPage) {
   ASSERT_TRUE(pens);
   EXPECT_TRUE(pens->reports[0].has_sense);
   EXPECT_EQ(pens->axes.y.maximum, 0x7fff);
+}
+
+TEST(PenLayout, SerialNumbersOf64BitsComeWhole) {
+  // In Range and seven bits of nothing, the serial number, X and Y.
+  const tests::Report bytes{0x05, 0x0d, 0x09, 0x02, 0xa1, 0x01, 0x85, 0x02, 0x09, 0x20, 0xa1, 0x00, 0x09, 0x32,
+                            0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x01, 0x81, 0x02, 0x95, 0x07, 0x81, 0x03,
+                            0x09, 0x5b, 0x75, 0x40, 0x95, 0x01, 0x81, 0x02, 0x05, 0x01, 0x09, 0x30, 0x09, 0x31,
+                            0x26, 0xff, 0x7f, 0x75, 0x10, 0x95, 0x02, 0x81, 0x02, 0xc0, 0xc0};
+  auto pens = find_pens(parsed(bytes), Dialect::standard);
+  ASSERT_TRUE(pens);
+  DescriptorDecoder decoder(std::move(*pens));
+  const tests::Report report{0x02, 0x01, 0x88, 0x77, 0x66, 0xf5, 0x44, 0x33, 0x22, 0x91, 1, 0, 2, 0};
+  ASSERT_EQ(decoder.decode(report), ReportKind::pen);
+  EXPECT_EQ(decoder.sample().serial, 0x91223344f5667788u);
+  EXPECT_EQ(decoder.sample().y, 2);
 }
 
 TEST(PenLayout, AnUndefinedUsageBetweenInvertAndInRangeIsTheSecondButton) {

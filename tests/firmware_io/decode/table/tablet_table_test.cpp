@@ -181,6 +181,22 @@ TEST(TabletTable, ATabletsOwnNameHelpsToo) {
   EXPECT_NE(known_tablets().find(device)->tablet->name, "H640P");
 }
 
+TEST(TabletTable, TheOnlyTabletOfItsIdsIsKnownWhateverItsReports) {
+  DeviceIdentity device;
+  device.vendor = 0x28bd;
+  device.product = 0x0936;
+  ASSERT_NE(known_tablets().only_one(device), nullptr);
+  EXPECT_EQ(known_tablets().only_one(device)->name, "Deco M");
+  device.vendor = 0x256c;
+  device.product = 0x006e;  // of a hundred tablets
+  EXPECT_EQ(known_tablets().only_one(device), nullptr);
+  device.name = "Tablet H640P";
+  ASSERT_NE(known_tablets().only_one(device), nullptr);
+  EXPECT_EQ(known_tablets().only_one(device)->name, "H640P");
+  device.vendor = 0x1234;
+  EXPECT_EQ(known_tablets().only_one(device), nullptr);
+}
+
 TEST(TabletTable, WhatNothingTellsApartIsReadAsMostOfItIs) {
   auto device = huion(0x006e, "");
   device.input_report_length = 8;

@@ -72,6 +72,45 @@ TEST(WacomGenericDecoder, TheToolIsSettledOnEntering) {
   EXPECT_EQ(decoder.sample().tool, Tool::pen);
 }
 
+TEST(WacomGenericDecoder, OnlyArtPensSenseTheirRotationAQuarterTurnOff) {
+  // Behind the frame: rotation of -900 to 899, then the tool's number (0x77), both of 16 bits.
+  tests::Report items = frame_items();
+  append(items, {0x16, 0x7c, 0xfc, 0x26, 0x83, 0x03, 0x75, 0x10, 0x95, 0x01, 0x09, 0x41,
+                 0x81, 0x02, 0x15, 0x00, 0x26, 0xff, 0x7f, 0x09, 0x77, 0x81, 0x02});
+  const auto rotated = [&](std::uint32_t tool, std::int32_t raw) {
+    auto decoder = decoder_for(descriptor_of({items}));
+    tests::Report report = frame(k_sense | k_in_range, 1, 1, 0);
+    for (const std::int32_t word : {raw, static_cast<std::int32_t>(tool)}) {
+      report.push_back(tests::low(word));
+      report.push_back(tests::high(word));
+    }
+    EXPECT_EQ(decoder.decode(report), ReportKind::pen);
+    EXPECT_EQ(decoder.sample().tool_id, tool);
+    return decoder.sample().rotation;
+  };
+  for (const std::uint32_t art_pen : {0x204u, 0x804u, 0x885u}) {
+    EXPECT_EQ(rotated(art_pen, -900), -450);
+    EXPECT_EQ(rotated(art_pen, 0), 450);
+    EXPECT_EQ(rotated(art_pen, 899), -451);
+  }
+  EXPECT_EQ(rotated(0x802, 300), 0);
+}
+
+TEST(WacomGenericDecoder, ElectrostaticPensTellTheirNumbersInFieldsOfTheTouchPage) {
+  // 0xff00005b of 16 bits is the tool, the serial number follows with 32 and 8 bits; logical ranges of 0 to 1 are
+  // wrong.
+  tests::Report items = frame_items();
+  append(items, {0x15, 0x00, 0x25, 0x01, 0x06, 0x00, 0xff, 0x09, 0x5b, 0x75, 0x10, 0x95, 0x01, 0x81, 0x02, 0x05,
+                 0x0d, 0x09, 0x5b, 0x75, 0x20, 0x81, 0x02, 0x06, 0x00, 0xff, 0x09, 0x00, 0x75, 0x08, 0x81, 0x02});
+  auto decoder = decoder_for(descriptor_of({items}));
+  tests::Report report = frame(k_sense | k_in_range, 5, 6, 7);
+  append(report, {0xf6, 0x67, 0x78, 0x56, 0x34, 0x92, 0x0b});
+  ASSERT_EQ(decoder.decode(report), ReportKind::pen);
+  EXPECT_EQ(decoder.sample().tool, Tool::pen);  // whatever the number's bits say
+  EXPECT_EQ(decoder.sample().tool_id, 0x67f6u);
+  EXPECT_EQ(decoder.sample().serial, 0x0b92345678u);
+}
+
 TEST(WacomGenericDecoder, BothBarrelSwitchesAreTheThirdButtonOfPensWithALongSerial) {
   // Serial Hi (0x5c), 32 bits behind the frame.
   const tests::Report serial_high{0x75, 0x20, 0x95, 0x01, 0x27, 0xff, 0xff, 0xff, 0x7f, 0x09, 0x5c, 0x81, 0x02};

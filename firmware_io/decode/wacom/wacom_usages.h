@@ -4,8 +4,16 @@
 
 namespace penpose::decode {
 
-// Wacom's vendor usages of keys and fingers, named as in the public Linux driver (wacom_wac.h).
+// Wacom's vendor usages, named as in the public Linux driver (wacom_wac.h).
 inline constexpr std::uint16_t k_page_wacom_fingers = 0xff00;
+inline constexpr hid::Usage k_wacom_sense = hid::usage(hid::k_page_wacom, 0x36);
+inline constexpr hid::Usage k_wacom_serial_high = hid::usage(hid::k_page_wacom, 0x5c);
+inline constexpr hid::Usage k_wacom_barrel3 = hid::usage(hid::k_page_wacom, 0x5d);
+inline constexpr hid::Usage k_wacom_tool_type = hid::usage(hid::k_page_wacom, 0x77);
+inline constexpr hid::Usage k_wacom_distance = hid::usage(hid::k_page_wacom, 0x132);
+inline constexpr hid::Usage k_wacom_report_valid = hid::usage(hid::k_page_wacom, 0x1d0);
+inline constexpr hid::Usage k_wacom_finger_wheel = hid::usage(hid::k_page_wacom, 0xd03);
+inline constexpr hid::Usage k_fingers_serial = hid::usage(k_page_wacom_fingers, 0x5b);
 inline constexpr hid::Usage k_pad_accelerometer_x = hid::usage(hid::k_page_wacom, 0x0401);
 inline constexpr hid::Usage k_pad_charging = hid::usage(hid::k_page_wacom, 0x0404);
 inline constexpr hid::Usage k_pad_battery_level = hid::usage(hid::k_page_wacom, 0x043b);
@@ -26,8 +34,9 @@ inline constexpr hid::Usage k_battery_strength = hid::usage(hid::k_page_digitize
 inline constexpr hid::Usage k_ring_setting = hid::usage(hid::k_page_wacom, 0x1032);
 inline constexpr hid::Usage k_fingers_valid = hid::usage(k_page_wacom_fingers, 0x01d0);
 
-/// The standard usage of a vendor usage of fingers: its second byte is the page, 0 the Digitizer page.
-[[nodiscard]] hid::Usage finger_usage(hid::Usage usage);
+/// The standard usage that a vendor usage mirrors: its second byte is the page, 0 the Digitizer page. Those with a
+/// meaning of their own, and the pages of keys and information, stay as they are.
+[[nodiscard]] hid::Usage standard_usage(hid::Usage usage);
 
 /// The group of a field by the collections around it. If several match, the pad takes precedence, then the pen.
 [[nodiscard]] bool is_wacom_pad(const hid::ReportDescriptor& descriptor, const hid::Field& field);

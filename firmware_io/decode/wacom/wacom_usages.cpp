@@ -1,4 +1,4 @@
-#include "firmware_io/decode/wacom/hand/wacom_usages.h"
+#include "firmware_io/decode/wacom/wacom_usages.h"
 
 namespace penpose::decode {
 namespace {
@@ -19,14 +19,30 @@ constexpr Usage k_wacom_touch_pad = usage(k_page_wacom_fingers, 0x05);
 
 }  // namespace
 
-Usage finger_usage(Usage from) {
+Usage standard_usage(Usage from) {
   const std::uint16_t page = hid::page_of(from);
   const auto sub_page = static_cast<std::uint16_t>((from >> 8) & 0xff);
   const auto id = static_cast<std::uint16_t>(from & 0xff);
-  if (from == k_fingers_valid || (page != k_page_wacom_fingers && page != hid::k_page_wacom)) return from;
-  if (page == hid::k_page_wacom && (sub_page == 0x04 || sub_page == 0x09 || sub_page == 0x0d || sub_page == 0x10))
-    return from;
-  return usage(sub_page == 0 ? hid::k_page_digitizer : sub_page, id);
+  const Usage mirrored = usage(sub_page == 0 ? hid::k_page_digitizer : sub_page, id);
+  if (page == k_page_wacom_fingers) return from == k_fingers_valid ? from : mirrored;
+  if (page != hid::k_page_wacom) return from;
+  switch (from) {
+    case k_wacom_sense:
+    case k_wacom_serial_high:
+    case k_wacom_barrel3:
+    case k_wacom_tool_type:
+    case k_wacom_distance:
+    case k_wacom_report_valid:
+    case k_pad_strip:
+    case k_pad_strip2:
+    case k_pad_ring:
+    case k_pad_ring_status:
+      return from;
+    default:
+      break;
+  }
+  // Pages of keys, digitizers and information are additions, not mirrors.
+  return sub_page == 0x04 || sub_page == 0x09 || sub_page == 0x0d || sub_page == 0x10 ? from : mirrored;
 }
 
 bool is_wacom_pad(const hid::ReportDescriptor& descriptor, const hid::Field& field) {

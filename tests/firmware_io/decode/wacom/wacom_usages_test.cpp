@@ -1,4 +1,4 @@
-#include "firmware_io/decode/wacom/hand/wacom_usages.h"
+#include "firmware_io/decode/wacom/wacom_usages.h"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,14 @@ namespace penpose::decode {
 namespace {
 
 TEST(WacomUsages, OfFingersStandForStandardOnes) {
-  EXPECT_EQ(finger_usage(hid::usage(0xff00, 0x0130)), hid::k_x);
-  EXPECT_EQ(finger_usage(hid::usage(0xff0d, 0x0131)), hid::k_y);
-  EXPECT_EQ(finger_usage(hid::usage(0xff00, 0x0042)), hid::k_tip_switch);
-  EXPECT_EQ(finger_usage(hid::k_x), hid::k_x);
-  EXPECT_EQ(finger_usage(k_fingers_valid), k_fingers_valid);
-  EXPECT_EQ(finger_usage(k_pad_first_key), k_pad_first_key);
+  EXPECT_EQ(standard_usage(hid::usage(0xff00, 0x0130)), hid::k_x);
+  EXPECT_EQ(standard_usage(hid::usage(0xff0d, 0x0131)), hid::k_y);
+  EXPECT_EQ(standard_usage(hid::usage(0xff00, 0x0042)), hid::k_tip_switch);
+  EXPECT_EQ(standard_usage(hid::k_x), hid::k_x);
+  EXPECT_EQ(standard_usage(k_fingers_valid), k_fingers_valid);
+  EXPECT_EQ(standard_usage(k_pad_first_key), k_pad_first_key);
+  EXPECT_EQ(standard_usage(k_wacom_serial_high), k_wacom_serial_high);
+  EXPECT_EQ(standard_usage(hid::usage(0xff11, 0x0042)), hid::usage(0xff11, 0x0042));  // G11 mirrors nothing
 }
 
 TEST(WacomUsages, CollectionsTellWhatAFieldIsOf) {
