@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/text/letters.h"
 #include "firmware_io/decode/described/descriptor_decoder.h"
 #include "firmware_io/decode/described/fallback_decoder.h"
 #include "firmware_io/decode/layout/pen_axes.h"
@@ -97,6 +98,15 @@ base::Error unreadable(const DeviceIdentity& device, const std::optional<base::E
   return error;
 }
 
+std::string guess_of(const TabletMatch& match, const DeviceIdentity& device) {
+  if (match.others == 0) return {};
+  std::string text = "one of " + std::to_string(match.others + 1) + " tablets with the ids ";
+  base::append_hex(text, device.vendor, 4);
+  text += ':';
+  base::append_hex(text, device.product, 4);
+  return text + ", read as " + match.tablet->vendor + ' ' + match.tablet->name;
+}
+
 }  // namespace
 
 void complete_identity(DeviceIdentity& device) {
@@ -125,7 +135,7 @@ base::Result<Recognition> make_decoder(const DeviceIdentity& device, const Table
   DeviceIdentity completed = device;
   complete_identity(completed);
 
-  if (own != nullptr) {
+  if (own != nullptr && !own->is_choice()) {
     if (const auto match = own->find(completed)) {
       return Recognition{make_tablet_decoder(*match), "protocol " + match->identifier->protocol->name, match->is_pad};
     }
@@ -145,7 +155,7 @@ base::Result<Recognition> make_decoder(const DeviceIdentity& device, const Table
   const bool wacom = device.vendor == k_vendor_wacom;
   auto pens = find_pens(descriptor, wacom ? Dialect::wacom : Dialect::standard);
   // Wacom's own descriptors are complete; the table is for those that have none.
-  const auto match = wacom && pens ? std::nullopt : known_tablets().find(completed);
+  const auto match = wacom && pens ? std::nullopt : find_tablet(completed, own);
   std::unique_ptr<PenDecoder> described;
   if (pens) {
     const Tablet* const named = match ? match->tablet : known_tablets().only_one(device);
@@ -166,7 +176,7 @@ base::Result<Recognition> make_decoder(const DeviceIdentity& device, const Table
   const std::string prefix = described ? "descriptor, " : "";
   return Recognition{
       std::make_unique<FallbackDecoder>(descriptor, std::move(pens), std::move(described), std::move(vendor)),
-      prefix + method, is_pad};
+      prefix + method, is_pad, guess_of(*match, device)};
 }
 
 }  // namespace penpose::decode

@@ -15,6 +15,9 @@ struct Recognition {
   std::unique_ptr<PenDecoder> decoder;
   std::string method;   ///< "descriptor", "wacom FAMILY NAME", "protocol NAME" or "descriptor, protocol NAME"
   bool is_pad = false;  ///< the interface has keys of a tablet but no pen
+  /// Where nothing tells which tablet it is of several with the same ids: what samples of its table's protocol are read
+  /// as. Empty otherwise.
+  std::string guess = {};
 };
 
 /// Chooses the decoder of an interface, in this order: a Wacom format by product id; the pens that the descriptor

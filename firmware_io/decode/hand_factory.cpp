@@ -184,7 +184,7 @@ HandDecoders make_hand_decoders(const DeviceIdentity& device, const TabletTable*
   }
   DeviceIdentity completed = device;
   complete_identity(completed);
-  if (own != nullptr) {
+  if (own != nullptr && !own->is_choice()) {
     if (const auto match = own->find(completed)) {
       return {make_table_pad(*match, device, own), make_table_touch(match->identifier->protocol, match->tablet)};
     }
@@ -205,8 +205,8 @@ HandDecoders make_hand_decoders(const DeviceIdentity& device, const TabletTable*
     made.touch = std::make_unique<MultitouchDecoder>(std::move(*fingers));
   }
   if (made.pad || (wacom && made.touch)) return made;
-  if (const auto match = known_tablets().find(completed)) {
-    made.pad = make_table_pad(*match, device, nullptr);
+  if (const auto match = find_tablet(completed, own)) {
+    made.pad = make_table_pad(*match, device, own);
     if (!made.touch) made.touch = make_table_touch(match->identifier->protocol, match->tablet);
   }
   if (auto power = find_battery(descriptor); power && !made.pad && !wacom)

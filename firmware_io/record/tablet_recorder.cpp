@@ -9,11 +9,8 @@ int TabletRecorder::add_tablet(const decode::DeviceIdentity& identity, const std
   const int number = static_cast<int>(tablets_.size());
   own_ = own;
   read_as(tablets_[number], receivers_.connect(number, identity));
-  writer_.declare(
-      number, {identity.report_descriptor, identity.name, physical, identity.bus, identity.vendor, identity.product});
-  for (const auto& [index, text] : identity.strings) {
-    writer_.comment("string " + std::to_string(index) + ": \"" + text + "\"");
-  }
+  writer_.declare(number, {identity.report_descriptor, identity.name, physical, identity.bus, identity.vendor,
+                           identity.product, identity.strings});
   return number;
 }
 

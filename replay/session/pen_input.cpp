@@ -49,6 +49,8 @@ void PenInput::connect(int device, const decode::DeviceIdentity& identity) {
   if (recognition) {
     tablet.decoder = std::move(recognition->decoder);
     tablet.method = std::move(recognition->method);
+    tablet.guess = std::move(recognition->guess);
+    tablet.by_table = tablet.decoder->by_table();
   }
   map_anew(tablet);
 }
@@ -104,6 +106,13 @@ std::span<const PenMoment> PenInput::report(int device, std::int64_t time_us, ba
   Tablet& tablet = found->second;
   if (!tablet.decoder || !tablet.mapping) return moments_;
   if (tablet.decoder->decode(bytes) != decode::ReportKind::pen) return moments_;
+  if (tablet.decoder->by_table() != tablet.by_table) {
+    // The tablet was switched between the form that it describes and its maker's own, whose ranges differ.
+    tablet.by_table = !tablet.by_table;
+    map_anew(tablet);
+    if (!tablet.mapping) return moments_;
+  }
+  tablet.was_guess = tablet.was_guess || tablet.by_table;
   events_.clear();
   for (const decode::PenSample& sample : tablet.decoder->frames()) tablet.events.add(sample, time_us, events_);
   take_events(tablet);
@@ -168,6 +177,14 @@ bool PenInput::decodes(int device) const {
 const decode::PenAxes* PenInput::axes_of(int device) const {
   const auto found = tablets_.find(device);
   return found == tablets_.end() || !found->second.decoder ? nullptr : &found->second.decoder->axes();
+}
+
+std::vector<std::string> PenInput::guesses() const {
+  std::vector<std::string> texts;
+  for (const auto& [device, tablet] : tablets_) {
+    if (tablet.was_guess && !tablet.guess.empty()) texts.push_back(tablet.guess);
+  }
+  return texts;
 }
 
 std::string PenInput::method_of(int device) const {

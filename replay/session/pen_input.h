@@ -88,11 +88,17 @@ class PenInput {
   [[nodiscard]] const decode::PenAxes* axes_of(int device) const;
   /// How the device is recognised; empty when it cannot be decoded.
   [[nodiscard]] std::string method_of(int device) const;
+  /// Where samples came from a tablet that nothing tells from others with its ids: what they were read as, one text a
+  /// tablet.
+  [[nodiscard]] std::vector<std::string> guesses() const;
 
  private:
   struct Tablet {
     std::unique_ptr<decode::PenDecoder> decoder;  ///< null: cannot be decoded
     std::string method;
+    std::string guess;
+    bool by_table = false;   ///< the mapping is for the ranges of its table
+    bool was_guess = false;  ///< samples were read by its table
     decode::PenEvents events{decode::ContactRule{}};
     TabletSetting setting;
     std::optional<decode::PenMapping> mapping;

@@ -37,6 +37,7 @@ TraceDevice trace_device(const decode::DeviceIdentity& identity) {
   device.bus = identity.bus;
   device.vendor = identity.vendor;
   device.product = identity.product;
+  device.strings = identity.strings;
   return device;
 }
 

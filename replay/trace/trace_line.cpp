@@ -111,6 +111,19 @@ void append_bytes(std::string& out, base::Bytes bytes) {
 
 void end_line(std::string& out, const TraceStyle& style) { out += style.carriage_return ? "\r\n" : "\n"; }
 
+constexpr std::string_view k_string_begins = "# string ";
+
+/// # string INDEX: "TEXT", where TEXT may have quotes. Anything else is a comment.
+void read_string(std::string_view text, TraceLine& line) {
+  const std::size_t colon = text.find(": \"", k_string_begins.size());
+  if (colon == std::string_view::npos || text.back() != '"' || text.size() < colon + 4) return;
+  const auto index = decimal(text.substr(k_string_begins.size(), colon - k_string_begins.size()));
+  if (!index || *index > 255) return;
+  line.kind = TraceLineKind::string;
+  line.index = static_cast<int>(*index);
+  line.value = text.substr(colon + 3, text.size() - colon - 4);
+}
+
 /// Text that ends where a line would break.
 std::string_view one_line(std::string_view text) { return text.substr(0, text.find_first_of("\r\n")); }
 
@@ -119,6 +132,10 @@ std::string_view one_line(std::string_view text) { return text.substr(0, text.fi
 TraceLine parse_trace_line(std::string_view text, std::vector<std::uint8_t>& bytes) {
   TraceLine line;
   line.text = text;
+  if (text.starts_with(k_string_begins)) {
+    read_string(text, line);
+    return line;
+  }
   if (text.size() < 2 || text[1] != ':') return line;
   std::string_view rest = text.substr(2);
   const auto accept = [&](TraceLineKind kind, std::string_view problem) {
@@ -218,6 +235,11 @@ void append_report(std::string& out, std::int64_t time_us, base::Bytes report, c
   out += ' ';
   append_bytes(out, report);
   end_line(out, style);
+}
+
+void append_string(std::string& out, int index, std::string_view text, const TraceStyle& style) {
+  append_comment(out, std::string(k_string_begins.substr(2)) + std::to_string(index) + ": \"" + std::string(text) + '"',
+                 style);
 }
 
 void append_comment(std::string& out, std::string_view text, const TraceStyle& style) {

@@ -16,6 +16,7 @@ enum class TraceLineKind : std::uint8_t {
   name,        ///< N: in `value`
   physical,    ///< P: in `value`
   identity,    ///< I: bus, vendor and product
+  string,      ///< # string INDEX: "TEXT" of the device, in `index` and `value`
   report,      ///< E: an input report in `bytes` at `time_us`
 };
 
@@ -35,6 +36,7 @@ struct TraceLine {
   std::string_view end;      ///< "\n", "\r\n", or empty where the file ends without one
   int device = 0;
   std::string_view value;
+  int index = 0;
   std::uint16_t bus = 0;
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
@@ -55,6 +57,8 @@ void append_physical(std::string& out, std::string_view path, const TraceStyle& 
 void append_identity(std::string& out, std::uint16_t bus, std::uint16_t vendor, std::uint16_t product,
                      const TraceStyle& style = {});
 void append_report(std::string& out, std::int64_t time_us, base::Bytes report, const TraceStyle& style = {});
+/// A USB string of a device: a comment for programs that do not know it. It tells models with the same ids apart.
+void append_string(std::string& out, int index, std::string_view text, const TraceStyle& style = {});
 /// A comment of one line; line breaks in `text` become blanks, because a second line would not be a comment.
 void append_comment(std::string& out, std::string_view text, const TraceStyle& style = {});
 

@@ -81,6 +81,7 @@ base::Result<std::optional<TraceReport>> TraceSource::read_on() {
         announced_.erase(device_);
         if (line.kind == TraceLineKind::descriptor) {
           device.report_descriptor.assign(line.bytes.begin(), line.bytes.end());
+          device.strings.clear();
           device.input_report_length.reset();
           device.output_report_length.reset();
           device.feature_report_length.reset();
@@ -90,6 +91,8 @@ base::Result<std::optional<TraceReport>> TraceSource::read_on() {
         } else if (line.kind == TraceLineKind::physical) {
           device.interface_number = interface_of(line.value);
           device.unit = decode::unit_of_path(line.value);
+        } else if (line.kind == TraceLineKind::string) {
+          device.strings[line.index] = line.value;
         } else {
           device.bus = line.bus;
           device.vendor = line.vendor;

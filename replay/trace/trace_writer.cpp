@@ -16,6 +16,7 @@ void TraceWriter::declare(int device, const TraceDevice& facts) {
   append_name(out_, facts.name, style_);
   if (!facts.physical.empty()) append_physical(out_, facts.physical, style_);
   append_identity(out_, facts.bus, facts.vendor, facts.product, style_);
+  for (const auto& [index, text] : facts.strings) append_string(out_, index, text, style_);
 }
 
 void TraceWriter::report(int device, std::int64_t time_us, base::Bytes bytes) {

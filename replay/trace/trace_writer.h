@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +19,7 @@ struct TraceDevice {
   std::uint16_t bus = 3;
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
+  std::map<int, std::string> strings = {};  ///< of USB, by index, that were read
 };
 
 /// Makes the text of a trace as hid-recorder writes it; opens no file. What it gives out in pieces is, joined, a trace
@@ -26,8 +28,8 @@ class TraceWriter {
  public:
   explicit TraceWriter(TraceStyle style = {}) : style_(style) {}
 
-  /// The lines D:, R:, N:, P: (only where it is known) and I:. Numbers run from 0 to 9999; declaring one again replaces
-  /// what a reader knows of it, as after plugging in anew.
+  /// The lines D:, R:, N:, P: (only where it is known), I: and those of strings. Numbers run from 0 to 9999; declaring
+  /// one again replaces what a reader knows of it, as after plugging in anew.
   void declare(int device, const TraceDevice& facts);
 
   /// A report of a declared device; a line D: stands before it where the line before was another device's. Times are

@@ -8,7 +8,7 @@
 #include "ui/cli/commands.h"
 #include "ui/cli/live_option.h"
 #include "ui/cli/orientation_option.h"
-#include "ui/files/own_tablets.h"
+#include "ui/cli/tablet/tablet_options.h"
 
 namespace penpose::cli {
 namespace {
@@ -68,7 +68,7 @@ void add_program_options(CLI::App& app, int& status, files::WindowRequest& reque
       ->check(CLI::Validator(check_model, ""));
   add_orientation_options(app, request.orientation);
   app.add_option("--session", request.session, "Where to record the session; a file that is there is not written over");
-  app.add_option(files::k_tablets_option, request.tablets, files::k_tablets_help);
+  add_tablet_options(app, request.own);
   add_live_option(app, request.live);
   app.add_flag("--fullscreen", request.fullscreen, "Use the whole screen");
   // For tests and measurements.

@@ -4,12 +4,27 @@
 #include "ui/files/files.h"
 
 namespace penpose::files {
+namespace {
 
-base::Result<decode::TabletTable> read_own_tablets(const std::string& path) {
+base::Result<decode::TabletTable> read_tablets(const std::string& path) {
   if (path.empty()) return decode::TabletTable{};
   const auto bytes = read_file(path, k_most_text_bytes);
   if (!bytes) return bytes.error();
   return decode::read_tablet_file(base::as_text(*bytes));
+}
+
+}  // namespace
+
+base::Result<decode::TabletTable> read_own_tablets(const OwnTablets& own) {
+  auto tablets = read_tablets(own.file);
+  if (!tablets) {
+    base::Error error = tablets.error();
+    error.place = error.place.empty() ? own.file : own.file + ": " + error.place;
+    return error;
+  }
+  if (own.name.empty()) return tablets;
+  auto chosen = tablets->choose(own.name);
+  return chosen ? std::move(chosen) : decode::known_tablets().choose(own.name);
 }
 
 }  // namespace penpose::files

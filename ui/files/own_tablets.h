@@ -8,10 +8,16 @@
 namespace penpose::files {
 
 inline constexpr const char* k_tablets_option = "--tablets";
-inline constexpr const char* k_tablets_help =
-    "A file of your own tablets, or a configuration of OpenTabletDriver; goes before the known ones";
+inline constexpr const char* k_tablet_option = "--tablet";
 
-/// The tablets of the file that the option names; none where it names no file.
-[[nodiscard]] base::Result<decode::TabletTable> read_own_tablets(const std::string& path);
+/// What the user says of tablets.
+struct OwnTablets {
+  std::string file;  ///< of their own, empty: none
+  std::string
+      name;  ///< of the one that is meant, from the file or from those that are known; empty: what it is found to be
+};
+
+/// The tablets of the file, or the one that is named; none where neither is.
+[[nodiscard]] base::Result<decode::TabletTable> read_own_tablets(const OwnTablets& own);
 
 }  // namespace penpose::files

@@ -5,6 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/io/surface/orientation.h"
+#include "ui/files/own_tablets.h"
 
 namespace penpose::files {
 
@@ -14,7 +15,7 @@ struct WindowRequest {
   io::Orientation orientation;  ///< how the model's coordinates are meant, where it does not say so itself
   std::string session;          ///< where the session is written; empty: into the folder of sessions
   std::string replay;           ///< a trace that is played in place of a tablet; the window closes at its end
-  std::string tablets;          ///< the user's own tablets
+  OwnTablets own;               ///< what the user says of tablets
   std::string live;             ///< where the pose of every frame is sent (ui/live); empty: nowhere
   std::string program;          ///< name and version for the session
   bool fullscreen = false;

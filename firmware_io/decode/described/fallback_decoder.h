@@ -24,6 +24,7 @@ class FallbackDecoder final : public PenDecoder {
   void reset() override;
   /// Those of the decoder that gave the last pen sample; until there is one, the vendor's.
   [[nodiscard]] const PenAxes& axes() const override { return used_->axes(); }
+  [[nodiscard]] bool by_table() const override { return used_ == vendor_.get(); }
   [[nodiscard]] std::span<const PenSample> frames() const override { return used_->frames(); }
 
  private:

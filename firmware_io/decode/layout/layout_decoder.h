@@ -16,6 +16,7 @@ class LayoutDecoder final : public PenDecoder {
   ReportKind decode(base::Bytes report) override;
   void reset() override;
   [[nodiscard]] const PenAxes& axes() const override { return axes_; }
+  [[nodiscard]] bool by_table() const override { return true; }
 
  private:
   /// State that one report leaves for later ones.

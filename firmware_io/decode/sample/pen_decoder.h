@@ -47,6 +47,10 @@ class PenDecoder {
   [[nodiscard]] const PenSample& sample() const { return sample_; }
   [[nodiscard]] const PadState& pad() const { return pad_; }
 
+  /// Whether the last sample was read by a protocol of a table, with the ranges of the tablet that was found there.
+  /// `axes` may change when this does.
+  [[nodiscard]] virtual bool by_table() const { return false; }
+
   /// All states that the last report of kind `pen` went through, oldest first: the last one is `sample()`. More than
   /// one only if a device puts several frames into a report (over Bluetooth). Valid until the next call of `decode`.
   [[nodiscard]] virtual std::span<const PenSample> frames() const { return {&sample_, 1}; }

@@ -1,7 +1,10 @@
 #include "firmware_io/decode/table/tablet_table.h"
 
 #include <algorithm>
+#include <set>
 
+#include "core/base/text/joined.h"
+#include "core/base/text/letters.h"
 #include "firmware_io/decode/layout/layout_decoder.h"
 #include "firmware_io/decode/table/embedded_files.h"
 #include "firmware_io/decode/table/tablet_reader.h"
@@ -13,7 +16,8 @@ namespace {
 /// looked at, so that a tablet which asks for nothing goes before one that asks for something unknown.
 struct Fit {
   int score = 0;
-  int open = 0;  ///< conditions that could not be looked at
+  int open = 0;       ///< conditions that could not be looked at
+  bool told = false;  ///< a string or the device's name says which tablet it is
 };
 constexpr int k_met = 2;
 constexpr int k_met_exactly = 1;
@@ -35,6 +39,10 @@ class Matcher {
     }
   }
   void add(int score) { fit_.score += score; }
+  void tell(int score) {
+    add(score);
+    fit_.told = true;
+  }
   void leave_open() {
     // How many more conditions are unknown says nothing about which tablet it is.
     if (fit_.open++ == 0) fit_.score += k_open;
@@ -64,9 +72,9 @@ std::optional<Fit> fit(const TabletIdentifier& identifier, const DeviceIdentity&
     if (known == device.strings.end()) {
       // The name of a device is made of its strings, so a hit in it counts and a miss says nothing.
       match.leave_open();
-      if (!device.name.empty() && check.pattern.found_in(device.name)) match.add(k_met_in_name);
+      if (!device.name.empty() && check.pattern.found_in(device.name)) match.tell(k_met_in_name);
     } else if (check.pattern.found_in(known->second)) {
-      match.add(k_met_string);
+      match.tell(k_met_string);
     } else {
       match.contradict();
     }
@@ -111,7 +119,10 @@ std::optional<TabletMatch> TabletTable::find(const DeviceIdentity& device) const
   const auto look = [&](const Tablet& tablet, const TabletIdentifier& identifier, bool is_pad) {
     auto found = fit(identifier, device);
     if (!found) return;
-    if (is_named(tablet.name, device.name)) found->score += k_met_in_name;
+    if (is_named(tablet.name, device.name)) {
+      found->score += k_met_in_name;
+      found->told = true;
+    }
     candidates.push_back({&tablet, &identifier, is_pad, *found});
   };
   for (const auto& tablet : tablets_) {
@@ -124,6 +135,10 @@ std::optional<TabletMatch> TabletTable::find(const DeviceIdentity& device) const
   const auto top = std::max_element(candidates.begin(), candidates.end(),
                                     [](const Candidate& a, const Candidate& b) { return a.fit.score < b.fit.score; });
   const int best_score = top->fit.score;
+  std::set<const Tablet*> possible;
+  for (const Candidate& one : candidates) {
+    if (!top->fit.told || one.fit.score == best_score) possible.insert(one.tablet);
+  }
   std::erase_if(candidates, [best_score](const Candidate& one) { return one.fit.score < best_score; });
   // Of tablets that nothing known tells apart, one that is read as most of them are is most likely read right.
   const auto votes = [&](const Candidate& candidate) {
@@ -135,7 +150,53 @@ std::optional<TabletMatch> TabletTable::find(const DeviceIdentity& device) const
                                      [&](const Candidate& a, const Candidate& b) { return votes(a) < votes(b); });
   const bool contested = std::any_of(candidates.begin(), candidates.end(),
                                      [&](const Candidate& other) { return other.tablet != best->tablet; });
-  return TabletMatch{best->tablet, best->identifier, best->is_pad, best->fit.open == 0 && !contested};
+  return TabletMatch{best->tablet, best->identifier, best->is_pad, best->fit.open == 0 && !contested,
+                     possible.size() - 1};
+}
+
+base::Result<TabletTable> TabletTable::choose(std::string_view name) const {
+  const std::string wanted = base::lower_case(name);
+  std::vector<const Tablet*> found;
+  std::vector<std::string> alike;
+  for (const Tablet& tablet : tablets_) {
+    const std::string full = tablet.vendor + ' ' + tablet.name;
+    const std::string lower = base::lower_case(full);
+    if (lower == wanted || base::lower_case(tablet.name) == wanted) found.push_back(&tablet);
+    if (!wanted.empty() && lower.find(wanted) != std::string::npos) alike.push_back(full);
+  }
+  if (found.size() != 1) {
+    const bool none = found.empty();
+    for (const Tablet* tablet : found) alike.push_back(tablet->vendor + ' ' + tablet->name);
+    std::sort(alike.begin(), alike.end());
+    alike.erase(std::unique(alike.begin(), alike.end()), alike.end());
+    constexpr std::size_t k_most = 6;
+    if (alike.size() > k_most) alike.resize(k_most);
+    return base::Error{(none ? "no tablet is named \"" : "several tablets are named \"") + std::string(name) + '"', "",
+                       alike.empty() ? "`penpose devices --known` lists them" : "one of " + base::joined(alike, ", ")};
+  }
+  Tablet chosen = *found.front();
+  const auto ask_for_ids_alone = [](std::vector<TabletIdentifier>& identifiers) {
+    const bool alike_read = std::all_of(identifiers.begin(), identifiers.end(), [&](const TabletIdentifier& one) {
+      return one.protocol == identifiers.front().protocol;
+    });
+    for (TabletIdentifier& one : identifiers) {
+      one.strings.clear();
+      if (!alike_read) continue;
+      one.input_report_length.reset();
+      one.output_report_length.reset();
+      one.feature_report_length.reset();
+    }
+    // Text of other programs names no ids.
+    for (std::size_t i = identifiers.size(); i-- > 0;) {
+      identifiers.push_back(identifiers[i]);
+      identifiers.back().vendor = identifiers.back().product = 0;
+    }
+  };
+  ask_for_ids_alone(chosen.identifiers);
+  ask_for_ids_alone(chosen.pads);
+  TabletTable table({std::move(chosen)});
+  table.is_choice_ = true;
+  return table;
 }
 
 const Tablet* TabletTable::only_one(const DeviceIdentity& device) const {

@@ -5,8 +5,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/base/result.h"
 #include "firmware_io/decode/layout/layout_reader.h"
 #include "firmware_io/decode/sample/device_identity.h"
 #include "firmware_io/decode/sample/pen_decoder.h"
@@ -80,12 +82,22 @@ struct TabletMatch {
   const TabletIdentifier* identifier = nullptr;
   bool is_pad = false;   ///< one of the tablet's `pads`
   bool certain = false;  ///< no condition of the identifier was unknown, and no other tablet fits as well
+  /// Other tablets that it may be just as well, because what tells them apart (a USB string, the device's name) is not
+  /// known. Above 0: a guess.
+  std::size_t others = 0;
 };
 
 class TabletTable {
  public:
   TabletTable() = default;
   explicit TabletTable(std::vector<Tablet> tablets) : tablets_(std::move(tablets)) {}
+
+  /// A table of one tablet of this one, known by name and asking for nothing but its ids, or none at all. `name` is
+  /// that of the tablet, alone or behind its vendor's; case does not count. Errors: no such tablet, or several.
+  [[nodiscard]] base::Result<TabletTable> choose(std::string_view name) const;
+  /// Whether it was made by `choose`: its tablet is what a device would be found to be, with the reports that the
+  /// device describes itself.
+  [[nodiscard]] bool is_choice() const { return is_choice_; }
 
   [[nodiscard]] std::span<const Tablet> tablets() const { return tablets_; }
 
@@ -100,6 +112,7 @@ class TabletTable {
 
  private:
   std::vector<Tablet> tablets_;
+  bool is_choice_ = false;
 };
 
 /// The built-in tablets.

@@ -53,6 +53,43 @@ TEST(LiveSession, AStrokeThatATabletsReturnCutsOffEndsAtTheSamePlaceInAReplay) {
   EXPECT_EQ(playback.session->editor().state(), script.editor().state());
 }
 
+TEST(LiveSession, TheModelThatAStringTellsIsTheSameInAReplay) {
+  // One of forty tablets with these ids; the string is that of a larger one than it is taken for without.
+  decode::DeviceIdentity tablet;
+  tablet.vendor = 0x256c;
+  tablet.product = 0x006e;
+  tablet.name = "HUION PenTablet";
+  tablet.strings[201] = "HUION_T174_170519";
+  tests::SessionScript script(document::make_document(tests::sheet_model()));
+  script.live().connect(1, tablet);
+  for (int i = 0; i < 40; ++i) {
+    const auto x = static_cast<std::uint16_t>(22000 + 150 * i);
+    const std::vector<std::uint8_t> report{0x08,
+                                           0x81,
+                                           static_cast<std::uint8_t>(x & 0xff),
+                                           static_cast<std::uint8_t>(x >> 8),
+                                           0x00,
+                                           0x40,
+                                           0xff,
+                                           0x0f,
+                                           0,
+                                           0,
+                                           0,
+                                           0};
+    script.live().report(1, 1000000 + 5000 * i, report);
+  }
+  ASSERT_TRUE(script.act(TabletGone{1}).ok());
+  const decode::PenAxes* axes = script.live().session().pens().axes_of(1);
+  ASSERT_NE(axes, nullptr);
+  EXPECT_EQ(axes->x.maximum, 50800);
+  const ReplayResult playback = replayed(script.text());
+  ASSERT_NE(playback.session->pens().axes_of(1), nullptr);
+  EXPECT_EQ(playback.session->pens().axes_of(1)->x.maximum, 50800);
+  EXPECT_TRUE(playback.session->pens().guesses().empty());
+  EXPECT_EQ(playback.differing, 0U);
+  EXPECT_EQ(playback.session->editor().state(), script.editor().state());
+}
+
 TEST(LiveSession, AResizeInTheMiddleOfAStrokeReplaysTheSame) {
   tests::SessionScript script(document::make_document(tests::sheet_model()));
   begin_stroke(script, 0, 1000000, 350);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "replay/session/virtual_pen.h"
+#include "tests/support/hands/pen_reports.h"
 
 namespace penpose::replay {
 namespace {
@@ -231,6 +232,25 @@ TEST_F(PenInputTest, AResizedPictureCountsFromTheNextStrokeOn) {
   const auto after = only_stroke();
   EXPECT_EQ(after.view, larger);
   expect_near(after.samples[0].position, {200, 100});
+}
+
+TEST_F(PenInputTest, ATabletThatChangesItsFormIsMappedAnew) {
+  // 28bd:0936 is in the table with 40640 by 25400; what it describes itself is 24188 by 15360.
+  decode::DeviceIdentity tablet;
+  tablet.vendor = 0x28bd;
+  tablet.product = 0x0936;
+  tablet.report_descriptor = tests::ink_descriptor();
+  tablet.input_report_length = 12;
+  tablet.output_report_length = 33;
+  pens.connect(4, tablet);
+  decode::PenSample described;
+  described.in_range = true;
+  described.tool = decode::Tool::pen;
+  described.x = 24188 / 2;
+  described.y = 15360 / 2;
+  const auto moments = pens.report(4, 1000, tests::ink_pen(described));
+  ASSERT_FALSE(moments.empty());
+  expect_near(moments.back().position, {500, 250});
 }
 
 TEST_F(PenInputTest, WhatCannotBeDecodedGivesNothing) {

@@ -39,6 +39,27 @@ TEST(TraceWriter, NamesTheDeviceWhereItChangesAndNowhereElse) {
   EXPECT_EQ(writer.take(), "D: 0\nE: 0.000002 1 01\nD: 1\nE: 0.000003 1 01\n");
 }
 
+TEST(TraceWriter, StringsOfADeviceComeBackWithIt) {
+  TraceWriter writer;
+  TraceDevice tablet = ink_pen();
+  tablet.strings = {{2, "a \"quoted\" name"}, {201, "HUION_T174_170519"}};
+  writer.declare(0, tablet);
+  writer.comment("string 7 is no string of a device");
+  writer.report(0, 0, std::vector<std::uint8_t>{1});
+  writer.declare(0, ink_pen());  // plugged in anew, nothing was read
+  writer.report(0, 1, std::vector<std::uint8_t>{1});
+  const std::string text = writer.take();
+  EXPECT_NE(text.find("\n# string 201: \"HUION_T174_170519\"\n"), std::string::npos);
+  TraceSource source(read_from(base::as_bytes(text)));
+  std::vector<std::map<int, std::string>> told;
+  source.listen({}, [&](int, const decode::DeviceIdentity& identity) { told.push_back(identity.strings); });
+  while (source.next().value()) {
+  }
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_EQ(told[0], tablet.strings);
+  EXPECT_TRUE(told[1].empty());
+}
+
 TEST(TraceWriter, TheReaderGetsBackDevicesTimesAndBytes) {
   TraceWriter writer;
   writer.declare(0, ink_pen());

@@ -35,10 +35,10 @@ constexpr const char* k_tablet = R"({"penpose_tablets": 1,
     "identifiers": [{"id": "dead:beef", "protocol": "mine"}]}]})";
 
 TEST_F(OwnTablets, NoFileIsNoTablets) {
-  const auto none = read_own_tablets("");
+  const auto none = read_own_tablets({});
   ASSERT_TRUE(none.ok());
   EXPECT_TRUE(none->tablets().empty());
-  EXPECT_FALSE(read_own_tablets("/nonexistent").ok());
+  EXPECT_FALSE(read_own_tablets({"/nonexistent", ""}).ok());
 }
 
 TEST_F(OwnTablets, DecodeReadsATabletThatOnlyTheUserKnows) {

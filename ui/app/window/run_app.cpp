@@ -40,8 +40,8 @@ base::Error in_file(base::Error error, const std::string& file) {
 base::Status run_app(const files::WindowRequest& request) {
   const std::int64_t began = device::monotonic_us();
   files::keep_little_memory();
-  const auto own = files::read_own_tablets(request.tablets);
-  if (!own) return in_file(own.error(), request.tablets);
+  const auto own = files::read_own_tablets(request.own);
+  if (!own) return own.error();
   std::error_code code;
   if (!request.session.empty() && std::filesystem::exists(request.session, code)) {
     return base::Error{"exists already and is not written over", request.session,

@@ -14,9 +14,9 @@
 #include "ui/cli/subcommand.h"
 #include "ui/cli/tablet/hand_decode.h"
 #include "ui/cli/tablet/sample_printer.h"
+#include "ui/cli/tablet/tablet_options.h"
 #include "ui/cli/tablet/trace_output.h"
 #include "ui/files/files.h"
-#include "ui/files/own_tablets.h"
 #include "ui/files/trace_file.h"
 
 namespace penpose::cli {
@@ -25,7 +25,7 @@ namespace {
 struct DecodeOptions {
   std::string trace;
   std::string protocol;
-  std::string tablets;
+  files::OwnTablets own;
   bool csv = false;
   bool pad = false;
   bool touch = false;
@@ -36,6 +36,8 @@ struct DecodeOptions {
 struct Interface {
   std::unique_ptr<decode::PenDecoder> decoder;  ///< null: nothing to read here
   std::string method;
+  std::string guess;                 ///< which of several tablets it is read as; empty where something tells
+  bool was_guess = false;            ///< samples were
   decode::ForeignReports desktop{};  ///< of a mouse or keyboard, by report id
   bool has_report_ids = false;
 };
@@ -117,6 +119,7 @@ void DecodeRun::read_as(Interface& interface, const decode::DeviceIdentity& iden
   if (recognition) {
     interface.decoder = std::move(recognition->decoder);
     interface.method = recognition->method;
+    interface.guess = recognition->guess;
   } else {
     interface.decoder.reset();
     refusals_.push_back(recognition.error());
@@ -201,6 +204,7 @@ base::Status DecodeRun::decode(replay::TraceSource& source) {
     if (interface.desktop[id] != 0 && interface.desktop[id] == report.bytes.size()) ++desktop_reports_;
     if (interface.decoder && interface.decoder->decode(report.bytes) == decode::ReportKind::pen) {
       print(report, interface);
+      interface.was_guess = interface.was_guess || interface.decoder->by_table();
     }
   });
 }
@@ -222,6 +226,9 @@ int DecodeRun::run() {
   end_output(source);
   if (const int status = end_of_trace(source, options_.trace, reports_); status != k_success) return status;
   if (samples_ == 0) say_why_nothing();
+  for (const auto& [device, interface] : interfaces_) {
+    if (interface.was_guess && !interface.guess.empty()) files::warn(guess_note(interface.guess), options_.trace);
+  }
   return k_success;
 }
 
@@ -244,8 +251,8 @@ int decode_trace(const DecodeOptions& options) {
     return files::report({"no protocol is named \"" + options.protocol + "\"", "",
                           "`penpose devices --known` lists them with their tablets"});
   }
-  const auto own = files::read_own_tablets(options.tablets);
-  if (!own) return files::report(own.error(), options.tablets);
+  const auto own = files::read_own_tablets(options.own);
+  if (!own) return files::report(own.error());
   if (options.pad || options.touch) {
     const HandPart part = options.pad ? HandPart::pad : HandPart::touch;
     return decode_hands({options.trace, options.protocol, part, options.json}, &*own);
@@ -261,7 +268,7 @@ void add_options(CLI::App& command, DecodeOptions& options) {
   command.add_flag("--touch", options.touch, "Fingers on the tablet instead of its pen")->excludes(pad);
   command.add_option("--protocol", options.protocol,
                      "Read every report with this protocol, whatever the trace's device is");
-  command.add_option(files::k_tablets_option, options.tablets, files::k_tablets_help);
+  add_tablet_options(command, options.own);
 }
 
 }  // namespace
@@ -271,7 +278,7 @@ Subcommand decode_subcommand() {
                                    "Prints what pen or hand did in a trace of raw HID reports", add_options,
                                    decode_trace, {"penpose decode pen.hid --csv", "the pen, sample by sample"},
                                    {"penpose decode pen.hid --pad", "what the keys and rings of the tablet did"},
-                                   {{"--protocol", Completes::nothing}});
+                                   {{"--protocol", Completes::nothing}, {"--tablet", Completes::nothing}});
 }
 
 }  // namespace penpose::cli

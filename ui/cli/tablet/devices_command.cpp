@@ -16,8 +16,8 @@
 #include "firmware_io/device/list/permission.h"
 #include "ui/cli/subcommand.h"
 #include "ui/cli/tablet/live_devices.h"
+#include "ui/cli/tablet/tablet_options.h"
 #include "ui/files/files.h"
-#include "ui/files/own_tablets.h"
 
 namespace penpose::cli {
 namespace {
@@ -31,7 +31,7 @@ struct Options {
   bool give_back = false;
   bool install = false;
   std::string rules_folder = device::k_rules_folder;
-  std::string tablets;
+  files::OwnTablets own;
 };
 
 std::string device_id(const decode::TabletIdentifier& identifier) {
@@ -176,8 +176,8 @@ int list_known(const Options& options, const decode::TabletTable& own) {
 }
 
 int run_devices(const Options& options) {
-  const auto own = files::read_own_tablets(options.tablets);
-  if (!own) return files::report(own.error(), options.tablets);
+  const auto own = files::read_own_tablets(options.own);
+  if (!own) return files::report(own.error());
   if (options.known) return list_known(options, *own);
   if (options.udev_rule) return print_udev_rule(*own);
   if (options.install) return install_udev_rule(*own, options.rules_folder);
@@ -199,7 +199,7 @@ void add_options(CLI::App& command, Options& options) {
       if (one != other) one->excludes(other);
     }
   }
-  command.add_option(files::k_tablets_option, options.tablets, files::k_tablets_help);
+  add_tablet_options(command, options.own);
 }
 
 }  // namespace

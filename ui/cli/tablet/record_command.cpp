@@ -17,9 +17,9 @@
 #include "firmware_io/record/tablet_recorder.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/subcommand.h"
+#include "ui/cli/tablet/tablet_options.h"
 #include "ui/files/append_file.h"
 #include "ui/files/files.h"
-#include "ui/files/own_tablets.h"
 #include "ui/files/process/own_program.h"
 #include "ui/files/process/stop_signal.h"
 
@@ -29,7 +29,7 @@ namespace {
 struct Options {
   std::string output;
   std::string device;
-  std::string tablets;
+  files::OwnTablets own;
   double seconds = 0;
 };
 
@@ -273,8 +273,8 @@ int RecordRun::run() {
 }
 
 int record(const Options& options) {
-  const auto own = files::read_own_tablets(options.tablets);
-  if (!own) return files::report(own.error(), options.tablets);
+  const auto own = files::read_own_tablets(options.own);
+  if (!own) return files::report(own.error());
   return RecordRun(options, &*own).run();
 }
 
@@ -283,7 +283,7 @@ void add_options(CLI::App& command, Options& options) {
   command.add_option("--device", options.device, "One device by its path, as `penpose devices` gives it");
   command.add_option("--seconds", options.seconds, "Stop after that time")
       ->check(CLI::Validator(number_range(1e-3, 1e9), "0.001 to 1000000000"));
-  command.add_option(files::k_tablets_option, options.tablets, files::k_tablets_help);
+  add_tablet_options(command, options.own);
 }
 
 }  // namespace

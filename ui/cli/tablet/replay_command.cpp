@@ -15,11 +15,11 @@
 #include "ui/cli/pose/tolerance_option.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/subcommand.h"
+#include "ui/cli/tablet/tablet_options.h"
 #include "ui/files/append_file.h"
 #include "ui/files/file_roles.h"
 #include "ui/files/files.h"
 #include "ui/files/load_model.h"
-#include "ui/files/own_tablets.h"
 #include "ui/files/save_model.h"
 #include "ui/files/session_model.h"
 #include "ui/files/trace_file.h"
@@ -43,7 +43,7 @@ struct ReplayArguments {
   std::string output;
   std::string picture;
   std::string record;
-  std::string tablets;
+  files::OwnTablets own;
   std::string live;
   std::optional<std::size_t> strokes;
   bool real_time = false;
@@ -196,7 +196,7 @@ void print(const ReplayArguments& arguments, const replay::ReplayResult& played,
 
 /// No file that is written is one that is read, or one of the others.
 base::Status take_roles(const ReplayArguments& arguments, files::FileRoles& files, std::string& blamed) {
-  for (const std::string& path : {arguments.session, arguments.model, arguments.tablets}) files.reads(path);
+  for (const std::string& path : {arguments.session, arguments.model, arguments.own.file}) files.reads(path);
   const std::pair<const std::string&, const char*> outputs[] = {
       {arguments.output, "-o"}, {arguments.picture, "--png"}, {arguments.record, "--session"}};
   for (const auto& [path, option] : outputs) {
@@ -211,8 +211,8 @@ int replay_session(const ReplayArguments& arguments) {
   files::FileRoles files;
   std::string blamed;
   if (const auto fits = take_roles(arguments, files, blamed); !fits) return files::report(fits.error(), blamed);
-  const auto own = files::read_own_tablets(arguments.tablets);
-  if (!own) return files::report(own.error(), arguments.tablets);
+  const auto own = files::read_own_tablets(arguments.own);
+  if (!own) return files::report(own.error());
   const auto file = files::open_trace(arguments.session);
   if (!file) return files::report(file.error(), arguments.session);
   auto live = live::open_live_output(arguments.live, live::live_outputs());
@@ -249,6 +249,7 @@ int replay_session(const ReplayArguments& arguments) {
   }
   for (const auto& problem : played->problems) std::cerr << "penpose: " << problem.line(arguments.session) << '\n';
   for (const auto& refusal : played->refusals) std::cerr << "penpose: " << refusal.line(arguments.session) << '\n';
+  for (const auto& guess : played->session->pens().guesses()) files::warn(guess_note(guess), arguments.session);
   if (arguments.strokes && played->session->stroke_count() < *arguments.strokes) {
     files::warn("it has no more than " + std::to_string(played->session->stroke_count()) + " strokes",
                 arguments.session);
@@ -288,7 +289,7 @@ void add_options(CLI::App& command, ReplayArguments& arguments) {
   add_live_option(command, arguments.live);
   command.add_flag("--realtime", arguments.real_time, "At the pace of the recording");
   command.add_option("--session", arguments.record, "Write the replay down as a session of its own");
-  command.add_option(files::k_tablets_option, arguments.tablets, files::k_tablets_help);
+  add_tablet_options(command, arguments.own);
   command.add_flag("--json", arguments.json, "Print one JSON object");
   add_tolerance_option(command, arguments.glb);
 }

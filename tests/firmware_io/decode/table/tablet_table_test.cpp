@@ -197,6 +197,35 @@ TEST(TabletTable, TheOnlyTabletOfItsIdsIsKnownWhateverItsReports) {
   EXPECT_EQ(known_tablets().only_one(device), nullptr);
 }
 
+TEST(TabletTable, ATabletCanBeChosenByItsName) {
+  DeviceIdentity device;
+  device.vendor = 0x256c;
+  device.product = 0x006e;
+  const auto guessed = known_tablets().find(device);
+  ASSERT_TRUE(guessed);
+  EXPECT_GT(guessed->others, 0u);
+  device.strings[201] = "HUION_T174_170519";
+  EXPECT_EQ(known_tablets().find(device)->others, 0u);
+  device.strings.clear();
+  for (const char* name : {"New 1060 Plus", "huion new 1060 plus"}) {
+    const auto chosen = known_tablets().choose(name);
+    ASSERT_TRUE(chosen.ok()) << chosen.error().line();
+    EXPECT_TRUE(chosen->is_choice());
+    const auto found = chosen->find(device);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->tablet->name, "New 1060 Plus");
+    EXPECT_EQ(found->others, 0u);
+    EXPECT_TRUE(chosen->find(DeviceIdentity{})) << "text of other programs names no ids";
+    DeviceIdentity mouse;
+    mouse.vendor = 0x046d;
+    EXPECT_FALSE(chosen->find(mouse));
+  }
+  const auto unknown = known_tablets().choose("H640");
+  ASSERT_FALSE(unknown.ok());
+  EXPECT_NE(unknown.error().remedy.find("Huion H640P"), std::string::npos) << unknown.error().line();
+  EXPECT_FALSE(known_tablets().choose("").ok());
+}
+
 TEST(TabletTable, WhatNothingTellsApartIsReadAsMostOfItIs) {
   auto device = huion(0x006e, "");
   device.input_report_length = 8;

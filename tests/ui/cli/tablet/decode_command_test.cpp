@@ -59,6 +59,23 @@ TEST_F(DecodeCommand, SeveralDevicesAddAColumn) {
   EXPECT_NE(outcome.out.find(",button2,device\n1,10,0,0,0,0,0,,1,pen,0,0,0,1\n"), std::string::npos) << outcome.out;
 }
 
+TEST_F(DecodeCommand, AGuessIsCalledAGuessUntilTheTabletIsNamed) {
+  const std::string trace = tests::TraceText()
+                                .device(0, {}, "3 256c 006e")
+                                .report(0, {0x08, 0x81, 0x10, 0x27, 0x20, 0x4e, 0xe8, 0x03, 0, 0, 0, 0})
+                                .text();
+  const Outcome guessed = decode(trace);
+  EXPECT_EQ(guessed.status, 0);
+  EXPECT_NE(guessed.error.find(": a guess: one of "), std::string::npos) << guessed.error;
+  EXPECT_NE(guessed.error.find("256c:006e"), std::string::npos) << guessed.error;
+  const Outcome named = decode(trace, {"--tablet", "New 1060 Plus"});
+  EXPECT_EQ(named.error, "");
+  EXPECT_TRUE(named.out.starts_with("# axis x 0 50800 200\n")) << named.out;
+  const Outcome unknown = decode(trace, {"--tablet", "none of these"});
+  EXPECT_EQ(unknown.status, 1);
+  EXPECT_NE(unknown.error.find("devices --known"), std::string::npos) << unknown.error;
+}
+
 TEST_F(DecodeCommand, AProtocolByNameReadsAnyDevice) {
   const std::string trace = tests::TraceText()
                                 .device(0, {0x05, 0x0d, 0xc0}, "3 0000 0000")

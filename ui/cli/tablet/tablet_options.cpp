@@ -1,0 +1,16 @@
+#include "ui/cli/tablet/tablet_options.h"
+
+namespace penpose::cli {
+
+void add_tablet_options(CLI::App& command, files::OwnTablets& own) {
+  command.add_option(files::k_tablets_option, own.file,
+                     "A file of your own tablets, or a configuration of OpenTabletDriver; goes before the known ones");
+  command.add_option(files::k_tablet_option, own.name,
+                     "The tablet that is meant, by its name, where others have the same ids");
+}
+
+std::string guess_note(const std::string& guess) {
+  return "a guess: " + guess + "; " + files::k_tablet_option + " NAME says which it is";
+}
+
+}  // namespace penpose::cli

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "ui/cli/subcommand.h"
+#include "ui/files/own_tablets.h"
+
+namespace penpose::cli {
+
+/// Adds --tablets FILE and --tablet NAME.
+void add_tablet_options(CLI::App& command, files::OwnTablets& own);
+
+/// Says of a guess (decode::Recognition) what to do.
+[[nodiscard]] std::string guess_note(const std::string& guess);
+
+}  // namespace penpose::cli
