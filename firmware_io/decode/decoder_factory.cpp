@@ -156,6 +156,7 @@ base::Result<Recognition> make_decoder(const DeviceIdentity& device, const Table
   auto pens = find_pens(descriptor, wacom ? Dialect::wacom : Dialect::standard);
   // Wacom's own descriptors are complete; the table is for those that have none.
   const auto match = wacom && pens ? std::nullopt : find_tablet(completed, own);
+  if (match && match->identifier->replaces_descriptor) pens.reset();
   std::unique_ptr<PenDecoder> described;
   if (pens) {
     const Tablet* const named = match ? match->tablet : known_tablets().only_one(device);

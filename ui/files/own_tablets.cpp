@@ -10,7 +10,17 @@ base::Result<decode::TabletTable> read_tablets(const std::string& path) {
   if (path.empty()) return decode::TabletTable{};
   const auto bytes = read_file(path, k_most_text_bytes);
   if (!bytes) return bytes.error();
-  return decode::read_tablet_file(base::as_text(*bytes));
+  auto tablets = decode::read_tablet_file(base::as_text(*bytes));
+  if (!tablets) return tablets;
+  for (const decode::Tablet& tablet : tablets->tablets()) {
+    for (const std::string& parser : tablet.unread_parsers) {
+      warn("the report parser " + parser +
+               " is not known, what it reads is left out; describe its reports in a "
+               "tablet file of penpose's own form",
+           path);
+    }
+  }
+  return tablets;
 }
 
 }  // namespace

@@ -104,6 +104,14 @@ struct Protocol {
   std::size_t shortest = 0;    ///< shorter reports are ignored before any rule
   std::int64_t tip_above = 0;  ///< without a tip bit, the tip touches above this pressure
   std::vector<Rule> rules;     ///< a report that fits none is ignored
+
+  /// Another order of the bytes that some firmware of the same tablet has.
+  struct Variant {
+    BitTest told_by;  ///< reports that only this one sends
+    std::vector<Rule> rules;
+  };
+  /// Alternatives to `rules`, which hold until a report tells one of these; the last one told holds.
+  std::vector<Variant> variants;
 };
 
 }  // namespace penpose::decode

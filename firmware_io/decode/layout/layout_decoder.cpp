@@ -67,17 +67,25 @@ void LayoutDecoder::reset() {
   sample_ = {};
   pad_ = {};
   memory_ = {};
+  told_ = nullptr;
 }
 
 ReportKind LayoutDecoder::decode(base::Bytes report) {
   if (report.size() < protocol_->skip) return ReportKind::ignored;
   report = report.subspan(protocol_->skip);
   if (report.size() < protocol_->shortest) return ReportKind::ignored;
-  for (const auto& rule : protocol_->rules) {
+  for (const auto& rule : rules_for(report)) {
     if (!rule.when.holds(report)) continue;
     return report.size() < rule.layout->shortest ? ReportKind::ignored : apply(*rule.layout, report);
   }
   return ReportKind::ignored;
+}
+
+const std::vector<Protocol::Rule>& LayoutDecoder::rules_for(base::Bytes report) {
+  for (const Protocol::Variant& variant : protocol_->variants) {
+    if (variant.told_by.holds(report)) told_ = &variant;
+  }
+  return told_ == nullptr ? protocol_->rules : told_->rules;
 }
 
 ReportKind LayoutDecoder::apply(const Layout& layout, base::Bytes report) {
@@ -133,7 +141,7 @@ void LayoutDecoder::apply_position(const Layout& layout, base::Bytes report) {
 
 void LayoutDecoder::apply_pen(const Layout& layout, base::Bytes report) {
   apply_position(layout, report);
-  if (layout.pressure) memory_.pressure = read(layout.pressure, report, 0);
+  if (layout.pressure) memory_.pressure = std::max(0, read(layout.pressure, report, 0));
   if (layout.tilt_x) memory_.tilt_x = read(layout.tilt_x, report, 0);
   if (layout.tilt_y) memory_.tilt_y = read(layout.tilt_y, report, 0);
   std::uint32_t buttons = read_bits(layout.buttons, report, 0);

@@ -32,6 +32,7 @@ class LayoutDecoder final : public PenDecoder {
     bool entered_as_eraser = false;
   };
 
+  [[nodiscard]] const std::vector<Protocol::Rule>& rules_for(base::Bytes report);
   ReportKind apply(const Layout& layout, base::Bytes report);
   void apply_pen(const Layout& layout, base::Bytes report);
   void apply_mouse(const Layout& layout, base::Bytes report);
@@ -43,6 +44,7 @@ class LayoutDecoder final : public PenDecoder {
   std::shared_ptr<const Protocol> protocol_;
   PenAxes axes_;
   Memory memory_;
+  const Protocol::Variant* told_ = nullptr;  ///< by reports so far
 };
 
 }  // namespace penpose::decode

@@ -296,7 +296,7 @@ ProtocolMap read_protocols(const JsonPlace& file) {
       }
       *protocol = *found->second;
     }
-    place.allow_only({"like", "skip", "shortest", "tip_above", "rules"});
+    place.allow_only({"like", "skip", "shortest", "tip_above", "rules", "variants"});
     protocol->name = name;
     if (const auto at = place.at("skip"); at.present()) protocol->skip = static_cast<std::size_t>(at.integer(0, 64));
     if (const auto at = place.at("shortest"); at.present()) {
@@ -304,6 +304,15 @@ ProtocolMap read_protocols(const JsonPlace& file) {
     }
     if (const auto at = place.at("tip_above"); at.present()) protocol->tip_above = at.integer(0, 1'000'000);
     if (const auto at = place.at("rules"); at.present()) protocol->rules = read_rules(at, shared);
+    for (const auto& variant : place.at("variants").items()) {
+      variant.allow_only({"when", "like"});
+      const auto found = protocols.find(variant.at("like").text());
+      if (found == protocols.end()) {
+        variant.at("like").fail("names no protocol", "put the protocol that it names before this one");
+        return protocols;
+      }
+      protocol->variants.push_back({read_test(variant.at("when")), found->second->rules});
+    }
     if (protocol->rules.empty()) place.fail("has no rules", "add rules, or name another protocol in like");
     protocols[name] = std::move(protocol);
   }

@@ -41,12 +41,16 @@ constexpr std::array k_parsers = std::to_array<ParserName>({
     {"IntuosV1ReportParser", "wacom_intuos_v1"},
     {"IntuosV2ReportParser", "wacom_intuos_v2"},
     {"IntuosV3ReportParser", "wacom_intuos_v3"},
+    {"KamvasOffsetReportParser", "huion_kamvas"},
     {"LifetecReportParser", "lifetec"},
     {"PLReportParser", "wacom_pl"},
     {"PTUReportParser", "wacom_ptu"},
+    {"PassthroughReportParser", "unread"},
     {"RobotPenReportParser", "robotpen"},
     {"SkipByteTabletReportParser", "generic_skip1"},
     {"TabletReportParser", "generic"},
+    {"TenMoonReportParser", "ten_moons"},
+    {"TiltTabletReportParser", "generic_tilt"},
     {"UCLogicReportParser", "uclogic"},
     {"UCLogicTiltReportParser", "uclogic_tilt"},
     {"UCLogicV1ReportParser", "uclogic_v1"},
@@ -63,6 +67,7 @@ constexpr std::array k_parsers = std::to_array<ParserName>({
     {"WacomDriverIntuosReportParser", "wacom_intuos_skip1"},
     {"WacomDriverIntuosV1ReportParser", "wacom_intuos_v1_skip1"},
     {"WacomDriverIntuosV2ReportParser", "wacom_intuos_v2_skip1"},
+    {"WacomDriverIntuosV3ReportParser", "wacom_intuos_v3_skip1"},
     {"WoodPadReportParser", "viewsonic_woodpad"},
     {"XENXReportParser", "xenx"},
     {"XP_PenDedicatedAuxReportParser", "xp_pen_keypad"},
@@ -137,7 +142,9 @@ std::uint8_t read_string_index(const JsonPlace& place) {
   return 0;
 }
 
-TabletIdentifier read_identifier(const JsonPlace& place, const JsonPlace& file) {
+/// Adds an identifier to a list, or its report parser to those that are not known.
+void read_identifier(const JsonPlace& place, const JsonPlace& file, std::vector<TabletIdentifier>& into,
+                     std::vector<std::string>& unread_parsers) {
   TabletIdentifier identifier;
   identifier.vendor = static_cast<std::uint16_t>(place.at("VendorID").integer(0, 65535));
   identifier.product = static_cast<std::uint16_t>(place.at("ProductID").integer(0, 65535));
@@ -155,12 +162,14 @@ TabletIdentifier read_identifier(const JsonPlace& place, const JsonPlace& file) 
   const auto name = parser.present() ? protocol_of_parser(parser.text()) : std::string_view("generic");
   const auto protocol = known_protocols().find(name);
   if (protocol == known_protocols().end()) {
-    parser.fail("names a report parser that penpose does not have",
-                "describe its reports in a tablet file of penpose's own form");
-  } else {
-    identifier.protocol = protocol->second;
+    const std::string unread = parser.text();
+    if (std::find(unread_parsers.begin(), unread_parsers.end(), unread) == unread_parsers.end()) {
+      unread_parsers.push_back(unread);
+    }
+    return;
   }
-  return identifier;
+  identifier.protocol = protocol->second;
+  into.push_back(std::move(identifier));
 }
 
 int read_count(const JsonPlace& place, int most) {
@@ -236,11 +245,13 @@ Tablet read_open_tablet_driver(const JsonPlace& file) {
   }
   tablet.hide_from_desktop = read_attribute(file, "libinputoverride", 1).value_or(0) == 1;
   tablet.feature_delay_ms = read_attribute(file, "FeatureInitDelayMs", 60000).value_or(0);
-  for (const auto& item : identifiers) tablet.identifiers.push_back(read_identifier(item, file));
-  if (tablet.identifiers.empty()) file.at("DigitizerIdentifiers").fail("lists no identifier", "add one");
+  for (const auto& item : identifiers) read_identifier(item, file, tablet.identifiers, tablet.unread_parsers);
+  if (identifiers.empty()) file.at("DigitizerIdentifiers").fail("lists no identifier", "add one");
   // Some releases spell the member with a letter missing.
   for (const auto* const spelling : {"AuxiliaryDeviceIdentifiers", "AuxilaryDeviceIdentifiers"}) {
-    for (const auto& item : file.at(spelling).items()) tablet.pads.push_back(read_identifier(item, file));
+    for (const auto& item : file.at(spelling).items()) {
+      read_identifier(item, file, tablet.pads, tablet.unread_parsers);
+    }
   }
   return tablet;
 }

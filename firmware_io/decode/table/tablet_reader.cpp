@@ -52,7 +52,7 @@ void read_id(const JsonPlace& place, TabletIdentifier& into) {
 
 TabletIdentifier read_identifier(const JsonPlace& place, const ProtocolMap& own) {
   place.allow_only({"id", "input", "output", "feature", "interface", "strings", "read_strings", "send_features",
-                    "send_outputs", "protocol"});
+                    "send_outputs", "protocol", "replaces_descriptor"});
   TabletIdentifier identifier;
   read_id(place.at("id"), identifier);
   read_optional(place.at("input"), k_longest_report, identifier.input_report_length);
@@ -65,6 +65,9 @@ TabletIdentifier read_identifier(const JsonPlace& place, const ProtocolMap& own)
   }
   for (const auto& item : place.at("send_features").items()) identifier.send_features.push_back(read_hex(item));
   for (const auto& item : place.at("send_outputs").items()) identifier.send_outputs.push_back(read_hex(item));
+  if (const auto replaces = place.at("replaces_descriptor"); replaces.present()) {
+    identifier.replaces_descriptor = replaces.boolean();
+  }
   const auto protocol = place.at("protocol");
   const auto name = protocol.text();
   const auto mine = own.find(name);
@@ -140,8 +143,10 @@ Tablet read_tablet(const JsonPlace& place, const ProtocolMap& own) {
   if (const auto hide = place.at("hide_from_desktop"); hide.present()) tablet.hide_from_desktop = hide.boolean();
   read_if_present(place.at("feature_delay_ms"), 60000, tablet.feature_delay_ms);
   for (const auto& item : place.at("identifiers").items()) tablet.identifiers.push_back(read_identifier(item, own));
-  if (tablet.identifiers.empty()) place.fail("has no identifiers", "say in `identifiers` how the tablet is recognised");
   for (const auto& item : place.at("pads").items()) tablet.pads.push_back(read_identifier(item, own));
+  if (tablet.identifiers.empty() && tablet.pads.empty()) {
+    place.fail("has no identifiers", "say in `identifiers` how the tablet is recognised");
+  }
   return tablet;
 }
 

@@ -31,6 +31,7 @@ struct TabletIdentifier {
   std::optional<int> interface_number;
   std::vector<StringCheck> strings;  ///< all must hold
   std::shared_ptr<const Protocol> protocol;
+  bool replaces_descriptor = false;  ///< what the interface describes of its pen is wrong
 
   // To wake it: read these strings, then send these feature reports, then these output reports (first byte: report
   // id).
@@ -74,6 +75,9 @@ struct Tablet {
   int feature_delay_ms = 0;                   ///< wait before each feature report
   std::vector<TabletIdentifier> identifiers;  ///< of the pen interface
   std::vector<TabletIdentifier> pads;         ///< further interfaces of the same tablet with keys or touch
+  /// Report parsers of OpenTabletDriver that its configuration names and that have no protocol here; the identifiers
+  /// with them are left out.
+  std::vector<std::string> unread_parsers;
 };
 
 /// The result of `find`. Both pointers live as long as the table.

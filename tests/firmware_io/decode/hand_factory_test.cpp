@@ -57,7 +57,7 @@ TEST(HandFactory, DescribedFingersOfAnyone) {
 TEST(HandFactory, TheTablesTabletsHaveTheirProtocolsKeys) {
   unsigned with_keys = 0;
   for (const Tablet& tablet : known_tablets().tablets()) {
-    const auto& identifier = tablet.identifiers.front();
+    const auto& identifier = tablet.identifiers.empty() ? tablet.pads.front() : tablet.identifiers.front();
     if (tablet.pad_keys == 0 || identifier.vendor == k_vendor_wacom) continue;
     DeviceIdentity known = device(identifier.vendor, identifier.product);
     known.input_report_length = identifier.input_report_length;

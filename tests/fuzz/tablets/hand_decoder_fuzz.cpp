@@ -21,7 +21,8 @@ decode::DeviceIdentity chosen_device(base::ByteReader& reader) {
                      : decode::k_bus_bluetooth;
   } else if (choice < 240) {
     const auto tablets = decode::known_tablets().tablets();
-    const auto& identifier = tablets[(choice - hands.size()) * 3 % tablets.size()].identifiers.front();
+    const auto& tablet = tablets[(choice - hands.size()) * 3 % tablets.size()];
+    const auto& identifier = tablet.identifiers.empty() ? tablet.pads.front() : tablet.identifiers.front();
     device.vendor = identifier.vendor;
     device.product = identifier.product;
     device.input_report_length = identifier.input_report_length;

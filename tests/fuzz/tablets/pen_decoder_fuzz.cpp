@@ -26,7 +26,8 @@ decode::DeviceIdentity chosen_device(base::ByteReader& reader) {
   } else if (choice < 240) {
     // A tablet of the other table, beside whatever its descriptor will be.
     const auto tablets = decode::known_tablets().tablets();
-    const auto& identifier = tablets[(choice - models.size()) * 4 % tablets.size()].identifiers.front();
+    const auto& tablet = tablets[(choice - models.size()) * 4 % tablets.size()];
+    const auto& identifier = tablet.identifiers.empty() ? tablet.pads.front() : tablet.identifiers.front();
     device.vendor = identifier.vendor;
     device.product = identifier.product;
     device.input_report_length = identifier.input_report_length;

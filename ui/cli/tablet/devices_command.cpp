@@ -139,12 +139,16 @@ std::string shown(const Hand& hand) {
 void print(const decode::Tablet& tablet) {
   std::set<std::string> ids;
   std::set<std::string> protocols;
-  for (const auto& identifier : tablet.identifiers) {
+  const bool has_pen = !tablet.identifiers.empty();
+  for (const auto& identifier : has_pen ? tablet.identifiers : tablet.pads) {
     ids.insert(device_id(identifier));
     protocols.insert(identifier.protocol->name);
   }
-  std::cout << base::shown_name(tablet.vendor + " " + tablet.name) << ": " << base::format_double(tablet.width_mm)
-            << " x " << base::format_double(tablet.height_mm) << " mm, pressure 0.." << tablet.max_pressure << ',';
+  std::cout << base::shown_name(tablet.vendor + " " + tablet.name) << ':';
+  if (has_pen) {
+    std::cout << ' ' << base::format_double(tablet.width_mm) << " x " << base::format_double(tablet.height_mm)
+              << " mm, pressure 0.." << tablet.max_pressure << ',';
+  }
   for (const auto& id : ids) std::cout << ' ' << id;
   std::cout << ',';
   for (const auto& protocol : protocols) std::cout << ' ' << protocol;

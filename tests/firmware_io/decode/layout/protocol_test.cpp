@@ -17,10 +17,81 @@ Report bytes_of(std::initializer_list<int> values) {
 
 ReportKind feed(PenDecoder& decoder, std::initializer_list<int> bytes) { return decoder.decode(bytes_of(bytes)); }
 
-TEST(Protocol, AllFiftyAreThere) {
-  EXPECT_EQ(protocol_names().size(), 50U);
+TEST(Protocol, AllAreThere) {
+  EXPECT_EQ(protocol_names().size(), 59U);
   for (const auto& name : protocol_names()) EXPECT_NE(make_protocol_decoder(name), nullptr) << name;
   EXPECT_EQ(make_protocol_decoder("nobody"), nullptr);
+}
+
+TEST(Protocol, BothFirmwaresOfAKamvasOfTheThirdGenerationAreToldByTheirReports) {
+  // x 0x12345, y 0x4567, pressure 0x0d23: with the third byte of x behind the others, and behind the pressure.
+  const auto expect_pen = [](const PenDecoder& decoder) {
+    EXPECT_EQ(decoder.sample().x, 0x12345);
+    EXPECT_EQ(decoder.sample().y, 0x4567);
+    EXPECT_EQ(decoder.sample().pressure, 0x0d23);
+    EXPECT_EQ(decoder.sample().tilt_x, -12);
+    EXPECT_EQ(decoder.sample().tilt_y, 4);
+  };
+  const auto later = make_protocol_decoder("huion_kamvas");
+  ASSERT_EQ(feed(*later, {8, 0x81, 0x45, 0x23, 1, 0x67, 0x45, 0x23, 0x0d, 0, 12, 0xfc, 3, 0}), ReportKind::pen);
+  expect_pen(*later);
+  const auto earlier = make_protocol_decoder("huion_kamvas");
+  ASSERT_EQ(feed(*earlier, {8, 0x81, 0x45, 0x23, 0x67, 0x45, 0x23, 0x0d, 1, 0, 12, 0xfc, 3, 0}), ReportKind::pen);
+  expect_pen(*earlier);
+  // A report that either may send is read as the ones before it.
+  ASSERT_EQ(feed(*earlier, {8, 0x81, 0x45, 0x23, 0, 0x45, 0x23, 0x0d, 1, 0, 12, 0xfc, 3, 0}), ReportKind::pen);
+  EXPECT_EQ(earlier->sample().y, 0x4500);
+  EXPECT_EQ(earlier->sample().pressure, 0x0d23);
+  earlier->reset();
+  ASSERT_EQ(feed(*earlier, {8, 0x81, 0x45, 0x23, 1, 0x67, 0x45, 0x23, 0x0d, 0, 12, 0xfc, 3, 0}), ReportKind::pen);
+  expect_pen(*earlier);
+}
+
+TEST(Protocol, TenMoonsPressureFallsWhereOthersRise) {
+  const auto decoder = make_protocol_decoder("ten_moons");
+  ASSERT_EQ(feed(*decoder, {6, 0x0a, 0x10, 0x03, 0x20, 0x05, 0x72, 0, 0, 0, 0, 0xff, 0x33}), ReportKind::pen);
+  EXPECT_EQ(decoder->sample().x, 0x0a10);
+  EXPECT_EQ(decoder->sample().y, 0x0320);
+  EXPECT_EQ(decoder->sample().pressure, 0x672 - 0x572);
+  ASSERT_EQ(feed(*decoder, {6, 0, 1, 0xff, 0xf0, 0x07, 0x00, 0, 0, 6, 0, 0xff, 0x33}), ReportKind::pen);
+  EXPECT_EQ(decoder->sample().y, 0) << "above the area";
+  EXPECT_EQ(decoder->sample().pressure, 0);
+  EXPECT_FALSE(decoder->sample().tip);
+  EXPECT_EQ(decoder->sample().buttons, 3U);
+  ASSERT_EQ(feed(*decoder, {6, 0, 1, 0, 0, 7, 0, 0, 0, 0, 0, 0x7f, 0x33}), ReportKind::pad);
+  EXPECT_EQ(decoder->pad().keys, 1U << 1);
+  ASSERT_EQ(feed(*decoder, {6, 0, 1, 0, 0, 7, 0, 0, 0, 0, 0, 0xfb, 0x33}), ReportKind::pad);
+  EXPECT_EQ(decoder->pad().keys, 1U << 11);
+  ASSERT_EQ(feed(*decoder, {6, 0, 1, 0, 0, 7, 0, 0, 0, 0, 0, 0xfe, 0x13}), ReportKind::pad);
+  EXPECT_EQ(decoder->pad().keys, 1U << 8);
+}
+
+TEST(Protocol, ASecondButtonThatComesAsATouchWithoutPressureIsAButton) {
+  const auto decoder = make_protocol_decoder("waltop");
+  ASSERT_EQ(feed(*decoder, {16, 0x13, 1, 0, 2, 0, 0, 0, 0, 0}), ReportKind::pen);
+  EXPECT_FALSE(decoder->sample().tip);
+  EXPECT_EQ(decoder->sample().buttons, 2U);
+  ASSERT_EQ(feed(*decoder, {16, 0x13, 1, 0, 2, 0, 9, 0, 0, 0}), ReportKind::pen);
+  EXPECT_TRUE(decoder->sample().tip);
+  EXPECT_EQ(decoder->sample().buttons, 1U);
+  ASSERT_EQ(feed(*decoder, {16, 0, 1, 0, 2, 0, 0, 0, 0, 0}), ReportKind::pen);
+  EXPECT_FALSE(decoder->sample().in_range);
+}
+
+TEST(Protocol, WheelsOfXpPenAndItsKin) {
+  const auto steps = [](const char* name, std::initializer_list<int> report) {
+    const auto decoder = make_protocol_decoder(name);
+    EXPECT_EQ(feed(*decoder, report), ReportKind::pad) << name;
+    return decoder->pad().wheel_delta;
+  };
+  for (const char* name : {"xp_pen", "xp_pen_offset_pressure", "xp_pen_gen2", "xp_pen_remote"}) {
+    EXPECT_EQ(steps(name, {2, 0xf0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0}), 1) << name;
+    EXPECT_EQ(steps(name, {2, 0xf0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 0}), -1) << name;
+  }
+  EXPECT_EQ(steps("parblo_intangbo", {2, 0xf0, 8, 1, 0, 0, 0, 0}), 1);
+  const auto parblo = make_protocol_decoder("parblo_intangbo");
+  ASSERT_EQ(feed(*parblo, {2, 0xf0, 8, 0, 0, 0, 0, 0}), ReportKind::pad);
+  EXPECT_EQ(parblo->pad().keys, 1U << 3);
 }
 
 TEST(Protocol, ReportsOfAnyLengthAreTaken) {

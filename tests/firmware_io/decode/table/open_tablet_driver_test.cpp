@@ -129,7 +129,6 @@ TEST(OpenTabletDriver, ErrorsPointAtThePlace) {
     const auto table = read_tablet_file(text);
     return table.ok() ? std::string("none") : table.error().place;
   };
-  EXPECT_EQ(place(configuration("Made.Up.Parser")), "/DigitizerIdentifiers/0/ReportParser");
   EXPECT_EQ(place(R"({"DigitizerIdentifiers": []})"), "/Name");
   EXPECT_EQ(place(R"({"Name": "A B", "DigitizerIdentifiers": [{"VendorID": 70000}]})"),
             "/Specifications/Digitizer/Width");
@@ -137,11 +136,22 @@ TEST(OpenTabletDriver, ErrorsPointAtThePlace) {
             "/DigitizerIdentifiers/0/Attributes/Interface");
 }
 
+TEST(OpenTabletDriver, AReportParserThatIsNotKnownIsNamedAndTheRestIsRead) {
+  const auto table = read_tablet_file(configuration("Made.Up.Parser"));
+  ASSERT_TRUE(table.ok()) << table.error().line();
+  const Tablet& tablet = table->tablets()[0];
+  EXPECT_EQ(tablet.unread_parsers, std::vector<std::string>{"Made.Up.Parser"});
+  EXPECT_GT(tablet.max_x, 0);
+  for (const TabletIdentifier& identifier : tablet.identifiers) EXPECT_NE(identifier.protocol, nullptr);
+}
+
 TEST(OpenTabletDriver, EveryProtocolHasAParser) {
   std::size_t without = 0;
-  for (const auto* const parser : {"AcepenReportParser", "AuxReportParser", "BambooReportParser", "GianoReportParser",
-                                   "IntuosV2ReportParser", "SkipByteTabletReportParser", "UCLogicTiltReportParser",
-                                   "WacomDriverIntuosV1ReportParser", "XP_PenReportParser"}) {
+  for (const auto* const parser :
+       {"AcepenReportParser", "AuxReportParser", "BambooReportParser", "GianoReportParser", "IntuosV2ReportParser",
+        "SkipByteTabletReportParser", "UCLogicTiltReportParser", "KamvasOffsetReportParser", "PassthroughReportParser",
+        "TenMoonReportParser", "TiltTabletReportParser", "WacomDriverIntuosV3ReportParser",
+        "WacomDriverIntuosV1ReportParser", "XP_PenReportParser"}) {
     const auto protocol = protocol_of_parser(std::string("Some.Name.Space.") + parser);
     EXPECT_NE(make_protocol_decoder(protocol), nullptr) << parser;
     without += protocol.empty() ? 1 : 0;
