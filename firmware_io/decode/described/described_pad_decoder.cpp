@@ -59,8 +59,10 @@ bool DescribedPadDecoder::decode(base::Bytes report) {
     apply(control, *value);
   }
   for (const DescribedPadControl& control : pad_.controls) {
-    if (control.report_id == id && control.role == Role::ring)
-      sample_.ring_touched[control.side] = finger.value_or(sample_.ring[control.side] != 0);
+    if (control.report_id != id) continue;
+    const std::uint8_t side = control.side;
+    if (control.role == Role::ring) sample_.ring_touched[side] = finger.value_or(sample_.ring[side] != 0);
+    if (control.role == Role::strip) sample_.strip_at_zero[side] = finger.value_or(false) && sample_.strip[side] == 0;
   }
   return true;
 }

@@ -85,8 +85,9 @@ void PadEvents::add(const PadSample& sample, std::int64_t time_us, std::vector<P
     }
     event.dial = PadDial::strip;
     if (i < features_.strips) {
-      const Touch now{sample.strip[i] > 0, sample.strip[i]};
-      add_touch(event, last_.strip[i] > 0, now, now.on ? strip_steps(last_.strip[i], now.at) : 0, out);
+      const auto touched = [i](const PadSample& at) { return at.strip[i] > 0 || at.strip_at_zero[i]; };
+      const Touch now{touched(sample), sample.strip[i]};
+      add_touch(event, touched(last_), now, now.on ? strip_steps(last_.strip[i], now.at) : 0, out);
     }
     event.dial = PadDial::wheel;
     if (i < features_.wheels) add_wheel(event, sample, out);

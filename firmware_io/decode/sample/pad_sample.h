@@ -16,6 +16,7 @@ struct PadSample {
   std::array<std::int32_t, k_pad_sides> ring{};   ///< positions; 0 while not touched
   std::array<bool, k_pad_sides> ring_touched{};   ///< distinguishes a touch at 0 from none
   std::array<std::int32_t, k_pad_sides> strip{};  ///< the same; one bit for each place that is touched, or its number
+  std::array<bool, k_pad_sides> strip_at_zero{};  ///< a finger is at place 0 of a strip where that is a place
   std::array<std::int32_t, k_pad_sides> wheel{};  ///< whole steps that this report turned; Linux's vertical one first
   std::array<std::int32_t, k_pad_sides> fine_wheel{};  ///< the same in 120ths of a step, if the device has them
   std::array<std::int8_t, k_pad_sides> mode{};         ///< the light that is on at a ring or strip, from 0

@@ -120,7 +120,8 @@ TEST(Allocation, NoHandDecoderAllocates) {
       EXPECT_EQ(allocations_of(hand, reports), 0u) << std::hex << known.product;
     }
   }
-  for (const auto& descriptor : {tests::wacom_pad_descriptor(), tests::touch_descriptor(2)}) {
+  for (const auto& descriptor :
+       {tests::wacom_pad_descriptor(), tests::touch_descriptor(2), tests::uclogic_pad_descriptor()}) {
     for (const std::uint16_t vendor : {std::uint16_t{0x1b96}, k_vendor_wacom}) {
       DeviceIdentity device;
       device.vendor = vendor;

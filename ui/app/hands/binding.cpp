@@ -302,7 +302,8 @@ bool is_numbered(decode::PadKey key) {
   for (unsigned i = 0; i < decode::k_numbered_keys; ++i) {
     if (decode::numbered_key(i) == key) return true;
   }
-  return false;
+  // Pads that describe more than ten keys go on with the codes behind them.
+  return key > decode::PadKey::button9 && key < decode::PadKey::left;
 }
 
 std::vector<decode::PadKey> keys_of(const decode::PadFeatures& features) {

@@ -104,7 +104,7 @@ void Picture::draw_strip(std::uint8_t side, ImVec2 from, ImVec2 to) const {
   const float half = 0.5F * (to.x - from.x);
   list.AddRectFilled(from, to, ImGui::GetColorU32(ImGuiCol_FrameBg), half);
   list.AddRect(from, to, ImGui::GetColorU32(ImGuiCol_TextDisabled), half, 0, 2);
-  if (now_.strip[side] <= 0) return;
+  if (now_.strip[side] <= 0 && !now_.strip_at_zero[side]) return;
   const auto places = static_cast<float>(std::bit_width(static_cast<unsigned>(tablet_.features.strip_maximum)));
   const auto at = static_cast<float>(std::bit_width(static_cast<unsigned>(now_.strip[side])));
   const float y = from.y + half + (to.y - from.y - 2 * half) * std::min(1.0F, at / std::max(places, 1.0F));

@@ -7,6 +7,7 @@
 
 #include "core/base/json/json.h"
 #include "firmware_io/decode/decoder_factory.h"
+#include "firmware_io/decode/described/described_pad.h"
 #include "firmware_io/decode/described/fallback_decoder.h"
 #include "firmware_io/decode/layout/protocol.h"
 #include "firmware_io/decode/wacom/wacom_receiver.h"
@@ -36,9 +37,10 @@ struct DecodeOptions {
 struct Interface {
   std::unique_ptr<decode::PenDecoder> decoder;  ///< null: nothing to read here
   std::string method;
-  std::string guess;                 ///< which of several tablets it is read as; empty where something tells
-  bool was_guess = false;            ///< samples were
-  decode::ForeignReports desktop{};  ///< of a mouse or keyboard, by report id
+  std::string guess;                        ///< which of several tablets it is read as; empty where something tells
+  bool was_guess = false;                   ///< samples were
+  decode::ForeignReports desktop{};         ///< of a mouse or keyboard, by report id
+  std::optional<decode::DescribedPad> pad;  ///< keys of the tablet, which are not printed here
   bool has_report_ids = false;
 };
 
@@ -70,6 +72,7 @@ class DecodeRun {
   std::uint64_t samples_ = 0;
   std::uint64_t reports_ = 0;
   std::uint64_t desktop_reports_ = 0;
+  std::uint64_t pad_reports_ = 0;
 };
 
 /// Looks ahead for the `device` column; a pipe cannot be read twice, there only what comes before the first report
@@ -113,6 +116,7 @@ Interface& DecodeRun::interface_for(const replay::TraceSource& source, int devic
 void DecodeRun::read_as(Interface& interface, const decode::DeviceIdentity& identity) {
   if (const auto parsed = hid::parse_report_descriptor(identity.report_descriptor, hid::Strictness::tolerant)) {
     interface.desktop = decode::find_foreign_reports(*parsed);
+    interface.pad = decode::find_described_pad(*parsed);
     interface.has_report_ids = parsed->has_report_ids;
   }
   auto recognition = decode::make_decoder(identity, own_);
@@ -201,7 +205,11 @@ base::Status DecodeRun::decode(replay::TraceSource& source) {
     Interface& interface = interface_for(source, report.device);
     hear(report);
     const std::size_t id = interface.has_report_ids && !report.bytes.empty() ? report.bytes[0] : 0;
-    if (interface.desktop[id] != 0 && interface.desktop[id] == report.bytes.size()) ++desktop_reports_;
+    if (interface.pad && interface.pad->has(report.bytes)) {
+      ++pad_reports_;
+    } else if (interface.desktop[id] != 0 && interface.desktop[id] == report.bytes.size()) {
+      ++desktop_reports_;
+    }
     if (interface.decoder && interface.decoder->decode(report.bytes) == decode::ReportKind::pen) {
       print(report, interface);
       interface.was_guess = interface.was_guess || interface.decoder->by_table();
@@ -233,8 +241,12 @@ int DecodeRun::run() {
 }
 
 void DecodeRun::say_why_nothing() const {
-  for (const auto& refusal : refusals_) std::cerr << "penpose: " << refusal.line(options_.trace) << '\n';
-  if (!refusals_.empty() || reports_ == 0) return;
+  // An interface that only has keys is none that is unknown.
+  const bool refused = !refusals_.empty() && pad_reports_ == 0;
+  if (refused) {
+    for (const auto& refusal : refusals_) std::cerr << "penpose: " << refusal.line(options_.trace) << '\n';
+  }
+  if (refused || reports_ == 0) return;
   const bool as_mouse = desktop_reports_ == reports_;
   const std::string count = std::to_string(reports_) + (reports_ == 1 ? " report, " : " reports, ");
   const base::Error why{

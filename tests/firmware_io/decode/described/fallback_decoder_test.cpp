@@ -47,6 +47,16 @@ TEST(FallbackDecoder, ReportsOfADescribedMouseAreNotTheVendors) {
   EXPECT_EQ(decoder.decode(report), ReportKind::pen);
 }
 
+TEST(FallbackDecoder, ReportsOfADescribedPadAreNotTheVendors) {
+  // Keys of the tablet as report 2 of ten bytes, in an application of their own.
+  const tests::Report keys{0x05, 0x0d, 0x09, 0x39, 0xa1, 0x01, 0x85, 0x02, 0x05, 0x09, 0x19,
+                           0x01, 0x29, 0x48, 0x75, 0x01, 0x95, 0x48, 0x81, 0x02, 0xc0};
+  const auto parsed = hid::parse_report_descriptor(keys);
+  ASSERT_TRUE(parsed);
+  FallbackDecoder decoder(*parsed, std::nullopt, nullptr, make_protocol_decoder("xp_pen"));
+  EXPECT_EQ(decoder.decode(tests::Report{0x02, 0xa1, 1, 0, 1, 0, 1, 0, 0, 0}), ReportKind::ignored);
+}
+
 TEST(FallbackDecoder, ResetForgetsBoth) {
   const auto decoder = make();
   PenSample sample;

@@ -15,6 +15,39 @@ TEST(PadKey, IsOrderedByLinuxsCode) {
   }
 }
 
+TEST(PadKey, IsFoundByItsCode) {
+  for (unsigned i = 0; i < k_pad_keys; ++i) {
+    const auto key = static_cast<PadKey>(i);
+    EXPECT_EQ(key_with_code(key_code(key)), key) << i;
+  }
+  EXPECT_EQ(key_with_code(0x110), PadKey::left);
+  EXPECT_EQ(key_with_code(0x14b), PadKey::stylus);
+  for (const std::uint32_t none : {0U, 147U, 0xffU, 0x152U, 0x2d8U, 0x10100U})
+    EXPECT_FALSE(key_with_code(none)) << none;
+}
+
+TEST(PadKey, WhereLinuxHasNoNameItHasItsCode) {
+  EXPECT_EQ(key_name(*key_with_code(0x10a)), "0x10a");
+  EXPECT_EQ(key_name(*key_with_code(0x112)), "BTN_MIDDLE");
+  EXPECT_EQ(key_name(*key_with_code(0x113)), "BTN_SIDE");
+  EXPECT_EQ(key_name(*key_with_code(0x143)), "0x143");
+}
+
+TEST(PadKeys, AreASet) {
+  PadKeys keys{PadKey::program1, PadKey::screen_keyboard};
+  const PadKeys others{PadKey::screen_keyboard, PadKey::extra1};
+  EXPECT_EQ(keys.count(), 2U);
+  EXPECT_EQ(keys | others, (PadKeys{PadKey::program1, PadKey::screen_keyboard, PadKey::extra1}));
+  EXPECT_EQ(keys & others, PadKeys{PadKey::screen_keyboard});
+  EXPECT_EQ(keys ^ others, (PadKeys{PadKey::program1, PadKey::extra1}));
+  EXPECT_EQ(keys - others, PadKeys{PadKey::program1});
+  keys.set(PadKey::program1, false);
+  EXPECT_FALSE(keys.has(PadKey::program1));
+  EXPECT_TRUE(keys.has(PadKey::screen_keyboard));
+  keys.set(PadKey::screen_keyboard, false);
+  EXPECT_TRUE(keys.empty());
+}
+
 TEST(PadKey, EveryNumberHasAKeyAndANameOfItsOwn) {
   std::set<PadKey> keys;
   std::set<std::string> names;

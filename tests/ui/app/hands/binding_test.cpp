@@ -60,7 +60,7 @@ TEST(ModeKey, EachDialHasItsOwnAndOfSeveralEachChoosesALight) {
   EXPECT_EQ(mode_key(decode::numbered_key(0), has)->side, 0);
   EXPECT_EQ(mode_key(decode::numbered_key(9), has)->side, 1);
   EXPECT_EQ(mode_key(decode::numbered_key(9), has)->light, -1);
-  has.mode_keys = 0;
+  has.mode_keys = {};
   for (const unsigned i : {0U, 1U, 2U, 8U, 9U, 10U}) has.mode_keys.set(decode::numbered_key(i));
   EXPECT_EQ(mode_key(decode::numbered_key(2), has)->side, 0);
   EXPECT_EQ(mode_key(decode::numbered_key(2), has)->light, 2);
@@ -71,6 +71,22 @@ TEST(ModeKey, EachDialHasItsOwnAndOfSeveralEachChoosesALight) {
 TEST(DefaultBinding, NoTwoKeysOfALargePadDoTheSame) {
   std::set<std::string> texts;
   for (unsigned i = 0; i < 20; ++i) EXPECT_TRUE(texts.insert(to_text(of_key(pad(20), i))).second) << i;
+}
+
+TEST(DefaultBinding, AllKeysOfAPadThatDescribesThemHaveOne) {
+  decode::PadFeatures has;
+  std::vector<PadControl> controls;
+  for (std::uint32_t code = 0x100; code < 0x114; ++code) {
+    has.keys.set(*decode::key_with_code(code));
+    controls.push_back(key_control(*decode::key_with_code(code)));
+  }
+  std::set<std::string> texts, names;
+  for (std::size_t i = 0; i < controls.size(); ++i) {
+    EXPECT_EQ(title_of(controls[i], has), "Key " + std::to_string(i + 1));
+    EXPECT_NE(default_binding(controls[i], has), Binding{}) << i;
+    EXPECT_TRUE(texts.insert(to_text(default_binding(controls[i], has))).second) << i;
+    EXPECT_TRUE(names.insert(name_of(controls[i])).second) << i << ": settings tell keys apart by their names";
+  }
 }
 
 TEST(DefaultBinding, EachLightOfARingIsAnotherValueAndASecondRingBeginsElsewhere) {

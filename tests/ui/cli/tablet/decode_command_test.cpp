@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/decode_run.h"
+#include "tests/support/hands/hand_descriptors.h"
 #include "tests/support/hands/pen_path.h"
 #include "tests/support/hands/pen_reports.h"
 #include "tests/support/hands/trace_text.h"
@@ -124,6 +125,24 @@ TEST_F(DecodeCommand, ReportsWithoutARowSayWhy) {
   EXPECT_NE(hands.error.find("2 reports, none of keys, rings or wheels"), std::string::npos) << hands.error;
   EXPECT_EQ(decode(tests::TraceText().device(0, descriptor, "3 1b96 1000").text()).error.find("none"),
             std::string::npos);
+}
+
+TEST_F(DecodeCommand, ATraceOfKeysAloneSaysThatTheyArePrintedOtherwise) {
+  const tests::Report key{0xf7, 0xe0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0};
+  tests::Report with_pen = tests::ink_descriptor();
+  tests::append(with_pen, tests::uclogic_pad_descriptor());
+  for (const auto& descriptor : {tests::uclogic_pad_descriptor(), with_pen}) {
+    tests::TraceText trace;
+    trace.device(0, descriptor, "3 fff0 0001").report(0, key);
+    const Outcome outcome = decode(trace.text());
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.error.find("1 report, none of a pen that is near; --pad and --touch print keys"),
+              std::string::npos)
+        << outcome.error;
+    const Outcome hands = decode(trace.text(), {"--pad"});
+    EXPECT_NE(hands.out.find("0,0,BTN_0,0,,,,0,0\n"), std::string::npos) << hands.out;
+    EXPECT_EQ(hands.error, "");
+  }
 }
 
 TEST_F(DecodeCommand, WhatIsNoTraceIsAnError) {

@@ -106,4 +106,49 @@ inline Report wacom_pad_descriptor() {
   return items;
 }
 
+/// An Input item of one control of eight bits with this usage, which counts steps from -`most` to `most`.
+inline Report steps(std::uint32_t usage, std::uint8_t most = 1) {
+  Report items{0x0b};
+  for (int i = 0; i < 4; ++i) items.push_back(static_cast<std::uint8_t>(usage >> (8 * i)));
+  append(items, {0x15, static_cast<std::uint8_t>(-most), 0x25, most, 0x75, 0x08, 0x95, 0x01, 0x81, 0x06});
+  return items;
+}
+
+/// The usages of the first `count` buttons.
+inline std::vector<std::uint32_t> buttons(std::uint32_t count) {
+  std::vector<std::uint32_t> usages;
+  for (std::uint32_t i = 1; i <= count; ++i) usages.push_back(0x90000 | i);
+  return usages;
+}
+
+/// The beginning of a Keypad's report with Tablet Function Keys.
+inline Report function_keys(std::uint8_t id) {
+  return {0x05, 0x01, 0x09, 0x07, 0xa1, 0x01, 0x85, id, 0x05, 0x0d, 0x09, 0x39, 0xa1, 0x00};
+}
+
+/// A pad as Linux's hid-uclogic describes it, in reports of twelve bytes: 0xf7 with ten keys and three of a game pad
+/// from byte 4 on, 0xf8 with a ring of twelve places and 0xf9 with a dial, both in byte 5 with a sign of the finger
+/// before it. What makes desktops take it for a pad is in byte 1.
+inline Report uclogic_pad_descriptor() {
+  Report items = function_keys(0xf7);
+  append(items, input({0xd0044}, 1, 1));
+  append(items, input({0x10030, 0x10031}, 1, 2));
+  append(items, padding(21));
+  append(items, input(buttons(10), 1, 10));
+  append(items, {0xc0, 0x05, 0x01, 0x09, 0x05, 0xa1, 0x00});
+  append(items, input(buttons(3), 1, 3));
+  append(items, padding(51));
+  append(items, {0xc0, 0xc0});
+  for (const std::uint8_t id : {std::uint8_t{0xf8}, std::uint8_t{0xf9}}) {
+    append(items, function_keys(id));
+    append(items, input(buttons(1), 1, 1));
+    append(items, padding(23));
+    append(items, input({0xdffff}, 8, 1, 255));
+    append(items, id == 0xf8 ? input({0x10038}, 8, 1, 11) : steps(0x10038));
+    append(items, padding(48));
+    append(items, {0xc0, 0xc0});
+  }
+  return items;
+}
+
 }  // namespace penpose::tests
