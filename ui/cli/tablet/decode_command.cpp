@@ -77,7 +77,7 @@ base::Result<std::size_t> DecodeRun::count_devices() {
   if (!std::filesystem::is_regular_file(options_.trace, code)) return std::size_t{0};
   auto file = files::open_trace(options_.trace);
   if (!file) return file.error();
-  replay::TraceReader reader(files::read_from_file(file->get()));
+  replay::TraceReader reader(files::read_recording_file(file->get()));
   std::map<int, bool> devices;
   int device = 0;
   for (;;) {
@@ -210,7 +210,7 @@ int DecodeRun::run() {
   if (!devices) return files::report(devices.error(), options_.trace);
   auto file = files::open_trace(options_.trace);
   if (!file) return files::report(file.error(), options_.trace);
-  replay::TraceSource source(files::read_from_file(file->get()));
+  replay::TraceSource source(files::read_recording_file(file->get()));
   if (const auto header = source.read_header(); !header) return files::report(header.error(), options_.trace);
   with_device_ = *devices > 1 || source.devices().size() > 1;
   for (const auto& [number, device] : source.devices()) {

@@ -160,7 +160,7 @@ void HandRun::end_output(const replay::TraceSource& source) {
 int HandRun::run() {
   auto file = files::open_trace(options_.trace);
   if (!file) return files::report(file.error(), options_.trace);
-  replay::TraceSource source(files::read_from_file(file->get()));
+  replay::TraceSource source(files::read_recording_file(file->get()));
   if (const auto header = source.read_header(); !header) return files::report(header.error(), options_.trace);
   with_device_ = source.devices().size() > 1;
   // All interfaces first: what one has may bear on the others from the first report.

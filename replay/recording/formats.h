@@ -1,0 +1,13 @@
+#pragma once
+
+#include "replay/recording/recording_format.h"
+
+namespace penpose::replay {
+
+// Each is in the file of its name; a new one is that file, a line here and a row in recording.cpp.
+
+// Of bytes.
+RecordingFormat gzip_recording();
+RecordingFormat utf16_recording();
+
+}  // namespace penpose::replay
