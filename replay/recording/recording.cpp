@@ -21,9 +21,8 @@ bool marks_trace(std::string_view line) {
 /// Of two that recognise a file, or a line of it, the first has it.
 std::span<const RecordingFormat> formats() {
   static const RecordingFormat all[] = {
-      gzip_recording(),
-      utf16_recording(),
-      {"hid-recorder", nullptr, marks_trace, nullptr, nullptr},
+      gzip_recording(),        utf16_recording(),           {"hid-recorder", nullptr, marks_trace, nullptr, nullptr},
+      usbhid_dump_recording(), tablet_debugger_recording(), open_tablet_driver_diagnostics(),
   };
   return all;
 }
