@@ -9,5 +9,6 @@ namespace penpose::replay {
 // Of bytes.
 RecordingFormat gzip_recording();
 RecordingFormat utf16_recording();
+RecordingFormat usb_capture_recording();  ///< pcap and pcapng of usbmon and USBPcap
 
 }  // namespace penpose::replay

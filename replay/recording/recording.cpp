@@ -23,6 +23,7 @@ std::span<const RecordingFormat> formats() {
   static const RecordingFormat all[] = {
       gzip_recording(),
       utf16_recording(),
+      usb_capture_recording(),
       {"hid-recorder", nullptr, marks_trace, nullptr, nullptr},
   };
   return all;

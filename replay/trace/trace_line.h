@@ -55,6 +55,9 @@ void append_physical(std::string& out, std::string_view path, const TraceStyle& 
 void append_identity(std::string& out, std::uint16_t bus, std::uint16_t vendor, std::uint16_t product,
                      const TraceStyle& style = {});
 void append_report(std::string& out, std::int64_t time_us, base::Bytes report, const TraceStyle& style = {});
+/// A report of `length` bytes of which only the first are known: a reader leaves it out and says so.
+void append_cut_report(std::string& out, std::int64_t time_us, std::size_t length, base::Bytes first,
+                       const TraceStyle& style = {});
 /// A comment of one line; line breaks in `text` become blanks, because a second line would not be a comment.
 void append_comment(std::string& out, std::string_view text, const TraceStyle& style = {});
 
