@@ -9,6 +9,10 @@ namespace penpose::replay {
 // Of bytes.
 RecordingFormat gzip_recording();
 RecordingFormat utf16_recording();
-RecordingFormat usb_capture_recording();  ///< pcap and pcapng of usbmon and USBPcap
+RecordingFormat usb_capture_recording();  ///< pcap and pcapng of usbmon and USBPcap, in usb/
+
+// Text made of captures of USB: named, not read; both in usb/exported_captures.cpp.
+RecordingFormat wireshark_export();
+RecordingFormat usbmon_text();
 
 }  // namespace penpose::replay

@@ -24,6 +24,8 @@ std::span<const RecordingFormat> formats() {
       gzip_recording(),
       utf16_recording(),
       usb_capture_recording(),
+      wireshark_export(),
+      usbmon_text(),
       {"hid-recorder", nullptr, marks_trace, nullptr, nullptr},
   };
   return all;
