@@ -15,4 +15,16 @@ RecordingFormat usb_capture_recording();  ///< pcap and pcapng of usbmon and USB
 RecordingFormat wireshark_export();
 RecordingFormat usbmon_text();
 
+// Of text.
+RecordingFormat usbhid_dump_recording();           ///< descriptors and reports as usbhid-dump of DIGImend prints them
+RecordingFormat tablet_debugger_recording();       ///< reports as OpenTabletDriver's tablet debugger records them
+RecordingFormat open_tablet_driver_diagnostics();  ///< in the same file
+
+// In other_recordings.cpp: they cannot be read.
+RecordingFormat libinput_recording();
+RecordingFormat evtest_recording();
+RecordingFormat wireshark_text();
+RecordingFormat usbmon_text();
+RecordingFormat usblyzer_text();
+
 }  // namespace penpose::replay

@@ -24,9 +24,12 @@ std::span<const RecordingFormat> formats() {
       gzip_recording(),
       utf16_recording(),
       usb_capture_recording(),
+      {"hid-recorder", nullptr, marks_trace, nullptr, nullptr},
+      usbhid_dump_recording(),
+      tablet_debugger_recording(),
+      open_tablet_driver_diagnostics(),
       wireshark_export(),
       usbmon_text(),
-      {"hid-recorder", nullptr, marks_trace, nullptr, nullptr},
   };
   return all;
 }
