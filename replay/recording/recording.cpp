@@ -26,13 +26,14 @@ std::span<const RecordingFormat> formats() {
   static const RecordingFormat all[] = {
       gzip_recording(),
       utf16_recording(),
+      usb_capture_recording(),
       hid_recorder_recording(),
       usbhid_dump_recording(),
       tablet_debugger_recording(),
       open_tablet_driver_diagnostics(),
       libinput_recording(),
       evtest_recording(),
-      wireshark_text(),
+      wireshark_export(),
       usbmon_text(),
       usblyzer_text(),
   };

@@ -101,8 +101,8 @@ void append_id(std::string& out, std::uint16_t value, const TraceStyle& style) {
   base::append_hex(out, value, 4, style.upper_case_ids ? base::HexCase::upper : base::HexCase::lower);
 }
 
-void append_bytes(std::string& out, base::Bytes bytes) {
-  append_number(out, bytes.size(), 1);
+void append_bytes(std::string& out, std::size_t length, base::Bytes bytes) {
+  append_number(out, length, 1);
   for (const std::uint8_t byte : bytes) {
     out += ' ';
     base::append_hex(out, byte, 2);
@@ -196,7 +196,7 @@ void append_device(std::string& out, int device, const TraceStyle& style) {
 
 void append_descriptor(std::string& out, base::Bytes descriptor, const TraceStyle& style) {
   out += "R: ";
-  append_bytes(out, descriptor);
+  append_bytes(out, descriptor.size(), descriptor);
   end_line(out, style);
 }
 
@@ -227,13 +227,18 @@ void append_identity(std::string& out, std::uint16_t bus, std::uint16_t vendor, 
 }
 
 void append_report(std::string& out, std::int64_t time_us, base::Bytes report, const TraceStyle& style) {
+  append_cut_report(out, time_us, report.size(), report, style);
+}
+
+void append_cut_report(std::string& out, std::int64_t time_us, std::size_t length, base::Bytes first,
+                       const TraceStyle& style) {
   const auto time = static_cast<std::uint64_t>(std::max<std::int64_t>(time_us, 0));
   out += "E: ";
   append_number(out, time / k_micros, style.second_digits);
   out += '.';
   append_number(out, time % k_micros, 6);
   out += ' ';
-  append_bytes(out, report);
+  append_bytes(out, length, first);
   end_line(out, style);
 }
 

@@ -59,6 +59,9 @@ void append_identity(std::string& out, std::uint16_t bus, std::uint16_t vendor, 
 void append_report(std::string& out, std::int64_t time_us, base::Bytes report, const TraceStyle& style = {});
 /// A USB string of a device: a comment for programs that do not know it. It tells models with the same ids apart.
 void append_string(std::string& out, int index, std::string_view text, const TraceStyle& style = {});
+/// A report of `length` bytes of which only the first are known: a reader leaves it out and says so.
+void append_cut_report(std::string& out, std::int64_t time_us, std::size_t length, base::Bytes first,
+                       const TraceStyle& style = {});
 /// A comment of one line; line breaks in `text` become blanks, because a second line would not be a comment.
 void append_comment(std::string& out, std::string_view text, const TraceStyle& style = {});
 

@@ -24,6 +24,16 @@ void TraceWriter::report(int device, std::int64_t time_us, base::Bytes bytes) {
   append_report(out_, time_us, bytes, style_);
 }
 
+void TraceWriter::cut_report(int device, std::int64_t time_us, std::size_t length, base::Bytes first) {
+  switch_to(device);
+  append_cut_report(out_, time_us, length, first, style_);
+}
+
+void TraceWriter::comment(int device, std::string_view text) {
+  switch_to(device);
+  comment(text);
+}
+
 void TraceWriter::comment(std::string_view text) { append_comment(out_, text, style_); }
 
 std::string TraceWriter::take() { return std::exchange(out_, {}); }

@@ -36,8 +36,13 @@ class TraceWriter {
   /// microseconds since the recording's start, negative ones count as 0.
   void report(int device, std::int64_t time_us, base::Bytes bytes);
 
+  /// The same of a report of `length` bytes of which only the first are known (append_cut_report).
+  void cut_report(int device, std::int64_t time_us, std::size_t length, base::Bytes first);
+
   /// One comment line; line breaks become blanks.
   void comment(std::string_view text);
+  /// One that belongs to a device: it stands behind lines of it.
+  void comment(int device, std::string_view text);
 
   /// Everything written since the last call.
   [[nodiscard]] std::string take();

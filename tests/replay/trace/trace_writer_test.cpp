@@ -60,6 +60,30 @@ TEST(TraceWriter, StringsOfADeviceComeBackWithIt) {
   EXPECT_TRUE(told[1].empty());
 }
 
+TEST(TraceWriter, WhatIsSaidOfADeviceStandsBehindItsLines) {
+  TraceWriter writer;
+  writer.declare(0, {});
+  writer.declare(1, {});
+  static_cast<void>(writer.take());
+  writer.comment(0, "string 201: \"x\"");
+  writer.comment(0, "more");
+  EXPECT_EQ(writer.take(), "D: 0\n# string 201: \"x\"\n# more\n");
+}
+
+TEST(TraceWriter, AReportThatIsKnownInPartIsToldByItsReader) {
+  TraceWriter writer;
+  writer.cut_report(0, 5, 10, std::vector<std::uint8_t>{1, 2});
+  writer.report(0, 6, std::vector<std::uint8_t>{3});
+  const std::string text = writer.take();
+  EXPECT_EQ(text, "D: 0\nE: 0.000005 10 01 02\nE: 0.000006 1 03\n");
+  TraceSource source(read_from(base::as_bytes(text)));
+  const auto report = source.next();
+  ASSERT_TRUE(report && report->has_value());
+  EXPECT_EQ((*report)->bytes[0], 3);
+  ASSERT_EQ(source.problems().size(), 1u);
+  EXPECT_EQ(source.problems()[0].what, "the line has fewer bytes than its length says and was left out");
+}
+
 TEST(TraceWriter, TheReaderGetsBackDevicesTimesAndBytes) {
   TraceWriter writer;
   writer.declare(0, ink_pen());

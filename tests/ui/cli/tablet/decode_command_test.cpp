@@ -7,6 +7,7 @@
 #include "tests/support/hands/pen_path.h"
 #include "tests/support/hands/pen_reports.h"
 #include "tests/support/hands/trace_text.h"
+#include "tests/support/hands/usb_capture.h"
 
 namespace penpose::cli {
 namespace {
@@ -97,6 +98,33 @@ TEST_F(DecodeCommand, ACutTraceIsReadUpToTheCut) {
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 5 + 1 + 20);
   EXPECT_NE(outcome.error.find("line 26: the last line is cut off"), std::string::npos) << outcome.error;
   EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1);
+}
+
+TEST_F(DecodeCommand, ACaptureOfUsbIsReadAsTheTraceOfItsTablet) {
+  const tests::UsbTablet ink{1, 9, 0x1b96, 0x1000, {tests::ink_descriptor()}, {}};
+  tests::UsbCapture capture;
+  tests::UsbCapture late;
+  tests::TraceText trace;
+  trace.device(0, tests::ink_descriptor(), "3 1b96 1000");
+  capture.plug_in(ink);
+  std::int64_t time_us = 0;
+  for (const auto& sample : tests::pen_path({24188, 15360, 4095, true, -1}, 2)) {
+    capture.report(ink, 0, tests::ink_pen(sample));
+    late.report(ink, 0, tests::ink_pen(sample));
+    trace.report(time_us, tests::ink_pen(sample));
+    time_us += 250;
+  }
+  const auto text_of = [](const tests::Buffer& file) { return std::string(file.begin(), file.end()); };
+  const Outcome wanted = decode(trace.text());
+  for (const auto& file : {capture.pcap(), capture.pcapng()}) {
+    const Outcome outcome = decode(text_of(file));
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.error, "");
+    EXPECT_EQ(outcome.out, wanted.out);
+  }
+  const Outcome unknown = decode(text_of(late.pcap()));
+  EXPECT_NE(unknown.error.find("does not say which tablet it is"), std::string::npos) << unknown.error;
+  EXPECT_EQ(std::count(unknown.error.begin(), unknown.error.end(), '\n'), 1);
 }
 
 TEST_F(DecodeCommand, AMouseGivesNoRowsAndSaysWhy) {
