@@ -182,8 +182,8 @@ TEST_F(DecodeCommand, NoRowsAreOneLineOverAllInterfaces) {
   EXPECT_NE(two.error.find("2 reports, none of a pen: no pen that is known"), std::string::npos) << two.error;
   EXPECT_NE(two.error.find("any other of 2 interfaces"), std::string::npos) << two.error;
   // In the table of tablets, by another interface: this one has reports of two bytes.
-  const tests::Report opaque{0x06, 0x00, 0xff, 0x09, 0x01, 0xa1, 0x01, 0x09, 0x01, 0x15, 0x00,
-                             0x25, 0x7f, 0x75, 0x08, 0x95, 0x02, 0x81, 0x02, 0xc0};
+  const tests::Report opaque{0x06, 0x00, 0xff, 0x09, 0x01, 0xa1, 0x01, 0x09, 0x01, 0x15,
+                             0x00, 0x25, 0x7f, 0x75, 0x08, 0x95, 0x02, 0x81, 0x02, 0xc0};
   const Outcome other = decode(tests::TraceText().device(0, opaque, "3 28bd 0078").report(0, {1, 2}).text());
   EXPECT_NE(other.error.find("1 report, none of a pen: this interface of XP-Pen Star 06"), std::string::npos)
       << other.error;
