@@ -22,7 +22,9 @@ std::optional<BatteryLayout> find_battery(const hid::ReportDescriptor& descripto
   for (const hid::Field& field : descriptor.fields) {
     const bool readable = field.is_variable() && field.bit_size > 0 && field.bit_size <= 32;
     if (field.type != hid::ReportType::input || !readable) continue;
-    if (descriptor.is_inside(field, hid::k_stylus)) continue;
+    // A pad that HID-BPF describes has its charge in a Stylus, too, so that Linux takes it for a battery.
+    const bool pads = descriptor.enclosing(field, hid::k_collection_application) == hid::k_keypad;
+    if (!pads && descriptor.is_inside(field, hid::k_stylus)) continue;
     for (std::uint32_t i = 0; i < std::min<std::uint64_t>(field.count, k_most_controls_of_field); ++i) {
       if (!is_charge(field.usage_of(i)) || field.logical_maximum <= field.logical_minimum) continue;
       return BatteryLayout{descriptor.has_report_ids, field.report_id,

@@ -104,7 +104,7 @@ MaybeEvent desktop_event(const Field& field, std::uint16_t id) {
       break;
   }
   // Hat switch, system controls, direction pad: nothing that a pad has.
-  const bool other = id == 0x39 || (id >= 0x80 && id <= 0x93) || (id >= 0xb0 && id <= 0xbf);
+  const bool other = id == 0x39 || (id >= 0x81 && id <= 0x93) || (id >= 0xb0 && id <= 0xbf);
   return other ? std::nullopt : unknown_event(field);
 }
 
@@ -140,6 +140,7 @@ MaybeEvent event_of(const ReportDescriptor& descriptor, const Field& field, Usag
     case 0x0f:    // forces
     case 0x00ff:  // custom
     case 0xff00:  // vendors' that Linux leaves alone
+    case 0xff01:
     case 0xff09:
     case 0xff43:
     case 0xff7f:

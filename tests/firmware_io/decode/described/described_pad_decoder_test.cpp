@@ -230,12 +230,17 @@ TEST(DescribedPad, OtherReportsAndSuchAsWereCutOffAreNotThePads) {
 }
 
 TEST(DescribedPad, SaysTheChargeOfItsBatteryToo) {
-  Report items = tests::input(tests::buttons(8), 1, 8);
-  tests::append(items, tests::input({0x850065}, 8, 1, 200));
-  const auto pad = pad_of(pad_with(items));
-  ASSERT_TRUE(pad);
-  EXPECT_EQ(held(*pad, {6, 1, 100}), "BTN_0");
-  EXPECT_EQ(pad->battery().percent, 50);
+  // Also in a collection of a pen, where some descriptors have it for Linux's sake.
+  for (const bool as_pens : {false, true}) {
+    Report items = tests::input(tests::buttons(8), 1, 8);
+    if (as_pens) tests::append(items, {0x05, 0x0d, 0x09, 0x20, 0xa1, 0x00});
+    tests::append(items, tests::input({0x850065}, 8, 1, 200));
+    if (as_pens) items.push_back(0xc0);
+    const auto pad = pad_of(pad_with(items));
+    ASSERT_TRUE(pad);
+    EXPECT_EQ(held(*pad, {6, 1, 100}), "BTN_0");
+    EXPECT_EQ(pad->battery().percent, 50);
+  }
 }
 
 /// A H640P, whose firmware says what it is, with and without the kernel's driver.

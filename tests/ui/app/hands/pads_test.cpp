@@ -209,6 +209,34 @@ TEST(Pads, WhatIsPressedIsChosenForAndThePenAloneBindsIt) {
   EXPECT_TRUE(load_settings(desk.path("config")).pads.empty());
 }
 
+TEST(Pads, KeysThatATabletDescribesAreOfferedAndDoWhatTheyAreBoundTo) {
+  PadDesk desk("pad-described");
+  decode::DeviceIdentity described;
+  described.bus = decode::k_bus_usb;
+  described.vendor = 0xfff0;
+  described.product = 1;
+  described.name = "Described";
+  described.report_descriptor = tests::uclogic_pad_descriptor();
+  desk.app->of<TabletEvents>().arrived(7, described);
+  const DeskTablet& tablet = *desk.app->of<HandDesk>().find(7);
+  EXPECT_EQ(keys_of(tablet.features).size(), 13U);
+  EXPECT_EQ(tablet.features.rings, 1U);
+  EXPECT_EQ(tablet.features.wheels, 1U);
+  desk.app->of<Bindings>().bind(tablet, key(12), binding_of(Action::redo));
+  desk.app->of<EditingSession>().perform(
+      document::SetParameters{{{desk.document().model->rig->parameters()[0].name, 0.5}}});
+  const auto press = [&](std::uint8_t first, std::uint8_t second) {
+    for (const bool down : {true, false}) {
+      const auto bits = [down](std::uint8_t keys) { return static_cast<std::uint8_t>(down ? keys : 0); };
+      desk.app->of<TabletEvents>().report(7, desk.now_us += 1000,
+                                          tests::Report{0xf7, 0xe0, 1, 1, bits(first), bits(second), 0, 0, 0, 0, 0, 0});
+    }
+    return desk.app->of<EditingSession>().editor().history().undo_count();
+  };
+  EXPECT_EQ(press(0x01, 0), 0U) << "its first key is Undo";
+  EXPECT_EQ(press(0, 0x10), 1U) << "and its last what was chosen";
+}
+
 TEST(Pads, EachTabletHasBindingsOfItsOwn) {
   PadDesk desk("pad-two");
   auto remote = tests::intuos_pro();

@@ -1,12 +1,14 @@
 #include "ui/cli/tablet/hand_decode.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/decode_run.h"
 #include "tests/support/hands/hand_descriptors.h"
 #include "tests/support/hands/trace_text.h"
+#include "tests/support/shared_data.h"
 
 namespace penpose::cli {
 namespace {
@@ -14,6 +16,7 @@ namespace {
 using tests::Outcome;
 
 class HandDecode : public tests::DecodeRun {};
+class SharedHandDecode : public tests::DecodeRun {};
 
 /// An Intuos Pro whose second key is pressed while the ring is touched, and let go.
 std::string pad_trace() {
@@ -102,6 +105,28 @@ TEST_F(HandDecode, AnyReportsCanBeReadWithAProtocol) {
   trace.report(0, {8, 0xe0, 1, 1, 0x05, 0, 0});
   const auto outcome = decode(trace.text(), {"--pad", "--protocol", "huion_ring"});
   EXPECT_NE(outcome.out.find("0,0,BTN_0+BTN_2,0,,,,0,0\n"), std::string::npos) << outcome.out << outcome.error;
+}
+
+/// Tablets whose descriptors hid-uclogic and an HID-BPF program have put in place of their own.
+TEST_F(SharedHandDecode, KeysThatLinuxDescribesAreRead) {
+  const auto folder = tests::shared_dir() / "cases" / "pens" / "pad-described-by-linux";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no shared cases";
+  const auto rows = [&](const char* file) {
+    const Outcome outcome = run_program({"decode", (folder / file).string(), "--pad"});
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_EQ(outcome.error, "");
+    return outcome.out.substr(outcome.out.find('\n') + 1);
+  };
+  EXPECT_EQ(rows("huion_h640p_uclogic.hid"),
+            "0,0,BTN_0,,,,,0,0\n"
+            "1,8000,-,,,,,0,0\n"
+            "2,16000,BTN_1,,,,,0,0\n"
+            "3,24000,-,,,,,0,0\n");
+  EXPECT_EQ(rows("deco01v3_hid_bpf.hid"),
+            "0,0,BTN_0,,,,,0,0\n"
+            "1,8000,BTN_0+BTN_1,,,,,0,0\n"
+            "2,16000,BTN_7,,,,,0,0\n"
+            "3,24000,-,,,,,0,0\n");
 }
 
 TEST_F(HandDecode, WrongUsageAndWrongFilesAreSaid) {
