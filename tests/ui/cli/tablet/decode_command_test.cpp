@@ -118,8 +118,9 @@ TEST_F(DecodeCommand, NoRowsAreOneLineOverAllInterfaces) {
   EXPECT_NE(two.error.find("2 reports, none of a pen: no pen that is known"), std::string::npos) << two.error;
   EXPECT_NE(two.error.find("any other of 2 interfaces"), std::string::npos) << two.error;
   // In the table of tablets, by another interface.
-  const Outcome other =
-      decode(tests::TraceText().device(0, {0x06, 0x00, 0xff, 0xc0}, "3 28bd 0078").report(0, {1}).text());
+  const tests::Report short_reports{0x06, 0x00, 0xff, 0x09, 0x01, 0xa1, 0x01, 0x85, 0x01, 0x15, 0x00, 0x26,
+                                    0xff, 0x00, 0x75, 0x08, 0x95, 0x02, 0x09, 0x01, 0x81, 0x02, 0xc0};
+  const Outcome other = decode(tests::TraceText().device(0, short_reports, "3 28bd 0078").report(0, {1, 2, 3}).text());
   EXPECT_NE(other.error.find("1 report, none of a pen: this interface of XP-Pen Star 06"), std::string::npos)
       << other.error;
   EXPECT_EQ(other.error.find("add the tablet"), std::string::npos) << other.error;
