@@ -11,10 +11,6 @@ RecordingFormat gzip_recording();
 RecordingFormat utf16_recording();
 RecordingFormat usb_capture_recording();  ///< pcap and pcapng of usbmon and USBPcap, in usb/
 
-// Text made of captures of USB: named, not read; both in usb/exported_captures.cpp.
-RecordingFormat wireshark_export();
-RecordingFormat usbmon_text();
-
 // Of text.
 RecordingFormat usbhid_dump_recording();           ///< descriptors and reports as usbhid-dump of DIGImend prints them
 RecordingFormat tablet_debugger_recording();       ///< reports as OpenTabletDriver's tablet debugger records them

@@ -28,8 +28,6 @@ std::span<const RecordingFormat> formats() {
       usbhid_dump_recording(),
       tablet_debugger_recording(),
       open_tablet_driver_diagnostics(),
-      wireshark_export(),
-      usbmon_text(),
   };
   return all;
 }

@@ -218,6 +218,21 @@ TEST(UsbRecording, DescriptorsThatLieHarmNothing) {
   EXPECT_TRUE(text.ends_with("E: 0.000000 2 08 01\n")) << text;
 }
 
+TEST(UsbRecording, ADescriptorThatIsAlwaysAnotherIsDeclaredAFewTimes) {
+  UsbCapture capture;
+  capture.plug_in(huion());
+  for (std::uint8_t i = 0; i < 100; ++i) {
+    capture.ask(huion(), 5, {0x81, 6, 0, 0x22, 0, 0, 255, 0}, {i}).report(huion(), 0, {8, i});
+  }
+  const std::string text = text_of(capture.pcap());
+  std::size_t declared = 0;
+  std::size_t reports = 0;
+  for (std::size_t at = text.find("\nR: "); at != std::string::npos; at = text.find("\nR: ", at + 1)) ++declared;
+  for (std::size_t at = text.find("\nE: "); at != std::string::npos; at = text.find("\nE: ", at + 1)) ++reports;
+  EXPECT_EQ(declared, 17u);
+  EXPECT_EQ(reports, 100u);
+}
+
 TEST(UsbRecording, MemoryDoesNotGrowWithWhatACaptureClaims) {
   UsbCapture capture;
   UsbTablet tablet = huion();
