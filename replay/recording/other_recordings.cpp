@@ -29,9 +29,12 @@ base::Error of_libinput() { return events("libinput's recording"); }
 bool marks_evtest(std::string_view line) { return has(line, "Event: time ", "type "); }
 base::Error of_evtest() { return events("evtest's text"); }
 
-// "Export Packet Dissections": the summary's heading, or the first line of a packet's details.
+// "Export Packet Dissections" and tshark's -T: the summary's heading, plain or CSV, the first line of a packet's
+// details, JSON, PDML, PSML.
 bool marks_wireshark(std::string_view line) {
-  return has(line, "No. ", "Protocol") || has(line, "Frame ", " bytes on wire");
+  return has(line, "No. ", "Protocol") || line.starts_with("\"No.\",\"Time\"") ||
+         has(line, "Frame ", " bytes on wire") || line.starts_with("\"_index\": \"packets-") ||
+         line.starts_with("<pdml ") || line.starts_with("<psml ");
 }
 base::Error of_wireshark() { return {"is Wireshark's text", "", k_save_capture}; }
 
