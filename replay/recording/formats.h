@@ -11,10 +11,6 @@ RecordingFormat gzip_recording();
 RecordingFormat utf16_recording();
 RecordingFormat usb_capture_recording();  ///< pcap and pcapng of usbmon and USBPcap, in usb/
 
-// Text made of captures of USB: named, not read; both in usb/exported_captures.cpp.
-RecordingFormat wireshark_export();
-RecordingFormat usbmon_text();
-
 // Of text.
 RecordingFormat usbhid_dump_recording();           ///< descriptors and reports as usbhid-dump of DIGImend prints them
 RecordingFormat tablet_debugger_recording();       ///< reports as OpenTabletDriver's tablet debugger records them
@@ -23,6 +19,8 @@ RecordingFormat open_tablet_driver_diagnostics();  ///< in the same file
 // In other_recordings.cpp: they cannot be read.
 RecordingFormat libinput_recording();
 RecordingFormat evtest_recording();
+RecordingFormat wireshark_text();
+RecordingFormat usbmon_text();
 RecordingFormat usblyzer_text();
 
 }  // namespace penpose::replay

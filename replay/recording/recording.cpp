@@ -33,7 +33,7 @@ std::span<const RecordingFormat> formats() {
       open_tablet_driver_diagnostics(),
       libinput_recording(),
       evtest_recording(),
-      wireshark_export(),
+      wireshark_text(),
       usbmon_text(),
       usblyzer_text(),
   };

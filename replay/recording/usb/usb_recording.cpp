@@ -12,6 +12,8 @@ constexpr int k_unknown_interface = 256;
 /// More than a machine has; a hostile capture must not fill the memory.
 constexpr std::size_t k_most_devices = 256;
 constexpr int k_most_numbers = 4096;
+/// A tablet has the descriptor that it has; one that always has another must not make a trace of them.
+constexpr int k_most_declarations = 16;
 constexpr std::size_t k_most_strings = 32;
 constexpr std::size_t k_most_requests = 4096;
 constexpr std::size_t k_most_descriptor_bytes = std::size_t{1} << 22;
@@ -202,7 +204,7 @@ void UsbRecording::declare_news() {
       if (numbers_ < k_most_numbers && !known.shown.contains(interface)) known.shown[interface].number = numbers_++;
     }
     for (auto& [interface, shown] : known.shown) {
-      if (!shown.declared) {
+      if (!shown.declared && shown.declarations < k_most_declarations) {
         declare(place, known, interface, shown);
       } else {
         for (const int index : known.new_strings) tell_string(known, shown.number, index);
@@ -224,6 +226,7 @@ void UsbRecording::declare(const Place& place, Known& known, int interface, Show
   writer_.declare(shown.number, facts);
   for (const auto& [index, text] : known.usb.strings()) tell_string(known, shown.number, index);
   shown.declared = true;
+  ++shown.declarations;
 }
 
 void UsbRecording::tell_string(const Known& known, int number, int index) {

@@ -37,6 +37,7 @@ class UsbRecording {
   struct Shown {
     int number = 0;
     bool declared = false;  ///< as it is known now
+    int declarations = 0;
   };
   struct Known {
     UsbDevice usb;

@@ -129,6 +129,7 @@ KINDS = {
     'labels': (['+labels.json'], [['track', 'a.pgm', '--labels', '{x}', '-o', '{out}.json']]),
     'picture': (['pgm', 'png', '+a.pgm'], [['track', '{x}', '--labels', 'labels.json', '-o', '{out}.json']]),
     'session': (['session', '+data/sessions', '+a.session', '+drawn.session'], SESSIONS),
+    'capture': (['usbmon'], DECODES + [['replay', '{x}', '--model', 'face.glb', '-o', '{out}.glb']]),
     'trace': (['trace', '+data/traces'], DECODES + [['replay', '{x}', '--model', 'face.glb', '-o', '{out}.glb']]),
     'tablets': (['tablet_file'], [['devices', '--known', '--json', '--tablets', '{x}'], ['devices', '--udev-rule', '--tablets', '{x}'],
                                   ['devices', '--json', '--tablets', '{x}'], ['decode', 'pen.hid', '--tablets', '{x}']]),

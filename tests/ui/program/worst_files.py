@@ -319,7 +319,34 @@ def endless_angle(folder):
     return ['pose', 'builtin:head', '--cases', cases, '--form', 'drawn'], [cases]
 
 
-ALL = [many_targets, many_instances, many_seams, empty_nodes, empty_materials, some_materials, empty_primitives, zeros, one_file_many_buffers,
+def changing_captures(folder, count=8000):
+    """A USB device of 32 interfaces and 32 strings, one of whose report descriptors is another one every time."""
+    path = os.path.join(folder, 'changing.pcap')
+    packets = []
+
+    def packet(event, transfer, endpoint, setup, data):
+        # usbmon's header: URB, event, transfer, endpoint, device, bus, what there is, time, status, length, setup.
+        packets.append(struct.pack('<Q4BH2bqiiII8s', 7, ord(event), transfer, endpoint, 5, 1, 0 if setup else 45, 0, 1, 0, 0, len(data), len(data), setup) + data)
+
+    def ask(setup, answer):
+        packet('S', 2, 0x80, bytes(setup), b'')
+        packet('C', 2, 0x80, b'', answer)
+
+    ask([0x80, 6, 0, 1, 0, 0, 18, 0], bytes([18, 1, 0, 2, 0, 0, 0, 64, 0x6c, 0x25, 0x6d, 0, 0, 1, 1, 2, 0, 1]))
+    body = b''.join(bytes([9, 4, i, 0, 1, 3, 0, 0, 0]) for i in range(32)) + bytes([7, 5, 0x81, 3, 64, 0, 1])
+    ask([0x80, 6, 0, 2, 0, 0, 255, 255], bytes([9, 2, 0, 0, 32, 1, 0, 0, 0]) + bytes([9, 4, 0, 0, 1, 3, 0, 0, 0, 7, 5, 0x81, 3, 64, 0, 1]) + body)
+    for i in range(1, 33):
+        ask([0x80, 6, i, 3, 9, 4, 255, 0], bytes([254, 3]) + b'x\0' * 126)
+    for i in range(count):
+        ask([0x81, 6, 0, 0x22, i % 32, 0, 1, 0], bytes([i // 32 % 2 + 1]))
+        packet('C', 1, 0x81, b'', bytes([8, i % 256]))
+    with open(path, 'wb') as f:
+        f.write(struct.pack('<IHHiIII', 0xa1b2c3d4, 2, 4, 0, 0, 65536, 189))
+        f.write(b''.join(struct.pack('<IIII', 1, 0, len(p), len(p)) + p for p in packets))
+    return ['decode', path], [path]
+
+
+ALL = [changing_captures, many_targets, many_instances, many_seams, empty_nodes, empty_materials, some_materials, empty_primitives, zeros, one_file_many_buffers,
        nested, many_numbers, long_line, one_fan, huge_counts, picture_header,
        picture_bomb, many_labels, many_keys, huge_view, empty_frames, numbered_far_apart, many_controls, many_meshes, fine_lines,
        endless_session, huge_session, endless_angle, no_textures, texture_bomb]
