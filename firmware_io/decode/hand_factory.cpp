@@ -16,6 +16,7 @@
 #include "firmware_io/decode/wacom/hand/wacom_usages.h"
 #include "firmware_io/decode/wacom/wacom_models.h"
 #include "firmware_io/decode/wacom/wacom_receiver.h"
+#include "firmware_io/hid/event_mark.h"
 
 namespace penpose::decode {
 namespace {
@@ -181,6 +182,12 @@ HandDecoders make_hand_decoders(const DeviceIdentity& device, const TabletTable*
   if (!device.report_descriptor.empty()) {
     auto parsed = hid::parse_report_descriptor(device.report_descriptor, hid::Strictness::tolerant);
     if (parsed) descriptor = std::move(parsed).value();
+  }
+  if (hid::has_event_mark(device.report_descriptor)) {
+    HandDecoders made;
+    if (auto fingers = find_multitouch(descriptor))
+      made.touch = std::make_unique<MultitouchDecoder>(std::move(*fingers));
+    return made;
   }
   DeviceIdentity completed = device;
   complete_identity(completed);
