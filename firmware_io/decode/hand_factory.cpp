@@ -4,6 +4,7 @@
 
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/decode/described/battery_decoder.h"
+#include "firmware_io/decode/described/described_pad_decoder.h"
 #include "firmware_io/decode/described/multitouch_decoder.h"
 #include "firmware_io/decode/layout/layout_decoder.h"
 #include "firmware_io/decode/layout/protocol.h"
@@ -212,12 +213,20 @@ HandDecoders make_hand_decoders(const DeviceIdentity& device, const TabletTable*
     made.touch = std::make_unique<MultitouchDecoder>(std::move(*fingers));
   }
   if (made.pad || (wacom && made.touch)) return made;
-  if (const auto match = known_tablets().find(completed)) {
+  const auto match = known_tablets().find(completed);
+  if (match) {
     made.pad = make_table_pad(*match, device, nullptr);
     if (!made.touch) made.touch = make_table_touch(match->identifier->protocol, match->tablet);
   }
-  if (auto power = find_battery(descriptor); power && !made.pad && !wacom)
+  if (wacom) return made;
+  auto power = find_battery(descriptor);
+  if (auto pad = find_described_pad(descriptor)) {
+    const int keys = match && match->certain ? match->tablet->pad_keys : 0;
+    made.pad = std::make_unique<DescribedPadDecoder>(std::move(*pad), std::move(power), std::move(made.pad),
+                                                     static_cast<unsigned>(std::max(keys, 0)));
+  } else if (power && !made.pad) {
     made.pad = std::make_unique<BatteryDecoder>(std::move(*power));
+  }
   return made;
 }
 

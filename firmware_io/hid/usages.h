@@ -24,6 +24,9 @@ inline constexpr std::uint16_t k_page_wacom_opaque = 0xff00;
 
 inline constexpr Usage k_pointer = usage(k_page_generic_desktop, 0x01);
 inline constexpr Usage k_mouse = usage(k_page_generic_desktop, 0x02);
+inline constexpr Usage k_joystick = usage(k_page_generic_desktop, 0x04);
+inline constexpr Usage k_gamepad = usage(k_page_generic_desktop, 0x05);
+inline constexpr Usage k_keypad = usage(k_page_generic_desktop, 0x07);
 inline constexpr Usage k_x = usage(k_page_generic_desktop, 0x30);
 inline constexpr Usage k_y = usage(k_page_generic_desktop, 0x31);
 inline constexpr Usage k_z = usage(k_page_generic_desktop, 0x32);
@@ -49,6 +52,7 @@ inline constexpr Usage k_tip_switch = usage(k_page_digitizer, 0x42);
 inline constexpr Usage k_secondary_tip_switch = usage(k_page_digitizer, 0x43);
 inline constexpr Usage k_barrel_switch = usage(k_page_digitizer, 0x44);
 inline constexpr Usage k_eraser = usage(k_page_digitizer, 0x45);
+inline constexpr Usage k_tablet_function_keys = usage(k_page_digitizer, 0x39);
 inline constexpr Usage k_confidence = usage(k_page_digitizer, 0x47);
 inline constexpr Usage k_invert = usage(k_page_digitizer, 0x3c);
 inline constexpr Usage k_secondary_barrel_switch = usage(k_page_digitizer, 0x5a);

@@ -83,7 +83,7 @@ std::string TabletRecorder::end(int number) {
   const decode::PadKeys held = tablet.pad_events.held();
   tablet.pad_events.finish(counts_.span_us, new_pad_events_);
   new_pad_events_.clear();
-  if (held == 0) return {};
+  if (held.empty()) return {};
   std::string names = decode::key_names(held);
   writer_.comment(std::to_string(number) + ": held at its end and let go: " + names);
   return names;

@@ -33,13 +33,17 @@ std::optional<BatteryLayout> find_battery(const hid::ReportDescriptor& descripto
   return std::nullopt;
 }
 
+std::optional<std::int8_t> charge_in(const BatteryLayout& layout, base::Bytes report) {
+  const std::uint8_t id = layout.has_report_ids && !report.empty() ? report[0] : 0;
+  if (report.empty() || id != layout.report_id || report.size() < layout.report_length) return std::nullopt;
+  const std::int64_t value = layout.charge.value(report);
+  if (!layout.charge.holds(value)) return std::nullopt;
+  const std::int64_t range = layout.charge.maximum - layout.charge.minimum;
+  return static_cast<std::int8_t>((value - layout.charge.minimum) * 100 / range);
+}
+
 bool BatteryDecoder::decode(base::Bytes report) {
-  const std::uint8_t id = layout_.has_report_ids && !report.empty() ? report[0] : 0;
-  if (report.empty() || id != layout_.report_id || report.size() < layout_.report_length) return false;
-  const std::int64_t value = layout_.charge.value(report);
-  if (!layout_.charge.holds(value)) return false;
-  const std::int64_t range = layout_.charge.maximum - layout_.charge.minimum;
-  battery_.percent = static_cast<std::int8_t>((value - layout_.charge.minimum) * 100 / range);
+  if (const auto percent = charge_in(layout_, report)) battery_.percent = *percent;
   return false;
 }
 

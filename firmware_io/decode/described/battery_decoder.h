@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct BatteryLayout {
 /// The charge that an interface describes: Battery Strength of the Generic Device Controls, or the state of charge of
 /// the Battery System. Nothing if there is none, or if it is a pen's.
 [[nodiscard]] std::optional<BatteryLayout> find_battery(const hid::ReportDescriptor& descriptor);
+
+/// The charge that a report gives, in percent; nothing if it is another one or gives none.
+[[nodiscard]] std::optional<std::int8_t> charge_in(const BatteryLayout& layout, base::Bytes report);
 
 /// A pad without keys, which reports only its battery.
 class BatteryDecoder final : public PadDecoder {

@@ -5,11 +5,10 @@ namespace {
 
 bool is_desktop_application(hid::Usage usage) {
   constexpr hid::Usage k_keyboard = hid::usage(hid::k_page_generic_desktop, 0x06);
-  constexpr hid::Usage k_keypad = hid::usage(hid::k_page_generic_desktop, 0x07);
   constexpr hid::Usage k_system_control = hid::usage(hid::k_page_generic_desktop, 0x80);
   constexpr std::uint16_t k_page_consumer = 0x0c;
-  return usage == hid::k_mouse || usage == hid::k_pointer || usage == k_keyboard || usage == k_keypad ||
-         usage == k_system_control || hid::page_of(usage) == k_page_consumer;
+  return usage == hid::k_mouse || usage == hid::k_pointer || usage == k_keyboard || usage == k_system_control ||
+         hid::page_of(usage) == k_page_consumer;
 }
 
 }  // namespace
@@ -18,7 +17,9 @@ ForeignReports find_foreign_reports(const hid::ReportDescriptor& descriptor) {
   ForeignReports foreign{};
   for (const hid::Field& field : descriptor.fields) {
     if (field.type != hid::ReportType::input) continue;
-    if (!is_desktop_application(descriptor.enclosing(field, hid::k_collection_application))) continue;
+    const hid::Usage application = descriptor.enclosing(field, hid::k_collection_application);
+    const bool pad = application == hid::k_keypad || descriptor.is_inside(field, hid::k_tablet_function_keys);
+    if (!pad && !is_desktop_application(application)) continue;
     foreign[field.report_id] = descriptor.report_length(hid::ReportType::input, field.report_id);
   }
   return foreign;

@@ -8,13 +8,14 @@
 
 namespace penpose::decode {
 
-/// Lengths of the reports that a descriptor gives to a mouse, a keyboard or media keys, by report id; 0 elsewhere.
+/// Lengths of the reports that a descriptor gives to a mouse, a keyboard, media keys or the keys of the tablet, by
+/// report id; 0 elsewhere.
 using ForeignReports = std::array<std::uint32_t, 256>;
 [[nodiscard]] ForeignReports find_foreign_reports(const hid::ReportDescriptor& descriptor);
 
 /// A tablet with a vendor protocol that its descriptor does not mention, in addition to described reports. A report
 /// with the id and exact length of a described pen goes to the first decoder (if there is one), one of a described
-/// mouse or keyboard to none, every other to the vendor's.
+/// mouse, keyboard or pad to none, every other to the vendor's.
 class FallbackDecoder final : public PenDecoder {
  public:
   FallbackDecoder(const hid::ReportDescriptor& descriptor, std::optional<PenLayout> layout,

@@ -42,13 +42,13 @@ std::int32_t PadEvents::strip_steps(std::int32_t from, std::int32_t to) const {
 }
 
 void PadEvents::add_keys(const PadSample& sample, std::int64_t time_us, std::vector<PadEvent>& out) const {
-  for (PadKeys changed = sample.keys ^ last_.keys; changed != 0; changed &= changed - 1) {
+  (sample.keys ^ last_.keys).for_each([&](PadKey key) {
     PadEvent event;
-    event.key = static_cast<PadKey>(std::countr_zero(changed));
-    event.kind = (sample.keys & key_bit(event.key)) != 0 ? PadEventKind::key_down : PadEventKind::key_up;
+    event.key = key;
+    event.kind = sample.keys.has(key) ? PadEventKind::key_down : PadEventKind::key_up;
     event.time_us = time_us;
     out.push_back(event);
-  }
+  });
 }
 
 void PadEvents::add_touch(PadEvent event, bool was, Touch now, std::int32_t by, std::vector<PadEvent>& out) const {

@@ -51,7 +51,7 @@ class PadEvents {
   /// Releases everything that is held when there are no more states.
   void finish(std::int64_t time_us, std::vector<PadEvent>& out);
 
-  [[nodiscard]] PadKeys held() const { return last_.keys; }
+  [[nodiscard]] const PadKeys& held() const { return last_.keys; }
 
  private:
   struct Touch {

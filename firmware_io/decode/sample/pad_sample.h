@@ -12,7 +12,7 @@ inline constexpr std::size_t k_pad_sides = 2;
 
 /// The state of the keys and wheels on a tablet after a report, in the device's own units.
 struct PadSample {
-  PadKeys keys = 0;                               ///< the keys that are down
+  PadKeys keys;                                   ///< the keys that are down
   std::array<std::int32_t, k_pad_sides> ring{};   ///< positions; 0 while not touched
   std::array<bool, k_pad_sides> ring_touched{};   ///< distinguishes a touch at 0 from none
   std::array<std::int32_t, k_pad_sides> strip{};  ///< the same; one bit for each place that is touched, or its number
@@ -25,7 +25,7 @@ struct PadSample {
 
 /// The controls of a pad. Counts are 0 to k_pad_sides.
 struct PadFeatures {
-  PadKeys keys = 0;  ///< the existing keys
+  PadKeys keys;  ///< the existing keys
   unsigned rings = 0;
   unsigned strips = 0;
   unsigned wheels = 0;
@@ -33,10 +33,10 @@ struct PadFeatures {
   unsigned lights = 0;             ///< lights in each group
   std::int32_t ring_maximum = 0;   ///< largest position of a ring
   std::int32_t strip_maximum = 0;  ///< largest value of a strip
-  PadKeys mode_keys = 0;           ///< the keys that advance or choose a light
+  PadKeys mode_keys;               ///< the keys that advance or choose a light
   bool wheels_clockwise = false;   ///< wheels count clockwise; Linux's count away from oneself
 
-  [[nodiscard]] bool any() const { return keys != 0 || rings + strips + wheels != 0; }
+  [[nodiscard]] bool any() const { return !keys.empty() || rings + strips + wheels != 0; }
 };
 
 /// The charge of a tablet's battery.

@@ -31,7 +31,7 @@ const DeskTablet* shown_tablet(const PadOwners& with, std::span<const DeskTablet
 bool has(const DeskTablet& tablet, const PadControl& control) {
   switch (control.kind) {
     case PadControl::Kind::key:
-      return (tablet.features.keys >> control.index & 1) != 0;
+      return tablet.features.keys.has(static_cast<decode::PadKey>(control.index));
     case PadControl::Kind::ring:
       return control.index < tablet.features.rings;
     case PadControl::Kind::strip:

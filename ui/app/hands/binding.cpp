@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 
 #include "ui/app/tools/tool.h"
 
@@ -279,7 +278,7 @@ std::string title_of(const PadControl& control, const decode::PadFeatures& featu
     case PadControl::Kind::key: {
       const auto keys = keys_of(features);
       const auto found = std::find(keys.begin(), keys.end(), static_cast<decode::PadKey>(control.index));
-      const auto is_mode = [&](decode::PadKey key) { return (features.mode_keys & decode::key_bit(key)) != 0; };
+      const auto is_mode = [&](decode::PadKey key) { return features.mode_keys.has(key); };
       if (found != keys.end() && is_mode(*found)) return "Key of the lights";
       return "Key " + std::to_string(found - keys.begin() + 1 - std::count_if(keys.begin(), found, is_mode));
     }
@@ -308,17 +307,16 @@ bool is_numbered(decode::PadKey key) {
 
 std::vector<decode::PadKey> keys_of(const decode::PadFeatures& features) {
   std::vector<decode::PadKey> keys;
-  for (decode::PadKeys left = features.keys; left != 0; left &= left - 1) {
-    keys.push_back(static_cast<decode::PadKey>(std::countr_zero(left)));
-  }
+  features.keys.for_each([&keys](decode::PadKey key) { keys.push_back(key); });
   std::stable_partition(keys.begin(), keys.end(), is_numbered);
   return keys;
 }
 
 std::optional<ModeKey> mode_key(decode::PadKey key, const decode::PadFeatures& features) {
-  if ((features.mode_keys & decode::key_bit(key)) == 0) return std::nullopt;
-  const int place = std::popcount(features.mode_keys & (decode::key_bit(key) - 1));
-  const int each = std::max(1, std::popcount(features.mode_keys) / static_cast<int>(std::max(1U, features.modes)));
+  if (!features.mode_keys.has(key)) return std::nullopt;
+  int place = 0;
+  features.mode_keys.for_each([&](decode::PadKey other) { place += other < key ? 1 : 0; });
+  const int each = std::max(1, static_cast<int>(features.mode_keys.count() / std::max(1U, features.modes)));
   const auto side = static_cast<std::uint8_t>(std::min(place / each, static_cast<int>(decode::k_pad_sides) - 1));
   return ModeKey{side, static_cast<std::int8_t>(each > 1 ? place % each : -1)};
 }
@@ -333,7 +331,7 @@ Binding default_binding(const PadControl& control, const decode::PadFeatures& fe
     case PadControl::Kind::key: {
       std::size_t place = 0;
       for (const decode::PadKey key : keys_of(features)) {
-        if ((features.mode_keys & decode::key_bit(key)) != 0) continue;
+        if (features.mode_keys.has(key)) continue;
         if (static_cast<std::uint8_t>(key) == control.index)
           return place < wanted_keys().size() ? wanted_keys()[place] : Binding{};
         ++place;

@@ -87,7 +87,7 @@ void Picture::show_key(decode::PadKey key) {
     const std::string which = light->light < 0 ? "Next light" : "Light " + std::to_string(light->light + 1);
     text = bare ? which : which + ", " + text;
   }
-  control_button(control, text, k_key_units * context_.unit, (now_.keys & decode::key_bit(key)) != 0);
+  control_button(control, text, k_key_units * context_.unit, now_.keys.has(key));
 }
 
 /// Those that turn on the lights of a dial. A single one lies in the middle of its ring.
@@ -143,7 +143,7 @@ void Picture::show_mode_key(std::uint8_t side, ImVec2 middle) {
   note(context_, name_of(control).c_str());
   tooltip(context_, title_of(control, tablet_.features).c_str());
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const bool down = (now_.keys & decode::key_bit(keys.front())) != 0;
+  const bool down = now_.keys.has(keys.front());
   const auto color = ImGui::IsItemHovered() ? ImGuiCol_ButtonHovered : ImGuiCol_Button;
   list.AddCircleFilled(middle, radius, down ? k_lit : ImGui::GetColorU32(color), 32);
   if (with_.dialogs.state<PadChoice>().control == control)

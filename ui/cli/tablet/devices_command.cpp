@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -78,7 +77,7 @@ Hand hand_of(const decode::Tablet& tablet) {
       const auto made = decode::make_hand_decoders(device);
       if (made.pad) {
         const decode::PadFeatures& has = made.pad->features();
-        if (hand.keys == 0) hand.keys = static_cast<std::size_t>(std::popcount(has.keys));
+        if (hand.keys == 0) hand.keys = has.keys.count();
         hand.rings = std::max<std::size_t>(hand.rings, has.rings);
         hand.dials = std::max<std::size_t>(hand.dials, has.wheels);
         hand.strips = std::max<std::size_t>(hand.strips, has.strips);

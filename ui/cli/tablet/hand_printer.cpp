@@ -26,7 +26,7 @@ void append_device(std::string& out, int device, bool with_device) {
 /// The rows say what Linux's driver says. It means to send KEY_PROG3 for the third of the keys beside the numbered
 /// ones, but adds to the code of the first, where another key lies that its pads do not have: nothing comes of it. The
 /// window and the JSON have that key.
-constexpr decode::PadKeys k_lost_in_linux = decode::key_bit(decode::PadKey::program3);
+constexpr decode::PadKeys k_lost_in_linux{decode::PadKey::program3};
 
 /// In the order in which people read them, whatever order they were put down in.
 std::vector<decode::TouchContact> sorted(std::span<const decode::TouchContact> contacts) {
@@ -44,15 +44,13 @@ void append_json_list(std::string& out, const char* name, const Values& values, 
   out += ']';
 }
 
-void append_json_names(std::string& out, decode::PadKeys keys) {
+void append_json_names(std::string& out, const decode::PadKeys& keys) {
   out += '[';
   bool first = true;
-  for (unsigned i = 0; i < decode::k_pad_keys; ++i) {
-    const auto key = static_cast<decode::PadKey>(i);
-    if ((keys & decode::key_bit(key)) == 0) continue;
+  keys.for_each([&](decode::PadKey key) {
     out += (first ? "\"" : ", \"") + decode::key_name(key) + '"';
     first = false;
-  }
+  });
   out += ']';
 }
 
@@ -71,7 +69,7 @@ void append_csv_pad_header(std::string& out, bool with_device) {
 void append_csv_pad(std::string& out, const PrintedPad& printed, bool with_device) {
   const decode::PadSample& sample = *printed.sample;
   append_start(out, printed.report, printed.time_us);
-  out += decode::key_names(sample.keys & ~k_lost_in_linux);
+  out += decode::key_names(sample.keys - k_lost_in_linux);
   const auto positions = [&](const auto& values, unsigned count) {
     for (unsigned i = 0; i < decode::k_pad_sides; ++i) {
       out += ',';

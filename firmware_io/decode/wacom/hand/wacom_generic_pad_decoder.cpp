@@ -61,7 +61,7 @@ std::optional<PadControl> Finder::control_of(const Field& field, Usage usage) {
   PadControl control;
   const auto named = [&](PadKey key) {
     control.key = key;
-    has.keys |= key_bit(key);
+    has.keys.set(key);
     return control;
   };
   if ((usage >= k_pad_first_key && usage <= k_pad_last_key) || (usage >= k_pad_home && usage <= k_pad_center)) {
@@ -70,7 +70,7 @@ std::optional<PadControl> Finder::control_of(const Field& field, Usage usage) {
     if (control.is_mode_key) {
       has.modes = 1;
       has.lights = 4;
-      has.mode_keys |= key_bit(numbered_key(keys_));
+      has.mode_keys.set(numbered_key(keys_));
     }
     return named(numbered_key(keys_++));
   }
@@ -243,7 +243,7 @@ void WacomGenericPadDecoder::apply(const PadControl& control, std::int64_t value
   switch (control.role) {
     case PadRole::key:
       if (control.is_mode_key) pending_.mode[0] = light_.press((value & 1) != 0, features_.lights);
-      pending_.keys = value != 0 ? pending_.keys | key_bit(control.key) : pending_.keys & ~key_bit(control.key);
+      pending_.keys.set(control.key, value != 0);
       break;
     case PadRole::strip:
       pending_.strip[control.side] = number;

@@ -15,19 +15,18 @@ constexpr std::size_t k_many_fingers = 64;
 constexpr std::int32_t k_ring_maximum = 71;
 constexpr std::int32_t k_strip_maximum = 4096;
 
-constexpr PadKeys k_bamboo_keys =
-    key_bit(PadKey::left) | key_bit(PadKey::right) | key_bit(PadKey::forward) | key_bit(PadKey::back);
-constexpr PadKeys k_program_keys = key_bit(PadKey::program1) | key_bit(PadKey::program2) | key_bit(PadKey::program3);
+constexpr PadKeys k_bamboo_keys{PadKey::left, PadKey::right, PadKey::forward, PadKey::back};
+constexpr PadKeys k_program_keys{PadKey::program1, PadKey::program2, PadKey::program3};
 
 /// The keys that `show` and its like read the lights from.
 PadKeys mode_keys_of(const WacomHand& hand, const PadFeatures& has) {
-  if (has.modes == 0 || hand.pad == Pad::remote) return 0;
-  if (hand.pad == Pad::intuos_pro_bluetooth) return key_bit(numbered_key(hand.keys - 1U));
-  PadKeys keys = 0;
+  if (has.modes == 0 || hand.pad == Pad::remote) return {};
+  if (hand.pad == Pad::intuos_pro_bluetooth) return {numbered_key(hand.keys - 1U)};
+  PadKeys keys;
   for (unsigned group = 0; group < has.modes; ++group) {
     const unsigned first = group * (hand.keys / has.modes);
     const unsigned count = hand.pad == Pad::cintiq_24hd ? has.lights : 1;
-    for (unsigned i = 0; i < count; ++i) keys |= key_bit(numbered_key(first + i));
+    for (unsigned i = 0; i < count; ++i) keys.set(numbered_key(first + i));
   }
   return keys;
 }
@@ -57,7 +56,7 @@ PadFeatures features_of(const WacomHand& hand) {
     case Pad::intuos_2018_bluetooth:
       break;
     case Pad::graphire4:
-      has.keys = key_bit(PadKey::back) | key_bit(PadKey::forward);
+      has.keys = {PadKey::back, PadKey::forward};
       has.wheels = 1;
       break;
     case Pad::bamboo_first:
@@ -87,18 +86,18 @@ PadFeatures features_of(const WacomHand& hand) {
       modes(2, 4);
       break;
     case Pad::cintiq_22hd:
-      has.keys |= k_program_keys | key_bit(PadKey::button_config) | key_bit(PadKey::info);
+      has.keys |= k_program_keys | PadKeys{PadKey::button_config, PadKey::info};
       strips(2);
       break;
     case Pad::cintiq_24hd:
-      has.keys |= k_program_keys | key_bit(PadKey::screen_keyboard) | key_bit(PadKey::info);
-      if (!hand.has_partner) has.keys |= key_bit(PadKey::button_config);
+      has.keys |= k_program_keys | PadKeys{PadKey::screen_keyboard, PadKey::info};
+      if (!hand.has_partner) has.keys.set(PadKey::button_config);
       rings(2);
       modes(2, 3);
       break;
     case Pad::cintiq_27qhd:
-      has.keys |= k_program_keys | key_bit(PadKey::screen_keyboard) | key_bit(PadKey::button_config);
-      if (!hand.has_partner) has.keys |= key_bit(PadKey::control_panel);
+      has.keys |= k_program_keys | PadKeys{PadKey::screen_keyboard, PadKey::button_config};
+      if (!hand.has_partner) has.keys.set(PadKey::control_panel);
       break;
     case Pad::cintiq_13hd:
       rings(1);  // as Linux has it; no report ever moves it
@@ -113,7 +112,7 @@ constexpr std::uint8_t k_status_report = 0xc0;
 /// Models that take a module with a battery, for a receiver.
 bool has_wireless_kit(Pad pad) { return pad == Pad::bamboo || pad == Pad::intuos_ht || pad == Pad::intuos5; }
 
-PadKeys when(bool holds, PadKey key) { return holds ? key_bit(key) : 0; }
+PadKeys when(bool holds, PadKey key) { return holds ? PadKeys{key} : PadKeys{}; }
 
 /// The three keys that are areas of one touch strip, or that a model has beside its numbered ones.
 PadKeys program_keys(unsigned bits) {
@@ -189,7 +188,7 @@ bool WacomPadDecoder::decode_graphire(base::Bytes report) {
   sample_.wheel = {};
   const std::uint8_t byte = report[7];
   bool active = false;
-  PadKeys keys = 0;
+  PadKeys keys;
   if (hand_.pad == Pad::graphire4) {
     active = (byte & 0xf8) != 0;
     keys = when((byte & 0x40) != 0, PadKey::back) | when((byte & 0x80) != 0, PadKey::forward);

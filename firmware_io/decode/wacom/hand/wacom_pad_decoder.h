@@ -23,7 +23,7 @@ class WacomPadDecoder final : public PadDecoder {
   /// Numbered keys, keys with a name, rings with their touch bit, and strips, as the formats have them.
   struct Frame {
     std::uint64_t numbered = 0;
-    PadKeys named = 0;
+    PadKeys named;
     std::array<std::uint8_t, k_pad_sides> ring{};
     std::array<std::int32_t, k_pad_sides> strip{};
   };

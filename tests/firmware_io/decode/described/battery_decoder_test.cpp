@@ -61,7 +61,7 @@ TEST(BatteryDecoder, AVendorsProtocolMayTellOfIt) {
     ASSERT_TRUE(hand.pad) << name;
     EXPECT_FALSE(hand.pad->decode(Report{0x02, 0xf2, 0x01, 0x80, 0, 0, 0, 0, 0, 0, 0, 0})) << "of no key";
     EXPECT_EQ(hand.pad->battery().percent, 50) << name;
-    EXPECT_EQ(hand.pad->sample().keys, 0U);
+    EXPECT_TRUE(hand.pad->sample().keys.empty());
     EXPECT_TRUE(hand.pad->decode(Report{0x02, 0xf0, 0x01, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
     EXPECT_EQ(hand.pad->battery().percent, 50) << "and stays as it was";
   }

@@ -34,15 +34,14 @@ TEST(PadKey, EveryNumberHasAKeyAndANameOfItsOwn) {
 }
 
 TEST(PadKey, NamesOfASetStandInTheOrderOfTheirCodes) {
-  EXPECT_EQ(key_names(0), "-");
-  EXPECT_EQ(key_names(key_bit(PadKey::button_config) | key_bit(PadKey::program1) | key_bit(PadKey::a) |
-                      key_bit(PadKey::base) | key_bit(PadKey::info)),
+  EXPECT_EQ(key_names({}), "-");
+  EXPECT_EQ(key_names({PadKey::button_config, PadKey::program1, PadKey::a, PadKey::base, PadKey::info}),
             "KEY_PROG1+BTN_BASE+BTN_A+0x166+KEY_BUTTONCONFIG");
 }
 
 TEST(PadKey, NumbersBeyondTheModelsAreNotThere) {
   EXPECT_EQ(key_names(numbered_keys(0b1011, 2)), "BTN_0+BTN_1");
-  EXPECT_EQ(numbered_keys(~std::uint64_t{0}, 0), 0u);
+  EXPECT_TRUE(numbered_keys(~std::uint64_t{0}, 0).empty());
   EXPECT_EQ(numbered_keys(~std::uint64_t{0}, 1000), numbered_keys(~std::uint64_t{0}, k_numbered_keys));
 }
 

@@ -52,7 +52,7 @@ TEST_F(WacomReceiverTest, ItsInterfacesBringThePenTheKeysAndTheFingersOfTheTable
   ASSERT_TRUE(keys.pad);
   EXPECT_FALSE(keys.touch);
   EXPECT_TRUE(keys.pad->decode(tests::pad_report(2, 20)));
-  EXPECT_EQ(keys.pad->sample().keys, key_bit(PadKey::button1));
+  EXPECT_EQ(keys.pad->sample().keys, PadKeys{PadKey::button1});
   EXPECT_EQ(keys.pad->sample().ring[0], 20);
   const auto fingers = make_hand_decoders(changes[2].identity);
   EXPECT_FALSE(fingers.pad);

@@ -11,7 +11,7 @@ namespace {
 decode::PadFeatures pad(unsigned keys, unsigned mode_key = 64) {
   decode::PadFeatures has;
   has.keys = decode::numbered_keys(~0ULL, keys);
-  if (mode_key < 64) has.mode_keys = decode::key_bit(decode::numbered_key(mode_key));
+  if (mode_key < 64) has.mode_keys = {decode::numbered_key(mode_key)};
   return has;
 }
 
@@ -55,13 +55,13 @@ TEST(DefaultBinding, TheKeyThatMovesTheLightDoesNothingElseAndTakesNoPlace) {
 TEST(ModeKey, EachDialHasItsOwnAndOfSeveralEachChoosesALight) {
   decode::PadFeatures has = pad(18);
   has.modes = 2;
-  has.mode_keys = decode::key_bit(decode::numbered_key(0)) | decode::key_bit(decode::numbered_key(9));
+  has.mode_keys = {decode::numbered_key(0), decode::numbered_key(9)};
   EXPECT_FALSE(mode_key(decode::numbered_key(1), has));
   EXPECT_EQ(mode_key(decode::numbered_key(0), has)->side, 0);
   EXPECT_EQ(mode_key(decode::numbered_key(9), has)->side, 1);
   EXPECT_EQ(mode_key(decode::numbered_key(9), has)->light, -1);
   has.mode_keys = 0;
-  for (const unsigned i : {0U, 1U, 2U, 8U, 9U, 10U}) has.mode_keys |= decode::key_bit(decode::numbered_key(i));
+  for (const unsigned i : {0U, 1U, 2U, 8U, 9U, 10U}) has.mode_keys.set(decode::numbered_key(i));
   EXPECT_EQ(mode_key(decode::numbered_key(2), has)->side, 0);
   EXPECT_EQ(mode_key(decode::numbered_key(2), has)->light, 2);
   EXPECT_EQ(mode_key(decode::numbered_key(8), has)->side, 1);

@@ -24,7 +24,7 @@ TEST(HandPrinter, CellsAreEmptyWhereThePadHasNoSuchThing) {
 
 TEST(HandPrinter, TheKeyThatLinuxLosesIsInNoRow) {
   decode::PadSample sample;
-  sample.keys = decode::key_bit(decode::PadKey::program2) | decode::key_bit(decode::PadKey::program3);
+  sample.keys = {decode::PadKey::program2, decode::PadKey::program3};
   const decode::PadFeatures features;
   std::string out;
   append_csv_pad(out, {0, 0, 0, &sample, &features}, true);

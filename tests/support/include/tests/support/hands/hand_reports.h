@@ -63,27 +63,26 @@ class Follower {
     out_.clear();
     events_.finish(0, out_);
     take();
-    if (held_ != 0 || touched_ != 0) std::abort();
+    if (!held_.empty() || touched_ != 0) std::abort();
   }
 
  private:
   void take() {
     constexpr std::int32_t k_most = 64 * decode::k_notch;
     for (const decode::PadEvent& event : out_) {
-      const decode::PadKeys key = decode::key_bit(event.key);
       const unsigned dial = 1U << (2 * static_cast<unsigned>(event.dial) + event.side);
-      const auto toggle = [](auto& set, auto one, bool on) {
-        if (((set & one) != 0) == on) std::abort();
-        set ^= one;
-      };
+      const bool pressed = event.kind == decode::PadEventKind::key_down;
+      const bool touched = event.kind == decode::PadEventKind::touched;
       switch (event.kind) {
         case decode::PadEventKind::key_down:
         case decode::PadEventKind::key_up:
-          toggle(held_, key, event.kind == decode::PadEventKind::key_down);
+          if (held_.has(event.key) == pressed) std::abort();
+          held_.set(event.key, pressed);
           break;
         case decode::PadEventKind::touched:
         case decode::PadEventKind::let_go:
-          toggle(touched_, dial, event.kind == decode::PadEventKind::touched);
+          if (((touched_ & dial) != 0) == touched) std::abort();
+          touched_ ^= dial;
           break;
         case decode::PadEventKind::turned:
           if (event.steps == 0 || event.steps > k_most || event.steps < -k_most) std::abort();
@@ -94,7 +93,7 @@ class Follower {
   }
 
   decode::PadEvents events_;
-  decode::PadKeys held_ = 0;
+  decode::PadKeys held_;
   unsigned touched_ = 0;
   std::vector<decode::PadEvent> out_;
 };
