@@ -188,6 +188,11 @@ HandDecoders make_hand_decoders(const DeviceIdentity& device, const TabletTable*
     HandDecoders made;
     if (auto fingers = find_multitouch(descriptor))
       made.touch = std::make_unique<MultitouchDecoder>(std::move(*fingers));
+    if (auto pad = find_described_pad(descriptor)) {
+      // Wacom's driver counts as Linux does, others leave their tablets' numbers alone.
+      pad->features.wheels_clockwise = device.vendor != k_vendor_wacom;
+      made.pad = std::make_unique<DescribedPadDecoder>(std::move(*pad), std::nullopt, nullptr, 0);
+    }
     return made;
   }
   DeviceIdentity completed = device;

@@ -1,6 +1,7 @@
 #include "firmware_io/event/event_encoder.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <linux/input-event-codes.h>
 #include <utility>
 
@@ -25,19 +26,20 @@ void write(std::vector<std::uint8_t>& report, const PlacedControl& control, std:
 
 EventEncoder::EventEncoder(const EventAxes& axes)
     : layout_(std::make_unique<const EventLayout>(make_event_layout(axes))), fingers_(layout_->slots) {
-  const auto note = [&](const PlacedReport& report) {
-    for (const PlacedControl& control : report.controls) {
-      if (control.from != From::state && control.from != From::number) continue;
+  for (const PlacedReport* report : {&layout_->pen, &layout_->puck, &layout_->pad}) {
+    for (const PlacedControl& control : report->controls) {
+      if (control.code == 0 && control.type == EV_KEY) continue;
+      Value& value = values_[key_of(control.type, control.code)];
+      (report == &layout_->pad ? value.of_pad : value.of_pen) = true;
       const auto range = axes.abs.find(control.code);
       const bool starts_above = control.type == EV_ABS && range != axes.abs.end() && range->second.minimum > 0;
-      values_[key_of(control.type, control.code)] = starts_above ? range->second.minimum : 0;
+      value.now = starts_above ? range->second.minimum : 0;
     }
-  };
-  for (const PlacedReport* report : {&layout_->pen, &layout_->puck, &layout_->pad}) note(*report);
-  for (const auto* tools : {&layout_->pen_tools, &layout_->puck_tools}) {
-    for (const std::uint16_t tool : *tools) values_[key_of(EV_KEY, tool)] = 0;
   }
-  if (axes.has_key(BTN_TOUCH)) values_[key_of(EV_KEY, BTN_TOUCH)] = 0;
+  for (const auto* tools : {&layout_->pen_tools, &layout_->puck_tools}) {
+    for (const std::uint16_t tool : *tools) values_[key_of(EV_KEY, tool)].of_pen = true;
+  }
+  if (layout_->pen.length != 0 && axes.has_key(BTN_TOUCH)) values_[key_of(EV_KEY, BTN_TOUCH)].of_pen = true;
 }
 
 EventEncoder::~EventEncoder() = default;
@@ -46,7 +48,7 @@ EventEncoder& EventEncoder::operator=(EventEncoder&&) noexcept = default;
 
 std::int32_t EventEncoder::value_of(std::uint16_t type, std::uint16_t code) const {
   const auto found = values_.find(key_of(type, code));
-  return found == values_.end() ? 0 : found->second;
+  return found == values_.end() ? 0 : found->second.now;
 }
 
 EventEncoder::Kind EventEncoder::tool_in_range() const {
@@ -91,8 +93,11 @@ bool EventEncoder::store(const Event& event) {
   if (event.type == EV_ABS && event.code >= ABS_MT_SLOT && event.code <= ABS_MT_TOOL_Y) return store_finger(event);
   const auto found = values_.find(key_of(event.type, event.code));
   if (found == values_.end()) return false;
-  found->second = event.value;
-  pen_changed_ = true;
+  Value& value = found->second;
+  const std::int64_t sum = event.type == EV_REL ? std::int64_t{value.now} + event.value : event.value;
+  value.now = static_cast<std::int32_t>(std::clamp<std::int64_t>(sum, INT32_MIN, INT32_MAX));
+  pen_changed_ = pen_changed_ || value.of_pen;
+  pad_changed_ = pad_changed_ || value.of_pad;
   return true;
 }
 
@@ -156,6 +161,8 @@ void EventEncoder::encode_pen() {
         case From::erase:
           value = touches && erases ? 1 : 0;
           break;
+        case From::on_ring:
+          break;
       }
       write(reports_.back(), control, value);
     }
@@ -170,7 +177,25 @@ void EventEncoder::encode_pen() {
   last_tool_ = tool;
 }
 
-void EventEncoder::encode_pad() {}
+/// Wacom's driver has another value than 0 there while anything is touched or held, and a ring at its first place has
+/// none. While a key is held, a ring there counts as let go.
+bool EventEncoder::is_on_ring() const {
+  if (value_of(EV_ABS, ABS_WHEEL) != 0 || value_of(EV_ABS, ABS_THROTTLE) != 0) return true;
+  const auto& controls = layout_->pad.controls;
+  return value_of(EV_ABS, ABS_MISC) != 0 && std::none_of(controls.begin(), controls.end(), [&](const auto& control) {
+           return control.type == EV_KEY && value_of(EV_KEY, control.code) != 0;
+         });
+}
+
+void EventEncoder::encode_pad() {
+  begin_report(layout_->pad.id, layout_->pad.length);
+  for (const PlacedControl& control : layout_->pad.controls) {
+    const bool finger = control.from == From::on_ring;
+    write(reports_.back(), control, finger ? (is_on_ring() ? 1 : 0) : value_of(control.type, control.code));
+    // Turns are those of one frame.
+    if (control.type == EV_REL) values_[key_of(EV_REL, control.code)].now = 0;
+  }
+}
 
 void EventEncoder::encode_fingers() {
   const auto encode = [&](bool before) {

@@ -42,6 +42,11 @@ class EventEncoder {
     std::int32_t x = 0;
     std::int32_t y = 0;
   };
+  struct Value {
+    std::int32_t now = 0;
+    bool of_pen = false;
+    bool of_pad = false;
+  };
   enum class Kind : std::uint8_t { none, pen, puck };
 
   bool store(const Event& event);
@@ -53,9 +58,10 @@ class EventEncoder {
   void begin_report(std::uint8_t id, std::size_t length);
   [[nodiscard]] Kind tool_in_range() const;
   [[nodiscard]] std::int32_t value_of(std::uint16_t type, std::uint16_t code) const;
+  [[nodiscard]] bool is_on_ring() const;
 
   std::unique_ptr<const EventLayout> layout_;
-  std::map<std::uint32_t, std::int32_t> values_;  ///< by type and code
+  std::map<std::uint32_t, Value> values_;  ///< by type and code
   std::vector<Finger> fingers_;
   std::size_t slot_ = 0;
   Kind last_tool_ = Kind::none;

@@ -17,7 +17,10 @@ using hid::usage;
 
 constexpr std::uint8_t k_pen_report = 1;
 constexpr std::uint8_t k_puck_report = 2;
+constexpr std::uint8_t k_pad_report = 3;
 constexpr std::uint8_t k_touch_report = 4;
+/// More have keyboards.
+constexpr std::size_t k_most_pad_keys = 100;
 /// More hands than two are none of a tablet's business.
 constexpr std::int32_t k_most_fingers = 20;
 constexpr std::int32_t k_most_slots = 250;
@@ -33,6 +36,13 @@ constexpr hid::Usage k_finger_wheel = usage(hid::k_page_wacom, 0xd03);
 constexpr hid::Usage k_third_barrel_switch = usage(hid::k_page_wacom, 0x5d);
 constexpr hid::Usage k_tool_type = usage(hid::k_page_wacom, 0x77);
 
+constexpr hid::Usage k_wheel = usage(hid::k_page_generic_desktop, 0x38);
+constexpr hid::Usage k_dial = usage(hid::k_page_generic_desktop, 0x37);
+constexpr hid::Usage k_strip = usage(hid::k_page_generic_desktop, 0x33);         // Rx
+constexpr hid::Usage k_second_strip = usage(hid::k_page_generic_desktop, 0x34);  // Ry
+constexpr hid::Usage k_throttle = usage(0x02, 0xbb);
+constexpr hid::Usage k_ac_pan = usage(0x0c, 0x238);
+
 constexpr hid::Usage k_contact_id = usage(hid::k_page_digitizer, 0x51);
 constexpr hid::Usage k_contact_count = usage(hid::k_page_digitizer, 0x54);
 constexpr hid::Usage k_contact_count_maximum = usage(hid::k_page_digitizer, 0x55);
@@ -44,6 +54,31 @@ constexpr auto k_puck_tools = std::to_array<std::uint16_t>({BTN_TOOL_MOUSE, BTN_
 ControlUnit length_unit(const AbsRange& range) {
   if (range.resolution <= 0) return {};
   return {k_centimetre, std::int64_t{range.resolution} * 10};
+}
+
+bool has_range(const EventAxes& axes, std::uint16_t code) {
+  const auto found = axes.abs.find(code);
+  return found != axes.abs.end() && !found->second.is_empty();
+}
+
+bool has_any(const EventAxes& axes, std::span<const std::uint16_t> keys) {
+  return std::any_of(keys.begin(), keys.end(), [&](std::uint16_t key) { return axes.has_key(key); });
+}
+
+bool is_between(std::uint16_t code, std::uint16_t first, std::uint16_t last) { return code >= first && code <= last; }
+
+/// The keys that a pad may have. On a pen's node only the numbered ones are a pad's.
+std::vector<std::uint16_t> pad_keys(const EventAxes& axes) {
+  std::vector<std::uint16_t> keys;
+  const bool pen = has_pen(axes);
+  for (const std::uint16_t key : axes.keys) {
+    const bool numbered = is_between(key, BTN_0, BTN_9) || is_between(key, BTN_BASE, BTN_BASE6) ||
+                          is_between(key, BTN_A, BTN_Z) || is_between(key, BTN_TRIGGER_HAPPY1, BTN_TRIGGER_HAPPY40);
+    const bool other = is_between(key, BTN_MISC, KEY_MAX) && !is_between(key, BTN_DIGI, BTN_TOOL_QUADTAP);
+    const bool program = key == KEY_PROG1 || key == KEY_PROG2 || key == KEY_PROG3;
+    if (numbered || (!pen && (other || program))) keys.push_back(key);
+  }
+  return keys;
 }
 
 /// Linux gives whole units per radian; where a whole number per degree is behind it, that is meant.
@@ -72,6 +107,7 @@ class Maker {
       if (!layout_.pen_tools.empty() || layout_.puck_tools.empty()) add_pen();
       if (!layout_.puck_tools.empty()) add_puck();
     }
+    if (has_pad(axes_)) add_pad();
     if (has_fingers(axes_)) add_fingers();
     writer_.append(hid::k_event_mark);
     layout_.descriptor = writer_.take();
@@ -186,6 +222,45 @@ class Maker {
     end(puck);
   }
 
+  void add_turns(std::uint16_t code, hid::Usage meaning) {
+    if (!axes_.rels.contains(code)) return;
+    Control control;
+    control.usage = meaning;
+    control.bit_size = 16;
+    control.minimum = -0x7fff;
+    control.maximum = 0x7fff;
+    control.flags |= hid::k_flag_relative;
+    layout_.pad.controls.push_back(place(control, From::state, EV_REL, code));
+  }
+
+  /// As Linux's hid-uclogic describes those of other makers.
+  void add_pad() {
+    PlacedReport& pad = layout_.pad;
+    begin(pad, k_pad_report, hid::k_keypad, hid::k_tablet_function_keys);
+    for (const std::uint16_t key : pad_keys(axes_)) {
+      const auto number = static_cast<std::uint16_t>(key - BTN_MISC + 1);
+      add_flag(pad, key >= BTN_MISC ? usage(hid::k_page_button, number) : usage(hid::k_page_event, key), From::state,
+               key);
+    }
+    writer_.pad();
+    if (!has_pen(axes_)) {
+      add_axis(pad, ABS_WHEEL, k_wheel, nullptr);
+      add_axis(pad, ABS_THROTTLE, k_throttle, nullptr);
+      add_axis(pad, ABS_RX, k_strip, nullptr);
+      add_axis(pad, ABS_RY, k_second_strip, nullptr);
+      add_turns(REL_WHEEL, k_wheel);
+      add_turns(REL_HWHEEL, k_ac_pan);
+      add_turns(REL_DIAL, k_dial);
+      if (axes_.has_abs(ABS_MISC)) {
+        Control finger;
+        finger.usage = usage(hid::k_page_event, ABS_MISC);
+        finger.bit_size = 8;
+        pad.controls.push_back(place(finger, From::on_ring, EV_ABS, ABS_MISC));
+      }
+    }
+    end(pad);
+  }
+
   void add_fingers() {
     const AbsRange slots = axes_.abs.at(ABS_MT_SLOT);
     layout_.slots = static_cast<std::size_t>(std::clamp(slots.maximum, 0, k_most_slots - 1)) + 1;
@@ -225,15 +300,6 @@ class Maker {
   EventLayout layout_;
 };
 
-bool has_range(const EventAxes& axes, std::uint16_t code) {
-  const auto found = axes.abs.find(code);
-  return found != axes.abs.end() && !found->second.is_empty();
-}
-
-bool has_any(const EventAxes& axes, std::span<const std::uint16_t> keys) {
-  return std::any_of(keys.begin(), keys.end(), [&](std::uint16_t key) { return axes.has_key(key); });
-}
-
 }  // namespace
 
 bool has_pen(const EventAxes& axes) {
@@ -248,10 +314,13 @@ bool has_fingers(const EventAxes& axes) {
 }
 
 bool has_pad(const EventAxes& axes) {
-  if (has_pen(axes) || has_fingers(axes)) return false;
-  const bool wheel = axes.rels.contains(REL_WHEEL) || axes.rels.contains(REL_HWHEEL);
-  const bool keys = axes.has_key(BTN_0) && axes.has_key(BTN_1);
-  return axes.has_key(BTN_STYLUS) || (keys && wheel);
+  const std::size_t keys = pad_keys(axes).size();
+  if (keys > k_most_pad_keys || has_fingers(axes)) return false;
+  if (has_pen(axes)) return keys > 0;
+  const bool dial = has_range(axes, ABS_WHEEL) || has_range(axes, ABS_RX) || axes.rels.contains(REL_WHEEL) ||
+                    axes.rels.contains(REL_HWHEEL) || axes.rels.contains(REL_DIAL);
+  const bool two_keys = axes.has_key(BTN_0) && axes.has_key(BTN_1);
+  return axes.has_key(BTN_STYLUS) ? keys > 0 || dial : two_keys && dial;
 }
 
 std::vector<std::uint8_t> report_descriptor(const EventAxes& axes) { return make_event_layout(axes).descriptor; }

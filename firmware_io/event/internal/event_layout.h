@@ -16,6 +16,7 @@ enum class From : std::uint8_t {
   eraser,     ///< the eraser is in range
   pen_touch,  ///< BTN_TOUCH while the eraser is not in range
   erase,      ///< BTN_TOUCH while it is
+  on_ring,    ///< a finger is on the pad's ring
 };
 
 /// A control of a report.
