@@ -1,6 +1,8 @@
 #include "replay/trace/trace_source.h"
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 #include <memory>
 #include <thread>
 
@@ -65,21 +67,24 @@ base::Result<std::optional<TraceReport>> TraceSource::read_on() {
     }
     switch (line.kind) {
       case TraceLineKind::other:
+        is_session_ = is_session_ || line.text.starts_with("# penpose session ");
         if (on_line_) on_line_(line);
         break;
       case TraceLineKind::device:
         device_ = line.device;
         break;
       case TraceLineKind::report:
-        if (on_device_ && announced_.size() < k_most_devices && announced_.insert(device_).second) {
+        if (announced_.size() < k_most_devices && announced_.insert(device_).second && on_device_) {
           on_device_(device_, devices_[device_]);
         }
-        return std::optional(TraceReport{next_index_++, device_, line.time_us, line.bytes, line.number});
+        return std::optional(TraceReport{next_index_++, device_, run_on(line.time_us), line.bytes, line.number});
       default: {
         if (devices_.size() >= k_most_devices && !devices_.contains(device_)) break;
         decode::DeviceIdentity& device = devices_[device_];
-        announced_.erase(device_);
+        const bool anew = announced_.erase(device_) > 0 && line.kind == TraceLineKind::descriptor;
+        if (anew) device = {};
         if (line.kind == TraceLineKind::descriptor) {
+          begun_anew_ = begun_anew_ || anew;
           device.report_descriptor.assign(line.bytes.begin(), line.bytes.end());
           device.input_report_length.reset();
           device.output_report_length.reset();
@@ -99,6 +104,14 @@ base::Result<std::optional<TraceReport>> TraceSource::read_on() {
       }
     }
   }
+}
+
+/// A recording that was put behind another one counts from 0 again. Sessions are replayed with the times that they had.
+std::int64_t TraceSource::run_on(std::int64_t time_us) {
+  if (begun_anew_ && !is_session_) shift_us_ = std::max(shift_us_, last_us_ - time_us);
+  begun_anew_ = false;
+  last_us_ = time_us + std::min(shift_us_, std::numeric_limits<std::int64_t>::max() - time_us);
+  return last_us_;
 }
 
 void TraceSource::listen(OnLine on_line, OnDevice on_device) {

@@ -17,7 +17,7 @@ namespace penpose::replay {
 struct TraceReport {
   std::uint64_t index = 0;  ///< of the report line over the whole file, from 0
   int device = 0;
-  std::int64_t time_us = 0;  ///< since the recording's own start
+  std::int64_t time_us = 0;  ///< since the recording's own start; of several in one file, the first's
   base::Bytes bytes;         ///< valid until the next report is read
   std::uint64_t line = 0;    ///< of the file, from 1
 };
@@ -48,7 +48,8 @@ class TraceSource {
   /// Reads on to the first report without giving it out, so that `devices` holds all that is declared before it.
   base::Status read_header();
 
-  /// The devices declared so far, by their number in the trace. Length of reports and descriptor are filled in.
+  /// The devices declared so far, by their number in the trace: a descriptor behind reports begins a device anew, as it
+  /// does where recordings were put into one file. Length of reports and descriptor are filled in.
   [[nodiscard]] const std::map<int, decode::DeviceIdentity>& devices() const { return devices_; }
 
   /// Lines that could not be read and were left out, and a cut at the end: a line each, at most a few.
@@ -57,6 +58,7 @@ class TraceSource {
  private:
   base::Result<std::optional<TraceReport>> read_on();
   void note_problem(const TraceLine& line);
+  std::int64_t run_on(std::int64_t time_us);
 
   TraceReader reader_;
   Pace pace_;
@@ -68,7 +70,11 @@ class TraceSource {
   int device_ = 0;
   OnLine on_line_;
   OnDevice on_device_;
-  std::set<int> announced_;          ///< devices that `on_device_` knows as they are
+  std::set<int> announced_;  ///< devices whose reports came since they were declared
+  bool begun_anew_ = false;  ///< such a device has been declared again since the last report
+  bool is_session_ = false;
+  std::int64_t shift_us_ = 0;  ///< of the times in the file
+  std::int64_t last_us_ = 0;
   std::optional<TraceReport> held_;  ///< read by `read_header`
   std::optional<std::int64_t> first_time_us_;
   bool finished_ = false;

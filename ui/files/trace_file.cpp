@@ -2,6 +2,8 @@
 
 #include <sys/stat.h>
 
+#include "replay/recording/recording.h"
+
 namespace penpose::files {
 
 replay::ReadBytes read_from_file(std::FILE* file) {
@@ -25,5 +27,7 @@ replay::ReadBytes read_from_file(std::FILE* file) {
     return got;
   };
 }
+
+replay::ReadBytes read_recording_file(std::FILE* file) { return replay::read_recording(read_from_file(file)); }
 
 }  // namespace penpose::files

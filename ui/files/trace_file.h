@@ -21,4 +21,8 @@ inline constexpr std::uint64_t k_most_piped_bytes = std::uint64_t{1} << 30;
 /// than these.
 [[nodiscard]] replay::ReadBytes read_from_file(std::FILE* file);
 
+/// The same for a recording of any kind (replay/recording), as the trace that it comes to. Errors: also those of its
+/// form.
+[[nodiscard]] replay::ReadBytes read_recording_file(std::FILE* file);
+
 }  // namespace penpose::files

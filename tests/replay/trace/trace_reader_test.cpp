@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/shared_data.h"
+#include "tests/support/trace_reports.h"
 
 namespace penpose::replay {
 namespace {
@@ -16,17 +17,8 @@ struct ReadBack {
   TraceStyle style;
 };
 
-ReadBytes in_pieces(base::Bytes bytes, std::size_t piece) {
-  return [rest = bytes, piece](std::span<std::uint8_t> into) mutable -> base::Result<std::size_t> {
-    const std::size_t count = std::min({piece, rest.size(), into.size()});
-    std::copy_n(rest.begin(), count, into.begin());
-    rest = rest.subspan(count);
-    return count;
-  };
-}
-
 ReadBack read_all(base::Bytes bytes, std::size_t piece = 1 << 20) {
-  TraceReader reader(in_pieces(bytes, piece));
+  TraceReader reader(tests::in_pieces(bytes, piece));
   ReadBack back;
   for (;;) {
     const auto line = reader.next();

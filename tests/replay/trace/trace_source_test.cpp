@@ -60,6 +60,38 @@ TEST(TraceSource, ACutTraceGivesAllBeforeTheCutAndSaysSo) {
   EXPECT_NE(source.problems()[0].what.find("cut off"), std::string::npos);
 }
 
+TEST(TraceSource, TimesOfASecondRecordingGoOnFromTheFirst) {
+  const auto times = [](const std::string& text) {
+    TraceSource source(read_from(base::as_bytes(text)));
+    std::vector<std::int64_t> out;
+    for (auto report = source.next(); report && report->has_value(); report = source.next())
+      out.push_back((*report)->time_us);
+    return out;
+  };
+  const std::string one =
+      tests::TraceText().device(0, {0xc0}, "3 056a 0013").report(1000, {1}).report(3000, {1}).text();
+  EXPECT_EQ(times(one + one + one), (std::vector<std::int64_t>{1000, 3000, 3000, 5000, 5000, 7000}));
+  // A session says its own times, and a report that comes late is no second recording.
+  EXPECT_EQ(times("# penpose session edition=1\n" + one + one), (std::vector<std::int64_t>{1000, 3000, 1000, 3000}));
+  EXPECT_EQ(times(one + "E: 0.000002 1 01\n").back(), 2);
+  EXPECT_EQ(times("R: 1 c0\nE: 9000000000000.0 1 01\nR: 1 c0\nE: 0.0 1 01\nE: 9000000000000.0 1 01\n").size(), 3u);
+}
+
+TEST(TraceSource, ADescriptorBehindReportsBeginsADeviceAnew) {
+  TraceSource source(read_from(base::as_bytes(
+      std::string_view("R: 1 c0\nN: Old\nP: usb-1/input1\nI: 3 056a 0013\nE: 0.0 1 01\nR: 2 c0 c0\nE: 0.1 1 01\n"))));
+  int begun = 0;
+  source.listen({}, [&](int, const decode::DeviceIdentity&) { ++begun; });
+  while (true) {
+    const auto report = source.next();
+    if (!report || !report->has_value()) break;
+  }
+  EXPECT_EQ(begun, 2);
+  EXPECT_EQ(source.devices().at(0).name, "");
+  EXPECT_EQ(source.devices().at(0).product, 0);
+  EXPECT_EQ(source.devices().at(0).interface_number, std::nullopt);
+}
+
 TEST(TraceSource, RealTimeWaitsForEachReport) {
   const std::string text =
       tests::TraceText().report(5000000, {1}).report(5008000, {2}).report(5008000, {3}).report(5100000, {4}).text();

@@ -123,7 +123,7 @@ base::Result<replay::ReplayResult> Files::played_session(const std::string& path
   replay::PlayerOptions options;
   options.open = [&](const std::string& named) { return model_of_session(path, named); };
   options.own_tablets = parts_.own_tablets;
-  auto played = replay::play_session(files::read_from_file(file->get()), options);
+  auto played = replay::play_session(files::read_recording_file(file->get()), options);
   if (!played) return played;
   if (!played->session) {
     return base::Error{"holds nothing to replay: neither reports nor lines of a session", "", "open another file"};

@@ -19,7 +19,7 @@ base::Result<TracePlayer> TracePlayer::load(const std::string& path) {
   if (!file) return file.error();
   TracePlayer player;
   std::int64_t now = 0;
-  replay::TraceSource source(files::read_from_file(file->get()));
+  replay::TraceSource source(files::read_recording_file(file->get()));
   std::optional<base::Error> refused;
   const auto on_line = [&](const replay::TraceLine& line) {
     if (line.end.empty()) return;

@@ -26,7 +26,7 @@ base::Result<document::Document> replayed(const std::string& path) {
   options.open = [&](const std::string& model) {
     return files::load_document(files::find_session_model(path, model), files::NamedBy::file);
   };
-  const auto played = replay::play_session(files::read_from_file(file->get()), options);
+  const auto played = replay::play_session(files::read_recording_file(file->get()), options);
   if (!played) return played.error();
   if (!played->session) return base::Error{"holds nothing to replay", "", "name a session as the window records it"};
   if (played->divergence) return replay::error_of(*played->divergence);

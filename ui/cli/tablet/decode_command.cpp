@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <system_error>
 
 #include "core/base/json/json.h"
@@ -13,6 +14,7 @@
 #include "replay/trace/trace_source.h"
 #include "ui/cli/subcommand.h"
 #include "ui/cli/tablet/hand_decode.h"
+#include "ui/cli/tablet/no_rows.h"
 #include "ui/cli/tablet/sample_printer.h"
 #include "ui/cli/tablet/trace_output.h"
 #include "ui/files/files.h"
@@ -38,6 +40,8 @@ struct Interface {
   std::string method;
   decode::ForeignReports desktop{};  ///< of a mouse or keyboard, by report id
   bool has_report_ids = false;
+  bool is_anew = false;      ///< declared again behind its reports: a decoder is to be chosen
+  bool prints_axes = false;  ///< before its next sample, since they may be others than those at the top
 };
 
 class DecodeRun {
@@ -50,24 +54,23 @@ class DecodeRun {
   base::Result<std::size_t> count_devices();
   base::Status decode(replay::TraceSource& source);
   Interface& interface_for(const replay::TraceSource& source, int device);
+  void begin(int device);
   void read_as(Interface& interface, const decode::DeviceIdentity& identity);
   void hear(const replay::TraceReport& report);
   void print(const replay::TraceReport& report, Interface& interface);
   void begin_output(const decode::PenAxes& axes);
   void end_output(const replay::TraceSource& source);
-  void say_why_nothing() const;
 
   const DecodeOptions& options_;
   const decode::TabletTable* own_;
   decode::WacomReceivers receivers_;
   std::map<int, Interface> interfaces_;
+  std::set<int> begun_devices_;
   std::string out_;
-  std::vector<base::Error> refusals_;
+  RowlessReports rowless_;  ///< `all` counts every report
   bool with_device_ = false;
   bool begun_ = false;
   std::uint64_t samples_ = 0;
-  std::uint64_t reports_ = 0;
-  std::uint64_t desktop_reports_ = 0;
 };
 
 /// Looks ahead for the `device` column; a pipe cannot be read twice, there only what comes before the first report
@@ -77,7 +80,7 @@ base::Result<std::size_t> DecodeRun::count_devices() {
   if (!std::filesystem::is_regular_file(options_.trace, code)) return std::size_t{0};
   auto file = files::open_trace(options_.trace);
   if (!file) return file.error();
-  replay::TraceReader reader(files::read_from_file(file->get()));
+  replay::TraceReader reader(files::read_recording_file(file->get()));
   std::map<int, bool> devices;
   int device = 0;
   for (;;) {
@@ -95,8 +98,9 @@ base::Result<std::size_t> DecodeRun::count_devices() {
 
 Interface& DecodeRun::interface_for(const replay::TraceSource& source, int device) {
   const auto found = interfaces_.find(device);
-  if (found != interfaces_.end()) return found->second;
+  if (found != interfaces_.end() && !found->second.is_anew) return found->second;
   Interface& made = interfaces_[device];
+  made.is_anew = false;
   if (!options_.protocol.empty()) {
     made.decoder = decode::make_protocol_decoder(options_.protocol);
     made.method = "protocol " + options_.protocol;
@@ -119,8 +123,20 @@ void DecodeRun::read_as(Interface& interface, const decode::DeviceIdentity& iden
     interface.method = recognition->method;
   } else {
     interface.decoder.reset();
-    refusals_.push_back(recognition.error());
+    if (rowless_.refusals++ == 0) {
+      rowless_.refusal = recognition.error();
+      rowless_.refused = identity;
+    }
   }
+}
+
+/// Its reports begin, or begin again: another recording in the same file, or a tablet that was plugged in again.
+void DecodeRun::begin(int device) {
+  if (begun_devices_.insert(device).second) return;
+  Interface& anew = interfaces_[device];
+  anew = {};
+  anew.is_anew = true;
+  anew.prints_axes = true;
 }
 
 /// Behind a wireless receiver is another tablet from now on.
@@ -169,7 +185,7 @@ void DecodeRun::end_output(const replay::TraceSource& source) {
       }
       out_ += '}';
     }
-    out_ += "],\n\"reports\": " + std::to_string(reports_) + "}\n";
+    out_ += "],\n\"reports\": " + std::to_string(rowless_.all) + "}\n";
   }
   print_gathered(out_, 0);
   std::cout.flush();
@@ -179,6 +195,8 @@ void DecodeRun::print(const replay::TraceReport& report, Interface& interface) {
   for (const decode::PenSample& sample : interface.decoder->frames()) {
     const decode::PenAxes& axes = interface.decoder->axes();
     if (!begun_) begin_output(axes);
+    if (interface.prints_axes && !options_.json) append_csv_axes(out_, axes);
+    interface.prints_axes = false;
     const PrintedSample printed{report.index, report.time_us, report.device, &sample, &axes};
     if (options_.json) {
       out_ += samples_ == 0 ? "\n{" : ",\n{";
@@ -194,11 +212,15 @@ void DecodeRun::print(const replay::TraceReport& report, Interface& interface) {
 
 base::Status DecodeRun::decode(replay::TraceSource& source) {
   return each_report(source, [&](const replay::TraceReport& report) {
-    ++reports_;
+    ++rowless_.all;
     Interface& interface = interface_for(source, report.device);
     hear(report);
     const std::size_t id = interface.has_report_ids && !report.bytes.empty() ? report.bytes[0] : 0;
-    if (interface.desktop[id] != 0 && interface.desktop[id] == report.bytes.size()) ++desktop_reports_;
+    if (interface.desktop[id] != 0 && interface.desktop[id] == report.bytes.size()) {
+      ++rowless_.desktop;
+    } else if (!interface.decoder) {
+      ++rowless_.unread;
+    }
     if (interface.decoder && interface.decoder->decode(report.bytes) == decode::ReportKind::pen) {
       print(report, interface);
     }
@@ -210,7 +232,8 @@ int DecodeRun::run() {
   if (!devices) return files::report(devices.error(), options_.trace);
   auto file = files::open_trace(options_.trace);
   if (!file) return files::report(file.error(), options_.trace);
-  replay::TraceSource source(files::read_from_file(file->get()));
+  replay::TraceSource source(files::read_recording_file(file->get()));
+  source.listen({}, [this](int device, const decode::DeviceIdentity&) { begin(device); });
   if (const auto header = source.read_header(); !header) return files::report(header.error(), options_.trace);
   with_device_ = *devices > 1 || source.devices().size() > 1;
   for (const auto& [number, device] : source.devices()) {
@@ -220,23 +243,9 @@ int DecodeRun::run() {
   const auto done = decode(source);
   if (!done) return files::report(done.error(), options_.trace);
   end_output(source);
-  if (const int status = end_of_trace(source, options_.trace, reports_); status != k_success) return status;
-  if (samples_ == 0) say_why_nothing();
+  if (const int status = end_of_trace(source, options_.trace, rowless_.all); status != k_success) return status;
+  if (samples_ == 0) std::cerr << "penpose: " << why_no_rows(rowless_).line(options_.trace) << '\n';
   return k_success;
-}
-
-void DecodeRun::say_why_nothing() const {
-  for (const auto& refusal : refusals_) std::cerr << "penpose: " << refusal.line(options_.trace) << '\n';
-  if (!refusals_.empty() || reports_ == 0) return;
-  const bool as_mouse = desktop_reports_ == reports_;
-  const std::string count = std::to_string(reports_) + (reports_ == 1 ? " report, " : " reports, ");
-  const base::Error why{
-      count +
-          (as_mouse
-               ? "none of a pen: this is the form of a mouse or keyboard, which the tablet has before a driver wakes it"
-               : "none of a pen that is near"),
-      "", as_mouse ? "record with `penpose record`, which wakes it" : "--pad and --touch print keys and fingers"};
-  std::cerr << "penpose: " << why.line(options_.trace) << '\n';
 }
 
 int decode_trace(const DecodeOptions& options) {

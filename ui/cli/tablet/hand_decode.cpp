@@ -3,6 +3,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "firmware_io/decode/hand_factory.h"
 #include "firmware_io/decode/wacom/wacom_receiver.h"
@@ -10,6 +11,7 @@
 #include "replay/trace/trace_source.h"
 #include "ui/cli/commands.h"
 #include "ui/cli/tablet/hand_printer.h"
+#include "ui/cli/tablet/no_rows.h"
 #include "ui/cli/tablet/trace_output.h"
 #include "ui/files/files.h"
 #include "ui/files/trace_file.h"
@@ -39,6 +41,7 @@ class HandRun {
   void make_decoders(Interface& interface, int device, const decode::DeviceIdentity& identity);
   void end_frames_early(const replay::TraceReport& report, const decode::TouchSwitch* told);
   void hear(const replay::TraceReport& report);
+  void begin(int device);
   void begin_row();
   void end_output(const replay::TraceSource& source);
 
@@ -47,6 +50,7 @@ class HandRun {
   replay::TouchSwitches switches_;
   decode::WacomReceivers receivers_;
   std::map<int, Interface> interfaces_;
+  std::set<int> begun_devices_;
   std::string out_;
   bool with_device_ = false;
   std::uint64_t rows_ = 0;
@@ -69,6 +73,13 @@ Interface& HandRun::interface_for(const replay::TraceSource& source, int device)
     make_decoders(made, device, receivers_.connect(device, declared->second));
   }
   return made;
+}
+
+/// Its reports begin, or begin again: another recording in the same file, or a tablet that was plugged in again.
+void HandRun::begin(int device) {
+  if (begun_devices_.insert(device).second) return;
+  interfaces_.erase(device);
+  switches_.leave(device);
 }
 
 void HandRun::begin_row() {
@@ -160,7 +171,8 @@ void HandRun::end_output(const replay::TraceSource& source) {
 int HandRun::run() {
   auto file = files::open_trace(options_.trace);
   if (!file) return files::report(file.error(), options_.trace);
-  replay::TraceSource source(files::read_from_file(file->get()));
+  replay::TraceSource source(files::read_recording_file(file->get()));
+  source.listen({}, [this](int device, const decode::DeviceIdentity&) { begin(device); });
   if (const auto header = source.read_header(); !header) return files::report(header.error(), options_.trace);
   with_device_ = source.devices().size() > 1;
   // All interfaces first: what one has may bear on the others from the first report.
@@ -176,12 +188,12 @@ int HandRun::run() {
   if (!done) return files::report(done.error(), options_.trace);
   end_output(source);
   const int status = end_of_trace(source, options_.trace, reports_);
-  if (status == k_success && rows_ == 0 && reports_ > 0) {
-    const base::Error why{std::to_string(reports_) + (reports_ == 1 ? " report, none " : " reports, none ") +
-                              (options_.part == HandPart::pad ? "of keys, rings or wheels" : "of fingers") +
-                              " that are known of this tablet",
-                          "", "without --pad and --touch the pen is printed"};
-    std::cerr << "penpose: " << why.line(options_.trace) << '\n';
+  if (status == k_success && rows_ == 0) {
+    const base::Error none{reports_in_words(reports_) + ", none " +
+                               (options_.part == HandPart::pad ? "of keys, rings or wheels" : "of fingers") +
+                               " that are known of this tablet",
+                           "", "without --pad and --touch the pen is printed"};
+    std::cerr << "penpose: " << (reports_ == 0 ? why_no_rows({}) : none).line(options_.trace) << '\n';
   }
   return status;
 }

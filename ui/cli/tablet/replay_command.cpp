@@ -239,7 +239,7 @@ int replay_session(const ReplayArguments& arguments) {
   options.own_tablets = &*own;
   options.observer = &watcher;
   const Clock::time_point start = Clock::now();
-  const auto played = replay::play_session(files::read_from_file(file->get()), options);
+  const auto played = replay::play_session(files::read_recording_file(file->get()), options);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (!played) return files::report(played.error(), arguments.session);
   if (!played->session) {

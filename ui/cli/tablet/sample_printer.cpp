@@ -58,7 +58,7 @@ void append_flag(std::string& out, bool flag) { out += flag ? '1' : '0'; }
 
 }  // namespace
 
-void append_csv_header(std::string& out, const PenAxes& axes, bool with_device) {
+void append_csv_axes(std::string& out, const PenAxes& axes) {
   for (const auto& [name, axis] : named(axes)) {
     if (!axis->present) continue;
     out += "# axis ";
@@ -71,6 +71,10 @@ void append_csv_header(std::string& out, const PenAxes& axes, bool with_device) 
     out += base::format_double(axis->units_per_mm);
     out += '\n';
   }
+}
+
+void append_csv_header(std::string& out, const PenAxes& axes, bool with_device) {
+  append_csv_axes(out, axes);
   out += "report,time_us,x,y,pressure,tilt_x,tilt_y,distance,in_range,tool,tip,button1,button2";
   out += with_device ? ",device\n" : "\n";
 }

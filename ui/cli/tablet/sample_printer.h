@@ -16,7 +16,9 @@ struct PrintedSample {
   const decode::PenAxes* axes = nullptr;
 };
 
-/// The lines of `penpose decode --csv` (cli.md): axes and column names in front of the first row, then rows.
+/// The lines of `penpose decode --csv` (cli.md): axes and column names in front of the first row, then rows. Axes come
+/// again where a recording of another tablet follows in the same file.
+void append_csv_axes(std::string& out, const decode::PenAxes& axes);
 void append_csv_header(std::string& out, const decode::PenAxes& axes, bool with_device);
 void append_csv_row(std::string& out, const PrintedSample& printed, bool with_device);
 

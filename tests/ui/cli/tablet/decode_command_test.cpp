@@ -100,13 +100,70 @@ TEST_F(DecodeCommand, ReportsWithoutARowSayWhy) {
   asleep.device(0, descriptor, "3 1b96 1000").report(0, {9, 1, 2, 3}).report(5, {9, 0, 2, 3});
   const Outcome outcome = decode(asleep.text());
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.error.find("2 reports, none of a pen: this is the form of a mouse"), std::string::npos)
+  EXPECT_NE(outcome.error.find("2 reports, none of a pen: this is the tablet's mouse mode"), std::string::npos)
       << outcome.error;
   EXPECT_NE(outcome.error.find("penpose record"), std::string::npos);
   const Outcome hands = decode(asleep.text(), {"--pad"});
   EXPECT_NE(hands.error.find("2 reports, none of keys, rings or wheels"), std::string::npos) << hands.error;
   EXPECT_EQ(decode(tests::TraceText().device(0, descriptor, "3 1b96 1000").text()).error.find("none"),
             std::string::npos);
+}
+
+TEST_F(DecodeCommand, NoRowsAreOneLineOverAllInterfaces) {
+  tests::TraceText trace;
+  trace.device(0, {0x06, 0x00, 0xff, 0xc0}, "3 0458 0138").device(1, {0x06, 0x00, 0xff, 0xc0}, "3 0458 0139");
+  trace.line("D: 0").report(0, {1, 2, 3}).line("D: 1").report(1, {1, 2});
+  const Outcome two = decode(trace.text());
+  EXPECT_EQ(std::count(two.error.begin(), two.error.end(), '\n'), 1) << two.error;
+  EXPECT_NE(two.error.find("2 reports, none of a pen: no pen that is known"), std::string::npos) << two.error;
+  EXPECT_NE(two.error.find("any other of 2 interfaces"), std::string::npos) << two.error;
+  // In the table of tablets, by another interface.
+  const Outcome other =
+      decode(tests::TraceText().device(0, {0x06, 0x00, 0xff, 0xc0}, "3 28bd 0078").report(0, {1}).text());
+  EXPECT_NE(other.error.find("1 report, none of a pen: this interface of XP-Pen Star 06"), std::string::npos)
+      << other.error;
+  EXPECT_EQ(other.error.find("add the tablet"), std::string::npos) << other.error;
+  const Outcome none = decode(tests::TraceText().device(0, tests::ink_descriptor(), "3 1b96 1000").text());
+  EXPECT_NE(none.error.find("no reports"), std::string::npos) << none.error;
+}
+
+TEST_F(DecodeCommand, ARecordingThatDoesNotNameItsTabletSaysHowToNameIt) {
+  for (const char* text :
+       {"001:002:000:STREAM  5.000000\n 08 80 01\n", "{ 08 80 01 }, Delta:1.000ms\n", "08 80 01\n"}) {
+    const Outcome outcome = decode(text);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_NE(outcome.error.find("1 report, none of a pen: the recording does not say which tablet"), std::string::npos)
+        << outcome.error;
+    EXPECT_NE(outcome.error.find("--tablet NAME"), std::string::npos) << outcome.error;
+  }
+  const Outcome read = decode("08 80 01\n", {"--protocol", "xp_pen"});
+  EXPECT_EQ(read.error.find("does not say"), std::string::npos) << read.error;
+}
+
+TEST_F(DecodeCommand, RecordingsOneBehindAnotherAreReadEachByItsOwn) {
+  decode::PenSample sample;
+  sample.in_range = true;
+  sample.tool = decode::Tool::pen;
+  const std::string other = tests::TraceText()
+                                .device(0, {}, "3 28bd 0907")
+                                .report(0, {0x02, 0xa1, 0x10, 0x27, 0x20, 0x4e, 0xe8, 0x03, 0, 0})
+                                .report(5000, {0x02, 0xa1, 0x11, 0x27, 0x20, 0x4e, 0xe8, 0x03, 0, 0})
+                                .text();
+  const Outcome outcome = decode(pen_trace() + other + pen_trace());
+  EXPECT_EQ(outcome.error, "");
+  EXPECT_NE(outcome.out.find("\n# axis x 0 50800 200\n# axis y 0 30480 200\n# axis pressure 0 8191 0\n"),
+            std::string::npos)
+      << outcome.out;
+  // Times go on from the last of the first recording, which has 21 reports.
+  EXPECT_NE(outcome.out.find("\n21,100000,10000,20000,1000,"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\n22,105000,10001,20000,1000,"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\n23,105000,2418,3840,"), std::string::npos) << outcome.out;
+}
+
+TEST_F(DecodeCommand, ColouredTextOfHidRecorderIsRead) {
+  std::string coloured;
+  for (const char c : pen_trace()) coloured += c == '\n' ? "\x1b[39m\n\x1b[31m" : std::string(1, c);
+  EXPECT_EQ(decode("\x1b[31m" + coloured).out, decode(pen_trace()).out);
 }
 
 TEST_F(DecodeCommand, WhatIsNoTraceIsAnError) {
