@@ -23,6 +23,7 @@ std::span<const RecordingFormat> formats() {
   static const RecordingFormat all[] = {
       gzip_recording(),        utf16_recording(),           {"hid-recorder", nullptr, marks_trace, nullptr, nullptr},
       usbhid_dump_recording(), tablet_debugger_recording(), open_tablet_driver_diagnostics(),
+      evemu_recording(),
   };
   return all;
 }
