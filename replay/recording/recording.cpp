@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/text/letters.h"
 #include "replay/recording/byte_stream.h"
 #include "replay/recording/decoration.h"
 #include "replay/recording/formats.h"
@@ -18,12 +19,23 @@ bool marks_trace(std::string_view line) {
   return kind == TraceLineKind::report || kind == TraceLineKind::descriptor;
 }
 
+RecordingFormat hid_recorder_recording() { return {"hid-recorder", nullptr, marks_trace, nullptr, nullptr}; }
+
 /// Of two that recognise a file, or a line of it, the first has it.
 std::span<const RecordingFormat> formats() {
   static const RecordingFormat all[] = {
-      gzip_recording(),        utf16_recording(),           {"hid-recorder", nullptr, marks_trace, nullptr, nullptr},
-      usbhid_dump_recording(), tablet_debugger_recording(), open_tablet_driver_diagnostics(),
+      gzip_recording(),
+      utf16_recording(),
+      hid_recorder_recording(),
+      usbhid_dump_recording(),
+      tablet_debugger_recording(),
+      open_tablet_driver_diagnostics(),
       evemu_recording(),
+      libinput_recording(),
+      evtest_recording(),
+      wireshark_text(),
+      usbmon_text(),
+      usblyzer_text(),
   };
   return all;
 }
@@ -43,6 +55,7 @@ Recognition recognise(base::Bytes front) {
   for (const RecordingFormat& format : formats()) {
     if (format.recognises != nullptr && format.recognises(front)) return {&format, false};
   }
+  const bool begins_with_mark = base::without_mark(base::as_text(front)).size() < front.size();
   find_line(front, [&](std::string_view line) {
     const std::string bare = undecorated(line);
     const auto marked = std::find_if(formats().begin(), formats().end(), [&](const RecordingFormat& format) {
@@ -50,7 +63,7 @@ Recognition recognise(base::Bytes front) {
     });
     if (marked == formats().end()) return false;
     if (found.format == nullptr) found.format = &*marked;
-    found.decorated = bare != line;
+    found.decorated = found.format == &*marked && (begins_with_mark || bare != line);
     return found.decorated;
   });
   return found;

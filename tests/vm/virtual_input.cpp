@@ -68,6 +68,7 @@ bool set_up(int file, const event::EventAxes& axes, const std::string& place) {
   allow(UI_SET_EVBIT, EV_REL, UI_SET_RELBIT, axes.rels);
   allow(UI_SET_EVBIT, EV_MSC, UI_SET_MSCBIT, axes.mscs);
   for (const std::uint16_t property : axes.properties) done = done && ::ioctl(file, UI_SET_PROPBIT, property) == 0;
+  if (!axes.abs.empty()) done = done && ::ioctl(file, UI_SET_EVBIT, EV_ABS) == 0;
   for (const auto& [code, range] : axes.abs) {
     uinput_abs_setup axis{};
     axis.code = code;
