@@ -298,13 +298,94 @@ TEST(EventEncoder, OnAScreenTheyTouchThePicture) {
   EXPECT_TRUE(Fingers(axes).axes().on_screen);
 }
 
+/// Keys, ring and wheels as Linux's wacom driver shows those of a tablet, with what it adds for older programs.
+EventAxes pad() {
+  EventAxes axes;
+  axes.name = "Pad";
+  axes.vendor = 0x256c;
+  axes.abs[ABS_X] = axes.abs[ABS_Y] = {0, 1, 0};
+  axes.abs[ABS_WHEEL] = {0, 71, 0};
+  axes.abs[ABS_RX] = {0, 4096, 0};
+  axes.abs[ABS_MISC] = {0, 0, 0};
+  axes.rels = {REL_WHEEL, REL_HWHEEL};
+  axes.keys = {BTN_STYLUS, BTN_0, BTN_1, BTN_9, BTN_A, BTN_BASE, KEY_PROG1, KEY_BUTTONCONFIG};
+  return axes;
+}
+
+TEST(EventEncoder, KeysOfAPadAreLinuxs) {
+  const auto axes = pad();
+  ASSERT_TRUE(has_pad(axes));
+  ASSERT_FALSE(has_pen(axes));
+  InputDevice device(axes);
+  const auto decoder = decode::make_hand_decoders(tests::identity_of(axes)).pad;
+  ASSERT_TRUE(decoder);
+  const auto keys_after = [&](std::uint16_t key, int value) {
+    device.put(EV_KEY, key, value);
+    for (const auto& report : device.end()) EXPECT_TRUE(decoder->decode(report));
+    return decode::key_names(decoder->sample().keys);
+  };
+  EXPECT_EQ(decode::key_names(decoder->features().keys), "KEY_PROG1+BTN_0+BTN_1+BTN_9+BTN_BASE+BTN_A+KEY_BUTTONCONFIG");
+  EXPECT_EQ(keys_after(BTN_0, 1), "BTN_0");
+  EXPECT_EQ(keys_after(KEY_PROG1, 1), "KEY_PROG1+BTN_0");
+  EXPECT_EQ(keys_after(BTN_0, 0), "KEY_PROG1");
+  EXPECT_EQ(keys_after(KEY_BUTTONCONFIG, 1), "KEY_PROG1+KEY_BUTTONCONFIG");
+}
+
+TEST(EventEncoder, ARingIsTouchedAtItsFirstPlaceAsWell) {
+  const auto axes = pad();
+  InputDevice device(axes);
+  const auto decoder = decode::make_hand_decoders(tests::identity_of(axes)).pad;
+  const auto put = [&](std::initializer_list<std::pair<std::uint16_t, int>> values) {
+    for (const auto& [code, value] : values) device.put(EV_ABS, code, value);
+    for (const auto& report : device.end()) decoder->decode(report);
+    return std::pair(decoder->sample().ring_touched[0], decoder->sample().ring[0]);
+  };
+  EXPECT_EQ(decoder->features().ring_maximum, 71);
+  EXPECT_EQ(put({{ABS_MISC, 15}}), std::pair(true, 0));
+  EXPECT_EQ(put({{ABS_WHEEL, 71}}), std::pair(true, 71));
+  EXPECT_EQ(put({{ABS_WHEEL, 0}, {ABS_MISC, 0}}), std::pair(false, 0));
+  EXPECT_EQ(put({{ABS_RX, 64}, {ABS_MISC, 15}}).second, 0);
+  EXPECT_EQ(decoder->sample().strip[0], 64);
+}
+
+TEST(EventEncoder, TurnsOfAFrameAreAddedAndNotRepeated) {
+  const auto axes = pad();
+  InputDevice device(axes);
+  const auto decoder = decode::make_hand_decoders(tests::identity_of(axes)).pad;
+  device.put(EV_REL, REL_WHEEL, 1);
+  device.put(EV_REL, REL_WHEEL, 2);
+  device.put(EV_REL, REL_HWHEEL, -1);
+  for (const auto& report : device.end()) decoder->decode(report);
+  EXPECT_EQ(decoder->sample().wheel, (std::array<std::int32_t, 2>{3, -1}));
+  device.put(EV_KEY, BTN_0, 1);
+  for (const auto& report : device.end()) decoder->decode(report);
+  EXPECT_EQ(decoder->sample().wheel, (std::array<std::int32_t, 2>{0, 0}));
+}
+
+TEST(EventEncoder, APenWithKeysOnTheSameNodeHasBoth) {
+  auto axes = tests::ink_event_device();
+  axes.keys.insert({BTN_0, BTN_1});
+  InputDevice device(axes);
+  const auto pen = pen_of(axes);
+  const auto keys = decode::make_hand_decoders(tests::identity_of(axes)).pad;
+  ASSERT_TRUE(pen && keys);
+  device.put(EV_KEY, BTN_1, 1);
+  device.put(EV_KEY, BTN_TOOL_PEN, 1);
+  for (const auto& report : device.end()) {
+    pen->decode(report);
+    keys->decode(report);
+  }
+  EXPECT_TRUE(pen->sample().in_range);
+  EXPECT_EQ(decode::key_names(keys->sample().keys), "BTN_1");
+}
+
 TEST(EventDevice, DescriptorsAreWholeAndShortEnoughForLinux) {
   auto many = touch_pad();
   many.abs[ABS_MT_SLOT].maximum = 1000000;
   many.abs[ABS_MT_POSITION_X] = {-2000000000, 2000000000, 2000000000};
   auto extreme = intuos();
   for (auto& [code, range] : extreme.abs) range = {-2147483647 - 1, 2147483647, 2147483647};
-  for (const auto& axes : {tests::ink_event_device(), intuos(), touch_pad(), many, extreme, EventAxes{}}) {
+  for (const auto& axes : {tests::ink_event_device(), intuos(), touch_pad(), many, extreme, pad(), EventAxes{}}) {
     const auto descriptor = report_descriptor(axes);
     EXPECT_LT(descriptor.size(), 4096U);
     EXPECT_TRUE(hid::parse_report_descriptor(descriptor)) << "refused";
