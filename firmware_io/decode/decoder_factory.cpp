@@ -16,6 +16,7 @@
 #include "firmware_io/decode/wacom/wacom_pens.h"
 #include "firmware_io/decode/wacom/wacom_receiver.h"
 #include "firmware_io/decode/wacom/wacom_usages.h"
+#include "firmware_io/hid/event_mark.h"
 
 namespace penpose::decode {
 namespace {
@@ -135,6 +136,11 @@ base::Result<Recognition> make_decoder(const DeviceIdentity& device, const Table
     } else {
       descriptor_error = parsed.error();
     }
+  }
+  if (hid::has_event_mark(device.report_descriptor)) {
+    auto pens = find_pens(descriptor, Dialect::standard);
+    if (!pens) return unreadable(device, descriptor_error);
+    return Recognition{std::make_unique<DescriptorDecoder>(std::move(*pens)), "event device", false};
   }
   DeviceIdentity completed = device;
   complete_identity(completed);

@@ -13,14 +13,16 @@ namespace penpose::decode {
 /// A decoder, and the reason for its choice.
 struct Recognition {
   std::unique_ptr<PenDecoder> decoder;
-  std::string method;   ///< "descriptor", "wacom FAMILY NAME", "protocol NAME" or "descriptor, protocol NAME"
+  /// "descriptor", "wacom FAMILY NAME", "protocol NAME", "descriptor, protocol NAME" or "event device"
+  std::string method;
   bool is_pad = false;  ///< the interface has keys of a tablet but no pen
   /// Where nothing tells which tablet it is of several with the same ids: what samples of its table's protocol are read
   /// as. Empty otherwise.
   std::string guess = {};
 };
 
-/// Chooses the decoder of an interface, in this order: a Wacom format by product id; the pens that the descriptor
+/// Chooses the decoder of an interface, in this order: for a Linux input device the descriptor that stands for it
+/// (hid/event_mark.h), whatever its ids; a Wacom format by product id; the pens that the descriptor
 /// describes and, for every report that fits none of them, the protocol that the table of tablets names for the device.
 ///
 /// `own` (may be null) holds the user's tablets, which take precedence. Errors: no known decoder for this interface (a

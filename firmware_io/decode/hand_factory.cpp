@@ -17,6 +17,7 @@
 #include "firmware_io/decode/wacom/wacom_models.h"
 #include "firmware_io/decode/wacom/wacom_receiver.h"
 #include "firmware_io/decode/wacom/wacom_usages.h"
+#include "firmware_io/hid/event_mark.h"
 
 namespace penpose::decode {
 namespace {
@@ -182,6 +183,17 @@ HandDecoders make_hand_decoders(const DeviceIdentity& device, const TabletTable*
   if (!device.report_descriptor.empty()) {
     auto parsed = hid::parse_report_descriptor(device.report_descriptor, hid::Strictness::tolerant);
     if (parsed) descriptor = std::move(parsed).value();
+  }
+  if (hid::has_event_mark(device.report_descriptor)) {
+    HandDecoders made;
+    if (auto fingers = find_multitouch(descriptor))
+      made.touch = std::make_unique<MultitouchDecoder>(std::move(*fingers));
+    if (auto pad = find_described_pad(descriptor)) {
+      // Wacom's driver counts as Linux does, others leave their tablets' numbers alone.
+      pad->features.wheels_clockwise = device.vendor != k_vendor_wacom;
+      made.pad = std::make_unique<DescribedPadDecoder>(std::move(*pad), std::nullopt, nullptr, 0);
+    }
+    return made;
   }
   DeviceIdentity completed = device;
   complete_identity(completed);

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 #include <unistd.h>
 
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/decode/hand_factory.h"
 #include "firmware_io/decode/wacom/wacom_models.h"
 #include "firmware_io/decode/wacom/wacom_receiver.h"
+#include "firmware_io/device/list/event_list.h"
 #include "firmware_io/device/list/interface_list.h"
+#include "firmware_io/device/source/event_source.h"
 #include "firmware_io/device/source/hidraw_source.h"
 #include "firmware_io/device/source/libusb_source.h"
 #include "firmware_io/device/source/usb_strings.h"
@@ -27,6 +30,7 @@ constexpr std::string_view k_wacom_driver = "wacom";
 /// This driver of the kernel wakes its tablets, also after a sleep, and shows a descriptor of its own making that fits
 /// the reports as it rewrites them. What it shows is read like any pen that describes itself.
 constexpr std::string_view k_waking_driver = "uclogic";
+constexpr const char* k_beside_driver = "the kernel's driver goes on beside it";
 /// Stands for a program that holds the interface.
 constexpr std::string_view k_program = "usbfs";
 
@@ -111,20 +115,27 @@ bool belongs_to_a_tablet(const LiveTablet& touch, const std::vector<LiveTablet>&
   });
 }
 
-Transport choose_transport(const LiveTablet& tablet) {
+void choose_transport(LiveTablet& tablet) {
   const HidInterface& interface = tablet.interface;
-  if (interface.usb_node.empty()) return Transport::hidraw;
-  if (interface.hidraw_node.empty()) return Transport::libusb;
+  const auto choose = [&](Transport transport, const char* reason) {
+    tablet.transport = transport;
+    tablet.reason = reason;
+  };
+  if (!interface.event_node.empty()) return choose(Transport::event, "there is no HID interface behind it");
+  if (interface.usb_node.empty()) return choose(Transport::hidraw, k_beside_driver);
+  if (interface.hidraw_node.empty()) return choose(Transport::libusb, "it has no hidraw node");
   if (interface.identity.vendor == decode::k_vendor_wacom && interface.identity.product == k_penpartner)
-    return Transport::libusb;
+    return choose(Transport::libusb, "the kernel keeps its reports from hidraw");
   const WakeUp steps = tablet.wake_up();
-  return steps.read_strings.empty() && steps.send_outputs.empty() ? Transport::hidraw : Transport::libusb;
+  const bool by_usb = !steps.read_strings.empty() || !steps.send_outputs.empty();
+  choose(by_usb ? Transport::libusb : Transport::hidraw, by_usb ? "it must be woken over USB" : k_beside_driver);
 }
 
 Access check_access(const LiveTablet& tablet) {
   if (tablet.node().empty()) return Access::absent;
   if (tablet.transport == Transport::libusb && tablet.interface.driver == k_program) return Access::busy;
-  if (::access(tablet.node().c_str(), R_OK | W_OK) == 0) return Access::allowed;
+  const int rights = tablet.transport == Transport::event ? R_OK : R_OK | W_OK;
+  if (::access(tablet.node().c_str(), rights) == 0) return Access::allowed;
   return ::access(tablet.node().c_str(), F_OK) == 0 ? Access::denied : Access::absent;
 }
 
@@ -140,14 +151,16 @@ bool begins_as_wacom_mouse(const LiveTablet& tablet) {
 }  // namespace
 
 const std::string& LiveTablet::node() const {
+  if (transport == Transport::event) return interface.event_node;
   return transport == Transport::libusb ? interface.usb_node : interface.hidraw_node;
 }
 
 std::string LiveTablet::path() const {
-  return transport == Transport::libusb ? "usb:" + interface.usb_name : interface.hidraw_node;
+  return transport == Transport::libusb ? "usb:" + interface.usb_name : node();
 }
 
 WakeUp LiveTablet::wake_up() const {
+  if (transport == Transport::event) return {};
   if (interface.driver == k_waking_driver && transport == Transport::hidraw) return {};
   if (!begins_as_wacom_mouse(*this)) return wake_up_of(match);
   WakeUp steps;
@@ -157,6 +170,7 @@ WakeUp LiveTablet::wake_up() const {
 }
 
 void LiveTablet::use(Transport other) {
+  if (transport != other) reason = "it was asked for";
   transport = other;
   access = check_access(*this);
 }
@@ -164,11 +178,45 @@ void LiveTablet::use(Transport other) {
 LiveTablet recognise(HidInterface interface, const decode::TabletTable* own, const ReadString& read_string) {
   LiveTablet tablet;
   tablet.interface = std::move(interface);
-  tablet.strings_unread = !read_strings(tablet, own, read_string);
+  if (tablet.interface.event_node.empty()) tablet.strings_unread = !read_strings(tablet, own, read_string);
   identify(tablet, own);
-  tablet.transport = choose_transport(tablet);
+  choose_transport(tablet);
   tablet.access = check_access(tablet);
   return tablet;
+}
+
+std::vector<LiveTablet> with_event_devices(std::vector<LiveTablet> tablets, const std::vector<HidInterface>& all,
+                                           std::vector<LiveTablet> events) {
+  const auto draws = [](const LiveTablet& tablet) {
+    return tablet.carries != Carries::touch && tablet.carries != Carries::other;
+  };
+  const auto is_open = [&](const LiveTablet& tablet) {
+    return draws(tablet) && (tablet.access == Access::allowed || tablet.access == Access::busy);
+  };
+  std::set<std::string> read, denied, interfaces;
+  for (const HidInterface& interface : all) interfaces.insert(interface.parent);
+  for (const LiveTablet& tablet : tablets) (is_open(tablet) ? read : denied).insert(tablet.interface.parent);
+  std::erase_if(events, [&](const LiveTablet& device) { return read.contains(device.interface.parent); });
+  std::set<std::string> instead;
+  bool has_pen = !read.empty();
+  for (const LiveTablet& device : events) {
+    if (!is_open(device)) continue;
+    instead.insert(device.interface.parent);
+    has_pen = has_pen || (device.carries == Carries::pen && !device.interface.made_by_program);
+  }
+  std::erase_if(tablets, [&](const LiveTablet& tablet) { return instead.contains(tablet.interface.parent); });
+  for (LiveTablet& device : events) {
+    const std::string& parent = device.interface.parent;
+    if (device.interface.made_by_program && has_pen) continue;
+    if (denied.contains(parent) && !instead.contains(parent)) continue;
+    if (denied.contains(parent)) {
+      device.reason = "its HID interface cannot be opened";
+    } else if (interfaces.contains(parent)) {
+      device.reason = "only the kernel's driver knows its reports";
+    }
+    tablets.push_back(std::move(device));
+  }
+  return tablets;
 }
 
 base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* own,
@@ -176,7 +224,7 @@ base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* ow
   auto interfaces = list_interfaces();
   if (!interfaces) return interfaces.error();
   std::vector<LiveTablet> tablets;
-  for (HidInterface& interface : *interfaces) {
+  for (HidInterface interface : *interfaces) {
     const auto known = std::find_if(before.begin(), before.end(), [&](const LiveTablet& tablet) {
       return !interface.usb_name.empty() && tablet.interface.usb_node == interface.usb_node &&
              tablet.interface.usb_name == interface.usb_name;
@@ -191,6 +239,12 @@ base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* ow
     LiveTablet tablet = recognise(std::move(interface), own);
     if (tablet.carries != Carries::other) tablets.push_back(std::move(tablet));
   }
+  std::vector<LiveTablet> events;
+  for (HidInterface& device : list_event_devices()) {
+    LiveTablet tablet = recognise(std::move(device), own);
+    if (tablet.carries != Carries::other) events.push_back(std::move(tablet));
+  }
+  tablets = with_event_devices(std::move(tablets), *interfaces, std::move(events));
   const std::vector<LiveTablet> all = tablets;
   std::erase_if(tablets,
                 [&](const LiveTablet& one) { return one.carries == Carries::touch && !belongs_to_a_tablet(one, all); });
@@ -199,6 +253,11 @@ base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* ow
 
 base::Result<std::unique_ptr<ReportSource>> open_tablet(LiveTablet& tablet, const decode::TabletTable* own) {
   if (tablet.transport == Transport::hidraw) return open_hidraw(tablet.interface);
+  if (tablet.transport == Transport::event) {
+    auto source = open_event_device(tablet.interface);
+    if (source) identify(tablet, own);
+    return source;
+  }
   const bool described = !tablet.interface.identity.report_descriptor.empty();
   auto source = open_libusb(tablet.interface);
   if (source && !described) identify(tablet, own);

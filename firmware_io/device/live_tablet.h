@@ -18,6 +18,7 @@ namespace penpose::device {
 enum class Transport : std::uint8_t {
   hidraw,  ///< in parallel with the kernel's driver
   libusb,  ///< instead of the kernel's driver
+  event,   ///< what the kernel's driver makes of it, in parallel with the desktop
 };
 
 /// What an interface is for.
@@ -47,11 +48,12 @@ struct LiveTablet {
   std::optional<decode::TabletMatch> match;  ///< in the table of tablets; points into it
   bool strings_unread = false;               ///< the table asks for strings that could not be read
   Transport transport = Transport::hidraw;
+  std::string reason;  ///< for that transport: "it has no hidraw node"
   Access access = Access::absent;
 
-  /// What is opened: "/dev/hidraw3" or "/dev/bus/usb/001/004".
+  /// What is opened: "/dev/hidraw3", "/dev/bus/usb/001/004" or "/dev/input/event5".
   [[nodiscard]] const std::string& node() const;
-  /// The interface's name on the command line: "/dev/hidraw3", or "usb:1-2:1.0" where it is read through libusb.
+  /// The interface's name on the command line: its node, or "usb:1-2:1.0" where it is read through libusb.
   [[nodiscard]] std::string path() const;
   /// Overrides the choice of transport.
   void use(Transport other);
@@ -68,13 +70,21 @@ using ReadString = std::function<base::Result<std::string>(const std::string& us
 [[nodiscard]] LiveTablet recognise(HidInterface interface, const decode::TabletTable* own = nullptr,
                                    const ReadString& read_string = {});
 
+/// Puts event devices in the place of the interfaces of the same device where none of those can be opened, or none is
+/// recognised, so that no tablet is listed twice. Where neither way is open, the interfaces remain. What a program makes
+/// (uinput) counts only where no other pen can be opened, because it may be made of one. `all` are the recognised and
+/// unrecognised interfaces, of which `tablets` are a part.
+[[nodiscard]] std::vector<LiveTablet> with_event_devices(std::vector<LiveTablet> tablets,
+                                                         const std::vector<HidInterface>& all,
+                                                         std::vector<LiveTablet> events);
+
 /// Every interface with a pen, the keys or the fingers of a tablet; touch devices that belong to no tablet are left to
 /// the desktop. Strings of devices in `before` are reused and not requested again. Errors: those of listing.
 [[nodiscard]] base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* own = nullptr,
                                                                  const std::vector<LiveTablet>& before = {});
 
-/// Opens it through `transport`. If only the device itself knows its descriptor, reads that and recognises the tablet
-/// again. Errors say what is missing.
+/// Opens it through `transport`. If only the device itself knows its descriptor or ranges, reads them and recognises the
+/// tablet again. Errors say what is missing.
 [[nodiscard]] base::Result<std::unique_ptr<ReportSource>> open_tablet(LiveTablet& tablet,
                                                                       const decode::TabletTable* own = nullptr);
 

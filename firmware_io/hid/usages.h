@@ -19,6 +19,9 @@ inline constexpr std::uint16_t k_page_button = 0x09;
 inline constexpr std::uint16_t k_page_digitizer = 0x0d;
 /// Vendor page of Wacom's newer devices: the digitizer usages again, with vendor additions.
 inline constexpr std::uint16_t k_page_wacom = 0xff0d;
+/// Vendor page of descriptors that stand for a Linux input device (event_mark.h). Usages are the codes of keys where a
+/// field has one bit, else of absolute axes (input-event-codes.h).
+inline constexpr std::uint16_t k_page_event = 0xff65;
 /// Vendor page of Wacom's pens in older descriptors (one opaque block).
 inline constexpr std::uint16_t k_page_wacom_opaque = 0xff00;
 

@@ -15,6 +15,7 @@ RecordingFormat usb_capture_recording();  ///< pcap and pcapng of usbmon and USB
 RecordingFormat usbhid_dump_recording();           ///< descriptors and reports as usbhid-dump of DIGImend prints them
 RecordingFormat tablet_debugger_recording();       ///< reports as OpenTabletDriver's tablet debugger records them
 RecordingFormat open_tablet_driver_diagnostics();  ///< in the same file
+RecordingFormat evemu_recording();                 ///< events of a Linux input device as evemu-record writes them
 
 // In other_recordings.cpp: they cannot be read.
 RecordingFormat libinput_recording();

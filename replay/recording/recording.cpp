@@ -31,6 +31,7 @@ std::span<const RecordingFormat> formats() {
       usbhid_dump_recording(),
       tablet_debugger_recording(),
       open_tablet_driver_diagnostics(),
+      evemu_recording(),
       libinput_recording(),
       evtest_recording(),
       wireshark_text(),

@@ -157,6 +157,8 @@ MaybeEvent event_of(const ReportDescriptor& descriptor, const Field& field, Usag
       return id == 0x238 ? MaybeEvent(Event{EventType::relative, k_hwheel_fine}) : std::nullopt;
     case hid::k_page_digitizer:
       return digitizer_event(field, id);
+    case hid::k_page_event:
+      return Event{field.bit_size == 1 ? EventType::key : EventType::absolute, id};
     default:
       return is_battery(usage) ? std::nullopt : unknown_event(field);
   }

@@ -5,6 +5,7 @@
 #include "firmware_io/decode/wacom/hand/wacom_hands.h"
 #include "firmware_io/decode/wacom/wacom_models.h"
 #include "firmware_io/decode/wacom/wacom_receiver.h"
+#include "firmware_io/hid/event_mark.h"
 #include "firmware_io/hid/report_descriptor.h"
 
 namespace penpose::decode {
@@ -82,6 +83,7 @@ std::optional<std::vector<std::uint8_t>> light_report(const DeviceIdentity& iden
     return report;
   }
   if (identity.vendor != k_vendor_wacom || identity.report_descriptor.empty()) return std::nullopt;
+  if (hid::has_event_mark(identity.report_descriptor)) return std::nullopt;
   const auto descriptor = hid::parse_report_descriptor(identity.report_descriptor, hid::Strictness::tolerant);
   if (!descriptor) return std::nullopt;
   // A tablet that does not say that it takes the report is not sent it.

@@ -5,6 +5,7 @@
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/decode/sample/report_bytes.h"
 #include "firmware_io/decode/wacom/wacom_models.h"
+#include "firmware_io/hid/event_mark.h"
 
 namespace penpose::decode {
 namespace {
@@ -15,7 +16,8 @@ constexpr std::uint8_t k_status_report = 0x80;
 }  // namespace
 
 bool is_wacom_receiver(const DeviceIdentity& identity) {
-  return identity.bus == k_bus_usb && identity.vendor == k_vendor_wacom && identity.product == k_wacom_receiver;
+  return identity.bus == k_bus_usb && identity.vendor == k_vendor_wacom && identity.product == k_wacom_receiver &&
+         !hid::has_event_mark(identity.report_descriptor);
 }
 
 bool is_receiver_monitor(const DeviceIdentity& identity) {

@@ -41,6 +41,7 @@ constexpr auto k_built_in = std::to_array<BuiltIn>({
 /// Where logind (or elogind) keeps the seats whose users `uaccess` lets in.
 constexpr const char* k_seats = "/run/systemd/seats";
 constexpr const char* k_group = "input";
+constexpr const char* k_join = "sudo usermod -aG input $USER and log in again";
 
 constexpr std::string_view k_head =
     R"(# Pen tablets for penpose: whoever sits at the machine may read them (uaccess), nobody else.
@@ -49,6 +50,8 @@ constexpr std::string_view k_head =
 ACTION=="remove", GOTO="penpose_end"
 )";
 constexpr std::string_view k_tail = "LABEL=\"penpose_end\"\n";
+/// What the kernel makes of tablets, those that are on no bus of HID among them.
+constexpr std::string_view k_event_devices = "SUBSYSTEM==\"input\", KERNEL==\"event*\", ENV{ID_INPUT_TABLET}==\"1\"";
 /// What the rule calls a tablet.
 constexpr const char* k_mark = "PENPOSE_TABLET";
 
@@ -98,15 +101,16 @@ bool in_group(const char* name) {
 }
 
 std::string denied(const LiveTablet& tablet, const std::string& program) {
+  const bool event = tablet.transport == Transport::event;
   if (!rule_is_installed()) {
     return "You may not open it because no udev rule gives you access; run: sudo " + program +
-           " devices --install-udev-rule";
+           " devices --install-udev-rule" +
+           (event && !in_group(k_group) ? ", or join the group " + std::string(k_group) + ": " + k_join : "");
   }
   if (::access(k_seats, F_OK) != 0) {
     if (!in_group(k_group)) {
       return "You may not open it because you are not in the group " + std::string(k_group) +
-             ", which the udev rule lets in where there is no logind; run: sudo usermod -aG " + k_group +
-             " $USER and log in again";
+             ", which the udev rule lets in where there is no logind; run: " + k_join;
     }
   } else if (std::getenv("SSH_CONNECTION") != nullptr) {
     return "You may not open it because the udev rule gives access to whoever sits at the machine, not to a remote "
@@ -149,6 +153,7 @@ std::string udev_rule(const decode::TabletTable& table, const std::vector<LiveTa
   std::string rule(k_head);
   for (const std::uint16_t vendor : k_makers_of_tablets) append_rules(rule, vendor, {});
   for (const auto& [vendor, ids] : products) append_rules(rule, vendor, ids);
+  rule += std::string(k_event_devices) + ", TAG+=\"uaccess\", ENV{" + k_mark + "}=\"1\"\n";
   rule +=
       std::string("ENV{") + k_mark + "}==\"1\", TEST!=\"" + k_seats + "\", GROUP=\"" + k_group + "\", MODE=\"0660\"\n";
   return rule += k_tail;
@@ -175,7 +180,9 @@ base::Status install_udev_rule(const std::string& folder, const std::string& rul
   if (folder != k_rules_folder) return base::Done{};
   const bool applied = run({"udevadm", "control", "--reload", nullptr}) &&
                        run({"udevadm", "trigger", "--action=add", "--subsystem-match=hidraw"}) &&
-                       run({"udevadm", "trigger", "--action=add", "--subsystem-match=usb"});
+                       run({"udevadm", "trigger", "--action=add", "--subsystem-match=usb"}) &&
+                       // Desktops take a device that is added for another one.
+                       run({"udevadm", "trigger", "--action=change", "--subsystem-match=input"});
   if (!applied) {
     return base::Error{"is written, but udev could not be told", path, "plug the tablet in again, or restart"};
   }

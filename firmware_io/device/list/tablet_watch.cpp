@@ -44,8 +44,9 @@ bool same(const LiveTablet& a, const LiveTablet& b) {
   // Taken from the kernel's driver or given back, it is still the same.
   if (!a.interface.usb_name.empty() && (a.access == Access::busy || b.access == Access::busy)) return true;
   // Bound anew, its node is another one although it has the same name.
-  if (a.transport == Transport::hidraw && a.interface.hid_name != b.interface.hid_name) return false;
-  if (a.transport == Transport::hidraw && a.interface.node_made != b.interface.node_made) return false;
+  const bool has_own_node = a.transport != Transport::libusb;
+  if (has_own_node && a.interface.hid_name != b.interface.hid_name) return false;
+  if (has_own_node && a.interface.node_made != b.interface.node_made) return false;
   return a.path() == b.path() && a.access == b.access && a.method == b.method;
 }
 
@@ -53,10 +54,12 @@ bool same(const LiveTablet& a, const LiveTablet& b) {
 std::string place_of(const LiveTablet& tablet) {
   const HidInterface& interface = tablet.interface;
   const bool is_usb = !interface.usb_name.empty();
-  return interface.parent + ' ' + interface.usb_node + ' ' + (is_usb ? interface.usb_name : interface.hid_name);
+  return interface.parent + ' ' + interface.usb_node + ' ' + (is_usb ? interface.usb_name : interface.hid_name) +
+         interface.event_node;
 }
 
-/// No driver yet or no longer, or no node to open.
+/// No driver yet or no longer, or no node to open. An event device may be there before a hidraw node of the same
+/// tablet, which is preferred.
 bool is_on_its_way(const LiveTablet& tablet) {
   return tablet.access == Access::absent || (tablet.interface.hidraw_node.empty() && tablet.access != Access::busy);
 }
@@ -164,6 +167,7 @@ base::Result<TabletWatch> TabletWatch::start(const decode::TabletTable* own) {
   if (!made->monitor) return base::Error{"the system tells nothing of devices that come and go", "", ""};
   udev_monitor_filter_add_match_subsystem_devtype(made->monitor.get(), "hidraw", nullptr);
   udev_monitor_filter_add_match_subsystem_devtype(made->monitor.get(), "usb", nullptr);
+  udev_monitor_filter_add_match_subsystem_devtype(made->monitor.get(), "input", nullptr);
   const bool receives = udev_monitor_enable_receiving(made->monitor.get()) >= 0;
   if (receives) made->listen();
   if (made->either.get() < 0) {

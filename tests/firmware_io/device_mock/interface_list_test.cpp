@@ -189,6 +189,51 @@ TEST_F(MockDevices, ATabletThatNeverGetsANodeArrivesAfterAWhile) {
   EXPECT_TRUE(watch->next(0).empty());
 }
 
+TEST_F(MockDevices, APenWithoutHidIsReadThroughItsEventDevice) {
+  plug_in_i2c("/devices/i2c-1/1-0009");
+  plug_in_event_pen("/devices/i2c-1/1-0009", 4, "Wacom I2C Digitizer");
+  const auto list = tablets();
+  ASSERT_EQ(list.size(), 1u);
+  EXPECT_EQ(list[0].path(), "/dev/input/event4");
+  EXPECT_EQ(list[0].transport, Transport::event);
+  EXPECT_EQ(list[0].carries, Carries::pen);
+  EXPECT_EQ(list[0].interface.identity.name, "Wacom I2C Digitizer");
+  EXPECT_EQ(list[0].interface.identity.bus, 0x18);
+  EXPECT_NE(list[0].interface.parent.find("1-0009"), std::string::npos);
+  EXPECT_EQ(list[0].access, Access::allowed);
+  EXPECT_FALSE(list[0].interface.made_by_program);
+  EXPECT_TRUE(list[0].wake_up().empty()) << "the kernel's driver has done that";
+}
+
+TEST_F(MockDevices, WhereHidrawMayBeOpenedItsEventDeviceIsNotListed) {
+  plug_in_ink();
+  plug_in_event_pen("/devices/pci0000:00/usb1/1-1/1-1:1.0/0003:1B96:0001.0000", 4, "Ink pen");
+  auto list = tablets();
+  ASSERT_EQ(list.size(), 1u);
+  EXPECT_EQ(list[0].path(), "/dev/hidraw0");
+  protect("/dev/hidraw0", 0);
+  const int status = as_nobody([] {
+    const auto found = tablets();
+    if (found.size() != 1 || found[0].path() != "/dev/input/event4") return 1;
+    return found[0].access == Access::allowed && found[0].reason == "its HID interface cannot be opened" ? 0 : 2;
+  });
+  EXPECT_EQ(status, 0);
+}
+
+TEST_F(MockDevices, WithoutPermissionForAnEventDeviceTheGroupIsNamed) {
+  plug_in_i2c("/devices/i2c-1/1-0009");
+  plug_in_event_pen("/devices/i2c-1/1-0009", 4, "Wacom I2C Digitizer");
+  protect("/dev/input/event4", 0);
+  const int status = as_nobody([] {
+    const auto list = tablets();
+    if (list.size() != 1 || list[0].access != Access::denied) return 1;
+    const std::string said = missing(list[0], "/opt/penpose");
+    if (said.find("run: sudo /opt/penpose devices --install-udev-rule") == std::string::npos) return 2;
+    return said.find("sudo usermod -aG input $USER") != std::string::npos ? 0 : 3;
+  });
+  EXPECT_EQ(status, 0);
+}
+
 TEST_F(MockDevices, DamagedFactsAreSurvived) {
   plug_in("1-1", 0, std::vector<std::uint8_t>(300, 0xff), "Nonsense", "hid-generic", "ZZZZ", "0");
   plug_in("1-2", 0, {}, "", "hid-generic", "1B96", "0001");

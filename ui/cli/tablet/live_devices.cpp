@@ -41,6 +41,11 @@ std::string beside(const device::LiveTablet& tablet) {
   return text;
 }
 
+const char* word(device::Transport transport) {
+  if (transport == device::Transport::event) return "event device";
+  return transport == device::Transport::libusb ? "libusb" : "hidraw";
+}
+
 Json or_null(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
 Json to_json(const device::LiveTablet& tablet) {
@@ -58,10 +63,12 @@ Json to_json(const device::LiveTablet& tablet) {
            {"method", tablet.method},
            {"tablet", nullptr},
            {"certain", tablet.match && tablet.match->certain},
-           {"transport", tablet.transport == device::Transport::libusb ? "libusb" : "hidraw"},
+           {"transport", word(tablet.transport)},
+           {"transport_reason", tablet.reason},
            {"driver", or_null(interface.driver)},
            {"node", or_null(tablet.node())},
            {"hidraw", or_null(interface.hidraw_node)},
+           {"event", or_null(interface.event_node)},
            {"usb", or_null(interface.usb_name)},
            {"device", interface.parent},
            {"can_open", tablet.access == device::Access::allowed},
@@ -82,6 +89,8 @@ void print(const device::LiveTablet& tablet) {
     std::cout << " (" << base::shown_name(tablet.match->tablet->vendor + " " + tablet.match->tablet->name) << ')';
   }
   std::cout << (tablet.access == device::Access::allowed ? ", can be opened\n" : ", cannot be opened\n");
+  std::cout << "    through " << (tablet.transport == device::Transport::event ? "its " : "") << word(tablet.transport)
+            << ": " << tablet.reason << '\n';
   if (const auto why = device::missing(tablet, files::own_program()); !why.empty())
     std::cout << "    " << base::shown_line(why, k_longest_line) << '\n';
 }

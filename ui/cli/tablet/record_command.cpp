@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <poll.h>
@@ -9,6 +10,7 @@
 
 #include "core/base/text/shown_text.h"
 #include "firmware_io/device/clock.h"
+#include "firmware_io/device/list/event_list.h"
 #include "firmware_io/device/list/interface_list.h"
 #include "firmware_io/device/list/permission.h"
 #include "firmware_io/device/list/tablet_watch.h"
@@ -43,13 +45,15 @@ base::Result<std::vector<device::LiveTablet>> wanted_tablets(const Options& opti
   if (!options.device.empty()) {
     auto interfaces = device::list_interfaces();
     if (!interfaces) return interfaces.error();
+    auto events = device::list_event_devices();
+    std::move(events.begin(), events.end(), std::back_inserter(*interfaces));
     for (auto& interface : *interfaces) {
-      const bool named = options.device == interface.hidraw_node || options.device == "usb:" + interface.usb_name;
-      if (!named || options.device.empty()) continue;
+      const bool event = options.device == interface.event_node;
+      const bool hidraw = options.device == interface.hidraw_node;
+      if (!event && !hidraw && options.device != "usb:" + interface.usb_name) continue;
       auto tablet = device::recognise(std::move(interface), own);
       // Whoever names a path wants it read that way.
-      tablet.use(options.device == tablet.interface.hidraw_node ? device::Transport::hidraw
-                                                                : device::Transport::libusb);
+      tablet.use(event ? device::Transport::event : hidraw ? device::Transport::hidraw : device::Transport::libusb);
       return std::vector<device::LiveTablet>{std::move(tablet)};
     }
     return base::Error{"no such device is plugged in", options.device, "`penpose devices` lists them"};
@@ -74,7 +78,7 @@ struct Recorded {
 /// The same for an interface as long as it is plugged in, whoever has it.
 std::string place_of(const device::LiveTablet& tablet) {
   // A receiver's nodes are made anew when it hears another tablet.
-  const bool has_node = tablet.transport == device::Transport::hidraw;
+  const bool has_node = tablet.transport != device::Transport::libusb;
   return tablet.interface.parent + " " + tablet.interface.usb_node + " " + tablet.interface.usb_name + " " +
          (has_node ? std::to_string(tablet.interface.node_made) : "");
 }

@@ -50,6 +50,28 @@ class MockSystem : public testing::Test {
     ASSERT_TRUE(umockdev_testbed_add_from_string(testbed_, text.c_str(), &error)) << error->message;
   }
 
+  /// An input device below `parent` ("/devices/platform/i2c-1") with a pen and its node, /dev/input/event`number`.
+  void plug_in_event_pen(const std::string& parent, int number, const std::string& name) {
+    const std::string index = std::to_string(number);
+    const std::string input = parent + "/input/input" + index;
+    // Pen, eraser, contact and two buttons; position, pressure, distance and tilt.
+    const std::string keys = sizeof(long) == 8 ? "1c03 0 0 0 0 0" : "1c03 0 0 0 0 0 0 0 0 0 0";
+    std::string text =
+        "P: " + input + "\nE: SUBSYSTEM=input\nA: name=" + name +
+        "\\n\nA: phys=\\n\nA: id/bustype=0018\\n\nA: id/vendor=056a\\n\nA: id/product=00b8\\n\nA: capabilities/key=" +
+        keys + "\\n\nA: capabilities/abs=f000003\\n\nA: capabilities/rel=0\\n\n\n";
+    text += "P: " + input + "/event" + index + "\nN: input/event" + index + "\nL: device=../../input" + index +
+            "\nE: DEVNAME=/dev/input/event" + index + "\nE: SUBSYSTEM=input\n\n";
+    GError* error = nullptr;
+    ASSERT_TRUE(umockdev_testbed_add_from_string(testbed_, text.c_str(), &error)) << error->message;
+  }
+  /// An I2C device without HID, for event pens below it.
+  void plug_in_i2c(const std::string& path) {
+    const std::string text = "P: " + path + "\nE: SUBSYSTEM=i2c\n\n";
+    GError* error = nullptr;
+    ASSERT_TRUE(umockdev_testbed_add_from_string(testbed_, text.c_str(), &error)) << error->message;
+  }
+
   /// Takes away the device whose hidraw node was the n-th to come, and tells.
   void pull_out(std::size_t n) {
     std::string path = "/sys" + hidraw_[n];

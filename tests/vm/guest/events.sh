@@ -1,0 +1,100 @@
+# The job of events_test.py: pens through the kernel's event devices.
+. /functions.sh
+count=$(cat /count)
+# event_node NAME: the node of the input device whose name begins so.
+event_node() {
+  for d in /sys/class/input/event*; do
+    case "$(cat "$d/device/name")" in "$1"*) echo "/dev/input/${d##*/}" ;; esac
+  done
+}
+has_event_node() { [ -n "$(event_node "$1")" ]; }
+gone() { ! has_event_node "$1"; }
+penpose devices >/out/none.txt
+
+# --- One pen of which the kernel makes both nodes, read both ways at once.
+stage both
+virtual_tablet uhid /traces/ink.hid --go /tmp/go_both --keep /tmp/keep_both >/out/both.sent 2>&1 &
+until_true 30 has_event_node "Ink pen"
+until_true 30 test -e /dev/hidraw0
+penpose devices --json >/out/both.json
+penpose devices >/out/both.txt
+record_until_ready both_event --device "$(event_node "Ink pen")"
+event_recorder=$recorder
+record_until_ready both_hidraw --device /dev/hidraw0
+touch /tmp/go_both
+until_true 400 grep -q ^sent /out/both.sent
+sleep 1
+touch /tmp/keep_both
+wait "$event_recorder"
+echo $? >/out/both_event.status
+end_record both_hidraw
+until_true 20 gone "Ink pen"
+
+# --- A pen that has an event device alone, with a pad and fingers beside it; it is unplugged while it draws.
+stage alone
+pump_probe watch /tmp/stop_watch >/out/watch.log 2>&1 &
+until_true 20 grep -q watching /out/watch.log
+for part in pen pad fingers; do
+  virtual_input /traces/$part.evemu --go /tmp/go_$part --keep /tmp/keep_$part --place board/input0 --unplug-after "$count" >/out/$part.sent 2>&1 &
+done
+until_true 30 has_event_node "Board Pen"
+until_true 30 has_event_node "Board Pad"
+until_true 30 has_event_node "Board Finger"
+penpose devices --json >/out/alone.json
+penpose devices >/out/alone.txt
+record_until_ready alone
+until_true 30 all_have 3 ^recording /out/alone.err
+touch /tmp/go_pad /tmp/go_fingers
+until_true 30 all_have 2 ^sent /out/pad.sent /out/fingers.sent
+touch /tmp/keep_pad
+touch /tmp/go_pen
+until_true 400 grep -q ^sent /out/pen.sent
+touch /tmp/keep_fingers
+touch /tmp/keep_pen
+end_record alone
+until_true 20 grep -q "^left .*Board Pen" /out/watch.log
+touch /tmp/stop_watch
+
+# --- What the kernel's queue cannot hold while the program stands still is told, and the state after it is right.
+stage stalled
+virtual_input /traces/short.evemu --go /tmp/go_stalled --keep /tmp/keep_stalled >/out/stalled.sent 2>&1 &
+until_true 30 has_event_node "Short Pen"
+record_until_ready stalled
+kill -STOP "$recorder"
+touch /tmp/go_stalled
+until_true 30 grep -q ^sent /out/stalled.sent
+kill -CONT "$recorder"
+sleep 1
+touch /tmp/keep_stalled
+end_record stalled
+until_true 20 gone "Short Pen"
+
+# --- Somebody in the group `input`, who may not open hidraw; somebody who may open neither; a program that has it alone.
+stage rights
+echo 'root:x:0:0:root:/:/bin/sh' >/etc/passwd
+echo 'pen:x:1000:1000:pen:/tmp:/bin/sh' >>/etc/passwd
+echo 'guest:x:1001:1001:guest:/tmp:/bin/sh' >>/etc/passwd
+printf 'root:x:0:\ninput:x:104:pen\npen:x:1000:\nguest:x:1001:\n' >/etc/group
+chmod 777 /out /tmp
+virtual_tablet uhid /traces/small.hid --go /tmp/go_small --keep /tmp/keep_small >/out/small.sent 2>&1 &
+until_true 30 has_event_node "Small pen"
+until_true 30 test -e /dev/hidraw0
+chmod 600 /dev/hidraw0
+node=$(event_node "Small pen")
+chgrp input "$node"
+chmod 660 "$node"
+su -s /bin/sh guest -c "penpose devices" >/out/guest.txt 2>&1
+su -s /bin/sh pen -c "penpose devices --json" >/out/member.json 2>/out/member.err
+su -s /bin/sh pen -c "penpose record -o /out/member.hid" >/out/member.out 2>/out/member.log &
+recorder=$!
+until_true 30 grep -q recording /out/member.log
+touch /tmp/go_small
+until_true 60 grep -q ^sent /out/small.sent
+touch /tmp/keep_small
+end_record member
+until_true 20 gone "Small pen"
+
+# --- What was recorded, drawn here.
+stage replay
+penpose replay /out/member.hid --model builtin:head --session /out/here.session --json >/out/here.json 2>/out/here.err
+stage end
