@@ -224,13 +224,13 @@ HandDecoders make_hand_decoders(const DeviceIdentity& device, const TabletTable*
     if (!made.touch) made.touch = make_table_touch(match->identifier->protocol, match->tablet);
   }
   if (wacom) return made;
-  auto power = find_battery(descriptor);
+  const auto power = find_battery(descriptor);
   if (auto pad = find_described_pad(descriptor)) {
     const int keys = match && match->certain ? match->tablet->pad_keys : 0;
-    made.pad = std::make_unique<DescribedPadDecoder>(std::move(*pad), std::move(power), std::move(made.pad),
+    made.pad = std::make_unique<DescribedPadDecoder>(std::move(*pad), power, std::move(made.pad),
                                                      static_cast<unsigned>(std::max(keys, 0)));
   } else if (power && !made.pad) {
-    made.pad = std::make_unique<BatteryDecoder>(std::move(*power));
+    made.pad = std::make_unique<BatteryDecoder>(*power);
   }
   return made;
 }

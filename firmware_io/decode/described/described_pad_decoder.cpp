@@ -15,12 +15,12 @@ bool counts_steps(const DescribedPadControl& control) {
 
 }  // namespace
 
-DescribedPadDecoder::DescribedPadDecoder(DescribedPad pad, std::optional<BatteryLayout> battery,
+DescribedPadDecoder::DescribedPadDecoder(DescribedPad pad, const std::optional<BatteryLayout>& battery,
                                          std::unique_ptr<PadDecoder> vendor, unsigned keys)
     : PadDecoder(pad.features),
       pad_(std::move(pad)),
       last_(pad_.controls.size()),
-      charge_(std::move(battery)),
+      charge_(battery),
       vendor_(std::move(vendor)) {
   if (keys > 0) {
     PadKeys kept;

@@ -17,7 +17,7 @@ namespace penpose::decode {
 class DescribedPadDecoder final : public PadDecoder {
  public:
   /// `vendor` may be null. `keys`: how many the tablet has; 0: unknown.
-  DescribedPadDecoder(DescribedPad pad, std::optional<BatteryLayout> battery, std::unique_ptr<PadDecoder> vendor,
+  DescribedPadDecoder(DescribedPad pad, const std::optional<BatteryLayout>& battery, std::unique_ptr<PadDecoder> vendor,
                       unsigned keys);
 
   bool decode(base::Bytes report) override;
