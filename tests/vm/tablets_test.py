@@ -79,7 +79,7 @@ def run_machine(options):
         vm.wait_for_mark('pull')
         vm.command('device_del', id='pen')
         vm.wait_for_mark('again')
-        vm.command('device_add', driver='usb-wacom-tablet', bus='usb.0', id='pen')
+        vm.command('device_add', driver='usb-wacom-tablet', bus='usb.0', id='pen', pcap=os.path.join(options.work, 'penpartner.pcap'))
         vm.wait_for_mark('draw')
         pen = Pen(vm)
         pen.draw()
@@ -164,6 +164,11 @@ class Tablets(unittest.TestCase):
         self.assertEqual(strokes, strokes_of(PEN.sent))
         self.assertEqual(len(strokes), 3)
         self.assertIn(' 3 strokes', self.text('penpartner.out'))
+
+    def test_the_capture_that_the_emulator_makes_itself_holds_the_same(self):
+        with open(os.path.join(OPTIONS.work, 'penpartner.pcap'), 'rb') as f:
+            RESULTS['penpartner.pcap.hid'] = f.read()
+        self.assertEqual(self.samples('penpartner.pcap'), self.samples('penpartner'))
 
     def test_without_its_driver_it_is_made_a_pen_before_its_first_report(self):
         self.assertEqual(self.text('hid_driver_before'), 'wacom')

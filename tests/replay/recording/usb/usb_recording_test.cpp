@@ -84,6 +84,15 @@ TEST(UsbRecording, WhatWasPluggedInBeforeHasNoIdsButReports) {
             "D: 1\nR: 0\nN: USB device without descriptors\nP: usb-001:005\nI: 3 0000 0000\nE: 0.000250 2 01 01\n");
 }
 
+TEST(UsbRecording, WithoutReportDescriptorsTheIdsAreKnown) {
+  // As USBPcap puts in front what it is told to inject.
+  const UsbTablet wacom{1, 3, 0x056a, 0x00b8, {{}}, {}};
+  UsbCapture capture(CaptureForm::usbpcap);
+  capture.plug_in(wacom).report(wacom, 0, {2, 0xc2});
+  EXPECT_EQ(text_of(capture.pcap()),
+            "D: 0\nR: 0\nN: HID 056a:00b8\nP: usb-001:003/input0\nI: 3 056a 00b8\nE: 0.000000 2 02 c2\n");
+}
+
 TEST(UsbRecording, ADescriptorThatIsAskedForLaterIsDeclaredThen) {
   UsbCapture capture;
   UsbTablet ink{1, 6, 0x1b96, 0x1000, {tests::ink_descriptor()}, {}};
