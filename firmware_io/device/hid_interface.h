@@ -19,7 +19,7 @@ struct HidInterface {
   std::string driver;           ///< of the kernel: "wacom", "hid-generic", "usbfs" (a program has it); empty where none
   std::string hid_name;         ///< of the kernel's HID device, new each time a driver is bound: "0003:056A:00B8.0002"
   std::string parent;           ///< the same for all interfaces of one device, and while it is plugged in
-  bool made_by_program = false; ///< an input device without hardware (uinput)
+  bool made_by_program = false;  ///< an input device without hardware (uinput)
 
   /// `physical` as in a trace: for USB interfaces it ends in "/inputN", the interface's number.
   [[nodiscard]] std::string trace_path() const {

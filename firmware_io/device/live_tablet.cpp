@@ -155,9 +155,7 @@ const std::string& LiveTablet::node() const {
   return transport == Transport::libusb ? interface.usb_node : interface.hidraw_node;
 }
 
-std::string LiveTablet::path() const {
-  return transport == Transport::libusb ? "usb:" + interface.usb_name : node();
-}
+std::string LiveTablet::path() const { return transport == Transport::libusb ? "usb:" + interface.usb_name : node(); }
 
 WakeUp LiveTablet::wake_up() const {
   if (transport == Transport::event) return {};

@@ -71,9 +71,9 @@ using ReadString = std::function<base::Result<std::string>(const std::string& us
                                    const ReadString& read_string = {});
 
 /// Puts event devices in the place of the interfaces of the same device where none of those can be opened, or none is
-/// recognised, so that no tablet is listed twice. Where neither way is open, the interfaces remain. What a program makes
-/// (uinput) counts only where no other pen can be opened, because it may be made of one. `all` are the recognised and
-/// unrecognised interfaces, of which `tablets` are a part.
+/// recognised, so that no tablet is listed twice. Where neither way is open, the interfaces remain. What a program
+/// makes (uinput) counts only where no other pen can be opened, because it may be made of one. `all` are the recognised
+/// and unrecognised interfaces, of which `tablets` are a part.
 [[nodiscard]] std::vector<LiveTablet> with_event_devices(std::vector<LiveTablet> tablets,
                                                          const std::vector<HidInterface>& all,
                                                          std::vector<LiveTablet> events);
@@ -83,8 +83,8 @@ using ReadString = std::function<base::Result<std::string>(const std::string& us
 [[nodiscard]] base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* own = nullptr,
                                                                  const std::vector<LiveTablet>& before = {});
 
-/// Opens it through `transport`. If only the device itself knows its descriptor or ranges, reads them and recognises the
-/// tablet again. Errors say what is missing.
+/// Opens it through `transport`. If only the device itself knows its descriptor or ranges, reads them and recognises
+/// the tablet again. Errors say what is missing.
 [[nodiscard]] base::Result<std::unique_ptr<ReportSource>> open_tablet(LiveTablet& tablet,
                                                                       const decode::TabletTable* own = nullptr);
 

@@ -40,7 +40,9 @@ std::optional<std::uint64_t> from_hex(std::string_view digits) {
   return value;
 }
 
-std::uint16_t read_id(const std::string& path) { return static_cast<std::uint16_t>(from_hex(read_line(path)).value_or(0)); }
+std::uint16_t read_id(const std::string& path) {
+  return static_cast<std::uint16_t>(from_hex(read_line(path)).value_or(0));
+}
 
 /// The numbers of the bits that are set; the most significant part comes first.
 std::vector<std::uint16_t> read_bits(const std::string& path) {

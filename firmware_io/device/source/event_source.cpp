@@ -45,8 +45,7 @@ event::EventAxes axes_of(const libevdev* device) {
   codes(EV_MSC, MSC_MAX, axes.mscs);
   for (unsigned code = 0; code <= ABS_MAX; ++code) {
     const input_absinfo* info = libevdev_get_abs_info(device, code);
-    if (info != nullptr)
-      axes.abs[static_cast<std::uint16_t>(code)] = {info->minimum, info->maximum, info->resolution};
+    if (info != nullptr) axes.abs[static_cast<std::uint16_t>(code)] = {info->minimum, info->maximum, info->resolution};
   }
   for (unsigned property = 0; property <= INPUT_PROP_MAX; ++property) {
     if (libevdev_has_property(device, property) == 1) axes.properties.insert(static_cast<std::uint16_t>(property));
@@ -75,7 +74,8 @@ void begin(event::EventEncoder& encoder, const event::EventAxes& axes, const lib
 
 class EventSource final : public ReportSource {
  public:
-  EventSource(OpenDevice handle, event::EventEncoder encoder) : handle_(std::move(handle)), encoder_(std::move(encoder)) {}
+  EventSource(OpenDevice handle, event::EventEncoder encoder)
+      : handle_(std::move(handle)), encoder_(std::move(encoder)) {}
 
   ReadOutcome read(std::span<std::uint8_t> into, int timeout_ms) override {
     bool waited = false;
@@ -150,7 +150,8 @@ base::Result<std::unique_ptr<ReportSource>> open_event_device(HidInterface& inte
   OpenDevice handle(made);
   // One that another program has for itself gives nothing to anybody else. It is asked for and let go at once: as
   // hidraw does, the events go to the desktop as well.
-  if (libevdev_grab(made, LIBEVDEV_GRAB) == -EBUSY) return fail(EBUSY, "close the other program that has it for itself");
+  if (libevdev_grab(made, LIBEVDEV_GRAB) == -EBUSY)
+    return fail(EBUSY, "close the other program that has it for itself");
   libevdev_grab(made, LIBEVDEV_UNGRAB);
   libevdev_set_clock_id(made, CLOCK_MONOTONIC);
   const event::EventAxes axes = axes_of(made);
