@@ -6,9 +6,9 @@
 namespace penpose::replay {
 namespace {
 
-/// Text of reports, which differ, packs to a twentieth at best; a pen that lies still to a hundredth.
-constexpr std::uint64_t k_most_growth = 200;
-constexpr std::uint64_t k_always_unpacked = std::uint64_t{16} << 20;
+/// Recordings of real tablets pack to a tenth at best, that of a pen that lies still to a twentieth.
+constexpr std::uint64_t k_most_growth = 100;
+constexpr std::uint64_t k_always_unpacked = std::uint64_t{8} << 20;
 /// As much as is read of a file that is not packed.
 constexpr std::uint64_t k_most_unpacked = std::uint64_t{1} << 31;
 /// zlib's: 15 is the largest window, 16 takes gzip alone.
