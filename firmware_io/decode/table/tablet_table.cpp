@@ -123,6 +123,8 @@ std::optional<TabletMatch> TabletTable::find(const DeviceIdentity& device) const
       found->score += k_met_in_name;
       found->told = true;
     }
+    // Text of other programs names a tablet as its table does.
+    if (device.name == tablet.vendor + ' ' + tablet.name) found->score += k_met_string;
     candidates.push_back({&tablet, &identifier, is_pad, *found});
   };
   for (const auto& tablet : tablets_) {

@@ -230,6 +230,19 @@ TEST(TabletTable, ATabletCanBeChosenByItsName) {
   EXPECT_FALSE(known_tablets().choose("").ok());
 }
 
+TEST(TabletTable, AWholeNameTellsMoreThanAWordOfIt) {
+  DeviceIdentity device;
+  device.vendor = 0x256c;
+  device.product = 0x006e;
+  for (const char* name : {"New 1060 Plus", "1060 Plus", "H640P"}) {
+    device.name = std::string("Huion ") + name;
+    const auto found = known_tablets().find(device);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->tablet->name, name);
+    EXPECT_EQ(found->others, 0u) << name;
+  }
+}
+
 TEST(TabletTable, WhatNothingTellsApartIsReadAsMostOfItIs) {
   auto device = huion(0x006e, "");
   device.input_report_length = 8;
