@@ -43,8 +43,8 @@ std::optional<UsbPacket> read_usbmon(const CapturedPacket& captured, std::size_t
   if (!packet.is_answer && packet.transfer == UsbTransfer::control && bytes[14] == 0)
     packet.setup = setup_of(bytes.subspan(40));
   packet.length = static_cast<std::size_t>(field(32, 4));
-  // Anything but 0 says why there are no data.
-  if (bytes[15] == 0) {
+  // The kernel writes 0 where data follow, QEMU the sign of usbmon's text; anything else says why there are none.
+  if (bytes[15] == 0 || bytes[15] == '=') {
     packet.data = bytes.subspan(header);
     packet.data = packet.data.first(std::min(packet.data.size(), static_cast<std::size_t>(field(36, 4))));
   }

@@ -88,8 +88,10 @@ void UsbRecording::take(const UsbPacket& packet) {
 }
 
 void UsbRecording::take_control(const UsbPacket& packet) {
+  const Place place{packet.bus, packet.device};
+  const std::pair id{place, packet.id};
   if (!packet.is_answer) {
-    requests_.erase(packet.id);
+    requests_.erase(id);
     if (!packet.setup) return;
     const std::uint8_t type = (*packet.setup)[0];
     const std::uint8_t request = (*packet.setup)[1];
@@ -97,15 +99,15 @@ void UsbRecording::take_control(const UsbPacket& packet) {
     const bool sets = request == k_set_configuration && type == 0;
     if (!asks && !sets) return;
     if (requests_.size() >= k_most_requests) requests_.clear();
-    requests_[packet.id] = {*packet.setup, {packet.bus, packet.device}};
+    requests_[id] = *packet.setup;
     return;
   }
-  const auto found = requests_.find(packet.id);
+  const auto found = requests_.find(id);
   if (found == requests_.end()) return;
-  const Request request = found->second;
+  const Setup setup = found->second;
   requests_.erase(found);
   // An answer that was captured in part would say less than the device did.
-  if (packet.succeeded && packet.data.size() >= packet.length) take_answer(request, packet.data);
+  if (packet.succeeded && packet.data.size() >= packet.length) take_answer(place, setup, packet.data);
 }
 
 UsbRecording::Known* UsbRecording::known_at(const Place& place) {
@@ -116,10 +118,9 @@ UsbRecording::Known* UsbRecording::known_at(const Place& place) {
   return &known_[place];
 }
 
-void UsbRecording::take_answer(const Request& request, base::Bytes data) {
-  Known* known = known_at(request.place);
+void UsbRecording::take_answer(const Place& place, const Setup& setup, base::Bytes data) {
+  Known* known = known_at(place);
   if (known == nullptr) return;
-  const auto& setup = request.setup;
   const auto index = static_cast<std::uint16_t>(wire_number(setup, 4, 2, false));
   if (setup[1] == k_set_configuration) {
     known->usb.choose_configuration(setup[2]);
@@ -156,7 +157,7 @@ void UsbRecording::take_answer(const Request& request, base::Bytes data) {
     default:
       break;
   }
-  if (is_news) news_.insert(request.place);
+  if (is_news) news_.insert(place);
 }
 
 /// Where the reports of an endpoint belong; nothing where they are none of HID.

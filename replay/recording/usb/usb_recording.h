@@ -32,6 +32,7 @@ class UsbRecording {
 
  private:
   using Place = std::pair<std::uint16_t, std::uint16_t>;  ///< bus and address
+  using Setup = std::array<std::uint8_t, 8>;
 
   /// A device of the trace.
   struct Shown {
@@ -44,14 +45,10 @@ class UsbRecording {
     std::map<int, Shown> shown;  ///< by interface; k_unknown_interface and the endpoint's number where that is unknown
     std::set<int> new_strings;   ///< that came after a declaration
   };
-  struct Request {
-    std::array<std::uint8_t, 8> setup{};
-    Place place;
-  };
 
   void take(const UsbPacket& packet);
   void take_control(const UsbPacket& packet);
-  void take_answer(const Request& request, base::Bytes data);
+  void take_answer(const Place& place, const Setup& setup, base::Bytes data);
   void take_report(const UsbPacket& packet);
   Known* known_at(const Place& place);
   std::optional<int> shown_interface(Known& known, const UsbPacket& packet);
@@ -63,8 +60,9 @@ class UsbRecording {
   CaptureReader capture_;
   TraceWriter writer_;
   std::map<Place, Known> known_;
-  std::set<Place> news_;                       ///< where something is to be declared
-  std::map<std::uint64_t, Request> requests_;  ///< without an answer so far
+  std::set<Place> news_;  ///< where something is to be declared
+  /// Without an answer so far. QEMU gives all of a device the same id.
+  std::map<std::pair<Place, std::uint64_t>, Setup> requests_;
   std::size_t descriptor_bytes_ = 0;
   int numbers_ = 0;
   std::uint64_t packets_ = 0;

@@ -53,6 +53,12 @@ TEST(UsbRecording, ATabletThatIsPluggedInAndDrawnWithBecomesATrace) {
   }
 }
 
+TEST(UsbRecording, WhatQemuCapturesIsReadToo) {
+  UsbCapture capture;
+  capture.plug_in(huion()).report(huion(), 0, {8, 1}).as_qemu_writes();
+  EXPECT_EQ(text_of(capture.pcap()), k_huion + "D: 0\nE: 0.000000 2 08 01\n");
+}
+
 TEST(UsbRecording, EachTabletOfACaptureIsADevice) {
   const UsbTablet ink{2, 7, 0x1b96, 0x1000, {tests::ink_descriptor()}, {{1, "N-trig"}, {2, "Pen"}}};
   UsbCapture capture;

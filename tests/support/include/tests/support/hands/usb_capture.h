@@ -103,6 +103,15 @@ class UsbCapture {
     return *this;
   }
 
+  /// As QEMU writes them: no ids, and a sign where data follow.
+  UsbCapture& as_qemu_writes() {
+    for (auto& [time, packet] : packets_) {
+      std::fill_n(packet.begin(), 8, std::uint8_t{0});
+      if (packet[15] == 0) packet[15] = '=';
+    }
+    return *this;
+  }
+
   UsbCapture& wait_us(std::int64_t micros) {
     time_us_ += micros;
     return *this;
