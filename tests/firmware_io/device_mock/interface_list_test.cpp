@@ -211,6 +211,8 @@ TEST_F(MockDevices, WhereHidrawMayBeOpenedItsEventDeviceIsNotListed) {
   auto list = tablets();
   ASSERT_EQ(list.size(), 1u);
   EXPECT_EQ(list[0].path(), "/dev/hidraw0");
+  ASSERT_EQ(::chmod(real("/dev/input").c_str(), 0755), 0);
+  protect("/dev/input/event4", 0644);
   protect("/dev/hidraw0", 0);
   const int status = as_nobody([] {
     const auto found = tablets();
