@@ -66,7 +66,7 @@ class Captures(unittest.TestCase):
 
     def test_a_capture_that_began_after_plugging_in_says_so(self):
         run = decode('late.pcap', '--csv')
-        self.assertIn('begin', run.stderr)
+        self.assertIn('does not say which tablet', run.stderr)
         self.assertIn('plug', run.stderr)
         self.assertEqual(len(run.stderr.splitlines()), 1, run.stderr)
 

@@ -27,7 +27,8 @@ base::Error why_unread(const RowlessReports& reports) {
   if (!is_named && reports.refused.report_descriptor.empty()) {
     why.what = "the recording does not say which tablet it is of";
     why.remedy =
-        "name the tablet with --tablet NAME, or its reports with --protocol NAME; `penpose devices --known` lists both";
+        "name the tablet with --tablet NAME, or its reports with --protocol NAME; `penpose devices --known` lists both"
+        "; a capture of USB begins before the tablet is plugged in";
   } else if (!is_named) {
     why.remedy =
         "name the tablet with --tablet NAME, which the recording does not; `penpose devices --known` lists them";
