@@ -62,6 +62,11 @@ def times(content):
     return [int(s) * 1000000 + int(u) for s, u in found]
 
 
+def rate(content):
+    took = times(content)
+    return f'{len(took) * 1e6 / max(took[-1] - took[0], 1):.0f} reports a second on the average'
+
+
 class Events(unittest.TestCase):
     def text(self, name):
         self.assertIn(name, sorted(RESULTS), 'the machine left no such file')
@@ -85,7 +90,8 @@ class Events(unittest.TestCase):
         through_hidraw = decoded('both_hidraw.hid', RESULTS['both_hidraw.hid'])
         through_events = decoded('both_event.hid', RESULTS['both_event.hid'])
         print(f'{len(through_events)} samples through the event device, {len(through_hidraw)} through hidraw; '
-              f'equal: {sum(a == b for a, b in zip(through_events, through_hidraw))} of {OPTIONS.count}', flush=True)
+              f'equal: {sum(a == b for a, b in zip(through_events, through_hidraw))} of {OPTIONS.count}; '
+              f'{rate(RESULTS["both_event.hid"])}', flush=True)
         self.assertIn(' 0 lost', self.text('both_event.out'))
         self.assertEqual(len(through_hidraw), OPTIONS.count)
         self.assertTrue(through_events[:OPTIONS.count] == through_hidraw)
@@ -108,7 +114,8 @@ class Events(unittest.TestCase):
     def test_all_of_its_samples_arrive_up_to_its_unplugging(self):
         samples = decoded('alone.hid', RESULTS['alone.hid'])
         sent = decoded('pen.evemu', PEN)
-        print(f'{len(samples)} of {len(sent)} samples of the pen alone; equal: {sum(a == b for a, b in zip(samples, sent))}', flush=True)
+        print(f'{len(samples)} of {len(sent)} samples of the pen alone; equal: {sum(a == b for a, b in zip(samples, sent))}; '
+              f'{rate(RESULTS["alone.hid"])}', flush=True)
         self.assertEqual(self.text('alone.status'), '0', self.text('alone.err'))
         self.assertIn('Board Pen was unplugged', self.text('alone.err'))
         self.assertTrue(samples[:OPTIONS.count] == sent)
