@@ -91,10 +91,6 @@ std::unique_ptr<PenDecoder> make_wacom_decoder(const WacomModel& model) {
 }
 
 base::Error unreadable(const DeviceIdentity& device, const std::optional<base::Error>& descriptor_error) {
-  if (device.vendor == 0 && device.product == 0 && device.report_descriptor.empty()) {
-    return {"the recording does not say which tablet it is: it has neither ids nor descriptors", device.name,
-            "begin recording before the tablet is plugged in, or name it with --tablet NAME"};
-  }
   base::Error error{"no pen that is known: neither its descriptor nor the table of tablets says how to read it",
                     device.name, "name a protocol, or add the tablet with a file of your own"};
   if (descriptor_error) {

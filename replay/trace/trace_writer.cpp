@@ -29,9 +29,9 @@ void TraceWriter::cut_report(int device, std::int64_t time_us, std::size_t lengt
   append_cut_report(out_, time_us, length, first, style_);
 }
 
-void TraceWriter::comment(int device, std::string_view text) {
+void TraceWriter::string(int device, int index, std::string_view text) {
   switch_to(device);
-  comment(text);
+  append_string(out_, index, text, style_);
 }
 
 void TraceWriter::comment(std::string_view text) { append_comment(out_, text, style_); }

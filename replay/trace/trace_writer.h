@@ -41,8 +41,8 @@ class TraceWriter {
 
   /// One comment line; line breaks become blanks.
   void comment(std::string_view text);
-  /// One that belongs to a device: it stands behind lines of it.
-  void comment(int device, std::string_view text);
+  /// A USB string that a device told later than its declaration.
+  void string(int device, int index, std::string_view text);
 
   /// Everything written since the last call.
   [[nodiscard]] std::string take();

@@ -231,7 +231,7 @@ void UsbRecording::declare(const Place& place, Known& known, int interface, Show
 }
 
 void UsbRecording::tell_string(const Known& known, int number, int index) {
-  writer_.comment(number, "string " + std::to_string(index) + ": \"" + known.usb.string(index) + "\"");
+  writer_.string(number, index, known.usb.string(index));
 }
 
 }  // namespace penpose::replay

@@ -84,14 +84,6 @@ TEST(DecoderFactory, AMouseIsRefusedWithWhatToDo) {
   EXPECT_FALSE(made.error().remedy.empty());
 }
 
-TEST(DecoderFactory, ADeviceWithoutIdsAndDescriptorsNeedsAnotherRecordingOrItsName) {
-  const auto refused = make_decoder(tests::device(0, 0));
-  ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().line(),
-            "the recording does not say which tablet it is: it has neither ids nor descriptors; begin recording before "
-            "the tablet is plugged in, or name it with --tablet NAME");
-}
-
 TEST(DecoderFactory, AnIllegalDescriptorIsNamedInTheError) {
   const auto made = make_decoder(device(0x1b96, 0x1234, {0x05, 0x0d, 0xc0}));
   ASSERT_FALSE(made);

@@ -65,9 +65,9 @@ TEST(TraceWriter, WhatIsSaidOfADeviceStandsBehindItsLines) {
   writer.declare(0, {});
   writer.declare(1, {});
   static_cast<void>(writer.take());
-  writer.comment(0, "string 201: \"x\"");
-  writer.comment(0, "more");
-  EXPECT_EQ(writer.take(), "D: 0\n# string 201: \"x\"\n# more\n");
+  writer.string(0, 201, "x");
+  writer.string(0, 2, "more");
+  EXPECT_EQ(writer.take(), "D: 0\n# string 201: \"x\"\n# string 2: \"more\"\n");
 }
 
 TEST(TraceWriter, AReportThatIsKnownInPartIsToldByItsReader) {

@@ -199,6 +199,7 @@ TEST_F(DecodeCommand, ARecordingThatDoesNotNameItsTabletSaysHowToNameIt) {
     EXPECT_EQ(outcome.status, 0);
     EXPECT_NE(outcome.error.find("1 report, none of a pen: the recording does not say which tablet"), std::string::npos)
         << outcome.error;
+    EXPECT_NE(outcome.error.find("before the tablet is plugged in"), std::string::npos) << outcome.error;
     EXPECT_NE(outcome.error.find("--tablet NAME"), std::string::npos) << outcome.error;
   }
   const Outcome read = decode("08 80 01\n", {"--protocol", "xp_pen"});
