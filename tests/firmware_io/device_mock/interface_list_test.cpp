@@ -112,7 +112,7 @@ TEST_F(MockDevices, WithoutPermissionItSaysWhatMendsIt) {
 TEST_F(MockDevices, WithoutPermissionNothingIsRecordedAndNoFileIsTouched) {
   plug_in_ink();
   protect("/dev/hidraw0", 0);
-  const std::string path = testing::TempDir() + "/penpose_no_permission.hid";
+  const std::string path = testing::TempDir() + "/penpose_no_permission_" + std::to_string(::getpid()) + ".hid";
   ::unlink(path.c_str());
   const int status = as_nobody([&] {
     const char* const arguments[] = {"penpose", "record", "-o", path.c_str()};

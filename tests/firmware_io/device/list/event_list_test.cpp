@@ -4,6 +4,8 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <linux/input-event-codes.h>
+#include <string>
+#include <unistd.h>
 
 #include "firmware_io/device/list/permission.h"
 #include "firmware_io/device/live_tablet.h"
@@ -14,7 +16,7 @@ namespace {
 /// Writes what /sys says of an input device.
 class SysFolder {
  public:
-  SysFolder() : path_(testing::TempDir() + "/penpose_event_list") {
+  SysFolder() : path_(testing::TempDir() + "/penpose_event_list_" + std::to_string(::getpid())) {
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_ + "/capabilities");
     std::filesystem::create_directories(path_ + "/id");
