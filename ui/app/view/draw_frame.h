@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ui/app/controls/controls.h"
-#include "ui/render/gl/behind_pass.h"
+#include "ui/render/behind.h"
 #include "ui/render/scene.h"
 
 namespace penpose::app {

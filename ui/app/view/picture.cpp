@@ -13,7 +13,7 @@ bool draws_in_software(const std::string& driver) {
 }  // namespace
 
 base::Result<std::unique_ptr<Picture>> Picture::make() {
-  auto renderer = render::Renderer::make_in_current_context();
+  auto renderer = render::GlRenderer::make_in_current_context();
   if (!renderer) return renderer.error();
   // Darkening of creases would cost the pen its frames where there is no graphics card.
   const bool software = draws_in_software((*renderer)->driver());

@@ -4,7 +4,7 @@
 
 #include "core/base/result.h"
 #include "ui/app/view/draw_frame.h"
-#include "ui/render/gl/renderer.h"
+#include "ui/render/gl/gl_renderer.h"
 
 namespace penpose::app {
 
@@ -22,9 +22,9 @@ class Picture {
   [[nodiscard]] std::vector<std::string> take_undrawn() { return renderer_->take_undrawn(); }
 
  private:
-  explicit Picture(std::unique_ptr<render::Renderer> renderer) : renderer_(std::move(renderer)) {}
+  explicit Picture(std::unique_ptr<render::GlRenderer> renderer) : renderer_(std::move(renderer)) {}
 
-  std::unique_ptr<render::Renderer> renderer_;
+  std::unique_ptr<render::GlRenderer> renderer_;
 };
 
 }  // namespace penpose::app

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/models/render_shapes.h"
-#include "ui/render/gl/renderer.h"
+#include "ui/render/gl/gl_renderer.h"
 
 namespace penpose::render {
 namespace {

@@ -9,8 +9,8 @@
 #include "core/document/model.h"
 #include "ui/render/appearance.h"
 #include "ui/render/framing.h"
-#include "ui/render/gl/renderer.h"
 #include "ui/render/picture/image.h"
+#include "ui/render/renderer.h"
 
 namespace penpose::render {
 
@@ -109,7 +109,7 @@ inline int differing(const Image& a, const Image& b, int step = 2) {
 
 /// The test machine's renderer. Every test that uses it fails where there is no OpenGL at all.
 inline std::unique_ptr<Renderer> make_renderer() {
-  auto made = Renderer::make_offscreen();
+  auto made = make_offscreen_renderer();
   EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.error().line());
   return made.ok() ? std::move(*made) : nullptr;
 }

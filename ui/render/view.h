@@ -6,7 +6,6 @@
 #include <span>
 
 #include "core/geometry/camera.h"
-#include "ui/render/gl/gl_program.h"
 
 namespace penpose::render {
 
@@ -21,8 +20,5 @@ struct View {
   glm::vec2 image_plane{1, 1};  ///< half width and half height at distance 1
 };
 [[nodiscard]] View make_view(std::span<const glm::vec3> positions, const geometry::Camera& camera);
-
-/// Takes a program into use with its uniforms of a view: those of k_place_functions.
-void use_with_view(const GlProgram& program, const View& view);
 
 }  // namespace penpose::render

@@ -1,4 +1,4 @@
-#include "ui/render/gl/renderer.h"
+#include "ui/render/gl/gl_renderer.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
