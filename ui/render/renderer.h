@@ -35,8 +35,9 @@ class Renderer {
   virtual void set_behind(Behind behind) = 0;
   /// Darkening of creases; costs the most of a picture on a weak graphics card.
   virtual void set_occlusion(bool on) = 0;
-  /// Pictures of what does not change are averaged, each moved by a part of a px, so that edges are smooth a few
-  /// pictures after the last change. Off where a picture has several samples a px in any case.
+  /// On: a picture has one sample a px, and pictures of what does not change are averaged, each moved by a part of a
+  /// px, so that edges are smooth a few pictures after the last change. Off: eight samples a px. Counts before the
+  /// first picture.
   virtual void set_smoothing(bool on) = 0;
   /// Whether the next picture of the same scene would be smoother.
   [[nodiscard]] virtual bool refining() const = 0;

@@ -70,6 +70,8 @@ struct Background {
   Color bottom = from_srgb(0x24282e);
 };
 
+[[nodiscard]] bool same_background(const Background& a, const Background& b);
+
 /// What a picture shows. Spans are read during the call only.
 ///
 /// The three numbers let a renderer keep what it has sent to the graphics card: data is sent again when its number has

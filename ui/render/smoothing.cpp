@@ -3,12 +3,6 @@
 #include <utility>
 
 namespace penpose::render {
-namespace {
-
-bool same_color(const Color& a, const Color& b) { return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a; }
-
-}  // namespace
-
 PictureSource::PictureSource(const Scene& scene, const geometry::Camera& camera, Behind behind)
     : shape_(scene.shape_number),
       pose_(scene.pose_number),
@@ -21,11 +15,11 @@ PictureSource::PictureSource(const Scene& scene, const geometry::Camera& camera,
       viewport_(camera.viewport()),
       behind_(std::move(behind)) {}
 
-bool PictureSource::same_as(const PictureSource& other) const {
-  return numbered() && shape_ == other.shape_ && pose_ == other.pose_ && overlay_ == other.overlay_ &&
+bool PictureSource::same_but_pose(const PictureSource& other) const {
+  return numbered() && shape_ == other.shape_ && overlay_ == other.overlay_ &&
          has_overlay_ == other.has_overlay_ && (overlay_ != 0 || !has_overlay_) && wireframe_ == other.wireframe_ &&
          clay_ == other.clay_ && camera_ == other.camera_ && viewport_ == other.viewport_ && behind_ == other.behind_ &&
-         same_color(background_.top, other.background_.top) && same_color(background_.bottom, other.background_.bottom);
+         same_background(background_, other.background_);
 }
 
 }  // namespace penpose::render

@@ -20,7 +20,9 @@ class PictureSource {
   PictureSource(const Scene& scene, const geometry::Camera& camera, Behind behind);
 
   /// Whether they would look the same. Of a scene without numbers nobody knows.
-  [[nodiscard]] bool same_as(const PictureSource& other) const;
+  [[nodiscard]] bool same_as(const PictureSource& other) const { return pose_ == other.pose_ && same_but_pose(other); }
+  /// Whether they would, if the pose were the same.
+  [[nodiscard]] bool same_but_pose(const PictureSource& other) const;
   /// Whether the scene has the numbers by which another picture can be known to be the same.
   [[nodiscard]] bool numbered() const { return shape_ != 0 && pose_ != 0; }
 

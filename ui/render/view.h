@@ -18,6 +18,7 @@ struct View {
   glm::mat4 to_clip{1};
   glm::vec2 depth_to_z{1, 0};   ///< z = 1 / (x * depth + y), in scaled units
   glm::vec2 image_plane{1, 1};  ///< half width and half height at distance 1
+  friend bool operator==(const View&, const View&) = default;
 };
 [[nodiscard]] View make_view(std::span<const glm::vec3> positions, const geometry::Camera& camera);
 

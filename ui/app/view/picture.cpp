@@ -19,10 +19,7 @@ base::Result<std::unique_ptr<Picture>> Picture::make() {
   const bool software = draws_in_software((*renderer)->driver());
   (*renderer)->set_occlusion(!software);
   // Edges averaged from four samples would take it 30 MB and half of its speed; they are smoothed when nothing moves.
-  if (software) {
-    (*renderer)->set_most_samples(1);
-    (*renderer)->set_smoothing(true);
-  }
+  (*renderer)->set_smoothing(software);
   return std::unique_ptr<Picture>(new Picture(std::move(*renderer)));
 }
 

@@ -4,6 +4,8 @@
 #include <thread>
 #include <utility>
 
+#include "ui/render/cpu/backdrop_rows.h"
+#include "ui/render/cpu/changed_tiles.h"
 #include "ui/render/cpu/curve_ink.h"
 #include "ui/render/cpu/occlusion.h"
 #include "ui/render/cpu/tile_drawer.h"
@@ -37,6 +39,11 @@ struct CpuRenderer::State {
 
   std::vector<ScreenVertex> vertices;
   DrawItems items;
+  View first_view;  ///< of the first pass of a picture that is smoothed
+  std::vector<ScreenVertex> first_vertices;
+  Image backdrop;  ///< what is behind the model
+  Background backdrop_colors;
+  Behind backdrop_behind;
   Image surfaces;                   ///< the picture without curves
   std::vector<float> depths;        ///< inverse, of the first pass; empty: not asked for
   std::vector<std::uint16_t> sums;  ///< of passes, one a byte of the picture
@@ -46,7 +53,8 @@ struct CpuRenderer::State {
 
   base::Status take(const Scene& scene);
   [[nodiscard]] std::vector<Segment> segments() const;
-  void draw_pass(const Scene& scene, const geometry::Camera& camera, int pass);
+  void draw_backdrop(const Background& colors, geometry::Viewport size);
+  void draw_pass(const Scene& scene, const geometry::Camera& camera, int pass, bool pose_alone = false);
   void add_pass();
   void draw_occlusion(const Scene& scene, const geometry::Camera& camera);
   base::Status draw_surfaces(const Scene& scene, const geometry::Camera& camera);
@@ -110,13 +118,40 @@ std::vector<Segment> CpuRenderer::State::segments() const {
   return all;
 }
 
-void CpuRenderer::State::draw_pass(const Scene& scene, const geometry::Camera& camera, int pass) {
+void CpuRenderer::State::draw_backdrop(const Background& colors, geometry::Viewport size) {
+  const bool known = backdrop.width == size.width && backdrop.height == size.height && backdrop_behind == behind &&
+                     same_background(backdrop_colors, colors);
+  if (known) return;
+  backdrop.width = size.width;
+  backdrop.height = size.height;
+  const std::size_t row = static_cast<std::size_t>(size.width) * 4;
+  backdrop.pixels.resize(row * static_cast<std::size_t>(size.height));
+  backdrop_colors = colors;
+  backdrop_behind = behind;
+  for (int y = 0; y < size.height; ++y) {
+    draw_backdrop_row(colors, behind, size, y, 0,
+                      std::span(backdrop.pixels).subspan(static_cast<std::size_t>(y) * row, row));
+  }
+}
+
+void CpuRenderer::State::draw_pass(const Scene& scene, const geometry::Camera& camera, int pass, bool pose_alone) {
   Raster raster{make_view(scene.positions, camera), camera.viewport(), glm::vec2(0)};
   // Samples move one way, the picture the other; y counts downwards.
   raster.shift = {-k_smoothing_places[pass][0], k_smoothing_places[pass][1]};
+  draw_backdrop(scene.background, raster.size);
   order_blended(list, scene, raster.view, [](std::size_t) {});
+  // What moved is told by the first pass of the picture before.
+  const bool keeps = pass == 0 && smooths;
+  std::vector<bool> changed;
   place_vertices(raster, scene.positions, scene.normals, vertices);
-  items.sort(raster, scene.positions, vertices, segments());
+  if (keeps) {
+    if (pose_alone && raster.view == first_view && first_vertices.size() == vertices.size()) {
+      if (auto some = changed_tiles(list, raster.size, first_vertices, vertices)) changed = std::move(*some);
+    }
+    first_view = raster.view;
+    first_vertices = vertices;
+  }
+  items.sort(raster, scene.positions, vertices, segments(), changed);
   surfaces.width = raster.size.width;
   surfaces.height = raster.size.height;
   const std::size_t px = static_cast<std::size_t>(raster.size.width) * static_cast<std::size_t>(raster.size.height);
@@ -128,11 +163,11 @@ void CpuRenderer::State::draw_pass(const Scene& scene, const geometry::Camera& c
                         items,
                         scene.wireframe ? std::span<const std::pair<std::uint32_t, std::uint32_t>>(list.edges)
                                         : std::span<const std::pair<std::uint32_t, std::uint32_t>>(),
-                        scene.background,
-                        behind};
+                        backdrop};
   std::vector<std::unique_ptr<TileDrawer>> drawers(workers.count());
   for (auto& one : drawers) one = std::make_unique<TileDrawer>(shown);
   workers.share(items.tile_count(), [&](int tile, unsigned worker) {
+    if (!changed.empty() && !changed[static_cast<std::size_t>(tile)]) return;
     drawers[worker]->draw(tile, surfaces, pass == 0 ? std::span<float>(depths) : std::span<float>());
   });
 }
@@ -170,6 +205,7 @@ base::Status CpuRenderer::State::draw_surfaces(const Scene& scene, const geometr
   if (auto taken = take(scene); !taken) return taken.error();
   const PictureSource now(scene, camera, behind);
   const bool same = now.same_as(last);
+  const bool pose_alone = now.same_but_pose(last) && !occlude && !scene.wireframe;
   last = now;
   still = now.numbered();
   if (!smooths) {
@@ -183,8 +219,9 @@ base::Status CpuRenderer::State::draw_surfaces(const Scene& scene, const geometr
     return base::Done{};
   }
   if (!same) {
+    // Where nothing moves the picture stays as smooth as it was.
     passes = 0;
-    draw_pass(scene, camera, 0);
+    draw_pass(scene, camera, 0, pose_alone);
   } else if (passes < k_smoothing_passes) {
     if (passes == 0) add_pass();  // what was shown is the first
     if (passes < k_smoothing_passes) {

@@ -4,15 +4,11 @@
 #include <utility>
 
 namespace penpose::render {
-namespace {
 
-/// The tiles that some px lie in.
 PxRect tiles_of(const PxRect& px) {
   return {px.left / DrawItems::k_tile_width, px.top / DrawItems::k_tile_height,
           (px.right - 1) / DrawItems::k_tile_width + 1, (px.bottom - 1) / DrawItems::k_tile_height + 1};
 }
-
-}  // namespace
 
 PxRect DrawItems::tile(int index) const {
   const int left = index % columns_ * k_tile_width;
@@ -27,7 +23,7 @@ const Segment& DrawItems::segment_of(std::uint32_t item) const {
 }
 
 void DrawItems::sort(const Raster& raster, std::span<const glm::vec3> positions, std::span<const ScreenVertex> vertices,
-                     std::vector<Segment> segments) {
+                     std::vector<Segment> segments, const std::vector<bool>& wanted) {
   size_ = raster.size;
   columns_ = (size_.width + k_tile_width - 1) / k_tile_width;
   rows_ = (size_.height + k_tile_height - 1) / k_tile_height;
@@ -66,7 +62,10 @@ void DrawItems::sort(const Raster& raster, std::span<const glm::vec3> positions,
   };
   const auto each_tile = [&](const PxRect& tiles, const auto& visit) {
     for (int y = tiles.top; y < tiles.bottom; ++y) {
-      for (int x = tiles.left; x < tiles.right; ++x) visit(static_cast<std::size_t>(y * columns_ + x));
+      for (int x = tiles.left; x < tiles.right; ++x) {
+        const auto i = static_cast<std::size_t>(y * columns_ + x);
+        if (wanted.empty() || wanted[i]) visit(i);
+      }
     }
   };
   each_seen([&](const PxRect& tiles, std::uint32_t) { each_tile(tiles, [&](std::size_t i) { ++starts_[i + 1]; }); });

@@ -25,6 +25,9 @@ struct Segment {
   bool see_through = false;  ///< blended over what is behind it
 };
 
+/// The tiles that some px of a picture lie in, as columns and rows.
+[[nodiscard]] PxRect tiles_of(const PxRect& px);
+
 /// What is drawn in each tile of a picture, in the order in which it is drawn.
 class DrawItems {
  public:
@@ -34,8 +37,9 @@ class DrawItems {
   static constexpr std::uint32_t k_piece = std::uint32_t{1} << 31U;
 
   /// Spans must outlive it; vertices are those that the raster has placed. Items of segments count from 0 without gaps.
+  /// Tiles that are not `wanted` get none; empty: all are wanted.
   void sort(const Raster& raster, std::span<const glm::vec3> positions, std::span<const ScreenVertex> vertices,
-            std::vector<Segment> segments);
+            std::vector<Segment> segments, const std::vector<bool>& wanted);
 
   [[nodiscard]] int tile_count() const { return columns_ * rows_; }
   [[nodiscard]] PxRect tile(int index) const;

@@ -12,7 +12,7 @@ struct Fragments {
 
   int count = 0;
   alignas(32) Numbers normal_x, normal_y, normal_z;  ///< of any length
-  alignas(32) Numbers eye_x, eye_y, eye_z;           ///< towards the eye, of any length
+  alignas(32) Numbers eye_x, eye_y;                  ///< px; then towards the eye, as far as the plane at distance 1
   alignas(32) Numbers red, green, blue;              ///< base colour, linear
   alignas(32) Numbers roughness, metallic;
   alignas(32) Numbers open;  ///< share of the light that comes in
@@ -23,8 +23,13 @@ struct Fragments {
   alignas(32) Numbers shine;
 };
 
+/// From px to the camera's space, of a plane at distance 1: x' = x * scale.x + shift.x, and so for y.
+struct PxToEye {
+  float scale_x, shift_x, scale_y, shift_y;
+};
+
 /// Lights them as the shaders of ui/render/gl do (k_lights in shaders.h, where the sources are named). The same bits on
 /// every machine: IEEE additions, multiplications, divisions and square roots in a written order.
-void shade(Fragments& fragments);
+void shade(Fragments& fragments, const PxToEye& eye);
 
 }  // namespace penpose::render

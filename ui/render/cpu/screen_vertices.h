@@ -41,13 +41,6 @@ struct Raster {
   [[nodiscard]] float near() const { return view.to_clip[3][2] / (view.to_clip[2][2] - 1.0F); }
   /// Px of a point of the camera's space before the near plane, not rounded.
   [[nodiscard]] glm::dvec2 px(const glm::dvec3& seen) const;
-  /// Towards the eye from what is seen at a px: x of columns, y of rows, and 1.
-  [[nodiscard]] float eye_x(float px_x) const {
-    return -((px_x - shift.x) / static_cast<float>(size.width) * 2.0F - 1.0F) * view.image_plane.x;
-  }
-  [[nodiscard]] float eye_y(float px_y) const {
-    return ((px_y - shift.y) / static_cast<float>(size.height) * 2.0F - 1.0F) * view.image_plane.y;
-  }
 };
 
 void place_vertices(const Raster& raster, std::span<const glm::vec3> positions, std::span<const glm::vec3> normals,

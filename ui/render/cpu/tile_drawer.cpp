@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
-#include "ui/render/cpu/backdrop_rows.h"
 #include "ui/render/cpu/mixing.h"
 
 namespace penpose::render {
@@ -40,16 +38,40 @@ class DepthOf {
 
 }  // namespace
 
+TileDrawer::TileDrawer(const TileScene& scene)
+    : scene_(scene), points_(scene.raster, scene.vertices, scene.paint, scene.items) {
+  const Raster& r = scene.raster;
+  const auto width = static_cast<float>(r.size.width);
+  const auto height = static_cast<float>(r.size.height);
+  const glm::vec2& plane = r.view.image_plane;
+  eye_ = {-2.0F / width * plane.x, (1.0F + r.shift.x * 2.0F / width) * plane.x, 2.0F / height * plane.y,
+          (-1.0F - r.shift.y * 2.0F / height) * plane.y};
+}
+
 void TileDrawer::draw(int tile, Image& picture, std::span<float> depths) {
   rect_ = scene_.items.tile(tile);
   depth_.fill(0.0F);
   nearest_.fill(k_nothing);
   const auto items = scene_.items.items(tile);
   std::size_t next = 0;
+  const Segment* segment = nullptr;
+  behind_.clear();
   for (; next < items.size(); ++next) {
-    points_.choose(items[next]);
-    if (points_.segment().see_through) break;
-    find_nearest(items[next]);
+    const ScreenTriangle triangle = screen_triangle(items[next], scene_.vertices, scene_.items, segment);
+    segment = triangle.segment;
+    if (segment->see_through) break;
+    // Of something closed all that is seen from its back is hidden: once the rest is there, that can be told of most.
+    if (triangle.front) {
+      find_nearest(items[next], triangle);
+    } else {
+      behind_.push_back(items[next]);
+    }
+  }
+  measure_blocks();
+  for (const std::uint32_t item : behind_) {
+    const ScreenTriangle triangle = screen_triangle(item, scene_.vertices, scene_.items, segment);
+    segment = triangle.segment;
+    if (!is_hidden(triangle)) find_nearest(item, triangle);
   }
   draw_backdrop(picture);
   draw_nearest(picture);
@@ -64,12 +86,39 @@ void TileDrawer::draw(int tile, Image& picture, std::span<float> depths) {
   }
 }
 
-void TileDrawer::find_nearest(std::uint32_t item) {
-  const DepthOf depth_of(points_.corners(), points_.area());
-  const float least_alpha = points_.segment().least_alpha;
+void TileDrawer::measure_blocks() {
+  for (int row = 0; row < k_block_rows; ++row) {
+    for (int column = 0; column < k_block_columns; ++column) {
+      float least = depth_[static_cast<std::size_t>(row * k_block_px * DrawItems::k_tile_width + column * k_block_px)];
+      for (int y = row * k_block_px; y < (row + 1) * k_block_px; ++y) {
+        const float* const from =
+            depth_.data() + static_cast<std::ptrdiff_t>(y * DrawItems::k_tile_width + column * k_block_px);
+        for (int x = 0; x < k_block_px; ++x) least = from[x] < least ? from[x] : least;
+      }
+      farthest_[static_cast<std::size_t>(row * k_block_columns + column)] = least;
+    }
+  }
+}
+
+bool TileDrawer::is_hidden(const ScreenTriangle& triangle) const {
+  const Corners& c = triangle.corners;
+  const float nearest = std::max({c[0].inverse_depth, c[1].inverse_depth, c[2].inverse_depth});
+  const PxRect px = shared_part(px_around(c), rect_);
+  for (int row = (px.top - rect_.top) / k_block_px; row * k_block_px < px.bottom - rect_.top; ++row) {
+    for (int column = (px.left - rect_.left) / k_block_px; column * k_block_px < px.right - rect_.left; ++column) {
+      if (nearest >= farthest_[static_cast<std::size_t>(row * k_block_columns + column)]) return false;
+    }
+  }
+  return true;
+}
+
+void TileDrawer::find_nearest(std::uint32_t item, const ScreenTriangle& triangle) {
+  const DepthOf depth_of(triangle.corners, triangle.area);
+  const float least_alpha = triangle.segment->least_alpha;
+  if (least_alpha >= 0) points_.choose(item, triangle);
   // Edges lie on surfaces that they must not sink into (glPolygonOffset in MeshPass).
   const float back = scene_.edges.empty() ? 0.0F : depth_of.steepness();
-  visit_inside(points_.corners(), rect_, [&](int x, int y) {
+  visit_inside(triangle.corners, rect_, [&](int x, int y) {
     const float depth = depth_of.at(x, y) - back;
     const std::size_t i = at(x, y);
     if (!(depth > depth_[i])) return;
@@ -80,13 +129,9 @@ void TileDrawer::find_nearest(std::uint32_t item) {
 }
 
 void TileDrawer::draw_backdrop(Image& picture) const {
-  const auto width = static_cast<std::size_t>(rect_.right - rect_.left);
+  const auto width = static_cast<std::size_t>(rect_.right - rect_.left) * 4;
   for (int y = rect_.top; y < rect_.bottom; ++y) {
-    const auto from = nearest_.begin() + static_cast<std::ptrdiff_t>(at(rect_.left, y));
-    const auto until = from + static_cast<std::ptrdiff_t>(width);
-    if (std::find(from, until, k_nothing) == until) continue;
-    draw_backdrop_row(scene_.background, scene_.behind, scene_.raster.size, y, rect_.left,
-                      std::span(px_of(picture, rect_.left, y), width * 4));
+    std::copy_n(scene_.backdrop.at(rect_.left, y), width, px_of(picture, rect_.left, y));
   }
 }
 
@@ -105,7 +150,7 @@ void TileDrawer::put(std::size_t fragment, Image& picture, float alpha) const {
 }
 
 void TileDrawer::finish_opaque(Image& picture) {
-  shade(fragments_);
+  shade(fragments_, eye_);
   for (int i = 0; i < fragments_.count; ++i) put(static_cast<std::size_t>(i), picture, 1.0F);
   fragments_.count = 0;
 }
@@ -163,15 +208,16 @@ void TileDrawer::draw_edges(Image& picture) {
 }
 
 void TileDrawer::draw_blended(std::uint32_t item, Image& picture) {
-  points_.choose(item);
-  const DepthOf depth_of(points_.corners(), points_.area());
-  const bool of_look = points_.segment().surface != nullptr;
-  visit_inside(points_.corners(), rect_, [&](int x, int y) {
+  const ScreenTriangle triangle = screen_triangle(item, scene_.vertices, scene_.items, nullptr);
+  points_.choose(item, triangle);
+  const DepthOf depth_of(triangle.corners, triangle.area);
+  const bool of_look = triangle.segment->surface != nullptr;
+  visit_inside(triangle.corners, rect_, [&](int x, int y) {
     const std::size_t i = at(x, y);
     if (depth_of.at(x, y) < depth_[i]) return;
     const auto fragment = static_cast<std::size_t>(fragments_.count);
     const float alpha = points_.add(x, y, fragments_);
-    if (of_look && alpha < points_.segment().least_alpha) {
+    if (of_look && alpha < triangle.segment->least_alpha) {
       --fragments_.count;
       return;
     }
@@ -184,7 +230,7 @@ void TileDrawer::draw_blended(std::uint32_t item, Image& picture) {
 
 void TileDrawer::finish_blended(Image& picture) {
   if (fragments_.count == 0) return;
-  shade(fragments_);
+  shade(fragments_, eye_);
   for (int i = 0; i < fragments_.count; ++i) {
     const auto f = static_cast<std::size_t>(i);
     const float alpha = alpha_[f] >= 0 ? alpha_[f] : alpha_[f] + 2.0F + fragments_.shine[f] * 0.5F;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "ui/render/cpu/surface_points.h"
 #include "ui/render/picture/image.h"
@@ -16,16 +17,14 @@ struct TileScene {
   VertexPaint paint;
   const DrawItems& items;
   std::span<const std::pair<std::uint32_t, std::uint32_t>> edges;  ///< drawn over what is opaque
-  Background background;
-  Behind behind;
+  const Image& backdrop;                                           ///< of the picture's size
 };
 
 /// Draws surfaces, a tile at a time: which triangle is nearest at each px, then the light of those alone. Tiles need
 /// nothing of each other, so that threads may draw them in any order.
 class TileDrawer {
  public:
-  explicit TileDrawer(const TileScene& scene)
-      : scene_(scene), points_(scene.raster, scene.vertices, scene.paint, scene.items) {}
+  explicit TileDrawer(const TileScene& scene);
 
   /// Writes px of the tile into the picture, which has the size of the raster, and inverse depths (0: nothing there)
   /// into `depths`, one a px of the picture, where it is not empty.
@@ -33,12 +32,18 @@ class TileDrawer {
 
  private:
   static constexpr int k_px = DrawItems::k_tile_width * DrawItems::k_tile_height;
+  static constexpr int k_block_px = 8;  ///< a side of squares whose farthest depth is known
+  static constexpr int k_block_columns = DrawItems::k_tile_width / k_block_px;
+  static constexpr int k_block_rows = DrawItems::k_tile_height / k_block_px;
   static constexpr std::uint32_t k_nothing = ~std::uint32_t{0};
 
   [[nodiscard]] std::size_t at(int x, int y) const {
     return static_cast<std::size_t>((y - rect_.top) * DrawItems::k_tile_width + x - rect_.left);
   }
-  void find_nearest(std::uint32_t item);
+  void find_nearest(std::uint32_t item, const ScreenTriangle& triangle);
+  /// Takes down how far each block is seen to.
+  void measure_blocks();
+  [[nodiscard]] bool is_hidden(const ScreenTriangle& triangle) const;
   void draw_backdrop(Image& picture) const;
   void draw_nearest(Image& picture);
   void draw_edges(Image& picture);
@@ -49,9 +54,13 @@ class TileDrawer {
 
   const TileScene& scene_;
   SurfacePoints points_;
+  PxToEye eye_;
   PxRect rect_;
   std::array<float, k_px> depth_;            ///< inverse
   std::array<std::uint32_t, k_px> nearest_;  ///< item
+  std::array<float, static_cast<std::size_t>(k_block_columns* k_block_rows)>
+      farthest_;                       ///< inverse depth of each block
+  std::vector<std::uint32_t> behind_;  ///< items seen from their back
   Fragments fragments_;
   std::array<std::uint16_t, Fragments::k_most> place_;  ///< of each fragment in the tile
   std::array<float, Fragments::k_most> alpha_;

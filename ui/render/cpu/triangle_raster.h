@@ -87,8 +87,14 @@ void visit_inside(const Corners& c, const PxRect& part, const Visit& visit) {
     Whole a = row[0];
     Whole b = row[1];
     Whole d = row[2];
+    bool inside = false;
     for (int x = part.left; x < part.right; ++x) {
-      if ((a | b | d) >= 0) visit(x, y);
+      if ((a | b | d) >= 0) {
+        visit(x, y);
+        inside = true;
+      } else if (inside) {
+        break;  // a row of a triangle has no gaps
+      }
       a += by_x[0];
       b += by_x[1];
       d += by_x[2];

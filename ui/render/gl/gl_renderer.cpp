@@ -214,14 +214,16 @@ base::Status GlRenderer::draw(const Scene& scene, const geometry::Camera& camera
 }
 
 void GlRenderer::set_behind(Behind behind) { state_->behind = std::move(behind); }
-void GlRenderer::set_smoothing(bool on) { state_->smooths = on; }
+void GlRenderer::set_smoothing(bool on) {
+  state_->smooths = on;
+  state_->targets.set_most_samples(on ? 1 : k_most_samples);
+}
 std::vector<std::string> GlRenderer::take_undrawn() { return state_->mesh.take_undrawn(); }
 bool GlRenderer::refining() const {
   const State& s = *state_;
   return s.smooths && s.still && s.targets.samples() == 0 && !s.occlude && s.passes < k_smoothing_passes;
 }
 void GlRenderer::set_occlusion(bool on) { state_->occlude = on; }
-void GlRenderer::set_most_samples(int most) { state_->targets.set_most_samples(most); }
 std::string GlRenderer::driver() const { return context_name(); }
 
 }  // namespace penpose::render

@@ -24,9 +24,6 @@ class GlRenderer final : public Renderer {
 
   void set_behind(Behind behind) override;
   void set_occlusion(bool on) override;
-  /// Samples a pixel, 8 at most; each costs its memory, and time on a software renderer. Counts before the first
-  /// picture.
-  void set_most_samples(int most);
   void set_smoothing(bool on) override;
   [[nodiscard]] std::vector<std::string> take_undrawn() override;
   [[nodiscard]] bool refining() const override;

@@ -140,7 +140,6 @@ TEST(Renderer, ANewPoseIsShownWhenItsNumberChanges) {
 TEST(Renderer, EdgesOfWhatDoesNotChangeGetSmoothWithOneSampleAPixel) {
   const auto renderer = make_renderer();
   ASSERT_NE(renderer, nullptr);
-  renderer->set_most_samples(1);
   renderer->set_occlusion(false);
   renderer->set_smoothing(true);
   mesh::MeshSource source;
