@@ -1,13 +1,11 @@
 #pragma once
 
 #include <CLI/App.hpp>
-#include <optional>
-
-#include "ui/render/renderer.h"
+#include <string>
 
 namespace penpose::cli {
 
 /// `--draw gl|es|cpu`: how pictures are drawn; without it the first way that starts.
-void add_draw_option(CLI::App& command, std::optional<render::DrawWay>& way);
+void add_draw_option(CLI::App& command, std::string& way);
 
 }  // namespace penpose::cli

@@ -9,6 +9,13 @@ namespace penpose::render {
 
 std::string_view name_of(DrawWay way) { return way == DrawWay::gl ? "gl" : way == DrawWay::es ? "es" : "cpu"; }
 
+std::optional<DrawWay> way_of(std::string_view name) {
+  for (const DrawWay way : {DrawWay::gl, DrawWay::es, DrawWay::cpu}) {
+    if (name == name_of(way)) return way;
+  }
+  return std::nullopt;
+}
+
 std::vector<DrawWay> built_in_ways() {
   std::vector<DrawWay> ways;
   for (const OffscreenWay& one : card_ways()) ways.push_back(one.way);

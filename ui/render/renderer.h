@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@ namespace penpose::render {
 enum class DrawWay : std::uint8_t { gl, es, cpu };
 /// As users write it: "gl", "es", "cpu".
 [[nodiscard]] std::string_view name_of(DrawWay way);
+[[nodiscard]] std::optional<DrawWay> way_of(std::string_view name);
 /// The ways that this program was built with, the best first.
 [[nodiscard]] std::vector<DrawWay> built_in_ways();
 

@@ -30,6 +30,9 @@ struct DrawFrame {
   document::View view;
 };
 
+/// What of a frame the renderer draws; reads the frame.
+[[nodiscard]] render::Scene scene_of(const DrawFrame& frame);
+
 /// Makes frames of what is shown; what has not changed since the one before is shared with it.
 class FrameMaker {
  public:
