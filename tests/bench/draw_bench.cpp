@@ -101,8 +101,7 @@ int measure(const std::string& way, const std::string& name, const std::string& 
     cpu += cpu_ms() - cpu_before;
   }
   std::sort(times.begin(), times.end());
-  std::printf("%8.2f %8.2f %8.1f\n", times[times.size() / 2], cpu / k_frames,
-              resident_mb("VmHWM:") - before_mb);
+  std::printf("%8.2f %8.2f %8.1f\n", times[times.size() / 2], cpu / k_frames, resident_mb("VmHWM:") - before_mb);
   return 0;
 }
 

@@ -16,9 +16,9 @@ PictureSource::PictureSource(const Scene& scene, const geometry::Camera& camera,
       behind_(std::move(behind)) {}
 
 bool PictureSource::same_but_pose(const PictureSource& other) const {
-  return numbered() && shape_ == other.shape_ && overlay_ == other.overlay_ &&
-         has_overlay_ == other.has_overlay_ && (overlay_ != 0 || !has_overlay_) && wireframe_ == other.wireframe_ &&
-         clay_ == other.clay_ && camera_ == other.camera_ && viewport_ == other.viewport_ && behind_ == other.behind_ &&
+  return numbered() && shape_ == other.shape_ && overlay_ == other.overlay_ && has_overlay_ == other.has_overlay_ &&
+         (overlay_ != 0 || !has_overlay_) && wireframe_ == other.wireframe_ && clay_ == other.clay_ &&
+         camera_ == other.camera_ && viewport_ == other.viewport_ && behind_ == other.behind_ &&
          same_background(background_, other.background_);
 }
 

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "ui/render/cpu/backdrop_rows.h"
-#include "ui/render/cpu/changed_tiles.h"
 #include "ui/render/cpu/curve_ink.h"
 #include "ui/render/cpu/occlusion.h"
-#include "ui/render/cpu/tile_drawer.h"
+#include "ui/render/cpu/shading/tile_drawer.h"
+#include "ui/render/cpu/triangles/changed_tiles.h"
 #include "ui/render/cpu/workers.h"
 #include "ui/render/kept_pictures.h"
 #include "ui/render/smoothing.h"

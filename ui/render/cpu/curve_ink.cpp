@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ui/render/cpu/mixing.h"
-#include "ui/render/cpu/triangle_raster.h"
+#include "ui/render/cpu/triangles/triangle_raster.h"
 #include "ui/render/picture/curve_quads.h"
 
 namespace penpose::render {

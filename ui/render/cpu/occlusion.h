@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "ui/render/cpu/screen_vertices.h"
+#include "ui/render/cpu/triangles/screen_vertices.h"
 #include "ui/render/picture/image.h"
 
 namespace penpose::render {

@@ -19,7 +19,8 @@ class Framebuffers {
   Framebuffers(const Framebuffers&) = delete;
   Framebuffers& operator=(const Framebuffers&) = delete;
 
-  /// Samples a px; each costs its memory, and time on a software renderer. Counts for targets that are made from now on.
+  /// Samples a px; each costs its memory, and time on a software renderer. Counts for targets that are made from now
+  /// on.
   void set_most_samples(int most) { most_samples_ = most; }
   /// Makes targets of that size where there are none yet. Errors: larger than the driver can.
   base::Status resize(int width, int height);

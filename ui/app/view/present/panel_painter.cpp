@@ -7,7 +7,7 @@
 #include <imgui.h>
 
 #include "ui/render/cpu/mixing.h"
-#include "ui/render/cpu/triangle_raster.h"
+#include "ui/render/cpu/triangles/triangle_raster.h"
 
 namespace penpose::app {
 namespace {

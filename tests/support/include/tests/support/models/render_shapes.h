@@ -107,7 +107,8 @@ inline int differing(const Image& a, const Image& b, int step = 2) {
   return count;
 }
 
-/// The test machine's renderer, of the best way or of one. Every test that uses one of OpenGL fails where there is none.
+/// The test machine's renderer, of the best way or of one. Every test that uses one of OpenGL fails where there is
+/// none.
 inline std::unique_ptr<Renderer> make_renderer(std::optional<DrawWay> way = std::nullopt) {
   auto made = make_offscreen_renderer(way);
   EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.error().line());

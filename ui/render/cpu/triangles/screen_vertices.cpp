@@ -1,4 +1,4 @@
-#include "ui/render/cpu/screen_vertices.h"
+#include "ui/render/cpu/triangles/screen_vertices.h"
 
 #include <cmath>
 

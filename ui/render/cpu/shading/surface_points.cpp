@@ -1,4 +1,4 @@
-#include "ui/render/cpu/surface_points.h"
+#include "ui/render/cpu/shading/surface_points.h"
 
 #include <algorithm>
 #include <cmath>

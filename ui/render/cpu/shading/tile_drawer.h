@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "ui/render/cpu/surface_points.h"
+#include "ui/render/cpu/shading/surface_points.h"
 #include "ui/render/picture/image.h"
 
 namespace penpose::render {

@@ -1,4 +1,4 @@
-#include "ui/render/cpu/tile_drawer.h"
+#include "ui/render/cpu/shading/tile_drawer.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
-#include "ui/render/cpu/fragments.h"
+#include "ui/render/cpu/shading/fragments.h"
 
 #include <cmath>
 
-#include "ui/render/cpu/srgb_tables.h"
+#include "ui/render/cpu/shading/srgb_tables.h"
 
 namespace penpose::render {
 namespace {

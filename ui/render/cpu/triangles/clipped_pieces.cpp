@@ -1,4 +1,4 @@
-#include "ui/render/cpu/clipped_pieces.h"
+#include "ui/render/cpu/triangles/clipped_pieces.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/mesh/triangle_mesh.h"
-#include "ui/render/cpu/triangle_raster.h"
+#include "ui/render/cpu/triangles/triangle_raster.h"
 
 namespace penpose::render {
 

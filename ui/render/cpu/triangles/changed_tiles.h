@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "ui/render/cpu/screen_vertices.h"
+#include "ui/render/cpu/triangles/screen_vertices.h"
 #include "ui/render/draw_list.h"
 
 namespace penpose::render {

@@ -6,8 +6,8 @@
 #include <glm/vec4.hpp>
 #include <span>
 
-#include "ui/render/cpu/draw_items.h"
-#include "ui/render/cpu/fragments.h"
+#include "ui/render/cpu/shading/fragments.h"
+#include "ui/render/cpu/triangles/draw_items.h"
 
 namespace penpose::render {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "ui/render/cpu/screen_vertices.h"
+#include "ui/render/cpu/triangles/screen_vertices.h"
 
 namespace penpose::render {
 

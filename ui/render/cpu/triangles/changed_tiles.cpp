@@ -1,8 +1,8 @@
-#include "ui/render/cpu/changed_tiles.h"
+#include "ui/render/cpu/triangles/changed_tiles.h"
 
 #include <algorithm>
 
-#include "ui/render/cpu/draw_items.h"
+#include "ui/render/cpu/triangles/draw_items.h"
 
 namespace penpose::render {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/render/cpu/srgb_tables.h"
+#include "ui/render/cpu/shading/srgb_tables.h"
 
 #include "ui/render/picture/color.h"
 

@@ -1,4 +1,4 @@
-#include "ui/render/cpu/draw_items.h"
+#include "ui/render/cpu/triangles/draw_items.h"
 
 #include <algorithm>
 #include <utility>

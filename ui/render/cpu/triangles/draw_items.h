@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "ui/render/cpu/clipped_pieces.h"
-#include "ui/render/cpu/screen_vertices.h"
-#include "ui/render/cpu/texture_map.h"
+#include "ui/render/cpu/shading/texture_map.h"
+#include "ui/render/cpu/triangles/clipped_pieces.h"
+#include "ui/render/cpu/triangles/screen_vertices.h"
 #include "ui/render/draw_list.h"
 
 namespace penpose::render {

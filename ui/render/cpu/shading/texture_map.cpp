@@ -1,4 +1,4 @@
-#include "ui/render/cpu/texture_map.h"
+#include "ui/render/cpu/shading/texture_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/math.h"
-#include "ui/render/cpu/srgb_tables.h"
+#include "ui/render/cpu/shading/srgb_tables.h"
 #include "ui/render/picture/color.h"
 
 namespace penpose::render {
