@@ -123,4 +123,24 @@ void visit_inside(const Corners& c, const PxRect& within, const Visit& visit) {
   }
 }
 
+/// Calls `visit(left, right, y)` for the px of each row whose middles lie in the triangle. Precondition: an area above
+/// zero.
+template <typename Visit>
+void visit_rows(const Corners& c, const PxRect& within, const Visit& visit) {
+  const PxRect part = shared_part(px_around(c), within);
+  if (part.empty()) return;
+  int left = 0;
+  int right = 0;
+  int row = part.top;
+  visit_inside(c, within, [&](int x, int y) {
+    if (y != row || right == left) {
+      if (right > left) visit(left, right, row);
+      left = x;
+      row = y;
+    }
+    right = x + 1;
+  });
+  if (right > left) visit(left, right, row);
+}
+
 }  // namespace penpose::render
