@@ -254,7 +254,7 @@ int DecodeRun::run() {
   end_output(source);
   if (const int status = end_of_trace(source, options_.trace, rowless_.all); status != k_success) return status;
   if (samples_ == 0) std::cerr << "penpose: " << why_no_rows(rowless_).line(options_.trace) << '\n';
-  for (const std::string& guess : guesses_) files::warn(guess_note(guess), options_.trace);
+  for (const std::string& guess : guesses_) files::warn(files::guess_note(guess), options_.trace);
   return k_success;
 }
 

@@ -249,7 +249,7 @@ int replay_session(const ReplayArguments& arguments) {
   }
   for (const auto& problem : played->problems) std::cerr << "penpose: " << problem.line(arguments.session) << '\n';
   for (const auto& refusal : played->refusals) std::cerr << "penpose: " << refusal.line(arguments.session) << '\n';
-  for (const auto& guess : played->session->pens().guesses()) files::warn(guess_note(guess), arguments.session);
+  for (const auto& guess : played->session->pens().guesses()) files::warn(files::guess_note(guess), arguments.session);
   if (arguments.strokes && played->session->stroke_count() < *arguments.strokes) {
     files::warn("it has no more than " + std::to_string(played->session->stroke_count()) + " strokes",
                 arguments.session);
