@@ -211,10 +211,10 @@ class Run:
             if ended:
                 break
             if self.stop and asked is None and now > self.stop[0]:
-                process.send_signal(self.stop[1])
+                os.kill(process.pid, self.stop[1])  # send_signal() takes away the status of one that has just ended
                 asked = now
             if now > MOST_WALL_S or (asked and now > asked + MOST_END_S):
-                process.kill()
+                os.kill(process.pid, signal.SIGKILL)
                 self.find('hangs' if asked is None else 'does not end when asked to')
                 os.wait4(process.pid, 0)
                 process.returncode = -9

@@ -280,7 +280,8 @@ int replay_session(const ReplayArguments& arguments) {
 }
 
 void add_options(CLI::App& command, ReplayArguments& arguments) {
-  command.add_option("SESSION", arguments.session, "Session or trace in hid-recorder's text format")->required();
+  command.add_option("SESSION", arguments.session, "Session, or any recording of a tablet that decode reads")
+      ->required();
   command.add_option("--model", arguments.model, "Model to draw on, when it is not where the session says");
   command.add_option("-o,--output", arguments.output, "Project or model file to write at the end (.glb, .gltf, .obj)");
   command.add_option("--png", arguments.picture, "PNG file of the last view");
