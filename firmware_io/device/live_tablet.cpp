@@ -86,6 +86,7 @@ void identify(LiveTablet& tablet, const decode::TabletTable* own) {
     tablet.carries = recognition->is_pad ? Carries::pad : Carries::pen;
     tablet.method = recognition->method;
     tablet.match = decode::find_tablet(identity, own);
+    tablet.guess = recognition->guess;
   }
   const decode::HandDecoders hand = decode::make_hand_decoders(identity, own);
   tablet.has_keys = hand.pad != nullptr && hand.pad->features().any();

@@ -46,6 +46,7 @@ struct LiveTablet {
   bool has_keys = false;                     ///< has keys or dials
   bool has_touch = false;                    ///< feels fingers
   std::optional<decode::TabletMatch> match;  ///< in the table of tablets; points into it
+  std::string guess;                         ///< decode::Recognition::guess
   bool strings_unread = false;               ///< the table asks for strings that could not be read
   Transport transport = Transport::hidraw;
   std::string reason;  ///< for that transport: "it has no hidraw node"

@@ -52,6 +52,7 @@ TEST(Recognise, TheFirmwareStringTellsTheTabletAndHowToWakeIt) {
   const LiveTablet tablet = recognise(huion(), nullptr, strings.reader("HUION_T173_200101"));
   ASSERT_TRUE(tablet.match);
   EXPECT_TRUE(tablet.match->certain);
+  EXPECT_EQ(tablet.guess, "");
   EXPECT_EQ(tablet.match->tablet->name, "H640P");
   EXPECT_EQ(tablet.carries, Carries::pen);
   EXPECT_EQ(wake_up_of(tablet.match).read_strings, std::vector<std::uint8_t>{200});
@@ -76,6 +77,9 @@ TEST(Recognise, ATabletThatMayBeAnotherIsSentNothing) {
   const LiveTablet tablet = recognise(std::move(interface));
   ASSERT_TRUE(tablet.match);
   EXPECT_FALSE(tablet.match->certain);
+  EXPECT_NE(tablet.guess.find(", read as " + tablet.match->tablet->vendor + ' ' + tablet.match->tablet->name),
+            std::string::npos)
+      << tablet.guess;
   EXPECT_TRUE(wake_up_of(tablet.match).empty());
   EXPECT_EQ(tablet.transport, Transport::hidraw);
 }

@@ -254,7 +254,7 @@ int DecodeRun::run() {
   end_output(source);
   if (const int status = end_of_trace(source, options_.trace, rowless_.all); status != k_success) return status;
   if (samples_ == 0) std::cerr << "penpose: " << why_no_rows(rowless_).line(options_.trace) << '\n';
-  for (const std::string& guess : guesses_) files::warn(guess_note(guess), options_.trace);
+  for (const std::string& guess : guesses_) files::warn(files::guess_note(guess), options_.trace);
   return k_success;
 }
 
@@ -273,7 +273,10 @@ int decode_trace(const DecodeOptions& options) {
 }
 
 void add_options(CLI::App& command, DecodeOptions& options) {
-  command.add_option("trace", options.trace, "Trace in hid-recorder's text format")->required();
+  command
+      .add_option("trace", options.trace,
+                  "Recording of a tablet: of penpose, hid-recorder, usbhid-dump, evemu, OpenTabletDriver or usbmon")
+      ->required();
   auto* csv = command.add_flag("--csv", options.csv, "Comma-separated rows (the default)");
   command.add_flag("--json", options.json, "One JSON object")->excludes(csv);
   auto* pad = command.add_flag("--pad", options.pad, "Keys, rings, strips and wheels of the tablet instead of its pen");
@@ -287,7 +290,7 @@ void add_options(CLI::App& command, DecodeOptions& options) {
 
 Subcommand decode_subcommand() {
   return subcommand<DecodeOptions>("decode", files::Rights::reads_only,
-                                   "Prints what pen or hand did in a trace of raw HID reports", add_options,
+                                   "Prints what pen or hand did in a recording of raw reports", add_options,
                                    decode_trace, {"penpose decode pen.hid --csv", "the pen, sample by sample"},
                                    {"penpose decode pen.hid --pad", "what the keys and rings of the tablet did"},
                                    {{"--protocol", Completes::nothing}, {"--tablet", Completes::nothing}});
