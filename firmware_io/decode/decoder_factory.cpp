@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/base/text/letters.h"
+#include "firmware_io/decode/chosen_tablet.h"
 #include "firmware_io/decode/described/descriptor_decoder.h"
 #include "firmware_io/decode/described/fallback_decoder.h"
 #include "firmware_io/decode/layout/pen_axes.h"
@@ -108,21 +109,7 @@ std::string guess_of(const TabletMatch& match, const DeviceIdentity& device) {
   return text + ", read as " + match.tablet->vendor + ' ' + match.tablet->name;
 }
 
-}  // namespace
-
-void complete_identity(DeviceIdentity& device) {
-  if (device.report_descriptor.empty()) return;
-  const auto parsed = hid::parse_report_descriptor(device.report_descriptor, hid::Strictness::tolerant);
-  if (!parsed) return;
-  const auto fill = [&](std::optional<std::uint16_t>& length, hid::ReportType type) {
-    if (!length) length = static_cast<std::uint16_t>(std::min(parsed->longest_report(type), 65535u));
-  };
-  fill(device.input_report_length, hid::ReportType::input);
-  fill(device.output_report_length, hid::ReportType::output);
-  fill(device.feature_report_length, hid::ReportType::feature);
-}
-
-base::Result<Recognition> make_decoder(const DeviceIdentity& device, const TabletTable* own) {
+base::Result<Recognition> make_decoder_of(const DeviceIdentity& device, const TabletTable* own) {
   hid::ReportDescriptor descriptor;
   std::optional<base::Error> descriptor_error;
   if (!device.report_descriptor.empty()) {
@@ -184,6 +171,24 @@ base::Result<Recognition> make_decoder(const DeviceIdentity& device, const Table
   return Recognition{
       std::make_unique<FallbackDecoder>(descriptor, std::move(pens), std::move(described), std::move(vendor)),
       prefix + method, is_pad, guess_of(*match, device)};
+}
+
+}  // namespace
+
+void complete_identity(DeviceIdentity& device) {
+  if (device.report_descriptor.empty()) return;
+  const auto parsed = hid::parse_report_descriptor(device.report_descriptor, hid::Strictness::tolerant);
+  if (!parsed) return;
+  const auto fill = [&](std::optional<std::uint16_t>& length, hid::ReportType type) {
+    if (!length) length = static_cast<std::uint16_t>(std::min(parsed->longest_report(type), 65535u));
+  };
+  fill(device.input_report_length, hid::ReportType::input);
+  fill(device.output_report_length, hid::ReportType::output);
+  fill(device.feature_report_length, hid::ReportType::feature);
+}
+
+base::Result<Recognition> make_decoder(const DeviceIdentity& device, const TabletTable* own) {
+  return make_decoder_of(identified(device, own), own);
 }
 
 }  // namespace penpose::decode
