@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "firmware_io/decode/decoder_factory.h"
+#include "firmware_io/decode/described/described_pad.h"
 #include "firmware_io/decode/hand_factory.h"
 #include "firmware_io/decode/wacom/wacom_models.h"
 #include "firmware_io/decode/wacom/wacom_receiver.h"
@@ -112,6 +113,25 @@ bool belongs_to_a_tablet(const LiveTablet& touch, const std::vector<LiveTablet>&
     if (!touch.interface.parent.empty() && other.interface.parent == touch.interface.parent) return true;
     return touch.interface.identity.vendor == decode::k_vendor_wacom && other.carries == Carries::pen &&
            other.interface.identity.vendor == decode::k_vendor_wacom;
+  });
+}
+
+/// Whether the kernel's driver has woken the tablet and made it describe its pen and, behind it, its keys. Its other
+/// interfaces keep their descriptors, or are refused.
+bool is_woken(const LiveTablet& tablet) {
+  const auto& descriptor = tablet.interface.identity.report_descriptor;
+  if (tablet.interface.driver != k_waking_driver || tablet.carries != Carries::pen || descriptor.empty()) return false;
+  const auto parsed = hid::parse_report_descriptor(descriptor, hid::Strictness::tolerant);
+  return parsed && decode::find_described_pad(*parsed);
+}
+
+/// An interface of which nothing is known but the tablet's ids, beside one that the kernel's driver has woken: it has
+/// no pen, or the driver would not have refused it.
+bool was_refused(const LiveTablet& tablet, const std::vector<LiveTablet>& all) {
+  const HidInterface& interface = tablet.interface;
+  if (!interface.identity.report_descriptor.empty() || interface.parent.empty()) return false;
+  return std::any_of(all.begin(), all.end(), [&](const LiveTablet& other) {
+    return other.interface.parent == interface.parent && is_woken(other);
   });
 }
 
@@ -237,6 +257,8 @@ base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* ow
     LiveTablet tablet = recognise(std::move(interface), own);
     if (tablet.carries != Carries::other) tablets.push_back(std::move(tablet));
   }
+  const std::vector<LiveTablet> found = tablets;
+  std::erase_if(tablets, [&](const LiveTablet& one) { return was_refused(one, found); });
   std::vector<LiveTablet> events;
   for (HidInterface& device : list_event_devices()) {
     LiveTablet tablet = recognise(std::move(device), own);
