@@ -8,7 +8,10 @@
 #include "firmware_io/decode/chosen_tablet.h"
 #include "firmware_io/decode/described/descriptor_decoder.h"
 #include "firmware_io/decode/described/fallback_decoder.h"
+#include "firmware_io/decode/layout/layout_decoder.h"
 #include "firmware_io/decode/layout/pen_axes.h"
+#include "firmware_io/decode/layout/protocol.h"
+#include "firmware_io/decode/table/told_ranges.h"
 #include "firmware_io/decode/wacom/wacom_axes.h"
 #include "firmware_io/decode/wacom/wacom_display_decoder.h"
 #include "firmware_io/decode/wacom/wacom_generic_decoder.h"
@@ -160,17 +163,18 @@ base::Result<Recognition> make_decoder_of(const DeviceIdentity& device, const Ta
       described = std::make_unique<DescriptorDecoder>(*pens);
     }
   }
-  if (!match) {
+  const auto told = match ? std::nullopt : told_ranges(device, descriptor);
+  if (!match && !told) {
     if (!described) return unreadable(device, descriptor_error);
     return Recognition{std::move(described), "descriptor", false};
   }
-  auto vendor = make_tablet_decoder(*match);
-  const std::string method = "protocol " + match->identifier->protocol->name;
-  const bool is_pad = match->is_pad && !described;
+  const auto& protocol = match ? match->identifier->protocol : known_protocols().at(k_ranges_protocol);
+  auto vendor = match ? make_tablet_decoder(*match) : std::make_unique<LayoutDecoder>(protocol, *told);
+  const bool is_pad = match && match->is_pad && !described;
   const std::string prefix = described ? "descriptor, " : "";
   return Recognition{
       std::make_unique<FallbackDecoder>(descriptor, std::move(pens), std::move(described), std::move(vendor)),
-      prefix + method, is_pad, guess_of(*match, device)};
+      prefix + "protocol " + protocol->name, is_pad, match ? guess_of(*match, device) : std::string()};
 }
 
 }  // namespace

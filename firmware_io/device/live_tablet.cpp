@@ -8,6 +8,7 @@
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/decode/described/described_pad.h"
 #include "firmware_io/decode/hand_factory.h"
+#include "firmware_io/decode/table/told_ranges.h"
 #include "firmware_io/decode/wacom/wacom_models.h"
 #include "firmware_io/decode/wacom/wacom_receiver.h"
 #include "firmware_io/device/list/event_list.h"
@@ -59,15 +60,24 @@ bool read_strings(LiveTablet& tablet, const decode::TabletTable* own, const Read
   decode::DeviceIdentity& identity = tablet.interface.identity;
   auto indices = telling_strings(decode::known_tablets(), identity);
   if (own != nullptr) indices.merge(telling_strings(*own, identity));
-  std::erase_if(indices, [&](std::uint8_t index) { return identity.strings.contains(index); });
-  if (tablet.interface.usb_node.empty()) return indices.empty();
-  if (!indices.empty() && !read && ::access(tablet.interface.usb_node.c_str(), R_OK | W_OK) != 0) return false;
-  for (const std::uint8_t index : indices) {
-    // A string that the device does not have is known: it holds nothing.
-    const auto text = read ? read(tablet.interface.usb_node, index) : read_usb_string(tablet.interface.usb_node, index);
-    identity.strings[index] = text ? *text : std::string();
-  }
-  return true;
+  const auto read_all = [&] {
+    std::erase_if(indices, [&](std::uint8_t index) { return identity.strings.contains(index); });
+    if (indices.empty()) return true;
+    const std::string& node = tablet.interface.usb_node;
+    if (node.empty() || (!read && ::access(node.c_str(), R_OK | W_OK) != 0)) return false;
+    for (const std::uint8_t index : indices) {
+      // A string that the device does not have is known: it holds nothing.
+      const auto text = read ? read(node, index) : read_usb_string(node, index);
+      identity.strings[index] = text ? *text : std::string();
+    }
+    return true;
+  };
+  if (!read_all()) return false;
+  // One that no table has tells its ranges with the string that wakes it.
+  const bool is_unknown = identity.vendor == decode::k_vendor_huion && tablet.interface.driver != k_waking_driver &&
+                          !tablet.interface.usb_node.empty() && !decode::find_tablet(identity, own);
+  if (is_unknown) indices.insert(decode::k_ranges_string);
+  return read_all();
 }
 
 void identify(LiveTablet& tablet, const decode::TabletTable* own) {

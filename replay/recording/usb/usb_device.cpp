@@ -5,6 +5,7 @@
 #include "core/base/text/letters.h"
 #include "core/base/text/utf16.h"
 #include "core/base/text/utf8.h"
+#include "firmware_io/decode/table/told_ranges.h"
 #include "replay/recording/usb/wire_number.h"
 
 namespace penpose::replay {
@@ -170,6 +171,7 @@ std::string UsbDevice::string(int index) const {
   std::string out;
   const auto found = strings_.find(index);
   if (found == strings_.end()) return out;
+  if (index == decode::k_ranges_string) return decode::ranges_text(found->second);
   for (std::size_t at = 0; at + 1 < found->second.size(); at += 2) {
     const std::uint16_t code = number(found->second, at);
     out += code < 0x80 ? static_cast<char>(code) : '?';
