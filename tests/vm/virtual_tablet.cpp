@@ -7,6 +7,7 @@
 //   --string N=TEXT    a USB string descriptor
 //   --bytes N=HEX      the same, of any bytes
 //   --asleep-until N   send nothing before this string was read
+//   --output yes       endpoints for output beside those for input
 // Prints how many reports were sent.
 #include <algorithm>
 #include <chrono>
@@ -41,23 +42,8 @@ bool take_option(Options& options, const std::string& name, const std::string& v
     options.pace_us = std::strtol(value.c_str(), nullptr, 10);
   } else if (name == "--unplug-after") {
     options.unplug_after = std::strtol(value.c_str(), nullptr, 10);
-  } else if (name == "--port") {
-    options.usb.port = static_cast<int>(std::strtol(value.c_str(), nullptr, 10));
-  } else if (name == "--asleep-until") {
-    options.usb.asleep_until_string = static_cast<int>(std::strtol(value.c_str(), nullptr, 10));
-  } else if ((name == "--string" || name == "--bytes") && value.find('=') != std::string::npos) {
-    const int index = static_cast<int>(std::strtol(value.c_str(), nullptr, 10));
-    const std::string text = value.substr(value.find('=') + 1);
-    std::vector<std::uint8_t>& string = options.usb.strings[index];
-    if (name == "--bytes") {
-      for (std::size_t i = 0; i + 1 < text.size(); i += 2) {
-        string.push_back(static_cast<std::uint8_t>(std::strtoul(text.substr(i, 2).c_str(), nullptr, 16)));
-      }
-    } else {
-      string = tests::as_utf16(text);
-    }
   } else {
-    return false;
+    return tests::take_usb_option(options.usb, name, value);
   }
   return true;
 }
