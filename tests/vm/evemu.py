@@ -40,17 +40,24 @@ def pen_states(count):
                     3000 - i * 7 % 6000, 0 if tip else 20 - i % 10, tip, 'eraser' if eraser else 'pen', not tip and i % 10 == 5)
 
 
-def pen(count, name='Board Pen', ids='0018 2d1f 0095'):
+def pen(states, name='Board Pen', ids='0018 2d1f 0095'):
     """A digitizer on a bus without HID: all that a pen has, with the number of its tool in every frame."""
     frames = []
-    for s in pen_states(count):
-        eraser = s.tool == 'eraser'
-        frames.append([(KEY, PEN, int(not eraser)), (KEY, RUBBER, int(eraser)), (ABS, X, s.x), (ABS, Y, s.y), (ABS, PRESSURE, s.pressure),
+    for s in states:
+        frames.append([(KEY, PEN, int(s.tool == 'pen')), (KEY, RUBBER, int(s.tool == 'eraser')), (ABS, X, s.x), (ABS, Y, s.y), (ABS, PRESSURE, s.pressure),
                        (ABS, TILT_X, s.tilt_x), (ABS, TILT_Y, s.tilt_y), (ABS, DISTANCE, s.distance), (KEY, TOUCH, int(s.tip)),
                        (KEY, STYLUS, int(s.button1)), (MSC, 0, 0x12345678)])
     return recording(name, ids, [PEN, RUBBER, TOUCH, STYLUS, STYLUS2],
                      {X: (0, 20967, 100), Y: (0, 15725, 100), PRESSURE: (0, 4095, 0), DISTANCE: (0, 255, 0), TILT_X: (-9000, 9000, 5730),
                       TILT_Y: (-9000, 9000, 5730)}, frames, mscs=[0])
+
+
+def leaving_states(count):
+    """Strokes of 40 frames, each with 5 in the air before it and 4 behind it, then one in which the pen is away."""
+    for i, s in enumerate(pen_states(count)):
+        at = i % 50
+        tip = 5 <= at < 45
+        yield s._replace(pressure=1000 + i if tip else 0, tip=tip, button1=False, tool='away' if at == 49 else 'pen')
 
 
 def pad():

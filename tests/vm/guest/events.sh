@@ -69,6 +69,37 @@ touch /tmp/keep_stalled
 end_record stalled
 until_true 20 gone "Short Pen"
 
+# --- A pen that is recorded is kept from the desktop, which is `cat` here: from a moment on in which it is away, and by one
+# recorder at a time.
+stage exclusive
+virtual_input /traces/shared.evemu --go /tmp/go_shared --pause-after 25 --pause-after 200 --pause-after 400 --keep /tmp/keep_shared >/out/shared.sent 2>&1 &
+until_true 30 has_event_node "Shared Pen"
+cat "$(event_node "Shared Pen")" >/out/desktop.raw &
+sleep 0.2
+touch /tmp/go_shared
+until_true 30 grep -q "paused after 25" /out/shared.sent
+record_until_ready first
+first=$recorder
+sleep 0.3
+touch /tmp/go_shared.25
+until_true 30 grep -q "paused after 200" /out/shared.sent
+stat -c %s /out/desktop.raw >/out/desktop.before
+record_until_ready second
+second=$recorder
+until_true 30 grep -q "another program" /out/second.err
+kill -TERM "$first"
+wait "$first"
+until_true 30 grep -q "let go" /out/second.hid
+touch /tmp/go_shared.200
+until_true 30 grep -q "paused after 400" /out/shared.sent
+stat -c %s /out/desktop.raw >/out/desktop.while
+kill -TERM "$second"
+wait "$second"
+touch /tmp/go_shared.400
+until_true 30 grep -q ^sent /out/shared.sent
+touch /tmp/keep_shared
+until_true 20 gone "Shared Pen"
+
 # --- Somebody in the group `input`, who may not open hidraw; somebody who may open neither; a program that has it alone.
 stage rights
 echo 'root:x:0:0:root:/:/bin/sh' >/etc/passwd
