@@ -74,6 +74,11 @@ def pad():
                      {X: (0, 1, 0), Y: (0, 1, 0), WHEEL: (0, 71, 0), ABS_MISC: (0, 0, 0)}, frames, rels=[8])
 
 
+def keyboard():
+    """No part of a tablet, but like all input devices among the event devices."""
+    return recording('Keyboard', '0011 0001 0001', list(range(1, 128)), {}, [[(KEY, 30, 1)], [(KEY, 30, 0)]])
+
+
 def fingers():
     """Two fingers apart, one of which lifts before the other."""
     frames = [[(ABS, SLOT, 0), (ABS, TRACKING, 5), (ABS, MT_X, 1000), (ABS, MT_Y, 800), (ABS, SLOT, 1), (ABS, TRACKING, 6), (ABS, MT_X, 1500),

@@ -28,7 +28,7 @@ def run_machine():
     shared = evemu.pen(evemu.leaving_states(600), 'Shared Pen')
     files = {'/traces/ink.hid': traces.header(traces.INK, 'Ink pen', '3 1b96 0021') + traces.lines(traces.ink_reports(OPTIONS.count)),
              '/traces/small.hid': traces.header(traces.INK, 'Small pen', '3 1b96 0022') + traces.lines(traces.ink_reports(SMALL)),
-             '/traces/pen.evemu': PEN, '/traces/pad.evemu': evemu.pad(), '/traces/fingers.evemu': evemu.fingers(),
+             '/traces/pen.evemu': PEN, '/traces/pad.evemu': evemu.pad(), '/traces/keyboard.evemu': evemu.keyboard(), '/traces/fingers.evemu': evemu.fingers(),
              '/traces/short.evemu': short, '/traces/shared.evemu': shared, '/count': str(OPTIONS.count), '/etc/hosts': ''}
     with open(os.path.join(machine.HERE, 'guest/events.sh'), encoding='utf-8') as f:
         files['/job.sh'] = f.read()
@@ -140,6 +140,12 @@ class Events(unittest.TestCase):
                 self.assertEqual(rows[:len(sent)], sent)
                 # The key that was held when it was unplugged is let go by the kernel.
                 self.assertEqual([row[0] for row in rows[len(sent):]], ['-'] * (len(rows) - len(sent)))
+
+    def test_a_look_at_ten_event_devices_takes_little_time(self):
+        none, ten = (json.loads(self.text('listing.' + n)) for n in ('none', 'ten'))
+        print(f'without event devices: {none}; with ten: {ten}', flush=True)
+        self.assertEqual((none['event_tablets'], ten['event_tablets']), (0, 3))
+        self.assertLess(ten['events_us'], 100_000)
 
     def test_coming_and_going_is_seen(self):
         log = self.text('watch.log').splitlines()

@@ -8,7 +8,6 @@
 //   --keep FILE        stay plugged in until this file exists
 //   --place NAME       where it is plugged in
 // Prints how many frames were sent.
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -26,10 +25,14 @@
 #include <vector>
 
 #include "firmware_io/event/evemu_line.h"
+#include "tests/vm/pace.h"
 
 namespace {
 
 using namespace penpose;
+
+/// A quarter of what the kernel keeps of such frames for a reader of an event device.
+constexpr int k_at_once = 4;
 
 struct Options {
   std::string go;
@@ -112,19 +115,17 @@ int play(const char* path, const Options& options) {
   std::cerr << "plugged in" << std::endl;
   wait_for(options.go);
   long sent = 0;
-  auto next = std::chrono::steady_clock::now();
+  tests::Pace pace(std::chrono::microseconds(options.pace_us), k_at_once);
   for (const auto& frame : frames) {
     if (sent == options.unplug_after) break;
-    std::this_thread::sleep_until(next);
-    // A machine that stood still for a while sends nothing after the fact.
-    next = std::max(next, std::chrono::steady_clock::now()) + std::chrono::microseconds(options.pace_us);
+    pace.wait();
     const std::size_t size = frame.size() * sizeof(input_event);
     if (::write(file, frame.data(), size) != static_cast<ssize_t>(size)) break;
     ++sent;
     if (!options.pauses.contains(sent)) continue;
     std::cout << "paused after " << sent << std::endl;
     wait_for(options.go + "." + std::to_string(sent));
-    next = std::chrono::steady_clock::now();
+    pace.begin();
   }
   std::cout << "sent " << sent << std::endl;
   wait_for(options.keep);

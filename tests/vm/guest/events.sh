@@ -10,6 +10,7 @@ event_node() {
 has_event_node() { [ -n "$(event_node "$1")" ]; }
 gone() { ! has_event_node "$1"; }
 penpose devices >/out/none.txt
+pump_probe listing >/out/listing.none
 
 # --- One pen of which the kernel makes both nodes, read both ways at once.
 stage both
@@ -42,6 +43,14 @@ until_true 30 has_event_node "Board Pad"
 until_true 30 has_event_node "Board Finger"
 penpose devices --json >/out/alone.json
 penpose devices >/out/alone.txt
+keyboards="1 2 3 4 5 6 7"
+for n in $keyboards; do
+  virtual_input /traces/keyboard.evemu --keep /tmp/keep_keyboards --place board/input$n >/out/keyboard$n.sent 2>&1 &
+done
+until_true 30 all_have 7 ^sent /out/keyboard*.sent
+pump_probe listing >/out/listing.ten
+touch /tmp/keep_keyboards
+until_true 20 gone "Keyboard"
 record_until_ready alone
 until_true 30 all_have 3 ^recording /out/alone.err
 touch /tmp/go_pad /tmp/go_fingers
@@ -72,7 +81,7 @@ until_true 20 gone "Short Pen"
 # --- A pen that is recorded is kept from the desktop, which is `cat` here: from a moment on in which it is away, and by one
 # recorder at a time.
 stage exclusive
-virtual_input /traces/shared.evemu --go /tmp/go_shared --pause-after 25 --pause-after 200 --pause-after 400 --keep /tmp/keep_shared >/out/shared.sent 2>&1 &
+virtual_input /traces/shared.evemu --pace-us 5000 --go /tmp/go_shared --pause-after 25 --pause-after 200 --pause-after 400 --keep /tmp/keep_shared >/out/shared.sent 2>&1 &
 until_true 30 has_event_node "Shared Pen"
 cat "$(event_node "Shared Pen")" >/out/desktop.raw &
 sleep 0.2
