@@ -7,6 +7,7 @@ SLOT, MT_X, MT_Y, TRACKING = 0x2f, 0x35, 0x36, 0x39
 BTN_0, BTN_1, PEN, RUBBER, TOUCH, STYLUS, STYLUS2 = 0x100, 0x101, 0x140, 0x141, 0x14a, 0x14b, 0x14c
 FINGER = 0x145
 
+WIDTH, HEIGHT = 20967, 15725
 State = namedtuple('State', 'x y pressure tilt_x tilt_y distance tip tool button1')
 
 
@@ -48,8 +49,17 @@ def pen(states, name='Board Pen', ids='0018 2d1f 0095'):
                        (ABS, TILT_X, s.tilt_x), (ABS, TILT_Y, s.tilt_y), (ABS, DISTANCE, s.distance), (KEY, TOUCH, int(s.tip)),
                        (KEY, STYLUS, int(s.button1)), (MSC, 0, 0x12345678)])
     return recording(name, ids, [PEN, RUBBER, TOUCH, STYLUS, STYLUS2],
-                     {X: (0, 20967, 100), Y: (0, 15725, 100), PRESSURE: (0, 4095, 0), DISTANCE: (0, 255, 0), TILT_X: (-9000, 9000, 5730),
+                     {X: (0, WIDTH, 100), Y: (0, HEIGHT, 100), PRESSURE: (0, 4095, 0), DISTANCE: (0, 255, 0), TILT_X: (-9000, 9000, 5730),
                       TILT_Y: (-9000, 9000, 5730)}, frames, mscs=[0])
+
+
+def drawn_states(lines):
+    """The tip on lines, ((x, y), (x, y), frames) in parts of the tablet each, and ten frames in the air before each."""
+    for (x0, y0), (x1, y1), frames in lines:
+        for i in range(-10, frames):
+            part = max(i, 0) / (frames - 1)
+            x, y = (round((a + (b - a) * part) * size) for a, b, size in ((x0, x1, WIDTH), (y0, y1, HEIGHT)))
+            yield State(x, y, 2000 if i >= 0 else 0, 0, 0, 0 if i >= 0 else 10, i >= 0, 'pen', False)
 
 
 def leaving_states(count):

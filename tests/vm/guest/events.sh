@@ -1,13 +1,6 @@
 # The job of events_test.py: pens through the kernel's event devices.
 . /functions.sh
 count=$(cat /count)
-# event_node NAME: the node of the input device whose name begins so.
-event_node() {
-  for d in /sys/class/input/event*; do
-    case "$(cat "$d/device/name")" in "$1"*) echo "/dev/input/${d##*/}" ;; esac
-  done
-}
-has_event_node() { [ -n "$(event_node "$1")" ]; }
 gone() { ! has_event_node "$1"; }
 penpose devices >/out/none.txt
 pump_probe listing >/out/listing.none
@@ -23,7 +16,7 @@ record_until_ready both_event --device "$(event_node "Ink pen")"
 event_recorder=$recorder
 record_until_ready both_hidraw --device /dev/hidraw0
 touch /tmp/go_both
-until_true 400 grep -q ^sent /out/both.sent
+until_true 600 grep -q ^sent /out/both.sent
 sleep 1
 touch /tmp/keep_both
 wait "$event_recorder"
@@ -57,7 +50,7 @@ touch /tmp/go_pad /tmp/go_fingers
 until_true 30 all_have 2 ^sent /out/pad.sent /out/fingers.sent
 touch /tmp/keep_pad
 touch /tmp/go_pen
-until_true 400 grep -q ^sent /out/pen.sent
+until_true 600 grep -q ^sent /out/pen.sent
 touch /tmp/keep_fingers
 touch /tmp/keep_pen
 end_record alone
