@@ -36,11 +36,10 @@ until_true 30 has_event_node "Board Pad"
 until_true 30 has_event_node "Board Finger"
 penpose devices --json >/out/alone.json
 penpose devices >/out/alone.txt
-keyboards="1 2 3 4 5 6 7"
-for n in $keyboards; do
-  virtual_input /traces/keyboard.evemu --keep /tmp/keep_keyboards --place board/input$n >/out/keyboard$n.sent 2>&1 &
+for n in 1 2 3 4 5 6 7; do
+  virtual_input /traces/keyboard.evemu --keep /tmp/keep_keyboards --place board/input$n >>/out/keyboards.sent 2>&1 &
 done
-until_true 30 all_have 7 ^sent /out/keyboard*.sent
+until_true 30 all_have 7 ^sent /out/keyboards.sent
 pump_probe listing >/out/listing.ten
 touch /tmp/keep_keyboards
 until_true 20 gone "Keyboard"
