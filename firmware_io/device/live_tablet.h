@@ -18,7 +18,7 @@ namespace penpose::device {
 enum class Transport : std::uint8_t {
   hidraw,  ///< in parallel with the kernel's driver
   libusb,  ///< instead of the kernel's driver
-  event,   ///< what the kernel's driver makes of it, in parallel with the desktop
+  event,   ///< what the kernel's driver makes of it
 };
 
 /// What an interface is for.

@@ -9,7 +9,6 @@
 //   --asleep-until N   send nothing before this string was read
 //   --output yes       endpoints for output beside those for input
 // Prints how many reports were sent.
-#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -19,11 +18,15 @@
 
 #include "replay/trace/trace_source.h"
 #include "tests/support/shared_data.h"
+#include "tests/vm/pace.h"
 #include "tests/vm/virtual_device.h"
 
 namespace {
 
 using namespace penpose;
+
+/// A quarter of what the kernel keeps of such a pen for a reader of its event device.
+constexpr int k_at_once = 4;
 
 struct Options {
   std::string go;
@@ -67,12 +70,10 @@ int play(const std::string& kind, const std::string& trace, const Options& optio
   std::cerr << "plugged in" << std::endl;
   wait_for(options.go);
   long sent = 0;
-  auto next = std::chrono::steady_clock::now();
+  tests::Pace pace(std::chrono::microseconds(options.pace_us), k_at_once);
   for (auto report = source.next(); report && report->has_value(); report = source.next()) {
     if (options.unplug_after >= 0 && sent >= options.unplug_after) break;
-    std::this_thread::sleep_until(next);
-    // A machine that stood still for a while sends nothing after the fact.
-    next = std::max(next, std::chrono::steady_clock::now()) + std::chrono::microseconds(options.pace_us);
+    pace.wait();
     if (const auto done = (*device)->send((*report)->device, (*report)->bytes); !done) {
       std::cout << "sent " << sent << std::endl;
       return fail(done.error());
