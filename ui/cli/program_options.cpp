@@ -6,6 +6,7 @@
 
 #include "core/base/result.h"
 #include "ui/cli/commands.h"
+#include "ui/cli/draw_option.h"
 #include "ui/cli/live_option.h"
 #include "ui/cli/orientation_option.h"
 #include "ui/cli/tablet/tablet_options.h"
@@ -71,6 +72,7 @@ void add_program_options(CLI::App& app, int& status, files::WindowRequest& reque
   add_tablet_options(app, request.own);
   add_live_option(app, request.live);
   app.add_flag("--fullscreen", request.fullscreen, "Use the whole screen");
+  add_draw_option(app, request.draw);
   // For tests and measurements.
   app.add_option("--replay", request.replay)->group("");
   app.add_flag("--timings", request.timings)->group("");

@@ -6,7 +6,7 @@
 
 #include "ui/demo/label.h"
 #include "ui/render/appearance.h"
-#include "ui/render/gl/renderer.h"
+#include "ui/render/renderer.h"
 
 namespace penpose::demo {
 namespace {
@@ -38,7 +38,7 @@ void label(render::Image& image, const SheetCell& cell) {
 geometry::CameraPose sheet_camera() { return {{0.13, 0.005, 0.80}, {0.003, -0.006, 0.02}, {0, 1, 0}, 19.5}; }
 
 base::Result<render::Image> draw_contact_sheet(const document::Model& model, std::span<const SheetCell> cells) {
-  auto renderer = render::Renderer::make_offscreen();
+  auto renderer = render::make_offscreen_renderer();
   if (!renderer) return renderer.error();
   const auto camera = geometry::Camera::make(sheet_camera(), k_sheet_cell);
   if (!camera) return camera.error();

@@ -19,6 +19,7 @@ struct WindowRequest {
   std::string live;             ///< where the pose of every frame is sent (ui/live); empty: nowhere
   std::string program;          ///< name and version for the session
   bool fullscreen = false;
+  std::string draw;      ///< how pictures are drawn: "gl", "es", "cpu"; empty: the best that starts
   bool timings = false;  ///< prints how long things took when the window is closed
 };
 

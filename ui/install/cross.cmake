@@ -16,6 +16,8 @@ set(root $ENV{PENPOSE_SYSROOT})
 set(CMAKE_C_COMPILER ${triplet}-gcc-12)
 set(CMAKE_CXX_COMPILER ${triplet}-g++-12)
 set(libraries ${root}/usr/lib/${triplet})
+# Headers that differ between machines, such as jconfig.h.
+set(CMAKE_CXX_STANDARD_INCLUDE_DIRECTORIES ${root}/usr/include/${triplet})
 set(CMAKE_CROSSCOMPILING_EMULATOR ${emulator_path};-L;${root})
 set(CMAKE_LIBRARY_ARCHITECTURE ${triplet})
 set(CMAKE_FIND_ROOT_PATH ${root})

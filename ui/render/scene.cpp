@@ -14,4 +14,9 @@ Color curve_color(CurveKind kind) {
   return {1, 1, 1, 1};
 }
 
+bool same_background(const Background& a, const Background& b) {
+  const auto same = [](const Color& c, const Color& d) { return c.r == d.r && c.g == d.g && c.b == d.b && c.a == d.a; };
+  return same(a.top, b.top) && same(a.bottom, b.bottom);
+}
+
 }  // namespace penpose::render

@@ -61,11 +61,16 @@ struct CurveDrawing {
   bool highlighted = false;  ///< a light halo around it
 };
 
+/// How far darkening of creases looks, as a share of the model's diagonal (which a View scales to one).
+inline constexpr float k_occlusion_radius = 0.06F;
+
 /// The backdrop, from the top of the picture to its foot.
 struct Background {
   Color top = from_srgb(0x5b6470);
   Color bottom = from_srgb(0x24282e);
 };
+
+[[nodiscard]] bool same_background(const Background& a, const Background& b);
 
 /// What a picture shows. Spans are read during the call only.
 ///

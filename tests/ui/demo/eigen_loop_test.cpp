@@ -6,7 +6,7 @@
 #include "core/character/demo_head.h"
 #include "tests/support/models/rendered_track.h"
 #include "ui/render/appearance.h"
-#include "ui/render/gl/renderer.h"
+#include "ui/render/renderer.h"
 
 namespace penpose::demo {
 namespace {
@@ -17,7 +17,7 @@ class EigenLoop : public testing::Test {
  protected:
   void SetUp() override {
     head_ = character::make_demo_head().value();
-    auto renderer = render::Renderer::make_offscreen();
+    auto renderer = render::make_offscreen_renderer();
     if (!renderer) GTEST_SKIP() << renderer.error().line();
     renderer_ = std::move(renderer).value();
     appearance_.emplace(render::make_appearance(head_, {}));

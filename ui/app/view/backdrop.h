@@ -8,7 +8,7 @@
 
 #include "core/base/result.h"
 #include "core/document/drawing/pose_curve.h"
-#include "ui/render/gl/behind_pass.h"
+#include "ui/render/behind.h"
 
 namespace penpose::app {
 

@@ -80,6 +80,23 @@ void FrameMaker::update_overlay() {
   ++last_.overlay_number;
 }
 
+render::Scene scene_of(const DrawFrame& frame) {
+  render::Scene scene;
+  scene.positions = *frame.positions;
+  scene.normals = *frame.normals;
+  scene.triangles = frame.model->mesh->triangles();
+  scene.appearance = frame.appearance.get();
+  if (frame.overlay) scene.overlay = *frame.overlay;
+  scene.curves = frame.curves;
+  scene.wireframe = frame.wireframe;
+  scene.clay = frame.clay;
+  scene.background = frame.background;
+  scene.shape_number = frame.shape_number;
+  scene.pose_number = frame.pose_number;
+  scene.overlay_number = frame.overlay_number;
+  return scene;
+}
+
 DrawFrame FrameMaker::make() {
   if (last_.overlay_number == 0) last_.overlay_number = 1;
   update_surface();

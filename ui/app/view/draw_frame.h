@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ui/app/controls/controls.h"
-#include "ui/render/gl/behind_pass.h"
+#include "ui/render/behind.h"
 #include "ui/render/scene.h"
 
 namespace penpose::app {
@@ -29,6 +29,9 @@ struct DrawFrame {
   std::uint64_t overlay_number = 0;
   document::View view;
 };
+
+/// What of a frame the renderer draws; reads the frame.
+[[nodiscard]] render::Scene scene_of(const DrawFrame& frame);
 
 /// Makes frames of what is shown; what has not changed since the one before is shared with it.
 class FrameMaker {

@@ -1,7 +1,5 @@
 #include "ui/app/view/draw_thread.h"
 
-#include <SDL2/SDL.h>
-#include <backends/imgui_impl_opengl3.h>
 #include <condition_variable>
 #include <imgui.h>
 #include <mutex>
@@ -10,8 +8,6 @@
 #include <thread>
 #include <utility>
 
-#include "ui/app/view/drawable_size.h"
-#include "ui/app/view/picture.h"
 #include "ui/app/window/timings.h"
 
 namespace penpose::app {
@@ -43,8 +39,7 @@ class HeldPanels {
 struct DrawThread::State {
   enum class Job : std::uint8_t { none, start, frame, letters, stop };
 
-  SDL_Window* window = nullptr;
-  void* context = nullptr;
+  std::unique_ptr<Presenter> presenter;
   std::function<void()> drawn;
   std::thread thread;
   DrawFrame frame;
@@ -71,30 +66,7 @@ struct DrawThread::State {
     changed.wait(lock, [&] { return job == Job::none; });
   }
 
-  base::Status begin(std::unique_ptr<Picture>& picture) const {
-    if (SDL_GL_MakeCurrent(window, context) != 0) {
-      return base::Error{"OpenGL could not be used on another thread", "", "try another driver"};
-    }
-    SDL_GL_SetSwapInterval(1);
-    auto made = Picture::make();
-    if (!made) return made.error();
-    if (!ImGui_ImplOpenGL3_Init("#version 140")) {
-      return base::Error{"the panels could not be started", "", "install libgl1 and libgl1-mesa-dri"};
-    }
-    ImGui_ImplOpenGL3_NewFrame();
-    picture = std::move(*made);
-    return base::Done{};
-  }
-
-  base::Status show(Picture& picture) {
-    const auto done = picture.draw(frame);
-    if (!done) return done;
-    ImGui_ImplOpenGL3_RenderDrawData(panels->data());
-    return done;
-  }
-
   void run() {
-    std::unique_ptr<Picture> picture;
     while (true) {
       Job now = Job::none;
       {
@@ -105,27 +77,20 @@ struct DrawThread::State {
       const std::int64_t before = thread_cpu_us();
       base::Status result{base::Done{}};
       try {
-        if (now == Job::start) result = begin(picture);
-        if (now == Job::frame) result = show(*picture);
+        if (now == Job::start) result = presenter->begin();
+        if (now == Job::frame) result = presenter->draw(frame, *panels->data());
       } catch (const std::bad_alloc&) {
         result = base::Error{"the memory does not suffice for the picture", "", "make the window or the model smaller"};
       }
-      if (now == Job::letters) {
-        ImGui_ImplOpenGL3_DestroyFontsTexture();
-        ImGui_ImplOpenGL3_CreateFontsTexture();
-      }
-      if (now == Job::stop) {
-        if (picture) ImGui_ImplOpenGL3_Shutdown();
-        picture.reset();
-        SDL_GL_MakeCurrent(window, nullptr);
-      }
+      if (now == Job::letters) presenter->send_letters();
+      if (now == Job::stop) presenter->end();
       const std::int64_t took = thread_cpu_us() - before;
       std::optional<geometry::Viewport> size;
       Undrawn undrawn_now;
-      if (now == Job::frame && result) undrawn_now = {frame.model->look, picture->take_undrawn()};
+      if (now == Job::frame && result) undrawn_now = {frame.model->look, presenter->take_undrawn()};
       if (now == Job::frame && result) {
-        SDL_GL_SwapWindow(window);
-        size = drawable_size();
+        presenter->show();
+        size = presenter->drawable();
       }
       {
         const std::scoped_lock lock(mutex);
@@ -134,7 +99,7 @@ struct DrawThread::State {
         if (now == Job::frame && result) {
           times_us.push_back(took);
           drawable = size;
-          refining = picture->refining();
+          refining = presenter->refining();
           if (!undrawn_now.names.empty()) undrawn = std::move(undrawn_now);
         }
         changed.notify_all();
@@ -147,13 +112,11 @@ struct DrawThread::State {
 
 DrawThread::DrawThread(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
-base::Result<std::unique_ptr<DrawThread>> DrawThread::start(SDL_Window* window, void* context,
+base::Result<std::unique_ptr<DrawThread>> DrawThread::start(std::unique_ptr<Presenter> presenter,
                                                             std::function<void()> drawn) {
   auto state = std::make_unique<State>();
-  state->window = window;
-  state->context = context;
+  state->presenter = std::move(presenter);
   state->drawn = std::move(drawn);
-  SDL_GL_MakeCurrent(window, nullptr);
   State* const here = state.get();
   state->thread = std::thread([here] { here->run(); });
   std::unique_ptr<DrawThread> made(new DrawThread(std::move(state)));

@@ -7,10 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "ui/app/view/draw_frame.h"
-
-struct SDL_Window;
-struct ImDrawData;
+#include "ui/app/view/present/presenter.h"
 
 namespace penpose::app {
 
@@ -24,9 +21,9 @@ struct Undrawn {
 /// holds up the pen. All calls from the thread that made it.
 class DrawThread {
  public:
-  /// Takes the OpenGL context over, which must be current, until it is destroyed. ImGui must have its context, and only
-  /// this draws with it. `drawn` is called from the other thread after every picture. Errors: those of the renderer.
-  static base::Result<std::unique_ptr<DrawThread>> start(SDL_Window* window, void* context,
+  /// ImGui must have its context, and only this draws with it. `drawn` is called from the other thread after every
+  /// picture. Errors: those of the presenter.
+  static base::Result<std::unique_ptr<DrawThread>> start(std::unique_ptr<Presenter> presenter,
                                                          std::function<void()> drawn);
   ~DrawThread();
   DrawThread(const DrawThread&) = delete;

@@ -73,7 +73,8 @@ base::Error no_display(const std::string& why) {
 
 struct Window::State {
   SDL_Window* window = nullptr;
-  SDL_GLContext context = nullptr;
+  SDL_GLContext context = nullptr;  ///< null: the processor draws
+  render::DrawWay way = render::DrawWay::gl;
   Uint32 wake_event = 0;
   Uint32 picture_event = 0;  ///< a picture was shown
   bool imgui = false;
@@ -105,9 +106,46 @@ struct Window::State {
     if (SDL_GetDisplayDPI(SDL_GetWindowDisplayIndex(window), &diagonal, nullptr, nullptr) != 0) return 96;
     return static_cast<double>(diagonal);
   }
+  /// Opens the window for a way to draw. Errors: it does not start.
+  base::Status start(render::DrawWay one, bool fullscreen);
+  [[nodiscard]] std::unique_ptr<Presenter> presenter() const;
   void take_event(const SDL_Event& event, App& app, Interface& interface) const;
   static void take_key(const SDL_KeyboardEvent& key, Interface& interface);
 };
+
+base::Status Window::State::start(render::DrawWay one, bool fullscreen) {
+  way = one;
+  Uint32 flags = SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
+  if (fullscreen) flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
+  if (way != render::DrawWay::cpu) {
+    if (const auto room = render::check_room_for_gl(); !room) return room.error();
+    if (const auto threads = render::check_threads_for_gl(); !threads) return threads.error();
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 1);
+    // The picture is averaged before it reaches the window, which needs no depth of its own.
+    SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
+    flags |= SDL_WINDOW_OPENGL;
+  }
+  // Px of the window itself, not of a texture that a graphics card shows in it.
+  SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, way == render::DrawWay::cpu ? "0" : nullptr);
+  constexpr int k_width = 1280;
+  constexpr int k_height = 800;
+  window = SDL_CreateWindow("penpose", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, k_width, k_height, flags);
+  if (window == nullptr) return no_display(sdl_error());
+  if (way == render::DrawWay::cpu) return base::Done{};
+  context = SDL_GL_CreateContext(window);
+  if (context != nullptr) return base::Done{};
+  SDL_DestroyWindow(std::exchange(window, nullptr));
+  return base::Error{"OpenGL 3.1 could not be started (" + sdl_error() + ")", "",
+                     "install libgl1 and libgl1-mesa-dri, or draw with --draw cpu"};
+}
+
+std::unique_ptr<Presenter> Window::State::presenter() const {
+  if (way == render::DrawWay::cpu) return make_cpu_presenter(window);
+  SDL_GL_MakeCurrent(window, nullptr);
+  return make_gl_presenter(window, context);
+}
 
 void Window::State::take_key(const SDL_KeyboardEvent& key, Interface& interface) {
   const bool ctrl = (key.keysym.mod & KMOD_CTRL) != 0;
@@ -181,9 +219,7 @@ void Window::State::take_event(const SDL_Event& event, App& app, Interface& inte
 Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Window::~Window() = default;
 
-base::Result<std::unique_ptr<Window>> Window::open(bool fullscreen) {
-  if (const auto room = render::check_room_for_gl(); !room) return room.error();
-  if (const auto threads = render::check_threads_for_gl(); !threads) return threads.error();
+base::Result<std::unique_ptr<Window>> Window::open(bool fullscreen, std::optional<render::DrawWay> way) {
   // Fingers come as fingers alone, and a click into a window that was behind another one counts.
   SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");
   SDL_SetHint(SDL_HINT_MOUSE_TOUCH_EVENTS, "0");
@@ -200,22 +236,13 @@ base::Result<std::unique_ptr<Window>> Window::open(bool fullscreen) {
   }
   if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) return no_display(sdl_error());
   auto state = std::make_unique<State>();
-  SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
-  SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
-  SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 1);
-  // The picture is averaged before it reaches the window, which needs no depth of its own.
-  SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
-  Uint32 flags = SDL_WINDOW_OPENGL | SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
-  if (fullscreen) flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
-  constexpr int k_width = 1280;
-  constexpr int k_height = 800;
-  state->window = SDL_CreateWindow("penpose", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, k_width, k_height, flags);
-  if (state->window == nullptr) return no_display(sdl_error());
-  state->context = SDL_GL_CreateContext(state->window);
-  if (state->context == nullptr) {
-    return base::Error{"OpenGL 3.1 could not be started (" + sdl_error() + ")", "",
-                       "install libgl1 and libgl1-mesa-dri"};
+  base::Status started{base::Done{}};
+  for (const render::DrawWay one : render::built_in_ways()) {
+    if (way && *way != one) continue;
+    started = state->start(one, fullscreen);
+    if (started) break;
   }
+  if (!started) return started.error();
   SDL_SetWindowMinimumSize(state->window, 640, 400);
   state->wake_event = SDL_RegisterEvents(2);
   state->picture_event = state->wake_event + 1;
@@ -232,7 +259,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
                          bool until_played) {
   SDL_Event picture_shown{};
   picture_shown.type = state_->picture_event;
-  auto drawing = DrawThread::start(state_->window, state_->context, [&] { SDL_PushEvent(&picture_shown); });
+  auto drawing = DrawThread::start(state_->presenter(), [&] { SDL_PushEvent(&picture_shown); });
   if (!drawing) return drawing.error();
   DrawThread& thread = **drawing;
   const Canvas& canvas = app.of<Canvas>();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/base/result.h"
 #include "ui/app/app.h"
@@ -8,14 +9,16 @@
 #include "ui/app/interface.h"
 #include "ui/app/window/timings.h"
 #include "ui/live/live.h"
+#include "ui/render/renderer.h"
 
 namespace penpose::app {
 
-/// The window: SDL's events in, OpenGL's pictures out. Waits for events and draws only when there is something new.
+/// The window: SDL's events in, pictures out. Waits for events and draws only when there is something new.
 class Window {
  public:
-  /// Errors: there is no display, or no OpenGL 3.1.
-  static base::Result<std::unique_ptr<Window>> open(bool fullscreen);
+  /// By the way to draw asked for, or else by the first of render::built_in_ways that starts. Errors: there is no
+  /// display, or the way asked for does not start.
+  static base::Result<std::unique_ptr<Window>> open(bool fullscreen, std::optional<render::DrawWay> way);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;

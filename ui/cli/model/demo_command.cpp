@@ -11,7 +11,6 @@
 #include "ui/demo/run_demo.h"
 #include "ui/files/files.h"
 #include "ui/files/save_model.h"
-#include "ui/render/gl/renderer.h"
 
 namespace penpose::cli {
 namespace {
@@ -88,10 +87,9 @@ void print(const demo::Demo& made, const Written& written) {
     std::cout << "  " << one.name << ": " << one.curves << " curves, distance left "
               << base::format_fixed(one.distance_at_rest, 4) << " -> " << base::format_fixed(one.distance, 4) << "\n";
   }
-  if (!written.cells.empty()) std::cout << "pictures, row by row: ";
+  std::cout << "pictures, row by row: ";
   for (std::size_t i = 0; i < written.cells.size(); ++i) std::cout << (i > 0 ? ", " : "") << written.cells[i].title;
-  std::cout << (written.cells.empty() ? "no pictures: built without OpenGL" : "") << "\nwrote " << written.glb
-            << (written.png.empty() ? "" : " and ") << written.png << " in "
+  std::cout << "\nwrote " << written.glb << " and " << written.png << " in "
             << base::format_fixed(written.total_ms / 1000, 2) << " s\n";
 }
 
@@ -112,7 +110,7 @@ Json to_json(const demo::Demo& made, const Written& written) {
           {"expressions", std::move(expressions)},
           {"pictures", std::move(pictures)},
           {"glb", written.glb},
-          {"png", written.png.empty() ? Json() : Json(written.png)},
+          {"png", written.png},
           {"replay_ms", written.replay_ms},
           {"picture_ms", written.picture_ms},
           {"total_ms", written.total_ms},
@@ -135,16 +133,11 @@ int run_demo_command(const DemoArguments& arguments) {
     return files::report(saved.error(), written.glb);
   }
   const Clock::time_point before_pictures = Clock::now();
-  if (render::Renderer::is_built_in()) {
-    const auto sheet = demo::draw_contact_sheet(*made->document.model, written.cells);
-    if (!sheet) return files::report(sheet.error(), written.png);
-    const auto png = render::encode_png(*sheet);
-    if (!png) return files::report(png.error(), written.png);
-    if (auto saved = files::write_file(written.png, *png); !saved) return files::report(saved.error(), written.png);
-  } else {
-    written.png.clear();
-    written.cells.clear();
-  }
+  const auto sheet = demo::draw_contact_sheet(*made->document.model, written.cells);
+  if (!sheet) return files::report(sheet.error(), written.png);
+  const auto png = render::encode_png(*sheet);
+  if (!png) return files::report(png.error(), written.png);
+  if (auto saved = files::write_file(written.png, *png); !saved) return files::report(saved.error(), written.png);
   written.picture_ms = ms_since(before_pictures);
   written.total_ms = ms_since(start);
   if (arguments.json) {

@@ -13,6 +13,7 @@
 #include "core/io/model/model_formats.h"
 #include "core/io/project/camera_file.h"
 #include "core/io/project/case_file.h"
+#include "ui/cli/draw_option.h"
 #include "ui/cli/model/frame_name.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/orientation_option.h"
@@ -24,7 +25,7 @@
 #include "ui/files/process/kept_memory.h"
 #include "ui/render/appearance.h"
 #include "ui/render/framing.h"
-#include "ui/render/gl/renderer.h"
+#include "ui/render/renderer.h"
 
 namespace penpose::cli {
 namespace {
@@ -51,6 +52,7 @@ struct Options {
   bool curves = false;
   std::string cases;
   std::string case_name;
+  std::string draw;
 };
 
 std::optional<geometry::Viewport> parse_size(const std::string& text) {
@@ -221,7 +223,7 @@ int run_render(const Options& options) {
   if (const auto fits = files.writes(options.output, "-o"); !fits) return files::report(fits.error(), options.output);
   files::keep_little_memory();
   // Asked for first: what OpenGL needs is much, and not every driver says when it is not there.
-  auto renderer = render::Renderer::make_offscreen();
+  auto renderer = render::make_offscreen_renderer(render::way_of(options.draw));
   if (!renderer) return files::report(renderer.error());
   auto model = files::load_model(options.model, files::NamedBy::user, options.orientation);
   if (!model) return files::report(model.error(), options.model);
@@ -300,6 +302,7 @@ void add_options(CLI::App& command, Options& options) {
       ->check(CLI::IsMember({"front", "side", "three-quarter", "back", "top", "face"}))
       ->capture_default_str()
       ->excludes(camera);
+  add_draw_option(command, options.draw);
   command.add_flag("--wireframe", options.wireframe, "draw the edges too");
   command.add_flag("--clay", options.clay, "the shape alone, without textures and colours of vertices");
   command.add_flag("--plain", options.plain, "the file's materials only: do not tell eyes and teeth apart by shape");

@@ -26,7 +26,7 @@
 #include "ui/live/live.h"
 #include "ui/render/appearance.h"
 #include "ui/render/document_curves.h"
-#include "ui/render/gl/renderer.h"
+#include "ui/render/renderer.h"
 
 namespace penpose::cli {
 namespace {
@@ -134,7 +134,7 @@ base::Status write_picture(const replay::Session& session, const std::string& pa
   const document::View& view = session.editor().view();
   const auto camera = geometry::Camera::make(view.camera, picture_size(view.viewport));
   if (!camera) return camera.error();
-  auto renderer = render::Renderer::make_offscreen();
+  auto renderer = render::make_offscreen_renderer();
   if (!renderer) return renderer.error();
   const document::Model model = document::model_of(document);
   const render::Appearance appearance = render::make_appearance(model, {});

@@ -7,6 +7,9 @@
 
 namespace penpose::render {
 
+/// Samples a px of pictures that are not smoothed.
+inline constexpr int k_most_samples = 8;
+
 /// What a picture is drawn into, of the current context: a multisampled target for surfaces, the resolved picture with
 /// a readable depth, and two textures for the occlusion. Kept while the size stays.
 class Framebuffers {
@@ -16,7 +19,8 @@ class Framebuffers {
   Framebuffers(const Framebuffers&) = delete;
   Framebuffers& operator=(const Framebuffers&) = delete;
 
-  /// Counts for targets that are made from now on.
+  /// Samples a px; each costs its memory, and time on a software renderer. Counts for targets that are made from now
+  /// on.
   void set_most_samples(int most) { most_samples_ = most; }
   /// Makes targets of that size where there are none yet. Errors: larger than the driver can.
   base::Status resize(int width, int height);
@@ -60,7 +64,7 @@ class Framebuffers {
   int width_ = 0;
   int height_ = 0;
   int samples_ = 0;
-  int most_samples_ = 8;
+  int most_samples_ = k_most_samples;
   unsigned surface_target_ = 0;
   unsigned surface_color_ = 0;
   unsigned surface_depth_ = 0;

@@ -1,14 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/mat4x4.hpp>
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/geometry/camera.h"
+#include "ui/render/draw_list.h"
 #include "ui/render/gl/gl_program.h"
 #include "ui/render/gl/look_pass.h"
-#include "ui/render/gl/view.h"
 #include "ui/render/scene.h"
 
 namespace penpose::render {
@@ -26,7 +24,7 @@ class MeshPass {
 
   /// Sends what has changed. Errors: arrays of different sizes, an index out of range.
   base::Status upload(const Scene& scene);
-  /// Puts translucent triangles with pictures into the order in which this view sees them, the farthest first.
+  /// As order_blended.
   void order(const Scene& scene, const View& view);
   /// Pictures that could not be unpacked, as Textures tells them.
   [[nodiscard]] std::vector<std::string> take_undrawn() { return looks_.take_undrawn(); }
@@ -40,24 +38,19 @@ class MeshPass {
   GlProgram surface_;
   GlProgram wire_;
   LookPass looks_;
-  bool clay_ = false;
+  SceneTracker tracker_;
+  DrawList list_;                         ///< without what the card alone has to know
+  std::vector<std::size_t> first_index_;  ///< of each batch
   unsigned vertex_array_ = 0;
   unsigned positions_ = 0;
   unsigned normals_ = 0;
   unsigned finish_ = 0;
   unsigned overlay_ = 0;
   unsigned indices_ = 0;
-  std::size_t vertex_count_ = 0;
-  std::size_t triangle_count_ = 0;
   int opaque_count_ = 0;
   int translucent_count_ = 0;
   int edge_count_ = 0;
   std::size_t first_edge_ = 0;  ///< among the indices
-  bool has_edges_ = false;
-  std::uint64_t shape_number_ = 0;
-  std::uint64_t pose_number_ = 0;
-  std::uint64_t overlay_number_ = 0;
-  bool overlay_is_clear_ = false;
 };
 
 }  // namespace penpose::render

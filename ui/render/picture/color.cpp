@@ -3,16 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/math.h"
+
 namespace penpose::render {
+namespace {
+
+/// The same bits on every machine: pictures of the processor are compared by equality.
+float power(float value, double exponent) {
+  return static_cast<float>(base::pow(static_cast<double>(value), exponent));
+}
+
+}  // namespace
 
 float decode_srgb(float display) {
   const float v = std::clamp(display, 0.0F, 1.0F);
-  return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
+  return v <= 0.04045F ? v / 12.92F : power((v + 0.055F) / 1.055F, 2.4);
 }
 
 float encode_srgb(float linear) {
   const float v = std::clamp(linear, 0.0F, 1.0F);
-  return v <= 0.0031308F ? v * 12.92F : 1.055F * std::pow(v, 1.0F / 2.4F) - 0.055F;
+  return v <= 0.0031308F ? v * 12.92F : 1.055F * power(v, 1.0 / 2.4) - 0.055F;
 }
 
 Color from_srgb(std::uint32_t rgb, float alpha) {

@@ -37,39 +37,24 @@ std::vector<std::optional<Knot>> knots(const CurveDrawing& curve, const geometry
   return result;
 }
 
-void add_quad(std::vector<CurveCorner>& corners, const Knot& a, const Knot& b, float margin, float order) {
-  float dx = b.x - a.x;
-  float dy = b.y - a.y;
-  const float size = std::sqrt(dx * dx + dy * dy);
-  dx = size > 0 ? dx / size : 1;
-  dy = size > 0 ? dy / size : 0;
-  const float reach = std::max(a.radius, b.radius) + margin;
-  const auto corner = [&](const Knot& end, float along, float side) {
-    return CurveCorner{end.x + (dx * along - dy * side) * reach,
-                       end.y + (dy * along + dx * side) * reach,
-                       {a.x, a.y, b.x, b.y},
-                       {a.radius, b.radius},
-                       end.color,
-                       order};
-  };
-  const CurveCorner four[4] = {corner(a, -1, -1), corner(a, -1, 1), corner(b, 1, -1), corner(b, 1, 1)};
-  for (const int k : {0, 1, 2, 2, 1, 3}) corners.push_back(four[k]);
+CurvePiece piece_between(const Knot& a, const Knot& b, float margin, float order) {
+  return {{a.x, a.y, b.x, b.y}, {a.radius, b.radius}, {a.color, b.color}, std::max(a.radius, b.radius) + margin, order};
 }
 
 }  // namespace
 
-std::vector<CurveCorner> curve_quads(const CurveDrawing& curve, const geometry::Camera& camera) {
+std::vector<CurvePiece> curve_pieces(const CurveDrawing& curve, const geometry::Camera& camera) {
   auto points = knots(curve, camera);
   if (curve.closed && points.size() > 2) points.push_back(points.front());
-  std::vector<CurveCorner> corners;
-  corners.reserve(points.size() * 6);
+  std::vector<CurvePiece> pieces;
+  pieces.reserve(points.size());
   const float margin = k_outline_px + (curve.highlighted ? k_halo_px : 0.0F) + 1.0F;
   const std::optional<Knot>* last = nullptr;
   bool drawn = false;
   int number = 0;
   for (const auto& point : points) {
     if (!point) {
-      if (last != nullptr && !drawn) add_quad(corners, **last, **last, margin, 0);
+      if (last != nullptr && !drawn) pieces.push_back(piece_between(**last, **last, margin, 0));
       last = nullptr;
       continue;
     }
@@ -81,11 +66,35 @@ std::vector<CurveCorner> curve_quads(const CurveDrawing& curve, const geometry::
     const float dx = point->x - (*last)->x;
     const float dy = point->y - (*last)->y;
     if (dx * dx + dy * dy < 0.0625F && &point != &points.back()) continue;
-    add_quad(corners, **last, *point, margin, static_cast<float>(number++ % 4) * 2.5e-7F);
+    pieces.push_back(piece_between(**last, *point, margin, static_cast<float>(number++ % 4) * 2.5e-7F));
     last = &point;
     drawn = true;
   }
-  if (last != nullptr && !drawn) add_quad(corners, **last, **last, margin, 0);
+  if (last != nullptr && !drawn) pieces.push_back(piece_between(**last, **last, margin, 0));
+  return pieces;
+}
+
+std::vector<CurveCorner> curve_quads(const CurveDrawing& curve, const geometry::Camera& camera) {
+  const std::vector<CurvePiece> pieces = curve_pieces(curve, camera);
+  std::vector<CurveCorner> corners;
+  corners.reserve(pieces.size() * 6);
+  for (const CurvePiece& piece : pieces) {
+    float dx = piece.ends[2] - piece.ends[0];
+    float dy = piece.ends[3] - piece.ends[1];
+    const float size = std::sqrt(dx * dx + dy * dy);
+    dx = size > 0 ? dx / size : 1;
+    dy = size > 0 ? dy / size : 0;
+    const auto corner = [&](std::size_t end, float along, float side) {
+      return CurveCorner{piece.ends[2 * end] + (dx * along - dy * side) * piece.reach,
+                         piece.ends[2 * end + 1] + (dy * along + dx * side) * piece.reach,
+                         piece.ends,
+                         piece.radii,
+                         piece.colors[end],
+                         piece.order};
+    };
+    const CurveCorner four[4] = {corner(0, -1, -1), corner(0, -1, 1), corner(1, 1, -1), corner(1, 1, 1)};
+    for (const int k : {0, 1, 2, 2, 1, 3}) corners.push_back(four[k]);
+  }
   return corners;
 }
 

@@ -9,8 +9,8 @@
 #include "core/document/model.h"
 #include "ui/render/appearance.h"
 #include "ui/render/framing.h"
-#include "ui/render/gl/renderer.h"
 #include "ui/render/picture/image.h"
+#include "ui/render/renderer.h"
 
 namespace penpose::render {
 
@@ -107,11 +107,16 @@ inline int differing(const Image& a, const Image& b, int step = 2) {
   return count;
 }
 
-/// The test machine's renderer. Every test that uses it fails where there is no OpenGL at all.
-inline std::unique_ptr<Renderer> make_renderer() {
-  auto made = Renderer::make_offscreen();
+/// The test machine's renderer, of the best way or of one. Every test that uses one of OpenGL fails where there is
+/// none.
+inline std::unique_ptr<Renderer> make_renderer(std::optional<DrawWay> way = std::nullopt) {
+  auto made = make_offscreen_renderer(way);
   EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.error().line());
   return made.ok() ? std::move(*made) : nullptr;
 }
+
+/// A test of what holds for each way to draw.
+class EachWay : public testing::TestWithParam<DrawWay> {};
+inline std::string way_name(const testing::TestParamInfo<DrawWay>& way) { return std::string(name_of(way.param)); }
 
 }  // namespace penpose::render

@@ -1,12 +1,11 @@
-#include "ui/render/gl/behind_pass.h"
-
 #include <gtest/gtest.h>
 
 #include "tests/support/models/render_shapes.h"
-#include "ui/render/gl/renderer.h"
-
 namespace penpose::render {
 namespace {
+
+class BehindTheModel : public EachWay {};
+INSTANTIATE_TEST_SUITE_P(Ways, BehindTheModel, testing::ValuesIn(built_in_ways()), way_name);
 
 constexpr geometry::Viewport k_viewport{200, 100};
 
@@ -21,8 +20,8 @@ std::shared_ptr<const Image> plain(std::uint8_t top, std::uint8_t bottom) {
   return image;
 }
 
-TEST(BehindPass, ThePictureStandsWhereItsCornersAreWithItsTopAbove) {
-  const auto renderer = make_renderer();
+TEST_P(BehindTheModel, ThePictureStandsWhereItsCornersAreWithItsTopAbove) {
+  const auto renderer = make_renderer(GetParam());
   ASSERT_NE(renderer, nullptr);
   const auto camera = geometry::Camera::make({}, k_viewport).value();
   const Image before = renderer->render({}, camera).value();
@@ -38,8 +37,8 @@ TEST(BehindPass, ThePictureStandsWhereItsCornersAreWithItsTopAbove) {
   EXPECT_EQ(renderer->render({}, camera).value(), before);
 }
 
-TEST(BehindPass, HalfOfItShowsAtHalfItsOpacity) {
-  const auto renderer = make_renderer();
+TEST_P(BehindTheModel, HalfOfItShowsAtHalfItsOpacity) {
+  const auto renderer = make_renderer(GetParam());
   ASSERT_NE(renderer, nullptr);
   const auto camera = geometry::Camera::make({}, k_viewport).value();
   const Image before = renderer->render({}, camera).value();
@@ -48,8 +47,8 @@ TEST(BehindPass, HalfOfItShowsAtHalfItsOpacity) {
   EXPECT_NEAR(image.at(100, 50)[0], 0.5 * (200 + before.at(100, 50)[0]), 3);
 }
 
-TEST(BehindPass, TheModelIsInFrontOfIt) {
-  const auto renderer = make_renderer();
+TEST_P(BehindTheModel, TheModelIsInFrontOfIt) {
+  const auto renderer = make_renderer(GetParam());
   ASSERT_NE(renderer, nullptr);
   const Shown shown(sphere_model(1));
   const auto camera = frame_points(shown.positions, k_viewport);

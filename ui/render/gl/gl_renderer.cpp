@@ -1,56 +1,20 @@
-#include "ui/render/gl/renderer.h"
+#include "ui/render/gl/gl_renderer.h"
 
 #include <epoxy/gl.h>
 #include <utility>
 
+#include "ui/render/gl/behind_pass.h"
 #include "ui/render/gl/curve_pass.h"
 #include "ui/render/gl/framebuffers.h"
 #include "ui/render/gl/gl_program.h"
 #include "ui/render/gl/mesh_pass.h"
 #include "ui/render/gl/offscreen_context.h"
 #include "ui/render/gl/shaders.h"
+#include "ui/render/smoothing.h"
 
 namespace penpose::render {
-namespace {
 
-/// How far occlusion looks, as a share of the model's diagonal (which a view scales to one).
-constexpr float k_occlusion_radius = 0.06F;
-
-/// Pictures that are averaged, and where each samples its px: a Halton sequence of bases 2 and 3 around the middle.
-constexpr int k_most_passes = 8;
-constexpr float k_places[k_most_passes][2] = {
-    {0, 0},           {-0.25F, 0.167F},   {0.25F, -0.389F}, {-0.375F, -0.056F},
-    {0.125F, 0.278F}, {-0.125F, -0.278F}, {0.375F, 0.056F}, {-0.438F, 0.389F}};
-
-/// What surfaces were drawn from.
-struct Drawn {
-  std::uint64_t shape = 0;
-  std::uint64_t pose = 0;
-  std::uint64_t overlay = 0;
-  bool has_overlay = false;
-  bool wireframe = false;
-  bool clay = false;
-  Background background;
-  geometry::CameraPose camera;
-  geometry::Viewport viewport;
-  Behind behind;
-
-  [[nodiscard]] bool same_as(const Drawn& other) const {
-    const auto same_color = [](const Color& a, const Color& b) {
-      return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
-    };
-    return shape != 0 && pose != 0 && shape == other.shape && pose == other.pose && overlay == other.overlay &&
-           has_overlay == other.has_overlay && wireframe == other.wireframe && clay == other.clay &&
-           camera == other.camera && viewport == other.viewport && behind == other.behind &&
-           same_color(background.top, other.background.top) && same_color(background.bottom, other.background.bottom);
-  }
-};
-
-}  // namespace
-
-bool Renderer::is_built_in() { return true; }
-
-struct Renderer::State {
+struct GlRenderer::State {
   std::unique_ptr<OffscreenContext> context;  // first: it has to outlive what lives in it
   GlProgram background;
   GlProgram occlusion;
@@ -66,7 +30,7 @@ struct Renderer::State {
   bool smooths = false;
   bool still = false;  ///< the last picture could have been drawn again
   int passes = 0;      ///< pictures that were averaged since the last change
-  Drawn last;
+  PictureSource last;
 
   State(std::unique_ptr<OffscreenContext> owned, MeshPass mesh_pass, CurvePass curve_pass)
       : context(std::move(owned)), mesh(std::move(mesh_pass)), curves(std::move(curve_pass)) {
@@ -89,7 +53,7 @@ struct Renderer::State {
   void draw_occlusion(const View& view, geometry::Viewport viewport);
 };
 
-base::Result<std::unique_ptr<Renderer::State>> Renderer::State::make(std::unique_ptr<OffscreenContext> owned) {
+base::Result<std::unique_ptr<GlRenderer::State>> GlRenderer::State::make(std::unique_ptr<OffscreenContext> owned) {
   if (!context_is_enough()) {
     return base::Error{"the driver offers only " + context_name(), "", "OpenGL 3.1 or OpenGL ES 3.0 is needed"};
   }
@@ -116,7 +80,7 @@ base::Result<std::unique_ptr<Renderer::State>> Renderer::State::make(std::unique
   return state;
 }
 
-void Renderer::State::draw_background(const Background& colors) const {
+void GlRenderer::State::draw_background(const Background& colors) const {
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   background.use();
@@ -125,7 +89,7 @@ void Renderer::State::draw_background(const Background& colors) const {
   fill_screen();
 }
 
-void Renderer::State::draw_occlusion(const View& view, geometry::Viewport viewport) {
+void GlRenderer::State::draw_occlusion(const View& view, geometry::Viewport viewport) {
   const auto set_common = [&](const GlProgram& program) {
     program.use();
     program.set("depths", 0);
@@ -155,7 +119,7 @@ void Renderer::State::draw_occlusion(const View& view, geometry::Viewport viewpo
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void Renderer::State::draw_surfaces(const Scene& scene, const View& view, geometry::Viewport viewport) {
+void GlRenderer::State::draw_surfaces(const Scene& scene, const View& view, geometry::Viewport viewport) {
   targets.begin_surfaces();
   glClear(GL_DEPTH_BUFFER_BIT);
   draw_background(scene.background);
@@ -167,10 +131,10 @@ void Renderer::State::draw_surfaces(const Scene& scene, const View& view, geomet
   mesh.draw_translucent(view);
 }
 
-void Renderer::State::add_pass(const Scene& scene, View view, geometry::Viewport viewport) {
-  if (passes < k_most_passes) {
-    view.to_clip[2][0] += 2 * k_places[passes][0] / static_cast<float>(viewport.width);
-    view.to_clip[2][1] += 2 * k_places[passes][1] / static_cast<float>(viewport.height);
+void GlRenderer::State::add_pass(const Scene& scene, View view, geometry::Viewport viewport) {
+  if (passes < k_smoothing_passes) {
+    view.to_clip[2][0] += 2 * k_smoothing_places[passes][0] / static_cast<float>(viewport.width);
+    view.to_clip[2][1] += 2 * k_smoothing_places[passes][1] / static_cast<float>(viewport.height);
     draw_surfaces(scene, view, viewport);
     ++passes;
     targets.average(1.0F / static_cast<float>(passes), [&] {
@@ -186,27 +150,27 @@ void Renderer::State::add_pass(const Scene& scene, View view, geometry::Viewport
   targets.show_average();
 }
 
-Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+GlRenderer::GlRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
-Renderer::~Renderer() {
+GlRenderer::~GlRenderer() {
   if (state_->context) state_->context->make_current();
 }
 
-base::Result<std::unique_ptr<Renderer>> Renderer::make_offscreen() {
+base::Result<std::unique_ptr<GlRenderer>> GlRenderer::make_offscreen() {
   auto context = OffscreenContext::make();
   if (!context) return context.error();
   auto state = State::make(std::move(*context));
   if (!state) return state.error();
-  return std::unique_ptr<Renderer>(new Renderer(std::move(*state)));
+  return std::unique_ptr<GlRenderer>(new GlRenderer(std::move(*state)));
 }
 
-base::Result<std::unique_ptr<Renderer>> Renderer::make_in_current_context() {
+base::Result<std::unique_ptr<GlRenderer>> GlRenderer::make_in_current_context() {
   auto state = State::make(nullptr);
   if (!state) return state.error();
-  return std::unique_ptr<Renderer>(new Renderer(std::move(*state)));
+  return std::unique_ptr<GlRenderer>(new GlRenderer(std::move(*state)));
 }
 
-base::Status Renderer::draw_picture(const Scene& scene, const geometry::Camera& camera) {
+base::Status GlRenderer::draw_picture(const Scene& scene, const geometry::Camera& camera) {
   State& s = *state_;
   if (s.context) s.context->make_current();
   if (auto sized = s.targets.resize(camera.viewport().width, camera.viewport().height); !sized) return sized.error();
@@ -216,12 +180,11 @@ base::Status Renderer::draw_picture(const Scene& scene, const geometry::Camera& 
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthMask(GL_TRUE);
   if (epoxy_is_desktop_gl()) glEnable(GL_MULTISAMPLE);
-  const Drawn now{scene.shape_number, scene.pose_number, scene.overlay_number, !scene.overlay.empty(), scene.wireframe,
-                  scene.clay,         scene.background,  camera.pose(),        camera.viewport(),      s.behind};
+  const PictureSource now(scene, camera, s.behind);
   s.mesh.order(scene, view);
-  const bool same = now.same_as(s.last) && (now.overlay != 0 || !now.has_overlay);
+  const bool same = now.same_as(s.last);
   s.last = now;
-  s.still = now.shape != 0 && now.pose != 0;
+  s.still = now.numbered();
   const bool by_passes = s.smooths && s.targets.samples() == 0 && !s.occlude;
   if (!same) {
     s.passes = 0;
@@ -239,26 +202,28 @@ base::Status Renderer::draw_picture(const Scene& scene, const geometry::Camera& 
   return base::Done{};
 }
 
-base::Result<Image> Renderer::render(const Scene& scene, const geometry::Camera& camera) {
+base::Result<Image> GlRenderer::render(const Scene& scene, const geometry::Camera& camera) {
   if (auto drawn = draw_picture(scene, camera); !drawn) return drawn.error();
   return state_->targets.read();
 }
 
-base::Status Renderer::draw(const Scene& scene, const geometry::Camera& camera, unsigned framebuffer, int x, int y) {
+base::Status GlRenderer::draw(const Scene& scene, const geometry::Camera& camera, unsigned framebuffer, int x, int y) {
   if (auto drawn = draw_picture(scene, camera); !drawn) return drawn.error();
   state_->targets.copy_to(framebuffer, x, y);
   return base::Done{};
 }
 
-void Renderer::set_behind(Behind behind) { state_->behind = std::move(behind); }
-void Renderer::set_smoothing(bool on) { state_->smooths = on; }
-std::vector<std::string> Renderer::take_undrawn() { return state_->mesh.take_undrawn(); }
-bool Renderer::refining() const {
-  const State& s = *state_;
-  return s.smooths && s.still && s.targets.samples() == 0 && !s.occlude && s.passes < k_most_passes;
+void GlRenderer::set_behind(Behind behind) { state_->behind = std::move(behind); }
+void GlRenderer::set_smoothing(bool on) {
+  state_->smooths = on;
+  state_->targets.set_most_samples(on ? 1 : k_most_samples);
 }
-void Renderer::set_occlusion(bool on) { state_->occlude = on; }
-void Renderer::set_most_samples(int most) { state_->targets.set_most_samples(most); }
-std::string Renderer::driver() const { return context_name(); }
+std::vector<std::string> GlRenderer::take_undrawn() { return state_->mesh.take_undrawn(); }
+bool GlRenderer::refining() const {
+  const State& s = *state_;
+  return s.smooths && s.still && s.targets.samples() == 0 && !s.occlude && s.passes < k_smoothing_passes;
+}
+void GlRenderer::set_occlusion(bool on) { state_->occlude = on; }
+std::string GlRenderer::driver() const { return context_name(); }
 
 }  // namespace penpose::render

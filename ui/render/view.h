@@ -6,7 +6,6 @@
 #include <span>
 
 #include "core/geometry/camera.h"
-#include "ui/render/gl/gl_program.h"
 
 namespace penpose::render {
 
@@ -19,10 +18,8 @@ struct View {
   glm::mat4 to_clip{1};
   glm::vec2 depth_to_z{1, 0};   ///< z = 1 / (x * depth + y), in scaled units
   glm::vec2 image_plane{1, 1};  ///< half width and half height at distance 1
+  friend bool operator==(const View&, const View&) = default;
 };
 [[nodiscard]] View make_view(std::span<const glm::vec3> positions, const geometry::Camera& camera);
-
-/// Takes a program into use with its uniforms of a view: those of k_place_functions.
-void use_with_view(const GlProgram& program, const View& view);
 
 }  // namespace penpose::render

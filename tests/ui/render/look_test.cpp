@@ -5,6 +5,9 @@
 namespace penpose::render {
 namespace {
 
+class Looks : public EachWay {};
+INSTANTIATE_TEST_SUITE_P(Ways, Looks, testing::ValuesIn(built_in_ways()), way_name);
+
 using document::AlphaMode;
 using document::TextureUse;
 
@@ -28,7 +31,7 @@ std::shared_ptr<const std::vector<std::uint8_t>> quarters() {
 
 /// A square that looks along +z, with the picture on it.
 struct Card {
-  Card() {
+  explicit Card(DrawWay drawn) : way(drawn) {
     look.images.push_back({"card", "image/png", quarters()});
     look.surfaces.resize(1);
     look.surfaces[0].texture = TextureUse{};
@@ -50,7 +53,7 @@ struct Card {
     scene.appearance = &appearance;
     scene.clay = clay;
     scene.background = {{0, 0, 0, 1}, {0, 0, 0, 1}};
-    const auto renderer = make_renderer();
+    const auto renderer = make_renderer(way);
     if (!renderer) return {};
     renderer->set_occlusion(false);
     auto image = renderer->render(scene, frame_points(shown.positions, k_look_viewport, {yaw, 0})).value();
@@ -58,6 +61,7 @@ struct Card {
     return image;
   }
 
+  DrawWay way;
   document::Look look;
   mutable std::vector<std::string> notes;
 };
@@ -69,15 +73,15 @@ void expect_color(const Image& image, int x, int y, int r, int g, int b) {
   EXPECT_NEAR(px[2], b, 12) << x << " " << y;
 }
 
-TEST(Looks, APictureIsSeenTheRightWayUp) {
-  const Image image = Card().picture();
+TEST_P(Looks, APictureIsSeenTheRightWayUp) {
+  const Image image = Card(GetParam()).picture();
   expect_color(image, 30, 30, 255, 0, 0);
   expect_color(image, 70, 30, 0, 255, 0);
   expect_color(image, 30, 70, 0, 0, 255);
 }
 
-TEST(Looks, ClayShowsTheShapeAlone) {
-  const Image image = Card().picture(0, true);
+TEST_P(Looks, ClayShowsTheShapeAlone) {
+  const Image image = Card(GetParam()).picture(0, true);
   for (const int x : {30, 70}) {
     const std::uint8_t* px = image.at(x, 30);
     EXPECT_NEAR(px[0], px[1], 20);
@@ -85,8 +89,8 @@ TEST(Looks, ClayShowsTheShapeAlone) {
   }
 }
 
-TEST(Looks, TheFactorAndTheColoursOfVerticesMultiply) {
-  Card card;
+TEST_P(Looks, TheFactorAndTheColoursOfVerticesMultiply) {
+  Card card(GetParam());
   card.surface().base_color = {0, 1, 1, 1};
   expect_color(card.picture(), 30, 30, 0, 0, 0);
   card.surface().base_color = {1, 1, 1, 1};
@@ -94,8 +98,8 @@ TEST(Looks, TheFactorAndTheColoursOfVerticesMultiply) {
   expect_color(card.picture(), 30, 30, 188, 0, 0);
 }
 
-TEST(Looks, AMaskLeavesOutWhatIsClear) {
-  Card card;
+TEST_P(Looks, AMaskLeavesOutWhatIsClear) {
+  Card card(GetParam());
   card.surface().alpha = AlphaMode::opaque;
   expect_color(card.picture(), 70, 70, 255, 255, 255);
   card.surface().alpha = AlphaMode::mask;
@@ -104,8 +108,8 @@ TEST(Looks, AMaskLeavesOutWhatIsClear) {
   expect_color(image, 30, 30, 255, 0, 0);
 }
 
-TEST(Looks, WhatIsBlendedLetsOneSeeThrough) {
-  Card card;
+TEST_P(Looks, WhatIsBlendedLetsOneSeeThrough) {
+  Card card(GetParam());
   card.surface().alpha = AlphaMode::blend;
   card.surface().base_color = {1, 1, 1, 0.5};
   const Image image = card.picture();
@@ -113,8 +117,8 @@ TEST(Looks, WhatIsBlendedLetsOneSeeThrough) {
   expect_color(image, 70, 70, 0, 0, 0);
 }
 
-TEST(Looks, ThePictureIsShiftedScaledAndTurned) {
-  Card card;
+TEST_P(Looks, ThePictureIsShiftedScaledAndTurned) {
+  Card card(GetParam());
   card.surface().texture->offset = {0.5, 0};
   expect_color(card.picture(), 30, 30, 0, 255, 0);
   card.surface().texture->offset = {0, 0};
@@ -128,22 +132,22 @@ TEST(Looks, ThePictureIsShiftedScaledAndTurned) {
   expect_color(turned, 70, 30, 255, 0, 0);
 }
 
-TEST(Looks, TheSecondSetOfCoordinatesCanBeUsed) {
-  Card card;
+TEST_P(Looks, TheSecondSetOfCoordinatesCanBeUsed) {
+  Card card(GetParam());
   card.look.coordinates[1].assign(4, {0.75F, 0.25F});
   card.surface().texture->coordinates = 1;
   expect_color(card.picture(), 30, 70, 0, 255, 0);
 }
 
-TEST(Looks, OneSidedSurfacesAreNotSeenFromBehind) {
-  Card card;
+TEST_P(Looks, OneSidedSurfacesAreNotSeenFromBehind) {
+  Card card(GetParam());
   expect_color(card.picture(180), 30, 30, 0, 0, 0);
   card.surface().double_sided = true;
   expect_color(card.picture(180), 30, 30, 0, 255, 0);
 }
 
-TEST(Looks, LightFallsOnWhatIsNotUnlit) {
-  Card card;
+TEST_P(Looks, LightFallsOnWhatIsNotUnlit) {
+  Card card(GetParam());
   card.surface().unlit = false;
   const std::uint8_t* px = card.picture().at(30, 30);
   EXPECT_GT(px[0], 120);
@@ -151,8 +155,8 @@ TEST(Looks, LightFallsOnWhatIsNotUnlit) {
   EXPECT_LT(px[1], 90);
 }
 
-TEST(Looks, APictureThatCannotBeReadIsGreyAndSaidOnce) {
-  Card card;
+TEST_P(Looks, APictureThatCannotBeReadIsGreyAndSaidOnce) {
+  Card card(GetParam());
   const auto whole = card.look.images[0].bytes.view();
   std::vector<std::uint8_t> bytes(whole.begin(), whole.end());
   bytes.resize(bytes.size() / 2);
@@ -165,7 +169,7 @@ TEST(Looks, APictureThatCannotBeReadIsGreyAndSaidOnce) {
   EXPECT_NE(card.notes[0].find("card"), std::string::npos) << card.notes[0];
 }
 
-TEST(Looks, TranslucentTrianglesAreSeenFromTheFarthestOn) {
+TEST_P(Looks, TranslucentTrianglesAreSeenFromTheFarthestOn) {
   // Two half clear cards, one behind the other, given the near one first.
   mesh::MeshSource source;
   for (const double z : {0.5, 0.0}) {
@@ -189,7 +193,7 @@ TEST(Looks, TranslucentTrianglesAreSeenFromTheFarthestOn) {
   Scene scene = shown.scene();
   scene.appearance = &appearance;
   scene.background = {{0, 0, 0, 1}, {0, 0, 0, 1}};
-  const auto renderer = make_renderer();
+  const auto renderer = make_renderer(GetParam());
   ASSERT_NE(renderer, nullptr);
   renderer->set_occlusion(false);
   const Image image = renderer->render(scene, frame_points(shown.positions, k_look_viewport, {0, 0})).value();

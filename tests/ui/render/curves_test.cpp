@@ -1,11 +1,12 @@
-#include "ui/render/gl/curve_pass.h"
-
 #include <gtest/gtest.h>
 
 #include "tests/support/models/render_shapes.h"
 
 namespace penpose::render {
 namespace {
+
+class DrawnCurves : public EachWay {};
+INSTANTIATE_TEST_SUITE_P(Ways, DrawnCurves, testing::ValuesIn(built_in_ways()), way_name);
 
 Image draw(Renderer& renderer, const std::vector<CurveDrawing>& curves) {
   Scene scene;
@@ -30,8 +31,8 @@ double width_at(const Image& image, int x) {
   return sum;
 }
 
-TEST(CurvePass, HasTheWidthAskedForHoweverDenseThePointsAre) {
-  const auto renderer = make_renderer();
+TEST_P(DrawnCurves, HasTheWidthAskedForHoweverDenseThePointsAre) {
+  const auto renderer = make_renderer(GetParam());
   ASSERT_NE(renderer, nullptr);
   for (const float width : {2.0F, 5.0F, 12.0F}) {
     const double dense = width_at(draw(*renderer, {line(100.3, width)}), 100);
@@ -42,8 +43,8 @@ TEST(CurvePass, HasTheWidthAskedForHoweverDenseThePointsAre) {
   }
 }
 
-TEST(CurvePass, WidthFollowsThePressure) {
-  const auto renderer = make_renderer();
+TEST_P(DrawnCurves, WidthFollowsThePressure) {
+  const auto renderer = make_renderer(GetParam());
   ASSERT_NE(renderer, nullptr);
   CurveDrawing curve = line(100, 1);
   for (std::size_t i = 0; i < curve.points_px.size(); ++i) curve.widths_px.push_back(2 + 0.2F * static_cast<float>(i));
@@ -51,8 +52,8 @@ TEST(CurvePass, WidthFollowsThePressure) {
   EXPECT_NEAR(width_at(image, 150) - width_at(image, 50), 10, 1);
 }
 
-TEST(CurvePass, LaterCurvesLieOverEarlierOnesAndHighlightedOverAll) {
-  const auto renderer = make_renderer();
+TEST_P(DrawnCurves, LaterCurvesLieOverEarlierOnesAndHighlightedOverAll) {
+  const auto renderer = make_renderer(GetParam());
   ASSERT_NE(renderer, nullptr);
   CurveDrawing red = line(100, 10);
   red.color = Color{1, 0, 0, 1};
@@ -63,8 +64,8 @@ TEST(CurvePass, LaterCurvesLieOverEarlierOnesAndHighlightedOverAll) {
   EXPECT_GT(draw(*renderer, {red, blue}).at(100, 100)[0], 250);
 }
 
-TEST(CurvePass, PointColoursRunAlongTheCurve) {
-  const auto renderer = make_renderer();
+TEST_P(DrawnCurves, PointColoursRunAlongTheCurve) {
+  const auto renderer = make_renderer(GetParam());
   ASSERT_NE(renderer, nullptr);
   CurveDrawing curve = line(100, 8);
   curve.points_px = {{20, 100}, {180, 100}};

@@ -1,7 +1,6 @@
-#include "ui/render/gl/view.h"
+#include "ui/render/view.h"
 
 #include <algorithm>
-#include <glm/gtc/type_ptr.hpp>
 #include <limits>
 
 namespace penpose::render {
@@ -51,14 +50,6 @@ View make_view(std::span<const glm::vec3> positions, const geometry::Camera& cam
   view.depth_to_z = glm::vec2(1.0 / far - 1.0 / near, 1.0 / near);
   view.image_plane = glm::vec2(half_width, half_height);
   return view;
-}
-
-void use_with_view(const GlProgram& program, const View& view) {
-  program.use();
-  program.set("middle", view.middle.x, view.middle.y, view.middle.z);
-  program.set("scale", view.scale);
-  program.set_matrix("to_view", glm::value_ptr(view.to_view));
-  program.set_matrix("to_clip", glm::value_ptr(view.to_clip));
 }
 
 }  // namespace penpose::render

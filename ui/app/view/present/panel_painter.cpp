@@ -1,0 +1,215 @@
+#include "ui/app/view/present/panel_painter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <imgui.h>
+
+#include "ui/render/cpu/mixing.h"
+#include "ui/render/cpu/triangles/triangle_raster.h"
+
+namespace penpose::app {
+namespace {
+
+using render::Image;
+using render::PxRect;
+using Bytes = std::array<std::uint8_t, 4>;
+
+Bytes bytes_of(ImU32 color) {
+  return {static_cast<std::uint8_t>(color >> IM_COL32_R_SHIFT), static_cast<std::uint8_t>(color >> IM_COL32_G_SHIFT),
+          static_cast<std::uint8_t>(color >> IM_COL32_B_SHIFT), static_cast<std::uint8_t>(color >> IM_COL32_A_SHIFT)};
+}
+
+/// a / 255, rounded, of products of two bytes.
+std::uint32_t over_255(std::uint32_t a) { return (a + 128U + ((a + 128U) >> 8U)) >> 8U; }
+
+/// The picture of letters and signs.
+class Letters {
+ public:
+  explicit Letters(const ImFontAtlas& atlas)
+      : px_(reinterpret_cast<const std::uint8_t*>(atlas.TexPixelsRGBA32)),
+        width_(atlas.TexWidth),
+        height_(atlas.TexHeight) {}
+
+  [[nodiscard]] bool known() const { return px_ != nullptr; }
+  [[nodiscard]] Bytes sample(float u, float v) const {
+    const float x = u * static_cast<float>(width_) - 0.5F;
+    const float y = v * static_cast<float>(height_) - 0.5F;
+    const int column = static_cast<int>(std::floor(x));
+    const int row = static_cast<int>(std::floor(y));
+    // In steps of 256, as graphics cards do it.
+    const auto right = static_cast<std::uint32_t>((x - static_cast<float>(column)) * 256.0F + 0.5F);
+    const auto lower = static_cast<std::uint32_t>((y - static_cast<float>(row)) * 256.0F + 0.5F);
+    if (right == 0 && lower == 0) return read(column, row);
+    const Bytes four[4] = {read(column, row), read(column + 1, row), read(column, row + 1), read(column + 1, row + 1)};
+    Bytes mixed{};
+    for (std::size_t c = 0; c < 4; ++c) {
+      const std::uint32_t upper = four[0][c] * (256U - right) + four[1][c] * right;
+      const std::uint32_t under = four[2][c] * (256U - right) + four[3][c] * right;
+      mixed[c] = static_cast<std::uint8_t>((upper * (256U - lower) + under * lower + 32768U) >> 16U);
+    }
+    return mixed;
+  }
+
+ private:
+  [[nodiscard]] Bytes read(int x, int y) const {
+    const std::uint8_t* p =
+        px_ + (static_cast<std::ptrdiff_t>(std::clamp(y, 0, height_ - 1)) * width_ + std::clamp(x, 0, width_ - 1)) * 4;
+    return {p[0], p[1], p[2], p[3]};
+  }
+
+  const std::uint8_t* px_;
+  int width_;
+  int height_;
+};
+
+Bytes product(const Bytes& a, const Bytes& b) {
+  Bytes made{};
+  for (std::size_t c = 0; c < 4; ++c) {
+    made[c] = static_cast<std::uint8_t>(over_255(static_cast<std::uint32_t>(a[c]) * b[c]));
+  }
+  return made;
+}
+
+void lay_over(std::uint8_t* out, const Bytes& color) {
+  const std::uint32_t alpha = color[3];
+  if (alpha == 0) return;
+  for (std::size_t c = 0; c < 3; ++c) {
+    out[c] = static_cast<std::uint8_t>(over_255(color[c] * alpha + out[c] * (255U - alpha)));
+  }
+}
+
+/// One row in one colour, without a choice a px.
+void fill_row(std::uint8_t* out, int count, const Bytes& color) {
+  const std::uint32_t alpha = color[3];
+  if (alpha == 0) return;
+  const std::array<std::uint32_t, 4> own{color[0] * alpha + 128U, color[1] * alpha + 128U, color[2] * alpha + 128U,
+                                         255U * alpha + 128U};
+  const std::uint32_t rest = 255U - alpha;
+  for (int i = 0; i < count * 4; ++i) {
+    const std::uint32_t sum = own[static_cast<std::size_t>(i & 3)] + out[i] * rest;
+    out[i] = static_cast<std::uint8_t>((sum + (sum >> 8U)) >> 8U);
+  }
+}
+
+/// The first px whose middle is at or behind a place.
+int first_px(float at) { return static_cast<int>(std::ceil(at - 0.5F)); }
+
+/// What of ImGui's lists lies in one of its clipping rectangles.
+class Painter {
+ public:
+  Painter(const Letters& letters, const PxRect& clip, Image& picture)
+      : letters_(letters), clip_(clip), picture_(picture) {}
+
+  /// Two triangles that make an upright rectangle of one colour: most of what panels are. False: they do not.
+  bool rectangle(const ImDrawVert& a, const ImDrawVert& b, const ImDrawVert& c, const ImDrawVert& d) const {
+    const bool upright = a.pos.x == d.pos.x && b.pos.x == c.pos.x && a.pos.y == b.pos.y && c.pos.y == d.pos.y;
+    const bool straight = a.uv.x == d.uv.x && b.uv.x == c.uv.x && a.uv.y == b.uv.y && c.uv.y == d.uv.y;
+    if (!upright || !straight || a.col != b.col || a.col != c.col || a.col != d.col) return false;
+    if (!(a.pos.x < c.pos.x) || !(a.pos.y < c.pos.y)) return false;
+    const PxRect part =
+        render::shared_part({first_px(a.pos.x), first_px(a.pos.y), first_px(c.pos.x), first_px(c.pos.y)}, clip_);
+    if (part.empty()) return true;
+    const Bytes color = bytes_of(a.col);
+    if (a.uv.x == c.uv.x && a.uv.y == c.uv.y) {
+      const Bytes whole = product(letters_.sample(a.uv.x, a.uv.y), color);
+      for (int y = part.top; y < part.bottom; ++y) {
+        fill_row(render::px_of(picture_, part.left, y), part.right - part.left, whole);
+      }
+      return true;
+    }
+    const float by_x = (c.uv.x - a.uv.x) / (c.pos.x - a.pos.x);
+    const float by_y = (c.uv.y - a.uv.y) / (c.pos.y - a.pos.y);
+    for (int y = part.top; y < part.bottom; ++y) {
+      const float v = a.uv.y + (static_cast<float>(y) + 0.5F - a.pos.y) * by_y;
+      std::uint8_t* out = render::px_of(picture_, part.left, y);
+      for (int x = part.left; x < part.right; ++x, out += 4) {
+        const float u = a.uv.x + (static_cast<float>(x) + 0.5F - a.pos.x) * by_x;
+        lay_over(out, product(letters_.sample(u, v), color));
+      }
+    }
+    return true;
+  }
+
+  void triangle(const ImDrawVert& a, const ImDrawVert& b, const ImDrawVert& c) const {
+    const ImDrawVert* three[3] = {&a, &b, &c};
+    render::Corners corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ImVec2& at = three[k]->pos;
+      constexpr float k_far = 16384.0F;
+      if (!(std::abs(at.x) < k_far) || !(std::abs(at.y) < k_far)) return;
+      corners[k].x = static_cast<std::int32_t>(std::floor(at.x * render::k_subpixels + 0.5F));
+      corners[k].y = static_cast<std::int32_t>(std::floor(at.y * render::k_subpixels + 0.5F));
+    }
+    std::int64_t area = render::twice_area(corners);
+    if (area == 0) return;
+    if (area < 0) {
+      std::swap(corners[1], corners[2]);
+      std::swap(three[1], three[2]);
+      area = -area;
+    }
+    const bool one_place = a.uv.x == b.uv.x && a.uv.x == c.uv.x && a.uv.y == b.uv.y && a.uv.y == c.uv.y;
+    const Bytes there = letters_.sample(a.uv.x, a.uv.y);
+    std::array<render::PxPlane, 6> planes;  // R, G, B, A, u, v
+    const Bytes colors[3] = {bytes_of(three[0]->col), bytes_of(three[1]->col), bytes_of(three[2]->col)};
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        corners[k].inverse_depth = i < 4 ? static_cast<float>(colors[k][i]) : i == 4 ? three[k]->uv.x : three[k]->uv.y;
+      }
+      planes[i] = render::depth_plane(corners, area);
+    }
+    render::visit_inside(corners, clip_, [&](int x, int y) {
+      Bytes color{};
+      for (std::size_t i = 0; i < 4; ++i) {
+        color[i] = static_cast<std::uint8_t>(std::clamp(planes[i].at(x, y), 0.0F, 255.0F) + 0.5F);
+      }
+      lay_over(render::px_of(picture_, x, y),
+               product(one_place ? there : letters_.sample(planes[4].at(x, y), planes[5].at(x, y)), color));
+    });
+  }
+
+ private:
+  const Letters& letters_;
+  PxRect clip_;
+  Image& picture_;
+};
+
+/// As ImGui's back ends round it.
+PxRect px_of_clip(const ImVec4& clip, const Image& picture) {
+  const int left = static_cast<int>(clip.x);
+  const int foot = static_cast<int>(static_cast<float>(picture.height) - clip.w);
+  const int bottom = picture.height - foot;
+  return render::shared_part(
+      {left, bottom - static_cast<int>(clip.w - clip.y), left + static_cast<int>(clip.z - clip.x), bottom},
+      {0, 0, picture.width, picture.height});
+}
+
+}  // namespace
+
+void paint_panels(const ImDrawData& panels, Image& picture) {
+  const Letters letters(*ImGui::GetIO().Fonts);
+  if (!letters.known()) return;
+  for (int l = 0; l < panels.CmdListsCount; ++l) {
+    const ImDrawList& list = *panels.CmdLists[l];
+    for (const ImDrawCmd& command : list.CmdBuffer) {
+      const PxRect clip = px_of_clip(command.ClipRect, picture);
+      if (clip.empty()) continue;
+      const Painter painter(letters, clip, picture);
+      const ImDrawIdx* index = list.IdxBuffer.Data + command.IdxOffset;
+      const ImDrawVert* vertices = list.VtxBuffer.Data + command.VtxOffset;
+      for (unsigned i = 0; i + 2 < command.ElemCount;) {
+        const ImDrawIdx* const t = index + i;
+        const bool pair = i + 5 < command.ElemCount && t[3] == t[0] && t[4] == t[2];
+        if (pair && painter.rectangle(vertices[t[0]], vertices[t[1]], vertices[t[2]], vertices[t[5]])) {
+          i += 6;
+          continue;
+        }
+        painter.triangle(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+        i += 3;
+      }
+    }
+  }
+}
+
+}  // namespace penpose::app

@@ -1,0 +1,80 @@
+#include "ui/render/cpu/triangles/draw_items.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace penpose::render {
+
+PxRect tiles_of(const PxRect& px) {
+  return {px.left / DrawItems::k_tile_width, px.top / DrawItems::k_tile_height,
+          (px.right - 1) / DrawItems::k_tile_width + 1, (px.bottom - 1) / DrawItems::k_tile_height + 1};
+}
+
+PxRect DrawItems::tile(int index) const {
+  const int left = index % columns_ * k_tile_width;
+  const int top = index / columns_ * k_tile_height;
+  return {left, top, std::min(left + k_tile_width, size_.width), std::min(top + k_tile_height, size_.height)};
+}
+
+const Segment& DrawItems::segment_of(std::uint32_t item) const {
+  const auto after = std::upper_bound(segments_.begin(), segments_.end(), item,
+                                      [](std::uint32_t one, const Segment& s) { return one < s.first_item; });
+  return *(after - 1);
+}
+
+void DrawItems::sort(const Raster& raster, std::span<const glm::vec3> positions, std::span<const ScreenVertex> vertices,
+                     std::vector<Segment> segments, const std::vector<bool>& wanted) {
+  size_ = raster.size;
+  columns_ = (size_.width + k_tile_width - 1) / k_tile_width;
+  rows_ = (size_.height + k_tile_height - 1) / k_tile_height;
+  segments_ = std::move(segments);
+  pieces_.clear();
+  const PxRect picture{0, 0, size_.width, size_.height};
+  // Twice: how many each tile has, then which.
+  starts_.assign(static_cast<std::size_t>(tile_count()) + 1, 0);
+  std::vector<std::uint32_t> next;
+  const auto each_seen = [&](const auto& take) {
+    std::uint32_t piece = 0;
+    for (const Segment& segment : segments_) {
+      std::uint32_t item = segment.first_item;
+      for (const mesh::Triangle& t : segment.triangles) {
+        const Corners corners{vertices[t[0]].corner, vertices[t[1]].corner, vertices[t[2]].corner};
+        const bool clipped =
+            corners[0].x == k_must_be_clipped || corners[1].x == k_must_be_clipped || corners[2].x == k_must_be_clipped;
+        const auto take_if_seen = [&](const Corners& c, std::uint32_t number) {
+          const PxRect px = shared_part(px_around(c), picture);
+          if (px.empty()) return;
+          const std::int64_t area = twice_area(c);
+          if (area == 0 || (segment.culls_back && area > 0)) return;
+          take(tiles_of(px), number);
+        };
+        if (clipped) {
+          if (next.empty()) add_pieces(raster, positions, t, item, pieces_);
+          for (; piece < pieces_.size() && pieces_[piece].item == item; ++piece) {
+            take_if_seen(pieces_[piece].corners, k_piece | piece);
+          }
+        } else {
+          take_if_seen(corners, item);
+        }
+        ++item;
+      }
+    }
+  };
+  const auto each_tile = [&](const PxRect& tiles, const auto& visit) {
+    for (int y = tiles.top; y < tiles.bottom; ++y) {
+      for (int x = tiles.left; x < tiles.right; ++x) {
+        const auto i = static_cast<std::size_t>(y * columns_ + x);
+        if (wanted.empty() || wanted[i]) visit(i);
+      }
+    }
+  };
+  each_seen([&](const PxRect& tiles, std::uint32_t) { each_tile(tiles, [&](std::size_t i) { ++starts_[i + 1]; }); });
+  for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
+  items_.resize(starts_.back());
+  next.assign(starts_.begin(), starts_.end());
+  each_seen([&](const PxRect& tiles, std::uint32_t number) {
+    each_tile(tiles, [&](std::size_t i) { items_[next[i]++] = number; });
+  });
+}
+
+}  // namespace penpose::render
