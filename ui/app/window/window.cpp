@@ -301,6 +301,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
         state_->take_event(event, app, interface);
       } while (SDL_PollEvent(&event) == 1);
     }
+    tablets.set_exclusive((SDL_GetWindowFlags(state_->window) & SDL_WINDOW_INPUT_FOCUS) != 0);
     tablets.take(app.of<TabletEvents>(), app.of<Notices>());
     if (StopWatch::asked()) leaving.quit_at_once();
     // Reports that are due, and the face that follows them, are no part of a frame.

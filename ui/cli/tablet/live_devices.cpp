@@ -13,6 +13,7 @@
 #include "firmware_io/device/source/driver_guard.h"
 #include "ui/cli/commands.h"
 #include "ui/files/files.h"
+#include "ui/files/own_tablets.h"
 #include "ui/files/process/own_program.h"
 
 namespace penpose::cli {
@@ -63,6 +64,7 @@ Json to_json(const device::LiveTablet& tablet) {
            {"method", tablet.method},
            {"tablet", nullptr},
            {"certain", tablet.match && tablet.match->certain},
+           {"guess", or_null(tablet.guess)},
            {"transport", word(tablet.transport)},
            {"transport_reason", tablet.reason},
            {"driver", or_null(interface.driver)},
@@ -91,8 +93,10 @@ void print(const device::LiveTablet& tablet) {
   std::cout << (tablet.access == device::Access::allowed ? ", can be opened\n" : ", cannot be opened\n");
   std::cout << "    through " << (tablet.transport == device::Transport::event ? "its " : "") << word(tablet.transport)
             << ": " << tablet.reason << '\n';
-  if (const auto why = device::missing(tablet, files::own_program()); !why.empty())
-    std::cout << "    " << base::shown_line(why, k_longest_line) << '\n';
+  // What is missing comes first: once it is there, the tablet's strings may tell the model.
+  std::string note = device::missing(tablet, files::own_program());
+  if (note.empty() && !tablet.guess.empty()) note = files::guess_note(tablet.guess);
+  if (!note.empty()) std::cout << "    " << base::shown_line(note, k_longest_line) << '\n';
 }
 
 /// What is plugged in and carries a pen or keys; nothing where that cannot be told.

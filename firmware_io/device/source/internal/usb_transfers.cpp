@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "firmware_io/decode/table/told_ranges.h"
+
 namespace penpose::device {
 namespace {
 
@@ -29,6 +31,8 @@ base::Result<std::string> get_string(const UsbHandle& usb, std::uint8_t index) {
     return base::Error{"string " + std::to_string(index) + " is none", "", ""};
   }
   const int end = std::min<int>(got, raw[0]);
+  if (index == decode::k_ranges_string && end > 2)
+    return decode::ranges_text(base::Bytes(raw).subspan(2, static_cast<std::size_t>(end - 2)));
   std::string text;
   for (int i = 2; i + 1 < end; i += 2) {
     const bool ascii = raw[i + 1] == 0 && raw[i] >= 0x20 && raw[i] < 0x7f;
