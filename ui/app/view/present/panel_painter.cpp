@@ -166,6 +166,21 @@ class Painter {
       });
       return;
     }
+    constexpr ImU32 k_opaque = ~IM_COL32_A_MASK;
+    if (one_place && (a.col & k_opaque) == (b.col & k_opaque) && (a.col & k_opaque) == (c.col & k_opaque)) {
+      // The soft borders of everything: one colour whose alpha fades.
+      for (std::size_t k = 0; k < 3; ++k) {
+        corners[k].inverse_depth = static_cast<float>(three[k]->col >> IM_COL32_A_SHIFT);
+      }
+      const render::PxPlane plane = render::depth_plane(corners, area);
+      const Bytes own = bytes_of(a.col);
+      render::visit_inside(corners, clip_, [&](int x, int y) {
+        Bytes color = own;
+        color[3] = static_cast<std::uint8_t>(std::clamp(plane.at(x, y), 0.0F, 255.0F) + 0.5F);
+        lay_over(render::px_of(picture_, x, y), product(there, color));
+      });
+      return;
+    }
     std::array<render::PxPlane, 6> planes;  // R, G, B, A, u, v
     const Bytes colors[3] = {bytes_of(three[0]->col), bytes_of(three[1]->col), bytes_of(three[2]->col)};
     for (std::size_t i = 0; i < planes.size(); ++i) {
