@@ -23,7 +23,7 @@ class GlPresenter final : public Presenter {
       return base::Error{"OpenGL could not be used on another thread", "", "try another driver"};
     }
     SDL_GL_SetSwapInterval(1);
-    auto renderer = render::GlRenderer::make_in_current_context();
+    auto renderer = render::GlRenderer::make_in_current_context(render::DrawWay::gl);
     if (!renderer) return renderer.error();
     // Darkening of creases would cost the pen its frames where there is no graphics card, and edges averaged from
     // several samples 30 MB and half of its speed; they are smoothed when nothing moves.
