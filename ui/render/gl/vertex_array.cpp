@@ -28,12 +28,13 @@ VertexArray::VertexArray(VertexArray&& other) noexcept
     : objects_(other.objects_),
       name_(std::exchange(other.name_, 0)),
       indices_(other.indices_),
-      attributes_(std::move(other.attributes_)) {}
+      attributes_(std::move(other.attributes_)),
+      first_vertex_(other.first_vertex_) {}
 
 void VertexArray::set(const VertexAttribute& attribute) {
   drop(attribute.place);
   attributes_.push_back(attribute);
-  point_at(attribute, 0);
+  point_at(attribute, first_vertex_);
 }
 
 void VertexArray::drop(unsigned place) {
@@ -50,7 +51,8 @@ void VertexArray::set_indices(unsigned buffer) {
 
 void VertexArray::bind(std::uint32_t first_vertex) const {
   if (objects_) glBindVertexArray(name_);
-  if (objects_ && first_vertex == 0) return;
+  if (objects_ && first_vertex == first_vertex_) return;
+  first_vertex_ = first_vertex;
   for (const VertexAttribute& one : attributes_) point_at(one, first_vertex);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
 }

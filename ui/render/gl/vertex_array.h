@@ -40,6 +40,7 @@ class VertexArray {
   unsigned name_ = 0;
   unsigned indices_ = 0;
   std::vector<VertexAttribute> attributes_;
+  mutable std::uint32_t first_vertex_ = 0;  ///< from which the object counts
 };
 
 }  // namespace penpose::render
