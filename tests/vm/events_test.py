@@ -83,7 +83,7 @@ class Events(unittest.TestCase):
         self.assertEqual([s[6] for s in samples], ['0'] * len(samples))
 
     def test_a_tablet_with_both_nodes_is_listed_once_through_hidraw(self):
-        self.assertEqual(self.text('none.txt'), 'no tablet is plugged in')
+        self.assertTrue(self.text('none.txt').startswith('no tablet is plugged in\npictures are drawn by '))
         tablet, = self.listed('both')
         self.assertEqual((tablet['transport'], tablet['event']), ('hidraw', None))
         self.assertIn('through hidraw: the kernel', self.text('both.txt'))

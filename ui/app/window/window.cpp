@@ -8,11 +8,13 @@
 #include <malloc.h>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "firmware_io/device/clock.h"
 #include "ui/app/view/draw_thread.h"
 #include "ui/app/window/full_screen.h"
 #include "ui/app/window/stop_watch.h"
+#include "ui/render/gl/gl_dialect.h"
 #include "ui/render/gl/offscreen_context.h"
 
 namespace penpose::app {
@@ -77,14 +79,14 @@ struct Window::State {
   render::DrawWay way = render::DrawWay::gl;
   Uint32 wake_event = 0;
   Uint32 picture_event = 0;  ///< a picture was shown
-  bool imgui = false;
+  bool fullscreen = false;
+  std::vector<render::DrawWay> untried;  ///< ways to draw, the best first
 
   State() = default;
   State(const State&) = delete;
   State& operator=(const State&) = delete;
   ~State() {
-    if (context != nullptr) SDL_GL_DeleteContext(context);
-    if (window != nullptr) SDL_DestroyWindow(window);
+    close();
     SDL_QuitSubSystem(SDL_INIT_VIDEO);
   }
 
@@ -106,45 +108,71 @@ struct Window::State {
     if (SDL_GetDisplayDPI(SDL_GetWindowDisplayIndex(window), &diagonal, nullptr, nullptr) != 0) return 96;
     return static_cast<double>(diagonal);
   }
-  /// Opens the window for a way to draw. Errors: it does not start.
-  base::Status start(render::DrawWay one, bool fullscreen);
+  /// Opens the window for the first of the `untried` ways that starts, in place of the one that it is open for. Errors:
+  /// what the last one lacks.
+  base::Status start();
+  base::Status start(render::DrawWay one);
+  void close();
   [[nodiscard]] std::unique_ptr<Presenter> presenter() const;
   void take_event(const SDL_Event& event, App& app, Interface& interface) const;
   static void take_key(const SDL_KeyboardEvent& key, Interface& interface);
 };
 
-base::Status Window::State::start(render::DrawWay one, bool fullscreen) {
-  way = one;
+void Window::State::close() {
+  if (context != nullptr) SDL_GL_DeleteContext(std::exchange(context, nullptr));
+  if (window != nullptr) SDL_DestroyWindow(std::exchange(window, nullptr));
+}
+
+base::Status Window::State::start() {
+  base::Status started{base::Done{}};
+  while (!untried.empty()) {
+    close();
+    way = untried.front();
+    untried.erase(untried.begin());
+    started = start(way);
+    if (!started) continue;
+    SDL_SetWindowMinimumSize(window, 640, 400);
+    break;
+  }
+  return started;
+}
+
+base::Status Window::State::start(render::DrawWay one) {
   Uint32 flags = SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
   if (fullscreen) flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
-  if (way != render::DrawWay::cpu) {
-    if (const auto room = render::check_room_for_gl(); !room) return room.error();
-    if (const auto threads = render::check_threads_for_gl(); !threads) return threads.error();
-    SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
-    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
-    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 1);
-    // The picture is averaged before it reaches the window, which needs no depth of its own.
-    SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
-    flags |= SDL_WINDOW_OPENGL;
-  }
-  // Px of the window itself, not of a texture that a graphics card shows in it.
-  SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, way == render::DrawWay::cpu ? "0" : nullptr);
   constexpr int k_width = 1280;
   constexpr int k_height = 800;
-  window = SDL_CreateWindow("penpose", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, k_width, k_height, flags);
-  if (window == nullptr) return no_display(sdl_error());
-  if (way == render::DrawWay::cpu) return base::Done{};
-  context = SDL_GL_CreateContext(window);
-  if (context != nullptr) return base::Done{};
-  SDL_DestroyWindow(std::exchange(window, nullptr));
-  return base::Error{"OpenGL 3.1 could not be started (" + sdl_error() + ")", "",
+  const auto open_window = [&] {
+    window = SDL_CreateWindow("penpose", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, k_width, k_height, flags);
+  };
+  // Px of the window itself, not of a texture that a graphics card shows in it.
+  SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, one == render::DrawWay::cpu ? "0" : nullptr);
+  if (one == render::DrawWay::cpu) {
+    open_window();
+    return window == nullptr ? base::Status(no_display(sdl_error())) : base::Done{};
+  }
+  if (const auto room = render::check_room_for_gl(); !room) return room.error();
+  if (const auto threads = render::check_threads_for_gl(); !threads) return threads.error();
+  // The picture is averaged before it reaches the window, which needs no depth of its own.
+  SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
+  flags |= SDL_WINDOW_OPENGL;
+  for (const render::GlVersion& version : render::versions_of(one)) {
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, version.profile);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, version.major);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, version.minor);
+    open_window();
+    if (window != nullptr) context = SDL_GL_CreateContext(window);
+    if (context != nullptr) return base::Done{};
+    close();
+  }
+  return base::Error{render::needs_of(one) + " could not be started (" + sdl_error() + ")", "",
                      "install libgl1 and libgl1-mesa-dri, or draw with --draw cpu"};
 }
 
 std::unique_ptr<Presenter> Window::State::presenter() const {
   if (way == render::DrawWay::cpu) return make_cpu_presenter(window);
   SDL_GL_MakeCurrent(window, nullptr);
-  return make_gl_presenter(window, context);
+  return make_gl_presenter(window, context, way);
 }
 
 void Window::State::take_key(const SDL_KeyboardEvent& key, Interface& interface) {
@@ -236,14 +264,9 @@ base::Result<std::unique_ptr<Window>> Window::open(bool fullscreen, std::optiona
   }
   if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) return no_display(sdl_error());
   auto state = std::make_unique<State>();
-  base::Status started{base::Done{}};
-  for (const render::DrawWay one : render::built_in_ways()) {
-    if (way && *way != one) continue;
-    started = state->start(one, fullscreen);
-    if (started) break;
-  }
-  if (!started) return started.error();
-  SDL_SetWindowMinimumSize(state->window, 640, 400);
+  state->fullscreen = fullscreen;
+  state->untried = way ? std::vector{*way} : render::built_in_ways();
+  if (const auto started = state->start(); !started) return started.error();
   state->wake_event = SDL_RegisterEvents(2);
   state->picture_event = state->wake_event + 1;
   return std::unique_ptr<Window>(new Window(std::move(state)));
@@ -259,7 +282,12 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
                          bool until_played) {
   SDL_Event picture_shown{};
   picture_shown.type = state_->picture_event;
-  auto drawing = DrawThread::start(state_->presenter(), [&] { SDL_PushEvent(&picture_shown); });
+  const auto start_drawing = [&] {
+    return DrawThread::start(state_->presenter(), [&] { SDL_PushEvent(&picture_shown); });
+  };
+  auto drawing = start_drawing();
+  // A driver may offer what it then refuses.
+  while (!drawing && !state_->untried.empty() && state_->start()) drawing = start_drawing();
   if (!drawing) return drawing.error();
   DrawThread& thread = **drawing;
   const Canvas& canvas = app.of<Canvas>();
@@ -347,6 +375,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     if (until_played && player.trace && player.trace->finished()) leaving.quit();
   }
   timings.drawn_us = thread.times_us();
+  timings.way = render::name_of(state_->way);
   return status;
 }
 

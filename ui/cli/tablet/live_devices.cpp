@@ -15,6 +15,7 @@
 #include "ui/files/files.h"
 #include "ui/files/own_tablets.h"
 #include "ui/files/process/own_program.h"
+#include "ui/render/renderer.h"
 
 namespace penpose::cli {
 namespace {
@@ -99,6 +100,33 @@ void print(const device::LiveTablet& tablet) {
   if (!note.empty()) std::cout << "    " << base::shown_line(note, k_longest_line) << '\n';
 }
 
+/// How pictures would be drawn, and how else they can be.
+Json to_json(const std::vector<render::WayHere>& ways) {
+  Json out = Json::array();
+  for (const render::WayHere& one : ways) {
+    Json row{{"way", std::string(render::name_of(one.way))}, {"driver", nullptr}, {"missing", nullptr}};
+    if (one.driver) row["driver"] = *one.driver;
+    if (!one.driver) row["missing"] = one.driver.error().line();
+    out.push_back(std::move(row));
+  }
+  return out;
+}
+
+void print(const std::vector<render::WayHere>& ways) {
+  std::string first;
+  std::string others;
+  for (const render::WayHere& one : ways) {
+    const std::string name(render::name_of(one.way));
+    if (!one.driver) continue;
+    if (first.empty()) {
+      first = name + " (" + *one.driver + ')';
+    } else {
+      others += (others.empty() ? "; also there: " : ", ") + name;
+    }
+  }
+  std::cout << "pictures are drawn by " << base::shown_line(first, k_longest_line) << others << '\n';
+}
+
 /// What is plugged in and carries a pen or keys; nothing where that cannot be told.
 std::vector<device::LiveTablet> plugged_in(const decode::TabletTable& own) {
   auto tablets = device::list_tablets(&own);
@@ -119,12 +147,13 @@ int list_live_devices(const decode::TabletTable& own, bool json) {
   if (json) {
     Json list = Json::array();
     for (const auto& tablet : *tablets) list.push_back(to_json(tablet));
-    const Json out{{"count", tablets->size()}, {"tablets", std::move(list)}};
+    const Json out{{"count", tablets->size()}, {"tablets", std::move(list)}, {"draw", to_json(render::ways_here())}};
     std::cout << out.dump_as_made(2) << '\n';
     return k_success;
   }
   for (const auto& tablet : *tablets) print(tablet);
   if (tablets->empty()) std::cout << "no tablet is plugged in\n";
+  print(render::ways_here());
   return k_success;
 }
 

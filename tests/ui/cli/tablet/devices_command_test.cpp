@@ -102,5 +102,21 @@ TEST_F(DevicesCommand, TheRuleThatIsInstalledIsTheOneThatIsPrinted) {
   EXPECT_EQ(run_program({"devices", "--install-udev-rule", "--rules-folder", "/nonexistent"}).status, 1);
 }
 
+TEST_F(DevicesCommand, SaysWhatWouldDrawPictures) {
+  const auto outcome = run_program({"devices", "--json"});
+  if (outcome.status != 0) GTEST_SKIP() << "devices cannot be listed here: " << outcome.error;
+  const auto draw = nlohmann::json::parse(outcome.out, nullptr, false)["draw"];
+  ASSERT_EQ(draw.size(), 3U);
+  EXPECT_EQ(draw[0]["way"], "gl");
+  EXPECT_EQ(draw[1]["way"], "es");
+  EXPECT_EQ(draw[2]["way"], "cpu");
+  std::string first;
+  for (const auto& one : draw) {
+    EXPECT_NE(one["driver"].is_null(), one["missing"].is_null());
+    if (first.empty() && !one["driver"].is_null()) first = one["way"];
+  }
+  EXPECT_NE(run_program({"devices"}).out.find("pictures are drawn by " + first + " ("), std::string::npos);
+}
+
 }  // namespace
 }  // namespace penpose::cli

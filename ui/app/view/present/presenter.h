@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "ui/app/view/draw_frame.h"
+#include "ui/render/renderer.h"
 
 struct SDL_Window;
 struct ImDrawData;
@@ -41,8 +42,8 @@ class Presenter {
   Presenter() = default;
 };
 
-/// By OpenGL, in a context of the window that no thread has as its own.
-[[nodiscard]] std::unique_ptr<Presenter> make_gl_presenter(SDL_Window* window, void* context);
+/// By OpenGL, in a context of the window that no thread has as its own. Precondition: the way is not the processor.
+[[nodiscard]] std::unique_ptr<Presenter> make_gl_presenter(SDL_Window* window, void* context, render::DrawWay way);
 /// By the processor, into the window's own px.
 [[nodiscard]] std::unique_ptr<Presenter> make_cpu_presenter(SDL_Window* window);
 
