@@ -43,7 +43,5 @@ class Presenter {
 
 /// By OpenGL, in a context of the window that no thread has as its own.
 [[nodiscard]] std::unique_ptr<Presenter> make_gl_presenter(SDL_Window* window, void* context);
-/// By the processor, into the window's own px.
-[[nodiscard]] std::unique_ptr<Presenter> make_cpu_presenter(SDL_Window* window);
 
 }  // namespace penpose::app
