@@ -3,7 +3,7 @@
 #include <span>
 
 #include "core/geometry/camera.h"
-#include "ui/render/cpu/triangle_raster.h"
+#include "ui/render/cpu/triangles/triangle_raster.h"
 #include "ui/render/picture/image.h"
 #include "ui/render/scene.h"
 

@@ -4,7 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/geometry/camera.h"
-#include "ui/render/cpu/triangle_raster.h"
+#include "ui/render/cpu/triangles/triangle_raster.h"
 #include "ui/render/gl/gl_program.h"
 #include "ui/render/gl/screen_fill.h"
 #include "ui/render/picture/image.h"

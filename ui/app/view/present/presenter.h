@@ -44,7 +44,5 @@ class Presenter {
 
 /// By OpenGL, in a context of the window that no thread has as its own. Precondition: the way is not the processor.
 [[nodiscard]] std::unique_ptr<Presenter> make_gl_presenter(SDL_Window* window, void* context, render::DrawWay way);
-/// By the processor, into the window's own px.
-[[nodiscard]] std::unique_ptr<Presenter> make_cpu_presenter(SDL_Window* window);
 
 }  // namespace penpose::app
