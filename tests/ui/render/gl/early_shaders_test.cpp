@@ -48,7 +48,8 @@ TEST(EarlyShaders, AreWhatTheReferenceCompilerTakes) {
       for (const Shader& one : early_shaders()) {
         const std::string path = (folder / (std::string(one.name) + (one.fragment ? ".frag" : ".vert"))).string();
         std::ofstream(path) << shader_source(dialect, one.fragment, one.text);
-        EXPECT_EQ(std::system(("glslangValidator " + path + " > " + path + ".log").c_str()), 0) << one.name << (embedded ? " ES" : "");
+        EXPECT_EQ(std::system(("glslangValidator " + path + " > " + path + ".log").c_str()), 0)
+            << one.name << (embedded ? " ES" : "");
       }
     }
   }

@@ -19,8 +19,8 @@ TEST(SplitIndices, EveryChunkNamesTheSameVerticesWithFewNumbers) {
     for (const IndexChunk& chunk : split.chunks) {
       EXPECT_EQ(chunk.first_index, next) << "one after the other";
       next += chunk.index_count;
-      const bool whole = chunk.first_index <= k_first_edge ? chunk.first_index % 3 == 0
-                                                           : (chunk.first_index - k_first_edge) % 2 == 0;
+      const bool whole =
+          chunk.first_index <= k_first_edge ? chunk.first_index % 3 == 0 : (chunk.first_index - k_first_edge) % 2 == 0;
       EXPECT_TRUE(whole) << "no triangle and no edge is torn";
       for (std::size_t i = chunk.first_index; i < next; ++i) {
         ASSERT_LT(split.indices[i], most);
