@@ -4,7 +4,13 @@ export HOME=/tmp XDG_CONFIG_HOME=/tmp/config
 export LIBGL_DRIVERS_PATH=/usr/lib/x86_64-linux-gnu/dri
 mkdir -p $XDG_CONFIG_HOME/penpose
 echo steps_seen=1 >$XDG_CONFIG_HOME/penpose/settings
-penpose --fullscreen --session /out/drawn.session >/out/app.txt 2>&1 &
+way=$(cat /way)
+options=
+case $way in
+  gl | es) export $(cat /overrides) >/dev/null ;;
+  frame_buffer) rm -r /dev/dri; options="--rotate 180" ;;
+esac
+penpose --fullscreen $options --session /out/drawn.session >/out/app.txt 2>&1 &
 app=$!
 mouse=/sys/bus/usb/devices/1-1
 until_true 60 test -e $mouse
@@ -16,6 +22,14 @@ while [ -e $mouse ]; do
   [ $tries -gt 0 ] || { echo "GAVE UP waiting for the host"; break; }
   sleep 0.2
 done
+grep VmHWM /proc/$app/status >/out/memory
 kill -TERM $app
 wait $app
 echo $? >/out/status
+echo "MARK ended"
+# And the keyboard when it has seen the console.
+tries=300
+while [ -e /sys/bus/usb/devices/1-2 ] && [ $tries -gt 0 ]; do
+  tries=$((tries - 1))
+  sleep 0.2
+done
