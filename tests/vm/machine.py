@@ -98,6 +98,12 @@ def build_initramfs(folder, programs, files, modules=MODULES, loaded=()):
         os.makedirs(os.path.dirname(target), exist_ok=True)
         with open(target, 'wb') as f:
             f.write(content if isinstance(content, bytes) else content.encode())
+    return pack(folder)
+
+
+def pack(folder):
+    """The archive of what is in the folder's `root`."""
+    root = os.path.join(folder, 'root')
     names = subprocess.run(['find', '.'], cwd=root, capture_output=True, check=True).stdout
     archive = os.path.join(folder, 'initramfs')
     with open(archive, 'wb') as f:
@@ -106,7 +112,7 @@ def build_initramfs(folder, programs, files, modules=MODULES, loaded=()):
 
 
 class Machine:
-    def __init__(self, folder, archive, limit_s=900, memory=768, processors=1, devices=()):
+    def __init__(self, folder, archive, limit_s=900, memory=768, processors=1, devices=(), disk=None):
         self.folder, self.limit = folder, time.monotonic() + limit_s
         self.console, self.out, self.live = (os.path.join(folder, n) for n in ('console', 'out.tar', 'live'))
         for path in (self.console, self.out, self.live):
@@ -124,7 +130,8 @@ class Machine:
              '-chardev', f'file,id=out,path={self.out}', '-device', 'virtserialport,chardev=out,nr=1',
              '-chardev', f'file,id=live,path={self.live}', '-device', 'virtserialport,chardev=live,nr=2',
              '-device', 'qemu-xhci,id=usb', '-qmp', f'unix:{control},server=on,wait=off'] +
-            [word for device in devices for word in ('-device', device)])
+            [word for device in devices for word in ('-device', device)] +
+            (['-drive', f'file={disk},if=virtio,format=raw,readonly=on'] if disk else []))
         self.qmp = None
         self.control = control
 

@@ -142,8 +142,23 @@ void next_density(Preferences& preferences) {
   preferences.changed();
 }
 
+/// All, none; where there is no room for all, the tools, the side panel, none.
+void turn_panels(PanelState& panels) {
+  if (!panels.narrow) {
+    flip(panels.shown);
+  } else if (!panels.shown) {
+    panels.shown = true;
+    panels.side_in_turn = false;
+  } else if (!std::exchange(panels.side_in_turn, true)) {
+    return;
+  } else {
+    panels.shown = false;
+  }
+}
+
 void show_library(PanelState& panels) {
   panels.shown = true;
+  panels.side_in_turn = true;
   panels.poses_tab = !panels.poses_tab;
   panels.controls_tab = false;
 }
@@ -279,8 +294,8 @@ constexpr std::array k_actions{
     ActionInfo{{"export_as"}, "Export", {}, {}, "Write a copy for other programs",
      "M12 15L12 4M7 9L12 4L17 9M4 14L4 20L20 20L20 14",
      does([](Dialogs& dialogs) { name_file(dialogs, Dialog::export_as); })},
-    ActionInfo{{"panels"}, "Panels", plain(k_key_tab), {}, "Hide or show the panels",
-     "M3 5L21 5L21 19L3 19Z M15 5L15 19", does([](PanelState& panels) { flip(panels.shown); })},
+    ActionInfo{{"panels"}, "Panels", plain(k_key_tab), {}, "Hide or show the panels; on a small screen tools and sliders in turn",
+     "M3 5L21 5L21 19L3 19Z M15 5L15 19", does(turn_panels)},
     ActionInfo{{"fullscreen"}, "Full screen", plain(k_key_f11), {}, "Use the whole screen",
      "M4 9L4 4L9 4M15 4L20 4L20 9M20 15L20 20L15 20M9 20L4 20L4 15M4 4L9 9M20 20L15 15",
      does([](CanvasLook& look) { flip(look.fullscreen); })},

@@ -1,6 +1,7 @@
 #include "ui/app/app.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <exception>
 #include <utility>
@@ -12,6 +13,10 @@ namespace penpose::app {
 namespace {
 
 constexpr int k_playing_frame_ms = 16;
+constexpr int k_slow_frame_ms = 250;
+/// So far a pen that rests trembles, of an ordinary display, and so long it rests before the face follows it.
+constexpr double k_tremble_px = 3;
+constexpr std::int64_t k_rest_us = 400'000;
 constexpr int k_dial_look_ms = 50;
 constexpr int k_film_look_ms = 200;
 constexpr std::int64_t k_longest_step_us = 200'000;
@@ -22,7 +27,7 @@ std::string sessions_in(const std::string& state) { return state.empty() ? state
 
 App::App(AppOptions options)
     : options_(std::move(options)),
-      notices_(options_.clock),
+      notices_(options_.clock, !options_.slow_screen),
       preferences_(options_.folders.config, notices_),
       editing_(
           options_.clock, [this](std::string text, bool is_error) { notices_.tell(std::move(text), is_error); },
@@ -120,12 +125,27 @@ void App::advance() {
     notices_.take_away([](const Notice& one) { return one.text.starts_with(k_nothing_changed); });
   }
   controls_.tell_new_doubts();
+  rest_wait_us_ = wait_for_rest(now);
+  editing_.shown().hold_still(rest_wait_us_ > 0);
   editing_.shown().follow_pen();
   performer_.follow(now);
   controls_.tell_doubt_of_feature();
   offer_.follow(editing_);
   readings_.follow(editing_, offer_.open() || tour_.active() || player_.plays_session() || playback_.playing() ||
                                  performer_.performing() || sketches(editing_.editor().tool()));
+}
+
+std::int64_t App::wait_for_rest(std::int64_t now_us) {
+  if (!options_.slow_screen || !editing_.pen_is_drawing()) {
+    rests_since_us_ = now_us;
+    return 0;
+  }
+  const PxPoint at = place_.at();
+  if (std::hypot(at.x - rests_at_.x, at.y - rests_at_.y) > k_tremble_px * canvas_.scale()) {
+    rests_at_ = at;
+    rests_since_us_ = now_us;
+  }
+  return std::max<std::int64_t>(0, rests_since_us_ + k_rest_us - now_us);
 }
 
 void App::follow_habits() {
@@ -161,7 +181,8 @@ void App::begin_frame() {
 int App::next_frame_ms() {
   if (leaving_.wants_quit()) return 0;
   if (playback_.playing() || performer_.performing() || controls_.swings() || !panel_input_.pointer().empty())
-    return k_playing_frame_ms;
+    return options_.slow_screen && panel_input_.pointer().empty() ? k_slow_frame_ms : k_playing_frame_ms;
+  if (rest_wait_us_ > 0) return static_cast<int>(rest_wait_us_ / 1000) + 1;
   if (player_.trace && player_.trace->playing()) {
     return static_cast<int>(std::clamp<std::int64_t>(player_.trace->next_in_us() / 1000, 1, 1000));
   }

@@ -40,6 +40,7 @@ struct AppOptions {
   std::function<std::string()> date = {};  ///< names sessions: "2026-05-31_14-02-11"; empty: "session"
   std::string program = "penpose";
   const decode::TabletTable* own_tablets = nullptr;
+  bool slow_screen = false;  ///< nothing moves by itself, and while the pen draws the face waits until it rests
 };
 
 /// The app without its window: it holds the owners, each with one subject, and updates them every frame. SDL, ImGui and
@@ -72,6 +73,8 @@ class App {
   void show_anew();
   void play_trace(std::int64_t passed_us);
   void follow_habits();
+  /// On a slow screen, microseconds until a pen that draws has rested long enough for the face to follow; 0: it may.
+  [[nodiscard]] std::int64_t wait_for_rest(std::int64_t now_us);
 
   AppOptions options_;
   Notices notices_;
@@ -120,6 +123,9 @@ class App {
   std::int64_t last_frame_us_ = 0;
   bool laid_out_ = false;
   std::pair<std::uint64_t, const WindowTool*> last_revision_and_tool_;
+  PxPoint rests_at_;  ///< where the pen has been
+  std::int64_t rests_since_us_ = 0;
+  std::int64_t rest_wait_us_ = 0;
 };
 
 }  // namespace penpose::app

@@ -20,6 +20,8 @@ namespace {
 constexpr double k_tip_s = 0.55;
 /// Px that it may tremble by meanwhile.
 constexpr float k_still_px = 3;
+/// So much of a window's width and height is the canvas at least.
+constexpr double k_least_canvas = 0.35;
 constexpr int k_settle_frames = 3;
 /// Latin, dashes, dots and arrows; and the signs that the panels use, which not every font has.
 constexpr ImWchar k_letters[] = {0x20, 0x17f, 0x2013, 0x2026, 0x2190, 0x2193, 0x2212, 0x2212, 0};
@@ -143,6 +145,7 @@ void Interface::frame(double passed_s) {
   if (opening_ > 0) --opening_;
   show_all(context);
   show_keyboard(context);
+  draw_pointer();
   if (pictures_->take_changed()) ++font_revision_;
   if (pictures_->waits()) disturb();
   menu_open_ = context.menu_open;
@@ -161,20 +164,27 @@ void Interface::show_all(PanelContext& context) {
   const double width = context.window.width;
   const double height = context.window.height;
   const double top = unit + 2 * gap;
-  const double left = 2.6 * unit + 2 * gap;
-  const double right = std::min(9.5 * unit, 0.4 * width);
-  const double bottom = 3 * unit + 4 * gap;
+  double left = 2.6 * unit + 2 * gap;
+  double right = std::min(9.5 * unit, 0.4 * width);
   const double status = 0.7 * unit;
   const bool plays = app_.of<Player>().trace.has_value();
   const double player = plays ? unit + 2 * gap : 0;
+  // A small window has the tools or the panel at the side, and of the timeline its buttons alone.
+  panels_.narrow = width - left - right < k_least_canvas * width;
+  if (panels_.narrow) {
+    right = panels_.side_in_turn ? std::min(9.5 * unit, (1 - k_least_canvas) * width) : 0;
+    if (panels_.side_in_turn) left = 0;
+  }
+  double bottom = 3 * unit + 4 * gap;
+  if (height - top - bottom - player - status < k_least_canvas * height) bottom = unit + 2 * gap;
   const auto show = [&](PanelPlace place, const Area& area) { show_panels(context, app_, place, area); };
   Area free{0, 0, width, height};
   const double foot = height - (panels_.shown ? bottom : 0);
   if (panels_.shown) {
     free = {left, top, width - right, height - bottom - player - status};
     show(PanelPlace::top, {0, 0, width, top});
-    show(PanelPlace::left, {0, top, left, height - bottom});
-    show(PanelPlace::right, {width - right, top, width, height - bottom});
+    if (left > 0) show(PanelPlace::left, {0, top, left, height - bottom});
+    if (right > 0) show(PanelPlace::right, {width - right, top, width, height - bottom});
     show(PanelPlace::status, {left, height - bottom - player - status, width - right, height - bottom - player});
     show(PanelPlace::timeline, {0, height - bottom, width, height});
   } else {
@@ -268,6 +278,17 @@ void Interface::show_keyboard(PanelContext& context) {
                  ImGui::GetColorU32(ImGuiCol_Text), key.label.c_str());
     targets_["key " + key.label] = key.area;
   }
+}
+
+void Interface::draw_pointer() const {
+  if (!pointer_) return;
+  const auto size = static_cast<float>(18 * canvas_.scale());
+  const ImVec2 tip{static_cast<float>(pointer_->x), static_cast<float>(pointer_->y)};
+  const ImVec2 left{tip.x, tip.y + size};
+  const ImVec2 right{tip.x + 0.7F * size, tip.y + 0.7F * size};
+  ImDrawList& list = *ImGui::GetForegroundDrawList();
+  list.AddTriangleFilled(tip, right, left, IM_COL32(255, 255, 255, 255));
+  list.AddTriangle(tip, right, left, IM_COL32(0, 0, 0, 255), static_cast<float>(1.5 * canvas_.scale()));
 }
 
 const Area* Interface::find(std::string_view label) const {

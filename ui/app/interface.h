@@ -36,6 +36,9 @@ class Interface {
   /// Something happened that may take panels a few frames to show.
   void disturb();
 
+  /// Draws the mouse's pointer where no system does; nothing: it does.
+  void show_pointer(std::optional<PxPoint> at) { pointer_ = at; }
+
   /// Typed text, UTF-8.
   void text(const char* utf8);
   /// A key of a keyboard, by its SDL scancode and as actions name it. A text field, a dialog and a menu come first;
@@ -74,6 +77,7 @@ class Interface {
   /// Presses on the keyboard of the screen go to the text field and to nothing else.
   bool type_on_screen(const PanelPointer& pointer);
   void show_keyboard(PanelContext& context);
+  void draw_pointer() const;
 
   App& app_;
   Canvas& canvas_;
@@ -91,6 +95,7 @@ class Interface {
   double rested_s_ = 0;                  ///< and for how long
   bool tip_waits_ = false;               ///< something below it has a tooltip, which is not shown yet
   int font_revision_ = 0;
+  std::optional<PxPoint> pointer_;
   ScreenKeyboard keyboard_;
   bool keyboard_held_ = false;  ///< a press on it goes on
   int key_to_release_ = -1;     ///< of ImGui's, pressed on the screen

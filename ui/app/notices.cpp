@@ -26,14 +26,17 @@ void Notices::expire() {
   std::erase_if(all_, [&](const Notice& one) { return one.until_us <= now; });
 }
 
-double Notices::left_s(const Notice& notice) const { return static_cast<double>(notice.until_us - clock_()) * 1e-6; }
+double Notices::opacity(const Notice& notice) const {
+  if (!fades_) return 1;
+  return std::clamp(static_cast<double>(notice.until_us - clock_()) * 1e-6 / k_fade_s, 0.0, 1.0);
+}
 
 int Notices::next_frame_ms() const {
   if (all_.empty()) return -1;
   std::int64_t first = all_.front().until_us;
   for (const Notice& one : all_) first = std::min(first, one.until_us);
-  // From then on it fades.
-  const std::int64_t fades = first - static_cast<std::int64_t>(k_fade_s * 1e6);
+  // From then on it fades, or is gone.
+  const std::int64_t fades = first - (fades_ ? static_cast<std::int64_t>(k_fade_s * 1e6) : 0);
   const std::int64_t now = clock_();
   if (fades <= now) return k_fading_frame_ms;
   return static_cast<int>(std::max<std::int64_t>(1, (fades - now) / 1000 + 1));

@@ -20,7 +20,8 @@ class Notices {
   /// Microseconds of a clock that never goes back.
   using Clock = std::function<std::int64_t()>;
 
-  explicit Notices(Clock clock) : clock_(std::move(clock)) {}
+  /// `fades`: what was said long enough goes little by little, else at once.
+  explicit Notices(Clock clock, bool fades = true) : clock_(std::move(clock)), fades_(fades) {}
 
   /// Says it again where it is said already.
   void tell(std::string text, bool is_error = false);
@@ -32,13 +33,14 @@ class Notices {
   /// Takes away what was said long enough.
   void expire();
   [[nodiscard]] const std::vector<Notice>& all() const { return all_; }
-  /// Seconds for which it stays.
-  [[nodiscard]] double left_s(const Notice& notice) const;
+  /// How much of it is still seen, 0 to 1.
+  [[nodiscard]] double opacity(const Notice& notice) const;
   /// Milliseconds until one of them begins to fade, or of the next frame while one does; -1: nothing is said.
   [[nodiscard]] int next_frame_ms() const;
 
  private:
   Clock clock_;
+  bool fades_;
   std::vector<Notice> all_;
 };
 

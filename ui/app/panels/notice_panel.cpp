@@ -40,8 +40,7 @@ void show_notices(PanelContext& context, const Area& /*area*/, Canvas& canvas, C
   const auto x = static_cast<float>(place.left);
   for (const Notice& one : all) {
     // It goes as it came, and not at a stroke.
-    const double left_s = notices.left_s(one);
-    const int alpha = static_cast<int>(255 * std::clamp(left_s / k_fade_s, 0.0, 1.0));
+    const int alpha = static_cast<int>(255 * notices.opacity(one));
     const ImU32 back = light ? IM_COL32(255, 255, 255, alpha * 15 / 16) : IM_COL32(35, 39, 45, alpha * 15 / 16);
     const ImU32 ink = light ? IM_COL32(26, 29, 33, alpha) : IM_COL32(231, 234, 238, alpha);
     const ImU32 mark = one.is_error ? IM_COL32(224, 82, 58, alpha) : IM_COL32(47, 127, 214, alpha);

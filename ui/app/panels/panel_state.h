@@ -13,6 +13,8 @@ namespace penpose::app {
 /// Which panels are shown. Nothing of it is saved.
 struct PanelState {
   bool shown = true;
+  bool narrow = false;            ///< the window has no room for the tools and the side panel at once
+  bool side_in_turn = false;      ///< where it is narrow: the side panel, else the tools
   bool controls_tab = false;      ///< of the side panel: sketched controls, else all parameters
   bool poses_tab = false;         ///< the poses that are keyed, in place of both
   bool has_keyboard = false;      ///< a key was pressed on one

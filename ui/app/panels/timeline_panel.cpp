@@ -349,8 +349,11 @@ void show_timeline(PanelContext& context, const Area& area, EditingSession& edit
   const Owners with{editing, look, playback, keys, performer, tour, notices, dialogs, panels};
   if (begin_panel(context, "timeline", area)) {
     show_buttons(context, with);
-    show_ruler(context, with);
-    show_keys(context, with);
+    // A small window has no room for more.
+    if (area.height() > 2 * static_cast<double>(context.unit)) {
+      show_ruler(context, with);
+      show_keys(context, with);
+    }
   }
   end_panel();
 }

@@ -39,6 +39,7 @@ void ShownPose::hold_control_target(std::optional<document::PullBetween> pull) {
 }
 
 void ShownPose::follow_pen() {
+  if (still_) return;
   follow_stroke();
   mirrored_.reset();
   if (!editing_.habits().mirrors || !follow_.active()) return;

@@ -33,6 +33,8 @@ class ShownPose {
   void hold_control_target(std::optional<document::PullBetween> pull);
   /// Brings the pose up to the pen. Call it after a batch of reports, at the latest for every frame.
   void follow_pen();
+  /// The pose stays as it is shown while the pen goes on; it is brought up with the next call after that.
+  void hold_still(bool on) { still_ = on; }
   /// The pose that follows the pen. Precondition: live() is active.
   [[nodiscard]] const rig::Pose& pen_pose() const { return mirrored_ ? *mirrored_ : follow_.pose(); }
   /// Shows a pose in place of the one that follows the pen, as long as one does.
@@ -53,6 +55,7 @@ class ShownPose {
   void follow_stroke();
 
   EditingSession& editing_;
+  bool still_ = false;
   std::optional<rig::Pose> preview_;
   std::optional<rig::Pose> staged_;
   std::optional<rig::Pose> mirrored_;  ///< of the pose that follows the pen

@@ -58,6 +58,7 @@ base::Status run_app(const files::WindowRequest& request) {
   options.date = date_name;
   options.program = request.program;
   options.own_tablets = &*own;
+  options.slow_screen = request.slow_screen;
   App app(options);
   const std::string file = request.model.empty() ? "builtin:demo" : request.model;
   const std::string model = files::ModelName{file, request.orientation}.text();
@@ -70,6 +71,9 @@ base::Status run_app(const files::WindowRequest& request) {
       return in_file(played.error(), request.replay);
   }
   Interface interface(app);
+  if (request.rotate != 0 && !request.draw.empty() && request.draw != "cpu") {
+    app.of<Notices>().tell("a turned picture is drawn by the processor, not by --draw " + request.draw);
+  }
   const StopWatch stop([&] { (*window)->wake(); });
   Tablets tablets([&] { (*window)->wake(); }, &*own);
   Timings timings;

@@ -11,6 +11,7 @@ struct Timings {
   std::string way;  ///< to draw
   std::int64_t began_us = 0;
   std::int64_t first_frame_us = 0;        ///< from the start to the first picture
+  std::int64_t idle_us = 0;               ///< since the last frame, when a signal ended the program
   std::vector<std::int64_t> frames_us;    ///< CPU time of the main thread for each frame
   std::vector<std::int64_t> posed_us;     ///< those of frames in which the face had moved
   std::vector<std::int64_t> drawn_us;     ///< CPU time of the thread that draws, for each picture

@@ -176,9 +176,12 @@ void Window::State::take_event(const SDL_Event& event, App& app, Interface& inte
     case SDL_QUIT:
       app.of<Leaving>().ask_to_quit();
       break;
-    case SDL_MOUSEMOTION:
-      app.of<Pointer>().moved(screen.of_mouse(event.motion.x, event.motion.y));
+    case SDL_MOUSEMOTION: {
+      const PxPoint at = screen.of_mouse(event.motion.x, event.motion.y);
+      if (screen.lacks_pointer()) interface.show_pointer(at);
+      app.of<Pointer>().moved(at);
       break;
+    }
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP: {
       if (event.button.button > SDL_BUTTON_RIGHT) break;
@@ -192,6 +195,7 @@ void Window::State::take_event(const SDL_Event& event, App& app, Interface& inte
       app.of<Pointer>().wheel(static_cast<double>(event.wheel.preciseY));
       break;
     case SDL_FINGERDOWN:
+      interface.show_pointer(std::nullopt);
       finger(FingerKind::down);
       break;
     case SDL_FINGERMOTION:
@@ -299,7 +303,10 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     }
     tablets.set_exclusive((SDL_GetWindowFlags(state_->window) & SDL_WINDOW_INPUT_FOCUS) != 0);
     tablets.take(app.of<TabletEvents>(), app.of<Notices>());
-    if (StopWatch::asked()) leaving.quit_at_once();
+    if (StopWatch::asked()) {
+      timings.idle_us = device::monotonic_us() - last_us;
+      leaving.quit_at_once();
+    }
     // Reports that are due, and the face that follows them, are no part of a frame.
     app.advance();
     if (timings.first_frame_us == 0 && thread.drawn_count() > 0) {

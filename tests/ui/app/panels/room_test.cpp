@@ -40,6 +40,75 @@ TEST(Room, NothingIsCutOffInAnyWindowAtAnyScale) {
   }
 }
 
+TEST(Room, ASmallScreenHasToolsAndSlidersInTurn) {
+  Desk desk("small");
+  desk.begin();
+  for (const Size& size : {Size{480, 320, 96}, Size{480, 320, 165}, Size{800, 480, 133}, Size{1024, 600, 170}}) {
+    desk.app->of<Pointer>().resized({size.width, size.height}, size.dpi);
+    desk.app->of<PanelState>().shown = true;
+    desk.app->of<PanelState>().side_in_turn = false;
+    desk.frames();
+    const std::string which = std::to_string(size.width) + "x" + std::to_string(size.height);
+    bool tools = false;
+    bool sliders = false;
+    for (int turn = 0; turn < 3; ++turn) {
+      const Area& free = desk.app->of<Canvas>().free_area();
+      EXPECT_GT(free.width(), 0.3 * size.width) << which;
+      EXPECT_GT(free.height(), 0.3 * size.height) << which;
+      tools = tools || desk.interface->find("Pose") != nullptr;
+      sliders = sliders || desk.interface->find("Poses") != nullptr;
+      for (const auto& [label, area] : desk.interface->targets()) {
+        EXPECT_GE(area.left, 0) << label << " in " << which;
+        EXPECT_LE(area.left, size.width) << label << " in " << which;
+      }
+      desk.app->of<Actions>().run(Action::panels);
+      desk.frames();
+    }
+    EXPECT_TRUE(tools && sliders) << which;
+  }
+}
+
+TEST(Room, EveryDialogFitsIntoASmallScreen) {
+  Desk desk("dialogs");
+  desk.begin();
+  for (const Size& size : {Size{480, 320, 96}, Size{480, 320, 165}, Size{800, 480, 133}}) {
+    desk.app->of<Pointer>().resized({size.width, size.height}, size.dpi);
+    for (const Dialog dialog :
+         {Dialog::open, Dialog::save, Dialog::export_as, Dialog::recent, Dialog::steps, Dialog::tablet, Dialog::pad,
+          Dialog::sessions, Dialog::radial, Dialog::shortcuts, Dialog::search, Dialog::history, Dialog::film}) {
+      desk.app->of<Dialogs>().show(dialog);
+      desk.frames();
+      for (const auto& [label, area] : desk.interface->targets()) {
+        EXPECT_GE(area.left, 0) << label << " of " << dialog.name;
+        EXPECT_LE(area.right, size.width) << label << " of " << dialog.name << " in " << size.width;
+      }
+      desk.app->of<Dialogs>().close();
+      desk.frames();
+    }
+  }
+}
+
+TEST(Room, ANameIsTypedBySmallScreensKeysAlone) {
+  Desk desk("typed");
+  desk.begin();
+  desk.app->of<Pointer>().resized({480, 320}, 96);
+  desk.frames();
+  desk.app->of<Dialogs>().show(Dialog::save);
+  desk.frames();
+  const std::string before = desk.app->of<Dialogs>().state<FileChoice>().name;
+  ASSERT_NE(desk.interface->find("##name"), nullptr);
+  desk.click("##name");
+  for (const char* key : {"key a", "key b", "key 7"}) {
+    ASSERT_NE(desk.interface->find(key), nullptr) << key;
+    const Area area = *desk.interface->find(key);
+    EXPECT_GE(area.top, 0);
+    EXPECT_LE(area.bottom, 320);
+    desk.click(key);
+  }
+  EXPECT_NE(desk.app->of<Dialogs>().state<FileChoice>().name.find("ab7"), std::string::npos);
+  desk.click("key Done");
+}
+
 TEST(Room, WhatHasNoRoomStandsInAMenu) {
   Desk desk("more");
   desk.begin();

@@ -16,13 +16,15 @@ namespace penpose::app {
 /// The app with its panels and no window, in a folder of its own, with a clock that goes by hand.
 class Desk {
  public:
-  explicit Desk(const std::string& name, const std::string& model = "builtin:demo", bool fresh = true)
+  explicit Desk(const std::string& name, const std::string& model = "builtin:demo", bool fresh = true,
+                bool slow_screen = false)
       : folder(folder_of(name)) {
     if (fresh) std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     AppOptions options;
     options.folders = {(folder / "state").string(), (folder / "config").string()};
     options.clock = [this] { return now_us; };
+    options.slow_screen = slow_screen;
     options.date = [] { return std::string("2026-01-02_03-04-05"); };
     app = std::make_unique<App>(options);
     app->of<Dialogs>().state<FileChoice>().folder = folder.string();
