@@ -73,7 +73,7 @@ if(mesh_links MATCHES "OpenMesh")
   list(APPEND solver "libopenmesh1 (>= 9.0)")
   list(APPEND headers libopenmesh-dev)
 endif()
-set(tablets "libevdev2 (>= 0.9.1)" "libhidapi-hidraw0 (>= 0.8.0~rc1+git20140201.3a66d4e+dfsg)" "libudev1 (>= 183)" "libusb-1.0-0 (>= 2:1.0.23~)")
+set(tablets "libevdev2 (>= 0.9.1)" "libhidapi-hidraw0 (>= 0.8.0~rc1+git20140201.3a66d4e+dfsg)" "libusb-1.0-0 (>= 2:1.0.23~)")
 penpose_package(penpose graphics "pose and rig 3D characters by drawing"
 "A line is drawn where a feature of a character is, and another where it should
 be: penpose finds the values of the rig that bring the one to the other. It

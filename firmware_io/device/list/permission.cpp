@@ -16,6 +16,8 @@
 #include <unistd.h>
 #include <vector>
 
+#include "firmware_io/device/source/built_in.h"
+
 namespace penpose::device {
 namespace {
 
@@ -196,6 +198,11 @@ std::string missing(const LiveTablet& tablet, const std::string& program) {
     case Access::busy:
       return "Another program has taken it from the system; close that program";
     case Access::absent:
+      if (!reads_through(tablet.transport)) {
+        return reads_through(Transport::hidraw)
+                   ? "It is read through libusb alone, which this penpose was built without (PENPOSE_LIBUSB)"
+                   : "This penpose was built to read no tablets (PENPOSE_DEVICES)";
+      }
       return "The system has made no device node for it; in a container, start that with the host's /dev";
     case Access::allowed:
       break;

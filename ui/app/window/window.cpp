@@ -13,7 +13,6 @@
 #include "ui/app/view/draw_thread.h"
 #include "ui/app/window/full_screen.h"
 #include "ui/app/window/stop_watch.h"
-#include "ui/render/gl/offscreen_context.h"
 
 namespace penpose::app {
 namespace {
@@ -118,8 +117,7 @@ base::Status Window::State::start(render::DrawWay one, bool fullscreen) {
   Uint32 flags = SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
   if (fullscreen) flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
   if (way != render::DrawWay::cpu) {
-    if (const auto room = render::check_room_for_gl(); !room) return room.error();
-    if (const auto threads = render::check_threads_for_gl(); !threads) return threads.error();
+    if (const auto can = check_gl(); !can) return can;
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 1);
@@ -236,7 +234,8 @@ base::Result<std::unique_ptr<Window>> Window::open(bool fullscreen, std::optiona
   }
   if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) return no_display(sdl_error());
   auto state = std::make_unique<State>();
-  base::Status started{base::Done{}};
+  base::Status started = base::Error{"this penpose was not built to draw that way",
+                                     way ? std::string(render::name_of(*way)) : std::string(), "draw with --draw cpu"};
   for (const render::DrawWay one : render::built_in_ways()) {
     if (way && *way != one) continue;
     started = state->start(one, fullscreen);

@@ -95,32 +95,25 @@ void print(const device::LiveTablet& tablet) {
     std::cout << "    " << base::shown_line(why, k_longest_line) << '\n';
 }
 
-/// What is plugged in and carries a pen or keys; nothing where that cannot be told.
-std::vector<device::LiveTablet> plugged_in(const decode::TabletTable& own) {
-  auto tablets = device::list_tablets(&own);
-  return tablets ? std::move(tablets).value() : std::vector<device::LiveTablet>{};
-}
-
 std::string rule_with(const decode::TabletTable& own) {
   std::vector<decode::Tablet> all(decode::known_tablets().tablets().begin(), decode::known_tablets().tablets().end());
   all.insert(all.end(), own.tablets().begin(), own.tablets().end());
-  return device::udev_rule(decode::TabletTable(std::move(all)), plugged_in(own));
+  return device::udev_rule(decode::TabletTable(std::move(all)), device::list_tablets(&own));
 }
 
 }  // namespace
 
 int list_live_devices(const decode::TabletTable& own, bool json) {
   const auto tablets = device::list_tablets(&own);
-  if (!tablets) return files::report(tablets.error());
   if (json) {
     Json list = Json::array();
-    for (const auto& tablet : *tablets) list.push_back(to_json(tablet));
-    const Json out{{"count", tablets->size()}, {"tablets", std::move(list)}};
+    for (const auto& tablet : tablets) list.push_back(to_json(tablet));
+    const Json out{{"count", tablets.size()}, {"tablets", std::move(list)}};
     std::cout << out.dump_as_made(2) << '\n';
     return k_success;
   }
-  for (const auto& tablet : *tablets) print(tablet);
-  if (tablets->empty()) std::cout << "no tablet is plugged in\n";
+  for (const auto& tablet : tablets) print(tablet);
+  if (tablets.empty()) std::cout << "no tablet is plugged in\n";
   return k_success;
 }
 
@@ -137,10 +130,8 @@ int install_udev_rule(const decode::TabletTable& own, const std::string& folder)
 }
 
 int give_back_devices() {
-  const auto interfaces = device::list_interfaces();
-  if (!interfaces) return files::report(interfaces.error());
   int status = k_success;
-  for (const auto& interface : *interfaces) {
+  for (const auto& interface : device::list_interfaces()) {
     if (!interface.driver.empty() || interface.usb_node.empty() || !interface.identity.interface_number) continue;
     const auto bound = device::bind_kernel_driver(interface.usb_node, *interface.identity.interface_number);
     if (!bound) {

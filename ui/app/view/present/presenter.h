@@ -41,6 +41,8 @@ class Presenter {
   Presenter() = default;
 };
 
+/// Before anything of OpenGL is started. Errors: its driver would not survive it, or the program was built without.
+[[nodiscard]] base::Status check_gl();
 /// By OpenGL, in a context of the window that no thread has as its own.
 [[nodiscard]] std::unique_ptr<Presenter> make_gl_presenter(SDL_Window* window, void* context);
 /// By the processor, into the window's own px.

@@ -2,9 +2,10 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
-#include "ui/app/view/present/drawable_size.h"
+#include "ui/app/view/present/gl/drawable_size.h"
 #include "ui/app/view/present/presenter.h"
 #include "ui/render/gl/gl_renderer.h"
+#include "ui/render/gl/offscreen_context.h"
 
 namespace penpose::app {
 namespace {
@@ -75,6 +76,11 @@ class GlPresenter final : public Presenter {
 };
 
 }  // namespace
+
+base::Status check_gl() {
+  if (const auto room = render::check_room_for_gl(); !room) return room;
+  return render::check_threads_for_gl();
+}
 
 std::unique_ptr<Presenter> make_gl_presenter(SDL_Window* window, void* context) {
   return std::make_unique<GlPresenter>(window, context);
