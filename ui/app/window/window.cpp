@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <imgui.h>
-#include <malloc.h>
 #include <string>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "ui/app/view/draw_thread.h"
 #include "ui/app/window/full_screen.h"
 #include "ui/app/window/stop_watch.h"
+#include "ui/files/process/kept_memory.h"
 
 namespace penpose::app {
 namespace {
@@ -307,7 +307,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     if (timings.first_frame_us == 0 && thread.drawn_count() > 0) {
       timings.first_frame_us = device::monotonic_us() - timings.began_us;
       // Loading a model and compiling shaders leave much behind that nobody asks for again.
-      ::malloc_trim(0);
+      files::give_back_memory();
     }
     status = thread.status();
     if (!status) break;
