@@ -13,6 +13,7 @@
 #include "firmware_io/decode/wacom/wacom_receiver.h"
 #include "firmware_io/device/list/event_list.h"
 #include "firmware_io/device/list/interface_list.h"
+#include "firmware_io/device/source/built_in.h"
 #include "firmware_io/device/source/event_source.h"
 #include "firmware_io/device/source/hidraw_source.h"
 #include "firmware_io/device/source/libusb_source.h"
@@ -158,12 +159,12 @@ void choose_transport(LiveTablet& tablet) {
   if (interface.identity.vendor == decode::k_vendor_wacom && interface.identity.product == k_penpartner)
     return choose(Transport::libusb, "the kernel keeps its reports from hidraw");
   const WakeUp steps = tablet.wake_up();
-  const bool by_usb = !steps.read_strings.empty() || !steps.send_outputs.empty();
+  const bool by_usb = reads_through(Transport::libusb) && (!steps.read_strings.empty() || !steps.send_outputs.empty());
   choose(by_usb ? Transport::libusb : Transport::hidraw, by_usb ? "it must be woken over USB" : k_beside_driver);
 }
 
 Access check_access(const LiveTablet& tablet) {
-  if (tablet.node().empty()) return Access::absent;
+  if (tablet.node().empty() || !reads_through(tablet.transport)) return Access::absent;
   if (tablet.transport == Transport::libusb && tablet.interface.driver == k_program) return Access::busy;
   const int rights = tablet.transport == Transport::event ? R_OK : R_OK | W_OK;
   if (::access(tablet.node().c_str(), rights) == 0) return Access::allowed;
@@ -248,12 +249,10 @@ std::vector<LiveTablet> with_event_devices(std::vector<LiveTablet> tablets, cons
   return tablets;
 }
 
-base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* own,
-                                                   const std::vector<LiveTablet>& before) {
-  auto interfaces = list_interfaces();
-  if (!interfaces) return interfaces.error();
+std::vector<LiveTablet> list_tablets(const decode::TabletTable* own, const std::vector<LiveTablet>& before) {
+  const std::vector<HidInterface> interfaces = list_interfaces();
   std::vector<LiveTablet> tablets;
-  for (HidInterface interface : *interfaces) {
+  for (HidInterface interface : interfaces) {
     const auto known = std::find_if(before.begin(), before.end(), [&](const LiveTablet& tablet) {
       return !interface.usb_name.empty() && tablet.interface.usb_node == interface.usb_node &&
              tablet.interface.usb_name == interface.usb_name;
@@ -275,7 +274,7 @@ base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* ow
     LiveTablet tablet = recognise(std::move(device), own);
     if (tablet.carries != Carries::other) events.push_back(std::move(tablet));
   }
-  tablets = with_event_devices(std::move(tablets), *interfaces, std::move(events));
+  tablets = with_event_devices(std::move(tablets), interfaces, std::move(events));
   const std::vector<LiveTablet> all = tablets;
   std::erase_if(tablets,
                 [&](const LiveTablet& one) { return one.carries == Carries::touch && !belongs_to_a_tablet(one, all); });

@@ -80,9 +80,9 @@ using ReadString = std::function<base::Result<std::string>(const std::string& us
                                                          std::vector<LiveTablet> events);
 
 /// Every interface with a pen, the keys or the fingers of a tablet; touch devices that belong to no tablet are left to
-/// the desktop. Strings of devices in `before` are reused and not requested again. Errors: those of listing.
-[[nodiscard]] base::Result<std::vector<LiveTablet>> list_tablets(const decode::TabletTable* own = nullptr,
-                                                                 const std::vector<LiveTablet>& before = {});
+/// the desktop. Strings of devices in `before` are reused and not requested again.
+[[nodiscard]] std::vector<LiveTablet> list_tablets(const decode::TabletTable* own = nullptr,
+                                                   const std::vector<LiveTablet>& before = {});
 
 /// Opens it through `transport`. If only the device itself knows its descriptor or ranges, reads them and recognises
 /// the tablet again. Errors say what is missing.

@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # Builds the program of the golden hashes in the ways that are promised to give the same bits, and runs it.
-#   matrix.sh BUILD_FOLDER [WAY...]     ways: gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3 asan-ubsan tsan aarch64 armhf
+#   matrix.sh BUILD_FOLDER [WAY...]     ways: gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3 asan-ubsan tsan aarch64 armhf riscv64
 # Prints a line for each way and ends with 1 when any of them differs. `aarch64` and `armhf` (32 bits) make their sysroots from
-# Debian's packages (as root, over the network); where they cannot be had and no way fails, the end is 77.
+# Debian's packages (as root, over the network), riscv64 its libraries from Debian's sources, since Debian 12 has none for it;
+# where they cannot be had and no way fails, the end is 77.
 set -uo pipefail
 source=$(cd "$(dirname "$0")/../.." && pwd)
 folder=$(mkdir -p "$1" && cd "$1" && pwd)
 shift
-[ $# -gt 0 ] || set -- gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3 asan-ubsan tsan aarch64 armhf
+[ $# -gt 0 ] || set -- gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3 asan-ubsan tsan aarch64 armhf riscv64
 
-sysroot_packages="libxxhash-dev zlib1g-dev libtinygltf-dev libmeshoptimizer-dev libdraco-dev nlohmann-json3-dev libglm-dev libhidapi-dev libgtest-dev libusb-1.0-0-dev libudev-dev libevdev-dev libpng-dev libjpeg62-turbo-dev libwebp-dev"
+sysroot_packages="libxxhash-dev zlib1g-dev libtinygltf-dev libmeshoptimizer-dev libdraco-dev nlohmann-json3-dev libglm-dev libhidapi-dev libgtest-dev libusb-1.0-0-dev libevdev-dev libpng-dev libjpeg62-turbo-dev libwebp-dev"
 
 # cross WAY ARCHITECTURE TRIPLET EMULATOR: the other machine, built with Debian's cross compiler and run in emulation.
 cross() {
@@ -19,6 +20,18 @@ cross() {
     PENPOSE_TRIPLET=$3 PENPOSE_SYSROOT=$sysroot run "$way" -DCMAKE_TOOLCHAIN_FILE="$source/ui/install/cross.cmake" -DCMAKE_CXX_FLAGS=-O1 -DPENPOSE_UNITY=ON || failed=1
   else
     echo "$way: left out, its compiler or the packages of its sysroot cannot be had"
+    left_out=1
+  fi
+}
+
+# from_sources: the same for riscv64, without tests of what reads tablets.
+from_sources() {
+  export PENPOSE_TRIPLET=riscv64-linux-gnu PENPOSE_SYSROOT=$folder/libraries-riscv64
+  local toolchain=-DCMAKE_TOOLCHAIN_FILE=$source/ui/install/cross.cmake
+  if command -v $PENPOSE_TRIPLET-g++-12 >/dev/null && command -v qemu-riscv64 >/dev/null && "$source/ui/install/foreign_libraries.sh" "$PENPOSE_SYSROOT" "$toolchain"; then
+    run riscv64 "$toolchain" -DCMAKE_CXX_FLAGS=-O1 -DPENPOSE_UNITY=ON -DPENPOSE_DEVICES=OFF || failed=1
+  else
+    echo "riscv64: left out, its compiler or the sources of its libraries cannot be had"
     left_out=1
   fi
 }
@@ -54,6 +67,7 @@ for way in "$@"; do
     tsan) run "$way" -DCMAKE_CXX_COMPILER=g++ -DCMAKE_CXX_FLAGS=-O1 -DPENPOSE_SANITIZE=thread || failed=1 ;;
     aarch64) cross "$way" arm64 aarch64-linux-gnu qemu-aarch64 ;;
     armhf) cross "$way" armhf arm-linux-gnueabihf qemu-arm ;;
+    riscv64) from_sources ;;
     *) echo "no way is called $way" && exit 2 ;;
   esac
 done

@@ -57,8 +57,7 @@ tests::Report numbered(std::size_t number) {
 base::Result<device::LiveTablet> find_burst_pen() {
   for (int i = 0; i < 200; ++i) {
     auto tablets = device::list_tablets();
-    if (!tablets) return tablets.error();
-    for (auto& tablet : *tablets) {
+    for (auto& tablet : tablets) {
       if (tablet.interface.identity.name == "Burst pen" && tablet.access == device::Access::allowed) return tablet;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -148,8 +147,7 @@ void print_seen(const device::LiveTablet& tablet) {
 /// As the window does: the kernel's driver switches the light, or else this program.
 int lights(const char* stop_file) {
   auto tablets = device::list_tablets();
-  if (!tablets) return fail(tablets.error());
-  for (auto& tablet : *tablets) {
+  for (auto& tablet : tablets) {
     auto hand = decode::make_hand_decoders(tablet.interface.identity);
     if (!hand.pad || hand.pad->features().modes == 0) continue;
     auto source = device::open_tablet(tablet);

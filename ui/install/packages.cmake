@@ -73,7 +73,7 @@ if(mesh_links MATCHES "OpenMesh")
   list(APPEND solver "libopenmesh1 (>= 9.0)")
   list(APPEND headers libopenmesh-dev)
 endif()
-set(tablets "libevdev2 (>= 0.9.1)" "libhidapi-hidraw0 (>= 0.8.0~rc1+git20140201.3a66d4e+dfsg)" "libudev1 (>= 183)" "libusb-1.0-0 (>= 2:1.0.23~)")
+set(tablets "libevdev2 (>= 0.9.1)" "libhidapi-hidraw0 (>= 0.8.0~rc1+git20140201.3a66d4e+dfsg)" "libusb-1.0-0 (>= 2:1.0.23~)")
 penpose_package(penpose graphics "pose and rig 3D characters by drawing"
 "A line is drawn where a feature of a character is, and another where it should
 be: penpose finds the values of the rig that bring the one to the other. It
@@ -88,8 +88,9 @@ be: penpose finds the values of the rig that bring the one to the other. It
 works with blend shapes, with joints, and with controls that were sketched on a
 bare mesh, and reads pen tablets directly.
 .
-The commands alone, for boards and farms: without the window and without
-pictures, and so without SDL and OpenGL." DEPENDS ${c_library} ${solver} ${tablets} "libpng16-16 (>= 1.6.2-1)" CONFLICTS penpose)
+The commands alone, for boards and farms: without the window, and so without
+SDL and OpenGL. The processor draws the pictures." DEPENDS ${c_library} ${solver} ${tablets} "libpng16-16 (>= 1.6.2-1)" "libjpeg62-turbo (>= 1.3.1)"
+  "libwebp7 (>= 1.2.4)" CONFLICTS penpose)
 penpose_package(libpenpose0 libs "pose and rig 3D characters by drawing, the library"
 "The solver of penpose for other programs, in C: rigs, curves, targets,
 sketched deformers, recorded sessions, and pen tablets from their raw reports."

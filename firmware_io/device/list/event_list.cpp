@@ -1,9 +1,7 @@
 #include "firmware_io/device/list/event_list.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <cstdio>
 #include <filesystem>
 #include <linux/input-event-codes.h>
 #include <optional>
@@ -11,27 +9,16 @@
 #include <tuple>
 
 #include "firmware_io/decode/decoder_factory.h"
-#include "firmware_io/device/list/internal/udev_handles.h"
+#include "firmware_io/device/list/sys_device.h"
 
 namespace penpose::device {
 namespace {
 
-/// Longer than the bits of all keys.
-constexpr std::size_t k_longest_file = 1024;
 /// In place of ranges that only an open device tells.
 constexpr event::AbsRange k_some_range{0, 65535, 0};
 constexpr event::AbsRange k_some_slots{0, 9, 0};
 /// Parts of a bit map have the size of a `long` of whoever reads it (input_bits_to_string of Linux's input.c).
 constexpr std::size_t k_bits_of_part = 8 * sizeof(long);
-
-std::string read_line(const std::string& path) {
-  std::array<char, k_longest_file> text{};
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  const std::size_t length = file ? std::fread(text.data(), 1, text.size(), file.get()) : 0;
-  std::string line(text.data(), length);
-  line.erase(std::min(line.find('\n'), line.size()));
-  return line;
-}
 
 std::optional<std::uint64_t> from_hex(std::string_view digits) {
   std::uint64_t value = 0;
@@ -41,12 +28,12 @@ std::optional<std::uint64_t> from_hex(std::string_view digits) {
 }
 
 std::uint16_t read_id(const std::string& path) {
-  return static_cast<std::uint16_t>(from_hex(read_line(path)).value_or(0));
+  return static_cast<std::uint16_t>(from_hex(read_sys_line(path)).value_or(0));
 }
 
 /// The numbers of the bits that are set; the most significant part comes first.
 std::vector<std::uint16_t> read_bits(const std::string& path) {
-  const std::string line = read_line(path);
+  const std::string line = read_sys_line(path);
   std::vector<std::uint64_t> parts;
   for (std::size_t begin = 0; begin < line.size();) {
     const std::size_t end = std::min(line.find(' ', begin), line.size());
@@ -68,36 +55,34 @@ bool is_of_a_tablet(const event::EventAxes& facts) {
 }
 
 /// Where it is plugged in, the same for all nodes of a device and for its HID interfaces (interface_list.cpp).
-void take_parents(HidInterface& found, udev_device* device) {
-  const auto text = [](const char* value) { return value == nullptr ? std::string() : std::string(value); };
-  if (udev_device* hid = udev_device_get_parent_with_subsystem_devtype(device, "hid", nullptr); hid != nullptr) {
-    found.hid_name = text(udev_device_get_sysname(hid));
-    found.driver = text(udev_device_get_driver(hid));
-    found.parent = text(udev_device_get_syspath(hid));
+void take_parents(HidInterface& found, const SysDevice& device) {
+  if (const auto hid = device.parent_in("hid")) {
+    found.hid_name = hid->name();
+    found.driver = hid->driver();
+    found.parent = hid->path();
   }
-  udev_device* usb = udev_device_get_parent_with_subsystem_devtype(device, "usb", "usb_device");
-  if (usb != nullptr) found.parent = text(udev_device_get_syspath(usb));
+  if (const auto usb = device.parent_in("usb", "usb_device")) found.parent = usb->path();
   if (!found.parent.empty()) return;
-  udev_device* input = udev_device_get_parent(device);
-  udev_device* above = input != nullptr ? udev_device_get_parent(input) : nullptr;
-  if (above != nullptr) {
-    found.driver = text(udev_device_get_driver(above));
-    found.parent = text(udev_device_get_syspath(above));
+  const auto input = device.parent();
+  const auto above = input ? input->parent() : std::nullopt;
+  if (above) {
+    found.driver = above->driver();
+    found.parent = above->path();
     return;
   }
   // Made by a program. What it plugs into one place belongs together.
   found.made_by_program = true;
   found.parent = decode::unit_of_path(found.physical);
-  if (found.parent.empty() && input != nullptr) found.parent = text(udev_device_get_syspath(input));
+  if (found.parent.empty() && input) found.parent = input->path();
 }
 
-std::optional<HidInterface> look_at(udev* library, const std::string& folder) {
+std::optional<HidInterface> look_at(const std::string& folder) {
   const event::EventAxes facts = read_event_facts(folder + "/device");
   if (!is_of_a_tablet(facts)) return std::nullopt;
-  const UdevDevice device(udev_device_new_from_syspath(library, folder.c_str()));
-  if (!device || udev_device_get_devnode(device.get()) == nullptr) return std::nullopt;
+  const auto device = SysDevice::at(folder);
+  if (!device || device->node().empty()) return std::nullopt;
   HidInterface found;
-  found.event_node = udev_device_get_devnode(device.get());
+  found.event_node = device->node();
   found.physical = facts.physical;
   found.identity.bus = facts.bus;
   found.identity.vendor = facts.vendor;
@@ -107,8 +92,8 @@ std::optional<HidInterface> look_at(udev* library, const std::string& folder) {
   decode::complete_identity(found.identity);
   // The kernel numbers its entries as they come.
   struct stat entry {};
-  if (::stat(udev_device_get_syspath(device.get()), &entry) == 0) found.node_made = entry.st_ino;
-  take_parents(found, device.get());
+  if (::stat(device->path().c_str(), &entry) == 0) found.node_made = entry.st_ino;
+  take_parents(found, *device);
   const bool has_place = found.physical.find("/input") != std::string::npos;
   found.identity.unit = has_place ? decode::unit_of_path(found.physical) : found.parent;
   return found;
@@ -127,8 +112,8 @@ event::EventAxes read_event_facts(const std::string& folder) {
   if (!is_of_a_tablet(facts)) return facts;
   for (const std::uint16_t code : read_bits(folder + "/capabilities/msc")) facts.mscs.insert(code);
   for (const std::uint16_t property : read_bits(folder + "/properties")) facts.properties.insert(property);
-  facts.name = read_line(folder + "/name");
-  facts.physical = read_line(folder + "/phys");
+  facts.name = read_sys_line(folder + "/name");
+  facts.physical = read_sys_line(folder + "/phys");
   facts.bus = read_id(folder + "/id/bustype");
   facts.vendor = read_id(folder + "/id/vendor");
   facts.product = read_id(folder + "/id/product");
@@ -136,13 +121,12 @@ event::EventAxes read_event_facts(const std::string& folder) {
 }
 
 std::vector<HidInterface> list_event_devices(const std::string& folder) {
-  const Udev library(udev_new());
   std::vector<HidInterface> list;
   std::error_code error;
   std::filesystem::directory_iterator entry(folder, error);
-  for (; library && !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
     if (entry->path().filename().string().rfind("event", 0) != 0) continue;
-    if (auto found = look_at(library.get(), entry->path().string())) list.push_back(std::move(*found));
+    if (auto found = look_at(entry->path().string())) list.push_back(std::move(*found));
   }
   std::sort(list.begin(), list.end(), [](const HidInterface& a, const HidInterface& b) {
     return std::tie(a.parent, a.event_node) < std::tie(b.parent, b.event_node);

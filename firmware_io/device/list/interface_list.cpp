@@ -11,17 +11,16 @@
 #include <tuple>
 
 #include "firmware_io/decode/decoder_factory.h"
-#include "firmware_io/device/list/internal/udev_handles.h"
+#include "firmware_io/device/list/sys_device.h"
 
 namespace penpose::device {
 namespace {
 
 constexpr std::size_t k_longest_descriptor = 4096;  // HID_MAX_DESCRIPTOR_SIZE of Linux
 constexpr std::string_view k_hid_class = "03";
+constexpr const char* k_hidraw_devices = "/sys/class/hidraw";
 constexpr const char* k_hid_devices = "/sys/bus/hid/devices";
 constexpr const char* k_usb_devices = "/sys/bus/usb/devices";
-
-std::string text(const char* value) { return value == nullptr ? std::string() : std::string(value); }
 
 std::optional<unsigned> hex(std::string_view digits) {
   const std::string copy(digits);
@@ -53,94 +52,77 @@ void take_ids(decode::DeviceIdentity& identity, std::string_view id) {
 }
 
 /// What a USB interface and its device say.
-void take_usb(HidInterface& found, udev_device* interface) {
-  found.usb_name = text(udev_device_get_sysname(interface));
-  if (const auto number = hex(text(udev_device_get_sysattr_value(interface, "bInterfaceNumber")))) {
+void take_usb(HidInterface& found, const SysDevice& interface) {
+  found.usb_name = interface.name();
+  if (const auto number = hex(interface.attribute("bInterfaceNumber"))) {
     found.identity.interface_number = static_cast<int>(*number);
   }
-  udev_device* device = udev_device_get_parent_with_subsystem_devtype(interface, "usb", "usb_device");
-  if (device == nullptr) return;
-  found.usb_node = text(udev_device_get_devnode(device));
-  found.parent = text(udev_device_get_syspath(device));
+  const auto device = interface.parent_in("usb", "usb_device");
+  if (!device) return;
+  found.usb_node = device->node();
+  found.parent = device->path();
   if (!found.identity.name.empty()) return;
   found.identity.bus = decode::k_bus_usb;
-  const auto vendor = hex(text(udev_device_get_sysattr_value(device, "idVendor")));
-  const auto product = hex(text(udev_device_get_sysattr_value(device, "idProduct")));
+  const auto vendor = hex(device->attribute("idVendor"));
+  const auto product = hex(device->attribute("idProduct"));
   found.identity.vendor = static_cast<std::uint16_t>(vendor.value_or(0));
   found.identity.product = static_cast<std::uint16_t>(product.value_or(0));
-  const std::string maker = text(udev_device_get_sysattr_value(device, "manufacturer"));
-  const std::string name = text(udev_device_get_sysattr_value(device, "product"));
+  const std::string maker = device->attribute("manufacturer");
+  const std::string name = device->attribute("product");
   found.identity.name = maker.empty() || name.empty() ? maker + name : maker + " " + name;
 }
 
-std::optional<HidInterface> from_hid(udev_device* hid) {
-  if (text(udev_device_get_property_value(hid, "HID_ID")).empty()) return std::nullopt;
+std::optional<HidInterface> from_hid(const SysDevice& hid) {
+  if (hid.property("HID_ID").empty()) return std::nullopt;
   HidInterface found;
-  found.driver = text(udev_device_get_driver(hid));
-  found.hid_name = text(udev_device_get_sysname(hid));
-  found.physical = text(udev_device_get_property_value(hid, "HID_PHYS"));
-  found.identity.name = text(udev_device_get_property_value(hid, "HID_NAME"));
-  take_ids(found.identity, text(udev_device_get_property_value(hid, "HID_ID")));
-  found.parent = text(udev_device_get_syspath(hid));
+  found.driver = hid.driver();
+  found.hid_name = hid.name();
+  found.physical = hid.property("HID_PHYS");
+  found.identity.name = hid.property("HID_NAME");
+  take_ids(found.identity, hid.property("HID_ID"));
+  found.parent = hid.path();
   found.identity.report_descriptor = read_descriptor(found.parent + "/report_descriptor");
-  udev_device* interface = udev_device_get_parent_with_subsystem_devtype(hid, "usb", "usb_interface");
-  if (interface != nullptr) take_usb(found, interface);
+  const auto interface = hid.parent_in("usb", "usb_interface");
+  if (interface) take_usb(found, *interface);
   return found;
 }
 
-std::optional<HidInterface> from_hidraw(udev_device* device) {
-  udev_device* hid = udev_device_get_parent_with_subsystem_devtype(device, "hid", nullptr);
-  const char* node = udev_device_get_devnode(device);
-  if (hid == nullptr || node == nullptr) return std::nullopt;
-  auto found = from_hid(hid);
+std::optional<HidInterface> from_hidraw(const SysDevice& device) {
+  const auto hid = device.parent_in("hid");
+  if (!hid || device.node().empty()) return std::nullopt;
+  auto found = from_hid(*hid);
   if (!found) return found;
-  found->hidraw_node = node;
+  found->hidraw_node = device.node();
   // The kernel numbers its entries as they come.
   struct stat entry {};
-  if (::stat(udev_device_get_syspath(device), &entry) == 0) found->node_made = entry.st_ino;
+  if (::stat(device.path().c_str(), &entry) == 0) found->node_made = entry.st_ino;
   return found;
 }
 
-std::optional<HidInterface> from_usb(udev_device* device) {
-  if (text(udev_device_get_devtype(device)) != "usb_interface") return std::nullopt;
-  if (text(udev_device_get_sysattr_value(device, "bInterfaceClass")) != k_hid_class) return std::nullopt;
+std::optional<HidInterface> from_usb(const SysDevice& device) {
+  if (device.property("DEVTYPE") != "usb_interface") return std::nullopt;
+  if (device.attribute("bInterfaceClass") != k_hid_class) return std::nullopt;
   HidInterface found;
   take_usb(found, device);
-  found.driver = text(udev_device_get_driver(device));
+  found.driver = device.driver();
   // Without the interface, as the kernel names the places of those that it has.
   found.physical = std::filesystem::path(found.parent).filename().string();
   if (found.usb_node.empty()) return std::nullopt;
   return found;
 }
 
-template <typename Make>
-void scan(udev* library, const char* subsystem, const Make& make, std::vector<HidInterface>& list) {
-  const UdevEnumerate all(udev_enumerate_new(library));
-  if (!all) return;
-  udev_enumerate_add_match_subsystem(all.get(), subsystem);
-  udev_enumerate_scan_devices(all.get());
-  for (auto* entry = udev_enumerate_get_list_entry(all.get()); entry != nullptr;
-       entry = udev_list_entry_get_next(entry)) {
-    // A device that has gone since the scan gives none.
-    const UdevDevice device(udev_device_new_from_syspath(library, udev_list_entry_get_name(entry)));
-    if (!device) continue;
-    if (auto found = make(device.get())) list.push_back(std::move(*found));
-  }
-}
-
-/// Of the devices of a bus, whose names stand in a folder, those that are wanted. udev takes some fifty system calls
-/// for each device that it looks at, which shows on a small board with many hubs.
+/// Of the devices of a class or a bus, whose names stand in a folder, those that are wanted.
 template <typename Want, typename Make>
-void scan_bus(udev* library, const std::string& folder, const Want& want, const Make& make,
-              std::vector<HidInterface>& list) {
+void scan(const std::string& folder, const Want& want, const Make& make, std::vector<HidInterface>& list) {
   std::error_code error;
   std::filesystem::directory_iterator entry(folder, error);
   for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
     const std::string name = entry->path().filename().string();
     if (!want(name)) continue;
-    const UdevDevice device(udev_device_new_from_syspath(library, (folder + "/" + name).c_str()));
+    // A device that has gone since then gives none.
+    const auto device = SysDevice::at(folder + "/" + name);
     if (!device) continue;
-    if (auto found = make(device.get())) list.push_back(std::move(*found));
+    if (auto found = make(*device)) list.push_back(std::move(*found));
   }
 }
 
@@ -152,19 +134,15 @@ std::string unit_of(const HidInterface& found) {
 }
 
 bool is_hid_class(const std::string& usb_name) {
-  const std::string path = std::string(k_usb_devices) + "/" + usb_name + "/bInterfaceClass";
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  char digits[2] = {};
-  return file && std::fread(digits, 1, 2, file.get()) == 2 && std::string_view(digits, 2) == k_hid_class;
+  return read_sys_line(std::string(k_usb_devices) + "/" + usb_name + "/bInterfaceClass") == k_hid_class;
 }
 
 }  // namespace
 
-base::Result<std::vector<HidInterface>> list_interfaces() {
-  const Udev library(udev_new());
-  if (!library) return base::Error{"udev does not start", "", ""};
+std::vector<HidInterface> list_interfaces() {
   std::vector<HidInterface> list;
-  scan(library.get(), "hidraw", from_hidraw, list);
+  scan(
+      k_hidraw_devices, [](const std::string&) { return true; }, from_hidraw, list);
   // Then those whose driver refused them, so that no node was made, and those that no driver holds. Without a node only
   // USB can reach them.
   std::set<std::string> known;
@@ -174,11 +152,11 @@ base::Result<std::vector<HidInterface>> list_interfaces() {
     known_hid.insert(found.hid_name);
   }
   std::vector<HidInterface> bare;
-  scan_bus(
-      library.get(), k_hid_devices, [&](const std::string& name) { return !known_hid.contains(name); }, from_hid, bare);
+  scan(
+      k_hid_devices, [&](const std::string& name) { return !known_hid.contains(name); }, from_hid, bare);
   for (const HidInterface& found : bare) known_hid.insert(found.usb_name);
-  scan_bus(
-      library.get(), k_usb_devices,
+  scan(
+      k_usb_devices,
       [&](const std::string& name) {
         return name.find(':') != std::string::npos && !known.contains(name) && !known_hid.contains(name) &&
                is_hid_class(name);

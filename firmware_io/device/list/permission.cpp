@@ -6,15 +6,19 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
-#include <grp.h>
+#include <fstream>
 #include <map>
+#include <optional>
 #include <set>
 #include <spawn.h>
+#include <string>
 #include <string_view>
 #include <sys/wait.h>
 #include <system_error>
 #include <unistd.h>
 #include <vector>
+
+#include "firmware_io/device/source/built_in.h"
 
 namespace penpose::device {
 namespace {
@@ -89,15 +93,27 @@ bool rule_is_installed() {
   return false;
 }
 
+/// The number of a group of this machine. The C library's own look-up loads libraries, which a static program cannot.
+std::optional<gid_t> number_of_group(std::string_view name) {
+  std::ifstream file("/etc/group");
+  for (std::string line; std::getline(file, line);) {
+    // "input:x:104:someone,somebody"
+    const std::size_t number = line.find(':', name.size() + 1) + 1;
+    if (line.compare(0, name.size() + 1, std::string(name) + ':') != 0 || number == 0) continue;
+    return static_cast<gid_t>(std::strtoul(line.c_str() + number, nullptr, 10));
+  }
+  return std::nullopt;
+}
+
 /// Whether this process has the rights of a group.
 bool in_group(const char* name) {
-  const group* entry = ::getgrnam(name);
-  if (entry == nullptr) return false;
+  const auto wanted = number_of_group(name);
+  if (!wanted) return false;
   std::vector<gid_t> groups(static_cast<std::size_t>(std::max(0, ::getgroups(0, nullptr))));
   const int count = ::getgroups(static_cast<int>(groups.size()), groups.data());
   groups.resize(static_cast<std::size_t>(std::max(0, count)));
   groups.push_back(::getegid());
-  return std::find(groups.begin(), groups.end(), entry->gr_gid) != groups.end();
+  return std::find(groups.begin(), groups.end(), *wanted) != groups.end();
 }
 
 std::string denied(const LiveTablet& tablet, const std::string& program) {
@@ -196,6 +212,11 @@ std::string missing(const LiveTablet& tablet, const std::string& program) {
     case Access::busy:
       return "Another program has taken it from the system; close that program";
     case Access::absent:
+      if (!reads_through(tablet.transport)) {
+        return reads_through(Transport::hidraw)
+                   ? "It is read through libusb alone, which this penpose was built without (PENPOSE_LIBUSB)"
+                   : "This penpose was built to read no tablets (PENPOSE_DEVICES)";
+      }
       return "The system has made no device node for it; in a container, start that with the host's /dev";
     case Access::allowed:
       break;

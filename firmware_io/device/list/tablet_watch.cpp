@@ -1,20 +1,30 @@
 #include "firmware_io/device/list/tablet_watch.h"
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <linux/netlink.h>
 #include <poll.h>
+#include <string_view>
 #include <sys/epoll.h>
+#include <sys/socket.h>
 #include <sys/timerfd.h>
 #include <unistd.h>
 #include <utility>
 
 #include "firmware_io/device/clock.h"
-#include "firmware_io/device/list/internal/udev_handles.h"
 
 namespace penpose::device {
 namespace {
 
-/// Exists while udev runs; only then do its events come.
+/// Exists while udev runs; only then do its events come, which are later than the kernel's and so those to wait for.
 constexpr const char* k_udev_socket = "/run/udev/control";
+/// Groups of NETLINK_KOBJECT_UEVENT (systemd's sd-device, enum MonitorNetlinkGroup).
+constexpr std::uint32_t k_from_kernel = 1;
+constexpr std::uint32_t k_from_udev = 2;
+/// Longer than events are (UEVENT_BUFFER_SIZE of Linux, and what udev adds).
+constexpr std::size_t k_longest_event = 8192;
 /// A device comes with several events, interface by interface; they are taken together.
 constexpr int k_settle_ms = 30;
 constexpr int k_most_settles = 40;
@@ -110,21 +120,22 @@ std::vector<LiveTablet> Settling::settle(const std::vector<LiveTablet>& known, s
 
 class TabletWatch::Monitor {
  public:
-  Udev library;
-  UdevMonitor monitor;
-  File timer;
-  File either;  ///< readable when one of the two is
-
-  /// Errors of making the three are told by `either` being none.
-  void listen() {
-    timer = File(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK));
-    File made(::epoll_create1(EPOLL_CLOEXEC));
-    for (const int file : {udev_monitor_get_fd(monitor.get()), timer.get()}) {
+  /// Errors: the system has none of the three files.
+  [[nodiscard]] static std::unique_ptr<Monitor> start() {
+    auto made = std::make_unique<Monitor>();
+    made->events = File(::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, NETLINK_KOBJECT_UEVENT));
+    sockaddr_nl address{};
+    address.nl_family = AF_NETLINK;
+    address.nl_groups = ::access(k_udev_socket, F_OK) == 0 ? k_from_udev : k_from_kernel;
+    if (::bind(made->events.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) return nullptr;
+    made->timer = File(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK));
+    made->either = File(::epoll_create1(EPOLL_CLOEXEC));
+    for (const int file : {made->events.get(), made->timer.get()}) {
       epoll_event event{};
       event.events = EPOLLIN;
-      if (::epoll_ctl(made.get(), EPOLL_CTL_ADD, file, &event) != 0) return;
+      if (::epoll_ctl(made->either.get(), EPOLL_CTL_ADD, file, &event) != 0) return nullptr;
     }
-    either = std::move(made);
+    return made;
   }
 
   /// Makes `either` readable then; never where there is no time.
@@ -137,18 +148,48 @@ class TabletWatch::Monitor {
     ::timerfd_settime(timer.get(), TFD_TIMER_ABSTIME, &when, nullptr);
   }
 
-  [[nodiscard]] bool has_something(int timeout_ms) const {
-    pollfd waiting{either.get(), POLLIN, 0};
+  /// Whether the time of `wake_at` has come since the last call, or a device of ours has come or gone: waits for that,
+  /// and then until nothing more comes.
+  [[nodiscard]] bool wait(int timeout_ms) const {
+    if (!readable(either, timeout_ms)) return false;
+    std::uint64_t times = 0;
+    bool changed = ::read(timer.get(), &times, sizeof times) == sizeof times;
+    for (int i = 0; i < k_most_settles && readable(events, i == 0 ? 0 : k_settle_ms); ++i) changed |= take();
+    return changed;
+  }
+
+  File either;  ///< readable when one of the other two is
+
+ private:
+  [[nodiscard]] static bool readable(const File& file, int timeout_ms) {
+    pollfd waiting{file.get(), POLLIN, 0};
     return ::poll(&waiting, 1, timeout_ms) > 0;
   }
 
-  /// Takes one event if one comes within the time.
-  [[nodiscard]] bool take(int timeout_ms) const {
-    pollfd waiting{udev_monitor_get_fd(monitor.get()), POLLIN, 0};
-    if (::poll(&waiting, 1, timeout_ms) <= 0) return false;
-    const UdevDevice device(udev_monitor_receive_device(monitor.get()));
-    return true;
+  /// Takes one event; whether it is of a device of ours.
+  [[nodiscard]] bool take() const {
+    std::array<char, k_longest_event> buffer{};
+    sockaddr_nl sender{};
+    iovec into{buffer.data(), buffer.size()};
+    msghdr message{};
+    message.msg_name = &sender;
+    message.msg_namelen = sizeof sender;
+    message.msg_iov = &into;
+    message.msg_iovlen = 1;
+    const ssize_t got = ::recvmsg(events.get(), &message, 0);
+    // Events that were lost may have been of ours.
+    if (got < 0) return errno == ENOBUFS;
+    // Any program may send to this socket; to a group only root.
+    if (sender.nl_groups == 0) return false;
+    const std::string_view text(buffer.data(), static_cast<std::size_t>(got));
+    for (const char* subsystem : {"hidraw", "usb", "input"}) {
+      if (text.find("SUBSYSTEM=" + std::string(subsystem) + '\0') != std::string_view::npos) return true;
+    }
+    return false;
   }
+
+  File events;
+  File timer;
 };
 
 TabletWatch::TabletWatch(std::unique_ptr<Monitor> monitor, const decode::TabletTable* own,
@@ -159,37 +200,16 @@ TabletWatch& TabletWatch::operator=(TabletWatch&&) noexcept = default;
 TabletWatch::~TabletWatch() = default;
 
 base::Result<TabletWatch> TabletWatch::start(const decode::TabletTable* own) {
-  auto made = std::make_unique<Monitor>();
-  made->library.reset(udev_new());
-  const bool udev_runs = ::access(k_udev_socket, F_OK) == 0;
-  if (made->library)
-    made->monitor.reset(udev_monitor_new_from_netlink(made->library.get(), udev_runs ? "udev" : "kernel"));
-  if (!made->monitor) return base::Error{"the system tells nothing of devices that come and go", "", ""};
-  udev_monitor_filter_add_match_subsystem_devtype(made->monitor.get(), "hidraw", nullptr);
-  udev_monitor_filter_add_match_subsystem_devtype(made->monitor.get(), "usb", nullptr);
-  udev_monitor_filter_add_match_subsystem_devtype(made->monitor.get(), "input", nullptr);
-  const bool receives = udev_monitor_enable_receiving(made->monitor.get()) >= 0;
-  if (receives) made->listen();
-  if (made->either.get() < 0) {
-    return base::Error{"the system tells nothing of devices that come and go", "", ""};
-  }
-  auto tablets = list_tablets(own);
-  if (!tablets) return tablets.error();
-  return TabletWatch(std::move(made), own, std::move(tablets).value());
+  auto made = Monitor::start();
+  if (!made) return base::Error{"the system tells nothing of devices that come and go", "", ""};
+  return TabletWatch(std::move(made), own, list_tablets(own));
 }
 
 int TabletWatch::wake_fd() const { return monitor_->either.get(); }
 
 TabletChanges TabletWatch::next(int timeout_ms) {
-  if (!monitor_->has_something(timeout_ms)) return {};
-  for (int i = 0; i < k_most_settles && monitor_->take(k_settle_ms); ++i) {
-  }
-  auto now = list_tablets(own_, tablets_);
-  if (!now) {
-    monitor_->wake_at(std::nullopt);
-    return {};
-  }
-  auto settled = settling_.settle(tablets_, std::move(now).value(), monotonic_us());
+  if (!monitor_->wait(timeout_ms)) return {};
+  auto settled = settling_.settle(tablets_, list_tablets(own_, tablets_), monotonic_us());
   monitor_->wake_at(settling_.until_us());
   TabletChanges changes = changes_between(tablets_, settled);
   tablets_ = std::move(settled);

@@ -41,7 +41,7 @@ class Settling {
 /// Watches tablets come and go, through udev where it runs, and straight from the kernel on a bare board.
 class TabletWatch {
  public:
-  /// `own` (may be null) must outlive the watch. Errors: udev gives no events.
+  /// `own` (may be null) must outlive the watch. Errors: the system gives no events of devices.
   [[nodiscard]] static base::Result<TabletWatch> start(const decode::TabletTable* own = nullptr);
 
   TabletWatch(TabletWatch&&) noexcept;

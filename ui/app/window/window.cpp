@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
-#include <malloc.h>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,8 +13,7 @@
 #include "ui/app/window/full_screen.h"
 #include "ui/app/window/screen.h"
 #include "ui/app/window/stop_watch.h"
-#include "ui/render/gl/gl_dialect.h"
-#include "ui/render/gl/offscreen_context.h"
+#include "ui/files/process/kept_memory.h"
 
 namespace penpose::app {
 namespace {
@@ -116,41 +114,29 @@ base::Status Window::State::start() {
 
 base::Status Window::State::start(render::DrawWay one) {
   if (const auto started = screen.start(one); !started) return started.error();
-  Uint32 flags = SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
-  if (fullscreen) flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
-  const auto open_window = [&] {
+  const auto open_window = [&](std::uint32_t flags) {
+    flags |= SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
+    if (fullscreen) flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
     const SDL_Rect place = screen.place_of_window(fullscreen);
-    window = SDL_CreateWindow("penpose", place.x, place.y, place.w, place.h, flags);
+    return SDL_CreateWindow("penpose", place.x, place.y, place.w, place.h, flags);
   };
   // Px of the window itself, not of a texture that a graphics card shows in it.
   SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, one == render::DrawWay::cpu ? "0" : nullptr);
   if (one == render::DrawWay::cpu) {
-    open_window();
+    window = open_window(0);
     if (window != nullptr) return base::Done{};
     return base::Error{"no window could be opened (" + sdl_error() + ")", "", "start it on a desktop"};
   }
-  if (const auto room = render::check_room_for_gl(); !room) return room.error();
-  if (const auto threads = render::check_threads_for_gl(); !threads) return threads.error();
-  // The picture is averaged before it reaches the window, which needs no depth of its own.
-  SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
-  flags |= SDL_WINDOW_OPENGL;
-  for (const render::GlVersion& version : render::versions_of(one)) {
-    SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, version.profile);
-    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, version.major);
-    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, version.minor);
-    open_window();
-    if (window != nullptr) context = SDL_GL_CreateContext(window);
-    if (context != nullptr) return base::Done{};
-    close();
-  }
-  return base::Error{render::needs_of(one) + " could not be started (" + sdl_error() + ")", "",
-                     "install libgl1 and libgl1-mesa-dri, or draw with --draw cpu"};
+  const auto opened = open_gl_window(one, open_window);
+  if (!opened) return opened.error();
+  window = opened->window;
+  context = opened->context;
+  return base::Done{};
 }
 
 std::unique_ptr<Presenter> Window::State::presenter() {
   if (way == render::DrawWay::cpu) return screen.cpu_presenter();
-  SDL_GL_MakeCurrent(window, nullptr);
-  return make_gl_presenter(window, context, way);
+  return make_gl_presenter({window, context}, way);
 }
 
 void Window::State::take_key(const SDL_KeyboardEvent& key, Interface& interface) {
@@ -312,7 +298,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     if (timings.first_frame_us == 0 && thread.drawn_count() > 0) {
       timings.first_frame_us = device::monotonic_us() - timings.began_us;
       // Loading a model and compiling shaders leave much behind that nobody asks for again.
-      ::malloc_trim(0);
+      files::give_back_memory();
     }
     status = thread.status();
     if (!status) break;

@@ -127,32 +127,25 @@ void print(const std::vector<render::WayHere>& ways) {
   std::cout << "pictures are drawn by " << base::shown_line(first, k_longest_line) << others << '\n';
 }
 
-/// What is plugged in and carries a pen or keys; nothing where that cannot be told.
-std::vector<device::LiveTablet> plugged_in(const decode::TabletTable& own) {
-  auto tablets = device::list_tablets(&own);
-  return tablets ? std::move(tablets).value() : std::vector<device::LiveTablet>{};
-}
-
 std::string rule_with(const decode::TabletTable& own) {
   std::vector<decode::Tablet> all(decode::known_tablets().tablets().begin(), decode::known_tablets().tablets().end());
   all.insert(all.end(), own.tablets().begin(), own.tablets().end());
-  return device::udev_rule(decode::TabletTable(std::move(all)), plugged_in(own));
+  return device::udev_rule(decode::TabletTable(std::move(all)), device::list_tablets(&own));
 }
 
 }  // namespace
 
 int list_live_devices(const decode::TabletTable& own, bool json) {
   const auto tablets = device::list_tablets(&own);
-  if (!tablets) return files::report(tablets.error());
   if (json) {
     Json list = Json::array();
-    for (const auto& tablet : *tablets) list.push_back(to_json(tablet));
-    const Json out{{"count", tablets->size()}, {"tablets", std::move(list)}, {"draw", to_json(render::ways_here())}};
+    for (const auto& tablet : tablets) list.push_back(to_json(tablet));
+    const Json out{{"count", tablets.size()}, {"tablets", std::move(list)}, {"draw", to_json(render::ways_here())}};
     std::cout << out.dump_as_made(2) << '\n';
     return k_success;
   }
-  for (const auto& tablet : *tablets) print(tablet);
-  if (tablets->empty()) std::cout << "no tablet is plugged in\n";
+  for (const auto& tablet : tablets) print(tablet);
+  if (tablets.empty()) std::cout << "no tablet is plugged in\n";
   print(render::ways_here());
   return k_success;
 }
@@ -170,10 +163,8 @@ int install_udev_rule(const decode::TabletTable& own, const std::string& folder)
 }
 
 int give_back_devices() {
-  const auto interfaces = device::list_interfaces();
-  if (!interfaces) return files::report(interfaces.error());
   int status = k_success;
-  for (const auto& interface : *interfaces) {
+  for (const auto& interface : device::list_interfaces()) {
     if (!interface.driver.empty() || interface.usb_node.empty() || !interface.identity.interface_number) continue;
     const auto bound = device::bind_kernel_driver(interface.usb_node, *interface.identity.interface_number);
     if (!bound) {

@@ -45,10 +45,9 @@ constexpr std::int64_t k_flush_us = 1'000'000;
 base::Result<std::vector<device::LiveTablet>> wanted_tablets(const Options& options, const decode::TabletTable* own) {
   if (!options.device.empty()) {
     auto interfaces = device::list_interfaces();
-    if (!interfaces) return interfaces.error();
     auto events = device::list_event_devices();
-    std::move(events.begin(), events.end(), std::back_inserter(*interfaces));
-    for (auto& interface : *interfaces) {
+    std::move(events.begin(), events.end(), std::back_inserter(interfaces));
+    for (auto& interface : interfaces) {
       const bool event = options.device == interface.event_node;
       const bool hidraw = options.device == interface.hidraw_node;
       if (!event && !hidraw && options.device != "usb:" + interface.usb_name) continue;
@@ -60,8 +59,7 @@ base::Result<std::vector<device::LiveTablet>> wanted_tablets(const Options& opti
     return base::Error{"no such device is plugged in", options.device, "`penpose devices` lists them"};
   }
   auto tablets = device::list_tablets(own);
-  if (!tablets) return tablets;
-  if (tablets->empty()) {
+  if (tablets.empty()) {
     return base::Error{"no tablet is plugged in", "", "plug one in, or name any HID device with --device"};
   }
   return tablets;

@@ -7,4 +7,7 @@ namespace penpose::files {
 /// Call it before other threads start.
 void keep_little_memory();
 
+/// What was freed goes back to the system, after much was allocated that nobody asks for again.
+void give_back_memory();
+
 }  // namespace penpose::files

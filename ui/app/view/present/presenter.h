@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,7 +44,16 @@ class Presenter {
   Presenter() = default;
 };
 
-/// By OpenGL, in a context of the window that no thread has as its own. Precondition: the way is not the processor.
-[[nodiscard]] std::unique_ptr<Presenter> make_gl_presenter(SDL_Window* window, void* context, render::DrawWay way);
+/// A window with a context of OpenGL, which no thread has as its own once a presenter was made of it.
+struct GlWindow {
+  SDL_Window* window = nullptr;
+  void* context = nullptr;
+};
+/// Asks `open`, which gives null where it cannot, for windows with the flags given until one has a context in which a way
+/// draws. Errors: none has, its driver would not survive it, or the program was built without OpenGL. Precondition: the
+/// way is not the processor.
+[[nodiscard]] base::Result<GlWindow> open_gl_window(render::DrawWay way,
+                                                    const std::function<SDL_Window*(std::uint32_t flags)>& open);
+[[nodiscard]] std::unique_ptr<Presenter> make_gl_presenter(const GlWindow& window, render::DrawWay way);
 
 }  // namespace penpose::app

@@ -1,4 +1,4 @@
-#include "ui/app/view/present/gl_panels.h"
+#include "ui/app/view/present/gl/gl_panels.h"
 
 #include <cstddef>
 #include <epoxy/gl.h>

@@ -1,4 +1,4 @@
-#include "firmware_io/device/source/internal/usb_handle.h"
+#include "firmware_io/device/source/libusb/internal/usb_handle.h"
 
 #include <cerrno>
 #include <fcntl.h>

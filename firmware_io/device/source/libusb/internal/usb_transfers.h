@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/byte_reader.h"
-#include "firmware_io/device/source/internal/usb_handle.h"
+#include "firmware_io/device/source/libusb/internal/usb_handle.h"
 
 namespace penpose::device {
 

@@ -1,16 +1,15 @@
-#include "firmware_io/device/source/internal/usb_transfers.h"
+#include "firmware_io/device/source/libusb/internal/usb_transfers.h"
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
-#include "firmware_io/decode/table/told_ranges.h"
+#include "firmware_io/device/source/usb_string_text.h"
 
 namespace penpose::device {
 namespace {
 
 constexpr unsigned k_timeout_ms = 500;
-constexpr std::uint16_t k_american_english = 0x0409;
 constexpr std::uint8_t k_to_class_interface = 0x21;  // host to device, class request, recipient interface
 constexpr std::uint8_t k_from_interface = 0x81;      // device to host, standard request, recipient interface
 constexpr std::size_t k_longest_descriptor = 4096;
@@ -22,23 +21,12 @@ constexpr std::uint8_t k_set_report = 0x09;
 
 base::Result<std::string> get_string(const UsbHandle& usb, std::uint8_t index) {
   std::array<std::uint8_t, 255> raw{};
-  const int got = libusb_control_transfer(usb.get(), LIBUSB_ENDPOINT_IN, LIBUSB_REQUEST_GET_DESCRIPTOR,
-                                          static_cast<std::uint16_t>((LIBUSB_DT_STRING << 8) | index),
-                                          index == 0 ? 0 : k_american_english, raw.data(),
-                                          static_cast<std::uint16_t>(raw.size()), k_timeout_ms);
+  const int got =
+      libusb_control_transfer(usb.get(), LIBUSB_ENDPOINT_IN, LIBUSB_REQUEST_GET_DESCRIPTOR,
+                              static_cast<std::uint16_t>((LIBUSB_DT_STRING << 8) | index), language_of_string(index),
+                              raw.data(), static_cast<std::uint16_t>(raw.size()), k_string_timeout_ms);
   if (got < 0) return usb_error("string " + std::to_string(index) + " cannot be read", got);
-  if (got < 2 || raw[1] != LIBUSB_DT_STRING) {
-    return base::Error{"string " + std::to_string(index) + " is none", "", ""};
-  }
-  const int end = std::min<int>(got, raw[0]);
-  if (index == decode::k_ranges_string && end > 2)
-    return decode::ranges_text(base::Bytes(raw).subspan(2, static_cast<std::size_t>(end - 2)));
-  std::string text;
-  for (int i = 2; i + 1 < end; i += 2) {
-    const bool ascii = raw[i + 1] == 0 && raw[i] >= 0x20 && raw[i] < 0x7f;
-    text += ascii ? static_cast<char>(raw[i]) : '?';
-  }
-  return text;
+  return text_of_string(base::Bytes(raw.data(), static_cast<std::size_t>(got)), index);
 }
 
 base::Result<std::vector<std::uint8_t>> get_report_descriptor(const UsbHandle& usb, int interface) {

@@ -1,6 +1,6 @@
 #include "firmware_io/device/source/usb_strings.h"
 
-#include "firmware_io/device/source/internal/usb_transfers.h"
+#include "firmware_io/device/source/libusb/internal/usb_transfers.h"
 
 namespace penpose::device {
 

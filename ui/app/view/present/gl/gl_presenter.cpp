@@ -1,10 +1,12 @@
 #include <SDL2/SDL.h>
 #include <imgui.h>
 
-#include "ui/app/view/present/drawable_size.h"
-#include "ui/app/view/present/gl_panels.h"
+#include "ui/app/view/present/gl/drawable_size.h"
+#include "ui/app/view/present/gl/gl_panels.h"
 #include "ui/app/view/present/presenter.h"
+#include "ui/render/gl/gl_dialect.h"
 #include "ui/render/gl/gl_renderer.h"
+#include "ui/render/gl/offscreen_context.h"
 
 namespace penpose::app {
 namespace {
@@ -76,8 +78,31 @@ class GlPresenter final : public Presenter {
 
 }  // namespace
 
-std::unique_ptr<Presenter> make_gl_presenter(SDL_Window* window, void* context, render::DrawWay way) {
-  return std::make_unique<GlPresenter>(window, context, way);
+base::Result<GlWindow> open_gl_window(render::DrawWay way, const std::function<SDL_Window*(std::uint32_t flags)>& open) {
+  if (const auto room = render::check_room_for_gl(); !room) return room.error();
+  if (const auto threads = render::check_threads_for_gl(); !threads) return threads.error();
+  // The picture is averaged before it reaches the window, which needs no depth of its own.
+  SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
+  for (const render::GlVersion& version : render::versions_of(way)) {
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, version.profile);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, version.major);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, version.minor);
+    GlWindow made;
+    made.window = open(SDL_WINDOW_OPENGL);
+    if (made.window == nullptr) continue;
+    made.context = SDL_GL_CreateContext(made.window);
+    if (made.context != nullptr) return made;
+    SDL_DestroyWindow(made.window);
+  }
+  const std::string why = SDL_GetError();
+  return base::Error{render::needs_of(way) + " could not be started (" +
+                         (why.empty() ? "no reason given" : why.substr(0, why.find('\n'))) + ")",
+                     "", "install libgl1 and libgl1-mesa-dri, or draw with --draw cpu"};
+}
+
+std::unique_ptr<Presenter> make_gl_presenter(const GlWindow& window, render::DrawWay way) {
+  SDL_GL_MakeCurrent(window.window, nullptr);
+  return std::make_unique<GlPresenter>(window.window, window.context, way);
 }
 
 }  // namespace penpose::app

@@ -1,4 +1,4 @@
-#include "ui/app/view/present/drawable_size.h"
+#include "ui/app/view/present/gl/drawable_size.h"
 
 #include <SDL2/SDL.h>
 #include <dlfcn.h>

@@ -9,7 +9,7 @@
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/device/clock.h"
 #include "firmware_io/device/source/driver_guard.h"
-#include "firmware_io/device/source/internal/usb_transfers.h"
+#include "firmware_io/device/source/libusb/internal/usb_transfers.h"
 
 namespace penpose::device {
 namespace {

@@ -1,0 +1,7 @@
+DRACO_VERSION = 1.5.5
+DRACO_SITE = $(call github,google,draco,$(DRACO_VERSION))
+DRACO_LICENSE = Apache-2.0
+DRACO_LICENSE_FILES = LICENSE
+DRACO_INSTALL_STAGING = YES
+
+$(eval $(cmake-package))

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# foreign_libraries.sh FOLDER [OPTION...]: archives of the libraries that penpose without window and tablets is built from, for a machine or a C
+# library that Debian 12 has no packages of (riscv64, musl), from Debian's source packages in FOLDER. OPTIONs are those that
+# CMake needs to compile for it, as -DCMAKE_TOOLCHAIN_FILE=... Libraries that are headers alone are this machine's.
+set -euo pipefail
+source=$(cd "$(dirname "$0")/../.." && pwd)
+folder=$(mkdir -p "$1" && cd "$1" && pwd)
+shift
+[ -e "$folder/complete" ] && exit 0
+packages="zlib xxhash meshoptimizer draco libpng1.6 libjpeg-turbo libwebp"
+# shellcheck disable=SC2086
+[ -e "$folder/sources/complete" ] || { "$source/ui/install/debian_source.sh" "$folder/sources" $packages && touch "$folder/sources/complete"; }
+
+# build PACKAGE [OPTION...]
+build() {
+  local package=$1 tree=$folder/sources/$1-*
+  shift
+  # shellcheck disable=SC2086
+  [ "$package" = xxhash ] && tree=$(echo $tree)/cmake_unofficial
+  # shellcheck disable=SC2086
+  cmake -S $tree -B "$folder/$package" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_SHARED_LIBS=OFF -DCMAKE_POSITION_INDEPENDENT_CODE=ON \
+    -DCMAKE_INSTALL_PREFIX="$folder/usr" -DCMAKE_INSTALL_LIBDIR=lib -DCMAKE_PREFIX_PATH="$folder/usr" "${options[@]}" "$@" >"$folder/$package.log" 2>&1 &&
+    cmake --build "$folder/$package" --target install >>"$folder/$package.log" 2>&1 || { tail -n 15 "$folder/$package.log" >&2; exit 1; }
+}
+options=("$@")
+# Debian leaves out a file of another system that is named all the same.
+for tree in "$folder"/sources/zlib-*/; do mkdir -p "$tree/win32" && touch "$tree/win32/zlib1.rc"; done
+build zlib
+rm -f "$folder"/usr/lib/libz.so*
+build xxhash -DXXHASH_BUILD_XXHSUM=OFF
+build meshoptimizer
+build draco
+build libpng1.6 -DPNG_SHARED=OFF -DPNG_TESTS=OFF
+build libjpeg-turbo -DCMAKE_INSTALL_LIBDIR="$folder/usr/lib" -DENABLE_SHARED=OFF -DWITH_SIMD=OFF -DWITH_TURBOJPEG=OFF
+build libwebp -DWEBP_BUILD_ANIM_UTILS=OFF -DWEBP_BUILD_CWEBP=OFF -DWEBP_BUILD_DWEBP=OFF -DWEBP_BUILD_GIF2WEBP=OFF -DWEBP_BUILD_IMG2WEBP=OFF \
+  -DWEBP_BUILD_VWEBP=OFF -DWEBP_BUILD_WEBPINFO=OFF -DWEBP_BUILD_WEBPMUX=OFF -DWEBP_BUILD_EXTRAS=OFF
+mkdir -p "$folder/usr/lib/pkgconfig"
+[ -e "$folder/usr/lib/pkgconfig/libwebp.pc" ] || cat >"$folder/usr/lib/pkgconfig/libwebp.pc" <<END
+Name: libwebp
+Description: pictures
+Version: 1.2.4
+Libs: -L$folder/usr/lib -lwebp
+Cflags: -I$folder/usr/include
+END
+for header in glm CLI nlohmann stb tiny_gltf.h; do ln -sfn "/usr/include/$header" "$folder/usr/include/$header"; done
+mkdir -p "$folder/usr/share/cmake"
+cp -r /usr/share/cmake/glm /usr/share/cmake/CLI11 "$folder/usr/share/cmake/"
+touch "$folder/complete"
