@@ -79,9 +79,7 @@ struct Window::State {
   explicit State(const files::WindowRequest& request) : screen(request) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;
-  ~State() {
-    close();
-  }
+  ~State() { close(); }
 
   /// Opens the window for the first of the `untried` ways that starts, in place of the one that it is open for. Errors:
   /// what the last one lacks.

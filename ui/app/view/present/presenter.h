@@ -49,9 +49,9 @@ struct GlWindow {
   SDL_Window* window = nullptr;
   void* context = nullptr;
 };
-/// Asks `open`, which gives null where it cannot, for windows with the flags given until one has a context in which a way
-/// draws. Errors: none has, its driver would not survive it, or the program was built without OpenGL. Precondition: the
-/// way is not the processor.
+/// Asks `open`, which gives null where it cannot, for windows with the flags given until one has a context in which a
+/// way draws. Errors: none has, its driver would not survive it, or the program was built without OpenGL. Precondition:
+/// the way is not the processor.
 [[nodiscard]] base::Result<GlWindow> open_gl_window(render::DrawWay way,
                                                     const std::function<SDL_Window*(std::uint32_t flags)>& open);
 [[nodiscard]] std::unique_ptr<Presenter> make_gl_presenter(const GlWindow& window, render::DrawWay way);

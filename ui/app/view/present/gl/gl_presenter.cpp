@@ -78,7 +78,8 @@ class GlPresenter final : public Presenter {
 
 }  // namespace
 
-base::Result<GlWindow> open_gl_window(render::DrawWay way, const std::function<SDL_Window*(std::uint32_t flags)>& open) {
+base::Result<GlWindow> open_gl_window(render::DrawWay way,
+                                      const std::function<SDL_Window*(std::uint32_t flags)>& open) {
   if (const auto room = render::check_room_for_gl(); !room) return room.error();
   if (const auto threads = render::check_threads_for_gl(); !threads) return threads.error();
   // The picture is averaged before it reaches the window, which needs no depth of its own.
