@@ -4,7 +4,7 @@ document's state from the session.
 
     window_test.py PROGRAM [FOLDER_FOR_PICTURES [WAY]]
 
-With WAY (gl, es, cpu) only the first of it, and it is drawn by that way: found by the program itself where the environment
+With WAY (gl, es, cpu) only the first of it and the full screen, and it is drawn by that way: found by the program itself where the environment
 has made the better ones fail.
 """
 
@@ -385,11 +385,11 @@ def main():
         told = play(program, screen, folder, session)
         if len(sys.argv) > 3:
             assert f"drawn_by {sys.argv[3]}\n" in told, told
-            return
-        pen_alone(program, screen, folder, session)
-        asked_to_end(program, screen, folder)
-        crash(program, screen, folder)
-        killed_twice(program, screen, folder)
+        else:
+            pen_alone(program, screen, folder, session)
+            asked_to_end(program, screen, folder)
+            crash(program, screen, folder)
+            killed_twice(program, screen, folder)
     finally:
         screen.close()
     full_screen(program, folder, pictures)

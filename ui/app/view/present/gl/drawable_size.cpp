@@ -2,18 +2,22 @@
 
 #include <SDL2/SDL.h>
 #include <dlfcn.h>
+#include <epoxy/egl.h>
 #include <epoxy/glx.h>
 #include <string_view>
 
 namespace penpose::app {
+namespace {
 
-std::optional<geometry::Viewport> drawable_size() {
-  const char* driver = SDL_GetCurrentVideoDriver();
-  if (driver == nullptr || std::string_view(driver) != "x11") return std::nullopt;
-  // Where OpenGL ES is all there is nothing has loaded GLX, and nothing needs to have it.
-  void* const loaded = ::dlopen("libGL.so.1", RTLD_LAZY | RTLD_NOLOAD);
-  if (loaded == nullptr) return std::nullopt;
-  ::dlclose(loaded);
+/// Whether something has loaded a library. Where OpenGL ES is all there is nobody has GLX, and asking it would end the
+/// program.
+bool loaded(const char* library) {
+  void* const found = ::dlopen(library, RTLD_LAZY | RTLD_NOLOAD);
+  if (found != nullptr) ::dlclose(found);
+  return found != nullptr;
+}
+
+std::optional<geometry::Viewport> glx_size() {
   Display* const display = glXGetCurrentDisplay();
   const GLXDrawable drawable = glXGetCurrentDrawable();
   if (display == nullptr || drawable == 0) return std::nullopt;
@@ -21,8 +25,30 @@ std::optional<geometry::Viewport> drawable_size() {
   unsigned int height = 0;
   glXQueryDrawable(display, drawable, GLX_WIDTH, &width);
   glXQueryDrawable(display, drawable, GLX_HEIGHT, &height);
-  if (width == 0 || height == 0) return std::nullopt;
   return geometry::Viewport{static_cast<int>(width), static_cast<int>(height)};
+}
+
+std::optional<geometry::Viewport> egl_size() {
+  const EGLDisplay display = eglGetCurrentDisplay();
+  const EGLSurface surface = eglGetCurrentSurface(EGL_DRAW);
+  if (display == EGL_NO_DISPLAY || surface == EGL_NO_SURFACE) return std::nullopt;
+  EGLint width = 0;
+  EGLint height = 0;
+  eglQuerySurface(display, surface, EGL_WIDTH, &width);
+  eglQuerySurface(display, surface, EGL_HEIGHT, &height);
+  return geometry::Viewport{width, height};
+}
+
+}  // namespace
+
+std::optional<geometry::Viewport> drawable_size() {
+  const char* driver = SDL_GetCurrentVideoDriver();
+  if (driver == nullptr || std::string_view(driver) != "x11") return std::nullopt;
+  std::optional<geometry::Viewport> size;
+  if (loaded("libGL.so.1")) size = glx_size();
+  if (!size && loaded("libEGL.so.1")) size = egl_size();
+  if (size && (size->width == 0 || size->height == 0)) size.reset();
+  return size;
 }
 
 }  // namespace penpose::app
