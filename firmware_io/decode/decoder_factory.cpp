@@ -5,9 +5,13 @@
 #include <optional>
 
 #include "core/base/text/letters.h"
+#include "firmware_io/decode/chosen_tablet.h"
 #include "firmware_io/decode/described/descriptor_decoder.h"
 #include "firmware_io/decode/described/fallback_decoder.h"
+#include "firmware_io/decode/layout/layout_decoder.h"
 #include "firmware_io/decode/layout/pen_axes.h"
+#include "firmware_io/decode/layout/protocol.h"
+#include "firmware_io/decode/table/told_ranges.h"
 #include "firmware_io/decode/wacom/wacom_axes.h"
 #include "firmware_io/decode/wacom/wacom_display_decoder.h"
 #include "firmware_io/decode/wacom/wacom_generic_decoder.h"
@@ -108,21 +112,7 @@ std::string guess_of(const TabletMatch& match, const DeviceIdentity& device) {
   return text + ", read as " + match.tablet->vendor + ' ' + match.tablet->name;
 }
 
-}  // namespace
-
-void complete_identity(DeviceIdentity& device) {
-  if (device.report_descriptor.empty()) return;
-  const auto parsed = hid::parse_report_descriptor(device.report_descriptor, hid::Strictness::tolerant);
-  if (!parsed) return;
-  const auto fill = [&](std::optional<std::uint16_t>& length, hid::ReportType type) {
-    if (!length) length = static_cast<std::uint16_t>(std::min(parsed->longest_report(type), 65535u));
-  };
-  fill(device.input_report_length, hid::ReportType::input);
-  fill(device.output_report_length, hid::ReportType::output);
-  fill(device.feature_report_length, hid::ReportType::feature);
-}
-
-base::Result<Recognition> make_decoder(const DeviceIdentity& device, const TabletTable* own) {
+base::Result<Recognition> make_decoder_of(const DeviceIdentity& device, const TabletTable* own) {
   hid::ReportDescriptor descriptor;
   std::optional<base::Error> descriptor_error;
   if (!device.report_descriptor.empty()) {
@@ -173,17 +163,36 @@ base::Result<Recognition> make_decoder(const DeviceIdentity& device, const Table
       described = std::make_unique<DescriptorDecoder>(*pens);
     }
   }
-  if (!match) {
+  const auto told = match ? std::nullopt : told_ranges(device, descriptor);
+  if (!match && !told) {
     if (!described) return unreadable(device, descriptor_error);
     return Recognition{std::move(described), "descriptor", false};
   }
-  auto vendor = make_tablet_decoder(*match);
-  const std::string method = "protocol " + match->identifier->protocol->name;
-  const bool is_pad = match->is_pad && !described;
+  const auto& protocol = match ? match->identifier->protocol : known_protocols().at(k_ranges_protocol);
+  auto vendor = match ? make_tablet_decoder(*match) : std::make_unique<LayoutDecoder>(protocol, *told);
+  const bool is_pad = match && match->is_pad && !described;
   const std::string prefix = described ? "descriptor, " : "";
   return Recognition{
       std::make_unique<FallbackDecoder>(descriptor, std::move(pens), std::move(described), std::move(vendor)),
-      prefix + method, is_pad, guess_of(*match, device)};
+      prefix + "protocol " + protocol->name, is_pad, match ? guess_of(*match, device) : std::string()};
+}
+
+}  // namespace
+
+void complete_identity(DeviceIdentity& device) {
+  if (device.report_descriptor.empty()) return;
+  const auto parsed = hid::parse_report_descriptor(device.report_descriptor, hid::Strictness::tolerant);
+  if (!parsed) return;
+  const auto fill = [&](std::optional<std::uint16_t>& length, hid::ReportType type) {
+    if (!length) length = static_cast<std::uint16_t>(std::min(parsed->longest_report(type), 65535u));
+  };
+  fill(device.input_report_length, hid::ReportType::input);
+  fill(device.output_report_length, hid::ReportType::output);
+  fill(device.feature_report_length, hid::ReportType::feature);
+}
+
+base::Result<Recognition> make_decoder(const DeviceIdentity& device, const TabletTable* own) {
+  return make_decoder_of(identified(device, own), own);
 }
 
 }  // namespace penpose::decode

@@ -25,8 +25,8 @@ struct Recognition {
 /// (hid/event_mark.h), whatever its ids; a Wacom format by product id; the pens that the descriptor
 /// describes and, for every report that fits none of them, the protocol that the table of tablets names for the device.
 ///
-/// `own` (may be null) holds the user's tablets, which take precedence. Errors: no known decoder for this interface (a
-/// mouse, a touch screen), with the descriptor's own error if it is illegal.
+/// `own` (may be null): the user's tablets, which take precedence, or a chosen one (chosen_tablet.h). Errors: no
+/// decoder is known for this interface (a mouse, a touch screen), with the descriptor's own error if it is illegal.
 [[nodiscard]] base::Result<Recognition> make_decoder(const DeviceIdentity& device, const TabletTable* own = nullptr);
 
 /// Sets the report lengths that the descriptor implies where they are not known yet.

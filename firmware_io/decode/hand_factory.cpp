@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "firmware_io/decode/chosen_tablet.h"
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/decode/described/battery_decoder.h"
 #include "firmware_io/decode/described/described_pad_decoder.h"
@@ -175,10 +176,8 @@ std::unique_ptr<TouchDecoder> make_table_touch(const std::shared_ptr<const Proto
   return std::make_unique<VendorTouchDecoder>(protocol, tablet);
 }
 
-}  // namespace
-
-HandDecoders make_hand_decoders(const DeviceIdentity& device, const TabletTable* own,
-                                std::shared_ptr<TouchSwitch> touch_switch) {
+HandDecoders make_hand_decoders_of(const DeviceIdentity& device, const TabletTable* own,
+                                   const std::shared_ptr<TouchSwitch>& touch_switch) {
   ReportDescriptor descriptor;
   if (!device.report_descriptor.empty()) {
     auto parsed = hid::parse_report_descriptor(device.report_descriptor, hid::Strictness::tolerant);
@@ -233,6 +232,13 @@ HandDecoders make_hand_decoders(const DeviceIdentity& device, const TabletTable*
     made.pad = std::make_unique<BatteryDecoder>(*power);
   }
   return made;
+}
+
+}  // namespace
+
+HandDecoders make_hand_decoders(const DeviceIdentity& device, const TabletTable* own,
+                                std::shared_ptr<TouchSwitch> touch_switch) {
+  return make_hand_decoders_of(identified(device, own), own, touch_switch);
 }
 
 HandDecoders make_protocol_hand_decoders(std::string_view name) {

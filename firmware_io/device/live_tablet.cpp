@@ -6,7 +6,9 @@
 #include <unistd.h>
 
 #include "firmware_io/decode/decoder_factory.h"
+#include "firmware_io/decode/described/described_pad.h"
 #include "firmware_io/decode/hand_factory.h"
+#include "firmware_io/decode/table/told_ranges.h"
 #include "firmware_io/decode/wacom/wacom_models.h"
 #include "firmware_io/decode/wacom/wacom_receiver.h"
 #include "firmware_io/device/list/event_list.h"
@@ -59,15 +61,24 @@ bool read_strings(LiveTablet& tablet, const decode::TabletTable* own, const Read
   decode::DeviceIdentity& identity = tablet.interface.identity;
   auto indices = telling_strings(decode::known_tablets(), identity);
   if (own != nullptr) indices.merge(telling_strings(*own, identity));
-  std::erase_if(indices, [&](std::uint8_t index) { return identity.strings.contains(index); });
-  if (tablet.interface.usb_node.empty()) return indices.empty();
-  if (!indices.empty() && !read && ::access(tablet.interface.usb_node.c_str(), R_OK | W_OK) != 0) return false;
-  for (const std::uint8_t index : indices) {
-    // A string that the device does not have is known: it holds nothing.
-    const auto text = read ? read(tablet.interface.usb_node, index) : read_usb_string(tablet.interface.usb_node, index);
-    identity.strings[index] = text ? *text : std::string();
-  }
-  return true;
+  const auto read_all = [&] {
+    std::erase_if(indices, [&](std::uint8_t index) { return identity.strings.contains(index); });
+    if (indices.empty()) return true;
+    const std::string& node = tablet.interface.usb_node;
+    if (node.empty() || (!read && ::access(node.c_str(), R_OK | W_OK) != 0)) return false;
+    for (const std::uint8_t index : indices) {
+      // A string that the device does not have is known: it holds nothing.
+      const auto text = read ? read(node, index) : read_usb_string(node, index);
+      identity.strings[index] = text ? *text : std::string();
+    }
+    return true;
+  };
+  if (!read_all()) return false;
+  // One that no table has tells its ranges with the string that wakes it.
+  const bool is_unknown = identity.vendor == decode::k_vendor_huion && tablet.interface.driver != k_waking_driver &&
+                          !tablet.interface.usb_node.empty() && !decode::find_tablet(identity, own);
+  if (is_unknown) indices.insert(decode::k_ranges_string);
+  return read_all();
 }
 
 void identify(LiveTablet& tablet, const decode::TabletTable* own) {
@@ -87,6 +98,7 @@ void identify(LiveTablet& tablet, const decode::TabletTable* own) {
     tablet.carries = recognition->is_pad ? Carries::pad : Carries::pen;
     tablet.method = recognition->method;
     tablet.match = decode::find_tablet(identity, own);
+    tablet.guess = recognition->guess;
   }
   const decode::HandDecoders hand = decode::make_hand_decoders(identity, own);
   tablet.has_keys = hand.pad != nullptr && hand.pad->features().any();
@@ -113,6 +125,25 @@ bool belongs_to_a_tablet(const LiveTablet& touch, const std::vector<LiveTablet>&
     if (!touch.interface.parent.empty() && other.interface.parent == touch.interface.parent) return true;
     return touch.interface.identity.vendor == decode::k_vendor_wacom && other.carries == Carries::pen &&
            other.interface.identity.vendor == decode::k_vendor_wacom;
+  });
+}
+
+/// Whether the kernel's driver has woken the tablet and made it describe its pen and, behind it, its keys. Its other
+/// interfaces keep their descriptors, or are refused.
+bool is_woken(const LiveTablet& tablet) {
+  const auto& descriptor = tablet.interface.identity.report_descriptor;
+  if (tablet.interface.driver != k_waking_driver || tablet.carries != Carries::pen || descriptor.empty()) return false;
+  const auto parsed = hid::parse_report_descriptor(descriptor, hid::Strictness::tolerant);
+  return parsed && decode::find_described_pad(*parsed);
+}
+
+/// An interface of which nothing is known but the tablet's ids, beside one that the kernel's driver has woken: it has
+/// no pen, or the driver would not have refused it.
+bool was_refused(const LiveTablet& tablet, const std::vector<LiveTablet>& all) {
+  const HidInterface& interface = tablet.interface;
+  if (!interface.identity.report_descriptor.empty() || interface.parent.empty()) return false;
+  return std::any_of(all.begin(), all.end(), [&](const LiveTablet& other) {
+    return other.interface.parent == interface.parent && is_woken(other);
   });
 }
 
@@ -236,6 +267,8 @@ std::vector<LiveTablet> list_tablets(const decode::TabletTable* own, const std::
     LiveTablet tablet = recognise(std::move(interface), own);
     if (tablet.carries != Carries::other) tablets.push_back(std::move(tablet));
   }
+  const std::vector<LiveTablet> found = tablets;
+  std::erase_if(tablets, [&](const LiveTablet& one) { return was_refused(one, found); });
   std::vector<LiveTablet> events;
   for (HidInterface& device : list_event_devices()) {
     LiveTablet tablet = recognise(std::move(device), own);

@@ -18,7 +18,7 @@ namespace penpose::device {
 enum class Transport : std::uint8_t {
   hidraw,  ///< in parallel with the kernel's driver
   libusb,  ///< instead of the kernel's driver
-  event,   ///< what the kernel's driver makes of it, in parallel with the desktop
+  event,   ///< what the kernel's driver makes of it
 };
 
 /// What an interface is for.
@@ -46,6 +46,7 @@ struct LiveTablet {
   bool has_keys = false;                     ///< has keys or dials
   bool has_touch = false;                    ///< feels fingers
   std::optional<decode::TabletMatch> match;  ///< in the table of tablets; points into it
+  std::string guess;                         ///< decode::Recognition::guess
   bool strings_unread = false;               ///< the table asks for strings that could not be read
   Transport transport = Transport::hidraw;
   std::string reason;  ///< for that transport: "it has no hidraw node"

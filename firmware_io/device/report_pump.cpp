@@ -27,7 +27,8 @@ ReportPump::ReportPump(std::unique_ptr<ReportSource> source, Options options)
     : source_(std::move(source)),
       options_(std::move(options)),
       ring_(options_.ring_bytes),
-      event_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
+      event_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
+      exclusive_(options_.exclusive) {
   if (!options_.slept_us) options_.slept_us = slept_us;
   if (!options_.wait) options_.wait = [](int ms) { std::this_thread::sleep_for(std::chrono::milliseconds(ms)); };
   thread_ = std::thread([this] { run(); });
@@ -86,6 +87,13 @@ void ReportPump::wake_tablet() {
   refused_.fetch_add(refused, std::memory_order_relaxed);
 }
 
+void ReportPump::look_who_has_it() {
+  const bool taken = source_->is_taken();
+  if (taken == is_taken()) return;
+  taken_.store(taken, std::memory_order_relaxed);
+  note(taken ? "another program has the device for itself" : "the other program let go of the device");
+}
+
 void ReportPump::run() {
   // The system keeps 64 reports at most: ask to be run before others. Where that is not permitted, as before.
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), k_priority);
@@ -94,7 +102,9 @@ void ReportPump::run() {
   wake_tablet();
   while (!stop_.load(std::memory_order_relaxed)) {
     send_waiting();
+    source_->set_exclusive(exclusive_.load(std::memory_order_relaxed));
     const ReadOutcome outcome = source_->read(buffer, k_read_ms);
+    look_who_has_it();
     if (const std::int64_t now = options_.slept_us(); now - slept > k_sleep_us) {
       note("the system slept for " + std::to_string((now - slept) / 1000) + " ms");
       slept = now;

@@ -20,6 +20,7 @@ class ReportPump {
  public:
   struct Options {
     WakeUp wake_up;
+    bool exclusive = false;                         ///< as `set_exclusive`
     std::size_t ring_bytes = std::size_t{1} << 20;  ///< half a minute of a pen of 1000 reports a second
     std::function<std::int64_t()> slept_us = {};    ///< replaced in tests; the system's by default
     WaitMs wait = {};                               ///< replaced in tests
@@ -38,6 +39,9 @@ class ReportPump {
   /// Sends a feature report from the thread within 50 ms; of several pending ones, only the last. With `only`, the
   /// report is read from the tablet first, and only that byte is changed.
   void send_feature(std::vector<std::uint8_t> report, std::optional<std::size_t> only = {});
+  /// Whether nobody else is to get what the tablet sends, where it can be kept from them (ReportSource::set_exclusive);
+  /// takes effect within 50 ms once nothing is near or held.
+  void set_exclusive(bool wanted) { exclusive_.store(wanted, std::memory_order_relaxed); }
   /// Becomes readable when a record comes; `wait(0)` makes it unreadable again.
   [[nodiscard]] int wake_fd() const { return event_; }
 
@@ -49,6 +53,8 @@ class ReportPump {
   [[nodiscard]] std::uint64_t full_queues() const { return full_queues_.load(std::memory_order_relaxed); }
   /// The tablet is gone; earlier reports may still be in the ring.
   [[nodiscard]] bool gone() const { return gone_.load(std::memory_order_acquire); }
+  /// Another program has the tablet for itself, so that nothing comes until it lets go; a note says so, too.
+  [[nodiscard]] bool is_taken() const { return taken_.load(std::memory_order_relaxed); }
   /// Number of reports for waking and lights that the tablet refused.
   [[nodiscard]] int refused() const { return refused_.load(std::memory_order_relaxed); }
 
@@ -58,6 +64,7 @@ class ReportPump {
   void note(std::string_view text);
   void signal();
   void send_waiting();
+  void look_who_has_it();
 
   std::unique_ptr<ReportSource> source_;
   Options options_;
@@ -65,6 +72,8 @@ class ReportPump {
   int event_;
   std::atomic<bool> stop_{false};
   std::atomic<bool> gone_{false};
+  std::atomic<bool> exclusive_;
+  std::atomic<bool> taken_{false};
   std::atomic<std::uint64_t> received_{0};
   std::atomic<std::uint64_t> full_queues_{0};
   std::atomic<int> refused_{0};

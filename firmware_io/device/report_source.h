@@ -45,6 +45,12 @@ class ReportSource {
   virtual base::Result<std::vector<std::uint8_t>> get_feature(std::uint8_t id, std::size_t length) = 0;
   /// Reads a USB string descriptor; characters outside ASCII come as '?'.
   virtual base::Result<std::string> read_string(std::uint8_t index) = 0;
+
+  /// Whether what the device sends is to reach nobody else, the desktop among them; takes effect within the calls of
+  /// `read`, once nothing is near, touched or held. Ignored where the system offers no such choice.
+  virtual void set_exclusive(bool /*wanted*/) {}
+  /// Whether that was asked for and another program has the device for itself, so that nothing comes from it.
+  [[nodiscard]] virtual bool is_taken() const { return false; }
 };
 
 }  // namespace penpose::device

@@ -1,3 +1,4 @@
+#include "core/base/text/utf16.h"
 #include "core/base/text/utf8.h"
 #include "replay/recording/byte_stream.h"
 #include "replay/recording/formats.h"
@@ -5,16 +6,11 @@
 namespace penpose::replay {
 namespace {
 
-constexpr char32_t k_replacement = 0xfffd;
-
 bool is_utf16(base::Bytes front) {
   return front.size() >= 2 && ((front[0] == 0xff && front[1] == 0xfe) || (front[0] == 0xfe && front[1] == 0xff));
 }
 
-bool is_high(char32_t unit) { return unit >= 0xd800 && unit < 0xdc00; }
-bool is_low(char32_t unit) { return unit >= 0xdc00 && unit < 0xe000; }
-
-/// UTF-16 as UTF-8 (RFC 2781). Halves of pairs that stand alone become U+FFFD.
+/// UTF-16 as UTF-8. Halves of pairs that stand alone become U+FFFD.
 class Recoder {
  public:
   explicit Recoder(ReadBytes read) : bytes_(std::move(read)) {}
@@ -31,18 +27,13 @@ class Recoder {
       at = 2;
     }
     const bool last = chunk.size() < k_chunk;
-    for (; at + 1 < chunk.size(); at += 2) {
+    while (at + 1 < chunk.size()) {
+      const bool has_second = at + 3 < chunk.size();
       const char32_t unit = unit_at(chunk, at);
-      if (is_high(unit)) {
-        if (at + 3 >= chunk.size() && !last) break;
-        const char32_t second = at + 3 < chunk.size() ? unit_at(chunk, at + 2) : 0;
-        if (is_low(second)) {
-          out += base::utf8_of(0x10000 + ((unit - 0xd800) << 10) + (second - 0xdc00));
-          at += 2;
-          continue;
-        }
-      }
-      out += base::utf8_of(is_high(unit) || is_low(unit) ? k_replacement : unit);
+      if (base::is_high_half(unit) && !has_second && !last) break;
+      const auto [code, units] = base::utf16_point(unit, has_second ? unit_at(chunk, at + 2) : 0);
+      out += base::utf8_of(code);
+      at += 2 * units;
     }
     bytes_.skip(at);
     return true;

@@ -179,10 +179,15 @@ const decode::PenAxes* PenInput::axes_of(int device) const {
   return found == tablets_.end() || !found->second.decoder ? nullptr : &found->second.decoder->axes();
 }
 
+std::string PenInput::guess_of(int device) const {
+  const auto found = tablets_.find(device);
+  return found == tablets_.end() || !found->second.was_guess ? std::string() : found->second.guess;
+}
+
 std::vector<std::string> PenInput::guesses() const {
   std::vector<std::string> texts;
   for (const auto& [device, tablet] : tablets_) {
-    if (tablet.was_guess && !tablet.guess.empty()) texts.push_back(tablet.guess);
+    if (std::string guess = guess_of(device); !guess.empty()) texts.push_back(std::move(guess));
   }
   return texts;
 }

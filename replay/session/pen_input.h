@@ -88,8 +88,10 @@ class PenInput {
   [[nodiscard]] const decode::PenAxes* axes_of(int device) const;
   /// How the device is recognised; empty when it cannot be decoded.
   [[nodiscard]] std::string method_of(int device) const;
-  /// Where samples came from a tablet that nothing tells from others with its ids: what they were read as, one text a
-  /// tablet.
+  /// Where samples came from a tablet that nothing tells from others with its ids: what they were read as
+  /// (decode::Recognition::guess). Empty otherwise.
+  [[nodiscard]] std::string guess_of(int device) const;
+  /// Those of all tablets.
   [[nodiscard]] std::vector<std::string> guesses() const;
 
  private:

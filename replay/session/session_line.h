@@ -18,7 +18,7 @@ namespace penpose::replay {
 // What a session's trace says beyond the pen, in comment lines "# penpose WHAT ...". Texts, numbers, views and commands
 // are written as core/document/commands/command_text.h says.
 
-/// "session edition=3 program=NAME": the first of them. Another edition (core/base/edition.h) is refused.
+/// "session edition=4 program=NAME": the first of them. Another edition (core/base/edition.h) is refused.
 struct SessionBegins {
   std::string program;
   friend bool operator==(const SessionBegins&, const SessionBegins&) = default;

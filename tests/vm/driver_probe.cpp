@@ -1,4 +1,7 @@
-// What the kernel's own drivers make of reports, inside the virtual machine: driver_probe uhid|usb TRACE PORT
+// What the kernel's own drivers make of reports, inside the virtual machine:
+// driver_probe uhid|usb TRACE PORT [OPTION VALUE]...
+//   --go FILE          send the reports once this file exists (default: at once)
+//   others             what the USB device says and does, as of virtual_tablet
 // Plugs in the trace's tablet, gives its reports to the kernel one at a time and prints what its nodes of keys and of
 // fingers said after each, as tests/vm/README.md describes it.
 #include <algorithm>
@@ -43,7 +46,8 @@ class Node {
       axis.fuzz = 0;
       ::ioctl(file_, EVIOCSABS(code), &axis);
     }
-    is_pad_ = name_.ends_with(" Pad");
+    // hid-uclogic makes a node of each kind of control.
+    for (const char* end : {" Pad", " Touch Ring", " Touch Strip", " Dial"}) is_pad_ = is_pad_ || name_.ends_with(end);
     is_many_ = knows(axes_known_, ABS_MT_POSITION_X);
     is_touch_ = is_many_ || name_.ends_with(" Finger");
   }
@@ -54,8 +58,9 @@ class Node {
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] bool matters() const { return is_pad_ || is_touch_; }
 
-  void describe(int number) const {
-    std::cout << "node " << number << (is_pad_ ? " pad " : " touch ") << name_ << '\n';
+  void describe(int number) {
+    number_ = number;
+    std::cout << "node " << number << (is_pad_ ? " pad " : " touch ") << name_ << std::endl;
   }
 
   /// Takes what was said since the last time; one line of state when that were any whole frames.
@@ -122,7 +127,7 @@ class Node {
       }
       if (*between == '\0') std::cout << '-';
       for (const unsigned code : {ABS_WHEEL, ABS_THROTTLE, ABS_RX, ABS_RY}) print_axis(code);
-      std::cout << ' ' << wheel_[0] << ' ' << wheel_[1] << '\n';
+      std::cout << ' ' << wheel_[0] << ' ' << wheel_[1] << ' ' << number_ << '\n';
       return;
     }
     std::cout << "touch " << report;
@@ -147,6 +152,7 @@ class Node {
   };
 
   int file_;
+  int number_ = 0;
   std::string path_;
   std::string name_;
   bool is_pad_ = false;
@@ -194,15 +200,18 @@ int fail(const base::Error& error) {
   return 1;
 }
 
-int run(const std::string& kind, const std::string& trace, int port) {
+struct Options {
+  std::string go;
+  tests::UsbBehaviour usb;
+};
+
+int run(const std::string& kind, const std::string& trace, const Options& options) {
   const auto bytes = tests::read_file(trace);
   replay::TraceSource source(replay::read_from(bytes));
   if (const auto header = source.read_header(); !header) return fail(header.error());
   wait_for_none();
-  tests::UsbBehaviour behaviour;
-  behaviour.port = port;
   auto device =
-      kind == "usb" ? tests::make_usb_device(source.devices(), behaviour) : tests::make_uhid_device(source.devices());
+      kind == "usb" ? tests::make_usb_device(source.devices(), options.usb) : tests::make_uhid_device(source.devices());
   if (!device) return fail(device.error());
   std::vector<std::unique_ptr<Node>> nodes;
   int count = 0;
@@ -219,6 +228,8 @@ int run(const std::string& kind, const std::string& trace, int port) {
     }
   };
   wait_for_more(1);
+  while (!options.go.empty() && !std::filesystem::exists(options.go))
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
   long number = 0;
   for (auto report = source.next(); report && report->has_value(); report = source.next(), ++number) {
     const auto& data = (*report)->bytes;
@@ -239,5 +250,14 @@ int run(const std::string& kind, const std::string& trace, int port) {
 
 int main(int argc, char** argv) {
   if (argc < 4) return 2;
-  return run(argv[1], argv[2], std::atoi(argv[3]));
+  Options options;
+  options.usb.port = std::atoi(argv[3]);
+  for (int i = 4; i + 1 < argc; i += 2) {
+    if (std::string(argv[i]) == "--go") {
+      options.go = argv[i + 1];
+    } else if (!tests::take_usb_option(options.usb, argv[i], argv[i + 1])) {
+      return 2;
+    }
+  }
+  return run(argv[1], argv[2], options);
 }

@@ -7,6 +7,7 @@ SLOT, MT_X, MT_Y, TRACKING = 0x2f, 0x35, 0x36, 0x39
 BTN_0, BTN_1, PEN, RUBBER, TOUCH, STYLUS, STYLUS2 = 0x100, 0x101, 0x140, 0x141, 0x14a, 0x14b, 0x14c
 FINGER = 0x145
 
+WIDTH, HEIGHT = 20967, 15725
 State = namedtuple('State', 'x y pressure tilt_x tilt_y distance tip tool button1')
 
 
@@ -40,17 +41,33 @@ def pen_states(count):
                     3000 - i * 7 % 6000, 0 if tip else 20 - i % 10, tip, 'eraser' if eraser else 'pen', not tip and i % 10 == 5)
 
 
-def pen(count, name='Board Pen', ids='0018 2d1f 0095'):
+def pen(states, name='Board Pen', ids='0018 2d1f 0095'):
     """A digitizer on a bus without HID: all that a pen has, with the number of its tool in every frame."""
     frames = []
-    for s in pen_states(count):
-        eraser = s.tool == 'eraser'
-        frames.append([(KEY, PEN, int(not eraser)), (KEY, RUBBER, int(eraser)), (ABS, X, s.x), (ABS, Y, s.y), (ABS, PRESSURE, s.pressure),
+    for s in states:
+        frames.append([(KEY, PEN, int(s.tool == 'pen')), (KEY, RUBBER, int(s.tool == 'eraser')), (ABS, X, s.x), (ABS, Y, s.y), (ABS, PRESSURE, s.pressure),
                        (ABS, TILT_X, s.tilt_x), (ABS, TILT_Y, s.tilt_y), (ABS, DISTANCE, s.distance), (KEY, TOUCH, int(s.tip)),
                        (KEY, STYLUS, int(s.button1)), (MSC, 0, 0x12345678)])
     return recording(name, ids, [PEN, RUBBER, TOUCH, STYLUS, STYLUS2],
-                     {X: (0, 20967, 100), Y: (0, 15725, 100), PRESSURE: (0, 4095, 0), DISTANCE: (0, 255, 0), TILT_X: (-9000, 9000, 5730),
+                     {X: (0, WIDTH, 100), Y: (0, HEIGHT, 100), PRESSURE: (0, 4095, 0), DISTANCE: (0, 255, 0), TILT_X: (-9000, 9000, 5730),
                       TILT_Y: (-9000, 9000, 5730)}, frames, mscs=[0])
+
+
+def drawn_states(lines):
+    """The tip on lines, ((x, y), (x, y), frames) in parts of the tablet each, and ten frames in the air before each."""
+    for (x0, y0), (x1, y1), frames in lines:
+        for i in range(-10, frames):
+            part = max(i, 0) / (frames - 1)
+            x, y = (round((a + (b - a) * part) * size) for a, b, size in ((x0, x1, WIDTH), (y0, y1, HEIGHT)))
+            yield State(x, y, 2000 if i >= 0 else 0, 0, 0, 0 if i >= 0 else 10, i >= 0, 'pen', False)
+
+
+def leaving_states(count):
+    """Strokes of 40 frames, each with 5 in the air before it and 4 behind it, then one in which the pen is away."""
+    for i, s in enumerate(pen_states(count)):
+        at = i % 50
+        tip = 5 <= at < 45
+        yield s._replace(pressure=1000 + i if tip else 0, tip=tip, button1=False, tool='away' if at == 49 else 'pen')
 
 
 def pad():
@@ -65,6 +82,11 @@ def pad():
     frames.append([(KEY, BTN_1, 1), (ABS, ABS_MISC, 15)])
     return recording('Board Pad', '0018 2d1f 0095', [STYLUS] + [BTN_0 + i for i in range(8)],
                      {X: (0, 1, 0), Y: (0, 1, 0), WHEEL: (0, 71, 0), ABS_MISC: (0, 0, 0)}, frames, rels=[8])
+
+
+def keyboard():
+    """No part of a tablet, but like all input devices among the event devices."""
+    return recording('Keyboard', '0011 0001 0001', list(range(1, 128)), {}, [[(KEY, 30, 1)], [(KEY, 30, 0)]])
 
 
 def fingers():

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Pens through the kernel's event devices, in a virtual machine: the same pen through hidraw and its event device at 1000 reports a
-second, one that has an event device alone with its pad and fingers, unplugging, permission, and a recording that draws the same
+second, one that has an event device alone with its pad and fingers, unplugging, exclusive reading, permission, and a recording that draws the same
 elsewhere.
 
 usage: events_test.py --penpose PROGRAM --tools FOLDER --work FOLDER [--count REPORTS] [--keep FOLDER]
@@ -10,6 +10,7 @@ import csv
 import io
 import json
 import os
+import struct
 import subprocess
 import sys
 import unittest
@@ -23,11 +24,12 @@ SMALL = 400
 
 
 def run_machine():
-    short = evemu.pen(300, 'Short Pen')
+    short = evemu.pen(evemu.pen_states(300), 'Short Pen')
+    shared = evemu.pen(evemu.leaving_states(600), 'Shared Pen')
     files = {'/traces/ink.hid': traces.header(traces.INK, 'Ink pen', '3 1b96 0021') + traces.lines(traces.ink_reports(OPTIONS.count)),
              '/traces/small.hid': traces.header(traces.INK, 'Small pen', '3 1b96 0022') + traces.lines(traces.ink_reports(SMALL)),
-             '/traces/pen.evemu': PEN, '/traces/pad.evemu': evemu.pad(), '/traces/fingers.evemu': evemu.fingers(),
-             '/traces/short.evemu': short, '/count': str(OPTIONS.count), '/etc/hosts': ''}
+             '/traces/pen.evemu': PEN, '/traces/pad.evemu': evemu.pad(), '/traces/keyboard.evemu': evemu.keyboard(), '/traces/fingers.evemu': evemu.fingers(),
+             '/traces/short.evemu': short, '/traces/shared.evemu': shared, '/count': str(OPTIONS.count), '/etc/hosts': ''}
     with open(os.path.join(machine.HERE, 'guest/events.sh'), encoding='utf-8') as f:
         files['/job.sh'] = f.read()
     programs = [OPTIONS.penpose] + [os.path.join(OPTIONS.tools, n) for n in ('virtual_tablet', 'virtual_input', 'pump_probe')]
@@ -81,7 +83,7 @@ class Events(unittest.TestCase):
         self.assertEqual([s[6] for s in samples], ['0'] * len(samples))
 
     def test_a_tablet_with_both_nodes_is_listed_once_through_hidraw(self):
-        self.assertEqual(self.text('none.txt'), 'no tablet is plugged in')
+        self.assertTrue(self.text('none.txt').startswith('no tablet is plugged in\npictures are drawn by '))
         tablet, = self.listed('both')
         self.assertEqual((tablet['transport'], tablet['event']), ('hidraw', None))
         self.assertIn('through hidraw: the kernel', self.text('both.txt'))
@@ -139,6 +141,12 @@ class Events(unittest.TestCase):
                 # The key that was held when it was unplugged is let go by the kernel.
                 self.assertEqual([row[0] for row in rows[len(sent):]], ['-'] * (len(rows) - len(sent)))
 
+    def test_a_look_at_ten_event_devices_takes_little_time(self):
+        none, ten = (json.loads(self.text('listing.' + n)) for n in ('none', 'ten'))
+        print(f'without event devices: {none}; with ten: {ten}', flush=True)
+        self.assertEqual((none['event_tablets'], ten['event_tablets']), (0, 3))
+        self.assertLess(ten['events_us'], 1_000_000)
+
     def test_coming_and_going_is_seen(self):
         log = self.text('watch.log').splitlines()
         for name in ('Board Pen', 'Board Pad', 'Board Finger'):
@@ -148,7 +156,25 @@ class Events(unittest.TestCase):
     def test_what_the_kernel_dropped_is_told_and_the_state_after_it_is_right(self):
         self.assertIn("the system's queue was full", self.text('stalled.hid'))
         last = [s for s in decoded('stalled.hid', RESULTS['stalled.hid']) if s[6] == '1'][-1]
-        self.assertEqual(last, decoded('short.evemu', evemu.pen(300, 'Short Pen'))[-1])
+        self.assertEqual(last, decoded('short.evemu', evemu.pen(evemu.pen_states(300), 'Short Pen'))[-1])
+
+    def touches_of_the_desktop(self):
+        """BTN_TOUCH of a reader that has been there all the time and asks for nothing."""
+        events = [struct.unpack('qqHHi', RESULTS['desktop.raw'][i:i + 24]) for i in range(0, len(RESULTS['desktop.raw']), 24)]
+        return [value for _, _, kind, code, value in events if (kind, code) == (evemu.KEY, evemu.TOUCH)]
+
+    def test_what_is_recorded_does_not_reach_the_desktop_and_no_stroke_is_halved(self):
+        # The first of twelve strokes had begun when the first recorder came, and eight were recorded.
+        self.assertEqual(self.text('desktop.while'), self.text('desktop.before'))
+        self.assertEqual(self.touches_of_the_desktop(), [1, 0] * (1 + 4))
+        played = decoded('shared.evemu', evemu.pen(evemu.leaving_states(600), 'Shared Pen'))
+        self.assertEqual(decoded('first.hid', RESULTS['first.hid']), played[25:200])
+        self.assertEqual(decoded('second.hid', RESULTS['second.hid']), played[200:400])
+
+    def test_whom_another_program_keeps_from_the_pen_is_told_until_that_ends(self):
+        self.assertEqual(self.text('first.err').count('another program'), 0)
+        self.assertIn('penpose: Shared Pen: another program has it for itself, so nothing comes; close that program', self.text('second.err'))
+        self.assertIn('the other program let go', self.text('second.hid'))
 
     def test_who_may_open_the_event_device_alone_reads_that(self):
         tablet, = self.listed('member')
@@ -182,6 +208,6 @@ parser.add_argument('--keep')
 OPTIONS = parser.parse_args()
 machine.skip_if_missing()
 os.makedirs(OPTIONS.work, exist_ok=True)
-PEN = evemu.pen(OPTIONS.count)
+PEN = evemu.pen(evemu.pen_states(OPTIONS.count))
 RESULTS = run_machine()
 unittest.main(argv=sys.argv[:1], verbosity=2)

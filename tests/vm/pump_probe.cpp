@@ -15,11 +15,13 @@
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/decode/hand_factory.h"
 #include "firmware_io/device/clock.h"
+#include "firmware_io/device/list/event_list.h"
 #include "firmware_io/device/list/tablet_watch.h"
 #include "firmware_io/device/report_pump.h"
 #include "firmware_io/device/tablet_lights.h"
 #include "tests/support/hands/pen_reports.h"
 #include "tests/support/hands/stroke_recorder.h"
+#include "tests/vm/pace.h"
 #include "tests/vm/virtual_device.h"
 
 namespace {
@@ -91,13 +93,10 @@ int burst(double seconds, double rate) {
   std::atomic<bool> done{false};
   device::ReportPump pump(std::move(*source), {});
   std::thread producer([&] {
-    const auto period_us = static_cast<std::int64_t>(1e6 / rate);
-    std::int64_t next_us = device::monotonic_us();
+    constexpr int k_at_once = 16;
+    tests::Pace pace(std::chrono::microseconds(static_cast<std::int64_t>(1e6 / rate)), k_at_once);
     for (std::size_t i = 0; i < count; ++i) {
-      const std::int64_t now_us = device::monotonic_us();
-      if (next_us > now_us) std::this_thread::sleep_for(std::chrono::microseconds(next_us - now_us));
-      // Late ones follow at once, but not all those of a machine that stood still.
-      next_us = std::max(next_us, device::monotonic_us() - 16 * period_us) + period_us;
+      pace.wait();
       const auto report = numbered(i);
       sent_us[i] = device::monotonic_us();
       if (!(*virtual_pen)->send(0, report)) break;
@@ -192,6 +191,25 @@ int watch(const char* stop_file) {
   return 0;
 }
 
+/// What a look at the system costs, that at event devices apart from all of it; the best of many.
+int listing() {
+  constexpr int k_rounds = 50;
+  const auto best_us = [](const auto& look) {
+    std::int64_t best = INT64_MAX;
+    for (int i = 0; i < k_rounds; ++i) {
+      const std::int64_t begin = device::monotonic_us();
+      look();
+      best = std::min(best, device::monotonic_us() - begin);
+    }
+    return best;
+  };
+  std::size_t events = 0;
+  const std::int64_t events_us = best_us([&] { events = device::list_event_devices().size(); });
+  std::cout << "{\"event_tablets\": " << events << ", \"events_us\": " << events_us
+            << ", \"all_us\": " << best_us([] { static_cast<void>(device::list_tablets()); }) << "}" << std::endl;
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -199,5 +217,6 @@ int main(int argc, char** argv) {
   if (what == "burst" && argc == 4) return burst(std::strtod(argv[2], nullptr), std::strtod(argv[3], nullptr));
   if (what == "lights" && argc == 3) return lights(argv[2]);
   if (what == "watch" && argc == 3) return watch(argv[2]);
+  if (what == "listing" && argc == 2) return listing();
   return 2;
 }

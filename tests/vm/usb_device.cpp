@@ -6,6 +6,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <initializer_list>
@@ -208,8 +209,10 @@ class UsbDevice final : public VirtualDevice {
     } else if (in && endpoint <= interfaces_.size()) {
       queue_.push_back({endpoint - 1, header[1], length});
       advance_queue();
+    } else if (in) {
+      reply(header[1], -EPIPE, {}, true);
     } else {
-      reply(header[1], in ? -EPIPE : 0, {}, in);
+      reply_out(header[1], length);
     }
     return true;
   }
@@ -294,10 +297,12 @@ class UsbDevice final : public VirtualDevice {
       const bool mouse =
           descriptor.size() > 4 && descriptor[0] == 5 && descriptor[1] == 1 && descriptor[2] == 9 && descriptor[3] == 2;
       const auto byte = static_cast<std::uint8_t>(i);
-      append(body, {9, 4, byte, 0, 1, 3, static_cast<std::uint8_t>(mouse ? 1 : 0),
+      const std::uint8_t endpoints = behaviour_.takes_output ? 2 : 1;
+      append(body, {9, 4, byte, 0, endpoints, 3, static_cast<std::uint8_t>(mouse ? 1 : 0),
                     static_cast<std::uint8_t>(mouse ? 2 : 0), 0});
       append_hid(body, interfaces_[i]);
       append(body, {7, 5, static_cast<std::uint8_t>(0x81 + i), 3, 64, 0, 1});
+      if (behaviour_.takes_output) append(body, {7, 5, static_cast<std::uint8_t>(0x01 + i), 3, 64, 0, 1});
     }
     append(out, {9, 2});
     append16(out, 9 + body.size());
@@ -352,6 +357,30 @@ std::vector<std::uint8_t> as_utf16(const std::string& text) {
   Buffer bytes;
   for (const char c : text) append16(bytes, static_cast<std::uint8_t>(c));
   return bytes;
+}
+
+bool take_usb_option(UsbBehaviour& behaviour, const std::string& name, const std::string& value) {
+  const auto number = static_cast<int>(std::strtol(value.c_str(), nullptr, 10));
+  if (name == "--port") {
+    behaviour.port = number;
+  } else if (name == "--asleep-until") {
+    behaviour.asleep_until_string = number;
+  } else if (name == "--output") {
+    behaviour.takes_output = value == "yes";
+  } else if ((name == "--string" || name == "--bytes") && value.find('=') != std::string::npos) {
+    const std::string text = value.substr(value.find('=') + 1);
+    Buffer& string = behaviour.strings[number];
+    if (name == "--string") {
+      string = as_utf16(text);
+      return true;
+    }
+    for (std::size_t i = 0; i + 1 < text.size(); i += 2) {
+      string.push_back(static_cast<std::uint8_t>(std::strtoul(text.substr(i, 2).c_str(), nullptr, 16)));
+    }
+  } else {
+    return false;
+  }
+  return true;
 }
 
 base::Result<std::unique_ptr<VirtualDevice>> make_usb_device(const VirtualDevice::Interfaces& interfaces,

@@ -3,10 +3,11 @@
 //   --go FILE          send the frames once this file exists (default: at once)
 //   --pace-us N        wait that long between frames (default 1000)
 //   --unplug-after N   pull the plug after N frames (default: after all of them)
+//   --pause-after N    stop after N frames, may be given several times; say so and go on once FILE.N exists, FILE that
+//                      of --go
 //   --keep FILE        stay plugged in until this file exists
 //   --place NAME       where it is plugged in
 // Prints how many frames were sent.
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -16,6 +17,7 @@
 #include <fstream>
 #include <iostream>
 #include <linux/uinput.h>
+#include <set>
 #include <string>
 #include <sys/ioctl.h>
 #include <thread>
@@ -23,15 +25,20 @@
 #include <vector>
 
 #include "firmware_io/event/evemu_line.h"
+#include "tests/vm/pace.h"
 
 namespace {
 
 using namespace penpose;
 
+/// A quarter of what the kernel keeps of such frames for a reader of an event device.
+constexpr int k_at_once = 4;
+
 struct Options {
   std::string go;
   std::string keep;
   std::string place = "virtual/input0";
+  std::set<long> pauses;
   long pace_us = 1000;
   long unplug_after = -1;
 };
@@ -45,6 +52,8 @@ bool take_option(Options& options, const std::string& name, const std::string& v
     options.place = value;
   } else if (name == "--pace-us") {
     options.pace_us = std::strtol(value.c_str(), nullptr, 10);
+  } else if (name == "--pause-after") {
+    options.pauses.insert(std::strtol(value.c_str(), nullptr, 10));
   } else if (name == "--unplug-after") {
     options.unplug_after = std::strtol(value.c_str(), nullptr, 10);
   } else {
@@ -106,15 +115,17 @@ int play(const char* path, const Options& options) {
   std::cerr << "plugged in" << std::endl;
   wait_for(options.go);
   long sent = 0;
-  auto next = std::chrono::steady_clock::now();
+  tests::Pace pace(std::chrono::microseconds(options.pace_us), k_at_once);
   for (const auto& frame : frames) {
     if (sent == options.unplug_after) break;
-    std::this_thread::sleep_until(next);
-    // A machine that stood still for a while sends nothing after the fact.
-    next = std::max(next, std::chrono::steady_clock::now()) + std::chrono::microseconds(options.pace_us);
+    pace.wait();
     const std::size_t size = frame.size() * sizeof(input_event);
     if (::write(file, frame.data(), size) != static_cast<ssize_t>(size)) break;
     ++sent;
+    if (!options.pauses.contains(sent)) continue;
+    std::cout << "paused after " << sent << std::endl;
+    wait_for(options.go + "." + std::to_string(sent));
+    pace.begin();
   }
   std::cout << "sent " << sent << std::endl;
   wait_for(options.keep);

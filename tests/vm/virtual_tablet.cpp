@@ -7,8 +7,8 @@
 //   --string N=TEXT    a USB string descriptor
 //   --bytes N=HEX      the same, of any bytes
 //   --asleep-until N   send nothing before this string was read
+//   --output yes       endpoints for output beside those for input
 // Prints how many reports were sent.
-#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -18,11 +18,15 @@
 
 #include "replay/trace/trace_source.h"
 #include "tests/support/shared_data.h"
+#include "tests/vm/pace.h"
 #include "tests/vm/virtual_device.h"
 
 namespace {
 
 using namespace penpose;
+
+/// A quarter of what the kernel keeps of such a pen for a reader of its event device.
+constexpr int k_at_once = 4;
 
 struct Options {
   std::string go;
@@ -41,23 +45,8 @@ bool take_option(Options& options, const std::string& name, const std::string& v
     options.pace_us = std::strtol(value.c_str(), nullptr, 10);
   } else if (name == "--unplug-after") {
     options.unplug_after = std::strtol(value.c_str(), nullptr, 10);
-  } else if (name == "--port") {
-    options.usb.port = static_cast<int>(std::strtol(value.c_str(), nullptr, 10));
-  } else if (name == "--asleep-until") {
-    options.usb.asleep_until_string = static_cast<int>(std::strtol(value.c_str(), nullptr, 10));
-  } else if ((name == "--string" || name == "--bytes") && value.find('=') != std::string::npos) {
-    const int index = static_cast<int>(std::strtol(value.c_str(), nullptr, 10));
-    const std::string text = value.substr(value.find('=') + 1);
-    std::vector<std::uint8_t>& string = options.usb.strings[index];
-    if (name == "--bytes") {
-      for (std::size_t i = 0; i + 1 < text.size(); i += 2) {
-        string.push_back(static_cast<std::uint8_t>(std::strtoul(text.substr(i, 2).c_str(), nullptr, 16)));
-      }
-    } else {
-      string = tests::as_utf16(text);
-    }
   } else {
-    return false;
+    return tests::take_usb_option(options.usb, name, value);
   }
   return true;
 }
@@ -81,12 +70,10 @@ int play(const std::string& kind, const std::string& trace, const Options& optio
   std::cerr << "plugged in" << std::endl;
   wait_for(options.go);
   long sent = 0;
-  auto next = std::chrono::steady_clock::now();
+  tests::Pace pace(std::chrono::microseconds(options.pace_us), k_at_once);
   for (auto report = source.next(); report && report->has_value(); report = source.next()) {
     if (options.unplug_after >= 0 && sent >= options.unplug_after) break;
-    std::this_thread::sleep_until(next);
-    // A machine that stood still for a while sends nothing after the fact.
-    next = std::max(next, std::chrono::steady_clock::now()) + std::chrono::microseconds(options.pace_us);
+    pace.wait();
     if (const auto done = (*device)->send((*report)->device, (*report)->bytes); !done) {
       std::cout << "sent " << sent << std::endl;
       return fail(done.error());

@@ -332,9 +332,10 @@ typedef struct penpose_playback {
   char state[33]; /* at the end */
 } penpose_playback;
 
-/* Replays a session or a plain trace as fast as it goes. `on`: the character that it was recorded on, whose document is
- * not changed; 0: the built-in one that it names. `character` takes the document at the end, `playback` (may be NULL)
- * what it came to. PENPOSE_DIVERGED with `playback` written, and no character, where a state differs. */
+/* Replays a session, or a recording of a tablet of any kind that `penpose replay` reads, as fast as it goes. `on`: the
+ * character that it was recorded on, whose document is not changed; 0: the built-in one that it names. `character`
+ * takes the document at the end, `playback` (may be NULL) what it came to. PENPOSE_DIVERGED with `playback` written,
+ * and no character, where a state differs. */
 PENPOSE_API int32_t penpose_session_play(penpose_library* library, const void* bytes, size_t size, penpose_handle on,
                                          penpose_handle* character, penpose_playback* playback, penpose_error* error);
 

@@ -51,8 +51,9 @@ using tracking::AnimateOptions;
 // With penpose::decode: `make_decoder(identity)` gives what turns a tablet's reports into samples.
 #include "firmware_io/decode/decoder_factory.h"
 
-// With penpose::replay: `play_session(read_from(bytes), options)` replays a session; a CommandRecorder, which a
-// Character's listener feeds, writes one.
+// With penpose::replay: `play_session(read_recording(read_from(bytes)), options)` replays a session or a recording of a
+// tablet; a CommandRecorder, which a Character's listener feeds, writes a session.
+#include "replay/recording/recording.h"
 #include "replay/session/command_recorder.h"
 #include "replay/session/session_player.h"
 

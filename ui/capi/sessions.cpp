@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "core/document/commands/command_text.h"
+#include "replay/recording/recording.h"
 #include "replay/session/session_player.h"
 #include "ui/capi/from_c.h"
 
@@ -47,10 +48,10 @@ int32_t penpose_session_play(penpose_library* library, const void* bytes, size_t
     }
     replay::PlayerOptions options;
     options.open = [&](const std::string& path) { return opened(path, given); };
-    auto played = taken(replay::play_session(replay::read_from(text), options));
+    auto played = taken(replay::play_session(replay::read_recording(replay::read_from(text)), options));
     if (!played.session) {
       fail(PENPOSE_REFUSED, {"holds nothing to replay: neither reports nor lines of a session", "",
-                             "give a session, or a trace as hid-recorder or `penpose record` writes it"});
+                             "give a session, or a recording of a tablet that `penpose replay` reads"});
     }
     const penpose_playback came_to = playback_of(played);
     if (played.divergence) {

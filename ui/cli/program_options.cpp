@@ -9,6 +9,7 @@
 #include "ui/cli/draw_option.h"
 #include "ui/cli/live_option.h"
 #include "ui/cli/orientation_option.h"
+#include "ui/cli/screen_options.h"
 #include "ui/cli/tablet/tablet_options.h"
 
 namespace penpose::cli {
@@ -73,6 +74,7 @@ void add_program_options(CLI::App& app, int& status, files::WindowRequest& reque
   add_live_option(app, request.live);
   app.add_flag("--fullscreen", request.fullscreen, "Use the whole screen");
   add_draw_option(app, request.draw);
+  add_screen_options(app, request);
   // For tests and measurements.
   app.add_option("--replay", request.replay)->group("");
   app.add_flag("--timings", request.timings)->group("");

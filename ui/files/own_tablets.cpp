@@ -37,4 +37,8 @@ base::Result<decode::TabletTable> read_own_tablets(const OwnTablets& own) {
   return chosen ? std::move(chosen) : decode::known_tablets().choose(own.name);
 }
 
+std::string guess_note(const std::string& guess) {
+  return "a guess: " + guess + "; " + k_tablet_option + " NAME says which it is";
+}
+
 }  // namespace penpose::files

@@ -20,4 +20,7 @@ struct OwnTablets {
 /// The tablets of the file, or the one that is named; none where neither is.
 [[nodiscard]] base::Result<decode::TabletTable> read_own_tablets(const OwnTablets& own);
 
+/// Says of a guess (decode::Recognition) what to do.
+[[nodiscard]] std::string guess_note(const std::string& guess);
+
 }  // namespace penpose::files

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "core/base/result.h"
@@ -19,8 +20,12 @@ struct WindowRequest {
   std::string live;             ///< where the pose of every frame is sent (ui/live); empty: nowhere
   std::string program;          ///< name and version for the session
   bool fullscreen = false;
-  std::string draw;      ///< how pictures are drawn: "gl", "es", "cpu"; empty: the best that starts
-  bool timings = false;  ///< prints how long things took when the window is closed
+  std::string draw;           ///< how pictures are drawn: "gl", "es", "cpu"; empty: the best that starts
+  std::optional<int> screen;  ///< which of the screens, from 0; none: the first
+  int rotate = 0;             ///< degrees, clockwise, by which the picture is turned: 0, 90, 180, 270
+  double dpi = 0;             ///< px per inch of the screen; 0: as it says itself
+  bool slow_screen = false;   ///< one that takes long to change, such as electronic paper
+  bool timings = false;       ///< prints how long things took when the window is closed
 };
 
 /// Opens the window and stays until it is closed.

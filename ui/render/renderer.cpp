@@ -23,6 +23,16 @@ std::vector<DrawWay> built_in_ways() {
   return ways;
 }
 
+std::vector<WayHere> ways_here() {
+  std::vector<WayHere> ways;
+  for (const DrawWay way : built_in_ways()) {
+    const auto made = make_offscreen_renderer(way);
+    ways.push_back(
+        {way, made ? base::Result<std::string>((*made)->driver()) : base::Result<std::string>(made.error())});
+  }
+  return ways;
+}
+
 base::Result<std::unique_ptr<Renderer>> make_offscreen_renderer(std::optional<DrawWay> way) {
   for (const OffscreenWay& one : card_ways()) {
     if (way && *way != one.way) continue;

@@ -53,6 +53,14 @@ class Renderer {
   Renderer() = default;
 };
 
+/// What draws by a way without a window, or why nothing does.
+struct WayHere {
+  DrawWay way = DrawWay::cpu;
+  base::Result<std::string> driver;
+};
+/// Tries each of `built_in_ways`.
+[[nodiscard]] std::vector<WayHere> ways_here();
+
 /// A renderer without a window, a display or a graphics card: of the way asked for, or else the first of
 /// `built_in_ways` that starts. Errors: the way asked for is not built in or does not start.
 [[nodiscard]] base::Result<std::unique_ptr<Renderer>> make_offscreen_renderer(

@@ -1,6 +1,7 @@
 #include "ui/render/view.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <limits>
 
 namespace penpose::render {
@@ -50,6 +51,12 @@ View make_view(std::span<const glm::vec3> positions, const geometry::Camera& cam
   view.depth_to_z = glm::vec2(1.0 / far - 1.0 / near, 1.0 / near);
   view.image_plane = glm::vec2(half_width, half_height);
   return view;
+}
+
+bool serves(const View& other, const View& view) {
+  // Both models fill a sphere of diameter one in their own units; planes are 0.51 from the other's middle.
+  const float moved = glm::length(view.middle - other.middle) * other.scale;
+  return moved + 0.5F * other.scale / view.scale < 0.51F && view.scale < 1.02F * other.scale;
 }
 
 }  // namespace penpose::render

@@ -20,6 +20,9 @@ struct View {
   glm::vec2 image_plane{1, 1};  ///< half width and half height at distance 1
   friend bool operator==(const View&, const View&) = default;
 };
+/// Whether a view of another pose, by the same camera, serves for the model that `view` was made for: it lies between
+/// its planes.
+[[nodiscard]] bool serves(const View& other, const View& view);
 [[nodiscard]] View make_view(std::span<const glm::vec3> positions, const geometry::Camera& camera);
 
 }  // namespace penpose::render

@@ -6,6 +6,7 @@
 
 #include "core/base/json/json_value.h"
 #include "core/base/text/letters.h"
+#include "core/base/text/utf16.h"
 #include "core/base/text/utf8.h"
 
 namespace penpose::json {
@@ -230,12 +231,12 @@ class Reader {
   /// Four digits, or of what takes two of them both.
   char32_t read_code() {
     const unsigned first = read_hex();
-    if (first >= 0xdc00 && first < 0xe000) fail();
-    if (first < 0xd800 || first >= 0xe000) return first;
+    if (base::is_low_half(first)) fail();
+    if (!base::is_high_half(first)) return first;
     if (get() != '\\' || get() != 'u') fail();
     const unsigned second = read_hex();
-    if (second < 0xdc00 || second >= 0xe000) fail();
-    return 0x10000 + ((first - 0xd800) << 10) + (second - 0xdc00);
+    if (!base::is_low_half(second)) fail();
+    return base::code_of_halves(first, second);
   }
   unsigned read_hex() {
     unsigned value = 0;

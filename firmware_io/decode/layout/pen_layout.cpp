@@ -261,4 +261,10 @@ std::optional<PenLayout> find_pens(const ReportDescriptor& descriptor, Dialect d
   return Finder(descriptor, dialect).run();
 }
 
+std::int64_t PenControl::rescaled(std::int64_t value) const {
+  const std::int64_t span = maximum - minimum;
+  const std::int64_t way = std::clamp<std::int64_t>(value - minimum, 0, span);
+  return to_minimum + (2 * way * (to_maximum - to_minimum) + span) / (2 * span);
+}
+
 }  // namespace penpose::decode

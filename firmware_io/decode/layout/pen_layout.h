@@ -62,11 +62,10 @@ struct PenControl {
   }
   /// A value of its range in the device's, rounded to the nearest unit.
   [[nodiscard]] std::int64_t scaled(std::int64_t value) const {
-    if (to_minimum == to_maximum) return value;
-    const std::int64_t span = maximum - minimum;
-    const std::int64_t way = std::clamp<std::int64_t>(value - minimum, 0, span);
-    return to_minimum + (2 * way * (to_maximum - to_minimum) + span) / (2 * span);
+    return to_minimum == to_maximum ? value : rescaled(value);
   }
+  /// The same where the ranges differ; kept apart, because that is rare.
+  [[nodiscard]] std::int64_t rescaled(std::int64_t value) const;
   /// Its value in a report that reaches at least to its end, as `PenLayout::find` makes sure. Defined inline because
   /// decoders spend their time here; at most 32 bits. Both loops end at the report's end, so that bytes need no further
   /// bounds checks and eight of them become one load.

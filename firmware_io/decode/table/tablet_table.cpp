@@ -188,11 +188,6 @@ base::Result<TabletTable> TabletTable::choose(std::string_view name) const {
       one.output_report_length.reset();
       one.feature_report_length.reset();
     }
-    // Text of other programs names no ids.
-    for (std::size_t i = identifiers.size(); i-- > 0;) {
-      identifiers.push_back(identifiers[i]);
-      identifiers.back().vendor = identifiers.back().product = 0;
-    }
   };
   ask_for_ids_alone(chosen.identifiers);
   ask_for_ids_alone(chosen.pads);

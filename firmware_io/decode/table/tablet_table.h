@@ -96,7 +96,7 @@ class TabletTable {
   TabletTable() = default;
   explicit TabletTable(std::vector<Tablet> tablets) : tablets_(std::move(tablets)) {}
 
-  /// A table of one tablet of this one, known by name and asking for nothing but its ids, or none at all. `name` is
+  /// A table of one tablet of this one, known by name and asking for nothing but its ids. `name` is
   /// that of the tablet, alone or behind its vendor's; case does not count. Errors: no such tablet, or several.
   [[nodiscard]] base::Result<TabletTable> choose(std::string_view name) const;
   /// Whether it was made by `choose`: its tablet is what a device would be found to be, with the reports that the

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "firmware_io/decode/table/told_ranges.h"
+
 namespace penpose::device {
 namespace {
 
@@ -17,6 +19,7 @@ base::Result<std::string> text_of_string(base::Bytes descriptor, std::uint8_t in
     return base::Error{"string " + std::to_string(index) + " is none", "", ""};
   }
   const std::size_t end = std::min<std::size_t>(descriptor.size(), descriptor[0]);
+  if (index == decode::k_ranges_string && end > 2) return decode::ranges_text(descriptor.subspan(2, end - 2));
   std::string text;
   for (std::size_t i = 2; i + 1 < end; i += 2) {
     const bool ascii = descriptor[i + 1] == 0 && descriptor[i] >= 0x20 && descriptor[i] < 0x7f;

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "core/base/text/letters.h"
+#include "core/base/text/utf16.h"
 #include "core/base/text/utf8.h"
+#include "firmware_io/decode/table/told_ranges.h"
 #include "replay/recording/usb/wire_number.h"
 
 namespace penpose::replay {
@@ -30,18 +32,11 @@ std::uint16_t number(base::Bytes bytes, std::size_t at) {
 
 std::string utf8_of_utf16(base::Bytes text) {
   std::string out;
-  for (std::size_t at = 0; at + 1 < text.size(); at += 2) {
-    char32_t code = number(text, at);
-    if (code >= 0xd800 && code < 0xdc00 && at + 3 < text.size()) {
-      const char32_t low = number(text, at + 2);
-      if (low >= 0xdc00 && low < 0xe000) {
-        code = 0x10000 + ((code - 0xd800) << 10) + (low - 0xdc00);
-        at += 2;
-      }
-    }
-    const bool is_half = code >= 0xd800 && code < 0xe000;
+  for (std::size_t at = 0; at + 1 < text.size();) {
+    const auto [code, units] = base::utf16_point(number(text, at), at + 3 < text.size() ? number(text, at + 2) : 0);
     if (code == 0) break;
-    out += is_half ? "?" : base::utf8_of(code);
+    out += base::utf8_of(code);
+    at += 2 * units;
   }
   return out;
 }
@@ -176,6 +171,7 @@ std::string UsbDevice::string(int index) const {
   std::string out;
   const auto found = strings_.find(index);
   if (found == strings_.end()) return out;
+  if (index == decode::k_ranges_string) return decode::ranges_text(found->second);
   for (std::size_t at = 0; at + 1 < found->second.size(); at += 2) {
     const std::uint16_t code = number(found->second, at);
     out += code < 0x80 ? static_cast<char>(code) : '?';

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "firmware_io/decode/chosen_tablet.h"
 #include "tests/support/hands/pen_reports.h"
 
 namespace penpose::decode {
@@ -103,6 +104,39 @@ TEST(DecoderFactory, ATabletOfTheTableIsReadInBothItsModes) {
   EXPECT_EQ(made->decoder->sample().x, 10000);
   EXPECT_EQ(made->decoder->sample().pressure, 1000);
   expect_ink_pen(*made->decoder);
+}
+
+TEST(DecoderFactory, ATabletThatWasNamedIsReadByItsIdsWhereTheRecordingHasNone) {
+  const auto named = [](const char* name, const DeviceIdentity& recorded) {
+    const auto chosen = known_tablets().choose(name);
+    EXPECT_TRUE(chosen.ok()) << chosen.error().line();
+    EXPECT_EQ(make_decoder(identified(recorded, &*chosen), &*chosen)->method, make_decoder(recorded, &*chosen)->method);
+    return make_decoder(recorded, &*chosen);
+  };
+  DeviceIdentity nameless;
+  nameless.bus = 0;
+  EXPECT_EQ(named("PTH-451", nameless)->method, "wacom Intuos Pro S");
+  EXPECT_EQ(named("Cintiq 22HD (DTK-2200)", nameless)->method, "wacom Cintiq 22HD");
+  const auto huion = named("H640P", nameless);
+  EXPECT_EQ(huion->method, "protocol uclogic_tilt");
+  EXPECT_EQ(huion->decoder->axes().x.maximum, 32000);
+  EXPECT_EQ(huion->guess, "");
+  // Ids that it has count.
+  EXPECT_EQ(named("H640P", device(0x056a, 0x0314))->method, "wacom Intuos Pro S");
+}
+
+/// Gaomon's M5 V2, which no string needs to tell.
+TEST(DecoderFactory, ATabletWithAnIdOfItsOwnNeedsNoStrings) {
+  const auto made = make_decoder(device(0x256c, 0x200e));
+  ASSERT_TRUE(made);
+  EXPECT_EQ(made->guess, "");
+  EXPECT_EQ(made->decoder->axes().x.maximum, 35560);
+  EXPECT_NEAR(made->decoder->axes().x.units_per_mm, 200, 0.1);
+  const tests::Report report{8, 0x81, 0x10, 0x27, 0x20, 0x4e, 0xff, 0x3f, 0, 0, 0, 0};
+  ASSERT_EQ(made->decoder->decode(report), ReportKind::pen);
+  EXPECT_EQ(made->decoder->sample().x, 10000);
+  EXPECT_EQ(made->decoder->sample().y, 20000);
+  EXPECT_EQ(made->decoder->sample().pressure, 16383);
 }
 
 TEST(CompleteIdentity, TakesLengthsFromTheDescriptor) {

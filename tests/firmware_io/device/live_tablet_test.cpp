@@ -36,12 +36,11 @@ HidInterface huion() {
 
 class Strings {
  public:
-  [[nodiscard]] ReadString reader(std::string firmware) {
-    return [this, firmware = std::move(firmware)](const std::string& node, std::uint8_t index) {
+  [[nodiscard]] ReadString reader(std::string firmware, std::uint8_t at = 201) {
+    return [this, firmware = std::move(firmware), at](const std::string& node, std::uint8_t index) {
       EXPECT_EQ(node, "/nowhere/usb");
       asked_.push_back(index);
-      return index == 201 ? base::Result<std::string>(firmware)
-                          : base::Result<std::string>(base::Error{"none", "", ""});
+      return index == at ? base::Result<std::string>(firmware) : base::Result<std::string>(base::Error{"none", "", ""});
     };
   }
   std::vector<int> asked_;
@@ -52,12 +51,29 @@ TEST(Recognise, TheFirmwareStringTellsTheTabletAndHowToWakeIt) {
   const LiveTablet tablet = recognise(huion(), nullptr, strings.reader("HUION_T173_200101"));
   ASSERT_TRUE(tablet.match);
   EXPECT_TRUE(tablet.match->certain);
+  EXPECT_EQ(tablet.guess, "");
   EXPECT_EQ(tablet.match->tablet->name, "H640P");
   EXPECT_EQ(tablet.carries, Carries::pen);
   EXPECT_EQ(wake_up_of(tablet.match).read_strings, std::vector<std::uint8_t>{200});
   EXPECT_EQ(tablet.transport, Transport::libusb) << "its wake-up needs USB";
   EXPECT_EQ(tablet.path(), "usb:1-1:1.0");
   EXPECT_EQ(std::count(strings.asked_.begin(), strings.asked_.end(), 200), 0) << "that one would wake it up already";
+}
+
+TEST(Recognise, ATabletThatNoTableHasIsAskedForItsRanges) {
+  Strings strings;
+  HidInterface interface = huion();
+  interface.identity.product = 0x2fff;
+  const LiveTablet tablet = recognise(interface, nullptr, strings.reader("70c600067c00ff1fd813", 200));
+  EXPECT_EQ(tablet.carries, Carries::pen);
+  EXPECT_EQ(tablet.method, "protocol huion_giano");
+  EXPECT_EQ(tablet.transport, Transport::hidraw) << "it is awake now";
+  EXPECT_EQ(tablet.interface.identity.strings.at(200), "70c600067c00ff1fd813") << "for recordings and replays";
+  EXPECT_EQ(recognise(interface, nullptr, strings.reader("")).carries, Carries::other);
+  interface.identity.vendor = 0x1234;
+  strings.asked_.clear();
+  EXPECT_EQ(recognise(interface, nullptr, strings.reader("")).carries, Carries::other);
+  EXPECT_TRUE(strings.asked_.empty()) << "others are left alone";
 }
 
 TEST(Recognise, AStringThatIsKnownIsNotAskedForAgain) {
@@ -76,6 +92,9 @@ TEST(Recognise, ATabletThatMayBeAnotherIsSentNothing) {
   const LiveTablet tablet = recognise(std::move(interface));
   ASSERT_TRUE(tablet.match);
   EXPECT_FALSE(tablet.match->certain);
+  EXPECT_NE(tablet.guess.find(", read as " + tablet.match->tablet->vendor + ' ' + tablet.match->tablet->name),
+            std::string::npos)
+      << tablet.guess;
   EXPECT_TRUE(wake_up_of(tablet.match).empty());
   EXPECT_EQ(tablet.transport, Transport::hidraw);
 }

@@ -174,6 +174,33 @@ TEST_F(ReportPumpTest, ClosesTheTabletWhenItEnds) {
   EXPECT_TRUE(tablet_->closed);
 }
 
+TEST_F(ReportPumpTest, IsExclusiveFromTheBeginningOrAsItIsAskedLater) {
+  const auto becomes = [&](bool wanted) {
+    for (int i = 0; i < 2000 && tablet_->exclusive != wanted; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return tablet_->exclusive == wanted;
+  };
+  ReportPump::Options options;
+  options.exclusive = true;
+  auto pump = start(std::move(options));
+  EXPECT_TRUE(becomes(true));
+  pump->set_exclusive(false);
+  EXPECT_TRUE(becomes(false));
+  pump->set_exclusive(true);
+  EXPECT_TRUE(becomes(true));
+}
+
+TEST_F(ReportPumpTest, ThatAnotherProgramHasTheTabletIsToldAndItsEndToo) {
+  auto pump = start();
+  EXPECT_FALSE(pump->is_taken());
+  tablet_->taken = true;
+  EXPECT_EQ(text(next(*pump)), "another program has the device for itself");
+  EXPECT_TRUE(pump->is_taken());
+  tablet_->taken = false;
+  EXPECT_EQ(text(next(*pump)), "the other program let go of the device");
+  EXPECT_FALSE(pump->is_taken());
+}
+
 TEST_F(ReportPumpTest, SendsAFeatureReportFromItsOwnThreadTheLastOfSeveral) {
   auto pump = start();
   pump->send_feature({0x20, 0x01});

@@ -93,10 +93,12 @@ TEST(EvemuRecording, WithoutResolutionsAsInItsFirstEdition) {
 TEST(EvemuRecording, OneBehindTheOtherAreTwoDevices) {
   std::string other = k_pen;
   other.replace(other.find("A: 00 0 44704"), 13, "A: 00 0 15000");
-  const auto samples = samples_of(k_pen + other);
+  std::vector<std::int64_t> times;
+  const auto samples = samples_of(k_pen + other, &times);
   ASSERT_EQ(samples.size(), 4U);
   EXPECT_EQ(samples[1].x, 21044);
   EXPECT_EQ(samples[3].x, 15000) << "its range ends there";
+  EXPECT_EQ(times, (std::vector<std::int64_t>{0, 7000, 7000, 14000})) << "times that begin anew go on";
 }
 
 TEST(EvemuRecording, DamagedLinesAreLeftOut) {

@@ -4,6 +4,9 @@
 #include <iterator>
 
 #include "tests/support/c_desk.h"
+#include "tests/support/hands/pen_path.h"
+#include "tests/support/hands/pen_reports.h"
+#include "tests/support/hands/usb_capture.h"
 
 namespace penpose::tests {
 namespace {
@@ -87,6 +90,38 @@ TEST(CSessions, WhatIsRecordedReplaysToTheSameBits) {
   EXPECT_EQ(penpose_session_play(desk.open, text.data(), size, again, &none, &playback, &desk.error), PENPOSE_REFUSED);
   EXPECT_EQ(penpose_session_play(desk.open, text.data(), size, 0, &none, &playback, &desk.error), PENPOSE_REFUSED);
   EXPECT_NE(std::string(desk.error.message).find("sheet.glb"), std::string::npos);
+}
+
+/// What the program reads, the library reads: here a session as UTF-16, one in quotes, and a capture of USB.
+TEST(CSessions, RecordingsOfEveryKindArePlayed) {
+  CDesk desk;
+  const auto play = [&](const std::string& bytes, penpose_playback& playback) {
+    penpose_handle made = 0;
+    return penpose_session_play(desk.open, bytes.data(), bytes.size(), 0, &made, &playback, &desk.error);
+  };
+  const std::string session = read_text(PENPOSE_SOURCE + std::string("/ui/demo/demo.session"));
+  std::string wide = "\xff\xfe";
+  std::string quoted = "> ";
+  for (const char c : session) {
+    wide += {c, '\0'};
+    quoted += c;
+    if (c == '\n') quoted += "> ";
+  }
+  for (const std::string& bytes : {wide, quoted}) {
+    penpose_playback playback{};
+    ASSERT_EQ(play(bytes, playback), PENPOSE_OK) << desk.error.message;
+    EXPECT_EQ(playback.state, golden("demo.session"));
+  }
+  UsbCapture capture;
+  const UsbTablet ink{1, 9, 0x1b96, 0x1000, {ink_descriptor()}, {}};
+  capture.plug_in(ink);
+  for (const auto& sample : pen_path({24188, 15360, 4095, true, -1}, 2)) capture.report(ink, 0, ink_pen(sample));
+  const Buffer file = capture.pcap();
+  penpose_playback playback{};
+  ASSERT_EQ(play(std::string(file.begin(), file.end()), playback), PENPOSE_OK) << desk.error.message;
+  EXPECT_EQ(playback.strokes, 2U);
+  EXPECT_EQ(play("# libinput record\nversion: 1\nndevices: 1\n", playback), PENPOSE_REFUSED);
+  EXPECT_NE(std::string(desk.error.message).find("libinput's recording"), std::string::npos) << desk.error.message;
 }
 
 TEST(CSessions, AProjectReadsBackWithItsState) {

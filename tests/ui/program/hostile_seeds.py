@@ -20,8 +20,11 @@ CURVES = {'curves': {'a': {'vertices': [0, 1, 2, 3]}, 'b': {'vertices': [30, 31,
 CAMERA = {'eye': [15, 2, 60], 'look_at': [15, 2, 0], 'up': [0, 1, 0], 'vertical_fov_degrees': 30}
 LABELS = {'frames': [{'image': name, 'curves': {'m': [[4, 4], [12, 7 + 3 * k], [20, 5 + k]]}} for k, name in enumerate(('a.pgm', 'b.pgm'))],
           'features': [['m']]}
-SESSION = ('# penpose session edition=3 program=test\n# penpose model ea8ba051bbb1e6cae4a545b91c62b1b6 path=builtin%3Ahead\n'
+SESSION = ('# penpose session edition=4 program=test\n# penpose model ea8ba051bbb1e6cae4a545b91c62b1b6 path=builtin%3Ahead\n'
            '# penpose do set_key time_s=0\n# penpose do set_time time_s=1\n# penpose do set_key time_s=1\n')
+# A tablet whose string tells it from others with its ids, and a stroke of it.
+STRINGS = SESSION + 'D: 0\nN: Tablet\nI: 3 256c 006e\n# string 201: "HUION_T173_200101"\n# string 2: "a \\"b\\""\n' + ''.join(
+    'E: %.6f 12 08 %02x %02x 60 00 50 e8 03 00 00 00 00\n' % (0.005 * i, 0x81 if 0 < i < 39 else 0x80, 5 * i) for i in range(40))
 
 
 def ring(x, y, radius, count=16):
@@ -76,7 +79,7 @@ def helpers(folder):
     """Writes what commands need beside the damaged file."""
     face(os.path.join(folder, 'face.glb'))
     for name, content in (('cases.json', CASES), ('track.json', TRACK), ('map.json', MAP), ('curves.json', CURVES), ('camera.json', CAMERA),
-                          ('labels.json', LABELS), ('sketch.json', SKETCH), ('a.session', SESSION)):
+                          ('labels.json', LABELS), ('sketch.json', SKETCH), ('a.session', SESSION), ('strings.session', STRINGS)):
         write(os.path.join(folder, name), content)
     r = random.Random(1)
     for name in ('a.pgm', 'b.pgm'):
@@ -128,8 +131,9 @@ KINDS = {
                   animate_by('mediapipe') + [['animate', 'builtin:head', '--track', '{x}', '--picture', '640x480', '-o', '{out}.glb']]),
     'labels': (['+labels.json'], [['track', 'a.pgm', '--labels', '{x}', '-o', '{out}.json']]),
     'picture': (['pgm', 'png', '+a.pgm'], [['track', '{x}', '--labels', 'labels.json', '-o', '{out}.json']]),
-    'session': (['session', '+data/sessions', '+a.session', '+drawn.session'], SESSIONS),
+    'session': (['session', '+data/sessions', '+a.session', '+strings.session', '+drawn.session'], SESSIONS),
     'capture': (['usbmon'], DECODES + [['replay', '{x}', '--model', 'face.glb', '-o', '{out}.glb']]),
+    'recording': (['recording', 'evemu', 'usbhid_dump', 'tablet_debugger'], DECODES + [['replay', '{x}', '--model', 'face.glb', '-o', '{out}.glb']]),
     'trace': (['trace', '+data/traces'], DECODES + [['replay', '{x}', '--model', 'face.glb', '-o', '{out}.glb']]),
     'tablets': (['tablet_file'], [['devices', '--known', '--json', '--tablets', '{x}'], ['devices', '--udev-rule', '--tablets', '{x}'],
                                   ['devices', '--json', '--tablets', '{x}'], ['decode', 'pen.hid', '--tablets', '{x}']]),

@@ -4,7 +4,7 @@ outputs that take nothing, names and numbers nobody would give, and ends at any 
 or 2 in time, says why in one plain line with a remedy, keeps within the memory that its files are worth, and leaves inputs as they
 were and outputs wholly old or wholly new.
 
-usage: hostile_test.py PENPOSE [--runs N] [--seed S] [--jobs J] [--only GROUP] [--run K] [--keep FOLDER]
+usage: hostile_test.py PENPOSE [--runs N] [--seed S] [--jobs J] [--only GROUP] [--kind KIND] [--run K] [--keep FOLDER]
 
 Run K of seed S is the same on every machine, whatever else runs: `--run K` repeats it alone and says what it did."""
 import argparse
@@ -62,7 +62,7 @@ class Run:
 
     def choose(self, kinds=None):
         """A kind of file, one of its files and a command that reads it."""
-        kind = self.r.choice(kinds or list(self.seeds))
+        kind = self.r.choice([one for one in kinds or self.seeds if one in self.seeds] or list(self.seeds))
         name, content = self.r.choice(self.seeds[kind])
         return kind, name, content, list(self.r.choice(hostile_seeds.KINDS[kind][1]))
 
@@ -211,10 +211,10 @@ class Run:
             if ended:
                 break
             if self.stop and asked is None and now > self.stop[0]:
-                process.send_signal(self.stop[1])
+                os.kill(process.pid, self.stop[1])  # send_signal() takes away the status of one that has just ended
                 asked = now
             if now > MOST_WALL_S or (asked and now > asked + MOST_END_S):
-                process.kill()
+                os.kill(process.pid, signal.SIGKILL)
                 self.find('hangs' if asked is None else 'does not end when asked to')
                 os.wait4(process.pid, 0)
                 process.returncode = -9
@@ -349,10 +349,12 @@ def main():
     parser.add_argument('--seed', default='1')
     parser.add_argument('--jobs', type=int, default=2)
     parser.add_argument('--only', choices=list(GROUPS))
+    parser.add_argument('--kind', action='append', choices=list(hostile_seeds.KINDS))
     parser.add_argument('--run', type=int)
     parser.add_argument('--keep')
     given = parser.parse_args()
     SEEDS = hostile_seeds.load(ROOT, os.path.abspath(given.penpose))
+    SEEDS = {kind: files for kind, files in SEEDS.items() if not given.kind or kind in given.kind}
     numbers = [given.run] if given.run is not None else range(given.runs)
     jobs = [(os.path.abspath(given.penpose), given.seed, number, given.only, given.keep, None) for number in numbers]
     counts, codes, failed, slowest, began = collections.Counter(), collections.Counter(), 0, 0.0, time.time()

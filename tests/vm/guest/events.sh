@@ -1,15 +1,9 @@
 # The job of events_test.py: pens through the kernel's event devices.
 . /functions.sh
 count=$(cat /count)
-# event_node NAME: the node of the input device whose name begins so.
-event_node() {
-  for d in /sys/class/input/event*; do
-    case "$(cat "$d/device/name")" in "$1"*) echo "/dev/input/${d##*/}" ;; esac
-  done
-}
-has_event_node() { [ -n "$(event_node "$1")" ]; }
 gone() { ! has_event_node "$1"; }
 penpose devices >/out/none.txt
+pump_probe listing >/out/listing.none
 
 # --- One pen of which the kernel makes both nodes, read both ways at once.
 stage both
@@ -22,7 +16,7 @@ record_until_ready both_event --device "$(event_node "Ink pen")"
 event_recorder=$recorder
 record_until_ready both_hidraw --device /dev/hidraw0
 touch /tmp/go_both
-until_true 400 grep -q ^sent /out/both.sent
+until_true 600 grep -q ^sent /out/both.sent
 sleep 1
 touch /tmp/keep_both
 wait "$event_recorder"
@@ -42,13 +36,20 @@ until_true 30 has_event_node "Board Pad"
 until_true 30 has_event_node "Board Finger"
 penpose devices --json >/out/alone.json
 penpose devices >/out/alone.txt
+for n in 1 2 3 4 5 6 7; do
+  virtual_input /traces/keyboard.evemu --keep /tmp/keep_keyboards --place board/input$n >>/out/keyboards.sent 2>&1 &
+done
+until_true 30 all_have 7 ^sent /out/keyboards.sent
+pump_probe listing >/out/listing.ten
+touch /tmp/keep_keyboards
+until_true 20 gone "Keyboard"
 record_until_ready alone
 until_true 30 all_have 3 ^recording /out/alone.err
 touch /tmp/go_pad /tmp/go_fingers
 until_true 30 all_have 2 ^sent /out/pad.sent /out/fingers.sent
 touch /tmp/keep_pad
 touch /tmp/go_pen
-until_true 400 grep -q ^sent /out/pen.sent
+until_true 600 grep -q ^sent /out/pen.sent
 touch /tmp/keep_fingers
 touch /tmp/keep_pen
 end_record alone
@@ -68,6 +69,37 @@ sleep 1
 touch /tmp/keep_stalled
 end_record stalled
 until_true 20 gone "Short Pen"
+
+# --- A pen that is recorded is kept from the desktop, which is `cat` here: from a moment on in which it is away, and by one
+# recorder at a time.
+stage exclusive
+virtual_input /traces/shared.evemu --pace-us 5000 --go /tmp/go_shared --pause-after 25 --pause-after 200 --pause-after 400 --keep /tmp/keep_shared >/out/shared.sent 2>&1 &
+until_true 30 has_event_node "Shared Pen"
+cat "$(event_node "Shared Pen")" >/out/desktop.raw &
+sleep 0.2
+touch /tmp/go_shared
+until_true 30 grep -q "paused after 25" /out/shared.sent
+record_until_ready first
+first=$recorder
+sleep 0.3
+touch /tmp/go_shared.25
+until_true 30 grep -q "paused after 200" /out/shared.sent
+stat -c %s /out/desktop.raw >/out/desktop.before
+record_until_ready second
+second=$recorder
+until_true 30 grep -q "another program" /out/second.err
+kill -TERM "$first"
+wait "$first"
+until_true 30 grep -q "let go" /out/second.hid
+touch /tmp/go_shared.200
+until_true 30 grep -q "paused after 400" /out/shared.sent
+stat -c %s /out/desktop.raw >/out/desktop.while
+kill -TERM "$second"
+wait "$second"
+touch /tmp/go_shared.400
+until_true 30 grep -q ^sent /out/shared.sent
+touch /tmp/keep_shared
+until_true 20 gone "Shared Pen"
 
 # --- Somebody in the group `input`, who may not open hidraw; somebody who may open neither; a program that has it alone.
 stage rights

@@ -54,6 +54,14 @@ all_have() {
   [ "$(cat "$@" | grep -c "$pattern")" -eq "$number" ]
 }
 
+# event_node NAME: the node of the input device whose name begins so.
+event_node() {
+  for d in /sys/class/input/event*; do
+    case "$(cat "$d/device/name")" in "$1"*) echo "/dev/input/${d##*/}" ;; esac
+  done
+}
+has_event_node() { [ -n "$(event_node "$1")" ]; }
+
 # is_hid ID: the kernel has such a device.
 is_hid() { ls /sys/bus/hid/devices | grep -q "$1"; }
 

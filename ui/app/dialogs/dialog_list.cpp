@@ -14,7 +14,7 @@ void show_export_dialog(PanelContext&, Files&, Notices&, Dialogs&);
 void show_recent_dialog(PanelContext&, Leaving&, Preferences&);
 void show_recover_dialog(PanelContext&, Recovery&);
 void show_steps_dialog(PanelContext&);
-void show_tablet_dialog(PanelContext&, Bindings&, Preferences&, Dialogs&);
+void show_tablet_dialog(PanelContext&, HandDesk&, Bindings&, Preferences&, Dialogs&);
 void show_pad_dialog(PanelContext&, EditingSession&, HandDesk&, Bindings&, Preferences&, Dialogs&);
 void show_sessions_dialog(PanelContext&, Files&, Recording&, Notices&, Dialogs&);
 void show_unsaved_dialog(PanelContext&, Leaving&, Dialogs&);

@@ -68,6 +68,7 @@ void show_tablets(PanelContext& context, const PadOwners& with, std::span<const 
     if (shown.battery.charging) text += ", charging";
   }
   ImGui::TextUnformatted(text.c_str());
+  show_guess(context, shown);
   ImGui::TextDisabled("Touch a key here or press it on the tablet, then what it should do.");
 }
 

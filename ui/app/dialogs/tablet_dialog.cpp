@@ -8,6 +8,7 @@
 #include "ui/app/panels/panels.h"
 #include "ui/app/preferences.h"
 #include "ui/app/widgets/internal/widgets.h"
+#include "ui/app/widgets/pad_picture.h"
 
 namespace penpose::app {
 namespace {
@@ -83,10 +84,12 @@ void try_pen(Dialogs& dialogs, PxPoint at, double pressure, bool begins) {
   trial.pressure.push_back(pressure);
 }
 
-void show_tablet_dialog(PanelContext& context, Bindings& bindings, Preferences& preferences, Dialogs& dialogs) {
+void show_tablet_dialog(PanelContext& context, HandDesk& desk, Bindings& bindings, Preferences& preferences,
+                        Dialogs& dialogs) {
   const Owners with{dialogs};
   replay::TabletSetting& setting = preferences.settings().tablet;
   if (begin_dialog(context, "Tablet", 17)) {
+    for (const DeskTablet& tablet : desk.tablets()) show_guess(context, tablet);
     bool changed = false;
     const auto flag = [&](const char* label, bool& on, const char* tip) {
       if (wide_button(context, label, -1, on, tip)) {

@@ -31,6 +31,7 @@ struct DeskTablet {
   std::array<std::int8_t, decode::k_pad_sides> next_mode{};  ///< without lights: what the dials do now
   decode::Battery battery;
   bool low_told = false;  ///< that its battery is low
+  std::string guess;      ///< which of several models with its ids it is taken for; empty where something tells
 
   [[nodiscard]] bool has_anything() const { return features.any() || has_pen; }
   [[nodiscard]] bool is(const std::pair<std::string, std::string>& which) const {

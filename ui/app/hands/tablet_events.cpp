@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ui/app/dialogs/entries.h"
+#include "ui/files/own_tablets.h"
 
 namespace penpose::app {
 namespace {
@@ -73,6 +74,7 @@ void TabletEvents::report(int device, std::int64_t received_us, base::Bytes byte
     parts_.tablets.receiver_status[device].assign(status.begin(), status.end());
   if (const auto lights = lights_of(device)) parts_.tablets.lights[device] = *lights;
   if (moments.empty()) return;
+  tell_guess(device);
   parts_.place.tablet_reported(moments.back().kind != PenEventKind::away);
   for (const auto& moment : moments) {
     const bool begins = moment.kind == PenEventKind::stroke_begin;
@@ -178,6 +180,15 @@ void TabletEvents::tell_battery(DeskTablet& tablet, int device) {
   if (low || percent > k_charged_again || tablet.battery.charging) tablet.low_told = low;
 }
 
+void TabletEvents::tell_guess(int device) {
+  DeskTablet* tablet = parts_.desk.find(device);
+  if (tablet == nullptr || !tablet->guess.empty()) return;
+  const std::string guess = parts_.editing.session().pens().guess_of(device);
+  if (guess.empty()) return;
+  tablet->guess = files::guess_note(guess);
+  if (told_guesses_.insert(guess).second) parts_.notices.tell(tablet->name + ": " + tablet->guess, true);
+}
+
 std::string TabletEvents::held_until_now(int device, std::span<const replay::HandMoment> let_go) const {
   std::string text;
   const DeskTablet* tablet = parts_.desk.find(device);
@@ -248,6 +259,7 @@ void TabletEvents::on_device(int device, const decode::DeviceIdentity& identity)
 
 void TabletEvents::on_moments(int device, std::span<const replay::PenMoment> pen,
                               std::span<const replay::HandMoment> hand) {
+  if (!pen.empty()) tell_guess(device);
   // What a session's keys did is in its lines, in px of the window that it was drawn in.
   if (parts_.player.trace->is_session()) return;
   parts_.canvas.commit();

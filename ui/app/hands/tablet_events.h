@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 
@@ -53,6 +54,8 @@ class TabletEvents : public TracePlayer::Listener {
   void take_hand(std::span<const replay::HandMoment> moments);
   void take_pad_event(DeskTablet& tablet, int device, const decode::PadEvent& event);
   void tell_battery(DeskTablet& tablet, int device);
+  /// Says once in a run which of several models a tablet is taken for, and what tells.
+  void tell_guess(int device);
   /// A wireless receiver hears another tablet, or none any more.
   void change_tablets(std::span<const replay::HandMoment> moments);
   /// What was held on a device that goes, for the message: "; Key 2 (Undo) was held and is let go".
@@ -60,6 +63,7 @@ class TabletEvents : public TracePlayer::Listener {
   void tell_of_leaving(int device, const std::string& name, const std::string& held);
 
   Parts parts_;
+  std::set<std::string> told_guesses_;
 };
 
 }  // namespace penpose::app

@@ -8,6 +8,7 @@
 #include <sys/eventfd.h>
 #include <thread>
 #include <unistd.h>
+#include <utility>
 
 #include "firmware_io/device/list/permission.h"
 #include "firmware_io/device/report_pump.h"
@@ -24,6 +25,7 @@ struct Tablets::State {
     device::LiveTablet tablet;
     std::unique_ptr<device::ReportPump> pump;
     std::optional<decode::Lights> shown;  ///< the lights that it was told to show
+    bool taken = false;                   ///< by another program, which was told
   };
   struct Opened {
     Open open;
@@ -39,6 +41,7 @@ struct Tablets::State {
   std::thread thread;
 
   std::mutex mutex;  // guards what follows; held for moments only
+  bool exclusive = false;
   std::vector<Open> open;
   std::vector<Opened> arrived;
   std::vector<std::string> refused;
@@ -69,7 +72,8 @@ struct Tablets::State {
       refused.push_back(name + ": " + (why.empty() ? source.error().line() : why));
       return;
     }
-    auto pump = std::make_unique<device::ReportPump>(std::move(*source), device::ReportPump::Options{tablet.wake_up()});
+    auto pump = std::make_unique<device::ReportPump>(std::move(*source),
+                                                     device::ReportPump::Options{tablet.wake_up(), exclusive});
     std::optional<decode::Lights> lights;
     if (device::kernel_switches_lights(tablet)) lights = device::seen_lights(tablet.interface);
     open.push_back({number_of(tablet), tablet, std::move(pump), {}});
@@ -136,6 +140,12 @@ Tablets::~Tablets() {
   ::close(state_->stop_event);
 }
 
+void Tablets::set_exclusive(bool wanted) {
+  const std::scoped_lock lock(state_->mutex);
+  if (std::exchange(state_->exclusive, wanted) == wanted) return;
+  for (const State::Open& one : state_->open) one.pump->set_exclusive(wanted);
+}
+
 void Tablets::take(TabletEvents& events, Notices& notices) {
   std::vector<State::Open> gone;
   std::vector<std::pair<int, device::Record>> records;
@@ -151,6 +161,10 @@ void Tablets::take(TabletEvents& events, Notices& notices) {
     device::Record record;
     for (auto& one : state_->open) {
       const bool ended = one.pump->gone();
+      if (!std::exchange(one.taken, one.pump->is_taken()) && one.taken) {
+        notices.tell(one.tablet.interface.identity.name + ": another program has it for itself; close that program",
+                     true);
+      }
       while (one.pump->take(record)) records.emplace_back(one.number, std::move(record));
       if (ended) gone.push_back(std::move(one));
     }

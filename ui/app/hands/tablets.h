@@ -23,6 +23,9 @@ class Tablets {
 
   /// Hands on all that came since the last call, in the order of its times.
   void take(TabletEvents& events, Notices& notices);
+  /// Whether pens and pads that the desktop reads as well are kept from it (ReportPump::set_exclusive). At first they
+  /// are not.
+  void set_exclusive(bool wanted);
 
  private:
   struct State;

@@ -251,4 +251,11 @@ void show_pad_picture(PanelContext& context, const PadOwners& with, const DeskTa
   Picture(context, with, tablet).show();
 }
 
+void show_guess(PanelContext& context, const DeskTablet& tablet) {
+  if (tablet.guess.empty()) return;
+  const std::string text = tablet.name + ": " + tablet.guess;
+  ImGui::TextWrapped("%s", text.c_str());
+  note(context, text.c_str());
+}
+
 }  // namespace penpose::app

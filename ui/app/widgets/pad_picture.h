@@ -19,4 +19,7 @@ struct PadOwners {
 /// lit. A touch chooses one.
 void show_pad_picture(PanelContext& context, const PadOwners& with, const DeskTablet& tablet);
 
+/// Which of several models a tablet is taken for, in lines as wide as the dialog; nothing where something tells.
+void show_guess(PanelContext& context, const DeskTablet& tablet);
+
 }  // namespace penpose::app

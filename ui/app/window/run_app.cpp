@@ -49,7 +49,7 @@ base::Status run_app(const files::WindowRequest& request) {
   }
   const auto live = live::open_live_output(request.live, live::live_outputs());
   if (!live) return live.error();
-  auto window = Window::open(request.fullscreen, render::way_of(request.draw));
+  auto window = Window::open(request);
   if (!window) return window.error();
   AppOptions options;
   options.folders = standard_folders();

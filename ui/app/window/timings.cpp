@@ -23,7 +23,8 @@ std::string Timings::text() const {
   const auto line = [](const char* name, std::int64_t value) {
     return std::string(name) + " " + std::to_string(value) + "\n";
   };
-  return line("first_frame_us", first_frame_us) + line("frames", static_cast<std::int64_t>(frames_us.size())) +
+  return "drawn_by " + way + "\n" + line("first_frame_us", first_frame_us) +
+         line("frames", static_cast<std::int64_t>(frames_us.size())) +
          line("frame_cpu_median_us", percentile(frames_us, 0.5)) +
          line("frame_cpu_p99_us", percentile(frames_us, 0.99)) +
          line("posed_frames", static_cast<std::int64_t>(posed_us.size())) +

@@ -8,6 +8,7 @@ namespace penpose::app {
 
 /// How long frames and reports took, for measurements.
 struct Timings {
+  std::string way;  ///< to draw
   std::int64_t began_us = 0;
   std::int64_t first_frame_us = 0;        ///< from the start to the first picture
   std::vector<std::int64_t> frames_us;    ///< CPU time of the main thread for each frame

@@ -3,16 +3,19 @@
 #include <SDL2/SDL.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <imgui.h>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "firmware_io/device/clock.h"
 #include "ui/app/view/draw_thread.h"
 #include "ui/app/window/full_screen.h"
+#include "ui/app/window/screen.h"
 #include "ui/app/window/stop_watch.h"
 #include "ui/files/process/kept_memory.h"
+#include "ui/render/gl/gl_dialect.h"
+#include "ui/render/gl/offscreen_context.h"
 
 namespace penpose::app {
 namespace {
@@ -63,86 +66,89 @@ std::uint32_t key_of(SDL_Keycode key) {
   return key > 0 && key < 128 ? static_cast<std::uint32_t>(key) : 0;
 }
 
-base::Error no_display(const std::string& why) {
-  return {"there is no display to open a window on (" + why + ")", "",
-          "start it on a desktop, or on a console with SDL_VIDEODRIVER=kmsdrm; `penpose --help` lists what needs none"};
-}
-
 }  // namespace
 
 struct Window::State {
+  Screen screen;
   SDL_Window* window = nullptr;
   SDL_GLContext context = nullptr;  ///< null: the processor draws
   render::DrawWay way = render::DrawWay::gl;
   Uint32 wake_event = 0;
   Uint32 picture_event = 0;  ///< a picture was shown
-  bool imgui = false;
+  bool fullscreen = false;
+  std::vector<render::DrawWay> untried;  ///< ways to draw, the best first
 
-  State() = default;
+  explicit State(const files::WindowRequest& request) : screen(request) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;
-  ~State() {
-    if (context != nullptr) SDL_GL_DeleteContext(context);
-    if (window != nullptr) SDL_DestroyWindow(window);
-    SDL_QuitSubSystem(SDL_INIT_VIDEO);
-  }
+  ~State() { close(); }
 
-  [[nodiscard]] geometry::Viewport size() const {
-    int width = 0;
-    int height = 0;
-    SDL_GL_GetDrawableSize(window, &width, &height);
-    return {width, height};
-  }
-  /// Px of the picture for each unit of the desktop's coordinates.
-  [[nodiscard]] double ratio() const {
-    int width = 0;
-    int height = 0;
-    SDL_GetWindowSize(window, &width, &height);
-    return width > 0 ? static_cast<double>(size().width) / width : 1;
-  }
-  [[nodiscard]] double dpi() const {
-    float diagonal = 96;
-    if (SDL_GetDisplayDPI(SDL_GetWindowDisplayIndex(window), &diagonal, nullptr, nullptr) != 0) return 96;
-    return static_cast<double>(diagonal);
-  }
-  /// Opens the window for a way to draw. Errors: it does not start.
-  base::Status start(render::DrawWay one, bool fullscreen);
-  [[nodiscard]] std::unique_ptr<Presenter> presenter() const;
+  /// Opens the window for the first of the `untried` ways that starts, in place of the one that it is open for. Errors:
+  /// what the last one lacks.
+  base::Status start();
+  base::Status start(render::DrawWay one);
+  void close();
+  [[nodiscard]] std::unique_ptr<Presenter> presenter();
   void take_event(const SDL_Event& event, App& app, Interface& interface) const;
   static void take_key(const SDL_KeyboardEvent& key, Interface& interface);
 };
 
-base::Status Window::State::start(render::DrawWay one, bool fullscreen) {
-  way = one;
+void Window::State::close() {
+  if (context != nullptr) SDL_GL_DeleteContext(std::exchange(context, nullptr));
+  if (window != nullptr) SDL_DestroyWindow(std::exchange(window, nullptr));
+}
+
+base::Status Window::State::start() {
+  base::Status started{base::Done{}};
+  while (!untried.empty()) {
+    close();
+    way = untried.front();
+    untried.erase(untried.begin());
+    started = start(way);
+    if (!started) continue;
+    screen.take(window);
+    break;
+  }
+  return started;
+}
+
+base::Status Window::State::start(render::DrawWay one) {
+  if (const auto started = screen.start(one); !started) return started.error();
   Uint32 flags = SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
   if (fullscreen) flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
-  if (way != render::DrawWay::cpu) {
-    if (const auto can = check_gl(); !can) return can;
-    SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, SDL_GL_CONTEXT_PROFILE_CORE);
-    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, 3);
-    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, 1);
-    // The picture is averaged before it reaches the window, which needs no depth of its own.
-    SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
-    flags |= SDL_WINDOW_OPENGL;
-  }
+  const auto open_window = [&] {
+    const SDL_Rect place = screen.place_of_window(fullscreen);
+    window = SDL_CreateWindow("penpose", place.x, place.y, place.w, place.h, flags);
+  };
   // Px of the window itself, not of a texture that a graphics card shows in it.
-  SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, way == render::DrawWay::cpu ? "0" : nullptr);
-  constexpr int k_width = 1280;
-  constexpr int k_height = 800;
-  window = SDL_CreateWindow("penpose", SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, k_width, k_height, flags);
-  if (window == nullptr) return no_display(sdl_error());
-  if (way == render::DrawWay::cpu) return base::Done{};
-  context = SDL_GL_CreateContext(window);
-  if (context != nullptr) return base::Done{};
-  SDL_DestroyWindow(std::exchange(window, nullptr));
-  return base::Error{"OpenGL 3.1 could not be started (" + sdl_error() + ")", "",
+  SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, one == render::DrawWay::cpu ? "0" : nullptr);
+  if (one == render::DrawWay::cpu) {
+    open_window();
+    if (window != nullptr) return base::Done{};
+    return base::Error{"no window could be opened (" + sdl_error() + ")", "", "start it on a desktop"};
+  }
+  if (const auto room = render::check_room_for_gl(); !room) return room.error();
+  if (const auto threads = render::check_threads_for_gl(); !threads) return threads.error();
+  // The picture is averaged before it reaches the window, which needs no depth of its own.
+  SDL_GL_SetAttribute(SDL_GL_DEPTH_SIZE, 0);
+  flags |= SDL_WINDOW_OPENGL;
+  for (const render::GlVersion& version : render::versions_of(one)) {
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, version.profile);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, version.major);
+    SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, version.minor);
+    open_window();
+    if (window != nullptr) context = SDL_GL_CreateContext(window);
+    if (context != nullptr) return base::Done{};
+    close();
+  }
+  return base::Error{render::needs_of(one) + " could not be started (" + sdl_error() + ")", "",
                      "install libgl1 and libgl1-mesa-dri, or draw with --draw cpu"};
 }
 
-std::unique_ptr<Presenter> Window::State::presenter() const {
-  if (way == render::DrawWay::cpu) return make_cpu_presenter(window);
+std::unique_ptr<Presenter> Window::State::presenter() {
+  if (way == render::DrawWay::cpu) return screen.cpu_presenter();
   SDL_GL_MakeCurrent(window, nullptr);
-  return make_gl_presenter(window, context);
+  return make_gl_presenter(window, context, way);
 }
 
 void Window::State::take_key(const SDL_KeyboardEvent& key, Interface& interface) {
@@ -155,31 +161,28 @@ void Window::State::take_key(const SDL_KeyboardEvent& key, Interface& interface)
 }
 
 void Window::State::take_event(const SDL_Event& event, App& app, Interface& interface) const {
-  const double per_unit = ratio();
-  const auto place = [&](double x, double y) { return PxPoint{x * per_unit, y * per_unit}; };
   const auto button_of = [](Uint8 button) {
     return button == SDL_BUTTON_LEFT     ? MouseButton::left
            : button == SDL_BUTTON_MIDDLE ? MouseButton::middle
                                          : MouseButton::right;
   };
   const auto finger = [&](FingerKind kind) {
-    app.of<Pointer>().finger(
-        kind, event.tfinger.fingerId,
-        {static_cast<double>(event.tfinger.x) * size().width, static_cast<double>(event.tfinger.y) * size().height});
+    const PxPoint at = screen.of_finger(static_cast<double>(event.tfinger.x), static_cast<double>(event.tfinger.y));
+    app.of<Pointer>().finger(kind, event.tfinger.fingerId, at);
   };
   switch (event.type) {
     case SDL_QUIT:
       app.of<Leaving>().ask_to_quit();
       break;
     case SDL_MOUSEMOTION:
-      app.of<Pointer>().moved(place(event.motion.x, event.motion.y));
+      app.of<Pointer>().moved(screen.of_mouse(event.motion.x, event.motion.y));
       break;
     case SDL_MOUSEBUTTONDOWN:
     case SDL_MOUSEBUTTONUP: {
       if (event.button.button > SDL_BUTTON_RIGHT) break;
       const SDL_Keymod held = SDL_GetModState();
       app.of<Pointer>().button(button_of(event.button.button), event.type == SDL_MOUSEBUTTONDOWN,
-                               place(event.button.x, event.button.y), (held & KMOD_SHIFT) != 0,
+                               screen.of_mouse(event.button.x, event.button.y), (held & KMOD_SHIFT) != 0,
                                (held & KMOD_CTRL) != 0);
       break;
     }
@@ -217,7 +220,7 @@ void Window::State::take_event(const SDL_Event& event, App& app, Interface& inte
 Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Window::~Window() = default;
 
-base::Result<std::unique_ptr<Window>> Window::open(bool fullscreen, std::optional<render::DrawWay> way) {
+base::Result<std::unique_ptr<Window>> Window::open(const files::WindowRequest& request) {
   // Fingers come as fingers alone, and a click into a window that was behind another one counts.
   SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");
   SDL_SetHint(SDL_HINT_MOUSE_TOUCH_EVENTS, "0");
@@ -225,24 +228,11 @@ base::Result<std::unique_ptr<Window>> Window::open(bool fullscreen, std::optiona
   SDL_SetHint(SDL_HINT_MOUSE_FOCUS_CLICKTHROUGH, "1");
   SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
   SDL_SetHint(SDL_HINT_VIDEO_ALLOW_SCREENSAVER, "1");
-  // Only what can be there is tried, because the others complain on standard error.
-  const char* wanted = std::getenv("SDL_VIDEODRIVER");
-  if (wanted == nullptr) {
-    const bool x11 = std::getenv("DISPLAY") != nullptr;
-    const bool wayland = std::getenv("WAYLAND_DISPLAY") != nullptr;
-    SDL_SetHint(SDL_HINT_VIDEODRIVER, wayland && x11 ? "wayland,x11" : wayland ? "wayland" : x11 ? "x11" : "KMSDRM");
-  }
-  if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) return no_display(sdl_error());
-  auto state = std::make_unique<State>();
-  base::Status started = base::Error{"this penpose was not built to draw that way",
-                                     way ? std::string(render::name_of(*way)) : std::string(), "draw with --draw cpu"};
-  for (const render::DrawWay one : render::built_in_ways()) {
-    if (way && *way != one) continue;
-    started = state->start(one, fullscreen);
-    if (started) break;
-  }
-  if (!started) return started.error();
-  SDL_SetWindowMinimumSize(state->window, 640, 400);
+  auto state = std::make_unique<State>(request);
+  const auto way = state->screen.only_way() ? state->screen.only_way() : render::way_of(request.draw);
+  state->fullscreen = request.fullscreen;
+  state->untried = way ? std::vector{*way} : render::built_in_ways();
+  if (const auto started = state->start(); !started) return started.error();
   state->wake_event = SDL_RegisterEvents(2);
   state->picture_event = state->wake_event + 1;
   return std::unique_ptr<Window>(new Window(std::move(state)));
@@ -258,7 +248,12 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
                          bool until_played) {
   SDL_Event picture_shown{};
   picture_shown.type = state_->picture_event;
-  auto drawing = DrawThread::start(state_->presenter(), [&] { SDL_PushEvent(&picture_shown); });
+  const auto start_drawing = [&] {
+    return DrawThread::start(state_->presenter(), [&] { SDL_PushEvent(&picture_shown); });
+  };
+  auto drawing = start_drawing();
+  // A driver may offer what it then refuses.
+  while (!drawing && !state_->untried.empty() && state_->start()) drawing = start_drawing();
   if (!drawing) return drawing.error();
   DrawThread& thread = **drawing;
   const Canvas& canvas = app.of<Canvas>();
@@ -300,6 +295,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
         state_->take_event(event, app, interface);
       } while (SDL_PollEvent(&event) == 1);
     }
+    tablets.set_exclusive((SDL_GetWindowFlags(state_->window) & SDL_WINDOW_INPUT_FOCUS) != 0);
     tablets.take(app.of<TabletEvents>(), app.of<Notices>());
     if (StopWatch::asked()) leaving.quit_at_once();
     // Reports that are due, and the face that follows them, are no part of a frame.
@@ -324,7 +320,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     }
     const std::int64_t cpu_before = thread_cpu_us();
     const std::int64_t now = device::monotonic_us();
-    app.of<Pointer>().resized(thread.drawable().value_or(state_->size()), state_->dpi());
+    app.of<Pointer>().resized(thread.drawable().value_or(state_->screen.size()), state_->screen.dpi());
     app.begin_frame();
     interface.frame(static_cast<double>(now - last_us) * 1e-6);
     last_us = now;
@@ -345,6 +341,7 @@ base::Status Window::run(App& app, Interface& interface, Tablets& tablets, Timin
     if (until_played && player.trace && player.trace->finished()) leaving.quit();
   }
   timings.drawn_us = thread.times_us();
+  timings.way = render::name_of(state_->way);
   return status;
 }
 

@@ -1,15 +1,14 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
 #include "core/base/result.h"
 #include "ui/app/app.h"
 #include "ui/app/hands/tablets.h"
 #include "ui/app/interface.h"
 #include "ui/app/window/timings.h"
+#include "ui/files/window_request.h"
 #include "ui/live/live.h"
-#include "ui/render/renderer.h"
 
 namespace penpose::app {
 
@@ -18,7 +17,7 @@ class Window {
  public:
   /// By the way to draw asked for, or else by the first of render::built_in_ways that starts. Errors: there is no
   /// display, or the way asked for does not start.
-  static base::Result<std::unique_ptr<Window>> open(bool fullscreen, std::optional<render::DrawWay> way);
+  static base::Result<std::unique_ptr<Window>> open(const files::WindowRequest& request);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <system_error>
+#include <utility>
 
 #include "core/base/json/json.h"
 #include "firmware_io/decode/decoder_factory.h"
@@ -44,7 +45,8 @@ struct Interface {
   std::optional<decode::DescribedPad> pad;  ///< keys of the tablet, which are not printed here
   bool has_report_ids = false;
   bool is_anew = false;      ///< declared again behind its reports: a decoder is to be chosen
-  bool prints_axes = false;  ///< before its next sample, since they may be others than those at the top
+  bool prints_axes = false;  ///< before its next row of CSV, since they may be others than those at the top
+  bool axes_told = false;    ///< with its first sample of JSON
 };
 
 class DecodeRun {
@@ -62,6 +64,7 @@ class DecodeRun {
   void hear(const replay::TraceReport& report);
   void print(const replay::TraceReport& report, Interface& interface);
   void begin_output(const decode::PenAxes& axes);
+  void tell_axes(int device, const decode::PenAxes& axes);
   void end_output(const replay::TraceSource& source);
 
   const DecodeOptions& options_;
@@ -74,7 +77,9 @@ class DecodeRun {
   bool with_device_ = false;
   bool begun_ = false;
   std::uint64_t samples_ = 0;
-  std::set<std::string> guesses_;  ///< that samples were read by
+  std::string first_axes_;                ///< in JSON, those at the top
+  std::map<int, std::string> told_axes_;  ///< of devices, those of the samples printed last
+  std::set<std::string> guesses_;         ///< that samples were read by
 };
 
 /// Looks ahead for the `device` column; a pipe cannot be read twice, there only what comes before the first report
@@ -155,12 +160,20 @@ void DecodeRun::hear(const replay::TraceReport& report) {
 void DecodeRun::begin_output(const decode::PenAxes& axes) {
   begun_ = true;
   if (options_.json) {
-    out_ += "{\"axes\": {";
-    append_json_axes(out_, axes);
-    out_ += "},\n\"samples\": [";
+    append_json_axes(first_axes_, axes);
+    out_ += "{\"axes\": {" + first_axes_ + "},\n\"samples\": [";
   } else {
     append_csv_header(out_, axes, with_device_);
   }
+}
+
+/// A member of a sample: the axes of its device's samples from it on, if they are others than those before.
+void DecodeRun::tell_axes(int device, const decode::PenAxes& axes) {
+  std::string& told = told_axes_.try_emplace(device, first_axes_).first->second;
+  std::string now;
+  append_json_axes(now, axes);
+  if (now != told) out_ += ", \"axes\": {" + now + '}';
+  told = std::move(now);
 }
 
 void DecodeRun::end_output(const replay::TraceSource& source) {
@@ -207,6 +220,7 @@ void DecodeRun::print(const replay::TraceReport& report, Interface& interface) {
     if (options_.json) {
       out_ += samples_ == 0 ? "\n{" : ",\n{";
       append_json_sample(out_, printed);
+      if (!std::exchange(interface.axes_told, true)) tell_axes(report.device, axes);
       out_ += '}';
     } else {
       append_csv_row(out_, printed, with_device_);
@@ -254,7 +268,7 @@ int DecodeRun::run() {
   end_output(source);
   if (const int status = end_of_trace(source, options_.trace, rowless_.all); status != k_success) return status;
   if (samples_ == 0) std::cerr << "penpose: " << why_no_rows(rowless_).line(options_.trace) << '\n';
-  for (const std::string& guess : guesses_) files::warn(guess_note(guess), options_.trace);
+  for (const std::string& guess : guesses_) files::warn(files::guess_note(guess), options_.trace);
   return k_success;
 }
 
@@ -273,7 +287,10 @@ int decode_trace(const DecodeOptions& options) {
 }
 
 void add_options(CLI::App& command, DecodeOptions& options) {
-  command.add_option("trace", options.trace, "Trace in hid-recorder's text format")->required();
+  command
+      .add_option("trace", options.trace,
+                  "Recording of a tablet: of penpose, hid-recorder, usbhid-dump, evemu, OpenTabletDriver or usbmon")
+      ->required();
   auto* csv = command.add_flag("--csv", options.csv, "Comma-separated rows (the default)");
   command.add_flag("--json", options.json, "One JSON object")->excludes(csv);
   auto* pad = command.add_flag("--pad", options.pad, "Keys, rings, strips and wheels of the tablet instead of its pen");
@@ -287,7 +304,7 @@ void add_options(CLI::App& command, DecodeOptions& options) {
 
 Subcommand decode_subcommand() {
   return subcommand<DecodeOptions>("decode", files::Rights::reads_only,
-                                   "Prints what pen or hand did in a trace of raw HID reports", add_options,
+                                   "Prints what pen or hand did in a recording of raw reports", add_options,
                                    decode_trace, {"penpose decode pen.hid --csv", "the pen, sample by sample"},
                                    {"penpose decode pen.hid --pad", "what the keys and rings of the tablet did"},
                                    {{"--protocol", Completes::nothing}, {"--tablet", Completes::nothing}});

@@ -13,7 +13,9 @@
 #include "firmware_io/device/source/driver_guard.h"
 #include "ui/cli/commands.h"
 #include "ui/files/files.h"
+#include "ui/files/own_tablets.h"
 #include "ui/files/process/own_program.h"
+#include "ui/render/renderer.h"
 
 namespace penpose::cli {
 namespace {
@@ -63,6 +65,7 @@ Json to_json(const device::LiveTablet& tablet) {
            {"method", tablet.method},
            {"tablet", nullptr},
            {"certain", tablet.match && tablet.match->certain},
+           {"guess", or_null(tablet.guess)},
            {"transport", word(tablet.transport)},
            {"transport_reason", tablet.reason},
            {"driver", or_null(interface.driver)},
@@ -91,8 +94,37 @@ void print(const device::LiveTablet& tablet) {
   std::cout << (tablet.access == device::Access::allowed ? ", can be opened\n" : ", cannot be opened\n");
   std::cout << "    through " << (tablet.transport == device::Transport::event ? "its " : "") << word(tablet.transport)
             << ": " << tablet.reason << '\n';
-  if (const auto why = device::missing(tablet, files::own_program()); !why.empty())
-    std::cout << "    " << base::shown_line(why, k_longest_line) << '\n';
+  // What is missing comes first: once it is there, the tablet's strings may tell the model.
+  std::string note = device::missing(tablet, files::own_program());
+  if (note.empty() && !tablet.guess.empty()) note = files::guess_note(tablet.guess);
+  if (!note.empty()) std::cout << "    " << base::shown_line(note, k_longest_line) << '\n';
+}
+
+/// How pictures would be drawn, and how else they can be.
+Json to_json(const std::vector<render::WayHere>& ways) {
+  Json out = Json::array();
+  for (const render::WayHere& one : ways) {
+    Json row{{"way", std::string(render::name_of(one.way))}, {"driver", nullptr}, {"missing", nullptr}};
+    if (one.driver) row["driver"] = *one.driver;
+    if (!one.driver) row["missing"] = one.driver.error().line();
+    out.push_back(std::move(row));
+  }
+  return out;
+}
+
+void print(const std::vector<render::WayHere>& ways) {
+  std::string first;
+  std::string others;
+  for (const render::WayHere& one : ways) {
+    const std::string name(render::name_of(one.way));
+    if (!one.driver) continue;
+    if (first.empty()) {
+      first = name + " (" + *one.driver + ')';
+    } else {
+      others += (others.empty() ? "; also there: " : ", ") + name;
+    }
+  }
+  std::cout << "pictures are drawn by " << base::shown_line(first, k_longest_line) << others << '\n';
 }
 
 std::string rule_with(const decode::TabletTable& own) {
@@ -108,12 +140,13 @@ int list_live_devices(const decode::TabletTable& own, bool json) {
   if (json) {
     Json list = Json::array();
     for (const auto& tablet : tablets) list.push_back(to_json(tablet));
-    const Json out{{"count", tablets.size()}, {"tablets", std::move(list)}};
+    const Json out{{"count", tablets.size()}, {"tablets", std::move(list)}, {"draw", to_json(render::ways_here())}};
     std::cout << out.dump_as_made(2) << '\n';
     return k_success;
   }
   for (const auto& tablet : tablets) print(tablet);
   if (tablets.empty()) std::cout << "no tablet is plugged in\n";
+  print(render::ways_here());
   return k_success;
 }
 

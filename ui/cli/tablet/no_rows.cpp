@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "firmware_io/decode/hand_factory.h"
 #include "firmware_io/decode/table/tablet_table.h"
 
 namespace penpose::cli {
@@ -24,7 +25,12 @@ const decode::Tablet* tablet_with_ids(const decode::DeviceIdentity& device) {
 base::Error why_unread(const RowlessReports& reports) {
   base::Error why = *reports.refusal;
   const bool is_named = reports.refused.vendor != 0 || reports.refused.product != 0;
-  if (!is_named && reports.refused.report_descriptor.empty()) {
+  const decode::HandDecoders hand = decode::make_hand_decoders(reports.refused);
+  const bool has_keys = hand.pad != nullptr && hand.pad->features().any();
+  if (has_keys || hand.touch != nullptr) {
+    why.what = std::string("this interface carries ") + (has_keys ? "keys" : "fingers") + " and no pen";
+    why.remedy = std::string(has_keys ? "--pad" : "--touch") + " prints them";
+  } else if (!is_named && reports.refused.report_descriptor.empty()) {
     why.what = "the recording does not say which tablet it is of";
     why.remedy =
         "name the tablet with --tablet NAME, or its reports with --protocol NAME; `penpose devices --known` lists both"

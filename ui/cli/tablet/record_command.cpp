@@ -7,6 +7,7 @@
 #include <optional>
 #include <poll.h>
 #include <unistd.h>
+#include <utility>
 
 #include "core/base/text/shown_text.h"
 #include "firmware_io/device/clock.h"
@@ -71,6 +72,7 @@ struct Recorded {
   std::string place;
   std::unique_ptr<device::ReportPump> pump;
   bool ended = false;
+  bool taken = false;  ///< by another program, which was said
 };
 
 /// The same for an interface as long as it is plugged in, whoever has it.
@@ -92,6 +94,7 @@ class RecordRun {
   void take_arrivals();
   base::Status write_new();
   void take_records();
+  void tell_taken();
   void wait();
   [[nodiscard]] bool all_gone() const;
   [[nodiscard]] std::uint64_t lost() const;
@@ -125,8 +128,9 @@ void RecordRun::begin(device::LiveTablet tablet) {
     return;
   }
   const int number = recorder_.add_tablet(tablet.interface.identity, tablet.interface.trace_path(), own_);
-  auto pump = std::make_unique<device::ReportPump>(std::move(*source), device::ReportPump::Options{tablet.wake_up()});
-  tablets_.push_back({number, name, place_of(tablet), std::move(pump), false});
+  auto pump =
+      std::make_unique<device::ReportPump>(std::move(*source), device::ReportPump::Options{tablet.wake_up(), true});
+  tablets_.push_back({number, name, place_of(tablet), std::move(pump)});
   std::cerr << (visible_ ? "\r\033[K" : "") << "recording " << name << " (" << tablet.path() << ", "
             << (tablet.method.empty() ? "not recognised" : tablet.method) << ")\n";
 }
@@ -176,6 +180,14 @@ void RecordRun::take_records() {
     tablet.ended = true;
     std::cerr << (visible_ ? "\r\033[K" : "") << tablet.name << " was unplugged"
               << (held.empty() ? "" : " with " + held + " held: let go") << '\n';
+  }
+}
+
+void RecordRun::tell_taken() {
+  for (Recorded& tablet : tablets_) {
+    if (std::exchange(tablet.taken, tablet.pump->is_taken()) || !tablet.taken) continue;
+    std::cerr << (visible_ ? "\r\033[K" : "") << "penpose: " << tablet.name
+              << ": another program has it for itself, so nothing comes; close that program\n";
   }
 }
 
@@ -260,6 +272,7 @@ int RecordRun::run() {
     const std::int64_t now = device::monotonic_us();
     over = files::StopSignal::asked() || (options_.seconds > 0 && now - begin >= length_us);
     take_records();
+    tell_taken();
     take_arrivals();
     over = over || all_gone();
     status = write_new();

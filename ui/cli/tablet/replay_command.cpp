@@ -249,7 +249,7 @@ int replay_session(const ReplayArguments& arguments) {
   }
   for (const auto& problem : played->problems) std::cerr << "penpose: " << problem.line(arguments.session) << '\n';
   for (const auto& refusal : played->refusals) std::cerr << "penpose: " << refusal.line(arguments.session) << '\n';
-  for (const auto& guess : played->session->pens().guesses()) files::warn(guess_note(guess), arguments.session);
+  for (const auto& guess : played->session->pens().guesses()) files::warn(files::guess_note(guess), arguments.session);
   if (arguments.strokes && played->session->stroke_count() < *arguments.strokes) {
     files::warn("it has no more than " + std::to_string(played->session->stroke_count()) + " strokes",
                 arguments.session);
@@ -280,7 +280,8 @@ int replay_session(const ReplayArguments& arguments) {
 }
 
 void add_options(CLI::App& command, ReplayArguments& arguments) {
-  command.add_option("SESSION", arguments.session, "Session or trace in hid-recorder's text format")->required();
+  command.add_option("SESSION", arguments.session, "Session, or any recording of a tablet that decode reads")
+      ->required();
   command.add_option("--model", arguments.model, "Model to draw on, when it is not where the session says");
   command.add_option("-o,--output", arguments.output, "Project or model file to write at the end (.glb, .gltf, .obj)");
   command.add_option("--png", arguments.picture, "PNG file of the last view");

@@ -9,8 +9,4 @@ void add_tablet_options(CLI::App& command, files::OwnTablets& own) {
                      "The tablet that is meant, by its name, where others have the same ids");
 }
 
-std::string guess_note(const std::string& guess) {
-  return "a guess: " + guess + "; " + files::k_tablet_option + " NAME says which it is";
-}
-
 }  // namespace penpose::cli

@@ -8,7 +8,4 @@ namespace penpose::cli {
 /// Adds --tablets FILE and --tablet NAME.
 void add_tablet_options(CLI::App& command, files::OwnTablets& own);
 
-/// Says of a guess (decode::Recognition) what to do.
-[[nodiscard]] std::string guess_note(const std::string& guess);
-
 }  // namespace penpose::cli

@@ -26,7 +26,7 @@ int end_of_trace(const replay::TraceSource& source, const std::string& path, std
   if (!std::cout) return files::report({"the output cannot be written", "", "check the disk"});
   if (source.devices().empty() && reports == 0) {
     return files::report({"is no recording: it has neither devices nor reports", "",
-                          "give a text file as hid-recorder or `penpose record` writes it"},
+                          "give a recording as `penpose record`, hid-recorder, usbhid-dump or Wireshark writes it"},
                          path);
   }
   // After the refusal, which is one line: where nothing can be read, it matters little what each line lacks.

@@ -22,8 +22,8 @@ class Playback:
 
 
 def play(session: bytes, on: Optional[Character] = None) -> Tuple[Character, Playback]:
-    """Replays a session or a plain trace as fast as it goes, on the character that it was recorded on (default: the built-in head that it
-    names). Raises Error with Status.DIVERGED where a state differs from what was recorded."""
+    """Replays a session, or a recording of a tablet of any kind that `penpose replay` reads, as fast as it goes, on the character that it was
+    recorded on (default: the built-in head that it names). Raises Error with Status.DIVERGED where a state differs from what was recorded."""
     handle, playback = c_uint64(), _c.CPlayback()
     _c.check(C.penpose_session_play, LIBRARY.pointer, session, len(session), on._on[1] if on is not None else 0, byref(handle),
              byref(playback))

@@ -136,6 +136,9 @@ void CpuRenderer::State::draw_backdrop(const Background& colors, geometry::Viewp
 
 void CpuRenderer::State::draw_pass(const Scene& scene, const geometry::Camera& camera, int pass, bool pose_alone) {
   Raster raster{make_view(scene.positions, camera), camera.viewport(), glm::vec2(0)};
+  // A view that is made anew with each pose would move all of the picture by thousandths of a px.
+  const bool goes_on = pose_alone || (smooths && pass > 0);
+  if (goes_on && serves(first_view, raster.view)) raster.view = first_view;
   // Samples move one way, the picture the other; y counts downwards.
   raster.shift = {-k_smoothing_places[pass][0], k_smoothing_places[pass][1]};
   draw_backdrop(scene.background, raster.size);

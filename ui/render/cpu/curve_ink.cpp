@@ -19,6 +19,10 @@ using Ink = std::array<float, 4>;  ///< 0..1, as displayed, and alpha
 
 float unit(float value) { return value < 0.0F ? 0.0F : value > 1.0F ? 1.0F : value; }
 
+PxRect around(const PxRect& a, const PxRect& b) {
+  return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
+}
+
 struct Line {
   CurvePiece piece;
   PxRect px;
@@ -102,6 +106,7 @@ class Square {
           if (highlighted) color = mixed(color, k_halo_color[c], unit(0.5F + d - k_outline_px));
           blend(out[c], color * 255.0F, alpha);
         }
+        blend(out[3], 255.0F, alpha);
       }
     }
   }
@@ -112,15 +117,14 @@ class Square {
   std::array<Ink, static_cast<std::size_t>(k_side* k_side)> ink_{};
 };
 
-void draw_curve(const CurveDrawing& curve, const geometry::Camera& camera, Image& picture) {
+PxRect draw_curve(const CurveDrawing& curve, const geometry::Camera& camera, Image& picture) {
   const PxRect whole{0, 0, picture.width, picture.height};
   std::vector<Line> lines;
   PxRect all{picture.width, picture.height, 0, 0};
   for (const CurvePiece& piece : curve_pieces(curve, camera)) {
     const Line line = line_of(piece, whole);
     if (line.px.empty()) continue;
-    all = {std::min(all.left, line.px.left), std::min(all.top, line.px.top), std::max(all.right, line.px.right),
-           std::max(all.bottom, line.px.bottom)};
+    all = around(all, line.px);
     lines.push_back(line);
   }
   for (int top = all.top; top < all.bottom; top += k_side) {
@@ -135,16 +139,21 @@ void draw_curve(const CurveDrawing& curve, const geometry::Camera& camera, Image
       square.draw(curve.highlighted, picture);
     }
   }
+  return all;
 }
 
 }  // namespace
 
-void draw_curves(std::span<const CurveDrawing> curves, const geometry::Camera& camera, Image& picture) {
+PxRect draw_curves(std::span<const CurveDrawing> curves, const geometry::Camera& camera, Image& picture) {
+  PxRect drawn;
   for (const bool highlighted : {false, true}) {
     for (const CurveDrawing& curve : curves) {
-      if (curve.highlighted == highlighted) draw_curve(curve, camera, picture);
+      if (curve.highlighted != highlighted) continue;
+      const PxRect one = draw_curve(curve, camera, picture);
+      if (!one.empty()) drawn = drawn.empty() ? one : around(drawn, one);
     }
   }
+  return drawn;
 }
 
 }  // namespace penpose::render

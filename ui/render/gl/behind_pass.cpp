@@ -1,32 +1,38 @@
 #include "ui/render/gl/behind_pass.h"
 
 #include <epoxy/gl.h>
+#include <string_view>
 #include <utility>
-
-#include "ui/render/gl/shaders.h"
 
 namespace penpose::render {
 namespace {
 
-constexpr std::string_view k_behind_fragment = R"(
-in vec2 place;
-uniform sampler2D picture;
+constexpr std::string_view k_behind_vertex = R"(
+from_buffer vec2 corner;
 uniform vec2 from;
 uniform vec2 to;
-uniform float opacity;
-out vec4 result;
+to_fragment vec2 at;
 void main() {
-  vec2 at = (place - from) / (to - from);
+  at = (corner * 0.5 + 0.5 - from) / (to - from);
+  gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+
+constexpr std::string_view k_behind_fragment = R"(
+from_vertex vec2 at;
+uniform sampler2D picture;
+uniform float opacity;
+void main() {
   if (at.x < 0.0 || at.y < 0.0 || at.x > 1.0 || at.y > 1.0) discard;
-  vec4 color = texture(picture, at);
+  vec4 color = sample_picture(picture, at);
   result = vec4(color.rgb, color.a * opacity);
 }
 )";
 
 }  // namespace
 
-base::Result<BehindPass> BehindPass::make() {
-  auto program = GlProgram::make(k_screen_vertex, k_behind_fragment, {});
+base::Result<BehindPass> BehindPass::make(const GlDialect& dialect) {
+  auto program = GlProgram::make(dialect, k_behind_vertex, k_behind_fragment, {"corner"});
   if (!program) return program.error();
   BehindPass pass;
   pass.program_ = std::move(*program);
@@ -61,7 +67,7 @@ bool BehindPass::begin(const Behind& behind, geometry::Viewport viewport) {
   if (sent_ != behind.image) {
     sent_ = behind.image;
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, sent_->width, sent_->height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, sent_->width, sent_->height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                  sent_->pixels.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);

@@ -11,7 +11,7 @@ namespace penpose::render {
 /// Draws it over the background. One OpenGL context only.
 class BehindPass {
  public:
-  static base::Result<BehindPass> make();
+  static base::Result<BehindPass> make(const GlDialect& dialect);
   BehindPass() = default;
   ~BehindPass();
   BehindPass(BehindPass&& other) noexcept;

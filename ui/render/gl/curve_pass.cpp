@@ -21,8 +21,9 @@ struct Run {
 
 }  // namespace
 
-base::Result<CurvePass> CurvePass::make() {
-  auto program = GlProgram::make(k_curve_vertex, k_curve_fragment, {"corner", "ends", "radii", "color", "order"});
+base::Result<CurvePass> CurvePass::make(const GlDialect& dialect) {
+  auto program =
+      GlProgram::make(dialect, k_curve_vertex, k_curve_fragment, {"corner", "ends", "radii", "color", "order"});
   if (!program) return program.error();
   CurvePass made;
   made.program_ = std::move(*program);

@@ -12,7 +12,8 @@ namespace penpose::render {
 /// Draws curves over the picture. Keeps one vertex buffer of the current context.
 class CurvePass {
  public:
-  static base::Result<CurvePass> make();
+  /// Precondition: a modern dialect.
+  static base::Result<CurvePass> make(const GlDialect& dialect);
   CurvePass() = default;
   ~CurvePass();
   CurvePass(CurvePass&& other) noexcept;

@@ -56,14 +56,15 @@ void Framebuffers::release() {
        {surface_target_, picture_target_, picture_plain_target_, occlusion_target_, average_target_}) {
     if (target != 0) glDeleteFramebuffers(1, &target);
   }
-  for (const unsigned buffer : {surface_color_, surface_depth_}) {
+  for (const unsigned buffer : {surface_color_, surface_depth_, plain_depth_}) {
     if (buffer != 0) glDeleteRenderbuffers(1, &buffer);
   }
   for (const unsigned texture : {picture_color_, depth_texture_, occlusion_texture_, average_texture_}) {
     if (texture != 0) glDeleteTextures(1, &texture);
   }
   surface_target_ = picture_target_ = picture_plain_target_ = occlusion_target_ = average_target_ = 0;
-  surface_color_ = surface_depth_ = picture_color_ = depth_texture_ = occlusion_texture_ = average_texture_ = 0;
+  surface_color_ = surface_depth_ = plain_depth_ = picture_color_ = depth_texture_ = occlusion_texture_ =
+      average_texture_ = 0;
   width_ = height_ = 0;
 }
 
@@ -78,7 +79,8 @@ base::Status Framebuffers::resize(int width, int height) {
   release();
   while (glGetError() != GL_NO_ERROR) {
   }
-  glGetIntegerv(GL_MAX_SAMPLES, &samples_);
+  samples_ = 1;
+  if (dialect_.modern) glGetIntegerv(GL_MAX_SAMPLES, &samples_);
   samples_ = std::clamp(samples_, 1, most_samples_);
   if (samples_ == 1) samples_ = 0;  // one sample a px needs no target of its own
   if (samples_ > 0) {
@@ -89,9 +91,18 @@ base::Status Framebuffers::resize(int width, int height) {
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, surface_color_);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, surface_depth_);
   }
-  picture_color_ = make_texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width, height);
-  depth_texture_ = make_texture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, width, height);
-  picture_target_ = make_target(picture_color_, depth_texture_);
+  picture_color_ = make_texture(GL_RGBA, GL_RGBA, GL_UNSIGNED_BYTE, width, height);
+  if (dialect_.modern) {
+    depth_texture_ = make_texture(GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, width, height);
+    picture_target_ = make_target(picture_color_, depth_texture_);
+  } else {
+    picture_target_ = make_target(picture_color_, 0);
+    glGenRenderbuffers(1, &plain_depth_);
+    glBindRenderbuffer(GL_RENDERBUFFER, plain_depth_);
+    glRenderbufferStorage(GL_RENDERBUFFER, dialect_.depth_24 ? GL_DEPTH_COMPONENT24 : GL_DEPTH_COMPONENT16, width,
+                          height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, plain_depth_);
+  }
   picture_plain_target_ = make_target(picture_color_, 0);
   const bool good = (surface_target_ == 0 || complete(surface_target_)) && complete(picture_target_) &&
                     complete(picture_plain_target_) && glGetError() == GL_NO_ERROR;
@@ -121,7 +132,7 @@ void Framebuffers::resolve() const {
 void Framebuffers::begin_occlusion() {
   // Made when it is first asked for: a software renderer does without it.
   if (occlusion_target_ == 0) {
-    occlusion_texture_ = make_texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width_, height_);
+    occlusion_texture_ = make_texture(GL_RGBA, GL_RGBA, GL_UNSIGNED_BYTE, width_, height_);
     occlusion_target_ = make_target(occlusion_texture_, 0);
   }
   glBindFramebuffer(GL_FRAMEBUFFER, occlusion_target_);
@@ -129,7 +140,7 @@ void Framebuffers::begin_occlusion() {
 
 void Framebuffers::begin_average(float share) {
   if (average_target_ == 0) {
-    average_texture_ = make_texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, width_, height_);
+    average_texture_ = make_texture(GL_RGBA, GL_RGBA, GL_UNSIGNED_BYTE, width_, height_);
     average_target_ = make_target(average_texture_, 0);
   }
   glBindFramebuffer(GL_FRAMEBUFFER, average_target_);
@@ -140,7 +151,7 @@ void Framebuffers::begin_average(float share) {
   glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
 }
 
-void Framebuffers::show_average() const {
+void Framebuffers::blit_average() const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, average_target_);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture_target_);
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -157,7 +168,7 @@ Image Framebuffers::read() const {
   Image image{width_, height_, {}};
   const auto row = static_cast<std::size_t>(width_) * 4;
   image.pixels.resize(row * static_cast<std::size_t>(height_));
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_target_);
+  glBindFramebuffer(GL_FRAMEBUFFER, picture_target_);
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.pixels.data());
   for (int y = 0; y < height_ / 2; ++y) {
@@ -169,7 +180,13 @@ Image Framebuffers::read() const {
   return image;
 }
 
-void Framebuffers::copy_to(unsigned framebuffer, int x, int y) const {
+void Framebuffers::begin_other(unsigned framebuffer, int x, int y) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glViewport(x, y, width_, height_);
+  glDisable(GL_DEPTH_TEST);
+}
+
+void Framebuffers::blit_to(unsigned framebuffer, int x, int y) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_plain_target_);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
   glBlitFramebuffer(0, 0, width_, height_, x, y, x + width_, y + height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);

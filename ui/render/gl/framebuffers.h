@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "ui/render/gl/gl_dialect.h"
 #include "ui/render/picture/image.h"
 
 namespace penpose::render {
@@ -11,10 +12,11 @@ namespace penpose::render {
 inline constexpr int k_most_samples = 8;
 
 /// What a picture is drawn into, of the current context: a multisampled target for surfaces, the resolved picture with
-/// a readable depth, and two textures for the occlusion. Kept while the size stays.
+/// a readable depth, and two textures for the occlusion. Without the modern dialect it has one sample a px, and a depth
+/// that cannot be read. Kept while the size stays.
 class Framebuffers {
  public:
-  Framebuffers() = default;
+  explicit Framebuffers(const GlDialect& dialect) : dialect_(dialect) {}
   ~Framebuffers();
   Framebuffers(const Framebuffers&) = delete;
   Framebuffers& operator=(const Framebuffers&) = delete;
@@ -31,15 +33,20 @@ class Framebuffers {
   /// drawn into the picture itself.
   void resolve() const;
   /// Adds the picture to an average of pictures, with a share of the whole; the first one with 1. Leaves blending on.
-  /// `fill` draws the texture of the picture over everything.
+  /// `fill` draws a texture over everything.
   template <typename Fill>
   void average(float share, const Fill& fill) {
     begin_average(share);
-    fill();
+    fill(picture_color_);
     begin_picture();
   }
-  /// The average in place of the picture, where draws go from here on.
-  void show_average() const;
+  /// The average in place of the picture, where draws go from here on. `fill` draws a texture over everything.
+  template <typename Fill>
+  void show_average(const Fill& fill) const {
+    if (dialect_.modern) return blit_average();
+    begin_picture();
+    fill(average_texture_);
+  }
   /// Draws go to the texture of the raw occlusion (same size as the picture).
   void begin_occlusion();
   /// Back to the picture.
@@ -52,15 +59,22 @@ class Framebuffers {
   [[nodiscard]] int samples() const { return samples_; }
 
   [[nodiscard]] Image read() const;
-  /// Copies the picture to another framebuffer (0: the window), its lower left corner at x, y.
-  void copy_to(unsigned framebuffer, int x, int y) const;
-
-  [[nodiscard]] unsigned picture_texture() const { return picture_color_; }
+  /// Copies the picture to another framebuffer (0: the window), its lower left corner at x, y. `fill` as above.
+  template <typename Fill>
+  void copy_to(unsigned framebuffer, int x, int y, const Fill& fill) const {
+    if (dialect_.modern) return blit_to(framebuffer, x, y);
+    begin_other(framebuffer, x, y);
+    fill(picture_color_);
+  }
 
  private:
+  void blit_average() const;
+  void blit_to(unsigned framebuffer, int x, int y) const;
+  void begin_other(unsigned framebuffer, int x, int y) const;
   void release();
   void begin_average(float share);
 
+  GlDialect dialect_;
   int width_ = 0;
   int height_ = 0;
   int samples_ = 0;
@@ -72,6 +86,7 @@ class Framebuffers {
   unsigned picture_plain_target_ = 0;
   unsigned picture_color_ = 0;
   unsigned depth_texture_ = 0;
+  unsigned plain_depth_ = 0;  ///< in place of that texture
   unsigned occlusion_target_ = 0;
   unsigned occlusion_texture_ = 0;
   unsigned average_target_ = 0;

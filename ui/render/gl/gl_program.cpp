@@ -6,14 +6,23 @@
 namespace penpose::render {
 namespace {
 
-constexpr std::string_view k_desktop = "#version 140\n";
-constexpr std::string_view k_embedded =
-    "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
+// What the words of shaders.h mean.
+constexpr std::string_view k_modern_vertex = "#define from_buffer in\n#define to_fragment out\n";
+constexpr std::string_view k_modern_fragment =
+    "#define from_vertex in\n#define sample_picture texture\n#define change_per_px(value) fwidth(value)\n"
+    "const float k_least_alpha = 0.01;\nout vec4 result;\n";
+constexpr std::string_view k_early_vertex = "#define from_buffer attribute\n#define to_fragment varying\n";
+constexpr std::string_view k_early_fragment =
+    "#define from_vertex varying\n#define sample_picture texture2D\n#define result gl_FragColor\n"
+    "#define PICTURES_ARE_ENCODED\n";
+// Where fragments have 10 bits alone, a sharp highlight would be none or all.
+constexpr std::string_view k_early_precision =
+    "#ifdef GL_FRAGMENT_PRECISION_HIGH\nprecision highp float;\nconst float k_least_alpha = 0.01;\n#else\n"
+    "precision mediump float;\nconst float k_least_alpha = 0.1;\n#endif\n";
 
 std::string first_line(std::string text) { return text.substr(0, text.find('\n')); }
 
-base::Result<unsigned> compile(unsigned kind, std::string_view source) {
-  const std::string whole = std::string(epoxy_is_desktop_gl() ? k_desktop : k_embedded) + std::string(source);
+base::Result<unsigned> compile(unsigned kind, const std::string& whole) {
   const unsigned shader = glCreateShader(kind);
   const char* text = whole.c_str();
   glShaderSource(shader, 1, &text, nullptr);
@@ -29,11 +38,28 @@ base::Result<unsigned> compile(unsigned kind, std::string_view source) {
 
 }  // namespace
 
-base::Result<GlProgram> GlProgram::make(std::string_view vertex, std::string_view fragment,
+std::string shader_source(const GlDialect& dialect, bool fragment, std::string_view text) {
+  std::string whole;
+  if (dialect.modern) {
+    whole = dialect.embedded ? "#version 300 es\nprecision highp float;\nprecision highp int;\n"
+                               "precision highp sampler2D;\n"
+                             : "#version 140\n";
+    whole += fragment ? k_modern_fragment : k_modern_vertex;
+    return whole += text;
+  }
+  whole = dialect.embedded ? "#version 100\n" : "#version 120\n";
+  if (!fragment) return whole.append(k_early_vertex).append(text);
+  if (dialect.embedded && dialect.derivatives) whole += "#extension GL_OES_standard_derivatives : enable\n";
+  whole += dialect.embedded ? k_early_precision : "const float k_least_alpha = 0.01;\n";
+  whole += dialect.derivatives ? "#define change_per_px(value) fwidth(value)\n" : "#define change_per_px(value) 0.01\n";
+  return whole.append(k_early_fragment).append(text);
+}
+
+base::Result<GlProgram> GlProgram::make(const GlDialect& dialect, std::string_view vertex, std::string_view fragment,
                                         std::initializer_list<const char*> attributes, std::string_view functions) {
-  auto first = compile(GL_VERTEX_SHADER, vertex);
+  auto first = compile(GL_VERTEX_SHADER, shader_source(dialect, false, vertex));
   if (!first) return first.error();
-  auto second = compile(GL_FRAGMENT_SHADER, std::string(functions).append(fragment));
+  auto second = compile(GL_FRAGMENT_SHADER, shader_source(dialect, true, std::string(functions).append(fragment)));
   if (!second) {
     glDeleteShader(*first);
     return second.error();
@@ -72,21 +98,6 @@ void GlProgram::set(const char* uniform, float x, float y) const { glUniform2f(l
 void GlProgram::set(const char* uniform, float x, float y, float z) const { glUniform3f(location(uniform), x, y, z); }
 void GlProgram::set_matrix(const char* uniform, const float* matrix) const {
   glUniformMatrix4fv(location(uniform), 1, GL_FALSE, matrix);
-}
-
-bool context_is_enough() {
-  const int version = epoxy_gl_version();
-  return epoxy_is_desktop_gl() ? version >= 31 : version >= 30;
-}
-
-std::string context_name() {
-  const auto text = [](unsigned what) {
-    const unsigned char* found = glGetString(what);
-    std::string result;
-    for (; found != nullptr && *found != 0; ++found) result += static_cast<char>(*found);
-    return result;
-  };
-  return "OpenGL " + text(GL_VERSION) + ", " + text(GL_RENDERER);
 }
 
 }  // namespace penpose::render

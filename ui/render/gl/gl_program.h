@@ -5,16 +5,19 @@
 #include <string_view>
 
 #include "core/base/result.h"
+#include "ui/render/gl/gl_dialect.h"
 
 namespace penpose::render {
 
-/// A linked shader program of the current context. Shaders are written in the words that GLSL 1.40 and GLSL ES 3.00
-/// share; the version line is added here.
+/// What a driver gets of a shader that is written in the words of shaders.h.
+[[nodiscard]] std::string shader_source(const GlDialect& dialect, bool fragment, std::string_view text);
+
+/// A linked shader program of the current context.
 class GlProgram {
  public:
   /// `attributes` get locations 0, 1, ... in their order; `functions` stand before the fragment shader. Errors: what
   /// the driver's compiler says, in one line.
-  static base::Result<GlProgram> make(std::string_view vertex, std::string_view fragment,
+  static base::Result<GlProgram> make(const GlDialect& dialect, std::string_view vertex, std::string_view fragment,
                                       std::initializer_list<const char*> attributes, std::string_view functions = {});
   GlProgram() = default;
   ~GlProgram();
@@ -34,10 +37,5 @@ class GlProgram {
 
   unsigned program_ = 0;
 };
-
-/// True when the current context is OpenGL 3.1 or OpenGL ES 3.0 or later.
-[[nodiscard]] bool context_is_enough();
-/// "OpenGL ..., RENDERER" of the current context, for messages.
-[[nodiscard]] std::string context_name();
 
 }  // namespace penpose::render

@@ -1,14 +1,18 @@
 #include "ui/render/gl/gl_renderer.h"
 
 #include <epoxy/gl.h>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 #include "ui/render/gl/behind_pass.h"
+#include "ui/render/gl/curve_layer.h"
 #include "ui/render/gl/curve_pass.h"
 #include "ui/render/gl/framebuffers.h"
 #include "ui/render/gl/gl_program.h"
-#include "ui/render/gl/mesh_pass.h"
+#include "ui/render/gl/mesh/mesh_pass.h"
 #include "ui/render/gl/offscreen_context.h"
+#include "ui/render/gl/screen_fill.h"
 #include "ui/render/gl/shaders.h"
 #include "ui/render/smoothing.h"
 
@@ -16,68 +20,87 @@ namespace penpose::render {
 
 struct GlRenderer::State {
   std::unique_ptr<OffscreenContext> context;  // first: it has to outlive what lives in it
+  GlDialect dialect;
+  ScreenFill screen;
+  MeshPass mesh;
   GlProgram background;
+  GlProgram copy;
   GlProgram occlusion;
   GlProgram occlusion_blur;
-  MeshPass mesh;
-  CurvePass curves;
   BehindPass behind_pass;
+  std::optional<CurvePass> curve_pass;    ///< modern
+  std::optional<CurveLayer> curve_layer;  ///< not modern
   Behind behind;
   Framebuffers targets;
-  unsigned empty_array = 0;
   bool occlude = true;
-  GlProgram copy;
   bool smooths = false;
   bool still = false;  ///< the last picture could have been drawn again
   int passes = 0;      ///< pictures that were averaged since the last change
   PictureSource last;
 
-  State(std::unique_ptr<OffscreenContext> owned, MeshPass mesh_pass, CurvePass curve_pass)
-      : context(std::move(owned)), mesh(std::move(mesh_pass)), curves(std::move(curve_pass)) {
-    glGenVertexArrays(1, &empty_array);
-  }
-  ~State() { glDeleteVertexArrays(1, &empty_array); }
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
+  State(std::unique_ptr<OffscreenContext> owned, const GlDialect& of, MeshPass mesh_pass)
+      : context(std::move(owned)), dialect(of), screen(of), mesh(std::move(mesh_pass)), targets(of) {}
 
-  static base::Result<std::unique_ptr<State>> make(std::unique_ptr<OffscreenContext> owned);
+  static base::Result<std::unique_ptr<State>> make(std::unique_ptr<OffscreenContext> owned, DrawWay way);
 
-  void fill_screen() const {
-    glBindVertexArray(empty_array);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glBindVertexArray(0);
-  }
+  base::Status add_programs();
+  [[nodiscard]] bool occludes() const { return occlude && dialect.modern; }
+  void copy_texture(unsigned texture) const;
   void draw_surfaces(const Scene& scene, const View& view, geometry::Viewport viewport);
   void add_pass(const Scene& scene, View view, geometry::Viewport viewport);
   void draw_background(const Background& colors) const;
   void draw_occlusion(const View& view, geometry::Viewport viewport);
+  void draw_still(const Scene& scene, const View& view, geometry::Viewport viewport, bool same);
 };
 
-base::Result<std::unique_ptr<GlRenderer::State>> GlRenderer::State::make(std::unique_ptr<OffscreenContext> owned) {
-  if (!context_is_enough()) {
-    return base::Error{"the driver offers only " + context_name(), "", "OpenGL 3.1 or OpenGL ES 3.0 is needed"};
-  }
-  auto mesh = MeshPass::make();
+base::Result<std::unique_ptr<GlRenderer::State>> GlRenderer::State::make(std::unique_ptr<OffscreenContext> owned,
+                                                                         DrawWay way) {
+  const auto dialect = dialect_of_context(way);
+  if (!dialect) return dialect.error();
+  auto mesh = MeshPass::make(*dialect);
   if (!mesh) return mesh.error();
-  auto curves = CurvePass::make();
-  if (!curves) return curves.error();
-  auto background = GlProgram::make(k_screen_vertex, k_background_fragment, {});
-  if (!background) return background.error();
-  auto occlusion = GlProgram::make(k_screen_vertex, k_occlusion_fragment, {});
-  if (!occlusion) return occlusion.error();
-  auto blur = GlProgram::make(k_screen_vertex, k_occlusion_blur_fragment, {});
-  if (!blur) return blur.error();
-  auto copy = GlProgram::make(k_screen_vertex, k_copy_fragment, {});
-  if (!copy) return copy.error();
-  auto state = std::make_unique<State>(std::move(owned), std::move(*mesh), std::move(*curves));
-  state->background = std::move(*background);
-  auto behind = BehindPass::make();
-  if (!behind) return behind.error();
-  state->behind_pass = std::move(*behind);
-  state->copy = std::move(*copy);
-  state->occlusion = std::move(*occlusion);
-  state->occlusion_blur = std::move(*blur);
+  auto state = std::make_unique<State>(std::move(owned), *dialect, std::move(*mesh));
+  if (auto added = state->add_programs(); !added) return added.error();
   return state;
+}
+
+base::Status GlRenderer::State::add_programs() {
+  struct Row {
+    GlProgram* program;
+    std::string_view fragment;
+    bool modern;
+  };
+  for (const Row& row :
+       {Row{&background, k_background_fragment, false}, Row{&copy, k_copy_fragment, false},
+        Row{&occlusion, k_occlusion_fragment, true}, Row{&occlusion_blur, k_occlusion_blur_fragment, true}}) {
+    if (row.modern && !dialect.modern) continue;
+    auto made = GlProgram::make(dialect, k_screen_vertex, row.fragment, {"corner"});
+    if (!made) return made.error();
+    *row.program = std::move(*made);
+  }
+  auto behind_made = BehindPass::make(dialect);
+  if (!behind_made) return behind_made.error();
+  behind_pass = std::move(*behind_made);
+  if (!dialect.modern) {
+    auto made = CurveLayer::make(dialect);
+    if (!made) return made.error();
+    curve_layer.emplace(std::move(*made));
+    return base::Done{};
+  }
+  auto made = CurvePass::make(dialect);
+  if (!made) return made.error();
+  curve_pass.emplace(std::move(*made));
+  return base::Done{};
+}
+
+/// A texture as large as the picture over all of it.
+void GlRenderer::State::copy_texture(unsigned texture) const {
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  copy.use();
+  copy.set("picture", 0);
+  screen.draw();
+  glBindTexture(GL_TEXTURE_2D, 0);
 }
 
 void GlRenderer::State::draw_background(const Background& colors) const {
@@ -86,7 +109,7 @@ void GlRenderer::State::draw_background(const Background& colors) const {
   background.use();
   background.set("top", encode_srgb(colors.top.r), encode_srgb(colors.top.g), encode_srgb(colors.top.b));
   background.set("bottom", encode_srgb(colors.bottom.r), encode_srgb(colors.bottom.g), encode_srgb(colors.bottom.b));
-  fill_screen();
+  screen.draw();
 }
 
 void GlRenderer::State::draw_occlusion(const View& view, geometry::Viewport viewport) {
@@ -104,7 +127,7 @@ void GlRenderer::State::draw_occlusion(const View& view, geometry::Viewport view
   glBindTexture(GL_TEXTURE_2D, targets.depth_texture());
   set_common(occlusion);
   occlusion.set("image_plane", view.image_plane.x, view.image_plane.y);
-  fill_screen();
+  screen.draw();
   targets.begin_picture_without_depth();
   glActiveTexture(GL_TEXTURE1);
   glBindTexture(GL_TEXTURE_2D, targets.occlusion_texture());
@@ -112,7 +135,7 @@ void GlRenderer::State::draw_occlusion(const View& view, geometry::Viewport view
   occlusion_blur.set("occlusion", 1);
   glEnable(GL_BLEND);
   glBlendFunc(GL_DST_COLOR, GL_ZERO);
-  fill_screen();
+  screen.draw();
   glDisable(GL_BLEND);
   glBindTexture(GL_TEXTURE_2D, 0);
   glActiveTexture(GL_TEXTURE0);
@@ -124,7 +147,7 @@ void GlRenderer::State::draw_surfaces(const Scene& scene, const View& view, geom
   glClear(GL_DEPTH_BUFFER_BIT);
   draw_background(scene.background);
   if (behind_pass.begin(behind, viewport)) {
-    fill_screen();
+    screen.draw();
     BehindPass::end();
   }
   mesh.draw_opaque(view, scene.wireframe);
@@ -137,17 +160,28 @@ void GlRenderer::State::add_pass(const Scene& scene, View view, geometry::Viewpo
     view.to_clip[2][1] += 2 * k_smoothing_places[passes][1] / static_cast<float>(viewport.height);
     draw_surfaces(scene, view, viewport);
     ++passes;
-    targets.average(1.0F / static_cast<float>(passes), [&] {
-      glActiveTexture(GL_TEXTURE0);
-      glBindTexture(GL_TEXTURE_2D, targets.picture_texture());
-      copy.use();
-      copy.set("picture", 0);
-      fill_screen();
-      glBindTexture(GL_TEXTURE_2D, 0);
-    });
+    const auto fill = [&](unsigned texture) { copy_texture(texture); };
+    targets.average(1.0F / static_cast<float>(passes), fill);
     glDisable(GL_BLEND);
   }
-  targets.show_average();
+  targets.show_average([&](unsigned texture) { copy_texture(texture); });
+}
+
+/// Surfaces that do not change while this picture is drawn.
+void GlRenderer::State::draw_still(const Scene& scene, const View& view, geometry::Viewport viewport, bool same) {
+  const bool one_sample = !dialect.modern || targets.samples() == 0;
+  if (!same) passes = 0;
+  if (!dialect.modern && !smooths) {
+    // All at once.
+    if (passes == k_smoothing_passes) return add_pass(scene, view, viewport);
+    while (passes < k_smoothing_passes) add_pass(scene, view, viewport);
+  } else if (same && smooths && one_sample && !occludes()) {
+    add_pass(scene, view, viewport);
+  } else {
+    // Samples are still there when nothing has changed.
+    if (!same || one_sample) draw_surfaces(scene, view, viewport);
+    targets.resolve();
+  }
 }
 
 GlRenderer::GlRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -156,16 +190,16 @@ GlRenderer::~GlRenderer() {
   if (state_->context) state_->context->make_current();
 }
 
-base::Result<std::unique_ptr<GlRenderer>> GlRenderer::make_offscreen() {
-  auto context = OffscreenContext::make();
+base::Result<std::unique_ptr<GlRenderer>> GlRenderer::make_offscreen(DrawWay way) {
+  auto context = OffscreenContext::make(way);
   if (!context) return context.error();
-  auto state = State::make(std::move(*context));
+  auto state = State::make(std::move(*context), way);
   if (!state) return state.error();
   return std::unique_ptr<GlRenderer>(new GlRenderer(std::move(*state)));
 }
 
-base::Result<std::unique_ptr<GlRenderer>> GlRenderer::make_in_current_context() {
-  auto state = State::make(nullptr);
+base::Result<std::unique_ptr<GlRenderer>> GlRenderer::make_in_current_context(DrawWay way) {
+  auto state = State::make(nullptr, way);
   if (!state) return state.error();
   return std::unique_ptr<GlRenderer>(new GlRenderer(std::move(*state)));
 }
@@ -179,26 +213,17 @@ base::Status GlRenderer::draw_picture(const Scene& scene, const geometry::Camera
   glDisable(GL_SCISSOR_TEST);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDepthMask(GL_TRUE);
-  if (epoxy_is_desktop_gl()) glEnable(GL_MULTISAMPLE);
+  if (s.dialect.modern && !s.dialect.embedded) glEnable(GL_MULTISAMPLE);
   const PictureSource now(scene, camera, s.behind);
   s.mesh.order(scene, view);
   const bool same = now.same_as(s.last);
   s.last = now;
   s.still = now.numbered();
-  const bool by_passes = s.smooths && s.targets.samples() == 0 && !s.occlude;
-  if (!same) {
-    s.passes = 0;
-    s.draw_surfaces(scene, view, camera.viewport());
-    s.targets.resolve();
-  } else if (by_passes) {
-    s.add_pass(scene, view, camera.viewport());
-  } else {
-    if (s.targets.samples() == 0) s.draw_surfaces(scene, view, camera.viewport());
-    s.targets.resolve();
-  }
-  if (s.occlude && !scene.triangles.empty()) s.draw_occlusion(view, camera.viewport());
+  s.draw_still(scene, view, camera.viewport(), same);
+  if (s.occludes() && !scene.triangles.empty()) s.draw_occlusion(view, camera.viewport());
   s.targets.begin_picture();
-  s.curves.draw(scene.curves, camera);
+  if (s.curve_pass) s.curve_pass->draw(scene.curves, camera);
+  if (s.curve_layer) s.curve_layer->draw(scene.curves, camera, s.screen);
   return base::Done{};
 }
 
@@ -209,10 +234,11 @@ base::Result<Image> GlRenderer::render(const Scene& scene, const geometry::Camer
 
 base::Status GlRenderer::draw(const Scene& scene, const geometry::Camera& camera, unsigned framebuffer, int x, int y) {
   if (auto drawn = draw_picture(scene, camera); !drawn) return drawn.error();
-  state_->targets.copy_to(framebuffer, x, y);
+  state_->targets.copy_to(framebuffer, x, y, [&](unsigned texture) { state_->copy_texture(texture); });
   return base::Done{};
 }
 
+const GlDialect& GlRenderer::dialect() const { return state_->dialect; }
 void GlRenderer::set_behind(Behind behind) { state_->behind = std::move(behind); }
 void GlRenderer::set_smoothing(bool on) {
   state_->smooths = on;
@@ -221,7 +247,7 @@ void GlRenderer::set_smoothing(bool on) {
 std::vector<std::string> GlRenderer::take_undrawn() { return state_->mesh.take_undrawn(); }
 bool GlRenderer::refining() const {
   const State& s = *state_;
-  return s.smooths && s.still && s.targets.samples() == 0 && !s.occlude && s.passes < k_smoothing_passes;
+  return s.smooths && s.still && s.targets.samples() == 0 && !s.occludes() && s.passes < k_smoothing_passes;
 }
 void GlRenderer::set_occlusion(bool on) { state_->occlude = on; }
 std::string GlRenderer::driver() const { return context_name(); }

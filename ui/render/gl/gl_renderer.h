@@ -4,17 +4,20 @@
 #include <string>
 #include <vector>
 
+#include "ui/render/gl/gl_dialect.h"
 #include "ui/render/renderer.h"
 
 namespace penpose::render {
 
-/// Draws scenes with OpenGL 3.1 or OpenGL ES 3.0.
+/// Draws scenes with OpenGL 3.1 or OpenGL ES 3.0, or with what OpenGL ES 2.0 and OpenGL 2.1 share: without darkening of
+/// creases then, and instead of several samples a px with the average of several pictures.
 class GlRenderer final : public Renderer {
  public:
   /// A renderer without a window, a display or a graphics card. Errors: there is no OpenGL at all.
-  static base::Result<std::unique_ptr<GlRenderer>> make_offscreen();
-  /// A renderer in the context that is current now and stays so. Errors: older than OpenGL 3.1 / ES 3.0.
-  static base::Result<std::unique_ptr<GlRenderer>> make_in_current_context();
+  /// Precondition of both: the way is not the processor.
+  static base::Result<std::unique_ptr<GlRenderer>> make_offscreen(DrawWay way);
+  /// A renderer in the context that is current now and stays so. Errors: older than the way needs.
+  static base::Result<std::unique_ptr<GlRenderer>> make_in_current_context(DrawWay way);
   ~GlRenderer() override;
 
   base::Result<Image> render(const Scene& scene, const geometry::Camera& camera) override;
@@ -22,6 +25,8 @@ class GlRenderer final : public Renderer {
   /// bound program, arrays, viewport, depth test and blending changed.
   base::Status draw(const Scene& scene, const geometry::Camera& camera, unsigned framebuffer = 0, int x = 0, int y = 0);
 
+  /// What its context is asked for, for whoever draws beside it.
+  [[nodiscard]] const GlDialect& dialect() const;
   void set_behind(Behind behind) override;
   void set_occlusion(bool on) override;
   void set_smoothing(bool on) override;

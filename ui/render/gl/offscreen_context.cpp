@@ -11,24 +11,20 @@
 #include <utility>
 #include <vector>
 
+#include "ui/render/gl/gl_dialect.h"
+
 namespace penpose::render {
 namespace {
 
-base::Error no_gl(const std::string& why) {
-  return {"pictures need OpenGL 3.1 or OpenGL ES 3.0, which could not be started (" + why + ")", "",
-          "install the packages libegl1, libgl1 and libgl1-mesa-dri"};
+base::Error no_gl(DrawWay way, const std::string& why) {
+  return {needs_of(way) + " could not be started (" + why + ")", "",
+          "install the packages libegl1, libgl1 and libgl1-mesa-dri, or draw with --draw cpu"};
 }
 
 std::string sdl_error() {
   const std::string text = SDL_GetError();
   return text.empty() ? "no reason given" : text.substr(0, text.find('\n'));
 }
-
-struct Version {
-  int profile;
-  int major;
-  int minor;
-};
 
 }  // namespace
 
@@ -68,13 +64,13 @@ base::Status check_threads_for_gl() {
   return base::Error{"pictures need more threads than the program may start", "", "raise its limit (ulimit -u)"};
 }
 
-base::Result<std::unique_ptr<OffscreenContext>> OffscreenContext::make() {
+base::Result<std::unique_ptr<OffscreenContext>> OffscreenContext::make(DrawWay way) {
   if (const auto room = check_room_for_gl(); !room) return room.error();
   if (const auto threads = check_threads_for_gl(); !threads) return threads.error();
   std::unique_ptr<OffscreenContext> made(new OffscreenContext);
   if (SDL_WasInit(SDL_INIT_VIDEO) != 0) {
     const char* driver = SDL_GetCurrentVideoDriver();
-    if (driver == nullptr || std::string(driver) != "offscreen") return no_gl("a window is open in this program");
+    if (driver == nullptr || std::string(driver) != "offscreen") return no_gl(way, "a window is open in this program");
   }
   // Mesa would print its search for drivers before the one line that says what to do.
   ::setenv("EGL_LOG_LEVEL", "fatal", 0);
@@ -84,9 +80,9 @@ base::Result<std::unique_ptr<OffscreenContext>> OffscreenContext::make() {
   SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
   const int started = SDL_InitSubSystem(SDL_INIT_VIDEO);
   SDL_ResetHint(SDL_HINT_VIDEODRIVER);
-  if (started != 0) return no_gl(sdl_error());
+  if (started != 0) return no_gl(way, sdl_error());
   made->video_ = true;
-  for (const Version version : {Version{SDL_GL_CONTEXT_PROFILE_CORE, 3, 1}, Version{SDL_GL_CONTEXT_PROFILE_ES, 3, 0}}) {
+  for (const GlVersion& version : versions_of(way)) {
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_PROFILE_MASK, version.profile);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MAJOR_VERSION, version.major);
     SDL_GL_SetAttribute(SDL_GL_CONTEXT_MINOR_VERSION, version.minor);
@@ -101,7 +97,7 @@ base::Result<std::unique_ptr<OffscreenContext>> OffscreenContext::make() {
     made->context_ = context;
     return made;
   }
-  return no_gl(sdl_error());
+  return no_gl(way, sdl_error());
 }
 
 OffscreenContext::~OffscreenContext() {

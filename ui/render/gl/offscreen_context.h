@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/base/result.h"
+#include "ui/render/renderer.h"
 
 namespace penpose::render {
 
@@ -17,8 +18,9 @@ namespace penpose::render {
 /// graphics card). Needs no display. Current on the thread that made it, until it is destroyed.
 class OffscreenContext {
  public:
-  /// Errors: SDL video is in use with another driver (a window is open), or there is no EGL or no OpenGL 3.1 / ES 3.0.
-  static base::Result<std::unique_ptr<OffscreenContext>> make();
+  /// Errors: SDL video is in use with another driver (a window is open), or there is no EGL, or none of
+  /// versions_of(way).
+  static base::Result<std::unique_ptr<OffscreenContext>> make(DrawWay way);
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;

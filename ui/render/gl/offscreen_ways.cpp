@@ -4,12 +4,19 @@
 
 namespace penpose::render {
 
+namespace {
+
+template <DrawWay way>
+base::Result<std::unique_ptr<Renderer>> make_offscreen() {
+  auto made = GlRenderer::make_offscreen(way);
+  if (!made) return made.error();
+  return std::unique_ptr<Renderer>(std::move(*made));
+}
+
+}  // namespace
+
 std::vector<OffscreenWay> card_ways() {
-  return {{DrawWay::gl, []() -> base::Result<std::unique_ptr<Renderer>> {
-             auto made = GlRenderer::make_offscreen();
-             if (!made) return made.error();
-             return std::unique_ptr<Renderer>(std::move(*made));
-           }}};
+  return {{DrawWay::gl, make_offscreen<DrawWay::gl>}, {DrawWay::es, make_offscreen<DrawWay::es>}};
 }
 
 }  // namespace penpose::render

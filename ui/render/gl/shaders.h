@@ -2,14 +2,15 @@
 
 #include <string_view>
 
-// Written in what GLSL 1.40 and GLSL ES 3.00 share; GlProgram adds the version line.
+// Written in words that GlProgram gives a meaning to: GLSL 1.40, ES 3.00, 1.20 and ES 1.00 have others for
+// `from_buffer`, `to_fragment`, `from_vertex`, `sample_picture` and `result`.
 namespace penpose::render {
 
-/// One triangle that covers the viewport; needs no buffer.
+/// The triangle of ScreenFill, which covers the viewport.
 inline constexpr std::string_view k_screen_vertex = R"(
-out vec2 place;
+from_buffer vec2 corner;
+to_fragment vec2 place;
 void main() {
-  vec2 corner = vec2(float((gl_VertexID & 1) * 4) - 1.0, float((gl_VertexID & 2) * 2) - 1.0);
   place = corner * 0.5 + 0.5;
   gl_Position = vec4(corner, 0.0, 1.0);
 }
@@ -17,20 +18,18 @@ void main() {
 
 /// A picture as it is.
 inline constexpr std::string_view k_copy_fragment = R"(
-in vec2 place;
+from_vertex vec2 place;
 uniform sampler2D picture;
-out vec4 result;
 void main() {
-  result = texture(picture, place);
+  result = sample_picture(picture, place);
 }
 )";
 
 /// A soft gradient, a little brighter behind the middle. Noise of half a step hides the bands of 8 bits.
 inline constexpr std::string_view k_background_fragment = R"(
-in vec2 place;
+from_vertex vec2 place;
 uniform vec3 top;
 uniform vec3 bottom;
-out vec4 result;
 void main() {
   vec3 color = mix(bottom, top, smoothstep(0.0, 1.0, place.y));
   vec2 d = place - vec2(0.5, 0.55);
@@ -43,14 +42,14 @@ void main() {
 /// Before the vertex shaders of surfaces: places a vertex. Positions are moved to the middle of the model and scaled to
 /// about one before any arithmetic, so that units, size and distance from the origin do not matter.
 inline constexpr std::string_view k_place_functions = R"(
-in vec3 position;
-in vec3 normal;
+from_buffer vec3 position;
+from_buffer vec3 normal;
 uniform vec3 middle;
 uniform float scale;
 uniform mat4 to_view;
 uniform mat4 to_clip;
-out vec3 view_position;
-out vec3 view_normal;
+to_fragment vec3 view_position;
+to_fragment vec3 view_normal;
 void place_vertex() {
   vec4 p = to_view * vec4((position - middle) * scale, 1.0);
   view_position = p.xyz;
@@ -61,11 +60,11 @@ void place_vertex() {
 
 /// Surfaces of materials, after k_place_functions.
 inline constexpr std::string_view k_mesh_vertex = R"(
-in vec4 base_color;
-in vec4 finish;
-in vec4 overlay;
-out vec4 albedo;
-out vec3 surface;
+from_buffer vec4 base_color;
+from_buffer vec4 finish;
+from_buffer vec4 overlay;
+to_fragment vec4 albedo;
+to_fragment vec3 surface;
 void main() {
   place_vertex();
   albedo = vec4(mix(base_color.rgb, overlay.rgb, overlay.a), base_color.a * finish.w);
@@ -75,16 +74,16 @@ void main() {
 
 /// Surfaces with pictures and colours of their own, after k_place_functions.
 inline constexpr std::string_view k_look_vertex = R"(
-in vec4 overlay;
-in vec4 coordinates;
-in vec4 tint;
+from_buffer vec4 overlay;
+from_buffer vec4 coordinates;
+from_buffer vec4 tint;
 uniform float second_set;
 uniform vec2 along_u;
 uniform vec2 along_v;
 uniform vec2 shift;
-out vec4 color;
-out vec4 over;
-out vec2 at;
+to_fragment vec4 color;
+to_fragment vec4 over;
+to_fragment vec2 at;
 void main() {
   place_vertex();
   color = vec4(tint.rgb * tint.rgb, tint.a);
@@ -119,7 +118,7 @@ vec3 to_display(vec3 c) {
 }
 
 vec3 lighted(vec3 n, vec3 v, vec3 base, float roughness, float metallic, float occlude) {
-  float alpha = max(roughness * roughness, 0.01);
+  float alpha = max(roughness * roughness, k_least_alpha);
   vec3 f0 = mix(vec3(0.035), base, metallic);
   vec3 diffuse = base * (1.0 - metallic);
   vec3 ambient = mix(vec3(0.085, 0.072, 0.064), vec3(0.20, 0.215, 0.24), n.y * 0.5 + 0.5);
@@ -135,12 +134,11 @@ vec3 lighted(vec3 n, vec3 v, vec3 base, float roughness, float metallic, float o
 
 /// Plain surfaces, after k_lights.
 inline constexpr std::string_view k_mesh_fragment = R"(
-in vec3 view_position;
-in vec3 view_normal;
-in vec4 albedo;
-in vec3 surface;
+from_vertex vec3 view_position;
+from_vertex vec3 view_normal;
+from_vertex vec4 albedo;
+from_vertex vec3 surface;
 uniform float opaque_pass;
-out vec4 result;
 
 void main() {
   vec3 n = normalize(view_normal);
@@ -152,7 +150,7 @@ void main() {
   if (surface.z < 0.999) {
     // Eye: pupil, iris with a dark rim and a lighter ring, then the white with a hint of pink far out.
     float d = surface.z;
-    float w = max(fwidth(d), 0.004);
+    float w = max(change_per_px(d), 0.004);
     vec3 iris = mix(vec3(0.17, 0.10, 0.045), vec3(0.05, 0.032, 0.02), smoothstep(0.30, 0.46, d));
     vec3 color = mix(base, iris, 1.0 - smoothstep(0.46 - w - 0.015, 0.46 + w + 0.015, d));
     base = mix(color, vec3(0.006), 1.0 - smoothstep(0.19 - w, 0.19 + w, d));
@@ -171,13 +169,13 @@ void main() {
 )";
 
 /// Surfaces with pictures and colours of their own, after k_lights. What is fainter than `least_alpha` is not there;
-/// the picture is sRGB and comes as linear light.
+/// the picture is sRGB and comes as linear light, or as it is where there are no textures of sRGB.
 inline constexpr std::string_view k_look_fragment = R"(
-in vec3 view_position;
-in vec3 view_normal;
-in vec4 color;
-in vec4 over;
-in vec2 at;
+from_vertex vec3 view_position;
+from_vertex vec3 view_normal;
+from_vertex vec4 color;
+from_vertex vec4 over;
+from_vertex vec2 at;
 uniform sampler2D picture;
 uniform float textured;
 uniform vec3 factor;
@@ -186,11 +184,16 @@ uniform float least_alpha;
 uniform float unlit;
 uniform float roughness;
 uniform float metallic;
-out vec4 result;
 
 void main() {
   vec4 own = color * vec4(factor, opacity);
-  if (textured > 0.5) own *= texture(picture, at);
+  if (textured > 0.5) {
+    vec4 texel = sample_picture(picture, at);
+#ifdef PICTURES_ARE_ENCODED
+    texel.rgb = mix(texel.rgb / 12.92, pow((texel.rgb + 0.055) / 1.055, vec3(2.4)), step(vec3(0.04045), texel.rgb));
+#endif
+    own *= texel;
+  }
   if (own.a < least_alpha) discard;
   vec3 mixed = mix(sqrt(max(own.rgb, vec3(0.0))), over.rgb, over.a);
   vec3 base = mixed * mixed;
@@ -205,11 +208,10 @@ void main() {
 
 /// The edges of the triangles.
 inline constexpr std::string_view k_wire_fragment = R"(
-in vec3 view_position;
-in vec3 view_normal;
-in vec4 albedo;
-in vec3 surface;
-out vec4 result;
+from_vertex vec3 view_position;
+from_vertex vec3 view_normal;
+from_vertex vec4 albedo;
+from_vertex vec3 surface;
 void main() {
   result = vec4(0.04, 0.05, 0.07, 0.32);
 }
@@ -219,13 +221,12 @@ void main() {
 /// result multiplies the picture. After the horizon-free estimator of McGuire et al., "The Alchemy screen-space ambient
 /// obscurance algorithm" (2011).
 inline constexpr std::string_view k_occlusion_fragment = R"(
-in vec2 place;
+from_vertex vec2 place;
 uniform sampler2D depths;
 uniform vec2 depth_to_z;   // z = 1 / (x * depth + y)
 uniform vec2 image_plane;  // half width and half height at distance 1
 uniform vec2 size_px;
 uniform float radius;
-out vec4 result;
 
 vec3 point(vec2 at, float depth) {
   float z = 1.0 / (depth_to_z.x * depth + depth_to_z.y);
@@ -233,14 +234,14 @@ vec3 point(vec2 at, float depth) {
 }
 
 void main() {
-  float depth = texture(depths, place).r;
+  float depth = sample_picture(depths, place).r;
   if (depth >= 1.0) { result = vec4(1.0); return; }
   vec3 p = point(place, depth);
   vec2 px = 1.0 / size_px;
-  vec3 right = point(place + vec2(px.x, 0.0), texture(depths, place + vec2(px.x, 0.0)).r) - p;
-  vec3 left = p - point(place - vec2(px.x, 0.0), texture(depths, place - vec2(px.x, 0.0)).r);
-  vec3 up = point(place + vec2(0.0, px.y), texture(depths, place + vec2(0.0, px.y)).r) - p;
-  vec3 down = p - point(place - vec2(0.0, px.y), texture(depths, place - vec2(0.0, px.y)).r);
+  vec3 right = point(place + vec2(px.x, 0.0), sample_picture(depths, place + vec2(px.x, 0.0)).r) - p;
+  vec3 left = p - point(place - vec2(px.x, 0.0), sample_picture(depths, place - vec2(px.x, 0.0)).r);
+  vec3 up = point(place + vec2(0.0, px.y), sample_picture(depths, place + vec2(0.0, px.y)).r) - p;
+  vec3 down = p - point(place - vec2(0.0, px.y), sample_picture(depths, place - vec2(0.0, px.y)).r);
   vec3 dx = abs(right.z) < abs(left.z) ? right : left;
   vec3 dy = abs(up.z) < abs(down.z) ? up : down;
   vec3 n = normalize(cross(dx, dy));
@@ -253,7 +254,7 @@ void main() {
     float angle = turn + t * 6.2831853 * 7.0;
     vec2 at = place + vec2(cos(angle) * size_px.y / size_px.x, sin(angle)) * reach * t;
     if (at.x < 0.0 || at.y < 0.0 || at.x > 1.0 || at.y > 1.0) continue;
-    float other = texture(depths, at).r;
+    float other = sample_picture(depths, at).r;
     if (other >= 1.0) continue;
     vec3 d = point(at, other) - p;
     float dd = dot(d, d);
@@ -267,14 +268,13 @@ void main() {
 
 /// Averages the occlusion over 4 x 4 px, which is what its noise was made for, without crossing edges of depth.
 inline constexpr std::string_view k_occlusion_blur_fragment = R"(
-in vec2 place;
+from_vertex vec2 place;
 uniform sampler2D depths;
 uniform sampler2D occlusion;
 uniform vec2 depth_to_z;
 uniform vec2 size_px;
 uniform float radius;
-out vec4 result;
-float z_at(vec2 at) { return 1.0 / (depth_to_z.x * texture(depths, at).r + depth_to_z.y); }
+float z_at(vec2 at) { return 1.0 / (depth_to_z.x * sample_picture(depths, at).r + depth_to_z.y); }
 void main() {
   float z = z_at(place);
   float sum = 0.0;
@@ -283,7 +283,7 @@ void main() {
     for (int x = -2; x <= 2; ++x) {
       vec2 at = place + vec2(float(x), float(y)) / size_px;
       float w = max(1.0 - abs(z_at(at) - z) / (0.25 * radius), 0.0) + 0.0001;
-      sum += w * texture(occlusion, at).r;
+      sum += w * sample_picture(occlusion, at).r;
       weights += w;
     }
   }
@@ -296,17 +296,17 @@ void main() {
 /// Curves are unions of round cones; each quad carries one. Depth is the signed distance, so that of overlapping quads
 /// the nearest to the middle of the curve wins and nothing is blended twice.
 inline constexpr std::string_view k_curve_vertex = R"(
-in vec2 corner;
-in vec4 ends;
-in vec2 radii;
-in vec4 color;
-in float order;
+from_buffer vec2 corner;
+from_buffer vec4 ends;
+from_buffer vec2 radii;
+from_buffer vec4 color;
+from_buffer float order;
 uniform vec2 size_px;
-out vec2 at;
-flat out vec4 segment;
-flat out vec2 radius;
-flat out float layer;
-out vec4 ink;
+to_fragment vec2 at;
+flat to_fragment vec4 segment;
+flat to_fragment vec2 radius;
+flat to_fragment float layer;
+to_fragment vec4 ink;
 void main() {
   at = corner;
   segment = ends;
@@ -318,16 +318,15 @@ void main() {
 )";
 
 inline constexpr std::string_view k_curve_fragment = R"(
-in vec2 at;
-flat in vec4 segment;
-flat in vec2 radius;
-flat in float layer;
-in vec4 ink;
+from_vertex vec2 at;
+flat from_vertex vec4 segment;
+flat from_vertex vec2 radius;
+flat from_vertex float layer;
+from_vertex vec4 ink;
 uniform float outline_px;
 uniform float halo_px;
 uniform float slice;
 uniform float first_depth;
-out vec4 result;
 void main() {
   vec2 along = segment.zw - segment.xy;
   float t = clamp(dot(at - segment.xy, along) / max(dot(along, along), 1e-6), 0.0, 1.0);

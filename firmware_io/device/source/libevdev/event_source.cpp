@@ -6,12 +6,14 @@
 #include <fcntl.h>
 #include <libevdev/libevdev.h>
 #include <poll.h>
+#include <set>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
 
 #include "firmware_io/decode/decoder_factory.h"
 #include "firmware_io/device/clock.h"
+#include "firmware_io/device/source/exclusive_use.h"
 #include "firmware_io/event/event_encoder.h"
 
 namespace penpose::device {
@@ -74,8 +76,11 @@ void begin(event::EventEncoder& encoder, const event::EventAxes& axes, const lib
 
 class EventSource final : public ReportSource {
  public:
-  EventSource(OpenDevice handle, event::EventEncoder encoder)
-      : handle_(std::move(handle)), encoder_(std::move(encoder)) {}
+  EventSource(OpenDevice handle, event::EventEncoder encoder, const event::EventAxes& axes)
+      : handle_(std::move(handle)),
+        encoder_(std::move(encoder)),
+        keys_(axes.keys),
+        shared_with_desktop_(event::has_fingers(axes)) {}
 
   ReadOutcome read(std::span<std::uint8_t> into, int timeout_ms) override {
     bool waited = false;
@@ -85,6 +90,9 @@ class EventSource final : public ReportSource {
       if (code == -EAGAIN && flag_ == LIBEVDEV_READ_FLAG_SYNC) {
         flag_ = LIBEVDEV_READ_FLAG_NORMAL;
       } else if (code == -EAGAIN || code == -EINTR) {
+        if (!use_.is_settled() && is_at_rest()) {
+          use_.settle([&](bool on) { return grab(on); }, monotonic_us());
+        }
         if (waited || !wait(timeout_ms)) return {};
         waited = true;
       } else if (code < 0) {
@@ -111,12 +119,25 @@ class EventSource final : public ReportSource {
   }
   base::Result<std::string> read_string(std::uint8_t) override { return no_reports().error(); }
 
+  void set_exclusive(bool wanted) override { use_.want(wanted && !shared_with_desktop_); }
+  [[nodiscard]] bool is_taken() const override { return use_.is_refused(monotonic_us()); }
+
  private:
   static base::Status no_reports() { return base::Error{"an event device takes and gives no reports", "", ""}; }
 
   [[nodiscard]] bool wait(int timeout_ms) const {
     pollfd waiting{libevdev_get_fd(handle_.get()), POLLIN, 0};
     return ::poll(&waiting, 1, timeout_ms) > 0;
+  }
+
+  /// Nothing near, touched or held, as far as the kernel has said.
+  [[nodiscard]] bool is_at_rest() const {
+    return std::none_of(keys_.begin(), keys_.end(),
+                        [&](std::uint16_t key) { return libevdev_get_event_value(handle_.get(), EV_KEY, key) != 0; });
+  }
+
+  [[nodiscard]] bool grab(bool on) const {
+    return libevdev_grab(handle_.get(), on ? LIBEVDEV_GRAB : LIBEVDEV_UNGRAB) == 0;
   }
 
   void take(const input_event& raw) {
@@ -128,6 +149,9 @@ class EventSource final : public ReportSource {
 
   OpenDevice handle_;
   event::EventEncoder encoder_;
+  std::set<std::uint16_t> keys_;
+  bool shared_with_desktop_;
+  ExclusiveUse use_;
   event::EventEncoder::Reports waiting_;  ///< of the last frame, and not read yet
   std::int64_t time_us_ = 0;
   unsigned flag_ = LIBEVDEV_READ_FLAG_NORMAL;
@@ -148,11 +172,6 @@ base::Result<std::unique_ptr<ReportSource>> open_event_device(HidInterface& inte
     return fail(-code, "name an input device");
   }
   OpenDevice handle(made);
-  // One that another program has for itself gives nothing to anybody else. It is asked for and let go at once: as
-  // hidraw does, the events go to the desktop as well.
-  if (libevdev_grab(made, LIBEVDEV_GRAB) == -EBUSY)
-    return fail(EBUSY, "close the other program that has it for itself");
-  libevdev_grab(made, LIBEVDEV_UNGRAB);
   libevdev_set_clock_id(made, CLOCK_MONOTONIC);
   const event::EventAxes axes = axes_of(made);
   interface.identity.report_descriptor = event::report_descriptor(axes);
@@ -160,7 +179,7 @@ base::Result<std::unique_ptr<ReportSource>> open_event_device(HidInterface& inte
   decode::complete_identity(interface.identity);
   event::EventEncoder encoder(axes);
   begin(encoder, axes, made);
-  return std::unique_ptr<ReportSource>(std::make_unique<EventSource>(std::move(handle), std::move(encoder)));
+  return std::unique_ptr<ReportSource>(std::make_unique<EventSource>(std::move(handle), std::move(encoder), axes));
 }
 
 }  // namespace penpose::device

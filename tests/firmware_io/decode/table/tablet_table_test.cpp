@@ -77,7 +77,7 @@ DeviceIdentity huion(std::uint16_t product, const std::string& firmware) {
 
 TEST(TabletTable, AllTabletsAreThereAndDecodable) {
   const auto tablets = known_tablets().tablets();
-  ASSERT_EQ(tablets.size(), 323U);
+  ASSERT_EQ(tablets.size(), 324U);
   std::set<std::string> names;
   std::size_t identifiers = 0;
   for (const auto& tablet : tablets) {
@@ -97,8 +97,8 @@ TEST(TabletTable, AllTabletsAreThereAndDecodable) {
       EXPECT_EQ(decoder->axes().x.present, identifier.protocol->name != "wacom_touch64");
     }
   }
-  EXPECT_EQ(names.size(), 323U);
-  EXPECT_EQ(identifiers, 492U);
+  EXPECT_EQ(names.size(), 324U);
+  EXPECT_EQ(identifiers, 493U);
 }
 
 TEST(TabletTable, EveryDeviceFindsItsTablet) {
@@ -219,7 +219,6 @@ TEST(TabletTable, ATabletCanBeChosenByItsName) {
     ASSERT_TRUE(found);
     EXPECT_EQ(found->tablet->name, "New 1060 Plus");
     EXPECT_EQ(found->others, 0u);
-    EXPECT_TRUE(chosen->find(DeviceIdentity{})) << "text of other programs names no ids";
     DeviceIdentity mouse;
     mouse.vendor = 0x046d;
     EXPECT_FALSE(chosen->find(mouse));

@@ -97,5 +97,47 @@ TEST(PadDevices, TheLightThatWasOnAlreadyIsTheOneThatIsShown) {
   EXPECT_EQ(desk.app->of<TabletEvents>().lights_of(k_pen), std::nullopt);
 }
 
+TEST(PadDevices, ATabletThatMayBeAnotherModelSaysWhichItIsTakenFor) {
+  const tests::Report draws{0x08, 0x81, 0x10, 0x27, 0x20, 0x4e, 0xe8, 0x03, 0, 0, 0, 0};
+  const tests::Report hovers{0x08, 0x80, 0x10, 0x27, 0x20, 0x4e, 0, 0, 0, 0, 0, 0};
+  Desk desk("pad-guess");
+  desk.begin();
+  decode::DeviceIdentity huion;
+  huion.bus = decode::k_bus_usb;
+  huion.vendor = 0x256c;
+  huion.product = 0x006e;
+  huion.name = "Huion tablet";
+  huion.input_report_length = 12;
+  const auto told = [&] {
+    for (const Notice& one : desk.app->of<Notices>().all()) {
+      if (one.text.starts_with("Huion tablet: a guess: one of ")) return one.text;
+    }
+    return std::string();
+  };
+  desk.app->of<TabletEvents>().arrived(30, huion);
+  EXPECT_EQ(told(), "") << "nothing was read by the table yet";
+  desk.app->of<TabletEvents>().report(30, desk.now_us += 5000, draws);
+  const std::string guess = told();
+  EXPECT_NE(guess.find(" tablets with the ids 256c:006e, read as "), std::string::npos) << guess;
+  EXPECT_TRUE(guess.ends_with("; --tablet NAME says which it is")) << guess;
+  // The mouse counts again once the pen is away.
+  desk.app->of<TabletEvents>().report(30, desk.now_us += 5000, hovers);
+  desk.now_us += 1'000'000;
+  desk.frames();
+  for (const char* dialog : {"Tablet keys", "Tablet"}) {
+    desk.click("Menu");
+    desk.click(dialog);
+    EXPECT_NE(desk.interface->find(guess), nullptr) << dialog;
+    desk.click("Done");
+  }
+  // The next model in the window is drawn on with the same tablet, of which it was said.
+  desk.now_us += 60'000'000;
+  desk.frames();
+  ASSERT_TRUE(desk.app->of<Files>().open("builtin:demo").ok());
+  desk.app->of<TabletEvents>().report(30, desk.now_us += 5000, draws);
+  EXPECT_EQ(told(), "");
+  EXPECT_EQ(desk.app->of<HandDesk>().find(30)->guess, guess.substr(guess.find("a guess")));
+}
+
 }  // namespace
 }  // namespace penpose::app

@@ -1,7 +1,9 @@
 """Goes through the window's three tours in a real window under Xvfb, with the hand of a user who knows nothing of what is
 inside: lines are drawn along what is shown on the screen, and buttons are pressed where a ring is shown around them.
 
-    tour_test.py PROGRAM [FOLDER_FOR_PICTURES [WIDTHxHEIGHT [light]]]
+    tour_test.py PROGRAM [FOLDER_FOR_PICTURES [WIDTHxHEIGHT [light|first]]]
+
+`first`: the first tour alone.
 """
 
 import json
@@ -174,7 +176,7 @@ def check_done(name, program, session, environment):
         assert told["keys"] == 2, told
 
 
-def run(program, pictures, width, height, light):
+def run(program, pictures, width, height, light, tours):
     folder = tempfile.mkdtemp(prefix="penpose-tour-")
     screen = Screen(folder, pictures, width, height)
     try:
@@ -211,7 +213,7 @@ def run(program, pictures, width, height, light):
                 if Sight(screen, width, height).line():
                     break
         sight = Sight(screen, width, height)
-        for number, name in enumerate(STEPS):
+        for number, name in enumerate(tours):
             if number > 0:
                 screen.key("ctrl+k")
                 screen.do("type", "--delay", "60", "tour: " + {"rig": "make", "animate": "animate"}[name])
@@ -249,7 +251,8 @@ def main():
     program = os.path.abspath(sys.argv[1])
     pictures = sys.argv[2] if len(sys.argv) > 2 else ""
     width, height = (int(v) for v in sys.argv[3].split("x")) if len(sys.argv) > 3 else (window_test.WIDTH, window_test.HEIGHT)
-    run(program, pictures, width, height, len(sys.argv) > 4)
+    more = sys.argv[4:]
+    run(program, pictures, width, height, "light" in more, list(STEPS)[:1] if "first" in more else list(STEPS))
 
 
 if __name__ == "__main__":

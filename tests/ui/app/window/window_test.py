@@ -2,7 +2,10 @@
 quits and opens it again; then does the same with the reports of a pen alone, played in place of a tablet. Reads the
 document's state from the session.
 
-    window_test.py PROGRAM [FOLDER_FOR_PICTURES]
+    window_test.py PROGRAM [FOLDER_FOR_PICTURES [WAY]]
+
+With WAY (gl, es, cpu) only the first of it, and it is drawn by that way: found by the program itself where the environment
+has made the better ones fail.
 """
 
 import json
@@ -190,6 +193,7 @@ def play(program, screen, folder, session):
     assert done.returncode == 0, done.stdout
     assert len(lines_of(played, "E:")) >= len(lines_of(trace, "E:")), "a report of the trace was lost"
     print(done.stdout, end="")
+    return done.stdout
 
 
 class PenTrace:
@@ -378,7 +382,10 @@ def main():
     screen = Screen(folder, pictures)
     try:
         session = use(program, screen, folder)
-        play(program, screen, folder, session)
+        told = play(program, screen, folder, session)
+        if len(sys.argv) > 3:
+            assert f"drawn_by {sys.argv[3]}\n" in told, told
+            return
         pen_alone(program, screen, folder, session)
         asked_to_end(program, screen, folder)
         crash(program, screen, folder)

@@ -50,6 +50,27 @@ TEST_F(DecodeCommand, JsonIsOneObject) {
   EXPECT_TRUE(empty["samples"].empty());
 }
 
+TEST_F(DecodeCommand, JsonTellsTheAxesOfEachRecordingWhereTheyAreOthers) {
+  decode::PenSample sample;
+  sample.in_range = true;
+  sample.tool = decode::Tool::pen;
+  tests::TraceText trace;
+  // The same tablet twice, then one of another size in its place, which is then plugged in again.
+  for (int i = 0; i < 4; ++i) {
+    if (i < 2) trace.device(0, tests::ink_descriptor(), "3 1b96 1000").report(0, tests::ink_pen(sample));
+    if (i >= 2) trace.device(0, {0x05, 0x0d, 0xc0}, "3 256c 006e");
+    if (i >= 2) trace.report(5000, {0x08, 0x81, 0x10, 0x27, 0x20, 0x4e, 0xe8, 0x03, 0, 0, 0, 0});
+  }
+  const auto object = nlohmann::json::parse(decode(trace.text(), {"--json"}).out, nullptr, false);
+  ASSERT_TRUE(object.is_object());
+  const auto& samples = object["samples"];
+  ASSERT_EQ(samples.size(), 4u);
+  EXPECT_EQ(object["axes"]["x"]["max"], 24188);
+  for (const std::size_t i : {0, 1, 3}) EXPECT_FALSE(samples[i].contains("axes")) << i;
+  ASSERT_TRUE(samples[2].contains("axes"));
+  EXPECT_NE(samples[2]["axes"]["x"]["max"], 24188);
+}
+
 TEST_F(DecodeCommand, SeveralDevicesAddAColumn) {
   tests::TraceText trace;
   trace.device(0, {}, "3 0458 0138").device(1, tests::ink_descriptor(), "3 1b96 1000");
@@ -76,6 +97,31 @@ TEST_F(DecodeCommand, AGuessIsCalledAGuessUntilTheTabletIsNamed) {
   const Outcome unknown = decode(trace, {"--tablet", "none of these"});
   EXPECT_EQ(unknown.status, 1);
   EXPECT_NE(unknown.error.find("devices --known"), std::string::npos) << unknown.error;
+}
+
+TEST_F(DecodeCommand, ARecordingWithoutIdsIsReadAsTheNamedTablet) {
+  const auto recording = [](const std::string& ids) {
+    tests::TraceText trace;
+    trace.line("D: 0").line("N: Test pen");
+    if (!ids.empty()) trace.line("I: " + ids);
+    trace.report(0, tests::intuos_enter(0x802, 0x1234567));
+    std::int64_t time_us = 5000;
+    for (const auto& sample : tests::pen_path({31496, 19685, 2047, true, -1}, 1)) {
+      if (sample.in_range) trace.report(time_us, tests::intuos_pen(sample));
+      time_us += 5000;
+    }
+    return trace.report(time_us, {3, 0, 0, 5, 0, 0, 0, 0, 0, 0}).text();
+  };
+  const Outcome wanted = decode(recording("3 056a 0314"));
+  EXPECT_GT(std::count(wanted.out.begin(), wanted.out.end(), '\n'), 20);
+  const Outcome wanted_pad = decode(recording("3 056a 0314"), {"--pad"});
+  EXPECT_NE(wanted_pad.out.find("BTN_"), std::string::npos) << wanted_pad.out;
+  for (const char* ids : {"", "3 0000 0000", "0 0000 0000"}) {
+    const Outcome named = decode(recording(ids), {"--tablet", "PTH-451"});
+    EXPECT_EQ(named.error, "");
+    EXPECT_EQ(named.out, wanted.out) << ids;
+    EXPECT_EQ(decode(recording(ids), {"--pad", "--tablet", "PTH-451"}).out, wanted_pad.out) << ids;
+  }
 }
 
 TEST_F(DecodeCommand, AProtocolByNameReadsAnyDevice) {

@@ -25,9 +25,9 @@ class DevicesCommand : public tests::CommandRun {
 TEST_F(DevicesCommand, ListsALineForEachTablet) {
   const auto outcome = run_program({"devices", "--known"});
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 324);
+  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 325);
   EXPECT_NE(outcome.out.find("Huion H640P: 160 x 100 mm, pressure 0..8191,"), std::string::npos);
-  EXPECT_NE(outcome.out.find("323 tablets\n"), std::string::npos);
+  EXPECT_NE(outcome.out.find("324 tablets\n"), std::string::npos);
   EXPECT_EQ(outcome.error, "");
 }
 
@@ -52,8 +52,8 @@ TEST_F(DevicesCommand, JsonIsOneObject) {
   EXPECT_EQ(outcome.status, 0);
   const auto object = nlohmann::json::parse(outcome.out, nullptr, false);
   ASSERT_TRUE(object.is_object());
-  EXPECT_EQ(object["count"], 323);
-  ASSERT_EQ(object["tablets"].size(), 323U);
+  EXPECT_EQ(object["count"], 324);
+  ASSERT_EQ(object["tablets"].size(), 324U);
   for (const auto& tablet : object["tablets"]) {
     const auto& interfaces = tablet[tablet["identifiers"].empty() ? "pads" : "identifiers"];
     ASSERT_FALSE(interfaces.empty());
@@ -67,7 +67,7 @@ TEST_F(DevicesCommand, OwnTabletsComeFirst) {
   const auto outcome = run_program({"devices", "--known", "--tablets", own()});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.out.rfind("Mine One: 1 x 2 mm, pressure 0..5, 0001:0002, xp_pen\n", 0), 0U);
-  EXPECT_NE(outcome.out.find("324 tablets"), std::string::npos);
+  EXPECT_NE(outcome.out.find("325 tablets"), std::string::npos);
 }
 
 TEST_F(DevicesCommand, ErrorsNameFileAndPlace) {
@@ -100,6 +100,22 @@ TEST_F(DevicesCommand, TheRuleThatIsInstalledIsTheOneThatIsPrinted) {
   EXPECT_EQ(rule, printed.out);
   EXPECT_NE(rule.find("*:0ABC:0DEF.*"), std::string::npos) << "the user's own tablet";
   EXPECT_EQ(run_program({"devices", "--install-udev-rule", "--rules-folder", "/nonexistent"}).status, 1);
+}
+
+TEST_F(DevicesCommand, SaysWhatWouldDrawPictures) {
+  const auto outcome = run_program({"devices", "--json"});
+  if (outcome.status != 0) GTEST_SKIP() << "devices cannot be listed here: " << outcome.error;
+  const auto draw = nlohmann::json::parse(outcome.out, nullptr, false)["draw"];
+  ASSERT_EQ(draw.size(), 3U);
+  EXPECT_EQ(draw[0]["way"], "gl");
+  EXPECT_EQ(draw[1]["way"], "es");
+  EXPECT_EQ(draw[2]["way"], "cpu");
+  std::string first;
+  for (const auto& one : draw) {
+    EXPECT_NE(one["driver"].is_null(), one["missing"].is_null());
+    if (first.empty() && !one["driver"].is_null()) first = one["way"];
+  }
+  EXPECT_NE(run_program({"devices"}).out.find("pictures are drawn by " + first + " ("), std::string::npos);
 }
 
 }  // namespace

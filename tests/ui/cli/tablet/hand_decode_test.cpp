@@ -37,6 +37,14 @@ std::string touch_trace() {
   return trace.text();
 }
 
+TEST_F(HandDecode, WhereOnlyFingersCameThePensReaderSaysWhatPrintsThem) {
+  const Outcome outcome = decode(touch_trace());
+  EXPECT_NE(
+      outcome.error.find("2 reports, none of a pen: this interface carries fingers and no pen; --touch prints them"),
+      std::string::npos)
+      << outcome.error;
+}
+
 TEST_F(HandDecode, RowsOfAPadAreItsChanges) {
   EXPECT_EQ(decoded(pad_trace(), {"--pad", "--csv"}),
             "report,time_us,keys,ring,ring2,strip,strip2,wheel,hwheel\n"

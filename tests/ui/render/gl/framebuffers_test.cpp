@@ -8,9 +8,9 @@ namespace penpose::render {
 namespace {
 
 TEST(Framebuffers, HaveTheSizeAskedFor) {
-  const auto context = OffscreenContext::make();
+  const auto context = OffscreenContext::make(DrawWay::gl);
   ASSERT_TRUE(context.ok());
-  Framebuffers targets;
+  Framebuffers targets{GlDialect{}};
   ASSERT_TRUE(targets.resize(33, 17).ok());
   EXPECT_GE(targets.samples(), 4);
   const Image image = targets.read();
@@ -19,9 +19,9 @@ TEST(Framebuffers, HaveTheSizeAskedFor) {
 }
 
 TEST(Framebuffers, RefuseWhatTheDriverCannotAndGoOn) {
-  const auto context = OffscreenContext::make();
+  const auto context = OffscreenContext::make(DrawWay::gl);
   ASSERT_TRUE(context.ok());
-  Framebuffers targets;
+  Framebuffers targets{GlDialect{}};
   EXPECT_FALSE(targets.resize(1 << 24, 4).ok());
   EXPECT_FALSE(targets.resize(0, 4).ok());
   EXPECT_TRUE(targets.resize(8, 8).ok());

@@ -9,11 +9,11 @@ namespace penpose::render {
 namespace {
 
 TEST(GlProgram, WhatTheDriverRefusesIsOneLine) {
-  const auto context = OffscreenContext::make();
+  const auto context = OffscreenContext::make(DrawWay::gl);
   ASSERT_TRUE(context.ok());
-  EXPECT_TRUE(context_is_enough());
-  EXPECT_TRUE(GlProgram::make(k_screen_vertex, k_background_fragment, {}).ok());
-  const auto bad = GlProgram::make(k_screen_vertex, "void main() { nonsense }", {});
+  const GlDialect dialect = dialect_of_context(DrawWay::gl).value();
+  EXPECT_TRUE(GlProgram::make(dialect, k_screen_vertex, k_background_fragment, {"corner"}).ok());
+  const auto bad = GlProgram::make(dialect, k_screen_vertex, "void main() { nonsense }", {"corner"});
   ASSERT_FALSE(bad.ok());
   EXPECT_EQ(bad.error().line().find('\n'), std::string::npos);
   EXPECT_NE(bad.error().line().find("shader"), std::string::npos);

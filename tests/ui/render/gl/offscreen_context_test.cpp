@@ -9,14 +9,14 @@ namespace {
 TEST(OffscreenContext, NeedsNoDisplay) {
   ::unsetenv("DISPLAY");
   ::unsetenv("WAYLAND_DISPLAY");
-  const auto context = OffscreenContext::make();
+  const auto context = OffscreenContext::make(DrawWay::gl);
   EXPECT_TRUE(context.ok()) << (context.ok() ? "" : context.error().line());
 }
 
 TEST(OffscreenContext, CanBeMadeAgainAndTwice) {
-  { ASSERT_TRUE(OffscreenContext::make().ok()); }
-  const auto first = OffscreenContext::make();
-  const auto second = OffscreenContext::make();
+  { ASSERT_TRUE(OffscreenContext::make(DrawWay::gl).ok()); }
+  const auto first = OffscreenContext::make(DrawWay::gl);
+  const auto second = OffscreenContext::make(DrawWay::gl);
   EXPECT_TRUE(first.ok());
   EXPECT_TRUE(second.ok());
 }
@@ -27,7 +27,7 @@ TEST(OffscreenContext, WithoutADriverSaysWhatToInstallInOneLine) {
   EXPECT_EXIT(
       {
         ::setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent.json", 1);
-        const auto context = OffscreenContext::make();
+        const auto context = OffscreenContext::make(DrawWay::gl);
         const auto line = context.ok() ? "" : context.error().line();
         std::exit(
             !context.ok() && line.find("libegl1") != std::string::npos && line.find('\n') == std::string::npos ? 0 : 1);

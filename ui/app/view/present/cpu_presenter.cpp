@@ -1,26 +1,22 @@
-#include <SDL2/SDL.h>
-#include <chrono>
-#include <thread>
+#include "ui/app/view/present/cpu_presenter.h"
 
+#include "ui/app/view/present/output/changed_parts.h"
 #include "ui/app/view/present/panel_painter.h"
-#include "ui/app/view/present/presenter.h"
 #include "ui/render/cpu/cpu_renderer.h"
 
 namespace penpose::app {
 namespace {
 
-/// Nothing tells when the screen is done with a picture; more than 60 a second are never seen.
-constexpr std::chrono::microseconds k_least_between{16'000};
-
 class CpuPresenter final : public Presenter {
  public:
-  explicit CpuPresenter(SDL_Window* window) : window_(window) {}
+  CpuPresenter(PictureOutput& output, Rotation rotation, bool slow)
+      : output_(output), rotation_(rotation), slow_(slow) {}
 
   base::Status begin() override {
     renderer_ = std::make_unique<render::CpuRenderer>();
     // Darkening of creases would cost the pen its frames; edges are smoothed when nothing moves.
     renderer_->set_occlusion(false);
-    renderer_->set_smoothing(true);
+    renderer_->set_smoothing(!slow_);
     return base::Done{};
   }
 
@@ -36,36 +32,43 @@ class CpuPresenter final : public Presenter {
   }
 
   void show() override {
-    std::this_thread::sleep_until(shown_ + k_least_between);
-    shown_ = std::chrono::steady_clock::now();
-    SDL_Surface* surface = SDL_GetWindowSurface(window_);
-    if (surface == nullptr || SDL_LockSurface(surface) != 0) return;
-    // A window that has just changed its size shows what there is of it.
-    const int width = std::min(surface->w, picture_.width);
-    const int height = std::min(surface->h, picture_.height);
-    SDL_ConvertPixels(width, height, SDL_PIXELFORMAT_RGBA32, picture_.pixels.data(), picture_.width * 4,
-                      surface->format->format, surface->pixels, surface->pitch);
-    SDL_UnlockSurface(surface);
-    SDL_UpdateWindowSurface(window_);
-    drawable_ = geometry::Viewport{surface->w, surface->h};
+    std::vector<render::PxRect> parts{{0, 0, picture_.width, picture_.height}};
+    if (slow_) {
+      parts = changed_parts(shown_, picture_);
+      shown_ = picture_;
+    }
+    if (rotation_ == Rotation::none) {
+      output_.show(picture_, parts);
+    } else {
+      turn(picture_, parts, rotation_, turned_);
+      for (render::PxRect& part : parts) part = on_panel(part, {picture_.width, picture_.height}, rotation_);
+      output_.show(turned_, parts);
+    }
+    const auto panel = output_.size();
+    if (panel) drawable_ = turned_size(*panel, rotation_);
   }
 
   void send_letters() override {}  // they are read where ImGui has them
 
-  [[nodiscard]] bool refining() const override { return renderer_->refining(); }
+  [[nodiscard]] bool refining() const override { return !slow_ && renderer_->refining(); }
   [[nodiscard]] std::vector<std::string> take_undrawn() override { return renderer_->take_undrawn(); }
   [[nodiscard]] std::optional<geometry::Viewport> drawable() const override { return drawable_; }
 
  private:
-  SDL_Window* window_;
+  PictureOutput& output_;
+  Rotation rotation_;
+  bool slow_;
   std::unique_ptr<render::CpuRenderer> renderer_;
   render::Image picture_;
-  std::chrono::steady_clock::time_point shown_;
+  render::Image shown_;   ///< on a slow screen, what it shows
+  render::Image turned_;  ///< on a panel that is mounted turned
   std::optional<geometry::Viewport> drawable_;
 };
 
 }  // namespace
 
-std::unique_ptr<Presenter> make_cpu_presenter(SDL_Window* window) { return std::make_unique<CpuPresenter>(window); }
+std::unique_ptr<Presenter> make_cpu_presenter(PictureOutput& output, Rotation rotation, bool slow) {
+  return std::make_unique<CpuPresenter>(output, rotation, slow);
+}
 
 }  // namespace penpose::app

@@ -24,6 +24,12 @@ Bytes bytes_of(ImU32 color) {
 /// a / 255, rounded, of products of two bytes.
 std::uint32_t over_255(std::uint32_t a) { return (a + 128U + ((a + 128U) >> 8U)) >> 8U; }
 
+/// As std::floor, without a call.
+int whole_below(float x) {
+  const int towards_zero = static_cast<int>(x);
+  return static_cast<float>(towards_zero) > x ? towards_zero - 1 : towards_zero;
+}
+
 /// The picture of letters and signs.
 class Letters {
  public:
@@ -33,11 +39,19 @@ class Letters {
         height_(atlas.TexHeight) {}
 
   [[nodiscard]] bool known() const { return px_ != nullptr; }
+  /// At the place that was asked for last it costs nothing: what is plain all points at one white px.
+  [[nodiscard]] Bytes plain(const ImVec2& uv) {
+    if (uv.x != last_uv_.x || uv.y != last_uv_.y) {
+      last_uv_ = uv;
+      last_ = sample(uv.x, uv.y);
+    }
+    return last_;
+  }
   [[nodiscard]] Bytes sample(float u, float v) const {
     const float x = u * static_cast<float>(width_) - 0.5F;
     const float y = v * static_cast<float>(height_) - 0.5F;
-    const int column = static_cast<int>(std::floor(x));
-    const int row = static_cast<int>(std::floor(y));
+    const int column = whole_below(x);
+    const int row = whole_below(y);
     // In steps of 256, as graphics cards do it.
     const auto right = static_cast<std::uint32_t>((x - static_cast<float>(column)) * 256.0F + 0.5F);
     const auto lower = static_cast<std::uint32_t>((y - static_cast<float>(row)) * 256.0F + 0.5F);
@@ -62,6 +76,8 @@ class Letters {
   const std::uint8_t* px_;
   int width_;
   int height_;
+  ImVec2 last_uv_{-1, -1};
+  Bytes last_{};
 };
 
 Bytes product(const Bytes& a, const Bytes& b) {
@@ -80,18 +96,35 @@ void lay_over(std::uint8_t* out, const Bytes& color) {
   }
 }
 
-/// One row in one colour, without a choice a px.
-void fill_row(std::uint8_t* out, int count, const Bytes& color) {
-  const std::uint32_t alpha = color[3];
-  if (alpha == 0) return;
-  const std::array<std::uint32_t, 4> own{color[0] * alpha + 128U, color[1] * alpha + 128U, color[2] * alpha + 128U,
-                                         255U * alpha + 128U};
-  const std::uint32_t rest = 255U - alpha;
-  for (int i = 0; i < count * 4; ++i) {
-    const std::uint32_t sum = own[static_cast<std::size_t>(i & 3)] + out[i] * rest;
-    out[i] = static_cast<std::uint8_t>((sum + (sum >> 8U)) >> 8U);
+/// Fills rows with one colour: sixteen bytes at a time, in numbers of two bytes, which compilers do at once.
+class Filler {
+ public:
+  explicit Filler(const Bytes& color) : alpha_(color[3]), rest_(static_cast<std::uint16_t>(255U - color[3])) {
+    for (unsigned i = 0; i < k_lanes; ++i) {
+      own_[i] = static_cast<std::uint16_t>((i % 4 == 3 ? 255U : color[i % 4]) * alpha_ + 128U);
+    }
   }
-}
+
+  void fill(std::uint8_t* out, int count) const {
+    if (alpha_ == 0) return;
+    int bytes = count * 4;
+    for (; bytes >= k_lanes; bytes -= k_lanes, out += k_lanes) {
+      for (int i = 0; i < k_lanes; ++i) mix(out, i);
+    }
+    for (int i = 0; i < bytes; ++i) mix(out, i);
+  }
+
+ private:
+  static constexpr int k_lanes = 16;
+  void mix(std::uint8_t* out, int i) const {
+    const auto sum = static_cast<std::uint16_t>(own_[i] + static_cast<std::uint16_t>(out[i] * rest_));
+    out[i] = static_cast<std::uint8_t>(static_cast<std::uint16_t>(sum + (sum >> 8)) >> 8);
+  }
+
+  unsigned alpha_;
+  std::uint16_t rest_;
+  std::uint16_t own_[k_lanes];
+};
 
 /// The first px whose middle is at or behind a place.
 int first_px(float at) { return static_cast<int>(std::ceil(at - 0.5F)); }
@@ -99,8 +132,7 @@ int first_px(float at) { return static_cast<int>(std::ceil(at - 0.5F)); }
 /// What of ImGui's lists lies in one of its clipping rectangles.
 class Painter {
  public:
-  Painter(const Letters& letters, const PxRect& clip, Image& picture)
-      : letters_(letters), clip_(clip), picture_(picture) {}
+  Painter(Letters& letters, const PxRect& clip, Image& picture) : letters_(letters), clip_(clip), picture_(picture) {}
 
   /// Two triangles that make an upright rectangle of one colour: most of what panels are. False: they do not.
   bool rectangle(const ImDrawVert& a, const ImDrawVert& b, const ImDrawVert& c, const ImDrawVert& d) const {
@@ -113,9 +145,9 @@ class Painter {
     if (part.empty()) return true;
     const Bytes color = bytes_of(a.col);
     if (a.uv.x == c.uv.x && a.uv.y == c.uv.y) {
-      const Bytes whole = product(letters_.sample(a.uv.x, a.uv.y), color);
+      const Filler whole(product(letters_.plain(a.uv), color));
       for (int y = part.top; y < part.bottom; ++y) {
-        fill_row(render::px_of(picture_, part.left, y), part.right - part.left, whole);
+        whole.fill(render::px_of(picture_, part.left, y), part.right - part.left);
       }
       return true;
     }
@@ -142,6 +174,7 @@ class Painter {
       corners[k].x = static_cast<std::int32_t>(std::floor(at.x * render::k_subpixels + 0.5F));
       corners[k].y = static_cast<std::int32_t>(std::floor(at.y * render::k_subpixels + 0.5F));
     }
+    if (render::shared_part(render::px_around(corners), clip_).empty()) return;
     std::int64_t area = render::twice_area(corners);
     if (area == 0) return;
     if (area < 0) {
@@ -150,7 +183,29 @@ class Painter {
       area = -area;
     }
     const bool one_place = a.uv.x == b.uv.x && a.uv.x == c.uv.x && a.uv.y == b.uv.y && a.uv.y == c.uv.y;
-    const Bytes there = letters_.sample(a.uv.x, a.uv.y);
+    const Bytes there = letters_.plain(a.uv);
+    if (one_place && a.col == b.col && a.col == c.col) {
+      const Filler whole(product(there, bytes_of(a.col)));
+      render::visit_rows(corners, clip_, [&](int left, int right, int y) {
+        whole.fill(render::px_of(picture_, left, y), right - left);
+      });
+      return;
+    }
+    constexpr ImU32 k_opaque = ~IM_COL32_A_MASK;
+    if (one_place && (a.col & k_opaque) == (b.col & k_opaque) && (a.col & k_opaque) == (c.col & k_opaque)) {
+      // The soft borders of everything: one colour whose alpha fades.
+      for (std::size_t k = 0; k < 3; ++k) {
+        corners[k].inverse_depth = static_cast<float>(three[k]->col >> IM_COL32_A_SHIFT);
+      }
+      const render::PxPlane plane = render::depth_plane(corners, area);
+      const Bytes own = bytes_of(a.col);
+      render::visit_inside(corners, clip_, [&](int x, int y) {
+        Bytes color = own;
+        color[3] = static_cast<std::uint8_t>(std::clamp(plane.at(x, y), 0.0F, 255.0F) + 0.5F);
+        lay_over(render::px_of(picture_, x, y), product(there, color));
+      });
+      return;
+    }
     std::array<render::PxPlane, 6> planes;  // R, G, B, A, u, v
     const Bytes colors[3] = {bytes_of(three[0]->col), bytes_of(three[1]->col), bytes_of(three[2]->col)};
     for (std::size_t i = 0; i < planes.size(); ++i) {
@@ -170,7 +225,7 @@ class Painter {
   }
 
  private:
-  const Letters& letters_;
+  Letters& letters_;
   PxRect clip_;
   Image& picture_;
 };
@@ -188,7 +243,7 @@ PxRect px_of_clip(const ImVec4& clip, const Image& picture) {
 }  // namespace
 
 void paint_panels(const ImDrawData& panels, Image& picture) {
-  const Letters letters(*ImGui::GetIO().Fonts);
+  Letters letters(*ImGui::GetIO().Fonts);
   if (!letters.known()) return;
   for (int l = 0; l < panels.CmdListsCount; ++l) {
     const ImDrawList& list = *panels.CmdLists[l];

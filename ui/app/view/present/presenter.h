@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "ui/app/view/draw_frame.h"
+#include "ui/render/renderer.h"
 
 struct SDL_Window;
 struct ImDrawData;
@@ -41,11 +42,7 @@ class Presenter {
   Presenter() = default;
 };
 
-/// Before anything of OpenGL is started. Errors: its driver would not survive it, or the program was built without.
-[[nodiscard]] base::Status check_gl();
-/// By OpenGL, in a context of the window that no thread has as its own.
-[[nodiscard]] std::unique_ptr<Presenter> make_gl_presenter(SDL_Window* window, void* context);
-/// By the processor, into the window's own px.
-[[nodiscard]] std::unique_ptr<Presenter> make_cpu_presenter(SDL_Window* window);
+/// By OpenGL, in a context of the window that no thread has as its own. Precondition: the way is not the processor.
+[[nodiscard]] std::unique_ptr<Presenter> make_gl_presenter(SDL_Window* window, void* context, render::DrawWay way);
 
 }  // namespace penpose::app

@@ -30,51 +30,43 @@ void DrawItems::sort(const Raster& raster, std::span<const glm::vec3> positions,
   segments_ = std::move(segments);
   pieces_.clear();
   const PxRect picture{0, 0, size_.width, size_.height};
-  // Twice: how many each tile has, then which.
   starts_.assign(static_cast<std::size_t>(tile_count()) + 1, 0);
-  std::vector<std::uint32_t> next;
-  const auto each_seen = [&](const auto& take) {
-    std::uint32_t piece = 0;
-    for (const Segment& segment : segments_) {
-      std::uint32_t item = segment.first_item;
-      for (const mesh::Triangle& t : segment.triangles) {
-        const Corners corners{vertices[t[0]].corner, vertices[t[1]].corner, vertices[t[2]].corner};
-        const bool clipped =
-            corners[0].x == k_must_be_clipped || corners[1].x == k_must_be_clipped || corners[2].x == k_must_be_clipped;
-        const auto take_if_seen = [&](const Corners& c, std::uint32_t number) {
-          const PxRect px = shared_part(px_around(c), picture);
-          if (px.empty()) return;
-          const std::int64_t area = twice_area(c);
-          if (area == 0 || (segment.culls_back && area > 0)) return;
-          take(tiles_of(px), number);
-        };
-        if (clipped) {
-          if (next.empty()) add_pieces(raster, positions, t, item, pieces_);
-          for (; piece < pieces_.size() && pieces_[piece].item == item; ++piece) {
-            take_if_seen(pieces_[piece].corners, k_piece | piece);
-          }
-        } else {
-          take_if_seen(corners, item);
-        }
-        ++item;
-      }
-    }
-  };
-  const auto each_tile = [&](const PxRect& tiles, const auto& visit) {
+  in_tiles_.clear();
+  const auto take_if_seen = [&](const Segment& segment, const Corners& c, std::uint32_t number) {
+    const PxRect px = shared_part(px_around(c), picture);
+    if (px.empty()) return;
+    const std::int64_t area = twice_area(c);
+    if (area == 0 || (segment.culls_back && area > 0)) return;
+    const PxRect tiles = tiles_of(px);
     for (int y = tiles.top; y < tiles.bottom; ++y) {
       for (int x = tiles.left; x < tiles.right; ++x) {
-        const auto i = static_cast<std::size_t>(y * columns_ + x);
-        if (wanted.empty() || wanted[i]) visit(i);
+        const auto tile = static_cast<std::uint32_t>(y * columns_ + x);
+        if (!wanted.empty() && !wanted[tile]) continue;
+        in_tiles_.push_back({tile, number});
+        ++starts_[tile + 1];
       }
     }
   };
-  each_seen([&](const PxRect& tiles, std::uint32_t) { each_tile(tiles, [&](std::size_t i) { ++starts_[i + 1]; }); });
+  for (const Segment& segment : segments_) {
+    std::uint32_t item = segment.first_item;
+    for (const mesh::Triangle& t : segment.triangles) {
+      const Corners corners{vertices[t[0]].corner, vertices[t[1]].corner, vertices[t[2]].corner};
+      if (corners[0].x != k_must_be_clipped && corners[1].x != k_must_be_clipped && corners[2].x != k_must_be_clipped) {
+        take_if_seen(segment, corners, item++);
+        continue;
+      }
+      std::size_t piece = pieces_.size();
+      add_pieces(raster, positions, t, item++, pieces_);
+      for (; piece < pieces_.size(); ++piece) {
+        take_if_seen(segment, pieces_[piece].corners, k_piece | static_cast<std::uint32_t>(piece));
+      }
+    }
+  }
+  // Then each tile's together, in the same order.
   for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
-  items_.resize(starts_.back());
-  next.assign(starts_.begin(), starts_.end());
-  each_seen([&](const PxRect& tiles, std::uint32_t number) {
-    each_tile(tiles, [&](std::size_t i) { items_[next[i]++] = number; });
-  });
+  items_.resize(in_tiles_.size());
+  std::vector<std::uint32_t> next(starts_.begin(), starts_.end());
+  for (const InTile& one : in_tiles_) items_[next[one.tile]++] = one.item;
 }
 
 }  // namespace penpose::render

@@ -58,6 +58,11 @@ class DrawItems {
   geometry::Viewport size_;
   std::vector<Segment> segments_;
   std::vector<Piece> pieces_;
+  struct InTile {
+    std::uint32_t tile = 0;
+    std::uint32_t item = 0;
+  };
+  std::vector<InTile> in_tiles_;  ///< in the order in which they are drawn
   std::vector<std::uint32_t> items_;
   std::vector<std::uint32_t> starts_;  ///< of each tile in items_, and the end
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 #include "ui/render/cpu/triangles/screen_vertices.h"
 
@@ -64,29 +65,55 @@ struct PxPlane {
 
 namespace internal {
 
-template <typename Whole, typename Visit>
-void visit_inside(const Corners& c, const PxRect& part, const Visit& visit) {
-  std::array<Whole, 3> row{};
+/// The edges of a triangle over a rectangle of px: a px is inside where all three are zero or more.
+template <typename Whole>
+struct Edges {
+  std::array<Whole, 3> row{};  ///< at the first px of the row
   std::array<Whole, 3> by_x{};
   std::array<Whole, 3> by_y{};
-  for (int k = 0; k < 3; ++k) {
-    const Corner& p = c[static_cast<std::size_t>((k + 1) % 3)];
-    const Corner& q = c[static_cast<std::size_t>((k + 2) % 3)];
-    const Whole dx = q.x - p.x;
-    const Whole dy = q.y - p.y;
-    const Whole x = part.left * k_subpixels + k_subpixels / 2 - p.x;
-    const Whole y = part.top * k_subpixels + k_subpixels / 2 - p.y;
-    // Of an edge that two triangles share each px belongs to one of them: the one below it, or to its right.
-    const Whole own = dy < 0 || (dy == 0 && dx > 0) ? 0 : -1;
-    const auto at = static_cast<std::size_t>(k);
-    row[at] = dx * y - dy * x + own;
-    by_x[at] = -dy * k_subpixels;
-    by_y[at] = dx * k_subpixels;
+
+  Edges(const Corners& c, const PxRect& part) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Corner& p = c[(k + 1) % 3];
+      const Corner& q = c[(k + 2) % 3];
+      const Whole dx = q.x - p.x;
+      const Whole dy = q.y - p.y;
+      const Whole x = part.left * k_subpixels + k_subpixels / 2 - p.x;
+      const Whole y = part.top * k_subpixels + k_subpixels / 2 - p.y;
+      // Of an edge that two triangles share each px belongs to one of them: the one below it, or to its right.
+      const Whole own = dy < 0 || (dy == 0 && dx > 0) ? 0 : -1;
+      row[k] = dx * y - dy * x + own;
+      by_x[k] = -dy * k_subpixels;
+      by_y[k] = dx * k_subpixels;
+    }
   }
+  void next_row() {
+    for (std::size_t k = 0; k < 3; ++k) row[k] += by_y[k];
+  }
+  /// Which px of a row of `width` are inside, from the first up to, but without, the second.
+  [[nodiscard]] std::pair<int, int> inside(int width) const {
+    Whole first = 0;
+    Whole end = width;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (by_x[k] > 0) {
+        if (row[k] < 0) first = std::max(first, (-row[k] + by_x[k] - 1) / by_x[k]);
+      } else if (row[k] < 0) {
+        return {0, 0};
+      } else if (by_x[k] < 0) {
+        end = std::min(end, row[k] / -by_x[k] + 1);
+      }
+    }
+    return {static_cast<int>(first), static_cast<int>(end)};
+  }
+};
+
+template <typename Whole, typename Visit>
+void visit_px(const Corners& c, const PxRect& part, const Visit& visit) {
+  Edges<Whole> edges(c, part);
   for (int y = part.top; y < part.bottom; ++y) {
-    Whole a = row[0];
-    Whole b = row[1];
-    Whole d = row[2];
+    Whole a = edges.row[0];
+    Whole b = edges.row[1];
+    Whole d = edges.row[2];
     bool inside = false;
     for (int x = part.left; x < part.right; ++x) {
       if ((a | b | d) >= 0) {
@@ -95,17 +122,45 @@ void visit_inside(const Corners& c, const PxRect& part, const Visit& visit) {
       } else if (inside) {
         break;  // a row of a triangle has no gaps
       }
-      a += by_x[0];
-      b += by_x[1];
-      d += by_x[2];
+      a += edges.by_x[0];
+      b += edges.by_x[1];
+      d += edges.by_x[2];
     }
-    row[0] += by_y[0];
-    row[1] += by_y[1];
-    row[2] += by_y[2];
+    edges.next_row();
   }
 }
 
+template <typename Whole, typename Visit>
+void visit_rows(const Corners& c, const PxRect& part, const Visit& visit) {
+  Edges<Whole> edges(c, part);
+  for (int y = part.top; y < part.bottom; ++y) {
+    const auto [first, end] = edges.inside(part.right - part.left);
+    if (first < end) visit(part.left + first, part.left + end, y);
+    edges.next_row();
+  }
+}
+
+/// Sides of up to 64 px keep all products within 31 bits.
+[[nodiscard]] inline bool is_small(const PxRect& around) {
+  constexpr int k_small = 64;
+  return around.right - around.left < k_small && around.bottom - around.top < k_small;
+}
+
 }  // namespace internal
+
+/// Calls `visit(left, right, y)` for the px of each row of a rectangle whose middles lie in the triangle. Precondition:
+/// an area above zero.
+template <typename Visit>
+void visit_rows(const Corners& c, const PxRect& within, const Visit& visit) {
+  const PxRect around = px_around(c);
+  const PxRect part = shared_part(around, within);
+  if (part.empty()) return;
+  if (internal::is_small(around)) {
+    internal::visit_rows<std::int32_t>(c, part, visit);
+  } else {
+    internal::visit_rows<std::int64_t>(c, part, visit);
+  }
+}
 
 /// Calls `visit(x, y)` for each px of a rectangle whose middle lies in the triangle, row by row. Precondition: an area
 /// above zero.
@@ -114,12 +169,16 @@ void visit_inside(const Corners& c, const PxRect& within, const Visit& visit) {
   const PxRect around = px_around(c);
   const PxRect part = shared_part(around, within);
   if (part.empty()) return;
-  // Sides of up to 64 px keep all products within 31 bits.
-  constexpr int k_small = 64;
-  if (around.right - around.left < k_small && around.bottom - around.top < k_small) {
-    internal::visit_inside<std::int32_t>(c, part, visit);
+  // In wide rows it is cheaper to divide for where they begin and end than to look at each px.
+  constexpr int k_wide = 24;
+  if (part.right - part.left > k_wide) {
+    visit_rows(c, within, [&](int left, int right, int y) {
+      for (int x = left; x < right; ++x) visit(x, y);
+    });
+  } else if (internal::is_small(around)) {
+    internal::visit_px<std::int32_t>(c, part, visit);
   } else {
-    internal::visit_inside<std::int64_t>(c, part, visit);
+    internal::visit_px<std::int64_t>(c, part, visit);
   }
 }
 

@@ -42,7 +42,12 @@ struct UsbBehaviour {
   int port = 0;                                      ///< of the virtual host controller
   /// Sends no report until the string with this index was read; -1: from the start.
   int asleep_until_string = -1;
+  bool takes_output = false;  ///< every interface has an endpoint for output as well
 };
+
+/// Takes one option of the programs that make a virtual USB device: "--string N=TEXT", "--bytes N=HEX" (strings),
+/// "--port N", "--asleep-until N", "--output yes". False for any other.
+[[nodiscard]] bool take_usb_option(UsbBehaviour& behaviour, const std::string& name, const std::string& value);
 
 /// A USB device with one HID interface per entry, served over the USB/IP protocol to the kernel's own vhci_hcd.
 [[nodiscard]] base::Result<std::unique_ptr<VirtualDevice>> make_usb_device(const VirtualDevice::Interfaces& interfaces,

@@ -4,7 +4,7 @@
 
 namespace penpose::app {
 
-base::Status check_gl() { return base::Error{"this penpose was built without OpenGL", "", "draw with --draw cpu"}; }
-std::unique_ptr<Presenter> make_gl_presenter(SDL_Window*, void*) { return nullptr; }
+// Not called: no context is made without OpenGL (ui/render/absent/no_gl.cpp).
+std::unique_ptr<Presenter> make_gl_presenter(SDL_Window*, void*, render::DrawWay) { return nullptr; }
 
 }  // namespace penpose::app

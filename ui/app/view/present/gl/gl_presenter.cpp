@@ -1,11 +1,10 @@
 #include <SDL2/SDL.h>
-#include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
 #include "ui/app/view/present/gl/drawable_size.h"
+#include "ui/app/view/present/gl/gl_panels.h"
 #include "ui/app/view/present/presenter.h"
 #include "ui/render/gl/gl_renderer.h"
-#include "ui/render/gl/offscreen_context.h"
 
 namespace penpose::app {
 namespace {
@@ -17,30 +16,31 @@ bool draws_in_software(const std::string& driver) {
 
 class GlPresenter final : public Presenter {
  public:
-  GlPresenter(SDL_Window* window, void* context) : window_(window), context_(context) {}
+  GlPresenter(SDL_Window* window, void* context, render::DrawWay way) : window_(window), context_(context), way_(way) {}
 
   base::Status begin() override {
     if (SDL_GL_MakeCurrent(window_, context_) != 0) {
-      return base::Error{"OpenGL could not be used on another thread", "", "try another driver"};
+      return base::Error{"OpenGL could not be used on another thread", "", "draw with --draw cpu"};
     }
     SDL_GL_SetSwapInterval(1);
-    auto renderer = render::GlRenderer::make_in_current_context();
+    auto renderer = render::GlRenderer::make_in_current_context(way_);
     if (!renderer) return renderer.error();
     // Darkening of creases would cost the pen its frames where there is no graphics card, and edges averaged from
     // several samples 30 MB and half of its speed; they are smoothed when nothing moves.
-    const bool software = draws_in_software((*renderer)->driver());
-    (*renderer)->set_occlusion(!software);
-    (*renderer)->set_smoothing(software);
-    if (!ImGui_ImplOpenGL3_Init("#version 140")) {
-      return base::Error{"the panels could not be started", "", "install libgl1 and libgl1-mesa-dri"};
-    }
-    ImGui_ImplOpenGL3_NewFrame();
+    const bool weak = way_ == render::DrawWay::es || draws_in_software((*renderer)->driver());
+    (*renderer)->set_occlusion(!weak);
+    (*renderer)->set_smoothing(weak);
+    auto panels = GlPanels::make((*renderer)->dialect());
+    if (!panels) return panels.error();
+    panels_.emplace(std::move(*panels));
+    panels_->send_letters();
+    ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     renderer_ = std::move(*renderer);
     return base::Done{};
   }
 
   void end() override {
-    if (renderer_) ImGui_ImplOpenGL3_Shutdown();
+    panels_.reset();
     renderer_.reset();
     SDL_GL_MakeCurrent(window_, nullptr);
   }
@@ -50,7 +50,7 @@ class GlPresenter final : public Presenter {
     const auto camera = geometry::Camera::make(frame.view.camera, frame.view.viewport);
     if (!camera) return camera.error();
     if (auto drawn = renderer_->draw(scene_of(frame), *camera, 0, 0, 0); !drawn) return drawn;
-    ImGui_ImplOpenGL3_RenderDrawData(&panels);
+    panels_->draw(panels);
     return base::Done{};
   }
 
@@ -59,10 +59,7 @@ class GlPresenter final : public Presenter {
     drawable_ = drawable_size();
   }
 
-  void send_letters() override {
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
-    ImGui_ImplOpenGL3_CreateFontsTexture();
-  }
+  void send_letters() override { panels_->send_letters(); }
 
   [[nodiscard]] bool refining() const override { return renderer_->refining(); }
   [[nodiscard]] std::vector<std::string> take_undrawn() override { return renderer_->take_undrawn(); }
@@ -71,19 +68,16 @@ class GlPresenter final : public Presenter {
  private:
   SDL_Window* window_;
   void* context_;
+  render::DrawWay way_;
   std::unique_ptr<render::GlRenderer> renderer_;
+  std::optional<GlPanels> panels_;
   std::optional<geometry::Viewport> drawable_;
 };
 
 }  // namespace
 
-base::Status check_gl() {
-  if (const auto room = render::check_room_for_gl(); !room) return room;
-  return render::check_threads_for_gl();
-}
-
-std::unique_ptr<Presenter> make_gl_presenter(SDL_Window* window, void* context) {
-  return std::make_unique<GlPresenter>(window, context);
+std::unique_ptr<Presenter> make_gl_presenter(SDL_Window* window, void* context, render::DrawWay way) {
+  return std::make_unique<GlPresenter>(window, context, way);
 }
 
 }  // namespace penpose::app

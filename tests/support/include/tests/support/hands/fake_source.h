@@ -23,7 +23,9 @@ struct FakeTablet {
   std::vector<std::string> asked;  ///< "string 200", "feature 0202", "output 02b004"
   std::atomic<bool> closed{false};
   bool refuses = false;
-  bool queue_was_full = false;        ///< what it says with every report
+  bool queue_was_full = false;  ///< what it says with every report
+  std::atomic<bool> exclusive{false};
+  std::atomic<bool> taken{false};     ///< whether it says that another program has it
   std::vector<std::uint8_t> feature;  ///< what it says when it is asked for a feature report; empty: nothing
 
   void send(std::vector<std::uint8_t> report) {
@@ -72,6 +74,8 @@ class FakeSource final : public device::ReportSource {
     if (const auto asked = ask("string " + std::to_string(index)); !asked) return asked.error();
     return std::string("answer");
   }
+  void set_exclusive(bool wanted) override { tablet_->exclusive = wanted; }
+  [[nodiscard]] bool is_taken() const override { return tablet_->taken; }
 
  private:
   base::Status ask(std::string what) {

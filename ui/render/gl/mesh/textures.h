@@ -5,13 +5,16 @@
 #include <utility>
 #include <vector>
 
+#include "ui/render/gl/gl_dialect.h"
 #include "ui/render/kept_pictures.h"
 
 namespace penpose::render {
 
 /// The pictures of models as textures of the current context, as KeptPictures has them: all together 9.6 million px.
+/// Where there are no textures of sRGB they hold sRGB as it is, and sides that are powers of two.
 class Textures {
  public:
+  explicit Textures(const GlDialect& dialect) : modern_(dialect.modern) {}
   void keep(const document::Look& look, std::span<const LookBatch> batches);
   void clear() { pictures_.clear(); }
   /// Binds a picture to texture unit 0 as it is to be used. False: it cannot be read.
@@ -30,6 +33,7 @@ class Textures {
    private:
     unsigned name_ = 0;
   };
+  bool modern_;
   KeptPictures<Texture> pictures_;
 };
 

@@ -1,13 +1,12 @@
-#include "ui/render/gl/look_pass.h"
+#include "ui/render/gl/mesh/look_pass.h"
 
 #include <algorithm>
 #include <array>
 #include <epoxy/gl.h>
 #include <utility>
 
+#include "ui/render/gl/mesh/view_uniforms.h"
 #include "ui/render/gl/shaders.h"
-#include "ui/render/gl/vertex_data.h"
-#include "ui/render/gl/view_uniforms.h"
 
 namespace penpose::render {
 namespace {
@@ -17,61 +16,53 @@ constexpr unsigned k_tint_place = 6;
 
 }  // namespace
 
-base::Result<LookPass> LookPass::make() {
+base::Result<LookPass> LookPass::make(const GlDialect& dialect) {
   auto program =
-      GlProgram::make(std::string(k_place_functions).append(k_look_vertex), k_look_fragment,
+      GlProgram::make(dialect, std::string(k_place_functions).append(k_look_vertex), k_look_fragment,
                       {"position", "normal", "base_color", "finish", "overlay", "coordinates", "tint"}, k_lights);
   if (!program) return program.error();
-  LookPass made;
-  made.program_ = std::move(*program);
-  for (unsigned* buffer : {&made.coordinates_, &made.tint_}) glGenBuffers(1, buffer);
-  return made;
+  return LookPass(dialect, std::move(*program));
 }
 
-LookPass::LookPass(LookPass&& other) noexcept { *this = std::move(other); }
-LookPass& LookPass::operator=(LookPass&& other) noexcept {
-  std::swap(program_, other.program_);
-  std::swap(textures_, other.textures_);
-  std::swap(look_, other.look_);
-  std::swap(coordinates_, other.coordinates_);
-  std::swap(tint_, other.tint_);
-  return *this;
+void LookPass::add_to(MeshBuffers& mesh) {
+  coordinates_ = mesh.add_buffer();
+  tint_ = mesh.add_buffer();
 }
 
-LookPass::~LookPass() {
-  for (const unsigned buffer : {coordinates_, tint_}) {
-    if (buffer != 0) glDeleteBuffers(1, &buffer);
-  }
-}
-
-void LookPass::upload(const Scene& scene, const DrawList& list) {
-  const std::size_t vertex_count = scene.positions.size();
+void LookPass::upload(const Scene& scene, const DrawList& list, MeshBuffers& mesh) {
   look_ = list.batches.empty() ? nullptr : scene.appearance->look;
   if (!look_) {
     // Models without pictures take no memory for them; clay keeps them, because one looks at both in turn.
     if (scene.appearance == nullptr || !scene.appearance->look) textures_.clear();
-    glDisableVertexAttribArray(k_coordinates_place);
-    glDisableVertexAttribArray(k_tint_place);
-    fill(GL_ARRAY_BUFFER, coordinates_, std::vector<float>(), GL_STATIC_DRAW);
-    fill(GL_ARRAY_BUFFER, tint_, std::vector<float>(), GL_STATIC_DRAW);
+    mesh.drop(k_coordinates_place);
+    mesh.drop(k_tint_place);
+    mesh.send(coordinates_, std::span<const float>(), GL_STATIC_DRAW);
+    mesh.send(tint_, std::span<const float>(), GL_STATIC_DRAW);
+    mesh.unbind();
     return;
   }
+  upload_vertices(scene, mesh);
+  mesh.set({k_coordinates_place, coordinates_, 4, GL_FLOAT, 16, 0});
+  mesh.set({k_tint_place, tint_, 4, GL_UNSIGNED_BYTE, 4, 0});
+  mesh.unbind();
+  textures_.keep(*look_, scene.appearance->batches);
+}
+
+void LookPass::upload_vertices(const Scene& scene, MeshBuffers& mesh) {
+  if (!look_) return;
+  const std::size_t vertex_count = scene.positions.size();
   const auto& [first, second] = look_->coordinates;
   std::vector<std::array<float, 4>> coordinates(vertex_count, std::array<float, 4>{0, 0, 0, 0});
   for (std::size_t v = 0; v < vertex_count; ++v) {
     if (!first.empty()) std::copy(first[v].begin(), first[v].end(), coordinates[v].begin());
     if (!second.empty()) std::copy(second[v].begin(), second[v].end(), coordinates[v].begin() + 2);
   }
-  fill(GL_ARRAY_BUFFER, coordinates_, coordinates, GL_STATIC_DRAW);
-  glEnableVertexAttribArray(k_coordinates_place);
-  glVertexAttribPointer(k_coordinates_place, 4, GL_FLOAT, GL_FALSE, 16, offset(0));
-  fill(GL_ARRAY_BUFFER, tint_, vertex_tint(*look_, vertex_count), GL_STATIC_DRAW);
-  glEnableVertexAttribArray(k_tint_place);
-  glVertexAttribPointer(k_tint_place, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, offset(0));
-  textures_.keep(*look_, scene.appearance->batches);
+  mesh.send(coordinates_, std::span<const std::array<float, 4>>(coordinates), GL_STATIC_DRAW);
+  mesh.send(tint_, std::span<const Bytes4>(vertex_tint(*look_, vertex_count)), GL_STATIC_DRAW);
 }
 
-void LookPass::draw_opaque(const View& view, const DrawList& list, std::span<const std::size_t> first_index) const {
+void LookPass::draw_opaque(const View& view, const DrawList& list, std::span<const std::size_t> first_index,
+                           const MeshBuffers& mesh) const {
   if (!look_) return;
   use_with_view(program_, view);
   for (const document::AlphaMode mode :
@@ -79,22 +70,24 @@ void LookPass::draw_opaque(const View& view, const DrawList& list, std::span<con
     for (std::size_t b = 0; b < list.batches.size(); ++b) {
       const LookBatch& batch = list.batches[b].of;
       if (look_->surfaces[batch.surface].alpha != mode) continue;
-      draw_batch(batch, first_index[b], least_alpha(look_->surfaces[batch.surface]));
+      draw_batch(batch, first_index[b], least_alpha(look_->surfaces[batch.surface]), mesh);
     }
   }
   glDisable(GL_CULL_FACE);
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void LookPass::draw_blended(const View& view, const DrawList& list, std::span<const std::size_t> first_index) const {
+void LookPass::draw_blended(const View& view, const DrawList& list, std::span<const std::size_t> first_index,
+                            const MeshBuffers& mesh) const {
   if (list.blended.empty()) return;
   use_with_view(program_, view);
-  for (const std::size_t b : list.blended) draw_batch(list.batches[b].of, first_index[b], k_nearly_clear);
+  for (const std::size_t b : list.blended) draw_batch(list.batches[b].of, first_index[b], k_nearly_clear, mesh);
   glDisable(GL_CULL_FACE);
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-void LookPass::draw_batch(const LookBatch& batch, std::size_t first_index, float least_alpha) const {
+void LookPass::draw_batch(const LookBatch& batch, std::size_t first_index, float least_alpha,
+                          const MeshBuffers& mesh) const {
   const document::Surface& surface = look_->surfaces[batch.surface];
   const auto single = [](double value) { return static_cast<float>(value); };
   const auto& color = surface.base_color;
@@ -122,8 +115,7 @@ void LookPass::draw_batch(const LookBatch& batch, std::size_t first_index, float
     glEnable(GL_CULL_FACE);
     glCullFace(GL_BACK);
   }
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(batch.count * 3), GL_UNSIGNED_INT,
-                 offset(first_index * sizeof(std::uint32_t)));
+  mesh.draw(GL_TRIANGLES, first_index, static_cast<std::size_t>(batch.count) * 3);
 }
 
 }  // namespace penpose::render

@@ -1,4 +1,4 @@
-#include "ui/render/gl/view_uniforms.h"
+#include "ui/render/gl/mesh/view_uniforms.h"
 
 #include <glm/gtc/type_ptr.hpp>
 

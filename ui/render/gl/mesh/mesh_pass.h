@@ -6,7 +6,8 @@
 #include "core/base/result.h"
 #include "ui/render/draw_list.h"
 #include "ui/render/gl/gl_program.h"
-#include "ui/render/gl/look_pass.h"
+#include "ui/render/gl/mesh/look_pass.h"
+#include "ui/render/gl/mesh/mesh_buffers.h"
 #include "ui/render/scene.h"
 
 namespace penpose::render {
@@ -14,13 +15,7 @@ namespace penpose::render {
 /// Draws surfaces. Keeps vertex and index buffers of the current context between pictures.
 class MeshPass {
  public:
-  static base::Result<MeshPass> make();
-  MeshPass() = default;
-  ~MeshPass();
-  MeshPass(MeshPass&& other) noexcept;
-  MeshPass& operator=(MeshPass&&) = delete;
-  MeshPass(const MeshPass&) = delete;
-  MeshPass& operator=(const MeshPass&) = delete;
+  static base::Result<MeshPass> make(const GlDialect& dialect);
 
   /// Sends what has changed. Errors: arrays of different sizes, an index out of range.
   base::Status upload(const Scene& scene);
@@ -33,7 +28,10 @@ class MeshPass {
   void draw_translucent(const View& view) const;
 
  private:
+  MeshPass(const GlDialect& dialect, GlProgram surface, GlProgram wire, LookPass looks);
   void upload_shape(const Scene& scene);
+  void upload_pose(const Scene& scene);
+  void upload_overlay(const Scene& scene);
 
   GlProgram surface_;
   GlProgram wire_;
@@ -41,15 +39,14 @@ class MeshPass {
   SceneTracker tracker_;
   DrawList list_;                         ///< without what the card alone has to know
   std::vector<std::size_t> first_index_;  ///< of each batch
-  unsigned vertex_array_ = 0;
+  MeshBuffers buffers_;
   unsigned positions_ = 0;
   unsigned normals_ = 0;
   unsigned finish_ = 0;
   unsigned overlay_ = 0;
-  unsigned indices_ = 0;
-  int opaque_count_ = 0;
-  int translucent_count_ = 0;
-  int edge_count_ = 0;
+  std::size_t opaque_count_ = 0;  ///< indices
+  std::size_t translucent_count_ = 0;
+  std::size_t edge_count_ = 0;
   std::size_t first_edge_ = 0;  ///< among the indices
 };
 

@@ -1,0 +1,142 @@
+#include "ui/app/window/screen.h"
+
+#include <SDL2/SDL.h>
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "ui/app/view/present/cpu_presenter.h"
+#include "ui/app/view/present/output/drm_screens.h"
+
+namespace penpose::app {
+namespace {
+
+constexpr SDL_Rect k_usual{0, 0, 1280, 800};
+
+/// SDL's ways to a screen that no desktop has.
+bool is_bare(std::string_view driver) { return driver == "KMSDRM" || driver == "kmsdrm" || driver == "evdev"; }
+
+/// The video drivers to try: only what can be there, because the others complain on standard error.
+std::string drivers(bool bare, render::DrawWay way) {
+  if (bare) return way == render::DrawWay::cpu ? "evdev" : "KMSDRM";
+  if (const char* wanted = std::getenv("SDL_VIDEODRIVER"); wanted != nullptr) return wanted;
+  const bool x11 = std::getenv("DISPLAY") != nullptr;
+  const bool wayland = std::getenv("WAYLAND_DISPLAY") != nullptr;
+  return wayland && x11 ? "wayland,x11" : wayland ? "wayland" : "x11";
+}
+
+}  // namespace
+
+Screen::Screen(const files::WindowRequest& request)
+    : wanted_(request.screen),
+      rotation_(rotation_of(request.rotate).value_or(Rotation::none)),
+      wanted_dpi_(request.dpi),
+      slow_(request.slow_screen) {
+  const char* driver = std::getenv("SDL_VIDEODRIVER");
+  bare_ = driver != nullptr ? is_bare(driver) : !std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY");
+}
+
+Screen::~Screen() {
+  output_.reset();
+  SDL_QuitSubSystem(SDL_INIT_VIDEO);
+}
+
+std::optional<render::DrawWay> Screen::only_way() const {
+  if (rotation_ == Rotation::none && !slow_) return std::nullopt;
+  return render::DrawWay::cpu;
+}
+
+base::Status Screen::start(render::DrawWay way) {
+  output_.reset();
+  bare_output_ = bare_ && way == render::DrawWay::cpu;
+  if (bare_output_) {
+    auto opened = open_screen_output(wanted_, slow_);
+    if (!opened) return opened.error();
+    output_ = std::move(*opened);
+    bare_dpi_ = output_->dpi();
+  } else if (bare_) {
+    const DrmScreens screens = find_drm_screens();
+    const auto index = static_cast<std::size_t>(wanted_.value_or(0));
+    if (index < screens.all.size()) {
+      bare_dpi_ = screens.all[index].dpi;
+      if (wanted_) SDL_SetHint(SDL_HINT_KMSDRM_DEVICE_INDEX, std::to_string(screens.all[index].card).c_str());
+    }
+  }
+  SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, drivers(bare_, way).c_str(), SDL_HINT_OVERRIDE);
+  if (SDL_WasInit(SDL_INIT_VIDEO) != 0) {
+    if (!bare_) return base::Done{};
+    SDL_QuitSubSystem(SDL_INIT_VIDEO);
+  }
+  if (SDL_InitSubSystem(SDL_INIT_VIDEO) == 0) return base::Done{};
+  const std::string why = SDL_GetError();
+  return base::Error{"there is no display to open a window on (" + why.substr(0, why.find('\n')) + ")", "",
+                     "start it on a desktop, or on a console as a user of the group video; `penpose --help` lists what "
+                     "needs none"};
+}
+
+SDL_Rect Screen::place_of_window(bool fills) const {
+  if (bare_output_) {
+    const geometry::Viewport all = panel();
+    return {0, 0, all.width, all.height};
+  }
+  int index = std::min(wanted_.value_or(0), std::max(0, SDL_GetNumVideoDisplays() - 1));
+  if (bare_ && wanted_) {
+    const DrmScreens screens = find_drm_screens();
+    const auto wanted = static_cast<std::size_t>(*wanted_);
+    index = wanted < screens.all.size() ? screens.all[wanted].of_card : 0;
+  }
+  SDL_Rect all = k_usual;
+  SDL_GetDisplayBounds(index, &all);
+  if (fills || bare_) return all;
+  const int width = std::min(all.w, k_usual.w);
+  const int height = std::min(all.h, k_usual.h);
+  return {all.x + (all.w - width) / 2, all.y + (all.h - height) / 2, width, height};
+}
+
+void Screen::take(SDL_Window* window) {
+  window_ = window;
+  if (bare_output_) {
+    // SDL knows no screen here, and gives the mouse to no window by itself.
+    SDL_WarpMouseInWindow(window, panel().width / 2, panel().height / 2);
+  } else {
+    SDL_Rect all = k_usual;
+    SDL_GetDisplayBounds(SDL_GetWindowDisplayIndex(window), &all);
+    SDL_SetWindowMinimumSize(window, std::min(all.w, 480), std::min(all.h, 320));
+  }
+}
+
+std::unique_ptr<Presenter> Screen::cpu_presenter() {
+  if (!bare_output_) output_ = make_window_output(window_);
+  return make_cpu_presenter(*output_, rotation_, slow_);
+}
+
+geometry::Viewport Screen::panel() const {
+  if (bare_output_) return output_->size().value_or(geometry::Viewport{});
+  int width = 0;
+  int height = 0;
+  SDL_GL_GetDrawableSize(window_, &width, &height);
+  return {width, height};
+}
+
+double Screen::dpi() const {
+  if (wanted_dpi_ > 0) return wanted_dpi_;
+  if (bare_) return bare_dpi_;
+  float diagonal = 0;
+  if (SDL_GetDisplayDPI(SDL_GetWindowDisplayIndex(window_), &diagonal, nullptr, nullptr) != 0) return 0;
+  return static_cast<double>(diagonal);
+}
+
+geometry::PxPoint Screen::of_mouse(double x, double y) const {
+  int width = 0;
+  int height = 0;
+  SDL_GetWindowSize(window_, &width, &height);
+  const double per_unit = width > 0 ? static_cast<double>(panel().width) / width : 1;
+  return on_picture({x * per_unit, y * per_unit}, panel(), rotation_);
+}
+
+geometry::PxPoint Screen::of_finger(double x, double y) const {
+  return on_picture({x * panel().width, y * panel().height}, panel(), rotation_);
+}
+
+}  // namespace penpose::app

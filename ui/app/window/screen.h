@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/base/result.h"
+#include "core/geometry/camera.h"
+#include "core/geometry/space.h"
+#include "ui/app/view/present/output/picture_output.h"
+#include "ui/app/view/present/output/rotation.h"
+#include "ui/app/view/present/presenter.h"
+#include "ui/files/window_request.h"
+#include "ui/render/renderer.h"
+
+struct SDL_Window;
+struct SDL_Rect;
+
+namespace penpose::app {
+
+/// The screen that the window is on: a desktop's, or the machine's own, which OpenGL or the processor fills. Which one,
+/// how it is turned and how dense it is. Places are px.
+class Screen {
+ public:
+  explicit Screen(const files::WindowRequest& request);
+  ~Screen();
+  Screen(const Screen&) = delete;
+  Screen& operator=(const Screen&) = delete;
+
+  /// The way that this screen is drawn by whatever is asked for: a turned or slow one by the processor. Nothing: any.
+  [[nodiscard]] std::optional<render::DrawWay> only_way() const;
+  /// Starts SDL's video for a way to draw. Errors: there is no display.
+  base::Status start(render::DrawWay way);
+  /// Where a window of a usual size, or one that fills the screen, is opened.
+  [[nodiscard]] SDL_Rect place_of_window(bool fills) const;
+  /// Call it when the window is there, which must outlive this.
+  void take(SDL_Window* window);
+  /// By the processor, in the window or on the screen itself.
+  [[nodiscard]] std::unique_ptr<Presenter> cpu_presenter();
+
+  [[nodiscard]] bool slow() const { return slow_; }
+  /// No system draws the mouse's pointer here.
+  [[nodiscard]] bool lacks_pointer() const { return bare_output_; }
+  /// The size of the picture.
+  [[nodiscard]] geometry::Viewport size() const { return turned_size(panel(), rotation_); }
+  [[nodiscard]] double dpi() const;
+  /// The place on the picture of the mouse, in SDL's units of the window, and of a finger, in shares of its size.
+  [[nodiscard]] geometry::PxPoint of_mouse(double x, double y) const;
+  [[nodiscard]] geometry::PxPoint of_finger(double x, double y) const;
+
+ private:
+  [[nodiscard]] geometry::Viewport panel() const;
+
+  std::optional<int> wanted_;
+  Rotation rotation_;
+  double wanted_dpi_;
+  bool slow_;
+  bool bare_;                 ///< there is no desktop
+  bool bare_output_ = false;  ///< `output_` is a whole screen
+  double bare_dpi_ = 0;
+  std::unique_ptr<PictureOutput> output_;
+  SDL_Window* window_ = nullptr;
+};
+
+}  // namespace penpose::app

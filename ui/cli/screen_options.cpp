@@ -1,0 +1,25 @@
+#include "ui/cli/screen_options.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace penpose::cli {
+
+void add_screen_options(CLI::App& app, files::WindowRequest& request) {
+  app.add_option("--screen", request.screen, "Which of the connected screens, from 0")->check(CLI::Range(0, 31));
+  app.add_option("--rotate", request.rotate,
+                 "Turn the picture clockwise by 90, 180 or 270 degrees, for a panel that is mounted turned; the "
+                 "processor draws")
+      ->check(CLI::IsMember(std::vector<int>{0, 90, 180, 270}));
+  app.add_option("--dpi", request.dpi, "Pixels per inch of the screen, where it says none or wrong ones")
+      ->check(CLI::Range(60.0, 600.0));
+  app.add_option_function<std::string>(
+         "--screen-kind", [&request](const std::string& kind) { request.slow_screen = kind == "slow"; },
+         "slow: a screen that takes long to change (electronic paper): nothing moves by itself, and while the pen "
+         "draws "
+         "only its line does")
+      ->check(CLI::IsMember(std::vector<std::string>{"usual", "slow"}));
+}
+
+}  // namespace penpose::cli

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include "ui/files/window_request.h"
+
+namespace penpose::cli {
+
+/// `--screen N`, `--rotate DEGREES`, `--dpi N`, `--screen-kind usual|slow`: the screen that the window is on.
+void add_screen_options(CLI::App& app, files::WindowRequest& request);
+
+}  // namespace penpose::cli
