@@ -22,7 +22,7 @@ SOURCE = os.path.join(machine.HERE, '../..')
 MEMORY = 128
 LEAST_SKIN = 0.02
 # Along the mouth of the built-in head and where it should go, in shares of the screen.
-LINES = [[(0.37 + 0.01 * i, 0.555 + 0.004 * (4 - abs(i - 4))) for i in range(9)], [(0.36 + 0.0115 * i, 0.53 + 0.0005 * i * (8 - i)) for i in range(9)]]
+LINES = [[(0.338 + 0.006 * i, 0.452 + 0.0003 * i * (8 - i)) for i in range(9)], [(0.333 + 0.00725 * i, 0.43 + 0.002 * i * (8 - i)) for i in range(9)]]
 
 
 def trace():
@@ -92,7 +92,7 @@ def run_machine(options):
     machine.build_initramfs(options.work, [options.penpose, os.path.join(options.tools, 'virtual_tablet')], files, modules, [FONT])
     disk = disk_of_programs(options.work)
     vm = machine.Machine(options.work, machine.pack(options.work), memory=MEMORY, processors=1, disk=disk,
-                         devices=('bochs-display,xres=1280,yres=800', 'usb-tablet,bus=usb.0,id=mouse', 'usb-kbd,bus=usb.0,id=keyboard'))
+                         devices=('bochs-display,xres=800,yres=480', 'usb-tablet,bus=usb.0,id=mouse', 'usb-kbd,bus=usb.0,id=keyboard'))
     shot = os.path.join(options.work, 'screen.ppm')
     try:
         vm.wait_for_mark('window', 600)

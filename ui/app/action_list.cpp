@@ -295,7 +295,7 @@ constexpr std::array k_actions{
      "M12 15L12 4M7 9L12 4L17 9M4 14L4 20L20 20L20 14",
      does([](Dialogs& dialogs) { name_file(dialogs, Dialog::export_as); })},
     ActionInfo{{"panels"}, "Panels", plain(k_key_tab), {}, "Hide or show the panels; on a small screen tools and sliders in turn",
-     "M3 5L21 5L21 19L3 19Z M15 5L15 19", does(turn_panels)},
+     "M3 5L21 5L21 19L3 19Z M15 5L15 19", does<turn_panels>},
     ActionInfo{{"fullscreen"}, "Full screen", plain(k_key_f11), {}, "Use the whole screen",
      "M4 9L4 4L9 4M15 4L20 4L20 9M20 15L20 20L15 20M9 20L4 20L4 15M4 4L9 9M20 20L15 15",
      does([](CanvasLook& look) { flip(look.fullscreen); })},

@@ -6,7 +6,7 @@ until_true 600 grep -rq "penpose view" $sessions
 echo "MARK window"
 # The host makes it draw when it has seen the head.
 until_true 600 test ! -e /sys/bus/usb/devices/1-1
-virtual_tablet uhid /traces/drawn.hid --pace-us 3000 --keep /tmp/keep >/out/sent
+virtual_tablet uhid /traces/drawn.hid --pace-us 3000 --keep /tmp/keep >/out/sent &
 session=$(ls $sessions/*.session)
 until_true 300 all_have "$(grep -c ^E: /traces/drawn.hid)" ^E: "$session"
 sleep 2

@@ -1,25 +1,11 @@
 #include <gtest/gtest.h>
-#include <imgui.h>
 
 #include "tests/support/app_desk.h"
-#include "ui/app/view/draw_frame.h"
-#include "ui/app/view/present/cpu_presenter.h"
 
-// Screens that take long to change, such as electronic paper: little is put on them, and nothing moves by itself.
+// Screens that take long to change, such as electronic paper: nothing moves by itself.
 
 namespace penpose::app {
 namespace {
-
-class CountingOutput final : public PictureOutput {
- public:
-  [[nodiscard]] std::optional<geometry::Viewport> size() const override { return std::nullopt; }
-  [[nodiscard]] double dpi() const override { return 0; }
-  void show(const render::Image& /*picture*/, const std::vector<render::PxRect>& parts) override {
-    put_px = 0;
-    for (const render::PxRect& part : parts) put_px += (part.right - part.left) * (part.bottom - part.top);
-  }
-  int put_px = 0;
-};
 
 std::vector<double> pose_of(Desk& desk) { return desk.app->of<EditingSession>().shown().pose(); }
 
@@ -58,36 +44,6 @@ TEST(SlowScreen, WhatIsSaidGoesWithoutFading) {
   now = 4'000'000;
   slow.expire();
   EXPECT_TRUE(slow.all().empty());
-}
-
-TEST(SlowScreen, WhileThePenDrawsOnlyItsStripIsPutOnTheScreen) {
-  SlowDesk desk("strip");
-  CountingOutput output;
-  const auto presenter = make_cpu_presenter(output, Rotation::none, true);
-  ASSERT_TRUE(presenter->begin());
-  FrameMaker frames({desk.app->of<EditingSession>(), desk.app->of<Canvas>(), desk.app->of<CanvasLook>(),
-                     desk.app->of<CanvasDrawing>(), desk.app->of<Controls>(), desk.app->of<Preferences>()});
-  const auto show = [&] {
-    desk.frames(1);
-    ASSERT_TRUE(presenter->draw(frames.make(), *ImGui::GetDrawData()));
-    presenter->show();
-  };
-  const auto window = desk.app->of<Canvas>().window();
-  const auto line = desk.mouth();
-  const PxPoint from = line.front();
-  desk.stroke({from, from + PxPoint{5, 0}}, false);
-  show();
-  EXPECT_EQ(output.put_px, window.width * window.height) << "the first picture is a whole one";
-  show();
-  EXPECT_EQ(output.put_px, 0) << "nothing changed";
-  EXPECT_FALSE(presenter->refining());
-  for (int i = 1; i <= 10; ++i) {
-    desk.app->of<Pointer>().moved(from + PxPoint{5.0 + 6 * i, 0});
-    show();
-    EXPECT_GT(output.put_px, 0);
-    EXPECT_LT(output.put_px, window.width * window.height / 50) << i;
-  }
-  presenter->end();
 }
 
 }  // namespace
