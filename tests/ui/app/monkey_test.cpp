@@ -137,7 +137,7 @@ class Monkey {
 
 TEST(Monkey, NoOrderOfEventsMakesTheAppFallOver) {
   const char* wanted = std::getenv("PENPOSE_MONKEY_EVENTS");
-  const int events = wanted != nullptr ? std::atoi(wanted) : 3000;
+  const int events = wanted != nullptr ? std::atoi(wanted) : 5000;
   const char* seed = std::getenv("PENPOSE_MONKEY_SEED");
   Desk desk("monkey");
   desk.begin();

@@ -52,7 +52,12 @@ base::Status Screen::start(render::DrawWay way) {
   bare_output_ = bare_ && way == render::DrawWay::cpu;
   if (bare_output_) {
     auto opened = open_screen_output(wanted_, slow_);
-    if (!opened) return opened.error();
+    if (!opened) {
+      const base::Error& error = opened.error();
+      return base::Error{
+          "there is no display to open a window on, and no screen (" + error.place + ": " + error.what + ")", "",
+          error.remedy};
+    }
     output_ = std::move(*opened);
     bare_dpi_ = output_->dpi();
   } else if (bare_) {
