@@ -80,7 +80,7 @@ be: penpose finds the values of the rig that bring the one to the other. It
 works with blend shapes, with joints, and with controls that were sketched on a
 bare mesh, and reads pen tablets directly.
 .
-With the window and the drawing of pictures." DEPENDS ${c_library} ${solver} ${tablets} "libepoxy0 (>= 1.5.10)" "libpng16-16 (>= 1.6.2-1)" "libjpeg62-turbo (>= 1.3.1)" "libwebp7 (>= 1.2.4)"
+With the window and the drawing of pictures." DEPENDS ${c_library} ${solver} ${tablets} "libepoxy0 (>= 1.5.10)" "libdrm2 (>= 2.4.114)" "libpng16-16 (>= 1.6.2-1)" "libjpeg62-turbo (>= 1.3.1)" "libwebp7 (>= 1.2.4)"
   "libfontconfig1 (>= 2.12.6)" "libsdl2-2.0-0 (>= 2.26.0)" "libstb0 (>= 0.0~git20180212.15.e6afb9c)" libegl1 libgl1 fonts-dejavu-core RECOMMENDS libgl1-mesa-dri fonts-inter CONFLICTS penpose-nogui)
 penpose_package(penpose-nogui graphics "pose and rig 3D characters by drawing, without a window"
 "A line is drawn where a feature of a character is, and another where it should

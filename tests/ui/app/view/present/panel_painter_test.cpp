@@ -16,6 +16,7 @@ class PanelPainter : public testing::Test {
   PanelPainter() : picture_{k_width, k_height, {}} {
     picture_.pixels.assign(static_cast<std::size_t>(k_width * k_height * 4), 100);
     ImGui::CreateContext();
+    ImGui::GetIO().IniFilename = nullptr;
     ImGui::GetIO().Fonts->AddFontDefault();
     unsigned char* pixels = nullptr;
     int width = 0;
