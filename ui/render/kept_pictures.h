@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -90,8 +91,12 @@ void KeptPictures<Texture>::keep(const document::Look& look, std::span<const Loo
     const document::KeptBytes& bytes = look.images[one.image].bytes;
     if (kept_.contains(bytes.view().data())) continue;
     if (running.size() == k_at_a_time) finish_first();
-    running.push_back({one, std::async(std::launch::async,
-                                       [bytes, most = one.most_px] { return decode_picture(bytes.view(), most); })});
+    const auto unpack = [bytes, most = one.most_px] { return decode_picture(bytes.view(), most); };
+    try {
+      running.push_back({one, std::async(std::launch::async, unpack)});
+    } catch (const std::system_error&) {
+      running.push_back({one, std::async(std::launch::deferred, unpack)});  // no more threads: this one does it
+    }
   }
   while (!running.empty()) finish_first();
 }

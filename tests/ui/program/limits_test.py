@@ -116,7 +116,8 @@ class Limits(unittest.TestCase):
         nobody = 65534
         os.chmod(self.folder.name, 0o777)
         picture = ['render', 'builtin:head', '--size', '64x64', '-o', self.path('x.png')]
-        for command in (picture, ['info', 'builtin:head'], ['pose', 'builtin:head', '--cases', self.path('cases.json')],
+        by_card = picture + ['--draw', 'gl']
+        for command in (picture, by_card, ['info', 'builtin:head'], ['pose', 'builtin:head', '--cases', self.path('cases.json')],
                         ['demo', '-o', self.path('demo')]):
             for most in (0, 1, 2):
                 def limit(most=most):
@@ -129,8 +130,10 @@ class Limits(unittest.TestCase):
                 self.assertIn(done.returncode, (0, 1), (command, done.stderr))
                 if done.returncode == 1:
                     self.one_line(done.stderr, command)
-                if command == picture and os.cpu_count() > 1:
+                if command == by_card and os.cpu_count() > 1:
                     self.assertEqual(done.returncode, 1, 'as many threads as processors are not there')
+                if command == picture:
+                    self.assertEqual(done.returncode, 0, 'the processor draws with one')
 
     def test_what_may_be_written_to_is_little(self):
         for megabytes in (20, 30, 45, 60, 90, 150):
