@@ -142,27 +142,6 @@ void next_density(Preferences& preferences) {
   preferences.changed();
 }
 
-/// All, none; where there is no room for all, the tools, the side panel, none.
-void turn_panels(PanelState& panels) {
-  if (!panels.narrow) {
-    flip(panels.shown);
-  } else if (!panels.shown) {
-    panels.shown = true;
-    panels.side_in_turn = false;
-  } else if (!std::exchange(panels.side_in_turn, true)) {
-    return;
-  } else {
-    panels.shown = false;
-  }
-}
-
-void show_library(PanelState& panels) {
-  panels.shown = true;
-  panels.side_in_turn = true;
-  panels.poses_tab = !panels.poses_tab;
-  panels.controls_tab = false;
-}
-
 void adjust_backdrop(CanvasLook& look, Dialogs& dialogs) {
   if (!look.backdrop) return find(dialogs, Dialog::backdrop);
   look.backdrop->adjusting = !look.backdrop->adjusting;
@@ -295,7 +274,7 @@ constexpr std::array k_actions{
      "M12 15L12 4M7 9L12 4L17 9M4 14L4 20L20 20L20 14",
      does([](Dialogs& dialogs) { name_file(dialogs, Dialog::export_as); })},
     ActionInfo{{"panels"}, "Panels", plain(k_key_tab), {}, "Hide or show the panels; on a small screen tools and sliders in turn",
-     "M3 5L21 5L21 19L3 19Z M15 5L15 19", does<turn_panels>},
+     "M3 5L21 5L21 19L3 19Z M15 5L15 19", does([](PanelState& panels) { panels.show_next(); })},
     ActionInfo{{"fullscreen"}, "Full screen", plain(k_key_f11), {}, "Use the whole screen",
      "M4 9L4 4L9 4M15 4L20 4L20 9M20 15L20 20L15 20M9 20L4 20L4 15M4 4L9 9M20 20L15 15",
      does([](CanvasLook& look) { flip(look.fullscreen); })},
@@ -365,7 +344,7 @@ constexpr std::array k_actions{
      "C12 12 9D12 12 5", does([](Playback& playback) { flip(playback.while_drawing().performs); })},
     ActionInfo{{"library"}, "Poses", plain('l'), {}, "The poses that are keyed, to be used again",
      "M4 4L11 4L11 11L4 11Z M13 4L20 4L20 11L13 11Z M4 13L11 13L11 20L4 20Z M13 13L20 13L20 20L13 20Z",
-     does<show_library>},
+     does([](PanelState& panels) { panels.show_poses(); })},
     ActionInfo{{"tour_pose"}, "Tour: pose a face", {}, {},
      "Six strokes on the built-in head, each shown before it is drawn",
      "M7 4L20 12L7 20Z", does([](Leaving& leaving) { leaving.ask_to_open("tour:pose"); })},

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "firmware_io/decode/table/told_ranges.h"
+#include "firmware_io/device/source/usb_strings.h"
 
 namespace penpose::device {
 namespace {
@@ -11,6 +12,13 @@ constexpr std::uint16_t k_american_english = 0x0409;
 constexpr std::uint8_t k_string_descriptor = 0x03;
 
 }  // namespace
+
+base::Result<std::string> read_usb_string(const std::string& usb_node, std::uint8_t index) {
+  if (usb_node.empty()) return base::Error{"not a USB device", "", ""};
+  const auto strings = UsbStrings::open(usb_node);
+  if (!strings) return strings.error();
+  return strings->read(index);
+}
 
 std::uint16_t language_of_string(std::uint8_t index) { return index == 0 ? 0 : k_american_english; }
 

@@ -29,4 +29,7 @@ class UsbStrings {
   std::unique_ptr<Handle> handle_;
 };
 
+/// One string of a device; `usb_node` as above, empty for what is none. Errors: those of UsbStrings; not a USB device.
+[[nodiscard]] base::Result<std::string> read_usb_string(const std::string& usb_node, std::uint8_t index);
+
 }  // namespace penpose::device

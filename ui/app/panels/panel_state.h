@@ -21,6 +21,27 @@ struct PanelState {
   std::optional<PxPoint> radial;  ///< middle of the radial menu while it is open
   std::optional<std::pair<document::CurveId, PxPoint>> curve_menu;  ///< what can be done with a curve, and where
   States own;                                                       ///< what each panel keeps for itself
+
+  /// All, none; where there is no room for all, the tools, the side panel, none.
+  void show_next() {
+    if (!narrow) {
+      shown = !shown;
+    } else if (!shown) {
+      shown = true;
+      side_in_turn = false;
+    } else if (side_in_turn) {
+      shown = false;
+    } else {
+      side_in_turn = true;
+    }
+  }
+  /// The keyed poses on the side panel, or what was there before them.
+  void show_poses() {
+    shown = true;
+    side_in_turn = true;
+    poses_tab = !poses_tab;
+    controls_tab = false;
+  }
 };
 
 }  // namespace penpose::app

@@ -49,10 +49,7 @@ class HidrawSource final : public ReportSource {
     return bytes;
   }
   base::Result<std::string> read_string(std::uint8_t index) override {
-    if (usb_node_.empty()) return base::Error{"not a USB device", "", ""};
-    auto strings = UsbStrings::open(usb_node_);
-    if (!strings) return strings.error();
-    return strings->read(index);
+    return read_usb_string(usb_node_, index);
   }
 
  private:
