@@ -48,9 +48,7 @@ class HidrawSource final : public ReportSource {
     bytes.resize(std::min(bytes.size(), static_cast<std::size_t>(got)));
     return bytes;
   }
-  base::Result<std::string> read_string(std::uint8_t index) override {
-    return read_usb_string(usb_node_, index);
-  }
+  base::Result<std::string> read_string(std::uint8_t index) override { return read_usb_string(usb_node_, index); }
 
  private:
   static base::Status sent(int count) {
