@@ -12,9 +12,10 @@ constexpr double k_near = 4.0;
 /// Stretches that share less of a curve than this continue each other.
 constexpr double k_continues = 0.12;
 constexpr double k_one_more = 1.0;
+constexpr double k_again = 2.0;
 constexpr double k_most_apart = 60.0;
 /// Nodes of a search; what was found until then is taken.
-constexpr std::size_t k_most_nodes = 20'000;
+constexpr std::size_t k_most_nodes = 4'000;
 
 Trace reversed_of(const Trace& line) {
   Trace out{};
@@ -154,7 +155,8 @@ double cost_of_both(const Stretch& a, const Stretch& b, double apart) {
   if (a.curve != b.curve) return 0.0;
   const double shared = std::min(a.to, b.to) - std::max(a.from, b.from);
   if (shared <= k_continues) return k_one_more;
-  return std::min(k_most_apart, (apart / k_near) * (apart / k_near)) * std::min(1.0, shared / 0.3);
+  const double upon = std::min(k_most_apart, (apart / k_near) * (apart / k_near));
+  return k_one_more + (k_again + upon) * std::min(1.0, shared / 0.3);
 }
 
 Assignment assign(const FaceView& face, std::span<const std::vector<Label>> candidates,

@@ -6,6 +6,7 @@
 
 #include "core/curve/polyline.h"
 #include "core/portrait/proportions.h"
+#include "core/portrait/sheet_warp.h"
 
 namespace penpose::portrait {
 namespace {
@@ -141,6 +142,40 @@ Trace trace_of(std::span<const PxPoint> line) {
   return out;
 }
 
+std::vector<std::vector<PxPoint>> FaceView::proportion_lines(std::size_t curve) const {
+  std::vector<Line> out;
+  for (const auto& way : all_proportions_) out.push_back(way[curve]);
+  return out;
+}
+
+FaceView FaceView::drawn_as(const std::vector<Line>& lines, bool at_rest) const {
+  std::vector<PxPoint> points, there;
+  for (std::size_t c = 0; c < curve_count_; ++c) {
+    for (std::size_t i = 0; i < k_samples; i += 4) {
+      points.push_back(lines_[c][i]);
+      there.push_back(lines[c][i]);
+    }
+  }
+  const SheetWarp warp(points, there);
+  FaceView other = *this;
+  for (std::size_t c = 0; c < curve_count_; ++c) {
+    const auto d = warp.derivative(lines_[c][k_samples / 2]);
+    for (auto& way : other.ways_) {
+      for (PxPoint& p : way[c]) p = {d[0] * p.x + d[1] * p.y, d[2] * p.x + d[3] * p.y};
+    }
+  }
+  if (at_rest) other.lines_ = lines;
+  for (Stretch& one : other.stretches_) one = other.stretch(one.curve, one.from, one.to);
+  return other;
+}
+
+Stretch FaceView::stretch(std::size_t curve, double from, double to) const {
+  Stretch out{curve, from, to, cut(lines_[curve], from, to), {}, {}, lengths_[curve] * (to - from)};
+  for (const auto& way : ways_) out.ways.push_back(cut(way[curve], from, to));
+  for (const auto& way : all_proportions_) out.proportions.push_back(cut(way[curve], from, to));
+  return out;
+}
+
 base::Result<FaceView> FaceView::make(const rig::Rig& rig, const intent::WholeModel& whole,
                                       std::span<const FeatureCurve> curves, const rig::Pose& start,
                                       std::span<const std::size_t> free, const geometry::Camera& camera) {
@@ -183,9 +218,10 @@ base::Result<FaceView> FaceView::make(const rig::Rig& rig, const intent::WholeMo
     }
     parts.push_back(part_named(curves[c].name));
   }
-  const std::vector<Line> lines = sampled(*rest, lengths);
+  view.lines_ = sampled(*rest, lengths);
+  const std::vector<Line>& lines = view.lines_;
 
-  std::vector<std::vector<Line>> ways;
+  auto& ways = view.ways_;
   rig::Pose pose = start;
   for (const std::size_t p : free) {
     if (!bound.rig->moves(p)) continue;
@@ -217,15 +253,11 @@ base::Result<FaceView> FaceView::make(const rig::Rig& rig, const intent::WholeMo
     if (paired && j < other) view.units_.push_back({{j, other}, 2, false});
     view.units_.push_back({{j, j}, 1, paired});
   }
-  const auto proportions = proportions_of(lines, parts);
-  view.proportion_count_ = proportions.size();
+  view.all_proportions_ = proportions_of(lines, parts);
+  view.proportion_count_ = view.all_proportions_.size();
+  for (const auto& length : lengths) view.lengths_.push_back(length.back());
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    for (const auto& [from, to] : k_parts) {
-      Stretch stretch{c, from, to, cut(lines[c], from, to), {}, {}, lengths[c].back() * (to - from)};
-      for (const auto& way : ways) stretch.ways.push_back(cut(way[c], from, to));
-      for (const auto& way : proportions) stretch.proportions.push_back(cut(way[c], from, to));
-      view.stretches_.push_back(std::move(stretch));
-    }
+    for (const auto& [from, to] : k_parts) view.stretches_.push_back(view.stretch(c, from, to));
     constexpr double k_steady = 8.0;
     double sum = k_steady * k_steady;
     const Stretch& whole_curve = view.curve(c);

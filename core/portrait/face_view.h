@@ -68,6 +68,16 @@ class FaceView {
   [[nodiscard]] std::size_t proportion_count() const { return proportion_count_; }
   /// How far controls move a curve, px, root mean square of what is usual.
   [[nodiscard]] double unrest(std::size_t curve) const { return unrest_[curve]; }
+  /// The points of a curve at rest, evenly along it.
+  [[nodiscard]] std::span<const PxPoint> rest_line(std::size_t curve) const { return lines_[curve]; }
+  /// How those points move where a proportion is doubled, one a proportion.
+  [[nodiscard]] std::vector<std::vector<PxPoint>> proportion_lines(std::size_t curve) const;
+  /// The same face as somebody draws it whose lines at rest are these (one a curve, as many points as rest_line): what
+  /// controls do goes along with the smooth map of the face to them (SheetWarp). `at_rest`: the lines are known, and
+  /// are those at rest; otherwise the model's stay, with their proportions.
+  [[nodiscard]] FaceView drawn_as(const std::vector<std::vector<PxPoint>>& lines, bool at_rest) const;
+  /// A part of a curve. Precondition: 0 <= from < to <= 1.
+  [[nodiscard]] Stretch stretch(std::size_t curve, double from, double to) const;
   /// The whole of a curve.
   [[nodiscard]] const Stretch& curve(std::size_t c) const { return stretches_[c * stretches_per_curve()]; }
   [[nodiscard]] static std::size_t stretches_per_curve();
@@ -77,6 +87,11 @@ class FaceView {
  private:
   FaceView() = default;
 
+  using Line = std::vector<PxPoint>;
+
+  std::vector<Line> lines_;                                ///< one a curve, evenly along it
+  std::vector<std::vector<Line>> ways_, all_proportions_;  ///< one a control or a proportion
+  std::vector<double> lengths_;
   std::vector<Stretch> stretches_;
   std::vector<Control> controls_;
   std::vector<Unit> units_;

@@ -57,7 +57,7 @@ std::array<Trace, k_slides> slides_of(const Trace& mean, bool whole, double shar
   return out;
 }
 
-Likeness::Likeness(const FaceView& face, const Belief& belief) {
+Likeness::Likeness(const FaceView& face, const Belief& belief, const Hand& hand) {
   PxPoint centre{0, 0};
   for (std::size_t c = 0; c < face.curve_count(); ++c) {
     const Trace& rest = face.curve(c).rest;
@@ -75,7 +75,7 @@ Likeness::Likeness(const FaceView& face, const Belief& belief) {
       for (std::size_t i = 0; i < k_numbers; ++i) normal.mean[i] += belief.proportions[p] * stretch.proportions[p][i];
     }
     Square& c = normal.factor;
-    for (std::size_t i = 0; i < k_numbers; ++i) c[i * k_numbers + i] = k_hand * k_hand;
+    for (std::size_t i = 0; i < k_numbers; ++i) c[i * k_numbers + i] = k_hand * k_hand * hand.width * hand.width;
     for (const Unit& unit : face.units()) {
       Trace way{};
       for (std::size_t m = 0; m < unit.count; ++m) {
@@ -83,7 +83,7 @@ Likeness::Likeness(const FaceView& face, const Belief& belief) {
       }
       add_outer(way, usual_share(unit) * belief.doubt, c);
     }
-    for (const Trace& proportion : stretch.proportions) add_outer(proportion, k_usual_proportion * belief.doubt, c);
+    for (const Trace& proportion : stretch.proportions) add_outer(proportion, hand.proportion * belief.doubt, c);
     for (const Trace& slide : slides_of(normal.mean, stretch.whole(), stretch.to - stretch.from))
       add_outer(slide, 1.0, c);
     std::array<Trace, 4> moves{};

@@ -9,9 +9,15 @@
 namespace penpose::portrait {
 
 /// How much a proportion of a drawing usually differs.
-inline constexpr double k_usual_proportion = 0.1;
+inline constexpr double k_usual_proportion = 0.09;
 /// What a line costs that is a part of a curve, beyond the whole; in units of the energy.
 inline constexpr double k_part_cost = 3.0;
+
+/// How a hand draws: in its own proportions, and how steadily.
+struct Hand {
+  double proportion = k_usual_proportion;  ///< by how much a proportion usually differs from the face at rest
+  double width = 1.0;                      ///< how far lines stray, of what is usual
+};
 
 /// What is known of the face beside a line, when it is asked what that line may be.
 struct Belief {
@@ -26,7 +32,7 @@ struct Belief {
 /// cost of a line.
 class Likeness {
  public:
-  Likeness(const FaceView& face, const Belief& belief);
+  Likeness(const FaceView& face, const Belief& belief, const Hand& hand);
 
   /// Half of the Mahalanobis square and of the logarithm of the determinant, and what a part costs beyond a whole;
   /// infinite from `most` on. `line`: on the face.

@@ -10,37 +10,42 @@ namespace penpose::portrait {
 namespace {
 
 /// The width of doubt of a point of a line, px of the face: neighbours stray alike, so it is more than a hand's.
-constexpr double k_width = 2.85;
+constexpr double k_width = 2.7;
 constexpr std::size_t k_place = 4;  ///< numbers of a placement
 constexpr double k_unit_px = 100.0;
+/// How far a placement is from its first guess: scale and turn, and shift in px.
+constexpr double k_scale_doubt = 0.12;
+constexpr double k_shift_doubt = 40.0;
 
 /// A line's columns of a placement: along, across, shift; reversed where it was drawn so.
-std::array<Trace, k_place> placement_columns(const Trace& line, bool reversed) {
+std::array<Trace, k_place> placement_columns(const Trace& line, bool reversed, double width) {
   std::array<Trace, k_place> out{};
   for (std::size_t i = 0; i < k_points; ++i) {
     const std::size_t k = reversed ? k_points - 1 - i : i;
-    const double x = line[2 * k] / (k_unit_px * k_width), y = line[2 * k + 1] / (k_unit_px * k_width);
+    const double x = line[2 * k] / (k_unit_px * width), y = line[2 * k + 1] / (k_unit_px * width);
     out[0][2 * i] = -x;
     out[0][2 * i + 1] = -y;
     out[1][2 * i] = y;
     out[1][2 * i + 1] = -x;
-    out[2][2 * i] = -1.0 / k_width;
-    out[3][2 * i + 1] = -1.0 / k_width;
+    out[2][2 * i] = -1.0 / width;
+    out[3][2 * i + 1] = -1.0 / width;
   }
   return out;
 }
 
 }  // namespace
 
-LineSystem::LineSystem(const FaceView& face, std::span<const Trace> lines, double usual_proportion)
-    : face_(face),
+LineSystem::LineSystem(const FaceView& face, const Stretches& stretches, std::span<const Trace> lines, const Hand& hand)
+    : stretches_(stretches),
       lines_(lines),
-      usual_proportion_(usual_proportion),
+      hand_(hand),
       controls_(face.controls().size()),
       proportions_(face.proportion_count()),
       size_(controls_ + proportions_ + 1),
       shares_(controls_, 0.0),
-      blocks_(face.stretches().size()) {}
+      blocks_(stretches.size()) {}
+
+double LineSystem::width() const { return k_width * hand_.width; }
 
 void LineSystem::bend(std::span<const double> shares) {
   if (std::equal(shares.begin(), shares.end(), shares_.begin(), shares_.end())) return;
@@ -57,18 +62,19 @@ std::vector<double> LineSystem::slid_of(const Block& block, const double* column
 }
 
 const LineSystem::Block& LineSystem::block(std::size_t number) {
+  if (blocks_.size() < stretches_.size()) blocks_.resize(stretches_.size());
   auto& kept = blocks_[number];
   if (kept) return *kept;
   kept.emplace();
   Block& b = *kept;
-  const Stretch& stretch = face_.stretches()[number];
+  const Stretch& stretch = stretches_[number];
   Trace mean = stretch.rest;
   for (std::size_t j = 0; j < controls_; ++j) {
     if (shares_[j] == 0.0) continue;
     for (std::size_t i = 0; i < k_numbers; ++i) mean[i] += shares_[j] * stretch.ways[j][i];
   }
   for (const Trace& slide : slides_of(mean, stretch.whole(), stretch.to - stretch.from)) {
-    for (const double v : slide) b.slides.push_back(v / k_width);
+    for (const double v : slide) b.slides.push_back(v / width());
   }
   b.factor.assign(k_slides * k_slides, 0.0);
   for (std::size_t i = 0; i < k_slides; ++i) {
@@ -80,25 +86,11 @@ const LineSystem::Block& LineSystem::block(std::size_t number) {
   }
   (void)algebra::factor(b.factor.data(), k_slides);  // its diagonal is 1 and more
   const auto add = [&](const Trace& column) {
-    for (const double v : column) b.columns.push_back(v / k_width);
+    for (const double v : column) b.columns.push_back(v / width());
   };
   for (const Trace& way : stretch.ways) add(way);
   for (const Trace& way : stretch.proportions) add(way);
-  Trace rest = stretch.rest;
-  if (stretch.curve < own_rest_.size() && own_rest_[stretch.curve]) {
-    const auto& own = *own_rest_[stretch.curve];
-    for (std::size_t i = 0; i < k_points; ++i) {
-      const double share =
-          stretch.from + (stretch.to - stretch.from) * static_cast<double>(i) / static_cast<double>(k_points - 1);
-      const double x = share * static_cast<double>(own.size() - 1);
-      const std::size_t k = std::min(static_cast<std::size_t>(x), own.size() - 2);
-      const double f = x - static_cast<double>(k);
-      const PxPoint p = own[k] * (1.0 - f) + own[k + 1] * f;
-      rest[2 * i] = p.x;
-      rest[2 * i + 1] = p.y;
-    }
-  }
-  add(rest);
+  add(stretch.rest);
   for (std::size_t c = 0; c < size_; ++c) {
     const auto slid = slid_of(b, b.columns.data() + c * k_numbers);
     b.slid.insert(b.slid.end(), slid.begin(), slid.end());
@@ -121,7 +113,7 @@ SquaresOfDoubt LineSystem::squares(std::span<const Label> labels) {
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const Block& b = block(labels[i].stretch);
     algebra::add_scaled(1.0, b.gram.data(), gram.data(), gram.size());
-    const auto columns = placement_columns(lines_[i], labels[i].reversed);
+    const auto columns = placement_columns(lines_[i], labels[i].reversed, width());
     std::array<std::vector<double>, k_place> slid;
     for (std::size_t p = 0; p < k_place; ++p) {
       slid[p] = slid_of(b, columns[p].data());
@@ -152,11 +144,22 @@ SquaresOfDoubt LineSystem::squares(std::span<const Label> labels) {
       }
       factor_[i * n + k] = v;
     }
-    factor_[i * n + i] += place ? 1e-9 : 1.0 / (usual_proportion_ * usual_proportion_);
+    if (!place) factor_[i * n + i] += 1.0 / (hand_.proportion * hand_.proportion * doubt_ * doubt_);
     for (std::size_t j = 0; j < controls_; ++j) cross_[i * (controls_ + 1) + j] = row[j];
     cross_[i * (controls_ + 1) + controls_] = row[rest];
   }
   SquaresOfDoubt out;
+  out.constant = gram[rest * size_ + rest];
+  const std::array<double, k_place> guess = {guess_.along * k_unit_px, guess_.across * k_unit_px, guess_.shift.x,
+                                             guess_.shift.y};
+  for (std::size_t p = 0; p < k_place; ++p) {
+    const double doubt = doubt_ * (p < 2 ? k_scale_doubt * k_unit_px : k_shift_doubt);
+    const double precision = 1.0 / (doubt * doubt);
+    const std::size_t i = proportions_ + p;
+    factor_[i * n + i] += precision;
+    cross_[i * (controls_ + 1) + controls_] -= precision * guess[p];
+    out.constant += precision * guess[p] * guess[p];
+  }
   if (!algebra::factor(factor_.data(), n)) factor_.assign(n * n, 0.0);
   // L^-1 of the rows, for all columns at once.
   const std::size_t width = controls_ + 1;
@@ -168,7 +171,6 @@ SquaresOfDoubt LineSystem::squares(std::span<const Label> labels) {
   }
   out.curvature.assign(controls_ * controls_, 0.0);
   out.pull.assign(controls_, 0.0);
-  out.constant = gram[rest * size_ + rest];
   for (std::size_t j = 0; j < controls_; ++j) {
     std::copy_n(gram.data() + j * size_, controls_, out.curvature.data() + j * controls_);
     out.pull[j] = -gram[j * size_ + rest];

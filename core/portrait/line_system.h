@@ -6,23 +6,30 @@
 #include <vector>
 
 #include "core/portrait/assignment.h"
+#include "core/portrait/likeness.h"
 #include "core/portrait/placement.h"
 #include "core/portrait/sparse_pose.h"
+#include "core/portrait/stretches.h"
 
 namespace penpose::portrait {
 
 /// What labelled lines say together of pose, placement and proportions. Each line's squares of doubt are those of its
-/// points beside where its stretch is, less what it may slide along it. Placement is free, proportions cost their
-/// squares over their usual ones; for each pose both are the best, so that what is left is a function of the controls
-/// alone (a Schur complement).
+/// points beside where its stretch is, less what it may slide along it. Placement and proportions cost
+/// the squares of how far they are from a first guess and from the model's, over what is usual; for each pose both are
+/// the best, so that what is left is a function of the controls alone (a Schur complement).
 class LineSystem {
  public:
-  /// `lines`: of a sheet about as large as k_face_px, about its middle. Both must outlive it. `rest`: where stretches
-  /// of curves are at rest in this drawing, instead of where the model has them; empty or one a curve.
-  LineSystem(const FaceView& face, std::span<const Trace> lines, double usual_proportion);
+  /// `lines`: of a sheet about as large as k_face_px, about its middle. Both must outlive it.
+  LineSystem(const FaceView& face, const Stretches& stretches, std::span<const Trace> lines, const Hand& hand);
 
   /// Lets lines slide along curves as they are in this pose.
   void bend(std::span<const double> shares);
+
+  /// The first guess of the placement. `doubt`: of placement and proportions, of what is usual.
+  void place_near(const Placement& guess, double doubt) {
+    guess_ = guess;
+    doubt_ = doubt;
+  }
 
   [[nodiscard]] SquaresOfDoubt squares(std::span<const Label> labels);
   /// The best placement and proportions of a pose, for the labels of the last squares().
@@ -31,8 +38,6 @@ class LineSystem {
     std::vector<double> proportions;
   };
   [[nodiscard]] Fitted fitted(std::span<const double> shares) const;
-  /// Adds to what the model has at rest, px of the face: what a drawing of the face at rest showed.
-  void set_rest(std::vector<std::optional<std::vector<PxPoint>>> own) { own_rest_ = std::move(own); }
 
  private:
   struct Block {
@@ -42,16 +47,19 @@ class LineSystem {
     std::vector<double> slides;   ///< rows of k_numbers
     std::vector<double> gram;
   };
+  /// The width of doubt of a point, px of the face.
+  [[nodiscard]] double width() const;
   const Block& block(std::size_t stretch);
   [[nodiscard]] std::vector<double> slid_of(const Block& block, const double* column) const;
 
-  const FaceView& face_;
+  const Stretches& stretches_;
   std::span<const Trace> lines_;
-  double usual_proportion_;
+  Hand hand_;
   std::size_t controls_, proportions_, size_;
+  Placement guess_;
+  double doubt_ = 1;
   std::vector<double> shares_;
   std::vector<std::optional<Block>> blocks_;
-  std::vector<std::optional<std::vector<PxPoint>>> own_rest_;
   // Of the last squares(): the factor of the nuisances' matrix, and its rows for all columns.
   std::vector<double> factor_, cross_;
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <functional>
 
 namespace penpose::portrait {
@@ -38,7 +37,7 @@ Middle middle_of(std::span<const Line> curves, const std::function<bool(std::siz
 
 Part part_named(const std::string& name) {
   std::string lower;
-  for (const char c : name) lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const char c : name) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   const auto has = [&](const char* word) { return lower.find(word) != std::string::npos; };
   if (has("brow")) return Part::brow;
   if (has("eye") || has("lid")) return Part::eye;

@@ -46,32 +46,104 @@ std::vector<Trace> traces_of(std::span<const DrawnLine> lines, const Sheet& fram
   return out;
 }
 
-std::vector<LineRead> lines_of(const FaceView& face, const Reading& reading) {
+std::vector<LineRead> lines_of(const Stretches& stretches, const Reading& reading) {
   std::vector<LineRead> out;
   for (const Label& label : reading.labels) {
-    const Stretch& stretch = face.stretches()[label.stretch];
+    const Stretch& stretch = stretches[label.stretch];
     out.push_back({stretch.curve, stretch.from, stretch.to, label.reversed});
   }
   return out;
 }
 
+/// The curves at rest as a sheet shows them: where it has a line of them, that; else the model's in its proportions.
+std::vector<std::vector<PxPoint>> rest_of(const FaceView& face, const Stretches& stretches, const Reading& reading,
+                                          std::span<const Trace> lines) {
+  std::vector<std::vector<PxPoint>> out;
+  for (std::size_t c = 0; c < face.curve_count(); ++c) {
+    const auto rest = face.rest_line(c);
+    const auto ways = face.proportion_lines(c);
+    std::vector<PxPoint> own(rest.begin(), rest.end()), drawn(rest.size());
+    std::vector<double> counts(rest.size(), 0.0);
+    for (std::size_t p = 0; p < ways.size(); ++p) {
+      for (std::size_t i = 0; i < own.size(); ++i) own[i] = own[i] + ways[p][i] * reading.proportions[p];
+    }
+    for (std::size_t l = 0; l < lines.size(); ++l) {
+      const Label& label = reading.labels[l];
+      const Stretch& stretch = stretches[label.stretch];
+      if (stretch.curve != c) continue;
+      const Trace there = reading.placement(lines[l]);
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(own.size() - 1);
+        double along = (share - stretch.from) / (stretch.to - stretch.from);
+        if (along < -1e-9 || along > 1.0 + 1e-9) continue;
+        along = std::clamp(label.reversed ? 1.0 - along : along, 0.0, 1.0) * static_cast<double>(k_points - 1);
+        const std::size_t k = std::min(static_cast<std::size_t>(along), k_points - 2);
+        const double f = along - static_cast<double>(k);
+        const PxPoint a{there[2 * k], there[2 * k + 1]}, b{there[2 * k + 2], there[2 * k + 3]};
+        drawn[i] = drawn[i] + a * (1.0 - f) + b * f;
+        counts[i] += 1.0;
+      }
+    }
+    // Beyond what was drawn of a curve, the rest of it goes along.
+    std::optional<std::size_t> first, last;
+    std::vector<PxPoint> offset(own.size());
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      if (counts[i] == 0.0) continue;
+      offset[i] = drawn[i] * (1.0 / counts[i]) - own[i];
+      if (!first) first = i;
+      for (std::size_t k = last ? *last + 1 : i; k < i; ++k) {
+        const double f = static_cast<double>(k - *last) / static_cast<double>(i - *last);
+        offset[k] = offset[*last] * (1.0 - f) + offset[i] * f;
+      }
+      last = i;
+    }
+    for (std::size_t i = 0; first && i < own.size(); ++i)
+      own[i] = own[i] + (i < *first ? offset[*first] : i > *last ? offset[*last] : offset[i]);
+    out.push_back(std::move(own));
+  }
+  return out;
+}
+
+/// How the same hand draws once its face at rest is known: its proportions are those of that sheet, and the lines of
+/// both stray.
+constexpr Hand k_known_hand{0.02, 1.3};
+
 }  // namespace
 
 base::Result<DrawingRead> read_drawing(const FaceView& face, const Drawing& drawing) {
   if (drawing.lines.empty()) return base::Error{"the drawing has no lines", "", "draw the features of the face"};
-  const auto frame = sheet_of(drawing.lines, "drawing");
-  if (!frame) return frame.error();
-  const auto lines = traces_of(drawing.lines, *frame);
-  SheetReader reader(face, lines, false);
-  const Reading reading = reader.read();
+  const auto sheet = sheet_of(drawing.lines, "drawing");
+  if (!sheet) return sheet.error();
+  const auto lines = traces_of(drawing.lines, *sheet);
   DrawingRead out;
+  std::optional<FaceView> own;
+  if (!drawing.neutral.empty()) {
+    const auto neutral = sheet_of(drawing.neutral, "neutral drawing");
+    if (!neutral) return neutral.error();
+    const auto traces = traces_of(drawing.neutral, *neutral);
+    SheetReader reader(face, traces, Hand{}, true);
+    const Reading reading = reader.read();
+    out.neutral = lines_of(reader.stretches(), reading);
+    own = face.drawn_as(rest_of(face, reader.stretches(), reading, traces), true);
+  }
+  const bool known = own.has_value();
+  std::optional<SheetReader> reader(std::in_place, known ? *own : face, lines, known ? k_known_hand : Hand{}, false);
+  Reading reading = reader->read();
+  if (!known) {
+    // What controls do is drawn in the same proportions.
+    own = face.drawn_as(rest_of(face, reader->stretches(), reading, {}), false);
+    SheetReader again(*own, lines, Hand{}, false);
+    reading = again.read_from(reading, reader->stretches());
+    out.lines = lines_of(again.stretches(), reading);
+  } else {
+    out.lines = lines_of(reader->stretches(), reading);
+  }
   out.shares = reading.pose.shares;
-  out.lines = lines_of(face, reading);
   out.proportions = reading.proportions;
   out.energy = reading.energy;
   const Placement& p = reading.placement;
-  out.placement = {p.along * frame->scale, p.across * frame->scale, PxPoint{0, 0}};
-  out.placement.shift = p.shift - out.placement(frame->middle);
+  out.placement = {p.along * sheet->scale, p.across * sheet->scale, PxPoint{0, 0}};
+  out.placement.shift = p.shift - out.placement(sheet->middle);
   return out;
 }
 

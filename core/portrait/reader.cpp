@@ -2,16 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "core/base/math.h"
 
 namespace penpose::portrait {
 namespace {
 
-constexpr std::size_t k_candidates = 15;
-constexpr double k_window = 40.0;
+constexpr std::size_t k_candidates = 8;
+constexpr double k_window = 18.0;
 /// Doubt of pose and placement once they were read.
 constexpr double k_doubt_left = 0.35;
 /// Readings that are followed to their end.
-constexpr std::size_t k_followed = 2;
+constexpr std::size_t k_followed = 3;
+constexpr std::size_t k_refined = 6;
+/// Rounds of labels and placement in turn.
+constexpr int k_rounds = 5;
+constexpr double k_first_doubt = 0.3;
+constexpr double k_any = std::numeric_limits<double>::infinity();
+/// Labels are tried with other controls, too, where those chosen already come this near to the best energy.
+constexpr double k_promising = 8.0;
+
+/// A line tells so many things apart from where it is: times the logarithm of the scale, what a likelihood on the face
+/// lacks to be one on the sheet. Without it, a drawing shrunk to a dot would be like anything.
+constexpr double k_measured = 10.0;
 
 /// An order in which labellings are kept apart.
 std::vector<std::size_t> key_of(std::span<const Label> labels) {
@@ -20,14 +34,32 @@ std::vector<std::size_t> key_of(std::span<const Label> labels) {
   return key;
 }
 
+/// The share of a line's points at which it is nearest to a point.
+double share_nearest(const Trace& line, PxPoint p) {
+  double least = std::numeric_limits<double>::infinity(), share = 0;
+  for (std::size_t i = 0; i + 1 < k_points; ++i) {
+    const PxPoint a{line[2 * i], line[2 * i + 1]}, b{line[2 * i + 2], line[2 * i + 3]};
+    const double f = geometry::nearest_share(p, a, b);
+    const double apart = geometry::distance(p, a + (b - a) * f);
+    if (apart < least) {
+      least = apart;
+      share = (static_cast<double>(i) + f) / static_cast<double>(k_points - 1);
+    }
+  }
+  return share;
+}
+
 }  // namespace
 
-SheetReader::SheetReader(const FaceView& face, std::span<const Trace> lines, bool still)
+SheetReader::SheetReader(const FaceView& face, std::span<const Trace> lines, const Hand& hand, bool still)
     : face_(face),
+      stretches_(face),
       lines_(lines),
+      hand_(hand),
       still_(still),
-      first_(face, Belief{}),
-      system_(face, lines, k_usual_proportion),
+      apart_(distances_between(lines)),
+      first_(face, Belief{{}, {}, 1.0}, hand),
+      system_(face, stretches_, lines, hand),
       solver_(face) {}
 
 std::vector<Trace> SheetReader::on_face(const Placement& placement) const {
@@ -36,18 +68,18 @@ std::vector<Trace> SheetReader::on_face(const Placement& placement) const {
   return out;
 }
 
-SheetReader::Guess SheetReader::guess_from(Placement placement) {
-  constexpr int k_rounds = 5;
+SheetReader::Guess SheetReader::guess_from(Placement placement, int rounds) {
   Guess guess;
-  for (int round = 0; round < k_rounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     const std::vector<Trace> lines = on_face(placement);
     const auto candidates = candidates_of(first_, face_, lines, k_candidates, k_window);
-    const auto assigned = assign(face_, candidates, distances_between(lines));
-    guess = {assigned.labels, placement, assigned.cost};
+    const auto assigned = assign(face_, candidates, apart_);
+    guess = {assigned.labels, placement,
+             assigned.cost - k_measured * static_cast<double>(lines.size()) * base::log(placement.scale())};
     std::vector<Match> matches;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const Label& label = assigned.labels[i];
-      const double unrest = face_.unrest(face_.stretches()[label.stretch].curve);
+      const double unrest = face_.unrest(stretches_[label.stretch].curve);
       Match match{lines_[i], first_.mean(label.stretch), 1.0 / (unrest * unrest)};
       if (label.reversed) {
         for (std::size_t k = 0; k < k_points; ++k) {
@@ -67,79 +99,118 @@ SheetReader::Guess SheetReader::guess_from(Placement placement) {
 }
 
 std::vector<SheetReader::Guess> SheetReader::guesses() {
+  const auto best_of = [](std::vector<Guess> all, std::size_t count) {
+    std::stable_sort(all.begin(), all.end(), [](const Guess& a, const Guess& b) { return a.cost < b.cost; });
+    std::vector<Guess> best;
+    for (Guess& guess : all) {
+      const auto key = key_of(guess.labels);
+      const bool known =
+          std::any_of(best.begin(), best.end(), [&](const Guess& one) { return key_of(one.labels) == key; });
+      if (!known && best.size() < count) best.push_back(std::move(guess));
+    }
+    return best;
+  };
   std::vector<Guess> all;
-  for (const Placement& placement : first_placements(face_, lines_)) {
-    Guess guess = guess_from(placement);
-    const auto key = key_of(guess.labels);
-    const auto same = std::find_if(all.begin(), all.end(), [&](const Guess& one) { return key_of(one.labels) == key; });
-    if (same == all.end()) all.push_back(std::move(guess));
-  }
-  std::stable_sort(all.begin(), all.end(), [](const Guess& a, const Guess& b) { return a.cost < b.cost; });
-  if (all.size() > k_followed) all.resize(k_followed);
-  return all;
+  for (const Placement& placement : first_placements(face_, lines_)) all.push_back(guess_from(placement, 1));
+  all = best_of(std::move(all), k_refined);
+  for (Guess& guess : all) guess = guess_from(guess.placement, k_rounds);
+  return best_of(std::move(all), k_followed);
 }
 
-Reading SheetReader::read_as(std::vector<Label> labels, std::span<const std::size_t> units) {
+std::optional<Reading> SheetReader::read_as(std::vector<Label> labels, std::span<const std::size_t> units,
+                                            double most) {
   Reading reading;
+  double beside = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const Stretch& own = stretches_[labels[i].stretch];
+    if (!own.whole()) beside += k_part_cost;
+    for (std::size_t k = 0; k < i; ++k)
+      beside += cost_of_both(own, stretches_[labels[k].stretch], apart_[i * labels.size() + k]);
+  }
+  if (beside > most) return std::nullopt;
   const SquaresOfDoubt squares = system_.squares(labels);
+  if (!still_ && std::isfinite(most) && solver_.energy_with(squares, units) + beside > most) return std::nullopt;
   reading.pose = still_ ? solver_.still(squares) : solver_.solve(squares, units);
   const auto fitted = system_.fitted(reading.pose.shares);
   reading.placement = fitted.placement;
   reading.proportions = fitted.proportions;
-  reading.energy = reading.pose.energy;
-  const auto distances = distances_between(on_face(reading.placement));
-  const auto stretches = face_.stretches();
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    const Stretch& own = stretches[labels[i].stretch];
-    if (!own.whole()) reading.energy += k_part_cost;
-    for (std::size_t k = 0; k < i; ++k)
-      reading.energy += cost_of_both(own, stretches[labels[k].stretch], distances[i * labels.size() + k]);
-  }
+  double unusual = 0;
+  for (const double p : reading.proportions) unusual += p * p / (hand_.proportion * hand_.proportion);
+  // What is unlikely in itself does not become likelier because lines are met badly.
+  reading.energy =
+      reading.pose.energy + solver_.energy_of(reading.pose.squares - unusual) -
+      solver_.energy_of(reading.pose.squares) + unusual + beside -
+      k_measured * static_cast<double>(labels.size()) * base::log(std::max(1e-9, reading.placement.scale()));
   reading.labels = std::move(labels);
   return reading;
 }
 
-Reading SheetReader::settled(std::vector<Label> labels) {
-  constexpr int k_rounds = 3;
+std::vector<Label> SheetReader::fine(std::vector<Label> labels, const Reading& reading) {
+  const auto lines = on_face(reading.placement);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const Stretch& part = stretches_[labels[i].stretch];
+    if (part.whole()) continue;
+    const Stretch& whole = face_.curve(part.curve);
+    Trace there = whole.rest;
+    for (std::size_t j = 0; j < whole.ways.size(); ++j) {
+      for (std::size_t k = 0; k < k_numbers; ++k) there[k] += reading.pose.shares[j] * whole.ways[j][k];
+    }
+    for (std::size_t p = 0; p < whole.proportions.size(); ++p) {
+      for (std::size_t k = 0; k < k_numbers; ++k) there[k] += reading.proportions[p] * whole.proportions[p][k];
+    }
+    double from = share_nearest(there, {lines[i][0], lines[i][1]});
+    double to = share_nearest(there, {lines[i][k_numbers - 2], lines[i][k_numbers - 1]});
+    if (labels[i].reversed) std::swap(from, to);
+    if (from < to) labels[i].stretch = stretches_.near(part.curve, from, to);
+  }
+  return labels;
+}
+
+Reading SheetReader::settled(std::vector<Label> labels, const Placement& placement) {
+  constexpr int k_settling = 3;
   system_.bend(std::vector<double>(face_.controls().size(), 0.0));
-  Reading reading = read_as(std::move(labels), {});
-  for (int round = 0; round < k_rounds; ++round) {
+  system_.place_near(placement, k_first_doubt);
+  auto last = key_of(labels);
+  Reading reading = *read_as(std::move(labels), {}, k_any);
+  for (int round = 0; round < k_settling; ++round) {
     system_.bend(reading.pose.shares);
-    const Likeness likeness(face_, {reading.pose.shares, reading.proportions, k_doubt_left});
+    if (round > 0) system_.place_near(placement, 1.0);
+    const Likeness likeness(face_, {reading.pose.shares, reading.proportions, k_doubt_left}, hand_);
     const auto lines = on_face(reading.placement);
     const auto candidates = candidates_of(likeness, face_, lines, k_candidates, k_window);
-    auto assigned = assign(face_, candidates, distances_between(lines));
-    const bool same = key_of(assigned.labels) == key_of(reading.labels);
-    reading = read_as(std::move(assigned.labels), reading.pose.units);
-    if (same) break;
+    auto assigned = assign(face_, candidates, apart_);
+    const bool same = key_of(assigned.labels) == last;
+    last = key_of(assigned.labels);
+    reading = *read_as(fine(std::move(assigned.labels), reading), reading.pose.units, k_any);
+    if (same && round > 0) break;
   }
   return reading;
 }
 
 Reading SheetReader::improved(Reading reading) {
-  constexpr int k_rounds = 6;
+  constexpr int k_improving = 6;
   std::map<std::vector<std::size_t>, double> tried;
-  for (int round = 0; round < k_rounds; ++round) {
+  for (int round = 0; round < k_improving; ++round) {
     system_.bend(reading.pose.shares);
-    const Likeness near(face_, {reading.pose.shares, reading.proportions, k_doubt_left});
+    const Likeness near(face_, {reading.pose.shares, reading.proportions, k_doubt_left}, hand_);
     const auto lines = on_face(reading.placement);
     Reading best = reading;
     const auto consider = [&](std::vector<Label> labels) {
       if (!tried.emplace(key_of(labels), 0.0).second) return;
-      Reading one = read_as(std::move(labels), reading.pose.units);
-      if (one.energy < best.energy - 1e-6) best = std::move(one);
+      auto one = read_as(fine(std::move(labels), reading), reading.pose.units, best.energy + k_promising);
+      if (one && one->energy < best.energy - 1e-6) best = std::move(*one);
     };
     std::vector<std::vector<Label>> options;
     for (const Trace& line : lines) {
-      constexpr std::size_t k_curves = 4;
-      constexpr double k_within = 25.0;
+      constexpr std::size_t k_curves = 3;
+      constexpr double k_within = 14.0;
       auto some = curves_for(near, face_, line, k_curves, k_within);
       for (const Label& label : curves_for(first_, face_, line, k_curves, k_within)) {
         if (std::find(some.begin(), some.end(), label) == some.end()) some.push_back(label);
       }
       options.push_back(std::move(some));
     }
-    const auto curve_of = [&](const Label& label) { return face_.stretches()[label.stretch].curve; };
+    const auto curve_of = [&](const Label& label) { return stretches_[label.stretch].curve; };
     for (std::size_t i = 0; i < lines.size(); ++i) {
       for (const Label& other : options[i]) {
         if (other == reading.labels[i]) continue;
@@ -163,11 +234,22 @@ Reading SheetReader::improved(Reading reading) {
   return reading;
 }
 
+Reading SheetReader::read_from(const Reading& other, const Stretches& stretches) {
+  std::vector<Label> labels = other.labels;
+  for (Label& label : labels) {
+    const Stretch& one = stretches[label.stretch];
+    label.stretch = stretches_.near(one.curve, one.from, one.to);
+  }
+  system_.bend(other.pose.shares);
+  system_.place_near(other.placement, 1.0);
+  return improved(*read_as(std::move(labels), other.pose.units, k_any));
+}
+
 Reading SheetReader::read() {
   Reading best;
   bool found = false;
   for (const Guess& guess : guesses()) {
-    Reading one = improved(settled(guess.labels));
+    Reading one = improved(settled(guess.labels, guess.placement));
     if (!found || one.energy < best.energy) best = std::move(one);
     found = true;
   }

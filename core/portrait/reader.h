@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,11 +22,12 @@ struct Reading {
 class SheetReader {
  public:
   /// `lines`: of a sheet about as large as k_face_px. `still`: the face is at rest, nothing moves.
-  SheetReader(const FaceView& face, std::span<const Trace> lines, bool still);
+  SheetReader(const FaceView& face, std::span<const Trace> lines, const Hand& hand, bool still);
 
   [[nodiscard]] Reading read();
-  /// Replaces what the model has at rest by what another sheet showed.
-  LineSystem& system() { return system_; }
+  /// From what another reader of the same lines found, with its stretches.
+  [[nodiscard]] Reading read_from(const Reading& other, const Stretches& stretches);
+  [[nodiscard]] const Stretches& stretches() const { return stretches_; }
 
  private:
   struct Guess {
@@ -33,19 +35,27 @@ class SheetReader {
     Placement placement;
     double cost = 0;
   };
-  [[nodiscard]] Guess guess_from(Placement placement);
+  [[nodiscard]] Guess guess_from(Placement placement, int rounds);
   [[nodiscard]] std::vector<Guess> guesses();
   [[nodiscard]] std::vector<Trace> on_face(const Placement& placement) const;
   /// The best pose for labels, lines sliding along curves as they are in the last pose.
-  [[nodiscard]] Reading read_as(std::vector<Label> labels, std::span<const std::size_t> units);
+  /// `least`: nothing is returned where the energy without more units is above this.
+  [[nodiscard]] std::optional<Reading> read_as(std::vector<Label> labels, std::span<const std::size_t> units,
+                                               double most);
   /// Labels anew beside the pose of a reading, again and again.
-  [[nodiscard]] Reading settled(std::vector<Label> labels);
+  [[nodiscard]] Reading settled(std::vector<Label> labels, const Placement& placement);
   /// Changes labels of single lines, and of two that change places, while that lowers the energy.
   [[nodiscard]] Reading improved(Reading reading);
 
+  /// Finer ends for lines that are parts of curves, as they lie beside a reading.
+  [[nodiscard]] std::vector<Label> fine(std::vector<Label> labels, const Reading& reading);
+
   const FaceView& face_;
+  Stretches stretches_;
   std::span<const Trace> lines_;
+  Hand hand_;
   bool still_;
+  std::vector<double> apart_;  ///< distances between lines, px of the sheet
   Likeness first_;
   LineSystem system_;
   SparseSolver solver_;

@@ -10,17 +10,18 @@ namespace penpose::portrait {
 namespace {
 
 /// nu of the energy.
-constexpr double k_reach = 60.0;
+constexpr double k_reach = 80.0;
 /// What a unit costs that moves.
-constexpr double k_unit = 7.0;
+constexpr double k_unit = 6.0;
+constexpr double k_alone = 1.0;
 /// Times the square of a share.
-constexpr double k_share = 2.0;
+constexpr double k_share = 3.0;
 constexpr std::size_t k_most_units = 24;
 constexpr double k_gain = 1e-9;
 
-double energy_of(double squares) { return k_reach * base::log(1.0 + std::max(0.0, squares) / k_reach); }
-
 }  // namespace
+
+double SparseSolver::energy_of(double squares) { return k_reach * base::log(1.0 + std::max(0.0, squares) / k_reach); }
 
 SparseSolver::SparseSolver(const FaceView& face) : face_(face), count_(face.units().size()) {
   for (const Unit& unit : face.units()) {
@@ -31,7 +32,8 @@ SparseSolver::SparseSolver(const FaceView& face) : face_(face), count_(face.unit
     }
     low_.push_back(low);
     high_.push_back(high);
-    costs_.push_back(k_unit);
+    costs_.push_back(k_unit + (unit.one_side ? k_alone : 0.0));
+    all_.push_back(all_.size());
   }
 }
 
@@ -103,15 +105,17 @@ std::vector<std::size_t> SparseSolver::promising(const Trial& trial, std::size_t
   return out;
 }
 
-SparsePose SparseSolver::solve(const SquaresOfDoubt& squares, std::span<const std::size_t> from) {
+void SparseSolver::set_up(const SquaresOfDoubt& squares, std::span<const std::size_t> only) {
   const std::size_t controls = face_.controls().size();
-  constant_ = squares.constant;
-  pull_.assign(count_, 0.0);
-  curvature_.assign(count_ * count_, 0.0);
   const auto units = face_.units();
-  for (std::size_t a = 0; a < count_; ++a) {
+  constant_ = squares.constant;
+  pull_.resize(count_);
+  curvature_.resize(count_ * count_);
+  for (const std::size_t a : only) {
+    pull_[a] = 0;
     for (std::size_t m = 0; m < units[a].count; ++m) pull_[a] += squares.pull[units[a].members[m]];
-    for (std::size_t b = 0; b <= a; ++b) {
+    for (const std::size_t b : only) {
+      if (b > a) continue;
       double sum = 0;
       for (std::size_t m = 0; m < units[a].count; ++m) {
         for (std::size_t k = 0; k < units[b].count; ++k) {
@@ -122,6 +126,17 @@ SparsePose SparseSolver::solve(const SquaresOfDoubt& squares, std::span<const st
       curvature_[a * count_ + b] = curvature_[b * count_ + a] = sum;
     }
   }
+}
+
+double SparseSolver::energy_with(const SquaresOfDoubt& squares, std::span<const std::size_t> units) {
+  set_up(squares, units);
+  return fit({units.begin(), units.end()}).energy;
+}
+
+SparsePose SparseSolver::solve(const SquaresOfDoubt& squares, std::span<const std::size_t> from) {
+  const std::size_t controls = face_.controls().size();
+  const auto units = face_.units();
+  set_up(squares, all_);
   Trial best = fit({from.begin(), from.end()});
   const auto with = [](std::vector<std::size_t> list, std::size_t unit) {
     list.insert(std::upper_bound(list.begin(), list.end(), unit), unit);

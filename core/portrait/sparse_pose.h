@@ -33,6 +33,10 @@ class SparseSolver {
 
   /// `from`: units to begin with.
   [[nodiscard]] SparsePose solve(const SquaresOfDoubt& squares, std::span<const std::size_t> from);
+  /// The energy of these units alone, which bounds that of solve() from above.
+  [[nodiscard]] double energy_with(const SquaresOfDoubt& squares, std::span<const std::size_t> units);
+  /// nu log(1 + E / nu).
+  [[nodiscard]] static double energy_of(double squares);
   /// With nothing moved.
   [[nodiscard]] SparsePose still(const SquaresOfDoubt& squares) const;
 
@@ -44,12 +48,14 @@ class SparseSolver {
     double energy = 0;
   };
   [[nodiscard]] double curvature(std::size_t a, std::size_t b) const { return curvature_[a * count_ + b]; }
+  void set_up(const SquaresOfDoubt& squares, std::span<const std::size_t> only);
   [[nodiscard]] Trial fit(std::vector<std::size_t> units);
   /// Units that promise most beside a trial, the best first.
   [[nodiscard]] std::vector<std::size_t> promising(const Trial& trial, std::size_t count) const;
 
   const FaceView& face_;
   std::size_t count_ = 0;
+  std::vector<std::size_t> all_;            ///< 0, 1, 2, ... one a unit
   std::vector<double> low_, high_, costs_;  ///< one a unit
   std::vector<double> curvature_, pull_;    ///< of units
   double constant_ = 0;
