@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "core/base/math.h"
+#include "core/geometry/lasso.h"
 
 namespace penpose::io {
 namespace {
 
 using geometry::PxPoint;
 
-constexpr double k_furthest_px = 1e7;
 constexpr double k_most_pieces = 1000;  ///< of one curve
 
 double length(PxPoint v) { return std::sqrt(geometry::dot(v, v)); }
@@ -30,7 +30,7 @@ double angle_of(PxPoint v) { return base::atan2(v.y, v.x); }
 }  // namespace
 
 void OutlinePen::add(PxPoint px) {
-  if (!(std::abs(px.x) <= k_furthest_px && std::abs(px.y) <= k_furthest_px)) {
+  if (!(std::abs(px.x) <= geometry::k_largest_px && std::abs(px.y) <= geometry::k_largest_px)) {
     too_far_ = true;
     return;
   }

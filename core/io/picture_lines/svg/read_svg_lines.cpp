@@ -184,7 +184,7 @@ class SvgReader {
       const base::Error& error = status.error();
       return tree_.error(node, error.place.empty() ? error.what : error.what + ", " + error.place, error.remedy);
     }
-    if (pen.too_far()) return tree_.error(node, "a coordinate lies beyond 1e7", "scale the drawing down");
+    if (pen.too_far()) return tree_.error(node, "a coordinate lies beyond a million", "scale the drawing down");
     if (pen.full()) return tree_.error(node, "the drawing has more than a million points", "simplify its paths");
     std::vector<Contour> contours = pen.take();
     if (!style.stroked && is_paper(contours)) return base::Done{};

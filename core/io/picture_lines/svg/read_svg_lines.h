@@ -14,7 +14,7 @@ namespace penpose::io {
 /// the file gives, or as far as the lines reach. Curves become polylines to 1/10000 of the longer side. What is hidden,
 /// has neither fill nor stroke, or is only kept for others (defs, symbol, clipPath, ...) gives none, and neither do
 /// texts and pictures. An element that is filled, has no stroke and reaches over the whole drawing is its paper.
-/// Errors: place is "line N"; no SVG, damaged data, coordinates beyond 1e7, or more than 32 MB, 100000 shapes, a
+/// Errors: place is "line N"; no SVG, damaged data, coordinates beyond a million, or more than 32 MB, 100000 shapes, a
 /// million points or 100 elements inside each other.
 [[nodiscard]] base::Result<PictureLines> read_svg_lines(base::Bytes bytes);
 

@@ -38,7 +38,7 @@ class OutlinePen {
 
   /// Where the pen is, in the shape's units.
   [[nodiscard]] Point at() const { return at_; }
-  /// Whether a coordinate lies beyond 1e7 px or is no number.
+  /// Whether a coordinate lies beyond a million px or is no number.
   [[nodiscard]] bool too_far() const { return too_far_; }
   /// Whether there were more points than may be.
   [[nodiscard]] bool full() const { return full_; }
