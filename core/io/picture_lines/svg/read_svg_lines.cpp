@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "core/io/picture_lines/svg/internal/filled_lines.h"
 #include "core/io/picture_lines/svg/internal/outline_pen.h"
 #include "core/io/picture_lines/svg/internal/svg_lengths.h"
 #include "core/io/picture_lines/svg/internal/svg_shapes.h"
@@ -23,9 +24,10 @@ constexpr int k_deepest = 100;
 /// What may be looked at: `use` can name the same elements again and again.
 constexpr std::uint64_t k_most_effort = std::uint64_t{1} << 30;
 constexpr std::uint64_t k_effort_of_byte = 16;
-constexpr double k_tolerance = 1e-4;      ///< of curves, in longer sides of the drawing
-constexpr double k_tolerance_px = 0.1;    ///< where the file does not say how large it is
-constexpr double k_paper_margin = 0.005;  ///< in sides of the drawing
+constexpr std::uint64_t k_effort_of_px = 4;  ///< of a filled shape
+constexpr double k_tolerance = 1e-4;         ///< of curves, in longer sides of the drawing
+constexpr double k_tolerance_px = 0.1;       ///< where the file does not say how large it is
+constexpr double k_paper_margin = 0.005;     ///< in sides of the drawing
 
 /// What an element has from those that it is in.
 struct Surroundings {
@@ -84,7 +86,9 @@ class SvgReader {
       effort_ += k_effort_of_byte * (std::string_view(one.name()).size() + std::string_view(one.value()).size());
     }
     effort_ += tree_.style_sheet().size() * (1 + text_of(node, "class").size());
-    if (effort_ <= k_most_effort) return base::Done{};
+    return effort_ <= k_most_effort ? base::Done{} : base::Status(too_much(node));
+  }
+  base::Error too_much(pugi::xml_node node) const {
     return tree_.error(node, "the drawing takes too long to look through",
                        "save its lines alone, and without elements that name others");
   }
@@ -187,7 +191,15 @@ class SvgReader {
     if (pen.too_far()) return tree_.error(node, "a coordinate lies beyond a million", "scale the drawing down");
     if (pen.full()) return tree_.error(node, "the drawing has more than a million points", "simplify its paths");
     std::vector<Contour> contours = pen.take();
-    if (!style.stroked && is_paper(contours)) return base::Done{};
+    if (!style.stroked) {
+      if (is_paper(contours)) return base::Done{};
+      const FilledShape filled{contours, style.even_odd};
+      if (filled.is_line()) {
+        effort_ += k_effort_of_px * filled.px();
+        if (effort_ > k_most_effort) return too_much(node);
+        if (auto middle = middle_lines(filled); !middle.empty()) contours = std::move(middle);
+      }
+    }
     for (Contour& one : contours) {
       points_ += one.points.size();
       lines_.lines.push_back({std::move(one.points), one.closed, element, std::string(text_of(node, "id"))});

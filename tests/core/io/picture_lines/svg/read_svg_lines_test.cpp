@@ -238,6 +238,45 @@ TEST(ReadSvgLines, PaperIsNoLine) {
   EXPECT_EQ(lines_of(page + "<rect width='99' height='50' fill='none' stroke='red'/></svg>").lines.size(), 1U);
 }
 
+TEST(ReadSvgLines, ALineOfABrushIsTheLineInItsMiddle) {
+  // The outline of a wave that is 8 px wide in the middle and pointed at both ends.
+  std::string there;
+  std::string back;
+  std::vector<PxPoint> wave;
+  for (int i = 0; i <= 200; ++i) {
+    const double t = i / 200.0;
+    const double slope = 0.72 * base::cos(8 * t);
+    const PxPoint p{100 + 800 * t, 250 + 72 * base::sin(8 * t)};
+    const double half = 4 * std::sqrt(std::max(0.0, 1 - (2 * t - 1) * (2 * t - 1))) / std::sqrt(1 + slope * slope);
+    wave.push_back(p);
+    const auto text = [](double x, double y) { return std::to_string(x) + ' ' + std::to_string(y) + ' '; };
+    there += text(p.x - slope * half, p.y + half);
+    back.insert(0, text(p.x + slope * half, p.y - half));
+  }
+  const auto of = [](const std::string& d) {
+    return lines_of("<svg viewBox='0 0 1000 500'><path fill='#222' fill-rule='evenodd' d='" + d + "'/></svg>").lines;
+  };
+  auto lines = of("M" + there + back + "Z");
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_FALSE(lines[0].closed);
+  EXPECT_LT(furthest(lines[0].points, wave), 0.7);
+  EXPECT_LT(distance(lines[0].points.front(), wave.front()), 8);
+  EXPECT_LT(distance(lines[0].points.back(), wave.back()), 8);
+  // A ring is drawn round.
+  const std::string ring = "M600 250a100 100 0 1 0-200 0a100 100 0 1 0 200 0z";
+  lines = of(ring + "M594 250a94 94 0 1 1-188 0a94 94 0 1 1 188 0z");
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_TRUE(lines[0].closed);
+  for (const PxPoint& p : lines[0].points) EXPECT_NEAR(distance(p, {500, 250}), 97, 0.5);
+  // A disc is no line of a brush, nor is what has a stroke or is open.
+  lines = of(ring);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_NEAR(distance(lines[0].points[0], {500, 250}), 100, 0.1);
+  EXPECT_EQ(of("M100 100H900V104").size(), 1U);
+  EXPECT_EQ(of("M100 100H900V104")[0].points.size(), 3U);
+  EXPECT_EQ(line_of("<path fill='#222' d='M100 100H900V104H100z'/>").size(), 5U);
+}
+
 TEST(ReadSvgLines, PrefixesDeclarationsAndMarks) {
   const PictureLines lines = lines_of(
       "\xef\xbb\xbf<?xml version='1.0'?>\n<!DOCTYPE svg [<!ENTITY ns 'x'>]>\n<!-- a -->"
