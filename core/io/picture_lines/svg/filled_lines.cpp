@@ -17,7 +17,7 @@ using geometry::PxPoint;
 constexpr double k_slender = 10;     ///< length by width of a line with its ends; 4 for a square, pi for a disc
 constexpr double k_width_px = 5;     ///< of a line in the picture
 constexpr double k_least_width = 2;  ///< where that would be too large
-constexpr double k_most_side = 4096;
+constexpr double k_most_side = 2048;
 constexpr double k_margin_px = 2;
 constexpr int k_rows = 4;  ///< of samples in a px
 

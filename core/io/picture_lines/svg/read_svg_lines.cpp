@@ -24,10 +24,10 @@ constexpr int k_deepest = 100;
 /// What may be looked at: `use` can name the same elements again and again.
 constexpr std::uint64_t k_most_effort = std::uint64_t{1} << 30;
 constexpr std::uint64_t k_effort_of_byte = 16;
-constexpr std::uint64_t k_effort_of_px = 4;  ///< of a filled shape
-constexpr double k_tolerance = 1e-4;         ///< of curves, in longer sides of the drawing
-constexpr double k_tolerance_px = 0.1;       ///< where the file does not say how large it is
-constexpr double k_paper_margin = 0.005;     ///< in sides of the drawing
+constexpr std::uint64_t k_effort_of_px = 16;  ///< of a filled shape
+constexpr double k_tolerance = 1e-4;          ///< of curves, in longer sides of the drawing
+constexpr double k_tolerance_px = 0.1;        ///< where the file does not say how large it is
+constexpr double k_paper_margin = 0.005;      ///< in sides of the drawing
 
 /// What an element has from those that it is in.
 struct Surroundings {

@@ -8,7 +8,7 @@
 namespace penpose::io {
 namespace {
 
-constexpr std::size_t k_most_selectors = 512;
+constexpr std::size_t k_most_rules = 512;
 
 std::string without_comments(std::string_view css) {
   std::string text;
@@ -87,8 +87,9 @@ bool SvgStyleSheet::add(std::string_view css) {
 bool SvgStyleSheet::add_rule(std::string_view selectors, std::string_view block) {
   SvgProperties properties;
   properties.set_all(block.substr(0, block.find('}')));
+  if (properties == SvgProperties()) return true;
   while (!selectors.empty()) {
-    if (++selectors_ > k_most_selectors) return false;
+    if (rules_.size() == k_most_rules) return false;
     const std::size_t comma = selectors.find(',');
     add_selector(svg_trimmed(selectors.substr(0, comma)), properties);
     selectors.remove_prefix(comma == std::string_view::npos ? selectors.size() : comma + 1);

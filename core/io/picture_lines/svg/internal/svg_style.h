@@ -20,6 +20,8 @@ struct SvgProperties {
   void set(std::string_view property, std::string_view value);
   /// Takes a list of declarations, as in a `style` attribute.
   void set_all(std::string_view declarations);
+
+  friend bool operator==(const SvgProperties&, const SvgProperties&) = default;
 };
 
 /// What an element looks like, as far as lines care.
@@ -37,7 +39,8 @@ struct SvgStyle {
 /// that ask for what is around an element are left out.
 class SvgStyleSheet {
  public:
-  /// Adds the rules of a text; false where there are more than 512 selectors in all.
+  /// Adds the rules of a text; false where more than 512 in all say something that
+  /// matters here.
   bool add(std::string_view css);
   /// How many rules there are.
   [[nodiscard]] std::size_t size() const { return rules_.size(); }
@@ -57,7 +60,6 @@ class SvgStyleSheet {
   void add_selector(std::string_view selector, const SvgProperties& properties);
 
   std::vector<Rule> rules_;  ///< the more special ones last
-  std::size_t selectors_ = 0;
 };
 
 }  // namespace penpose::io

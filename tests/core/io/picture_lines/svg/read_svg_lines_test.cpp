@@ -345,7 +345,7 @@ TEST(ReadSvgLines, HostileFilesEndEarly) {
   EXPECT_NE(error("<svg>" + std::string(3'000'000, '<')).find("two million"), std::string::npos);
   EXPECT_NE(error(std::string((std::size_t{1} << 25) + 1, ' ')).find("32 MB"), std::string::npos);
   std::string rules;
-  for (int i = 0; i < 600; ++i) rules += "a b{}";
+  for (int i = 0; i < 600; ++i) rules += "a{fill:red}";
   EXPECT_NE(error("<svg><style>" + rules + "</style></svg>").find("512"), std::string::npos);
 }
 
