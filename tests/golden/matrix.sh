@@ -10,7 +10,7 @@ folder=$(mkdir -p "$1" && cd "$1" && pwd)
 shift
 [ $# -gt 0 ] || set -- gcc-O0 gcc-O2 gcc-O3 clang-O0 clang-O2 clang-O3 asan-ubsan tsan aarch64 armhf riscv64
 
-sysroot_packages="libxxhash-dev zlib1g-dev libtinygltf-dev libmeshoptimizer-dev libdraco-dev nlohmann-json3-dev libglm-dev libhidapi-dev libgtest-dev libusb-1.0-0-dev libevdev-dev libpng-dev libjpeg62-turbo-dev libwebp-dev"
+sysroot_packages="libxxhash-dev zlib1g-dev libtinygltf-dev libmeshoptimizer-dev libdraco-dev libpugixml-dev nlohmann-json3-dev libglm-dev libhidapi-dev libgtest-dev libusb-1.0-0-dev libevdev-dev libpng-dev libjpeg62-turbo-dev libwebp-dev"
 
 # cross WAY ARCHITECTURE TRIPLET EMULATOR: the other machine, built with Debian's cross compiler and run in emulation.
 cross() {

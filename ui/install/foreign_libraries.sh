@@ -7,7 +7,7 @@ source=$(cd "$(dirname "$0")/../.." && pwd)
 folder=$(mkdir -p "$1" && cd "$1" && pwd)
 shift
 [ -e "$folder/complete" ] && exit 0
-packages="zlib xxhash meshoptimizer draco libpng1.6 libjpeg-turbo libwebp"
+packages="zlib xxhash meshoptimizer draco pugixml libpng1.6 libjpeg-turbo libwebp"
 # shellcheck disable=SC2086
 [ -e "$folder/sources/complete" ] || { "$source/ui/install/debian_source.sh" "$folder/sources" $packages && touch "$folder/sources/complete"; }
 
@@ -30,6 +30,7 @@ rm -f "$folder"/usr/lib/libz.so*
 build xxhash -DXXHASH_BUILD_XXHSUM=OFF
 build meshoptimizer
 build draco
+build pugixml -DBUILD_TESTING=OFF
 build libpng1.6 -DPNG_SHARED=OFF -DPNG_TESTS=OFF
 build libjpeg-turbo -DCMAKE_INSTALL_LIBDIR="$folder/usr/lib" -DENABLE_SHARED=OFF -DWITH_SIMD=OFF -DWITH_TURBOJPEG=OFF
 build libwebp -DWEBP_BUILD_ANIM_UTILS=OFF -DWEBP_BUILD_CWEBP=OFF -DWEBP_BUILD_DWEBP=OFF -DWEBP_BUILD_GIF2WEBP=OFF -DWEBP_BUILD_IMG2WEBP=OFF \
