@@ -11,6 +11,7 @@ Subcommand decode_subcommand();
 Subcommand replay_subcommand();
 Subcommand pose_subcommand();
 Subcommand suggest_subcommand();
+Subcommand draw_subcommand();
 Subcommand articulate_subcommand();
 Subcommand track_subcommand();
 Subcommand animate_subcommand();
@@ -28,6 +29,7 @@ std::span<const Subcommand> subcommands() {
       replay_subcommand(),      //
       pose_subcommand(),        //
       suggest_subcommand(),     //
+      draw_subcommand(),        //
       articulate_subcommand(),  //
       track_subcommand(),       //
       animate_subcommand(),     //
