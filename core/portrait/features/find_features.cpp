@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/portrait/features/brows.h"
 #include "core/portrait/features/eyes.h"
 #include "core/portrait/features/face_surface.h"
 #include "core/portrait/features/lip_border.h"
 #include "core/portrait/features/mouth_seam.h"
+#include "core/portrait/features/nose_and_jaw.h"
 
 namespace penpose::portrait {
 namespace {
@@ -42,6 +44,9 @@ std::vector<FoundCurve> find_features(const rig::Rig& rig, const mesh::TriangleM
     found.add("eyelid_lower_R", (*eyes)[0].lower);
     found.add("eyelid_upper_L", (*eyes)[1].upper);
     found.add("eyelid_lower_L", (*eyes)[1].lower);
+    const auto brows = find_brows(rig, *surface, *eyes);
+    found.add("brow_R", brows[0]);
+    found.add("brow_L", brows[1]);
     below = std::min((*eyes)[0].centre.y, (*eyes)[1].centre.y) - (*eyes)[0].width * 0.3;
   }
   if (const auto seam = find_mouth_seam(rig, *surface, below)) {
@@ -51,6 +56,14 @@ std::vector<FoundCurve> find_features(const rig::Rig& rig, const mesh::TriangleM
     const auto borders = lip_borders(*surface, *seam);
     found.add("lip_upper_outer", borders[0]);
     found.add("lip_lower_outer", borders[1]);
+    if (eyes) {
+      const Nose nose = find_nose(*surface, *eyes, *seam);
+      found.add("nose_bridge", nose.bridge);
+      found.add("nose_base", nose.base);
+      const Jaw jaw = find_jaw(*surface, *eyes, *seam);
+      found.add("jaw", jaw.jaw);
+      found.add("chin", jaw.chin);
+    }
   }
   return found.take();
 }

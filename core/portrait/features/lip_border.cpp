@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/portrait/features/ray_walk.h"
+#include "core/portrait/features/smooth_path.h"
 
 namespace penpose::portrait {
 namespace {
@@ -24,6 +25,10 @@ constexpr double k_hollow_from = 0.035, k_hollow_to = 0.08;
 constexpr double k_material = 3.0;
 /// What is far from usual, and a border that is not smooth, cost turn.
 constexpr double k_unusual = 0.25, k_rough = 0.02;
+constexpr int k_jump = 4;
+
+/// A turn, less that of the hollow, which leaves no doubt.
+constexpr double k_clear = 0.45;
 
 struct Ray {
   double x = 0, y = 0;    ///< its start, px
@@ -103,40 +108,13 @@ void make_even(std::vector<std::vector<double>>& scores) {
   }
 }
 
-/// The smooth line of the highest sum of scores.
-std::vector<std::size_t> best_path(const std::vector<std::vector<double>>& scores) {
-  constexpr int k_jump = 4;
-  std::vector<std::vector<double>> sums(scores.size(), std::vector<double>(k_steps, -1e300));
-  std::vector<std::vector<int>> from(scores.size(), std::vector<int>(k_steps, 0));
-  sums[0] = scores[0];
-  for (std::size_t i = 1; i < scores.size(); ++i) {
-    for (int s = 0; s < static_cast<int>(k_steps); ++s) {
-      for (int d = -k_jump; d <= k_jump; ++d) {
-        if (s + d < 0 || s + d >= static_cast<int>(k_steps)) continue;
-        const double sum = sums[i - 1][s + d] + scores[i][s] - k_rough * d * d;
-        if (sum > sums[i][s]) {
-          sums[i][s] = sum;
-          from[i][s] = s + d;
-        }
-      }
-    }
-  }
-  std::vector<std::size_t> path(scores.size());
-  auto at = static_cast<std::size_t>(std::max_element(sums.back().begin(), sums.back().end()) - sums.back().begin());
-  for (std::size_t i = scores.size(); i-- > 0;) {
-    path[i] = at;
-    at = static_cast<std::size_t>(from[i][at]);
-  }
-  return path;
-}
-
 FoundLine border_of(const FaceSurface& surface, const MouthSeam& seam, bool upper) {
   const std::vector<Ray> rays = rays_of(surface, seam, upper);
   const double width = seam.columns.back().x - seam.columns.front().x;
   std::vector<std::vector<double>> scores;
   for (const Ray& ray : rays) scores.push_back(scores_of(surface, ray, width));
   make_even(scores);
-  const std::vector<std::size_t> path = best_path(scores);
+  const std::vector<std::size_t> path = smooth_path(scores, k_jump, k_rough);
   FoundLine line;
   double clear = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -144,7 +122,7 @@ FoundLine border_of(const FaceSurface& surface, const MouthSeam& seam, bool uppe
     if (!place) continue;
     line.points.push_back(place->point);
     const double share = std::abs(2.0 * static_cast<double>(i) / (k_rays - 1) - 1.0);
-    if (share < 0.8) clear += std::clamp(scores[i][path[i]] / 0.6, 0.0, 1.0) / (0.8 * k_rays);
+    if (share < 0.8) clear += std::clamp(scores[i][path[i]] / k_clear, 0.0, 1.0) / (0.8 * k_rays);
   }
   line.sureness = seam.sureness * std::min(1.0, 0.15 + 0.85 * clear);
   return line;
