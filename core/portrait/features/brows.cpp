@@ -21,6 +21,8 @@ constexpr double k_thickest = 0.3, k_shortest = 0.35;
 /// A control of the brows moves its farthest place at least this far.
 constexpr double k_least_way = 0.015;
 constexpr std::size_t k_columns = 21;
+/// Middles of different controls that are this far apart say half as much.
+constexpr double k_apart = 0.06;
 /// Of fields alone, and of the ridge alone.
 constexpr double k_of_fields = 0.8, k_of_ridge = 0.2;
 
@@ -172,9 +174,10 @@ Ways ways_of(const rig::Rig& rig, const FaceSurface& surface, const Window& wind
       for (std::size_t r = 0; r < ways.places[i].size(); ++r) {
         if (!ways.places[i][r]) continue;
         const double way = geometry::length(field.of(ways.places[i][r]->point));
-        ways.squares[i][r] += way * way;
-        sum += way * way * static_cast<double>(r);
-        weights += way * way;
+        const double weight = way * way;
+        ways.squares[i][r] += weight;
+        sum += weight * static_cast<double>(r);
+        weights += weight;
       }
       if (weights > 0.05 * most * most) middles[i] = sum / weights;
     }
@@ -212,7 +215,7 @@ FoundLine moved_middle(const rig::Rig& rig, const FaceSurface& surface, const Wi
     if (place) line.points.push_back(place->point);
   }
   // Rows are of two px.
-  const double off = 2.0 * spread_of(ways) / (0.08 * window.unit);
+  const double off = 2.0 * spread_of(ways) / (k_apart * window.unit);
   const double many = std::min(1.0, 0.4 + 0.3 * static_cast<double>(ways.middles.size() - 1));
   line.sureness = k_of_fields * many / (1.0 + off * off);
   return line;

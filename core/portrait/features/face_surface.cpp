@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "core/mesh/topology.h"
+
 namespace penpose::portrait {
 namespace {
 
@@ -97,6 +99,7 @@ std::optional<FaceSurface> FaceSurface::look_at(const mesh::TriangleMesh& mesh, 
   for (const ModelPoint& p : *whole.rest) surface.places_.push_back(place->frame.local(p));
   surface.sort_triangles();
   surface.skin_ = surface.find_skin(whole);
+  surface.find_borders();
   const geometry::Box box = surface.shown();
   const double height = std::max(box.maximum.y - box.minimum.y, (box.maximum.x - box.minimum.x) * 0.5);
   if (!(height > 0.0)) return std::nullopt;
@@ -109,6 +112,32 @@ bool FaceSurface::shows_skin(int x, int y) const {
   if (!image_->inside(x, y) || image_->triangle(x, y) == FaceImage::k_nothing) return false;
   const mesh::Triangle& t = mesh_->triangles()[image_->triangle(x, y)];
   return turn(places_[t[0]], places_[t[1]], places_[t[2]]) > 0.0;
+}
+
+bool FaceSurface::near_border(int x, int y, double within) const {
+  const ModelPoint place = position(at(x, y));
+  return std::any_of(border_.begin(), border_.end(),
+                     [&](const ModelPoint& p) { return geometry::distance(p, place) < within; });
+}
+
+void FaceSurface::find_borders() {
+  std::vector<bool> is_border(places_.size(), false);
+  std::vector<mesh::Triangle> welded;
+  for (const std::uint32_t number : triangles_of(skin_)) {
+    mesh::Triangle t = mesh_->triangles()[number];
+    for (std::uint32_t& v : t) v = mesh_->weld()[v];
+    welded.push_back(t);
+  }
+  const auto edges = mesh::sorted_edges(welded, places_.size());
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t end = i + 1;
+    while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) ++end;
+    if (end == i + 1) is_border[edges[i].low] = is_border[edges[i].high] = true;
+    i = end;
+  }
+  for (std::size_t v = 0; v < is_border.size(); ++v) {
+    if (is_border[v]) border_.push_back(places_[v]);
+  }
 }
 
 bool FaceSurface::parted(int x0, int y0, int x1, int y1) const {

@@ -34,6 +34,8 @@ class FaceSurface {
   /// Whether two px show parts of the surface that are not next to each other: their triangles have no vertex in
   /// common.
   [[nodiscard]] bool parted(int x0, int y0, int x1, int y1) const;
+  /// Whether the surface ends within a distance (model units) of what a px shows.
+  [[nodiscard]] bool near_border(int x, int y, double within) const;
   /// The place on the mesh that a px shows. Precondition: something is there.
   [[nodiscard]] mesh::MeshPoint at(int x, int y) const;
   [[nodiscard]] ModelPoint position(const mesh::MeshPoint& point) const;
@@ -41,6 +43,7 @@ class FaceSurface {
  private:
   FaceSurface() = default;
   void sort_triangles();
+  void find_borders();
   [[nodiscard]] geometry::Box shown() const;
   [[nodiscard]] std::uint32_t find_skin(const intent::WholeModel& whole) const;
 
@@ -49,6 +52,7 @@ class FaceSurface {
   std::vector<ModelPoint> places_;
   std::optional<FaceImage> image_;
   std::uint32_t skin_ = 0;
+  std::vector<ModelPoint> border_;             ///< vertices at an edge of one triangle
   std::vector<std::uint32_t> by_component_;    ///< triangles
   std::vector<std::uint32_t> first_triangle_;  ///< of each component in by_component_, and one past the end
 };

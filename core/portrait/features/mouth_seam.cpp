@@ -16,6 +16,10 @@ constexpr double k_level = 0.02;
 constexpr int k_bridge = 3;
 /// How far a seam may rise or fall from one column to the next, px.
 constexpr int k_climb = 3;
+/// How sure a seam is for being an opening of the mesh.
+constexpr double k_of_opening = 0.5;
+/// Lips roll in this far before they end, as a share of the width.
+constexpr double k_rolled = 0.35;
 /// Points of a lip's line.
 constexpr std::size_t k_points = 33;
 
@@ -148,9 +152,17 @@ std::optional<MouthSeam> find_mouth_seam(const rig::Rig& rig, const FaceSurface&
     seam.parting = parting[i] / width;
     // Lips lie in one depth; a chin in front of a neck and a nose do not.
     const double even = 1.0 / (1.0 + (step / (0.12 * width)) * (step / (0.12 * width)));
-    const double opens = most > 1e-3 * height ? parting[i] / most : 0.3;
+    double open = 0;
+    for (const MouthSeam::Column& c : seam.columns) {
+      if (surface.near_border(c.x, c.upper, k_rolled * width) && surface.near_border(c.x, c.lower, k_rolled * width))
+        open += 1.0;
+    }
+    open /= static_cast<double>(seam.columns.size());
+    seam.sureness = even * std::min(1.0, 0.35 + 2.0 * seam.parting + k_of_opening * open) *
+                    (std::min(right, left) / std::max(right, left));
+    const double opens = most > 1e-3 * height ? parting[i] / most : 0.3 + 0.7 * open;
     const double score = even * opens;
-    seam.sureness = even * std::min(1.0, 0.35 + 2.0 * seam.parting) * (std::min(right, left) / std::max(right, left));
+
     if (score > best_score) {
       best_score = score;
       best = seam;

@@ -14,11 +14,15 @@ namespace {
 // Lengths are shares of the distance of the eyes.
 constexpr double k_base_reach = 0.24, k_base_wander = 0.06;
 constexpr double k_hollow_chord = 0.04;
-constexpr double k_tip_least = 0.12;  ///< a tip protrudes this far before what lies between the eyes
+constexpr double k_clear_hollow = 0.6;  ///< as a share of the deepest
+constexpr double k_tip_least = 0.12;    ///< a tip protrudes this far before what lies between the eyes
 constexpr std::size_t k_bridge_points = 15, k_base_points = 19;
 constexpr std::size_t k_jaw_rays = 61, k_jaw_steps = 90;
 constexpr double k_jaw_from = 0.45, k_jaw_to = 1.7, k_jaw_chord = 0.07;
 constexpr double k_jaw_rise = 0.1;  ///< of the middle of the rays over the mouth
+constexpr double k_edge = 0.06;
+/// Where an artist draws the edge of a jaw is a matter of taste.
+constexpr double k_of_jaw = 0.4, k_of_chin = 0.6;
 constexpr double k_chin_reach = 0.42;
 
 using Walk = std::vector<std::optional<SurfacePlace>>;
@@ -27,16 +31,19 @@ double px_of(const FaceSurface& surface, const std::array<Eye, 2>& eyes) {
   return geometry::distance(eyes[0].centre, eyes[1].centre) / surface.image().px();
 }
 
-/// The deepest hollow of a column between two rows; its turn is negative.
+/// The uppermost clear hollow of a column between two rows: the lip's is as deep at times. Its turn is negative.
 std::size_t hollow_of(const FaceSurface& surface, double column, int bottom, int top, double unit, Walk& walk,
                       double& turn) {
   walk.clear();
   for (int y = bottom; y <= top; ++y) walk.push_back(place_at(surface, column, y));
   if (walk.empty()) return 0;
   const auto turns = turns_of(walk, static_cast<std::size_t>(std::max(2.0, k_hollow_chord * unit)));
-  const auto least = std::min_element(turns.begin(), turns.end());
-  turn = *least;
-  return static_cast<std::size_t>(least - turns.begin());
+  const double least = *std::min_element(turns.begin(), turns.end());
+  std::size_t at = turns.size() - 1;
+  while (at > 0 && turns[at] > k_clear_hollow * least) --at;
+  while (at > 0 && turns[at - 1] < turns[at]) --at;
+  turn = turns[at];
+  return at;
 }
 
 FoundLine base_of(const FaceSurface& surface, double middle, int mouth, int tip, double unit) {
@@ -131,8 +138,13 @@ Jaw find_jaw(const FaceSurface& surface, const std::array<Eye, 2>& eyes, const M
       walk.push_back(over ? std::nullopt : place);
     }
     auto& score = scores.emplace_back(turns_of(walk, chord));
-    for (std::size_t s = 0; s < score.size(); ++s) {
-      if (!walk[s]) score[s] = -1.0;
+    // Beside the mouth the edge is where the face ends to the eye; below it the surface itself turns.
+    std::size_t edge = 0;
+    for (std::size_t s = 0; s < k_jaw_steps; ++s) edge = walk[s] ? s : edge;
+    const double beside = std::clamp(1.5 * std::abs(dx) - 0.5, 0.0, 1.0);
+    for (std::size_t s = 0; s < k_jaw_steps; ++s) {
+      const double off = static_cast<double>(edge - std::min(edge, s)) * step / (k_edge * unit);
+      score[s] = walk[s] ? (1.0 - beside) * score[s] + beside / (1.0 + off * off) : -1.0;
     }
   }
   const auto path = smooth_path(scores, 3, 0.01);
@@ -148,7 +160,8 @@ Jaw find_jaw(const FaceSurface& surface, const std::array<Eye, 2>& eyes, const M
     }
   }
   const double even = std::min(seam.sureness + 0.2, eyes[0].upper.sureness);
-  jaw.jaw.sureness = jaw.chin.sureness = 0.6 * even * clear;
+  jaw.jaw.sureness = k_of_jaw * even * clear;
+  jaw.chin.sureness = k_of_chin * even * clear;
   return jaw;
 }
 
