@@ -26,6 +26,8 @@ class ControlFields {
   void add(std::span<const ModelPoint> rest, std::span<const ModelPoint> moved, double per);
 
   [[nodiscard]] std::size_t control_count() const { return fields_.size(); }
+  /// The vertices that are samples, ascending.
+  [[nodiscard]] std::span<const std::uint32_t> samples() const { return samples_; }
   /// The samples at rest.
   [[nodiscard]] std::span<const ModelPoint> places() const { return places_; }
   /// Model units for the parameter's whole range; of a joint's angle for a radian. One a sample.

@@ -1,0 +1,156 @@
+#include "core/portrait/features/face_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "core/base/math.h"
+#include "core/geometry/closest_point.h"
+
+namespace penpose::portrait {
+namespace {
+
+/// Samples of what moves less than this share of what moves most are not the face.
+constexpr double k_still = 0.04;
+/// Vertices that are mirrored to find the plane of a surface, at most, and rounds of it.
+constexpr std::size_t k_most_mirrored = 300;
+constexpr int k_rounds = 10;
+
+FaceFrame frame_of(const ModelVector& left, const ModelPoint& origin) {
+  FaceFrame frame;
+  frame.left = left;
+  frame.front = geometry::normalized(glm::cross(left, ModelVector{0, 1, 0}));
+  frame.up = glm::cross(frame.front, left);
+  frame.origin = origin;
+  return frame;
+}
+
+bool is_shape(const intent::WholeModel& whole, std::size_t control) {
+  return whole.joint[control] == intent::k_no_partner;
+}
+
+/// How far shapes move each sample, all together.
+std::vector<double> moved_by_shapes(const intent::WholeModel& whole) {
+  const intent::ControlFields& fields = *whole.fields;
+  std::vector<double> moved(fields.places().size(), 0.0);
+  for (std::size_t k = 0; k < fields.control_count(); ++k) {
+    if (!is_shape(whole, k)) continue;
+    const auto field = fields.field(k);
+    for (std::size_t i = 0; i < field.size(); ++i) moved[i] += geometry::length(field[i]);
+  }
+  return moved;
+}
+
+/// The plane between controls and those that do the same on the other side: its normal, and the origin put on it.
+std::size_t between_pairs(const intent::WholeModel& whole, FaceFrame& frame) {
+  const intent::ControlFields& fields = *whole.fields;
+  const auto centre = [&](std::size_t control) {
+    ModelPoint sum{0};
+    double weight = 0;
+    const auto field = fields.field(control);
+    for (std::size_t i = 0; i < field.size(); ++i) {
+      const double way = geometry::length(field[i]);
+      sum += fields.places()[i] * way;
+      weight += way;
+    }
+    return weight > 0.0 ? sum / weight : sum;
+  };
+  ModelVector across{0};
+  std::vector<ModelPoint> middles;
+  for (std::size_t k = 0; k < fields.control_count(); ++k) {
+    const std::size_t other = whole.partner[k];
+    if (other == intent::k_no_partner || other <= k || !is_shape(whole, k)) continue;
+    const ModelPoint a = centre(k);
+    const ModelPoint b = centre(other);
+    const ModelVector d = a - b;
+    across += glm::dot(d, frame.left) < 0.0 ? -d : d;
+    middles.push_back((a + b) * 0.5);
+  }
+  if (middles.empty()) return 0;
+  across.y = 0;
+  const ModelVector left = geometry::normalized(across, frame.left);
+  if (glm::dot(left, frame.left) < 0.7) return 0;
+  double offset = 0;
+  for (const ModelPoint& m : middles) offset += glm::dot(left, m);
+  offset /= static_cast<double>(middles.size());
+  frame = frame_of(left, frame.origin + left * (offset - glm::dot(left, frame.origin)));
+  return middles.size();
+}
+
+/// The plane that mirrors a surface onto itself best: points go to the mirror image's nearest places, and the plane
+/// between both is taken again; the far ones count little. The share of points that meet the surface.
+double between_halves(const mesh::TriangleMesh& mesh, std::span<const ModelPoint> rest, const geometry::Box& box,
+                      FaceFrame& frame) {
+  std::vector<ModelPoint> points;
+  const std::size_t step = rest.size() / k_most_mirrored + 1;
+  for (std::size_t v = 0; v < rest.size(); v += step) points.push_back(rest[v]);
+  const geometry::ClosestPointTree tree(rest, mesh.triangles());
+  const double size = box.diagonal();
+  double met = 0;
+  for (int round = 0; round < k_rounds; ++round) {
+    const double reach = round < 5 ? 0.05 : 0.01;
+    ModelVector across{0};
+    double offset = 0;
+    double weights = 0;
+    met = 0;
+    for (const ModelPoint& p : points) {
+      const double side = glm::dot(frame.left, p - frame.origin);
+      const ModelPoint image = p - frame.left * (2.0 * side);
+      const geometry::ClosestPoint near = tree.closest(image);
+      const double far = near.distance / (reach * size);
+      const double weight = 1.0 / (1.0 + far * far);
+      if (near.distance < 0.005 * size) met += 1.0;
+      const ModelVector d = p - near.point;
+      across += (side < 0.0 ? -d : d) * weight;
+      offset += glm::dot(frame.left, (p + near.point) * 0.5) * weight;
+      weights += weight;
+    }
+    if (!(weights > 0.0)) return 0.0;
+    const ModelVector left = geometry::normalized(across, frame.left);
+    const ModelPoint middle = frame.origin + frame.left * (offset / weights - glm::dot(frame.left, frame.origin));
+    frame = frame_of(left, middle);
+    frame.up = glm::cross(frame.front, frame.left);
+  }
+  return met / static_cast<double>(points.size());
+}
+
+}  // namespace
+
+ModelPoint FaceFrame::local(const ModelPoint& p) const { return turned(p - origin); }
+
+ModelVector FaceFrame::turned(const ModelVector& v) const {
+  return {glm::dot(left, v), glm::dot(up, v), glm::dot(front, v)};
+}
+
+std::optional<FacePlace> place_face(const mesh::TriangleMesh& mesh, const intent::WholeModel& whole,
+                                    double front_yaw_degrees) {
+  const std::span<const ModelPoint> rest = *whole.rest;
+  if (mesh.triangle_count() == 0 || !(whole.size > 0.0)) return std::nullopt;
+  for (const ModelPoint& p : rest) {
+    if (!std::isfinite(p.x + p.y + p.z)) return std::nullopt;
+  }
+  const double yaw = base::radians(std::isfinite(front_yaw_degrees) ? front_yaw_degrees : 0.0);
+  FacePlace place;
+
+  const std::vector<double> moved = moved_by_shapes(whole);
+  const double most = moved.empty() ? 0.0 : *std::max_element(moved.begin(), moved.end());
+  place.of_shapes = most > 1e-6 * whole.size;
+  geometry::Box world;
+  for (std::size_t i = 0; place.of_shapes && i < moved.size(); ++i) {
+    if (moved[i] > k_still * most) world.add(whole.fields->places()[i]);
+  }
+  for (std::size_t v = 0; !place.of_shapes && v < rest.size(); ++v) world.add(rest[v]);
+
+  place.frame = frame_of({base::cos(yaw), 0, -base::sin(yaw)}, world.center());
+  const std::size_t pairs = between_pairs(whole, place.frame);
+  place.mirrored = static_cast<double>(std::min<std::size_t>(pairs, 6)) / 6.0;
+  if (pairs < 3) place.mirrored = between_halves(mesh, rest, world, place.frame);
+
+  for (std::size_t i = 0; place.of_shapes && i < moved.size(); ++i) {
+    if (moved[i] > k_still * most) place.box.add(place.frame.local(whole.fields->places()[i]));
+  }
+  for (std::size_t v = 0; !place.of_shapes && v < rest.size(); ++v) place.box.add(place.frame.local(rest[v]));
+  return place;
+}
+
+}  // namespace penpose::portrait

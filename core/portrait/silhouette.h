@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/geometry/bvh.h"
+#include "core/geometry/camera.h"
+#include "core/mesh/triangle_mesh.h"
+#include "core/posing/problem.h"
+
+namespace penpose::portrait {
+
+/// A line of the surface, in order; a closed one ends with the point that it begins with.
+using SurfaceLine = std::vector<posing::CurvePoint>;
+
+/// The contours that a camera sees: where the surface turns away from it, across triangles (Hertzmann and Zorin,
+/// "Illustrating smooth surfaces", 2000: where the vertices' normals are at right angles to the view), chained, without
+/// what lies behind other parts. The longest in the picture first. `positions`: of all vertices, as posed, in which the
+/// camera and the tree see the mesh too.
+[[nodiscard]] std::vector<SurfaceLine> silhouette(const geometry::Camera& camera, const mesh::TriangleMesh& mesh,
+                                                  std::span<const geometry::ModelPoint> positions,
+                                                  const geometry::TriangleBvh& tree);
+
+}  // namespace penpose::portrait
