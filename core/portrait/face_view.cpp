@@ -48,7 +48,7 @@ struct Bound {
   std::vector<geometry::ModelPoint> places;
 };
 
-geometry::ModelPoint place_of(const posing::CurvePoint& point, std::span<const geometry::ModelPoint> places) {
+geometry::ModelPoint point_of(const posing::CurvePoint& point, std::span<const geometry::ModelPoint> places) {
   return places[0] * point.weight[0] + places[1] * point.weight[1] + places[2] * point.weight[2];
 }
 
@@ -61,7 +61,7 @@ std::optional<std::vector<Line>> picture(Bound& bound, std::span<const FeatureCu
   for (const FeatureCurve& curve : curves) {
     Line line;
     for (const posing::CurvePoint& point : curve.points) {
-      const auto px = camera.project(place_of(point, {bound.places.data() + at, 3}));
+      const auto px = camera.project(point_of(point, {bound.places.data() + at, 3}));
       if (!px || !std::isfinite(px->x) || !std::isfinite(px->y)) return std::nullopt;
       line.push_back(*px);
       at += 3;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/curve/polyline.h"
-#include "core/portrait/reader.h"
+#include "core/portrait/reading/reader.h"
 
 namespace penpose::portrait {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/portrait/assignment.h"
+#include "core/portrait/reading/assignment.h"
 #include "core/portrait/face_view.h"
 #include "core/portrait/placement.h"
 

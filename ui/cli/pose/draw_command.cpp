@@ -10,8 +10,8 @@
 #include "core/base/text/shown_text.h"
 #include "core/document/document_hash.h"
 #include "core/io/project/landmark_file.h"
-#include "core/io/tracks/known_heads.h"
 #include "core/portrait/pose_from_drawing.h"
+#include "core/tracking/feature_curves.h"
 #include "ui/cli/number_range.h"
 #include "ui/cli/subcommand.h"
 #include "ui/files/file_roles.h"
@@ -35,36 +35,13 @@ struct DrawArguments {
   bool json = false;
 };
 
-base::Result<std::vector<io::VertexCurve>> curves_of(const DrawArguments& arguments, const document::Model& model) {
-  if (!arguments.curves.empty()) {
-    const auto bytes = files::read_file(arguments.curves);
-    if (!bytes) return bytes.error();
-    return io::read_landmarks(*bytes);
-  }
-  auto known = io::known_head_curves(model);
-  if (known.empty()) {
-    return base::Error{
-        "its feature curves are not known", "",
-        "name them in a JSON file, {\"curves\": {NAME: {\"vertices\": [...]}}}, and pass it by --curves"};
-  }
-  return known;
-}
-
-base::Result<std::vector<portrait::FeatureCurve>> on_model(const std::vector<io::VertexCurve>& curves,
-                                                           const document::Model& model) {
-  std::vector<portrait::FeatureCurve> out;
-  for (const io::VertexCurve& curve : curves) {
-    portrait::FeatureCurve one{curve.name, {}};
-    for (const std::uint32_t v : curve.vertices) {
-      if (v >= model.mesh->vertex_count()) {
-        return base::Error{"the model has no vertex " + std::to_string(v), "/curves/" + curve.name,
-                           "name vertices below " + std::to_string(model.mesh->vertex_count())};
-      }
-      one.points.push_back(posing::at_vertex(v));
-    }
-    out.push_back(std::move(one));
-  }
-  return out;
+base::Result<std::vector<io::VertexCurve>> named_curves(const std::string& path) {
+  if (path.empty()) return std::vector<io::VertexCurve>{};
+  const auto bytes = files::read_file(path);
+  if (!bytes) return bytes.error();
+  auto named = io::read_landmarks(*bytes);
+  if (named && named->empty()) return base::Error{"it names no curves", "/curves", "name the features of the face"};
+  return named;
 }
 
 base::Result<io::PictureLines> lines_of(const std::string& path) {
@@ -99,7 +76,11 @@ Json lines_json(const io::PictureLines& drawn, const std::vector<portrait::LineR
 }
 
 void print(const io::PictureLines& drawn, const portrait::DrawnPose& posed, const document::Document& document,
-           const std::vector<portrait::FeatureCurve>& curves) {
+           const tracking::FeatureCurves& features) {
+  const auto& curves = features.curves;
+  if (features.found) std::cout << curves.size() << " feature curves were found by the shape of the face\n";
+  for (const std::string& name : features.unsure)
+    std::cout << "  " << name << " is not sure and not used; --curves names it\n";
   for (std::size_t i = 0; i < posed.read.lines.size(); ++i) {
     const portrait::LineRead& line = posed.read.lines[i];
     std::cout << "line " << drawn.lines[i].element << ": "
@@ -123,7 +104,8 @@ void print(const io::PictureLines& drawn, const portrait::DrawnPose& posed, cons
 
 void print_json(const DrawArguments& arguments, const io::PictureLines& drawn,
                 const std::optional<io::PictureLines>& neutral, const portrait::DrawnPose& posed,
-                const document::Document& document, const std::vector<portrait::FeatureCurve>& curves) {
+                const document::Document& document, const tracking::FeatureCurves& features) {
+  const auto& curves = features.curves;
   Json parameters = Json::object();
   for (std::size_t i = 0; i < posed.pose.size(); ++i)
     parameters[document.model->rig->parameters()[i].name] = posed.pose[i];
@@ -157,11 +139,12 @@ int draw(const DrawArguments& arguments) {
   auto document = files::load_document(arguments.model);
   if (!document) return files::report(document.error(), arguments.model);
   const document::Model& model = *document->model;
-  const auto named = curves_of(arguments, model);
-  const std::string& curve_file = arguments.curves.empty() ? arguments.model : arguments.curves;
-  if (!named) return files::report(named.error(), curve_file);
-  const auto curves = on_model(*named, model);
-  if (!curves) return files::report(curves.error(), curve_file);
+  const auto named = named_curves(arguments.curves);
+  if (!named) return files::report(named.error(), arguments.curves);
+  const intent::WholeModel whole = intent::measure_whole_model(*model.rig);
+  const auto features = tracking::feature_curves_of(model, whole, *named);
+  if (!features) return files::report(features.error(), named->empty() ? arguments.model : arguments.curves);
+  const auto& curves = features->curves;
   const auto drawn = lines_of(arguments.drawing);
   if (!drawn) return files::report(drawn.error(), arguments.drawing);
   portrait::Drawing drawing{points_of(*drawn), {}};
@@ -174,19 +157,17 @@ int draw(const DrawArguments& arguments) {
   }
   // A drawing shows the face from rest, whatever pose the file is in.
   rig::Pose start = document->pose;
-  const intent::WholeModel whole = intent::measure_whole_model(*model.rig);
   const rig::Pose rest = rig::rest_pose(*model.rig);
   for (std::size_t i = 0; i < start.size(); ++i) {
     if (whole.joint[i] == intent::k_no_partner) start[i] = rest[i];
   }
-  const auto camera = portrait::camera_of_drawing(*model.rig, *curves, start, arguments.yaw_degrees);
-  const auto posed =
-      portrait::pose_from_drawing(*model.rig, whole, *curves, drawing, camera, start, all_of(*model.rig));
+  const auto camera = portrait::camera_of_drawing(*model.rig, curves, start, arguments.yaw_degrees);
+  const auto posed = portrait::pose_from_drawing(*model.rig, whole, curves, drawing, camera, start, all_of(*model.rig));
   if (!posed) return files::report(posed.error(), arguments.drawing);
   if (arguments.json) {
-    print_json(arguments, *drawn, neutral, *posed, *document, *curves);
+    print_json(arguments, *drawn, neutral, *posed, *document, *features);
   } else {
-    print(*drawn, *posed, *document, *curves);
+    print(*drawn, *posed, *document, *features);
   }
   if (arguments.out.empty()) return k_success;
   document->pose = posed->pose;
@@ -203,8 +184,9 @@ void add_options(CLI::App& command, DrawArguments& arguments) {
       ->required();
   command.add_option("--neutral", arguments.neutral,
                      "the same hand's drawing of the face at rest, in the same view: takes its proportions out");
-  command.add_option("--curves", arguments.curves,
-                     "JSON file of the model's feature curves; without it those of heads that are known");
+  command.add_option(
+      "--curves", arguments.curves,
+      "JSON file of the model's feature curves; without it the model's own, or those found by the shape of the face");
   command.add_option("--yaw", arguments.yaw_degrees, "degrees that the drawing sees the face from beside, about +Y")
       ->check(CLI::Validator(number_range(-360, 360), "-360 to 360"))
       ->capture_default_str();

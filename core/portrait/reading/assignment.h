@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/portrait/likeness.h"
+#include "core/portrait/reading/likeness.h"
 
 namespace penpose::portrait {
 

@@ -1,4 +1,4 @@
-#include "core/portrait/assignment.h"
+#include "core/portrait/reading/assignment.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/portrait/stretches.h"
+#include "core/portrait/reading/stretches.h"
 
 #include <algorithm>
 

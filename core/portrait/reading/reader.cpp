@@ -1,4 +1,4 @@
-#include "core/portrait/reader.h"
+#include "core/portrait/reading/reader.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "core/portrait/assignment.h"
-#include "core/portrait/likeness.h"
+#include "core/portrait/reading/assignment.h"
+#include "core/portrait/reading/likeness.h"
 #include "core/portrait/placement.h"
-#include "core/portrait/sparse_pose.h"
-#include "core/portrait/stretches.h"
+#include "core/portrait/reading/sparse_pose.h"
+#include "core/portrait/reading/stretches.h"
 
 namespace penpose::portrait {
 

@@ -1,4 +1,4 @@
-#include "core/portrait/likeness.h"
+#include "core/portrait/reading/likeness.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/portrait/line_system.h"
+#include "core/portrait/reading/line_system.h"
 
 #include <algorithm>
 #include <cmath>

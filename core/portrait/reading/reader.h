@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/portrait/line_system.h"
+#include "core/portrait/reading/line_system.h"
 
 namespace penpose::portrait {
 

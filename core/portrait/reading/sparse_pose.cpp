@@ -1,4 +1,4 @@
-#include "core/portrait/sparse_pose.h"
+#include "core/portrait/reading/sparse_pose.h"
 
 #include <algorithm>
 #include <cmath>

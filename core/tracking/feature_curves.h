@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/document/model.h"
+#include "core/intent/model/whole_model.h"
+#include "core/io/project/landmark_file.h"
+#include "core/portrait/feature_curve.h"
+
+namespace penpose::tracking {
+
+/// The feature curves of a face, and those that were looked for and are not sure enough to be used.
+struct FeatureCurves {
+  std::vector<portrait::FeatureCurve> curves;
+  std::vector<std::string> unsure;  ///< names
+  bool found = false;               ///< from the shape of the face, by no name
+};
+
+/// Those of a file where there are any (`named`), else those that the model names, else those of a head that is known,
+/// else those found from the shape of the face and what its controls move. Errors (place: the curve): a vertex that the
+/// model does not have; nothing was found.
+[[nodiscard]] base::Result<FeatureCurves> feature_curves_of(const document::Model& model,
+                                                            const intent::WholeModel& whole,
+                                                            const std::vector<io::VertexCurve>& named);
+
+}  // namespace penpose::tracking
