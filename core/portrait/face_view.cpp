@@ -19,7 +19,7 @@ constexpr double k_least_way = 0.5;
 constexpr std::array<std::array<double, 2>, 6> k_parts = {
     {{0.0, 1.0}, {0.0, 0.5}, {0.5, 1.0}, {0.0, 0.7}, {0.3, 1.0}, {0.25, 0.75}}};
 /// Joints are left out that move the curve they move least by this share of what they move most.
-constexpr double k_carries = 0.5;
+constexpr double k_carries = 0.15;
 
 using Line = std::vector<PxPoint>;
 

@@ -49,6 +49,10 @@ std::vector<Trace> traces_of(std::span<const DrawnLine> lines, const Sheet& fram
 std::vector<LineRead> lines_of(const Stretches& stretches, const Reading& reading) {
   std::vector<LineRead> out;
   for (const Label& label : reading.labels) {
+    if (label.stretch == k_nothing) {
+      out.push_back({});
+      continue;
+    }
     const Stretch& stretch = stretches[label.stretch];
     out.push_back({stretch.curve, stretch.from, stretch.to, label.reversed});
   }
@@ -69,6 +73,7 @@ std::vector<std::vector<PxPoint>> rest_of(const FaceView& face, const Stretches&
     }
     for (std::size_t l = 0; l < lines.size(); ++l) {
       const Label& label = reading.labels[l];
+      if (label.stretch == k_nothing) continue;
       const Stretch& stretch = stretches[label.stretch];
       if (stretch.curve != c) continue;
       const Trace there = reading.placement(lines[l]);

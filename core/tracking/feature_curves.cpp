@@ -1,5 +1,7 @@
 #include "core/tracking/feature_curves.h"
 
+#include <algorithm>
+
 #include "core/io/tracks/known_heads.h"
 #include "core/portrait/features/find_features.h"
 
@@ -35,11 +37,20 @@ base::Result<FeatureCurves> feature_curves_of(const document::Model& model, cons
     if (one.points.size() > 1) out.curves.push_back(std::move(one));
   }
   if (!out.curves.empty()) return out;
-  if (const auto known = io::known_head_curves(model); !known.empty()) return at_vertices(model, known);
-  out.found = true;
+  auto known = at_vertices(model, io::known_head_curves(model));
+  if (!known) return known;
+  out = std::move(*known);
+  // Lists of known heads call the border of the lips plainly by its lip.
+  const auto has = [&](const std::string& name) {
+    return std::any_of(out.curves.begin(), out.curves.end(), [&](const portrait::FeatureCurve& one) {
+      return one.name == name || one.name + "_outer" == name;
+    });
+  };
   for (portrait::FoundCurve& one : portrait::find_features(*model.rig, *model.mesh, whole, 0.0)) {
+    if (has(one.curve.name)) continue;
     if (one.sureness >= portrait::k_sure) {
       out.curves.push_back(std::move(one.curve));
+      out.found = true;
     } else {
       out.unsure.push_back(std::move(one.curve.name));
     }

@@ -15,7 +15,7 @@ namespace penpose::tracking {
 struct FeatureCurves {
   std::vector<portrait::FeatureCurve> curves;
   std::vector<std::string> unsure;  ///< names
-  bool found = false;               ///< from the shape of the face, by no name
+  bool found = false;               ///< some by the shape of the face, by no name
 };
 
 /// Those of a file where there are any (`named`), else those that the model names, else those of a head that is known,

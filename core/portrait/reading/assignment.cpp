@@ -64,8 +64,10 @@ class Search {
     const std::size_t i = order_[p];
     const auto stretches = face_.stretches();
     double sum = 0;
+    if (label.stretch == k_nothing) return 0.0;
     for (std::size_t q = 0; q < p; ++q) {
       const std::size_t k = order_[q];
+      if (chosen_[k].stretch == k_nothing) continue;
       sum +=
           cost_of_both(stretches[label.stretch], stretches[chosen_[k].stretch], distances_[i * candidates_.size() + k]);
     }
@@ -101,8 +103,8 @@ class Search {
 /// Every stretch within `window` of the best, the best first.
 std::vector<Label> all_for(const Likeness& likeness, const FaceView& face, const Trace& line, double window) {
   const Trace turned = reversed_of(line);
-  std::vector<Label> all;
-  double most = std::numeric_limits<double>::infinity();
+  std::vector<Label> all{{k_nothing, false, k_nothing_cost}};
+  double most = k_nothing_cost + window;
   for (std::size_t s = 0; s < face.stretches().size(); ++s) {
     const double forward = likeness.cost(line, s, most);
     const double backward = likeness.cost(turned, s, std::min(most, forward));
@@ -132,9 +134,11 @@ std::vector<Label> curves_for(const Likeness& likeness, const FaceView& face, co
                               double window) {
   std::vector<Label> best;
   for (const Label& label : all_for(likeness, face, line, window)) {
-    const std::size_t curve = face.stretches()[label.stretch].curve;
-    const bool known = std::any_of(best.begin(), best.end(),
-                                   [&](const Label& one) { return face.stretches()[one.stretch].curve == curve; });
+    const auto curve_of = [&](const Label& one) {
+      return one.stretch == k_nothing ? k_nothing : face.stretches()[one.stretch].curve;
+    };
+    const bool known =
+        std::any_of(best.begin(), best.end(), [&](const Label& one) { return curve_of(one) == curve_of(label); });
     if (!known && best.size() < count) best.push_back(label);
   }
   return best;

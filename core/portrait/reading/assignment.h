@@ -8,11 +8,16 @@
 
 namespace penpose::portrait {
 
+/// The stretch of a line that is nothing known.
+inline constexpr std::size_t k_nothing = static_cast<std::size_t>(-1);
+/// What such a line costs: the likelihood of any smooth line on the sheet, and that it is drawn at all.
+inline constexpr double k_nothing_cost = 84.0;
+
 /// What a line was taken for.
 struct Label {
-  std::size_t stretch = 0;
-  bool reversed = false;  ///< drawn from the end of the stretch to its beginning
-  double cost = 0;        ///< Likeness::cost
+  std::size_t stretch = 0;  ///< k_nothing: nothing known
+  bool reversed = false;    ///< drawn from the end of the stretch to its beginning
+  double cost = 0;          ///< Likeness::cost
   friend bool operator==(const Label& a, const Label& b) { return a.stretch == b.stretch && a.reversed == b.reversed; }
 };
 

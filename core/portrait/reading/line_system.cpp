@@ -111,6 +111,7 @@ SquaresOfDoubt LineSystem::squares(std::span<const Label> labels) {
   std::vector<double> places(k_place * size_, 0.0);  // of placement columns with all others
   std::array<double, k_place * k_place> own{};
   for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i].stretch == k_nothing) continue;
     const Block& b = block(labels[i].stretch);
     algebra::add_scaled(1.0, b.gram.data(), gram.data(), gram.size());
     const auto columns = placement_columns(lines_[i], labels[i].reversed, width());

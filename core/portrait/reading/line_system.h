@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "core/portrait/placement.h"
 #include "core/portrait/reading/assignment.h"
 #include "core/portrait/reading/likeness.h"
-#include "core/portrait/placement.h"
 #include "core/portrait/reading/sparse_pose.h"
 #include "core/portrait/reading/stretches.h"
 

@@ -22,15 +22,24 @@ constexpr double k_first_doubt = 0.3;
 constexpr double k_any = std::numeric_limits<double>::infinity();
 /// Labels are tried with other controls, too, where those chosen already come this near to the best energy.
 constexpr double k_promising = 8.0;
+/// What a line costs in the energy of a reading that is nothing known.
+constexpr double k_nothing_energy = 42.0;
 
 /// A line tells so many things apart from where it is: times the logarithm of the scale, what a likelihood on the face
 /// lacks to be one on the sheet. Without it, a drawing shrunk to a dot would be like anything.
-constexpr double k_measured = 10.0;
+constexpr double k_measured = 16.0;
+
+/// How many lines are something known.
+double known_lines(std::span<const Label> labels) {
+  return static_cast<double>(
+      std::count_if(labels.begin(), labels.end(), [](const Label& label) { return label.stretch != k_nothing; }));
+}
 
 /// An order in which labellings are kept apart.
 std::vector<std::size_t> key_of(std::span<const Label> labels) {
   std::vector<std::size_t> key;
-  for (const Label& label : labels) key.push_back(2 * label.stretch + (label.reversed ? 1 : 0));
+  for (const Label& label : labels)
+    key.push_back(label.stretch == k_nothing ? k_nothing : 2 * label.stretch + (label.reversed ? 1 : 0));
   return key;
 }
 
@@ -75,10 +84,11 @@ SheetReader::Guess SheetReader::guess_from(Placement placement, int rounds) {
     const auto candidates = candidates_of(first_, face_, lines, k_candidates, k_window);
     const auto assigned = assign(face_, candidates, apart_);
     guess = {assigned.labels, placement,
-             assigned.cost - k_measured * static_cast<double>(lines.size()) * base::log(placement.scale())};
+             assigned.cost - k_measured * known_lines(assigned.labels) * base::log(placement.scale())};
     std::vector<Match> matches;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const Label& label = assigned.labels[i];
+      if (label.stretch == k_nothing) continue;
       const double unrest = face_.unrest(stretches_[label.stretch].curve);
       Match match{lines_[i], first_.mean(label.stretch), 1.0 / (unrest * unrest)};
       if (label.reversed) {
@@ -122,10 +132,16 @@ std::optional<Reading> SheetReader::read_as(std::vector<Label> labels, std::span
   Reading reading;
   double beside = 0;
   for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i].stretch == k_nothing) {
+      beside += k_nothing_energy;
+      continue;
+    }
     const Stretch& own = stretches_[labels[i].stretch];
     if (!own.whole()) beside += k_part_cost;
-    for (std::size_t k = 0; k < i; ++k)
+    for (std::size_t k = 0; k < i; ++k) {
+      if (labels[k].stretch == k_nothing) continue;
       beside += cost_of_both(own, stretches_[labels[k].stretch], apart_[i * labels.size() + k]);
+    }
   }
   if (beside > most) return std::nullopt;
   const SquaresOfDoubt squares = system_.squares(labels);
@@ -137,10 +153,9 @@ std::optional<Reading> SheetReader::read_as(std::vector<Label> labels, std::span
   double unusual = 0;
   for (const double p : reading.proportions) unusual += p * p / (hand_.proportion * hand_.proportion);
   // What is unlikely in itself does not become likelier because lines are met badly.
-  reading.energy =
-      reading.pose.energy + solver_.energy_of(reading.pose.squares - unusual) -
-      solver_.energy_of(reading.pose.squares) + unusual + beside -
-      k_measured * static_cast<double>(labels.size()) * base::log(std::max(1e-9, reading.placement.scale()));
+  reading.energy = reading.pose.energy + solver_.energy_of(reading.pose.squares - unusual) -
+                   solver_.energy_of(reading.pose.squares) + unusual + beside -
+                   k_measured * known_lines(labels) * base::log(std::max(1e-9, reading.placement.scale()));
   reading.labels = std::move(labels);
   return reading;
 }
@@ -148,6 +163,7 @@ std::optional<Reading> SheetReader::read_as(std::vector<Label> labels, std::span
 std::vector<Label> SheetReader::fine(std::vector<Label> labels, const Reading& reading) {
   const auto lines = on_face(reading.placement);
   for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i].stretch == k_nothing) continue;
     const Stretch& part = stretches_[labels[i].stretch];
     if (part.whole()) continue;
     const Stretch& whole = face_.curve(part.curve);
@@ -210,7 +226,9 @@ Reading SheetReader::improved(Reading reading) {
       }
       options.push_back(std::move(some));
     }
-    const auto curve_of = [&](const Label& label) { return stretches_[label.stretch].curve; };
+    const auto curve_of = [&](const Label& label) {
+      return label.stretch == k_nothing ? k_nothing : stretches_[label.stretch].curve;
+    };
     for (std::size_t i = 0; i < lines.size(); ++i) {
       for (const Label& other : options[i]) {
         if (other == reading.labels[i]) continue;
@@ -218,7 +236,7 @@ Reading SheetReader::improved(Reading reading) {
         labels[i] = other;
         consider(labels);
         for (std::size_t k = 0; k < lines.size(); ++k) {
-          if (k == i || curve_of(reading.labels[k]) != curve_of(other)) continue;
+          if (k == i || other.stretch == k_nothing || curve_of(reading.labels[k]) != curve_of(other)) continue;
           for (const Label& instead : options[k]) {
             if (curve_of(instead) == curve_of(other)) continue;
             labels[k] = instead;
@@ -237,6 +255,7 @@ Reading SheetReader::improved(Reading reading) {
 Reading SheetReader::read_from(const Reading& other, const Stretches& stretches) {
   std::vector<Label> labels = other.labels;
   for (Label& label : labels) {
+    if (label.stretch == k_nothing) continue;
     const Stretch& one = stretches[label.stretch];
     label.stretch = stretches_.near(one.curve, one.from, one.to);
   }

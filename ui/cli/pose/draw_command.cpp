@@ -78,7 +78,7 @@ Json lines_json(const io::PictureLines& drawn, const std::vector<portrait::LineR
 void print(const io::PictureLines& drawn, const portrait::DrawnPose& posed, const document::Document& document,
            const tracking::FeatureCurves& features) {
   const auto& curves = features.curves;
-  if (features.found) std::cout << curves.size() << " feature curves were found by the shape of the face\n";
+  if (features.found) std::cout << "feature curves were found by the shape of the face\n";
   for (const std::string& name : features.unsure)
     std::cout << "  " << name << " is not sure and not used; --curves names it\n";
   for (std::size_t i = 0; i < posed.read.lines.size(); ++i) {

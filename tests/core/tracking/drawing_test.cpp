@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numeric>
+
+#include "core/character/demo_head.h"
+#include "core/portrait/pose_from_drawing.h"
+#include "core/tracking/feature_curves.h"
+#include "tests/support/random.h"
+
+// Drawings of known poses of the built-in head, by an unsteady hand.
+
+namespace penpose::portrait {
+namespace {
+
+struct Drawn {
+  DrawnLine line;
+  std::size_t curve = 0;
+};
+
+class DrawingOfTheHead : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    model_ = new document::Model(character::make_demo_head().value());
+    whole_ = new intent::WholeModel(intent::measure_whole_model(*model_->rig));
+    curves_ = new std::vector<FeatureCurve>(tracking::feature_curves_of(*model_, *whole_, {}).value().curves);
+  }
+  static void TearDownTestSuite() {
+    delete model_;
+    delete whole_;
+    delete curves_;
+  }
+
+  [[nodiscard]] static const rig::Rig& rig() { return *model_->rig; }
+  [[nodiscard]] static geometry::Camera camera(double yaw = 0) {
+    return camera_of_drawing(rig(), *curves_, rig::rest_pose(rig()), yaw);
+  }
+  [[nodiscard]] static rig::Pose pose(const std::vector<std::pair<const char*, double>>& values) {
+    rig::Pose out = rig::rest_pose(rig());
+    for (const auto& [name, value] : values) out[rig::find_parameter(rig().parameters(), name).value()] = value;
+    return out;
+  }
+
+  /// A line for each curve, 30 points with a tremor of a 400th of the face; every other one from its end.
+  static std::vector<Drawn> draw(const rig::Pose& posed, std::uint32_t seed, double yaw = 0) {
+    std::vector<geometry::ModelPoint> places(rig().vertex_count());
+    rig().evaluate(posed, places);
+    tests::Random random(seed);
+    std::vector<Drawn> out;
+    for (std::size_t c = 0; c < curves_->size(); ++c) {
+      Drawn one{{}, c};
+      const double phase = random(0.0, 6.0), size = random(0.5, 2.0);
+      for (const posing::CurvePoint& point : (*curves_)[c].points) {
+        geometry::ModelPoint p(0);
+        for (std::size_t k = 0; k < 3; ++k) p += places[point.vertex[k]] * point.weight[k];
+        const double along = static_cast<double>(one.line.size());
+        one.line.push_back(camera(yaw).project(p).value() +
+                           PxPoint{size * std::sin(phase + 0.5 * along), size * std::cos(phase + 0.4 * along)});
+      }
+      if (c % 2 == 1) std::reverse(one.line.begin(), one.line.end());
+      out.push_back(std::move(one));
+    }
+    std::rotate(out.begin(), out.begin() + 5, out.end());
+    return out;
+  }
+  static std::vector<DrawnLine> lines(const std::vector<Drawn>& drawn) {
+    std::vector<DrawnLine> out;
+    for (const Drawn& one : drawn) out.push_back(one.line);
+    return out;
+  }
+  static base::Result<DrawnPose> read(const Drawing& drawing, double yaw = 0) {
+    std::vector<std::size_t> free(rig().parameters().size());
+    std::iota(free.begin(), free.end(), std::size_t{0});
+    return pose_from_drawing(rig(), *whole_, *curves_, drawing, camera(yaw), rig::rest_pose(rig()), free);
+  }
+  static std::size_t rightly_known(const std::vector<Drawn>& drawn, const std::vector<LineRead>& lines) {
+    std::size_t right = 0;
+    for (std::size_t i = 0; i < drawn.size(); ++i) right += lines[i].curve == drawn[i].curve ? 1U : 0U;
+    return right;
+  }
+  /// |found - meant| / |meant| over all vertices.
+  static double error(const rig::Pose& found, const rig::Pose& meant) {
+    std::vector<geometry::ModelPoint> a(rig().vertex_count()), b(a), rest(a);
+    rig().evaluate(found, a);
+    rig().evaluate(meant, b);
+    rig().evaluate(rig::rest_pose(rig()), rest);
+    double off = 0, way = 0;
+    for (std::size_t v = 0; v < a.size(); ++v) {
+      off += std::pow(geometry::distance(a[v], b[v]), 2);
+      way += std::pow(geometry::distance(rest[v], b[v]), 2);
+    }
+    return std::sqrt(off / way);
+  }
+  [[nodiscard]] static const rig::Pose& laugh() {
+    static const rig::Pose one = pose({{"jaw", 0.5}, {"mouth_corner_L", 0.8}, {"mouth_corner_R", 0.8}});
+    return one;
+  }
+
+  static inline document::Model* model_ = nullptr;
+  static inline intent::WholeModel* whole_ = nullptr;
+  static inline std::vector<FeatureCurve>* curves_ = nullptr;
+};
+
+TEST_F(DrawingOfTheHead, EachLineFindsItsCurveAndTheFaceIsThatOfTheDrawing) {
+  for (const auto& meant :
+       {laugh(),
+        pose({{"brow_inner_L", 0.8}, {"brow_inner_R", 0.8}, {"mouth_frown_L", 0.7}, {"mouth_frown_R", 0.7}})}) {
+    const auto drawn = draw(meant, 3);
+    const auto read = this->read({lines(drawn), {}});
+    ASSERT_TRUE(read) << read.error().line();
+    EXPECT_GE(rightly_known(drawn, read->read.lines), drawn.size() - 1);
+    EXPECT_LT(error(read->pose, meant), 0.3);
+  }
+}
+
+TEST_F(DrawingOfTheHead, AFaceAtRestStaysAtRest) {
+  const auto drawn = draw(rig::rest_pose(rig()), 4);
+  const auto read = this->read({lines(drawn), {}});
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->pose, rig::rest_pose(rig()));
+}
+
+TEST_F(DrawingOfTheHead, ItMayLieAnywhereOnTheSheetInAnySizeAndALittleTurned) {
+  auto drawn = draw(laugh(), 5);
+  const auto plain = read({lines(drawn), {}});
+  for (Drawn& one : drawn) {
+    for (PxPoint& p : one.line)
+      p = PxPoint{3.0 * (0.99 * p.x - 0.12 * p.y) + 4000.0, 3.0 * (0.12 * p.x + 0.99 * p.y) - 700.0};
+  }
+  const auto moved = read({lines(drawn), {}});
+  ASSERT_TRUE(plain && moved);
+  EXPECT_GE(rightly_known(drawn, moved->read.lines), drawn.size() - 1);
+  EXPECT_LT(error(moved->pose, plain->pose), 0.1);
+  EXPECT_NEAR(moved->read.placement.scale(), plain->read.placement.scale() / 3.0, 0.03 * plain->read.placement.scale());
+}
+
+TEST_F(DrawingOfTheHead, PiecesAndDoublesOfALineAreOneCurve) {
+  auto drawn = draw(laugh(), 6);
+  Drawn second = drawn[0];
+  const auto half = static_cast<std::ptrdiff_t>(drawn[0].line.size() / 2);
+  second.line.erase(second.line.begin(), second.line.begin() + half);
+  drawn[0].line.resize(static_cast<std::size_t>(half) + 1);
+  Drawn again = drawn[3];
+  for (PxPoint& p : again.line) p = p + PxPoint{1.5, -1.0};
+  drawn.push_back(second);
+  drawn.push_back(again);
+  const auto read = this->read({lines(drawn), {}});
+  ASSERT_TRUE(read);
+  EXPECT_GE(rightly_known(drawn, read->read.lines), drawn.size() - 1);
+  EXPECT_LT(error(read->pose, laugh()), 0.3);
+  const LineRead& piece = read->read.lines.front();
+  EXPECT_LT(piece.to - piece.from, 0.8);
+}
+
+TEST_F(DrawingOfTheHead, ANeutralDrawingTakesTheProportionsOfItsArtistOut) {
+  // Eyes and mouth a sixth too far out.
+  const auto widened = [&](std::vector<Drawn> drawn) {
+    for (Drawn& one : drawn) {
+      for (PxPoint& p : one.line) p.x = 500.0 + 1.17 * (p.x - 500.0);
+    }
+    return lines(drawn);
+  };
+  const auto neutral = widened(draw(rig::rest_pose(rig()), 7));
+  const auto laughing = read({widened(draw(laugh(), 8)), neutral});
+  ASSERT_TRUE(laughing);
+  EXPECT_LT(error(laughing->pose, laugh()), 0.25);
+  const auto still = read({widened(draw(rig::rest_pose(rig()), 9)), neutral});
+  ASSERT_TRUE(still);
+  EXPECT_EQ(still->pose, rig::rest_pose(rig()));
+  EXPECT_EQ(still->read.neutral.size(), neutral.size());
+}
+
+TEST_F(DrawingOfTheHead, FromBesideItIsReadInThatView) {
+  const auto drawn = draw(laugh(), 10, 20);
+  const auto read = this->read({lines(drawn), {}}, 20);
+  ASSERT_TRUE(read);
+  EXPECT_LT(error(read->pose, laugh()), 0.3);
+}
+
+TEST_F(DrawingOfTheHead, WhatIsNoFeatureIsSaidAndMovesNothing) {
+  auto drawn = draw(rig::rest_pose(rig()), 11);
+  // A hat far above.
+  Drawn hat{{}, 0};
+  for (int i = 0; i < 30; ++i) hat.line.push_back({200.0 + 20.0 * i, -400.0 + (i % 7) * 30.0});
+  drawn.push_back(hat);
+  const auto read = this->read({lines(drawn), {}});
+  ASSERT_TRUE(read);
+  EXPECT_FALSE(read->read.lines.back().curve);
+  EXPECT_EQ(read->pose, rig::rest_pose(rig()));
+}
+
+TEST_F(DrawingOfTheHead, TheSameDrawingGivesTheSameBits) {
+  const auto drawn = draw(laugh(), 12);
+  const auto one = read({lines(drawn), {}});
+  const auto other = read({lines(drawn), {}});
+  ASSERT_TRUE(one && other);
+  EXPECT_EQ(one->pose, other->pose);
+  EXPECT_EQ(one->read.energy, other->read.energy);
+}
+
+TEST_F(DrawingOfTheHead, BadDrawingsAreRefusedInOneLine) {
+  EXPECT_EQ(read({{}, {}}).error().line(), "the drawing has no lines; draw the features of the face");
+  EXPECT_EQ(read({{{{1, 1}, {1, 1}}}, {}}).error().line(), "drawing, line 0: a line has no length; leave dots out");
+  const std::vector<DrawnLine> many(k_most_lines + 1, {{0, 0}, {1, 1}});
+  EXPECT_EQ(read({many, {}}).error().line(),
+            "drawing: 61 lines are more than the 60 of a face; draw fewer, longer lines");
+  const double nan = std::nan("");
+  EXPECT_FALSE(read({{{{nan, 0}, {1, 1}}}, {}}));
+  EXPECT_FALSE(read({{{{0, 0}, {1e12, 1}}}, {}}));
+}
+
+}  // namespace
+}  // namespace penpose::portrait
