@@ -132,6 +132,27 @@ double usual_share(const Unit& unit) {
   return unit.one_side ? k_usual_alone : k_usual;
 }
 
+void add_way(const Trace& way, double factor, Spread& spread) {
+  for (std::size_t i = 0; i < k_numbers; ++i) {
+    const double scaled = factor * factor * way[i];
+    if (scaled == 0.0) continue;
+    for (std::size_t k = 0; k <= i; ++k) spread[i * k_numbers + k] += scaled * way[k];
+  }
+}
+
+void FaceView::measure_spreads() {
+  spreads_.assign(stretches_.size(), Spread{});
+  for (std::size_t s = 0; s < stretches_.size(); ++s) {
+    for (const Unit& unit : units_) {
+      Trace way{};
+      for (std::size_t m = 0; m < unit.count; ++m) {
+        for (std::size_t i = 0; i < k_numbers; ++i) way[i] += stretches_[s].ways[unit.members[m]][i];
+      }
+      add_way(way, usual_share(unit), spreads_[s]);
+    }
+  }
+}
+
 Trace trace_of(std::span<const PxPoint> line) {
   Trace out{};
   const auto points = curve::resample<PxPoint>(line, k_points);
@@ -166,6 +187,7 @@ FaceView FaceView::drawn_as(const std::vector<Line>& lines, bool at_rest) const 
   }
   if (at_rest) other.lines_ = lines;
   for (Stretch& one : other.stretches_) one = other.stretch(one.curve, one.from, one.to);
+  other.measure_spreads();
   return other;
 }
 
@@ -271,6 +293,7 @@ base::Result<FaceView> FaceView::make(const rig::Rig& rig, const intent::WholeMo
     }
     view.unrest_.push_back(std::sqrt(sum));
   }
+  view.measure_spreads();
   // What drawings leave out together, for the first guess of where the face is.
   const auto group = [&](bool jaw, bool brow) {
     std::vector<std::size_t> taken;

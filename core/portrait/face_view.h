@@ -24,6 +24,11 @@ using Trace = std::array<double, k_numbers>;
 /// The diagonal of a face in its own picture: the unit in which all widths of doubt are given.
 inline constexpr double k_face_px = 800.0;
 
+/// A symmetric matrix of the numbers of a trace, by rows; the lower half is kept.
+using Spread = std::array<double, k_numbers * k_numbers>;
+/// spread += factor^2 way way'.
+void add_way(const Trace& way, double factor, Spread& spread);
+
 /// A control that moves curves, as shares of its range from where it starts.
 struct Control {
   std::size_t parameter = 0;
@@ -62,6 +67,8 @@ class FaceView {
                                      std::span<const std::size_t> free, const geometry::Camera& camera);
 
   [[nodiscard]] std::span<const Stretch> stretches() const { return stretches_; }
+  /// How controls spread one of stretches() by their usual shares.
+  [[nodiscard]] const Spread& spread(std::size_t stretch) const { return spreads_[stretch]; }
   [[nodiscard]] std::span<const Control> controls() const { return controls_; }
   [[nodiscard]] std::span<const Unit> units() const { return units_; }
   [[nodiscard]] std::size_t curve_count() const { return curve_count_; }
@@ -92,7 +99,10 @@ class FaceView {
   std::vector<Line> lines_;                                ///< one a curve, evenly along it
   std::vector<std::vector<Line>> ways_, all_proportions_;  ///< one a control or a proportion
   std::vector<double> lengths_;
+  void measure_spreads();
+
   std::vector<Stretch> stretches_;
+  std::vector<Spread> spreads_;
   std::vector<Control> controls_;
   std::vector<Unit> units_;
   std::vector<double> unrest_;

@@ -38,19 +38,28 @@ std::vector<Placement> first_placements(const FaceView& face, std::span<const Tr
   Extent drawn;
   for (const Trace& line : lines) drawn.add(line);
   std::vector<Placement> out;
-  constexpr std::array<std::array<double, 2>, 3> k_turns = {{{1.0, 0.0}, {0.990268, 0.139173}, {0.990268, -0.139173}}};
   for (const auto& group : face.groups()) {
     Extent goal;
     for (const std::size_t c : group) goal.add(face.curve(c).rest);
     for (const double scale :
          {goal.diagonal() / drawn.diagonal(), goal.size().x / drawn.size().x, goal.size().y / drawn.size().y}) {
-      if (!std::isfinite(scale) || !(scale > 0.0)) continue;
-      for (const auto& [along, across] : k_turns) {
-        Placement one{scale * along, scale * across, {0, 0}};
-        one.shift = goal.middle() - one(drawn.middle());
-        out.push_back(one);
-      }
+      if (std::isfinite(scale) && scale > 0.0) out.push_back({scale, 0, goal.middle() - drawn.middle() * scale});
     }
+  }
+  return out;
+}
+
+std::vector<Placement> turned_about(const Placement& placement, std::span<const Trace> lines) {
+  constexpr std::array<double, 2> k_turn = {0.990268, 0.139173};  // cosine and sine of 8 degrees
+  Extent drawn;
+  for (const Trace& line : lines) drawn.add(line);
+  std::vector<Placement> out;
+  for (const double sine : {k_turn[1], -k_turn[1]}) {
+    Placement one{placement.along * k_turn[0] - placement.across * sine,
+                  placement.along * sine + placement.across * k_turn[0],
+                  {0, 0}};
+    one.shift = placement(drawn.middle()) - one(drawn.middle());
+    out.push_back(one);
   }
   return out;
 }

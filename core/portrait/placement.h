@@ -19,9 +19,10 @@ struct Placement {
   [[nodiscard]] double scale() const;
 };
 
-/// First guesses: the box of the drawing on boxes of parts of the face, by its diagonal, its width and its height, each
-/// upright and turned by 8 degrees to either side.
+/// First guesses: the box of the drawing on boxes of parts of the face, by its diagonal, its width and its height.
 [[nodiscard]] std::vector<Placement> first_placements(const FaceView& face, std::span<const Trace> lines);
+/// A placement turned by 8 degrees to either side about the middle of the drawing.
+[[nodiscard]] std::vector<Placement> turned_about(const Placement& placement, std::span<const Trace> lines);
 
 /// A line of the drawing and where its points should be.
 struct Match {

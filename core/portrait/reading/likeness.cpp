@@ -15,15 +15,25 @@ constexpr double k_hand = 5.0;
 constexpr double k_shift = 25.0;
 constexpr double k_turn = 0.06;
 
-using Square = std::array<double, k_numbers * k_numbers>;
+PxPoint middle_of(const Trace& trace) {
+  PxPoint sum{0, 0};
+  for (std::size_t i = 0; i < k_points; ++i) sum = sum + PxPoint{trace[2 * i], trace[2 * i + 1]};
+  return sum * (1.0 / static_cast<double>(k_points));
+}
 
-/// c += factor^2 b b', the lower half.
-void add_outer(const Trace& b, double factor, Square& c) {
+/// The inverse of the covariance of a trace's middle: xx, xy, yy. The squares of the middle alone are no more than
+/// those of the whole.
+std::array<double, 3> inverse_spread_of_middle(const Spread& spread) {
+  std::array<double, 3> sum{};
   for (std::size_t i = 0; i < k_numbers; ++i) {
-    const double bi = factor * factor * b[i];
-    if (bi == 0.0) continue;
-    for (std::size_t k = 0; k <= i; ++k) c[i * k_numbers + k] += bi * b[k];
+    for (std::size_t k = 0; k <= i; ++k)
+      sum[i % 2 + k % 2] += (i == k ? 1.0 : i % 2 == k % 2 ? 2.0 : 1.0) * spread[i * k_numbers + k];
   }
+  constexpr double k_share = 1.0 / static_cast<double>(k_points * k_points);
+  for (double& v : sum) v *= k_share;
+  const double determinant = sum[0] * sum[2] - sum[1] * sum[1];
+  if (!(determinant > 0.0)) return {};
+  return {sum[2] / determinant, -sum[1] / determinant, sum[0] / determinant};
 }
 
 }  // namespace
@@ -64,7 +74,8 @@ Likeness::Likeness(const FaceView& face, const Belief& belief, const Hand& hand)
     for (std::size_t i = 0; i < k_points; ++i) centre = centre + PxPoint{rest[2 * i], rest[2 * i + 1]};
   }
   centre = centre * (1.0 / static_cast<double>(face.curve_count() * k_points));
-  for (const Stretch& stretch : face.stretches()) {
+  for (std::size_t s = 0; s < face.stretches().size(); ++s) {
+    const Stretch& stretch = face.stretches()[s];
     Normal normal;
     normal.mean = stretch.rest;
     for (std::size_t j = 0; j < belief.shares.size(); ++j) {
@@ -74,18 +85,12 @@ Likeness::Likeness(const FaceView& face, const Belief& belief, const Hand& hand)
     for (std::size_t p = 0; p < belief.proportions.size(); ++p) {
       for (std::size_t i = 0; i < k_numbers; ++i) normal.mean[i] += belief.proportions[p] * stretch.proportions[p][i];
     }
-    Square& c = normal.factor;
-    for (std::size_t i = 0; i < k_numbers; ++i) c[i * k_numbers + i] = k_hand * k_hand * hand.width * hand.width;
-    for (const Unit& unit : face.units()) {
-      Trace way{};
-      for (std::size_t m = 0; m < unit.count; ++m) {
-        for (std::size_t i = 0; i < k_numbers; ++i) way[i] += stretch.ways[unit.members[m]][i];
-      }
-      add_outer(way, usual_share(unit) * belief.doubt, c);
-    }
-    for (const Trace& proportion : stretch.proportions) add_outer(proportion, hand.proportion * belief.doubt, c);
+    Spread& c = normal.factor;
+    for (std::size_t i = 0; i < c.size(); ++i) c[i] = belief.doubt * belief.doubt * face.spread(s)[i];
+    for (std::size_t i = 0; i < k_numbers; ++i) c[i * k_numbers + i] += k_hand * k_hand * hand.width * hand.width;
+    for (const Trace& proportion : stretch.proportions) add_way(proportion, hand.proportion * belief.doubt, c);
     for (const Trace& slide : slides_of(normal.mean, stretch.whole(), stretch.to - stretch.from))
-      add_outer(slide, 1.0, c);
+      add_way(slide, 1.0, c);
     std::array<Trace, 4> moves{};
     for (std::size_t i = 0; i < k_points; ++i) {
       const double x = stretch.rest[2 * i] - centre.x, y = stretch.rest[2 * i + 1] - centre.y;
@@ -95,7 +100,9 @@ Likeness::Likeness(const FaceView& face, const Belief& belief, const Hand& hand)
       moves[3][2 * i] = -k_turn * y;
       moves[3][2 * i + 1] = k_turn * x;
     }
-    for (const Trace& move : moves) add_outer(move, belief.doubt, c);
+    for (const Trace& move : moves) add_way(move, belief.doubt, c);
+    normal.middle = middle_of(normal.mean);
+    normal.near = inverse_spread_of_middle(c);
     // Positive definite by what the hand strays.
     if (!algebra::factor(c.data(), k_numbers)) normal.constant = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < k_numbers; ++i) normal.constant += base::log(c[i * k_numbers + i]);
@@ -107,6 +114,10 @@ Likeness::Likeness(const FaceView& face, const Belief& belief, const Hand& hand)
 double Likeness::cost(const Trace& line, std::size_t stretch, double most) const {
   const Normal& normal = normals_[stretch];
   const double allowed = 2.0 * (most - normal.constant);
+  const PxPoint off = middle_of(line) - normal.middle;
+  const double least = normal.near[0] * off.x * off.x + 2.0 * normal.near[1] * off.x * off.y +
+                       normal.near[2] * off.y * off.y;
+  if (least > allowed) return std::numeric_limits<double>::infinity();
   double sum = 0;
   Trace left{};
   for (std::size_t i = 0; i < k_numbers; ++i) {

@@ -43,7 +43,9 @@ class Likeness {
  private:
   struct Normal {
     Trace mean{};
-    std::array<double, k_numbers * k_numbers> factor{};  ///< lower Cholesky factor of the covariance, by rows
+    Spread factor{};  ///< lower Cholesky factor of the covariance, by rows
+    PxPoint middle{0, 0};
+    std::array<double, 3> near{};  ///< inverse of the covariance of the middle: xx, xy, yy
     double constant = 0;
   };
   std::vector<Normal> normals_;

@@ -15,7 +15,7 @@ constexpr double k_window = 18.0;
 constexpr double k_doubt_left = 0.35;
 /// Readings that are followed to their end.
 constexpr std::size_t k_followed = 3;
-constexpr std::size_t k_refined = 6;
+constexpr std::size_t k_refined = 4, k_turned = 2;
 /// Rounds of labels and placement in turn.
 constexpr int k_rounds = 5;
 constexpr double k_first_doubt = 0.3;
@@ -122,6 +122,13 @@ std::vector<SheetReader::Guess> SheetReader::guesses() {
   };
   std::vector<Guess> all;
   for (const Placement& placement : first_placements(face_, lines_)) all.push_back(guess_from(placement, 1));
+  all = best_of(std::move(all), k_refined);
+  // The best of them turned a little to either side.
+  const std::size_t upright = std::min(all.size(), k_turned);
+  for (std::size_t i = 0; i < upright; ++i) {
+    const Placement placement = all[i].placement;
+    for (const Placement& turned : turned_about(placement, lines_)) all.push_back(guess_from(turned, 1));
+  }
   all = best_of(std::move(all), k_refined);
   for (Guess& guess : all) guess = guess_from(guess.placement, k_rounds);
   return best_of(std::move(all), k_followed);
