@@ -115,8 +115,8 @@ double Likeness::cost(const Trace& line, std::size_t stretch, double most) const
   const Normal& normal = normals_[stretch];
   const double allowed = 2.0 * (most - normal.constant);
   const PxPoint off = middle_of(line) - normal.middle;
-  const double least = normal.near[0] * off.x * off.x + 2.0 * normal.near[1] * off.x * off.y +
-                       normal.near[2] * off.y * off.y;
+  const double least =
+      normal.near[0] * off.x * off.x + 2.0 * normal.near[1] * off.x * off.y + normal.near[2] * off.y * off.y;
   if (least > allowed) return std::numeric_limits<double>::infinity();
   double sum = 0;
   Trace left{};

@@ -106,25 +106,27 @@ const LineSystem::Block& LineSystem::block(std::size_t number) {
   return b;
 }
 
-SquaresOfDoubt LineSystem::squares(std::span<const Label> labels) {
+SquaresOfDoubt LineSystem::squares(std::span<const Label> labels, std::span<const double> weights) {
   std::vector<double> gram(size_ * size_, 0.0);
   std::vector<double> places(k_place * size_, 0.0);  // of placement columns with all others
   std::array<double, k_place * k_place> own{};
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (labels[i].stretch == k_nothing) continue;
     const Block& b = block(labels[i].stretch);
-    algebra::add_scaled(1.0, b.gram.data(), gram.data(), gram.size());
+    const double weight = weights.empty() ? 1.0 : weights[i];
+    algebra::add_scaled(weight, b.gram.data(), gram.data(), gram.size());
     const auto columns = placement_columns(lines_[i], labels[i].reversed, width());
     std::array<std::vector<double>, k_place> slid;
     for (std::size_t p = 0; p < k_place; ++p) {
       slid[p] = slid_of(b, columns[p].data());
       for (std::size_t c = 0; c < size_; ++c) {
-        places[p * size_ + c] += algebra::dot(columns[p].data(), b.columns.data() + c * k_numbers, k_numbers) -
-                                 algebra::dot_in_order(slid[p].data(), b.slid.data() + c * k_slides, k_slides);
+        places[p * size_ + c] +=
+            weight * (algebra::dot(columns[p].data(), b.columns.data() + c * k_numbers, k_numbers) -
+                      algebra::dot_in_order(slid[p].data(), b.slid.data() + c * k_slides, k_slides));
       }
       for (std::size_t q = 0; q <= p; ++q) {
-        own[p * k_place + q] += algebra::dot(columns[p].data(), columns[q].data(), k_numbers) -
-                                algebra::dot_in_order(slid[p].data(), slid[q].data(), k_slides);
+        own[p * k_place + q] += weight * (algebra::dot(columns[p].data(), columns[q].data(), k_numbers) -
+                                          algebra::dot_in_order(slid[p].data(), slid[q].data(), k_slides));
       }
     }
   }
@@ -204,6 +206,33 @@ LineSystem::Fitted LineSystem::fitted(std::span<const double> shares) const {
   out.proportions.assign(u.begin(), u.begin() + static_cast<std::ptrdiff_t>(proportions_));
   out.placement = {u[proportions_] / k_unit_px, u[proportions_ + 1] / k_unit_px,
                    PxPoint{u[proportions_ + 2], u[proportions_ + 3]}};
+  return out;
+}
+
+std::vector<double> LineSystem::left(std::span<const Label> labels, std::span<const double> shares,
+                                     const Fitted& fitted) {
+  std::vector<double> out;
+  const std::array<double, k_place> place = {fitted.placement.along * k_unit_px, fitted.placement.across * k_unit_px,
+                                             fitted.placement.shift.x, fitted.placement.shift.y};
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i].stretch == k_nothing) {
+      out.push_back(0.0);
+      continue;
+    }
+    const Block& b = block(labels[i].stretch);
+    Trace off{};
+    std::copy_n(b.columns.data() + (size_ - 1) * k_numbers, k_numbers, off.data());
+    for (std::size_t j = 0; j < controls_; ++j) {
+      if (shares[j] != 0.0) algebra::add_scaled(shares[j], b.columns.data() + j * k_numbers, off.data(), k_numbers);
+    }
+    for (std::size_t p = 0; p < proportions_; ++p)
+      algebra::add_scaled(fitted.proportions[p], b.columns.data() + (controls_ + p) * k_numbers, off.data(), k_numbers);
+    const auto columns = placement_columns(lines_[i], labels[i].reversed, width());
+    for (std::size_t p = 0; p < k_place; ++p) algebra::add_scaled(place[p], columns[p].data(), off.data(), k_numbers);
+    const auto slid = slid_of(b, off.data());
+    out.push_back(algebra::dot(off.data(), off.data(), k_numbers) -
+                  algebra::dot_in_order(slid.data(), slid.data(), k_slides));
+  }
   return out;
 }
 

@@ -31,13 +31,17 @@ class LineSystem {
     doubt_ = doubt;
   }
 
-  [[nodiscard]] SquaresOfDoubt squares(std::span<const Label> labels);
+  /// `weights`: of the squares of each line; empty: all 1.
+  [[nodiscard]] SquaresOfDoubt squares(std::span<const Label> labels, std::span<const double> weights = {});
   /// The best placement and proportions of a pose, for the labels of the last squares().
   struct Fitted {
     Placement placement;
     std::vector<double> proportions;
   };
   [[nodiscard]] Fitted fitted(std::span<const double> shares) const;
+  /// The squares of doubt of each line there; 0 for those that are nothing known.
+  [[nodiscard]] std::vector<double> left(std::span<const Label> labels, std::span<const double> shares,
+                                         const Fitted& fitted);
 
  private:
   struct Block {

@@ -18,7 +18,7 @@ constexpr std::size_t k_followed = 3;
 constexpr std::size_t k_refined = 4, k_turned = 2;
 /// Rounds of labels and placement in turn.
 constexpr int k_rounds = 5;
-constexpr double k_first_doubt = 0.3;
+constexpr double k_first_doubt = 0.1;
 constexpr double k_any = std::numeric_limits<double>::infinity();
 /// Labels are tried with other controls, too, where those chosen already come this near to the best energy.
 constexpr double k_promising = 8.0;
@@ -33,6 +33,20 @@ constexpr double k_measured = 16.0;
 double known_lines(std::span<const Label> labels) {
   return static_cast<double>(
       std::count_if(labels.begin(), labels.end(), [](const Label& label) { return label.stretch != k_nothing; }));
+}
+
+/// Lines that leave so many times what the middle one leaves, or a steady hand, are weighed down.
+constexpr double k_off = 10.0, k_steady_squares = 12.0;
+
+/// The weight of each line by what it leaves; none where all are about as near.
+std::vector<double> weights_of(std::span<const double> left) {
+  std::vector<double> sorted(left.begin(), left.end());
+  std::stable_sort(sorted.begin(), sorted.end());
+  const double most = k_off * std::max(k_steady_squares, sorted[sorted.size() / 2]);
+  if (sorted.back() <= most) return {};
+  std::vector<double> weights;
+  for (const double squares : left) weights.push_back(squares > most ? most / squares : 1.0);
+  return weights;
 }
 
 /// An order in which labellings are kept apart.
@@ -154,13 +168,26 @@ std::optional<Reading> SheetReader::read_as(std::vector<Label> labels, std::span
   const SquaresOfDoubt squares = system_.squares(labels);
   if (!still_ && std::isfinite(most) && solver_.energy_with(squares, units) + beside > most) return std::nullopt;
   reading.pose = still_ ? solver_.still(squares) : solver_.solve(squares, units);
-  const auto fitted = system_.fitted(reading.pose.shares);
+  auto fitted = system_.fitted(reading.pose.shares);
+  // Lines that are far off what all others tell do not pull the face about; what they leave counts all the same.
+  double ignored = 0;
+  for (int round = 0; round < 2; ++round) {
+    const std::vector<double> left = system_.left(labels, reading.pose.shares, fitted);
+    const auto weights = weights_of(left);
+    if (weights.empty()) break;
+    const SquaresOfDoubt weighed = system_.squares(labels, weights);
+    reading.pose = still_ ? solver_.still(weighed) : solver_.solve(weighed, reading.pose.units);
+    fitted = system_.fitted(reading.pose.shares);
+    const auto now = system_.left(labels, reading.pose.shares, fitted);
+    ignored = 0;
+    for (std::size_t i = 0; i < now.size(); ++i) ignored += (1.0 - weights[i]) * now[i];
+  }
   reading.placement = fitted.placement;
   reading.proportions = fitted.proportions;
   double unusual = 0;
   for (const double p : reading.proportions) unusual += p * p / (hand_.proportion * hand_.proportion);
   // What is unlikely in itself does not become likelier because lines are met badly.
-  reading.energy = reading.pose.energy + solver_.energy_of(reading.pose.squares - unusual) -
+  reading.energy = reading.pose.energy + solver_.energy_of(reading.pose.squares + ignored - unusual) -
                    solver_.energy_of(reading.pose.squares) + unusual + beside -
                    k_measured * known_lines(labels) * base::log(std::max(1e-9, reading.placement.scale()));
   reading.labels = std::move(labels);
