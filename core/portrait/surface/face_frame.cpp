@@ -1,4 +1,4 @@
-#include "core/portrait/features/face_frame.h"
+#include "core/portrait/surface/face_frame.h"
 
 #include <algorithm>
 #include <cmath>

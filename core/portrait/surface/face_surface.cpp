@@ -1,4 +1,4 @@
-#include "core/portrait/features/face_surface.h"
+#include "core/portrait/surface/face_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace penpose::portrait {
 namespace {
 
 /// Rows of the picture.
-constexpr double k_rows = 560;
+constexpr double k_rows = 700;
 /// How far the picture may go beyond what shapes move, as a share of its height: as far as the skin goes there.
 constexpr double k_beyond = 0.7;
 constexpr double k_margin = 0.03;
