@@ -13,8 +13,10 @@ namespace {
 using geometry::ModelPoint;
 using geometry::ModelVector;
 
-/// A contour lies this far before what hides it, as a share of the model's size: it is where the surface itself turns.
-constexpr double k_before = 0.004;
+/// Facets hide a contour that is drawn across them, so that places a little outside of it are looked at. What hides
+/// them lies this far before them. Shares of the model's size.
+constexpr double k_outside = 0.003;
+constexpr double k_before = 0.01;
 
 /// An edge, low vertex first.
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
@@ -24,18 +26,26 @@ struct Segment {
   std::array<Edge, 2> ends;
 };
 
-/// How much each vertex faces the camera; welded ones alike. 0 counts as facing it.
-std::vector<double> facing_of(const geometry::Camera& camera, const mesh::TriangleMesh& mesh,
-                              std::span<const ModelPoint> positions) {
+/// Normals of unit length, welded vertices alike.
+std::vector<ModelVector> normals_of(const mesh::TriangleMesh& mesh, std::span<const ModelPoint> positions) {
   std::vector<ModelVector> normals(positions.size(), ModelVector{0});
   const auto weld = mesh.weld();
   for (const mesh::Triangle& t : mesh.triangles()) {
     const ModelVector normal = glm::cross(positions[t[1]] - positions[t[0]], positions[t[2]] - positions[t[0]]);
     for (const std::uint32_t v : t) normals[weld[v]] += normal;
   }
+  for (ModelVector& normal : normals) normal = geometry::normalized(normal, ModelVector{0});
+  for (std::size_t v = 0; v < normals.size(); ++v) normals[v] = normals[weld[v]];
+  return normals;
+}
+
+/// How much each vertex faces the camera. 0 counts as facing it.
+std::vector<double> facing_of(const geometry::Camera& camera, const mesh::TriangleMesh& mesh,
+                              std::span<const ModelPoint> positions, std::span<const ModelVector> normals) {
+  const auto weld = mesh.weld();
   std::vector<double> facing(positions.size());
   for (std::size_t v = 0; v < positions.size(); ++v) {
-    facing[v] = glm::dot(normals[weld[v]], camera.eye() - positions[weld[v]]);
+    facing[v] = glm::dot(normals[v], camera.eye() - positions[weld[v]]);
   }
   return facing;
 }
@@ -124,10 +134,11 @@ double length_px(const geometry::Camera& camera, const SurfaceLine& line, std::s
 
 std::vector<SurfaceLine> silhouette(const geometry::Camera& camera, const mesh::TriangleMesh& mesh,
                                     std::span<const ModelPoint> positions, const geometry::TriangleBvh& tree) {
-  const std::vector<double> facing = facing_of(camera, mesh, positions);
+  const std::vector<ModelVector> normals = normals_of(mesh, positions);
+  const std::vector<double> facing = facing_of(camera, mesh, positions, normals);
   geometry::Box box;
   for (const ModelPoint& p : positions) box.add(p);
-  const double before = k_before * box.diagonal();
+  const double size = box.diagonal();
   std::vector<std::pair<double, SurfaceLine>> lines;
   const auto keep = [&](SurfaceLine& line) {
     if (line.size() >= 2) lines.emplace_back(length_px(camera, line, positions), std::move(line));
@@ -141,7 +152,8 @@ std::vector<SurfaceLine> silhouette(const geometry::Camera& camera, const mesh::
       const double b = std::abs(facing[edge.second]);
       const double share = a + b > 0.0 ? a / (a + b) : 0.5;
       const posing::CurvePoint point{{edge.first, edge.second, 0}, {1.0 - share, share, 0.0}};
-      if (is_seen(camera, tree, place_of(point, positions), before)) {
+      const ModelVector out = geometry::normalized(place_of(point, normals), ModelVector{0}) * (k_outside * size);
+      if (is_seen(camera, tree, place_of(point, positions) + out, k_before * size)) {
         line.push_back(point);
       } else {
         keep(line);

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "core/portrait/features/parting.h"
-#include "core/portrait/features/pieces.h"
-#include "core/portrait/features/ray_walk.h"
+#include "core/portrait/surface/parting.h"
+#include "core/portrait/surface/pieces.h"
+#include "core/portrait/surface/ray_walk.h"
 
 namespace penpose::portrait {
 namespace {
@@ -24,7 +24,7 @@ constexpr std::size_t k_columns = 21;
 /// Middles of different controls that are this far apart say half as much.
 constexpr double k_apart = 0.06;
 /// Of fields alone, and of the ridge alone.
-constexpr double k_of_fields = 0.8, k_of_ridge = 0.2;
+constexpr double k_of_fields = 0.7, k_of_ridge = 0.2;
 
 /// Where the brow of one eye may be, px.
 struct Window {
@@ -130,7 +130,7 @@ struct Ways {
   std::vector<std::vector<double>> middles;  ///< of each push, the middle row at each column; below 0: none
 };
 
-Ways ways_of(const rig::Rig& rig, const FaceSurface& surface, const Window& window) {
+Ways ways_of(const rig::Rig& rig, const intent::WholeModel& whole, const FaceSurface& surface, const Window& window) {
   const FaceImage& image = surface.image();
   Ways ways;
   std::vector<std::uint32_t> vertices;
@@ -154,7 +154,10 @@ Ways ways_of(const rig::Rig& rig, const FaceSurface& surface, const Window& wind
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   PushField field(rig, surface, vertices);
   const double least = k_least_way * window.unit * image.px();
-  for (const Push& push : pushes_of(rig)) {
+  geometry::Box box;
+  box.add(image.place(window.outer, window.bottom));
+  box.add(image.place(window.inner, window.top));
+  for (const Push& push : pushes_within(rig, whole, surface, box)) {
     field.set(push);
     double most = 0;
     ModelPoint where{0};
@@ -200,8 +203,9 @@ double spread_of(const Ways& ways) {
   return count > 0.0 ? std::sqrt(squares / count) : 1e9;
 }
 
-FoundLine moved_middle(const rig::Rig& rig, const FaceSurface& surface, const Window& window) {
-  const Ways ways = ways_of(rig, surface, window);
+FoundLine moved_middle(const rig::Rig& rig, const intent::WholeModel& whole, const FaceSurface& surface,
+                       const Window& window) {
+  const Ways ways = ways_of(rig, whole, surface, window);
   FoundLine line;
   if (ways.middles.empty()) return line;
   for (std::size_t i = 0; i < k_columns; ++i) {
@@ -237,7 +241,8 @@ FoundLine ridge(const FaceSurface& surface, const Window& window) {
 
 }  // namespace
 
-std::array<FoundLine, 2> find_brows(const rig::Rig& rig, const FaceSurface& surface, const std::array<Eye, 2>& eyes) {
+std::array<FoundLine, 2> find_brows(const rig::Rig& rig, const intent::WholeModel& whole, const FaceSurface& surface,
+                                    const std::array<Eye, 2>& eyes) {
   const double distance = geometry::distance(eyes[0].centre, eyes[1].centre);
   const std::array<Window, 2> windows{window_of(surface, eyes[0], false, distance),
                                       window_of(surface, eyes[1], true, distance)};
@@ -258,7 +263,7 @@ std::array<FoundLine, 2> find_brows(const rig::Rig& rig, const FaceSurface& surf
   }
   std::array<FoundLine, 2> brows;
   for (std::size_t side = 0; side < 2; ++side) {
-    brows[side] = moved_middle(rig, surface, windows[side]);
+    brows[side] = moved_middle(rig, whole, surface, windows[side]);
     if (brows[side].points.size() < 8) brows[side] = ridge(surface, windows[side]);
     brows[side].sureness *= eyes[side].upper.sureness;
   }

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/portrait/features/openings.h"
-#include "core/portrait/features/parting.h"
-#include "core/portrait/features/pieces.h"
+#include "core/portrait/surface/openings.h"
+#include "core/portrait/surface/parting.h"
+#include "core/portrait/surface/pieces.h"
 
 namespace penpose::portrait {
 namespace {
@@ -141,7 +141,7 @@ Eye eye_of(const FaceSurface& surface, const Opening& opening, bool outer_left) 
 }
 
 /// How far the best control closes an eye: 0..1.
-double closing(const rig::Rig& rig, const FaceSurface& surface, const Eye& eye) {
+double closing(const rig::Rig& rig, const intent::WholeModel& whole, const FaceSurface& surface, const Eye& eye) {
   std::vector<std::uint32_t> vertices;
   for (const FoundLine* line : {&eye.upper, &eye.lower}) {
     for (const mesh::MeshPoint& p : line->points) {
@@ -156,7 +156,10 @@ double closing(const rig::Rig& rig, const FaceSurface& surface, const Eye& eye) 
   if (!(open > 0.0)) return 0.0;
   PushField field(rig, surface, vertices);
   double most = 0;
-  for (const Push& push : pushes_of(rig)) {
+  geometry::Box box;
+  box.add(eye.centre - ModelVector{eye.width});
+  box.add(eye.centre + ModelVector{eye.width});
+  for (const Push& push : pushes_within(rig, whole, surface, box)) {
     field.set(push);
     most = std::max(most, field.of(lower).y - field.of(upper).y);
   }
@@ -165,7 +168,8 @@ double closing(const rig::Rig& rig, const FaceSurface& surface, const Eye& eye) 
 
 }  // namespace
 
-std::optional<std::array<Eye, 2>> find_eyes(const rig::Rig& rig, const FaceSurface& surface) {
+std::optional<std::array<Eye, 2>> find_eyes(const rig::Rig& rig, const intent::WholeModel& whole,
+                                            const FaceSurface& surface) {
   const FaceImage& image = surface.image();
   const double fewest = std::max(12.0, k_smallest_eye * image.width() * image.height());
   std::optional<OpeningPair> best;
@@ -193,7 +197,8 @@ std::optional<std::array<Eye, 2>> find_eyes(const rig::Rig& rig, const FaceSurfa
   std::array<Eye, 2> eyes{eye_of(surface, best->right, false), eye_of(surface, best->left, true)};
   for (Eye& eye : eyes) {
     if (eye.upper.points.size() < 3 || eye.lower.points.size() < 3) return std::nullopt;
-    eye.upper.sureness = eye.lower.sureness = best->sureness * evidence * (0.75 + 0.25 * closing(rig, surface, eye));
+    eye.upper.sureness = eye.lower.sureness =
+        best->sureness * evidence * (0.75 + 0.25 * closing(rig, whole, surface, eye));
   }
   return eyes;
 }

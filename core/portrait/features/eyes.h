@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "core/portrait/features/face_surface.h"
+#include "core/portrait/surface/face_surface.h"
 #include "core/rig/rig.h"
 
 namespace penpose::portrait {
@@ -17,6 +17,7 @@ struct Eye {
 
 /// The right eye and the left one: where balls are seen through the skin, or else holes of the skin that mirror each
 /// other. Nothing where there are none.
-[[nodiscard]] std::optional<std::array<Eye, 2>> find_eyes(const rig::Rig& rig, const FaceSurface& surface);
+[[nodiscard]] std::optional<std::array<Eye, 2>> find_eyes(const rig::Rig& rig, const intent::WholeModel& whole,
+                                                          const FaceSurface& surface);
 
 }  // namespace penpose::portrait

@@ -5,10 +5,10 @@
 
 #include "core/portrait/features/brows.h"
 #include "core/portrait/features/eyes.h"
-#include "core/portrait/features/face_surface.h"
 #include "core/portrait/features/lip_border.h"
 #include "core/portrait/features/mouth_seam.h"
 #include "core/portrait/features/nose_and_jaw.h"
+#include "core/portrait/surface/face_surface.h"
 
 namespace penpose::portrait {
 namespace {
@@ -37,19 +37,19 @@ std::vector<FoundCurve> find_features(const rig::Rig& rig, const mesh::TriangleM
   const auto surface = FaceSurface::look_at(mesh, whole, front_yaw_degrees);
   if (!surface) return {};
   Collection found(*surface);
-  const auto eyes = find_eyes(rig, *surface);
+  const auto eyes = find_eyes(rig, whole, *surface);
   double below = surface->place().box.maximum.y;
   if (eyes) {
     found.add("eyelid_upper_R", (*eyes)[0].upper);
     found.add("eyelid_lower_R", (*eyes)[0].lower);
     found.add("eyelid_upper_L", (*eyes)[1].upper);
     found.add("eyelid_lower_L", (*eyes)[1].lower);
-    const auto brows = find_brows(rig, *surface, *eyes);
+    const auto brows = find_brows(rig, whole, *surface, *eyes);
     found.add("brow_R", brows[0]);
     found.add("brow_L", brows[1]);
     below = std::min((*eyes)[0].centre.y, (*eyes)[1].centre.y) - (*eyes)[0].width * 0.3;
   }
-  if (const auto seam = find_mouth_seam(rig, *surface, below)) {
+  if (const auto seam = find_mouth_seam(rig, whole, *surface, below)) {
     const auto lips = inner_lips(*surface, *seam);
     found.add("lip_upper_inner", lips[0]);
     found.add("lip_lower_inner", lips[1]);

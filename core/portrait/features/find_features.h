@@ -16,7 +16,7 @@ struct FoundCurve {
 };
 
 /// Curves that are less sure than this should be drawn by hand.
-inline constexpr double k_sure = 0.5;
+inline constexpr double k_sure = 0.45;
 
 /// Finds the feature curves of a face from its shape and from what its controls move, never from names. What is not
 /// found is left out.

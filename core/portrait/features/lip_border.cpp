@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "core/portrait/features/ray_walk.h"
 #include "core/portrait/features/smooth_path.h"
+#include "core/portrait/surface/ray_walk.h"
 
 namespace penpose::portrait {
 namespace {
@@ -18,10 +18,10 @@ constexpr double k_reach = 0.36;
 /// Usual heights of the red in the middle, and of what lies beyond the corners; they may be off by this share.
 constexpr double k_upper = 0.17, k_lower = 0.18, k_corner = 0.03;
 constexpr double k_spread = 0.5;
-/// The turn is measured over this length, and the hollow lies between these lengths outside.
-constexpr double k_chord = 0.022;
+/// The turn is the mean of those over these lengths, and the hollow lies between these lengths outside.
+constexpr std::array k_chords{0.015, 0.025, 0.04};
 constexpr double k_hollow_from = 0.035, k_hollow_to = 0.08;
-/// A border of a material counts like this much turn (radians over k_chord), where it is.
+/// A border of a material counts like this much turn (radians), where it is.
 constexpr double k_material = 3.0;
 /// What is far from usual, and a border that is not smooth, cost turn.
 constexpr double k_unusual = 0.25, k_rough = 0.02;
@@ -70,8 +70,12 @@ std::vector<Ray> rays_of(const FaceSurface& surface, const MouthSeam& seam, bool
 /// How well each place of a ray is a border.
 std::vector<double> scores_of(const FaceSurface& surface, const Ray& ray, double width) {
   const double step = k_reach * width / k_steps;
-  const auto chord = static_cast<std::size_t>(std::max(1L, std::lround(k_chord * width / step)));
-  const std::vector<double> turns = turns_of(ray.places, chord);
+  std::vector<double> turns(k_steps, 0.0);
+  for (const double length : k_chords) {
+    const auto chord = static_cast<std::size_t>(std::max(1L, std::lround(length * width / step)));
+    const std::vector<double> at_length = turns_of(ray.places, chord);
+    for (std::size_t s = 0; s < k_steps; ++s) turns[s] += at_length[s] / static_cast<double>(k_chords.size());
+  }
   const auto near = static_cast<std::size_t>(std::lround(k_hollow_from * width / step));
   const auto far = static_cast<std::size_t>(std::lround(k_hollow_to * width / step));
   std::vector<double> scores(k_steps, 0.0);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/portrait/features/parting.h"
+#include "core/portrait/surface/parting.h"
 
 namespace penpose::portrait {
 namespace {
@@ -126,7 +126,8 @@ double most_parting(const FaceSurface& surface, PushField& field, const std::vec
 
 }  // namespace
 
-std::optional<MouthSeam> find_mouth_seam(const rig::Rig& rig, const FaceSurface& surface, double below) {
+std::optional<MouthSeam> find_mouth_seam(const rig::Rig& rig, const intent::WholeModel& whole,
+                                         const FaceSurface& surface, double below) {
   const FaceImage& image = surface.image();
   const int middle = static_cast<int>(std::lround(image.column(0.0)));
   if (!image.inside(middle, 0)) return std::nullopt;
@@ -136,7 +137,10 @@ std::optional<MouthSeam> find_mouth_seam(const rig::Rig& rig, const FaceSurface&
 
   std::optional<MouthSeam> best;
   double best_score = 0;
-  const std::vector<Push> pushes = pushes_of(rig);
+  geometry::Box box;
+  box.add({-0.1 * height, image.place(0, 0).y, 0});
+  box.add({0.1 * height, below, 0});
+  const std::vector<Push> pushes = pushes_within(rig, whole, surface, box);
   PushField field(rig, surface, vertices_seen(surface, middle, 0, middle, top));
   std::vector<double> parting;
   const double most = most_parting(surface, field, pushes, middle, tracker.of(middle), parting);

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/portrait/features/face_surface.h"
+#include "core/portrait/surface/face_surface.h"
 #include "core/rig/rig.h"
 
 namespace penpose::portrait {
@@ -20,7 +20,8 @@ struct MouthSeam {
 
 /// Finds the line in the middle of the face above and below which surfaces are not next to each other, and which
 /// controls part. Nothing where no line is like a mouth. `below`: it lies below this height (the eyes).
-[[nodiscard]] std::optional<MouthSeam> find_mouth_seam(const rig::Rig& rig, const FaceSurface& surface, double below);
+[[nodiscard]] std::optional<MouthSeam> find_mouth_seam(const rig::Rig& rig, const intent::WholeModel& whole,
+                                                       const FaceSurface& surface, double below);
 
 /// The seam's lines: the upper lip's and the lower lip's, from the right to the left corner.
 [[nodiscard]] std::array<FoundLine, 2> inner_lips(const FaceSurface& surface, const MouthSeam& seam);

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "core/base/math.h"
-#include "core/portrait/features/ray_walk.h"
 #include "core/portrait/features/smooth_path.h"
+#include "core/portrait/surface/ray_walk.h"
 
 namespace penpose::portrait {
 namespace {
@@ -22,7 +22,7 @@ constexpr double k_jaw_from = 0.45, k_jaw_to = 1.7, k_jaw_chord = 0.07;
 constexpr double k_jaw_rise = 0.1;  ///< of the middle of the rays over the mouth
 constexpr double k_edge = 0.06;
 /// Where an artist draws the edge of a jaw is a matter of taste.
-constexpr double k_of_jaw = 0.4, k_of_chin = 0.6;
+constexpr double k_of_jaw = 0.4, k_of_chin = 0.45;
 constexpr double k_chin_reach = 0.42;
 
 using Walk = std::vector<std::optional<SurfacePlace>>;

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/portrait/features/face_surface.h"
+#include "core/portrait/surface/face_surface.h"
 #include "core/rig/rig.h"
 
 namespace penpose::portrait {
@@ -34,8 +34,10 @@ class PushField {
   std::vector<ModelVector> ways_;
 };
 
-/// Both ends of the range of every control that is not at rest there.
-[[nodiscard]] std::vector<Push> pushes_of(const rig::Rig& rig);
+/// Both ends of the range of the controls that move something within a box of the face's frame; ends at which a control
+/// rests are left out.
+[[nodiscard]] std::vector<Push> pushes_within(const rig::Rig& rig, const intent::WholeModel& whole,
+                                              const FaceSurface& surface, const geometry::Box& box);
 
 /// The vertices of the triangles that a picture's px show, ascending. From x0, y0 to x1, y1, every step-th px.
 [[nodiscard]] std::vector<std::uint32_t> vertices_seen(const FaceSurface& surface, int x0, int y0, int x1, int y1);

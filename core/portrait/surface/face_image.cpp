@@ -1,4 +1,4 @@
-#include "core/portrait/features/face_image.h"
+#include "core/portrait/surface/face_image.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/portrait/features/pieces.h"
+#include "core/portrait/surface/pieces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/portrait/features/face_frame.h"
+#include "core/portrait/surface/face_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +12,9 @@ namespace {
 
 /// Samples of what moves less than this share of what moves most are not the face.
 constexpr double k_still = 0.04;
+/// A plane between pairs is not turned farther from the front than the cosine of this: they are searched for near the
+/// planes of the axes, and may be wrong where a model looks elsewhere.
+constexpr double k_near_front = 0.97;
 /// Vertices that are mirrored to find the plane of a surface, at most, and rounds of it.
 constexpr std::size_t k_most_mirrored = 300;
 constexpr int k_rounds = 10;
@@ -69,7 +72,7 @@ std::size_t between_pairs(const intent::WholeModel& whole, FaceFrame& frame) {
   if (middles.empty()) return 0;
   across.y = 0;
   const ModelVector left = geometry::normalized(across, frame.left);
-  if (glm::dot(left, frame.left) < 0.7) return 0;
+  if (glm::dot(left, frame.left) < k_near_front) return 0;
   double offset = 0;
   for (const ModelPoint& m : middles) offset += glm::dot(left, m);
   offset /= static_cast<double>(middles.size());
@@ -79,11 +82,11 @@ std::size_t between_pairs(const intent::WholeModel& whole, FaceFrame& frame) {
 
 /// The plane that mirrors a surface onto itself best: points go to the mirror image's nearest places, and the plane
 /// between both is taken again; the far ones count little. The share of points that meet the surface.
-double between_halves(const mesh::TriangleMesh& mesh, std::span<const ModelPoint> rest, const geometry::Box& box,
-                      FaceFrame& frame) {
+double between_halves(const mesh::TriangleMesh& mesh, std::span<const ModelPoint> rest,
+                      std::span<const ModelPoint> face, const geometry::Box& box, FaceFrame& frame) {
   std::vector<ModelPoint> points;
-  const std::size_t step = rest.size() / k_most_mirrored + 1;
-  for (std::size_t v = 0; v < rest.size(); v += step) points.push_back(rest[v]);
+  const std::size_t step = face.size() / k_most_mirrored + 1;
+  for (std::size_t v = 0; v < face.size(); v += step) points.push_back(face[v]);
   const geometry::ClosestPointTree tree(rest, mesh.triangles());
   const double size = box.diagonal();
   double met = 0;
@@ -135,21 +138,20 @@ std::optional<FacePlace> place_face(const mesh::TriangleMesh& mesh, const intent
   const std::vector<double> moved = moved_by_shapes(whole);
   const double most = moved.empty() ? 0.0 : *std::max_element(moved.begin(), moved.end());
   place.of_shapes = most > 1e-6 * whole.size;
-  geometry::Box world;
+  std::vector<ModelPoint> face;
   for (std::size_t i = 0; place.of_shapes && i < moved.size(); ++i) {
-    if (moved[i] > k_still * most) world.add(whole.fields->places()[i]);
+    if (moved[i] > k_still * most) face.push_back(whole.fields->places()[i]);
   }
-  for (std::size_t v = 0; !place.of_shapes && v < rest.size(); ++v) world.add(rest[v]);
+  if (!place.of_shapes) face.assign(rest.begin(), rest.end());
+  geometry::Box world;
+  for (const ModelPoint& p : face) world.add(p);
 
   place.frame = frame_of({base::cos(yaw), 0, -base::sin(yaw)}, world.center());
   const std::size_t pairs = between_pairs(whole, place.frame);
   place.mirrored = static_cast<double>(std::min<std::size_t>(pairs, 6)) / 6.0;
-  if (pairs < 3) place.mirrored = between_halves(mesh, rest, world, place.frame);
+  if (pairs < 3) place.mirrored = between_halves(mesh, rest, face, world, place.frame);
 
-  for (std::size_t i = 0; place.of_shapes && i < moved.size(); ++i) {
-    if (moved[i] > k_still * most) place.box.add(place.frame.local(whole.fields->places()[i]));
-  }
-  for (std::size_t v = 0; !place.of_shapes && v < rest.size(); ++v) place.box.add(place.frame.local(rest[v]));
+  for (const ModelPoint& p : face) place.box.add(place.frame.local(p));
   return place;
 }
 

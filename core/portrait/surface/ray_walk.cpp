@@ -1,4 +1,4 @@
-#include "core/portrait/features/ray_walk.h"
+#include "core/portrait/surface/ray_walk.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/portrait/features/face_surface.h"
+#include "core/portrait/surface/face_surface.h"
 
 namespace penpose::portrait {
 

@@ -1,8 +1,14 @@
-#include "core/portrait/features/parting.h"
+#include "core/portrait/surface/parting.h"
 
 #include <algorithm>
 
 namespace penpose::portrait {
+namespace {
+
+/// A control that moves nothing farther than this share of the face does nothing there.
+constexpr double k_least_way = 0.002;
+
+}  // namespace
 
 PushField::PushField(const rig::Rig& rig, const FaceSurface& surface, std::span<const std::uint32_t> vertices)
     : surface_(surface),
@@ -31,11 +37,24 @@ ModelVector PushField::of(const mesh::MeshPoint& point) const {
   return sum;
 }
 
-std::vector<Push> pushes_of(const rig::Rig& rig) {
+std::vector<Push> pushes_within(const rig::Rig& rig, const intent::WholeModel& whole, const FaceSurface& surface,
+                                const geometry::Box& box) {
+  const intent::ControlFields& fields = *whole.fields;
+  std::vector<std::size_t> within;
+  for (std::size_t i = 0; i < fields.places().size(); ++i) {
+    const ModelPoint p = surface.place().frame.local(fields.places()[i]);
+    if (p.x >= box.minimum.x && p.x <= box.maximum.x && p.y >= box.minimum.y && p.y <= box.maximum.y) {
+      within.push_back(i);
+    }
+  }
+  const double least = k_least_way * surface.place().box.diagonal();
   std::vector<Push> pushes;
-  const auto parameters = rig.parameters();
-  for (std::size_t k = 0; k < parameters.size(); ++k) {
-    const rig::Parameter& p = parameters[k];
+  for (std::size_t k = 0; k < fields.control_count(); ++k) {
+    const auto field = fields.field(k);
+    if (std::none_of(within.begin(), within.end(), [&](std::size_t i) { return geometry::length(field[i]) > least; })) {
+      continue;
+    }
+    const rig::Parameter& p = rig.parameters()[k];
     const double room = p.maximum - p.minimum;
     if (p.maximum - p.rest > 0.05 * room) pushes.push_back({k, p.maximum});
     if (p.rest - p.minimum > 0.05 * room) pushes.push_back({k, p.minimum});

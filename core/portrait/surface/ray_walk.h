@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/portrait/features/face_surface.h"
+#include "core/portrait/surface/face_surface.h"
 
 namespace penpose::portrait {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/portrait/features/face_surface.h"
+#include "core/portrait/surface/face_surface.h"
 
 namespace penpose::portrait {
 

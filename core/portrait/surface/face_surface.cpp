@@ -1,4 +1,4 @@
-#include "core/portrait/features/face_surface.h"
+#include "core/portrait/surface/face_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,17 @@ namespace penpose::portrait {
 namespace {
 
 /// Rows of the picture.
-constexpr double k_rows = 560;
+constexpr double k_rows = 700;
+/// Of the one in which the skin is looked for.
+constexpr double k_coarse_rows = 160;
 /// How far the picture may go beyond what shapes move, as a share of its height: as far as the skin goes there.
 constexpr double k_beyond = 0.7;
 constexpr double k_margin = 0.03;
+
+/// Of a picture of a box, which is not much wider than high.
+double height_of(const geometry::Box& box) {
+  return std::max(box.maximum.y - box.minimum.y, (box.maximum.x - box.minimum.x) * 0.5);
+}
 
 double turn(const ModelPoint& a, const ModelPoint& b, const ModelPoint& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -40,7 +47,7 @@ std::span<const std::uint32_t> FaceSurface::triangles_of(std::uint32_t component
 
 std::uint32_t FaceSurface::find_skin(const intent::WholeModel& whole) const {
   // Most of what is seen, weighted by how far shapes move it.
-  FaceImage all(place_.box, (place_.box.maximum.y - place_.box.minimum.y) / 160.0);
+  FaceImage all(place_.box, height_of(place_.box) / k_coarse_rows);
   std::vector<std::uint32_t> every(mesh_->triangle_count());
   for (std::uint32_t t = 0; t < every.size(); ++t) every[t] = t;
   all.draw(places_, mesh_->triangles(), every);
@@ -92,7 +99,7 @@ geometry::Box FaceSurface::shown() const {
 std::optional<FaceSurface> FaceSurface::look_at(const mesh::TriangleMesh& mesh, const intent::WholeModel& whole,
                                                 double front_yaw_degrees) {
   const auto place = place_face(mesh, whole, front_yaw_degrees);
-  if (!place || !(place->box.diagonal() > 0.0)) return std::nullopt;
+  if (!place || !(height_of(place->box) > 0.0)) return std::nullopt;
   FaceSurface surface;
   surface.mesh_ = &mesh;
   surface.place_ = *place;
@@ -101,7 +108,7 @@ std::optional<FaceSurface> FaceSurface::look_at(const mesh::TriangleMesh& mesh, 
   surface.skin_ = surface.find_skin(whole);
   surface.find_borders();
   const geometry::Box box = surface.shown();
-  const double height = std::max(box.maximum.y - box.minimum.y, (box.maximum.x - box.minimum.x) * 0.5);
+  const double height = height_of(box);
   if (!(height > 0.0)) return std::nullopt;
   surface.image_.emplace(box, height / k_rows);
   surface.image_->draw(surface.places_, mesh.triangles(), surface.triangles_of(surface.skin_));

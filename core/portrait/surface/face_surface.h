@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/mesh/mesh_point.h"
-#include "core/portrait/features/face_frame.h"
-#include "core/portrait/features/face_image.h"
+#include "core/portrait/surface/face_frame.h"
+#include "core/portrait/surface/face_image.h"
 #include "core/posing/problem.h"
 
 namespace penpose::portrait {

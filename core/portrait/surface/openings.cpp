@@ -1,4 +1,4 @@
-#include "core/portrait/features/openings.h"
+#include "core/portrait/surface/openings.h"
 
 #include <algorithm>
 #include <cmath>
