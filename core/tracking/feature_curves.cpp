@@ -46,7 +46,7 @@ base::Result<FeatureCurves> feature_curves_of(const document::Model& model, cons
       return one.name == name || one.name + "_outer" == name;
     });
   };
-  for (portrait::FoundCurve& one : portrait::find_features(*model.rig, *model.mesh, whole, 0.0)) {
+  for (portrait::FoundCurve& one : portrait::find_features(*model.rig, *model.mesh, whole, model.front_yaw_degrees)) {
     if (has(one.curve.name)) continue;
     if (one.sureness >= portrait::k_sure) {
       out.curves.push_back(std::move(one.curve));
