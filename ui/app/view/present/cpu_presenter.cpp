@@ -1,7 +1,7 @@
 #include "ui/app/view/present/cpu_presenter.h"
 
 #include "ui/app/view/present/output/changed_parts.h"
-#include "ui/app/view/present/panel_painter.h"
+#include "ui/app/view/present/panel_layer.h"
 #include "ui/render/cpu/cpu_renderer.h"
 
 namespace penpose::app {
@@ -27,7 +27,7 @@ class CpuPresenter final : public Presenter {
     const auto camera = geometry::Camera::make(frame.view.camera, frame.view.viewport);
     if (!camera) return camera.error();
     if (auto drawn = renderer_->draw(scene_of(frame), *camera, picture_); !drawn) return drawn;
-    paint_panels(panels, picture_);
+    panels_.lay(panels, picture_);
     return base::Done{};
   }
 
@@ -48,7 +48,7 @@ class CpuPresenter final : public Presenter {
     if (panel) drawable_ = turned_size(*panel, rotation_);
   }
 
-  void send_letters() override {}  // they are read where ImGui has them
+  void send_letters() override { panels_.forget(); }  // they are read where ImGui has them
 
   [[nodiscard]] bool refining() const override { return !slow_ && renderer_->refining(); }
   [[nodiscard]] std::vector<std::string> take_undrawn() override { return renderer_->take_undrawn(); }
@@ -59,6 +59,7 @@ class CpuPresenter final : public Presenter {
   Rotation rotation_;
   bool slow_;
   std::unique_ptr<render::CpuRenderer> renderer_;
+  PanelLayer panels_;
   render::Image picture_;
   render::Image shown_;   ///< on a slow screen, what it shows
   render::Image turned_;  ///< on a panel that is mounted turned
