@@ -3,7 +3,7 @@
 //
 //   taskset -c 0 valgrind --tool=callgrind --toggle-collect='penpose::app::measured_frame*' window_bench turn
 //
-//   window_bench [turn|draw|rest] [MODEL] [WxH]     all three, builtin:demo, 800x480 where they are left out
+//   window_bench [turn|coarse|draw|rest] [MODEL] [WxH]     all, builtin:demo, 800x480 where they are left out
 
 #include <SDL2/SDL_pixels.h>
 #include <algorithm>
@@ -16,6 +16,7 @@
 #include "tests/support/app_desk.h"
 #include "ui/app/view/draw_frame.h"
 #include "ui/app/view/present/cpu_presenter.h"
+#include "ui/app/view/present/moving_detail.h"
 #include "ui/app/view/present/output/px_copy.h"
 
 namespace penpose::app {
@@ -48,6 +49,7 @@ __attribute__((noinline)) void measured_frame(Desk& desk, FrameMaker& frames, Pr
 }
 
 void measure(const std::string& what, const std::string& model, geometry::Viewport size) {
+  const bool coarse = what == "coarse";
   Desk desk("window_bench", model);
   desk.begin();
   App& app = *desk.app;
@@ -56,7 +58,10 @@ void measure(const std::string& what, const std::string& model, geometry::Viewpo
   FrameMaker frames({app.of<EditingSession>(), app.of<Canvas>(), app.of<CanvasLook>(), app.of<CanvasDrawing>(),
                      app.of<Controls>(), app.of<Preferences>()});
   MemoryOutput output(size);
-  const auto presenter = make_cpu_presenter(output, Rotation::none, false);
+  // By a clock that goes by itself pictures count as slow, for the time that a coarse one takes.
+  std::int64_t clock_us = 0;
+  const std::int64_t tick_us = coarse ? MovingDetail::k_most_us + 1 : 1;
+  const auto presenter = make_cpu_presenter(output, Rotation::none, false, [&] { return clock_us += tick_us; });
   static_cast<void>(presenter->begin());
   Pointer& pointer = app.of<Pointer>();
   const auto draw = [&] {
@@ -71,13 +76,13 @@ void measure(const std::string& what, const std::string& model, geometry::Viewpo
     line = desk.named_curve(curve, {0, -6});
     pointer.moved(line.front());
     pointer.button(MouseButton::left, true, line.front());
-  } else if (what == "turn") {
+  } else if (what == "turn" || coarse) {
     pointer.button(MouseButton::middle, true, middle);
   }
   for (int i = 0; i < 4; ++i, desk.frames(1)) draw();
   std::vector<double> times;
   for (int i = 1; i <= k_frames; ++i) {
-    if (what == "turn") pointer.moved({middle.x + 6.0 + 3.0 * i, middle.y + i});
+    if (what == "turn" || coarse) pointer.moved({middle.x + 6.0 + 3.0 * i, middle.y + i});
     if (what == "draw") {
       const double t = static_cast<double>(i) / k_frames * static_cast<double>(line.size() - 1);
       const auto k = std::min(static_cast<std::size_t>(t), line.size() - 2);
@@ -89,7 +94,7 @@ void measure(const std::string& what, const std::string& model, geometry::Viewpo
   }
   presenter->end();
   std::sort(times.begin(), times.end());
-  std::printf("%-5s %dx%d %s: %.2f ms a frame, %d frames\n", what.c_str(), size.width, size.height, model.c_str(),
+  std::printf("%-6s %dx%d %s: %.2f ms a frame, %d frames\n", what.c_str(), size.width, size.height, model.c_str(),
               times[times.size() / 2], k_frames);
 }
 
@@ -99,7 +104,7 @@ int main(int argc, char** argv) {
   const std::string only = argc > 1 ? argv[1] : "";
   penpose::geometry::Viewport size{800, 480};
   if (argc > 3 && std::sscanf(argv[3], "%dx%d", &size.width, &size.height) != 2) return 2;
-  for (const char* what : {"turn", "draw", "rest"}) {
+  for (const char* what : {"turn", "coarse", "draw", "rest"}) {
     if (only.empty() || only == what) penpose::app::measure(what, argc > 2 ? argv[2] : "builtin:demo", size);
   }
   return 0;

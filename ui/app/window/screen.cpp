@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "firmware_io/device/clock.h"
 #include "ui/app/view/present/cpu_presenter.h"
 #include "ui/app/view/present/output/drm_screens.h"
 
@@ -113,7 +114,7 @@ void Screen::take(SDL_Window* window) {
 
 std::unique_ptr<Presenter> Screen::cpu_presenter() {
   if (!bare_output_) output_ = make_window_output(window_);
-  return make_cpu_presenter(*output_, rotation_, slow_);
+  return make_cpu_presenter(*output_, rotation_, slow_, device::monotonic_us);
 }
 
 geometry::Viewport Screen::panel() const {
