@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "firmware_io/device/clock.h"
+#include "ui/app/hands/panel_turn.h"
 #include "ui/app/view/present/cpu_presenter.h"
 #include "ui/app/view/present/output/drm_screens.h"
 
@@ -32,6 +33,7 @@ std::string drivers(bool bare, render::DrawWay way) {
 Screen::Screen(const files::WindowRequest& request)
     : wanted_(request.screen),
       rotation_(rotation_of(request.rotate).value_or(Rotation::none)),
+      finger_rotation_(turned_input(request.rotate_input) == TurnedInput::none ? Rotation::none : rotation_),
       wanted_dpi_(request.dpi),
       slow_(request.slow_screen) {
   const char* driver = std::getenv("SDL_VIDEODRIVER");
@@ -142,7 +144,8 @@ geometry::PxPoint Screen::of_mouse(double x, double y) const {
 }
 
 geometry::PxPoint Screen::of_finger(double x, double y) const {
-  return on_picture({x * panel().width, y * panel().height}, panel(), rotation_);
+  const geometry::Viewport of = turned_size(size(), finger_rotation_);
+  return on_picture({x * of.width, y * of.height}, of, finger_rotation_);
 }
 
 }  // namespace penpose::app

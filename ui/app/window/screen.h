@@ -52,6 +52,7 @@ class Screen {
 
   std::optional<int> wanted_;
   Rotation rotation_;
+  Rotation finger_rotation_;  ///< none where the system turns fingers itself
   double wanted_dpi_;
   bool slow_;
   bool bare_;                 ///< there is no desktop

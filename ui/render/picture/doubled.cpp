@@ -8,9 +8,13 @@
 namespace penpose::render {
 namespace {
 
-/// Three parts of one number and one of another, rounded.
-std::uint8_t three_to_one(std::uint8_t near, std::uint8_t far) {
-  return static_cast<std::uint8_t>((3U * near + far + 2U) >> 2U);
+/// Rounded up; compilers take sixteen at once.
+inline std::uint8_t mean(std::uint8_t a, std::uint8_t b) { return static_cast<std::uint8_t>((a + b + 1) >> 1); }
+
+/// Three parts of one row and one of another; none of them overlaps `out`.
+void mix_three_to_one(const std::uint8_t* near, const std::uint8_t* far, std::size_t count,
+                      std::uint8_t* __restrict out) {
+  for (std::size_t i = 0; i < count; ++i) out[i] = mean(near[i], mean(near[i], far[i]));
 }
 
 }  // namespace
@@ -27,11 +31,11 @@ void draw_doubled(const Image& small, Image& picture) {
     const std::uint8_t* const a = small.at(0, near);
     const std::uint8_t* const b = small.at(0, far);
     std::uint8_t* const middle = row.data() + 4;
-    for (std::size_t i = 0; i < row_bytes; ++i) middle[i] = three_to_one(a[i], b[i]);
+    mix_three_to_one(a, b, row_bytes, middle);
     std::memcpy(row.data(), middle, 4);
     std::memcpy(middle + row_bytes, middle + row_bytes - 4, 4);
-    for (std::size_t i = 0; i < row_bytes; ++i) left[i] = three_to_one(middle[i], row[i]);
-    for (std::size_t i = 0; i < row_bytes; ++i) right[i] = three_to_one(middle[i], middle[i + 4]);
+    mix_three_to_one(middle, row.data(), row_bytes, left.data());
+    mix_three_to_one(middle, middle + 4, row_bytes, right.data());
     std::uint8_t* out =
         picture.pixels.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) * 4;
     for (int x = 0; x + 1 < picture.width; x += 2, out += 8) {
