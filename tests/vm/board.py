@@ -118,6 +118,7 @@ class Board:
         self.put('/etc/systemd/system/drawing.service', DRAWING)
         shutil.copy(os.path.join(boards, 'penpose.service'), self.place('/etc/systemd/system/penpose.service'))
         self.link('/etc/systemd/system/getty.target.wants/getty@tty1.service', '/lib/systemd/system/getty@.service')
+        self.link('/etc/systemd/system/serial-getty@ttyS0.service', '/dev/null')  # the tests' own
         for name in ('drawing', 'penpose'):
             self.link(f'/etc/systemd/system/multi-user.target.wants/{name}.service', f'/etc/systemd/system/{name}.service')
         self.link('/etc/systemd/system/default.target', '/lib/systemd/system/multi-user.target')

@@ -23,22 +23,22 @@ echo "MARK window"
 until_there is_pulled 1-1
 session=$(session)
 app=$(pidof penpose)
-virtual_tablet uhid /traces/drawn.hid --go /tmp/go --pace-us 10000 --keep /tmp/keep >/out/sent 2>&1 &
+virtual_tablet uhid /traces/drawn.hid --go /tmp/go --pace-us 20000 --keep /tmp/keep >/out/sent 2>&1 &
 until_there session_has "N: Board Pen"
 stage plugged
 touch /tmp/go
 # The reports of a pen in the air are written with what comes next, so that counting them says nothing.
 until_there has_both_steps
+until_there grep -q ^sent /out/sent
 stage drawn
-grep -E "Name|Uid|VmHWM|VmRSS|RssAnon|RssFile|RssShmem" "/proc/$app/status" >/out/memory
+grep -E "Name|Uid|VmHWM|VmRSS|VmSwap|RssAnon|RssFile|RssShmem" "/proc/$app/status" >/out/memory
 cat /proc/meminfo >/out/meminfo
-cat "/proc/$app/cgroup" >/out/cgroup
 echo "MARK drawn"
 until_there is_pulled 1-2
 if [ -d /run/systemd/system ]; then
+  loginctl list-sessions --no-legend >/out/sessions
   systemctl stop penpose
   systemctl show penpose >/out/unit
-  loginctl list-sessions --no-legend >/out/sessions
   journalctl -b --no-pager >/out/journal
 else
   kill -TERM "$app"
