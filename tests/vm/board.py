@@ -115,6 +115,8 @@ class Board:
         self.put('/etc/shadow', ''.join(line.split(':')[0] + ':!:19000::::::\n' for line in PASSWD.splitlines()))
         self.put('/etc/group', ''.join(f'{name}:x:{number}:{"penpose" if name in MEMBERS else ""}\n' for name, number in GROUPS.items()))
         self.put('/etc/machine-id', '0123456789abcdef0123456789abcdef\n')
+        # The pen's event device is the group's before its hidraw node is the session's.
+        self.put('/etc/udev/rules.d/60-late.rules', 'SUBSYSTEM=="hidraw", KERNELS=="*:2D1F:*", PROGRAM="/usr/lib/busybox/sleep 3"\n')
         self.put('/etc/systemd/system/drawing.service', DRAWING)
         shutil.copy(os.path.join(boards, 'penpose.service'), self.place('/etc/systemd/system/penpose.service'))
         self.link('/etc/systemd/system/getty.target.wants/getty@tty1.service', '/lib/systemd/system/getty@.service')
