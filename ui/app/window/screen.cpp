@@ -105,7 +105,8 @@ SDL_Rect Screen::place_of_window(bool fills) const {
 void Screen::take(SDL_Window* window) {
   window_ = window;
   if (bare_output_) {
-    // SDL knows no screen here, and gives the mouse to no window by itself.
+    // SDL knows no screen here and gives the mouse to no window; this makes it say that there is one.
+    bare_mouse_ = {panel().width / 2.0, panel().height / 2.0};
     SDL_WarpMouseInWindow(window, panel().width / 2, panel().height / 2);
   } else {
     SDL_Rect all = k_usual;
@@ -135,7 +136,17 @@ double Screen::dpi() const {
   return static_cast<double>(diagonal);
 }
 
+geometry::PxPoint Screen::moved_mouse(geometry::PxPoint to, geometry::PxPoint by) {
+  if (bare_output_) {
+    // SDL lets a mouse that belongs to no window leave the screen, and presses would be where it went.
+    bare_mouse_ = {std::clamp(bare_mouse_.x + by.x, 0.0, std::max(0.0, panel().width - 1.0)),
+                   std::clamp(bare_mouse_.y + by.y, 0.0, std::max(0.0, panel().height - 1.0))};
+  }
+  return of_mouse(to.x, to.y);
+}
+
 geometry::PxPoint Screen::of_mouse(double x, double y) const {
+  if (bare_output_) return on_picture(bare_mouse_, panel(), rotation_);
   int width = 0;
   int height = 0;
   SDL_GetWindowSize(window_, &width, &height);
